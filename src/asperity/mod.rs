@@ -1,0 +1,104 @@
+//! Asperities: the set, its statistics, populations drawn from three numbers, height densities.
+
+mod heights;
+mod population;
+//mod read;
+mod statistics;
+
+pub use heights::{HeightDensity, gaussian_moment};
+pub use population::{Draw, Population};
+//pub use read::{ListError, read_list};
+pub use statistics::Statistics;
+
+/// The asperities of a rough surface, as a struct of arrays in the order of their origin.
+#[derive(Debug, Clone, PartialEq)]
+pub struct AsperitySet {
+    heights: Vec<f64>,
+    radii: Vec<f64>,
+    nominal_area: f64,
+}
+
+/// A set that no model can run on.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+pub enum SetError {
+    /// There must be an asperity.
+    #[error("no asperity")]
+    Empty,
+    /// As many heights as radii.
+    #[error("{heights} heights but {radii} radii")]
+    Lengths {
+        /// Number of heights.
+        heights: usize,
+        /// Number of radii.
+        radii: usize,
+    },
+    /// Heights are finite.
+    #[error("asperity {index}: height {height} m; allowed: a finite number")]
+    Height {
+        /// Index of the asperity, from 0.
+        index: usize,
+        /// What was found, m.
+        height: f64,
+    },
+    /// Radii are positive and finite.
+    #[error("asperity {index}: radius {radius} m; allowed: positive and finite")]
+    Radius {
+        /// Index of the asperity, from 0.
+        index: usize,
+        /// What was found, m.
+        radius: f64,
+    },
+    /// The nominal area is positive and finite.
+    #[error("nominal area {0} m^2; allowed: positive and finite")]
+    NominalArea(f64),
+}
+
+impl AsperitySet {
+    /// Asperities of the given heights and radii (m) on a nominal area (m^2).
+    ///
+    /// # Errors
+    /// The first thing that makes the set unusable.
+    pub fn new(heights: Vec<f64>, radii: Vec<f64>, nominal_area: f64) -> Result<Self, SetError> {
+        if heights.len() != radii.len() {
+            return Err(SetError::Lengths { heights: heights.len(), radii: radii.len() });
+        }
+        if heights.is_empty() {
+            return Err(SetError::Empty);
+        }
+        if let Some(index) = heights.iter().position(|z| !z.is_finite()) {
+            return Err(SetError::Height { index, height: heights[index] });
+        }
+        if let Some(index) = radii.iter().position(|&b| !(b > 0.0 && b.is_finite())) {
+            return Err(SetError::Radius { index, radius: radii[index] });
+        }
+        if !(nominal_area > 0.0 && nominal_area.is_finite()) {
+            return Err(SetError::NominalArea(nominal_area));
+        }
+        Ok(Self { heights, radii, nominal_area })
+    }
+
+    /// Heights, m.
+    pub fn heights(&self) -> &[f64] {
+        &self.heights
+    }
+
+    /// Radii, m.
+    pub fn radii(&self) -> &[f64] {
+        &self.radii
+    }
+
+    /// Number of asperities.
+    pub fn count(&self) -> usize {
+        self.heights.len()
+    }
+
+    /// Nominal area, m^2.
+    pub fn nominal_area(&self) -> f64 {
+        self.nominal_area
+    }
+
+    /// Asperities per nominal area, 1/m^2.
+    pub fn density(&self) -> f64 {
+        self.count() as f64 / self.nominal_area
+    }
+}

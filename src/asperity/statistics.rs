@@ -1,0 +1,97 @@
+//! What a set of asperities is, in a few numbers.
+
+use super::AsperitySet;
+use crate::numeric::sum::sum_of;
+
+/// Statistics of a set; deviations are divided by n.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Statistics {
+    /// Mean height, m, in the frame of the set's heights.
+    pub mean_height: f64,
+    /// Standard deviation of the heights, m.
+    pub sigma: f64,
+    /// Skewness of the heights; `None` where all are equal.
+    pub skewness: Option<f64>,
+    /// Kurtosis of the heights (3 for Gaussian ones); `None` where all are equal.
+    pub kurtosis: Option<f64>,
+    /// Arithmetic mean of the radii, m (Pasaribu and Schipper 2005, Table 1).
+    pub mean_radius: f64,
+    /// 1/(mean curvature), m.
+    pub radius_of_mean_curvature: f64,
+    /// Standard deviation of the radii over their mean.
+    pub radius_cv: f64,
+    /// Pearson's correlation of heights and radii; `None` where either are all equal.
+    pub height_radius_correlation: Option<f64>,
+}
+
+impl Statistics {
+    /// Statistics of `set`, the same to the bit on any number of threads.
+    pub fn of(set: &AsperitySet) -> Self {
+        let (heights, radii) = (set.heights(), set.radii());
+        let count = set.count();
+        let mean_of = |term: &(dyn Fn(usize) -> f64 + Sync)| sum_of(count, term) / count as f64;
+
+        let mean_height = mean_about(heights);
+        let mean_radius = mean_about(radii);
+        let central = |power: i32| mean_of(&|i| (heights[i] - mean_height).powi(power));
+        let sigma = central(2).sqrt();
+        let standardised = |moment: f64, power| (sigma > 0.0).then(|| moment / sigma.powi(power));
+        let radius_sigma = mean_of(&|i| (radii[i] - mean_radius).powi(2)).sqrt();
+        let covariance = mean_of(&|i| (heights[i] - mean_height) * (radii[i] - mean_radius));
+        Self {
+            mean_height,
+            sigma,
+            skewness: standardised(central(3), 3),
+            kurtosis: standardised(central(4), 4),
+            mean_radius,
+            radius_of_mean_curvature: mean_of(&|i| radii[i].recip()).recip(),
+            radius_cv: radius_sigma / mean_radius,
+            height_radius_correlation: (sigma > 0.0 && radius_sigma > 0.0)
+                .then(|| covariance / (sigma * radius_sigma)),
+        }
+    }
+}
+
+/// The mean, taken about the first value: equal values have exactly that mean, and a large offset
+/// costs nothing.
+fn mean_about(values: &[f64]) -> f64 {
+    let origin = values[0];
+    origin + sum_of(values.len(), |i| values[i] - origin) / values.len() as f64
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn statistics(heights: &[f64], radii: &[f64]) -> Statistics {
+        Statistics::of(&AsperitySet::new(heights.to_vec(), radii.to_vec(), 1.0).unwrap())
+    }
+
+    #[test]
+    fn of_four_asperities() {
+        let s = statistics(&[1.0, 2.0, 3.0, 6.0], &[1.0, 1.0, 2.0, 4.0]);
+        assert_eq!(s.mean_height, 3.0);
+        assert!((s.sigma - 3.5f64.sqrt()).abs() < 1e-15);
+        assert!((s.skewness.unwrap() - 4.5 / 3.5f64.powf(1.5)).abs() < 1e-15);
+        assert!((s.kurtosis.unwrap() - 24.5 / 12.25).abs() < 1e-15);
+        assert_eq!(s.mean_radius, 2.0);
+        assert_eq!(s.radius_of_mean_curvature, 4.0 / 2.75);
+        assert!((s.radius_cv - 1.5f64.sqrt() / 2.0).abs() < 1e-15);
+        assert!((s.height_radius_correlation.unwrap() - 2.25 / (3.5f64 * 1.5).sqrt()).abs() < 1e-15);
+    }
+
+    #[test]
+    fn equal_heights_have_no_shape() {
+        let s = statistics(&[0.1; 7], &[0.3; 7]);
+        assert_eq!((s.mean_height, s.sigma, s.mean_radius), (0.1, 0.0, 0.3));
+        assert_eq!((s.skewness, s.kurtosis, s.height_radius_correlation), (None, None, None));
+    }
+
+    #[test]
+    fn a_large_offset_keeps_the_deviation() {
+        let heights: Vec<f64> = (0..1000).map(|i| 1e6 + f64::from(i) / 1024.0).collect();
+        let near: Vec<f64> = (0..1000).map(|i| f64::from(i) / 1024.0).collect();
+        let radii = vec![1.0; 1000];
+        assert_eq!(statistics(&heights, &radii).sigma, statistics(&near, &radii).sigma);
+    }
+}

@@ -1,0 +1,47 @@
+//! Hertz: the elastic sphere of Greenwood and Williamson.
+
+use std::f64::consts::PI;
+
+use super::{Law, Pair};
+use crate::contact::{Contact, Regime};
+use crate::literature::{self, Paper};
+
+/// A sphere that stays elastic at any indentation (Greenwood and Williamson 1966):
+///
+/// ```text
+/// A = pi b w                       (Pasaribu and Schipper 2005, Eq. 6)
+/// P = (4/3) E* b^.5 w^1.5          (Eq. 10)
+/// ```
+///
+/// Valid for w much smaller than b and while nothing yields. No jumps; hardness is not used.
+#[derive(Debug, Clone, Copy, Default)]
+pub struct Hertz;
+
+impl Hertz {
+    /// The elastic contact, shared with the laws that begin as Hertz does.
+    #[inline]
+    pub(super) fn elastic(w: f64, b: f64, reduced_modulus: f64) -> Contact {
+        let radius = (b * w).sqrt();
+        let stiffness = 2.0 * reduced_modulus * radius;
+        Contact { area: PI * b * w, load: stiffness * w * (2.0 / 3.0), stiffness, regime: Regime::Elastic }
+    }
+}
+
+impl Law for Hertz {
+    fn name(&self) -> &'static str {
+        "hertz"
+    }
+
+    fn papers(&self) -> &'static [Paper] {
+        &[literature::GREENWOOD_WILLIAMSON_1966]
+    }
+
+    #[inline]
+    fn contact(&self, w: f64, b: f64, pair: &Pair) -> Contact {
+        Self::elastic(w, b, pair.reduced_modulus)
+    }
+
+    fn critical_ratios(&self, _: &Pair) -> Vec<f64> {
+        Vec::new()
+    }
+}

@@ -1,0 +1,124 @@
+//! Zhao, Maietta and Chang: from elastic deformation to fully plastic flow.
+
+use std::f64::consts::PI;
+
+use super::{Hertz, Law, Pair};
+use crate::contact::{Contact, Regime};
+use crate::literature::{self, Paper};
+
+/// The elastic - elastic-plastic - plastic sphere of Zhao, Maietta and Chang (2000), in the notation
+/// of Pasaribu and Schipper (2005):
+///
+/// ```text
+/// w1 = onset b (H/E*)^2,  w2 = c w1                                   (Eqs. 2, 4)
+/// w <= w1:  A = pi b w,                     P = (4/3) E* b^.5 w^1.5    (Eqs. 6, 10)
+/// w <  w2:  A = pi b w [1 + 3x^2 - 2x^3],   P = H [1 - 0.6 ln(w2/w)/ln c] A    (Eqs. 7, 11)
+/// w >= w2:  A = 2 pi b w,                   P = H A                    (Eqs. 8, 12)
+/// with x = (w - w1)/(w2 - w1)
+/// ```
+///
+/// Jumps: none with the default onset (0.3 pi)^2. The area is C1 at w1 and C0 at w2; of the load,
+/// d ln P/d ln w drops at both. With the rounded onset 0.89 the load falls by 0.0976 % at w1; with
+/// any other onset k it changes there by the factor 0.3 pi/k^.5.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Zmc {
+    onset: f64,
+    transition_ratio: f64,
+    inverse_log_ratio: f64,
+}
+
+/// An option of the law that is out of its range.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+pub enum ZmcError {
+    /// The onset coefficient must be positive and finite.
+    #[error("onset {0}; allowed: a positive finite number ((0.3 pi)^2 = 0.8883 makes the load continuous)")]
+    Onset(f64),
+    /// The plastic range must begin after the onset of yield.
+    #[error("transition-ratio {0}; allowed: a finite number above 1 (54 in Zhao, Maietta, Chang 2000)")]
+    TransitionRatio(f64),
+}
+
+impl Zmc {
+    /// (0.3 pi)^2 = (3 pi k/4)^2 with k = 0.4: the onset of yield that makes the load continuous.
+    pub const ONSET: f64 = 0.09 * PI * PI;
+
+    /// w2/w1 of Zhao, Maietta and Chang (2000), Eq. 4 of Pasaribu and Schipper (2005).
+    pub const TRANSITION_RATIO: f64 = 54.0;
+
+    /// A law with its own onset coefficient w1 E*^2/(b H^2) and transition ratio c = w2/w1.
+    ///
+    /// # Errors
+    /// An onset that is not positive and finite; a ratio that is not finite and above 1.
+    pub fn new(onset: f64, transition_ratio: f64) -> Result<Self, ZmcError> {
+        if !(onset > 0.0 && onset.is_finite()) {
+            return Err(ZmcError::Onset(onset));
+        }
+        if !(transition_ratio > 1.0 && transition_ratio.is_finite()) {
+            return Err(ZmcError::TransitionRatio(transition_ratio));
+        }
+        Ok(Self { onset, transition_ratio, inverse_log_ratio: transition_ratio.ln().recip() })
+    }
+
+    /// w1/b, infinite where neither body yields.
+    #[inline]
+    fn onset_ratio(&self, pair: &Pair) -> f64 {
+        let strain = pair.hardness / pair.reduced_modulus;
+        self.onset * strain * strain
+    }
+}
+
+impl Default for Zmc {
+    fn default() -> Self {
+        Self {
+            onset: Self::ONSET,
+            transition_ratio: Self::TRANSITION_RATIO,
+            inverse_log_ratio: Self::TRANSITION_RATIO.ln().recip(),
+        }
+    }
+}
+
+impl Law for Zmc {
+    fn name(&self) -> &'static str {
+        "zmc"
+    }
+
+    fn papers(&self) -> &'static [Paper] {
+        &[literature::ZHAO_MAIETTA_CHANG_2000, literature::PASARIBU_SCHIPPER_2005]
+    }
+
+    #[inline]
+    fn contact(&self, w: f64, b: f64, pair: &Pair) -> Contact {
+        let w1 = self.onset_ratio(pair) * b;
+        if w <= w1 {
+            return Hertz::elastic(w, b, pair.reduced_modulus);
+        }
+        let u = w / w1;
+        if u >= self.transition_ratio {
+            let slope = 2.0 * PI * b;
+            return Contact {
+                area: slope * w,
+                load: pair.hardness * slope * w,
+                stiffness: pair.hardness * slope,
+                regime: Regime::Plastic,
+            };
+        }
+        let span = self.transition_ratio - 1.0;
+        let x = (u - 1.0) / span;
+        let growth = 1.0 + x * x * (3.0 - 2.0 * x);
+        let area = PI * b * w * growth;
+        let area_slope = PI * b * (growth + u * 6.0 * x * (1.0 - x) / span);
+        let pressure = pair.hardness * (0.4 + 0.6 * u.ln() * self.inverse_log_ratio);
+        let pressure_slope = 0.6 * pair.hardness * self.inverse_log_ratio / w;
+        Contact {
+            area,
+            load: pressure * area,
+            stiffness: pressure * area_slope + pressure_slope * area,
+            regime: Regime::ElasticPlastic,
+        }
+    }
+
+    fn critical_ratios(&self, pair: &Pair) -> Vec<f64> {
+        let w1 = self.onset_ratio(pair);
+        if w1.is_finite() { vec![w1, self.transition_ratio * w1] } else { Vec::new() }
+    }
+}

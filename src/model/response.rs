@@ -1,0 +1,62 @@
+//! What a model answers at one separation.
+
+use super::Datum;
+use crate::contact::{ByRegime, Tally};
+
+/// The response of a rough surface at one separation, per nominal area.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Response {
+    /// d/sigma.
+    pub separation_over_sigma: f64,
+    /// d, m, from the mean asperity height.
+    pub separation: f64,
+    /// Contacts per nominal area, 1/m^2.
+    pub contact_density: f64,
+    /// Real over nominal contact area, by regime.
+    pub area_ratio: ByRegime,
+    /// Nominal pressure, Pa, by regime.
+    pub pressure: ByRegime,
+    /// -dp/dd, Pa/m.
+    pub stiffness: f64,
+    /// Standard errors; a sum has them, an integral does not.
+    pub sampling: Option<SamplingError>,
+}
+
+/// Standard errors of a sum at a fixed separation, its asperities taken as independent draws of a
+/// fixed number.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct SamplingError {
+    /// Of the nominal pressure, Pa.
+    pub pressure: f64,
+    /// Of the area ratio.
+    pub area_ratio: f64,
+}
+
+/// Beyond this area ratio neighbouring asperities interact, and no asperity model holds.
+pub const INTERACTION: f64 = 0.05;
+
+impl Response {
+    /// The response that `tally`, times `per_area` (1/m^2), is at separation `h` = d/sigma.
+    pub(super) fn new(h: f64, datum: Datum, tally: &Tally, per_area: f64) -> Self {
+        Self {
+            separation_over_sigma: h,
+            separation: h * datum.sigma,
+            contact_density: tally.contacts() * per_area,
+            area_ratio: ByRegime(tally.area().0.map(|area| area * per_area)),
+            pressure: ByRegime(tally.load().0.map(|load| load * per_area)),
+            stiffness: tally.stiffness() * per_area,
+            sampling: None,
+        }
+    }
+
+    /// Mean pressure on the real contact area, Pa; `None` where nothing touches.
+    pub fn mean_real_pressure(&self) -> Option<f64> {
+        let area = self.area_ratio.total();
+        (area > 0.0).then(|| self.pressure.total() / area)
+    }
+
+    /// Whether so much is in contact that asperities interact.
+    pub fn is_beyond_model(&self) -> bool {
+        self.area_ratio.total() > INTERACTION
+    }
+}

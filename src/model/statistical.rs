@@ -1,0 +1,164 @@
+//! The statistical model: a height density and one mean radius (Zhao, Maietta and Chang 2000).
+
+use super::load_control::LOWEST_SEPARATION;
+use super::{Datum, Model, Response};
+use crate::asperity::{Population, Statistics};
+use crate::contact::Tally;
+use crate::interface::MicroContact;
+use crate::numeric::quadrature::{Variable, panels};
+use crate::numeric::root::last_reaching;
+
+/// E-foldings of the density that one panel resolves to full accuracy.
+const FOLDINGS_PER_PANEL: f64 = 20.0;
+
+/// Ratio of a panel's ends up to which it resolves a logarithm in w to full accuracy.
+const RATIO_PER_PANEL: f64 = 56.0;
+
+/// Which mean stands for all radii.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
+pub enum MeanRadius {
+    /// The arithmetic mean (Pasaribu and Schipper 2005, Table 1).
+    #[default]
+    Arithmetic,
+    /// 1/(mean curvature).
+    InverseMeanCurvature,
+}
+
+impl MeanRadius {
+    /// The radius that stands for the set with these statistics, m.
+    pub fn of(self, statistics: &Statistics) -> f64 {
+        match self {
+            Self::Arithmetic => statistics.mean_radius,
+            Self::InverseMeanCurvature => statistics.radius_of_mean_curvature,
+        }
+    }
+}
+
+/// The micro-contact integrated over a height density:
+///
+/// ```text
+/// A/A_nom = eta int A(z - d) f(z) dz,   p = eta int P(z - d) f(z) dz,   z from d
+/// ```
+///
+/// by Gauss-Legendre panels between the breakpoints of the micro-contact, in w with the density
+/// relative to its value at d: the far tail keeps full relative accuracy.
+#[derive(Debug, Clone, Copy)]
+pub struct Statistical<'a, C: ?Sized> {
+    contact: &'a C,
+    population: Population,
+    mean: f64,
+}
+
+impl<'a, C: MicroContact + ?Sized> Statistical<'a, C> {
+    /// The model of a population whose heights have the mean 0.
+    pub fn new(contact: &'a C, population: Population) -> Self {
+        Self { contact, population, mean: 0.0 }
+    }
+
+    /// The same model with heights about `mean`, m.
+    pub fn about(self, mean: f64) -> Self {
+        Self { mean, ..self }
+    }
+
+    /// The population that is integrated over.
+    pub fn population(&self) -> &Population {
+        &self.population
+    }
+
+    fn tally(&self, h: f64) -> Tally {
+        let Population { radius, sigma, heights, .. } = self.population;
+        let scale = heights.scale(h);
+        let mut tally = Tally::default();
+        if scale == 0.0 {
+            return tally;
+        }
+        let [start, end] = heights.window(h);
+        let breakpoints: Vec<f64> = self.contact.breakpoints(radius).iter().map(|w| w / sigma).collect();
+        let ends = breakpoints.iter().copied().chain([end]);
+        let mut from = start;
+        for (segment, to) in ends.enumerate() {
+            let to = to.min(end);
+            if to <= from {
+                continue;
+            }
+            // Behind the last breakpoint area and load are smooth in w itself.
+            let variable = if segment > 0 && segment == breakpoints.len() {
+                Variable::Linear
+            } else {
+                Variable::SquareRoot
+            };
+            for [low, high] in spans(from, to, segment > 0) {
+                let foldings = heights.foldings(h, low, high);
+                let count = (foldings / FOLDINGS_PER_PANEL).ceil().max(1.0) as usize;
+                for panel in panels(low, high, variable, count) {
+                    let indentations = panel.points.map(|x| x * sigma);
+                    let mut weights = panel.weights;
+                    for (weight, x) in weights.iter_mut().zip(panel.points) {
+                        *weight *= scale * (-heights.exponent(h, x)).exp();
+                    }
+                    self.contact.weigh(&indentations, &weights, radius, &mut tally);
+                }
+            }
+            from = to;
+        }
+        self.add_jumps(h, &breakpoints, [start, end], &mut tally);
+        tally
+    }
+
+    /// dp/dd has a contribution of its own where the load jumps.
+    fn add_jumps(&self, h: f64, breakpoints: &[f64], window: [f64; 2], tally: &mut Tally) {
+        let Population { radius, sigma, heights, .. } = self.population;
+        for &x in breakpoints.iter().filter(|x| (window[0]..window[1]).contains(x)) {
+            let load = |w: f64| self.contact.contact(w, radius).load;
+            let jump =
+                load(x * sigma * (1.0 + 2.0 * f64::EPSILON)) - load(x * sigma * (1.0 - 2.0 * f64::EPSILON));
+            let density = heights.scale(h) * (-heights.exponent(h, x)).exp() / sigma;
+            tally.add_jump(jump * density);
+        }
+    }
+
+    fn pressure(&self, h: f64) -> f64 {
+        self.tally(h).load().total() * self.population.density
+    }
+}
+
+/// [from, to] in pieces whose ends have a bounded ratio, where the answer holds a logarithm of w.
+fn spans(from: f64, to: f64, logarithmic: bool) -> impl Iterator<Item = [f64; 2]> {
+    let ratio = to / from;
+    let count = if logarithmic { (ratio.ln() / RATIO_PER_PANEL.ln()).ceil().max(1.0) as i32 } else { 1 };
+    let end = move |k: i32| match k {
+        0 => from,
+        k if k == count => to,
+        k => from * ratio.powf(f64::from(k) / f64::from(count)),
+    };
+    (0..count).map(move |k| [end(k), end(k + 1)])
+}
+
+impl<C: MicroContact + ?Sized> Model for Statistical<'_, C> {
+    fn datum(&self) -> Datum {
+        Datum { mean: self.mean, sigma: self.population.sigma }
+    }
+
+    fn respond(&self, h: f64) -> Response {
+        Response::new(h, self.datum(), &self.tally(h), self.population.density)
+    }
+
+    /// Where the density falls with height, so does the pressure with the separation, whatever
+    /// the load does with w: -dp/dd = -int P f' dz. Nearer than the mode a falling load could make
+    /// it fall; the density is so smooth there that a walk in small steps misses nothing.
+    fn separation_at(&self, pressure: f64) -> Option<f64> {
+        /// Steps of the walk below the mode, in sigma.
+        const STEP: f64 = 1.0 / 16.0;
+        let density = self.population.heights;
+        let search = |low, high| last_reaching(|h| self.pressure(h), pressure, low, high);
+        let highest = density.highest_separation();
+        if !self.contact.load_falls() {
+            return search(LOWEST_SEPARATION, highest);
+        }
+        search(density.mode(), highest).or_else(|| {
+            let steps = ((density.mode() - LOWEST_SEPARATION) / STEP).ceil() as i32;
+            let end = |k: i32| density.mode() - STEP * f64::from(k);
+            (0..steps).find_map(|k| search(end(k + 1), end(k)))
+        })
+    }
+}

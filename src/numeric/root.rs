@@ -1,0 +1,135 @@
+//! Searches that answer where a falling curve first reaches a level.
+//!
+//! Both keep a bracket from the first to the last step, so they end at a separation whose value has
+//! been seen to reach the level; neither can fail silently.
+
+/// Relative width of the last bracket, a few units of rounding.
+const WIDTH: f64 = 4.0 * f64::EPSILON;
+
+fn closed(low: f64, high: f64) -> bool {
+    high - low <= WIDTH * low.abs().max(high.abs()).max(1.0)
+}
+
+/// The largest `x` in [low, high], to rounding, with `value(x) >= level`, for a `value` that
+/// nowhere rises with `x`; where it jumps over the level, the near side of the jump. `None` if
+/// `value(low)` does not reach the level.
+///
+/// Chandrupatla's method (Advances in Engineering Software 28, 145, 1997) on ln(value/level), with
+/// bisection wherever a value is zero or infinite.
+pub fn last_reaching(value: impl Fn(f64) -> f64, level: f64, low: f64, high: f64) -> Option<f64> {
+    let gap = |x: f64| (value(x) / level).ln();
+    let (mut near, mut near_gap) = (low, gap(low));
+    if near_gap.is_nan() || near_gap < 0.0 {
+        return None;
+    }
+    let (mut far, mut far_gap) = (high, gap(high));
+    if far_gap >= 0.0 {
+        return Some(high);
+    }
+    // `latest` is the end that moved last, `other` the opposite end, `before` the one it replaced.
+    let (mut latest, mut latest_gap, mut other, mut other_gap) = (near, near_gap, far, far_gap);
+    let mut fraction: f64 = 0.5;
+    while !closed(near, far) {
+        let least = WIDTH * latest.abs().max(other.abs()).max(1.0) / (far - near) * 0.5;
+        let x = latest + (other - latest) * fraction.clamp(least, 1.0 - least);
+        let x_gap = gap(x);
+        let (before, before_gap);
+        if (x_gap >= 0.0) == (latest_gap >= 0.0) {
+            (before, before_gap) = (latest, latest_gap);
+        } else {
+            (before, before_gap) = (other, other_gap);
+            (other, other_gap) = (latest, latest_gap);
+        }
+        (latest, latest_gap) = (x, x_gap);
+        if x_gap >= 0.0 {
+            (near, near_gap) = (x, x_gap);
+        } else {
+            (far, far_gap) = (x, x_gap);
+        }
+        fraction = interpolate(latest, latest_gap, other, other_gap, before, before_gap).unwrap_or(0.5);
+    }
+    debug_assert!(near_gap >= 0.0 && far_gap < 0.0);
+    Some(near)
+}
+
+/// Inverse quadratic interpolation through the last three points, as a fraction of the way from
+/// `a` to `b`; `None` where Chandrupatla's criterion does not trust it.
+fn interpolate(a: f64, fa: f64, b: f64, fb: f64, c: f64, fc: f64) -> Option<f64> {
+    if !(fa.is_finite() && fb.is_finite() && fc.is_finite()) {
+        return None;
+    }
+    let xi = (a - b) / (c - b);
+    let phi = (fa - fb) / (fc - fb);
+    if !(phi * phi < xi && (1.0 - phi) * (1.0 - phi) < 1.0 - xi) {
+        return None;
+    }
+    let t = fa / (fb - fa) * (fc / (fb - fc)) + (c - a) / (b - a) * (fa / (fc - fa)) * (fb / (fc - fb));
+    t.is_finite().then_some(t)
+}
+
+/// The largest `x` in [low, high], to rounding, with `value(x) >= level`, for a `value` that may
+/// rise and fall, given `bound(a, b)`, an upper bound of `value` on [a, b] that tightens as the
+/// interval shrinks. Halves are searched from above; one whose bound lies below the level is not
+/// entered. `None` if the level is reached nowhere.
+pub fn last_reaching_bounded(
+    value: &impl Fn(f64) -> f64,
+    bound: &impl Fn(f64, f64) -> f64,
+    level: f64,
+    low: f64,
+    high: f64,
+) -> Option<f64> {
+    if bound(low, high) < level {
+        return None;
+    }
+    if closed(low, high) {
+        return (value(low) >= level).then_some(low);
+    }
+    let middle = 0.5 * (low + high);
+    last_reaching_bounded(value, bound, level, middle, high)
+        .or_else(|| last_reaching_bounded(value, bound, level, low, middle))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::cell::Cell;
+
+    #[test]
+    fn finds_a_smooth_level_in_few_steps() {
+        let calls = Cell::new(0);
+        let value = |x: f64| {
+            calls.set(calls.get() + 1);
+            (-0.01 * x * x * x - 3.0 * x).exp()
+        };
+        for exact in [-1.5, 0.1, 0.7, 1.9, 3.2] {
+            calls.set(0);
+            let found = last_reaching(value, value(exact), -10.0, 39.0).unwrap();
+            assert!((found - exact).abs() < 4e-15, "{found} for {exact}");
+            assert!(value(found) >= value(exact));
+            assert!(calls.get() < 40, "{} calls for {exact}", calls.get());
+        }
+    }
+
+    #[test]
+    fn a_jump_ends_on_its_near_side() {
+        let value = |x: f64| if x <= 1.25 { 3.0 - x } else { 0.0 };
+        let found = last_reaching(value, 1.0, -10.0, 10.0).unwrap();
+        assert!(found <= 1.25 && 1.25 - found < 1e-14);
+    }
+
+    #[test]
+    fn a_level_out_of_reach_is_said() {
+        assert_eq!(last_reaching(|x| -x, 11.0, -10.0, 10.0), None);
+        assert_eq!(last_reaching(|_| f64::NAN, 1.0, -10.0, 10.0), None);
+        assert_eq!(last_reaching_bounded(&|x| -x, &|a, _| -a, 11.0, -10.0, 10.0), None);
+    }
+
+    #[test]
+    fn a_curve_that_falls_on_the_way_is_reached_where_it_first_is() {
+        // Rises to 1 at x = 2, drops by half, rises again: 0.8 is first reached at 2.2.
+        let value = |x: f64| if x >= 2.0 { 3.0 - x } else { 2.5 - x };
+        let bound = |a: f64, b: f64| if a < 2.0 && b >= 2.0 { value(a).max(1.0) } else { value(a) };
+        let found = last_reaching_bounded(&value, &bound, 0.8, -10.0, 10.0).unwrap();
+        assert!((found - 2.2).abs() < 1e-14);
+    }
+}
