@@ -28,9 +28,6 @@ pub trait MicroContact: Send + Sync {
     /// pair, infinite where neither yields.
     fn reference_hardness(&self) -> f64;
 
-    /// Name of the law.
-    fn law(&self) -> &'static str;
-
     /// The papers behind the answers.
     fn papers(&self) -> Vec<Paper>;
 
@@ -113,10 +110,6 @@ impl<L: Law> MicroContact for Interface<L> {
 
     fn reference_hardness(&self) -> f64 {
         self.pair.hardness
-    }
-
-    fn law(&self) -> &'static str {
-        self.law.name()
     }
 
     fn papers(&self) -> Vec<Paper> {

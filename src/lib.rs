@@ -3,6 +3,7 @@
 #![warn(missing_docs)]
 
 pub mod asperity;
+pub mod compare;
 pub mod contact;
 pub mod interface;
 pub mod law;
@@ -10,3 +11,4 @@ pub mod literature;
 pub mod material;
 pub mod model;
 pub mod numeric;
+pub mod units;

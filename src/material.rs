@@ -1,12 +1,42 @@
 //! Bodies and what a pair of them is to a micro-contact.
 
+use serde::Deserialize;
+
+use crate::numeric::is_positive;
+use crate::units::{PoissonRange, Pressure, Pure, Quantity};
+
 /// One body. Build it with [`Material::new`]: a value of this type is always usable.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Deserialize)]
+#[serde(try_from = "Words")]
 pub struct Material {
     young: f64,
     poisson: f64,
     hardness: Option<f64>,
     yield_strength: Option<f64>,
+}
+
+/// `[material.NAME]` in a spec.
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields, rename_all = "kebab-case")]
+struct Words {
+    young: Quantity<Pressure>,
+    poisson: Quantity<Pure, PoissonRange>,
+    hardness: Option<Quantity<Pressure>>,
+    yield_strength: Option<Quantity<Pressure>>,
+}
+
+impl TryFrom<Words> for Material {
+    type Error = MaterialError;
+
+    fn try_from(words: Words) -> Result<Self, MaterialError> {
+        let value = |quantity: Option<Quantity<Pressure>>| quantity.map(|q| q.value());
+        Self::new(
+            words.young.value(),
+            words.poisson.value(),
+            value(words.hardness),
+            value(words.yield_strength),
+        )
+    }
 }
 
 /// A property that no body can have.
@@ -38,9 +68,8 @@ impl Material {
         hardness: Option<f64>,
         yield_strength: Option<f64>,
     ) -> Result<Self, MaterialError> {
-        let usable = |value: f64| value > 0.0 && value.is_finite();
-        let unusable = |value: Option<f64>| value.filter(|&v| !usable(v));
-        if !usable(young) {
+        let unusable = |value: Option<f64>| value.filter(|&v| !is_positive(v));
+        if !is_positive(young) {
             return Err(MaterialError::Young(young));
         }
         if !(0.0..0.5).contains(&poisson) {
@@ -116,11 +145,7 @@ mod tests {
             assert!(matches!(Material::new(young, 0.3, None, None), Err(MaterialError::Young(_))));
         }
         for poisson in [-0.1, 0.5, f64::NAN] {
-            assert_eq!(
-                Material::new(1e9, poisson, None, None)
-                    .is_err_and(|e| matches!(e, MaterialError::Poisson(_))),
-                true
-            );
+            assert!(matches!(Material::new(1e9, poisson, None, None), Err(MaterialError::Poisson(_))));
         }
         assert!(Material::new(1e9, 0.0, Some(0.0), None).is_err());
         assert!(Material::new(1e9, 0.0, None, Some(f64::NAN)).is_err());

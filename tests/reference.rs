@@ -3,7 +3,7 @@
 
 mod common;
 
-use asperity::asperity::{AsperitySet, HeightDensity, Population};
+use asperity::asperity::{AsperitySet, HeightDensity, Ordered, Population};
 use asperity::contact::{Contact, Regime, Tally};
 use asperity::interface::{Interface, MicroContact};
 use asperity::law::{Hertz, Law, Pair, Zmc};
@@ -48,9 +48,6 @@ impl MicroContact for Power {
     }
     fn reference_hardness(&self) -> f64 {
         f64::INFINITY
-    }
-    fn law(&self) -> &'static str {
-        "power"
     }
     fn papers(&self) -> Vec<Paper> {
         Vec::new()
@@ -120,7 +117,7 @@ fn sums_over_bare_asperities() {
         let members = || asperities.iter().filter(|a| a.text("set") == row.text("set"));
         let heights = members().map(|a| a.number("height")).collect();
         let radii = members().map(|a| a.number("radius")).collect();
-        let set = AsperitySet::new(heights, radii, 1.0).unwrap();
+        let set = Ordered::new(&AsperitySet::new(heights, radii, 1.0).unwrap());
         let zmc = Interface::bare(Zmc::default(), &steel, &flat);
         let d = row.number("separation");
         let found: Tally = Deterministic::new(&zmc, &set, Datum { mean: 0.0, sigma: 1.0 }).tally(d);

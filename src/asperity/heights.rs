@@ -2,6 +2,7 @@
 //!
 //! Heights z, separations h and indentations x = z - h are in units of sigma here.
 
+use serde::Deserialize;
 use statrs::distribution::{ContinuousCDF, Exp, Normal};
 use std::f64::consts::{PI, SQRT_2};
 
@@ -9,7 +10,8 @@ use std::f64::consts::{PI, SQRT_2};
 const FOLDINGS: f64 = 40.0;
 
 /// Density of asperity heights.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Deserialize)]
+#[serde(rename_all = "kebab-case")]
 pub enum HeightDensity {
     /// Normal heights (Greenwood and Williamson 1966; Zhao, Maietta and Chang 2000).
     Gaussian,

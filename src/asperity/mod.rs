@@ -1,14 +1,18 @@
 //! Asperities: the set, its statistics, populations drawn from three numbers, height densities.
 
 mod heights;
+mod ordered;
 mod population;
 //mod read;
 mod statistics;
 
 pub use heights::{HeightDensity, gaussian_moment};
+pub use ordered::Ordered;
 pub use population::{Draw, Population};
 //pub use read::{ListError, read_list};
 pub use statistics::Statistics;
+
+use crate::numeric::{LARGEST, is_positive};
 
 /// The asperities of a rough surface, as a struct of arrays in the order of their origin.
 #[derive(Debug, Clone, PartialEq)]
@@ -65,13 +69,13 @@ impl AsperitySet {
         if heights.is_empty() {
             return Err(SetError::Empty);
         }
-        if let Some(index) = heights.iter().position(|z| !z.is_finite()) {
+        if let Some(index) = heights.iter().position(|z| !(z.abs() <= LARGEST)) {
             return Err(SetError::Height { index, height: heights[index] });
         }
-        if let Some(index) = radii.iter().position(|&b| !(b > 0.0 && b.is_finite())) {
+        if let Some(index) = radii.iter().position(|&b| !is_positive(b)) {
             return Err(SetError::Radius { index, radius: radii[index] });
         }
-        if !(nominal_area > 0.0 && nominal_area.is_finite()) {
+        if !is_positive(nominal_area) {
             return Err(SetError::NominalArea(nominal_area));
         }
         Ok(Self { heights, radii, nominal_area })

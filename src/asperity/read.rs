@@ -2,6 +2,7 @@
 
 use std::path::Path;
 
+use crate::numeric::{LARGEST, is_positive};
 use crate::surface::read::{self, ReadError, npy};
 
 /// Why a file gives no list of asperities.
@@ -118,9 +119,9 @@ fn read_csv(path: &Path) -> Result<(Vec<f64>, Vec<f64>), ListError> {
 }
 
 fn is_height(value: f64) -> bool {
-    value.is_finite()
+    value.abs() <= LARGEST
 }
 
 fn is_radius(value: f64) -> bool {
-    value > 0.0 && value.is_finite()
+    is_positive(value)
 }

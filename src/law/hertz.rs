@@ -28,10 +28,6 @@ impl Hertz {
 }
 
 impl Law for Hertz {
-    fn name(&self) -> &'static str {
-        "hertz"
-    }
-
     fn papers(&self) -> &'static [Paper] {
         &[literature::GREENWOOD_WILLIAMSON_1966]
     }

@@ -28,9 +28,6 @@ pub struct Pair {
 /// For `w > 0`, `b > 0` every answer is finite and non-negative, and within a regime neither area
 /// nor load decreases with `w`. A jump at a boundary is stated in the law's own documentation.
 pub trait Law: Send + Sync + 'static {
-    /// The name a spec calls it by.
-    fn name(&self) -> &'static str;
-
     /// The papers that the law's equations are from.
     fn papers(&self) -> &'static [Paper];
 

@@ -78,10 +78,6 @@ impl Default for Zmc {
 }
 
 impl Law for Zmc {
-    fn name(&self) -> &'static str {
-        "zmc"
-    }
-
     fn papers(&self) -> &'static [Paper] {
         &[literature::ZHAO_MAIETTA_CHANG_2000, literature::PASARIBU_SCHIPPER_2005]
     }

@@ -1,10 +1,8 @@
 //! The deterministic model: a sum over the real asperities (Pasaribu and Schipper 2005, Eqs. 1, 13).
 
-use rayon::prelude::*;
-
 use super::load_control::LOWEST_SEPARATION;
 use super::{Datum, Model, Response, SamplingError};
-use crate::asperity::AsperitySet;
+use crate::asperity::Ordered;
 use crate::contact::Tally;
 use crate::interface::MicroContact;
 use crate::numeric::Sum;
@@ -12,39 +10,22 @@ use crate::numeric::root::{last_reaching, last_reaching_bounded};
 use crate::numeric::sum::in_chunks;
 
 /// The micro-contact summed over the asperities that stand above the flat.
-///
-/// Asperities are kept highest first, so that those in contact are a prefix: the others are never
-/// touched.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, Copy)]
 pub struct Deterministic<'a, C: ?Sized> {
     contact: &'a C,
+    asperities: &'a Ordered,
     datum: Datum,
-    nominal_area: f64,
-    heights: Vec<f64>,
-    radii: Vec<f64>,
 }
 
 impl<'a, C: MicroContact + ?Sized> Deterministic<'a, C> {
     /// The model of a set, with separations measured as `datum` says.
-    pub fn new(contact: &'a C, set: &AsperitySet, datum: Datum) -> Self {
-        let mut order: Vec<(f64, f64)> =
-            set.heights().iter().copied().zip(set.radii().iter().copied()).collect();
-        // Equal heights in order of their radii: the sum does not depend on the order of the input.
-        order.par_sort_unstable_by(|a, b| b.0.total_cmp(&a.0).then(a.1.total_cmp(&b.1)));
-        let (heights, radii) = order.into_iter().unzip();
-        Self { contact, datum, nominal_area: set.nominal_area(), heights, radii }
-    }
-
-    /// Heights (m, highest first) and radii (m) of the asperities above `separation` (m, in the
-    /// frame of the heights).
-    fn above(&self, separation: f64) -> (&[f64], &[f64]) {
-        let count = self.heights.partition_point(|&z| z > separation);
-        (&self.heights[..count], &self.radii[..count])
+    pub fn new(contact: &'a C, asperities: &'a Ordered, datum: Datum) -> Self {
+        Self { contact, asperities, datum }
     }
 
     /// What the asperities above `separation` (m, in the frame of the set's heights) add up to.
     pub fn tally(&self, separation: f64) -> Tally {
-        let (heights, radii) = self.above(separation);
+        let (heights, radii) = self.asperities.above(separation);
         in_chunks(
             heights.len(),
             |chunk| {
@@ -62,14 +43,14 @@ impl<'a, C: MicroContact + ?Sized> Deterministic<'a, C> {
     }
 
     fn pressure(&self, h: f64) -> f64 {
-        self.tally(self.absolute(h)).load().total() / self.nominal_area
+        self.tally(self.absolute(h)).load().total() / self.asperities.nominal_area()
     }
 
     /// The highest pressure that any separation from `low` to `high` could carry, were each
     /// asperity at its own worst.
     fn highest_pressure(&self, low: f64, high: f64) -> f64 {
         let (near, far) = (self.absolute(low), self.absolute(high));
-        let (heights, radii) = self.above(near);
+        let (heights, radii) = self.asperities.above(near);
         let load = in_chunks(
             heights.len(),
             |chunk| {
@@ -81,7 +62,7 @@ impl<'a, C: MicroContact + ?Sized> Deterministic<'a, C> {
             },
             Sum::merge,
         );
-        load.value() / self.nominal_area
+        load.value() / self.asperities.nominal_area()
     }
 }
 
@@ -92,17 +73,17 @@ impl<C: MicroContact + ?Sized> Model for Deterministic<'_, C> {
 
     fn respond(&self, h: f64) -> Response {
         let tally = self.tally(self.absolute(h));
-        let count = self.heights.len();
+        let count = self.asperities.count();
         let sampling = SamplingError {
-            pressure: tally.load_error(count) / self.nominal_area,
-            area_ratio: tally.area_error(count) / self.nominal_area,
+            pressure: tally.load_error(count) / self.asperities.nominal_area(),
+            area_ratio: tally.area_error(count) / self.asperities.nominal_area(),
         };
-        let response = Response::new(h, self.datum, &tally, self.nominal_area.recip());
+        let response = Response::new(h, self.datum, &tally, self.asperities.nominal_area().recip());
         Response { sampling: Some(sampling), ..response }
     }
 
     fn separation_at(&self, pressure: f64) -> Option<f64> {
-        let top = (self.heights[0] - self.datum.mean) / self.datum.sigma;
+        let top = (self.asperities.highest() - self.datum.mean) / self.datum.sigma;
         let highest = top.max(LOWEST_SEPARATION);
         if self.contact.load_falls() {
             let (value, bound) = (|h: f64| self.pressure(h), |low, high| self.highest_pressure(low, high));

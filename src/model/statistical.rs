@@ -1,5 +1,7 @@
 //! The statistical model: a height density and one mean radius (Zhao, Maietta and Chang 2000).
 
+use serde::Deserialize;
+
 use super::load_control::LOWEST_SEPARATION;
 use super::{Datum, Model, Response};
 use crate::asperity::{Population, Statistics};
@@ -15,7 +17,8 @@ const FOLDINGS_PER_PANEL: f64 = 20.0;
 const RATIO_PER_PANEL: f64 = 56.0;
 
 /// Which mean stands for all radii.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default, Deserialize)]
+#[serde(rename_all = "kebab-case")]
 pub enum MeanRadius {
     /// The arithmetic mean (Pasaribu and Schipper 2005, Table 1).
     #[default]
@@ -46,25 +49,45 @@ impl MeanRadius {
 pub struct Statistical<'a, C: ?Sized> {
     contact: &'a C,
     population: Population,
-    mean: f64,
+    datum: Datum,
 }
 
 impl<'a, C: MicroContact + ?Sized> Statistical<'a, C> {
-    /// The model of a population whose heights have the mean 0.
+    /// The model of a population, with separations from its mean asperity height in its sigma.
     pub fn new(contact: &'a C, population: Population) -> Self {
-        Self { contact, population, mean: 0.0 }
+        Self { contact, population, datum: Datum { mean: 0.0, sigma: population.sigma } }
     }
 
-    /// The same model with heights about `mean`, m.
-    pub fn about(self, mean: f64) -> Self {
-        Self { mean, ..self }
+    /// The same model with separations measured as `datum` says, its mean relative to the mean
+    /// asperity height.
+    pub fn quoted_from(self, datum: Datum) -> Self {
+        Self { datum, ..self }
     }
 
-    /// The population that is integrated over.
-    pub fn population(&self) -> &Population {
-        &self.population
+    /// A quoted separation as the standardised one that the density knows.
+    fn standardised(&self, h: f64) -> f64 {
+        if self.is_quoted_as_it_is() {
+            h
+        } else {
+            (self.datum.mean + h * self.datum.sigma) / self.population.sigma
+        }
     }
 
+    /// The inverse of [`Statistical::standardised`].
+    fn quoted(&self, h: f64) -> f64 {
+        if self.is_quoted_as_it_is() {
+            h
+        } else {
+            (h * self.population.sigma - self.datum.mean) / self.datum.sigma
+        }
+    }
+
+    /// Then d/sigma goes through unrounded, which the far tail needs.
+    fn is_quoted_as_it_is(&self) -> bool {
+        self.datum == Datum { mean: 0.0, sigma: self.population.sigma }
+    }
+
+    /// The tally at the standardised separation `h`, per asperity.
     fn tally(&self, h: f64) -> Tally {
         let Population { radius, sigma, heights, .. } = self.population;
         let scale = heights.scale(h);
@@ -136,11 +159,11 @@ fn spans(from: f64, to: f64, logarithmic: bool) -> impl Iterator<Item = [f64; 2]
 
 impl<C: MicroContact + ?Sized> Model for Statistical<'_, C> {
     fn datum(&self) -> Datum {
-        Datum { mean: self.mean, sigma: self.population.sigma }
+        self.datum
     }
 
     fn respond(&self, h: f64) -> Response {
-        Response::new(h, self.datum(), &self.tally(h), self.population.density)
+        Response::new(h, self.datum, &self.tally(self.standardised(h)), self.population.density)
     }
 
     /// Where the density falls with height, so does the pressure with the separation, whatever
@@ -151,14 +174,17 @@ impl<C: MicroContact + ?Sized> Model for Statistical<'_, C> {
         const STEP: f64 = 1.0 / 16.0;
         let density = self.population.heights;
         let search = |low, high| last_reaching(|h| self.pressure(h), pressure, low, high);
-        let highest = density.highest_separation();
-        if !self.contact.load_falls() {
-            return search(LOWEST_SEPARATION, highest);
-        }
-        search(density.mode(), highest).or_else(|| {
-            let steps = ((density.mode() - LOWEST_SEPARATION) / STEP).ceil() as i32;
-            let end = |k: i32| density.mode() - STEP * f64::from(k);
-            (0..steps).find_map(|k| search(end(k + 1), end(k)))
-        })
+        let (lowest, highest) = (self.standardised(LOWEST_SEPARATION), density.highest_separation());
+        let mode = density.mode().max(lowest);
+        let found = if self.contact.load_falls() {
+            search(mode, highest).or_else(|| {
+                let steps = ((mode - lowest) / STEP).ceil() as i32;
+                let end = |k: i32| (mode - STEP * f64::from(k)).max(lowest);
+                (0..steps).find_map(|k| search(end(k + 1), end(k)))
+            })
+        } else {
+            search(lowest, highest)
+        };
+        found.map(|h| self.quoted(h))
     }
 }

@@ -5,3 +5,12 @@ pub mod root;
 pub mod sum;
 
 pub use sum::Sum;
+
+/// The largest magnitude that the program takes from anyone: products of a few such numbers
+/// neither overflow nor vanish.
+pub const LARGEST: f64 = 1e60;
+
+/// Whether `value` is positive and within a range in which no product overflows or vanishes.
+pub fn is_positive(value: f64) -> bool {
+    (1.0 / LARGEST..=LARGEST).contains(&value)
+}

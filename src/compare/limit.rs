@@ -1,0 +1,177 @@
+//! How the deterministic model approaches the statistical one as the number of asperities grows:
+//! equal radii, heights of the density that the integral runs over.
+
+use crate::asperity::{Draw, Ordered, Population, SetError};
+use crate::interface::MicroContact;
+use crate::model::{Datum, Deterministic, Model, Response};
+
+use super::gap::FEWEST_CONTACTS;
+
+/// One law with its exact answers.
+pub struct LimitCase<'a> {
+    /// The law, as tables name it.
+    pub law: String,
+    /// The micro-contact.
+    pub contact: &'a dyn MicroContact,
+    /// What the sum must approach, one a separation.
+    pub exact: Vec<Exact>,
+}
+
+/// The limit at one separation.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Exact {
+    /// The statistical model's answer.
+    pub statistical: Response,
+    /// Contacting fraction of all asperities.
+    pub contact_fraction: f64,
+    /// Real over nominal area.
+    pub area_ratio: f64,
+    /// Nominal pressure, Pa.
+    pub pressure: f64,
+}
+
+/// Sets of one size at one separation under one law.
+#[derive(Debug, Clone, PartialEq)]
+pub struct LimitPoint {
+    /// The law.
+    pub law: String,
+    /// What the sets must approach.
+    pub exact: Exact,
+    /// Asperities in a set.
+    pub count: usize,
+    /// The answer of each random set.
+    pub random: Vec<Response>,
+    /// The answer of the set with heights at the quantiles.
+    pub quantiles: Response,
+}
+
+/// A quantity whose error is followed.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Quantity {
+    /// Real contact area.
+    Area,
+    /// Load.
+    Load,
+}
+
+impl Quantity {
+    /// Both.
+    pub const ALL: [Self; 2] = [Self::Area, Self::Load];
+
+    /// As tables name it.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Area => "area",
+            Self::Load => "load",
+        }
+    }
+}
+
+impl LimitPoint {
+    /// Expected number of contacts.
+    pub fn expected_contacts(&self) -> f64 {
+        self.exact.contact_fraction * self.count as f64
+    }
+
+    /// Whether enough contacts are expected for the errors to follow their power law.
+    pub fn is_fitted(&self) -> bool {
+        self.expected_contacts() > FEWEST_CONTACTS
+    }
+
+    /// Signed relative error of one answer.
+    pub fn error(&self, response: &Response, quantity: Quantity) -> f64 {
+        match quantity {
+            Quantity::Area => response.area_ratio.total() / self.exact.area_ratio - 1.0,
+            Quantity::Load => response.pressure.total() / self.exact.pressure - 1.0,
+        }
+    }
+
+    /// Mean and root mean square of the random sets' relative errors.
+    pub fn scatter(&self, quantity: Quantity) -> (f64, f64) {
+        let count = self.random.len() as f64;
+        let errors = || self.random.iter().map(|response| self.error(response, quantity));
+        (errors().sum::<f64>() / count, (errors().map(|error| error * error).sum::<f64>() / count).sqrt())
+    }
+
+    /// Relative error of the set with heights at the quantiles, without its sign.
+    pub fn quantile_error(&self, quantity: Quantity) -> f64 {
+        self.error(&self.quantiles, quantity).abs()
+    }
+}
+
+/// A power law fitted to errors: ln(error) = constant + slope ln(count).
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct SlopeFit {
+    /// The exponent.
+    pub slope: f64,
+    /// Its standard error.
+    pub standard_error: f64,
+    /// Points fitted.
+    pub points: usize,
+}
+
+impl SlopeFit {
+    /// Least squares through (count, error); `None` with fewer than three positive errors.
+    pub fn through(points: impl Iterator<Item = (f64, f64)>) -> Option<Self> {
+        let logs: Vec<(f64, f64)> =
+            points.filter(|(_, error)| *error > 0.0).map(|(count, error)| (count.ln(), error.ln())).collect();
+        let n = logs.len() as f64;
+        if logs.len() < 3 {
+            return None;
+        }
+        let mean = |f: fn(&(f64, f64)) -> f64| logs.iter().map(f).sum::<f64>() / n;
+        let (x0, y0) = (mean(|p| p.0), mean(|p| p.1));
+        let xx: f64 = logs.iter().map(|p| (p.0 - x0).powi(2)).sum();
+        let xy: f64 = logs.iter().map(|p| (p.0 - x0) * (p.1 - y0)).sum();
+        let slope = xy / xx;
+        let residual: f64 = logs.iter().map(|p| (p.1 - y0 - slope * (p.0 - x0)).powi(2)).sum();
+        let standard_error = (residual / (n - 2.0) / xx).sqrt();
+        slope.is_finite().then_some(Self { slope, standard_error, points: logs.len() })
+    }
+}
+
+/// Presses sets of `counts` asperities of `population`, `draws` random ones of each size and one at
+/// the quantiles, under every law to every separation. `seed(count, draw)` decides a random set;
+/// `done` is told after each set.
+///
+/// # Errors
+/// A population or count that makes no set.
+pub fn convergence(
+    cases: &[LimitCase],
+    population: &Population,
+    counts: &[usize],
+    draws: usize,
+    seed: impl Fn(usize, usize) -> [u8; 32],
+    done: impl Fn(usize),
+) -> Result<Vec<LimitPoint>, SetError> {
+    let datum = Datum { mean: 0.0, sigma: population.sigma };
+    let mut points = Vec::new();
+    for &count in counts {
+        let random = (0..draws).map(|k| Draw::Random(seed(count, k)));
+        // Set after set, each under every law at every separation.
+        let mut answers = Vec::with_capacity(draws + 1);
+        for draw in random.chain([Draw::Quantiles]) {
+            let set = population.set(count, draw)?;
+            let set = Ordered::new(&set);
+            answers.push(cases.iter().flat_map(|case| press(case, &set, datum)).collect::<Vec<_>>());
+            done(count);
+        }
+        let Some(quantiles) = answers.pop() else { continue };
+        let limits = cases.iter().flat_map(|case| case.exact.iter().map(|exact| (&case.law, exact)));
+        for (k, (law, exact)) in limits.enumerate() {
+            points.push(LimitPoint {
+                law: law.clone(),
+                exact: *exact,
+                count,
+                random: answers.iter().map(|set| set[k]).collect(),
+                quantiles: quantiles[k],
+            });
+        }
+    }
+    Ok(points)
+}
+
+fn press(case: &LimitCase, set: &Ordered, datum: Datum) -> Vec<Response> {
+    let model = Deterministic::new(case.contact, set, datum);
+    case.exact.iter().map(|exact| model.respond(exact.statistical.separation_over_sigma)).collect()
+}

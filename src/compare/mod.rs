@@ -1,0 +1,251 @@
+//! Both models on one surface under one law: their curves, paired at equal load and at equal
+//! separation, and how far apart they are.
+
+mod gap;
+mod limit;
+
+pub use gap::{Gap, Gaps};
+pub use limit::{Exact, LimitCase, LimitPoint, Quantity, SlopeFit, convergence};
+
+use std::time::{Duration, Instant};
+
+use rayon::prelude::*;
+use serde::Deserialize;
+
+use crate::model::{Model, Reached, Response, Unreachable, at_pressure};
+
+/// A way of adding up.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Kind {
+    /// The integral over a height density.
+    Statistical,
+    /// The sum over the asperities.
+    Deterministic,
+}
+
+impl Kind {
+    /// As the tables name it.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Statistical => "statistical",
+            Self::Deterministic => "deterministic",
+        }
+    }
+}
+
+/// What a point of a curve was asked by.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum Control {
+    /// d/sigma.
+    Separation,
+    /// Nominal pressure, Pa.
+    Pressure,
+    /// Force on the nominal area, N.
+    Force,
+}
+
+impl Control {
+    /// As the tables name it.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Separation => "separation",
+            Self::Pressure => "pressure",
+            Self::Force => "force",
+        }
+    }
+}
+
+/// What a surface is pressed to.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Controls {
+    /// d/sigma.
+    pub separations: Vec<f64>,
+    /// Nominal pressures, Pa.
+    pub pressures: Vec<f64>,
+    /// Forces on the nominal area, N.
+    pub forces: Vec<f64>,
+}
+
+impl Controls {
+    /// Number of points that each model is asked for.
+    pub fn points(&self) -> usize {
+        self.separations.len() + self.pressures.len() + self.forces.len()
+    }
+}
+
+/// One point of a model's curve.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct CurvePoint {
+    /// Which model.
+    pub kind: Kind,
+    /// What was asked.
+    pub control: Control,
+    /// Its value, in sigma, Pa or N.
+    pub target: f64,
+    /// The answer.
+    pub response: Response,
+    /// Whether the load lies in a jump of the law; see [`Reached::in_jump`].
+    pub in_jump: bool,
+}
+
+/// What the two models have in common in a pair.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum Pairing {
+    /// The nominal pressure, Pa.
+    Load,
+    /// d/sigma.
+    Separation,
+}
+
+impl Pairing {
+    /// As the tables name it.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Load => "load",
+            Self::Separation => "separation",
+        }
+    }
+}
+
+/// Both models at equal load or at equal separation.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Pair {
+    /// What they have in common.
+    pub pairing: Pairing,
+    /// Its value, Pa or in sigma.
+    pub target: f64,
+    /// The statistical model's answer.
+    pub statistical: Response,
+    /// The deterministic model's answer.
+    pub deterministic: Response,
+}
+
+impl Pair {
+    /// Whether either model is where asperities interact.
+    pub fn is_beyond_model(&self) -> bool {
+        self.statistical.is_beyond_model() || self.deterministic.is_beyond_model()
+    }
+}
+
+/// A model that does not reach a pressure it was asked for.
+#[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
+#[error("the {} model does not reach it: {unreachable}", kind.name())]
+pub struct NotReached {
+    /// Which model.
+    pub kind: Kind,
+    /// Whether it was asked by a pressure or a force.
+    pub control: Control,
+    /// What was asked and what can be reached.
+    pub unreachable: Unreachable,
+}
+
+/// The models to run on one surface; a model that is not asked for is not there.
+#[derive(Clone, Copy)]
+pub struct Models<'a> {
+    /// The integral.
+    pub statistical: Option<&'a dyn Model>,
+    /// The sum.
+    pub deterministic: Option<&'a dyn Model>,
+}
+
+/// The answers on one surface under one law.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Comparison {
+    /// Curve by curve, in the order of the controls.
+    pub curves: Vec<CurvePoint>,
+    /// Pairs at equal separation, then at equal load.
+    pub pairs: Vec<Pair>,
+    /// Deterministic pressures of a separation sweep that the statistical model does not reach, Pa:
+    /// they have no pair.
+    pub unpaired: Vec<f64>,
+    /// Time spent in the statistical model.
+    pub statistical_time: Duration,
+    /// Time spent in the deterministic sums.
+    pub deterministic_time: Duration,
+}
+
+/// Runs `models` through `controls` on the nominal area `area` (m^2) and pairs their answers.
+///
+/// # Errors
+/// A pressure or force that one of the models does not reach.
+pub fn compare(models: Models, controls: &Controls, area: f64) -> Result<Comparison, NotReached> {
+    let mut result = Comparison::default();
+    let statistical =
+        run(Kind::Statistical, models.statistical, controls, area, &mut result.statistical_time)?;
+    let deterministic =
+        run(Kind::Deterministic, models.deterministic, controls, area, &mut result.deterministic_time)?;
+    if models.statistical.is_some() && models.deterministic.is_some() {
+        result.pairs = statistical.iter().zip(&deterministic).map(|(s, d)| pair(s, d, area)).collect();
+        pair_at_loads(models, &deterministic, &mut result);
+    }
+    result.curves = statistical;
+    result.curves.extend(deterministic);
+    Ok(result)
+}
+
+fn run(
+    kind: Kind,
+    model: Option<&dyn Model>,
+    controls: &Controls,
+    area: f64,
+    time: &mut Duration,
+) -> Result<Vec<CurvePoint>, NotReached> {
+    let Some(model) = model else { return Ok(Vec::new()) };
+    let start = Instant::now();
+    let asked = |control, values: &[f64]| values.iter().map(|&target| (control, target)).collect::<Vec<_>>();
+    let mut points = asked(Control::Separation, &controls.separations);
+    points.extend(asked(Control::Pressure, &controls.pressures));
+    points.extend(asked(Control::Force, &controls.forces));
+    let curve = points
+        .into_par_iter()
+        .map(|(control, target)| {
+            let pressed = |pressure| {
+                at_pressure(model, pressure).map_err(|unreachable| NotReached { kind, control, unreachable })
+            };
+            let Reached { response, in_jump } = match control {
+                Control::Separation => Reached { response: model.respond(target), in_jump: false },
+                Control::Pressure => pressed(target)?,
+                Control::Force => pressed(target / area)?,
+            };
+            Ok(CurvePoint { kind, control, target, response, in_jump })
+        })
+        .collect();
+    *time += start.elapsed();
+    curve
+}
+
+fn pair(statistical: &CurvePoint, deterministic: &CurvePoint, area: f64) -> Pair {
+    let (pairing, target) = match statistical.control {
+        Control::Separation => (Pairing::Separation, statistical.target),
+        Control::Pressure => (Pairing::Load, statistical.target),
+        Control::Force => (Pairing::Load, statistical.target / area),
+    };
+    Pair { pairing, target, statistical: statistical.response, deterministic: deterministic.response }
+}
+
+/// A separation sweep also gives pairs at the deterministic pressures of its points, zeros left out.
+fn pair_at_loads(models: Models, deterministic: &[CurvePoint], result: &mut Comparison) {
+    let (Some(statistical), Some(sum)) = (models.statistical, models.deterministic) else { return };
+    let pressures = deterministic
+        .iter()
+        .filter(|point| point.control == Control::Separation)
+        .map(|point| point.response.pressure.total())
+        .filter(|&pressure| pressure > 0.0);
+    let pressures: Vec<f64> = pressures.collect();
+    let both: Vec<(Result<Reached, Unreachable>, Option<Reached>)> = pressures
+        .par_iter()
+        .map(|&pressure| (at_pressure(statistical, pressure), at_pressure(sum, pressure).ok()))
+        .collect();
+    for (pressure, answers) in pressures.into_iter().zip(both) {
+        match answers {
+            (Ok(integral), Some(sum)) => result.pairs.push(Pair {
+                pairing: Pairing::Load,
+                target: pressure,
+                statistical: integral.response,
+                deterministic: sum.response,
+            }),
+            _ => result.unpaired.push(pressure),
+        }
+    }
+}

@@ -1,0 +1,92 @@
+//! From a spec file to results: read, plan, run. Nothing here knows a terminal or writes a file.
+
+pub mod plan;
+pub mod progress;
+mod refusal;
+pub mod results;
+mod run;
+pub mod spec;
+mod surfaces;
+
+pub use refusal::Refusal;
+pub use surfaces::{MapFacts, Surface};
+
+use std::path::Path;
+
+use sha2::{Digest, Sha256};
+
+use plan::Plan;
+use progress::Progress;
+use results::Results;
+
+/// SHA-256 of the sources that this program was built from.
+const SOURCES: &str = env!("ASPERITY_SOURCES");
+
+/// An experiment that can be run.
+pub struct Experiment {
+    plan: Plan,
+}
+
+impl Experiment {
+    /// Reads a spec and looks at its files.
+    ///
+    /// # Errors
+    /// What keeps it from running, with file, line and key.
+    pub fn read(path: &Path) -> Result<Self, Refusal> {
+        Ok(Self { plan: Plan::read(path)? })
+    }
+
+    /// Name of its report's folder.
+    pub fn stem(&self) -> &str {
+        &self.plan.stem
+    }
+
+    /// Everything that it will do.
+    pub fn plan(&self) -> &Plan {
+        &self.plan
+    }
+
+    /// What its results depend on: the spec, its input files and the program's own sources, as a
+    /// hexadecimal SHA-256.
+    ///
+    /// # Errors
+    /// An input file that cannot be read.
+    pub fn key(&self) -> Result<String, Refusal> {
+        let mut hash = Sha256::new();
+        hash.update(SOURCES);
+        hash.update(digest(self.plan.source.text.as_bytes()));
+        for path in self.plan.inputs() {
+            let mut content = Sha256::new();
+            std::fs::File::open(&path)
+                .and_then(|mut file| std::io::copy(&mut file, &mut content))
+                .map_err(|error| Refusal::file(&path, format!("cannot be read: {error}")))?;
+            hash.update(content.finalize());
+        }
+        Ok(hexadecimal(&hash.finalize()))
+    }
+
+    /// Runs it.
+    ///
+    /// # Errors
+    /// What only a run can find: a map without a summit, a pressure that is not reached.
+    pub fn run(&self, progress: &dyn Progress) -> Result<Results, Refusal> {
+        run::run(&self.plan, progress)
+    }
+}
+
+fn digest(bytes: &[u8]) -> [u8; 32] {
+    Sha256::digest(bytes).into()
+}
+
+fn hexadecimal(bytes: &[u8]) -> String {
+    bytes.iter().map(|byte| format!("{byte:02x}")).collect()
+}
+
+/// The seed of one stream of random numbers: it depends on the spec's seed and on what is drawn,
+/// not on what else the spec holds.
+fn stream_seed(seed: u64, what: &str) -> [u8; 32] {
+    let mut hash = Sha256::new();
+    hash.update(seed.to_le_bytes());
+    hash.update(what);
+    hash.finalize().into()
+}

@@ -1,0 +1,183 @@
+//! Running a plan.
+
+use std::time::{Duration, Instant};
+
+use super::plan::{ComparePlan, LawPlan, LimitPlan, Plan, PlanKind};
+use super::progress::Progress;
+use super::results::{
+    CaseResults, CompareResults, Head, LimitResults, Results, SurfaceResults, Timing,
+};
+use super::surfaces::Surface;
+use super::{Refusal, digest, hexadecimal, stream_seed};
+use crate::asperity::{Ordered, Population, gaussian_moment};
+use crate::compare::{Control, Exact, Gaps, Kind, LimitCase, Models, NotReached, compare, convergence};
+use crate::interface::plasticity_index;
+use crate::literature::{self, Paper};
+use crate::model::{Deterministic, Model, Statistical};
+
+pub(super) fn run(plan: &Plan, progress: &dyn Progress) -> Result<Results, Refusal> {
+    match &plan.kind {
+        PlanKind::Compare(compare) => run_compare(plan, compare, progress).map(Results::Compare),
+        PlanKind::Limit(limit) => run_limit(plan, limit, progress).map(Results::Limit),
+    }
+}
+
+fn run_compare(plan: &Plan, compare: &ComparePlan, progress: &dyn Progress) -> Result<CompareResults, Refusal> {
+    let start = Instant::now();
+    let mut timing = Timing::default();
+    let mut papers = papers_of(&compare.laws);
+    progress.stage(&plan.title, compare.surfaces.len() as u64);
+    let mut surfaces = Vec::new();
+    for surface in &compare.surfaces {
+        let surface = surface.make(&plan.source, plan.seed, &mut timing)?;
+        papers.extend(surface.papers());
+        surfaces.push(run_surface(plan, compare, surface, &mut timing)?);
+        progress.advance(1);
+    }
+    timing.total = start.elapsed();
+    Ok(CompareResults { head: head(plan, &compare.laws, &compare.bodies, papers, timing), surfaces })
+}
+
+fn run_surface(
+    plan: &Plan,
+    compare_plan: &ComparePlan,
+    surface: Surface,
+    timing: &mut Timing,
+) -> Result<SurfaceResults, Refusal> {
+    let asked = |kind| compare_plan.models.contains(&kind);
+    let population = surface.population(compare_plan.heights, compare_plan.mean_radius);
+    let ordering = Instant::now();
+    let ordered = asked(Kind::Deterministic).then(|| Ordered::new(&surface.set));
+    timing.deterministic += ordering.elapsed();
+    let area = surface.set.nominal_area();
+    let mut cases = Vec::new();
+    for law in &compare_plan.laws {
+        let contact = &*law.contact;
+        let statistical = Statistical::new(contact, population).quoted_from(surface.quoting_datum());
+        let deterministic = ordered.as_ref().map(|set| Deterministic::new(contact, set, surface.datum));
+        let models = Models {
+            statistical: asked(Kind::Statistical).then_some(&statistical as &dyn Model),
+            deterministic: deterministic.as_ref().map(|model| model as &dyn Model),
+        };
+        let comparison = compare(models, &compare_plan.controls, area)
+            .map_err(|error| refuse_load(plan, compare_plan, &surface.name, &law.label, &error))?;
+        timing.statistical += comparison.statistical_time;
+        timing.deterministic += comparison.deterministic_time;
+        cases.push(CaseResults {
+            law: law.label.clone(),
+            plasticity_index: plasticity_index(contact, population.sigma, population.radius),
+            gaps: Gaps::of(&comparison.pairs, area, surface.datum.sigma),
+            comparison,
+        });
+    }
+    Ok(SurfaceResults { surface, population, cases })
+}
+
+/// Points at the sweep that asks for more than a model reaches.
+fn refuse_load(plan: &Plan, compare: &ComparePlan, surface: &str, law: &str, error: &NotReached) -> Refusal {
+    let message = format!("surface {surface}, law {law}: {error}");
+    let span = match error.control {
+        Control::Pressure => compare.load_keys[0].clone(),
+        Control::Force => compare.load_keys[1].clone(),
+        Control::Separation => None,
+    };
+    match span {
+        Some(span) => plan.source.refuse(span, message),
+        None => Refusal::file(&plan.source.path, message),
+    }
+}
+
+fn run_limit(plan: &Plan, limit: &LimitPlan, progress: &dyn Progress) -> Result<LimitResults, Refusal> {
+    let start = Instant::now();
+    let mut timing = Timing::default();
+    let integrals = Instant::now();
+    let cases: Vec<LimitCase> = limit
+        .laws
+        .iter()
+        .map(|law| LimitCase {
+            law: law.label.clone(),
+            contact: &*law.contact,
+            exact: limit.separations.iter().map(|&h| exact(law, limit.population, h)).collect(),
+        })
+        .collect();
+    timing.statistical = integrals.elapsed();
+
+    let sets = (limit.draws + 1) as u64;
+    progress.stage(&plan.title, limit.counts.iter().map(|&count| count as u64 * sets).sum());
+    let sums = Instant::now();
+    let seed = |count, draw| stream_seed(plan.seed, &format!("limit {count} {draw}"));
+    let points = convergence(&cases, &limit.population, &limit.counts, limit.draws, seed, |count| {
+        progress.advance(count as u64);
+    })
+    .map_err(|error| Refusal::file(&plan.source.path, error))?;
+    timing.deterministic = sums.elapsed();
+    timing.total = start.elapsed();
+    Ok(LimitResults {
+        head: head(plan, &limit.laws, &limit.bodies, papers_of(&limit.laws), timing),
+        population: limit.population,
+        laws: limit.laws.iter().map(|law| (law.label.clone(), reference(law))).collect(),
+        separations: limit.separations.clone(),
+        draws: limit.draws,
+        points,
+    })
+}
+
+fn reference(law: &LawPlan) -> &'static str {
+    if law.is_hertz { "the closed form of Greenwood and Williamson" } else { "the statistical integral" }
+}
+
+/// The limit at d/sigma = `h`: Greenwood and Williamson's closed form for Hertz, else the integral.
+fn exact(law: &LawPlan, population: Population, h: f64) -> Exact {
+    let Population { radius, sigma, density, .. } = population;
+    let integral = Statistical::new(&*law.contact, population).respond(h);
+    let (area_ratio, pressure) = if law.is_hertz {
+        let modulus = law.contact.reference_modulus();
+        (
+            std::f64::consts::PI * density * radius * sigma * gaussian_moment(1.0, h),
+            4.0 / 3.0 * density * modulus * radius.sqrt() * sigma.powf(1.5) * gaussian_moment(1.5, h),
+        )
+    } else {
+        (integral.area_ratio.total(), integral.pressure.total())
+    };
+    Exact {
+        statistical: integral,
+        contact_fraction: integral.contact_density / density,
+        area_ratio,
+        pressure,
+    }
+}
+
+fn papers_of(laws: &[LawPlan]) -> Vec<Paper> {
+    let models = [literature::PASARIBU_SCHIPPER_2005, literature::ZHAO_MAIETTA_CHANG_2000];
+    laws.iter().flat_map(|law| law.contact.papers()).chain(models).collect()
+}
+
+fn head(
+    plan: &Plan,
+    laws: &[LawPlan],
+    bodies: &super::plan::Bodies,
+    mut papers: Vec<Paper>,
+    timing: Timing,
+) -> Head {
+    papers.sort_by_key(|paper| paper.short);
+    papers.dedup();
+    // Every law of an experiment stands on the same two bodies.
+    let contact = &laws[0].contact;
+    Head {
+        title: plan.title.clone(),
+        stem: plan.stem.clone(),
+        spec_sha256: hexadecimal(&digest(plan.source.text.as_bytes())),
+        seed: plan.seed,
+        materials: plan.materials.clone(),
+        bodies: bodies.clone(),
+        reduced_modulus: contact.reference_modulus(),
+        hardness: Some(contact.reference_hardness()).filter(|hardness| hardness.is_finite()),
+        papers,
+        timing,
+    }
+}
+
+/// Adds the time since `start` to `total`.
+pub(super) fn clock(start: Instant, total: &mut Duration) {
+    *total += start.elapsed();
+}

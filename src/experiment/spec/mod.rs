@@ -1,0 +1,59 @@
+//! The input file: what a spec may say (DESIGN: external tags, unknown keys refused, file order kept).
+//!
+//! These types are the file, word for word; `plan` turns them into things that run.
+
+mod compare;
+mod law;
+mod limit;
+mod surface;
+mod sweep;
+
+use std::path::Path;
+
+use indexmap::IndexMap;
+use serde::Deserialize;
+use toml::Spanned;
+
+pub use compare::{CompareSpec, StatisticalSpec};
+pub use law::{LawSpec, Laws};
+pub use limit::LimitSpec;
+pub use surface::{DrawSpec, FileSpec, FilterSpec, ListSpec, PixelSpec, PopulationHeights, PopulationSpec, SurfaceSpec};
+pub use sweep::{LinearSweep, LogSweep};
+
+use super::refusal::{Refusal, Source};
+use crate::material::Material;
+
+/// The whole file.
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields, rename_all = "kebab-case")]
+pub struct Spec {
+    /// What the report is called.
+    pub title: String,
+    /// Every random number comes from it.
+    #[serde(default)]
+    pub seed: u64,
+    /// The bodies by name.
+    #[serde(default)]
+    pub material: IndexMap<String, Material>,
+    /// Both models on given surfaces.
+    pub compare: Option<Spanned<CompareSpec>>,
+    /// The deterministic model against the statistical limit.
+    pub limit: Option<Spanned<LimitSpec>>,
+    /// The surfaces by name.
+    #[serde(default)]
+    pub surface: IndexMap<Spanned<String>, Spanned<SurfaceSpec>>,
+}
+
+/// Reads a spec.
+///
+/// # Errors
+/// A file that cannot be read, is no TOML, or says what no spec may say.
+pub fn read(path: &Path) -> Result<(Source, Spec), Refusal> {
+    let bytes = std::fs::read(path).map_err(|error| Refusal::file(path, format!("cannot be read: {error}")))?;
+    let text = String::from_utf8(bytes).map_err(|error| {
+        Refusal::file(path, format!("is no UTF-8 text (byte {})", error.utf8_error().valid_up_to()))
+    })?;
+    let source = Source { path: path.to_owned(), text };
+    let spec: Spec = toml::from_str(&source.text).map_err(|error| source.refuse_as(&error))?;
+    Ok((source, spec))
+}

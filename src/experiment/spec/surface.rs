@@ -1,0 +1,142 @@
+//! `[surface.NAME.KIND]`: where asperities come from.
+
+use std::path::PathBuf;
+
+use serde::Deserialize;
+use toml::Spanned;
+
+use crate::surface::level::Level;
+use crate::units::{Area, ArealNumberDensity, Length, Quantity};
+
+/// One surface: exactly one kind a name.
+#[derive(Debug, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum SurfaceSpec {
+    /// A list of asperities.
+    Asperities(ListSpec),
+    /// A population by its three numbers.
+    Population(PopulationSpec),
+    /// A measured height map.
+    File(FileSpec),
+}
+
+/// A list of asperities: CSV with columns height and radius, or an n x 2 `.npy`.
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields, rename_all = "kebab-case")]
+pub struct ListSpec {
+    /// The file, relative to the spec.
+    pub file: Spanned<PathBuf>,
+    /// Nominal area that the asperities stand on.
+    pub nominal_area: Quantity<Area>,
+}
+
+/// Radius, deviation of heights, density, and how a set is drawn.
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields, rename_all = "kebab-case")]
+pub struct PopulationSpec {
+    /// Radius of every asperity.
+    pub radius: Quantity<Length>,
+    /// Standard deviation of the heights.
+    pub sigma: Quantity<Length>,
+    /// Asperities per nominal area.
+    pub density: Quantity<ArealNumberDensity>,
+    /// How many the deterministic model draws.
+    pub count: Spanned<u64>,
+    /// Whose deviation sigma is, and of what density.
+    #[serde(default)]
+    pub heights: PopulationHeights,
+    /// How the heights of the set are taken.
+    #[serde(default)]
+    pub draw: DrawSpec,
+}
+
+/// `heights` of a population.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum PopulationHeights {
+    /// Gaussian asperity heights of deviation sigma.
+    #[default]
+    Gaussian,
+    /// Exponential asperity heights of deviation sigma.
+    Exponential,
+    /// Gaussian; sigma and d are those of the surface, converted by Nayak (1971).
+    Surface,
+}
+
+/// `draw` of a population.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum DrawSpec {
+    /// Independent draws from the spec's seed.
+    #[default]
+    Random,
+    /// Heights at the quantiles.
+    Quantiles,
+}
+
+/// A measured topography.
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields, rename_all = "kebab-case")]
+pub struct FileSpec {
+    /// The file, relative to the spec.
+    pub path: Spanned<PathBuf>,
+    /// Pixel size along x and y; only where the format holds none.
+    pub pixel: Option<Spanned<PixelSpec>>,
+    /// Form that is removed.
+    #[serde(default)]
+    pub level: Level,
+    /// S and L nesting indices.
+    pub filter: Option<Spanned<FilterSpec>>,
+}
+
+/// One pixel size, or one along x and one along y.
+#[derive(Debug, Clone, Copy)]
+pub struct PixelSpec(pub [f64; 2]);
+
+impl<'de> Deserialize<'de> for PixelSpec {
+    fn deserialize<D: serde::Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        use serde::de::value::{F64Deserializer, I64Deserializer, StrDeserializer};
+        use serde::de::{Error, SeqAccess, Visitor};
+        struct OneOrTwo;
+
+        impl<'de> Visitor<'de> for OneOrTwo {
+            type Value = PixelSpec;
+
+            fn expecting(&self, f: &mut std::fmt::Formatter) -> std::fmt::Result {
+                f.write_str("a length such as \"0.8 um\", or a list of two: along x and along y")
+            }
+            fn visit_str<E: Error>(self, text: &str) -> Result<PixelSpec, E> {
+                let size = Quantity::<Length>::deserialize(StrDeserializer::new(text))?.value();
+                Ok(PixelSpec([size; 2]))
+            }
+            fn visit_f64<E: Error>(self, value: f64) -> Result<PixelSpec, E> {
+                let size = Quantity::<Length>::deserialize(F64Deserializer::new(value))?.value();
+                Ok(PixelSpec([size; 2]))
+            }
+            fn visit_i64<E: Error>(self, value: i64) -> Result<PixelSpec, E> {
+                let size = Quantity::<Length>::deserialize(I64Deserializer::new(value))?.value();
+                Ok(PixelSpec([size; 2]))
+            }
+            fn visit_seq<A: SeqAccess<'de>>(self, mut list: A) -> Result<PixelSpec, A::Error> {
+                let mut sizes = Vec::new();
+                while let Some(size) = list.next_element::<Quantity<Length>>()? {
+                    sizes.push(size.value());
+                }
+                <[f64; 2]>::try_from(sizes)
+                    .map(PixelSpec)
+                    .map_err(|sizes| A::Error::custom(format!("found {} sizes; allowed: one or two", sizes.len())))
+            }
+        }
+        deserializer.deserialize_any(OneOrTwo)
+    }
+}
+
+/// `filter = { s, l }`: nesting indices (ISO 16610-61), either or both.
+#[derive(Debug, Clone, Copy, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct FilterSpec {
+    /// Wavelengths below it are taken out.
+    pub s: Option<Quantity<Length>>,
+    /// Wavelengths above it are taken out.
+    pub l: Option<Quantity<Length>>,
+}

@@ -1,0 +1,317 @@
+//! The tables: pure writers, results to bytes. Columns are the contract of DESIGN section 5.
+
+use serde::Serialize;
+
+use crate::compare::{Control, CurvePoint, Kind, LimitPoint, Pair, Pairing, Quantity};
+use crate::experiment::results::{CompareResults, LimitResults};
+use crate::model::Response;
+
+/// A table that cannot be written: a value that CSV cannot hold.
+pub type TableError = csv::Error;
+
+/// A row and the names of its columns, which are those of its fields.
+macro_rules! row {
+    (struct $name:ident { $($field:ident: $kind:ty,)* }) => {
+        #[derive(Serialize)]
+        struct $name { $($field: $kind,)* }
+
+        impl $name {
+            const COLUMNS: &'static [&'static str] = &[$(stringify!($field)),*];
+        }
+    };
+}
+
+/// What a row belongs to.
+#[derive(Debug, Clone, Serialize)]
+struct Case {
+    surface: String,
+    /// From 1; a given or measured surface is its own only realisation.
+    realisation: usize,
+    law: String,
+    /// Empty on a bare flat.
+    layer_thickness_m: Option<f64>,
+}
+
+impl Case {
+    fn bare(surface: &str, realisation: usize, law: &str) -> Self {
+        Self { surface: surface.to_owned(), realisation, law: law.to_owned(), layer_thickness_m: None }
+    }
+}
+
+row! {
+struct CurveRow {
+    model: &'static str,
+    control: &'static str,
+    target: f64,
+    separation_m: f64,
+    separation_over_sigma: f64,
+    pressure_pa: f64,
+    load_ratio: f64,
+    area_ratio: f64,
+    contact_density_per_m2: f64,
+    mean_real_pressure_pa: Option<f64>,
+    stiffness_pa_per_m: f64,
+    elastic_load_share: Option<f64>,
+    elastic_plastic_load_share: Option<f64>,
+    plastic_load_share: Option<f64>,
+    elastic_area_share: Option<f64>,
+    elastic_plastic_area_share: Option<f64>,
+    plastic_area_share: Option<f64>,
+    pressure_standard_error_pa: Option<f64>,
+    area_ratio_standard_error: Option<f64>,
+    beyond_model: bool,
+}
+}
+
+impl CurveRow {
+    fn new(point: &CurvePoint, reduced_modulus: f64) -> Self {
+        let response = &point.response;
+        let [elastic_load_share, elastic_plastic_load_share, plastic_load_share] = parts(response.pressure.shares());
+        let [elastic_area_share, elastic_plastic_area_share, plastic_area_share] = parts(response.area_ratio.shares());
+        let pressure_pa = response.pressure.total();
+        Self {
+            model: point.kind.name(),
+            control: point.control.name(),
+            target: point.target,
+            separation_m: response.separation,
+            separation_over_sigma: response.separation_over_sigma,
+            pressure_pa,
+            load_ratio: pressure_pa / reduced_modulus,
+            area_ratio: response.area_ratio.total(),
+            contact_density_per_m2: response.contact_density,
+            mean_real_pressure_pa: response.mean_real_pressure(),
+            stiffness_pa_per_m: response.stiffness,
+            elastic_load_share,
+            elastic_plastic_load_share,
+            plastic_load_share,
+            elastic_area_share,
+            elastic_plastic_area_share,
+            plastic_area_share,
+            pressure_standard_error_pa: response.sampling.map(|error| error.pressure),
+            area_ratio_standard_error: response.sampling.map(|error| error.area_ratio),
+            beyond_model: response.is_beyond_model(),
+        }
+    }
+}
+
+fn parts(shares: Option<[f64; 3]>) -> [Option<f64>; 3] {
+    shares.map_or([None; 3], |shares| shares.map(Some))
+}
+
+row! {
+struct PairRow {
+    pairing: &'static str,
+    target: f64,
+    statistical_separation_over_sigma: f64,
+    deterministic_separation_over_sigma: f64,
+    difference_separation_over_sigma: f64,
+    statistical_area_ratio: f64,
+    deterministic_area_ratio: f64,
+    difference_area_ratio: f64,
+    statistical_contact_density_per_m2: f64,
+    deterministic_contact_density_per_m2: f64,
+    difference_contact_density_per_m2: f64,
+    statistical_mean_real_pressure_pa: Option<f64>,
+    deterministic_mean_real_pressure_pa: Option<f64>,
+    difference_mean_real_pressure_pa: Option<f64>,
+    statistical_pressure_pa: f64,
+    deterministic_pressure_pa: f64,
+    difference_pressure_pa: f64,
+    statistical_stiffness_pa_per_m: f64,
+    deterministic_stiffness_pa_per_m: f64,
+    difference_stiffness_pa_per_m: f64,
+    statistical_contacts: f64,
+    deterministic_contacts: f64,
+    difference_contacts: f64,
+    plasticity_index: Option<f64>,
+    beyond_model: bool,
+}
+}
+
+impl PairRow {
+    fn new(pair: &Pair, nominal_area: f64, plasticity_index: Option<f64>) -> Self {
+        let (s, d) = (&pair.statistical, &pair.deterministic);
+        let of = |value: fn(&Response) -> f64| (value(s), value(d), value(s) - value(d));
+        let separation = of(|r| r.separation_over_sigma);
+        let area = of(|r| r.area_ratio.total());
+        let contacts = of(|r| r.contact_density);
+        let real = (s.mean_real_pressure(), d.mean_real_pressure());
+        let pressure = of(|r| r.pressure.total());
+        let stiffness = of(|r| r.stiffness);
+        Self {
+            pairing: pair.pairing.name(),
+            target: pair.target,
+            statistical_separation_over_sigma: separation.0,
+            deterministic_separation_over_sigma: separation.1,
+            difference_separation_over_sigma: separation.2,
+            statistical_area_ratio: area.0,
+            deterministic_area_ratio: area.1,
+            difference_area_ratio: area.2,
+            statistical_contact_density_per_m2: contacts.0,
+            deterministic_contact_density_per_m2: contacts.1,
+            difference_contact_density_per_m2: contacts.2,
+            statistical_mean_real_pressure_pa: real.0,
+            deterministic_mean_real_pressure_pa: real.1,
+            difference_mean_real_pressure_pa: real.0.zip(real.1).map(|(s, d)| s - d),
+            statistical_pressure_pa: pressure.0,
+            deterministic_pressure_pa: pressure.1,
+            difference_pressure_pa: pressure.2,
+            statistical_stiffness_pa_per_m: stiffness.0,
+            deterministic_stiffness_pa_per_m: stiffness.1,
+            difference_stiffness_pa_per_m: stiffness.2,
+            statistical_contacts: contacts.0 * nominal_area,
+            deterministic_contacts: contacts.1 * nominal_area,
+            difference_contacts: contacts.2 * nominal_area,
+            plasticity_index,
+            beyond_model: pair.is_beyond_model(),
+        }
+    }
+}
+
+row! {
+struct ConvergenceRow {
+    law: String,
+    quantity: &'static str,
+    separation_over_sigma: f64,
+    asperities: usize,
+    expected_contacts: f64,
+    random_mean_error: f64,
+    random_rms_error: f64,
+    quantile_error: f64,
+    fitted: bool,
+}
+}
+
+/// The columns that say what a row belongs to.
+const CASE: &[&str] = &["surface", "realisation", "law", "layer_thickness_m"];
+
+/// `curves.csv` of a comparison.
+///
+/// # Errors
+/// See [`TableError`]; the same holds for every table here.
+pub fn curves(results: &CompareResults) -> Result<Vec<u8>, TableError> {
+    let mut table = Table::new(&[CASE, CurveRow::COLUMNS])?;
+    for found in &results.surfaces {
+        for case in &found.cases {
+            let of = Case::bare(&found.surface.name, 1, &case.law);
+            for point in &case.comparison.curves {
+                table.row((&of, CurveRow::new(point, results.head.reduced_modulus)))?;
+            }
+        }
+    }
+    table.bytes()
+}
+
+/// `comparison.csv` of a comparison.
+///
+/// # Errors
+/// See [`curves`].
+pub fn comparison(results: &CompareResults) -> Result<Vec<u8>, TableError> {
+    let mut table = Table::new(&[CASE, PairRow::COLUMNS])?;
+    for found in &results.surfaces {
+        let area = found.surface.set.nominal_area();
+        for case in &found.cases {
+            let of = Case::bare(&found.surface.name, 1, &case.law);
+            for pair in &case.comparison.pairs {
+                table.row((&of, PairRow::new(pair, area, case.plasticity_index)))?;
+            }
+        }
+    }
+    table.bytes()
+}
+
+/// Each set of a limit as the surface and realisation that tables call it by, and its answer.
+fn sets(point: &LimitPoint) -> impl Iterator<Item = (Case, &Response)> {
+    let random = (1..).zip(&point.random).map(|(k, response)| {
+        (Case::bare(&format!("random-{}", point.count), k, &point.law), response)
+    });
+    let quantiles = Case::bare(&format!("quantiles-{}", point.count), 1, &point.law);
+    random.chain([(quantiles, &point.quantiles)])
+}
+
+/// `curves.csv` of a limit: a set is a surface, a random draw a realisation, and the integral the
+/// surface `population`.
+///
+/// # Errors
+/// See [`curves`].
+pub fn limit_curves(results: &LimitResults) -> Result<Vec<u8>, TableError> {
+    let mut table = Table::new(&[CASE, CurveRow::COLUMNS])?;
+    let mut row = |of: Case, kind, response: &Response| {
+        let target = response.separation_over_sigma;
+        let point =
+            CurvePoint { kind, control: Control::Separation, target, response: *response, in_jump: false };
+        table.row((of, CurveRow::new(&point, results.head.reduced_modulus)))
+    };
+    let smallest = results.points.iter().map(|point| point.count).min();
+    for point in results.points.iter().filter(|point| Some(point.count) == smallest) {
+        row(Case::bare("population", 1, &point.law), Kind::Statistical, &point.exact.statistical)?;
+    }
+    for point in &results.points {
+        for (of, response) in sets(point) {
+            row(of, Kind::Deterministic, response)?;
+        }
+    }
+    table.bytes()
+}
+
+/// `comparison.csv` of a limit: every set against the integral, at equal separation.
+///
+/// # Errors
+/// See [`curves`].
+pub fn limit_comparison(results: &LimitResults) -> Result<Vec<u8>, TableError> {
+    let mut table = Table::new(&[CASE, PairRow::COLUMNS])?;
+    for point in &results.points {
+        let area = point.count as f64 / results.population.density;
+        for (of, response) in sets(point) {
+            let statistical = point.exact.statistical;
+            let target = statistical.separation_over_sigma;
+            let pair = Pair { pairing: Pairing::Separation, target, statistical, deterministic: *response };
+            table.row((of, PairRow::new(&pair, area, results.plasticity_index)))?;
+        }
+    }
+    table.bytes()
+}
+
+/// `convergence.csv`: relative errors by law, quantity, separation and size of the set.
+///
+/// # Errors
+/// See [`curves`].
+pub fn convergence(results: &LimitResults) -> Result<Vec<u8>, TableError> {
+    let mut table = Table::new(&[ConvergenceRow::COLUMNS])?;
+    for quantity in Quantity::ALL {
+        for point in &results.points {
+            let (random_mean_error, random_rms_error) = point.scatter(quantity);
+            table.row(ConvergenceRow {
+                law: point.law.clone(),
+                quantity: quantity.name(),
+                separation_over_sigma: point.exact.statistical.separation_over_sigma,
+                asperities: point.count,
+                expected_contacts: point.expected_contacts(),
+                random_mean_error,
+                random_rms_error,
+                quantile_error: point.quantile_error(quantity),
+                fitted: point.is_fitted(),
+            })?;
+        }
+    }
+    table.bytes()
+}
+
+/// A CSV that has its header also when it has no rows.
+struct Table(csv::Writer<Vec<u8>>);
+
+impl Table {
+    fn new(columns: &[&[&str]]) -> Result<Self, TableError> {
+        let mut writer = csv::WriterBuilder::new().has_headers(false).from_writer(Vec::new());
+        writer.write_record(columns.concat())?;
+        Ok(Self(writer))
+    }
+
+    fn row(&mut self, row: impl Serialize) -> Result<(), TableError> {
+        self.0.serialize(row)
+    }
+
+    fn bytes(self) -> Result<Vec<u8>, TableError> {
+        self.0.into_inner().map_err(|error| error.into_error().into())
+    }
+}

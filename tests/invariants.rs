@@ -1,0 +1,334 @@
+//! What must hold for any surface and any law, whatever the numbers.
+
+mod common;
+
+use asperity::asperity::{AsperitySet, Draw, HeightDensity, Ordered, Population, gaussian_moment};
+use asperity::interface::{Interface, MicroContact};
+use asperity::law::{Hertz, Zmc};
+use asperity::material::Material;
+use asperity::model::{Datum, Deterministic, Model, Statistical, at_pressure};
+use common::{Worst, relative_error, rows};
+
+const CASE_1: Population =
+    Population { radius: 2e-5, sigma: 4.8e-8, density: 6e10, heights: HeightDensity::Gaussian };
+const CASE_2: Population =
+    Population { radius: 1.6e-6, sigma: 2.6e-7, density: 9e10, heights: HeightDensity::Gaussian };
+
+fn steel() -> Material {
+    Material::new(210e9, 0.3, Some(7.6e9), None).unwrap()
+}
+
+fn zmc(onset: f64) -> Interface<Zmc> {
+    Interface::bare(Zmc::new(onset, 54.0).unwrap(), &steel(), &steel())
+}
+
+fn drawn(population: Population, count: usize) -> Ordered {
+    Ordered::new(&population.set(count, Draw::Random([7; 32])).unwrap())
+}
+
+fn datum(population: Population) -> Datum {
+    Datum { mean: 0.0, sigma: population.sigma }
+}
+
+/// The exact sum of doubles, rounded once (Shewchuk 1997, as in Python's fsum).
+fn exact_sum(terms: impl Iterator<Item = f64>) -> f64 {
+    let mut partials: Vec<f64> = Vec::new();
+    for mut x in terms {
+        let mut kept = 0;
+        for i in 0..partials.len() {
+            let mut y = partials[i];
+            if x.abs() < y.abs() {
+                (x, y) = (y, x);
+            }
+            let high = x + y;
+            let low = y - (high - x);
+            if low != 0.0 {
+                partials[kept] = low;
+                kept += 1;
+            }
+            x = high;
+        }
+        partials.truncate(kept);
+        partials.push(x);
+    }
+    partials.iter().sum()
+}
+
+#[test]
+fn a_sum_over_a_million_asperities_is_exact_to_4_ulp() {
+    let law = zmc(Zmc::ONSET);
+    let drawn_set = drawn(CASE_2, 1_000_000);
+    let equal = AsperitySet::new(vec![1.37e-7; 1_000_000], vec![1.1e-6; 1_000_000], 1.0).unwrap();
+    for set in [drawn_set, Ordered::new(&equal)] {
+        for d in [-1e-6, 0.0, 1e-7] {
+            let (heights, radii) = set.above(d);
+            let contacts = || heights.iter().zip(radii).map(|(z, &b)| law.contact(z - d, b));
+            let found = Deterministic::new(&law, &set, datum(CASE_2)).tally(d);
+            let ulp = |exact: f64| exact * f64::EPSILON;
+            let (area, load) = (exact_sum(contacts().map(|c| c.area)), exact_sum(contacts().map(|c| c.load)));
+            assert!((found.area().total() - area).abs() <= 4.0 * ulp(area));
+            assert!((found.load().total() - load).abs() <= 4.0 * ulp(load));
+        }
+    }
+}
+
+#[test]
+fn a_sum_is_the_same_to_the_bit_on_any_number_of_threads() {
+    let law = zmc(Zmc::ONSET);
+    let on = |threads: usize| {
+        let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
+        pool.install(|| {
+            let set = drawn(CASE_1, 300_001);
+            let model = Deterministic::new(&law, &set, datum(CASE_1));
+            [2.5, 1.0, -0.5].map(|h| format!("{:?}", model.respond(h)))
+        })
+    };
+    let one = on(1);
+    for threads in 2..=8 {
+        assert_eq!(on(threads), one);
+    }
+}
+
+#[test]
+fn partial_tallies_merge_into_the_whole() {
+    let law = zmc(Zmc::ONSET);
+    let (heights, radii): (Vec<f64>, Vec<f64>) =
+        (0..1000).map(|i| (f64::from(i) * 1e-10, 1e-6 + f64::from(i % 7) * 1e-7)).unzip();
+    let set = |range: std::ops::Range<usize>| {
+        Ordered::new(&AsperitySet::new(heights[range.clone()].to_vec(), radii[range].to_vec(), 1.0).unwrap())
+    };
+    let tally = |set: &Ordered| Deterministic::new(&law, set, datum(CASE_1)).tally(2e-8);
+    let mut parts = tally(&set(0..400));
+    parts.merge(&tally(&set(400..1000)));
+    let whole = tally(&set(0..1000));
+    assert_eq!(parts.contacts(), whole.contacts());
+    assert!(relative_error(parts.load().total(), whole.load().total()) < 4e-16);
+    assert!(relative_error(parts.load_error(1000), whole.load_error(1000)) < 1e-14);
+}
+
+#[test]
+fn exponential_heights_make_area_proportional_to_load_for_any_law() {
+    let population = Population { heights: HeightDensity::Exponential, ..CASE_2 };
+    let laws: [Box<dyn MicroContact>; 3] = [
+        Box::new(Interface::bare(Hertz, &steel(), &steel())),
+        Box::new(zmc(Zmc::ONSET)),
+        Box::new(Interface::bare(Zmc::new(0.89, 110.0).unwrap(), &steel(), &steel())),
+    ];
+    for law in &laws {
+        let model = Statistical::new(&**law, population);
+        let mean_pressure = |h| model.respond(h).mean_real_pressure().unwrap();
+        for h in [-1.0, 0.0, 1.5, 4.0, 30.0] {
+            assert!(relative_error(mean_pressure(h), mean_pressure(0.5)) < 1e-15, "h = {h}");
+        }
+        // Below the support's end every asperity touches, and proportionality ends.
+        assert!(relative_error(mean_pressure(-2.0), mean_pressure(0.5)) > 1e-3);
+    }
+}
+
+#[test]
+fn exponential_moments_are_gamma_functions() {
+    let body = Material::new(2.0, 0.0, None, None).unwrap();
+    let hertz = Interface::bare(Hertz, &body, &body);
+    let unit = Population { radius: 1.0, sigma: 1.0, density: 1.0, heights: HeightDensity::Exponential };
+    for h in [-1.0, 0.0, 3.0, 100.0] {
+        let found = Statistical::new(&hertz, unit).respond(h);
+        let tail = (-(h + 1.0f64)).exp();
+        let pi = std::f64::consts::PI;
+        assert!(relative_error(found.contact_density, tail) < 1e-14);
+        assert!(relative_error(found.area_ratio.total(), pi * tail) < 1e-14);
+        assert!(relative_error(found.pressure.total(), 4.0 / 3.0 * 0.75 * pi.sqrt() * tail) < 1e-14);
+    }
+    // Everything in contact: the mean indentation is the mean height above the flat.
+    let deep = Statistical::new(&hertz, unit).respond(-6.0);
+    assert!(relative_error(deep.area_ratio.total(), 6.0 * std::f64::consts::PI) < 1e-14);
+    assert!(relative_error(deep.contact_density, 1.0) < 1e-14);
+}
+
+#[test]
+fn the_closed_form_of_greenwood_and_williamson() {
+    let mut worst = Worst::default();
+    for row in rows("gw_integrals") {
+        let (n, h) = (row.number("n"), row.number("h"));
+        if n <= 1.5 && h.abs() <= 3.0 {
+            worst.see(gaussian_moment(n, h), row.number("F_n"), || format!("n = {n}, h = {h}"));
+        }
+    }
+    worst.assert_within(1e-11, 20);
+}
+
+struct Integrand<F>(F);
+
+impl<F: Fn(f64) -> f64> quad_rs::Integrable for Integrand<F> {
+    type Float = f64;
+    type Input = f64;
+    type Output = f64;
+
+    fn integrand(&self, x: &f64) -> f64 {
+        self.0(*x)
+    }
+}
+
+fn adaptive(f: impl Fn(f64) -> f64, from: f64, to: f64) -> f64 {
+    // quad-rs also stops on an absolute error: the integrand is brought to the order of 1.
+    let scale = f(0.5 * (from + to)) * (to - from);
+    let config = quad_rs::IntegratorConfig::default()
+        .with_relative_tolerance(1e-13)
+        .with_absolute_tolerance(1e-15)
+        .with_max_function_evalutions(1_000_000);
+    let scaled = Integrand(|x| f(x) / scale);
+    quad_rs::integrate_interval(scaled, from..to, config).unwrap().integral * scale
+}
+
+/// quad-rs' adaptive Gauss-Kronrod shares neither nodes nor panels with the model.
+#[test]
+fn an_adaptive_integration_agrees() {
+    let law = zmc(Zmc::ONSET);
+    for (h, population) in [(0.0, CASE_1), (2.0, CASE_1), (0.5, CASE_2), (3.0, CASE_2)] {
+        let Population { radius, sigma, density, .. } = population;
+        let integrand = |x: f64| {
+            let z = h + x;
+            law.contact(x * sigma, radius).load * (-0.5 * z * z).exp() / (2.0 * std::f64::consts::PI).sqrt()
+        };
+        let mut ends = vec![1e-12];
+        ends.extend(law.breakpoints(radius).iter().map(|w| w / sigma).filter(|&x| x < 9.0));
+        ends.push(9.0);
+        let exact: f64 = ends.windows(2).map(|end| adaptive(integrand, end[0], end[1])).sum();
+        let found = Statistical::new(&law, population).respond(h).pressure.total();
+        assert!(relative_error(found, density * exact) < 1e-9, "h = {h}: {found:e} {:e}", density * exact);
+    }
+}
+
+#[test]
+fn stiffness_is_the_slope_of_the_pressure() {
+    for onset in [Zmc::ONSET, 0.89, 0.4] {
+        let law = zmc(onset);
+        let set = drawn(CASE_2, 20_000);
+        let statistical = Statistical::new(&law, CASE_2);
+        let deterministic = Deterministic::new(&law, &set, datum(CASE_2));
+        let check = |model: &dyn Model, h: f64, tolerance: f64| {
+            let step = 1e-4;
+            let rise = model.respond(h - step).pressure.total() - model.respond(h + step).pressure.total();
+            let slope = rise / (2.0 * step * CASE_2.sigma);
+            let found = model.respond(h).stiffness;
+            assert!(relative_error(found, slope) < tolerance, "onset {onset}, h = {h}: {found:e} {slope:e}");
+        };
+        for h in [-3.0, 0.0, 1.0, 2.5, 6.0] {
+            check(&statistical, h, 1e-6);
+            // A sum has no jumps in its slope's own formula; only a continuous law can be compared.
+            if onset == Zmc::ONSET && h < 2.6 {
+                check(&deterministic, h, 1e-3);
+            }
+        }
+    }
+}
+
+#[test]
+fn load_control_returns_the_largest_separation_that_carries_the_pressure() {
+    for onset in [Zmc::ONSET, 0.89, 0.4] {
+        let law = zmc(onset);
+        let set = drawn(CASE_1, 3000);
+        let statistical = Statistical::new(&law, CASE_1);
+        let deterministic = Deterministic::new(&law, &set, datum(CASE_1));
+        let models: [&dyn Model; 2] = [&statistical, &deterministic];
+        for model in models {
+            for pressure in [1e-3, 1.0, 1e4, 1e6, 1e8, 5e8] {
+                let h = at_pressure(model, pressure).unwrap().response.separation_over_sigma;
+                assert!(model.respond(h).pressure.total() >= pressure);
+                let beyond = model.respond(h + 1e-13 * h.abs().max(1.0)).pressure.total();
+                assert!(
+                    beyond < pressure,
+                    "onset {onset}: {beyond:e} at a larger separation than {pressure:e}"
+                );
+            }
+        }
+    }
+}
+
+/// With the rounded onset each asperity's load falls by 0.1 % as it begins to yield. Where only few
+/// carry the load it is then reached more than once, and the first counts.
+#[test]
+fn where_the_load_falls_the_first_reach_counts() {
+    let law = zmc(0.89);
+    assert!(law.load_falls());
+    assert!(!zmc(Zmc::ONSET).load_falls());
+    assert!(!zmc(0.4).load_falls());
+    let set = Ordered::new(&AsperitySet::new(vec![0.0, -1e-6], vec![2e-5, 2e-5], 1.0).unwrap());
+    let model = Deterministic::new(&law, &set, Datum { mean: 0.0, sigma: 1e-8 });
+    let w1 = law.breakpoints(2e-5)[0];
+    let before = law.contact(w1 * (1.0 - 1e-9), 2e-5).load;
+    let after = law.contact(w1 * (1.0 + 1e-9), 2e-5).load;
+    assert!(after < before);
+    // Reached just before yield, lost, and reached again beyond it.
+    let pressure = 0.5 * (before + after);
+    let h = model.separation_at(pressure).unwrap();
+    assert!(-h * 1e-8 < w1, "{} is behind the fall at {w1}", -h * 1e-8);
+    assert!((1..200).all(|k| model.respond(h + 1e-4 * f64::from(k)).pressure.total() < pressure));
+}
+
+#[test]
+fn a_pressure_in_a_jump_is_said_to_be_in_one() {
+    // Below the continuous onset the load jumps up at yield.
+    let law = zmc(0.4);
+    let set = Ordered::new(&AsperitySet::new(vec![0.0, -1e-6], vec![2e-5, 2e-5], 1.0).unwrap());
+    let model = Deterministic::new(&law, &set, Datum { mean: 0.0, sigma: 1e-8 });
+    let w1 = law.breakpoints(2e-5)[0];
+    let (before, after) =
+        (law.contact(w1 * (1.0 - 1e-9), 2e-5).load, law.contact(w1 * (1.0 + 1e-9), 2e-5).load);
+    let reached = at_pressure(&model, 0.5 * (before + after)).unwrap();
+    assert!(reached.in_jump);
+    assert!(relative_error(-reached.response.separation, w1) < 1e-12);
+    assert!(!at_pressure(&model, 0.5 * before).unwrap().in_jump);
+}
+
+#[test]
+fn a_pressure_out_of_reach_says_what_can_be_reached() {
+    let law = zmc(Zmc::ONSET);
+    let model = Statistical::new(&law, CASE_1);
+    let error = at_pressure(&model, 1e15).unwrap_err();
+    assert_eq!(error.largest, model.respond(-10.0).pressure.total());
+    assert!(error.to_string().contains("-10 sigma"), "{error}");
+    assert!(at_pressure(&model, error.largest).is_ok());
+}
+
+#[test]
+fn nothing_is_nan_where_nothing_touches() {
+    let law = zmc(Zmc::ONSET);
+    let set = drawn(CASE_1, 1000);
+    let models: [&dyn Model; 2] =
+        [&Statistical::new(&law, CASE_1), &Deterministic::new(&law, &set, datum(CASE_1))];
+    for model in models {
+        let response = model.respond(1000.0);
+        assert_eq!(response.pressure.total(), 0.0);
+        assert_eq!(response.area_ratio.total(), 0.0);
+        assert_eq!((response.mean_real_pressure(), response.pressure.shares()), (None, None));
+    }
+}
+
+/// Contacts are exactly those above the flat; the flat itself touches nobody.
+#[test]
+fn asperities_at_or_below_the_flat_do_not_touch() {
+    let law = zmc(Zmc::ONSET);
+    let set = Ordered::new(&AsperitySet::new(vec![3.0, -1.0, 2.0, 1.0, 2.0], vec![1.0; 5], 1.0).unwrap());
+    let model = Deterministic::new(&law, &set, Datum { mean: 0.0, sigma: 1.0 });
+    assert_eq!(model.tally(2.0).contacts(), 1.0);
+    assert_eq!(model.tally(2f64.next_down()).contacts(), 3.0);
+    assert_eq!(model.tally(3.0).contacts(), 0.0);
+}
+
+#[test]
+fn the_sampling_error_is_the_scatter_of_independent_sets() {
+    let law = zmc(Zmc::ONSET);
+    let answers: Vec<_> = (0..400u16)
+        .map(|k| {
+            let mut seed = [0; 32];
+            seed[..2].copy_from_slice(&k.to_le_bytes());
+            let set = Ordered::new(&CASE_1.set(2000, Draw::Random(seed)).unwrap());
+            Deterministic::new(&law, &set, datum(CASE_1)).respond(1.0)
+        })
+        .collect();
+    let mean = answers.iter().map(|r| r.pressure.total()).sum::<f64>() / 400.0;
+    let scatter = (answers.iter().map(|r| (r.pressure.total() - mean).powi(2)).sum::<f64>() / 399.0).sqrt();
+    let claimed = answers.iter().map(|r| r.sampling.unwrap().pressure).sum::<f64>() / 400.0;
+    // 400 draws know a deviation to 3.5 %.
+    assert!((scatter / claimed - 1.0).abs() < 0.15, "{scatter:e} {claimed:e}");
+}
