@@ -5,10 +5,12 @@
 pub mod asperity;
 pub mod compare;
 pub mod contact;
+pub mod experiment;
 pub mod interface;
 pub mod law;
 pub mod literature;
 pub mod material;
 pub mod model;
 pub mod numeric;
+pub mod surface;
 pub mod units;

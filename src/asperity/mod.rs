@@ -1,15 +1,17 @@
 //! Asperities: the set, its statistics, populations drawn from three numbers, height densities.
 
 mod heights;
+mod nayak;
 mod ordered;
 mod population;
-//mod read;
+mod read;
 mod statistics;
 
 pub use heights::{HeightDensity, gaussian_moment};
+pub use nayak::{NoSuchSurface, SurfaceHeights};
 pub use ordered::Ordered;
 pub use population::{Draw, Population};
-//pub use read::{ListError, read_list};
+pub use read::{ListError, read_list};
 pub use statistics::Statistics;
 
 use crate::numeric::{LARGEST, is_positive};

@@ -20,7 +20,9 @@ pub enum ListError {
         columns: usize,
     },
     /// A column is not there.
-    #[error("no column `{column}` (found: {found}); allowed: a header line with the columns height and radius, in m")]
+    #[error(
+        "no column `{column}` (found: {found}); allowed: a header line with the columns height and radius, in m"
+    )]
     Column {
         /// The column that is missing.
         column: &'static str,
@@ -56,7 +58,7 @@ const RADIUS: &str = "a positive finite number of metres";
 /// # Errors
 /// See [`ListError`]; a bad value is named with its row.
 pub fn read_list(path: &Path) -> Result<(Vec<f64>, Vec<f64>), ListError> {
-    let (heights, radii) = if npy::is_npy(path)? { read_npy(path)? } else { read_csv(path)? };
+    let (heights, radii) = if npy::is_npy(path).map_err(ReadError::from)? { read_npy(path)? } else { read_csv(path)? };
     if heights.is_empty() {
         return Err(ListError::Empty);
     }
@@ -89,13 +91,16 @@ fn read_npy(path: &Path) -> Result<(Vec<f64>, Vec<f64>), ListError> {
 }
 
 fn read_csv(path: &Path) -> Result<(Vec<f64>, Vec<f64>), ListError> {
-    let mut reader =
-        csv::ReaderBuilder::new().comment(Some(b'#')).trim(csv::Trim::All).from_path(path)?;
+    let mut reader = csv::ReaderBuilder::new().comment(Some(b'#')).trim(csv::Trim::All).from_path(path)?;
     let header = reader.headers()?.clone();
     let column = |name: &'static str| {
         header.iter().position(|found| found == name).ok_or_else(|| ListError::Column {
             column: name,
-            found: if header.is_empty() { "an empty file".into() } else { header.iter().collect::<Vec<_>>().join(", ") },
+            found: if header.is_empty() {
+                "an empty file".into()
+            } else {
+                header.iter().collect::<Vec<_>>().join(", ")
+            },
         })
     };
     let (height_column, radius_column) = (column("height")?, column("radius")?);

@@ -4,7 +4,7 @@
 mod gap;
 mod limit;
 
-pub use gap::{Gap, Gaps};
+pub use gap::{FEWEST_CONTACTS, Gap, Gaps};
 pub use limit::{Exact, LimitCase, LimitPoint, Quantity, SlopeFit, convergence};
 
 use std::time::{Duration, Instant};

@@ -6,11 +6,13 @@ mod refusal;
 pub mod results;
 mod run;
 pub mod spec;
+mod surface;
 mod surfaces;
 
 pub use refusal::Refusal;
-pub use surfaces::{MapFacts, Surface};
+pub use surface::{MapFacts, Surface};
 
+use std::io::Read;
 use std::path::Path;
 
 use sha2::{Digest, Sha256};
@@ -21,6 +23,9 @@ use results::Results;
 
 /// SHA-256 of the sources that this program was built from.
 const SOURCES: &str = env!("ASPERITY_SOURCES");
+
+/// A commented spec that runs as it stands.
+pub const TEMPLATE: &str = include_str!("template.toml");
 
 /// An experiment that can be run.
 pub struct Experiment {
@@ -56,11 +61,9 @@ impl Experiment {
         hash.update(SOURCES);
         hash.update(digest(self.plan.source.text.as_bytes()));
         for path in self.plan.inputs() {
-            let mut content = Sha256::new();
-            std::fs::File::open(&path)
-                .and_then(|mut file| std::io::copy(&mut file, &mut content))
+            let content = digest_file(&path)
                 .map_err(|error| Refusal::file(&path, format!("cannot be read: {error}")))?;
-            hash.update(content.finalize());
+            hash.update(content);
         }
         Ok(hexadecimal(&hash.finalize()))
     }
@@ -76,6 +79,18 @@ impl Experiment {
 
 fn digest(bytes: &[u8]) -> [u8; 32] {
     Sha256::digest(bytes).into()
+}
+
+fn digest_file(path: &Path) -> std::io::Result<[u8; 32]> {
+    let mut file = std::fs::File::open(path)?;
+    let mut hash = Sha256::new();
+    let mut buffer = vec![0; 1 << 16];
+    loop {
+        match file.read(&mut buffer)? {
+            0 => return Ok(hash.finalize().into()),
+            length => hash.update(&buffer[..length]),
+        }
+    }
 }
 
 fn hexadecimal(bytes: &[u8]) -> String {

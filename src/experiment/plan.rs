@@ -1,12 +1,13 @@
 //! From the words of a spec to things that run: names resolved, files looked at, memory counted.
 
+use std::fmt;
 use std::path::{Path, PathBuf};
 
 use indexmap::IndexMap;
 use toml::Spanned;
 
 use super::refusal::{Refusal, Source};
-use super::spec::{self, CompareSpec, Laws, LimitSpec, Spec};
+use super::spec::{self, CompareSpec, LawSpec, Laws, LimitSpec, Spec};
 use super::surfaces::SurfacePlan;
 use crate::asperity::{HeightDensity, Population};
 use crate::compare::{Controls, Kind};
@@ -102,14 +103,20 @@ impl Plan {
         let (source, spec) = spec::read(path)?;
         let stem = path.file_stem().and_then(|stem| stem.to_str()).filter(|stem| !stem.starts_with('.'));
         let stem = stem.ok_or_else(|| {
-            Refusal::file(path, "has no name to call the report by; allowed: a file name such as my-surface.toml")
+            Refusal::file(
+                path,
+                "has no name to call the report by; allowed: a file name such as my-surface.toml",
+            )
         })?;
         let reader = Reader { source: &source, spec: &spec };
         let kind = match (&spec.compare, &spec.limit) {
             (Some(compare), None) => PlanKind::Compare(reader.compare(compare.get_ref(), compare.span())?),
             (None, Some(limit)) => PlanKind::Limit(reader.limit(limit.get_ref())?),
             (None, None) => {
-                return Err(Refusal::file(path, "found no experiment; allowed: exactly one of [compare], [limit]"));
+                return Err(Refusal::file(
+                    path,
+                    "found no experiment; allowed: exactly one of [compare], [limit]",
+                ));
             }
             (Some(_), Some(second)) => {
                 return Err(source.refuse(
@@ -173,15 +180,54 @@ impl Plan {
             available as f64 / 1e9
         );
         let place = match &self.kind {
-            PlanKind::Compare(compare) => {
-                compare.surfaces.iter().max_by_key(|surface| surface.memory()).map(|surface| surface.size_key.clone())
-            }
+            PlanKind::Compare(compare) => compare
+                .surfaces
+                .iter()
+                .max_by_key(|surface| surface.memory())
+                .map(|surface| surface.size_key.clone()),
             PlanKind::Limit(_) => None,
         };
         Err(match place {
             Some(span) => self.source.refuse(span, message),
             None => Refusal::file(&self.source.path, message),
         })
+    }
+}
+
+/// What it will do and need, for a person.
+impl fmt::Display for Plan {
+    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        writeln!(f, "{}: {}", self.source.path.display(), self.title)?;
+        let laws = |laws: &[LawPlan]| laws.iter().map(|law| law.label.clone()).collect::<Vec<_>>().join(", ");
+        match &self.kind {
+            PlanKind::Compare(plan) => {
+                let models: Vec<&str> = plan.models.iter().map(|model| model.name()).collect();
+                writeln!(f, "  {} on {}, law {}", plan.bodies.rough, plan.bodies.flat, laws(&plan.laws))?;
+                writeln!(
+                    f,
+                    "  {} at {} points a law and surface",
+                    models.join(" and "),
+                    plan.controls.points()
+                )?;
+                for surface in &plan.surfaces {
+                    writeln!(f, "  surface {}: {}", surface.name, surface.describe())?;
+                }
+            }
+            PlanKind::Limit(plan) => {
+                writeln!(f, "  {} on {}, law {}", plan.bodies.rough, plan.bodies.flat, laws(&plan.laws))?;
+                writeln!(
+                    f,
+                    "  {} random sets and one at the quantiles of each of {:?} asperities",
+                    plan.draws, plan.counts
+                )?;
+            }
+        }
+        writeln!(
+            f,
+            "  memory: at most {:.1} MB; work: at most {:.1e} micro-contacts a pass",
+            self.memory() as f64 / 1e6,
+            self.work() as f64
+        )
     }
 }
 
@@ -210,7 +256,7 @@ impl Reader<'_> {
             .map(|law| LawPlan {
                 label: law.label(),
                 contact: law.interface(rough, flat),
-                is_hertz: *law == spec::LawSpec::Hertz,
+                is_hertz: *law == LawSpec::Hertz,
             })
             .collect()
     }
@@ -221,7 +267,11 @@ impl Reader<'_> {
         let flat = self.body(words.flat.get_ref(), words.flat.span())?;
         let controls = Controls {
             separations: words.separation.as_ref().map(|sweep| sweep.0.clone()).unwrap_or_default(),
-            pressures: words.pressure.as_ref().map(|sweep| sweep.get_ref().values.clone()).unwrap_or_default(),
+            pressures: words
+                .pressure
+                .as_ref()
+                .map(|sweep| sweep.get_ref().values.clone())
+                .unwrap_or_default(),
             forces: words.force.as_ref().map(|sweep| sweep.get_ref().values.clone()).unwrap_or_default(),
         };
         if controls.points() == 0 {
@@ -269,7 +319,8 @@ impl Reader<'_> {
             }
             let found = self.spec.surface.iter().find(|(name, _)| name.get_ref() == wanted.get_ref());
             let (name, words) = found.ok_or_else(|| {
-                let defined: Vec<&str> = self.spec.surface.keys().map(|name| name.get_ref().as_str()).collect();
+                let defined: Vec<&str> =
+                    self.spec.surface.keys().map(|name| name.get_ref().as_str()).collect();
                 let message = format!(
                     "found \"{}\"; allowed: a surface of this file ({})",
                     wanted.get_ref(),

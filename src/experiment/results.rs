@@ -5,7 +5,7 @@ use std::time::Duration;
 use indexmap::IndexMap;
 
 use super::plan::Bodies;
-use super::surfaces::Surface;
+use super::surface::Surface;
 use crate::asperity::Population;
 use crate::compare::{Comparison, Gaps, LimitPoint};
 use crate::literature::Paper;
@@ -69,6 +69,32 @@ impl Results {
             Self::Compare(results) => &results.head,
             Self::Limit(results) => &results.head,
         }
+    }
+}
+
+impl Results {
+    /// What makes the answers doubtful, a line each.
+    pub fn warnings(&self) -> Vec<String> {
+        match self {
+            Self::Compare(results) => results.warnings(),
+            Self::Limit(_) => Vec::new(),
+        }
+    }
+}
+
+impl CompareResults {
+    /// What makes the answers doubtful, a line each.
+    pub fn warnings(&self) -> Vec<String> {
+        let of = |found: &SurfaceResults| {
+            let name = found.surface.name.clone();
+            found
+                .surface
+                .warnings
+                .clone()
+                .into_iter()
+                .map(move |warning| format!("surface {name}: {warning}"))
+        };
+        self.surfaces.iter().flat_map(of).collect()
     }
 }
 

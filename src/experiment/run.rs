@@ -1,13 +1,11 @@
 //! Running a plan.
 
-use std::time::{Duration, Instant};
+use std::time::Instant;
 
 use super::plan::{ComparePlan, LawPlan, LimitPlan, Plan, PlanKind};
 use super::progress::Progress;
-use super::results::{
-    CaseResults, CompareResults, Head, LimitResults, Results, SurfaceResults, Timing,
-};
-use super::surfaces::Surface;
+use super::results::{CaseResults, CompareResults, Head, LimitResults, Results, SurfaceResults, Timing};
+use super::surface::Surface;
 use super::{Refusal, digest, hexadecimal, stream_seed};
 use crate::asperity::{Ordered, Population, gaussian_moment};
 use crate::compare::{Control, Exact, Gaps, Kind, LimitCase, Models, NotReached, compare, convergence};
@@ -22,7 +20,11 @@ pub(super) fn run(plan: &Plan, progress: &dyn Progress) -> Result<Results, Refus
     }
 }
 
-fn run_compare(plan: &Plan, compare: &ComparePlan, progress: &dyn Progress) -> Result<CompareResults, Refusal> {
+fn run_compare(
+    plan: &Plan,
+    compare: &ComparePlan,
+    progress: &dyn Progress,
+) -> Result<CompareResults, Refusal> {
     let start = Instant::now();
     let mut timing = Timing::default();
     let mut papers = papers_of(&compare.laws);
@@ -115,6 +117,11 @@ fn run_limit(plan: &Plan, limit: &LimitPlan, progress: &dyn Progress) -> Result<
     Ok(LimitResults {
         head: head(plan, &limit.laws, &limit.bodies, papers_of(&limit.laws), timing),
         population: limit.population,
+        plasticity_index: plasticity_index(
+            &*limit.laws[0].contact,
+            limit.population.sigma,
+            limit.population.radius,
+        ),
         laws: limit.laws.iter().map(|law| (law.label.clone(), reference(law))).collect(),
         separations: limit.separations.clone(),
         draws: limit.draws,
@@ -175,9 +182,4 @@ fn head(
         papers,
         timing,
     }
-}
-
-/// Adds the time since `start` to `total`.
-pub(super) fn clock(start: Instant, total: &mut Duration) {
-    *total += start.elapsed();
 }

@@ -1,36 +1,39 @@
 //! The surfaces of an experiment: planned from the spec, then made or read.
 
 use std::ops::Range;
-use std::path::{Path, PathBuf};
-use std::time::{Duration, Instant};
+use std::path::PathBuf;
+use std::time::Instant;
 
-use sha2::{Digest, Sha256};
 use toml::Spanned;
 
 use super::refusal::{Refusal, Source};
+use super::results::Timing;
 use super::spec::{DrawSpec, FileSpec, ListSpec, PopulationHeights, PopulationSpec, SurfaceSpec};
-use crate::asperity::{
-    AsperitySet, Draw, HeightDensity, Ordered, Population, Statistics, SurfaceHeights, read_list,
-};
-use crate::model::{Datum, MeanRadius};
+use super::stream_seed;
+use super::surface::{Surface, summits_of};
+use crate::asperity::{AsperitySet, Draw, HeightDensity, Population, Statistics, SurfaceHeights, read_list};
+use crate::model::Datum;
+use crate::surface::MapError;
 use crate::surface::filter::Filter;
 use crate::surface::level::Level;
+use crate::surface::read;
+use crate::units::{Length, Quantity};
 
 /// A surface that can be made.
 #[derive(Debug)]
 pub struct SurfacePlan {
     /// Its name in the spec.
     pub name: String,
-    /// Where the spec says how large it is.
+    /// Where the spec says what it is made of.
     pub size_key: Range<usize>,
     origin: Origin,
 }
 
 #[derive(Debug)]
 enum Origin {
-    List { path: PathBuf, nominal_area: f64 },
+    List { path: PathBuf, bytes: u64, nominal_area: f64 },
     Population { population: Population, count: usize, draw: DrawSpec, datum: Datum },
-    Map { path: PathBuf, pixel: Option<[f64; 2]>, level: Level, filter: Filter },
+    Map { path: PathBuf, points: usize, pixel: [f64; 2], level: Level, filter: Option<Filter> },
 }
 
 /// Bytes that a set of `count` asperities and its ordered copies need at their peak.
@@ -60,8 +63,9 @@ impl SurfacePlan {
     }
 
     fn list(source: &Source, words: &ListSpec) -> Result<Origin, Refusal> {
-        let path = existing(source, &words.file)?;
-        Ok(Origin::List { path, nominal_area: words.nominal_area.value() })
+        let path = beside(source, &words.file)?;
+        let bytes = std::fs::metadata(&path).map_or(0, |metadata| metadata.len());
+        Ok(Origin::List { path, bytes, nominal_area: words.nominal_area.value() })
     }
 
     fn population(source: &Source, span: Range<usize>, words: &PopulationSpec) -> Result<Origin, Refusal> {
@@ -85,17 +89,31 @@ impl SurfacePlan {
     }
 
     fn map(source: &Source, words: &FileSpec) -> Result<Origin, Refusal> {
-        let path = existing(source, &words.path)?;
-        let pixel = words.pixel.as_ref().map(|pixel| pixel.get_ref().0);
+        let path = beside(source, &words.path)?;
+        let refuse = |error: &dyn std::fmt::Display| {
+            source.refuse(words.path.span(), format!("{} {error}", path.display()))
+        };
+        let points = read::points(&path).map_err(|error| refuse(&error))?;
+        if points.iter().any(|&count| count < 3) {
+            return Err(refuse(&MapError::TooSmall(points)));
+        }
+        let pixel = words.pixel.as_ref().ok_or_else(|| {
+            refuse(
+                &"holds no pixel size; allowed: pixel = \"0.8 um\", or [\"0.8 um\", \"0.5 um\"], beside path",
+            )
+        })?;
         let filter = match &words.filter {
-            None => Filter::default(),
+            None => None,
             Some(filter) => {
-                let index = |quantity: Option<crate::units::Quantity<_>>| quantity.map(|q| q.value());
-                Filter::new(index(filter.get_ref().s), index(filter.get_ref().l))
-                    .map_err(|error| source.refuse(filter.span(), error))?
+                let index = |quantity: Option<Quantity<Length>>| quantity.map(|q| q.value());
+                let indices = filter.get_ref();
+                let made = Filter::new(index(indices.s), index(indices.l));
+                Some(made.map_err(|error| source.refuse(filter.span(), error))?)
             }
         };
-        Ok(Origin::Map { path, pixel, level: words.level, filter })
+        // The head of a file has been checked against its length: the product fits.
+        let points = points[0] * points[1];
+        Ok(Origin::Map { path, points, pixel: pixel.get_ref().0, level: words.level, filter })
     }
 
     /// The file that it is read from.
@@ -105,4 +123,103 @@ impl SurfacePlan {
             Origin::Population { .. } => None,
         }
     }
+
+    /// What it is, for a plan that a person reads.
+    pub fn describe(&self) -> String {
+        match &self.origin {
+            Origin::List { path, .. } => format!("asperities listed in {}", path.display()),
+            Origin::Population { count, .. } => format!("{count} asperities of a population"),
+            Origin::Map { path, .. } => format!("height map {}", path.display()),
+        }
+    }
+
+    /// The most asperities that it can have.
+    pub fn most_asperities(&self) -> u128 {
+        /// The shortest row of a list: "0,1" and a line end.
+        const BYTES_PER_ROW: u128 = 4;
+        /// Four neighbours cannot all be summits.
+        const POINTS_PER_SUMMIT: u128 = 2;
+        match &self.origin {
+            Origin::List { bytes, .. } => u128::from(*bytes) / BYTES_PER_ROW,
+            Origin::Population { count, .. } => *count as u128,
+            Origin::Map { points, .. } => *points as u128 / POINTS_PER_SUMMIT,
+        }
+    }
+
+    /// An estimate of the memory that it needs at its peak, bytes.
+    pub fn memory(&self) -> u128 {
+        /// A map, its levelled and filtered copies, and the sorted heights of the step search.
+        const BYTES_PER_POINT: u128 = 40;
+        let map = match &self.origin {
+            Origin::Map { points, .. } => *points as u128 * BYTES_PER_POINT,
+            _ => 0,
+        };
+        map + set_memory(self.most_asperities())
+    }
+
+    /// Makes or reads it.
+    ///
+    /// # Errors
+    /// A file that cannot be read, a map without a summit, heights that are all equal.
+    pub fn make(&self, source: &Source, seed: u64, timing: &mut Timing) -> Result<Surface, Refusal> {
+        let refuse = |error: &dyn std::fmt::Display| source.refuse(self.size_key.clone(), error);
+        let start = Instant::now();
+        match &self.origin {
+            Origin::List { path, nominal_area, .. } => {
+                let (heights, radii) =
+                    read_list(path).map_err(|error| refuse(&format!("{} {error}", path.display())))?;
+                timing.read += start.elapsed();
+                let set = AsperitySet::new(heights, radii, *nominal_area).map_err(|error| refuse(&error))?;
+                let statistics = Statistics::of(&set);
+                if statistics.sigma == 0.0 {
+                    return Err(refuse(&format!(
+                        "{}: all heights are equal, so that their standard deviation, which separations are \
+                         measured in, is zero; allowed: asperities of different heights",
+                        path.display()
+                    )));
+                }
+                Ok(Surface::new(&self.name, set, statistics))
+            }
+            Origin::Population { population, count, draw, datum } => {
+                let draw = match draw {
+                    DrawSpec::Random => Draw::Random(stream_seed(seed, &format!("population {}", self.name))),
+                    DrawSpec::Quantiles => Draw::Quantiles,
+                };
+                let set = population.set(*count, draw).map_err(|error| refuse(&error))?;
+                timing.generate += start.elapsed();
+                let statistics = Statistics::of(&set);
+                let mut surface = Surface::new(&self.name, set, statistics);
+                surface.datum = *datum;
+                surface.mean_plane = Some(datum.mean).filter(|&mean| mean != 0.0);
+                surface.nominal = Some(*population);
+                Ok(surface)
+            }
+            Origin::Map { path, pixel, level, filter, .. } => {
+                let refuse = |error: &dyn std::fmt::Display| refuse(&format!("{} {error}", path.display()));
+                let map = read::height_map(path, *pixel).map_err(|error| refuse(&error))?;
+                timing.read += start.elapsed();
+                let start = Instant::now();
+                let (set, facts) = summits_of(&map, *level, *filter).map_err(|error| refuse(&error))?;
+                timing.summits += start.elapsed();
+                let statistics = Statistics::of(&set);
+                if statistics.sigma == 0.0 {
+                    return Err(refuse(&"all summits are equally high: their standard deviation is zero"));
+                }
+                let mut surface = Surface::new(&self.name, set, statistics);
+                surface.warnings = facts.warnings();
+                surface.mean_plane = Some(facts.moments.mean);
+                surface.map = Some(facts);
+                Ok(surface)
+            }
+        }
+    }
+}
+
+/// A file named relative to the spec, there and not empty.
+fn beside(source: &Source, words: &Spanned<PathBuf>) -> Result<PathBuf, Refusal> {
+    let folder = source.path.parent().unwrap_or_else(|| std::path::Path::new(""));
+    let path = folder.join(words.get_ref());
+    read::existing(&path)
+        .map_err(|error| source.refuse(words.span(), format!("{} {error}", path.display())))?;
+    Ok(path)
 }

@@ -8,7 +8,7 @@ mod hertz;
 mod zmc;
 
 pub use hertz::Hertz;
-pub use zmc::Zmc;
+pub use zmc::{Zmc, ZmcError};
 
 use crate::contact::Contact;
 use crate::literature::Paper;

@@ -8,7 +8,7 @@ mod statistical;
 
 pub use deterministic::Deterministic;
 pub use load_control::{Reached, Unreachable, at_pressure};
-pub use response::{Response, SamplingError};
+pub use response::{INTERACTION, Response, SamplingError};
 pub use statistical::{MeanRadius, Statistical};
 
 use crate::asperity::Statistics;

@@ -102,4 +102,3 @@ pub struct StatisticalSpec {
     #[serde(default)]
     pub mean_radius: MeanRadius,
 }
-

@@ -80,11 +80,10 @@ impl TryFrom<Words> for LawSpec {
         Ok(match words {
             Words::Hertz(NoOptions {}) => Self::Hertz,
             Words::Zmc(ZmcOptions { onset, transition_ratio }) => {
-                let (onset, transition_ratio) = (onset.map(|q| q.value()), transition_ratio.map(|q| q.value()));
-                let law = Zmc::new(
-                    onset.unwrap_or(Zmc::ONSET),
-                    transition_ratio.unwrap_or(Zmc::TRANSITION_RATIO),
-                )?;
+                let (onset, transition_ratio) =
+                    (onset.map(|q| q.value()), transition_ratio.map(|q| q.value()));
+                let law =
+                    Zmc::new(onset.unwrap_or(Zmc::ONSET), transition_ratio.unwrap_or(Zmc::TRANSITION_RATIO))?;
                 Self::Zmc { law, onset, transition_ratio }
             }
         })
@@ -131,7 +130,9 @@ impl<'de> Deserialize<'de> for Laws {
             type Value = Laws;
 
             fn expecting(&self, f: &mut fmt::Formatter) -> fmt::Result {
-                f.write_str("a law (\"hertz\", \"zmc\", or a table of one law with its options) or a list of laws")
+                f.write_str(
+                    "a law (\"hertz\", \"zmc\", or a table of one law with its options) or a list of laws",
+                )
             }
             fn visit_str<E: Error>(self, name: &str) -> Result<Laws, E> {
                 Ok(Laws(vec![LawSpec::deserialize(StrDeserializer::new(name))?]))
@@ -143,7 +144,10 @@ impl<'de> Deserialize<'de> for Laws {
                 let mut laws = Vec::new();
                 while let Some(law) = list.next_element::<LawSpec>()? {
                     if laws.contains(&law) {
-                        return Err(A::Error::custom(format!("found {} twice; allowed: each law once", law.label())));
+                        return Err(A::Error::custom(format!(
+                            "found {} twice; allowed: each law once",
+                            law.label()
+                        )));
                     }
                     laws.push(law);
                 }

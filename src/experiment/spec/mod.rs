@@ -17,7 +17,9 @@ use toml::Spanned;
 pub use compare::{CompareSpec, StatisticalSpec};
 pub use law::{LawSpec, Laws};
 pub use limit::LimitSpec;
-pub use surface::{DrawSpec, FileSpec, FilterSpec, ListSpec, PixelSpec, PopulationHeights, PopulationSpec, SurfaceSpec};
+pub use surface::{
+    DrawSpec, FileSpec, FilterSpec, ListSpec, PixelSpec, PopulationHeights, PopulationSpec, SurfaceSpec,
+};
 pub use sweep::{LinearSweep, LogSweep};
 
 use super::refusal::{Refusal, Source};
@@ -49,7 +51,8 @@ pub struct Spec {
 /// # Errors
 /// A file that cannot be read, is no TOML, or says what no spec may say.
 pub fn read(path: &Path) -> Result<(Source, Spec), Refusal> {
-    let bytes = std::fs::read(path).map_err(|error| Refusal::file(path, format!("cannot be read: {error}")))?;
+    let bytes =
+        std::fs::read(path).map_err(|error| Refusal::file(path, format!("cannot be read: {error}")))?;
     let text = String::from_utf8(bytes).map_err(|error| {
         Refusal::file(path, format!("is no UTF-8 text (byte {})", error.utf8_error().valid_up_to()))
     })?;

@@ -122,9 +122,9 @@ impl<'de> Deserialize<'de> for PixelSpec {
                 while let Some(size) = list.next_element::<Quantity<Length>>()? {
                     sizes.push(size.value());
                 }
-                <[f64; 2]>::try_from(sizes)
-                    .map(PixelSpec)
-                    .map_err(|sizes| A::Error::custom(format!("found {} sizes; allowed: one or two", sizes.len())))
+                <[f64; 2]>::try_from(sizes).map(PixelSpec).map_err(|sizes| {
+                    A::Error::custom(format!("found {} sizes; allowed: one or two", sizes.len()))
+                })
             }
         }
         deserializer.deserialize_any(OneOrTwo)

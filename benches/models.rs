@@ -1,0 +1,75 @@
+//! How long one micro-contact, one integral and one sum take. Compare them with each other in one
+//! run: this is a ratio, not a promise.
+
+use std::hint::black_box;
+
+use asperity::asperity::{Draw, HeightDensity, Ordered, Population};
+use asperity::interface::{Interface, MicroContact};
+use asperity::law::{Hertz, Law, Zmc};
+use asperity::material::Material;
+use asperity::model::{Datum, Deterministic, Model, Statistical, at_pressure};
+use criterion::{BenchmarkId, Criterion, Throughput, criterion_group, criterion_main};
+
+const CASES: [(&str, Population); 2] = [
+    ("case 1", Population { radius: 2e-5, sigma: 4.8e-8, density: 6e10, heights: HeightDensity::Gaussian }),
+    ("case 2", Population { radius: 1.6e-6, sigma: 2.6e-7, density: 9e10, heights: HeightDensity::Gaussian }),
+];
+
+fn interface<L: Law>(law: L) -> Interface<L> {
+    let steel = Material::new(210e9, 0.3, Some(7.6e9), None).expect("steel is a material");
+    Interface::bare(law, &steel, &steel)
+}
+
+fn laws() -> [(&'static str, Box<dyn MicroContact>); 2] {
+    [("hertz", Box::new(interface(Hertz))), ("zmc", Box::new(interface(Zmc::default())))]
+}
+
+/// 1000 indentations from far below yield to full plasticity.
+fn law(c: &mut Criterion) {
+    let mut group = c.benchmark_group("law");
+    let indentations: Vec<f64> = (0..1000).map(|k| 1e-10 * 1.01f64.powi(k)).collect();
+    group.throughput(Throughput::Elements(indentations.len() as u64));
+    for (name, contact) in laws() {
+        group.bench_function(name, |b| {
+            b.iter(|| indentations.iter().map(|&w| contact.contact(black_box(w), 2e-5).load).sum::<f64>());
+        });
+    }
+    group.finish();
+}
+
+/// Area, load, regimes and stiffness at one separation.
+fn integral(c: &mut Criterion) {
+    let mut group = c.benchmark_group("integral");
+    for (law, contact) in laws() {
+        for (case, population) in CASES {
+            let model = Statistical::new(&*contact, population);
+            group.bench_function(BenchmarkId::new(law, case), |b| b.iter(|| model.respond(black_box(2.0))));
+        }
+    }
+    let zmc = interface(Zmc::default());
+    let model = Statistical::new(&zmc, CASES[0].1);
+    group.bench_function("load control", |b| b.iter(|| at_pressure(&model, black_box(1e6))));
+    group.finish();
+}
+
+/// A million asperities at 50 separations from 4 to 0 sigma, and their ordering.
+fn sum(c: &mut Criterion) {
+    let mut group = c.benchmark_group("sum");
+    group.sample_size(10);
+    let separations: Vec<f64> = (0..50).map(|k| 4.0 - 4.0 * f64::from(k) / 49.0).collect();
+    for (case, population) in CASES {
+        let set = population.set(1_000_000, Draw::Random([1; 32])).expect("a million asperities");
+        group.bench_function(BenchmarkId::new("ordering", case), |b| b.iter(|| Ordered::new(&set)));
+        let ordered = Ordered::new(&set);
+        for (law, contact) in laws() {
+            let model = Deterministic::new(&*contact, &ordered, Datum { mean: 0.0, sigma: population.sigma });
+            group.bench_function(BenchmarkId::new(law, case), |b| {
+                b.iter(|| separations.iter().map(|&h| model.respond(h).pressure.total()).sum::<f64>());
+            });
+        }
+    }
+    group.finish();
+}
+
+criterion_group!(benches, law, integral, sum);
+criterion_main!(benches);

@@ -1,0 +1,294 @@
+//! The page of a comparison: how far apart the two models are, why, and which to trust.
+
+use super::figures;
+use super::format::{number, quantity};
+use super::page::Page;
+use super::{Picture, head};
+use crate::compare::{Gap, Kind, Pair, Pairing, Control};
+use crate::experiment::results::{CaseResults, CompareResults, SurfaceResults};
+
+/// A gap of fewer standard errors than this may be chance.
+const SIGNIFICANT: f64 = 3.0;
+
+/// The page and its pictures.
+pub fn page(results: &CompareResults) -> (Page, Vec<Picture>) {
+    let mut page = Page::new(&results.head.title);
+    let mut pictures = Vec::new();
+    for warning in results.warnings() {
+        page.warning(&warning);
+    }
+    page.heading("In short");
+    for found in &results.surfaces {
+        for case in &found.cases {
+            page.list(&in_short(results, found, case));
+        }
+    }
+    head::what_was_run(&mut page, &results.head);
+    for found in &results.surfaces {
+        surface(&mut page, &mut pictures, found);
+        for case in &found.cases {
+            answers(&mut page, &mut pictures, results, found, case);
+        }
+    }
+    limits(&mut page, results);
+    head::sources(&mut page, &results.head);
+    (page, pictures)
+}
+
+/// The finding in a few sentences.
+fn in_short(results: &CompareResults, found: &SurfaceResults, case: &CaseResults) -> Vec<String> {
+    let subject = subject(results, found, case);
+    if case.gaps.largest.is_empty() {
+        return vec![format!(
+            "**{subject}**: no pair of answers rests on at least 30 contacts within 5 % real area, so nothing is said \
+             about the gap between the models."
+        )];
+    }
+    let mut lines: Vec<String> = case.gaps.largest.iter().map(|gap| format!("**{subject}**: {}", sentence(gap))).collect();
+    lines.push(format!("**{subject}, which to trust**: {}", verdict(found, case)));
+    lines
+}
+
+fn subject(results: &CompareResults, found: &SurfaceResults, case: &CaseResults) -> String {
+    let one_law = results.surfaces.iter().all(|found| found.cases.len() == 1);
+    if one_law { found.surface.name.clone() } else { format!("{}, law {}", found.surface.name, case.law) }
+}
+
+fn sentence(gap: &Gap) -> String {
+    let errors = match gap.over_sampling_error {
+        Some(errors) => format!(" ({} standard errors of the sum)", number(errors)),
+        None => String::new(),
+    };
+    match (gap.quantity, gap.pairing) {
+        ("separation_over_sigma", _) => format!(
+            "at equal load the separations differ by up to {} σ: {} σ statistical, {} σ deterministic at {}{errors}.",
+            number(gap.difference().abs()),
+            number(gap.statistical),
+            number(gap.deterministic),
+            quantity(gap.target, "Pa"),
+        ),
+        ("area_ratio", _) => format!(
+            "at equal load the statistical real area is at the most {} times the deterministic one, at {}{errors}.",
+            number(gap.ratio()),
+            quantity(gap.target, "Pa"),
+        ),
+        _ => format!(
+            "at equal separation the statistical load is at the most {} times the deterministic one, at d/σ = {}{errors}.",
+            number(gap.ratio()),
+            number(gap.target),
+        ),
+    }
+}
+
+/// Which model to use on this surface, from what the gaps and the surface say.
+fn verdict(found: &SurfaceResults, case: &CaseResults) -> String {
+    if !found.surface.warnings.is_empty() {
+        return "neither, before the warning above is dealt with: the radii are not the surface's.".to_owned();
+    }
+    let significant = |gap: &Gap| gap.over_sampling_error.is_none_or(|errors| errors > SIGNIFICANT);
+    if !case.gaps.largest.iter().any(significant) {
+        return "either. The models differ by less than three standard errors of the sum: another sample of the \
+                same surface would move the sum as much."
+            .to_owned();
+    }
+    let statistics = &found.surface.statistics;
+    let mut causes = Vec::new();
+    if let (Some(skewness), Some(kurtosis)) = (statistics.skewness, statistics.kurtosis)
+        && (skewness.abs() > 0.1 || (kurtosis - 3.0).abs() > 0.2)
+    {
+        causes.push(format!("its heights have skewness {} and kurtosis {} (0 and 3 if Gaussian)", number(skewness), number(kurtosis)));
+    }
+    if statistics.radius_cv > 0.1 {
+        causes.push(format!("its radii scatter by {} % of their mean", number(100.0 * statistics.radius_cv)));
+    }
+    if let Some(correlation) = statistics.height_radius_correlation.filter(|c| c.abs() > 0.1) {
+        causes.push(format!("heights and radii correlate ({})", number(correlation)));
+    }
+    let why = if causes.is_empty() { String::new() } else { format!(" The surface is not what the integral assumes: {}.", causes.join("; ")) };
+    format!("the deterministic sum. The gap exceeds its sampling error.{why}")
+}
+
+/// What the surface is.
+fn surface(page: &mut Page, pictures: &mut Vec<Picture>, found: &SurfaceResults) {
+    let surface = &found.surface;
+    let statistics = &surface.statistics;
+    page.heading(&format!("Surface {}", surface.name));
+    let or_none = |value: Option<f64>| value.map_or_else(|| "-".to_owned(), number);
+    let mut rows = vec![
+        ["asperities".to_owned(), surface.set.count().to_string()],
+        ["nominal area".to_owned(), format!("{} m²", number(surface.set.nominal_area()))],
+        ["density η".to_owned(), format!("{} /m²", number(surface.set.density()))],
+        ["mean asperity height".to_owned(), quantity(statistics.mean_height, "m")],
+        ["σ of asperity heights".to_owned(), quantity(statistics.sigma, "m")],
+        ["skewness, kurtosis".to_owned(), format!("{}, {}", or_none(statistics.skewness), or_none(statistics.kurtosis))],
+        ["mean radius".to_owned(), quantity(statistics.mean_radius, "m")],
+        ["1/(mean curvature)".to_owned(), quantity(statistics.radius_of_mean_curvature, "m")],
+        ["scatter of radii over mean".to_owned(), number(statistics.radius_cv)],
+        ["correlation of height and radius".to_owned(), or_none(statistics.height_radius_correlation)],
+    ];
+    if let Some(offset) = surface.offset_to_mean_plane() {
+        rows.push(["mean asperity height above the mean plane".to_owned(), quantity(offset, "m")]);
+    }
+    if let Some(map) = &surface.map {
+        rows.extend(head::map_rows(map));
+    }
+    page.table(&["property", "value"], rows);
+    if let Some(note) = surface.separation_note() {
+        page.paragraph(&note);
+    }
+    let population = &found.population;
+    page.paragraph(&format!(
+        "The statistical model stands on {} heights with σ = {}, one radius of {} and η = {} /m².",
+        population.heights.name(),
+        quantity(population.sigma, "m"),
+        quantity(population.radius, "m"),
+        number(population.density),
+    ));
+    let name = format!("{}-distributions.svg", surface.name);
+    page.figure(&name, &format!("Heights and radii of the asperities of {}, and what the statistical model assumes.", surface.name));
+    pictures.push(Picture { name, svg: figures::distributions(found) });
+}
+
+/// Both models' answers under one law.
+fn answers(
+    page: &mut Page,
+    pictures: &mut Vec<Picture>,
+    results: &CompareResults,
+    found: &SurfaceResults,
+    case: &CaseResults,
+) {
+    let (modulus, comparison) = (results.head.reduced_modulus, &case.comparison);
+    let stem = if found.cases.len() == 1 { found.surface.name.clone() } else { format!("{}-{}", found.surface.name, slug(&case.law)) };
+    page.heading(&format!("{}: the answers", subject(results, found, case)));
+    if let Some(index) = case.plasticity_index {
+        page.paragraph(&format!("Plasticity index ψ = (E*/H)(σ/R)^½ = {}.", number(index)));
+    }
+    let mut figure = |name: &str, caption: &str, svg: String| {
+        let name = format!("{stem}-{name}.svg");
+        page.figure(&name, caption);
+        pictures.push(Picture { name, svg });
+    };
+    figure(
+        "separation",
+        "Separation against load ratio, and the difference at equal load. Bands: 95 % of other samples of the same \
+         surface would lie within.",
+        figures::separation(comparison, modulus, found.surface.datum.sigma),
+    );
+    figure("area", "Real contact area against load ratio.", figures::area(comparison, modulus));
+    figure("regimes", "How the load is shared by the regimes.", figures::regimes(comparison, modulus));
+    let pairs = decades(&comparison.pairs);
+    if !pairs.is_empty() {
+        page.paragraph("Both models at equal load:");
+        page.table(
+            &[
+                "p", "d/σ stat.", "d/σ det.", "A/A_nom stat.", "A/A_nom det.", "± s.e.", "contacts stat.",
+                "contacts det.", "mean real p stat.", "mean real p det.", "−dp/dd stat. [Pa/m]", "−dp/dd det. [Pa/m]", "beyond model",
+            ],
+            pairs.into_iter().map(|pair| row(pair, found.surface.set.nominal_area())),
+        );
+    }
+}
+
+/// The pairs at equal load nearest to one and three in each decade.
+fn decades(pairs: &[Pair]) -> Vec<&Pair> {
+    let mut loads: Vec<&Pair> = pairs.iter().filter(|pair| pair.pairing == Pairing::Load).collect();
+    loads.sort_by(|a, b| a.target.total_cmp(&b.target));
+    let step = |pair: &Pair| (2.0 * pair.target.log10()).round() as i64;
+    let away = |pair: &Pair| (2.0 * pair.target.log10() - step(pair) as f64).abs();
+    let mut chosen: Vec<&Pair> = Vec::new();
+    for pair in loads {
+        match chosen.last_mut() {
+            Some(last) if step(last) == step(pair) => {
+                if away(pair) < away(last) {
+                    *last = pair;
+                }
+            }
+            _ => chosen.push(pair),
+        }
+    }
+    chosen
+}
+
+fn row(pair: &Pair, area: f64) -> Vec<String> {
+    let (s, d) = (&pair.statistical, &pair.deterministic);
+    let real = |pressure: Option<f64>| pressure.map_or_else(|| "-".to_owned(), |p| quantity(p, "Pa"));
+    vec![
+        quantity(pair.target, "Pa"),
+        number(s.separation_over_sigma),
+        number(d.separation_over_sigma),
+        number(s.area_ratio.total()),
+        number(d.area_ratio.total()),
+        d.sampling.map_or_else(|| "-".to_owned(), |error| number(error.area_ratio)),
+        number(s.contact_density * area),
+        number((d.contact_density * area).round()),
+        real(s.mean_real_pressure()),
+        real(d.mean_real_pressure()),
+        number(s.stiffness),
+        number(d.stiffness),
+        if pair.is_beyond_model() { "asperities interact".to_owned() } else { String::new() },
+    ]
+}
+
+/// Where the answers should not be trusted, with numbers.
+fn limits(page: &mut Page, results: &CompareResults) {
+    page.heading("Where not to trust this");
+    let mut lines = Vec::new();
+    for found in &results.surfaces {
+        for case in &found.cases {
+            let comparison = &case.comparison;
+            let subject = subject(results, found, case);
+            let beyond = comparison.curves.iter().filter(|point| point.response.is_beyond_model()).count();
+            let sum = comparison.curves.iter().filter(|point| point.kind == Kind::Deterministic);
+            let few = sum.clone().filter(|point| {
+                let contacts = point.response.contact_density * found.surface.set.nominal_area();
+                contacts > 0.0 && contacts < crate::compare::FEWEST_CONTACTS
+            });
+            let jumps = comparison.curves.iter().filter(|point| point.in_jump && point.control != Control::Separation);
+            if beyond > 0 {
+                lines.push(format!(
+                    "{subject}: {beyond} of {} points lie beyond A/A_nom = 0.05, where neighbouring asperities interact and \
+                     no asperity model holds. They are marked `beyond_model` in the tables.",
+                    comparison.curves.len()
+                ));
+            }
+            let few = few.count();
+            if few > 0 {
+                lines.push(format!(
+                    "{subject}: at {few} of {} points fewer than 30 asperities carry the sum; they tell of the highest few.",
+                    sum.count()
+                ));
+            }
+            let jumps = jumps.count();
+            if jumps > 0 {
+                lines.push(format!(
+                    "{subject}: at {jumps} points the load asked for lies in a jump of the law; the answer is the largest \
+                     separation that carries at least as much, and `pressure_pa` exceeds `target`."
+                ));
+            }
+            if !comparison.unpaired.is_empty() {
+                lines.push(format!(
+                    "{subject}: {} deterministic pressures have no pair at equal load: the statistical model does not reach \
+                     them above −10 σ.",
+                    comparison.unpaired.len()
+                ));
+            }
+        }
+    }
+    lines.push(
+        "The flat is smooth and homogeneous; asperities are spheres that do not touch each other; there is no \
+         adhesion, friction or hardening."
+            .to_owned(),
+    );
+    lines.push(
+        "Standard errors take the asperities as independent draws; those of a real surface are neighbours, and a surface with long \
+         waves scatters more."
+            .to_owned(),
+    );
+    page.list(&lines);
+}
+
+/// A law's label as part of a file name.
+fn slug(label: &str) -> String {
+    let kept: String = label.chars().map(|c| if c.is_ascii_alphanumeric() { c } else { '-' }).collect();
+    kept.trim_matches('-').to_owned()
+}

@@ -1,0 +1,178 @@
+//! Do freshly made reports say the same as the committed ones? Structure and counts exactly, numbers
+//! to 1e-9, timings for their shape only, pictures and pages not at all.
+
+use std::collections::BTreeSet;
+use std::fs;
+use std::io;
+use std::path::Path;
+
+use serde_json::Value;
+
+/// Relative tolerance of a number.
+const TOLERANCE: f64 = 1e-9;
+
+/// Scale of a relative error, whose own rounding is that of the numbers near 1 that it compares.
+const ERROR_SCALE: f64 = 1e-3;
+
+/// What differs between the reports in `fresh` and those in `committed`, one line each; empty if
+/// nothing does.
+///
+/// # Errors
+/// A folder or file that cannot be read.
+pub fn differences(fresh: &Path, committed: &Path) -> io::Result<Vec<String>> {
+    let mut found = Vec::new();
+    let (new, old) = (reports(fresh)?, reports(committed)?);
+    for name in new.symmetric_difference(&old) {
+        let place = if new.contains(name) { "is not committed" } else { "was not made again" };
+        found.push(format!("{name}: {place}"));
+    }
+    for name in new.intersection(&old) {
+        compare_folders(&fresh.join(name), &committed.join(name), name, &mut found)?;
+    }
+    Ok(found)
+}
+
+/// Names of the folders that hold a `summary.json`.
+fn reports(folder: &Path) -> io::Result<BTreeSet<String>> {
+    let mut names = BTreeSet::new();
+    for entry in fs::read_dir(folder)? {
+        let entry = entry?;
+        if entry.path().join("summary.json").is_file() {
+            names.insert(entry.file_name().to_string_lossy().into_owned());
+        }
+    }
+    Ok(names)
+}
+
+fn compare_folders(fresh: &Path, committed: &Path, name: &str, found: &mut Vec<String>) -> io::Result<()> {
+    let files = |folder: &Path| -> io::Result<BTreeSet<String>> {
+        let names = fs::read_dir(folder)?.map(|entry| Ok(entry?.file_name().to_string_lossy().into_owned()));
+        names.filter(|name| !matches!(name, Ok(name) if name == "manifest.json")).collect()
+    };
+    let (new, old) = (files(fresh)?, files(committed)?);
+    found.extend(new.symmetric_difference(&old).map(|file| format!("{name}/{file}: in one of them only")));
+    for file in new.intersection(&old) {
+        let place = format!("{name}/{file}");
+        let (new, old) = (fresh.join(file), committed.join(file));
+        if file.ends_with(".csv") {
+            compare_tables(&new, &old, &place, found)?;
+        } else if file.ends_with(".json") {
+            let read = |path: &Path| -> io::Result<Value> { Ok(serde_json::from_slice(&fs::read(path)?)?) };
+            compare_values(&read(&new)?, &read(&old)?, file == "timing.json", &place, found);
+        }
+    }
+    Ok(())
+}
+
+fn compare_tables(new: &Path, old: &Path, place: &str, found: &mut Vec<String>) -> io::Result<()> {
+    let read = |path: &Path| -> io::Result<Vec<csv::StringRecord>> {
+        let mut reader = csv::ReaderBuilder::new().has_headers(false).flexible(true).from_path(path)?;
+        Ok(reader.records().collect::<Result<_, _>>()?)
+    };
+    let (new, old) = (read(new)?, read(old)?);
+    let (Some(header), true) = (new.first(), new.first() == old.first() && new.len() == old.len()) else {
+        found.push(format!("{place}: another header or number of rows"));
+        return Ok(());
+    };
+    for (line, (a, b)) in new.iter().zip(&old).enumerate().skip(1) {
+        for (k, column) in header.iter().enumerate() {
+            // A difference of two answers is as exact as they are, not as itself.
+            let scale = match column.strip_prefix("difference_") {
+                Some(quantity) => header
+                    .iter()
+                    .position(|name| name == format!("statistical_{quantity}"))
+                    .and_then(|index| a.get(index)?.parse::<f64>().ok())
+                    .unwrap_or(0.0),
+                None if place.ends_with("convergence.csv") && column.ends_with("_error") => ERROR_SCALE,
+                None => 0.0,
+            };
+            let (a, b) = (a.get(k).unwrap_or_default(), b.get(k).unwrap_or_default());
+            if !same_text(a, b, scale) {
+                found.push(format!("{place}, line {}, {column}: now {a}, committed {b}", line + 1));
+            }
+        }
+    }
+    Ok(())
+}
+
+fn same_text(a: &str, b: &str, scale: f64) -> bool {
+    if a == b {
+        return true;
+    }
+    let is_count = |text: &str| text.bytes().all(|byte| byte.is_ascii_digit());
+    match (a.parse(), b.parse()) {
+        (Ok(x), Ok(y)) if !(is_count(a) && is_count(b)) => same_number(x, y, scale),
+        _ => false,
+    }
+}
+
+fn same_number(a: f64, b: f64, scale: f64) -> bool {
+    (a - b).abs() <= TOLERANCE * a.abs().max(b.abs()).max(scale.abs())
+}
+
+fn compare_values(new: &Value, old: &Value, shape_only: bool, place: &str, found: &mut Vec<String>) {
+    match (new, old) {
+        (Value::Object(a), Value::Object(b)) if a.keys().eq(b.keys()) => {
+            for (key, value) in a {
+                compare_values(value, &b[key], shape_only, &format!("{place}, {key}"), found);
+            }
+        }
+        (Value::Array(a), Value::Array(b)) if a.len() == b.len() => {
+            for (k, (a, b)) in a.iter().zip(b).enumerate() {
+                compare_values(a, b, shape_only, &format!("{place}[{k}]"), found);
+            }
+        }
+        (Value::Number(a), Value::Number(b)) => {
+            let same = match (a.as_u64(), b.as_u64(), a.as_f64(), b.as_f64()) {
+                (Some(a), Some(b), ..) => a == b,
+                (_, _, Some(a), Some(b)) => same_number(a, b, 0.0),
+                _ => false,
+            };
+            if !(same || shape_only) {
+                found.push(format!("{place}: now {a}, committed {b}"));
+            }
+        }
+        _ if new == old => {}
+        _ => found.push(format!("{place}: now {new}, committed {old}")),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn reports_with(table: &str, summary: &str) -> tempfile::TempDir {
+        let folder = tempfile::tempdir().unwrap();
+        let report = folder.path().join("one");
+        fs::create_dir(&report).unwrap();
+        fs::write(report.join("curves.csv"), table).unwrap();
+        fs::write(report.join("summary.json"), summary).unwrap();
+        fs::write(report.join("timing.json"), format!("{{\"total_s\": {}}}", table.len())).unwrap();
+        folder
+    }
+
+    fn count(table: &str, summary: &str) -> usize {
+        let committed = reports_with("n,difference_x,statistical_x\n12,1e-17,3.5\n", "{\"sigma_m\": 6.7e-9}");
+        differences(reports_with(table, summary).path(), committed.path()).unwrap().len()
+    }
+
+    #[test]
+    fn only_what_matters_differs() {
+        let same = "{\"sigma_m\": 6.7e-9}";
+        assert_eq!(count("n,difference_x,statistical_x\n12,1e-17,3.5\n", same), 0);
+        assert_eq!(count("n,difference_x,statistical_x\n12,-3e-16,3.5000000001\n", same), 0);
+        assert_eq!(count("n,difference_x,statistical_x\n13,1e-17,3.5\n", same), 1);
+        assert_eq!(count("n,difference_x,statistical_x\n12,1e-17,3.50001\n", same), 1);
+        assert_eq!(count("n,difference_x,statistical_x\n12,1e-17,\n", same), 1);
+        assert_eq!(count("n,difference_x,y\n12,1e-17,3.5\n", same), 1);
+        assert_eq!(count("n,difference_x,statistical_x\n12,1e-17,3.5\n", "{\"sigma_m\": 6.7001e-9}"), 1);
+        assert_eq!(count("n,difference_x,statistical_x\n12,1e-17,3.5\n", "{\"sigma\": 6.7e-9}"), 1);
+    }
+
+    #[test]
+    fn a_report_that_is_missing_is_said() {
+        let committed = reports_with("a\n", "{}");
+        let fresh = tempfile::tempdir().unwrap();
+        assert_eq!(differences(fresh.path(), committed.path()).unwrap(), ["one: was not made again"]);
+    }
+}

@@ -1,0 +1,200 @@
+//! Areal Gaussian filters (ISO 16610-61): an S filter takes out what is shorter than its nesting
+//! index, an L filter what is longer.
+
+use std::fmt;
+
+use rayon::prelude::*;
+
+use super::HeightMap;
+
+/// An S and an L filter, either or both.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Filter {
+    s: Option<f64>,
+    l: Option<f64>,
+}
+
+/// Nesting indices that make no filter.
+#[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
+pub enum FilterError {
+    /// There is an index.
+    #[error("found no nesting index; allowed: s, l, or both")]
+    Missing,
+    /// Short comes before long.
+    #[error("found s = {s} m and l = {l} m; allowed: s below l")]
+    Order {
+        /// The S index, m.
+        s: f64,
+        /// The L index, m.
+        l: f64,
+    },
+    /// The map is larger than what is taken out.
+    #[error("found a nesting index of {index:e} m on a map of {} x {} m; allowed: at most its shorter side", size[0], size[1])]
+    TooLarge {
+        /// The index, m.
+        index: f64,
+        /// Size of the map, m.
+        size: [f64; 2],
+    },
+}
+
+impl Filter {
+    /// Filters with nesting indices in m, positive.
+    ///
+    /// # Errors
+    /// No index at all, or an S index that is not below the L index.
+    pub fn new(s: Option<f64>, l: Option<f64>) -> Result<Self, FilterError> {
+        match (s, l) {
+            (None, None) => Err(FilterError::Missing),
+            (Some(s), Some(l)) if s >= l => Err(FilterError::Order { s, l }),
+            _ => Ok(Self { s, l }),
+        }
+    }
+
+    /// The filtered map; missing points stay missing and do not count. The same to the bit on any
+    /// number of threads.
+    ///
+    /// # Errors
+    /// An index larger than the map.
+    pub fn apply(&self, map: HeightMap) -> Result<HeightMap, FilterError> {
+        let size = [0, 1].map(|axis| map.points()[axis] as f64 * map.pixel()[axis]);
+        if let Some(index) =
+            [self.s, self.l].into_iter().flatten().find(|&index| index > size[0].min(size[1]))
+        {
+            return Err(FilterError::TooLarge { index, size });
+        }
+        let short = match self.s {
+            Some(s) => low_pass(&map, s),
+            None => map,
+        };
+        Ok(match self.l {
+            Some(l) => {
+                let long = low_pass(&short, l);
+                let rest = short.heights().iter().zip(long.heights()).map(|(z, form)| z - form).collect();
+                short.with_heights(rest)
+            }
+            None => short,
+        })
+    }
+}
+
+impl fmt::Display for Filter {
+    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        let part = |name, index: Option<f64>| index.map(|index| format!("{name} = {} um", index * 1e6));
+        let parts: Vec<String> = [part("S", self.s), part("L", self.l)].into_iter().flatten().collect();
+        f.write_str(&parts.join(", "))
+    }
+}
+
+/// The Gaussian mean of a map: weights exp(-pi (x/(alpha index))^2) along x and y (ISO 16610-61,
+/// Eq. 1; a Gaussian separates), normalised by the weights of the points that are there.
+fn low_pass(map: &HeightMap, index: f64) -> HeightMap {
+    let [nx, ny] = map.points();
+    let [along_x, along_y] = map.pixel().map(|pixel| weights(index / pixel));
+    // Heights and presence go through the same two passes; their quotient is the mean.
+    let present: Vec<[f64; 2]> =
+        map.heights().iter().map(|&z| if z.is_nan() { [0.0, 0.0] } else { [z, 1.0] }).collect();
+    let once = pass(&present, [nx, ny], &along_y);
+    let twice = pass(&transposed(&once, [nx, ny]), [ny, nx], &along_x);
+    let means = transposed(&twice, [ny, nx]);
+    let heights =
+        map.heights().iter().zip(means).map(|(&z, [sum, weight])| if z.is_nan() { z } else { sum / weight });
+    map.with_heights(heights.collect())
+}
+
+/// Weights at 0, 1, 2, ... pixels, up to where they fall below 1e-12 of the first. The index is in
+/// pixels.
+fn weights(index: f64) -> Vec<f64> {
+    /// alpha = (ln 2/pi)^.5: a wave of the cut-off length is halved.
+    const ALPHA_SQUARED: f64 = std::f64::consts::LN_2 / std::f64::consts::PI;
+    const NEGLIGIBLE: f64 = 1e-12;
+    (0..)
+        .map(|k| (-std::f64::consts::PI * f64::from(k).powi(2) / (ALPHA_SQUARED * index * index)).exp())
+        .take_while(|&weight| weight > NEGLIGIBLE)
+        .collect()
+}
+
+/// Weighted sums along the second index.
+fn pass(values: &[[f64; 2]], [_, columns]: [usize; 2], weights: &[f64]) -> Vec<[f64; 2]> {
+    let mut sums = vec![[0.0; 2]; values.len()];
+    sums.par_chunks_mut(columns).zip(values.par_chunks(columns)).for_each(|(sums, row)| {
+        for (k, weight) in weights.iter().enumerate().take(columns) {
+            for j in k..columns {
+                for part in 0..2 {
+                    sums[j][part] += weight * row[j - k][part];
+                    if k > 0 {
+                        sums[j - k][part] += weight * row[j][part];
+                    }
+                }
+            }
+        }
+    });
+    sums
+}
+
+fn transposed(values: &[[f64; 2]], [rows, columns]: [usize; 2]) -> Vec<[f64; 2]> {
+    let mut turned = vec![[0.0; 2]; values.len()];
+    turned.par_chunks_mut(rows).enumerate().for_each(|(column, turned)| {
+        for (row, value) in turned.iter_mut().enumerate() {
+            *value = values[row * columns + column];
+        }
+    });
+    turned
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const POINTS: [usize; 2] = [120, 80];
+    const PIXEL: [f64; 2] = [0.5, 0.8];
+
+    fn map(height: impl Fn(f64, f64) -> f64) -> HeightMap {
+        let at = |k: usize| height((k / 80) as f64 * PIXEL[0], (k % 80) as f64 * PIXEL[1]);
+        HeightMap::new(POINTS, PIXEL, (0..120 * 80).map(at).collect(), f64::EPSILON).unwrap()
+    }
+
+    fn centre(map: &HeightMap) -> f64 {
+        map.heights()[60 * 80 + 40]
+    }
+
+    fn filtered(map: &HeightMap, s: Option<f64>, l: Option<f64>) -> HeightMap {
+        Filter::new(s, l).unwrap().apply(map.clone()).unwrap()
+    }
+
+    /// exp(-pi (alpha index/length)^2) of a wave passes.
+    #[test]
+    fn waves_pass_as_the_standard_says() {
+        for length in [6.0, 8.0, 16.0] {
+            let turn = std::f64::consts::TAU / length;
+            let along_x = map(|x, _| (turn * (x - 30.0)).cos());
+            let along_y = map(|_, y| (turn * (y - 32.0)).cos());
+            let passes = 0.5f64.powf((8.0 / length as f64).powi(2));
+            for wave in [along_x, along_y] {
+                assert!((centre(&filtered(&wave, Some(8.0), None)) - passes).abs() < 1e-6, "{length}");
+                assert!((centre(&filtered(&wave, None, Some(8.0))) - (1.0 - passes)).abs() < 1e-6);
+            }
+        }
+    }
+
+    #[test]
+    fn a_flat_map_stays_flat_to_its_borders_and_around_holes() {
+        let holed = map(|x, y| if (x - 30.0).abs() + (y - 20.0).abs() < 5.0 { f64::NAN } else { 7.0 });
+        let flat = filtered(&holed, Some(8.0), None);
+        assert_eq!(flat.missing(), holed.missing());
+        assert!(flat.heights().iter().all(|z| z.is_nan() || (z - 7.0).abs() < 1e-13));
+        let nothing = filtered(&holed, Some(2.0), Some(8.0));
+        assert!(nothing.heights().iter().all(|z| z.is_nan() || z.abs() < 1e-13));
+    }
+
+    #[test]
+    fn indices_that_make_no_filter_are_refused() {
+        assert_eq!(Filter::new(None, None), Err(FilterError::Missing));
+        assert!(matches!(Filter::new(Some(2.0), Some(2.0)), Err(FilterError::Order { .. })));
+        let small = map(|x, _| x);
+        assert!(matches!(
+            Filter::new(Some(61.0), None).unwrap().apply(small),
+            Err(FilterError::TooLarge { .. })
+        ));
+    }
+}
