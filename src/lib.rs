@@ -12,5 +12,6 @@ pub mod literature;
 pub mod material;
 pub mod model;
 pub mod numeric;
+pub mod report;
 pub mod surface;
 pub mod units;

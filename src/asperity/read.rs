@@ -58,7 +58,8 @@ const RADIUS: &str = "a positive finite number of metres";
 /// # Errors
 /// See [`ListError`]; a bad value is named with its row.
 pub fn read_list(path: &Path) -> Result<(Vec<f64>, Vec<f64>), ListError> {
-    let (heights, radii) = if npy::is_npy(path).map_err(ReadError::from)? { read_npy(path)? } else { read_csv(path)? };
+    let (heights, radii) =
+        if npy::is_npy(path).map_err(ReadError::from)? { read_npy(path)? } else { read_csv(path)? };
     if heights.is_empty() {
         return Err(ListError::Empty);
     }

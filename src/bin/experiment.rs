@@ -1,1 +1,330 @@
-fn main() {}
+//! The command line: arguments, progress, exit code; nothing else.
+
+use std::path::{Path, PathBuf};
+use std::process::ExitCode;
+use std::time::Instant;
+
+use asperity::experiment::progress::{Progress, Silent};
+use asperity::experiment::{Experiment, Refusal, TEMPLATE};
+use asperity::report::store::{Store, StoreError};
+use asperity::report::{self, Index, MARK, ReportError};
+use clap::{Args, Parser, Subcommand};
+use indicatif::{ProgressBar, ProgressStyle};
+
+/// Where specs are looked for.
+const SPECS: &str = "experiments";
+
+/// Runs the statistical and the deterministic contact model on the same rough surface.
+///
+/// Without a command it runs every spec in experiments/ and writes reports/.
+#[derive(Parser)]
+#[command(version, args_conflicts_with_subcommands = true)]
+struct Cli {
+    #[command(subcommand)]
+    command: Option<Command>,
+    #[command(flatten)]
+    options: RunOptions,
+}
+
+#[derive(Subcommand)]
+enum Command {
+    /// Run specs and write a report for each
+    Run {
+        /// Spec files
+        #[arg(required = true)]
+        files: Vec<PathBuf>,
+        #[command(flatten)]
+        options: RunOptions,
+    },
+    /// List the specs in experiments/ and whether their reports are up to date
+    List {
+        /// Folder that holds the reports
+        #[arg(long, default_value = "reports")]
+        out: PathBuf,
+    },
+    /// Read specs, say what they would do and need, and run nothing
+    Check {
+        /// Spec files
+        #[arg(required = true)]
+        files: Vec<PathBuf>,
+    },
+    /// Write a commented spec that runs as it stands
+    New {
+        /// Name of the spec; NAME.toml is written
+        name: PathBuf,
+    },
+    /// Compare freshly made reports with those in another folder, number by number
+    Verify {
+        /// Folder of fresh reports
+        fresh: PathBuf,
+        /// Folder to compare them with
+        #[arg(long, default_value = "reports")]
+        out: PathBuf,
+    },
+}
+
+#[derive(Args)]
+struct RunOptions {
+    /// Folder to write reports to
+    #[arg(long, default_value = "reports")]
+    out: PathBuf,
+    /// Run also what is unchanged
+    #[arg(long)]
+    force: bool,
+    /// Number of threads; all cores if not given. Results do not depend on it
+    #[arg(long, value_parser = clap::value_parser!(u16).range(1..=1024))]
+    threads: Option<u16>,
+    /// Print nothing but errors
+    #[arg(long)]
+    quiet: bool,
+}
+
+/// Why a command did not do what it was asked.
+enum Failure {
+    /// The input is wrong: exit code 2.
+    Input(String),
+    /// A run failed: exit code 1.
+    Run(String),
+}
+
+impl From<Refusal> for Failure {
+    fn from(refusal: Refusal) -> Self {
+        Self::Input(refusal.to_string())
+    }
+}
+
+impl From<StoreError> for Failure {
+    fn from(error: StoreError) -> Self {
+        Self::Run(error.to_string())
+    }
+}
+
+impl From<ReportError> for Failure {
+    fn from(error: ReportError) -> Self {
+        Self::Run(error.to_string())
+    }
+}
+
+fn main() -> ExitCode {
+    let cli = Cli::parse();
+    let outcome = match cli.command {
+        None => specs_in(Path::new(SPECS)).and_then(|files| run(&files, &cli.options)),
+        Some(Command::Run { files, options }) => run(&files, &options),
+        Some(Command::List { out }) => list(&out),
+        Some(Command::Check { files }) => check(&files),
+        Some(Command::New { name }) => new(&name),
+        Some(Command::Verify { fresh, out }) => verify(&fresh, &out),
+    };
+    match outcome {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(failure) => failure.report(),
+    }
+}
+
+impl Failure {
+    /// Says what went wrong and gives the exit code for it.
+    fn report(self) -> ExitCode {
+        match self {
+            Self::Input(message) => {
+                eprintln!("error: {message}");
+                ExitCode::from(2)
+            }
+            Self::Run(message) => {
+                eprintln!("error: {message}");
+                ExitCode::FAILURE
+            }
+        }
+    }
+}
+
+/// All specs of a folder, by name.
+fn specs_in(folder: &Path) -> Result<Vec<PathBuf>, Failure> {
+    let unreadable = |error: std::io::Error| {
+        Failure::Input(format!(
+            "{}: {error}; allowed: a folder of specs here, or `experiment run FILE...`",
+            folder.display()
+        ))
+    };
+    let mut files = Vec::new();
+    for entry in std::fs::read_dir(folder).map_err(unreadable)? {
+        let path = entry.map_err(unreadable)?.path();
+        if path.extension().is_some_and(|ending| ending == "toml") {
+            files.push(path);
+        }
+    }
+    files.sort();
+    if files.is_empty() {
+        return Err(Failure::Input(format!("{}: found no .toml file", folder.display())));
+    }
+    Ok(files)
+}
+
+/// Reads every spec before anything runs: a wrong one keeps all from running.
+fn read_all(files: &[PathBuf]) -> Result<Vec<Experiment>, Failure> {
+    let mut experiments: Vec<Experiment> = Vec::new();
+    let mut wrong = Vec::new();
+    for file in files {
+        match Experiment::read(file) {
+            Ok(experiment) if experiments.iter().any(|other| other.stem() == experiment.stem()) => {
+                wrong.push(format!(
+                    "{}: another file of this run is called {} too, and both would write the same report; \
+                     allowed: each name once",
+                    file.display(),
+                    experiment.stem()
+                ));
+            }
+            Ok(experiment) => experiments.push(experiment),
+            Err(refusal) => wrong.push(refusal.to_string()),
+        }
+    }
+    if wrong.is_empty() { Ok(experiments) } else { Err(Failure::Input(wrong.join("\nerror: "))) }
+}
+
+fn run(files: &[PathBuf], options: &RunOptions) -> Result<(), Failure> {
+    if let Some(threads) = options.threads {
+        rayon::ThreadPoolBuilder::new()
+            .num_threads(threads.into())
+            .build_global()
+            .map_err(|error| Failure::Run(error.to_string()))?;
+    }
+    let experiments = read_all(files)?;
+    let mut store = Store::new(&options.out);
+    store.recover()?;
+    let mut failures = Vec::new();
+    let mut written = false;
+    for experiment in &experiments {
+        match run_one(experiment, &mut store, options) {
+            Ok(was_written) => written |= was_written,
+            Err(failure) => failures.push(failure),
+        }
+    }
+    if written {
+        let index = Index::of(&options.out);
+        store.write_page("README.md", index.markdown.as_bytes(), MARK)?;
+        store.write_page("index.html", index.html.as_bytes(), MARK)?;
+    }
+    let Some(first) = failures.pop() else { return Ok(()) };
+    // Every failure is said; the exit code tells wrong input from a failed run.
+    for failure in failures {
+        failure.report();
+    }
+    Err(first)
+}
+
+/// Whether a report was written.
+fn run_one(experiment: &Experiment, store: &mut Store, options: &RunOptions) -> Result<bool, Failure> {
+    let start = Instant::now();
+    let key = experiment.key()?;
+    let folder = options.out.join(experiment.stem());
+    if !options.force && store.is_current(experiment.stem(), &key) {
+        say(options, &format!("{} is unchanged ({} s)", folder.display(), seconds(start)));
+        return Ok(false);
+    }
+    store.check(experiment.stem())?;
+    let results = if options.quiet {
+        experiment.run(&Silent)?
+    } else {
+        let bar = Bar::default();
+        let results = experiment.run(&bar);
+        bar.0.finish_and_clear();
+        results?
+    };
+    let report = report::folder(&results, &key)?;
+    store.write(&report)?;
+    if !options.quiet {
+        for warning in results.warnings() {
+            eprintln!("warning: {}: {warning}", experiment.stem());
+        }
+    }
+    say(
+        options,
+        &format!("{} written: {} files in {} s", folder.display(), report.names().count(), seconds(start)),
+    );
+    Ok(true)
+}
+
+fn say(options: &RunOptions, line: &str) {
+    if !options.quiet {
+        println!("{line}");
+    }
+}
+
+fn seconds(start: Instant) -> String {
+    format!("{:.2}", start.elapsed().as_secs_f64())
+}
+
+fn list(out: &Path) -> Result<(), Failure> {
+    let store = Store::new(out);
+    for file in specs_in(Path::new(SPECS))? {
+        match Experiment::read(&file) {
+            Ok(experiment) => {
+                let state = if store.is_current(experiment.stem(), &experiment.key()?) {
+                    "up to date"
+                } else {
+                    "to run"
+                };
+                println!("{:<28} {state:<11} {}", experiment.stem(), experiment.plan().title);
+            }
+            Err(refusal) => println!("{:<28} refused     {refusal}", file.display()),
+        }
+    }
+    Ok(())
+}
+
+fn check(files: &[PathBuf]) -> Result<(), Failure> {
+    for experiment in read_all(files)? {
+        print!("{}", experiment.plan());
+    }
+    Ok(())
+}
+
+fn new(name: &Path) -> Result<(), Failure> {
+    use std::io::Write;
+    let path = name.with_extension("toml");
+    std::fs::File::create_new(&path)
+        .and_then(|mut file| file.write_all(TEMPLATE.as_bytes()))
+        .map_err(|error| Failure::Input(format!("{}: {error}", path.display())))?;
+    println!("{} written; run it with `experiment run {}`", path.display(), path.display());
+    Ok(())
+}
+
+fn verify(fresh: &Path, committed: &Path) -> Result<(), Failure> {
+    let differences = report::verify::differences(fresh, committed)
+        .map_err(|error| Failure::Run(format!("{} and {}: {error}", fresh.display(), committed.display())))?;
+    if differences.is_empty() {
+        println!("{} says the same as {}", fresh.display(), committed.display());
+        return Ok(());
+    }
+    for difference in &differences {
+        eprintln!("{difference}");
+    }
+    Err(Failure::Run(format!(
+        "{} differences between {} and {}",
+        differences.len(),
+        fresh.display(),
+        committed.display()
+    )))
+}
+
+/// A progress bar on stderr, if that is a terminal.
+struct Bar(ProgressBar);
+
+impl Default for Bar {
+    fn default() -> Self {
+        let style = ProgressStyle::with_template("{msg} {wide_bar} {percent:>3} %  {elapsed}")
+            .unwrap_or_else(|_| ProgressStyle::default_bar());
+        Self(ProgressBar::new(0).with_style(style))
+    }
+}
+
+impl Progress for Bar {
+    fn stage(&self, what: &str, steps: u64) {
+        self.0.set_message(what.to_owned());
+        self.0.set_length(steps);
+        self.0.reset();
+    }
+
+    fn advance(&self, steps: u64) {
+        self.0.inc(steps);
+    }
+}

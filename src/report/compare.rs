@@ -2,37 +2,37 @@
 
 use super::figures;
 use super::format::{number, quantity};
+use super::head;
 use super::page::Page;
-use super::{Picture, head};
-use crate::compare::{Gap, Kind, Pair, Pairing, Control};
+use super::page::escape;
+use crate::compare::{Control, Gap, Kind, Pair, Pairing};
 use crate::experiment::results::{CaseResults, CompareResults, SurfaceResults};
 
 /// A gap of fewer standard errors than this may be chance.
 const SIGNIFICANT: f64 = 3.0;
 
-/// The page and its pictures.
-pub fn page(results: &CompareResults) -> (Page, Vec<Picture>) {
+/// The page.
+pub fn page(results: &CompareResults) -> Page {
     let mut page = Page::new(&results.head.title);
-    let mut pictures = Vec::new();
     for warning in results.warnings() {
-        page.warning(&warning);
+        page.warning(&escape(&warning));
     }
-    page.heading("In short");
+    page.heading(2, "In short");
     for found in &results.surfaces {
         for case in &found.cases {
-            page.list(&in_short(results, found, case));
+            page.bullets(in_short(results, found, case));
         }
     }
     head::what_was_run(&mut page, &results.head);
     for found in &results.surfaces {
-        surface(&mut page, &mut pictures, found);
+        surface(&mut page, found);
         for case in &found.cases {
-            answers(&mut page, &mut pictures, results, found, case);
+            answers(&mut page, results, found, case);
         }
     }
     limits(&mut page, results);
     head::sources(&mut page, &results.head);
-    (page, pictures)
+    page
 }
 
 /// The finding in a few sentences.
@@ -44,7 +44,8 @@ fn in_short(results: &CompareResults, found: &SurfaceResults, case: &CaseResults
              about the gap between the models."
         )];
     }
-    let mut lines: Vec<String> = case.gaps.largest.iter().map(|gap| format!("**{subject}**: {}", sentence(gap))).collect();
+    let mut lines: Vec<String> =
+        case.gaps.largest.iter().map(|gap| format!("**{subject}**: {}", sentence(gap))).collect();
     lines.push(format!("**{subject}, which to trust**: {}", verdict(found, case)));
     lines
 }
@@ -83,7 +84,8 @@ fn sentence(gap: &Gap) -> String {
 /// Which model to use on this surface, from what the gaps and the surface say.
 fn verdict(found: &SurfaceResults, case: &CaseResults) -> String {
     if !found.surface.warnings.is_empty() {
-        return "neither, before the warning above is dealt with: the radii are not the surface's.".to_owned();
+        return "neither, before the warning above is dealt with: the radii are not the surface's."
+            .to_owned();
     }
     let significant = |gap: &Gap| gap.over_sampling_error.is_none_or(|errors| errors > SIGNIFICANT);
     if !case.gaps.largest.iter().any(significant) {
@@ -96,7 +98,11 @@ fn verdict(found: &SurfaceResults, case: &CaseResults) -> String {
     if let (Some(skewness), Some(kurtosis)) = (statistics.skewness, statistics.kurtosis)
         && (skewness.abs() > 0.1 || (kurtosis - 3.0).abs() > 0.2)
     {
-        causes.push(format!("its heights have skewness {} and kurtosis {} (0 and 3 if Gaussian)", number(skewness), number(kurtosis)));
+        causes.push(format!(
+            "its heights have skewness {} and kurtosis {} (0 and 3 if Gaussian)",
+            number(skewness),
+            number(kurtosis)
+        ));
     }
     if statistics.radius_cv > 0.1 {
         causes.push(format!("its radii scatter by {} % of their mean", number(100.0 * statistics.radius_cv)));
@@ -104,15 +110,19 @@ fn verdict(found: &SurfaceResults, case: &CaseResults) -> String {
     if let Some(correlation) = statistics.height_radius_correlation.filter(|c| c.abs() > 0.1) {
         causes.push(format!("heights and radii correlate ({})", number(correlation)));
     }
-    let why = if causes.is_empty() { String::new() } else { format!(" The surface is not what the integral assumes: {}.", causes.join("; ")) };
+    let why = if causes.is_empty() {
+        String::new()
+    } else {
+        format!(" The surface is not what the integral assumes: {}.", causes.join("; "))
+    };
     format!("the deterministic sum. The gap exceeds its sampling error.{why}")
 }
 
 /// What the surface is.
-fn surface(page: &mut Page, pictures: &mut Vec<Picture>, found: &SurfaceResults) {
+fn surface(page: &mut Page, found: &SurfaceResults) {
     let surface = &found.surface;
     let statistics = &surface.statistics;
-    page.heading(&format!("Surface {}", surface.name));
+    page.heading(2, &format!("Surface {}", surface.name));
     let or_none = |value: Option<f64>| value.map_or_else(|| "-".to_owned(), number);
     let mut rows = vec![
         ["asperities".to_owned(), surface.set.count().to_string()],
@@ -120,7 +130,10 @@ fn surface(page: &mut Page, pictures: &mut Vec<Picture>, found: &SurfaceResults)
         ["density η".to_owned(), format!("{} /m²", number(surface.set.density()))],
         ["mean asperity height".to_owned(), quantity(statistics.mean_height, "m")],
         ["σ of asperity heights".to_owned(), quantity(statistics.sigma, "m")],
-        ["skewness, kurtosis".to_owned(), format!("{}, {}", or_none(statistics.skewness), or_none(statistics.kurtosis))],
+        [
+            "skewness, kurtosis".to_owned(),
+            format!("{}, {}", or_none(statistics.skewness), or_none(statistics.kurtosis)),
+        ],
         ["mean radius".to_owned(), quantity(statistics.mean_radius, "m")],
         ["1/(mean curvature)".to_owned(), quantity(statistics.radius_of_mean_curvature, "m")],
         ["scatter of radii over mean".to_owned(), number(statistics.radius_cv)],
@@ -132,9 +145,12 @@ fn surface(page: &mut Page, pictures: &mut Vec<Picture>, found: &SurfaceResults)
     if let Some(map) = &surface.map {
         rows.extend(head::map_rows(map));
     }
-    page.table(&["property", "value"], rows);
-    if let Some(note) = surface.separation_note() {
-        page.paragraph(&note);
+    page.table(&["property", "value"], rows.into_iter().map(Vec::from));
+    if surface.is_quoted_as_surface() {
+        page.paragraph(
+            "Separations are measured from the mean plane of the surface, in the standard deviation of the surface heights; \
+             asperity heights follow from Nayak (1971).",
+        );
     }
     let population = &found.population;
     page.paragraph(&format!(
@@ -145,28 +161,27 @@ fn surface(page: &mut Page, pictures: &mut Vec<Picture>, found: &SurfaceResults)
         number(population.density),
     ));
     let name = format!("{}-distributions.svg", surface.name);
-    page.figure(&name, &format!("Heights and radii of the asperities of {}, and what the statistical model assumes.", surface.name));
-    pictures.push(Picture { name, svg: figures::distributions(found) });
+    let caption = format!(
+        "Heights and radii of the asperities of {}, and what the statistical model assumes.",
+        surface.name
+    );
+    page.figure(&name, figures::distributions(found), &caption);
 }
 
 /// Both models' answers under one law.
-fn answers(
-    page: &mut Page,
-    pictures: &mut Vec<Picture>,
-    results: &CompareResults,
-    found: &SurfaceResults,
-    case: &CaseResults,
-) {
+fn answers(page: &mut Page, results: &CompareResults, found: &SurfaceResults, case: &CaseResults) {
     let (modulus, comparison) = (results.head.reduced_modulus, &case.comparison);
-    let stem = if found.cases.len() == 1 { found.surface.name.clone() } else { format!("{}-{}", found.surface.name, slug(&case.law)) };
-    page.heading(&format!("{}: the answers", subject(results, found, case)));
+    let stem = if found.cases.len() == 1 {
+        found.surface.name.clone()
+    } else {
+        format!("{}-{}", found.surface.name, slug(&case.law))
+    };
+    page.heading(2, &format!("{}: the answers", subject(results, found, case)));
     if let Some(index) = case.plasticity_index {
         page.paragraph(&format!("Plasticity index ψ = (E*/H)(σ/R)^½ = {}.", number(index)));
     }
     let mut figure = |name: &str, caption: &str, svg: String| {
-        let name = format!("{stem}-{name}.svg");
-        page.figure(&name, caption);
-        pictures.push(Picture { name, svg });
+        page.figure(&format!("{stem}-{name}.svg"), svg, caption);
     };
     figure(
         "separation",
@@ -181,8 +196,19 @@ fn answers(
         page.paragraph("Both models at equal load:");
         page.table(
             &[
-                "p", "d/σ stat.", "d/σ det.", "A/A_nom stat.", "A/A_nom det.", "± s.e.", "contacts stat.",
-                "contacts det.", "mean real p stat.", "mean real p det.", "−dp/dd stat. [Pa/m]", "−dp/dd det. [Pa/m]", "beyond model",
+                "p",
+                "d/σ stat.",
+                "d/σ det.",
+                "A/A_nom stat.",
+                "A/A_nom det.",
+                "± s.e.",
+                "contacts stat.",
+                "contacts det.",
+                "mean real p stat.",
+                "mean real p det.",
+                "−dp/dd stat. [Pa/m]",
+                "−dp/dd det. [Pa/m]",
+                "beyond model",
             ],
             pairs.into_iter().map(|pair| row(pair, found.surface.set.nominal_area())),
         );
@@ -231,7 +257,7 @@ fn row(pair: &Pair, area: f64) -> Vec<String> {
 
 /// Where the answers should not be trusted, with numbers.
 fn limits(page: &mut Page, results: &CompareResults) {
-    page.heading("Where not to trust this");
+    page.heading(2, "Where not to trust this");
     let mut lines = Vec::new();
     for found in &results.surfaces {
         for case in &found.cases {
@@ -243,7 +269,10 @@ fn limits(page: &mut Page, results: &CompareResults) {
                 let contacts = point.response.contact_density * found.surface.set.nominal_area();
                 contacts > 0.0 && contacts < crate::compare::FEWEST_CONTACTS
             });
-            let jumps = comparison.curves.iter().filter(|point| point.in_jump && point.control != Control::Separation);
+            let jumps = comparison
+                .curves
+                .iter()
+                .filter(|point| point.in_jump && point.control != Control::Separation);
             if beyond > 0 {
                 lines.push(format!(
                     "{subject}: {beyond} of {} points lie beyond A/A_nom = 0.05, where neighbouring asperities interact and \
@@ -284,7 +313,7 @@ fn limits(page: &mut Page, results: &CompareResults) {
          waves scatters more."
             .to_owned(),
     );
-    page.list(&lines);
+    page.bullets(lines);
 }
 
 /// A law's label as part of a file name.

@@ -59,7 +59,8 @@ pub fn separation(comparison: &Comparison, modulus: f64, sigma: f64) -> String {
     if pairs.is_empty() {
         return plot.svg();
     }
-    let difference = |pair: &Pair| pair.statistical.separation_over_sigma - pair.deterministic.separation_over_sigma;
+    let difference =
+        |pair: &Pair| pair.statistical.separation_over_sigma - pair.deterministic.separation_over_sigma;
     let band = pairs.iter().filter_map(|pair| {
         let response = &pair.deterministic;
         let half = BAND * response.sampling?.pressure / (response.stiffness * sigma);
@@ -135,25 +136,27 @@ pub fn distributions(found: &SurfaceResults) -> String {
         let x = -5.0 + 0.05 * f64::from(k);
         (x, found.population.heights.density(x))
     });
-    let heights = Plot::new("Heights", Axis::linear("(z − mean)/σ").range(-5.0, 5.0), Axis::linear("density"))
-        .with(Layer::bars(&edges, &density).coloured(Colour::Deterministic).named("asperities"))
-        .with(
-            Layer::line(assumed.collect::<Vec<_>>())
-                .coloured(Colour::Statistical)
-                .named(format!("{}, as the statistical model assumes", found.population.heights.name())),
-        );
+    let heights =
+        Plot::new("Heights", Axis::linear("(z − mean)/σ").range(-5.0, 5.0), Axis::linear("density"))
+            .with(Layer::bars(&edges, &density).coloured(Colour::Deterministic).named("asperities"))
+            .with(
+                Layer::line(assumed.collect::<Vec<_>>())
+                    .coloured(Colour::Statistical)
+                    .named(format!("{}, as the statistical model assumes", found.population.heights.name())),
+            );
     if surface.statistics.radius_cv == 0.0 {
         return heights.svg();
     }
     let ratios: Vec<f64> = surface.set.radii().iter().map(|b| b / surface.statistics.mean_radius).collect();
     let (edges, density) = histogram(&ratios, 0.0, 5.0);
     let beyond = ratios.iter().filter(|&&ratio| ratio > 5.0).count() as f64 / ratios.len() as f64;
-    let radii = Plot::new("Radii", Axis::linear("radius over mean radius").range(0.0, 5.0), Axis::linear("density"))
-        .with(Layer::bars(&edges, &density).coloured(Colour::Deterministic).named("asperities"))
-        .with(Layer::at_x(
-            found.population.radius / surface.statistics.mean_radius,
-            format!("the statistical model's one radius ({:.1} % lie beyond 5)", 100.0 * beyond),
-        ));
+    let radii =
+        Plot::new("Radii", Axis::linear("radius over mean radius").range(0.0, 5.0), Axis::linear("density"))
+            .with(Layer::bars(&edges, &density).coloured(Colour::Deterministic).named("asperities"))
+            .with(Layer::at_x(
+                found.population.radius / surface.statistics.mean_radius,
+                format!("the statistical model's one radius ({:.1} % lie beyond 5)", 100.0 * beyond),
+            ));
     Figure::row("Heights and radii of the asperities", vec![heights, radii]).svg()
 }
 

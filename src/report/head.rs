@@ -7,7 +7,7 @@ use crate::experiment::results::Head;
 
 /// The bodies and the spec.
 pub fn what_was_run(page: &mut Page, head: &Head) {
-    page.heading("What was run");
+    page.heading(2, "What was run");
     let value = |value: Option<f64>| value.map_or_else(|| "never yields".to_owned(), |v| quantity(v, "Pa"));
     let roles = |name: &str| match (name == head.bodies.rough, name == head.bodies.flat) {
         (true, true) => "rough and flat",
@@ -18,7 +18,13 @@ pub fn what_was_run(page: &mut Page, head: &Head) {
     page.table(
         &["material", "body", "E", "ν", "H"],
         head.materials.iter().map(|(name, body)| {
-            vec![name.clone(), roles(name).to_owned(), quantity(body.young(), "Pa"), number(body.poisson()), value(body.hardness())]
+            vec![
+                name.clone(),
+                roles(name).to_owned(),
+                quantity(body.young(), "Pa"),
+                number(body.poisson()),
+                value(body.hardness()),
+            ]
         }),
     );
     page.paragraph(&format!(
@@ -34,14 +40,18 @@ pub fn what_was_run(page: &mut Page, head: &Head) {
 
 /// The papers behind what was run.
 pub fn sources(page: &mut Page, head: &Head) {
-    page.heading("Sources");
-    page.list(&head.papers.iter().map(|paper| paper.full.to_owned()).collect::<Vec<_>>());
+    page.heading(2, "Sources");
+    page.bullets(head.papers.iter().map(|paper| paper.full));
 }
 
 /// What a height map is, as rows of a table.
 pub fn map_rows(map: &MapFacts) -> Vec<[String; 2]> {
     let pair = |values: [f64; 2]| {
-        if values[0] == values[1] { quantity(values[0], "m") } else { format!("{} × {}", quantity(values[0], "m"), quantity(values[1], "m")) }
+        if values[0] == values[1] {
+            quantity(values[0], "m")
+        } else {
+            format!("{} × {}", quantity(values[0], "m"), quantity(values[1], "m"))
+        }
     };
     let or_none = |value: Option<f64>| value.map_or_else(|| "-".to_owned(), number);
     let moments = &map.moments;
@@ -57,7 +67,10 @@ pub fn map_rows(map: &MapFacts) -> Vec<[String; 2]> {
             "height step of the instrument".to_owned(),
             steps.step.map_or_else(|| "none found".to_owned(), |step| quantity(step, "m")),
         ],
-        ["height levels, distinct curvatures".to_owned(), format!("{}, {}", steps.levels, steps.distinct_curvatures)],
+        [
+            "height levels, distinct curvatures".to_owned(),
+            format!("{}, {}", steps.levels, steps.distinct_curvatures),
+        ],
         ["median drop from a summit to its neighbours".to_owned(), quantity(steps.median_drop, "m")],
     ];
     if let Some(filter) = &map.filter {

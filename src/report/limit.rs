@@ -1,9 +1,9 @@
 //! The page of a limit: does the sum approach the integral, and how fast?
 
 use super::format::{number, quantity};
+use super::head;
 use super::page::Page;
 use super::plot::{Axis, Colour, Dash, Figure, Layer, Marker, Plot};
-use super::{Picture, head};
 use crate::compare::{FEWEST_CONTACTS, LimitPoint, Quantity, SlopeFit};
 use crate::experiment::results::LimitResults;
 
@@ -76,20 +76,23 @@ pub fn slopes(results: &LimitResults) -> Vec<Slope<'_>> {
 }
 
 /// The points of one law at one separation, by growing size.
-fn series<'a>(results: &'a LimitResults, law: &'a str, separation: f64) -> impl Iterator<Item = &'a LimitPoint> {
+fn series<'a>(
+    results: &'a LimitResults,
+    law: &'a str,
+    separation: f64,
+) -> impl Iterator<Item = &'a LimitPoint> {
     results
         .points
         .iter()
         .filter(move |point| point.law == law && point.exact.statistical.separation_over_sigma == separation)
 }
 
-/// The page and its pictures.
-pub fn page(results: &LimitResults) -> (Page, Vec<Picture>) {
+/// The page.
+pub fn page(results: &LimitResults) -> Page {
     let mut page = Page::new(&results.head.title);
-    let mut pictures = Vec::new();
     let slopes = slopes(results);
-    page.heading("In short");
-    page.list(&Heights::ALL.into_iter().filter_map(|heights| finding(&slopes, heights)).collect::<Vec<_>>());
+    page.heading(2, "In short");
+    page.bullets(Heights::ALL.into_iter().filter_map(|heights| finding(&slopes, heights)));
     page.paragraph(&format!(
         "Sets of equal radii and Gaussian heights are summed and compared with what they must approach: {}. A sum of n \
          independent draws has an error that falls as n^-½; heights at the quantiles leave one that falls as 1/n. Slopes are \
@@ -105,18 +108,18 @@ pub fn page(results: &LimitResults) -> (Page, Vec<Picture>) {
         results.draws,
     ));
     for (law, reference) in &results.laws {
-        page.heading(&format!("Law {law}"));
+        page.heading(2, &format!("Law {law}"));
         for wanted in Quantity::ALL {
             let name = format!("{law}-{}.svg", wanted.name()).replace(['(', ')', ' ', '='], "-");
             page.figure(
                 &name,
+                figure(results, law, wanted),
                 &format!(
                     "Relative error of the {} against the number of asperities; limit: {reference}. Crosses: single random \
                      sets; lines: their root mean square. Grey: points with at most {FEWEST_CONTACTS} expected contacts are not fitted.",
                     wanted.name()
                 ),
             );
-            pictures.push(Picture { name, svg: figure(results, law, wanted) });
         }
         page.table(
             &["d/σ", "quantity", "heights", "slope", "± s.e.", "expected", "points"],
@@ -134,7 +137,14 @@ pub fn page(results: &LimitResults) -> (Page, Vec<Picture>) {
         );
         page.paragraph("Errors of the load by number of asperities:");
         page.table(
-            &["n", "d/σ", "expected contacts", "mean of random sets", "r.m.s. of random sets", "at the quantiles"],
+            &[
+                "n",
+                "d/σ",
+                "expected contacts",
+                "mean of random sets",
+                "r.m.s. of random sets",
+                "at the quantiles",
+            ],
             results.points.iter().filter(|point| &point.law == law).map(|point| {
                 let (mean, scatter) = point.scatter(Quantity::Load);
                 vec![
@@ -149,7 +159,7 @@ pub fn page(results: &LimitResults) -> (Page, Vec<Picture>) {
         );
     }
     head::sources(&mut page, &results.head);
-    (page, pictures)
+    page
 }
 
 /// The slopes found, in a sentence.
@@ -189,7 +199,8 @@ fn figure(results: &LimitResults, law: &str, quantity: Quantity) -> String {
                 plot = plot.with(Layer::points(single.collect::<Vec<_>>(), Marker::Cross).coloured(colour));
             }
             let all = points.iter().map(|point| (point.count as f64, heights.error(point, quantity)));
-            plot = plot.with(Layer::line(all.collect::<Vec<_>>()).coloured(Colour::Neutral).dashed(Dash::Dotted));
+            plot = plot
+                .with(Layer::line(all.collect::<Vec<_>>()).coloured(Colour::Neutral).dashed(Dash::Dotted));
             let fitted = points.iter().filter(|point| point.is_fitted());
             let fitted: Vec<_> = fitted.map(|p| (p.count as f64, heights.error(p, quantity))).collect();
             plot = plot
@@ -205,5 +216,9 @@ fn figure(results: &LimitResults, law: &str, quantity: Quantity) -> String {
             None => plot,
         }
     };
-    Figure::row(format!("Convergence of the {} under {law}", quantity.name()), Heights::ALL.map(panel).to_vec()).svg()
+    Figure::row(
+        format!("Convergence of the {} under {law}", quantity.name()),
+        Heights::ALL.map(panel).to_vec(),
+    )
+    .svg()
 }

@@ -66,8 +66,10 @@ struct CurveRow {
 impl CurveRow {
     fn new(point: &CurvePoint, reduced_modulus: f64) -> Self {
         let response = &point.response;
-        let [elastic_load_share, elastic_plastic_load_share, plastic_load_share] = parts(response.pressure.shares());
-        let [elastic_area_share, elastic_plastic_area_share, plastic_area_share] = parts(response.area_ratio.shares());
+        let [elastic_load_share, elastic_plastic_load_share, plastic_load_share] =
+            parts(response.pressure.shares());
+        let [elastic_area_share, elastic_plastic_area_share, plastic_area_share] =
+            parts(response.area_ratio.shares());
         let pressure_pa = response.pressure.total();
         Self {
             model: point.kind.name(),
@@ -222,9 +224,9 @@ pub fn comparison(results: &CompareResults) -> Result<Vec<u8>, TableError> {
 
 /// Each set of a limit as the surface and realisation that tables call it by, and its answer.
 fn sets(point: &LimitPoint) -> impl Iterator<Item = (Case, &Response)> {
-    let random = (1..).zip(&point.random).map(|(k, response)| {
-        (Case::bare(&format!("random-{}", point.count), k, &point.law), response)
-    });
+    let random = (1..)
+        .zip(&point.random)
+        .map(|(k, response)| (Case::bare(&format!("random-{}", point.count), k, &point.law), response));
     let quantiles = Case::bare(&format!("quantiles-{}", point.count), 1, &point.law);
     random.chain([(quantiles, &point.quantiles)])
 }

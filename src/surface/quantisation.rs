@@ -36,8 +36,7 @@ impl Quantisation {
         let largest = heights.iter().fold(0.0f64, |a, z| a.max(z.abs()));
         // Rounding of a stored height, with room for the one of an offset taken off before.
         let rounding = 4.0 * map.precision * largest;
-        let levels = distinct(&heights, rounding);
-        let step = lattice(&levels, points);
+        let step = lattice(&distinct(&heights, rounding), points);
 
         let mut curvatures = summits.curvatures.clone();
         curvatures.par_sort_unstable_by(f64::total_cmp);
@@ -51,7 +50,7 @@ impl Quantisation {
         drops.par_sort_unstable_by(f64::total_cmp);
         Self {
             step,
-            levels: levels.len(),
+            levels: distinct(&heights, 0.0).len(),
             distinct_curvatures: distinct(&curvatures, noise).len(),
             summits: summits.curvatures.len(),
             median_drop: drops.get(drops.len() / 2).copied().unwrap_or_default(),

@@ -1,0 +1,72 @@
+//! The pages that lead to all reports of a folder.
+
+use std::fs;
+use std::path::Path;
+
+use serde::Deserialize;
+
+use super::page::{Cell, Page};
+use super::summary::PROGRAM;
+
+/// By this an index page is known as one that a run wrote.
+pub const MARK: &str = "Written by asperity; the next run writes it anew.";
+
+/// `README.md` and `index.html`.
+#[derive(Debug)]
+pub struct Index {
+    /// Markdown.
+    pub markdown: String,
+    /// Self-contained HTML.
+    pub html: String,
+}
+
+/// What an index says of a report.
+#[derive(Deserialize)]
+struct Entry {
+    program: String,
+    title: String,
+    #[serde(default)]
+    warnings: Vec<String>,
+}
+
+impl Index {
+    /// The pages for all reports that are in `directory` now.
+    pub fn of(directory: &Path) -> Self {
+        let mut entries: Vec<(String, Entry)> = fs::read_dir(directory)
+            .into_iter()
+            .flatten()
+            .filter_map(|entry| {
+                let entry = entry.ok()?;
+                let summary = fs::read(entry.path().join("summary.json")).ok()?;
+                let found: Entry = serde_json::from_slice(&summary).ok()?;
+                let name = entry.file_name().into_string().ok()?;
+                (found.program == PROGRAM && !name.starts_with('.')).then_some((name, found))
+            })
+            .collect();
+        entries.sort_by(|a, b| a.0.cmp(&b.0));
+        let page = |file: &str| {
+            let mut page = Page::new("Reports");
+            page.table(
+                &["report", "what it answers", "warnings", "tables"],
+                entries.iter().map(|(name, entry)| {
+                    let link = |text: &str, file: &str| Cell::Link {
+                        text: text.to_owned(),
+                        to: format!("{name}/{file}"),
+                    };
+                    vec![
+                        link(name, file),
+                        Cell::from(entry.title.as_str()),
+                        Cell::from(match entry.warnings.len() {
+                            0 => "none".to_owned(),
+                            count => format!("{count}: read them first"),
+                        }),
+                        link("comparison.csv", "comparison.csv"),
+                    ]
+                }),
+            );
+            page.paragraph(MARK);
+            page
+        };
+        Self { markdown: page("report.md").markdown(), html: page("report.html").html() }
+    }
+}

@@ -1,0 +1,143 @@
+//! The frame of a plot: its grid, ticks and labels.
+
+use super::canvas::{Align, Canvas, Rect, Spot, Stroke, Type};
+use super::scale::Scale;
+use super::text::{fit, width};
+use super::ticks::{Tick, ticks};
+use super::{Axis, Plot};
+use plotters::style::RGBColor;
+
+pub(super) const INK: RGBColor = RGBColor(0x22, 0x22, 0x22);
+pub(super) const LABEL: f64 = 14.0;
+pub(super) const TICK: f64 = 12.5;
+const GRID: RGBColor = RGBColor(0xe2, 0xe2, 0xe2);
+const FINE_GRID: RGBColor = RGBColor(0xf1, 0xf1, 0xf1);
+/// Length of a tick.
+const MARK: f64 = 5.0;
+/// Below the frame: ticks, their labels, the axis label.
+pub(super) const FOOT: f64 = 50.0;
+
+/// Places farther away, in frames, are as good as this far.
+const FAR: f64 = 1e6;
+
+/// Both scales, laid on a rectangle of the page.
+pub(super) struct Frame {
+    pub(super) x: Scale,
+    pub(super) y: Scale,
+    pub(super) rect: Rect,
+}
+
+impl Frame {
+    pub(super) fn x(&self, value: f64) -> Option<f64> {
+        self.x.place(value).map(|place| self.rect.left + place.clamp(-FAR, FAR) * self.rect.width())
+    }
+
+    pub(super) fn y(&self, value: f64) -> Option<f64> {
+        self.y.place(value).map(|place| self.rect.bottom - place.clamp(-FAR, FAR) * self.rect.height())
+    }
+
+    pub(super) fn spot(&self, point: (f64, f64)) -> Option<Spot> {
+        Some((self.x(point.0)?, self.y(point.1)?))
+    }
+}
+
+/// Divides the x axis so that its labels stand apart.
+pub(super) fn x_ticks(scale: &Scale, length: f64) -> Vec<Tick> {
+    ticks(scale, (length / 45.0) as usize, |ticks| {
+        let mut spans: Vec<(f64, f64)> = labelled(ticks)
+            .map(|(place, label)| (place * length, width(label, TICK) / 2.0))
+            .map(|(middle, half)| (middle - half, middle + half))
+            .collect();
+        spans.sort_by(|a, b| a.0.total_cmp(&b.0));
+        spans.windows(2).all(|pair| pair[1].0 - pair[0].1 > 12.0)
+    })
+}
+
+/// Divides the y axis so that its labels stand apart.
+pub(super) fn y_ticks(scale: &Scale, length: f64) -> Vec<Tick> {
+    ticks(scale, (length / 36.0) as usize, |ticks| {
+        let mut places: Vec<f64> = labelled(ticks).map(|(place, _)| place * length).collect();
+        places.sort_by(f64::total_cmp);
+        places.windows(2).all(|pair| pair[1] - pair[0] > 1.4 * TICK)
+    })
+}
+
+fn labelled(ticks: &[Tick]) -> impl Iterator<Item = (f64, &str)> {
+    ticks.iter().filter_map(|tick| tick.label.as_deref().map(|label| (tick.place, label)))
+}
+
+/// Room that the y axis takes left of the frame.
+pub(super) fn left_margin(y: &Axis, ticks: &[Tick]) -> f64 {
+    let widest = labelled(ticks).map(|(_, label)| width(label, TICK)).fold(0.0, f64::max);
+    let label = if y.label.is_empty() { 0.0 } else { LABEL + 8.0 };
+    8.0 + label + widest + MARK + 5.0
+}
+
+/// Room right of the frame: half of the last label of x may stand out.
+pub(super) fn right_margin(x_ticks: &[Tick]) -> f64 {
+    let out = labelled(x_ticks).filter(|(place, _)| *place > 0.9).map(|(_, label)| width(label, TICK) / 2.0);
+    out.fold(14.0, f64::max) + 4.0
+}
+
+/// Grid lines, to lie below the data.
+pub(super) fn draw_grid(canvas: &mut Canvas, frame: &Frame, x_ticks: &[Tick], y_ticks: &[Tick]) {
+    let r = &frame.rect;
+    for (fine, colour) in [(true, FINE_GRID), (false, GRID)] {
+        let chosen = |tick: &&Tick| tick.label.is_none() == fine;
+        let upright = x_ticks.iter().filter(chosen).map(|tick| {
+            let x = r.left + tick.place * r.width();
+            [(x, r.top), (x, r.bottom)]
+        });
+        let level = y_ticks.iter().filter(chosen).map(|tick| {
+            let y = r.bottom - tick.place * r.height();
+            [(r.left, y), (r.right, y)]
+        });
+        let lines: Vec<[Spot; 2]> = upright.chain(level).collect();
+        canvas.lines(lines.iter().map(|line| line.as_slice()), Stroke::solid(colour, 0.7));
+    }
+}
+
+/// Frame, ticks and labels, to lie above the data.
+pub(super) fn draw_axes(
+    canvas: &mut Canvas,
+    plot: &Plot,
+    frame: &Frame,
+    x_ticks: &[Tick],
+    y_ticks: &[Tick],
+    label_x: f64,
+) {
+    let r = &frame.rect;
+    let outline =
+        [(r.left, r.top), (r.right, r.top), (r.right, r.bottom), (r.left, r.bottom), (r.left, r.top)];
+    let mut lines: Vec<Vec<Spot>> = vec![outline.to_vec()];
+    // Ticks point inwards on all four sides, as in print.
+    let length = |tick: &Tick| {
+        if tick.label.is_some() { MARK } else { 0.55 * MARK }
+    };
+    for tick in x_ticks {
+        let x = r.left + tick.place * r.width();
+        lines.push(vec![(x, r.bottom), (x, r.bottom - length(tick))]);
+        lines.push(vec![(x, r.top), (x, r.top + length(tick))]);
+    }
+    for tick in y_ticks {
+        let y = r.bottom - tick.place * r.height();
+        lines.push(vec![(r.left, y), (r.left + length(tick), y)]);
+        lines.push(vec![(r.right, y), (r.right - length(tick), y)]);
+    }
+    canvas.lines(lines.iter().map(Vec::as_slice), Stroke::solid(INK, 1.0));
+
+    let set = Type { size: TICK, colour: INK, align: Align::Centre, bold: false, upright: false };
+    let below = r.bottom + 8.0 + TICK / 2.0;
+    let texts = labelled(x_ticks).map(|(place, label)| (label, (r.left + place * r.width(), below)));
+    canvas.texts(texts, set);
+    let texts =
+        labelled(y_ticks).map(|(place, label)| (label, (r.left - 6.0, r.bottom - place * r.height())));
+    canvas.texts(texts, Type { align: Align::Right, ..set });
+
+    let set = Type { size: LABEL, ..set };
+    // A label may be as long as the frame and what stands beside it.
+    let label = fit(&plot.x.label, LABEL, r.width() + 80.0);
+    canvas.texts([(label.as_str(), ((r.left + r.right) / 2.0, r.bottom + FOOT - 12.0))], set);
+    let label = fit(&plot.y.label, LABEL, r.height() + 30.0);
+    canvas.texts([(label.as_str(), (label_x, (r.top + r.bottom) / 2.0))], Type { upright: true, ..set });
+}

@@ -1,0 +1,268 @@
+//! Elements of SVG, written by plotters into text.
+//!
+//! Plotters rounds to whole units, so a unit here is a third of a CSS pixel. Each group of elements
+//! is written by a backend of its own; what the elements have in common is then said once, for the
+//! group, and so is what plotters has no word for: dashes, clipping, joints of lines.
+
+use super::{layer::Dash, text};
+use plotters::backend::{DrawingBackend, SVGBackend};
+use plotters::style::text_anchor::{HPos, Pos, VPos};
+use plotters::style::{Color, FontFamily, FontStyle, FontTransform, RGBColor, ShapeStyle, TextStyle};
+
+const UNITS: f64 = 3.0;
+
+/// A place on the page in CSS pixels, y downwards.
+pub(super) type Spot = (f64, f64);
+
+/// An upright rectangle in CSS pixels.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Rect {
+    pub(super) left: f64,
+    pub(super) top: f64,
+    pub(super) right: f64,
+    pub(super) bottom: f64,
+}
+
+impl Rect {
+    pub(super) fn new(left: f64, top: f64, width: f64, height: f64) -> Self {
+        Self { left, top, right: left + width, bottom: top + height }
+    }
+
+    pub(super) fn width(&self) -> f64 {
+        self.right - self.left
+    }
+
+    pub(super) fn height(&self) -> f64 {
+        self.bottom - self.top
+    }
+
+    pub(super) fn grown(&self, by: f64) -> Self {
+        Self { left: self.left - by, top: self.top - by, right: self.right + by, bottom: self.bottom + by }
+    }
+
+    pub(super) fn holds(&self, spot: Spot) -> bool {
+        (self.left..=self.right).contains(&spot.0) && (self.top..=self.bottom).contains(&spot.1)
+    }
+
+    /// Moved as little as needed to lie inside another, if it is small enough.
+    pub(super) fn moved_into(&self, other: &Self) -> Self {
+        let left = self.left.min(other.right - self.width()).max(other.left);
+        let top = self.top.min(other.bottom - self.height()).max(other.top);
+        Self::new(left, top, self.width(), self.height())
+    }
+
+    pub(super) fn meets(&self, other: &Self) -> bool {
+        self.left < other.right
+            && other.left < self.right
+            && self.top < other.bottom
+            && other.top < self.bottom
+    }
+}
+
+/// How lines are drawn; the width is in CSS pixels.
+#[derive(Clone, Copy)]
+pub(super) struct Stroke {
+    pub(super) colour: RGBColor,
+    pub(super) width: f64,
+    pub(super) dash: Dash,
+}
+
+impl Stroke {
+    pub(super) fn solid(colour: RGBColor, width: f64) -> Self {
+        Self { colour, width, dash: Dash::Solid }
+    }
+}
+
+/// Which end of a text stands at its place.
+#[derive(Clone, Copy, PartialEq)]
+pub(super) enum Align {
+    Left,
+    Centre,
+    Right,
+}
+
+/// How a text is set.
+#[derive(Clone, Copy)]
+pub(super) struct Type {
+    pub(super) size: f64,
+    pub(super) colour: RGBColor,
+    pub(super) align: Align,
+    pub(super) bold: bool,
+    /// Reads upwards.
+    pub(super) upright: bool,
+}
+
+/// Collects the elements of one picture.
+#[derive(Default)]
+pub(super) struct Canvas {
+    body: String,
+}
+
+impl Canvas {
+    pub(super) fn lines<'a>(&mut self, lines: impl IntoIterator<Item = &'a [Spot]>, stroke: Stroke) {
+        let style = style(stroke.colour, stroke.width);
+        let w = style.stroke_width;
+        let common =
+            [("fill", "none".into()), ("stroke", hex(stroke.colour)), ("stroke-width", w.to_string())];
+        let elements = written(|svg| {
+            for line in lines {
+                // Writing into a String cannot fail; the same holds below.
+                svg.draw_path(line.iter().map(|spot| units(*spot)), &style).ok();
+            }
+        });
+        let extra = match stroke.dash {
+            Dash::Solid => "stroke-linejoin=\"round\"".to_owned(),
+            Dash::Dashed => format!("stroke-dasharray=\"{} {}\"", 4 * w, 5 * w / 2),
+            Dash::Dotted => format!("stroke-dasharray=\"0 {}\" stroke-linecap=\"round\"", 2 * w),
+        };
+        self.group(&common, &extra, &elements);
+    }
+
+    pub(super) fn polygons<'a>(
+        &mut self,
+        outlines: impl IntoIterator<Item = &'a [Spot]>,
+        colour: RGBColor,
+        opacity: f64,
+    ) {
+        let elements = written(|svg| {
+            for outline in outlines {
+                svg.fill_polygon(outline.iter().map(|spot| units(*spot)), &colour).ok();
+            }
+        });
+        self.group(&[("fill", hex(colour))], &format!("opacity=\"{opacity}\""), &elements);
+    }
+
+    pub(super) fn rect(&mut self, rect: &Rect, colour: RGBColor, opacity: f64) {
+        let (from, to) = (units((rect.left, rect.top)), units((rect.right, rect.bottom)));
+        let elements = written(|svg| {
+            svg.draw_rect(from, to, &colour, true).ok();
+        });
+        let common = [("fill", hex(colour)), ("stroke", "none".into())];
+        self.group(&common, &format!("opacity=\"{opacity}\""), &elements);
+    }
+
+    pub(super) fn circles(&mut self, centres: &[Spot], radius: f64, colour: RGBColor) {
+        let radius = (radius * UNITS).round().max(1.0) as u32;
+        let elements = written(|svg| {
+            for centre in centres {
+                svg.draw_circle(units(*centre), radius, &colour, true).ok();
+            }
+        });
+        let common = [("fill", hex(colour)), ("stroke", "none".into()), ("stroke-width", "1".into())];
+        self.group(&common, "", &elements);
+    }
+
+    /// Sets texts with the middle of their capitals at their places.
+    pub(super) fn texts<'a>(&mut self, texts: impl IntoIterator<Item = (&'a str, Spot)>, set: Type) {
+        let anchor = match set.align {
+            Align::Left => HPos::Left,
+            Align::Centre => HPos::Center,
+            Align::Right => HPos::Right,
+        };
+        let slant = if set.bold { FontStyle::Bold } else { FontStyle::Normal };
+        // Plotters writes a 1.24th of the size that it is given.
+        let given = set.size * UNITS * 1.24;
+        let style = TextStyle::from((FontFamily::SansSerif, given, slant))
+            .pos(Pos::new(anchor, VPos::Top))
+            .color(&set.colour)
+            .transform(if set.upright { FontTransform::Rotate270 } else { FontTransform::None });
+        let size = format!(" font-size=\"{}\"", given / 1.24);
+        let baseline = 0.36 * set.size;
+        let elements = written(|svg| {
+            for (text, (x, y)) in texts {
+                let spot = if set.upright { (x + baseline, y) } else { (x, y + baseline) };
+                svg.draw_text(&printable(text), &style, units(spot)).ok();
+            }
+        });
+        // The line that the text stands on is placed above, for all fonts alike.
+        let elements = elements.replace(" dy=\"0.76em\"", "").replace(" font-family=\"sans-serif\"", "");
+        let elements = elements.replace(&size, "");
+        let extra = format!("font-size=\"{}\"", (set.size * UNITS).round());
+        self.group(&[("fill", hex(set.colour))], &extra, &elements);
+    }
+
+    /// What `draw` puts down shows inside `rect` only.
+    pub(super) fn clipped(&mut self, rect: &Rect, draw: impl FnOnce(&mut Self)) {
+        // A picture in the picture cuts off what is outside, and needs no id that another might have.
+        let (left, top) = units((rect.left, rect.top));
+        let (right, bottom) = units((rect.right, rect.bottom));
+        let (width, height) = (right - left, bottom - top);
+        self.body.push_str(&format!(
+            "<svg x=\"{left}\" y=\"{top}\" width=\"{width}\" height=\"{height}\" \
+             viewBox=\"{left} {top} {width} {height}\">\n"
+        ));
+        draw(self);
+        self.body.push_str("</svg>\n");
+    }
+
+    /// The whole picture on white, `width` by `height` CSS pixels unless its place says otherwise.
+    pub(super) fn finish(self, title: &str, width: f64, height: f64) -> String {
+        let (right, bottom) = units((width, height));
+        let mut escaped = String::with_capacity(title.len());
+        for c in printable(title).chars() {
+            match c {
+                '<' => escaped.push_str("&lt;"),
+                '>' => escaped.push_str("&gt;"),
+                '&' => escaped.push_str("&amp;"),
+                other => escaped.push(other),
+            }
+        }
+        format!(
+            "<svg xmlns=\"http://www.w3.org/2000/svg\" role=\"img\" width=\"{width:.0}\" height=\"{height:.0}\" \
+             viewBox=\"0 0 {right} {bottom}\" font-family=\"{}\">\n<title>{escaped}</title>\n\
+             <rect width=\"{right}\" height=\"{bottom}\" fill=\"#FFFFFF\"/>\n{}</svg>\n",
+            text::FAMILY,
+            self.body
+        )
+    }
+
+    /// Says once what all elements share.
+    fn group(&mut self, common: &[(&str, String)], extra: &str, elements: &str) {
+        if elements.is_empty() {
+            return;
+        }
+        let mut elements = elements.replace(" opacity=\"1\"", "").replace(" \"/>", "\"/>");
+        self.body.push_str("<g");
+        for (key, value) in common {
+            let said = format!(" {key}=\"{value}\"");
+            elements = elements.replace(&said, "");
+            self.body.push_str(&said);
+        }
+        if !extra.is_empty() {
+            self.body.push(' ');
+            self.body.push_str(extra);
+        }
+        self.body.push_str(">\n");
+        self.body.push_str(&elements);
+        self.body.push_str("</g>\n");
+    }
+}
+
+/// The elements that plotters writes, without the frame around them.
+fn written(draw: impl FnOnce(&mut SVGBackend<'_>)) -> String {
+    let mut svg = String::new();
+    draw(&mut SVGBackend::with_string(&mut svg, (1, 1)));
+    let inside = svg.split_once(">\n").map_or("", |(_, rest)| rest);
+    inside.strip_suffix("</svg>\n").unwrap_or(inside).to_owned()
+}
+
+fn style(colour: RGBColor, width: f64) -> ShapeStyle {
+    colour.stroke_width((width * UNITS).round().max(1.0) as u32)
+}
+
+fn units(spot: Spot) -> (i32, i32) {
+    // Far outside any page, near enough for every viewer.
+    let unit = |pixels: f64| (pixels * UNITS).round().clamp(-30_000.0, 30_000.0) as i32;
+    (unit(spot.0), unit(spot.1))
+}
+
+fn hex(colour: RGBColor) -> String {
+    format!("#{:02X}{:02X}{:02X}", colour.0, colour.1, colour.2)
+}
+
+/// Characters that XML forbids become blanks.
+fn printable(text: &str) -> String {
+    text.chars()
+        .map(|c| if c.is_control() || matches!(c, '\u{fffe}' | '\u{ffff}') { ' ' } else { c })
+        .collect()
+}

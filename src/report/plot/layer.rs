@@ -1,0 +1,182 @@
+//! What can be shown between two axes.
+
+use super::Colour;
+
+/// How a line is broken up.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Dash {
+    /// Unbroken.
+    Solid,
+    /// Dashes.
+    Dashed,
+    /// Dots.
+    Dotted,
+}
+
+/// The shape of a point.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Marker {
+    /// A filled circle.
+    Circle,
+    /// A filled square.
+    Square,
+    /// A filled triangle.
+    Triangle,
+    /// A diagonal cross.
+    Cross,
+}
+
+/// An interval on one axis or the other.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Direction {
+    X,
+    Y,
+}
+
+#[derive(Clone, Debug)]
+pub(super) enum Shape {
+    Line(Vec<(f64, f64)>),
+    Points(Vec<(f64, f64)>, Marker),
+    /// x, lower, upper.
+    Band(Vec<(f64, f64, f64)>),
+    /// Lower edge, upper edge, height.
+    Bars(Vec<(f64, f64, f64)>),
+    Region(Direction, f64, f64),
+    /// At a value of x (a vertical line) or of y.
+    Level(Direction, f64),
+    Slope {
+        through: (f64, f64),
+        slope: f64,
+    },
+    Note((f64, f64)),
+}
+
+/// One thing to show. A layer with a name stands in the legend; layers of one name share its key,
+/// so that a line and the band around it are named once.
+#[derive(Clone, Debug)]
+pub struct Layer {
+    pub(super) shape: Shape,
+    pub(super) name: Option<String>,
+    /// Text beside the thing itself.
+    pub(super) label: String,
+    pub(super) colour: Colour,
+    pub(super) dash: Dash,
+    pub(super) opacity: f64,
+}
+
+impl Layer {
+    fn new(shape: Shape) -> Self {
+        Self {
+            shape,
+            name: None,
+            label: String::new(),
+            colour: Colour::Series(0),
+            dash: Dash::Solid,
+            opacity: 1.0,
+        }
+    }
+
+    fn reference(shape: Shape, label: impl Into<String>) -> Self {
+        Self { label: label.into(), colour: Colour::Neutral, dash: Dash::Dashed, ..Self::new(shape) }
+    }
+
+    /// A line through (x, y) points in their order; it breaks where a point cannot be shown.
+    pub fn line(points: impl IntoIterator<Item = (f64, f64)>) -> Self {
+        Self::new(Shape::Line(points.into_iter().collect()))
+    }
+
+    /// A marker at each (x, y). Markers that would hide each other are drawn once, and of a cloud
+    /// at most 1,000 are drawn.
+    pub fn points(points: impl IntoIterator<Item = (f64, f64)>, marker: Marker) -> Self {
+        Self::new(Shape::Points(points.into_iter().collect(), marker))
+    }
+
+    /// The translucent area between two curves, from (x, lower, upper). On a logarithmic axis a
+    /// lower value that is not positive reaches down to the edge of the plot.
+    pub fn band(points: impl IntoIterator<Item = (f64, f64, f64)>) -> Self {
+        Self { opacity: 0.22, ..Self::new(Shape::Band(points.into_iter().collect())) }
+    }
+
+    /// Bars over n bins from their n + 1 edges and n heights; bins beyond the shorter list are left
+    /// out.
+    pub fn bars(edges: &[f64], heights: &[f64]) -> Self {
+        let bins = edges.windows(2).zip(heights).map(|(edge, height)| (edge[0], edge[1], *height));
+        Self { opacity: 0.45, ..Self::new(Shape::Bars(bins.collect())) }
+    }
+
+    /// Shades an interval of x and writes a label into it; an infinite bound reaches the edge.
+    pub fn region_x(from: f64, to: f64, label: impl Into<String>) -> Self {
+        Self { opacity: 0.10, ..Self::reference(Shape::Region(Direction::X, from, to), label) }
+    }
+
+    /// Shades an interval of y and writes a label into it; an infinite bound reaches the edge.
+    pub fn region_y(from: f64, to: f64, label: impl Into<String>) -> Self {
+        Self { opacity: 0.10, ..Self::reference(Shape::Region(Direction::Y, from, to), label) }
+    }
+
+    /// A vertical line at `x` with a label beside it.
+    pub fn at_x(x: f64, label: impl Into<String>) -> Self {
+        Self::reference(Shape::Level(Direction::X, x), label)
+    }
+
+    /// A horizontal line at `y` with a label beside it.
+    pub fn at_y(y: f64, label: impl Into<String>) -> Self {
+        Self::reference(Shape::Level(Direction::Y, y), label)
+    }
+
+    /// A line of the given slope through a point, with a label along it. A logarithmic axis counts in
+    /// decades, so that between two of them the slope is the exponent of a power law.
+    pub fn slope(through: (f64, f64), slope: f64, label: impl Into<String>) -> Self {
+        Self::reference(Shape::Slope { through, slope }, label)
+    }
+
+    /// A text near a point.
+    pub fn note(at: (f64, f64), text: impl Into<String>) -> Self {
+        Self::reference(Shape::Note(at), text)
+    }
+
+    /// Names the layer in the legend.
+    pub fn named(mut self, name: impl Into<String>) -> Self {
+        self.name = Some(name.into());
+        self
+    }
+
+    /// Sets the colour.
+    pub fn coloured(mut self, colour: Colour) -> Self {
+        self.colour = colour;
+        self
+    }
+
+    /// Breaks the line into dashes or dots.
+    pub fn dashed(mut self, dash: Dash) -> Self {
+        self.dash = dash;
+        self
+    }
+
+    /// Fills an area in its full colour.
+    pub(super) fn opaque(mut self) -> Self {
+        self.opacity = 1.0;
+        self
+    }
+
+    /// Turns the points of a band into gaps where `keep` says no.
+    pub(super) fn keep_where(&mut self, keep: impl Fn(usize) -> bool) {
+        if let Shape::Band(points) = &mut self.shape {
+            for (place, point) in points.iter_mut().enumerate() {
+                if !keep(place) {
+                    point.2 = f64::NAN;
+                }
+            }
+        }
+    }
+
+    /// The points that the axes must reach; references and regions ask for none.
+    pub(super) fn reach(&self) -> Vec<(f64, f64)> {
+        match &self.shape {
+            Shape::Line(points) | Shape::Points(points, _) => points.clone(),
+            Shape::Band(points) => points.iter().flat_map(|p| [(p.0, p.1), (p.0, p.2)]).collect(),
+            Shape::Bars(bins) => bins.iter().flat_map(|b| [(b.0, 0.0), (b.0, b.2), (b.1, b.2)]).collect(),
+            Shape::Region(..) | Shape::Level(..) | Shape::Slope { .. } | Shape::Note(_) => Vec::new(),
+        }
+    }
+}

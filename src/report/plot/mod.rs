@@ -1,0 +1,176 @@
+//! Figures: say what to show, get SVG text.
+//!
+//! A [`Figure`] is one [`Plot`] or several in a row or a column; a plot is two [`Axis`] and a list
+//! of [`Layer`]s. Drawing is pure and depends on nothing but the description, so the same figure
+//! gives the same bytes. It never fails: what cannot be shown (NaN, infinities, non-positive values
+//! on a logarithmic axis) is left out and breaks the line, and a plot with nothing to show says so.
+//!
+//! | file | what lives there |
+//! |---|---|
+//! | `layer` | what can be shown: lines, points, bands, bars, regions, references |
+//! | `colour` | the palette and its fixed roles |
+//! | `scale` | from a value to a place on the page |
+//! | `ticks` | where an axis is divided and what stands there |
+//! | `clip` | the parts of a line inside the frame |
+//! | `thin` | fewer points for the same picture |
+//! | `text` | how wide a text will be |
+//! | `canvas` | elements of SVG, written by plotters |
+//! | `axes` | the frame, its grid, ticks and labels |
+//! | `marks` | the layers on the page |
+//! | `place` | where labels and legend stand clear of the data |
+//! | `legend` | names of the layers |
+//! | `draw` | puts a figure together |
+
+mod axes;
+mod canvas;
+mod clip;
+mod colour;
+mod draw;
+mod layer;
+mod legend;
+mod marks;
+mod place;
+mod scale;
+mod text;
+mod thin;
+mod ticks;
+
+pub use colour::Colour;
+pub use layer::{Dash, Layer, Marker};
+pub use legend::Legend;
+
+/// How values are spread along an axis.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Spread {
+    /// Equal differences take equal lengths.
+    Linear,
+    /// Equal ratios take equal lengths; only positive values can be shown.
+    Log,
+}
+
+/// One axis of a plot.
+#[derive(Clone, Debug)]
+pub struct Axis {
+    label: String,
+    spread: Spread,
+    range: Option<(f64, f64)>,
+}
+
+impl Axis {
+    /// A linear axis; the label names the quantity and its unit, e.g. "separation d (µm)".
+    pub fn linear(label: impl Into<String>) -> Self {
+        Self { label: label.into(), spread: Spread::Linear, range: None }
+    }
+
+    /// A logarithmic axis.
+    pub fn log(label: impl Into<String>) -> Self {
+        Self { label: label.into(), spread: Spread::Log, range: None }
+    }
+
+    /// Shows exactly this range instead of the range of the data; the first value stands left (or
+    /// at the bottom), so that a falling range turns the axis round. A range that the axis cannot
+    /// show is ignored.
+    pub fn range(mut self, from: f64, to: f64) -> Self {
+        self.range = Some((from, to));
+        self
+    }
+}
+
+/// One pair of axes and what is drawn between them.
+#[derive(Clone, Debug)]
+pub struct Plot {
+    title: String,
+    x: Axis,
+    y: Axis,
+    layers: Vec<Layer>,
+    legend: Legend,
+    height: f64,
+}
+
+impl Plot {
+    /// An empty plot; an empty title takes no room.
+    pub fn new(title: impl Into<String>, x: Axis, y: Axis) -> Self {
+        Self { title: title.into(), x, y, layers: Vec::new(), legend: Legend::Auto, height: 380.0 }
+    }
+
+    /// Adds a layer on top of those before it.
+    pub fn with(mut self, layer: Layer) -> Self {
+        self.layers.push(layer);
+        self
+    }
+
+    /// Adds shares that are stacked on each other: per share its name, its colour and one value for
+    /// each `x`. A point at which some share is missing (NaN) is a gap in all of them.
+    pub fn with_stacked<'a>(
+        mut self,
+        x: &[f64],
+        shares: impl IntoIterator<Item = (&'a str, Colour, &'a [f64])>,
+    ) -> Self {
+        let mut base = vec![0.0; x.len()];
+        let first = self.layers.len();
+        for (name, colour, share) in shares {
+            let top: Vec<f64> = base.iter().zip(share).map(|(below, part)| below + part).collect();
+            let band = x.iter().zip(base.iter().zip(&top)).map(|(x, (low, high))| (*x, *low, *high));
+            self.layers.push(Layer::band(band).named(name).coloured(colour).opaque());
+            base = top;
+        }
+        // The sum of a point holds NaN if one of its shares does.
+        for layer in &mut self.layers[first..] {
+            layer.keep_where(|place| base.get(place).is_some_and(|sum| sum.is_finite()));
+        }
+        self
+    }
+
+    /// Where the names of the layers stand; [`Legend::Auto`] unless told otherwise.
+    pub fn legend(mut self, legend: Legend) -> Self {
+        self.legend = legend;
+        self
+    }
+
+    /// Height between the axes in CSS pixels, from 60 to 2000; 380 unless told otherwise.
+    pub fn height(mut self, pixels: f64) -> Self {
+        self.height = pixels.clamp(60.0, 2000.0);
+        self
+    }
+
+    /// Draws this plot alone, 720 CSS pixels wide.
+    pub fn svg(&self) -> String {
+        draw::figure(&self.title, &[self], Arrangement::Column)
+    }
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Arrangement {
+    Column,
+    Row,
+}
+
+/// Several plots in one picture.
+#[derive(Clone, Debug)]
+pub struct Figure {
+    title: String,
+    plots: Vec<Plot>,
+    arrangement: Arrangement,
+}
+
+impl Figure {
+    /// Plots below each other with their left and right edges in line, e.g. a difference below its
+    /// curves. The title is for readers that cannot see the picture; the plots show their own.
+    pub fn column(title: impl Into<String>, plots: Vec<Plot>) -> Self {
+        Self { title: title.into(), plots, arrangement: Arrangement::Column }
+    }
+
+    /// Plots side by side, each narrower.
+    pub fn row(title: impl Into<String>, plots: Vec<Plot>) -> Self {
+        Self { title: title.into(), plots, arrangement: Arrangement::Row }
+    }
+
+    /// Draws the figure; 720 CSS pixels wide, 1080 for plots side by side.
+    pub fn svg(&self) -> String {
+        let plots: Vec<&Plot> = self.plots.iter().collect();
+        draw::figure(&self.title, &plots, self.arrangement)
+    }
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,195 @@
+//! Where an axis is divided, and what stands there.
+
+use super::{Spread, scale::Scale};
+
+/// One division of an axis; minor ones have no label.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct Tick {
+    /// 0 at the beginning of the axis, 1 at its end.
+    pub(super) place: f64,
+    pub(super) label: Option<String>,
+}
+
+/// Divides an axis as finely as its labels fit: `fits` judges one set of labelled ticks.
+pub(super) fn ticks(scale: &Scale, most: usize, fits: impl Fn(&[Tick]) -> bool) -> Vec<Tick> {
+    let mut least = Vec::new();
+    for count in (1..=most.max(1)).rev() {
+        let ticks = match scale.spread {
+            Spread::Linear => linear(scale, count),
+            Spread::Log => log(scale, count),
+        };
+        let labelled = ticks.iter().filter(|tick| tick.label.is_some()).count();
+        if labelled <= most.max(2) && fits(&ticks) {
+            return ticks;
+        }
+        least = ticks;
+    }
+    least
+}
+
+/// Equal steps of 1, 2 or 5 times a power of ten.
+fn linear(scale: &Scale, count: usize) -> Vec<Tick> {
+    let (low, high) = scale.bounds();
+    let rough = (high - low) / count as f64;
+    let mut exponent = rough.log10().floor() as i32;
+    let lead = rough / 10f64.powi(exponent);
+    let lead = [1.0, 2.0, 5.0].into_iter().find(|step| lead <= step * 1.0001).unwrap_or_else(|| {
+        exponent += 1;
+        1.0
+    });
+    let step = lead * 10f64.powi(exponent);
+    // A step is lost where powers of ten run out; the ends still stand.
+    if step.is_normal() {
+        within(low / step, high / step)
+            .map(|k| Tick {
+                place: scale.place_measured(k as f64 * step),
+                label: Some(decimal(k as f64 * lead, exponent, low.abs().max(high.abs()))),
+            })
+            .collect()
+    } else {
+        Vec::new()
+    }
+}
+
+/// Whole numbers from `low` to `high`, with a hair's breadth of tolerance so that ends count.
+fn within(low: f64, high: f64) -> std::ops::RangeInclusive<i64> {
+    let hair = 1e-6;
+    (low - hair).ceil() as i64..=(high + hair).floor() as i64
+}
+
+/// `lead * 10^exponent`, plain or as a power, as suits the largest value on the axis.
+fn decimal(lead: f64, exponent: i32, largest: f64) -> String {
+    if lead == 0.0 {
+        return "0".into();
+    }
+    if (1e-3..1e5).contains(&largest) {
+        let digits = (-exponent).clamp(0, 12) as usize;
+        return minus(&format!("{:.digits$}", lead * 10f64.powi(exponent)));
+    }
+    // All labels of an axis carry the power of its largest value.
+    let power = largest.log10().floor() as i32;
+    let digits = (power - exponent).clamp(0, 12) as usize;
+    format!("{}×{}", minus(&format!("{:.digits$}", lead * 10f64.powi(exponent - power))), power_of_ten(power))
+}
+
+fn minus(number: &str) -> String {
+    number.replace('-', "−")
+}
+
+/// Powers of ten, thinned to every 2nd, 3rd, 5th ... as needed; within few decades, parts of them.
+fn log(scale: &Scale, count: usize) -> Vec<Tick> {
+    let (low, high) = scale.bounds();
+    let decades = high - low;
+    let whole = within(low, high).count();
+    if whole < 2 && decades < 0.7 {
+        return within_a_decade(scale, count);
+    }
+    let step = [1, 2, 3, 5, 10, 20, 50, 100, 200, 500]
+        .into_iter()
+        .find(|step| decades / f64::from(*step) <= count as f64)
+        .unwrap_or(1000);
+    let plain = low >= -3.001 && high <= 4.001;
+    let name = |lead: u8, power: i64| match (plain, lead) {
+        (true, _) => format!("{:.*}", (-power).max(0) as usize, f64::from(lead) * 10f64.powi(power as i32)),
+        (false, 1) => power_of_ten(power as i32),
+        (false, _) => format!("{lead}×{}", power_of_ten(power as i32)),
+    };
+    let mut ticks = Vec::new();
+    // One power beyond each end, for the parts of its decade that lie inside.
+    for power in low.floor() as i64 - 1..=high.ceil() as i64 {
+        let leads = if step == 1 && decades < 11.0 { 1..=9u8 } else { 1..=1 };
+        for lead in leads {
+            let value = power as f64 + f64::from(lead).log10();
+            if value < low - 1e-6 || value > high + 1e-6 {
+                continue;
+            }
+            let labelled = match lead {
+                1 => power.rem_euclid(step.into()) == 0,
+                2 | 5 => decades * 3.0 <= count as f64 || whole < 2,
+                _ => false,
+            };
+            let label = labelled.then(|| name(lead, power));
+            ticks.push(Tick { place: scale.place_measured(value), label });
+        }
+    }
+    ticks
+}
+
+/// A logarithmic axis that holds no power of ten to speak of is labelled at round values.
+fn within_a_decade(scale: &Scale, count: usize) -> Vec<Tick> {
+    let (low, high) = scale.bounds();
+    let power = low.floor();
+    let values =
+        Scale { spread: Spread::Linear, from: 10f64.powf(low - power), to: 10f64.powf(high - power) };
+    let mut ticks = linear(&values, count);
+    let power = power as i32;
+    for tick in &mut ticks {
+        let value = values.from + tick.place * (values.to - values.from);
+        tick.place = scale.place_measured(value.log10() + f64::from(power));
+        if !(-3..4).contains(&power) {
+            tick.label = tick.label.take().map(|label| format!("{label}×{}", power_of_ten(power)));
+        } else if power != 0 {
+            // As many digits as the label had, at the right place.
+            let digits =
+                tick.label.as_ref().and_then(|label| label.split_once('.')).map_or(0, |(_, part)| part.len());
+            let digits = (digits as i32 - power).max(0) as usize;
+            tick.label = Some(format!("{:.digits$}", value * 10f64.powi(power)));
+        }
+    }
+    ticks
+}
+
+/// "10⁻⁶".
+pub(super) fn power_of_ten(power: i32) -> String {
+    let raised = power.to_string();
+    let raised = raised.chars().map(|c| match c {
+        '-' => '⁻',
+        '1' => '¹',
+        '2' => '²',
+        '3' => '³',
+        '4' => '⁴',
+        '5' => '⁵',
+        '6' => '⁶',
+        '7' => '⁷',
+        '8' => '⁸',
+        '9' => '⁹',
+        _ => '⁰',
+    });
+    std::iter::once('1').chain(std::iter::once('0')).chain(raised).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn labels(spread: Spread, from: f64, to: f64, most: usize) -> Vec<String> {
+        let ends = |v: f64| if spread == Spread::Log { v.log10() } else { v };
+        let scale = Scale { spread, from: ends(from), to: ends(to) };
+        ticks(&scale, most, |_| true).into_iter().filter_map(|tick| tick.label).collect()
+    }
+
+    #[test]
+    fn round_steps() {
+        assert_eq!(labels(Spread::Linear, 0.0, 2.0, 5), ["0", "0.5", "1.0", "1.5", "2.0"]);
+        assert_eq!(labels(Spread::Linear, 4.0, 0.0, 5), ["0", "1", "2", "3", "4"]);
+        assert_eq!(labels(Spread::Linear, -2e-7, 2e-7, 5), ["−2×10⁻⁷", "−1×10⁻⁷", "0", "1×10⁻⁷", "2×10⁻⁷"]);
+    }
+
+    #[test]
+    fn decades_thin_out() {
+        assert_eq!(labels(Spread::Log, 1e-9, 1e-2, 8).len(), 8);
+        assert_eq!(
+            labels(Spread::Log, 1e-15, 1.0, 8),
+            ["10⁻¹⁴", "10⁻¹²", "10⁻¹⁰", "10⁻⁸", "10⁻⁶", "10⁻⁴", "10⁻²", "10⁰"]
+        );
+        assert!(labels(Spread::Log, 1e-300, 1e300, 8).len() <= 8);
+    }
+
+    #[test]
+    fn ends_count_and_few_decades_are_plain() {
+        assert_eq!(labels(Spread::Log, 0.01, 10.0, 6), ["0.01", "0.1", "1", "10"]);
+        assert!(labels(Spread::Log, 2.0, 3.0, 6).len() >= 2);
+        assert_eq!(labels(Spread::Log, 2.0e-6, 3.0e-6, 3), ["2.0×10⁻⁶", "2.5×10⁻⁶", "3.0×10⁻⁶"]);
+        assert_eq!(labels(Spread::Log, 0.02, 0.04, 3), ["0.02", "0.03", "0.04"]);
+    }
+}

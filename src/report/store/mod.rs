@@ -1,0 +1,227 @@
+//! The only place that touches the disk: reports are replaced whole or not at all.
+//!
+//! A [`Store`] is one folder of reports, `DIR`. Each report is a folder of files, `DIR/<stem>/`:
+//!
+//! - A report is written beside its place and moved in, so that whoever looks, at any instant and
+//!   after any crash, finds the old report or the new one. [`Store::recover`] clears up after a run
+//!   that was killed; every first write does so too.
+//! - Nothing is destroyed that a run has not written: `manifest.json`, or the `files` of
+//!   `summary.json`, must name every file of a report that is to be replaced.
+//! - One run writes at a time: `DIR/.lock` is locked from the first write until the store is
+//!   dropped. The empty file stays; unlocked it means nothing, and removing it could give two runs
+//!   a lock each. Where the file system knows no locks there is none.
+//! - Nothing is created before the first write, so that a refused run leaves no trace.
+
+mod manifest;
+mod swap;
+
+use manifest::{MANIFEST, Manifest};
+use std::fs::{self, File, TryLockError};
+use std::io::{self, Write};
+use std::path::{Path, PathBuf};
+use swap::Places;
+
+const LOCK: &str = ".lock";
+
+/// Why the disk was not touched, or what failed when it was.
+#[derive(Debug, thiserror::Error)]
+pub enum StoreError {
+    /// The operating system refused.
+    #[error("cannot {operation} {}: {source}", path.display())]
+    Io {
+        /// What was tried, as in "cannot write".
+        operation: &'static str,
+        /// What it was tried on.
+        path: PathBuf,
+        /// The system's reason.
+        source: io::Error,
+    },
+    /// Another process holds the lock.
+    #[error("another run is writing to {}; wait for it to end or choose another --out", .0.display())]
+    Busy(PathBuf),
+    /// A report would replace something that no run has written.
+    #[error("{} was not written by a run and would be lost; move it away or choose another --out", .0.display())]
+    NotOurs(PathBuf),
+    /// A name that cannot be that of a report or of one of its files.
+    #[error("{0:?} cannot name a report or a file in it")]
+    BadName(String),
+}
+
+/// The files of one report, and the key of the run that made them.
+#[derive(Clone, Debug)]
+pub struct Folder {
+    stem: String,
+    key: String,
+    files: Vec<(String, Vec<u8>)>,
+}
+
+impl Folder {
+    /// An empty report; `key` stands for all that its content depends on.
+    pub fn new(stem: impl Into<String>, key: impl Into<String>) -> Self {
+        Self { stem: stem.into(), key: key.into(), files: Vec::new() }
+    }
+
+    /// Adds a file.
+    pub fn file(&mut self, name: impl Into<String>, content: impl Into<Vec<u8>>) -> &mut Self {
+        self.files.push((name.into(), content.into()));
+        self
+    }
+
+    /// Names of the files so far, in their order; `manifest.json` is not among them.
+    pub fn names(&self) -> impl Iterator<Item = &str> {
+        self.files.iter().map(|(name, _)| name.as_str())
+    }
+}
+
+/// A folder of reports.
+#[derive(Debug)]
+pub struct Store {
+    directory: PathBuf,
+    /// Present from the first write on.
+    lock: Option<File>,
+}
+
+impl Store {
+    /// A store in a folder that need not exist yet; touches nothing.
+    pub fn new(directory: impl Into<PathBuf>) -> Self {
+        Self { directory: directory.into(), lock: None }
+    }
+
+    /// Whether a report of this key is there with every file as it was written. A missing or altered
+    /// file, or a manifest that says nothing of the kind, is a no; so is a report that a killed run
+    /// had moved aside, until [`Store::recover`] brings it back.
+    pub fn is_current(&self, stem: &str, key: &str) -> bool {
+        is_plain(stem)
+            && Manifest::read(&self.directory.join(stem))
+                .is_some_and(|manifest| manifest.key == key && manifest.matches(&self.directory.join(stem)))
+    }
+
+    /// Whether a report of this name may be written: [`StoreError::NotOurs`] if something is in the
+    /// way, [`StoreError::BadName`], or [`StoreError::Io`] if that cannot be told. Writes nothing.
+    pub fn check(&self, stem: &str) -> Result<(), StoreError> {
+        if !is_plain(stem) {
+            return Err(StoreError::BadName(stem.into()));
+        }
+        manifest::check_ours(&self.directory.join(stem))
+    }
+
+    /// Writes a report in place of the one of the same name, whole or not at all, with its
+    /// `manifest.json`. Errors are those of [`Store::check`], [`StoreError::Busy`] and
+    /// [`StoreError::Io`].
+    pub fn write(&mut self, folder: &Folder) -> Result<(), StoreError> {
+        self.check(&folder.stem)?;
+        for (k, name) in folder.names().enumerate() {
+            if !is_plain(name) || name == MANIFEST || folder.names().take(k).any(|other| other == name) {
+                return Err(StoreError::BadName(name.into()));
+            }
+        }
+        self.open()?;
+        // Clearing up may have brought back what an interrupted run had moved aside.
+        self.check(&folder.stem)?;
+        let places = Places::new(&self.directory, &folder.stem);
+        let done = write_all(&places.new, folder).and_then(|()| swap::replace(&places));
+        if done.is_err() {
+            // The first error tells more than one that clearing up may meet.
+            swap::recover_one(&places).ok();
+        }
+        done
+    }
+
+    /// Writes one file of the store itself, such as a page that lists all reports, whole or not at
+    /// all. An existing file is replaced only if it holds `mark`, by which pages of runs are known;
+    /// `content` should hold it too. Errors are those of [`Store::write`].
+    pub fn write_page(&mut self, name: &str, content: &[u8], mark: &str) -> Result<(), StoreError> {
+        if !is_plain(name) {
+            return Err(StoreError::BadName(name.into()));
+        }
+        let path = self.directory.join(name);
+        match fs::symlink_metadata(&path) {
+            Ok(found) => {
+                let ours = found.is_file()
+                    && fs::read(&path)
+                        .or_else(|e| failed("read", &path, e))?
+                        .windows(mark.len().max(1))
+                        .any(|part| part == mark.as_bytes());
+                if !ours {
+                    return Err(StoreError::NotOurs(path));
+                }
+            }
+            Err(error) if error.kind() == io::ErrorKind::NotFound => {}
+            Err(error) => return failed("look at", &path, error),
+        }
+        self.open()?;
+        let new = Places::new(&self.directory, name).new;
+        let done = write_file(&new, content).and_then(|()| swap::rename(&new, &path));
+        if done.is_err() {
+            fs::remove_file(&new).ok();
+        }
+        done
+    }
+
+    /// Clears up after a run that was killed: unfinished reports go, a report that was moved aside
+    /// comes back. A store that does not exist needs nothing. Errors: [`StoreError::Busy`] and
+    /// [`StoreError::Io`].
+    pub fn recover(&mut self) -> Result<(), StoreError> {
+        if self.directory.is_dir() { self.open() } else { Ok(()) }
+    }
+
+    /// Creates the folder, locks it and clears up, once.
+    fn open(&mut self) -> Result<(), StoreError> {
+        if self.lock.is_some() {
+            return Ok(());
+        }
+        fs::create_dir_all(&self.directory).or_else(|e| failed("create folder", &self.directory, e))?;
+        let path = self.directory.join(LOCK);
+        let file = File::options().create(true).truncate(false).write(true).open(&path);
+        let file = file.or_else(|e| failed("open", &path, e))?;
+        match file.try_lock() {
+            Ok(()) => {}
+            Err(TryLockError::WouldBlock) => return Err(StoreError::Busy(self.directory.clone())),
+            Err(TryLockError::Error(error)) if error.kind() == io::ErrorKind::Unsupported => {}
+            Err(TryLockError::Error(error)) => return failed("lock", &path, error),
+        }
+        swap::recover(&self.directory)?;
+        self.lock = Some(file);
+        Ok(())
+    }
+}
+
+/// Writes the files of a report and its manifest into a new folder, down to the disk.
+fn write_all(path: &Path, folder: &Folder) -> Result<(), StoreError> {
+    fs::create_dir(path).or_else(|e| failed("create folder", path, e))?;
+    for (name, content) in &folder.files {
+        write_file(&path.join(name), content)?;
+    }
+    write_file(&path.join(MANIFEST), Manifest::of(&folder.key, &folder.files).text().as_bytes())?;
+    sync_folder(path)
+}
+
+fn write_file(path: &Path, content: &[u8]) -> Result<(), StoreError> {
+    let mut file = File::create(path).or_else(|e| failed("create", path, e))?;
+    file.write_all(content).and_then(|()| file.sync_all()).or_else(|e| failed("write", path, e))
+}
+
+/// Brings renames in a folder down to the disk.
+fn sync_folder(path: &Path) -> Result<(), StoreError> {
+    // Elsewhere a folder cannot be opened like a file.
+    if cfg!(unix) {
+        File::open(path).and_then(|folder| folder.sync_all()).or_else(|e| failed("flush", path, e))?;
+    }
+    Ok(())
+}
+
+fn failed<T>(operation: &'static str, path: &Path, source: io::Error) -> Result<T, StoreError> {
+    Err(StoreError::Io { operation, path: path.into(), source })
+}
+
+/// Whether a name is that of one visible entry of a folder, on every system.
+fn is_plain(name: &str) -> bool {
+    !name.is_empty()
+        && !name.starts_with('.')
+        && !name
+            .chars()
+            .any(|c| c.is_control() || matches!(c, '/' | '\\' | ':' | '*' | '?' | '"' | '<' | '>' | '|'))
+}
+
+#[cfg(test)]
+mod tests;
