@@ -71,7 +71,7 @@ impl AsperitySet {
         if heights.is_empty() {
             return Err(SetError::Empty);
         }
-        if let Some(index) = heights.iter().position(|z| !(z.abs() <= LARGEST)) {
+        if let Some(index) = heights.iter().position(|z| z.is_nan() || z.abs() > LARGEST) {
             return Err(SetError::Height { index, height: heights[index] });
         }
         if let Some(index) = radii.iter().position(|&b| !is_positive(b)) {

@@ -130,7 +130,7 @@ impl Pair {
 
 /// A model that does not reach a pressure it was asked for.
 #[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
-#[error("the {} model does not reach it: {unreachable}", kind.name())]
+#[error("{} model: {unreachable}", kind.name())]
 pub struct NotReached {
     /// Which model.
     pub kind: Kind,

@@ -52,6 +52,16 @@ impl SurfacePlan {
         name: &Spanned<String>,
         words: &Spanned<SurfaceSpec>,
     ) -> Result<Self, Refusal> {
+        // The name becomes part of file names.
+        let is_plain = |name: &str| {
+            !name.is_empty() && name.chars().all(|c| c.is_alphanumeric() || c == '-' || c == '_')
+        };
+        if !is_plain(name.get_ref()) {
+            return Err(source.refuse(
+                name.span(),
+                format!("found the surface name \"{}\"; allowed: letters, digits, - and _", name.get_ref()),
+            ));
+        }
         let (origin, size_key) = match words.get_ref() {
             SurfaceSpec::Asperities(list) => (Self::list(source, list)?, list.file.span()),
             SurfaceSpec::Population(population) => {

@@ -69,12 +69,12 @@ fn sentence(gap: &Gap) -> String {
             quantity(gap.target, "Pa"),
         ),
         ("area_ratio", _) => format!(
-            "at equal load the statistical real area is at the most {} times the deterministic one, at {}{errors}.",
+            "at equal load, where the real areas are furthest apart, the statistical one is {} times the deterministic one, at {}{errors}.",
             number(gap.ratio()),
             quantity(gap.target, "Pa"),
         ),
         _ => format!(
-            "at equal separation the statistical load is at the most {} times the deterministic one, at d/σ = {}{errors}.",
+            "at equal separation, where the loads are furthest apart, the statistical one is {} times the deterministic one, at d/σ = {}{errors}.",
             number(gap.ratio()),
             number(gap.target),
         ),
@@ -145,7 +145,7 @@ fn surface(page: &mut Page, found: &SurfaceResults) {
     if let Some(map) = &surface.map {
         rows.extend(head::map_rows(map));
     }
-    page.table(&["property", "value"], rows.into_iter().map(Vec::from));
+    page.table(["property", "value"], rows.into_iter().map(Vec::from));
     if surface.is_quoted_as_surface() {
         page.paragraph(
             "Separations are measured from the mean plane of the surface, in the standard deviation of the surface heights; \
@@ -162,7 +162,7 @@ fn surface(page: &mut Page, found: &SurfaceResults) {
     ));
     let name = format!("{}-distributions.svg", surface.name);
     let caption = format!(
-        "Heights and radii of the asperities of {}, and what the statistical model assumes.",
+        "Heights of the asperities of {}, their radii up to five mean radii, and what the statistical model assumes.",
         surface.name
     );
     page.figure(&name, figures::distributions(found), &caption);
@@ -195,7 +195,7 @@ fn answers(page: &mut Page, results: &CompareResults, found: &SurfaceResults, ca
     if !pairs.is_empty() {
         page.paragraph("Both models at equal load:");
         page.table(
-            &[
+            [
                 "p",
                 "d/σ stat.",
                 "d/σ det.",

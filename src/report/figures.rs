@@ -8,9 +8,16 @@ use crate::model::INTERACTION;
 /// How many standard errors a band shows: 95 % of all draws lie within.
 const BAND: f64 = 1.96;
 
-/// A point of a curve with the axes that every figure has.
-fn load_axis() -> Axis {
-    Axis::log("load ratio P/(A_nom E*)")
+/// The load axis that all pictures of one comparison share, so that they can be laid side by side.
+fn load_axis(comparison: &Comparison, modulus: f64) -> Axis {
+    /// Room at both ends, in ratios.
+    const ROOM: f64 = 1.3;
+    let loads = || {
+        let all = comparison.curves.iter().map(|point| point.response.pressure.total() / modulus);
+        all.filter(|&load| load > 0.0)
+    };
+    let (low, high) = (loads().fold(f64::INFINITY, f64::min), loads().fold(0.0, f64::max));
+    Axis::log("load ratio P/(A_nom E*)").range(low / ROOM, high * ROOM)
 }
 
 fn colour(kind: Kind) -> Colour {
@@ -41,7 +48,8 @@ fn at_equal_load(comparison: &Comparison) -> Vec<&Pair> {
 
 /// d/sigma against load (Pasaribu and Schipper 2005, Fig. 4), the difference at equal load below.
 pub fn separation(comparison: &Comparison, modulus: f64, sigma: f64) -> String {
-    let mut plot = Plot::new("Separation against load", load_axis(), Axis::linear("separation d/σ"));
+    let axis = || load_axis(comparison, modulus);
+    let mut plot = Plot::new("Separation against load", axis(), Axis::linear("separation d/σ"));
     for kind in [Kind::Deterministic, Kind::Statistical] {
         let points = curve(comparison, kind);
         let load = |point: &CurvePoint| point.response.pressure.total() / modulus;
@@ -67,7 +75,7 @@ pub fn separation(comparison: &Comparison, modulus: f64, sigma: f64) -> String {
         Some((pair.target / modulus, difference(pair) - half, difference(pair) + half))
     });
     let line = pairs.iter().map(|pair| (pair.target / modulus, difference(pair)));
-    let below = Plot::new("", load_axis(), Axis::linear("difference in d/σ"))
+    let below = Plot::new("", axis(), Axis::linear("difference in d/σ"))
         .height(170.0)
         .with(Layer::at_y(0.0, ""))
         .with(Layer::band(band.collect::<Vec<_>>()).coloured(Colour::Series(2)))
@@ -86,8 +94,12 @@ fn model_line(kind: Kind, points: impl Iterator<Item = (f64, f64)>) -> Layer {
 
 /// Real over nominal area against load.
 pub fn area(comparison: &Comparison, modulus: f64) -> String {
-    let mut plot = Plot::new("Real contact area against load", load_axis(), Axis::log("area ratio A/A_nom"))
-        .with(Layer::region_y(INTERACTION, f64::INFINITY, "asperities interact: A/A_nom > 0.05"));
+    let mut plot = Plot::new(
+        "Real contact area against load",
+        load_axis(comparison, modulus),
+        Axis::log("area ratio A/A_nom"),
+    )
+    .with(Layer::region_y(INTERACTION, f64::INFINITY, "asperities interact: A/A_nom > 0.05"));
     for kind in [Kind::Deterministic, Kind::Statistical] {
         let points = curve(comparison, kind);
         let load = |point: &CurvePoint| point.response.pressure.total() / modulus;
@@ -111,7 +123,12 @@ pub fn regimes(comparison: &Comparison, modulus: f64) -> String {
             points.iter().filter_map(|point| point.response.pressure.shares()).collect();
         let share = |regime: usize| shares.iter().map(|s| s[regime]).collect::<Vec<f64>>();
         let [elastic, middle, plastic] = [share(0), share(1), share(2)];
-        Plot::new(kind.name(), load_axis(), Axis::linear("share of the load").range(0.0, 1.0)).with_stacked(
+        Plot::new(
+            kind.name(),
+            load_axis(comparison, modulus),
+            Axis::linear("share of the load").range(0.0, 1.0),
+        )
+        .with_stacked(
             &load,
             [
                 ("elastic", Colour::Elastic, &elastic[..]),
@@ -149,14 +166,10 @@ pub fn distributions(found: &SurfaceResults) -> String {
     }
     let ratios: Vec<f64> = surface.set.radii().iter().map(|b| b / surface.statistics.mean_radius).collect();
     let (edges, density) = histogram(&ratios, 0.0, 5.0);
-    let beyond = ratios.iter().filter(|&&ratio| ratio > 5.0).count() as f64 / ratios.len() as f64;
     let radii =
         Plot::new("Radii", Axis::linear("radius over mean radius").range(0.0, 5.0), Axis::linear("density"))
             .with(Layer::bars(&edges, &density).coloured(Colour::Deterministic).named("asperities"))
-            .with(Layer::at_x(
-                found.population.radius / surface.statistics.mean_radius,
-                format!("the statistical model's one radius ({:.1} % lie beyond 5)", 100.0 * beyond),
-            ));
+            .with(Layer::at_x(found.population.radius / surface.statistics.mean_radius, "statistical"));
     Figure::row("Heights and radii of the asperities", vec![heights, radii]).svg()
 }
 

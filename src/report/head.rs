@@ -16,7 +16,7 @@ pub fn what_was_run(page: &mut Page, head: &Head) {
         (false, false) => "not used",
     };
     page.table(
-        &["material", "body", "E", "ν", "H"],
+        ["material", "body", "E", "ν", "H"],
         head.materials.iter().map(|(name, body)| {
             vec![
                 name.clone(),

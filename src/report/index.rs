@@ -47,7 +47,7 @@ impl Index {
         let page = |file: &str| {
             let mut page = Page::new("Reports");
             page.table(
-                &["report", "what it answers", "warnings", "tables"],
+                ["report", "what it answers", "warnings", "tables"],
                 entries.iter().map(|(name, entry)| {
                     let link = |text: &str, file: &str| Cell::Link {
                         text: text.to_owned(),

@@ -122,7 +122,7 @@ pub fn page(results: &LimitResults) -> Page {
             );
         }
         page.table(
-            &["d/σ", "quantity", "heights", "slope", "± s.e.", "expected", "points"],
+            ["d/σ", "quantity", "heights", "slope", "± s.e.", "expected", "points"],
             slopes.iter().filter(|slope| slope.law == law).map(|slope| {
                 vec![
                     number(slope.separation),
@@ -137,7 +137,7 @@ pub fn page(results: &LimitResults) -> Page {
         );
         page.paragraph("Errors of the load by number of asperities:");
         page.table(
-            &[
+            [
                 "n",
                 "d/σ",
                 "expected contacts",

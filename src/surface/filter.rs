@@ -169,7 +169,7 @@ mod tests {
             let turn = std::f64::consts::TAU / length;
             let along_x = map(|x, _| (turn * (x - 30.0)).cos());
             let along_y = map(|_, y| (turn * (y - 32.0)).cos());
-            let passes = 0.5f64.powf((8.0 / length as f64).powi(2));
+            let passes = 0.5f64.powf((8.0 / length).powi(2));
             for wave in [along_x, along_y] {
                 assert!((centre(&filtered(&wave, Some(8.0), None)) - passes).abs() < 1e-6, "{length}");
                 assert!((centre(&filtered(&wave, None, Some(8.0))) - (1.0 - passes)).abs() < 1e-6);

@@ -10,7 +10,7 @@ use crate::units::{Area, ArealNumberDensity, Length, Quantity};
 
 /// One surface: exactly one kind a name.
 #[derive(Debug, Deserialize)]
-#[serde(rename_all = "kebab-case")]
+#[serde(try_from = "Kinds")]
 pub enum SurfaceSpec {
     /// A list of asperities.
     Asperities(ListSpec),
@@ -18,6 +18,30 @@ pub enum SurfaceSpec {
     Population(PopulationSpec),
     /// A measured height map.
     File(FileSpec),
+}
+
+/// The file's words: a table for each kind, of which exactly one may be there.
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct Kinds {
+    asperities: Option<ListSpec>,
+    population: Option<PopulationSpec>,
+    file: Option<FileSpec>,
+}
+
+impl TryFrom<Kinds> for SurfaceSpec {
+    type Error = String;
+
+    fn try_from(kinds: Kinds) -> Result<Self, String> {
+        match kinds {
+            Kinds { asperities: Some(list), population: None, file: None } => Ok(Self::Asperities(list)),
+            Kinds { asperities: None, population: Some(three), file: None } => Ok(Self::Population(three)),
+            Kinds { asperities: None, population: None, file: Some(file) } => Ok(Self::File(file)),
+            _ => Err("found none or several kinds; allowed: exactly one of asperities, population, file a \
+                      surface name"
+                .to_owned()),
+        }
+    }
 }
 
 /// A list of asperities: CSV with columns height and radius, or an n x 2 `.npy`.

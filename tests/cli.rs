@@ -1,0 +1,270 @@
+//! The program as a user meets it: exit codes, messages, what is written and what is left alone.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::process::{Command, Output};
+
+fn experiment(arguments: &[&str], folder: &Path) -> Output {
+    Command::new(env!("CARGO_BIN_EXE_experiment")).args(arguments).current_dir(folder).output().unwrap()
+}
+
+fn run(spec: &Path, out: &Path, more: &[&str]) -> Output {
+    let mut arguments = vec!["run", spec.to_str().unwrap(), "--out", out.to_str().unwrap()];
+    arguments.extend(more);
+    experiment(&arguments, out.parent().unwrap())
+}
+
+fn text(bytes: &[u8]) -> String {
+    String::from_utf8(bytes.to_vec()).unwrap()
+}
+
+fn specs(kind: &str) -> Vec<PathBuf> {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/specs").join(kind);
+    let mut files: Vec<PathBuf> = fs::read_dir(folder)
+        .unwrap()
+        .map(|entry| entry.unwrap().path())
+        .filter(|path| path.extension().is_some_and(|ending| ending == "toml"))
+        .collect();
+    files.sort();
+    files
+}
+
+/// Each bad spec begins with comments that say what its error must say.
+#[test]
+fn every_bad_spec_is_refused_with_its_reason_and_writes_nothing() {
+    let folder = tempfile::tempdir().unwrap();
+    let out = folder.path().join("reports");
+    let files = specs("bad");
+    assert!(files.len() > 70);
+    let mut wrong = Vec::new();
+    for file in files {
+        let spec = fs::read_to_string(&file).unwrap();
+        let wanted = spec.lines().filter_map(|line| line.strip_prefix("# error: "));
+        let output = run(&file, &out, &[]);
+        let message = text(&output.stderr);
+        let name = file.file_name().unwrap().to_str().unwrap().to_owned();
+        let mut missing: Vec<&str> = wanted.filter(|words| !message.contains(words)).collect();
+        if !message.contains(&name) {
+            missing.push("the file's name");
+        }
+        if output.status.code() != Some(2) || !missing.is_empty() || message.contains("panicked") {
+            wrong.push(format!("{name}: exit {:?}, without {missing:?}:\n{message}", output.status.code()));
+        }
+        assert!(!out.exists(), "{name} has written something");
+    }
+    assert!(wrong.is_empty(), "{}", wrong.join("\n"));
+}
+
+#[test]
+fn a_new_spec_runs_as_it_stands_and_is_not_written_over() {
+    let folder = tempfile::tempdir().unwrap();
+    assert!(experiment(&["new", "mine"], folder.path()).status.success());
+    let output = experiment(&["run", "mine.toml"], folder.path());
+    assert!(output.status.success(), "{}", text(&output.stderr));
+    assert!(text(&output.stdout).starts_with("reports/mine written: "));
+    for file in ["report.md", "report.html", "curves.csv", "comparison.csv", "summary.json", "timing.json"] {
+        assert!(folder.path().join("reports/mine").join(file).is_file(), "{file}");
+    }
+    for page in ["README.md", "index.html"] {
+        assert!(
+            fs::read_to_string(folder.path().join("reports").join(page)).unwrap().contains("mine/report")
+        );
+    }
+    assert_eq!(experiment(&["new", "mine"], folder.path()).status.code(), Some(2));
+}
+
+const SMALL: &str = r#"
+title = "small"
+[material.steel]
+young = "210 GPa"
+poisson = 0.3
+hardness = "7.6 GPa"
+[compare]
+rough = "steel"
+flat = "steel"
+law = ["hertz", { zmc = { onset = 0.89, transition-ratio = 110 } }]
+separation = { values = [3, 0] }
+pressure = { values = ["1 MPa"] }
+force = { values = ["1 mN"] }
+[surface.list.asperities]
+file = "list.csv"
+nominal-area = "1e-8 m^2"
+[surface.drawn.population]
+radius = "20 um"
+sigma = "48 nm"
+density = "6e10 /m^2"
+count = 2000
+"#;
+
+/// A folder with a small spec that reads a file.
+fn small() -> (tempfile::TempDir, PathBuf, PathBuf) {
+    let folder = tempfile::tempdir().unwrap();
+    let spec = folder.path().join("small.toml");
+    fs::write(&spec, SMALL).unwrap();
+    let rows: String = (0..500).map(|i| format!("{:e},{:e}\n", f64::from(i % 97) * 1e-9, 1e-6)).collect();
+    fs::write(folder.path().join("list.csv"), format!("# made\nheight, radius\n{rows}")).unwrap();
+    let out = folder.path().join("reports");
+    (folder, spec, out)
+}
+
+#[test]
+fn an_unchanged_experiment_is_not_run_again() {
+    let (folder, spec, out) = small();
+    let said = |more: &[&str]| {
+        let output = run(&spec, &out, more);
+        assert!(output.status.success(), "{}", text(&output.stderr));
+        text(&output.stdout)
+    };
+    assert!(said(&[]).contains("written"));
+    assert!(said(&[]).contains("unchanged"));
+    assert!(said(&["--force"]).contains("written"));
+    assert!(said(&[]).contains("unchanged"));
+
+    fs::write(out.join("small/curves.csv"), "spoilt").unwrap();
+    assert!(said(&[]).contains("written"));
+    fs::remove_file(out.join("small/report.html")).unwrap();
+    assert!(said(&[]).contains("written"));
+    let list = folder.path().join("list.csv");
+    fs::write(&list, fs::read_to_string(&list).unwrap() + "1e-9,1e-6\n").unwrap();
+    assert!(said(&[]).contains("written"));
+    fs::write(&spec, SMALL.replace("\"small\"", "\"other\"")).unwrap();
+    assert!(said(&[]).contains("written"));
+    assert!(said(&[]).contains("unchanged"));
+}
+
+#[test]
+fn the_tables_have_the_columns_and_rows_of_the_contract() {
+    let (_folder, spec, out) = small();
+    assert!(run(&spec, &out, &["--quiet"]).stdout.is_empty());
+    let table = |name: &str| {
+        let mut reader = csv::Reader::from_path(out.join("small").join(name)).unwrap();
+        let header: Vec<String> = reader.headers().unwrap().iter().map(str::to_owned).collect();
+        (header, reader.records().map(Result::unwrap).collect::<Vec<_>>())
+    };
+    let (header, rows) = table("curves.csv");
+    assert_eq!(
+        header.join(","),
+        "surface,realisation,law,layer_thickness_m,model,control,target,separation_m,separation_over_sigma,\
+         pressure_pa,load_ratio,area_ratio,contact_density_per_m2,mean_real_pressure_pa,stiffness_pa_per_m,\
+         elastic_load_share,elastic_plastic_load_share,plastic_load_share,elastic_area_share,\
+         elastic_plastic_area_share,plastic_area_share,pressure_standard_error_pa,area_ratio_standard_error,\
+         beyond_model"
+    );
+    // 2 surfaces, 2 laws, 2 models, 4 control points.
+    assert_eq!(rows.len(), 2 * 2 * 2 * 4);
+    let column = |name: &str| header.iter().position(|column| column == name).unwrap();
+    for row in &rows {
+        assert!(!row.iter().any(|cell| cell.contains("NaN") || cell.contains("inf")), "{row:?}");
+        let number = |name| row[column(name)].parse::<f64>().unwrap();
+        if &row[column("control")] == "pressure" {
+            assert!((number("pressure_pa") / 1e6 - 1.0).abs() < 2e-3);
+        }
+        assert_eq!(
+            row[column("pressure_standard_error_pa")].is_empty(),
+            &row[column("model")] == "statistical"
+        );
+        assert_eq!(number("area_ratio") > 0.05, &row[column("beyond_model")] == "true");
+    }
+    assert_eq!(&rows[4][column("law")], "hertz");
+    assert_eq!(&rows[8][column("law")], "zmc(onset=0.89 transition-ratio=110)");
+
+    let (header, rows) = table("comparison.csv");
+    let column = |name: &str| header.iter().position(|column| column == name).unwrap();
+    let (pairing, target) = (column("pairing"), column("target"));
+    for rows in rows.chunk_by(|a, b| a[0] == b[0] && a[2] == b[2]) {
+        // Two separations, one pressure, one force, and the two separations' pressures unless zero.
+        let at = |pairing_name: &str| rows.iter().filter(|row| &row[pairing] == pairing_name).count();
+        assert_eq!(at("separation"), 2);
+        assert!((3..=4).contains(&at("load")));
+        for row in rows {
+            let number = |name: &str| row[column(name)].parse::<f64>().unwrap();
+            let (s, d) = (number("statistical_area_ratio"), number("deterministic_area_ratio"));
+            assert_eq!(number("difference_area_ratio"), s - d);
+            if &row[pairing] == "load" {
+                let target: f64 = row[target].parse().unwrap();
+                assert!(number("statistical_pressure_pa") >= target);
+                assert!(number("deterministic_pressure_pa") >= target);
+            }
+        }
+    }
+}
+
+#[test]
+fn what_no_run_wrote_is_not_destroyed() {
+    let (_folder, spec, out) = small();
+    fs::create_dir_all(out.join("small")).unwrap();
+    fs::write(out.join("small/thesis.txt"), "years of work").unwrap();
+    let output = run(&spec, &out, &["--force"]);
+    assert_eq!(output.status.code(), Some(1));
+    assert!(text(&output.stderr).contains("thesis.txt"), "{}", text(&output.stderr));
+    assert_eq!(fs::read_to_string(out.join("small/thesis.txt")).unwrap(), "years of work");
+}
+
+#[test]
+fn a_report_is_the_same_on_any_number_of_threads() {
+    let (folder, spec, _) = small();
+    let outs = ["1", "2", "5"].map(|threads| {
+        let out = folder.path().join(threads);
+        assert!(run(&spec, &out, &["--threads", threads]).status.success());
+        out.join("small")
+    });
+    for entry in fs::read_dir(&outs[0]).unwrap() {
+        let name = entry.unwrap().file_name();
+        if name == "timing.json" || name == "manifest.json" {
+            continue;
+        }
+        let bytes = outs.each_ref().map(|out| fs::read(out.join(&name)).unwrap());
+        assert!(bytes[0] == bytes[1] && bytes[0] == bytes[2], "{name:?} differs");
+    }
+}
+
+#[test]
+fn two_files_of_one_stem_are_refused() {
+    let (folder, spec, out) = small();
+    let other = folder.path().join("other");
+    fs::create_dir(&other).unwrap();
+    let twin = other.join("small.toml");
+    fs::copy(&spec, &twin).unwrap();
+    let output = run(&spec, &out, &[twin.to_str().unwrap()]);
+    assert_eq!(output.status.code(), Some(2));
+    assert!(text(&output.stderr).contains("small"), "{}", text(&output.stderr));
+    assert!(!out.exists());
+}
+
+#[test]
+fn check_runs_nothing_and_list_says_what_is_up_to_date() {
+    let (folder, spec, out) = small();
+    let output = experiment(&["check", spec.to_str().unwrap()], folder.path());
+    assert!(output.status.success());
+    for words in ["small", "zmc(onset=0.89", "2000 asperities", "memory"] {
+        assert!(text(&output.stdout).contains(words), "{words}: {}", text(&output.stdout));
+    }
+    assert!(!out.exists());
+
+    let specs = folder.path().join("experiments");
+    fs::create_dir(&specs).unwrap();
+    for file in ["small.toml", "list.csv"] {
+        fs::copy(folder.path().join(file), specs.join(file)).unwrap();
+    }
+    let listed = || text(&experiment(&["list"], folder.path()).stdout);
+    assert!(listed().contains("to run"));
+    // Without a command, all of experiments/ is run.
+    assert!(experiment(&[], folder.path()).status.success());
+    assert!(out.join("small/report.md").is_file());
+    assert!(listed().contains("up to date"));
+}
+
+#[test]
+fn verify_tells_a_report_that_no_longer_matches() {
+    let (folder, spec, out) = small();
+    let fresh = folder.path().join("fresh");
+    assert!(run(&spec, &out, &[]).status.success());
+    assert!(run(&spec, &fresh, &[]).status.success());
+    let verify = || experiment(&["verify", "fresh", "--out", "reports"], folder.path());
+    assert!(verify().status.success(), "{}", text(&verify().stderr));
+    let curves = out.join("small/curves.csv");
+    let changed = fs::read_to_string(&curves).unwrap().replacen("hertz", "hurtz", 1);
+    fs::write(&curves, changed).unwrap();
+    assert_eq!(verify().status.code(), Some(1));
+    assert!(text(&verify().stderr).contains("small/curves.csv, line 2, law"), "{}", text(&verify().stderr));
+}
