@@ -7,7 +7,7 @@ mod response;
 mod statistical;
 
 pub use deterministic::Deterministic;
-pub use load_control::{Reached, Unreachable, at_pressure};
+pub use load_control::{LOWEST_SEPARATION, Reached, Unreachable, at_pressure};
 pub use response::{INTERACTION, Response, SamplingError};
 pub use statistical::{MeanRadius, Statistical};
 
@@ -37,6 +37,6 @@ pub trait Model: Sync {
     fn respond(&self, h: f64) -> Response;
 
     /// The largest separation with at least `pressure` (Pa, positive) in
-    /// [`load_control::LOWEST_SEPARATION`, infinity), `None` if there is none.
+    /// [[`LOWEST_SEPARATION`], infinity), `None` if there is none.
     fn separation_at(&self, pressure: f64) -> Option<f64>;
 }
