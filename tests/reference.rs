@@ -12,22 +12,36 @@ use asperity::material::Material;
 use asperity::model::{Datum, Deterministic, Model, Statistical};
 use common::{Worst, rows};
 
-#[test]
-fn zmc_contact() {
+/// The worst error of a law over zmc.csv, given how it is made from a row's transition ratio.
+fn zmc_error(law: impl Fn(f64) -> Zmc) -> Worst {
     let mut worst = Worst::default();
     for (k, row) in rows("zmc").iter().enumerate() {
-        let law = Zmc::new(Zmc::ONSET, row.number("transition_ratio")).unwrap();
+        let law = law(row.number("transition_ratio"));
         let pair = Pair { reduced_modulus: row.number("reduced_modulus"), hardness: row.number("hardness") };
         let found = law.contact(row.number("indentation"), row.number("radius"), &pair);
         worst.see(found.area, row.number("area"), || format!("area of row {k}"));
         worst.see(found.load, row.number("load"), || format!("load of row {k}"));
-        let critical = law.critical_ratios(&pair);
+    }
+    worst
+}
+
+#[test]
+fn zmc_contact() {
+    zmc_error(|ratio| Zmc::new(Zmc::ONSET, ratio).unwrap()).assert_within(1e-14, 480);
+}
+
+#[test]
+fn zmc_regimes() {
+    for (k, row) in rows("zmc").iter().enumerate() {
+        let law = Zmc::new(Zmc::ONSET, row.number("transition_ratio")).unwrap();
+        let pair = Pair { reduced_modulus: row.number("reduced_modulus"), hardness: row.number("hardness") };
         let ratio = row.number("indentation") / row.number("radius");
-        if critical.iter().all(|c| (ratio / c - 1.0).abs() > 1e-15) {
+        // Away from a boundary by more than its rounding the regime is exact too.
+        if law.critical_ratios(&pair).iter().all(|c| (ratio / c - 1.0).abs() > 1e-15) {
+            let found = law.contact(row.number("indentation"), row.number("radius"), &pair);
             assert_eq!(found.regime.name(), row.text("regime"), "row {k}");
         }
     }
-    worst.assert_within(1e-14, 480);
 }
 
 /// A micro-contact whose area is w^n: the integrator alone.
@@ -77,14 +91,14 @@ fn moments_of_the_gaussian_tail() {
     worst.assert_within(1e-13, 150);
 }
 
-#[test]
-fn statistical_zmc() {
-    let (mut near, mut far) = (Worst::default(), Worst::default());
+/// The worst errors of the model over statistical.csv, up to 20 sigma and beyond, given how the
+/// micro-contact is made of two equal bodies.
+fn statistical_error<C: MicroContact>(contact: impl Fn(&Material) -> C) -> [Worst; 2] {
+    let mut worst = [Worst::default(), Worst::default()];
     for row in rows("statistical") {
-        let body =
-            Material::new(row.number("young"), row.number("poisson"), Some(row.number("hardness")), None)
-                .unwrap();
-        let zmc = Interface::bare(Zmc::default(), &body, &body);
+        let hardness = Some(row.number("hardness"));
+        let body = Material::new(row.number("young"), row.number("poisson"), hardness, None).unwrap();
+        let contact = contact(&body);
         let population = Population {
             radius: row.number("radius"),
             sigma: row.number("sigma"),
@@ -92,13 +106,73 @@ fn statistical_zmc() {
             heights: HeightDensity::Gaussian,
         };
         let h = row.number("separation_over_sigma");
-        let found = Statistical::new(&zmc, population).respond(h);
-        let worst = if h <= 20.0 { &mut near } else { &mut far };
+        let found = Statistical::new(&contact, population).respond(h);
+        let worst = &mut worst[usize::from(h > 20.0)];
         worst.see(found.area_ratio.total(), row.number("area_ratio"), || format!("area at h = {h}"));
         worst.see(found.pressure.total(), row.number("pressure"), || format!("pressure at h = {h}"));
     }
-    near.assert_within(1e-13, 120);
+    worst
+}
+
+fn bare(law: Zmc) -> impl Fn(&Material) -> Interface<Zmc> {
+    move |body| Interface::bare(law, body, body)
+}
+
+#[test]
+fn statistical_zmc() {
+    let [near, far] = statistical_error(bare(Zmc::default()));
+    near.assert_within(1e-13, 192);
     far.assert_within(2e-13, 16);
+}
+
+/// A micro-contact that keeps one of its breakpoints to itself.
+struct Forgetful {
+    contact: Interface<Zmc>,
+    forgotten: usize,
+}
+
+impl MicroContact for Forgetful {
+    fn contact(&self, w: f64, b: f64) -> Contact {
+        self.contact.contact(w, b)
+    }
+    fn breakpoints(&self, b: f64) -> Vec<f64> {
+        let mut all = self.contact.breakpoints(b);
+        all.remove(self.forgotten);
+        all
+    }
+    fn load_falls(&self) -> bool {
+        self.contact.load_falls()
+    }
+    fn reference_modulus(&self) -> f64 {
+        self.contact.reference_modulus()
+    }
+    fn reference_hardness(&self) -> f64 {
+        self.contact.reference_hardness()
+    }
+    fn papers(&self) -> Vec<Paper> {
+        self.contact.papers()
+    }
+}
+
+/// Each slip that the program could make is far outside the bounds above: they would not let it
+/// pass. (Deviations divided by n - 1 are caught by the statistics' own tests, which are exact.)
+#[test]
+fn the_references_bite() {
+    let rounded = |ratio| Zmc::new(0.89, ratio).unwrap();
+    let early = |ratio: f64| Zmc::new(Zmc::ONSET, ratio * 53.0 / 54.0).unwrap();
+    for mutant in [zmc_error(rounded), zmc_error(early)] {
+        assert!(mutant.error() > 1e-10, "{:e}", mutant.error());
+    }
+    for mutant in [Zmc::new(0.89, 54.0).unwrap(), Zmc::new(Zmc::ONSET, 53.0).unwrap()] {
+        let [near, far] = statistical_error(bare(mutant));
+        assert!(near.error() > 1e-10 && far.error() > 1e-10);
+    }
+    for forgotten in [0, 1] {
+        let contact =
+            |body: &Material| Forgetful { contact: Interface::bare(Zmc::default(), body, body), forgotten };
+        let [near, _] = statistical_error(contact);
+        assert!(near.error() > 1e-10, "breakpoint {forgotten}: {:e}", near.error());
+    }
 }
 
 /// The bare rows: lead of thickness 0 on steel, and lead all through.

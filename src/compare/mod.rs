@@ -227,19 +227,23 @@ fn pair(statistical: &CurvePoint, deterministic: &CurvePoint, area: f64) -> Pair
 /// A separation sweep also gives pairs at the deterministic pressures of its points, zeros left out.
 fn pair_at_loads(models: Models, deterministic: &[CurvePoint], result: &mut Comparison) {
     let (Some(statistical), Some(sum)) = (models.statistical, models.deterministic) else { return };
-    let pressures = deterministic
+    let pressures: Vec<f64> = deterministic
         .iter()
         .filter(|point| point.control == Control::Separation)
         .map(|point| point.response.pressure.total())
-        .filter(|&pressure| pressure > 0.0);
-    let pressures: Vec<f64> = pressures.collect();
-    let both: Vec<(Result<Reached, Unreachable>, Option<Reached>)> = pressures
-        .par_iter()
-        .map(|&pressure| (at_pressure(statistical, pressure), at_pressure(sum, pressure).ok()))
+        .filter(|&pressure| pressure > 0.0)
         .collect();
-    for (pressure, answers) in pressures.into_iter().zip(both) {
+    let press = |model: &dyn Model, time: &mut Duration| {
+        let start = Instant::now();
+        let answers: Vec<_> = pressures.par_iter().map(|&pressure| at_pressure(model, pressure)).collect();
+        *time += start.elapsed();
+        answers
+    };
+    let integrals = press(statistical, &mut result.statistical_time);
+    let sums = press(sum, &mut result.deterministic_time);
+    for (pressure, answers) in pressures.into_iter().zip(integrals.into_iter().zip(sums)) {
         match answers {
-            (Ok(integral), Some(sum)) => result.pairs.push(Pair {
+            (Ok(integral), Ok(sum)) => result.pairs.push(Pair {
                 pairing: Pairing::Load,
                 target: pressure,
                 statistical: integral.response,

@@ -7,7 +7,6 @@ pub mod results;
 mod run;
 pub mod spec;
 mod surface;
-mod surfaces;
 
 pub use refusal::Refusal;
 pub use surface::{MapFacts, Surface};

@@ -4,12 +4,20 @@ use std::time::Duration;
 
 use indexmap::IndexMap;
 
-use super::plan::Bodies;
 use super::surface::Surface;
 use crate::asperity::Population;
 use crate::compare::{Comparison, Gaps, LimitPoint};
 use crate::literature::Paper;
 use crate::material::Material;
+
+/// The two bodies, by name.
+#[derive(Debug, Clone)]
+pub struct Bodies {
+    /// Material of the rough body.
+    pub rough: String,
+    /// Material of the flat.
+    pub flat: String,
+}
 
 /// What every experiment has.
 #[derive(Debug, Clone)]

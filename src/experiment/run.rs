@@ -4,7 +4,9 @@ use std::time::Instant;
 
 use super::plan::{ComparePlan, LawPlan, LimitPlan, Plan, PlanKind};
 use super::progress::Progress;
-use super::results::{CaseResults, CompareResults, Head, LimitResults, Results, SurfaceResults, Timing};
+use super::results::{
+    Bodies, CaseResults, CompareResults, Head, LimitResults, Results, SurfaceResults, Timing,
+};
 use super::surface::Surface;
 use super::{Refusal, digest, hexadecimal, stream_seed};
 use crate::asperity::{Ordered, Population, gaussian_moment};
@@ -159,13 +161,7 @@ fn papers_of(laws: &[LawPlan]) -> Vec<Paper> {
     laws.iter().flat_map(|law| law.contact.papers()).chain(models).collect()
 }
 
-fn head(
-    plan: &Plan,
-    laws: &[LawPlan],
-    bodies: &super::plan::Bodies,
-    mut papers: Vec<Paper>,
-    timing: Timing,
-) -> Head {
+fn head(plan: &Plan, laws: &[LawPlan], bodies: &Bodies, mut papers: Vec<Paper>, timing: Timing) -> Head {
     papers.sort_by_key(|paper| paper.short);
     papers.dedup();
     // Every law of an experiment stands on the same two bodies.

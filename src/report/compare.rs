@@ -1,7 +1,7 @@
 //! The page of a comparison: how far apart the two models are, why, and which to trust.
 
 use super::figures;
-use super::format::{number, quantity};
+use super::format::{count, number, quantity};
 use super::head;
 use super::page::Page;
 use super::page::escape;
@@ -125,7 +125,7 @@ fn surface(page: &mut Page, found: &SurfaceResults) {
     page.heading(2, &format!("Surface {}", surface.name));
     let or_none = |value: Option<f64>| value.map_or_else(|| "-".to_owned(), number);
     let mut rows = vec![
-        ["asperities".to_owned(), surface.set.count().to_string()],
+        ["asperities".to_owned(), count(surface.set.count())],
         ["nominal area".to_owned(), format!("{} m²", number(surface.set.nominal_area()))],
         ["density η".to_owned(), format!("{} /m²", number(surface.set.density()))],
         ["mean asperity height".to_owned(), quantity(statistics.mean_height, "m")],
@@ -194,24 +194,9 @@ fn answers(page: &mut Page, results: &CompareResults, found: &SurfaceResults, ca
     let pairs = decades(&comparison.pairs);
     if !pairs.is_empty() {
         page.paragraph("Both models at equal load:");
-        page.table(
-            [
-                "p",
-                "d/σ stat.",
-                "d/σ det.",
-                "A/A_nom stat.",
-                "A/A_nom det.",
-                "± s.e.",
-                "contacts stat.",
-                "contacts det.",
-                "mean real p stat.",
-                "mean real p det.",
-                "−dp/dd stat. [Pa/m]",
-                "−dp/dd det. [Pa/m]",
-                "beyond model",
-            ],
-            pairs.into_iter().map(|pair| row(pair, found.surface.set.nominal_area())),
-        );
+        let area = found.surface.set.nominal_area();
+        page.table(LOAD_TABLE, pairs.iter().map(|pair| load_row(pair)));
+        page.table(CONTACT_TABLE, pairs.iter().map(|pair| contact_row(pair, area)));
     }
 }
 
@@ -235,23 +220,52 @@ fn decades(pairs: &[Pair]) -> Vec<&Pair> {
     chosen
 }
 
-fn row(pair: &Pair, area: f64) -> Vec<String> {
+const LOAD_TABLE: [&str; 8] = [
+    "p",
+    "d/σ stat.",
+    "d/σ det.",
+    "difference",
+    "A/A_nom stat.",
+    "A/A_nom det.",
+    "± s.e.",
+    "beyond the models",
+];
+
+fn load_row(pair: &Pair) -> Vec<String> {
     let (s, d) = (&pair.statistical, &pair.deterministic);
-    let real = |pressure: Option<f64>| pressure.map_or_else(|| "-".to_owned(), |p| quantity(p, "Pa"));
     vec![
         quantity(pair.target, "Pa"),
         number(s.separation_over_sigma),
         number(d.separation_over_sigma),
+        number(s.separation_over_sigma - d.separation_over_sigma),
         number(s.area_ratio.total()),
         number(d.area_ratio.total()),
         d.sampling.map_or_else(|| "-".to_owned(), |error| number(error.area_ratio)),
+        if pair.is_beyond_model() { "asperities interact".to_owned() } else { String::new() },
+    ]
+}
+
+const CONTACT_TABLE: [&str; 7] = [
+    "p",
+    "contacts stat.",
+    "contacts det.",
+    "mean real p stat.",
+    "mean real p det.",
+    "−dp/dd stat. [Pa/m]",
+    "−dp/dd det. [Pa/m]",
+];
+
+fn contact_row(pair: &Pair, area: f64) -> Vec<String> {
+    let (s, d) = (&pair.statistical, &pair.deterministic);
+    let real = |pressure: Option<f64>| pressure.map_or_else(|| "-".to_owned(), |p| quantity(p, "Pa"));
+    vec![
+        quantity(pair.target, "Pa"),
         number(s.contact_density * area),
-        number((d.contact_density * area).round()),
+        count((d.contact_density * area).round() as usize),
         real(s.mean_real_pressure()),
         real(d.mean_real_pressure()),
         number(s.stiffness),
         number(d.stiffness),
-        if pair.is_beyond_model() { "asperities interact".to_owned() } else { String::new() },
     ]
 }
 

@@ -1,6 +1,6 @@
 //! What every page says: the bodies, the sources, the files.
 
-use super::format::{number, quantity};
+use super::format::{count, number, quantity};
 use super::page::Page;
 use crate::experiment::MapFacts;
 use crate::experiment::results::Head;
@@ -58,18 +58,21 @@ pub fn map_rows(map: &MapFacts) -> Vec<[String; 2]> {
     let steps = &map.quantisation;
     let mut rows = vec![
         ["map".to_owned(), format!("{} × {} points of {}", map.points[0], map.points[1], pair(map.pixel))],
-        ["missing points".to_owned(), map.missing.to_string()],
+        ["missing points".to_owned(), count(map.missing)],
         ["levelled by".to_owned(), map.level.name().to_owned()],
         ["Sa, Sq".to_owned(), format!("{}, {}", quantity(moments.sa, "m"), quantity(moments.sq, "m"))],
         ["Ssk, Sku".to_owned(), format!("{}, {}", or_none(moments.ssk), or_none(moments.sku))],
-        ["five-point summits, of points tested".to_owned(), format!("{} of {}", map.summits, map.tested)],
+        [
+            "five-point summits, of points tested".to_owned(),
+            format!("{} of {}", count(map.summits), count(map.tested)),
+        ],
         [
             "height step of the instrument".to_owned(),
             steps.step.map_or_else(|| "none found".to_owned(), |step| quantity(step, "m")),
         ],
         [
             "height levels, distinct curvatures".to_owned(),
-            format!("{}, {}", steps.levels, steps.distinct_curvatures),
+            format!("{}, {}", count(steps.levels), count(steps.distinct_curvatures)),
         ],
         ["median drop from a summit to its neighbours".to_owned(), quantity(steps.median_drop, "m")],
     ];

@@ -1,4 +1,5 @@
-//! Reading the reference vectors.
+//! Reading the reference vectors. Each test program uses a part of this.
+#![allow(dead_code)]
 
 use std::collections::HashMap;
 
@@ -42,6 +43,11 @@ impl Worst {
         if error.is_nan() || error > self.error {
             (self.error, self.place) = (error, format!("{}: found {found:e}, exact {exact:e}", place()));
         }
+    }
+
+    /// The worst relative error seen.
+    pub fn error(&self) -> f64 {
+        self.error
     }
 
     pub fn assert_within(&self, bound: f64, at_least: usize) {

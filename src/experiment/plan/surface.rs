@@ -6,12 +6,12 @@ use std::time::Instant;
 
 use toml::Spanned;
 
-use super::refusal::{Refusal, Source};
-use super::results::Timing;
-use super::spec::{DrawSpec, FileSpec, ListSpec, PopulationHeights, PopulationSpec, SurfaceSpec};
-use super::stream_seed;
-use super::surface::{Surface, summits_of};
 use crate::asperity::{AsperitySet, Draw, HeightDensity, Population, Statistics, SurfaceHeights, read_list};
+use crate::experiment::refusal::{Refusal, Source};
+use crate::experiment::results::Timing;
+use crate::experiment::spec::{DrawSpec, FileSpec, ListSpec, PopulationHeights, PopulationSpec, SurfaceSpec};
+use crate::experiment::stream_seed;
+use crate::experiment::surface::{Surface, summits_of};
 use crate::model::Datum;
 use crate::surface::MapError;
 use crate::surface::filter::Filter;

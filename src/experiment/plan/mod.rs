@@ -1,19 +1,22 @@
 //! From the words of a spec to things that run: names resolved, files looked at, memory counted.
 
+mod read;
+mod surface;
+
+pub use surface::SurfacePlan;
+
 use std::fmt;
 use std::path::{Path, PathBuf};
 
-use indexmap::IndexMap;
-use toml::Spanned;
-
 use super::refusal::{Refusal, Source};
-use super::spec::{self, CompareSpec, LawSpec, Laws, LimitSpec, Spec};
-use super::surfaces::SurfacePlan;
+use super::results::Bodies;
+use super::spec::{self, Spec};
 use crate::asperity::{HeightDensity, Population};
 use crate::compare::{Controls, Kind};
 use crate::interface::MicroContact;
 use crate::material::Material;
 use crate::model::MeanRadius;
+use indexmap::IndexMap;
 
 /// A spec that can be run.
 pub struct Plan {
@@ -47,15 +50,6 @@ pub struct LawPlan {
     pub contact: Box<dyn MicroContact>,
     /// Whether it is purely elastic, with a closed form for Gaussian heights.
     pub is_hertz: bool,
-}
-
-/// The two bodies, by name.
-#[derive(Debug, Clone)]
-pub struct Bodies {
-    /// Material of the rough body.
-    pub rough: String,
-    /// Material of the flat.
-    pub flat: String,
 }
 
 /// Both models on given surfaces.
@@ -108,7 +102,7 @@ impl Plan {
                 "has no name to call the report by; allowed: a file name such as my-surface.toml",
             )
         })?;
-        let reader = Reader { source: &source, spec: &spec };
+        let reader = read::Reader { source: &source, spec: &spec };
         let kind = match (&spec.compare, &spec.limit) {
             (Some(compare), None) => PlanKind::Compare(reader.compare(compare.get_ref(), compare.span())?),
             (None, Some(limit)) => PlanKind::Limit(reader.limit(limit.get_ref())?),
@@ -145,7 +139,7 @@ impl Plan {
             PlanKind::Compare(compare) => compare.surfaces.iter().map(SurfacePlan::memory).max().unwrap_or(0),
             PlanKind::Limit(limit) => {
                 let largest = limit.counts.iter().copied().max().unwrap_or(0);
-                super::surfaces::set_memory(largest as u128)
+                surface::set_memory(largest as u128)
             }
         }
     }
@@ -228,141 +222,5 @@ impl fmt::Display for Plan {
             self.memory() as f64 / 1e6,
             self.work() as f64
         )
-    }
-}
-
-/// Resolves the names of one spec.
-struct Reader<'a> {
-    source: &'a Source,
-    spec: &'a Spec,
-}
-
-impl Reader<'_> {
-    fn body(&self, name: &str, span: std::ops::Range<usize>) -> Result<Material, Refusal> {
-        self.spec.material.get(name).copied().ok_or_else(|| {
-            let defined: Vec<&str> = self.spec.material.keys().map(String::as_str).collect();
-            let allowed = if defined.is_empty() {
-                "a material defined in this file as [material.NAME]; none is".to_owned()
-            } else {
-                format!("a material of this file: {}", defined.join(", "))
-            };
-            self.source.refuse(span, format!("found \"{name}\"; allowed: {allowed}"))
-        })
-    }
-
-    fn laws(&self, laws: &Laws, rough: &Material, flat: &Material) -> Vec<LawPlan> {
-        laws.0
-            .iter()
-            .map(|law| LawPlan {
-                label: law.label(),
-                contact: law.interface(rough, flat),
-                is_hertz: *law == LawSpec::Hertz,
-            })
-            .collect()
-    }
-
-    fn compare(&self, words: &CompareSpec, span: std::ops::Range<usize>) -> Result<ComparePlan, Refusal> {
-        let rough_name = &words.rough.get_ref().0;
-        let rough = self.body(rough_name, words.rough.span())?;
-        let flat = self.body(words.flat.get_ref(), words.flat.span())?;
-        let controls = Controls {
-            separations: words.separation.as_ref().map(|sweep| sweep.0.clone()).unwrap_or_default(),
-            pressures: words
-                .pressure
-                .as_ref()
-                .map(|sweep| sweep.get_ref().values.clone())
-                .unwrap_or_default(),
-            forces: words.force.as_ref().map(|sweep| sweep.get_ref().values.clone()).unwrap_or_default(),
-        };
-        if controls.points() == 0 {
-            return Err(self.source.refuse(
-                span,
-                "found nothing to press the surfaces to; allowed: at least one of separation, pressure, force",
-            ));
-        }
-        Ok(ComparePlan {
-            bodies: Bodies { rough: rough_name.clone(), flat: words.flat.get_ref().clone() },
-            laws: self.laws(&words.law, &rough, &flat),
-            models: words.models.0.clone(),
-            heights: words.statistical.heights,
-            mean_radius: words.statistical.mean_radius,
-            controls,
-            load_keys: [words.pressure.as_ref().map(Spanned::span), words.force.as_ref().map(Spanned::span)],
-            surfaces: self.surfaces(words.surfaces.as_deref(), span)?,
-        })
-    }
-
-    /// The surfaces that are named, or all of the file.
-    fn surfaces(
-        &self,
-        named: Option<&[Spanned<String>]>,
-        span: std::ops::Range<usize>,
-    ) -> Result<Vec<SurfacePlan>, Refusal> {
-        let plan = |name: &Spanned<String>, words| SurfacePlan::new(self.source, name, words);
-        let Some(named) = named else {
-            if self.spec.surface.is_empty() {
-                return Err(self.source.refuse(
-                    span,
-                    "found no surface; allowed: at least one [surface.NAME.asperities], [surface.NAME.population] or [surface.NAME.file]",
-                ));
-            }
-            return self.spec.surface.iter().map(|(name, words)| plan(name, words)).collect();
-        };
-        if named.is_empty() {
-            return Err(self.source.refuse(span, "found an empty list of surfaces; allowed: at least one"));
-        }
-        let mut surfaces = Vec::new();
-        for (k, wanted) in named.iter().enumerate() {
-            if named[..k].iter().any(|earlier| earlier.get_ref() == wanted.get_ref()) {
-                let message = format!("found \"{}\" twice; allowed: each surface once", wanted.get_ref());
-                return Err(self.source.refuse(wanted.span(), message));
-            }
-            let found = self.spec.surface.iter().find(|(name, _)| name.get_ref() == wanted.get_ref());
-            let (name, words) = found.ok_or_else(|| {
-                let defined: Vec<&str> =
-                    self.spec.surface.keys().map(|name| name.get_ref().as_str()).collect();
-                let message = format!(
-                    "found \"{}\"; allowed: a surface of this file ({})",
-                    wanted.get_ref(),
-                    if defined.is_empty() { "none is defined".to_owned() } else { defined.join(", ") }
-                );
-                self.source.refuse(wanted.span(), message)
-            })?;
-            surfaces.push(plan(name, words)?);
-        }
-        Ok(surfaces)
-    }
-
-    fn limit(&self, words: &LimitSpec) -> Result<LimitPlan, Refusal> {
-        /// Beyond this, counts are no longer exact as f64, and no memory holds them.
-        const LARGEST_COUNT: f64 = 1e12;
-        let rough = self.body(words.rough.get_ref(), words.rough.span())?;
-        let flat = self.body(words.flat.get_ref(), words.flat.span())?;
-        let mut counts = Vec::new();
-        for &count in &words.count.get_ref().values {
-            if !(1.0..=LARGEST_COUNT).contains(&count) {
-                let message = format!("found a count of {count:e}; allowed: 1 to {LARGEST_COUNT:e}");
-                return Err(self.source.refuse(words.count.span(), message));
-            }
-            counts.push(count.round() as usize);
-        }
-        let draws = *words.draws.get_ref();
-        if !(2..=1000).contains(&draws) {
-            let message = format!("found {draws}; allowed: 2 to 1000 random sets of each size");
-            return Err(self.source.refuse(words.draws.span(), message));
-        }
-        Ok(LimitPlan {
-            bodies: Bodies { rough: words.rough.get_ref().clone(), flat: words.flat.get_ref().clone() },
-            laws: self.laws(&words.law, &rough, &flat),
-            population: Population {
-                radius: words.radius.value(),
-                sigma: words.sigma.value(),
-                density: words.density.value(),
-                heights: HeightDensity::Gaussian,
-            },
-            separations: words.separation.0.clone(),
-            counts,
-            draws: draws as usize,
-        })
     }
 }

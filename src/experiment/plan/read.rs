@@ -1,0 +1,149 @@
+//! Resolving the names of a spec.
+
+use std::ops::Range;
+
+use toml::Spanned;
+
+use super::{ComparePlan, LawPlan, LimitPlan, SurfacePlan};
+use crate::asperity::{HeightDensity, Population};
+use crate::compare::Controls;
+use crate::experiment::refusal::{Refusal, Source};
+use crate::experiment::results::Bodies;
+use crate::experiment::spec::{CompareSpec, LawSpec, Laws, LimitSpec, Spec};
+use crate::material::Material;
+
+/// Resolves the names of one spec.
+pub(super) struct Reader<'a> {
+    pub(super) source: &'a Source,
+    pub(super) spec: &'a Spec,
+}
+
+impl Reader<'_> {
+    fn body(&self, name: &str, span: Range<usize>) -> Result<Material, Refusal> {
+        self.spec.material.get(name).copied().ok_or_else(|| {
+            let defined: Vec<&str> = self.spec.material.keys().map(String::as_str).collect();
+            let allowed = if defined.is_empty() {
+                "a material defined in this file as [material.NAME]; none is".to_owned()
+            } else {
+                format!("a material of this file: {}", defined.join(", "))
+            };
+            self.source.refuse(span, format!("found \"{name}\"; allowed: {allowed}"))
+        })
+    }
+
+    fn laws(&self, laws: &Laws, rough: &Material, flat: &Material) -> Vec<LawPlan> {
+        laws.0
+            .iter()
+            .map(|law| LawPlan {
+                label: law.label(),
+                contact: law.interface(rough, flat),
+                is_hertz: *law == LawSpec::Hertz,
+            })
+            .collect()
+    }
+
+    pub(super) fn compare(&self, words: &CompareSpec, span: Range<usize>) -> Result<ComparePlan, Refusal> {
+        let rough_name = &words.rough.get_ref().0;
+        let rough = self.body(rough_name, words.rough.span())?;
+        let flat = self.body(words.flat.get_ref(), words.flat.span())?;
+        let controls = Controls {
+            separations: words.separation.as_ref().map(|sweep| sweep.0.clone()).unwrap_or_default(),
+            pressures: words
+                .pressure
+                .as_ref()
+                .map(|sweep| sweep.get_ref().values.clone())
+                .unwrap_or_default(),
+            forces: words.force.as_ref().map(|sweep| sweep.get_ref().values.clone()).unwrap_or_default(),
+        };
+        if controls.points() == 0 {
+            return Err(self.source.refuse(
+                span,
+                "found nothing to press the surfaces to; allowed: at least one of separation, pressure, force",
+            ));
+        }
+        Ok(ComparePlan {
+            bodies: Bodies { rough: rough_name.clone(), flat: words.flat.get_ref().clone() },
+            laws: self.laws(&words.law, &rough, &flat),
+            models: words.models.0.clone(),
+            heights: words.statistical.heights,
+            mean_radius: words.statistical.mean_radius,
+            controls,
+            load_keys: [words.pressure.as_ref().map(Spanned::span), words.force.as_ref().map(Spanned::span)],
+            surfaces: self.surfaces(words.surfaces.as_deref(), span)?,
+        })
+    }
+
+    /// The surfaces that are named, or all of the file.
+    fn surfaces(
+        &self,
+        named: Option<&[Spanned<String>]>,
+        span: Range<usize>,
+    ) -> Result<Vec<SurfacePlan>, Refusal> {
+        let plan = |name: &Spanned<String>, words| SurfacePlan::new(self.source, name, words);
+        let Some(named) = named else {
+            if self.spec.surface.is_empty() {
+                return Err(self.source.refuse(
+                    span,
+                    "found no surface; allowed: at least one [surface.NAME.asperities], [surface.NAME.population] or [surface.NAME.file]",
+                ));
+            }
+            return self.spec.surface.iter().map(|(name, words)| plan(name, words)).collect();
+        };
+        if named.is_empty() {
+            return Err(self.source.refuse(span, "found an empty list of surfaces; allowed: at least one"));
+        }
+        let mut surfaces = Vec::new();
+        for (k, wanted) in named.iter().enumerate() {
+            if named[..k].iter().any(|earlier| earlier.get_ref() == wanted.get_ref()) {
+                let message = format!("found \"{}\" twice; allowed: each surface once", wanted.get_ref());
+                return Err(self.source.refuse(wanted.span(), message));
+            }
+            let found = self.spec.surface.iter().find(|(name, _)| name.get_ref() == wanted.get_ref());
+            let (name, words) = found.ok_or_else(|| {
+                let defined: Vec<&str> =
+                    self.spec.surface.keys().map(|name| name.get_ref().as_str()).collect();
+                let message = format!(
+                    "found \"{}\"; allowed: a surface of this file ({})",
+                    wanted.get_ref(),
+                    if defined.is_empty() { "none is defined".to_owned() } else { defined.join(", ") }
+                );
+                self.source.refuse(wanted.span(), message)
+            })?;
+            surfaces.push(plan(name, words)?);
+        }
+        Ok(surfaces)
+    }
+
+    pub(super) fn limit(&self, words: &LimitSpec) -> Result<LimitPlan, Refusal> {
+        /// Beyond this, counts are no longer exact as f64, and no memory holds them.
+        const LARGEST_COUNT: f64 = 1e12;
+        let rough = self.body(words.rough.get_ref(), words.rough.span())?;
+        let flat = self.body(words.flat.get_ref(), words.flat.span())?;
+        let mut counts = Vec::new();
+        for &count in &words.count.get_ref().values {
+            if !(1.0..=LARGEST_COUNT).contains(&count) {
+                let message = format!("found a count of {count:e}; allowed: 1 to {LARGEST_COUNT:e}");
+                return Err(self.source.refuse(words.count.span(), message));
+            }
+            counts.push(count.round() as usize);
+        }
+        let draws = *words.draws.get_ref();
+        if !(2..=1000).contains(&draws) {
+            let message = format!("found {draws}; allowed: 2 to 1000 random sets of each size");
+            return Err(self.source.refuse(words.draws.span(), message));
+        }
+        Ok(LimitPlan {
+            bodies: Bodies { rough: words.rough.get_ref().clone(), flat: words.flat.get_ref().clone() },
+            laws: self.laws(&words.law, &rough, &flat),
+            population: Population {
+                radius: words.radius.value(),
+                sigma: words.sigma.value(),
+                density: words.density.value(),
+                heights: HeightDensity::Gaussian,
+            },
+            separations: words.separation.0.clone(),
+            counts,
+            draws: draws as usize,
+        })
+    }
+}
