@@ -91,6 +91,17 @@ impl Range for Finite {
     }
 }
 
+/// A separation in units of sigma: beyond, rounding of d/sigma leaves nothing of the heights.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum SeparationRange {}
+
+impl Range for SeparationRange {
+    const WORDS: &'static str = "from -1000 to 1000 sigma, a";
+    fn holds(value: f64) -> bool {
+        value.abs() <= 1000.0
+    }
+}
+
 /// Poisson's ratio of a stable solid that is not incompressible: [0, 0.5).
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum PoissonRange {}

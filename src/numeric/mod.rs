@@ -6,9 +6,9 @@ pub mod sum;
 
 pub use sum::Sum;
 
-/// The largest magnitude that the program takes from anyone: products of a few such numbers
-/// neither overflow nor vanish.
-pub const LARGEST: f64 = 1e60;
+/// The largest magnitude that the program takes from anyone: loads of such numbers, their squares
+/// and sums neither overflow nor vanish.
+pub const LARGEST: f64 = 1e30;
 
 /// Whether `value` is positive and within a range in which no product overflows or vanishes.
 pub fn is_positive(value: f64) -> bool {

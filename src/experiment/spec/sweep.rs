@@ -2,7 +2,7 @@
 
 use serde::Deserialize;
 
-use crate::units::{Dimension, Finite, Pure, Quantity, Range};
+use crate::units::{Dimension, Positive, Pure, Quantity, Range, SeparationRange};
 
 /// The most points that one sweep may have.
 const MOST_POINTS: usize = 100_000;
@@ -47,22 +47,22 @@ impl<D: Dimension, R: Range> Keys<D, R> {
     }
 }
 
-/// Evenly spaced pure numbers.
+/// Evenly spaced separations, in sigma.
 #[derive(Debug, Clone, PartialEq, Deserialize)]
-#[serde(try_from = "Keys<Pure, Finite>")]
+#[serde(try_from = "Keys<Pure, SeparationRange>")]
 pub struct LinearSweep(pub Vec<f64>);
 
-impl TryFrom<Keys<Pure, Finite>> for LinearSweep {
+impl TryFrom<Keys<Pure, SeparationRange>> for LinearSweep {
     type Error = String;
 
-    fn try_from(keys: Keys<Pure, Finite>) -> Result<Self, String> {
+    fn try_from(keys: Keys<Pure, SeparationRange>) -> Result<Self, String> {
         keys.values(|from, to, fraction| from + (to - from) * fraction).map(Self)
     }
 }
 
 /// Logarithmically spaced positive quantities, SI.
 #[derive(Debug, Clone, PartialEq, Deserialize)]
-#[serde(try_from = "Keys<D, crate::units::Positive>", bound(deserialize = "D: Dimension"))]
+#[serde(try_from = "Keys<D, Positive>", bound(deserialize = "D: Dimension"))]
 pub struct LogSweep<D> {
     /// The values, SI.
     pub values: Vec<f64>,
@@ -70,10 +70,10 @@ pub struct LogSweep<D> {
     kind: std::marker::PhantomData<D>,
 }
 
-impl<D: Dimension> TryFrom<Keys<D, crate::units::Positive>> for LogSweep<D> {
+impl<D: Dimension> TryFrom<Keys<D, Positive>> for LogSweep<D> {
     type Error = String;
 
-    fn try_from(keys: Keys<D, crate::units::Positive>) -> Result<Self, String> {
+    fn try_from(keys: Keys<D, Positive>) -> Result<Self, String> {
         let values = keys.values(|from, to, fraction| from * (to / from).powf(fraction))?;
         Ok(Self { values, kind: std::marker::PhantomData })
     }
