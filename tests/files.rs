@@ -1,0 +1,121 @@
+//! Reading `.npy` arrays and lists of asperities.
+
+use std::path::PathBuf;
+
+use asperity::asperity::{ListError, read_list};
+use asperity::surface::read::{ReadError, height_map, npy, points};
+
+/// A `.npy` of version 1 with the given type, order and bytes.
+fn array(descr: &str, fortran: bool, shape: &str, data: &[u8]) -> Vec<u8> {
+    let fortran = if fortran { "True" } else { "False" };
+    let mut head = format!("{{'descr': '{descr}', 'fortran_order': {fortran}, 'shape': {shape}, }}");
+    while (10 + head.len()) % 64 != 63 {
+        head.push(' ');
+    }
+    head.push('\n');
+    let mut bytes = b"\x93NUMPY\x01\x00".to_vec();
+    bytes.extend((head.len() as u16).to_le_bytes());
+    bytes.extend(head.bytes());
+    bytes.extend(data);
+    bytes
+}
+
+fn file(name: &str, bytes: &[u8]) -> (tempfile::TempDir, PathBuf) {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join(name);
+    std::fs::write(&path, bytes).unwrap();
+    (folder, path)
+}
+
+fn read(bytes: &[u8]) -> Vec<f64> {
+    let (_folder, path) = file("a.npy", bytes);
+    let matrix = npy::matrix(&path).unwrap();
+    assert_eq!((matrix.rows, matrix.columns), (2, 3));
+    matrix.values
+}
+
+const VALUES: [i8; 6] = [0, 1, 2, -10, 11, 12];
+
+#[test]
+fn every_type_in_both_byte_orders() {
+    macro_rules! check {
+        ($kind:ty, $code:literal) => {
+            let little: Vec<u8> = VALUES.iter().flat_map(|&v| (v as $kind).to_le_bytes()).collect();
+            let big: Vec<u8> = VALUES.iter().flat_map(|&v| (v as $kind).to_be_bytes()).collect();
+            let wanted = VALUES.map(|v| v as $kind as f64);
+            assert_eq!(read(&array(concat!("<", $code), false, "(2, 3)", &little)), wanted);
+            assert_eq!(read(&array(concat!(">", $code), false, "(2, 3)", &big)), wanted);
+        };
+    }
+    check!(f32, "f4");
+    check!(f64, "f8");
+    check!(i16, "i2");
+    check!(i32, "i4");
+    check!(i64, "i8");
+    check!(u16, "u2");
+    check!(u32, "u4");
+    let bytes: Vec<u8> = VALUES.iter().map(|&v| v as u8).collect();
+    assert_eq!(read(&array("|i1", false, "(2, 3)", &bytes)), VALUES.map(f64::from));
+}
+
+#[test]
+fn fortran_order_is_turned_so_that_the_first_index_is_x() {
+    // Columns first: (0, -10), (1, 11), (2, 12).
+    let columns: Vec<u8> =
+        [0.0f64, -10.0, 1.0, 11.0, 2.0, 12.0].iter().flat_map(|v| v.to_le_bytes()).collect();
+    assert_eq!(read(&array("<f8", true, "(2, 3)", &columns)), VALUES.map(f64::from));
+}
+
+#[test]
+fn a_map_has_its_pixel_and_its_missing_points() {
+    let mut heights = [1.0f32; 12];
+    (heights[5], heights[6]) = (f32::NAN, f32::INFINITY);
+    let data: Vec<u8> = heights.iter().flat_map(|v| v.to_le_bytes()).collect();
+    let (_folder, path) = file("map.npy", &array("<f4", false, "(3, 4)", &data));
+    assert_eq!(points(&path).unwrap(), [3, 4]);
+    let map = height_map(&path, [1e-6, 2e-6]).unwrap();
+    assert_eq!((map.points(), map.pixel(), map.missing()), ([3, 4], [1e-6, 2e-6], 2));
+}
+
+#[test]
+fn what_is_no_array_is_told_apart() {
+    let refused = |bytes: &[u8]| {
+        let (_folder, path) = file("a.npy", bytes);
+        npy::matrix(&path).unwrap_err()
+    };
+    let whole = array("<f8", false, "(2, 3)", &[0; 48]);
+    assert!(matches!(refused(b"height,radius\n"), ReadError::Mismatch(_)));
+    assert!(matches!(refused(&array("<c16", false, "(2, 3)", &[0; 96])), ReadError::Unsupported(_)));
+    assert!(matches!(refused(&array("<f8", false, "(6,)", &[0; 48])), ReadError::Unsupported(_)));
+    // Cut anywhere, also within its head, it is corrupt; never a panic.
+    for length in [0, 6, 9, 11, 40, 127, whole.len() - 1] {
+        let error = refused(&whole[..length]);
+        assert!(matches!(error, ReadError::Corrupt(_) | ReadError::Mismatch(_)), "{length}: {error}");
+    }
+    for shape in ["(1000000, 1000000)", "(9223372036854775807, 9223372036854775807)"] {
+        let error = refused(&array("<f8", false, shape, &[0; 8]));
+        assert!(!matches!(error, ReadError::Io(_)), "{shape}: {error}");
+    }
+    // A head that claims four gigabytes for itself.
+    let mut long = b"\x93NUMPY\x02\x00".to_vec();
+    long.extend(u32::MAX.to_le_bytes());
+    assert!(matches!(refused(&long), ReadError::Corrupt(_)));
+}
+
+#[test]
+fn a_list_may_have_comments_other_columns_and_windows_line_ends() {
+    let text = "\u{feff}# made by hand\r\nname, radius, height\r\na, 1e-6, 2e-9\r\nb, 2e-6, -3e-9\r\n";
+    let (_folder, path) = file("list.csv", text.trim_start_matches('\u{feff}').as_bytes());
+    assert_eq!(read_list(&path).unwrap(), (vec![2e-9, -3e-9], vec![1e-6, 2e-6]));
+    let (_folder, path) = file("bom.csv", "\u{feff}height,radius\n1e-9,1e-6\n".as_bytes());
+    assert_eq!(read_list(&path).unwrap(), (vec![1e-9], vec![1e-6]));
+}
+
+#[test]
+fn a_list_may_be_an_array_of_two_columns() {
+    let data: Vec<u8> = [2e-9, 1e-6, -3e-9, 2e-6f64].iter().flat_map(|v| v.to_le_bytes()).collect();
+    let (_folder, path) = file("list.npy", &array("<f8", false, "(2, 2)", &data));
+    assert_eq!(read_list(&path).unwrap(), (vec![2e-9, -3e-9], vec![1e-6, 2e-6]));
+    let (_folder, path) = file("wide.npy", &array("<f8", false, "(1, 4)", &data));
+    assert!(matches!(read_list(&path), Err(ListError::Shape { rows: 1, columns: 4 })));
+}
