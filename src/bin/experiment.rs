@@ -79,6 +79,9 @@ struct RunOptions {
     quiet: bool,
 }
 
+/// The pages that lead to all reports.
+const INDEX: [&str; 2] = ["README.md", "index.html"];
+
 /// Why a command did not do what it was asked.
 enum Failure {
     /// The input is wrong: exit code 2.
@@ -190,6 +193,9 @@ fn run(files: &[PathBuf], options: &RunOptions) -> Result<(), Failure> {
     let experiments = read_all(files)?;
     let mut store = Store::new(&options.out);
     store.recover()?;
+    for page in INDEX {
+        store.check_page(page, MARK)?;
+    }
     let mut failures = Vec::new();
     let mut written = false;
     for experiment in &experiments {
@@ -200,8 +206,9 @@ fn run(files: &[PathBuf], options: &RunOptions) -> Result<(), Failure> {
     }
     if written {
         let index = Index::of(&options.out);
-        store.write_page("README.md", index.markdown.as_bytes(), MARK)?;
-        store.write_page("index.html", index.html.as_bytes(), MARK)?;
+        for (page, content) in INDEX.into_iter().zip([index.markdown, index.html]) {
+            store.write_page(page, content.as_bytes(), MARK)?;
+        }
     }
     let Some(first) = failures.pop() else { return Ok(()) };
     // Every failure is said; the exit code tells wrong input from a failed run.

@@ -137,6 +137,9 @@ impl PairRow {
         let separation = of(|r| r.separation_over_sigma);
         let area = of(|r| r.area_ratio.total());
         let contacts = of(|r| r.contact_density);
+        // The sum's are a count: the rounding of the density goes.
+        let (statistical_contacts, deterministic_contacts) =
+            (contacts.0 * nominal_area, (contacts.1 * nominal_area).round());
         let real = (s.mean_real_pressure(), d.mean_real_pressure());
         let pressure = of(|r| r.pressure.total());
         let stiffness = of(|r| r.stiffness);
@@ -161,9 +164,9 @@ impl PairRow {
             statistical_stiffness_pa_per_m: stiffness.0,
             deterministic_stiffness_pa_per_m: stiffness.1,
             difference_stiffness_pa_per_m: stiffness.2,
-            statistical_contacts: contacts.0 * nominal_area,
-            deterministic_contacts: contacts.1 * nominal_area,
-            difference_contacts: contacts.2 * nominal_area,
+            statistical_contacts,
+            deterministic_contacts,
+            difference_contacts: statistical_contacts - deterministic_contacts,
             plasticity_index,
             beyond_model: pair.is_beyond_model(),
         }

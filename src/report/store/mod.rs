@@ -127,10 +127,9 @@ impl Store {
         done
     }
 
-    /// Writes one file of the store itself, such as a page that lists all reports, whole or not at
-    /// all. An existing file is replaced only if it holds `mark`, by which pages of runs are known;
-    /// `content` should hold it too. Errors are those of [`Store::write`].
-    pub fn write_page(&mut self, name: &str, content: &[u8], mark: &str) -> Result<(), StoreError> {
+    /// Whether a page of this name may be written: [`StoreError::NotOurs`] if a file is in the way that
+    /// does not hold `mark`, by which pages of runs are known. Writes nothing.
+    pub fn check_page(&self, name: &str, mark: &str) -> Result<(), StoreError> {
         if !is_plain(name) {
             return Err(StoreError::BadName(name.into()));
         }
@@ -142,14 +141,19 @@ impl Store {
                         .or_else(|e| failed("read", &path, e))?
                         .windows(mark.len().max(1))
                         .any(|part| part == mark.as_bytes());
-                if !ours {
-                    return Err(StoreError::NotOurs(path));
-                }
+                if ours { Ok(()) } else { Err(StoreError::NotOurs(path)) }
             }
-            Err(error) if error.kind() == io::ErrorKind::NotFound => {}
-            Err(error) => return failed("look at", &path, error),
+            Err(error) if error.kind() == io::ErrorKind::NotFound => Ok(()),
+            Err(error) => failed("look at", &path, error),
         }
+    }
+
+    /// Writes one file of the store itself, such as a page that lists all reports, whole or not at
+    /// all; `content` should hold `mark`. Errors are those of [`Store::check_page`] and [`Store::write`].
+    pub fn write_page(&mut self, name: &str, content: &[u8], mark: &str) -> Result<(), StoreError> {
+        self.check_page(name, mark)?;
         self.open()?;
+        let path = self.directory.join(name);
         let new = Places::new(&self.directory, name).new;
         let done = write_file(&new, content).and_then(|()| swap::rename(&new, &path));
         if done.is_err() {
