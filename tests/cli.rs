@@ -268,3 +268,64 @@ fn verify_tells_a_report_that_no_longer_matches() {
     assert_eq!(verify().status.code(), Some(1));
     assert!(text(&verify().stderr).contains("small/curves.csv, line 2, law"), "{}", text(&verify().stderr));
 }
+
+fn summary(out: &Path, stem: &str) -> serde_json::Value {
+    serde_json::from_slice(&fs::read(out.join(stem).join("summary.json")).unwrap()).unwrap()
+}
+
+/// A draw depends on the seed and on the surface's own name, not on what else the spec holds.
+#[test]
+fn each_surface_has_random_numbers_of_its_own() {
+    let (folder, spec, out) = small();
+    assert!(run(&spec, &out, &[]).status.success());
+    let population = SMALL.split("[surface.drawn.population]").nth(1).unwrap();
+    let more = format!("{SMALL}\n[surface.other.population]{population}");
+    let (more_spec, seed_spec) = (folder.path().join("more.toml"), folder.path().join("seed.toml"));
+    fs::write(&more_spec, more).unwrap();
+    fs::write(&seed_spec, SMALL.replace("title = \"small\"", "title = \"small\"\nseed = 7")).unwrap();
+    assert!(run(&more_spec, &out, &[seed_spec.to_str().unwrap()]).status.success());
+    let drawn = &summary(&out, "small")["surfaces"]["drawn"]["sigma_m"];
+    assert_eq!(drawn, &summary(&out, "more")["surfaces"]["drawn"]["sigma_m"]);
+    assert_ne!(drawn, &summary(&out, "more")["surfaces"]["other"]["sigma_m"]);
+    assert_ne!(drawn, &summary(&out, "seed")["surfaces"]["drawn"]["sigma_m"]);
+}
+
+#[test]
+fn the_measured_surfaces_end_to_end() {
+    let folder = tempfile::tempdir().unwrap();
+    let out = folder.path().join("reports");
+    let specs = Path::new(env!("CARGO_MANIFEST_DIR")).join("experiments");
+    let ground = specs.join("quantised-ground.toml");
+    let output = run(&specs.join("measured-fine-finish.toml"), &out, &[ground.to_str().unwrap()]);
+    assert!(output.status.success(), "{}", text(&output.stderr));
+
+    let fine = &summary(&out, "measured-fine-finish")["surfaces"]["fine-finish"];
+    let pixel = 196.73303177114576e-9;
+    let number = |key: &str| fine[key].as_f64().unwrap();
+    assert_eq!(fine["asperities"], 24714);
+    assert!((number("nominal_area_m2") / (304_784.0 * pixel * pixel) - 1.0).abs() < 1e-14);
+    assert!((number("density_per_m2") * number("nominal_area_m2") / 24714.0 - 1.0).abs() < 1e-14);
+    assert_eq!(fine["height_map"]["missing_points"], 116);
+    assert_eq!(fine["warnings"].as_array().unwrap().len(), 0);
+
+    // The instrument's step is said in the terminal, the summary and the report.
+    assert!(text(&output.stderr).contains("height step of 3.9062 nm"), "{}", text(&output.stderr));
+    let report = fs::read_to_string(out.join("quantised-ground/report.md")).unwrap();
+    assert!(
+        report.contains("> [!WARNING]")
+            && report.contains("set by the instrument's height step of 3.9062 nm")
+    );
+    let warnings = &summary(&out, "quantised-ground")["surfaces"]["ground"]["warnings"];
+    assert!(warnings[0].as_str().unwrap().contains("20 distinct curvatures"));
+
+    let mut reader = csv::Reader::from_path(out.join("measured-fine-finish/curves.csv")).unwrap();
+    let header = reader.headers().unwrap().clone();
+    let column = |name: &str| header.iter().position(|column| column == name).unwrap();
+    let mut near_the_limit = 0;
+    for row in reader.records().map(Result::unwrap) {
+        let area: f64 = row[column("area_ratio")].parse().unwrap();
+        assert_eq!(&row[column("beyond_model")] == "true", area > 0.05, "{area}");
+        near_the_limit += usize::from((0.05..0.06).contains(&area));
+    }
+    assert!(near_the_limit > 0);
+}

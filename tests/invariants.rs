@@ -315,6 +315,25 @@ fn asperities_at_or_below_the_flat_do_not_touch() {
     assert_eq!(model.tally(3.0).contacts(), 0.0);
 }
 
+/// Two contacts of loads P and 2P among three asperities: P^2 + 4P^2 - 9P^2/3 = 2P^2. Equal ones do
+/// not scatter.
+#[test]
+fn the_sampling_error_of_a_few_asperities() {
+    let law = Interface::bare(Hertz, &steel(), &steel());
+    let error = |radii: Vec<f64>, heights: Vec<f64>| {
+        let set = Ordered::new(&AsperitySet::new(heights, radii, 2.0).unwrap());
+        let found = Deterministic::new(&law, &set, Datum { mean: 0.0, sigma: 1e-9 }).respond(0.0);
+        let sampling = found.sampling.unwrap();
+        (sampling.pressure / found.pressure.total(), sampling.area_ratio / found.area_ratio.total())
+    };
+    let (load, _) = error(vec![1e-6, 4e-6, 1e-6], vec![1e-9, 1e-9, -1e-9]);
+    assert!((load - 2f64.sqrt() / 3.0).abs() < 1e-15);
+    let (_, area) = error(vec![1e-6, 2e-6, 1e-6], vec![1e-9, 1e-9, -1e-9]);
+    assert!((area - 2f64.sqrt() / 3.0).abs() < 1e-15);
+    let (load, area) = error(vec![1e-6; 5000], vec![1e-9; 5000]);
+    assert!(load < 1e-9 && area < 1e-9);
+}
+
 #[test]
 fn the_sampling_error_is_the_scatter_of_independent_sets() {
     let law = zmc(Zmc::ONSET);

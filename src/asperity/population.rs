@@ -66,3 +66,40 @@ impl Population {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const UNIT: Population =
+        Population { radius: 1.0, sigma: 2.0, density: 4.0, heights: HeightDensity::Gaussian };
+
+    #[test]
+    fn quantiles_are_the_middles_of_equally_probable_strata() {
+        let set = UNIT.set(2, Draw::Quantiles).unwrap();
+        let quartile = 2.0 * 0.674_489_750_196_081_7;
+        assert!((set.heights()[0] + quartile).abs() < 1e-14);
+        assert!((set.heights()[1] - quartile).abs() < 1e-14);
+        assert_eq!((set.radii(), set.nominal_area()), (&[1.0, 1.0][..], 0.5));
+        let exponential = Population { heights: HeightDensity::Exponential, ..UNIT };
+        let median = exponential.set(1, Draw::Quantiles).unwrap().heights()[0];
+        assert!((median - 2.0 * (2f64.ln() - 1.0)).abs() < 1e-15);
+    }
+
+    #[test]
+    fn draws_have_the_mean_and_deviation_of_their_density() {
+        for heights in [HeightDensity::Gaussian, HeightDensity::Exponential] {
+            let set = Population { heights, ..UNIT }.set(200_000, Draw::Random([3; 32])).unwrap();
+            let found = crate::asperity::Statistics::of(&set);
+            assert!(found.mean_height.abs() < 0.02, "{heights:?}: {}", found.mean_height);
+            assert!((found.sigma - 2.0).abs() < 0.03, "{heights:?}: {}", found.sigma);
+            let skewness = if heights == HeightDensity::Gaussian { 0.0 } else { 2.0 };
+            assert!((found.skewness.unwrap() - skewness).abs() < 0.1);
+        }
+    }
+
+    #[test]
+    fn a_set_is_no_set_without_asperities() {
+        assert_eq!(UNIT.set(0, Draw::Quantiles), Err(SetError::Empty));
+    }
+}
