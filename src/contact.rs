@@ -143,5 +143,22 @@ impl Tally {
 
 /// Equal terms leave a difference of pure rounding, possibly below zero: that is no scatter.
 fn sampling_error(squares: f64, total: f64, count: usize) -> f64 {
-    (squares - total * total / count as f64).max(0.0).sqrt()
+    let scatter = squares - total * total / count as f64;
+    if scatter > 16.0 * f64::EPSILON * squares { scatter.sqrt() } else { 0.0 }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn shares_are_parts_of_the_total_in_the_order_of_the_regimes() {
+        let mut tally = Tally::default();
+        for (regime, load) in Regime::ALL.into_iter().zip([1.0, 2.0, 5.0]) {
+            tally.add(&Contact { area: 2.0 * load, load, stiffness: 0.0, regime });
+        }
+        assert_eq!(tally.load().shares(), Some([0.125, 0.25, 0.625]));
+        assert_eq!(tally.area().0, [2.0, 4.0, 10.0]);
+        assert_eq!(ByRegime::default().shares(), None);
+    }
 }

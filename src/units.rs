@@ -141,8 +141,7 @@ impl<D: Dimension, R: Range> Quantity<D, R> {
     }
 }
 
-/// "1.2 um" as uom reads it, "1.2 µm"; `None` if there is no number, or no unit behind it. A zero
-/// needs no unit.
+/// "1.2 um" as uom reads it, "1.2 µm"; `None` if there is no number in front.
 fn in_uoms_spelling(text: &str) -> Option<String> {
     let text = text.trim();
     let is_number = |part: &str| {

@@ -2,7 +2,9 @@
 
 mod common;
 
-use asperity::asperity::{AsperitySet, Draw, HeightDensity, Ordered, Population, gaussian_moment};
+use asperity::asperity::{
+    AsperitySet, Draw, HeightDensity, Ordered, Population, Statistics, SurfaceHeights, gaussian_moment,
+};
 use asperity::interface::{Interface, MicroContact};
 use asperity::law::{Hertz, Zmc};
 use asperity::material::Material;
@@ -350,4 +352,106 @@ fn the_sampling_error_is_the_scatter_of_independent_sets() {
     let claimed = answers.iter().map(|r| r.sampling.unwrap().pressure).sum::<f64>() / 400.0;
     // 400 draws know a deviation to 3.5 %.
     assert!((scatter / claimed - 1.0).abs() < 0.15, "{scatter:e} {claimed:e}");
+}
+
+/// The same integral on a dense grid of panels between all kinks.
+fn dense(law: &dyn MicroContact, population: Population, h: f64) -> f64 {
+    use asperity::numeric::quadrature::{Variable, panels};
+    let Population { radius, sigma, density, heights } = population;
+    let [start, end] = heights.window(h);
+    let mut ends = vec![start, -h];
+    ends.extend(law.breakpoints(radius).iter().map(|w| w / sigma));
+    ends.push(end);
+    ends.retain(|x| (start..=end).contains(x));
+    ends.sort_by(f64::total_cmp);
+    let panel = |from: f64, to: f64| {
+        panels(from, to, Variable::SquareRoot, 200)
+            .flat_map(|panel| panel.points.into_iter().zip(panel.weights))
+            .map(|(x, weight)| weight * law.contact(x * sigma, radius).load * heights.density(h + x))
+            .collect::<asperity::numeric::Sum>()
+            .value()
+    };
+    density * ends.windows(2).filter(|end| end[0] < end[1]).map(|end| panel(end[0], end[1])).sum::<f64>()
+}
+
+#[test]
+fn deep_below_the_mean_a_wide_transition_is_resolved_too() {
+    for ratio in [2.0, 54.0, 110.0, 1e4, 1e10] {
+        let law = Interface::bare(Zmc::new(Zmc::ONSET, ratio).unwrap(), &steel(), &steel());
+        for h in [-10.0, -8.0, -5.0, -3.0, -1.0] {
+            for radius in [1.6e-6, 1e-4, 1e-2] {
+                let population = Population { radius, ..CASE_2 };
+                let found = Statistical::new(&law, population).respond(h).pressure.total();
+                let error = relative_error(found, dense(&law, population, h));
+                assert!(error < 3e-14, "c = {ratio}, h = {h}, R = {radius}: {error:e}");
+            }
+        }
+    }
+}
+
+#[test]
+fn breakpoints_next_to_nothing_cost_nothing() {
+    let soft = Material::new(1e30, 0.3, Some(1e-30), None).unwrap();
+    let law = Interface::bare(Zmc::default(), &soft, &soft);
+    let population = Population { radius: 1e-30, sigma: 1e30, ..CASE_1 };
+    let found = Statistical::new(&law, population).respond(1.0);
+    assert!(found.area_ratio.0[2] > 0.0 && found.area_ratio.total().is_finite());
+}
+
+/// A law whose load falls a lot: the pressure rises to a peak below the mean, and falls again.
+#[test]
+fn a_peak_within_a_step_of_the_search_is_found() {
+    let law = zmc(100.0);
+    let sigma = law.breakpoints(2e-5)[0] / 2.0;
+    let model = Statistical::new(&law, Population { sigma, ..CASE_1 });
+    let pressure = |h: f64| model.respond(h).pressure.total();
+    let peak = (0..4000).map(|k| pressure(-1e-3 * f64::from(k))).take_while(|&p| p > 0.0);
+    let (mut highest, mut at) = (0.0, 0.0);
+    for (k, p) in peak.enumerate() {
+        if p > highest {
+            (highest, at) = (p, -1e-3 * k as f64);
+        }
+    }
+    assert!(at < -0.1 && pressure(at - 0.5) < highest, "no peak to be found at {at}");
+    let h = model.separation_at(0.99999 * highest).unwrap();
+    assert!((h - at).abs() < 0.05, "{h} for a peak at {at}");
+}
+
+/// Rounding of a separation far from zero is no jump.
+#[test]
+fn an_offset_of_the_heights_makes_no_jumps() {
+    let law = Interface::bare(Hertz, &steel(), &steel());
+    let drawn = CASE_1.set(5000, Draw::Random([9; 32])).unwrap();
+    let shifted = drawn.heights().iter().map(|z| z + 1e-3).collect();
+    let set = AsperitySet::new(shifted, drawn.radii().to_vec(), drawn.nominal_area()).unwrap();
+    let datum = Datum::from(&Statistics::of(&set));
+    let set = Ordered::new(&set);
+    let model = Deterministic::new(&law, &set, datum);
+    for pressure in [1e-2, 1.0, 1e3, 1e6] {
+        assert!(!at_pressure(&model, pressure).unwrap().in_jump, "{pressure}");
+    }
+}
+
+/// A population whose sigma is the surface's: both models quote separations from the mean plane.
+#[test]
+fn surface_heights_are_quoted_alike_by_both_models() {
+    let surface = SurfaceHeights { radius: CASE_2.radius, sigma: CASE_2.sigma, density: CASE_2.density };
+    let population = Population { sigma: surface.asperity_sigma().unwrap(), ..CASE_2 };
+    let datum = Datum { mean: -surface.mean_asperity_height(), sigma: CASE_2.sigma };
+    let law = zmc(Zmc::ONSET);
+    let set = Ordered::new(&population.set(200_000, Draw::Quantiles).unwrap());
+    let statistical = Statistical::new(&law, population).quoted_from(datum);
+    let deterministic = Deterministic::new(&law, &set, datum);
+    for h in [0.0, 1.0, 2.0] {
+        let (s, d) = (statistical.respond(h), deterministic.respond(h));
+        assert!(relative_error(s.pressure.total(), d.pressure.total()) < 2e-4, "h = {h}");
+        assert_eq!((s.separation, d.separation), (h * CASE_2.sigma, h * CASE_2.sigma));
+        // Seen from the asperities the flat is nearer by the height of their mean.
+        let own = (h * CASE_2.sigma - surface.mean_asperity_height()) / population.sigma;
+        let same = Statistical::new(&law, population).respond(own).pressure.total();
+        assert!(relative_error(s.pressure.total(), same) < 1e-13);
+        let reached = at_pressure(&statistical, s.pressure.total()).unwrap().response;
+        assert!(reached.pressure.total() >= s.pressure.total());
+        assert!((reached.separation_over_sigma - h).abs() < 1e-13);
+    }
 }

@@ -91,11 +91,15 @@ impl HeightDensity {
         }
     }
 
+    /// Whether the density rises and falls again between the indentations `from` and `to`.
+    pub fn turns(self, h: f64, from: f64, to: f64) -> bool {
+        self == Self::Gaussian && from < -h && -h < to
+    }
+
     /// How many times the density changes by a factor e between the indentations `from` and `to`.
     pub fn foldings(self, h: f64, from: f64, to: f64) -> f64 {
         let (start, end) = (self.exponent(h, from), self.exponent(h, to));
-        let turns = self == Self::Gaussian && from < -h && -h < to;
-        if turns { start + end } else { (end - start).abs() }
+        if self.turns(h, from, to) { start + end } else { (end - start).abs() }
     }
 
     /// Density at the height `z`.

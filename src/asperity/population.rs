@@ -6,7 +6,9 @@ use rand_distr::{Distribution, Exp1, StandardNormal};
 use rayon::prelude::*;
 
 use super::{AsperitySet, HeightDensity, SetError};
-use crate::numeric::sum::CHUNK;
+
+/// How many heights one ChaCha stream gives. Every committed random number depends on it.
+const STREAM: usize = 4096;
 
 /// Asperities of one radius whose heights follow a density (Greenwood and Williamson 1966).
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -38,11 +40,11 @@ impl Population {
     /// A count of 0, or numbers that make no set.
     pub fn set(&self, count: usize, draw: Draw) -> Result<AsperitySet, SetError> {
         let mut heights = vec![0.0; count];
-        heights.par_chunks_mut(CHUNK).enumerate().for_each(|(k, chunk)| match draw {
+        heights.par_chunks_mut(STREAM).enumerate().for_each(|(k, chunk)| match draw {
             Draw::Random(seed) => self.draw(seed, k, chunk),
             Draw::Quantiles => {
                 for (i, z) in chunk.iter_mut().enumerate() {
-                    let p = ((k * CHUNK + i) as f64 + 0.5) / count as f64;
+                    let p = ((k * STREAM + i) as f64 + 0.5) / count as f64;
                     *z = self.sigma * self.heights.quantile(p);
                 }
             }
@@ -50,7 +52,7 @@ impl Population {
         AsperitySet::new(heights, vec![self.radius; count], count as f64 / self.density)
     }
 
-    /// Each chunk has a ChaCha stream of its own.
+    /// Heights of one ChaCha stream.
     fn draw(&self, seed: [u8; 32], stream: usize, heights: &mut [f64]) {
         let mut rng = ChaCha8Rng::from_seed(seed);
         rng.set_stream(stream as u64);

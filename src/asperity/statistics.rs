@@ -33,16 +33,17 @@ impl Statistics {
 
         let mean_height = mean_about(heights);
         let mean_radius = mean_about(radii);
-        let central = |power: i32| mean_of(&|i| (heights[i] - mean_height).powi(power));
-        let sigma = central(2).sqrt();
-        let standardised = |moment: f64, power| (sigma > 0.0).then(|| moment / sigma.powi(power));
+        let sigma = mean_of(&|i| (heights[i] - mean_height).powi(2)).sqrt();
+        let standardised = |power: i32| {
+            (sigma > 0.0).then(|| mean_of(&|i| ((heights[i] - mean_height) / sigma).powi(power)))
+        };
         let radius_sigma = mean_of(&|i| (radii[i] - mean_radius).powi(2)).sqrt();
         let covariance = mean_of(&|i| (heights[i] - mean_height) * (radii[i] - mean_radius));
         Self {
             mean_height,
             sigma,
-            skewness: standardised(central(3), 3),
-            kurtosis: standardised(central(4), 4),
+            skewness: standardised(3),
+            kurtosis: standardised(4),
             mean_radius,
             radius_of_mean_curvature: mean_of(&|i| radii[i].recip()).recip(),
             radius_cv: radius_sigma / mean_radius,

@@ -196,36 +196,42 @@ fn run(files: &[PathBuf], options: &RunOptions) -> Result<(), Failure> {
     for page in INDEX {
         store.check_page(page, MARK)?;
     }
-    let mut failures = Vec::new();
-    let mut written = false;
-    for experiment in &experiments {
-        match run_one(experiment, &mut store, options) {
-            Ok(was_written) => written |= was_written,
-            Err(failure) => failures.push(failure),
-        }
+    let mut failures: Vec<Failure> =
+        experiments.iter().filter_map(|experiment| run_one(experiment, &mut store, options).err()).collect();
+    if let Err(failure) = write_index(&mut store, &options.out) {
+        failures.push(failure);
     }
-    if written {
-        let index = Index::of(&options.out);
-        for (page, content) in INDEX.into_iter().zip([index.markdown, index.html]) {
-            store.write_page(page, content.as_bytes(), MARK)?;
-        }
-    }
-    let Some(first) = failures.pop() else { return Ok(()) };
-    // Every failure is said; the exit code tells wrong input from a failed run.
+    // A run that failed weighs more than input that was refused; it is said last.
+    failures.sort_by_key(|failure| matches!(failure, Failure::Run(_)));
+    let Some(last) = failures.pop() else { return Ok(()) };
     for failure in failures {
         failure.report();
     }
-    Err(first)
+    Err(last)
 }
 
-/// Whether a report was written.
-fn run_one(experiment: &Experiment, store: &mut Store, options: &RunOptions) -> Result<bool, Failure> {
+/// Writes the pages that lead to all reports, where they say something else than is there.
+fn write_index(store: &mut Store, out: &Path) -> Result<(), Failure> {
+    let index = Index::of(out);
+    if index.is_empty() {
+        return Ok(());
+    }
+    for (page, content) in INDEX.into_iter().zip([&index.markdown, &index.html]) {
+        if std::fs::read(out.join(page)).ok().as_deref() != Some(content.as_bytes()) {
+            store.write_page(page, content.as_bytes(), MARK)?;
+        }
+    }
+    Ok(())
+}
+
+/// Runs an experiment and writes its report, unless an unchanged one is there.
+fn run_one(experiment: &Experiment, store: &mut Store, options: &RunOptions) -> Result<(), Failure> {
     let start = Instant::now();
     let key = experiment.key()?;
     let folder = options.out.join(experiment.stem());
     if !options.force && store.is_current(experiment.stem(), &key) {
         say(options, &format!("{} is unchanged ({} s)", folder.display(), seconds(start)));
-        return Ok(false);
+        return Ok(());
     }
     store.check(experiment.stem())?;
     let results = if options.quiet {
@@ -236,6 +242,12 @@ fn run_one(experiment: &Experiment, store: &mut Store, options: &RunOptions) -> 
         bar.0.finish_and_clear();
         results?
     };
+    if experiment.key()? != key {
+        return Err(Failure::Run(format!(
+            "{}: an input file has changed while it was read; run again",
+            experiment.stem()
+        )));
+    }
     let report = report::folder(&results, &key)?;
     store.write(&report)?;
     if !options.quiet {
@@ -247,7 +259,7 @@ fn run_one(experiment: &Experiment, store: &mut Store, options: &RunOptions) -> 
         options,
         &format!("{} written: {} files in {} s", folder.display(), report.names().count(), seconds(start)),
     );
-    Ok(true)
+    Ok(())
 }
 
 fn say(options: &RunOptions, line: &str) {

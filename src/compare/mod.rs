@@ -156,8 +156,8 @@ pub struct Comparison {
     pub curves: Vec<CurvePoint>,
     /// Pairs at equal separation, then at equal load.
     pub pairs: Vec<Pair>,
-    /// Deterministic pressures of a separation sweep that the statistical model does not reach, Pa:
-    /// they have no pair.
+    /// Deterministic pressures of a separation sweep that one of the models does not reach at the
+    /// separations that are searched, Pa: they have no pair.
     pub unpaired: Vec<f64>,
     /// Time spent in the statistical model.
     pub statistical_time: Duration,

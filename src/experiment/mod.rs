@@ -50,7 +50,7 @@ impl Experiment {
         &self.plan
     }
 
-    /// What its results depend on: the spec, its input files and the program's own sources, as a
+    /// What its report depends on: its name, the spec, its input files and the program's own sources, as a
     /// hexadecimal SHA-256.
     ///
     /// # Errors
@@ -58,6 +58,7 @@ impl Experiment {
     pub fn key(&self) -> Result<String, Refusal> {
         let mut hash = Sha256::new();
         hash.update(SOURCES);
+        hash.update(digest(self.plan.stem.as_bytes()));
         hash.update(digest(self.plan.source.text.as_bytes()));
         for path in self.plan.inputs() {
             let content = digest_file(&path)

@@ -5,6 +5,7 @@ use std::f64::consts::PI;
 use super::{Hertz, Law, Pair};
 use crate::contact::{Contact, Regime};
 use crate::literature::{self, Paper};
+use crate::numeric::is_positive;
 
 /// The elastic - elastic-plastic - plastic sphere of Zhao, Maietta and Chang (2000), in the notation
 /// of Pasaribu and Schipper (2005):
@@ -50,10 +51,10 @@ impl Zmc {
     /// # Errors
     /// An onset that is not positive and finite; a ratio that is not finite and above 1.
     pub fn new(onset: f64, transition_ratio: f64) -> Result<Self, ZmcError> {
-        if !(onset > 0.0 && onset.is_finite()) {
+        if !is_positive(onset) {
             return Err(ZmcError::Onset(onset));
         }
-        if !(transition_ratio > 1.0 && transition_ratio.is_finite()) {
+        if !(transition_ratio > 1.0 && is_positive(transition_ratio)) {
             return Err(ZmcError::TransitionRatio(transition_ratio));
         }
         Ok(Self { onset, transition_ratio, inverse_log_ratio: transition_ratio.ln().recip() })

@@ -43,7 +43,7 @@ impl<'a, C: MicroContact + ?Sized> Deterministic<'a, C> {
     }
 
     fn pressure(&self, h: f64) -> f64 {
-        self.tally(self.absolute(h)).load().total() / self.asperities.nominal_area()
+        self.respond(h).pressure.total()
     }
 
     /// The highest pressure that any separation from `low` to `high` could carry, were each

@@ -18,7 +18,7 @@ pub struct Reached {
 /// A pressure that a model does not carry at any separation that is searched.
 #[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
 #[error(
-    "a nominal pressure of {wanted:e} Pa is not reached; the largest that is, at a separation of {LOWEST_SEPARATION} sigma, is {largest:e} Pa"
+    "a nominal pressure of {wanted:e} Pa is not reached; the largest that is, from separations of {LOWEST_SEPARATION} sigma on, is {largest:e} Pa"
 )]
 pub struct Unreachable {
     /// What was asked, Pa.
@@ -32,17 +32,33 @@ pub struct Unreachable {
 /// # Errors
 /// A pressure that is not reached down to [`LOWEST_SEPARATION`], with the largest that is.
 pub fn at_pressure(model: &dyn Model, pressure: f64) -> Result<Reached, Unreachable> {
-    /// Wider than what rounding of a separation does to a pressure, at 40 sigma.
-    const ROUNDING: f64 = 1e-11;
     match model.separation_at(pressure) {
         Some(h) => {
             let response = model.respond(h);
-            let in_jump = response.pressure.total() > pressure * (1.0 + ROUNDING);
-            Ok(Reached { response, in_jump })
+            let excess = response.pressure.total() - pressure;
+            Ok(Reached { response, in_jump: excess > rounding(model, &response) })
         }
-        None => {
-            let largest = model.respond(LOWEST_SEPARATION).pressure.total();
-            Err(Unreachable { wanted: pressure, largest })
-        }
+        None => Err(Unreachable { wanted: pressure, largest: largest_pressure(model) }),
     }
+}
+
+/// What the rounding of a separation, in the frame that its heights are in, does to a pressure, Pa.
+fn rounding(model: &dyn Model, response: &Response) -> f64 {
+    /// Rounding of a pressure at a given separation, far in the tail.
+    const RELATIVE: f64 = 1e-11;
+    let datum = model.datum();
+    let step = 8.0 * f64::EPSILON * (response.separation.abs() + datum.mean.abs() + datum.sigma);
+    response.stiffness * step + RELATIVE * response.pressure.total()
+}
+
+/// The largest pressure on a grid over what is searched, Pa; where the load never falls, that at the
+/// lowest separation.
+fn largest_pressure(model: &dyn Model) -> f64 {
+    /// Grid points a sigma.
+    const PER_SIGMA: i32 = 16;
+    let steps = 2 * PER_SIGMA * LOWEST_SEPARATION.abs() as i32;
+    (0..=steps)
+        .map(|k| LOWEST_SEPARATION + f64::from(k) / f64::from(PER_SIGMA))
+        .map(|h| model.respond(h).pressure.total())
+        .fold(0.0, f64::max)
 }

@@ -13,6 +13,12 @@ use crate::numeric::root::last_reaching;
 /// E-foldings of the density that one panel resolves to full accuracy.
 const FOLDINGS_PER_PANEL: f64 = 20.0;
 
+/// The same where the density rises and falls again within the panel's segment.
+const FOLDINGS_PER_BELL: f64 = 8.0;
+
+/// Breakpoints below this part of the window are left out.
+const NEGLIGIBLE: f64 = 1e-40;
+
 /// Ratio of a panel's ends up to which it resolves a logarithm in w to full accuracy.
 const RATIO_PER_PANEL: f64 = 56.0;
 
@@ -96,7 +102,10 @@ impl<'a, C: MicroContact + ?Sized> Statistical<'a, C> {
             return tally;
         }
         let [start, end] = heights.window(h);
-        let breakpoints: Vec<f64> = self.contact.breakpoints(radius).iter().map(|w| w / sigma).collect();
+        // What lies nearer to zero than this carries nothing, and would take panels without end.
+        let nearest = NEGLIGIBLE * end;
+        let breakpoints: Vec<f64> =
+            self.contact.breakpoints(radius).iter().map(|w| w / sigma).filter(|&x| x > nearest).collect();
         let ends = breakpoints.iter().copied().chain([end]);
         let mut from = start;
         for (segment, to) in ends.enumerate() {
@@ -111,8 +120,9 @@ impl<'a, C: MicroContact + ?Sized> Statistical<'a, C> {
                 Variable::SquareRoot
             };
             for [low, high] in spans(from, to, segment > 0) {
-                let foldings = heights.foldings(h, low, high);
-                let count = (foldings / FOLDINGS_PER_PANEL).ceil().max(1.0) as usize;
+                let resolved =
+                    if heights.turns(h, low, high) { FOLDINGS_PER_BELL } else { FOLDINGS_PER_PANEL };
+                let count = (heights.foldings(h, low, high) / resolved).ceil().max(1.0) as usize;
                 for panel in panels(low, high, variable, count) {
                     let indentations = panel.points.map(|x| x * sigma);
                     let mut weights = panel.weights;
@@ -140,8 +150,9 @@ impl<'a, C: MicroContact + ?Sized> Statistical<'a, C> {
         }
     }
 
+    /// Nominal pressure at the quoted separation `h`, Pa.
     fn pressure(&self, h: f64) -> f64 {
-        self.tally(h).load().total() * self.population.density
+        self.respond(h).pressure.total()
     }
 }
 
@@ -166,25 +177,50 @@ impl<C: MicroContact + ?Sized> Model for Statistical<'_, C> {
         Response::new(h, self.datum, &self.tally(self.standardised(h)), self.population.density)
     }
 
-    /// Where the density falls with height, so does the pressure with the separation, whatever
-    /// the load does with w: -dp/dd = -int P f' dz. Nearer than the mode a falling load could make
-    /// it fall; the density is so smooth there that a walk in small steps misses nothing.
+    /// Where the density falls with height, so does the pressure with the separation, whatever the
+    /// load does with w: -dp/dd = -int P f' dz. Nearer than the mode a falling load can make it fall.
+    /// The density is smooth there on the scale of sigma: within a small step the pressure turns once
+    /// at the most, and its slope at both ends tells.
     fn separation_at(&self, pressure: f64) -> Option<f64> {
         /// Steps of the walk below the mode, in sigma.
         const STEP: f64 = 1.0 / 16.0;
         let density = self.population.heights;
+        let highest = self.quoted(density.highest_separation());
         let search = |low, high| last_reaching(|h| self.pressure(h), pressure, low, high);
-        let (lowest, highest) = (self.standardised(LOWEST_SEPARATION), density.highest_separation());
-        let mode = density.mode().max(lowest);
-        let found = if self.contact.load_falls() {
-            search(mode, highest).or_else(|| {
-                let steps = ((mode - lowest) / STEP).ceil() as i32;
-                let end = |k: i32| (mode - STEP * f64::from(k)).max(lowest);
-                (0..steps).find_map(|k| search(end(k + 1), end(k)))
+        if !self.contact.load_falls() {
+            return search(LOWEST_SEPARATION, highest);
+        }
+        let mode = self.quoted(density.mode()).max(LOWEST_SEPARATION);
+        search(mode, highest).or_else(|| {
+            let steps = ((mode - LOWEST_SEPARATION) / STEP).ceil() as i32;
+            let end = |k: i32| (mode - STEP * f64::from(k)).max(LOWEST_SEPARATION);
+            (0..steps).find_map(|k| {
+                let (low, high) = (end(k + 1), end(k));
+                search(low, high).or_else(|| search(self.peak(low, high)?, high))
             })
-        } else {
-            search(lowest, highest)
-        };
-        found.map(|h| self.quoted(h))
+        })
+    }
+}
+
+impl<C: MicroContact + ?Sized> Statistical<'_, C> {
+    /// The separation between `low` and `high` at which the pressure is highest, if it rises on
+    /// approach from `high` and has fallen at `low`.
+    fn peak(&self, low: f64, high: f64) -> Option<f64> {
+        /// Halvings of a step, down to rounding.
+        const HALVINGS: usize = 50;
+        let rises = |h: f64| self.respond(h).stiffness > 0.0;
+        if rises(low) || !rises(high) {
+            return None;
+        }
+        let (mut fallen, mut rising) = (low, high);
+        for _ in 0..HALVINGS {
+            let middle = 0.5 * (fallen + rising);
+            if rises(middle) {
+                rising = middle;
+            } else {
+                fallen = middle;
+            }
+        }
+        Some(rising)
     }
 }

@@ -310,7 +310,7 @@ fn limits(page: &mut Page, results: &CompareResults) {
             }
             if !comparison.unpaired.is_empty() {
                 lines.push(format!(
-                    "{subject}: {} deterministic pressures have no pair at equal load: the statistical model does not reach \
+                    "{subject}: {} deterministic pressures have no pair at equal load: one of the models does not reach \
                      them above −10 σ.",
                     comparison.unpaired.len()
                 ));

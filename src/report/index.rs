@@ -14,6 +14,7 @@ pub const MARK: &str = "Written by asperity; the next run writes it anew.";
 /// `README.md` and `index.html`.
 #[derive(Debug)]
 pub struct Index {
+    reports: usize,
     /// Markdown.
     pub markdown: String,
     /// Self-contained HTML.
@@ -30,6 +31,11 @@ struct Entry {
 }
 
 impl Index {
+    /// Whether there is no report to lead to.
+    pub fn is_empty(&self) -> bool {
+        self.reports == 0
+    }
+
     /// The pages for all reports that are in `directory` now.
     pub fn of(directory: &Path) -> Self {
         let mut entries: Vec<(String, Entry)> = fs::read_dir(directory)
@@ -67,6 +73,10 @@ impl Index {
             page.paragraph(MARK);
             page
         };
-        Self { markdown: page("report.md").markdown(), html: page("report.html").html() }
+        Self {
+            reports: entries.len(),
+            markdown: page("report.md").markdown(),
+            html: page("report.html").html(),
+        }
     }
 }

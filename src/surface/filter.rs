@@ -51,18 +51,26 @@ impl Filter {
         }
     }
 
+    /// Whether it suits a map of `points` that are `pixel` (m) apart.
+    ///
+    /// # Errors
+    /// An index larger than the map.
+    pub fn check(&self, points: [usize; 2], pixel: [f64; 2]) -> Result<(), FilterError> {
+        let size = [0, 1].map(|axis| points[axis] as f64 * pixel[axis]);
+        let too_large = |&index: &f64| index > size[0].min(size[1]);
+        match [self.s, self.l].into_iter().flatten().find(too_large) {
+            Some(index) => Err(FilterError::TooLarge { index, size }),
+            None => Ok(()),
+        }
+    }
+
     /// The filtered map; missing points stay missing and do not count. The same to the bit on any
     /// number of threads.
     ///
     /// # Errors
     /// An index larger than the map.
     pub fn apply(&self, map: HeightMap) -> Result<HeightMap, FilterError> {
-        let size = [0, 1].map(|axis| map.points()[axis] as f64 * map.pixel()[axis]);
-        if let Some(index) =
-            [self.s, self.l].into_iter().flatten().find(|&index| index > size[0].min(size[1]))
-        {
-            return Err(FilterError::TooLarge { index, size });
-        }
+        self.check(map.points(), map.pixel())?;
         let short = match self.s {
             Some(s) => low_pass(&map, s),
             None => map,

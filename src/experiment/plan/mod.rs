@@ -136,7 +136,11 @@ impl Plan {
     /// An estimate of the memory that a run needs at its peak, bytes.
     pub fn memory(&self) -> u128 {
         match &self.kind {
-            PlanKind::Compare(compare) => compare.surfaces.iter().map(SurfacePlan::memory).max().unwrap_or(0),
+            PlanKind::Compare(compare) =>
+            // Every surface is kept for the report.
+            {
+                compare.surfaces.iter().map(SurfacePlan::memory).sum()
+            }
             PlanKind::Limit(limit) => {
                 let largest = limit.counts.iter().copied().max().unwrap_or(0);
                 surface::set_memory(largest as u128)

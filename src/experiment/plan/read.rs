@@ -127,6 +127,8 @@ impl Reader<'_> {
             }
             counts.push(count.round() as usize);
         }
+        // Close counts may round to one: a size is drawn once.
+        counts.dedup();
         let draws = *words.draws.get_ref();
         if !(2..=1000).contains(&draws) {
             let message = format!("found {draws}; allowed: 2 to 1000 random sets of each size");

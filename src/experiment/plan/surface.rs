@@ -117,7 +117,10 @@ impl SurfacePlan {
             Some(filter) => {
                 let index = |quantity: Option<Quantity<Length>>| quantity.map(|q| q.value());
                 let indices = filter.get_ref();
-                let made = Filter::new(index(indices.s), index(indices.l));
+                let made = Filter::new(index(indices.s), index(indices.l)).and_then(|made| {
+                    made.check(points, pixel.get_ref().0)?;
+                    Ok(made)
+                });
                 Some(made.map_err(|error| source.refuse(filter.span(), error))?)
             }
         };
@@ -158,9 +161,12 @@ impl SurfacePlan {
 
     /// An estimate of the memory that it needs at its peak, bytes.
     pub fn memory(&self) -> u128 {
-        /// A map, its levelled and filtered copies, and the sorted heights of the step search.
+        /// A map, its levelled copy, and the sorted heights of the step search.
         const BYTES_PER_POINT: u128 = 40;
+        /// The copies that a filter's two passes work on.
+        const BYTES_PER_FILTERED_POINT: u128 = 96;
         let map = match &self.origin {
+            Origin::Map { points, filter: Some(_), .. } => *points as u128 * BYTES_PER_FILTERED_POINT,
             Origin::Map { points, .. } => *points as u128 * BYTES_PER_POINT,
             _ => 0,
         };
@@ -192,7 +198,9 @@ impl SurfacePlan {
             }
             Origin::Population { population, count, draw, datum } => {
                 let draw = match draw {
-                    DrawSpec::Random => Draw::Random(stream_seed(seed, &format!("population {}", self.name))),
+                    DrawSpec::Random => {
+                        Draw::Random(stream_seed(seed, &format!("population {} realisation 1", self.name)))
+                    }
                     DrawSpec::Quantiles => Draw::Quantiles,
                 };
                 let set = population.set(*count, draw).map_err(|error| refuse(&error))?;
