@@ -176,6 +176,10 @@ fn the_tables_have_the_columns_and_rows_of_the_contract() {
         let at = |pairing_name: &str| rows.iter().filter(|row| &row[pairing] == pairing_name).count();
         assert_eq!(at("separation"), 2);
         assert!((3..=4).contains(&at("load")));
+        let area = if &rows[0][0] == "list" { 1e-8 } else { 2000.0 / 6e10 };
+        let targets = rows.iter().filter(|row| &row[pairing] == "load").map(|row| row[target].parse::<f64>());
+        let targets: Vec<f64> = targets.map(Result::unwrap).collect();
+        assert!((targets[0] / 1e6 - 1.0).abs() < 1e-14 && (targets[1] / (1e-3 / area) - 1.0).abs() < 1e-14);
         for row in rows {
             let number = |name: &str| row[column(name)].parse::<f64>().unwrap();
             let (s, d) = (number("statistical_area_ratio"), number("deterministic_area_ratio"));

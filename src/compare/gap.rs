@@ -109,3 +109,46 @@ fn gap(pair: &Pair, quantity: &'static str, statistical: f64, deterministic: f64
         over_sampling_error,
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::contact::ByRegime;
+    use crate::model::{Response, SamplingError};
+
+    fn response(h: f64, area_ratio: f64, pressure: f64, contacts: f64) -> Response {
+        Response {
+            separation_over_sigma: h,
+            separation: h * 1e-8,
+            contact_density: contacts,
+            area_ratio: ByRegime([area_ratio, 0.0, 0.0]),
+            pressure: ByRegime([0.0, pressure, 0.0]),
+            stiffness: 1e14,
+            sampling: Some(SamplingError { pressure: 10.0, area_ratio: 1e-4 }),
+        }
+    }
+
+    #[test]
+    fn the_largest_gaps_among_the_pairs_that_count() {
+        let pair =
+            |pairing, statistical, deterministic| Pair { pairing, target: 1.0, statistical, deterministic };
+        let pairs = [
+            pair(Pairing::Load, response(3.0, 2e-3, 100.0, 50.0), response(2.5, 1e-3, 100.0, 50.0)),
+            pair(Pairing::Load, response(1.0, 3e-3, 100.0, 50.0), response(1.2, 1e-2, 100.0, 50.0)),
+            pair(Pairing::Separation, response(1.0, 1e-3, 150.0, 50.0), response(1.0, 1e-3, 100.0, 50.0)),
+            // Asperities interact; too few contacts.
+            pair(Pairing::Load, response(9.0, 0.051, 100.0, 50.0), response(0.0, 1e-3, 100.0, 50.0)),
+            pair(Pairing::Load, response(9.0, 1e-3, 100.0, 50.0), response(0.0, 1e-3, 100.0, 29.0)),
+        ];
+        let gaps = Gaps::of(&pairs, 1.0, 1e-8);
+        assert_eq!(gaps.pairs, 3);
+        let [separation, area, pressure] = &gaps.largest[..] else { panic!("three quantities") };
+        assert_eq!((separation.difference(), separation.quantity), (0.5, "separation_over_sigma"));
+        // 10 Pa over 1e14 Pa/m is 1e-13 m, 1e-5 sigma.
+        assert!((separation.over_sampling_error.unwrap() / 5e4 - 1.0).abs() < 1e-12);
+        assert!(
+            (area.ratio() - 0.3).abs() < 1e-15 && (area.over_sampling_error.unwrap() - 70.0).abs() < 1e-9
+        );
+        assert_eq!((pressure.ratio(), pressure.over_sampling_error), (1.5, Some(5.0)));
+    }
+}
