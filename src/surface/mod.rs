@@ -7,9 +7,11 @@
 //! | [`filter`] | Gaussian S and L filters |
 //! | [`summits`] | five-point summits and their curvatures |
 //! | [`quantisation`] | are the heights on steps of the instrument? |
+//! | [`marginal`] | height distributions of generated surfaces |
 
 pub mod filter;
 pub mod level;
+pub mod marginal;
 pub mod quantisation;
 pub mod read;
 pub mod summits;
