@@ -3,7 +3,7 @@
 use std::path::PathBuf;
 
 use asperity::asperity::{ListError, read_list};
-use asperity::surface::read::{ReadError, height_map, npy, points};
+use asperity::surface::read::{Given, ReadError, head, height_map, npy};
 
 /// A `.npy` of version 1 with the given type, order and bytes.
 fn array(descr: &str, fortran: bool, shape: &str, data: &[u8]) -> Vec<u8> {
@@ -59,6 +59,55 @@ fn every_type_in_both_byte_orders() {
 }
 
 #[test]
+fn mapped_rows_are_those_of_the_array() {
+    macro_rules! check {
+        ($($kind:ty, $code:literal;)*) => {$(
+            for (order, big) in [("<", false), (">", true)] {
+                let bytes = |v: i8| {
+                    let value = v as $kind;
+                    if big { value.to_be_bytes() } else { value.to_le_bytes() }
+                };
+                let data: Vec<u8> = VALUES.iter().flat_map(|&v| bytes(v)).collect();
+                let (_folder, path) = file("a.npy", &array(&format!("{order}{}", $code), false, "(2, 3)", &data));
+                let matrix = npy::matrix(&path).unwrap();
+                let mapped = npy::Mapped::open(&path).unwrap();
+                assert_eq!((mapped.points(), mapped.precision()), ([2, 3], matrix.precision));
+                let mut row = [0.0; 3];
+                for ix in 0..2 {
+                    mapped.row(ix, &mut row);
+                    assert_eq!(row, matrix.values[3 * ix..][..3]);
+                }
+            }
+        )*};
+    }
+    check! {
+        f32, "f4"; f64, "f8"; i8, "i1"; i16, "i2"; i32, "i4"; i64, "i8"; u8, "u1"; u16, "u2"; u32, "u4"; u64, "u8";
+    }
+    let data: Vec<u8> = [1.0, f64::NAN, 1e31f64].iter().flat_map(|v| v.to_le_bytes()).collect();
+    let (_folder, path) = file("a.npy", &array("<f8", false, "(1, 3)", &data));
+    let mut row = [0.0; 3];
+    npy::Mapped::open(&path).unwrap().row(0, &mut row);
+    assert!(row[0] == 1.0 && row[1].is_nan() && row[2].is_nan());
+    let (_folder, path) = file("a.npy", &array("<f8", true, "(1, 3)", &data));
+    assert!(matches!(npy::Mapped::open(&path), Err(ReadError::Unsupported(_))));
+    let (_folder, path) = file("a.npy", &array("<f8", false, "(1, 3)", &data[..23]));
+    assert!(matches!(npy::Mapped::open(&path), Err(ReadError::Corrupt(_))));
+}
+
+#[test]
+fn what_is_given_beside_an_array_is_its_pixel_and_its_unit() {
+    let data: Vec<u8> = [20.0f32; 12].iter().flat_map(|v| v.to_le_bytes()).collect();
+    let (_folder, path) = file("map.npy", &array("<f4", false, "(3, 4)", &data));
+    let pixel = Some([1e-6, 2e-6]);
+    let map = height_map(&path, Given { pixel, unit: Some(1e-9) }).unwrap();
+    assert!(map.pixel() == [1e-6, 2e-6] && map.heights().iter().all(|z| (z / 20e-9 - 1.0).abs() < 1e-15));
+    let refused = |given| height_map(&path, given).unwrap_err().to_string();
+    assert!(refused(Given { pixel: None, unit: None }).contains("holds no pixel size"));
+    // Twenty metres: micrometres that nobody named.
+    assert!(refused(Given { pixel, unit: None }).contains("holds a height of 2e1 m; allowed: at most 10 m"));
+}
+
+#[test]
 fn fortran_order_is_turned_so_that_the_first_index_is_x() {
     // Columns first: (0, -10), (1, 11), (2, 12).
     let columns: Vec<u8> =
@@ -72,8 +121,8 @@ fn a_map_has_its_pixel_and_its_missing_points() {
     (heights[5], heights[6]) = (f32::NAN, f32::INFINITY);
     let data: Vec<u8> = heights.iter().flat_map(|v| v.to_le_bytes()).collect();
     let (_folder, path) = file("map.npy", &array("<f4", false, "(3, 4)", &data));
-    assert_eq!(points(&path).unwrap(), [3, 4]);
-    let map = height_map(&path, [1e-6, 2e-6]).unwrap();
+    assert_eq!(head(&path).unwrap().points, [3, 4]);
+    let map = height_map(&path, Given { pixel: Some([1e-6, 2e-6]), unit: None }).unwrap();
     assert_eq!((map.points(), map.pixel(), map.missing()), ([3, 4], [1e-6, 2e-6], 2));
 }
 

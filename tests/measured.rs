@@ -11,6 +11,10 @@ fn file(name: &str) -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("experiments/surfaces").join(name)
 }
 
+fn given(pixel: [f64; 2]) -> read::Given {
+    read::Given { pixel: Some(pixel), unit: None }
+}
+
 struct Known {
     name: &'static str,
     points: [usize; 2],
@@ -49,7 +53,7 @@ const SURFACES: [Known; 3] = [
 ];
 
 fn read_and_level(known: &Known) -> (HeightMap, HeightMap, Summits) {
-    let raw = read::height_map(&file(known.name), [known.pixel; 2]).unwrap();
+    let raw = read::height_map(&file(known.name), given([known.pixel; 2])).unwrap();
     let levelled = Level::Plane.apply(&raw).unwrap();
     let summits = five_point(&levelled);
     (raw, levelled, summits)
@@ -91,7 +95,7 @@ fn the_maps_on_steps_are_found_and_the_sound_one_is_not() {
 
 #[test]
 fn plateaus_of_the_raw_map() {
-    let raw = read::height_map(&file("plu-1.npy"), [1.66e-6; 2]).unwrap();
+    let raw = read::height_map(&file("plu-1.npy"), given([1.66e-6; 2])).unwrap();
     let summits = five_point(&raw);
     assert_eq!(summits.heights.len() - (summits.plateaus - summits.dropped), 888);
     assert_eq!(summits.plateaus, 238);

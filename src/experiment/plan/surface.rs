@@ -16,7 +16,7 @@ use crate::model::Datum;
 use crate::surface::MapError;
 use crate::surface::filter::Filter;
 use crate::surface::level::Level;
-use crate::surface::read;
+use crate::surface::read::{self, Given, GivenError};
 use crate::units::{Length, Quantity};
 
 /// A surface that can be made.
@@ -33,7 +33,7 @@ pub struct SurfacePlan {
 enum Origin {
     List { path: PathBuf, bytes: u64, nominal_area: f64 },
     Population { population: Population, count: usize, draw: DrawSpec, datum: Datum },
-    Map { path: PathBuf, points: usize, pixel: [f64; 2], level: Level, filter: Option<Filter> },
+    Map { path: PathBuf, points: usize, given: Given, level: Level, filter: Option<Filter> },
 }
 
 /// Bytes that a set of `count` asperities and its ordered copies need at their peak.
@@ -103,14 +103,22 @@ impl SurfacePlan {
         let refuse = |error: &dyn std::fmt::Display| {
             source.refuse(words.path.span(), format!("{} {error}", path.display()))
         };
-        let points = read::points(&path).map_err(|error| refuse(&error))?;
+        let head = read::head(&path).map_err(|error| refuse(&error))?;
+        let points = head.points;
         if points.iter().any(|&count| count < 3) {
             return Err(refuse(&MapError::TooSmall(points)));
         }
-        let pixel = words.pixel.as_ref().ok_or_else(|| {
-            refuse(
-                &"holds no pixel size; allowed: pixel = \"0.8 um\", or [\"0.8 um\", \"0.5 um\"], beside path",
-            )
+        let given = Given {
+            pixel: words.pixel.as_ref().map(|pixel| pixel.get_ref().0),
+            unit: words.unit.as_ref().map(|unit| unit.get_ref().0),
+        };
+        let pixel = head.pixel(&given).map_err(|error| {
+            let key = match error {
+                GivenError::PixelHeld { .. } => words.pixel.as_ref().map(Spanned::span),
+                GivenError::UnitHeld { .. } => words.unit.as_ref().map(Spanned::span),
+                GivenError::NoPixel => None,
+            };
+            source.refuse(key.unwrap_or_else(|| words.path.span()), format!("{} {error}", path.display()))
         })?;
         let filter = match &words.filter {
             None => None,
@@ -118,7 +126,7 @@ impl SurfacePlan {
                 let index = |quantity: Option<Quantity<Length>>| quantity.map(|q| q.value());
                 let indices = filter.get_ref();
                 let made = Filter::new(index(indices.s), index(indices.l)).and_then(|made| {
-                    made.check(points, pixel.get_ref().0)?;
+                    made.check(points, pixel)?;
                     Ok(made)
                 });
                 Some(made.map_err(|error| source.refuse(filter.span(), error))?)
@@ -126,7 +134,7 @@ impl SurfacePlan {
         };
         // The head of a file has been checked against its length: the product fits.
         let points = points[0] * points[1];
-        Ok(Origin::Map { path, points, pixel: pixel.get_ref().0, level: words.level, filter })
+        Ok(Origin::Map { path, points, given, level: words.level, filter })
     }
 
     /// The file that it is read from.
@@ -212,9 +220,9 @@ impl SurfacePlan {
                 surface.nominal = Some(*population);
                 Ok(surface)
             }
-            Origin::Map { path, pixel, level, filter, .. } => {
+            Origin::Map { path, given, level, filter, .. } => {
                 let refuse = |error: &dyn std::fmt::Display| refuse(&format!("{} {error}", path.display()));
-                let map = read::height_map(path, *pixel).map_err(|error| refuse(&error))?;
+                let map = read::height_map(path, *given).map_err(|error| refuse(&error))?;
                 timing.read += start.elapsed();
                 let start = Instant::now();
                 let (set, facts) = summits_of(&map, *level, *filter).map_err(|error| refuse(&error))?;

@@ -6,6 +6,7 @@ use serde::Deserialize;
 use toml::Spanned;
 
 use crate::surface::level::Level;
+use crate::surface::read::{ALLOWED_UNITS, length_unit};
 use crate::units::{Area, ArealNumberDensity, Length, Quantity};
 
 /// One surface: exactly one kind a name.
@@ -106,11 +107,27 @@ pub struct FileSpec {
     pub path: Spanned<PathBuf>,
     /// Pixel size along x and y; only where the format holds none.
     pub pixel: Option<Spanned<PixelSpec>>,
+    /// Unit of the lengths in the file; only where the format holds none.
+    pub unit: Option<Spanned<UnitSpec>>,
     /// Form that is removed.
     #[serde(default)]
     pub level: Level,
     /// S and L nesting indices.
     pub filter: Option<Spanned<FilterSpec>>,
+}
+
+/// A unit of length, in metres.
+#[derive(Debug, Clone, Copy, Deserialize)]
+#[serde(try_from = "String")]
+pub struct UnitSpec(pub f64);
+
+impl TryFrom<String> for UnitSpec {
+    type Error = String;
+
+    fn try_from(word: String) -> Result<Self, String> {
+        let unit = length_unit(&word).map(Self);
+        unit.ok_or_else(|| format!("found the unit \"{word}\"; allowed: {ALLOWED_UNITS}"))
+    }
 }
 
 /// One pixel size, or one along x and one along y.

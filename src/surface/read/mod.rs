@@ -1,10 +1,27 @@
-//! Reading measured surfaces: one file a format.
+//! Reading measured surfaces: one file a format, told apart by the first bytes, never by a file's name.
+//!
+//! | module | format | holds its pixel | holds its unit |
+//! |---|---|---|---|
+//! | [`npy`] | NumPy array, whole or row by row | no | no |
+//! | [`text`] | matrix of numbers; with Gwyddion's header | no; yes | no; yes |
+//! | [`xyz`] | three columns of numbers | yes, in the unit | no |
+//! | [`x3p`] | ISO 25178-72 | yes | yes |
+//! | [`sdf`] | ISO 25178-71 | yes | yes |
+//!
+//! Where a format holds its unit, a height beyond 1 km is the mark of a missing point. Heights beyond
+//! 10 m that are left are refused in every format: there a unit is wrong. The first index of a map is
+//! x; files have x running fastest, so that all but `.npy` are transposed. Nothing is mirrored: the
+//! first line of a file is the first y.
 
+mod mapped;
 pub mod npy;
 
+use std::fs::File;
+use std::io::Read;
 use std::path::Path;
 
 use super::{HeightMap, MapError};
+use crate::numeric::LARGEST;
 
 /// Why a file gives no heights. The caller says which file.
 #[derive(Debug, thiserror::Error)]
@@ -24,6 +41,94 @@ pub enum ReadError {
     /// The heights make no map.
     #[error(transparent)]
     Map(#[from] MapError),
+    /// What is given beside the file does not go with it.
+    #[error(transparent)]
+    Given(#[from] GivenError),
+}
+
+/// What is given beside a file does not go with what it holds.
+#[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
+pub enum GivenError {
+    /// Two pixels: one must be wrong.
+    #[error(
+        "{format} holds its own pixel of {:e} x {:e} {}; allowed: leave pixel out",
+        pixel[0], pixel[1], if *has_unit { "m" } else { "units" }
+    )]
+    PixelHeld {
+        /// The format.
+        format: &'static str,
+        /// The pixel held.
+        pixel: [f64; 2],
+        /// Whether that is in metres.
+        has_unit: bool,
+    },
+    /// No pixel.
+    #[error("holds no pixel size; allowed: pixel = \"0.8 um\", or [\"0.8 um\", \"0.5 um\"], beside path")]
+    NoPixel,
+    /// Two units: one must be wrong.
+    #[error("{format} holds its own unit of length; allowed: leave unit out")]
+    UnitHeld {
+        /// The format.
+        format: &'static str,
+    },
+}
+
+/// What the head of a file says.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Head {
+    /// Points along x and y.
+    pub points: [usize; 2],
+    /// Distance of neighbouring points along x and y, where the format holds it: in metres where it
+    /// holds its unit, in the unit of the file where it does not.
+    pub pixel: Option<[f64; 2]>,
+    /// Whether the format holds its unit of length.
+    pub has_unit: bool,
+    /// What the format is called.
+    pub format: &'static str,
+}
+
+/// What is given beside a file that does not hold it.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct Given {
+    /// Distance of neighbouring points along x and y, m.
+    pub pixel: Option<[f64; 2]>,
+    /// Unit of all lengths in the file, m; a metre if it is not given.
+    pub unit: Option<f64>,
+}
+
+impl Head {
+    /// The pixel along x and y, m.
+    ///
+    /// # Errors
+    /// See [`GivenError`].
+    pub fn pixel(&self, given: &Given) -> Result<[f64; 2], GivenError> {
+        let Self { format, has_unit, .. } = *self;
+        if has_unit && given.unit.is_some() {
+            return Err(GivenError::UnitHeld { format });
+        }
+        match (self.pixel, given.pixel) {
+            (Some(pixel), Some(_)) => Err(GivenError::PixelHeld { format, pixel, has_unit }),
+            (Some(pixel), None) => Ok(pixel.map(|size| size * self.unit(given))),
+            (None, Some(pixel)) => Ok(pixel),
+            (None, None) => Err(GivenError::NoPixel),
+        }
+    }
+
+    fn unit(&self, given: &Given) -> f64 {
+        if self.has_unit { 1.0 } else { given.unit.unwrap_or(1.0) }
+    }
+}
+
+/// A map as a file holds it.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Measured {
+    /// Size, pixel and unit.
+    pub head: Head,
+    /// Heights, the y index running fastest; in metres where the format holds its unit, in the unit of
+    /// the file where it does not. Missing points are NaN.
+    pub heights: Vec<f64>,
+    /// Relative precision of the stored numbers; 0 for integers that are not scaled.
+    pub precision: f64,
 }
 
 /// A table of numbers as a file holds it.
@@ -39,22 +144,96 @@ pub struct Matrix {
     pub precision: f64,
 }
 
-/// The size of a map, from the head of its file; nothing else is read.
+/// The formats, as their first bytes tell them apart.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Format {
+    Npy,
+}
+
+impl Format {
+    fn of(path: &Path) -> Result<Self, ReadError> {
+        existing(path)?;
+        let mut begin = Vec::new();
+        File::open(path)?.take(BEGIN).read_to_end(&mut begin)?;
+        if begin.starts_with(npy::MAGIC) {
+            Ok(Self::Npy)
+        } else {
+            Err(ReadError::Mismatch(format!(
+                "is no height map: it begins with \"{}\"; allowed: {FORMATS}",
+                begin
+                    .iter()
+                    .take(12)
+                    .copied()
+                    .map(|byte| byte.escape_ascii().to_string())
+                    .collect::<String>()
+            )))
+        }
+    }
+}
+
+/// Bytes that are looked at to tell the formats apart.
+const BEGIN: u64 = 4096;
+const FORMATS: &str = ".npy";
+
+/// What the head of a file says, checked against its length. A text is read as a whole.
 ///
 /// # Errors
 /// As [`height_map`], as far as the head and the length of the file tell.
-pub fn points(path: &Path) -> Result<[usize; 2], ReadError> {
-    let head = npy::Head::read(path)?;
-    Ok([head.rows, head.columns])
+pub fn head(path: &Path) -> Result<Head, ReadError> {
+    match Format::of(path)? {
+        Format::Npy => Ok(npy::Head::read(path)?.map()),
+    }
 }
 
-/// Reads a map of heights in metres; its pixel is `pixel` (m, along x and y).
+/// Reads a map as its file holds it.
 ///
 /// # Errors
 /// See [`ReadError`].
-pub fn height_map(path: &Path, pixel: [f64; 2]) -> Result<HeightMap, ReadError> {
-    let Matrix { rows, columns, values, precision } = npy::matrix(path)?;
-    Ok(HeightMap::new([rows, columns], pixel, values, precision)?)
+pub fn measured(path: &Path) -> Result<Measured, ReadError> {
+    match Format::of(path)? {
+        Format::Npy => npy::measured(path),
+    }
+}
+
+/// Reads a map of heights in metres, with the pixel and the unit `given` where its format holds none.
+///
+/// # Errors
+/// See [`ReadError`].
+pub fn height_map(path: &Path, given: Given) -> Result<HeightMap, ReadError> {
+    let Measured { head, mut heights, mut precision } = measured(path)?;
+    let pixel = head.pixel(&given)?;
+    let unit = head.unit(&given);
+    if unit != 1.0 {
+        heights.iter_mut().for_each(|z| *z *= unit);
+        precision = precision.max(f64::EPSILON);
+    }
+    check_heights(&mut heights, head.has_unit)?;
+    Ok(HeightMap::new(head.points, pixel, heights, precision)?)
+}
+
+/// Takes out the marks of missing points, where heights are known to be in metres, and refuses heights
+/// (m) that no roughness has.
+fn check_heights(heights: &mut [f64], in_metres: bool) -> Result<(), ReadError> {
+    /// Beyond it a height in metres is the mark of a missing point, such as 1e10.
+    const MARK: f64 = 1e3;
+    /// No rough surface is so high: its unit is wrong.
+    const TALLEST: f64 = 10.0;
+    let mark = if in_metres { MARK } else { LARGEST };
+    let mut tallest = 0.0f64;
+    for z in heights {
+        if z.abs() <= mark {
+            tallest = tallest.max(z.abs());
+        } else {
+            *z = f64::NAN;
+        }
+    }
+    if tallest > TALLEST {
+        let advice = if in_metres { "" } else { " (unit = \"um\" beside path says in which unit it is)" };
+        return Err(ReadError::Unsupported(format!(
+            "holds a height of {tallest:e} m; allowed: at most {TALLEST} m{advice}"
+        )));
+    }
+    Ok(())
 }
 
 /// A file that is there and not empty, or why not.
@@ -70,4 +249,26 @@ pub fn existing(path: &Path) -> Result<(), ReadError> {
         return Err(ReadError::Corrupt("is empty".to_owned()));
     }
     Ok(())
+}
+
+/// Lengths that a file may be in, m.
+const UNITS: [(&str, f64); 10] = [
+    ("m", 1.0),
+    ("cm", 1e-2),
+    ("mm", 1e-3),
+    ("um", 1e-6),
+    ("µm", 1e-6),
+    ("μm", 1e-6),
+    ("nm", 1e-9),
+    ("pm", 1e-12),
+    ("\u{c5}", 1e-10),
+    ("\u{212b}", 1e-10),
+];
+
+/// Which words a unit of length may be.
+pub const ALLOWED_UNITS: &str = "m, cm, mm, um, nm, pm, Å";
+
+/// The length in metres of the unit called `word`.
+pub fn length_unit(word: &str) -> Option<f64> {
+    UNITS.iter().find(|(name, _)| *name == word).map(|&(_, metres)| metres)
 }

@@ -7,26 +7,28 @@ use std::path::Path;
 
 use npyz::{DType, Deserialize, NpyFile, Order, TypeChar};
 
-use super::{Matrix, ReadError};
+pub use super::mapped::Mapped;
+use super::{Matrix, Measured, ReadError};
 
-const MAGIC: &[u8; 6] = b"\x93NUMPY";
+/// How a `.npy` file begins.
+pub(super) const MAGIC: &[u8; 6] = b"\x93NUMPY";
 
-/// How the numbers are stored.
+/// How the numbers are stored, and in how many bytes.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-enum Stored {
+pub(super) enum Stored {
     Float(u64),
     Signed(u64),
     Unsigned(u64),
 }
 
 impl Stored {
-    const fn bytes(self) -> u64 {
+    pub(super) const fn bytes(self) -> u64 {
         match self {
             Self::Float(bytes) | Self::Signed(bytes) | Self::Unsigned(bytes) => bytes,
         }
     }
 
-    const fn precision(self) -> f64 {
+    pub(super) const fn precision(self) -> f64 {
         match self {
             Self::Float(4) => f32::EPSILON as f64,
             Self::Float(_) => f64::EPSILON,
@@ -41,8 +43,11 @@ pub struct Head {
     pub rows: usize,
     /// Length along the second index.
     pub columns: usize,
-    stored: Stored,
-    order: Order,
+    pub(super) stored: Stored,
+    pub(super) order: Order,
+    pub(super) big_endian: bool,
+    /// Bytes before the first number.
+    pub(super) head_length: u64,
     file: NpyFile<BufReader<File>>,
 }
 
@@ -62,7 +67,7 @@ pub fn is_npy(path: &Path) -> std::io::Result<bool> {
 /// See [`ReadError`]; a file that is shorter than its head says is refused before anything is
 /// allocated.
 pub fn matrix(path: &Path) -> Result<Matrix, ReadError> {
-    let Head { rows, columns, stored, order, file } = Head::read(path)?;
+    let Head { rows, columns, stored, order, file, .. } = Head::read(path)?;
     let stored_values = match stored {
         Stored::Float(4) => values(file, |v: f32| f64::from(v)),
         Stored::Float(_) => values(file, |v: f64| v),
@@ -82,6 +87,16 @@ pub fn matrix(path: &Path) -> Result<Matrix, ReadError> {
         }
     };
     Ok(Matrix { rows, columns, values, precision: stored.precision() })
+}
+
+/// Reads a map, in the unit of the file.
+///
+/// # Errors
+/// See [`matrix`].
+pub(super) fn measured(path: &Path) -> Result<Measured, ReadError> {
+    let head = Head::read(path)?.map();
+    let Matrix { values, precision, .. } = matrix(path)?;
+    Ok(Measured { head, heights: values, precision })
 }
 
 fn values<T: Deserialize>(
@@ -130,7 +145,14 @@ impl Head {
             )));
         }
         let size = |length: u64| usize::try_from(length).map_err(|_| too_large());
-        Ok(Self { rows: size(rows)?, columns: size(columns)?, stored, order: file.order(), file })
+        let (rows, columns) = (size(rows)?, size(columns)?);
+        let big_endian = file.dtype().descr().contains('>');
+        Ok(Self { rows, columns, stored, order: file.order(), big_endian, head_length, file })
+    }
+
+    /// What it says of a map.
+    pub(super) fn map(&self) -> super::Head {
+        super::Head { points: [self.rows, self.columns], pixel: None, has_unit: false, format: ".npy" }
     }
 }
 

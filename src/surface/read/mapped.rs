@@ -1,0 +1,105 @@
+//! The rows of a `.npy` map that is too large to be read as a whole, taken from a memory map.
+//!
+//! Mapping is the one unsafe thing in the crate: the compiler cannot know that no other process cuts
+//! the file while it is mapped. Here the bytes are only ever copied out and any bytes make a number,
+//! so that another process that writes can change heights but break no rule of the language; one that
+//! cuts the file ends this program with a bus error, as any reader of a map.
+
+use std::fs::File;
+use std::path::Path;
+
+use memmap2::Mmap;
+use npyz::Order;
+
+use super::ReadError;
+use super::npy::{Head, Stored};
+use crate::numeric::LARGEST;
+
+/// A two-dimensional array in C order, opened once; its rows may be taken from any thread.
+#[derive(Debug)]
+pub struct Mapped {
+    points: [usize; 2],
+    stored: Stored,
+    big_endian: bool,
+    begin: usize,
+    map: Mmap,
+}
+
+impl Mapped {
+    /// Opens a `.npy` file.
+    ///
+    /// # Errors
+    /// See [`ReadError`]; an array in Fortran order is unsupported, its rows being scattered.
+    pub fn open(path: &Path) -> Result<Self, ReadError> {
+        let Head { rows, columns, stored, order, big_endian, head_length, .. } = Head::read(path)?;
+        if order == Order::Fortran {
+            return Err(ReadError::Unsupported("is in Fortran order; allowed here: C order".to_owned()));
+        }
+        let file = File::open(path)?;
+        // SAFETY: the map is read only and private to this value, see the head of this module.
+        #[allow(unsafe_code)]
+        let map = unsafe { Mmap::map(&file) }?;
+        // The file may have been changed since its head was read.
+        let begin = usize::try_from(head_length).unwrap_or(usize::MAX);
+        let length = rows.checked_mul(columns).and_then(|count| count.checked_mul(stored.bytes() as usize));
+        if length.and_then(|length| begin.checked_add(length)).is_none_or(|end| end > map.len()) {
+            return Err(ReadError::Corrupt("is truncated: it became shorter while it was opened".to_owned()));
+        }
+        Ok(Self { points: [rows, columns], stored, big_endian, begin, map })
+    }
+
+    /// Points along x, which is the first index, and y.
+    pub fn points(&self) -> [usize; 2] {
+        self.points
+    }
+
+    /// Relative precision of the stored numbers; 0 for integers.
+    pub fn precision(&self) -> f64 {
+        self.stored.precision()
+    }
+
+    /// Copies the heights at the index `ix` along x to `out`, in the unit of the file. Missing points,
+    /// and what is too large to be a height, are NaN.
+    ///
+    /// # Panics
+    /// If `ix` is no row, or `out` has another length than the points along y.
+    pub fn row(&self, ix: usize, out: &mut [f64]) {
+        let [rows, columns] = self.points;
+        assert!(ix < rows && out.len() == columns, "row {ix} of {rows}, {} of {columns} points", out.len());
+        let length = columns * self.stored.bytes() as usize;
+        // `open` has checked that all rows are there.
+        let bytes = &self.map[self.begin + ix * length..][..length];
+        macro_rules! copy {
+            ($kind:ty) => {
+                self.copy(bytes, out, <$kind>::from_le_bytes, <$kind>::from_be_bytes, |value| value as f64)
+            };
+        }
+        match self.stored {
+            Stored::Float(4) => copy!(f32),
+            Stored::Float(_) => copy!(f64),
+            Stored::Signed(1) => copy!(i8),
+            Stored::Signed(2) => copy!(i16),
+            Stored::Signed(4) => copy!(i32),
+            Stored::Signed(_) => copy!(i64),
+            Stored::Unsigned(1) => copy!(u8),
+            Stored::Unsigned(2) => copy!(u16),
+            Stored::Unsigned(4) => copy!(u32),
+            Stored::Unsigned(_) => copy!(u64),
+        }
+    }
+
+    fn copy<T, const BYTES: usize>(
+        &self,
+        bytes: &[u8],
+        out: &mut [f64],
+        little: impl Fn([u8; BYTES]) -> T,
+        big: impl Fn([u8; BYTES]) -> T,
+        convert: impl Fn(T) -> f64,
+    ) {
+        let (stored, _) = bytes.as_chunks::<BYTES>();
+        for (z, &number) in out.iter_mut().zip(stored) {
+            let value = convert(if self.big_endian { big(number) } else { little(number) });
+            *z = if value.abs() <= LARGEST { value } else { f64::NAN };
+        }
+    }
+}
