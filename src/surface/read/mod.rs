@@ -3,10 +3,8 @@
 //! | module | format | holds its pixel | holds its unit |
 //! |---|---|---|---|
 //! | [`npy`] | NumPy array, whole or row by row | no | no |
-//! | [`text`] | matrix of numbers; with Gwyddion's header | no; yes | no; yes |
-//! | [`xyz`] | three columns of numbers | yes, in the unit | no |
-//! | [`x3p`] | ISO 25178-72 | yes | yes |
-//! | [`sdf`] | ISO 25178-71 | yes | yes |
+//! | `text` | matrix of numbers; with Gwyddion's header | no; yes | no; yes |
+//! | `xyz` | three columns of numbers | yes, in the unit | no |
 //!
 //! Where a format holds its unit, a height beyond 1 km is the mark of a missing point. Heights beyond
 //! 10 m that are left are refused in every format: there a unit is wrong. The first index of a map is
@@ -15,6 +13,9 @@
 
 mod mapped;
 pub mod npy;
+mod table;
+mod text;
+mod xyz;
 
 use std::fs::File;
 use std::io::Read;
@@ -148,6 +149,7 @@ pub struct Matrix {
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Format {
     Npy,
+    Text,
 }
 
 impl Format {
@@ -157,6 +159,10 @@ impl Format {
         File::open(path)?.take(BEGIN).read_to_end(&mut begin)?;
         if begin.starts_with(npy::MAGIC) {
             Ok(Self::Npy)
+        } else if begin.starts_with(b"\xff\xfe") || begin.starts_with(b"\xfe\xff") {
+            Err(ReadError::Unsupported("is a text in UTF-16; allowed: UTF-8 or Latin-1".to_owned()))
+        } else if begin.iter().all(|&byte| byte >= b' ' || byte.is_ascii_whitespace()) {
+            Ok(Self::Text)
         } else {
             Err(ReadError::Mismatch(format!(
                 "is no height map: it begins with \"{}\"; allowed: {FORMATS}",
@@ -173,7 +179,7 @@ impl Format {
 
 /// Bytes that are looked at to tell the formats apart.
 const BEGIN: u64 = 4096;
-const FORMATS: &str = ".npy";
+const FORMATS: &str = ".npy, a matrix of numbers or columns x y z as text";
 
 /// What the head of a file says, checked against its length. A text is read as a whole.
 ///
@@ -182,6 +188,7 @@ const FORMATS: &str = ".npy";
 pub fn head(path: &Path) -> Result<Head, ReadError> {
     match Format::of(path)? {
         Format::Npy => Ok(npy::Head::read(path)?.map()),
+        Format::Text => Ok(text::measured(path)?.head),
     }
 }
 
@@ -192,6 +199,7 @@ pub fn head(path: &Path) -> Result<Head, ReadError> {
 pub fn measured(path: &Path) -> Result<Measured, ReadError> {
     match Format::of(path)? {
         Format::Npy => npy::measured(path),
+        Format::Text => text::measured(path),
     }
 }
 
@@ -234,6 +242,11 @@ fn check_heights(heights: &mut [f64], in_metres: bool) -> Result<(), ReadError> 
         )));
     }
     Ok(())
+}
+
+/// Heights with the y index running fastest, of heights in lines of `points_x` along x.
+fn transposed(lines: &[f64], points_x: usize) -> Vec<f64> {
+    (0..points_x).flat_map(|ix| lines.iter().skip(ix).step_by(points_x)).copied().collect()
 }
 
 /// A file that is there and not empty, or why not.

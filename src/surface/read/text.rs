@@ -1,0 +1,85 @@
+//! Plain text: a matrix of heights, one line a y, with or without the header that Gwyddion writes.
+//!
+//! The header (`# Width: 12.5 µm`, `# Height: 10 µm`, `# Value units: nm`) holds the size of the whole
+//! map, which is divided by the number of points. Without it three columns of more than three lines are
+//! coordinates, see [`xyz`](super::xyz).
+
+use std::path::Path;
+
+use super::table::Table;
+use super::{ALLOWED_UNITS, Head, Measured, ReadError, length_unit, transposed, xyz};
+
+const FORMAT: &str = "a text with a header of sizes";
+
+/// Reads a map: in metres with a header, in the unit of the file without.
+///
+/// # Errors
+/// See [`ReadError`].
+pub(super) fn measured(path: &Path) -> Result<Measured, ReadError> {
+    let bytes = std::fs::read(path)?;
+    // Not every program writes its µ in UTF-8; Latin-1 is the other one in use.
+    let text = String::from_utf8(bytes)
+        .unwrap_or_else(|error| error.into_bytes().iter().map(|&byte| char::from(byte)).collect());
+    let text = text.trim_start_matches('\u{feff}');
+    let header = Header::parse(text)?;
+    let Table { rows, columns, mut values, precision } = Table::parse(text)?;
+    let Some(header) = header else {
+        if columns == 3 && rows > 3 {
+            return xyz::measured(&values, precision);
+        }
+        let head = Head { points: [columns, rows], pixel: None, has_unit: false, format: "a plain text" };
+        return Ok(Measured { head, heights: transposed(&values, columns), precision });
+    };
+    let points = [columns, rows];
+    let pixel = [header.width / columns as f64, header.height / rows as f64];
+    values.iter_mut().for_each(|z| *z *= header.unit);
+    let head = Head { points, pixel: Some(pixel), has_unit: true, format: FORMAT };
+    Ok(Measured { head, heights: transposed(&values, columns), precision })
+}
+
+/// What Gwyddion writes above the numbers, in metres.
+struct Header {
+    width: f64,
+    height: f64,
+    unit: f64,
+}
+
+impl Header {
+    /// The header, `None` if there is none.
+    fn parse(text: &str) -> Result<Option<Self>, ReadError> {
+        let entry = |key: &str| {
+            text.lines().map_while(|line| line.trim().strip_prefix('#')).find_map(|line| {
+                let (found, value) = line.split_once(':')?;
+                (found.trim() == key).then(|| value.trim())
+            })
+        };
+        let (width, height, unit) = match (entry("Width"), entry("Height"), entry("Value units")) {
+            (None, None, None) => return Ok(None),
+            (Some(width), Some(height), Some(unit)) => (width, height, unit),
+            found => {
+                let word = |value: Option<&str>| if value.is_some() { "there" } else { "missing" };
+                return Err(ReadError::Unsupported(format!(
+                    "has a header with Width {}, Height {}, Value units {}; allowed: all three, or none",
+                    word(found.0),
+                    word(found.1),
+                    word(found.2)
+                )));
+            }
+        };
+        let unit = length_unit(unit).ok_or_else(|| {
+            ReadError::Unsupported(format!("holds values in \"{unit}\"; allowed: heights in {ALLOWED_UNITS}"))
+        })?;
+        Ok(Some(Self { width: length("Width", width)?, height: length("Height", height)?, unit }))
+    }
+}
+
+/// "12.5 µm" in metres.
+fn length(key: &str, words: &str) -> Result<f64, ReadError> {
+    let (number, unit) = words.split_once([' ', '\t', '\u{a0}']).unwrap_or((words, ""));
+    let number = number.replace(',', ".").parse::<f64>().ok().filter(|number| number.is_finite());
+    number.zip(length_unit(unit.trim())).map(|(number, unit)| number * unit).ok_or_else(|| {
+        ReadError::Unsupported(format!(
+            "has the {key} \"{words}\"; allowed: a number and one of {ALLOWED_UNITS}"
+        ))
+    })
+}

@@ -1,0 +1,115 @@
+//! Three columns of text: x, y and z of the points of a regular grid, in any order and one unit.
+//!
+//! The lines of the grid are found from the coordinates, which may be rounded: a point may lie a fifth
+//! of a pixel beside its line. Points of the grid that the file leaves out are missing.
+
+use super::{Head, Measured, ReadError};
+use crate::numeric::LARGEST;
+
+/// A point may lie so far beside its line of the grid, pixels.
+const TOLERANCE: f64 = 0.2;
+/// A grid has at most so many places for each point that the file holds.
+const SPARSEST: usize = 4;
+
+/// The map of points that are three `values` each, in the unit of the file.
+pub(super) fn measured(values: &[f64], precision: f64) -> Result<Measured, ReadError> {
+    let (points, _) = values.as_chunks::<3>();
+    for (row, point) in (1..).zip(points) {
+        if let Some(found) = point[..2].iter().find(|value| value.is_nan() || value.abs() > LARGEST) {
+            return Err(ReadError::Corrupt(format!(
+                "point {row} of {}: found the coordinate {found}; allowed: a finite number",
+                points.len()
+            )));
+        }
+    }
+    let x = Axis::find("x", points.iter().map(|point| point[0]).collect())?;
+    let y = Axis::find("y", points.iter().map(|point| point[1]).collect())?;
+    let most = points.len().saturating_mul(SPARSEST);
+    let size = x.count.checked_mul(y.count).filter(|&size| size <= most).ok_or_else(|| {
+        no_grid(&format!(
+            "{} points on {} lines along x and {} along y, more than three in four missing",
+            points.len(),
+            x.count,
+            y.count
+        ))
+    })?;
+    let mut heights = vec![f64::NAN; size];
+    let mut seen = vec![false; size];
+    for &[px, py, z] in points {
+        let place = x.line(px) * y.count + y.line(py);
+        let (Some(height), Some(seen)) = (heights.get_mut(place), seen.get_mut(place)) else {
+            return Err(no_grid(&format!("the point {px} {py} outside")));
+        };
+        if std::mem::replace(seen, true) {
+            return Err(no_grid(&format!("two points at {px} {py}")));
+        }
+        *height = z;
+    }
+    let head = Head {
+        points: [x.count, y.count],
+        pixel: Some([x.step, y.step]),
+        has_unit: false,
+        format: "a text of x, y and z",
+    };
+    Ok(Measured { head, heights, precision })
+}
+
+fn no_grid(found: &str) -> ReadError {
+    ReadError::Unsupported(format!(
+        "holds three columns that are no points x y z of a regular grid: {found}; allowed: every point \
+         within {TOLERANCE} of a pixel of a line, one point a place (or a matrix of heights that is not \
+         three wide)"
+    ))
+}
+
+/// Equidistant lines of a grid.
+struct Axis {
+    first: f64,
+    step: f64,
+    count: usize,
+}
+
+impl Axis {
+    /// Finds the lines that all `positions` lie on. Rounded positions of one line are first taken
+    /// together: those that are closer than a trial distance, which is raised until lines appear.
+    fn find(name: &str, mut positions: Vec<f64>) -> Result<Self, ReadError> {
+        positions.sort_unstable_by(f64::total_cmp);
+        let (Some(&first), Some(&last)) = (positions.first(), positions.last()) else {
+            return Err(no_grid("no point"));
+        };
+        if last <= first {
+            return Err(no_grid(&format!("all at {name} = {first}")));
+        }
+        let trials = (1..=12).rev().map(|power| 0.1f64.powi(power) * (last - first));
+        let mut found = trials.filter_map(|distance| Self::with_lines(&positions, distance));
+        found.next().ok_or_else(|| no_grid(&format!("no equidistant lines along {name}")))
+    }
+
+    fn with_lines(positions: &[f64], distance: f64) -> Option<Self> {
+        let lines: Vec<f64> = positions
+            .chunk_by(|a, b| b - a <= distance)
+            .map(|line| line.iter().map(|x| x / line.len() as f64).sum())
+            .collect();
+        let (&first, &last) = (lines.first()?, lines.last()?);
+        // Most gaps that are about the smallest are one step; their median is the best first estimate.
+        let mut gaps: Vec<f64> = lines.windows(2).map(|pair| pair[1] - pair[0]).collect();
+        gaps.sort_unstable_by(f64::total_cmp);
+        let smallest = *gaps.first()?;
+        let single = gaps.partition_point(|&gap| gap < 1.5 * smallest);
+        let estimate = *gaps.get(single / 2)?;
+        let steps: f64 = lines.windows(2).map(|pair| ((pair[1] - pair[0]) / estimate).round()).sum();
+        // A stray point would make a finer grid, most of whose lines hold no point.
+        if steps.is_nan() || steps >= 2.0 * lines.len() as f64 {
+            return None;
+        }
+        let step = (last - first) / steps;
+        let axis = Self { first, step, count: steps as usize + 1 };
+        let beside = |x: &f64| ((x - first) / step - ((x - first) / step).round()).abs();
+        positions.iter().all(|x| beside(x) <= TOLERANCE).then_some(axis)
+    }
+
+    /// The index of the line that `x` lies on.
+    fn line(&self, x: f64) -> usize {
+        ((x - self.first) / self.step).round() as usize
+    }
+}
