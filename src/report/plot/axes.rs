@@ -62,7 +62,7 @@ pub(super) fn y_ticks(scale: &Scale, length: f64) -> Vec<Tick> {
     })
 }
 
-fn labelled(ticks: &[Tick]) -> impl Iterator<Item = (f64, &str)> {
+pub(super) fn labelled(ticks: &[Tick]) -> impl Iterator<Item = (f64, &str)> {
     ticks.iter().filter_map(|tick| tick.label.as_deref().map(|label| (tick.place, label)))
 }
 
@@ -107,9 +107,7 @@ pub(super) fn draw_axes(
     label_x: f64,
 ) {
     let r = &frame.rect;
-    let outline =
-        [(r.left, r.top), (r.right, r.top), (r.right, r.bottom), (r.left, r.bottom), (r.left, r.top)];
-    let mut lines: Vec<Vec<Spot>> = vec![outline.to_vec()];
+    let mut lines: Vec<Vec<Spot>> = vec![r.outline().to_vec()];
     // Ticks point inwards on all four sides, as in print.
     let length = |tick: &Tick| {
         if tick.label.is_some() { MARK } else { 0.55 * MARK }

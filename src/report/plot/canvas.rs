@@ -36,6 +36,12 @@ impl Rect {
         self.bottom - self.top
     }
 
+    /// Round the rectangle and back to where it began.
+    pub(super) fn outline(&self) -> [Spot; 5] {
+        let Self { left, top, right, bottom } = *self;
+        [(left, top), (right, top), (right, bottom), (left, bottom), (left, top)]
+    }
+
     pub(super) fn grown(&self, by: f64) -> Self {
         Self { left: self.left - by, top: self.top - by, right: self.right + by, bottom: self.bottom + by }
     }
@@ -179,6 +185,17 @@ impl Canvas {
         let elements = elements.replace(&size, "");
         let extra = format!("font-size=\"{}\"", (set.size * UNITS).round());
         self.group(&[("fill", hex(set.colour))], &extra, &elements);
+    }
+
+    /// An image by its data URI, drawn out to the rectangle.
+    pub(super) fn image(&mut self, rect: &Rect, uri: &str) {
+        // Plotters would decode the image; and a field may reach farther than its units do.
+        let [left, top, width, height] =
+            [rect.left, rect.top, rect.width(), rect.height()].map(|pixels| (pixels * UNITS).round());
+        self.body.push_str(&format!(
+            "<image x=\"{left}\" y=\"{top}\" width=\"{width}\" height=\"{height}\" \
+             preserveAspectRatio=\"none\" href=\"{uri}\"/>\n"
+        ));
     }
 
     /// What `draw` puts down shows inside `rect` only.

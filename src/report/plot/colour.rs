@@ -1,5 +1,6 @@
 //! The palette: safe for colour-blind readers (Okabe and Ito 2008), with fixed roles.
 
+use super::Spread;
 use plotters::style::RGBColor;
 
 /// The colour of a layer, by its role.
@@ -64,9 +65,75 @@ impl Colour {
 
 fn ordered(index: usize, of: usize) -> RGBColor {
     let last = of.saturating_sub(1).max(1);
-    let place = index.min(last) as f64 / last as f64 * (ORDERED.len() - 1) as f64;
-    let step = (place as usize).min(ORDERED.len() - 2);
-    let (from, to, part) = (ORDERED[step], ORDERED[step + 1], place - step as f64);
+    ramp(&ORDERED, index.min(last) as f64 / last as f64)
+}
+
+/// The colours of a field of values. Their lightness changes in equal steps, so that they tell the
+/// order of values without colour too.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum ColourMap {
+    /// White to dark blue, for densities: zero is the background.
+    Sequential,
+    /// Dark blue over light grey to dark red, for what lies on both sides of zero.
+    Diverging,
+    /// Light to dark blue in equal ratios, for counts: one stands out from the background, and what
+    /// is not positive is not shown.
+    Counts,
+}
+
+/// White to dark blue.
+const SEQUENTIAL: [(f64, f64, f64); 9] = [
+    (255.0, 255.0, 255.0),
+    (194.0, 232.0, 236.0),
+    (134.0, 207.0, 223.0),
+    (71.0, 180.0, 212.0),
+    (2.0, 151.0, 196.0),
+    (2.0, 120.0, 170.0),
+    (0.0, 91.0, 144.0),
+    (1.0, 63.0, 118.0),
+    (16.0, 37.0, 86.0),
+];
+
+/// The middle differs from white, which holes in the field show.
+const DIVERGING: [(f64, f64, f64); 9] = [
+    (1.0, 68.0, 120.0),
+    (2.0, 110.0, 171.0),
+    (29.0, 156.0, 218.0),
+    (140.0, 199.0, 233.0),
+    (238.0, 238.0, 238.0),
+    (226.0, 183.0, 150.0),
+    (203.0, 130.0, 87.0),
+    (170.0, 78.0, 48.0),
+    (127.0, 29.0, 24.0),
+];
+
+/// Where counts begin in the map of densities: a single one must be seen.
+const ONE: f64 = 0.3;
+
+impl ColourMap {
+    /// The colour at a place from 0 to 1 of the map.
+    pub(super) fn rgb(self, place: f64) -> RGBColor {
+        match self {
+            Self::Sequential => ramp(&SEQUENTIAL, place),
+            Self::Diverging => ramp(&DIVERGING, place),
+            Self::Counts => ramp(&SEQUENTIAL, ONE + (1.0 - ONE) * place),
+        }
+    }
+
+    /// How values are spread over the map.
+    pub(super) fn spread(self) -> Spread {
+        match self {
+            Self::Sequential | Self::Diverging => Spread::Linear,
+            Self::Counts => Spread::Log,
+        }
+    }
+}
+
+/// The colour at a place from 0 to 1 between evenly spread anchors.
+fn ramp<const N: usize>(anchors: &[(f64, f64, f64); N], place: f64) -> RGBColor {
+    let place = place * (N - 1) as f64;
+    let step = (place as usize).min(N - 2);
+    let (from, to, part) = (anchors[step], anchors[step + 1], place - step as f64);
     let mix = |from: f64, to: f64| (from + part * (to - from)).round() as u8;
     RGBColor(mix(from.0, to.0), mix(from.1, to.1), mix(from.2, to.2))
 }
@@ -92,5 +159,42 @@ mod tests {
         };
         assert!(lightness(Colour::Elastic) > lightness(Colour::ElasticPlastic) + 25.0);
         assert!(lightness(Colour::ElasticPlastic) > lightness(Colour::Plastic) + 25.0);
+    }
+
+    /// CIE lightness, from 0 to 100.
+    fn lightness(RGBColor(r, g, b): RGBColor) -> f64 {
+        let linear = |part: u8| {
+            let part = f64::from(part) / 255.0;
+            if part <= 0.04045 { part / 12.92 } else { ((part + 0.055) / 1.055).powf(2.4) }
+        };
+        let light = 0.2126 * linear(r) + 0.7152 * linear(g) + 0.0722 * linear(b);
+        116.0 * light.cbrt() - 16.0
+    }
+
+    #[test]
+    fn lightness_falls_evenly_along_the_maps() {
+        let even = |map: ColourMap, from: f64, to: f64| {
+            let steps: Vec<f64> =
+                (0..=16).map(|k| lightness(map.rgb(from + (to - from) * f64::from(k) / 16.0))).collect();
+            let mean = (steps[0] - steps[16]) / 16.0;
+            assert!(mean > 2.0, "{mean}");
+            for pair in steps.windows(2) {
+                assert!((pair[0] - pair[1] - mean).abs() < 0.4 * mean, "{map:?} {steps:?}");
+            }
+        };
+        even(ColourMap::Sequential, 0.0, 1.0);
+        even(ColourMap::Counts, 0.0, 1.0);
+        even(ColourMap::Diverging, 0.5, 0.0);
+        even(ColourMap::Diverging, 0.5, 1.0);
+        let balance = |part: f64| {
+            lightness(ColourMap::Diverging.rgb(part)) - lightness(ColourMap::Diverging.rgb(1.0 - part))
+        };
+        assert!((0..8).all(|k| balance(f64::from(k) / 16.0).abs() < 2.0));
+    }
+
+    #[test]
+    fn nothing_is_white_and_one_is_not() {
+        assert_eq!(ColourMap::Sequential.rgb(0.0), RGBColor(255, 255, 255));
+        assert!(lightness(ColourMap::Counts.rgb(0.0)) < 80.0);
     }
 }

@@ -1,6 +1,6 @@
 //! What can be shown between two axes.
 
-use super::Colour;
+use super::{Colour, Raster};
 
 /// How a line is broken up.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -49,6 +49,7 @@ pub(super) enum Shape {
         slope: f64,
     },
     Note((f64, f64)),
+    Raster(Raster),
 }
 
 /// One thing to show. A layer with a name stands in the legend; layers of one name share its key,
@@ -135,6 +136,12 @@ impl Layer {
         Self::reference(Shape::Note(at), text)
     }
 
+    /// A field of values as an image, with a colour bar beside the plot; of several, the first has the
+    /// bar. Both axes must be linear, else it is not shown.
+    pub fn raster(raster: Raster) -> Self {
+        Self::new(Shape::Raster(raster))
+    }
+
     /// Names the layer in the legend.
     pub fn named(mut self, name: impl Into<String>) -> Self {
         self.name = Some(name.into());
@@ -176,7 +183,14 @@ impl Layer {
             Shape::Line(points) | Shape::Points(points, _) => points.clone(),
             Shape::Band(points) => points.iter().flat_map(|p| [(p.0, p.1), (p.0, p.2)]).collect(),
             Shape::Bars(bins) => bins.iter().flat_map(|b| [(b.0, 0.0), (b.0, b.2), (b.1, b.2)]).collect(),
-            Shape::Region(..) | Shape::Level(..) | Shape::Slope { .. } | Shape::Note(_) => Vec::new(),
+            Shape::Raster(raster) if raster.scale().is_some() => {
+                vec![(raster.x.0, raster.y.0), (raster.x.1, raster.y.1)]
+            }
+            Shape::Raster(_)
+            | Shape::Region(..)
+            | Shape::Level(..)
+            | Shape::Slope { .. }
+            | Shape::Note(_) => Vec::new(),
         }
     }
 }

@@ -42,7 +42,7 @@ pub(super) struct Entry<'a> {
 }
 
 /// Entries in the order of the layers, none wider than `room`.
-pub(super) fn entries(layers: &[Layer], room: f64) -> Vec<Entry<'_>> {
+pub(super) fn entries<'a>(layers: impl IntoIterator<Item = &'a Layer>, room: f64) -> Vec<Entry<'a>> {
     let mut entries: Vec<(&str, Vec<&Layer>)> = Vec::new();
     for layer in layers {
         let Some(name) = layer.name.as_deref() else {

@@ -4,8 +4,9 @@ use super::axes::Frame;
 use super::canvas::{Canvas, Rect, Spot, Stroke};
 use super::clip::clip;
 use super::layer::{Dash, Direction, Layer, Marker, Shape};
-use super::place::Taken;
+use super::place::{PITCH, Taken};
 use super::thin::thin;
+use super::{Raster, Spread};
 use std::collections::HashSet;
 
 const LINE: f64 = 2.0;
@@ -79,6 +80,10 @@ pub(super) fn draw(canvas: &mut Canvas, frame: &Frame, layer: &Layer, taken: &mu
             let lines = reference(frame, layer);
             draw_lines(canvas, &lines, Stroke { colour, width: REFERENCE, dash: layer.dash }, frame, taken);
         }
+        Shape::Raster(raster) if [frame.x.spread, frame.y.spread] == [Spread::Linear; 2] => {
+            draw_raster(canvas, frame, raster, taken);
+        }
+        Shape::Raster(_) => {}
         // Markers may stand on the frame and regions lie below: both are drawn outside the clip.
         Shape::Points(..) | Shape::Region(..) | Shape::Note(_) => {}
     }
@@ -107,6 +112,7 @@ pub(super) fn draw_key(canvas: &mut Canvas, layer: &Layer, key: &Rect) {
             canvas.lines([line.as_slice()], Stroke { colour, width, dash: layer.dash });
         }
         Shape::Points(_, marker) => markers(canvas, &[middle], *marker, layer),
+        Shape::Raster(raster) => canvas.rect(key, raster.map.rgb(0.75), layer.opacity),
         Shape::Band(_) | Shape::Bars(_) | Shape::Region(..) => canvas.rect(key, colour, layer.opacity),
         Shape::Note(_) => {}
     }
@@ -156,6 +162,40 @@ fn draw_bars(canvas: &mut Canvas, frame: &Frame, layer: &Layer, bins: &[(f64, f6
     }
     canvas.polygons(outlines.iter().map(|o| o.as_slice()), layer.colour.rgb(), layer.opacity);
     canvas.lines(outlines.iter().map(|o| o.as_slice()), Stroke::solid(layer.colour.rgb(), 0.7));
+}
+
+/// Draws a field with about as many cells as the page has pixels for it.
+fn draw_raster(canvas: &mut Canvas, frame: &Frame, raster: &Raster, taken: &mut Taken) {
+    let (Some(from), Some(to)) = (frame.spot((raster.x.0, raster.y.0)), frame.spot((raster.x.1, raster.y.1)))
+    else {
+        return;
+    };
+    let place = Rect {
+        left: from.0.min(to.0),
+        top: from.1.min(to.1),
+        right: from.0.max(to.0),
+        bottom: from.1.max(to.1),
+    };
+    if !(place.width() > 0.0 && place.height() > 0.0) {
+        return;
+    }
+    let shown = raster.reduced_to(place.width().ceil() as usize, place.height().ceil() as usize);
+    // Limits come from the values as they are, not from their means: the colour bar does too.
+    let Some(scale) = raster.scale() else {
+        return;
+    };
+    let size = (place.width(), place.height());
+    if let Some(image) = shown.image(&scale, (to.0 < from.0, to.1 > from.1), size) {
+        canvas.image(&place, &image);
+    }
+    let coarse = shown.reduced_to((place.width() / PITCH) as usize, (place.height() / PITCH) as usize);
+    let (width, height) = ((to.0 - from.0) / coarse.columns as f64, (to.1 - from.1) / coarse.rows as f64);
+    for (k, value) in coarse.values.iter().enumerate() {
+        let (column, row) = ((k % coarse.columns) as f64 + 0.5, (k / coarse.columns) as f64 + 0.5);
+        if scale.place(*value).is_some() {
+            taken.dot((from.0 + column * width, from.1 + row * height));
+        }
+    }
 }
 
 /// Unbroken runs of what can be shown.

@@ -11,6 +11,9 @@
 //! | `colour` | the palette and its fixed roles |
 //! | `scale` | from a value to a place on the page |
 //! | `ticks` | where an axis is divided and what stands there |
+//! | `raster` | fields of values and their images |
+//! | `png` | small PNG files as data URIs |
+//! | `bar` | the colour bar |
 //! | `clip` | the parts of a line inside the frame |
 //! | `thin` | fewer points for the same picture |
 //! | `text` | how wide a text will be |
@@ -19,25 +22,33 @@
 //! | `marks` | the layers on the page |
 //! | `place` | where labels and legend stand clear of the data |
 //! | `legend` | names of the layers |
+//! | `label` | texts beside references, in regions and at points |
 //! | `draw` | puts a figure together |
 
 mod axes;
+mod bar;
 mod canvas;
 mod clip;
 mod colour;
 mod draw;
+mod label;
 mod layer;
 mod legend;
 mod marks;
 mod place;
+mod png;
+mod raster;
 mod scale;
 mod text;
 mod thin;
 mod ticks;
 
-pub use colour::Colour;
+pub use colour::{Colour, ColourMap};
 pub use layer::{Dash, Layer, Marker};
 pub use legend::Legend;
+pub use raster::Raster;
+
+use layer::Shape;
 
 /// How values are spread along an axis.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -74,6 +85,13 @@ impl Axis {
         self.range = Some((from, to));
         self
     }
+
+    /// With the range of some values, unless it has one.
+    fn ending_with(&self, values: &[f64]) -> Self {
+        let low = values.iter().copied().fold(f64::INFINITY, f64::min);
+        let high = values.iter().copied().fold(f64::NEG_INFINITY, f64::max);
+        Self { range: self.range.or(Some((low, high))), ..self.clone() }
+    }
 }
 
 /// One pair of axes and what is drawn between them.
@@ -85,12 +103,14 @@ pub struct Plot {
     layers: Vec<Layer>,
     legend: Legend,
     height: f64,
+    equal: bool,
 }
 
 impl Plot {
     /// An empty plot; an empty title takes no room.
     pub fn new(title: impl Into<String>, x: Axis, y: Axis) -> Self {
-        Self { title: title.into(), x, y, layers: Vec::new(), legend: Legend::Auto, height: 380.0 }
+        let title = title.into();
+        Self { title, x, y, layers: Vec::new(), legend: Legend::Auto, height: 380.0, equal: false }
     }
 
     /// Adds a layer on top of those before it.
@@ -131,6 +151,25 @@ impl Plot {
     pub fn height(mut self, pixels: f64) -> Self {
         self.height = pixels.clamp(60.0, 2000.0);
         self
+    }
+
+    /// Makes one unit of x as long as one of y, as on a map: the frame is as large as the width of the
+    /// figure and [`Plot::height`] allow. Logarithmic axes stay as they are.
+    pub fn equal_aspect(mut self) -> Self {
+        self.equal = true;
+        self
+    }
+
+    fn is_linear(&self) -> bool {
+        [self.x.spread, self.y.spread] == [Spread::Linear; 2]
+    }
+
+    /// The field to which the colour bar belongs.
+    fn raster(&self) -> Option<&Raster> {
+        self.layers.iter().find_map(|layer| match &layer.shape {
+            Shape::Raster(raster) if self.is_linear() && raster.scale().is_some() => Some(raster),
+            _ => None,
+        })
     }
 
     /// Draws this plot alone, 720 CSS pixels wide.

@@ -3,7 +3,7 @@
 use super::canvas::{Rect, Spot};
 
 /// Distance between the dots that stand for a line, in CSS pixels.
-const PITCH: f64 = 5.0;
+pub(super) const PITCH: f64 = 5.0;
 
 /// What is already on the page: data as dots, texts as boxes.
 #[derive(Default)]

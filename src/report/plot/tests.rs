@@ -11,6 +11,16 @@ fn plot() -> Plot {
     Plot::new("title", Axis::log("x (m)"), Axis::linear("y"))
 }
 
+fn field(map: ColourMap, columns: usize, values: Vec<f64>) -> Raster {
+    let rows = values.len() / columns;
+    let (x, y) = ((0.0, columns as f64), (0.0, rows as f64));
+    Raster { x, y, columns, rows, values, map, limits: None, label: "height (µm)".into() }
+}
+
+fn map_of(raster: Raster) -> Plot {
+    Plot::new("map", Axis::linear("x (µm)"), Axis::linear("y (µm)")).with(Layer::raster(raster))
+}
+
 fn count(svg: &str, what: &str) -> usize {
     svg.matches(what).count()
 }
@@ -26,7 +36,11 @@ fn assert_sound(svg: &str) {
         let opened = count(svg, &format!("<{tag} ")) + count(svg, &format!("<{tag}>"));
         assert_eq!(opened, count(svg, &format!("</{tag}>")), "{tag}");
     }
-    assert!(!svg.contains("NaN") && !svg.contains("inf"), "{svg}");
+    // The text of an image may hold anything.
+    let mut parts = svg.split("data:image/png;base64,");
+    let first = parts.next().into_iter();
+    let text: String = first.chain(parts.map(|part| part.split_once('"').unwrap().1)).collect();
+    assert!(!text.contains("NaN") && !text.contains("inf"), "{text}");
 }
 
 #[test]
@@ -94,6 +108,15 @@ fn no_values_make_trouble() {
                 .with(Layer::slope((a, b), b, "slope"))
                 .with(Layer::note((a, b), "note"));
             assert_sound(&plot.svg());
+            if x.range.is_some() || y.range.is_some() {
+                continue;
+            }
+            for map in [ColourMap::Diverging, ColourMap::Counts] {
+                let raster =
+                    Raster { x: (a, b), y: (b, a), limits: Some((a, b)), ..field(map, 2, vec![a, b]) };
+                let plot = Plot::new("", x.clone(), y.clone()).equal_aspect().height(60.0);
+                assert_sound(&plot.with(Layer::raster(raster)).svg());
+            }
         }
     }
 }
@@ -188,4 +211,67 @@ fn plots_in_a_column_are_in_line() {
         svg.split("<svg x=\"").skip(1).map(|rest| rest.split_once('"').unwrap().0).collect();
     assert_eq!(lefts.len(), 2);
     assert_eq!(lefts[0], lefts[1]);
+}
+
+/// Width and height, in pixels, of the frame that cuts off what is outside.
+fn frame(svg: &str) -> (f64, f64) {
+    let rest = svg.split_once("<svg x=\"").unwrap().1;
+    let number =
+        |key: &str| rest.split_once(key).unwrap().1.split_once('"').unwrap().0.parse::<f64>().unwrap();
+    (number(" width=\"") / 3.0, number(" height=\"") / 3.0)
+}
+
+#[test]
+fn a_field_is_an_image_with_a_colour_bar() {
+    let rough = |n: usize| (0..n * n).map(|k| (k * 7919 % 1009) as f64 - 500.0).collect();
+    let svg = map_of(field(ColourMap::Diverging, 64, rough(64))).svg();
+    assert_sound(&svg);
+    // The field and the bar.
+    assert_eq!(count(&svg, "<image"), 2);
+    assert!(svg.contains("height (µm)") && svg.contains("−400") && !svg.contains("no data"));
+    assert_eq!(svg, map_of(field(ColourMap::Diverging, 64, rough(64))).svg());
+    // No wider than the page, however fine the field is.
+    let fine = map_of(field(ColourMap::Sequential, 1500, rough(1500))).svg();
+    assert!(fine.len() < 350_000, "{}", fine.len());
+}
+
+#[test]
+fn a_field_without_values_or_on_other_axes_is_not_shown() {
+    let broken = Raster { rows: 3, ..field(ColourMap::Diverging, 2, vec![1.0; 4]) };
+    let endless = Raster { rows: usize::MAX, ..broken.clone() };
+    for raster in [field(ColourMap::Diverging, 2, vec![f64::NAN; 4]), broken, endless] {
+        let svg = map_of(raster).svg();
+        assert!(svg.contains("no data") && !svg.contains("<image"));
+    }
+    let svg = plot().with(Layer::raster(field(ColourMap::Diverging, 2, vec![1.0; 4]))).svg();
+    assert!(svg.contains("no data") && !svg.contains("<image"));
+}
+
+#[test]
+fn units_of_a_map_are_equally_long() {
+    let wide = map_of(field(ColourMap::Diverging, 40, vec![1.0; 400])).equal_aspect().svg();
+    let (width, height) = frame(&wide);
+    assert!((width / height - 4.0).abs() < 0.02 && width > 500.0, "{width} {height}");
+    let high = map_of(field(ColourMap::Diverging, 10, vec![1.0; 400])).equal_aspect().svg();
+    let (width, height) = frame(&high);
+    assert!((height / width - 4.0).abs() < 0.05 && (height - 380.0).abs() < 1.0, "{width} {height}");
+}
+
+#[test]
+fn an_image_stands_upright() {
+    let raster = || field(ColourMap::Sequential, 2, vec![0.0, 0.0, 1.0, 0.0]);
+    let image = |x: Axis, y: Axis| {
+        let svg = Plot::new("", x, y).with(Layer::raster(raster())).svg();
+        svg.split_once("base64,").unwrap().1.split_once('"').unwrap().0.to_owned()
+    };
+    let turned = |columns: [usize; 4]| {
+        let values = columns.map(|k| raster().values[k]).to_vec();
+        let raster = Raster { values, ..raster() };
+        let svg = Plot::new("", Axis::linear(""), Axis::linear("")).with(Layer::raster(raster)).svg();
+        svg.split_once("base64,").unwrap().1.split_once('"').unwrap().0.to_owned()
+    };
+    let (rising, falling) = (Axis::linear("").range(0.0, 2.0), Axis::linear("").range(2.0, 0.0));
+    assert_eq!(image(rising.clone(), rising.clone()), turned([0, 1, 2, 3]));
+    assert_eq!(image(falling.clone(), rising.clone()), turned([1, 0, 3, 2]));
+    assert_eq!(image(rising, falling), turned([2, 3, 0, 1]));
 }

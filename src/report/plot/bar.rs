@@ -1,0 +1,65 @@
+//! The colour bar: what the colours of a field mean.
+
+use super::axes::{self, INK, LABEL, TICK};
+use super::canvas::{Align, Canvas, Rect, Spot, Stroke, Type};
+use super::png::encode;
+use super::raster::{Raster, palette};
+use super::text::{fit, width};
+use super::ticks::Tick;
+
+/// From the frame to the bar.
+const GAP: f64 = 16.0;
+const WIDTH: f64 = 14.0;
+const MARK: f64 = 4.0;
+
+pub(super) struct Bar<'a> {
+    raster: &'a Raster,
+    ticks: Vec<Tick>,
+}
+
+impl<'a> Bar<'a> {
+    /// A bar of a length; none if the field shows nothing.
+    pub(super) fn new(raster: &'a Raster, length: f64) -> Option<Self> {
+        let scale = raster.scale()?;
+        Some(Self { raster, ticks: axes::y_ticks(&scale, length) })
+    }
+
+    /// Room that it takes right of the frame.
+    pub(super) fn room(&self) -> f64 {
+        GAP + WIDTH + self.numbers() + if self.raster.label.is_empty() { 0.0 } else { LABEL + 6.0 } + 6.0
+    }
+
+    /// Room for the numbers and their ticks.
+    fn numbers(&self) -> f64 {
+        let widest = axes::labelled(&self.ticks).map(|(_, label)| width(label, TICK)).fold(0.0, f64::max);
+        MARK + 4.0 + widest
+    }
+
+    /// Draws the bar right of a frame and as high.
+    pub(super) fn draw(&self, canvas: &mut Canvas, frame: &Rect) {
+        let bar = Rect::new(frame.right + GAP, frame.top, WIDTH, frame.height());
+        let colours = palette(self.raster.map);
+        let indices: Vec<u8> = (1..=255).rev().collect();
+        if let Some(image) = encode(&indices, 1, indices.len(), &colours) {
+            canvas.image(&bar, &image);
+        }
+        let mut lines: Vec<Vec<Spot>> = vec![bar.outline().to_vec()];
+        let place = |tick: &Tick| bar.bottom - tick.place * bar.height();
+        for tick in &self.ticks {
+            let mark = if tick.label.is_some() { MARK } else { 0.5 * MARK };
+            lines.push(vec![(bar.right, place(tick)), (bar.right + mark, place(tick))]);
+        }
+        canvas.lines(lines.iter().map(Vec::as_slice), Stroke::solid(INK, 1.0));
+        let set = Type { size: TICK, colour: INK, align: Align::Left, bold: false, upright: false };
+        let numbers = axes::labelled(&self.ticks)
+            .map(|(at, label)| (label, (bar.right + MARK + 4.0, bar.bottom - at * bar.height())));
+        canvas.texts(numbers, set);
+        if self.raster.label.is_empty() {
+            return;
+        }
+        let label = fit(&self.raster.label, LABEL, bar.height() + 30.0);
+        let spot = (bar.right + self.numbers() + 6.0 + LABEL / 2.0, (bar.top + bar.bottom) / 2.0);
+        let set = Type { size: LABEL, align: Align::Centre, upright: true, ..set };
+        canvas.texts([(label.as_str(), spot)], set);
+    }
+}

@@ -1,0 +1,135 @@
+//! Texts beside references, in regions and at points.
+
+use super::axes::Frame;
+use super::canvas::{Align, Canvas, Rect, Type};
+use super::layer::{Direction, Layer, Shape};
+use super::marks;
+use super::place::Taken;
+use super::text::{fit, width};
+use plotters::style::RGBColor;
+
+const NOTE: f64 = 12.5;
+
+/// Writes the label of a region, reference or note where it covers least.
+pub(super) fn draw_label(canvas: &mut Canvas, frame: &Frame, layer: &Layer, taken: &mut Taken) {
+    if layer.label.is_empty() {
+        return;
+    }
+    let length = match layer.shape {
+        Shape::Level(Direction::X, _) => frame.rect.height(),
+        Shape::Region(Direction::X, ..) => frame.rect.height().min(frame.rect.width()),
+        _ => frame.rect.width(),
+    };
+    let label = fit(&layer.label, NOTE, length - 24.0);
+    let size = (width(&label, NOTE) + 4.0, NOTE + 4.0);
+    let candidates: Vec<(Rect, bool)> = match &layer.shape {
+        Shape::Region(direction, ..) => match marks::region(frame, layer) {
+            Some(area) => in_region(&area, *direction, size),
+            None => return,
+        },
+        Shape::Level(direction, _) => marks::reference(frame, layer)
+            .iter()
+            .flat_map(|line| beside_level(frame, line[0], *direction, size))
+            .collect(),
+        Shape::Slope { .. } => marks::reference(frame, layer)
+            .iter()
+            .flat_map(|line| along(frame, line[0], line[1], size))
+            .collect(),
+        Shape::Note(at) => match frame.spot(*at) {
+            Some(spot) => around(spot, size),
+            None => return,
+        },
+        _ => return,
+    };
+    let page = frame.rect.grown(-2.0);
+    let inside = |rect: &Rect| page.holds((rect.left, rect.top)) && page.holds((rect.right, rect.bottom));
+    let mut fitting: Vec<(Rect, bool)> =
+        candidates.iter().filter(|(rect, _)| inside(rect)).copied().collect();
+    if fitting.is_empty() && !matches!(layer.shape, Shape::Slope { .. }) {
+        fitting = candidates.into_iter().map(|(rect, upright)| (rect.moved_into(&page), upright)).collect();
+    }
+    let Some((rect, upright)) = taken.clearest(fitting) else {
+        return;
+    };
+    if taken.under(&rect) > 0 {
+        canvas.rect(&rect, RGBColor(255, 255, 255), 0.75);
+    }
+    let middle = ((rect.left + rect.right) / 2.0, (rect.top + rect.bottom) / 2.0);
+    let set =
+        Type { size: NOTE, colour: RGBColor(0x44, 0x44, 0x44), align: Align::Centre, bold: false, upright };
+    canvas.texts([(label.as_str(), middle)], set);
+    taken.text(rect);
+}
+
+/// In the corners of a region; upright too where it is narrow.
+fn in_region(area: &Rect, direction: Direction, size: (f64, f64)) -> Vec<(Rect, bool)> {
+    let inner = area.grown(-6.0);
+    let corners = |size: (f64, f64), upright: bool| {
+        let (right, bottom) = (inner.right - size.0, inner.bottom - size.1);
+        let middle = (inner.left + inner.right - size.0) / 2.0;
+        [
+            (inner.left, inner.top),
+            (right, inner.top),
+            (middle, inner.top),
+            (inner.left, bottom),
+            (right, bottom),
+        ]
+        .map(|(left, top)| (Rect::new(left, top, size.0, size.1), upright))
+    };
+    // Text stays inside its region if it can.
+    if direction == Direction::X && size.0 > inner.width() {
+        return corners((size.1, size.0), true).into();
+    }
+    corners(size, false).into()
+}
+
+/// On both sides of a level line, near its ends.
+fn beside_level(
+    frame: &Frame,
+    start: (f64, f64),
+    direction: Direction,
+    size: (f64, f64),
+) -> Vec<(Rect, bool)> {
+    let r = frame.rect.grown(-5.0);
+    match direction {
+        Direction::Y => [start.1 - size.1 - 2.0, start.1 + 2.0]
+            .into_iter()
+            .flat_map(|top| {
+                [r.left + 4.0, r.right - size.0 - 4.0, (r.left + r.right - size.0) / 2.0].map(|x| (x, top))
+            })
+            .map(|(left, top)| (Rect::new(left, top, size.0, size.1), false))
+            .collect(),
+        Direction::X => {
+            let size = (size.1, size.0);
+            [start.0 + 2.0, start.0 - size.0 - 2.0]
+                .into_iter()
+                .flat_map(|left| [r.top + 4.0, r.bottom - size.1 - 4.0].map(|top| (left, top)))
+                .map(|(left, top)| (Rect::new(left, top, size.0, size.1), true))
+                .collect()
+        }
+    }
+}
+
+/// Above and below a slope at some places along it.
+fn along(frame: &Frame, from: (f64, f64), to: (f64, f64), size: (f64, f64)) -> Vec<(Rect, bool)> {
+    let slope = (to.1 - from.1) / (to.0 - from.0);
+    // A box clears the line if its nearer corner does.
+    let clear = slope.abs() * size.0 / 2.0 + 3.0;
+    (1..20)
+        .map(|k| frame.rect.left + frame.rect.width() * f64::from(k) / 20.0)
+        .map(|x| (x, from.1 + slope * (x - from.0)))
+        .flat_map(|(x, y)| [(x, y - clear - size.1), (x, y + clear)])
+        .map(|(x, top)| (Rect::new(x - size.0 / 2.0, top, size.0, size.1), false))
+        .collect()
+}
+
+/// On the four sides of a point.
+fn around(spot: (f64, f64), size: (f64, f64)) -> Vec<(Rect, bool)> {
+    let (x, y) = spot;
+    let level = y - size.1 / 2.0;
+    let centred = x - size.0 / 2.0;
+    [(x + 8.0, level), (x - size.0 - 8.0, level), (centred, y - size.1 - 7.0), (centred, y + 7.0)]
+        .into_iter()
+        .map(|(left, top)| (Rect::new(left, top, size.0, size.1), false))
+        .collect()
+}

@@ -1,0 +1,236 @@
+//! Fields of values on a regular grid, and their images.
+
+use super::png::encode;
+use super::scale::{Scale, measure};
+use super::{Axis, ColourMap};
+
+/// A field of values on a regular grid, shown as an image below the axes' ticks. Both axes must be
+/// linear: between others the field is not shown.
+#[derive(Clone, Debug)]
+pub struct Raster {
+    /// Where the field begins and ends along x, in the unit of the axis: outer edges of the outermost
+    /// cells. Axes without a range of their own end where the field does.
+    pub x: (f64, f64),
+    /// Where the field begins and ends along y; the first row lies at the first value.
+    pub y: (f64, f64),
+    /// Cells along x.
+    pub columns: usize,
+    /// Cells along y.
+    pub rows: usize,
+    /// A value for each cell, x fastest; NaN is transparent. A list of another length than
+    /// `columns * rows` is not shown.
+    pub values: Vec<f64>,
+    /// The colours.
+    pub map: ColourMap,
+    /// The values at the two ends of the map; values beyond have the colour of the nearer end. Unless
+    /// given, the values' own range: from zero where none is negative, symmetric about zero for
+    /// [`ColourMap::Diverging`].
+    pub limits: Option<(f64, f64)>,
+    /// What the values are, with their unit: the label of the colour bar.
+    pub label: String,
+}
+
+/// Counts are binned into at most so many columns, and rows.
+const MOST_BINS: usize = 2000;
+/// Cells of fewer pixels of the page are not told apart.
+const FINE: f64 = 2.0;
+/// No image is made wider or higher than this by giving a cell many pixels.
+const MOST_PIXELS: usize = 2000;
+/// Colours besides the transparent one: all that a byte can name.
+const COLOURS: u8 = 255;
+
+impl Raster {
+    /// How many points lie in each cell of a grid over `x` and `y`, coloured by equal ratios; cells
+    /// without any are NaN. A point on the outer edge counts, one outside or not finite does not. At
+    /// most 2,000 columns and rows.
+    pub fn of_points(
+        points: impl IntoIterator<Item = (f64, f64)>,
+        x: (f64, f64),
+        y: (f64, f64),
+        columns: usize,
+        rows: usize,
+    ) -> Self {
+        let (columns, rows) = (columns.clamp(1, MOST_BINS), rows.clamp(1, MOST_BINS));
+        let cell = |value: f64, (from, to): (f64, f64), cells: usize| {
+            let part = (value - from) / (to - from);
+            (0.0..=1.0).contains(&part).then(|| ((part * cells as f64) as usize).min(cells - 1))
+        };
+        let mut values = vec![f64::NAN; columns * rows];
+        let mut most = 0.0_f64;
+        for point in points {
+            let (Some(column), Some(row)) = (cell(point.0, x, columns), cell(point.1, y, rows)) else {
+                continue;
+            };
+            let count = &mut values[row * columns + column];
+            *count = if count.is_nan() { 1.0 } else { *count + 1.0 };
+            most = most.max(*count);
+        }
+        // A decade at least, so that the bar has whole numbers to show.
+        let limits = Some((1.0, most.max(10.0)));
+        let label = "points per cell".into();
+        Self { x, y, columns, rows, values, map: ColourMap::Counts, limits, label }
+    }
+
+    /// The same field on at most `max` columns and `max` rows: each new cell has the mean of what it
+    /// covers, by area, NaN left out.
+    pub fn reduced(&self, max: usize) -> Self {
+        self.reduced_to(max, max)
+    }
+
+    pub(super) fn reduced_to(&self, columns: usize, rows: usize) -> Self {
+        let (columns, rows) = (columns.clamp(1, self.columns.max(1)), rows.clamp(1, self.rows.max(1)));
+        if !self.is_whole() || (columns, rows) == (self.columns, self.rows) {
+            return self.clone();
+        }
+        let (across, along) = (shares(self.columns, columns), shares(self.rows, rows));
+        let mut sums = vec![(0.0, 0.0); columns * rows];
+        for (line, along) in self.values.chunks_exact(self.columns).zip(&along) {
+            for (value, across) in line.iter().zip(&across).filter(|(value, _)| value.is_finite()) {
+                for (row, height) in along {
+                    for (column, width) in across {
+                        let (sum, area) = &mut sums[row * columns + column];
+                        *sum += value * width * height;
+                        *area += width * height;
+                    }
+                }
+            }
+        }
+        let mean = |(sum, area): (f64, f64)| if area > 0.0 { sum / area } else { f64::NAN };
+        Self {
+            columns,
+            rows,
+            values: sums.into_iter().map(mean).collect(),
+            label: self.label.clone(),
+            ..*self
+        }
+    }
+
+    fn is_whole(&self) -> bool {
+        !self.values.is_empty() && self.columns.checked_mul(self.rows) == Some(self.values.len())
+    }
+
+    /// From values to places in the map; none if there is nothing to show.
+    pub(super) fn scale(&self) -> Option<Scale> {
+        let spread = self.map.spread();
+        let shown = self.values.iter().filter(|value| self.is_whole() && measure(spread, **value).is_some());
+        let (mut low, mut high) = (f64::INFINITY, f64::NEG_INFINITY);
+        for value in shown {
+            low = low.min(*value);
+            high = high.max(*value);
+        }
+        if low > high {
+            return None;
+        }
+        let own = match self.map {
+            ColourMap::Sequential if low >= 0.0 => (0.0, if high > 0.0 { high } else { 1.0 }),
+            ColourMap::Diverging => (-high.max(-low), high.max(-low)),
+            ColourMap::Sequential | ColourMap::Counts => (low, high),
+        };
+        // Limits that cannot be used give way to the values.
+        let usable = |ends: &(f64, f64)| [ends.0, ends.1].iter().all(|end| measure(spread, *end).is_some());
+        let (from, to) = self.limits.filter(usable).unwrap_or(own);
+        let axis = Axis { label: String::new(), spread, range: Some((from.min(to), from.max(to))) };
+        Some(Scale::new(&axis, [own.0, own.1].into_iter(), false))
+    }
+
+    /// The image as a PNG in a data URI, for a place of `size` pixels. `falling` says along which axis
+    /// the field begins at the right, and at the top.
+    pub(super) fn image(&self, scale: &Scale, falling: (bool, bool), size: (f64, f64)) -> Option<String> {
+        // Viewers blend neighbouring pixels: large cells are made of many, to keep their edges.
+        let pixels = |length: f64, cells: usize| {
+            let cell = length / cells as f64;
+            if cell < FINE { 1 } else { ((2.0 * cell).ceil() as usize).min(MOST_PIXELS / cells).max(1) }
+        };
+        let (wide, high) = (pixels(size.0, self.columns), pixels(size.1, self.rows));
+        let index = |column: usize, row: usize| {
+            let column = if falling.0 { self.columns - 1 - column } else { column };
+            let row = if falling.1 { row } else { self.rows - 1 - row };
+            let place = scale.place(self.values[row * self.columns + column])?;
+            Some(1 + (place.clamp(0.0, 1.0) * f64::from(COLOURS - 1)).round() as u8)
+        };
+        let mut indices = Vec::with_capacity(self.values.len() * wide * high);
+        for row in 0..self.rows {
+            let cells = (0..self.columns).map(|column| index(column, row).unwrap_or(0));
+            let line: Vec<u8> = cells.flat_map(|cell| std::iter::repeat_n(cell, wide)).collect();
+            (0..high).for_each(|_| indices.extend_from_slice(&line));
+        }
+        encode(&indices, self.columns * wide, self.rows * high, &palette(self.map))
+    }
+}
+
+/// The colours of a map behind the transparent one.
+pub(super) fn palette(map: ColourMap) -> Vec<[u8; 3]> {
+    let colours = (0..COLOURS).map(|k| map.rgb(f64::from(k) / f64::from(COLOURS - 1)));
+    std::iter::once([255; 3]).chain(colours.map(|colour| [colour.0, colour.1, colour.2])).collect()
+}
+
+/// For each of `from` equal cells the one or two of `to` larger cells over the same length that it
+/// reaches into, and how much of its length lies in each.
+fn shares(from: usize, to: usize) -> Vec<Vec<(usize, f64)>> {
+    let share = |k: usize| {
+        // In units that divide both: a small cell is `to` long, a large one `from`.
+        let (start, end) = (k * to, (k + 1) * to);
+        let (first, last) = (start / from, (end - 1) / from);
+        if first == last {
+            return vec![(first, 1.0)];
+        }
+        let border = last * from;
+        [(first, border - start), (last, end - border)]
+            .map(|(cell, part)| (cell, part as f64 / to as f64))
+            .into()
+    };
+    (0..from).map(share).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn raster(columns: usize, rows: usize, values: Vec<f64>) -> Raster {
+        let (map, label) = (ColourMap::Sequential, String::new());
+        Raster { x: (0.0, 1.0), y: (0.0, 1.0), columns, rows, values, map, limits: None, label }
+    }
+
+    #[test]
+    fn a_reduced_field_keeps_its_mean() {
+        let field = raster(7, 5, (0..35).map(|k| f64::from(k * k)).collect());
+        let mean = |values: &[f64]| values.iter().sum::<f64>() / values.len() as f64;
+        let small = field.reduced(3);
+        assert_eq!((small.columns, small.rows, small.values.len()), (3, 3, 9));
+        assert!((mean(&small.values) - mean(&field.values)).abs() < 1e-9);
+        assert_eq!(field.reduced(100).values, field.values);
+        assert_eq!(raster(4, 1, vec![1.0, 3.0, 5.0, 9.0]).reduced(2).values, [2.0, 7.0]);
+        assert_eq!(raster(3, 1, vec![1.0, 4.0, 7.0]).reduced(2).values, [2.0, 6.0]);
+    }
+
+    #[test]
+    fn holes_do_not_count_and_stay_where_nothing_is() {
+        let field = raster(4, 1, vec![1.0, f64::NAN, f64::NAN, f64::NAN]).reduced(2);
+        assert_eq!(field.values[0], 1.0);
+        assert!(field.values[1].is_nan());
+    }
+
+    #[test]
+    fn each_point_inside_is_counted_once() {
+        let points = [(0.0, 0.0), (1.0, 1.0), (0.9, 0.9), (0.4, 0.6), (1.1, 0.5), (f64::NAN, 0.5)];
+        let field = Raster::of_points(points, (0.0, 1.0), (0.0, 1.0), 2, 2);
+        assert_eq!((field.values[0], field.values[2], field.values[3]), (1.0, 1.0, 2.0));
+        assert!(field.values[1].is_nan());
+        assert!(Raster::of_points(points, (1.0, 1.0), (0.0, 1.0), 2, 2).scale().is_none());
+    }
+
+    #[test]
+    fn the_map_begins_at_zero_or_lies_about_it() {
+        let ends = |map: ColourMap, values: Vec<f64>, limits: Option<(f64, f64)>| {
+            let scale = Raster { map, limits, ..raster(values.len(), 1, values) }.scale();
+            scale.map(|scale| (scale.from, scale.to))
+        };
+        assert_eq!(ends(ColourMap::Sequential, vec![2.0, 5.0], None), Some((0.0, 5.0)));
+        assert_eq!(ends(ColourMap::Sequential, vec![0.0, 0.0], None), Some((0.0, 1.0)));
+        assert_eq!(ends(ColourMap::Diverging, vec![-1.0, 5.0, f64::NAN], None), Some((-5.0, 5.0)));
+        assert_eq!(ends(ColourMap::Diverging, vec![1.0], Some((3.0, -2.0))), Some((-2.0, 3.0)));
+        assert_eq!(ends(ColourMap::Diverging, vec![1.0, 2.0], Some((3.0, f64::NAN))), Some((-2.0, 2.0)));
+        assert_eq!(ends(ColourMap::Counts, vec![0.0, 1.0, 100.0], None), Some((0.0, 2.0)));
+        assert_eq!(ends(ColourMap::Counts, vec![0.0, -1.0], None), None);
+    }
+}
