@@ -7,7 +7,8 @@ use crate::surface::filter::{Filter, FilterError};
 use crate::surface::level::{Level, Undetermined};
 use crate::surface::quantisation::Quantisation;
 use crate::surface::summits::five_point;
-use crate::surface::{HeightMap, Moments};
+use crate::surface::character::Character;
+use crate::surface::{HeightMap, Moments, Rows};
 
 /// Asperities with their statistics and origin.
 #[derive(Debug)]
@@ -85,14 +86,15 @@ pub(super) fn summits_of(
         return Err(NoAsperities::NoSummit { tested: summits.tested });
     }
     let [dx, dy] = map.pixel();
+    let character = Character::of(&levelled);
     let facts = MapFacts {
         points: map.points(),
         pixel: map.pixel(),
-        missing: map.missing(),
+        missing: character.missing,
         tested: summits.tested,
         level,
         filter: filter.map(|filter| filter.to_string()),
-        moments: Moments::of(&levelled),
+        moments: character.moments,
         summits: summits.heights.len(),
         plateaus: summits.plateaus,
         dropped: summits.dropped,

@@ -5,7 +5,7 @@ use rayon::prelude::*;
 use serde::Deserialize;
 
 use super::HeightMap;
-use crate::numeric::sum::in_chunks;
+use super::rows::{Boundary, Rows, Strip, first_present, strips};
 
 /// The form that is taken out.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default, Deserialize)]
@@ -50,48 +50,130 @@ impl Level {
         }
     }
 
-    /// The map without its form; the same to the bit on any number of threads.
+    /// The least-squares form of a map; the same to the bit on any number of threads.
+    ///
+    /// # Errors
+    /// Points that determine no such form.
+    pub fn form(self, map: &dyn Rows) -> Result<Form, Undetermined> {
+        let terms = self.terms();
+        let mut form = Form {
+            origin: 0.0,
+            // Coordinates from -1 to 1 and heights about one of them keep the equations well conditioned.
+            centre: map.points().map(|count| 0.5 * (count - 1) as f64),
+            coefficients: [0.0; TERMS],
+            terms,
+        };
+        if terms == 0 {
+            return Ok(form);
+        }
+        form.origin = first_present(map);
+        let mut normal = Normal::default();
+        for part in strips(map, 0, |strip| form.normal(&strip)) {
+            normal.merge(&part);
+        }
+        let matrix = DMatrix::from_fn(terms, terms, |i, j| normal.matrix[i][j]);
+        let right = DVector::from_fn(terms, |i, _| normal.right[i]);
+        let found = determined(matrix).and_then(|factors| factors.solve(&right)).ok_or(Undetermined(self))?;
+        form.coefficients[..terms].copy_from_slice(found.as_slice());
+        Ok(form)
+    }
+
+    /// The map without its form, in memory.
     ///
     /// # Errors
     /// Points that determine no such form.
     pub fn apply(self, map: &HeightMap) -> Result<HeightMap, Undetermined> {
-        let terms = self.terms();
-        if terms == 0 {
-            return Ok(map.clone());
-        }
-        let heights = map.heights();
-        // Coordinates from -1 to 1 and heights about one of them keep the equations well conditioned.
-        let centre = map.points().map(|count| 0.5 * (count - 1) as f64);
-        let basis = |k: usize| {
-            let (u, v) = (
-                (k / map.points()[1]) as f64 / centre[0] - 1.0,
-                (k % map.points()[1]) as f64 / centre[1] - 1.0,
-            );
-            [1.0, u, v, u * u, u * v, v * v]
-        };
-        let origin = heights.iter().copied().find(|z| !z.is_nan()).unwrap_or_default();
-        let normal = in_chunks(
-            heights.len(),
-            |range| {
-                let mut sums = Normal::default();
-                for k in range.filter(|&k| !heights[k].is_nan()) {
-                    sums.add(&basis(k), heights[k] - origin);
+        let levelled = Levelled { map, form: self.form(map)? };
+        let mut heights = vec![0.0; map.heights().len()];
+        heights.par_chunks_mut(map.points()[1]).enumerate().for_each(|(ix, row)| levelled.read(ix, row));
+        Ok(map.with_heights(heights))
+    }
+}
+
+/// A polynomial over a map.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Form {
+    /// A height that is taken off before, m.
+    origin: f64,
+    centre: [f64; 2],
+    coefficients: [f64; TERMS],
+    terms: usize,
+}
+
+impl Form {
+    fn coordinate(&self, index: usize, axis: usize) -> f64 {
+        index as f64 / self.centre[axis] - 1.0
+    }
+
+    fn normal(&self, strip: &Strip) -> Normal {
+        let mut sums = Normal::default();
+        for k in 0..strip.count {
+            let u = self.coordinate(strip.first + k, 0);
+            let row = strip.row(k as isize).unwrap_or_default();
+            // In a row only v varies: its powers are added, those of u multiplied in at the end.
+            let (mut powers, mut heights) = ([0.0; 5], [0.0; 3]);
+            for (iy, z) in row.iter().enumerate().filter(|(_, z)| !z.is_nan()) {
+                let v = self.coordinate(iy, 1);
+                let (z, v2) = (z - self.origin, v * v);
+                for (sum, term) in powers.iter_mut().zip([1.0, v, v2, v2 * v, v2 * v2]) {
+                    *sum += term;
                 }
-                sums
-            },
-            Normal::merge,
-        );
-        let matrix = DMatrix::from_fn(terms, terms, |i, j| normal.matrix[i][j]);
-        let right = DVector::from_fn(terms, |i, _| normal.right[i]);
-        let form = determined(matrix).and_then(|factors| factors.solve(&right)).ok_or(Undetermined(self))?;
-        let levelled = (0..heights.len())
-            .into_par_iter()
-            .map(|k| {
-                let terms = basis(k);
-                (heights[k] - origin) - form.iter().zip(terms).map(|(c, term)| c * term).sum::<f64>()
-            })
-            .collect();
-        Ok(map.with_heights(levelled))
+                for (sum, term) in heights.iter_mut().zip([z, z * v, z * v2]) {
+                    *sum += term;
+                }
+            }
+            sums.add(u, powers, heights);
+        }
+        sums
+    }
+
+    /// Takes the form off a row of heights (m) at the x index `ix`.
+    pub fn take_off(&self, ix: usize, row: &mut [f64]) {
+        if self.terms == 0 {
+            return;
+        }
+        let u = self.coordinate(ix, 0);
+        let [c, cu, cv, cuu, cuv, cvv] = self.coefficients;
+        let (start, slope) = (c + cu * u + cuu * u * u, cv + cuv * u);
+        for (iy, z) in row.iter_mut().enumerate() {
+            let v = self.coordinate(iy, 1);
+            *z = (*z - self.origin) - (start + v * (slope + cvv * v));
+        }
+    }
+}
+
+/// A map without its form, taken off row by row.
+pub struct Levelled<'a> {
+    /// The map.
+    pub map: &'a dyn Rows,
+    /// Its form.
+    pub form: Form,
+}
+
+impl Rows for Levelled<'_> {
+    fn points(&self) -> [usize; 2] {
+        self.map.points()
+    }
+
+    fn pixel(&self) -> [f64; 2] {
+        self.map.pixel()
+    }
+
+    fn precision(&self) -> f64 {
+        self.map.precision()
+    }
+
+    fn boundary(&self) -> Boundary {
+        self.map.boundary()
+    }
+
+    fn read(&self, ix: usize, row: &mut [f64]) {
+        self.map.read(ix, row);
+        self.form.take_off(ix, row);
+    }
+
+    fn block(&self, rows: std::ops::Range<usize>) -> Option<&[f64]> {
+        if self.form.terms == 0 { self.map.block(rows) } else { None }
     }
 }
 
@@ -113,13 +195,17 @@ struct Normal {
     right: [f64; TERMS],
 }
 
+/// Powers of u and v in the terms 1, u, v, u^2, u v, v^2.
+const POWERS: [(i32, usize); TERMS] = [(0, 0), (1, 0), (0, 1), (2, 0), (1, 1), (0, 2)];
+
 impl Normal {
-    fn add(&mut self, basis: &[f64; TERMS], z: f64) {
-        for (i, a) in basis.iter().enumerate() {
-            for (sum, b) in self.matrix[i].iter_mut().zip(basis) {
-                *sum += a * b;
+    /// Adds a row at `u`, from its sums of powers of v and of heights times powers of v.
+    fn add(&mut self, u: f64, powers: [f64; 5], heights: [f64; 3]) {
+        for (i, (ui, vi)) in POWERS.into_iter().enumerate() {
+            for (j, (uj, vj)) in POWERS.into_iter().enumerate() {
+                self.matrix[i][j] += u.powi(ui + uj) * powers[vi + vj];
             }
-            self.right[i] += a * z;
+            self.right[i] += u.powi(ui) * heights[vi];
         }
     }
 
@@ -136,6 +222,7 @@ impl Normal {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::surface::rows::missing;
 
     fn map(height: impl Fn(f64, f64) -> f64) -> HeightMap {
         let heights = (0..40 * 30).map(|k| height((k / 30) as f64, (k % 30) as f64)).collect();
@@ -161,7 +248,7 @@ mod tests {
     fn missing_points_stay_missing_and_do_not_count() {
         let holed = map(|x, y| if x > 20.0 && y < 9.0 { f64::NAN } else { 1e6 + 0.3 * x - 0.7 * y });
         let levelled = Level::Plane.apply(&holed).unwrap();
-        assert_eq!(levelled.missing(), holed.missing());
+        assert_eq!(missing(&levelled), missing(&holed));
         assert!(largest(&levelled) < 1e-9);
     }
 

@@ -2,22 +2,39 @@
 //!
 //! | module | what lives there |
 //! |---|---|
+//! | [`rows`] | heights row by row, so that a map need not be in memory |
 //! | [`read`] | one file a format |
+//! | [`generate`] | random rough surfaces |
+//! | [`spectrum`] | how much of the height variance each wave carries |
+//! | [`fourier`] | transforms in the memory of the map |
+//! | [`marginal`] | height distributions, as maps from a standard normal |
 //! | [`level`] | taking out the form |
 //! | [`filter`] | Gaussian S and L filters |
-//! | [`summits`] | five-point summits and their curvatures |
+//! | [`summits`] | summits and their curvatures |
+//! | [`character`] | what a surface is: height and spectral moments, autocorrelation |
+//! | [`correlation`] | radial power spectrum and autocorrelation of a whole map |
+//! | [`theory`] | the summits that a Gaussian surface of that autocorrelation has |
 //! | [`quantisation`] | are the heights on steps of the instrument? |
-//! | [`marginal`] | height distributions of generated surfaces |
 
+pub mod character;
+pub mod correlation;
 pub mod filter;
+pub mod fourier;
+pub mod generate;
 pub mod level;
 pub mod marginal;
 pub mod quantisation;
 pub mod read;
+pub mod rows;
+pub mod spectrum;
 pub mod summits;
+pub mod theory;
+
+use std::ops::Range;
 
 use crate::numeric::is_positive;
-use crate::numeric::sum::sum_of;
+pub use character::Moments;
+pub use rows::{Boundary, Rows};
 
 /// Heights on a rectangular grid. A missing point is NaN.
 #[derive(Debug, Clone, PartialEq)]
@@ -26,6 +43,7 @@ pub struct HeightMap {
     pixel: [f64; 2],
     heights: Vec<f64>,
     precision: f64,
+    boundary: Boundary,
 }
 
 /// Heights that make no map.
@@ -80,7 +98,13 @@ impl HeightMap {
         if heights.iter().all(|z| z.is_nan()) {
             return Err(MapError::AllMissing);
         }
-        Ok(Self { points, pixel, heights, precision })
+        Ok(Self { points, pixel, heights, precision, boundary: Boundary::Open })
+    }
+
+    /// The same map, its opposite borders being neighbours.
+    #[must_use]
+    pub fn periodic(self) -> Self {
+        Self { boundary: Boundary::Periodic, ..self }
     }
 
     /// Points along x and y.
@@ -98,9 +122,9 @@ impl HeightMap {
         &self.heights
     }
 
-    /// Number of missing points.
-    pub fn missing(&self) -> usize {
-        self.heights.iter().filter(|z| z.is_nan()).count()
+    /// The heights, m, without the rest.
+    pub fn into_heights(self) -> Vec<f64> {
+        self.heights
     }
 
     /// The same map with other heights, the same points missing.
@@ -109,32 +133,28 @@ impl HeightMap {
     }
 }
 
-/// Height parameters of a map (ISO 25178-2), about its mean, divided by the number of points.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Moments {
-    /// Mean height, m.
-    pub mean: f64,
-    /// Mean absolute deviation Sa, m.
-    pub sa: f64,
-    /// Standard deviation Sq, m.
-    pub sq: f64,
-    /// Skewness Ssk; `None` on a flat map.
-    pub ssk: Option<f64>,
-    /// Kurtosis Sku (3 if Gaussian); `None` on a flat map.
-    pub sku: Option<f64>,
-}
+impl Rows for HeightMap {
+    fn points(&self) -> [usize; 2] {
+        self.points
+    }
 
-impl Moments {
-    /// Moments of the points that are present, the same to the bit on any number of threads.
-    pub fn of(map: &HeightMap) -> Self {
-        let heights = map.heights();
-        let count = (heights.len() - map.missing()) as f64;
-        let mean_of = |term: &(dyn Fn(f64) -> f64 + Sync)| {
-            sum_of(heights.len(), |k| if heights[k].is_nan() { 0.0 } else { term(heights[k]) }) / count
-        };
-        let mean = mean_of(&|z| z);
-        let sq = mean_of(&|z| (z - mean).powi(2)).sqrt();
-        let standardised = |power: i32| (sq > 0.0).then(|| mean_of(&|z| ((z - mean) / sq).powi(power)));
-        Self { mean, sa: mean_of(&|z| (z - mean).abs()), sq, ssk: standardised(3), sku: standardised(4) }
+    fn pixel(&self) -> [f64; 2] {
+        self.pixel
+    }
+
+    fn precision(&self) -> f64 {
+        self.precision
+    }
+
+    fn boundary(&self) -> Boundary {
+        self.boundary
+    }
+
+    fn read(&self, ix: usize, row: &mut [f64]) {
+        row.copy_from_slice(self.block(ix..ix + 1).unwrap_or_default());
+    }
+
+    fn block(&self, rows: Range<usize>) -> Option<&[f64]> {
+        self.heights.get(rows.start * self.points[1]..rows.end * self.points[1])
     }
 }

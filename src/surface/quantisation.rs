@@ -3,7 +3,7 @@
 
 use rayon::prelude::*;
 
-use super::HeightMap;
+use super::rows::{Rows, strips};
 use super::summits::Summits;
 
 /// What the heights of a map and the curvatures of its summits say about its instrument.
@@ -11,7 +11,7 @@ use super::summits::Summits;
 pub struct Quantisation {
     /// Step between neighbouring height levels, m; `None` if the heights lie on no lattice.
     pub step: Option<f64>,
-    /// Number of distinct heights.
+    /// Number of distinct heights among those looked at.
     pub levels: usize,
     /// Number of distinct summit curvatures, told apart beyond the rounding of the stored heights.
     pub distinct_curvatures: usize,
@@ -29,13 +29,13 @@ const COARSE_STEP: f64 = 1.0 / 3.0;
 
 impl Quantisation {
     /// Looks at the raw heights of `map` and at the summits found on it after levelling.
-    pub fn of(map: &HeightMap, summits: &Summits) -> Self {
-        let mut heights: Vec<f64> = map.heights().iter().copied().filter(|z| !z.is_nan()).collect();
+    pub fn of(map: &dyn Rows, summits: &Summits) -> Self {
+        let mut heights = sample(map);
         heights.par_sort_unstable_by(f64::total_cmp);
         let points = heights.len();
         let largest = heights.iter().fold(0.0f64, |a, z| a.max(z.abs()));
         // Rounding of a stored height, with room for the one of an offset taken off before.
-        let rounding = 4.0 * map.precision * largest;
+        let rounding = 4.0 * map.precision() * largest;
         let step = lattice(&distinct(&heights, rounding), points);
 
         let mut curvatures = summits.curvatures.clone();
@@ -67,6 +67,20 @@ impl Quantisation {
     pub fn has_few_curvatures(&self) -> bool {
         self.distinct_curvatures < FEW_CURVATURES && self.summits >= 2 * self.distinct_curvatures
     }
+}
+
+/// The heights that are there, of all rows or, on a map of very many points, of evenly spaced ones.
+fn sample(map: &dyn Rows) -> Vec<f64> {
+    /// Beyond so many heights, more of them tell nothing new of the instrument.
+    const ENOUGH: usize = 1 << 24;
+    let [nx, ny] = map.points();
+    let stride = (nx * ny).div_ceil(ENOUGH);
+    let present = |row: &[f64]| row.iter().copied().filter(|z| !z.is_nan()).collect::<Vec<f64>>();
+    let parts = strips(map, 0, |strip| {
+        let asked = (0..strip.count).filter(|k| (strip.first + k).is_multiple_of(stride));
+        asked.filter_map(|k| strip.row(k as isize).map(present)).flatten().collect::<Vec<f64>>()
+    });
+    parts.concat()
 }
 
 /// The first of each cluster of sorted values; a cluster ends `tolerance` beyond its first value, so
@@ -106,6 +120,7 @@ fn lattice(levels: &[f64], points: usize) -> Option<f64> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::surface::HeightMap;
     use crate::surface::summits::five_point;
     use rand::{RngExt, SeedableRng};
 

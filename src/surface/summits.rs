@@ -1,22 +1,70 @@
-//! Five-point summits of a map (Greenwood 1984).
+//! Summits of a map: five-point (Greenwood 1984), or higher than all eight neighbours.
 
-use rayon::prelude::*;
+use serde::Deserialize;
 
-use super::HeightMap;
+use super::rows::{Boundary, Rows, Strip, count_missing, strips};
+
+/// Which neighbours a summit is higher than.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Neighbours {
+    /// The four beside it along x and y: five-point summits (Greenwood 1984).
+    #[default]
+    Four,
+    /// The diagonal ones too.
+    Eight,
+}
+
+impl Neighbours {
+    /// As reports name the summits.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Four => "five-point",
+            Self::Eight => "eight-neighbour",
+        }
+    }
+
+    const fn steps(self) -> &'static [[isize; 2]] {
+        match self {
+            Self::Four => STEPS.split_at(4).0,
+            Self::Eight => &STEPS,
+        }
+    }
+}
+
+/// Steps to the neighbours along x and y, the four nearest first.
+const STEPS: [[isize; 2]; 8] = [[-1, 0], [1, 0], [0, -1], [0, 1], [-1, -1], [-1, 1], [1, -1], [1, 1]];
+
+/// What is found besides height and curvature.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub struct Detail {
+    /// Both principal curvatures.
+    pub principal: bool,
+    /// Drops to the four nearest neighbours.
+    pub drops: bool,
+}
+
+impl Detail {
+    /// Everything.
+    pub const ALL: Self = Self { principal: true, drops: true };
+}
 
 /// The summits of a map, in file order.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Summits {
-    /// Index of each summit in the map's heights; of a plateau its first point.
+    /// Index of each summit, the y index running fastest; of a plateau its first point.
     pub positions: Vec<usize>,
     /// Heights, m.
     pub heights: Vec<f64>,
-    /// Curvatures, 1/m, positive.
+    /// Curvatures, 1/m, positive: the mean of those along x and y.
     pub curvatures: Vec<f64>,
-    /// Drops from the summits to each of their lower neighbours, m.
+    /// Principal curvatures, 1/m, the larger first; empty unless asked for. The smaller one is not
+    /// positive where four lower neighbours hide a saddle between them.
+    pub principal: Vec<[f64; 2]>,
+    /// Drops from the summits to each of their lower neighbours, m; empty unless asked for.
     pub drops: Vec<f64>,
-    /// Number of points that were tested: those that are present, inside the border, and have four
-    /// present neighbours. The nominal area is this many pixels.
+    /// Number of points that were tested: those that are present, inside an open border, and have all
+    /// neighbours. The nominal area is this many pixels.
     pub tested: usize,
     /// Plateaus of equal heights among the summits, dropped ones included.
     pub plateaus: usize,
@@ -24,160 +72,333 @@ pub struct Summits {
     pub dropped: usize,
 }
 
-/// What the neighbourhood of a tested point says.
-enum Rank {
-    /// Higher than all four neighbours.
-    Summit,
-    /// As high as one or more of them, lower than none.
-    Level,
-    /// Lower than one.
-    Below,
+/// Second derivatives at a point with the sign of a curvature, 1/m: along x, along y, mixed.
+#[derive(Debug, Clone, Copy, Default)]
+struct Bend([f64; 3]);
+
+impl Bend {
+    fn curvature(self) -> f64 {
+        0.5 * (self.0[0] + self.0[1])
+    }
+
+    /// Eigenvalues, the larger first.
+    fn principal(self) -> [f64; 2] {
+        let [x, y, mixed] = self.0;
+        let half = (0.5 * (x - y)).hypot(mixed);
+        [self.curvature() + half, self.curvature() - half]
+    }
 }
 
-/// Finds the points that are strictly higher than their four neighbours. Equal heights form a
-/// plateau: if all points around it are lower, it counts once, at its first point in file order, with
-/// the mean of its points' curvatures. The curvature of a point is the mean of
-/// (2 z0 - zW - zE)/dx^2 and (2 z0 - zS - zN)/dy^2.
+/// A point that is as high as some of its neighbours and lower than none.
+struct LevelPoint {
+    position: usize,
+    height: f64,
+    bend: Bend,
+    /// A bit for each neighbour that is as high.
+    equal: u8,
+    drops: [f64; 4],
+}
+
+/// What one strip of rows holds.
+#[derive(Default)]
+struct Part {
+    summits: Summits,
+    level: Vec<LevelPoint>,
+}
+
+/// Five-point summits with everything known of them.
+pub fn five_point(map: &dyn Rows) -> Summits {
+    find(map, Neighbours::Four, Detail::ALL)
+}
+
+/// Finds the points that are strictly higher than their neighbours. Equal heights form a plateau: if
+/// all points around it are lower, it counts once, at its first point in file order, with the mean of
+/// its points' curvatures; where that is not positive it is dropped.
 ///
-/// The same on any number of threads.
-pub fn five_point(map: &HeightMap) -> Summits {
-    let [nx, ny] = map.points();
-    let rows: Vec<(Vec<usize>, Vec<usize>, usize)> = (1..nx - 1)
-        .into_par_iter()
-        .map(|ix| {
-            let (mut strict, mut level, mut tested) = (Vec::new(), Vec::new(), 0);
-            for point in ix * ny + 1..(ix + 1) * ny - 1 {
-                let Some(rank) = rank(map, point) else { continue };
-                tested += 1;
-                match rank {
-                    Rank::Summit => strict.push(point),
-                    Rank::Level => level.push(point),
-                    Rank::Below => {}
-                }
-            }
-            (strict, level, tested)
-        })
-        .collect();
-    let tested = rows.iter().map(|row| row.2).sum();
-    let mut summits: Vec<(usize, f64)> =
-        rows.iter().flat_map(|row| &row.0).map(|&point| (point, curvature(map, point))).collect();
-    let mut found = Summits { tested, ..Summits::default() };
-    for &(point, _) in &summits {
-        found.drops.extend(neighbours(map, point).map(|other| map.heights()[point] - map.heights()[other]));
+/// The curvature of a point is the mean of (2 z0 - zW - zE)/dx^2 and (2 z0 - zS - zN)/dy^2. Principal curvatures
+/// take the mixed derivative from the diagonal neighbours, (zNW + zSE - zNE - zSW)/(4 dx dy); where some
+/// of these are missing, from the quadrants that are whole.
+///
+/// Rows are read once, strip by strip; the same on any number of threads.
+pub fn find(map: &dyn Rows, neighbours: Neighbours, detail: Detail) -> Summits {
+    let finder = Finder {
+        points: map.points(),
+        pixel: map.pixel(),
+        is_periodic: map.boundary() == Boundary::Periodic,
+        neighbours,
+        detail,
+    };
+    let parts = strips(map, 1, |strip| finder.strip(&strip));
+    let mut found = Summits::default();
+    let count = parts.iter().map(|part| part.summits.heights.len()).sum();
+    found.positions.reserve_exact(count);
+    found.heights.reserve_exact(count);
+    found.curvatures.reserve_exact(count);
+    let mut level = Vec::new();
+    for Part { summits, level: points } in parts {
+        found.positions.extend(summits.positions);
+        found.heights.extend(summits.heights);
+        found.curvatures.extend(summits.curvatures);
+        found.principal.extend(summits.principal);
+        found.drops.extend(summits.drops);
+        found.tested += summits.tested;
+        level.extend(points);
     }
-    let level: Vec<usize> = rows.into_iter().flat_map(|row| row.1).collect();
     if !level.is_empty() {
-        add_plateaus(map, &level, &mut summits, &mut found);
-    }
-    for (point, curvature) in summits {
-        found.positions.push(point);
-        found.heights.push(map.heights()[point]);
-        found.curvatures.push(curvature);
+        finder.add_plateaus(&level, &mut found);
     }
     found
 }
 
-/// The points east, west, north and south of one inside the border.
-fn neighbours(map: &HeightMap, point: usize) -> impl Iterator<Item = usize> {
-    let ny = map.points()[1];
-    [point - ny, point + ny, point - 1, point + 1].into_iter()
+struct Finder {
+    points: [usize; 2],
+    pixel: [f64; 2],
+    is_periodic: bool,
+    neighbours: Neighbours,
+    detail: Detail,
 }
 
-fn is_inside(map: &HeightMap, point: usize) -> bool {
-    let [nx, ny] = map.points();
-    let (ix, iy) = (point / ny, point % ny);
-    (1..nx - 1).contains(&ix) && (1..ny - 1).contains(&iy)
-}
+/// A row and the two beside it.
+#[derive(Clone, Copy)]
+struct Window<'a>([&'a [f64]; 3]);
 
-/// `None` for a point that is not tested because it or a neighbour is missing.
-fn rank(map: &HeightMap, point: usize) -> Option<Rank> {
-    let z = map.heights()[point];
-    let around = neighbours(map, point).map(|other| map.heights()[other]);
-    let (mut highest, mut missing) = (f64::NEG_INFINITY, z.is_nan());
-    for other in around {
-        missing |= other.is_nan();
-        highest = highest.max(other);
-    }
-    if missing {
-        None
-    } else if z > highest {
-        Some(Rank::Summit)
-    } else if z == highest {
-        Some(Rank::Level)
-    } else {
-        Some(Rank::Below)
+impl Window<'_> {
+    /// The height `step` away from the point `iy` of the middle row; around the border on a periodic map,
+    /// beyond which nobody asks on an open one.
+    fn at(&self, iy: usize, [dx, dy]: [isize; 2]) -> f64 {
+        let row = self.0[(1 + dx) as usize];
+        let place = iy.wrapping_add_signed(dy);
+        // Beyond the last point comes the first, before the first (which wraps to a huge index) the last.
+        row[if place < row.len() { place } else if dy > 0 { 0 } else { row.len() - 1 }]
     }
 }
 
-/// Mean of the curvatures along x and y, 1/m.
-fn curvature(map: &HeightMap, point: usize) -> f64 {
-    let (heights, ny) = (map.heights(), map.points()[1]);
-    let [dx, dy] = map.pixel();
-    let bend = |step: usize| 2.0 * heights[point] - heights[point - step] - heights[point + step];
-    0.5 * (bend(ny) / (dx * dx) + bend(1) / (dy * dy))
-}
-
-/// Each plateau is walked once, from its first point that is lower than none of its neighbours.
-fn add_plateaus(map: &HeightMap, level: &[usize], summits: &mut Vec<(usize, f64)>, found: &mut Summits) {
-    let heights = map.heights();
-    let mut seen = vec![false; heights.len()];
-    for &start in level {
-        if seen[start] {
-            continue;
-        }
-        seen[start] = true;
-        let mut plateau = vec![start];
-        let mut is_summit = true;
-        let mut next = 0;
-        while let Some(&point) = plateau.get(next) {
-            next += 1;
-            // A point that is not tested has unknown neighbours: the plateau may go on or rise there.
-            if !is_inside(map, point) || !matches!(rank(map, point), Some(Rank::Level)) {
-                is_summit = false;
+impl Finder {
+    fn strip(&self, strip: &Strip) -> Part {
+        let mut part = Part::default();
+        let mut flags = vec![false; self.points[1]];
+        let is_whole = |row: &[f64]| count_missing(row) == 0;
+        let mut whole = [strip.row(-1).is_some_and(is_whole), strip.row(0).is_some_and(is_whole), false];
+        for k in 0..strip.count as isize {
+            whole[2] = strip.row(k + 1).is_some_and(is_whole);
+            // An open map ends where there is no next row.
+            if let (Some(before), Some(row), Some(after)) = (strip.row(k - 1), strip.row(k), strip.row(k + 1))
+            {
+                let window = Window([before, row, after]);
+                part.summits.tested += self.tested(window, whole == [true; 3]);
+                self.row(window, (strip.first + k as usize) * self.points[1], &mut flags, &mut part);
             }
-            for other in neighbours_within(map, point) {
-                if heights[other] == heights[start] && !seen[other] {
-                    seen[other] = true;
-                    plateau.push(other);
+            whole.rotate_left(1);
+        }
+        part
+    }
+
+    /// How many points of the middle row can be tested.
+    fn tested(&self, window: Window, is_whole: bool) -> usize {
+        let inside = if self.is_periodic { 0..self.points[1] } else { 1..self.points[1] - 1 };
+        if is_whole {
+            return inside.len();
+        }
+        let is_there = |&iy: &usize| {
+            let mut around = self.neighbours.steps().iter().map(|&step| window.at(iy, step));
+            !window.0[1][iy].is_nan() && around.all(|z| !z.is_nan())
+        };
+        inside.filter(is_there).count()
+    }
+
+    /// Looks at the points of one row, whose first has the position `start`.
+    fn row(&self, window: Window, start: usize, flags: &mut [bool], part: &mut Part) {
+        let count = self.points[1];
+        let steps = self.neighbours.steps();
+        flag(window, self.neighbours, flags);
+        if self.is_periodic {
+            for iy in [0, count - 1] {
+                flags[iy] = steps.iter().all(|&step| window.0[1][iy] >= window.at(iy, step));
+            }
+        }
+        for (block, some) in flags.chunks(FLAGS).enumerate() {
+            if !some.contains(&true) {
+                continue;
+            }
+            for iy in (block * FLAGS..).zip(some).filter_map(|(iy, &flag)| flag.then_some(iy)) {
+                self.keep(window, start, iy, part);
+            }
+        }
+    }
+
+    /// Keeps a point that is lower than none of its neighbours.
+    fn keep(&self, window: Window, start: usize, iy: usize, part: &mut Part) {
+        let z = window.0[1][iy];
+        let mut equal = 0u8;
+        for (bit, &step) in self.neighbours.steps().iter().enumerate() {
+            equal |= u8::from(window.at(iy, step) == z) << bit;
+        }
+        let bend = self.bend(window, iy);
+        let drops =
+            || [STEPS[0], STEPS[1], STEPS[2], STEPS[3]].map(|step| z - window.at(iy, step));
+        let position = start + iy;
+        if equal != 0 {
+            part.level.push(LevelPoint { position, height: z, bend, equal, drops: drops() });
+            return;
+        }
+        let summits = &mut part.summits;
+        summits.positions.push(position);
+        summits.heights.push(z);
+        summits.curvatures.push(bend.curvature());
+        if self.detail.principal {
+            summits.principal.push(bend.principal());
+        }
+        if self.detail.drops {
+            summits.drops.extend(drops());
+        }
+    }
+
+    fn bend(&self, window: Window, iy: usize) -> Bend {
+        let [dx, dy] = self.pixel;
+        let z = window.0[1][iy];
+        let along = |a: usize, b: usize| 2.0 * z - window.at(iy, STEPS[a]) - window.at(iy, STEPS[b]);
+        let mixed = if self.detail.principal { mixed(window, iy) / (dx * dy) } else { 0.0 };
+        Bend([along(0, 1) / (dx * dx), along(2, 3) / (dy * dy), mixed])
+    }
+
+    /// The position `step` away, around the border of a periodic map; `None` beyond an open one.
+    fn neighbour(&self, position: usize, step: [isize; 2]) -> Option<usize> {
+        let here = [position / self.points[1], position % self.points[1]];
+        let mut there = [0; 2];
+        for axis in 0..2 {
+            let count = self.points[axis] as isize;
+            let index = here[axis] as isize + step[axis];
+            if !self.is_periodic && !(0..count).contains(&index) {
+                return None;
+            }
+            there[axis] = index.rem_euclid(count) as usize;
+        }
+        Some(there[0] * self.points[1] + there[1])
+    }
+
+    /// Each plateau is walked once, over its points that are lower than none of their neighbours; it is a
+    /// summit if all its points are such. `level` is in file order.
+    fn add_plateaus(&self, level: &[LevelPoint], found: &mut Summits) {
+        let place = |position: usize| level.binary_search_by_key(&position, |point| point.position).ok();
+        let mut seen = vec![false; level.len()];
+        let mut summits = Vec::new();
+        for start in 0..level.len() {
+            if seen[start] {
+                continue;
+            }
+            seen[start] = true;
+            let mut plateau = vec![start];
+            let mut is_summit = true;
+            let mut next = 0;
+            while let Some(&member) = plateau.get(next) {
+                next += 1;
+                let point = &level[member];
+                for (bit, &step) in self.neighbours.steps().iter().enumerate() {
+                    if point.equal & (1 << bit) == 0 {
+                        continue;
+                    }
+                    // A point as high that is not in the list is lower than another, or was not tested: the
+                    // plateau rises there, or may.
+                    match self.neighbour(point.position, step).and_then(place) {
+                        Some(other) if !seen[other] => {
+                            seen[other] = true;
+                            plateau.push(other);
+                        }
+                        Some(_) => {}
+                        None => is_summit = false,
+                    }
                 }
             }
+            if is_summit {
+                summits.push(plateau);
+            }
         }
-        if !is_summit {
-            continue;
+        found.plateaus = summits.len();
+        let mut kept = Vec::new();
+        for plateau in summits {
+            let mut mean = Bend::default();
+            for &member in &plateau {
+                for (sum, part) in mean.0.iter_mut().zip(level[member].bend.0) {
+                    *sum += part / plateau.len() as f64;
+                }
+            }
+            if mean.curvature() <= 0.0 {
+                found.dropped += 1;
+                continue;
+            }
+            if self.detail.drops {
+                let drops = plateau.iter().flat_map(|&member| level[member].drops);
+                found.drops.extend(drops.filter(|&drop| drop > 0.0));
+            }
+            // Walking began at its first point in file order.
+            kept.push((&level[plateau[0]], mean));
         }
-        found.plateaus += 1;
-        let mean = plateau.iter().map(|&point| curvature(map, point)).sum::<f64>() / plateau.len() as f64;
-        if mean <= 0.0 {
-            found.dropped += 1;
-            continue;
-        }
-        for &point in &plateau {
-            let drops = neighbours(map, point).map(|other| heights[point] - heights[other]);
-            found.drops.extend(drops.filter(|&drop| drop > 0.0));
-        }
-        let first = plateau.iter().copied().min().unwrap_or(start);
-        summits.push((first, mean));
+        self.merge(found, &kept);
     }
-    summits.sort_unstable_by_key(|summit| summit.0);
+
+    /// Puts plateaus, which are in file order, among the other summits.
+    fn merge(&self, found: &mut Summits, plateaus: &[(&LevelPoint, Bend)]) {
+        let strict = found.positions.len();
+        let mut order: Vec<(usize, usize)> = found.positions.iter().copied().zip(0..).collect();
+        order.extend(plateaus.iter().map(|plateau| plateau.0.position).zip(strict..));
+        order.sort_unstable();
+        found.heights.extend(plateaus.iter().map(|plateau| plateau.0.height));
+        found.curvatures.extend(plateaus.iter().map(|plateau| plateau.1.curvature()));
+        found.positions = order.iter().map(|&(position, _)| position).collect();
+        found.heights = order.iter().map(|&(_, from)| found.heights[from]).collect();
+        found.curvatures = order.iter().map(|&(_, from)| found.curvatures[from]).collect();
+        if self.detail.principal {
+            found.principal.extend(plateaus.iter().map(|plateau| plateau.1.principal()));
+            found.principal = order.iter().map(|&(_, from)| found.principal[from]).collect();
+        }
+    }
 }
 
-/// As [`neighbours`], for any point of the map.
-fn neighbours_within(map: &HeightMap, point: usize) -> impl Iterator<Item = usize> {
-    let [nx, ny] = map.points();
-    let (ix, iy) = (point / ny, point % ny);
-    [
-        (ix > 0).then(|| point - ny),
-        (ix + 1 < nx).then(|| point + ny),
-        (iy > 0).then(|| point - 1),
-        (iy + 1 < ny).then(|| point + 1),
-    ]
-    .into_iter()
-    .flatten()
+/// Flags that are looked at together: most blocks hold no summit.
+const FLAGS: usize = 16;
+
+/// Marks the inner points of the middle row that are lower than none of their neighbours. Written so that
+/// compilers make it one comparison of many points at a time.
+fn flag(Window([before, row, after]): Window, neighbours: Neighbours, flags: &mut [bool]) {
+    let inner = row.len() - 2;
+    (flags[0], flags[inner + 1]) = (false, false);
+    let flags = &mut flags[1..=inner];
+    let z = &row[1..=inner];
+    let beside = [&before[1..=inner], &after[1..=inner], &row[..inner], &row[2..inner + 2]];
+    for i in 0..inner {
+        let z = z[i];
+        flags[i] = (z >= beside[0][i]) & (z >= beside[1][i]) & (z >= beside[2][i]) & (z >= beside[3][i]);
+    }
+    if neighbours == Neighbours::Eight {
+        let beside = [&before[..inner], &before[2..inner + 2], &after[..inner], &after[2..inner + 2]];
+        for i in 0..inner {
+            let z = z[i];
+            flags[i] &= (z >= beside[0][i]) & (z >= beside[1][i]) & (z >= beside[2][i]) & (z >= beside[3][i]);
+        }
+    }
+}
+
+/// The mixed second difference with the sign of a curvature: the mean over the quadrants whose corner is
+/// there; 0 if none is.
+fn mixed(window: Window, iy: usize) -> f64 {
+    let z = window.0[1][iy];
+    let quadrant = |&[dx, dy]: &[isize; 2]| {
+        let corner = window.at(iy, [dx, dy]);
+        let twist = corner - window.at(iy, [dx, 0]) - window.at(iy, [0, dy]) + z;
+        (!corner.is_nan()).then_some(-((dx * dy) as f64) * twist)
+    };
+    let (mut sum, mut count) = (0.0, 0.0);
+    for twist in STEPS[4..].iter().filter_map(quadrant) {
+        sum += twist;
+        count += 1.0;
+    }
+    if count > 0.0 { sum / count } else { 0.0 }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::surface::HeightMap;
     use rand::{RngExt, SeedableRng};
     use std::collections::BTreeMap;
 

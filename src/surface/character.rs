@@ -1,0 +1,216 @@
+//! What a surface is: height parameters, spectral moments, the autocorrelation at neighbours.
+
+use super::rows::{Rows, Strip, first_present, missing, strips};
+use crate::numeric::sum::Sum;
+
+/// Height parameters of a map (ISO 25178-2), about its mean, divided by the number of points.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Moments {
+    /// Mean height, m.
+    pub mean: f64,
+    /// Mean absolute deviation Sa, m.
+    pub sa: f64,
+    /// Standard deviation Sq, m.
+    pub sq: f64,
+    /// Skewness Ssk; `None` on a flat map.
+    pub ssk: Option<f64>,
+    /// Kurtosis Sku (3 if Gaussian); `None` on a flat map.
+    pub sku: Option<f64>,
+}
+
+/// What a surface is, found in two readings of its rows. Every difference is taken where both heights
+/// are there, around the border of a periodic map.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Character {
+    /// Missing points.
+    pub missing: usize,
+    /// Height parameters.
+    pub moments: Moments,
+    /// Mean square of the slope along x and along y, by first differences: the profiles' second spectral moment.
+    pub m2: [f64; 2],
+    /// Mean square of the curvature along x and along y, by second differences, 1/m^2: the profiles' fourth
+    /// spectral moment.
+    pub m4: [f64; 2],
+    /// Autocorrelation at neighbouring points; `None` on a flat map.
+    pub neighbours: Option<NeighbourCorrelation>,
+}
+
+/// Autocorrelation at lags of one and two points, from mean squares of differences.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct NeighbourCorrelation {
+    /// One pixel along x, along y.
+    pub one: [f64; 2],
+    /// Two pixels along x, along y.
+    pub two: [f64; 2],
+    /// One along both, the mean of the two diagonals.
+    pub diagonal: f64,
+}
+
+impl Moments {
+    /// Moments of the points that are there, the same to the bit on any number of threads.
+    pub fn of(map: &dyn Rows) -> Self {
+        Character::of(map).moments
+    }
+}
+
+impl Character {
+    /// Looks at a map, the same to the bit on any number of threads.
+    pub fn of(map: &dyn Rows) -> Self {
+        let points = map.points();
+        let missing = missing(map);
+        let count = (points[0] * points[1] - missing) as f64;
+        // About a height of the map: a large offset costs nothing.
+        let origin = first_present(map);
+        let total: Sum = strips(map, 0, |strip| row_sums(&strip, |z| z - origin)).concat().into_iter().collect();
+        let mean = origin + total.value() / count;
+
+        let mut sums = Sums::default();
+        for part in strips(map, 2, |strip| Sums::of(&strip, mean, points)) {
+            sums.merge(&part);
+        }
+        let [sa, square, cube, fourth] = sums.powers.map(|sum| sum.value() / count);
+        let sq = square.sqrt();
+        let standardised = |moment: f64, power: i32| (sq > 0.0).then(|| moment / sq.powi(power));
+        let moments =
+            Moments { mean, sa, sq, ssk: standardised(cube, 3), sku: standardised(fourth, 4) };
+        let mean_square = |lag: Lag| sums.lags[lag as usize].mean();
+        let pixel = map.pixel();
+        let correlation = |lag: Lag| 1.0 - mean_square(lag) / (2.0 * square);
+        Self {
+            missing,
+            moments,
+            m2: [mean_square(Lag::X) / pixel[0].powi(2), mean_square(Lag::Y) / pixel[1].powi(2)],
+            m4: [mean_square(Lag::BendX) / pixel[0].powi(4), mean_square(Lag::BendY) / pixel[1].powi(4)],
+            neighbours: (sq > 0.0).then(|| NeighbourCorrelation {
+                one: [correlation(Lag::X), correlation(Lag::Y)],
+                two: [correlation(Lag::TwoX), correlation(Lag::TwoY)],
+                diagonal: 0.5 * (correlation(Lag::Rising) + correlation(Lag::Falling)),
+            }),
+        }
+    }
+
+    /// Spectral moments m0 (m^2), m2, m4 (1/m^2): the means of those along x and y.
+    pub fn spectral_moments(&self) -> [f64; 3] {
+        [self.moments.sq.powi(2), 0.5 * (self.m2[0] + self.m2[1]), 0.5 * (self.m4[0] + self.m4[1])]
+    }
+
+    /// Nayak's bandwidth parameter alpha = m0 m4/m2^2; `None` on a flat map.
+    pub fn alpha(&self) -> Option<f64> {
+        let [m0, m2, m4] = self.spectral_moments();
+        (m2 > 0.0).then(|| m0 * m4 / (m2 * m2))
+    }
+
+    /// Root mean square of the gradient.
+    pub fn rms_slope(&self) -> f64 {
+        (self.m2[0] + self.m2[1]).sqrt()
+    }
+}
+
+/// What is differenced.
+#[derive(Clone, Copy)]
+enum Lag {
+    X,
+    Y,
+    TwoX,
+    TwoY,
+    Rising,
+    Falling,
+    BendX,
+    BendY,
+}
+
+const LAGS: usize = 8;
+
+/// A sum of squares and the number of its terms.
+#[derive(Clone, Copy, Default)]
+struct MeanSquare {
+    sum: Sum,
+    count: usize,
+}
+
+impl MeanSquare {
+    fn add(&mut self, differences: impl Iterator<Item = f64>) {
+        let (mut sum, mut count) = (0.0, 0);
+        for difference in differences {
+            let is_there = !difference.is_nan();
+            sum += if is_there { difference * difference } else { 0.0 };
+            count += usize::from(is_there);
+        }
+        self.sum.add(sum);
+        self.count += count;
+    }
+
+    fn mean(&self) -> f64 {
+        if self.count == 0 { 0.0 } else { self.sum.value() / self.count as f64 }
+    }
+}
+
+#[derive(Default)]
+struct Sums {
+    /// Absolute values, second, third, fourth powers about the mean.
+    powers: [Sum; 4],
+    lags: [MeanSquare; LAGS],
+}
+
+impl Sums {
+    fn of(strip: &Strip, mean: f64, points: [usize; 2]) -> Self {
+        let mut sums = Self::default();
+        for k in 0..strip.count as isize {
+            let Some(row) = strip.row(k) else { continue };
+            let mut powers = [0.0; 4];
+            for z in row.iter().filter(|z| !z.is_nan()) {
+                let z = z - mean;
+                let square = z * z;
+                for (sum, term) in powers.iter_mut().zip([z.abs(), square, square * z, square * square]) {
+                    *sum += term;
+                }
+            }
+            for (sum, part) in sums.powers.iter_mut().zip(powers) {
+                sum.add(part);
+            }
+            let ny = points[1];
+            let mut add = |lag: Lag, differences: &mut dyn Iterator<Item = f64>| {
+                sums.lags[lag as usize].add(differences);
+            };
+            add(Lag::Y, &mut row.windows(2).map(|z| z[1] - z[0]));
+            add(Lag::TwoY, &mut row.windows(3).map(|z| z[2] - z[0]));
+            add(Lag::BendY, &mut row.windows(3).map(|z| z[2] - 2.0 * z[1] + z[0]));
+            if strip.is_periodic() {
+                let at = |iy: usize| row[iy % ny];
+                add(Lag::Y, &mut [ny - 1].into_iter().map(|iy| at(iy + 1) - at(iy)));
+                add(Lag::TwoY, &mut [ny - 2, ny - 1].into_iter().map(|iy| at(iy + 2) - at(iy)));
+                let bend = |iy| at(iy + 2) - 2.0 * at(iy + 1) + at(iy);
+                add(Lag::BendY, &mut [ny - 2, ny - 1].into_iter().map(bend));
+            }
+            let Some(next) = strip.row(k + 1) else { continue };
+            add(Lag::X, &mut next.iter().zip(row).map(|(a, b)| a - b));
+            add(Lag::Rising, &mut next[1..].iter().zip(row).map(|(a, b)| a - b));
+            add(Lag::Falling, &mut next.iter().zip(&row[1..]).map(|(a, b)| a - b));
+            if strip.is_periodic() {
+                add(Lag::Rising, &mut [next[0] - row[ny - 1]].into_iter());
+                add(Lag::Falling, &mut [next[ny - 1] - row[0]].into_iter());
+            }
+            let Some(second) = strip.row(k + 2) else { continue };
+            add(Lag::TwoX, &mut second.iter().zip(row).map(|(a, b)| a - b));
+            let bends = second.iter().zip(next).zip(row).map(|((a, b), c)| a - 2.0 * b + c);
+            add(Lag::BendX, &mut { bends });
+        }
+        sums
+    }
+
+    fn merge(&mut self, other: &Self) {
+        for (sum, part) in self.powers.iter_mut().zip(&other.powers) {
+            sum.merge(part);
+        }
+        for (lag, part) in self.lags.iter_mut().zip(&other.lags) {
+            lag.sum.merge(&part.sum);
+            lag.count += part.count;
+        }
+    }
+}
+
+/// The sum of each row over the points that are there.
+fn row_sums(strip: &Strip, term: impl Fn(f64) -> f64) -> Vec<f64> {
+    let sum = |row: &[f64]| row.iter().map(|&z| if z.is_nan() { 0.0 } else { term(z) }).sum();
+    (0..strip.count as isize).filter_map(|k| strip.row(k).map(sum)).collect()
+}

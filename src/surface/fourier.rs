@@ -1,0 +1,203 @@
+//! Fourier transforms of maps, in the memory of the map.
+//!
+//! Between the two passes of a transform a row holds its half spectrum along y in as many numbers as
+//! it has points: Re 0, then Re k, Im k, and for an even number of points Re of the last at the end.
+//! Columns are worked on in batches that stay in cache, each turned and transformed along x.
+
+use rayon::prelude::*;
+use realfft::RealFftPlanner;
+use realfft::num_complex::Complex;
+use rustfft::{FftDirection, FftPlanner};
+
+/// Numbers in one batch of columns: 4 MiB.
+const BATCH: usize = 1 << 18;
+
+/// Rows, or columns, that are turned together: eight complex numbers are two cache lines.
+const ROWS: usize = 8;
+
+/// How many columns of wave numbers along y a map of real heights has: 0 to half of its points.
+pub const fn columns(points: [usize; 2]) -> usize {
+    points[1] / 2 + 1
+}
+
+/// How often column `j` counts in a sum over all waves: twice if it stands for -j too.
+pub const fn weight(points: [usize; 2], j: usize) -> f64 {
+    if j == 0 || 2 * j == points[1] { 1.0 } else { 2.0 }
+}
+
+fn batch_width(points: [usize; 2]) -> usize {
+    (BATCH / points[0]).clamp(ROWS, columns(points).max(ROWS))
+}
+
+/// The map whose waves `fill` gives: called with each wave number j along y and the amplitudes of all
+/// wave numbers along x (0, 1, ..., -2, -1) to write to, it answers a number of its own. `scale` makes
+/// of these numbers, in the order of j, the factor that every height is multiplied by.
+///
+/// The amplitudes are those of exp(2 pi i (i x/nx + j y/ny)); those of column 0, and of the last one if ny
+/// is even, must be those of a real wave. The same to the bit on any number of threads.
+pub fn synthesise<T: Send>(
+    points: [usize; 2],
+    fill: impl Fn(usize, &mut [Complex<f64>]) -> T + Sync,
+    scale: impl FnOnce(Vec<T>) -> f64,
+) -> Vec<f64> {
+    let [nx, ny] = points;
+    let transform = FftPlanner::new().plan_fft(nx, FftDirection::Inverse);
+    let mut map = vec![0.0; nx * ny];
+    let mut answers = Vec::with_capacity(columns(points));
+    let width = batch_width(points);
+    let mut batch = vec![Complex::default(); width * nx];
+    for first in (0..columns(points)).step_by(width) {
+        let count = width.min(columns(points) - first);
+        let filled: Vec<T> = batch[..count * nx]
+            .par_chunks_mut(nx)
+            .enumerate()
+            .map_init(
+                || vec![Complex::default(); transform.get_inplace_scratch_len()],
+                |scratch, (k, column)| {
+                    let answer = fill(first + k, column);
+                    transform.process_with_scratch(column, scratch);
+                    answer
+                },
+            )
+            .collect();
+        answers.extend(filled);
+        map.par_chunks_mut(ROWS * ny).enumerate().for_each(|(block, rows)| {
+            for (k, column) in batch[..count * nx].chunks(nx).enumerate() {
+                let column = &column[block * ROWS..];
+                for (row, wave) in rows.chunks_mut(ny).zip(column) {
+                    put(row, first + k, *wave);
+                }
+            }
+        });
+    }
+    let scale = scale(answers);
+    let along_y = RealFftPlanner::<f64>::new().plan_fft_inverse(ny);
+    map.par_chunks_mut(ny).for_each_init(
+        || (along_y.make_input_vec(), along_y.make_scratch_vec()),
+        |(half, scratch), row| {
+            for (j, wave) in half.iter_mut().enumerate() {
+                *wave = scale * get(row, j);
+            }
+            // The lengths are the plan's own and the ends are real: nothing is left to go wrong.
+            let _ = along_y.process_with_scratch(half, row, scratch);
+        },
+    );
+    map
+}
+
+/// The waves of a map, which is used up: `each` is called with every wave number j along y and the sums of
+/// z exp(-2 pi i (i x/nx + j y/ny)) of all wave numbers i along x, and its answers are given in the order
+/// of j.
+pub fn analyse<T: Send>(
+    mut map: Vec<f64>,
+    points: [usize; 2],
+    each: impl Fn(usize, &[Complex<f64>]) -> T + Sync,
+) -> Vec<T> {
+    let [nx, ny] = points;
+    let along_y = RealFftPlanner::<f64>::new().plan_fft_forward(ny);
+    map.par_chunks_mut(ny).for_each_init(
+        || (along_y.make_output_vec(), along_y.make_scratch_vec()),
+        |(half, scratch), row| {
+            // The lengths are the plan's own.
+            let _ = along_y.process_with_scratch(row, half, scratch);
+            for (j, wave) in half.iter().enumerate() {
+                put(row, j, *wave);
+            }
+        },
+    );
+    let transform = FftPlanner::new().plan_fft(nx, FftDirection::Forward);
+    let mut answers = Vec::with_capacity(columns(points));
+    let width = batch_width(points);
+    let mut batch = vec![Complex::default(); width * nx];
+    for first in (0..columns(points)).step_by(width) {
+        let count = width.min(columns(points) - first);
+        batch[..count * nx].par_chunks_mut(ROWS * nx).enumerate().for_each(|(block, columns)| {
+            for (i, row) in map.chunks(ny).enumerate() {
+                for (k, column) in columns.chunks_mut(nx).enumerate() {
+                    column[i] = get(row, first + block * ROWS + k);
+                }
+            }
+        });
+        let answered: Vec<T> = batch[..count * nx]
+            .par_chunks_mut(nx)
+            .enumerate()
+            .map_init(
+                || vec![Complex::default(); transform.get_inplace_scratch_len()],
+                |scratch, (k, column)| {
+                    transform.process_with_scratch(column, scratch);
+                    each(first + k, column)
+                },
+            )
+            .collect();
+        answers.extend(answered);
+    }
+    answers
+}
+
+/// Wave j of a row.
+fn get(row: &[f64], j: usize) -> Complex<f64> {
+    match j {
+        0 => Complex::new(row[0], 0.0),
+        _ if 2 * j == row.len() => Complex::new(row[2 * j - 1], 0.0),
+        _ => Complex::new(row[2 * j - 1], row[2 * j]),
+    }
+}
+
+/// Stores wave j of a row.
+fn put(row: &mut [f64], j: usize, wave: Complex<f64>) {
+    match j {
+        0 => row[0] = wave.re,
+        _ if 2 * j == row.len() => row[2 * j - 1] = wave.re,
+        _ => {
+            row[2 * j - 1] = wave.re;
+            row[2 * j] = wave.im;
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use rand::{RngExt, SeedableRng};
+    use std::f64::consts::TAU;
+
+    fn random(points: [usize; 2]) -> Vec<f64> {
+        let mut rng = rand_chacha::ChaCha8Rng::seed_from_u64(2);
+        (0..points[0] * points[1]).map(|_| rng.random_range(-1.0..1.0)).collect()
+    }
+
+    const SHAPES: [[usize; 2]; 6] = [[3, 3], [4, 4], [5, 8], [8, 5], [17, 30], [64, 48]];
+
+    #[test]
+    fn waves_are_those_of_the_definition() {
+        for points in SHAPES {
+            let [nx, ny] = points;
+            let map = random(points);
+            let waves = analyse(map.clone(), points, |_, column| column.to_vec());
+            for (i, j) in [(0, 0), (1, 0), (0, 1), (nx - 1, 1), (nx / 2, ny / 2)] {
+                let sum: Complex<f64> = (0..nx * ny)
+                    .map(|k| {
+                        let turns =
+                            (i * (k / ny)) as f64 / nx as f64 + (j * (k % ny)) as f64 / ny as f64;
+                        Complex::from_polar(1.0, -TAU * turns) * map[k]
+                    })
+                    .sum();
+                assert!((waves[j][i] - sum).norm() < 1e-11, "{points:?}: {i} {j}");
+            }
+        }
+    }
+
+    #[test]
+    fn there_and_back() {
+        for points in SHAPES {
+            let map = random(points);
+            let waves = analyse(map.clone(), points, |_, column| column.to_vec());
+            let back = synthesise(
+                points,
+                |j, column| column.copy_from_slice(&waves[j]),
+                |_| 1.0 / (points[0] * points[1]) as f64,
+            );
+            assert!(map.iter().zip(back).all(|(a, b)| (a - b).abs() < 1e-14), "{points:?}");
+        }
+    }
+}

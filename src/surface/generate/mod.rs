@@ -1,0 +1,109 @@
+//! Random rough surfaces: periodic, of a given spectrum, with Gaussian or other heights.
+
+mod gaussian;
+mod target;
+
+pub use gaussian::gaussian;
+pub use target::{Reached, Target, TargetRecipe, Unreachable};
+
+use rayon::prelude::*;
+
+use super::marginal::Marginal;
+use super::spectrum::{GridSpectrum, Spectrum, SpectrumError};
+use super::{HeightMap, MapError};
+use crate::numeric::sum::sum_of;
+
+/// A process that makes rough surfaces: a Gaussian surface of a spectrum whose heights are mapped to a
+/// distribution. The map of heights distorts the spectrum: it is that of the Gaussian surface.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Process {
+    /// How the variance is spread over the waves.
+    pub spectrum: Spectrum,
+    /// Standard deviation of the heights over all surfaces, m.
+    pub sigma: f64,
+    /// Distribution of the heights.
+    pub heights: Marginal,
+}
+
+/// A finer process that cuts the summits of a coarser one, as honing does: the lower of the two surfaces is
+/// left.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Plateau {
+    /// The process that cuts.
+    pub process: Process,
+    /// Height of its mean plane above that of the coarser surface, m.
+    pub height: f64,
+}
+
+/// What makes a surface on a grid.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Recipe {
+    /// Points along x and y.
+    pub points: [usize; 2],
+    /// Their distances along x and y, m.
+    pub pixel: [f64; 2],
+    /// The process, the coarser one of two.
+    pub process: Process,
+    /// The process that cuts it.
+    pub plateau: Option<Plateau>,
+}
+
+/// Seeds of the one or two processes of a surface.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Seeds {
+    /// Of the process.
+    pub process: [u8; 32],
+    /// Of the one that cuts it.
+    pub plateau: [u8; 32],
+}
+
+impl Recipe {
+    /// Whether the grid can show the spectra.
+    ///
+    /// # Errors
+    /// The first that it cannot.
+    pub fn check(&self) -> Result<(), SpectrumError> {
+        self.process.spectrum.check(self.points, self.pixel)?;
+        match &self.plateau {
+            Some(plateau) => plateau.process.spectrum.check(self.points, self.pixel),
+            None => Ok(()),
+        }
+    }
+
+    /// The surface, periodic, its mean plane at zero; the same to the bit on any number of threads.
+    ///
+    /// # Errors
+    /// A grid that makes no map.
+    pub fn surface(&self, seeds: Seeds) -> Result<HeightMap, MapError> {
+        let mut heights = self.process.heights(self.points, self.pixel, seeds.process);
+        if let Some(plateau) = &self.plateau {
+            let cut = plateau.process.heights(self.points, self.pixel, seeds.plateau);
+            let pairs = heights.par_iter_mut().zip(cut);
+            pairs.for_each(|(z, cut)| *z = z.min(cut + plateau.height));
+            centre(&mut heights);
+        }
+        HeightMap::new(self.points, self.pixel, heights, f64::EPSILON).map(HeightMap::periodic)
+    }
+}
+
+impl Process {
+    fn heights(&self, points: [usize; 2], pixel: [f64; 2], seed: [u8; 32]) -> Vec<f64> {
+        field(&self.spectrum.on_grid(points, pixel), self.heights, self.sigma, seed)
+    }
+}
+
+/// Heights of a distribution on a Gaussian surface of a spectrum.
+fn field(spectrum: &GridSpectrum, heights: Marginal, sigma: f64, seed: [u8; 32]) -> Vec<f64> {
+    if heights == Marginal::Gaussian {
+        return gaussian(spectrum, sigma, seed);
+    }
+    let mut field = gaussian(spectrum, 1.0, seed);
+    heights.apply(&mut field, sigma);
+    field
+}
+
+/// Moves the mean to zero.
+fn centre(heights: &mut [f64]) {
+    let mean = sum_of(heights.len(), |k| heights[k]) / heights.len() as f64;
+    heights.par_iter_mut().for_each(|z| *z -= mean);
+}

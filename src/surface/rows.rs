@@ -1,0 +1,128 @@
+//! Heights row by row: what reads a surface this way works on maps larger than memory.
+
+use std::ops::Range;
+
+use rayon::prelude::*;
+
+/// What lies beyond the border of a map.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Boundary {
+    /// Nothing that is known.
+    #[default]
+    Open,
+    /// The opposite border.
+    Periodic,
+}
+
+/// A source of heights on a rectangular grid, x by x. A missing point is NaN.
+pub trait Rows: Sync {
+    /// Points along x and y.
+    fn points(&self) -> [usize; 2];
+
+    /// Distance of neighbouring points along x and y, m.
+    fn pixel(&self) -> [f64; 2];
+
+    /// Relative precision of the stored heights; 0 for integers.
+    fn precision(&self) -> f64;
+
+    /// What lies beyond the border.
+    fn boundary(&self) -> Boundary;
+
+    /// Writes the heights (m) at the x index `ix`, by their y index.
+    fn read(&self, ix: usize, row: &mut [f64]);
+
+    /// Those rows one after another, if they lie in memory so.
+    fn block(&self, _rows: Range<usize>) -> Option<&[f64]> {
+        None
+    }
+}
+
+/// Rows that one task works on. Fixed, so that sums do not depend on the number of threads.
+const STRIP: usize = 32;
+
+/// Some neighbouring rows of a map and what lies beside them.
+pub struct Strip<'a> {
+    /// Index of the first row.
+    pub first: usize,
+    /// Number of rows.
+    pub count: usize,
+    /// How many rows of the halo lie before the first.
+    before: usize,
+    columns: usize,
+    is_periodic: bool,
+    heights: &'a [f64],
+}
+
+impl Strip<'_> {
+    /// Whether the map goes on at its opposite border.
+    pub fn is_periodic(&self) -> bool {
+        self.is_periodic
+    }
+
+    /// Row `k` of the strip, halo included: from -halo to count + halo. `None` beyond an open border.
+    pub fn row(&self, k: isize) -> Option<&[f64]> {
+        let place = usize::try_from(k + self.before as isize).ok()?;
+        self.heights.get(place * self.columns..(place + 1) * self.columns)
+    }
+}
+
+/// Calls `part` with each strip of a map and `halo` rows on both sides of it, in parallel; its answers are in
+/// the order of the strips, which does not depend on the number of threads. On a periodic map the halo goes
+/// on at the opposite border.
+pub fn strips<T: Send>(rows: &dyn Rows, halo: usize, part: impl Fn(Strip) -> T + Sync) -> Vec<T> {
+    let [nx, columns] = rows.points();
+    let is_periodic = rows.boundary() == Boundary::Periodic;
+    (0..nx.div_ceil(STRIP))
+        .into_par_iter()
+        .map_init(Vec::new, |buffer: &mut Vec<f64>, strip| {
+            let first = strip * STRIP;
+            let count = STRIP.min(nx - first);
+            let inside = first.saturating_sub(halo)..nx.min(first + count + halo);
+            let is_whole = inside.len() == count + 2 * halo;
+            let range = if is_periodic {
+                first as isize - halo as isize..(first + count + halo) as isize
+            } else {
+                inside.start as isize..inside.end as isize
+            };
+            let before = (first as isize - range.start) as usize;
+            let in_memory = if is_whole || !is_periodic { rows.block(inside) } else { None };
+            let heights = match in_memory {
+                Some(heights) => heights,
+                None => {
+                    buffer.resize(range.len() * columns, 0.0);
+                    for (row, ix) in buffer.chunks_mut(columns).zip(range) {
+                        rows.read(ix.rem_euclid(nx as isize) as usize, row);
+                    }
+                    buffer
+                }
+            };
+            part(Strip { first, count, before, columns, is_periodic, heights })
+        })
+        .collect()
+}
+
+/// Number of missing points.
+pub fn missing(rows: &dyn Rows) -> usize {
+    let count = |strip: Strip| {
+        let rows = (0..strip.count as isize).filter_map(|k| strip.row(k).map(count_missing));
+        rows.sum::<usize>()
+    };
+    strips(rows, 0, count).into_iter().sum()
+}
+
+/// A height that is there, m; 0 if none is.
+pub fn first_present(map: &dyn Rows) -> f64 {
+    let [nx, ny] = map.points();
+    let mut row = vec![0.0; ny];
+    (0..nx)
+        .find_map(|ix| {
+            map.read(ix, &mut row);
+            row.iter().copied().find(|z| !z.is_nan())
+        })
+        .unwrap_or_default()
+}
+
+/// Number of missing points of a row.
+pub fn count_missing(row: &[f64]) -> usize {
+    row.iter().filter(|z| z.is_nan()).count()
+}
