@@ -45,6 +45,8 @@ dimensions! {
     Area, "area", "such as \"1 mm^2\" (m^2, cm^2, mm^2, um^2; a bare number is in m^2)";
     /// Numbers per area.
     ArealNumberDensity, "density", "such as \"6e10 /m^2\" (/m^2, /mm^2, /um^2; a bare number is in 1/m^2)";
+    /// Angles.
+    Angle, "angle", "such as \"30 deg\" (deg, rad; a bare number is in rad)";
     /// Forces.
     Force, "force", "such as \"10 N\" (N, mN, uN, kN; a bare number is in N)";
 }
@@ -152,6 +154,7 @@ fn in_uoms_spelling(text: &str) -> Option<String> {
     let (number, unit) = (&text[..end], text[end..].trim_start());
     let unit = match unit {
         "HV" => "kgf/mm²".to_owned(),
+        "deg" => "°".to_owned(),
         _ => {
             let metric = unit.replace("um", "µm").replace("uN", "µN").replace('μ', "µ").replace("^2", "²");
             match metric.trim_start_matches('1').strip_prefix('/').and_then(|area| area.strip_suffix('²')) {
@@ -221,6 +224,7 @@ mod tests {
         assert!(close(density("6e4 1/mm^2"), 6e10));
         assert!(close(Quantity::<Area>::parse("1 mm^2").unwrap().value(), 1e-6));
         assert!(close(Quantity::<Force>::parse("3 uN").unwrap().value(), 3e-6));
+        assert!(close(Quantity::<Angle>::parse("30 deg").unwrap().value(), std::f64::consts::FRAC_PI_6));
     }
 
     #[test]

@@ -9,7 +9,7 @@ pub mod spec;
 mod surface;
 
 pub use refusal::Refusal;
-pub use surface::{MapFacts, Surface};
+pub use surface::{GenerationFacts, MapFacts, Surface, Whole};
 
 use std::io::Read;
 use std::path::Path;
@@ -38,6 +38,18 @@ impl Experiment {
     /// What keeps it from running, with file, line and key.
     pub fn read(path: &Path) -> Result<Self, Refusal> {
         Ok(Self { plan: Plan::read(path)? })
+    }
+
+    /// Looks at the surfaces of a spec, or at a measured file in the words of a spec:
+    /// `[surface.NAME.file]` and what stands below it.
+    ///
+    /// # Errors
+    /// As [`Self::read`].
+    pub fn look(path: &Path, words: &FileWords) -> Result<Self, Refusal> {
+        let is_spec = path.extension().is_some_and(|ending| ending == "toml");
+        let plan =
+            if is_spec { Plan::look_at_spec(path)? } else { Plan::look_at_file(words.spec(path), path)? };
+        Ok(Self { plan })
     }
 
     /// Name of its report's folder.
@@ -74,6 +86,52 @@ impl Experiment {
     /// What only a run can find: a map without a summit, a pressure that is not reached.
     pub fn run(&self, progress: &dyn Progress) -> Result<Results, Refusal> {
         run::run(&self.plan, progress)
+    }
+}
+
+/// What a person says of a measured file, besides its path; the words are those of a spec.
+#[derive(Debug, Clone, Default)]
+pub struct FileWords {
+    /// A length, or two with a comma between them.
+    pub pixel: Option<String>,
+    /// Unit of the lengths in the file.
+    pub unit: Option<String>,
+    /// Form that is removed.
+    pub level: Option<String>,
+    /// S nesting index.
+    pub s: Option<String>,
+    /// L nesting index.
+    pub l: Option<String>,
+    /// Which neighbours a summit is higher than.
+    pub neighbours: Option<String>,
+}
+
+impl FileWords {
+    /// The spec that describes the file at `path`.
+    fn spec(&self, path: &Path) -> String {
+        let quoted = |text: &str| toml::Value::from(text).to_string();
+        let stem = path.file_stem().and_then(|stem| stem.to_str()).unwrap_or("surface");
+        let is_plain = |c: char| c.is_alphanumeric() || c == '-' || c == '_';
+        let name: String = stem.chars().map(|c| if is_plain(c) { c } else { '-' }).collect();
+        let mut lines = vec![
+            format!("title = {}", quoted(&format!("The surface {stem}"))),
+            format!("[surface.{}.file]", quoted(&name)),
+            format!("path = {}", quoted(&path.to_string_lossy())),
+        ];
+        if let Some(pixel) = &self.pixel {
+            let sizes: Vec<String> = pixel.split(',').map(|size| quoted(size.trim())).collect();
+            lines.push(match &sizes[..] {
+                [one] => format!("pixel = {one}"),
+                several => format!("pixel = [{}]", several.join(", ")),
+            });
+        }
+        for (key, value) in [("unit", &self.unit), ("level", &self.level), ("neighbours", &self.neighbours)] {
+            lines.extend(value.as_ref().map(|value| format!("{key} = {}", quoted(value))));
+        }
+        for (key, value) in [("filter.s", &self.s), ("filter.l", &self.l)] {
+            lines.extend(value.as_ref().map(|value| format!("{key} = {}", quoted(value))));
+        }
+        lines.join("\n") + "\n"
     }
 }
 

@@ -5,10 +5,11 @@ use std::time::Duration;
 use indexmap::IndexMap;
 
 use super::surface::Surface;
-use crate::asperity::Population;
+use crate::asperity::{Population, Statistics};
 use crate::compare::{Comparison, Gaps, LimitPoint};
 use crate::literature::Paper;
 use crate::material::Material;
+use crate::surface::Moments;
 
 /// The two bodies, by name.
 #[derive(Debug, Clone)]
@@ -30,6 +31,15 @@ pub struct Head {
     pub spec_sha256: String,
     /// Every random number came from it.
     pub seed: u64,
+    /// The papers behind what was run.
+    pub papers: Vec<Paper>,
+    /// Where the time went.
+    pub timing: Timing,
+}
+
+/// The two bodies of a contact.
+#[derive(Debug, Clone)]
+pub struct ContactHead {
     /// The bodies of the spec.
     pub materials: IndexMap<String, Material>,
     /// Who touches whom.
@@ -38,10 +48,6 @@ pub struct Head {
     pub reduced_modulus: f64,
     /// Hardness of the softer body, Pa.
     pub hardness: Option<f64>,
-    /// The papers behind what was run.
-    pub papers: Vec<Paper>,
-    /// Where the time went.
-    pub timing: Timing,
 }
 
 /// Where the time went.
@@ -68,6 +74,8 @@ pub enum Results {
     Compare(CompareResults),
     /// Of `[limit]`.
     Limit(LimitResults),
+    /// Of a look at surfaces.
+    Surfaces(SurfacesResults),
 }
 
 impl Results {
@@ -76,6 +84,7 @@ impl Results {
         match self {
             Self::Compare(results) => &results.head,
             Self::Limit(results) => &results.head,
+            Self::Surfaces(results) => &results.head,
         }
     }
 }
@@ -86,23 +95,32 @@ impl Results {
         match self {
             Self::Compare(results) => results.warnings(),
             Self::Limit(_) => Vec::new(),
+            Self::Surfaces(results) => warnings(&results.surfaces),
         }
     }
+}
+
+/// Warnings of surfaces, by name.
+fn warnings<'a>(surfaces: impl IntoIterator<Item = &'a Surface>) -> Vec<String> {
+    let of = |surface: &'a Surface| {
+        surface.warnings.iter().map(|warning| format!("surface {}: {warning}", surface.name))
+    };
+    surfaces.into_iter().flat_map(of).collect()
+}
+
+/// A look at surfaces, without any contact.
+#[derive(Debug)]
+pub struct SurfacesResults {
+    /// What every experiment has.
+    pub head: Head,
+    /// The surfaces, in file order.
+    pub surfaces: Vec<Surface>,
 }
 
 impl CompareResults {
     /// What makes the answers doubtful, a line each.
     pub fn warnings(&self) -> Vec<String> {
-        let of = |found: &SurfaceResults| {
-            let name = found.surface.name.clone();
-            found
-                .surface
-                .warnings
-                .clone()
-                .into_iter()
-                .map(move |warning| format!("surface {name}: {warning}"))
-        };
-        self.surfaces.iter().flat_map(of).collect()
+        warnings(self.surfaces.iter().map(|found| &found.surface))
     }
 }
 
@@ -111,15 +129,41 @@ impl CompareResults {
 pub struct CompareResults {
     /// What every experiment has.
     pub head: Head,
+    /// The bodies.
+    pub contact: ContactHead,
     /// Surface by surface, in file order.
     pub surfaces: Vec<SurfaceResults>,
 }
 
-/// One surface and what it answered.
+/// One surface, all its realisations, and what they answered.
 #[derive(Debug)]
 pub struct SurfaceResults {
-    /// The surface.
+    /// The first realisation, with its asperities.
     pub surface: Surface,
+    /// What the first answered.
+    pub first: RealisationResults,
+    /// The others: their asperities are not kept.
+    pub others: Vec<RealisationResults>,
+}
+
+impl SurfaceResults {
+    /// Every realisation with its number, from 1.
+    pub fn realisations(&self) -> impl Iterator<Item = (usize, &RealisationResults)> {
+        (1..).zip(std::iter::once(&self.first).chain(&self.others))
+    }
+}
+
+/// One realisation of a surface and what it answered.
+#[derive(Debug)]
+pub struct RealisationResults {
+    /// Number of asperities.
+    pub asperities: usize,
+    /// Nominal area, m^2.
+    pub nominal_area: f64,
+    /// Statistics of the asperities.
+    pub statistics: Statistics,
+    /// Of the map that they were found on.
+    pub moments: Option<Moments>,
     /// The population that the statistical model stands on.
     pub population: Population,
     /// Law by law.
@@ -144,6 +188,8 @@ pub struct CaseResults {
 pub struct LimitResults {
     /// What every experiment has.
     pub head: Head,
+    /// The bodies.
+    pub contact: ContactHead,
     /// What the sets were drawn from.
     pub population: Population,
     /// The laws, and what each one's limit was taken from.

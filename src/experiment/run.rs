@@ -2,12 +2,13 @@
 
 use std::time::Instant;
 
-use super::plan::{ComparePlan, LawPlan, LimitPlan, Plan, PlanKind};
+use super::plan::{ComparePlan, LawPlan, LimitPlan, Plan, PlanKind, SurfacePlan};
 use super::progress::Progress;
 use super::results::{
-    Bodies, CaseResults, CompareResults, Head, LimitResults, Results, SurfaceResults, Timing,
+    Bodies, CaseResults, CompareResults, ContactHead, Head, LimitResults, RealisationResults, Results,
+    SurfaceResults, SurfacesResults, Timing,
 };
-use super::surface::Surface;
+use super::surface::{Look, Surface};
 use super::{Refusal, digest, hexadecimal, stream_seed};
 use crate::asperity::{Ordered, Population, gaussian_moment};
 use crate::compare::{Control, Exact, Gaps, Kind, LimitCase, Models, NotReached, compare, convergence};
@@ -19,6 +20,7 @@ pub(super) fn run(plan: &Plan, progress: &dyn Progress) -> Result<Results, Refus
     match &plan.kind {
         PlanKind::Compare(compare) => run_compare(plan, compare, progress).map(Results::Compare),
         PlanKind::Limit(limit) => run_limit(plan, limit, progress).map(Results::Limit),
+        PlanKind::Surfaces(surfaces) => look(plan, surfaces, progress).map(Results::Surfaces),
     }
 }
 
@@ -30,24 +32,50 @@ fn run_compare(
     let start = Instant::now();
     let mut timing = Timing::default();
     let mut papers = papers_of(&compare.laws);
-    progress.stage(&plan.title, compare.surfaces.len() as u64);
+    let realisations = compare.surfaces.iter().map(|surface| surface.realisations as u64);
+    progress.stage(&plan.title, realisations.sum());
     let mut surfaces = Vec::new();
     for surface in &compare.surfaces {
-        let surface = surface.make(&plan.source, plan.seed, &mut timing)?;
-        papers.extend(surface.papers());
-        surfaces.push(run_surface(plan, compare, surface, &mut timing)?);
+        let mut maker = surface.maker(&plan.source, plan.seed);
+        let mut run = |realisation, look| {
+            let surface = maker.make(realisation, look, &mut timing)?;
+            let answered = run_surface(plan, compare, &surface, &mut timing)?;
+            progress.advance(1);
+            Ok::<_, Refusal>((surface, answered))
+        };
+        let (first_surface, first) = run(1, Look::Spectrum)?;
+        let others =
+            (2..=surface.realisations).map(|k| run(k, Look::Asperities).map(|(_, answered)| answered));
+        let others = others.collect::<Result<_, _>>()?;
+        papers.extend(first_surface.papers());
+        surfaces.push(SurfaceResults { surface: first_surface, first, others });
+    }
+    timing.total = start.elapsed();
+    let contact = contact_head(plan, &compare.laws, &compare.bodies);
+    Ok(CompareResults { head: head(plan, papers, timing), contact, surfaces })
+}
+
+/// Looks at surfaces as closely as can be.
+fn look(plan: &Plan, surfaces: &[SurfacePlan], progress: &dyn Progress) -> Result<SurfacesResults, Refusal> {
+    let start = Instant::now();
+    let mut timing = Timing::default();
+    progress.stage(&plan.title, surfaces.len() as u64);
+    let mut seen = Vec::new();
+    for surface in surfaces {
+        seen.push(surface.maker(&plan.source, plan.seed).make(1, Look::Everything, &mut timing)?);
         progress.advance(1);
     }
     timing.total = start.elapsed();
-    Ok(CompareResults { head: head(plan, &compare.laws, &compare.bodies, papers, timing), surfaces })
+    let papers = seen.iter().flat_map(Surface::papers).collect();
+    Ok(SurfacesResults { head: head(plan, papers, timing), surfaces: seen })
 }
 
 fn run_surface(
     plan: &Plan,
     compare_plan: &ComparePlan,
-    surface: Surface,
+    surface: &Surface,
     timing: &mut Timing,
-) -> Result<SurfaceResults, Refusal> {
+) -> Result<RealisationResults, Refusal> {
     let asked = |kind| compare_plan.models.contains(&kind);
     let population = surface.population(compare_plan.heights, compare_plan.mean_radius);
     let ordering = Instant::now();
@@ -74,7 +102,14 @@ fn run_surface(
             comparison,
         });
     }
-    Ok(SurfaceResults { surface, population, cases })
+    Ok(RealisationResults {
+        asperities: surface.set.count(),
+        nominal_area: area,
+        statistics: surface.statistics,
+        moments: surface.map.as_ref().map(|map| map.character.moments),
+        population,
+        cases,
+    })
 }
 
 /// Points at the sweep that asks for more than a model reaches.
@@ -117,7 +152,8 @@ fn run_limit(plan: &Plan, limit: &LimitPlan, progress: &dyn Progress) -> Result<
     timing.deterministic = sums.elapsed();
     timing.total = start.elapsed();
     Ok(LimitResults {
-        head: head(plan, &limit.laws, &limit.bodies, papers_of(&limit.laws), timing),
+        head: head(plan, papers_of(&limit.laws), timing),
+        contact: contact_head(plan, &limit.laws, &limit.bodies),
         population: limit.population,
         plasticity_index: plasticity_index(
             &*limit.laws[0].contact,
@@ -161,21 +197,26 @@ fn papers_of(laws: &[LawPlan]) -> Vec<Paper> {
     laws.iter().flat_map(|law| law.contact.papers()).chain(models).collect()
 }
 
-fn head(plan: &Plan, laws: &[LawPlan], bodies: &Bodies, mut papers: Vec<Paper>, timing: Timing) -> Head {
+fn head(plan: &Plan, mut papers: Vec<Paper>, timing: Timing) -> Head {
     papers.sort_by_key(|paper| paper.short);
     papers.dedup();
-    // Every law of an experiment stands on the same two bodies.
-    let contact = &laws[0].contact;
     Head {
         title: plan.title.clone(),
         stem: plan.stem.clone(),
         spec_sha256: hexadecimal(&digest(plan.source.text.as_bytes())),
         seed: plan.seed,
+        papers,
+        timing,
+    }
+}
+
+fn contact_head(plan: &Plan, laws: &[LawPlan], bodies: &Bodies) -> ContactHead {
+    // Every law of an experiment stands on the same two bodies.
+    let contact = &laws[0].contact;
+    ContactHead {
         materials: plan.materials.clone(),
         bodies: bodies.clone(),
         reduced_modulus: contact.reference_modulus(),
         hardness: Some(contact.reference_hardness()).filter(|hardness| hardness.is_finite()),
-        papers,
-        timing,
     }
 }

@@ -3,12 +3,16 @@
 use crate::asperity::{AsperitySet, HeightDensity, Population, SetError, Statistics};
 use crate::literature::{self, Paper};
 use crate::model::{Datum, MeanRadius};
-use crate::surface::filter::{Filter, FilterError};
-use crate::surface::level::{Level, Undetermined};
-use crate::surface::quantisation::Quantisation;
-use crate::surface::summits::five_point;
 use crate::surface::character::Character;
-use crate::surface::{HeightMap, Moments, Rows};
+use crate::surface::correlation::{Autocorrelation, RadialSpectrum};
+use crate::surface::filter::{Filter, FilterError};
+use crate::surface::generate::{Recipe, Target};
+use crate::surface::level::{Level, Levelled, Undetermined};
+use crate::surface::marginal::Marginal;
+use crate::surface::quantisation::Quantisation;
+use crate::surface::summits::{Detail, Neighbours, Summits, find};
+use crate::surface::theory::{self, Expected};
+use crate::surface::{HeightMap, Rows};
 
 /// Asperities with their statistics and origin.
 #[derive(Debug)]
@@ -38,8 +42,6 @@ pub struct MapFacts {
     pub points: [usize; 2],
     /// Their distances, m.
     pub pixel: [f64; 2],
-    /// Missing points.
-    pub missing: usize,
     /// Points tested for a summit.
     pub tested: usize,
     /// What was taken out.
@@ -47,15 +49,60 @@ pub struct MapFacts {
     /// The filters, in words.
     pub filter: Option<String>,
     /// Of the levelled, filtered map.
-    pub moments: Moments,
+    pub character: Character,
+    /// What a summit is.
+    pub neighbours: Neighbours,
     /// Number of summits.
     pub summits: usize,
     /// Plateaus among them, dropped ones included.
     pub plateaus: usize,
     /// Plateaus dropped for a curvature that is not positive.
     pub dropped: usize,
-    /// The check for heights on steps.
-    pub quantisation: Quantisation,
+    /// Summits whose smaller principal curvature is not positive.
+    pub saddles: usize,
+    /// Five-point summits of a Gaussian surface with the same autocorrelation at neighbours.
+    pub expected: Option<Expected>,
+    /// Summits of a continuous isotropic Gaussian surface with the same spectral moments.
+    pub nayak: Option<Expected>,
+    /// Of a measured map, the check for heights on steps.
+    pub quantisation: Option<Quantisation>,
+    /// Of a random surface, what it was made by.
+    pub generation: Option<GenerationFacts>,
+    /// What only a look at the whole map tells, where it was asked for.
+    pub whole: Whole,
+}
+
+/// What a random surface was made by.
+#[derive(Debug, Clone, Copy)]
+pub struct GenerationFacts {
+    /// The recipe; of a target the one that was found.
+    pub recipe: Recipe,
+    /// What its summits were asked to be, and how many surfaces were tried.
+    pub target: Option<(Target, usize)>,
+}
+
+/// How closely a map is looked at, beyond its asperities.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Look {
+    /// No closer.
+    Asperities,
+    /// Of a random surface, the spectrum that was asked for and the one that was reached.
+    Spectrum,
+    /// Spectrum, autocorrelation and a picture.
+    Everything,
+}
+
+/// What a look at a whole map tells.
+#[derive(Debug, Clone, Default)]
+pub struct Whole {
+    /// The spectrum that was asked for.
+    pub asked: Option<RadialSpectrum>,
+    /// The spectrum that was found.
+    pub spectrum: Option<RadialSpectrum>,
+    /// The autocorrelation.
+    pub autocorrelation: Option<Autocorrelation>,
+    /// The heights, at most 512 along each axis.
+    pub picture: Option<HeightMap>,
 }
 
 /// A map on which no asperities are found.
@@ -65,50 +112,150 @@ pub(super) enum NoAsperities {
     Level(#[from] Undetermined),
     #[error(transparent)]
     Filter(#[from] FilterError),
-    #[error("has no summit: none of its {tested} tested points is higher than its four neighbours")]
+    #[error("has no summit: none of its {tested} tested points is higher than its neighbours")]
     NoSummit { tested: usize },
+    #[error("all summits are equally high: their standard deviation is zero")]
+    EqualHeights,
     #[error(transparent)]
     Set(#[from] SetError),
 }
 
-/// Levels and filters a map and finds its summits.
-pub(super) fn summits_of(
-    map: &HeightMap,
-    level: Level,
-    filter: Option<Filter>,
-) -> Result<(AsperitySet, MapFacts), NoAsperities> {
-    let mut levelled = level.apply(map)?;
-    if let Some(filter) = filter {
-        levelled = filter.apply(levelled)?;
+/// How asperities are found on a map.
+pub(super) struct Finding {
+    /// What is taken out first.
+    pub(super) level: Level,
+    /// The filters.
+    pub(super) filter: Option<Filter>,
+    /// What a summit is.
+    pub(super) neighbours: Neighbours,
+    /// What the map was made by, if it was made.
+    pub(super) generation: Option<GenerationFacts>,
+    /// How closely it is looked at.
+    pub(super) look: Look,
+}
+
+impl Finding {
+    /// Levels and filters a map and finds its summits, row by row: only a filter and the closest look need
+    /// the map in memory.
+    pub(super) fn asperities(&self, raw: &dyn Rows) -> Result<(AsperitySet, MapFacts), NoAsperities> {
+        let levelled = Levelled { map: raw, form: self.level.form(raw)? };
+        let filtered = match self.filter {
+            Some(filter) => Some(filter.apply(HeightMap::of(&levelled))?),
+            None => None,
+        };
+        let map: &dyn Rows = filtered.as_ref().map_or(&levelled as &dyn Rows, |map| map);
+        let summits = find(map, self.neighbours, Detail::ALL);
+        if summits.heights.is_empty() {
+            return Err(NoAsperities::NoSummit { tested: summits.tested });
+        }
+        let facts = self.facts(raw, map, &summits);
+        let [dx, dy] = map.pixel();
+        let radii = summits.curvatures.iter().map(|curvature| curvature.recip()).collect();
+        let set = AsperitySet::new(summits.heights, radii, dx * dy * summits.tested as f64)?;
+        Ok((set, facts))
     }
-    let summits = five_point(&levelled);
-    if summits.heights.is_empty() {
-        return Err(NoAsperities::NoSummit { tested: summits.tested });
+
+    fn facts(&self, raw: &dyn Rows, map: &dyn Rows, summits: &Summits) -> MapFacts {
+        let character = Character::of(map);
+        let sq = character.moments.sq;
+        let five_point = |lags| theory::five_point(&lags, sq, map.pixel());
+        MapFacts {
+            points: map.points(),
+            pixel: map.pixel(),
+            tested: summits.tested,
+            level: self.level,
+            filter: self.filter.map(|filter| filter.to_string()),
+            neighbours: self.neighbours,
+            summits: summits.heights.len(),
+            plateaus: summits.plateaus,
+            dropped: summits.dropped,
+            saddles: summits.principal.iter().filter(|principal| principal[1] <= 0.0).count(),
+            expected: character.neighbours.and_then(five_point),
+            nayak: theory::nayak(character.spectral_moments()),
+            quantisation: self.generation.is_none().then(|| Quantisation::of(raw, summits)),
+            generation: self.generation,
+            whole: Whole::of(map, self.generation.as_ref(), self.look),
+            character,
+        }
     }
-    let [dx, dy] = map.pixel();
-    let character = Character::of(&levelled);
-    let facts = MapFacts {
-        points: map.points(),
-        pixel: map.pixel(),
-        missing: character.missing,
-        tested: summits.tested,
-        level,
-        filter: filter.map(|filter| filter.to_string()),
-        moments: character.moments,
-        summits: summits.heights.len(),
-        plateaus: summits.plateaus,
-        dropped: summits.dropped,
-        quantisation: Quantisation::of(map, &summits),
-    };
-    let radii = summits.curvatures.iter().map(|curvature| curvature.recip()).collect();
-    let set = AsperitySet::new(summits.heights, radii, dx * dy * summits.tested as f64)?;
-    Ok((set, facts))
+}
+
+impl Whole {
+    fn of(map: &dyn Rows, generation: Option<&GenerationFacts>, look: Look) -> Self {
+        /// Beyond so many points a map is not brought into memory for these.
+        const MOST_POINTS: usize = 1 << 26;
+        /// Points of a picture along an axis.
+        const PICTURE: usize = 512;
+        let [nx, ny] = map.points();
+        let is_close = look == Look::Everything;
+        let mut whole = Self { picture: is_close.then(|| thumbnail(map, PICTURE)), ..Self::default() };
+        if look == Look::Asperities || (!is_close && generation.is_none()) || nx * ny > MOST_POINTS {
+            return whole;
+        }
+        // Two processes have two spectra: neither is that of what they leave.
+        whole.asked = generation.filter(|made| made.recipe.plateau.is_none()).map(|made| {
+            let Recipe { points, pixel, process, .. } = made.recipe;
+            RadialSpectrum::asked(&process.spectrum.on_grid(points, pixel), pixel, process.sigma)
+        });
+        let map = HeightMap::of(map);
+        whole.autocorrelation = if is_close { Autocorrelation::of(&map) } else { None };
+        whole.spectrum = Some(RadialSpectrum::of(&map));
+        whole
+    }
+}
+
+/// A map of at most `most` points along each axis: each the mean of a block of points that are there.
+fn thumbnail(map: &dyn Rows, most: usize) -> HeightMap {
+    HeightMap::of(&Blocks { map, block: map.points().map(|count| count.div_ceil(most)) })
+}
+
+/// Means over blocks of points.
+struct Blocks<'a> {
+    map: &'a dyn Rows,
+    block: [usize; 2],
+}
+
+impl Rows for Blocks<'_> {
+    fn points(&self) -> [usize; 2] {
+        [0, 1].map(|axis| self.map.points()[axis].div_ceil(self.block[axis]))
+    }
+
+    fn pixel(&self) -> [f64; 2] {
+        [0, 1].map(|axis| self.map.pixel()[axis] * self.block[axis] as f64)
+    }
+
+    fn precision(&self) -> f64 {
+        f64::EPSILON
+    }
+
+    fn boundary(&self) -> crate::surface::Boundary {
+        self.map.boundary()
+    }
+
+    fn read(&self, ix: usize, row: &mut [f64]) {
+        let [nx, ny] = self.map.points();
+        let mut line = vec![0.0; ny];
+        let mut sums = vec![(0.0, 0.0); row.len()];
+        for i in ix * self.block[0]..nx.min((ix + 1) * self.block[0]) {
+            self.map.read(i, &mut line);
+            for (sum, block) in sums.iter_mut().zip(line.chunks(self.block[1])) {
+                for z in block.iter().filter(|z| !z.is_nan()) {
+                    sum.0 += z;
+                    sum.1 += 1.0;
+                }
+            }
+        }
+        for (z, (sum, count)) in row.iter_mut().zip(sums) {
+            // A block without a point is missing: 0/0.
+            *z = sum / count;
+        }
+    }
 }
 
 impl MapFacts {
     /// Why its radii may be the instrument's.
     pub fn warnings(&self) -> Vec<String> {
-        let found = &self.quantisation;
+        let Some(found) = &self.quantisation else { return Vec::new() };
         let nanometres = |length: f64| format!("{:.4} nm", length * 1e9);
         let mut warnings = Vec::new();
         let step = found.step.map_or_else(String::new, |step| {
@@ -132,6 +279,22 @@ impl MapFacts {
             ));
         }
         warnings
+    }
+
+    /// The papers behind it.
+    fn papers(&self) -> Vec<Paper> {
+        let mut papers = vec![literature::GREENWOOD_1984, literature::NAYAK_1971];
+        if self.filter.is_some() {
+            papers.push(literature::ISO_16610_61);
+        }
+        if let Some(made) = &self.generation {
+            match made.recipe.process.heights {
+                Marginal::Gaussian => {}
+                Marginal::Johnson(_) => papers.push(literature::JOHNSON_1949),
+                Marginal::Weibull(_) => papers.push(literature::WEIBULL_1951),
+            }
+        }
+        papers
     }
 }
 
@@ -182,13 +345,7 @@ impl Surface {
 
     /// The papers behind its asperities.
     pub fn papers(&self) -> Vec<Paper> {
-        let mut papers = Vec::new();
-        if let Some(map) = &self.map {
-            papers.push(literature::GREENWOOD_1984);
-            if map.filter.is_some() {
-                papers.push(literature::ISO_16610_61);
-            }
-        }
+        let mut papers: Vec<Paper> = self.map.iter().flat_map(MapFacts::papers).collect();
         if self.is_quoted_as_surface() {
             papers.push(literature::NAYAK_1971);
         }

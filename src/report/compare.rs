@@ -5,6 +5,7 @@ use super::format::{count, number, quantity};
 use super::head;
 use super::page::Page;
 use super::page::escape;
+use super::surface::section as surface_section;
 use crate::compare::{Control, Gap, Kind, Pair, Pairing};
 use crate::experiment::results::{CaseResults, CompareResults, SurfaceResults};
 
@@ -19,14 +20,14 @@ pub fn page(results: &CompareResults) -> Page {
     }
     page.heading(2, "In short");
     for found in &results.surfaces {
-        for case in &found.cases {
+        for case in &found.first.cases {
             page.bullets(in_short(results, found, case));
         }
     }
-    head::what_was_run(&mut page, &results.head);
+    head::what_was_run(&mut page, &results.head, &results.contact);
     for found in &results.surfaces {
         surface(&mut page, found);
-        for case in &found.cases {
+        for case in &found.first.cases {
             answers(&mut page, results, found, case);
         }
     }
@@ -51,7 +52,7 @@ fn in_short(results: &CompareResults, found: &SurfaceResults, case: &CaseResults
 }
 
 fn subject(results: &CompareResults, found: &SurfaceResults, case: &CaseResults) -> String {
-    let one_law = results.surfaces.iter().all(|found| found.cases.len() == 1);
+    let one_law = results.surfaces.iter().all(|found| found.first.cases.len() == 1);
     if one_law { found.surface.name.clone() } else { format!("{}, law {}", found.surface.name, case.law) }
 }
 
@@ -121,38 +122,15 @@ fn verdict(found: &SurfaceResults, case: &CaseResults) -> String {
 /// What the surface is.
 fn surface(page: &mut Page, found: &SurfaceResults) {
     let surface = &found.surface;
-    let statistics = &surface.statistics;
+    let population = &found.first.population;
     page.heading(2, &format!("Surface {}", surface.name));
-    let or_none = |value: Option<f64>| value.map_or_else(|| "-".to_owned(), number);
-    let mut rows = vec![
-        ["asperities".to_owned(), count(surface.set.count())],
-        ["nominal area".to_owned(), format!("{} m²", number(surface.set.nominal_area()))],
-        ["density η".to_owned(), format!("{} /m²", number(surface.set.density()))],
-        ["mean asperity height".to_owned(), quantity(statistics.mean_height, "m")],
-        ["σ of asperity heights".to_owned(), quantity(statistics.sigma, "m")],
-        [
-            "skewness, kurtosis".to_owned(),
-            format!("{}, {}", or_none(statistics.skewness), or_none(statistics.kurtosis)),
-        ],
-        ["mean radius".to_owned(), quantity(statistics.mean_radius, "m")],
-        ["1/(mean curvature)".to_owned(), quantity(statistics.radius_of_mean_curvature, "m")],
-        ["scatter of radii over mean".to_owned(), number(statistics.radius_cv)],
-        ["correlation of height and radius".to_owned(), or_none(statistics.height_radius_correlation)],
-    ];
-    if let Some(offset) = surface.offset_to_mean_plane() {
-        rows.push(["mean asperity height above the mean plane".to_owned(), quantity(offset, "m")]);
-    }
-    if let Some(map) = &surface.map {
-        rows.extend(head::map_rows(map));
-    }
-    page.table(["property", "value"], rows.into_iter().map(Vec::from));
+    surface_section(page, surface, Some(population));
     if surface.is_quoted_as_surface() {
         page.paragraph(
             "Separations are measured from the mean plane of the surface, in the standard deviation of the surface heights; \
              asperity heights follow from Nayak (1971).",
         );
     }
-    let population = &found.population;
     page.paragraph(&format!(
         "The statistical model stands on {} heights with σ = {}, one radius of {} and η = {} /m².",
         population.heights.name(),
@@ -160,18 +138,12 @@ fn surface(page: &mut Page, found: &SurfaceResults) {
         quantity(population.radius, "m"),
         number(population.density),
     ));
-    let name = format!("{}-distributions.svg", surface.name);
-    let caption = format!(
-        "Heights of the asperities of {}, their radii up to five mean radii, and what the statistical model assumes.",
-        surface.name
-    );
-    page.figure(&name, figures::distributions(found), &caption);
 }
 
 /// Both models' answers under one law.
 fn answers(page: &mut Page, results: &CompareResults, found: &SurfaceResults, case: &CaseResults) {
-    let (modulus, comparison) = (results.head.reduced_modulus, &case.comparison);
-    let stem = if found.cases.len() == 1 {
+    let (modulus, comparison) = (results.contact.reduced_modulus, &case.comparison);
+    let stem = if found.first.cases.len() == 1 {
         found.surface.name.clone()
     } else {
         format!("{}-{}", found.surface.name, slug(&case.law))
@@ -274,7 +246,7 @@ fn limits(page: &mut Page, results: &CompareResults) {
     page.heading(2, "Where not to trust this");
     let mut lines = Vec::new();
     for found in &results.surfaces {
-        for case in &found.cases {
+        for case in &found.first.cases {
             let comparison = &case.comparison;
             let subject = subject(results, found, case);
             let beyond = comparison.curves.iter().filter(|point| point.response.is_beyond_model()).count();

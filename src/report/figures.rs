@@ -2,7 +2,6 @@
 
 use super::plot::{Axis, Colour, Dash, Figure, Layer, Plot};
 use crate::compare::{Comparison, CurvePoint, Kind, Pair, Pairing};
-use crate::experiment::results::SurfaceResults;
 use crate::model::INTERACTION;
 
 /// How many standard errors a band shows: 95 % of all draws lie within.
@@ -140,50 +139,4 @@ pub fn regimes(comparison: &Comparison, modulus: f64) -> String {
     let kinds = [Kind::Statistical, Kind::Deterministic];
     let present = kinds.into_iter().filter(|&kind| !curve(comparison, kind).is_empty());
     Figure::row("Regimes: shares of the load", present.map(panel).collect()).svg()
-}
-
-/// Where the asperities are: histograms of heights and radii, and the densities that the
-/// statistical model puts in their place.
-pub fn distributions(found: &SurfaceResults) -> String {
-    let surface = &found.surface;
-    let (mean, sigma) = (surface.statistics.mean_height, surface.statistics.sigma);
-    let standardised: Vec<f64> = surface.set.heights().iter().map(|z| (z - mean) / sigma).collect();
-    let (edges, density) = histogram(&standardised, -5.0, 5.0);
-    let assumed = (0..=200).map(|k| {
-        let x = -5.0 + 0.05 * f64::from(k);
-        (x, found.population.heights.density(x))
-    });
-    let heights =
-        Plot::new("Heights", Axis::linear("(z − mean)/σ").range(-5.0, 5.0), Axis::linear("density"))
-            .with(Layer::bars(&edges, &density).coloured(Colour::Deterministic).named("asperities"))
-            .with(
-                Layer::line(assumed.collect::<Vec<_>>())
-                    .coloured(Colour::Statistical)
-                    .named(format!("{}, as the statistical model assumes", found.population.heights.name())),
-            );
-    if surface.statistics.radius_cv == 0.0 {
-        return heights.svg();
-    }
-    let ratios: Vec<f64> = surface.set.radii().iter().map(|b| b / surface.statistics.mean_radius).collect();
-    let (edges, density) = histogram(&ratios, 0.0, 5.0);
-    let radii =
-        Plot::new("Radii", Axis::linear("radius over mean radius").range(0.0, 5.0), Axis::linear("density"))
-            .with(Layer::bars(&edges, &density).coloured(Colour::Deterministic).named("asperities"))
-            .with(Layer::at_x(found.population.radius / surface.statistics.mean_radius, "statistical"));
-    Figure::row("Heights and radii of the asperities", vec![heights, radii]).svg()
-}
-
-/// Counts in equal bins as a probability density of all values; bins as wide as Scott (1979) has
-/// them for a Gaussian of the range's scale, at least 20.
-fn histogram(values: &[f64], from: f64, to: f64) -> (Vec<f64>, Vec<f64>) {
-    let width = 3.49 / (values.len() as f64).cbrt();
-    let bins = (((to - from) / width).round() as usize).clamp(20, 100);
-    let step = (to - from) / bins as f64;
-    let edges = (0..=bins).map(|k| from + step * k as f64).collect();
-    let mut density = vec![0.0; bins];
-    for value in values.iter().filter(|value| (from..to).contains(value)) {
-        let bin = ((value - from) / step) as usize;
-        density[bin.min(bins - 1)] += 1.0 / (values.len() as f64 * step);
-    }
-    (edges, density)
 }

@@ -99,7 +99,7 @@ pub fn page(results: &LimitResults) -> Page {
          fitted by least squares to the logarithms where more than {FEWEST_CONTACTS} contacts are expected.",
         results.laws.iter().map(|(law, reference)| format!("for {law}, {reference}")).collect::<Vec<_>>().join("; "),
     ));
-    head::what_was_run(&mut page, &results.head);
+    head::what_was_run(&mut page, &results.head, &results.contact);
     page.paragraph(&format!(
         "Radius {}, σ = {}, η = {} /m²; {} random sets of each size, each from a seed of its own.",
         quantity(results.population.radius, "m"),

@@ -8,6 +8,7 @@
 //! | [`page`] | one content in two forms, Markdown and self-contained HTML |
 //! | [`mod@format`] | numbers and quantities as people read them |
 //! | `compare`, `limit` | the page of each kind of experiment, on `head` and `figures` |
+//! | [`surface`] | what a surface is, in a comparison, on a page of its own, in the terminal |
 //! | `tables`, `summary` | CSV and JSON, for machines |
 //! | `index` | the pages that lead to all reports of a folder |
 //! | [`store`] | the only place that touches the disk: a folder is replaced whole or not at all |
@@ -23,6 +24,7 @@ pub mod page;
 pub mod plot;
 pub mod store;
 mod summary;
+pub mod surface;
 mod tables;
 pub mod verify;
 
@@ -59,6 +61,7 @@ pub fn folder(results: &Results, key: &str) -> Result<Folder, ReportError> {
             ];
             (compare::page(results), tables)
         }
+        Results::Surfaces(results) => (surface::page(results), Vec::new()),
         Results::Limit(results) => {
             let tables = vec![
                 ("curves.csv", tables::limit_curves(results)?),
@@ -82,6 +85,7 @@ pub fn folder(results: &Results, key: &str) -> Result<Folder, ReportError> {
     let summary = match results {
         Results::Compare(results) => summary::compare(results, &names)?,
         Results::Limit(results) => summary::limit(results, &limit::slopes(results), &names)?,
+        Results::Surfaces(results) => summary::surfaces(results, &names)?,
     };
     folder.file("summary.json", summary);
     folder.file("timing.json", summary::timing(results.head(), start.elapsed())?);

@@ -197,10 +197,12 @@ const CASE: &[&str] = &["surface", "realisation", "law", "layer_thickness_m"];
 pub fn curves(results: &CompareResults) -> Result<Vec<u8>, TableError> {
     let mut table = Table::new(&[CASE, CurveRow::COLUMNS])?;
     for found in &results.surfaces {
-        for case in &found.cases {
-            let of = Case::bare(&found.surface.name, 1, &case.law);
-            for point in &case.comparison.curves {
-                table.row((&of, CurveRow::new(point, results.head.reduced_modulus)))?;
+        for (realisation, answered) in found.realisations() {
+            for case in &answered.cases {
+                let of = Case::bare(&found.surface.name, realisation, &case.law);
+                for point in &case.comparison.curves {
+                    table.row((&of, CurveRow::new(point, results.contact.reduced_modulus)))?;
+                }
             }
         }
     }
@@ -214,11 +216,12 @@ pub fn curves(results: &CompareResults) -> Result<Vec<u8>, TableError> {
 pub fn comparison(results: &CompareResults) -> Result<Vec<u8>, TableError> {
     let mut table = Table::new(&[CASE, PairRow::COLUMNS])?;
     for found in &results.surfaces {
-        let area = found.surface.set.nominal_area();
-        for case in &found.cases {
-            let of = Case::bare(&found.surface.name, 1, &case.law);
-            for pair in &case.comparison.pairs {
-                table.row((&of, PairRow::new(pair, area, case.plasticity_index)))?;
+        for (realisation, answered) in found.realisations() {
+            for case in &answered.cases {
+                let of = Case::bare(&found.surface.name, realisation, &case.law);
+                for pair in &case.comparison.pairs {
+                    table.row((&of, PairRow::new(pair, answered.nominal_area, case.plasticity_index)))?;
+                }
             }
         }
     }
@@ -245,7 +248,7 @@ pub fn limit_curves(results: &LimitResults) -> Result<Vec<u8>, TableError> {
         let target = response.separation_over_sigma;
         let point =
             CurvePoint { kind, control: Control::Separation, target, response: *response, in_jump: false };
-        table.row((of, CurveRow::new(&point, results.head.reduced_modulus)))
+        table.row((of, CurveRow::new(&point, results.contact.reduced_modulus)))
     };
     let smallest = results.points.iter().map(|point| point.count).min();
     for point in results.points.iter().filter(|point| Some(point.count) == smallest) {

@@ -61,7 +61,8 @@ impl Character {
         let count = (points[0] * points[1] - missing) as f64;
         // About a height of the map: a large offset costs nothing.
         let origin = first_present(map);
-        let total: Sum = strips(map, 0, |strip| row_sums(&strip, |z| z - origin)).concat().into_iter().collect();
+        let total: Sum =
+            strips(map, 0, |strip| row_sums(&strip, |z| z - origin)).concat().into_iter().collect();
         let mean = origin + total.value() / count;
 
         let mut sums = Sums::default();
@@ -71,8 +72,7 @@ impl Character {
         let [sa, square, cube, fourth] = sums.powers.map(|sum| sum.value() / count);
         let sq = square.sqrt();
         let standardised = |moment: f64, power: i32| (sq > 0.0).then(|| moment / sq.powi(power));
-        let moments =
-            Moments { mean, sa, sq, ssk: standardised(cube, 3), sku: standardised(fourth, 4) };
+        let moments = Moments { mean, sa, sq, ssk: standardised(cube, 3), sku: standardised(fourth, 4) };
         let mean_square = |lag: Lag| sums.lags[lag as usize].mean();
         let pixel = map.pixel();
         let correlation = |lag: Lag| 1.0 - mean_square(lag) / (2.0 * square);

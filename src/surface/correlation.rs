@@ -90,8 +90,7 @@ impl RadialSpectrum {
         let count = (points[0] * points[1]) as f64;
         let power = window.map(|w| w.iter().map(|w| w * w).sum::<f64>() / w.len() as f64);
         let unit = count * count * power[0] * power[1];
-        let columns =
-            analyse(heights, points, |j, waves| rings.column(j, |i| waves[i].norm_sqr() / unit));
+        let columns = analyse(heights, points, |j, waves| rings.column(j, |i| waves[i].norm_sqr() / unit));
         rings.spectrum(columns)
     }
 
@@ -114,6 +113,16 @@ impl RadialSpectrum {
             ring.1 *= sigma * sigma / total;
         }
         asked
+    }
+}
+
+impl RadialSpectrum {
+    /// Quartiles of the ratio of another spectrum to this one, over the rings where this one is not zero.
+    pub fn quartiles_of(&self, other: &Self) -> [f64; 2] {
+        let pairs = self.rings.iter().zip(&other.rings).filter(|(asked, _)| asked.1 > 0.0);
+        let mut ratios: Vec<f64> = pairs.map(|(asked, found)| found.1 / asked.1).collect();
+        ratios.sort_unstable_by(f64::total_cmp);
+        [1, 3].map(|quarter| ratios.get(quarter * ratios.len() / 4).copied().unwrap_or(f64::NAN))
     }
 }
 
@@ -205,11 +214,7 @@ fn pairs(field: Vec<f64>, points: [usize; 2]) -> Vec<f64> {
 }
 
 /// The distance (m) at which the autocorrelation first falls to 0.2, in each of 180 directions over the half plane.
-fn decay(
-    rho: &impl Fn(isize, isize) -> f64,
-    half: [usize; 2],
-    pixel: [f64; 2],
-) -> Vec<Option<f64>> {
+fn decay(rho: &impl Fn(isize, isize) -> f64, half: [usize; 2], pixel: [f64; 2]) -> Vec<Option<f64>> {
     const FALLEN: f64 = 0.2;
     const DIRECTIONS: u32 = 180;
     let stride = 0.5 * pixel[0].min(pixel[1]);

@@ -177,8 +177,7 @@ mod tests {
             for (i, j) in [(0, 0), (1, 0), (0, 1), (nx - 1, 1), (nx / 2, ny / 2)] {
                 let sum: Complex<f64> = (0..nx * ny)
                     .map(|k| {
-                        let turns =
-                            (i * (k / ny)) as f64 / nx as f64 + (j * (k % ny)) as f64 / ny as f64;
+                        let turns = (i * (k / ny)) as f64 / nx as f64 + (j * (k % ny)) as f64 / ny as f64;
                         Complex::from_polar(1.0, -TAU * turns) * map[k]
                     })
                     .sum();

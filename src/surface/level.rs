@@ -1,7 +1,6 @@
 //! Taking the form out of a map by least squares.
 
 use nalgebra::{DMatrix, DVector};
-use rayon::prelude::*;
 use serde::Deserialize;
 
 use super::HeightMap;
@@ -83,10 +82,7 @@ impl Level {
     /// # Errors
     /// Points that determine no such form.
     pub fn apply(self, map: &HeightMap) -> Result<HeightMap, Undetermined> {
-        let levelled = Levelled { map, form: self.form(map)? };
-        let mut heights = vec![0.0; map.heights().len()];
-        heights.par_chunks_mut(map.points()[1]).enumerate().for_each(|(ix, row)| levelled.read(ix, row));
-        Ok(map.with_heights(heights))
+        Ok(HeightMap::of(&Levelled { map, form: self.form(map)? }))
     }
 }
 

@@ -32,6 +32,8 @@ pub mod theory;
 
 use std::ops::Range;
 
+use rayon::prelude::*;
+
 use crate::numeric::is_positive;
 pub use character::Moments;
 pub use rows::{Boundary, Rows};
@@ -81,14 +83,9 @@ impl HeightMap {
         mut heights: Vec<f64>,
         precision: f64,
     ) -> Result<Self, MapError> {
-        if points.iter().any(|&count| count < 3) {
-            return Err(MapError::TooSmall(points));
-        }
+        Self::check_grid(points, pixel)?;
         if points[0].checked_mul(points[1]) != Some(heights.len()) {
             return Err(MapError::Length { points, found: heights.len() });
-        }
-        if !pixel.iter().all(|&size| is_positive(size)) {
-            return Err(MapError::Pixel(pixel));
         }
         for z in &mut heights {
             if z.abs() > crate::numeric::LARGEST {
@@ -99,6 +96,28 @@ impl HeightMap {
             return Err(MapError::AllMissing);
         }
         Ok(Self { points, pixel, heights, precision, boundary: Boundary::Open })
+    }
+
+    /// Whether there can be a map of `points` that are `pixel` (m) apart.
+    ///
+    /// # Errors
+    /// Fewer than 3 points along an axis, or a pixel that is not positive.
+    pub fn check_grid(points: [usize; 2], pixel: [f64; 2]) -> Result<(), MapError> {
+        if points.iter().any(|&count| count < 3) {
+            return Err(MapError::TooSmall(points));
+        }
+        if !pixel.iter().all(|&size| is_positive(size)) {
+            return Err(MapError::Pixel(pixel));
+        }
+        Ok(())
+    }
+
+    /// All rows of `map`, in memory.
+    pub fn of(map: &dyn Rows) -> Self {
+        let points = map.points();
+        let mut heights = vec![0.0; points[0] * points[1]];
+        heights.par_chunks_mut(points[1]).enumerate().for_each(|(ix, row)| map.read(ix, row));
+        Self { points, pixel: map.pixel(), heights, precision: map.precision(), boundary: map.boundary() }
     }
 
     /// The same map, its opposite borders being neighbours.

@@ -56,7 +56,9 @@ pub enum SpectrumError {
     #[error("found a Hurst exponent of {0}; allowed: 0 to 1")]
     Hurst(f64),
     /// Wavelengths in order.
-    #[error("found a roll-off at {roll_off:e} m and a cut-off at {cut_off:e} m; allowed: a roll-off wavelength that is at least the cut-off's")]
+    #[error(
+        "found a roll-off at {roll_off:e} m and a cut-off at {cut_off:e} m; allowed: a roll-off wavelength that is at least the cut-off's"
+    )]
     Order {
         /// The longest wavelength of the power law, m.
         roll_off: f64,
@@ -78,7 +80,9 @@ pub enum SpectrumError {
         pixel: f64,
     },
     /// The map shows the longest wave.
-    #[error("found a {what} of {length:e} m on a map of {size:e} m; allowed: at most {part} of the shorter side")]
+    #[error(
+        "found a {what} of {length:e} m on a map of {size:e} m; allowed: at most {part} of the shorter side"
+    )]
     TooLong {
         /// Roll-off or correlation length.
         what: &'static str,

@@ -169,7 +169,13 @@ impl Window<'_> {
         let row = self.0[(1 + dx) as usize];
         let place = iy.wrapping_add_signed(dy);
         // Beyond the last point comes the first, before the first (which wraps to a huge index) the last.
-        row[if place < row.len() { place } else if dy > 0 { 0 } else { row.len() - 1 }]
+        row[if place < row.len() {
+            place
+        } else if dy > 0 {
+            0
+        } else {
+            row.len() - 1
+        }]
     }
 }
 
@@ -234,8 +240,7 @@ impl Finder {
             equal |= u8::from(window.at(iy, step) == z) << bit;
         }
         let bend = self.bend(window, iy);
-        let drops =
-            || [STEPS[0], STEPS[1], STEPS[2], STEPS[3]].map(|step| z - window.at(iy, step));
+        let drops = || [STEPS[0], STEPS[1], STEPS[2], STEPS[3]].map(|step| z - window.at(iy, step));
         let position = start + iy;
         if equal != 0 {
             part.level.push(LevelPoint { position, height: z, bend, equal, drops: drops() });

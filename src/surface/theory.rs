@@ -126,10 +126,7 @@ impl Moments {
         Self {
             probability,
             mean: [over(&|[x, y]| x.sum * y.probability), over(&|[x, y]| x.probability * y.sum)],
-            square: [
-                over(&|[x, y]| x.square * y.probability),
-                over(&|[x, y]| x.probability * y.square),
-            ],
+            square: [over(&|[x, y]| x.square * y.probability), over(&|[x, y]| x.probability * y.square)],
             product: over(&|[x, y]| x.sum * y.sum),
         }
     }
@@ -172,8 +169,7 @@ impl Truncated {
 /// Probability that two standard normals of correlation r both exceed -t: the product of the single ones, and
 /// what their correlation adds (Plackett 1954), with r = sin(angle).
 fn both_above(t: f64, r: f64) -> f64 {
-    let correlated =
-        RULE.integrate(0.0, r.asin(), |angle| (-t * t / (1.0 + angle.sin())).exp()) / (2.0 * PI);
+    let correlated = RULE.integrate(0.0, r.asin(), |angle| (-t * t / (1.0 + angle.sin())).exp()) / (2.0 * PI);
     normal(t).powi(2) + correlated
 }
 

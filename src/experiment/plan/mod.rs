@@ -1,5 +1,6 @@
 //! From the words of a spec to things that run: names resolved, files looked at, memory counted.
 
+mod generate;
 mod read;
 mod surface;
 
@@ -40,6 +41,8 @@ pub enum PlanKind {
     Compare(ComparePlan),
     /// `[limit]`
     Limit(LimitPlan),
+    /// A look at surfaces, whatever the spec's kind.
+    Surfaces(Vec<SurfacePlan>),
 }
 
 /// A law and the micro-contact that it makes of the two bodies.
@@ -95,13 +98,7 @@ impl Plan {
     /// The first thing that keeps it from running.
     pub fn read(path: &Path) -> Result<Self, Refusal> {
         let (source, spec) = spec::read(path)?;
-        let stem = path.file_stem().and_then(|stem| stem.to_str()).filter(|stem| !stem.starts_with('.'));
-        let stem = stem.ok_or_else(|| {
-            Refusal::file(
-                path,
-                "has no name to call the report by; allowed: a file name such as my-surface.toml",
-            )
-        })?;
+        let stem = stem_of(path)?;
         let reader = read::Reader { source: &source, spec: &spec };
         let kind = match (&spec.compare, &spec.limit) {
             (Some(compare), None) => PlanKind::Compare(reader.compare(compare.get_ref(), compare.span())?),
@@ -119,8 +116,38 @@ impl Plan {
                 ));
             }
         };
+        Self::checked(source, stem, spec, kind)
+    }
+
+    /// Plans a look at all surfaces of a spec.
+    ///
+    /// # Errors
+    /// As [`Self::read`].
+    pub fn look_at_spec(path: &Path) -> Result<Self, Refusal> {
+        let (source, spec) = spec::read(path)?;
+        let stem = format!("{}-surfaces", stem_of(path)?);
+        Self::look(source, stem, spec)
+    }
+
+    /// Plans a look at the surface of a measured file, described in the words of a spec.
+    ///
+    /// # Errors
+    /// As [`Self::read`].
+    pub fn look_at_file(words: String, path: &Path) -> Result<Self, Refusal> {
+        let (source, spec) = spec::from_command_line(words)?;
+        let stem = format!("surface-{}", stem_of(path)?);
+        Self::look(source, stem, spec)
+    }
+
+    fn look(source: Source, stem: String, spec: Spec) -> Result<Self, Refusal> {
+        let reader = read::Reader { source: &source, spec: &spec };
+        let surfaces = reader.surfaces(None, 0..0)?;
+        Self::checked(source, stem, spec, PlanKind::Surfaces(surfaces))
+    }
+
+    fn checked(source: Source, stem: String, spec: Spec, kind: PlanKind) -> Result<Self, Refusal> {
         let Spec { title, seed, material: materials, .. } = spec;
-        let plan = Self { source, stem: stem.to_owned(), title, seed, materials, kind };
+        let plan = Self { source, stem, title, seed, materials, kind };
         plan.check_memory()?;
         Ok(plan)
     }
@@ -130,16 +157,17 @@ impl Plan {
         match &self.kind {
             PlanKind::Compare(compare) => compare.surfaces.iter().filter_map(SurfacePlan::input).collect(),
             PlanKind::Limit(_) => Vec::new(),
+            PlanKind::Surfaces(surfaces) => surfaces.iter().filter_map(SurfacePlan::input).collect(),
         }
     }
 
     /// An estimate of the memory that a run needs at its peak, bytes.
     pub fn memory(&self) -> u128 {
         match &self.kind {
-            PlanKind::Compare(compare) =>
-            // Every surface is kept for the report.
-            {
-                compare.surfaces.iter().map(SurfacePlan::memory).sum()
+            PlanKind::Compare(ComparePlan { surfaces, .. }) | PlanKind::Surfaces(surfaces) => {
+                // The asperities of every surface are kept for the report, one map at a time.
+                let kept: u128 = surfaces.iter().map(SurfacePlan::kept).sum();
+                kept + surfaces.iter().map(SurfacePlan::memory).max().unwrap_or(0)
             }
             PlanKind::Limit(limit) => {
                 let largest = limit.counts.iter().copied().max().unwrap_or(0);
@@ -152,13 +180,15 @@ impl Plan {
     pub fn work(&self) -> u128 {
         match &self.kind {
             PlanKind::Compare(compare) => {
-                let asperities: u128 = compare.surfaces.iter().map(SurfacePlan::most_asperities).sum();
+                let all = |surface: &SurfacePlan| surface.most_asperities() * surface.realisations as u128;
+                let asperities: u128 = compare.surfaces.iter().map(all).sum();
                 asperities * (compare.controls.points() * compare.laws.len()) as u128
             }
             PlanKind::Limit(limit) => {
                 let asperities: u128 = limit.counts.iter().map(|&count| count as u128).sum();
                 asperities * ((limit.draws + 1) * limit.laws.len() * limit.separations.len()) as u128
             }
+            PlanKind::Surfaces(_) => 0,
         }
     }
 
@@ -178,11 +208,10 @@ impl Plan {
             available as f64 / 1e9
         );
         let place = match &self.kind {
-            PlanKind::Compare(compare) => compare
-                .surfaces
-                .iter()
-                .max_by_key(|surface| surface.memory())
-                .map(|surface| surface.size_key.clone()),
+            PlanKind::Compare(ComparePlan { surfaces, .. }) | PlanKind::Surfaces(surfaces) => {
+                let largest = surfaces.iter().max_by_key(|surface| surface.memory());
+                largest.map(|surface| surface.size_key.clone())
+            }
             PlanKind::Limit(_) => None,
         };
         Err(match place {
@@ -190,6 +219,18 @@ impl Plan {
             None => Refusal::file(&self.source.path, message),
         })
     }
+}
+
+fn describe(surfaces: &[SurfacePlan], f: &mut fmt::Formatter) -> fmt::Result {
+    surfaces.iter().try_for_each(|surface| writeln!(f, "  surface {}: {}", surface.name, surface.describe()))
+}
+
+/// Stem of a file, by which its report is called.
+fn stem_of(path: &Path) -> Result<String, Refusal> {
+    let stem = path.file_stem().and_then(|stem| stem.to_str()).filter(|stem| !stem.starts_with('.'));
+    stem.map(str::to_owned).ok_or_else(|| {
+        Refusal::file(path, "has no name to call the report by; allowed: a file name such as my-surface.toml")
+    })
 }
 
 /// What it will do and need, for a person.
@@ -207,10 +248,9 @@ impl fmt::Display for Plan {
                     models.join(" and "),
                     plan.controls.points()
                 )?;
-                for surface in &plan.surfaces {
-                    writeln!(f, "  surface {}: {}", surface.name, surface.describe())?;
-                }
+                describe(&plan.surfaces, f)?;
             }
+            PlanKind::Surfaces(surfaces) => describe(surfaces, f)?,
             PlanKind::Limit(plan) => {
                 writeln!(f, "  {} on {}, law {}", plan.bodies.rough, plan.bodies.flat, laws(&plan.laws))?;
                 writeln!(

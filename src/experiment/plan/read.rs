@@ -74,7 +74,7 @@ impl Reader<'_> {
     }
 
     /// The surfaces that are named, or all of the file.
-    fn surfaces(
+    pub(super) fn surfaces(
         &self,
         named: Option<&[Spanned<String>]>,
         span: Range<usize>,
@@ -84,7 +84,8 @@ impl Reader<'_> {
             if self.spec.surface.is_empty() {
                 return Err(self.source.refuse(
                     span,
-                    "found no surface; allowed: at least one [surface.NAME.asperities], [surface.NAME.population] or [surface.NAME.file]",
+                    "found no surface; allowed: at least one [surface.NAME.asperities], [surface.NAME.population], \
+                     [surface.NAME.generate] or [surface.NAME.file]",
                 ));
             }
             return self.spec.surface.iter().map(|(name, words)| plan(name, words)).collect();

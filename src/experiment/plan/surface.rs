@@ -6,17 +6,19 @@ use std::time::Instant;
 
 use toml::Spanned;
 
+use super::generate::Generation;
 use crate::asperity::{AsperitySet, Draw, HeightDensity, Population, Statistics, SurfaceHeights, read_list};
 use crate::experiment::refusal::{Refusal, Source};
 use crate::experiment::results::Timing;
 use crate::experiment::spec::{DrawSpec, FileSpec, ListSpec, PopulationHeights, PopulationSpec, SurfaceSpec};
 use crate::experiment::stream_seed;
-use crate::experiment::surface::{Surface, summits_of};
+use crate::experiment::surface::{Finding, GenerationFacts, Look, NoAsperities, Surface};
 use crate::model::Datum;
-use crate::surface::MapError;
 use crate::surface::filter::Filter;
 use crate::surface::level::Level;
 use crate::surface::read::{self, Given, GivenError};
+use crate::surface::summits::Neighbours;
+use crate::surface::{MapError, Rows};
 use crate::units::{Length, Quantity};
 
 /// A surface that can be made.
@@ -26,6 +28,8 @@ pub struct SurfacePlan {
     pub name: String,
     /// Where the spec says what it is made of.
     pub size_key: Range<usize>,
+    /// How many surfaces of this name are made; a given or measured one is its own only realisation.
+    pub realisations: usize,
     origin: Origin,
 }
 
@@ -33,8 +37,23 @@ pub struct SurfacePlan {
 enum Origin {
     List { path: PathBuf, bytes: u64, nominal_area: f64 },
     Population { population: Population, count: usize, draw: DrawSpec, datum: Datum },
-    Map { path: PathBuf, points: usize, given: Given, level: Level, filter: Option<Filter> },
+    Generated(Generation),
+    Map(MapPlan),
 }
+
+/// A measured map.
+#[derive(Debug)]
+struct MapPlan {
+    path: PathBuf,
+    points: usize,
+    given: Given,
+    level: Level,
+    filter: Option<Filter>,
+    neighbours: Neighbours,
+}
+
+/// More are a study of their own.
+const MOST_REALISATIONS: u64 = 1000;
 
 /// Bytes that a set of `count` asperities and its ordered copies need at their peak.
 pub fn set_memory(count: u128) -> u128 {
@@ -62,14 +81,27 @@ impl SurfacePlan {
                 format!("found the surface name \"{}\"; allowed: letters, digits, - and _", name.get_ref()),
             ));
         }
-        let (origin, size_key) = match words.get_ref() {
-            SurfaceSpec::Asperities(list) => (Self::list(source, list)?, list.file.span()),
+        let (origin, size_key, realisations) = match words.get_ref() {
+            SurfaceSpec::Asperities(list) => (Self::list(source, list)?, list.file.span(), &None),
             SurfaceSpec::Population(population) => {
-                (Self::population(source, words.span(), population)?, population.count.span())
+                let origin = Self::population(source, words.span(), population)?;
+                (origin, population.count.span(), &population.realisations)
             }
-            SurfaceSpec::File(file) => (Self::map(source, file)?, file.path.span()),
+            SurfaceSpec::Generate(generate) => {
+                let origin = Origin::Generated(Generation::new(source, words.span(), generate)?);
+                (origin, generate.points.span(), &generate.realisations)
+            }
+            SurfaceSpec::File(file) => (Self::map(source, file)?, file.path.span(), &None),
         };
-        Ok(Self { name: name.get_ref().clone(), size_key, origin })
+        let realisations = match realisations {
+            None => 1,
+            Some(count) if (1..=MOST_REALISATIONS).contains(count.get_ref()) => *count.get_ref() as usize,
+            Some(count) => {
+                let message = format!("found {}; allowed: 1 to {MOST_REALISATIONS}", count.get_ref());
+                return Err(source.refuse(count.span(), message));
+            }
+        };
+        Ok(Self { name: name.get_ref().clone(), size_key, realisations, origin })
     }
 
     fn list(source: &Source, words: &ListSpec) -> Result<Origin, Refusal> {
@@ -134,24 +166,27 @@ impl SurfacePlan {
         };
         // The head of a file has been checked against its length: the product fits.
         let points = points[0] * points[1];
-        Ok(Origin::Map { path, points, given, level: words.level, filter })
+        let neighbours = words.neighbours;
+        Ok(Origin::Map(MapPlan { path, points, given, level: words.level, filter, neighbours }))
     }
 
     /// The file that it is read from.
     pub fn input(&self) -> Option<PathBuf> {
         match &self.origin {
-            Origin::List { path, .. } | Origin::Map { path, .. } => Some(path.clone()),
-            Origin::Population { .. } => None,
+            Origin::List { path, .. } | Origin::Map(MapPlan { path, .. }) => Some(path.clone()),
+            Origin::Population { .. } | Origin::Generated(_) => None,
         }
     }
 
     /// What it is, for a plan that a person reads.
     pub fn describe(&self) -> String {
-        match &self.origin {
+        let what = match &self.origin {
             Origin::List { path, .. } => format!("asperities listed in {}", path.display()),
             Origin::Population { count, .. } => format!("{count} asperities of a population"),
-            Origin::Map { path, .. } => format!("height map {}", path.display()),
-        }
+            Origin::Generated(generation) => generation.describe(),
+            Origin::Map(MapPlan { path, .. }) => format!("height map {}", path.display()),
+        };
+        if self.realisations > 1 { format!("{what}, {} realisations", self.realisations) } else { what }
     }
 
     /// The most asperities that it can have.
@@ -163,32 +198,65 @@ impl SurfacePlan {
         match &self.origin {
             Origin::List { bytes, .. } => u128::from(*bytes) / BYTES_PER_ROW,
             Origin::Population { count, .. } => *count as u128,
-            Origin::Map { points, .. } => *points as u128 / POINTS_PER_SUMMIT,
+            Origin::Generated(generation) => area(generation.points()) / POINTS_PER_SUMMIT,
+            Origin::Map(MapPlan { points, .. }) => *points as u128 / POINTS_PER_SUMMIT,
         }
     }
 
-    /// An estimate of the memory that it needs at its peak, bytes.
+    /// An estimate of the memory that it needs at its peak, bytes. Beyond one point in five of a map are
+    /// summits only on noise, so that no more are reckoned with.
     pub fn memory(&self) -> u128 {
-        /// A map, its levelled copy, and the sorted heights of the step search.
-        const BYTES_PER_POINT: u128 = 40;
+        /// A map that is no `.npy`, while it is read and turned.
+        const BYTES_PER_POINT: u128 = 32;
         /// The copies that a filter's two passes work on.
         const BYTES_PER_FILTERED_POINT: u128 = 96;
-        let map = match &self.origin {
-            Origin::Map { points, filter: Some(_), .. } => *points as u128 * BYTES_PER_FILTERED_POINT,
-            Origin::Map { points, .. } => *points as u128 * BYTES_PER_POINT,
-            _ => 0,
-        };
-        map + set_memory(self.most_asperities())
+        const BYTES_PER_HEIGHT: u128 = 8;
+        const POINTS_PER_SUMMIT: u128 = 5;
+        match &self.origin {
+            Origin::Map(MapPlan { points, filter, .. }) => {
+                let bytes = if filter.is_some() { BYTES_PER_FILTERED_POINT } else { BYTES_PER_POINT };
+                *points as u128 * bytes + set_memory(*points as u128 / POINTS_PER_SUMMIT)
+            }
+            Origin::Generated(generation) => {
+                let points = area(generation.points());
+                points * BYTES_PER_HEIGHT * generation.arrays() + set_memory(points / POINTS_PER_SUMMIT)
+            }
+            _ => set_memory(self.most_asperities()),
+        }
     }
 
-    /// Makes or reads it.
+    /// An estimate of the bytes of its asperities, which are kept for the report.
+    pub fn kept(&self) -> u128 {
+        const BYTES_PER_ASPERITY: u128 = 16;
+        self.most_asperities() * BYTES_PER_ASPERITY
+    }
+
+    /// A maker of its realisations, one after the other.
+    pub fn maker<'a>(&'a self, source: &'a Source, seed: u64) -> Maker<'a> {
+        Maker { plan: self, source, seed, bandwidth: None }
+    }
+}
+
+/// Makes or reads the realisations of a surface.
+pub struct Maker<'a> {
+    plan: &'a SurfacePlan,
+    source: &'a Source,
+    seed: u64,
+    /// That met a target before.
+    bandwidth: Option<f64>,
+}
+
+impl Maker<'_> {
+    /// Makes or reads realisation `realisation` (from 1).
     ///
     /// # Errors
-    /// A file that cannot be read, a map without a summit, heights that are all equal.
-    pub fn make(&self, source: &Source, seed: u64, timing: &mut Timing) -> Result<Surface, Refusal> {
-        let refuse = |error: &dyn std::fmt::Display| source.refuse(self.size_key.clone(), error);
+    /// A file that cannot be read, a map without a summit, heights that are all equal, a target that is not reached.
+    pub fn make(&mut self, realisation: usize, look: Look, timing: &mut Timing) -> Result<Surface, Refusal> {
+        let (name, source) = (&self.plan.name, self.source);
+        let key = &self.plan.size_key;
+        let refuse = |error: &dyn std::fmt::Display| source.refuse(key.clone(), error);
         let start = Instant::now();
-        match &self.origin {
+        match &self.plan.origin {
             Origin::List { path, nominal_area, .. } => {
                 let (heights, radii) =
                     read_list(path).map_err(|error| refuse(&format!("{} {error}", path.display())))?;
@@ -202,43 +270,82 @@ impl SurfacePlan {
                         path.display()
                     )));
                 }
-                Ok(Surface::new(&self.name, set, statistics))
+                Ok(Surface::new(name, set, statistics))
             }
             Origin::Population { population, count, draw, datum } => {
                 let draw = match draw {
-                    DrawSpec::Random => {
-                        Draw::Random(stream_seed(seed, &format!("population {} realisation 1", self.name)))
-                    }
+                    DrawSpec::Random => Draw::Random(stream_seed(
+                        self.seed,
+                        &format!("population {name} realisation {realisation}"),
+                    )),
                     DrawSpec::Quantiles => Draw::Quantiles,
                 };
                 let set = population.set(*count, draw).map_err(|error| refuse(&error))?;
                 timing.generate += start.elapsed();
                 let statistics = Statistics::of(&set);
-                let mut surface = Surface::new(&self.name, set, statistics);
+                let mut surface = Surface::new(name, set, statistics);
                 surface.datum = *datum;
                 surface.mean_plane = Some(datum.mean).filter(|&mean| mean != 0.0);
                 surface.nominal = Some(*population);
                 Ok(surface)
             }
-            Origin::Map { path, given, level, filter, .. } => {
-                let refuse = |error: &dyn std::fmt::Display| refuse(&format!("{} {error}", path.display()));
-                let map = read::height_map(path, *given).map_err(|error| refuse(&error))?;
+            Origin::Generated(generation) => {
+                let (made, bandwidth) = generation
+                    .make(self.seed, name, realisation, self.bandwidth)
+                    .map_err(|error| refuse(&error))?;
+                timing.generate += start.elapsed();
+                self.bandwidth = bandwidth;
+                let facts = GenerationFacts { recipe: made.recipe, target: made.target };
+                let finding = Finding {
+                    level: Level::None,
+                    filter: None,
+                    neighbours: generation.neighbours,
+                    generation: Some(facts),
+                    look,
+                };
+                found(name, &finding, &made.map, timing).map_err(|error| refuse(&error))
+            }
+            Origin::Map(map) => {
+                let refuse =
+                    |error: &dyn std::fmt::Display| refuse(&format!("{} {error}", map.path.display()));
+                let rows = read::rows(&map.path, map.given).map_err(|error| refuse(&error))?;
                 timing.read += start.elapsed();
-                let start = Instant::now();
-                let (set, facts) = summits_of(&map, *level, *filter).map_err(|error| refuse(&error))?;
-                timing.summits += start.elapsed();
-                let statistics = Statistics::of(&set);
-                if statistics.sigma == 0.0 {
-                    return Err(refuse(&"all summits are equally high: their standard deviation is zero"));
-                }
-                let mut surface = Surface::new(&self.name, set, statistics);
-                surface.warnings = facts.warnings();
-                surface.mean_plane = Some(facts.moments.mean);
-                surface.map = Some(facts);
-                Ok(surface)
+                let finding = Finding {
+                    level: map.level,
+                    filter: map.filter,
+                    neighbours: map.neighbours,
+                    generation: None,
+                    look,
+                };
+                found(name, &finding, &*rows, timing).map_err(|error| refuse(&error))
             }
         }
     }
+}
+
+/// The surface of the asperities that are found on a map.
+fn found(
+    name: &str,
+    finding: &Finding,
+    map: &dyn Rows,
+    timing: &mut Timing,
+) -> Result<Surface, NoAsperities> {
+    let start = Instant::now();
+    let (set, facts) = finding.asperities(map)?;
+    timing.summits += start.elapsed();
+    let statistics = Statistics::of(&set);
+    if statistics.sigma == 0.0 {
+        return Err(NoAsperities::EqualHeights);
+    }
+    let mut surface = Surface::new(name, set, statistics);
+    surface.warnings = facts.warnings();
+    surface.mean_plane = Some(facts.character.moments.mean);
+    surface.map = Some(facts);
+    Ok(surface)
+}
+
+fn area([nx, ny]: [usize; 2]) -> u128 {
+    nx as u128 * ny as u128
 }
 
 /// A file named relative to the spec, there and not empty.

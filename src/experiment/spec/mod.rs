@@ -3,6 +3,7 @@
 //! These types are the file, word for word; `plan` turns them into things that run.
 
 mod compare;
+mod generate;
 mod law;
 mod limit;
 mod surface;
@@ -15,6 +16,10 @@ use serde::Deserialize;
 use toml::Spanned;
 
 pub use compare::{CompareSpec, StatisticalSpec};
+pub use generate::{
+    CorrelationSpec, GenerateSpec, HeightsSpec, PlateauSpec, PointsSpec, SelfAffineSpec, SpectrumSpec,
+    TargetSpec,
+};
 pub use law::{LawSpec, Laws};
 pub use limit::LimitSpec;
 pub use surface::{
@@ -56,7 +61,18 @@ pub fn read(path: &Path) -> Result<(Source, Spec), Refusal> {
     let text = String::from_utf8(bytes).map_err(|error| {
         Refusal::file(path, format!("is no UTF-8 text (byte {})", error.utf8_error().valid_up_to()))
     })?;
-    let source = Source { path: path.to_owned(), text };
+    parse(Source { path: path.to_owned(), text })
+}
+
+/// Reads words that the command line made; what they name is relative to the working directory.
+///
+/// # Errors
+/// As [`read`].
+pub fn from_command_line(text: String) -> Result<(Source, Spec), Refusal> {
+    parse(Source { path: "(command line)".into(), text })
+}
+
+fn parse(source: Source) -> Result<(Source, Spec), Refusal> {
     let spec: Spec = toml::from_str(&source.text).map_err(|error| source.refuse_as(&error))?;
     Ok((source, spec))
 }

@@ -5,8 +5,10 @@ use std::path::PathBuf;
 use serde::Deserialize;
 use toml::Spanned;
 
+use super::generate::GenerateSpec;
 use crate::surface::level::Level;
 use crate::surface::read::{ALLOWED_UNITS, length_unit};
+use crate::surface::summits::Neighbours;
 use crate::units::{Area, ArealNumberDensity, Length, Quantity};
 
 /// One surface: exactly one kind a name.
@@ -17,6 +19,8 @@ pub enum SurfaceSpec {
     Asperities(ListSpec),
     /// A population by its three numbers.
     Population(PopulationSpec),
+    /// A random rough surface.
+    Generate(GenerateSpec),
     /// A measured height map.
     File(FileSpec),
 }
@@ -27,6 +31,7 @@ pub enum SurfaceSpec {
 struct Kinds {
     asperities: Option<ListSpec>,
     population: Option<PopulationSpec>,
+    generate: Option<GenerateSpec>,
     file: Option<FileSpec>,
 }
 
@@ -34,11 +39,17 @@ impl TryFrom<Kinds> for SurfaceSpec {
     type Error = String;
 
     fn try_from(kinds: Kinds) -> Result<Self, String> {
-        match kinds {
-            Kinds { asperities: Some(list), population: None, file: None } => Ok(Self::Asperities(list)),
-            Kinds { asperities: None, population: Some(three), file: None } => Ok(Self::Population(three)),
-            Kinds { asperities: None, population: None, file: Some(file) } => Ok(Self::File(file)),
-            _ => Err("found none or several kinds; allowed: exactly one of asperities, population, file a \
+        let Kinds { asperities, population, generate, file } = kinds;
+        let given = [
+            asperities.map(Self::Asperities),
+            population.map(Self::Population),
+            generate.map(Self::Generate),
+            file.map(Self::File),
+        ];
+        let mut given = given.into_iter().flatten();
+        match (given.next(), given.next()) {
+            (Some(kind), None) => Ok(kind),
+            _ => Err("found none or several kinds; allowed: exactly one of asperities, population, generate, file a \
                       surface name"
                 .to_owned()),
         }
@@ -73,6 +84,8 @@ pub struct PopulationSpec {
     /// How the heights of the set are taken.
     #[serde(default)]
     pub draw: DrawSpec,
+    /// How many sets are drawn.
+    pub realisations: Option<Spanned<u64>>,
 }
 
 /// `heights` of a population.
@@ -114,6 +127,9 @@ pub struct FileSpec {
     pub level: Level,
     /// S and L nesting indices.
     pub filter: Option<Spanned<FilterSpec>>,
+    /// Which neighbours a summit is higher than.
+    #[serde(default)]
+    pub neighbours: Neighbours,
 }
 
 /// A unit of length, in metres.

@@ -128,6 +128,14 @@ const TOLERANCE: f64 = 5e-5;
 const MET: f64 = 1e-3;
 
 impl TargetRecipe {
+    /// Whether the grid can show its spectra.
+    ///
+    /// # Errors
+    /// A cut-off below two pixels, or numbers that make no spectrum.
+    pub fn check(&self) -> Result<(), SpectrumError> {
+        self.spectrum(1.0, 1.0)?.check(self.points, [1.0; 2])
+    }
+
     /// The largest bandwidth: four of the longest waves fit into the shorter side.
     fn widest(&self) -> f64 {
         let side = self.points[0].min(self.points[1]) as f64;
@@ -157,7 +165,12 @@ impl TargetRecipe {
     ///
     /// # Errors
     /// See [`Unreachable`].
-    pub fn surface(&self, target: &Target, seed: [u8; 32], first: Option<f64>) -> Result<Reached, Unreachable> {
+    pub fn surface(
+        &self,
+        target: &Target,
+        seed: [u8; 32],
+        first: Option<f64>,
+    ) -> Result<Reached, Unreachable> {
         let mut tried = 0;
         let mut trial = |log_bandwidth: f64| {
             tried += 1;

@@ -14,6 +14,44 @@ use npyz::Order;
 use super::ReadError;
 use super::npy::{Head, Stored};
 use crate::numeric::LARGEST;
+use crate::surface::{Boundary, Rows};
+
+/// A mapped array as a height map.
+#[derive(Debug)]
+pub struct MappedMap {
+    /// The array.
+    pub array: Mapped,
+    /// Distance of neighbouring points along x and y, m.
+    pub pixel: [f64; 2],
+    /// Unit of the stored heights, m.
+    pub unit: f64,
+}
+
+impl Rows for MappedMap {
+    fn points(&self) -> [usize; 2] {
+        self.array.points
+    }
+
+    fn pixel(&self) -> [f64; 2] {
+        self.pixel
+    }
+
+    fn precision(&self) -> f64 {
+        let precision = self.array.stored.precision();
+        if self.unit == 1.0 { precision } else { precision.max(f64::EPSILON) }
+    }
+
+    fn boundary(&self) -> Boundary {
+        Boundary::Open
+    }
+
+    fn read(&self, ix: usize, row: &mut [f64]) {
+        self.array.row(ix, row);
+        if self.unit != 1.0 {
+            row.iter_mut().for_each(|z| *z *= self.unit);
+        }
+    }
+}
 
 /// A two-dimensional array in C order, opened once; its rows may be taken from any thread.
 #[derive(Debug)]
@@ -51,11 +89,6 @@ impl Mapped {
     /// Points along x, which is the first index, and y.
     pub fn points(&self) -> [usize; 2] {
         self.points
-    }
-
-    /// Relative precision of the stored numbers; 0 for integers.
-    pub fn precision(&self) -> f64 {
-        self.stored.precision()
     }
 
     /// Copies the heights at the index `ix` along x to `out`, in the unit of the file. Missing points,

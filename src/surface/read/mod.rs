@@ -21,8 +21,9 @@ use std::fs::File;
 use std::io::Read;
 use std::path::Path;
 
-use super::{HeightMap, MapError};
+use super::{HeightMap, MapError, Rows, rows};
 use crate::numeric::LARGEST;
+use mapped::{Mapped, MappedMap};
 
 /// Why a file gives no heights. The caller says which file.
 #[derive(Debug, thiserror::Error)]
@@ -219,13 +220,52 @@ pub fn height_map(path: &Path, given: Given) -> Result<HeightMap, ReadError> {
     Ok(HeightMap::new(head.points, pixel, heights, precision)?)
 }
 
+/// Opens a map without reading more of it than must be: a `.npy` in C order stays on disk and is read row by row,
+/// whatever its size.
+///
+/// # Errors
+/// As [`height_map`].
+pub fn rows(path: &Path, given: Given) -> Result<Box<dyn Rows>, ReadError> {
+    if Format::of(path)? == Format::Npy {
+        let head = npy::Head::read(path)?;
+        if head.order == npyz::Order::C {
+            let head = head.map();
+            let array = Mapped::open(path)?;
+            let map = MappedMap { array, pixel: head.pixel(&given)?, unit: head.unit(&given) };
+            check_rows(&map)?;
+            return Ok(Box::new(map));
+        }
+    }
+    Ok(Box::new(height_map(path, given)?))
+}
+
+/// As [`check_heights`] and [`HeightMap::new`], row by row.
+fn check_rows(map: &dyn Rows) -> Result<(), ReadError> {
+    HeightMap::check_grid(map.points(), map.pixel())?;
+    let tallest = |strip: rows::Strip| {
+        let heights = (0..strip.count as isize).filter_map(|k| strip.row(k)).flatten();
+        heights.filter(|z| !z.is_nan()).map(|z| z.abs()).reduce(f64::max)
+    };
+    match rows::strips(map, 0, tallest).into_iter().flatten().reduce(f64::max) {
+        None => Err(MapError::AllMissing.into()),
+        Some(tallest) if tallest > TALLEST => Err(too_tall(tallest, false)),
+        Some(_) => Ok(()),
+    }
+}
+
+/// No rough surface is so high (m): its unit is wrong.
+const TALLEST: f64 = 10.0;
+
+fn too_tall(tallest: f64, in_metres: bool) -> ReadError {
+    let advice = if in_metres { "" } else { " (unit = \"um\" beside path says in which unit it is)" };
+    ReadError::Unsupported(format!("holds a height of {tallest:e} m; allowed: at most {TALLEST} m{advice}"))
+}
+
 /// Takes out the marks of missing points, where heights are known to be in metres, and refuses heights
 /// (m) that no roughness has.
 fn check_heights(heights: &mut [f64], in_metres: bool) -> Result<(), ReadError> {
     /// Beyond it a height in metres is the mark of a missing point, such as 1e10.
     const MARK: f64 = 1e3;
-    /// No rough surface is so high: its unit is wrong.
-    const TALLEST: f64 = 10.0;
     let mark = if in_metres { MARK } else { LARGEST };
     let mut tallest = 0.0f64;
     for z in heights {
@@ -235,13 +275,7 @@ fn check_heights(heights: &mut [f64], in_metres: bool) -> Result<(), ReadError> 
             *z = f64::NAN;
         }
     }
-    if tallest > TALLEST {
-        let advice = if in_metres { "" } else { " (unit = \"um\" beside path says in which unit it is)" };
-        return Err(ReadError::Unsupported(format!(
-            "holds a height of {tallest:e} m; allowed: at most {TALLEST} m{advice}"
-        )));
-    }
-    Ok(())
+    if tallest > TALLEST { Err(too_tall(tallest, in_metres)) } else { Ok(()) }
 }
 
 /// Heights with the y index running fastest, of heights in lines of `points_x` along x.

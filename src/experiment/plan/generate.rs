@@ -1,0 +1,294 @@
+//! Random rough surfaces, planned from their words.
+
+use std::ops::Range;
+
+use toml::Spanned;
+
+use crate::experiment::refusal::{Refusal, Source};
+use crate::experiment::spec::{
+    CorrelationSpec, GenerateSpec, HeightsSpec, PlateauSpec, SelfAffineSpec, SpectrumSpec,
+};
+use crate::experiment::stream_seed;
+use crate::surface::HeightMap;
+use crate::surface::generate::{Plateau, Process, Recipe, Seeds, Target, TargetRecipe, Unreachable};
+use crate::surface::marginal::{Johnson, Marginal, Weibull};
+use crate::surface::spectrum::{Lay, Shape, Spectrum, SpectrumError};
+use crate::surface::summits::Neighbours;
+
+/// How a random surface is made.
+#[derive(Debug, Clone)]
+pub struct Generation {
+    /// The way.
+    pub way: Way,
+    /// What a summit is.
+    pub neighbours: Neighbours,
+}
+
+/// The two ways to a surface.
+#[derive(Debug, Clone)]
+pub enum Way {
+    /// By what it is.
+    Recipe(Recipe),
+    /// By what its summits shall be.
+    Target {
+        /// What is left open.
+        recipe: TargetRecipe,
+        /// What they shall be.
+        target: Target,
+    },
+}
+
+/// A surface and the recipe that it came from.
+pub struct Generated {
+    /// The surface.
+    pub map: HeightMap,
+    /// Its recipe; of a target the one that was found.
+    pub recipe: Recipe,
+    /// What its summits were asked to be, and how many surfaces were tried.
+    pub target: Option<(Target, usize)>,
+}
+
+/// A grid that is worth making.
+const FEWEST_POINTS: u64 = 8;
+/// Beyond, no memory holds a map.
+const MOST_POINTS: u64 = 1 << 20;
+
+impl Generation {
+    /// Resolves the words, which stand at `span`.
+    ///
+    /// # Errors
+    /// The first that makes no surface.
+    pub fn new(source: &Source, span: Range<usize>, words: &GenerateSpec) -> Result<Self, Refusal> {
+        let Reader { points, heights } = Reader::new(source, words)?;
+        let way = match &words.summits {
+            Some(summits) => {
+                let target = Target {
+                    radius: summits.get_ref().radius.value(),
+                    sigma: summits.get_ref().sigma.value(),
+                    density: summits.get_ref().density.value(),
+                };
+                let recipe = target_recipe(source, words, points, heights)?;
+                Way::Target { recipe, target }
+            }
+            None => Way::Recipe(recipe(source, span, words, points, heights)?),
+        };
+        Ok(Self { way, neighbours: words.neighbours })
+    }
+
+    /// Points along x and y.
+    pub fn points(&self) -> [usize; 2] {
+        match &self.way {
+            Way::Recipe(recipe) => recipe.points,
+            Way::Target { recipe, .. } => recipe.points,
+        }
+    }
+
+    /// Arrays of the map's size that are in memory at once.
+    pub fn arrays(&self) -> u128 {
+        match &self.way {
+            Way::Recipe(Recipe { plateau: None, .. }) => 2,
+            // Two processes; two ends of a bracket and a trial.
+            Way::Recipe(_) => 3,
+            Way::Target { .. } => 4,
+        }
+    }
+
+    /// What it is, for a plan that a person reads.
+    pub fn describe(&self) -> String {
+        let [nx, ny] = self.points();
+        match &self.way {
+            Way::Recipe(_) => format!("random surface, {nx} x {ny} points"),
+            Way::Target { target, .. } => format!(
+                "random surface, {nx} x {ny} points, whose summits have radius {:e} m, sigma {:e} m, density {:e} /m^2",
+                target.radius, target.sigma, target.density
+            ),
+        }
+    }
+
+    /// Makes realisation `realisation` (from 1) of the surface called `name`. `first` is a bandwidth that met the target
+    /// before.
+    ///
+    /// # Errors
+    /// A target that is not reached.
+    pub fn make(
+        &self,
+        seed: u64,
+        name: &str,
+        realisation: usize,
+        first: Option<f64>,
+    ) -> Result<(Generated, Option<f64>), Unreachable> {
+        let seed = |what: &str| stream_seed(seed, &format!("{what} {name} realisation {realisation}"));
+        let seeds = Seeds { process: seed("surface"), plateau: seed("plateau") };
+        match &self.way {
+            Way::Recipe(recipe) => {
+                Ok((Generated { map: recipe.surface(seeds)?, recipe: *recipe, target: None }, None))
+            }
+            Way::Target { recipe, target } => {
+                let found = recipe.surface(target, seeds.process, first)?;
+                let shape = Shape::SelfAffine {
+                    hurst: recipe.hurst,
+                    roll_off: found.roll_off,
+                    cut_off: found.cut_off,
+                };
+                let process = Process {
+                    spectrum: Spectrum::new(shape, recipe.lay)?,
+                    sigma: found.sigma,
+                    heights: recipe.heights,
+                };
+                let made = Recipe { points: recipe.points, pixel: found.map.pixel(), process, plateau: None };
+                let target = Some((*target, found.tried));
+                Ok((Generated { map: found.map, recipe: made, target }, Some(found.bandwidth)))
+            }
+        }
+    }
+}
+
+/// What both ways need.
+struct Reader {
+    points: [usize; 2],
+    heights: Marginal,
+}
+
+impl Reader {
+    fn new(source: &Source, words: &GenerateSpec) -> Result<Self, Refusal> {
+        let counts = words.points.get_ref().0;
+        if counts.iter().any(|count| !(FEWEST_POINTS..=MOST_POINTS).contains(count)) {
+            let message = format!(
+                "found {} x {} points; allowed: {FEWEST_POINTS} to {MOST_POINTS} along x and y",
+                counts[0], counts[1]
+            );
+            return Err(source.refuse(words.points.span(), message));
+        }
+        let heights = match &words.heights {
+            None => Marginal::Gaussian,
+            Some(heights) => {
+                let made = match *heights.get_ref() {
+                    HeightsSpec::Gaussian => Ok(Marginal::Gaussian),
+                    HeightsSpec::Johnson { skewness, kurtosis } => {
+                        Johnson::from_moments(skewness, kurtosis).map(Marginal::Johnson)
+                    }
+                    HeightsSpec::Weibull { shape } => Weibull::new(shape).map(Marginal::Weibull),
+                };
+                made.map_err(|error| source.refuse(heights.span(), error))?
+            }
+        };
+        Ok(Self { points: counts.map(|count| count as usize), heights })
+    }
+}
+
+fn recipe(
+    source: &Source,
+    span: Range<usize>,
+    words: &GenerateSpec,
+    points: [usize; 2],
+    heights: Marginal,
+) -> Result<Recipe, Refusal> {
+    let missing = |key: &str| {
+        source.refuse(
+            span.clone(),
+            format!("found no {key}; allowed: pixel and sigma, or summits = {{ radius, sigma, density }}"),
+        )
+    };
+    let pixel = words.pixel.as_ref().ok_or_else(|| missing("pixel"))?.get_ref().0;
+    let sigma = words.sigma.as_ref().ok_or_else(|| missing("sigma"))?.get_ref().value();
+    let process = Process { spectrum: spectrum(source, &words.spectrum, points, pixel)?, sigma, heights };
+    let plateau = words.plateau.as_ref().map(|plateau| {
+        let PlateauSpec { sigma, spectrum: words, height } = plateau.get_ref();
+        let spectrum = spectrum(source, words, points, pixel)?;
+        let process = Process { spectrum, sigma: sigma.value(), heights: Marginal::Gaussian };
+        Ok(Plateau { process, height: height.value() })
+    });
+    Ok(Recipe { points, pixel, process, plateau: plateau.transpose()? })
+}
+
+/// A spectrum by its lengths, which the grid must show.
+fn spectrum(
+    source: &Source,
+    words: &Spanned<SpectrumSpec>,
+    points: [usize; 2],
+    pixel: [f64; 2],
+) -> Result<Spectrum, Refusal> {
+    let refuse = |message: &dyn std::fmt::Display| source.refuse(words.span(), message);
+    let made = match words.get_ref() {
+        SpectrumSpec::SelfAffine(self_affine) => {
+            let SelfAffineSpec { hurst, roll_off, cut_off, cut_off_pixels, .. } = self_affine;
+            if cut_off_pixels.is_some() {
+                return Err(refuse(
+                    &"found cut-off-pixels without summits; allowed here: roll-off and cut-off, as wavelengths",
+                ));
+            }
+            let (Some(roll_off), Some(cut_off)) = (roll_off, cut_off) else {
+                return Err(refuse(
+                    &"found a self-affine spectrum without its wavelengths; allowed: hurst, roll-off and cut-off",
+                ));
+            };
+            let (roll_off, cut_off) = (roll_off.value(), cut_off.value());
+            Spectrum::new(
+                Shape::SelfAffine { hurst: hurst.value(), roll_off, cut_off },
+                self_affine_lay(self_affine),
+            )
+        }
+        SpectrumSpec::Gaussian(words) => correlated(Shape::Gaussian, words),
+        SpectrumSpec::Exponential(words) => correlated(Shape::Exponential, words),
+    };
+    let made = made.and_then(|spectrum| spectrum.check(points, pixel).map(|()| spectrum));
+    made.map_err(|error| refuse(&error))
+}
+
+/// A spectrum by the autocorrelation's lengths along the lay and across it.
+fn correlated(shape: impl Fn(f64) -> Shape, words: &CorrelationSpec) -> Result<Spectrum, SpectrumError> {
+    let [along, across] = words.correlation_length.0;
+    let angle = words.angle.map_or(0.0, |angle| angle.value());
+    Spectrum::new(shape(across), Lay { elongation: along / across, angle })
+}
+
+fn self_affine_lay(words: &SelfAffineSpec) -> Lay {
+    Lay {
+        elongation: words.elongation.map_or(1.0, |elongation| elongation.value()),
+        angle: words.angle.map_or(0.0, |angle| angle.value()),
+    }
+}
+
+/// A target leaves scales and bandwidth open.
+fn target_recipe(
+    source: &Source,
+    words: &GenerateSpec,
+    points: [usize; 2],
+    heights: Marginal,
+) -> Result<TargetRecipe, Refusal> {
+    /// A quarter of the Nyquist wave number: summits are well resolved.
+    const CUT_OFF: f64 = 8.0;
+    let with_summits = |span: Range<usize>, key: &str| {
+        source.refuse(span, format!("found {key} beside summits, which decide it; allowed: one of the two"))
+    };
+    if let Some(pixel) = &words.pixel {
+        return Err(with_summits(pixel.span(), "pixel"));
+    }
+    if let Some(sigma) = &words.sigma {
+        return Err(with_summits(sigma.span(), "sigma"));
+    }
+    if let Some(plateau) = &words.plateau {
+        return Err(with_summits(plateau.span(), "plateau"));
+    }
+    let refuse = |message: &dyn std::fmt::Display| source.refuse(words.spectrum.span(), message);
+    let SpectrumSpec::SelfAffine(self_affine) = words.spectrum.get_ref() else {
+        return Err(refuse(
+            &"found a spectrum whose bandwidth is fixed; allowed with summits: self-affine, whose bandwidth is searched for",
+        ));
+    };
+    if self_affine.roll_off.is_some() || self_affine.cut_off.is_some() {
+        return Err(refuse(
+            &"found roll-off or cut-off beside summits, which decide them; allowed: hurst, cut-off-pixels, elongation, angle",
+        ));
+    }
+    let recipe = TargetRecipe {
+        points,
+        hurst: self_affine.hurst.value(),
+        cut_off: self_affine.cut_off_pixels.map_or(CUT_OFF, |pixels| pixels.value()),
+        lay: self_affine_lay(self_affine),
+        heights,
+        neighbours: words.neighbours,
+    };
+    recipe.check().map_err(|error| refuse(&error))?;
+    Ok(recipe)
+}

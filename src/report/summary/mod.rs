@@ -1,0 +1,171 @@
+//! `summary.json` and `timing.json`: what ran, on what, and what came out, for machines.
+
+mod surface;
+
+use indexmap::IndexMap;
+use serde::Serialize;
+
+use super::limit::Slope;
+use crate::experiment::results::{CompareResults, ContactHead, Head, LimitResults, SurfacesResults};
+use surface::SurfaceSummary;
+
+/// The name by which a report says that this program wrote it.
+pub const PROGRAM: &str = "asperity";
+
+#[derive(Serialize)]
+struct Summary<'a> {
+    program: &'static str,
+    version: &'static str,
+    title: &'a str,
+    spec_sha256: &'a str,
+    seed: u64,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    reduced_modulus_pa: Option<f64>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    hardness_pa: Option<f64>,
+    surfaces: IndexMap<&'a str, SurfaceSummary<'a>>,
+    largest_gaps: Vec<GapSummary<'a>>,
+    warnings: Vec<String>,
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    slopes: Vec<SlopeSummary<'a>>,
+    papers: Vec<&'static str>,
+    files: &'a [String],
+}
+
+#[derive(Serialize)]
+struct GapSummary<'a> {
+    surface: &'a str,
+    realisation: usize,
+    law: &'a str,
+    quantity: &'static str,
+    pairing: &'static str,
+    target: f64,
+    statistical: f64,
+    deterministic: f64,
+    difference: f64,
+    over_sampling_error: Option<f64>,
+}
+
+#[derive(Serialize)]
+struct SlopeSummary<'a> {
+    law: &'a str,
+    quantity: &'static str,
+    heights: &'static str,
+    separation_over_sigma: f64,
+    slope: f64,
+    standard_error: f64,
+    points: usize,
+}
+
+impl<'a> Summary<'a> {
+    fn new(head: &'a Head, contact: Option<&ContactHead>, files: &'a [String]) -> Self {
+        Self {
+            program: PROGRAM,
+            version: env!("CARGO_PKG_VERSION"),
+            title: &head.title,
+            spec_sha256: &head.spec_sha256,
+            seed: head.seed,
+            reduced_modulus_pa: contact.map(|contact| contact.reduced_modulus),
+            hardness_pa: contact.and_then(|contact| contact.hardness),
+            surfaces: IndexMap::new(),
+            largest_gaps: Vec::new(),
+            warnings: Vec::new(),
+            slopes: Vec::new(),
+            papers: head.papers.iter().map(|paper| paper.full).collect(),
+            files,
+        }
+    }
+}
+
+/// `summary.json` of a comparison; `files` are the names of all files of the report.
+///
+/// # Errors
+/// None that a result can cause.
+pub fn compare(results: &CompareResults, files: &[String]) -> serde_json::Result<Vec<u8>> {
+    let mut summary = Summary::new(&results.head, Some(&results.contact), files);
+    summary.warnings = results.warnings();
+    for found in &results.surfaces {
+        summary.surfaces.insert(&found.surface.name, surface::compared(found));
+        for (realisation, answered) in found.realisations() {
+            for case in &answered.cases {
+                summary.largest_gaps.extend(case.gaps.largest.iter().map(|gap| GapSummary {
+                    surface: &found.surface.name,
+                    realisation,
+                    law: &case.law,
+                    quantity: gap.quantity,
+                    pairing: gap.pairing.name(),
+                    target: gap.target,
+                    statistical: gap.statistical,
+                    deterministic: gap.deterministic,
+                    difference: gap.difference(),
+                    over_sampling_error: gap.over_sampling_error,
+                }));
+            }
+        }
+    }
+    serde_json::to_vec_pretty(&summary)
+}
+
+/// `summary.json` of a look at surfaces.
+///
+/// # Errors
+/// None that a result can cause.
+pub fn surfaces(results: &SurfacesResults, files: &[String]) -> serde_json::Result<Vec<u8>> {
+    let mut summary = Summary::new(&results.head, None, files);
+    for surface in &results.surfaces {
+        summary
+            .warnings
+            .extend(surface.warnings.iter().map(|warning| format!("surface {}: {warning}", surface.name)));
+        summary.surfaces.insert(&surface.name, surface::surface(surface));
+    }
+    serde_json::to_vec_pretty(&summary)
+}
+
+/// `summary.json` of a limit.
+///
+/// # Errors
+/// None that a result can cause.
+pub fn limit(results: &LimitResults, slopes: &[Slope], files: &[String]) -> serde_json::Result<Vec<u8>> {
+    let mut summary = Summary::new(&results.head, Some(&results.contact), files);
+    summary.slopes = slopes
+        .iter()
+        .map(|slope| SlopeSummary {
+            law: slope.law,
+            quantity: slope.quantity.name(),
+            heights: slope.heights.name(),
+            separation_over_sigma: slope.separation,
+            slope: slope.fit.slope,
+            standard_error: slope.fit.standard_error,
+            points: slope.fit.points,
+        })
+        .collect();
+    serde_json::to_vec_pretty(&summary)
+}
+
+#[derive(Serialize)]
+struct Times {
+    read_s: f64,
+    generate_s: f64,
+    summits_s: f64,
+    statistical_s: f64,
+    deterministic_s: f64,
+    report_s: f64,
+    total_s: f64,
+}
+
+/// `timing.json`, given the time that pages, tables and pictures took.
+///
+/// # Errors
+/// None that a result can cause.
+pub fn timing(head: &Head, report: std::time::Duration) -> serde_json::Result<Vec<u8>> {
+    let timing = &head.timing;
+    serde_json::to_vec_pretty(&Times {
+        read_s: timing.read.as_secs_f64(),
+        generate_s: timing.generate.as_secs_f64(),
+        summits_s: timing.summits.as_secs_f64(),
+        statistical_s: timing.statistical.as_secs_f64(),
+        deterministic_s: timing.deterministic.as_secs_f64(),
+        report_s: report.as_secs_f64(),
+        total_s: (timing.total + report).as_secs_f64(),
+    })
+}

@@ -1,0 +1,22 @@
+//! The page of a look at surfaces.
+
+use super::section;
+use crate::experiment::results::SurfacesResults;
+use crate::report::head;
+use crate::report::page::{Page, escape};
+
+/// The page.
+pub fn page(results: &SurfacesResults) -> Page {
+    let mut page = Page::new(&results.head.title);
+    for surface in &results.surfaces {
+        for warning in &surface.warnings {
+            page.warning(&escape(&format!("surface {}: {warning}", surface.name)));
+        }
+    }
+    for surface in &results.surfaces {
+        page.heading(2, &format!("Surface {}", surface.name));
+        section(&mut page, surface, None);
+    }
+    head::sources(&mut page, &results.head);
+    page
+}
