@@ -4,10 +4,12 @@
 //! |---|---|
 //! | [`johnson`] | heights of a given skewness and kurtosis |
 //! | [`weibull`] | heights of a Weibull shape |
+//! | [`distortion`] | what a map does to the autocorrelation |
 //!
 //! T takes a standard normal g to a height of zero mean and unit standard deviation, exactly so in the
 //! ensemble. A map of finite size scatters about that, as a Gaussian one does.
 
+pub mod distortion;
 pub mod johnson;
 pub mod weibull;
 
@@ -17,6 +19,7 @@ use std::fmt;
 use rayon::prelude::*;
 
 use crate::numeric::Sum;
+pub use distortion::Distortion;
 pub use johnson::Johnson;
 pub use weibull::Weibull;
 
