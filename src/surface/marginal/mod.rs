@@ -126,7 +126,7 @@ impl Marginal {
         field.par_chunks_mut(CHUNK).for_each(|field| match self {
             Self::Gaussian => field.iter_mut().for_each(|z| *z *= scale),
             Self::Johnson(johnson) => johnson.apply(field, scale),
-            Self::Weibull(weibull) => field.iter_mut().for_each(|z| *z = scale * weibull.map(*z)),
+            Self::Weibull(weibull) => weibull.apply(field, scale),
         });
     }
 
