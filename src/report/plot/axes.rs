@@ -1,10 +1,11 @@
 //! The frame of a plot: its grid, ticks and labels.
 
+use super::Axis;
 use super::canvas::{Align, Canvas, Rect, Spot, Stroke, Type};
+use super::layer::Direction;
 use super::scale::Scale;
 use super::text::{fit, width};
 use super::ticks::{Tick, ticks};
-use super::{Axis, Plot};
 use plotters::style::RGBColor;
 
 pub(super) const INK: RGBColor = RGBColor(0x22, 0x22, 0x22);
@@ -28,6 +29,22 @@ pub(super) struct Frame {
 }
 
 impl Frame {
+    /// The place of a value along an axis.
+    pub(super) fn on(&self, axis: Direction, value: f64) -> Option<f64> {
+        match axis {
+            Direction::X => self.x(value),
+            Direction::Y => self.y(value),
+        }
+    }
+
+    /// Where an axis begins.
+    pub(super) fn start(&self, axis: Direction) -> f64 {
+        match axis {
+            Direction::X => self.rect.left,
+            Direction::Y => self.rect.bottom,
+        }
+    }
+
     pub(super) fn x(&self, value: f64) -> Option<f64> {
         self.x.place(value).map(|place| self.rect.left + place.clamp(-FAR, FAR) * self.rect.width())
     }
@@ -43,7 +60,12 @@ impl Frame {
 
 /// Divides the x axis so that its labels stand apart.
 pub(super) fn x_ticks(scale: &Scale, length: f64) -> Vec<Tick> {
-    ticks(scale, (length / 45.0) as usize, |ticks| {
+    x_ticks_up_to((length / 45.0) as usize, scale, length)
+}
+
+/// As [`x_ticks`], with a number of labels not to exceed.
+pub(super) fn x_ticks_up_to(most: usize, scale: &Scale, length: f64) -> Vec<Tick> {
+    ticks(scale, most, |ticks| {
         let mut spans: Vec<(f64, f64)> = labelled(ticks)
             .map(|(place, label)| (place * length, width(label, TICK) / 2.0))
             .map(|(middle, half)| (middle - half, middle + half))
@@ -55,7 +77,12 @@ pub(super) fn x_ticks(scale: &Scale, length: f64) -> Vec<Tick> {
 
 /// Divides the y axis so that its labels stand apart.
 pub(super) fn y_ticks(scale: &Scale, length: f64) -> Vec<Tick> {
-    ticks(scale, (length / 36.0) as usize, |ticks| {
+    y_ticks_up_to((length / 36.0) as usize, scale, length)
+}
+
+/// As [`y_ticks`], with a number of labels not to exceed.
+pub(super) fn y_ticks_up_to(most: usize, scale: &Scale, length: f64) -> Vec<Tick> {
+    ticks(scale, most, |ticks| {
         let mut places: Vec<f64> = labelled(ticks).map(|(place, _)| place * length).collect();
         places.sort_by(f64::total_cmp);
         places.windows(2).all(|pair| pair[1] - pair[0] > 1.4 * TICK)
@@ -97,13 +124,13 @@ pub(super) fn draw_grid(canvas: &mut Canvas, frame: &Frame, x_ticks: &[Tick], y_
     }
 }
 
-/// Frame, ticks and labels, to lie above the data.
+/// Frame, ticks and labels, to lie above the data. An axis that is not `named` shows its ticks only.
 pub(super) fn draw_axes(
     canvas: &mut Canvas,
-    plot: &Plot,
     frame: &Frame,
     x_ticks: &[Tick],
     y_ticks: &[Tick],
+    named: (Option<&Axis>, Option<&Axis>),
     label_x: f64,
 ) {
     let r = &frame.rect;
@@ -125,17 +152,26 @@ pub(super) fn draw_axes(
     canvas.lines(lines.iter().map(Vec::as_slice), Stroke::solid(INK, 1.0));
 
     let set = Type { size: TICK, colour: INK, align: Align::Centre, bold: false, upright: false };
-    let below = r.bottom + 8.0 + TICK / 2.0;
-    let texts = labelled(x_ticks).map(|(place, label)| (label, (r.left + place * r.width(), below)));
-    canvas.texts(texts, set);
-    let texts =
-        labelled(y_ticks).map(|(place, label)| (label, (r.left - 6.0, r.bottom - place * r.height())));
-    canvas.texts(texts, Type { align: Align::Right, ..set });
+    if named.0.is_some() {
+        let below = r.bottom + 8.0 + TICK / 2.0;
+        let texts = labelled(x_ticks).map(|(place, label)| (label, (r.left + place * r.width(), below)));
+        canvas.texts(texts, set);
+    }
+    if named.1.is_some() {
+        let place = |place: f64| (r.left - 6.0, r.bottom - place * r.height());
+        let texts = labelled(y_ticks).map(|(at, label)| (label, place(at)));
+        canvas.texts(texts, Type { align: Align::Right, ..set });
+    }
 
     let set = Type { size: LABEL, ..set };
     // A label may be as long as the frame and what stands beside it.
-    let label = fit(&plot.x.label, LABEL, r.width() + 80.0);
-    canvas.texts([(label.as_str(), ((r.left + r.right) / 2.0, r.bottom + FOOT - 12.0))], set);
-    let label = fit(&plot.y.label, LABEL, r.height() + 30.0);
-    canvas.texts([(label.as_str(), (label_x, (r.top + r.bottom) / 2.0))], Type { upright: true, ..set });
+    if let Some(x) = named.0 {
+        let label = fit(&x.label, LABEL, r.width() + 80.0);
+        canvas.texts([(label.as_str(), ((r.left + r.right) / 2.0, r.bottom + FOOT - 12.0))], set);
+    }
+    if let Some(y) = named.1 {
+        let label = fit(&y.label, LABEL, r.height() + 30.0);
+        let spot = (label_x, (r.top + r.bottom) / 2.0);
+        canvas.texts([(label.as_str(), spot)], Type { upright: true, ..set });
+    }
 }

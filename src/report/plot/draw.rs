@@ -3,8 +3,9 @@
 use super::axes::{self, FOOT, Frame, INK, LABEL};
 use super::bar::Bar;
 use super::canvas::{Align, Canvas, Rect, Type};
+use super::joint;
 use super::label::draw_label;
-use super::layer::{Layer, Shape};
+use super::layer::{Direction, Layer, Shape};
 use super::legend::{self, Entry, Legend};
 use super::marks;
 use super::place::Taken;
@@ -41,6 +42,11 @@ pub(super) fn figure(title: &str, plots: &[&Plot], arrangement: Arrangement) -> 
                 height = height.max(sketch.draw(&mut canvas, (each * k as f64, 0.0), sketch.margins, head));
             }
         }
+        Arrangement::Joint => {
+            if let [main, top, right] = plots {
+                height = joint::draw(&mut canvas, main, top, right);
+            }
+        }
     }
     canvas.finish(title, width, height.max(1.0))
 }
@@ -55,7 +61,7 @@ pub(super) struct Sketch<'a> {
     /// The field that the colour bar is about.
     pub(super) raster: Option<&'a Raster>,
     /// Left and right of the frame.
-    margins: (f64, f64),
+    pub(super) margins: (f64, f64),
     title: Vec<String>,
     nothing: bool,
 }
@@ -71,14 +77,17 @@ impl<'a> Sketch<'a> {
             .filter(|p| measure(plot.x.spread, p.0).is_some() && measure(plot.y.spread, p.1).is_some())
             .collect();
         let raster = plot.raster();
-        let stands = plot.layers.iter().any(|layer| matches!(layer.shape, Shape::Bars(_)));
+        // Bars stand on the axis along which they lie.
+        let stand = |along: Direction| {
+            plot.layers.iter().any(|layer| matches!(layer.shape, Shape::Bars(_, d) if d == along))
+        };
         let scale = |axis: &Axis, values: &[f64], stands: bool| match raster {
             // An image reaches to the frame.
             Some(_) => Scale::new(&axis.ending_with(values), values.iter().copied(), stands),
             None => Scale::new(axis, values.iter().copied(), stands),
         };
-        let x = scale(&plot.x, &shown.iter().map(|p| p.0).collect::<Vec<_>>(), false);
-        let y = scale(&plot.y, &shown.iter().map(|p| p.1).collect::<Vec<_>>(), stands);
+        let x = scale(&plot.x, &shown.iter().map(|p| p.0).collect::<Vec<_>>(), stand(Direction::Y));
+        let y = scale(&plot.y, &shown.iter().map(|p| p.1).collect::<Vec<_>>(), stand(Direction::X));
         let y_ticks = axes::y_ticks(&y, plot.height);
         let bar = raster.and_then(|raster| Bar::new(raster, plot.height)).map_or(0.0, |bar| bar.room());
         let right = axes::right_margin(&axes::x_ticks(&x, 0.8 * width));
@@ -118,7 +127,8 @@ impl<'a> Sketch<'a> {
         let y_ticks = lower.as_ref().unwrap_or(&self.y_ticks);
         let label_x = start + 6.0 + LABEL / 2.0;
         let taken = self.draw_panel(canvas, &frame, &x_ticks, y_ticks, |canvas| {
-            axes::draw_axes(canvas, plot, &frame, &x_ticks, y_ticks, label_x);
+            let named = (Some(&plot.x), Some(&plot.y));
+            axes::draw_axes(canvas, &frame, &x_ticks, y_ticks, named, label_x);
         });
         if let Some(bar) = self.raster.and_then(|raster| Bar::new(raster, frame_height)) {
             bar.draw(canvas, &rect);

@@ -33,14 +33,31 @@ pub(super) enum Direction {
     Y,
 }
 
+impl Direction {
+    pub(super) fn other(self) -> Self {
+        match self {
+            Self::X => Self::Y,
+            Self::Y => Self::X,
+        }
+    }
+
+    /// From along and across this axis to x and y, and back.
+    pub(super) fn turn(self, point: (f64, f64)) -> (f64, f64) {
+        match self {
+            Self::X => point,
+            Self::Y => (point.1, point.0),
+        }
+    }
+}
+
 #[derive(Clone, Debug)]
 pub(super) enum Shape {
     Line(Vec<(f64, f64)>),
     Points(Vec<(f64, f64)>, Marker),
-    /// x, lower, upper.
-    Band(Vec<(f64, f64, f64)>),
-    /// Lower edge, upper edge, height.
-    Bars(Vec<(f64, f64, f64)>),
+    /// Place along the axis, lower, upper.
+    Band(Vec<(f64, f64, f64)>, Direction),
+    /// Lower edge and upper edge along the axis, height.
+    Bars(Vec<(f64, f64, f64)>, Direction),
     Region(Direction, f64, f64),
     /// At a value of x (a vertical line) or of y.
     Level(Direction, f64),
@@ -95,14 +112,14 @@ impl Layer {
     /// The translucent area between two curves, from (x, lower, upper). On a logarithmic axis a
     /// lower value that is not positive reaches down to the edge of the plot.
     pub fn band(points: impl IntoIterator<Item = (f64, f64, f64)>) -> Self {
-        Self { opacity: 0.22, ..Self::new(Shape::Band(points.into_iter().collect())) }
+        Self { opacity: 0.22, ..Self::new(Shape::Band(points.into_iter().collect(), Direction::X)) }
     }
 
     /// Bars over n bins from their n + 1 edges and n heights; bins beyond the shorter list are left
     /// out.
     pub fn bars(edges: &[f64], heights: &[f64]) -> Self {
         let bins = edges.windows(2).zip(heights).map(|(edge, height)| (edge[0], edge[1], *height));
-        Self { opacity: 0.45, ..Self::new(Shape::Bars(bins.collect())) }
+        Self { opacity: 0.45, ..Self::new(Shape::Bars(bins.collect(), Direction::X)) }
     }
 
     /// Shades an interval of x and writes a label into it; an infinite bound reaches the edge.
@@ -166,9 +183,26 @@ impl Layer {
         self
     }
 
+    /// The same with x and y exchanged.
+    pub(super) fn sideways(mut self) -> Self {
+        let turned = |points: Vec<(f64, f64)>| points.into_iter().map(|(x, y)| (y, x)).collect();
+        self.shape = match self.shape {
+            Shape::Line(points) => Shape::Line(turned(points)),
+            Shape::Points(points, marker) => Shape::Points(turned(points), marker),
+            Shape::Band(points, along) => Shape::Band(points, along.other()),
+            Shape::Bars(bins, along) => Shape::Bars(bins, along.other()),
+            Shape::Region(direction, from, to) => Shape::Region(direction.other(), from, to),
+            Shape::Level(direction, at) => Shape::Level(direction.other(), at),
+            Shape::Slope { through: (x, y), slope } => Shape::Slope { through: (y, x), slope: 1.0 / slope },
+            Shape::Note((x, y)) => Shape::Note((y, x)),
+            Shape::Raster(raster) => Shape::Raster(raster),
+        };
+        self
+    }
+
     /// Turns the points of a band into gaps where `keep` says no.
     pub(super) fn keep_where(&mut self, keep: impl Fn(usize) -> bool) {
-        if let Shape::Band(points) = &mut self.shape {
+        if let Shape::Band(points, _) = &mut self.shape {
             for (place, point) in points.iter_mut().enumerate() {
                 if !keep(place) {
                     point.2 = f64::NAN;
@@ -181,8 +215,13 @@ impl Layer {
     pub(super) fn reach(&self) -> Vec<(f64, f64)> {
         match &self.shape {
             Shape::Line(points) | Shape::Points(points, _) => points.clone(),
-            Shape::Band(points) => points.iter().flat_map(|p| [(p.0, p.1), (p.0, p.2)]).collect(),
-            Shape::Bars(bins) => bins.iter().flat_map(|b| [(b.0, 0.0), (b.0, b.2), (b.1, b.2)]).collect(),
+            Shape::Band(points, along) => {
+                points.iter().flat_map(|p| [(p.0, p.1), (p.0, p.2)]).map(|p| along.turn(p)).collect()
+            }
+            Shape::Bars(bins, along) => {
+                let corners = bins.iter().flat_map(|b| [(b.0, 0.0), (b.0, b.2), (b.1, b.2)]);
+                corners.map(|p| along.turn(p)).collect()
+            }
             Shape::Raster(raster) if raster.scale().is_some() => {
                 vec![(raster.x.0, raster.y.0), (raster.x.1, raster.y.1)]
             }

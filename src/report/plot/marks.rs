@@ -59,23 +59,24 @@ pub(super) fn draw(canvas: &mut Canvas, frame: &Frame, layer: &Layer, taken: &mu
             alone.iter().for_each(|spot| taken.dot(*spot));
             canvas.circles(&alone, LINE, colour);
         }
-        Shape::Band(points) => {
+        Shape::Band(points, along) => {
+            let across = along.other();
             let edges = points.iter().map(|&(x, low, high)| {
-                let (x, high) = (frame.x(x)?, frame.y(high)?);
-                let low = frame.y(low).or((low <= 0.0).then_some(frame.rect.bottom))?;
+                let (x, high) = (frame.on(*along, x)?, frame.on(across, high)?);
+                let low = frame.on(across, low).or((low <= 0.0).then_some(frame.start(across)))?;
                 Some((x, low, high))
             });
             let mut outlines: Vec<Vec<Spot>> = Vec::new();
             for piece in pieces(edges) {
-                let lower: Vec<Spot> = piece.iter().map(|edge| (edge.0, edge.1)).collect();
-                let upper: Vec<Spot> = piece.iter().map(|edge| (edge.0, edge.2)).collect();
+                let lower: Vec<Spot> = piece.iter().map(|edge| along.turn((edge.0, edge.1))).collect();
+                let upper: Vec<Spot> = piece.iter().map(|edge| along.turn((edge.0, edge.2))).collect();
                 taken.area(&lower, &upper, &frame.rect);
                 let back = thin(&lower, TOLERANCE).into_iter().rev();
                 outlines.push(thin(&upper, TOLERANCE).into_iter().chain(back).collect());
             }
             canvas.polygons(outlines.iter().map(Vec::as_slice), colour, layer.opacity);
         }
-        Shape::Bars(bins) => draw_bars(canvas, frame, layer, bins, taken),
+        Shape::Bars(bins, along) => draw_bars(canvas, frame, layer, (bins, *along), taken),
         Shape::Level(..) | Shape::Slope { .. } => {
             let lines = reference(frame, layer);
             draw_lines(canvas, &lines, Stroke { colour, width: REFERENCE, dash: layer.dash }, frame, taken);
@@ -113,7 +114,7 @@ pub(super) fn draw_key(canvas: &mut Canvas, layer: &Layer, key: &Rect) {
         }
         Shape::Points(_, marker) => markers(canvas, &[middle], *marker, layer),
         Shape::Raster(raster) => canvas.rect(key, raster.map.rgb(0.75), layer.opacity),
-        Shape::Band(_) | Shape::Bars(_) | Shape::Region(..) => canvas.rect(key, colour, layer.opacity),
+        Shape::Band(..) | Shape::Bars(..) | Shape::Region(..) => canvas.rect(key, colour, layer.opacity),
         Shape::Note(_) => {}
     }
 }
@@ -150,15 +151,30 @@ fn draw_lines(canvas: &mut Canvas, lines: &[Vec<Spot>], stroke: Stroke, frame: &
     canvas.lines(thinned.iter().map(Vec::as_slice), stroke);
 }
 
-fn draw_bars(canvas: &mut Canvas, frame: &Frame, layer: &Layer, bins: &[(f64, f64, f64)], taken: &mut Taken) {
-    let floor = frame.y(0.0).unwrap_or(frame.rect.bottom);
+fn draw_bars(
+    canvas: &mut Canvas,
+    frame: &Frame,
+    layer: &Layer,
+    (bins, along): (&[(f64, f64, f64)], Direction),
+    taken: &mut Taken,
+) {
+    let across = along.other();
+    let floor = frame.on(across, 0.0).unwrap_or(frame.start(across));
     let mut outlines = Vec::new();
     for &(from, to, height) in bins {
-        let (Some(left), Some(right), Some(top)) = (frame.x(from), frame.x(to), frame.y(height)) else {
+        let (Some(left), Some(right), Some(top)) =
+            (frame.on(along, from), frame.on(along, to), frame.on(across, height))
+        else {
             continue;
         };
-        taken.area(&[(left, floor), (right, floor)], &[(left, top), (right, top)], &frame.rect);
-        outlines.push([(left, floor), (left, top), (right, top), (right, floor)]);
+        let [first, second, third, last] =
+            [(left, floor), (left, top), (right, top), (right, floor)].map(|corner| along.turn(corner));
+        // An area is taken between edges one above the other.
+        match along {
+            Direction::X => taken.area(&[first, last], &[second, third], &frame.rect),
+            Direction::Y => taken.area(&[first, second], &[last, third], &frame.rect),
+        }
+        outlines.push([first, second, third, last]);
     }
     canvas.polygons(outlines.iter().map(|o| o.as_slice()), layer.colour.rgb(), layer.opacity);
     canvas.lines(outlines.iter().map(|o| o.as_slice()), Stroke::solid(layer.colour.rgb(), 0.7));

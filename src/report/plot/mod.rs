@@ -23,6 +23,7 @@
 //! | `place` | where labels and legend stand clear of the data |
 //! | `legend` | names of the layers |
 //! | `label` | texts beside references, in regions and at points |
+//! | `joint` | a plot with the distributions of its two quantities |
 //! | `draw` | puts a figure together |
 
 mod axes;
@@ -31,6 +32,7 @@ mod canvas;
 mod clip;
 mod colour;
 mod draw;
+mod joint;
 mod label;
 mod layer;
 mod legend;
@@ -160,6 +162,18 @@ impl Plot {
         self
     }
 
+    /// The same with x and y exchanged.
+    fn sideways(mut self) -> Self {
+        std::mem::swap(&mut self.x, &mut self.y);
+        self.layers = self.layers.into_iter().map(Layer::sideways).collect();
+        self
+    }
+
+    fn without_fields(mut self) -> Self {
+        self.layers.retain(|layer| !matches!(layer.shape, Shape::Raster(_)));
+        self
+    }
+
     fn is_linear(&self) -> bool {
         [self.x.spread, self.y.spread] == [Spread::Linear; 2]
     }
@@ -182,6 +196,8 @@ impl Plot {
 enum Arrangement {
     Column,
     Row,
+    /// The main plot, the one above it, the one at its right on its side.
+    Joint,
 }
 
 /// Several plots in one picture.
@@ -202,6 +218,15 @@ impl Figure {
     /// Plots side by side, each narrower.
     pub fn row(title: impl Into<String>, plots: Vec<Plot>) -> Self {
         Self { title: title.into(), plots, arrangement: Arrangement::Row }
+    }
+
+    /// A main plot with a low one above it that shares its x axis exactly, and a narrow one at its right
+    /// that shares its y axis exactly. Both are given as they would stand alone, with the shared quantity
+    /// along x; the right one is laid on its side. Their x axes, titles and heights do not count.
+    /// They hold bars and lines, bands and references; fields belong in the main plot.
+    pub fn joint(title: impl Into<String>, main: Plot, top: Plot, right: Plot) -> Self {
+        let plots = vec![main, top.without_fields(), right.without_fields().sideways()];
+        Self { title: title.into(), plots, arrangement: Arrangement::Joint }
     }
 
     /// Draws the figure; 720 CSS pixels wide, 1080 for plots side by side.

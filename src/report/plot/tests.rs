@@ -275,3 +275,79 @@ fn an_image_stands_upright() {
     assert_eq!(image(falling.clone(), rising.clone()), turned([1, 0, 3, 2]));
     assert_eq!(image(rising, falling), turned([2, 3, 0, 1]));
 }
+
+#[test]
+fn marginal_plots_share_the_axes_of_the_main_one() {
+    let points = [(0.0, 1.0), (3.0, 2.0), (9.0, 7.0), (f64::NAN, 1.0)];
+    let main = || {
+        Plot::new("main", Axis::linear("height"), Axis::linear("radius"))
+            .with(Layer::raster(Raster::of_points(points, (0.0, 10.0), (0.0, 8.0), 20, 16)))
+    };
+    let side = |edges: &[f64]| {
+        let bars = Layer::bars(edges, &[0.1, 0.2]).named("asperities");
+        Plot::new("", Axis::linear("own axis"), Axis::linear("density"))
+            .with(bars)
+            .with(Layer::line([(edges[0], 0.1), (edges[2], 0.2)]).named("assumed"))
+            .with(Layer::raster(field(ColourMap::Diverging, 2, vec![1.0; 4])))
+    };
+    let svg = Figure::joint("t", main(), side(&[0.0, 5.0, 10.0]), side(&[0.0, 4.0, 8.0])).svg();
+    assert_sound(&svg);
+    assert_eq!((count(&svg, "<image"), count(&svg, "density\n"), count(&svg, "own axis")), (2, 2, 0));
+    assert_eq!((count(&svg, "asperities"), count(&svg, "assumed")), (1, 1));
+
+    // Top, right and main frames, in the order in which they are drawn.
+    let frames: Vec<[f64; 4]> = svg
+        .split("<svg x=\"")
+        .skip(1)
+        .map(|rest| rest.split_once("viewBox=\"").unwrap().1.split_once('"').unwrap().0)
+        .map(|text| text.split(' ').map(|number| number.parse().unwrap()).collect::<Vec<f64>>())
+        .map(|numbers| numbers.try_into().unwrap())
+        .collect();
+    let [top, right, main] = frames[..] else { panic!("{frames:?}") };
+    assert_eq!((top[0], top[2]), (main[0], main[2]));
+    assert_eq!((right[1], right[3]), (main[1], main[3]));
+    assert!(top[1] + top[3] < main[1] && main[0] + main[2] < right[0]);
+
+    // The two bars of either meet in the middle of the shared axis.
+    let corners: Vec<(f64, f64)> = svg
+        .split("<polygon points=\"")
+        .skip(1)
+        .flat_map(|rest| rest.split_once('"').unwrap().0.split(' '))
+        .map(|corner| corner.split_once(',').unwrap())
+        .map(|(x, y)| (x.parse().unwrap(), y.parse().unwrap()))
+        .collect();
+    assert_eq!(corners.len(), 16);
+    assert!((corners[4].0 - (main[0] + main[2] / 2.0)).abs() <= 1.0, "{corners:?}");
+    assert!((corners[12].1 - (main[1] + main[3] / 2.0)).abs() <= 1.0, "{corners:?}");
+    // Bars stand on the sides that face the main plot.
+    assert_eq!((corners[0].1, corners[8].0), (top[1] + top[3], right[0]));
+}
+
+#[test]
+fn what_lies_sideways_is_turned_back() {
+    let layers = [
+        Layer::line([(1.0, 2.0)]),
+        Layer::points([(1.0, 2.0)], Marker::Cross),
+        Layer::band([(1.0, 2.0, 3.0)]),
+        Layer::bars(&[1.0, 2.0], &[3.0]),
+        Layer::region_x(1.0, 2.0, "r"),
+        Layer::at_y(1.0, "l"),
+        Layer::slope((1.0, 2.0), 4.0, "s"),
+        Layer::note((1.0, 2.0), "n"),
+    ];
+    for layer in layers {
+        let turned = layer.clone().sideways();
+        let swapped: Vec<_> = layer.reach().iter().map(|point| (point.1, point.0)).collect();
+        assert_eq!(turned.reach(), swapped);
+        assert_ne!(format!("{turned:?}"), format!("{layer:?}"));
+        assert_eq!(format!("{:?}", turned.sideways()), format!("{layer:?}"));
+    }
+}
+
+#[test]
+fn a_joint_plot_without_data_says_so() {
+    let empty = || Plot::new("", Axis::log("x"), Axis::linear("y"));
+    let svg = Figure::joint("", empty(), empty(), empty()).svg();
+    assert_sound(&svg);
+    assert_eq!(count(&svg, "no data"), 3);
+}
