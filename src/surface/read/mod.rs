@@ -5,6 +5,7 @@
 //! | [`npy`] | NumPy array, whole or row by row | no | no |
 //! | `text` | matrix of numbers; with Gwyddion's header | no; yes | no; yes |
 //! | `xyz` | three columns of numbers | yes, in the unit | no |
+//! | `sdf` | ISO 25178-71 | yes | yes |
 //!
 //! Where a format holds its unit, a height beyond 1 km is the mark of a missing point. Heights beyond
 //! 10 m that are left are refused in every format: there a unit is wrong. The first index of a map is
@@ -13,6 +14,7 @@
 
 mod mapped;
 pub mod npy;
+mod sdf;
 mod table;
 mod text;
 mod xyz;
@@ -150,6 +152,7 @@ pub struct Matrix {
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Format {
     Npy,
+    Sdf,
     Text,
 }
 
@@ -160,6 +163,8 @@ impl Format {
         File::open(path)?.take(BEGIN).read_to_end(&mut begin)?;
         if begin.starts_with(npy::MAGIC) {
             Ok(Self::Npy)
+        } else if sdf::is_sdf(&begin) {
+            Ok(Self::Sdf)
         } else if begin.starts_with(b"\xff\xfe") || begin.starts_with(b"\xfe\xff") {
             Err(ReadError::Unsupported("is a text in UTF-16; allowed: UTF-8 or Latin-1".to_owned()))
         } else if begin.iter().all(|&byte| byte >= b' ' || byte.is_ascii_whitespace()) {
@@ -180,7 +185,7 @@ impl Format {
 
 /// Bytes that are looked at to tell the formats apart.
 const BEGIN: u64 = 4096;
-const FORMATS: &str = ".npy, a matrix of numbers or columns x y z as text";
+const FORMATS: &str = ".npy, SDF, a matrix of numbers or columns x y z as text";
 
 /// What the head of a file says, checked against its length. A text is read as a whole.
 ///
@@ -189,6 +194,7 @@ const FORMATS: &str = ".npy, a matrix of numbers or columns x y z as text";
 pub fn head(path: &Path) -> Result<Head, ReadError> {
     match Format::of(path)? {
         Format::Npy => Ok(npy::Head::read(path)?.map()),
+        Format::Sdf => sdf::head(path),
         Format::Text => Ok(text::measured(path)?.head),
     }
 }
@@ -200,6 +206,7 @@ pub fn head(path: &Path) -> Result<Head, ReadError> {
 pub fn measured(path: &Path) -> Result<Measured, ReadError> {
     match Format::of(path)? {
         Format::Npy => npy::measured(path),
+        Format::Sdf => sdf::measured(path),
         Format::Text => text::measured(path),
     }
 }

@@ -1,0 +1,303 @@
+//! Surface data files (ISO 25178-71), as text and binary: versions ISO-1.0 and ISO-2.0, and BCR-1.0
+//! that they come from.
+//!
+//! Scales are in metres. Missing points are BAD or NaN in a text; in both kinds also the least number
+//! of a signed integer or floating type and the greatest of an unsigned one, but not of single
+//! unsigned bytes, where the tallest point of a stretched picture has it. No check sum is defined
+//! beyond type 0, which is none; other types cannot be checked and are refused, as compression is.
+
+use std::fs::File;
+use std::io::Read;
+use std::path::Path;
+
+use super::{Head, Measured, ReadError, transposed};
+use crate::numeric::is_positive;
+
+const FORMAT: &str = "an SDF file";
+const FIELDS: &str = "NumPoints, NumProfiles, Xscale, Yscale, Zscale, Compression, DataType, CheckType";
+const VERSIONS: [&[u8]; 3] = [b"ISO-1.0", b"ISO-2.0", b"BCR-1.0"];
+/// Bytes of the head of a binary file, its counts being of two bytes.
+const HEAD: usize = 81;
+
+/// Whether a file begins as a surface data file: a or b, capitals, a hyphen and a digit.
+pub(super) fn is_sdf(begin: &[u8]) -> bool {
+    matches!(
+        begin,
+        [b'a' | b'b', b'A'..=b'Z', b'A'..=b'Z', b'A'..=b'Z', b'-', b'0'..=b'9', b'.', b'0'..=b'9', ..]
+    )
+}
+
+/// How numbers are stored (`DataType`).
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Stored {
+    U8,
+    U16,
+    U32,
+    F32,
+    I8,
+    I16,
+    I32,
+    F64,
+}
+
+impl Stored {
+    fn of(code: u8) -> Result<Self, ReadError> {
+        use Stored::{F32, F64, I8, I16, I32, U8, U16, U32};
+        [U8, U16, U32, F32, I8, I16, I32, F64].get(usize::from(code)).copied().ok_or_else(|| {
+            ReadError::Unsupported(format!("holds numbers of the DataType {code}; allowed: 0 to 7"))
+        })
+    }
+
+    const fn bytes(self) -> u64 {
+        match self {
+            Self::U8 | Self::I8 => 1,
+            Self::U16 | Self::I16 => 2,
+            Self::U32 | Self::I32 | Self::F32 => 4,
+            Self::F64 => 8,
+        }
+    }
+
+    fn marks_missing(self, value: f64) -> bool {
+        match self {
+            Self::U8 => false,
+            Self::U16 => value == f64::from(u16::MAX),
+            Self::U32 => value == f64::from(u32::MAX),
+            Self::I8 => value == f64::from(i8::MIN),
+            Self::I16 => value == f64::from(i16::MIN),
+            Self::I32 => value == f64::from(i32::MIN),
+            // A text may print the least number with fewer digits.
+            Self::F32 => value.abs() > 0.99 * f64::from(f32::MAX),
+            Self::F64 => value.abs() > 0.99 * f64::MAX,
+        }
+    }
+
+    /// Integers are scaled, which rounds.
+    const fn precision(self) -> f64 {
+        if matches!(self, Self::F32) { f32::EPSILON as f64 } else { f64::EPSILON }
+    }
+
+    fn values(self, bytes: &[u8]) -> Vec<f64> {
+        fn all<const BYTES: usize>(bytes: &[u8], value: impl Fn([u8; BYTES]) -> f64) -> Vec<f64> {
+            bytes.as_chunks::<BYTES>().0.iter().map(|&number| value(number)).collect()
+        }
+        match self {
+            Self::U8 => all(bytes, |[byte]| f64::from(byte)),
+            Self::U16 => all(bytes, |number| f64::from(u16::from_le_bytes(number))),
+            Self::U32 => all(bytes, |number| f64::from(u32::from_le_bytes(number))),
+            Self::F32 => all(bytes, |number| f64::from(f32::from_le_bytes(number))),
+            Self::I8 => all(bytes, |number| f64::from(i8::from_le_bytes(number))),
+            Self::I16 => all(bytes, |number| f64::from(i16::from_le_bytes(number))),
+            Self::I32 => all(bytes, |number| f64::from(i32::from_le_bytes(number))),
+            Self::F64 => all(bytes, f64::from_le_bytes),
+        }
+    }
+}
+
+/// What stands before the numbers.
+struct Fields {
+    points: u64,
+    profiles: u64,
+    x_scale: f64,
+    y_scale: f64,
+    z_scale: f64,
+    compression: u8,
+    data_type: u8,
+    check_type: u8,
+}
+
+/// Fields that are allowed.
+struct Checked {
+    head: Head,
+    count: u64,
+    z_scale: f64,
+    stored: Stored,
+}
+
+/// The head, checked against the length of the file.
+///
+/// # Errors
+/// See [`ReadError`].
+pub(super) fn head(path: &Path) -> Result<Head, ReadError> {
+    Ok(open(path)?.0.head)
+}
+
+/// Reads a map in metres.
+///
+/// # Errors
+/// See [`ReadError`].
+pub(super) fn measured(path: &Path) -> Result<Measured, ReadError> {
+    let (checked, body) = open(path)?;
+    let Checked { head, count, z_scale, stored } = checked;
+    let mut values = match body {
+        Body::Text(text) => text_values(&text, count)?,
+        Body::Binary { mut file, begin } => {
+            let mut bytes = Vec::new();
+            std::io::Seek::seek(&mut file, std::io::SeekFrom::Start(begin))?;
+            // `open` has found so many bytes in the file.
+            file.take(count * stored.bytes()).read_to_end(&mut bytes)?;
+            stored.values(&bytes)
+        }
+    };
+    if values.len() as u64 != count {
+        return Err(truncated(count, &format!("{} numbers", values.len())));
+    }
+    for value in &mut values {
+        *value = if stored.marks_missing(*value) { f64::NAN } else { *value * z_scale };
+    }
+    let heights = transposed(&values, head.points[0]);
+    Ok(Measured { head, heights, precision: stored.precision() })
+}
+
+/// The numbers, not yet read.
+enum Body {
+    Text(String),
+    Binary { file: File, begin: u64 },
+}
+
+fn open(path: &Path) -> Result<(Checked, Body), ReadError> {
+    let mut file = File::open(path)?;
+    let length = file.metadata()?.len();
+    let mut begin = Vec::new();
+    // Counts of four bytes make the head of version 2 four bytes longer.
+    (&mut file).take(HEAD as u64 + 4).read_to_end(&mut begin)?;
+    let (Some(kind), Some(version)) = (begin.first(), begin.get(1..8)) else {
+        return Err(ReadError::Mismatch("is no SDF file: it is shorter than a version".to_owned()));
+    };
+    if !VERSIONS.contains(&version) {
+        return Err(ReadError::Unsupported(format!(
+            "is an SDF file of the version {}; allowed: ISO-1.0, ISO-2.0, BCR-1.0",
+            version.escape_ascii()
+        )));
+    }
+    if *kind == b'a' {
+        let bytes = std::fs::read(path)?;
+        let text = String::from_utf8_lossy(&bytes);
+        let mut parts = text.splitn(3, '*');
+        let (Some(header), Some(numbers)) = (parts.next(), parts.next()) else {
+            return Err(ReadError::Corrupt("is truncated: no * ends its header".to_owned()));
+        };
+        let checked = Fields::of_text(header)?.check()?;
+        // The shortest number and its separator.
+        if checked.count > numbers.len() as u64 / 2 + 1 {
+            return Err(truncated(checked.count, &format!("{} characters", numbers.len())));
+        }
+        return Ok((checked, Body::Text(numbers.to_owned())));
+    }
+    let wide = version == b"ISO-2.0";
+    let head_length = HEAD as u64 + if wide { 4 } else { 0 };
+    let fields = Fields::of_binary(&begin, wide)
+        .ok_or_else(|| ReadError::Corrupt("is truncated: it ends within its header".to_owned()))?;
+    let checked = fields.check()?;
+    let body = length.saturating_sub(head_length);
+    let bytes = checked.count.checked_mul(checked.stored.bytes()).filter(|&bytes| bytes <= body);
+    let bytes = bytes.ok_or_else(|| truncated(checked.count, &format!("{body} bytes")))?;
+    // Microscopes of Olympus write eight bytes more before the numbers, two counts of 5 and 1; nothing
+    // is said of them but their size.
+    let extra = if version == b"ISO-1.0" && body == bytes + 8 && is_olympus(&mut file)? { 8 } else { 0 };
+    Ok((checked, Body::Binary { file, begin: head_length + extra }))
+}
+
+fn is_olympus(file: &mut File) -> std::io::Result<bool> {
+    let mut words = [0; 8];
+    std::io::Seek::seek(file, std::io::SeekFrom::Start(HEAD as u64))?;
+    file.read_exact(&mut words)?;
+    Ok(words == [5, 0, 0, 0, 1, 0, 0, 0])
+}
+
+fn truncated(count: u64, found: &str) -> ReadError {
+    ReadError::Corrupt(format!("is truncated: its header says {count} points, {found} are there"))
+}
+
+impl Fields {
+    fn of_binary(begin: &[u8], wide: bool) -> Option<Self> {
+        let mut rest = begin.get(42..)?;
+        let mut count = || {
+            if wide {
+                rest.split_off(..4)?.try_into().ok().map(u32::from_le_bytes).map(u64::from)
+            } else {
+                rest.split_off(..2)?.try_into().ok().map(u16::from_le_bytes).map(u64::from)
+            }
+        };
+        let (points, profiles) = (count()?, count()?);
+        let mut scale = || rest.split_off(..8)?.try_into().ok().map(f64::from_le_bytes);
+        let (x_scale, y_scale, z_scale, _resolution) = (scale()?, scale()?, scale()?, scale()?);
+        let &[compression, data_type, check_type, ..] = rest else { return None };
+        Some(Self { points, profiles, x_scale, y_scale, z_scale, compression, data_type, check_type })
+    }
+
+    fn of_text(header: &str) -> Result<Self, ReadError> {
+        fn field<T: std::str::FromStr>(header: &str, key: &str) -> Result<T, ReadError> {
+            let mut entries = header.lines().filter_map(|line| line.split_once('='));
+            let Some((_, value)) = entries.find(|(name, _)| name.trim().eq_ignore_ascii_case(key)) else {
+                return Err(ReadError::Corrupt(format!("has no {key} in its header; allowed: {FIELDS}")));
+            };
+            value.trim().parse().map_err(|_| {
+                let found: String = value.trim().chars().take(40).collect();
+                ReadError::Corrupt(format!("has {key} = \"{found}\"; allowed: a number"))
+            })
+        }
+        Ok(Self {
+            points: field(header, "NumPoints")?,
+            profiles: field(header, "NumProfiles")?,
+            x_scale: field(header, "Xscale")?,
+            y_scale: field(header, "Yscale")?,
+            z_scale: field(header, "Zscale")?,
+            compression: field(header, "Compression")?,
+            data_type: field(header, "DataType")?,
+            check_type: field(header, "CheckType")?,
+        })
+    }
+
+    fn check(&self) -> Result<Checked, ReadError> {
+        let unsupported = |what: &str, code: u8| {
+            Err(ReadError::Unsupported(format!("has the {what} {code}; allowed: 0, which is none")))
+        };
+        if self.compression > 0 && self.compression != b'0' {
+            return unsupported("Compression", self.compression);
+        }
+        if self.check_type > 0 && self.check_type != b'0' {
+            return unsupported("CheckType", self.check_type);
+        }
+        let stored = Stored::of(self.data_type)?;
+        if self.profiles == 1 {
+            return Err(ReadError::Unsupported("holds a single profile; allowed: surfaces".to_owned()));
+        }
+        for (key, scale) in [("Xscale", self.x_scale), ("Yscale", self.y_scale), ("Zscale", self.z_scale)] {
+            if !is_positive(scale) {
+                return Err(ReadError::Corrupt(format!(
+                    "has {key} = {scale:e}; allowed: positive and finite, in metres"
+                )));
+            }
+        }
+        let size = |count: u64| usize::try_from(count).ok();
+        let (Some(nx), Some(ny), Some(count)) =
+            (size(self.points), size(self.profiles), self.points.checked_mul(self.profiles))
+        else {
+            return Err(ReadError::Corrupt("claims to hold more numbers than any file can".to_owned()));
+        };
+        let pixel = Some([self.x_scale, self.y_scale]);
+        let head = Head { points: [nx, ny], pixel, has_unit: true, format: FORMAT };
+        Ok(Checked { head, count, z_scale: self.z_scale, stored })
+    }
+}
+
+/// The numbers of a text up to the asterisk after them.
+fn text_values(numbers: &str, count: u64) -> Result<Vec<f64>, ReadError> {
+    let value = |(place, word): (usize, &str)| {
+        if word.eq_ignore_ascii_case("BAD") {
+            return Ok(f64::NAN);
+        }
+        word.parse().map_err(|_| {
+            let found: String = word.chars().take(40).collect();
+            ReadError::Corrupt(format!("number {place}: found \"{found}\"; allowed: a number, BAD or NaN"))
+        })
+    };
+    let values: Vec<f64> = (1..).zip(numbers.split_whitespace()).map(value).collect::<Result<_, _>>()?;
+    if values.len() as u64 > count {
+        return Err(ReadError::Corrupt(format!(
+            "holds {} numbers; allowed: {count}, as its header says",
+            values.len()
+        )));
+    }
+    Ok(values)
+}
