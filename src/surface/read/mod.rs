@@ -5,6 +5,7 @@
 //! | [`npy`] | NumPy array, whole or row by row | no | no |
 //! | `text` | matrix of numbers; with Gwyddion's header | no; yes | no; yes |
 //! | `xyz` | three columns of numbers | yes, in the unit | no |
+//! | `x3p` | ISO 25178-72 | yes | yes |
 //! | `sdf` | ISO 25178-71 | yes | yes |
 //!
 //! Where a format holds its unit, a height beyond 1 km is the mark of a missing point. Heights beyond
@@ -17,6 +18,7 @@ pub mod npy;
 mod sdf;
 mod table;
 mod text;
+mod x3p;
 mod xyz;
 
 use std::fs::File;
@@ -154,6 +156,7 @@ enum Format {
     Npy,
     Sdf,
     Text,
+    X3p,
 }
 
 impl Format {
@@ -165,6 +168,8 @@ impl Format {
             Ok(Self::Npy)
         } else if sdf::is_sdf(&begin) {
             Ok(Self::Sdf)
+        } else if begin.starts_with(x3p::MAGIC) {
+            Ok(Self::X3p)
         } else if begin.starts_with(b"\xff\xfe") || begin.starts_with(b"\xfe\xff") {
             Err(ReadError::Unsupported("is a text in UTF-16; allowed: UTF-8 or Latin-1".to_owned()))
         } else if begin.iter().all(|&byte| byte >= b' ' || byte.is_ascii_whitespace()) {
@@ -185,7 +190,7 @@ impl Format {
 
 /// Bytes that are looked at to tell the formats apart.
 const BEGIN: u64 = 4096;
-const FORMATS: &str = ".npy, SDF, a matrix of numbers or columns x y z as text";
+const FORMATS: &str = ".npy, X3P, SDF, a matrix of numbers or columns x y z as text";
 
 /// What the head of a file says, checked against its length. A text is read as a whole.
 ///
@@ -196,6 +201,7 @@ pub fn head(path: &Path) -> Result<Head, ReadError> {
         Format::Npy => Ok(npy::Head::read(path)?.map()),
         Format::Sdf => sdf::head(path),
         Format::Text => Ok(text::measured(path)?.head),
+        Format::X3p => x3p::head(path),
     }
 }
 
@@ -208,6 +214,7 @@ pub fn measured(path: &Path) -> Result<Measured, ReadError> {
         Format::Npy => npy::measured(path),
         Format::Sdf => sdf::measured(path),
         Format::Text => text::measured(path),
+        Format::X3p => x3p::measured(path),
     }
 }
 

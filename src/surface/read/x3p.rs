@@ -1,0 +1,394 @@
+//! X3P (ISO 25178-72): a zip archive of `main.xml` and, mostly, a binary file of heights.
+//!
+//! A height is stored number x Increment + Offset of the z axis, in metres, whatever the type of the
+//! numbers; a Rotation places the whole map in space, changes no height above its own plane and is not
+//! applied. The archive and the XML are read with zip and roxmltree themselves and not with verity-x3p
+//! 0.2, which leaves out the Increment of floating heights and the file of valid points, allocates the
+//! size that an entry claims, and reads no heights from XML.
+
+use std::fs::File;
+use std::io::{BufReader, ErrorKind, Read};
+use std::path::Path;
+
+use md5::{Digest, Md5};
+use roxmltree::{Document, Node};
+use zip::ZipArchive;
+use zip::result::ZipError;
+
+use super::{Head, Measured, ReadError, transposed};
+use crate::numeric::{LARGEST, is_positive};
+
+/// How every zip archive that is not empty begins.
+pub(super) const MAGIC: &[u8; 4] = b"PK\x03\x04";
+
+const FORMAT: &str = "an X3P file";
+const MAIN: &str = "main.xml";
+/// The XML is held as a whole; the standard puts more than 10 000 heights into a binary file.
+const LONGEST_XML: u64 = 32 << 20;
+
+/// How numbers are stored.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Stored {
+    I16,
+    I32,
+    F32,
+    F64,
+}
+
+impl Stored {
+    const fn bytes(self) -> u64 {
+        match self {
+            Self::I16 => 2,
+            Self::I32 | Self::F32 => 4,
+            Self::F64 => 8,
+        }
+    }
+
+    fn values(self, bytes: &[u8]) -> Vec<f64> {
+        fn all<const BYTES: usize>(bytes: &[u8], value: impl Fn([u8; BYTES]) -> f64) -> Vec<f64> {
+            bytes.as_chunks::<BYTES>().0.iter().map(|&number| value(number)).collect()
+        }
+        match self {
+            Self::I16 => all(bytes, |number| f64::from(i16::from_le_bytes(number))),
+            Self::I32 => all(bytes, |number| f64::from(i32::from_le_bytes(number))),
+            Self::F32 => all(bytes, |number| f64::from(f32::from_le_bytes(number))),
+            Self::F64 => all(bytes, f64::from_le_bytes),
+        }
+    }
+}
+
+/// A file within the archive, and its check sum if there is one.
+struct Link {
+    name: String,
+    md5: Option<String>,
+}
+
+enum Heights {
+    /// In the XML; NaN where missing.
+    Listed(Vec<f64>),
+    /// In a file, with a file of one bit a point that is set where the point is valid.
+    Linked { heights: Link, valid: Option<Link> },
+}
+
+/// What `main.xml` says.
+struct Main {
+    head: Head,
+    count: u64,
+    stored: Stored,
+    increment: f64,
+    offset: f64,
+    heights: Heights,
+}
+
+struct Archive(ZipArchive<BufReader<File>>);
+
+/// The head, its links checked against the sizes of the files in the archive.
+///
+/// # Errors
+/// See [`ReadError`].
+pub(super) fn head(path: &Path) -> Result<Head, ReadError> {
+    let mut archive = Archive::open(path)?;
+    let main = archive.main()?;
+    if let Heights::Linked { heights, valid } = &main.heights {
+        archive.sized(&heights.name, main.bytes()?)?;
+        if let Some(valid) = valid {
+            archive.sized(&valid.name, main.count.div_ceil(8))?;
+        }
+    }
+    Ok(main.head)
+}
+
+/// Reads a map in metres.
+///
+/// # Errors
+/// See [`ReadError`].
+pub(super) fn measured(path: &Path) -> Result<Measured, ReadError> {
+    let mut archive = Archive::open(path)?;
+    let main = archive.main()?;
+    let bytes = main.bytes()?;
+    let Main { head, count, stored, increment, offset, heights } = main;
+    let mut values = match heights {
+        Heights::Listed(values) => values,
+        Heights::Linked { heights, valid } => {
+            let mut values = stored.values(&archive.linked(&heights, bytes)?);
+            if let Some(valid) = valid {
+                let valid = archive.linked(&valid, count.div_ceil(8))?;
+                let bits = valid.iter().flat_map(|byte| (0..8).map(move |bit| byte >> bit & 1 == 1));
+                for (value, _) in values.iter_mut().zip(bits).filter(|(_, is_valid)| !is_valid) {
+                    *value = f64::NAN;
+                }
+            }
+            values
+        }
+    };
+    for value in &mut values {
+        *value = *value * increment + offset;
+    }
+    // Integers are scaled, which rounds.
+    let precision = if stored == Stored::F32 { f64::from(f32::EPSILON) } else { f64::EPSILON };
+    Ok(Measured { head, heights: transposed(&values, head.points[0]), precision })
+}
+
+impl Archive {
+    fn open(path: &Path) -> Result<Self, ReadError> {
+        Ok(Self(ZipArchive::new(BufReader::new(File::open(path)?)).map_err(of_zip)?))
+    }
+
+    /// The entry called `name`, however its path is written.
+    fn find(&self, name: &str) -> Option<usize> {
+        let plain = |name: &str| {
+            let name = name.trim().replace('\\', "/").to_lowercase();
+            name.trim_start_matches("./").trim_start_matches('/').to_owned()
+        };
+        let wanted = plain(name);
+        let is_wanted =
+            |index| matches!(self.0.name_for_index(index), Some(Ok(name)) if plain(&name) == wanted);
+        (0..self.0.len()).find(|&index| is_wanted(index))
+    }
+
+    /// The index of the entry called `name`, which holds so many `bytes`.
+    fn sized(&mut self, name: &str, bytes: u64) -> Result<usize, ReadError> {
+        let index = self.find(name).ok_or_else(|| {
+            ReadError::Corrupt(format!(
+                "links to {name}, which is not in the archive; found: {}",
+                self.names()
+            ))
+        })?;
+        let found = self.0.by_index_raw(index).map_err(of_zip)?.size();
+        if found != bytes {
+            let kind = if found < bytes { "is truncated" } else { "is inconsistent" };
+            return Err(ReadError::Corrupt(format!(
+                "{kind}: {name} holds {found} bytes; allowed: {bytes}, as {MAIN} says"
+            )));
+        }
+        Ok(index)
+    }
+
+    fn names(&self) -> String {
+        self.0.file_names().flatten().take(8).collect::<Vec<_>>().join(", ")
+    }
+
+    /// What an entry holds, at most `most` bytes, whatever its size is said to be.
+    fn content(&mut self, index: usize, most: u64) -> Result<Vec<u8>, ReadError> {
+        let mut content = Vec::new();
+        let entry = self.0.by_index(index).map_err(of_zip)?;
+        entry.take(most.saturating_add(1)).read_to_end(&mut content).map_err(of_io)?;
+        if content.len() as u64 > most {
+            return Err(ReadError::Unsupported(format!(
+                "holds a file of more than {most} bytes; allowed: so many"
+            )));
+        }
+        Ok(content)
+    }
+
+    /// What a link leads to: so many `bytes`, their check sum compared.
+    fn linked(&mut self, link: &Link, bytes: u64) -> Result<Vec<u8>, ReadError> {
+        let index = self.sized(&link.name, bytes)?;
+        let content = self.content(index, bytes)?;
+        if content.len() as u64 != bytes {
+            return Err(ReadError::Corrupt(format!(
+                "is truncated: {} holds {} bytes; allowed: {bytes}",
+                link.name,
+                content.len()
+            )));
+        }
+        check_md5(&link.name, &content, link.md5.as_deref())?;
+        Ok(content)
+    }
+
+    fn main(&mut self) -> Result<Main, ReadError> {
+        let index = self.find(MAIN).ok_or_else(|| {
+            ReadError::Mismatch(format!(
+                "is a zip archive without {MAIN}, no X3P file; found: {}",
+                self.names()
+            ))
+        })?;
+        let content = self.content(index, LONGEST_XML)?;
+        // Its check sum is in a file beside it: "1234... *main.xml".
+        if let Some(index) = self.find("md5checksum.hex") {
+            let line = String::from_utf8_lossy(&self.content(index, 4096)?).into_owned();
+            check_md5(MAIN, &content, line.split_whitespace().next())?;
+        }
+        let text = String::from_utf8(content)
+            .unwrap_or_else(|error| error.into_bytes().iter().map(|&byte| char::from(byte)).collect());
+        let document = Document::parse(text.trim_start_matches('\u{feff}'))
+            .map_err(|error| ReadError::Corrupt(format!("holds a {MAIN} that is no XML: {error}")))?;
+        Main::parse(document.root_element())
+    }
+}
+
+fn check_md5(name: &str, content: &[u8], wanted: Option<&str>) -> Result<(), ReadError> {
+    let Some(wanted) = wanted.filter(|wanted| !wanted.is_empty()) else { return Ok(()) };
+    let found: String = Md5::digest(content).iter().map(|byte| format!("{byte:02x}")).collect();
+    if found.eq_ignore_ascii_case(wanted) {
+        return Ok(());
+    }
+    Err(ReadError::Corrupt(format!(
+        "is damaged: {name} has the MD5 sum {found}; allowed: {wanted}, as the file says"
+    )))
+}
+
+fn of_zip(error: ZipError) -> ReadError {
+    match error {
+        ZipError::Io(error) => of_io(error),
+        ZipError::UnsupportedArchive(reason) => {
+            ReadError::Unsupported(format!("is packed otherwise: {reason}"))
+        }
+        error => ReadError::Corrupt(format!("is no sound zip archive: {error}")),
+    }
+}
+
+fn of_io(error: std::io::Error) -> ReadError {
+    match error.kind() {
+        ErrorKind::UnexpectedEof | ErrorKind::InvalidData | ErrorKind::InvalidInput | ErrorKind::Other => {
+            ReadError::Corrupt(format!("is no sound zip archive: {error}"))
+        }
+        _ => ReadError::Io(error),
+    }
+}
+
+/// The first child with this name in any namespace.
+fn child<'a>(node: Node<'a, 'a>, name: &str) -> Option<Node<'a, 'a>> {
+    node.children().find(|child| child.tag_name().name() == name)
+}
+
+/// The words at the end of a path of names; `None` if there are none.
+fn words<'a>(node: Node<'a, 'a>, path: &[&str]) -> Option<&'a str> {
+    let node = path.iter().try_fold(node, |node, name| child(node, name))?;
+    node.text().map(str::trim).filter(|text| !text.is_empty())
+}
+
+fn missing(path: &[&str]) -> ReadError {
+    ReadError::Corrupt(format!("has no {} in {MAIN}", path.join("/")))
+}
+
+fn needed<'a>(node: Node<'a, 'a>, path: &[&str]) -> Result<&'a str, ReadError> {
+    words(node, path).ok_or_else(|| missing(path))
+}
+
+/// A finite number, or `default` if it is left out.
+fn number(node: Node, path: &[&str], default: Option<f64>) -> Result<f64, ReadError> {
+    let Some(text) = words(node, path) else { return default.ok_or_else(|| missing(path)) };
+    text.parse().ok().filter(|value: &f64| value.abs() <= LARGEST).ok_or_else(|| {
+        ReadError::Corrupt(format!("has {} = \"{text}\" in {MAIN}; allowed: a finite number", path.join("/")))
+    })
+}
+
+fn size(node: Node, axis: &str) -> Result<u64, ReadError> {
+    let path = ["MatrixDimension", axis];
+    let text = needed(node, &path)?;
+    text.parse().map_err(|_| {
+        ReadError::Corrupt(format!("has {} = \"{text}\" in {MAIN}; allowed: a whole number", path.join("/")))
+    })
+}
+
+impl Main {
+    /// Bytes of the heights.
+    fn bytes(&self) -> Result<u64, ReadError> {
+        self.count.checked_mul(self.stored.bytes()).ok_or_else(too_large)
+    }
+
+    fn parse(root: Node) -> Result<Self, ReadError> {
+        let name = root.tag_name().name();
+        if name != "ISO5436_2" {
+            return Err(ReadError::Mismatch(format!(
+                "is no X3P file: its {MAIN} is of {name}, not of ISO5436_2"
+            )));
+        }
+        let part = |name| child(root, name).ok_or_else(|| missing(&[name]));
+        let (header, data) = (part("Record1")?, part("Record3")?);
+        let only = |path: &[&str], allowed: &str, meaning: &str, default: Option<&'static str>| {
+            let found = words(header, path).or(default).ok_or_else(|| missing(path))?;
+            if found == allowed {
+                return Ok(());
+            }
+            let found: String = found.chars().take(40).collect();
+            Err(ReadError::Unsupported(format!(
+                "has {} = {found}; allowed: {allowed}, which is {meaning}",
+                path.join("/")
+            )))
+        };
+        only(&["FeatureType"], "SUR", "a surface", None)?;
+        only(&["Axes", "CX", "AxisType"], "I", "an even spacing", None)?;
+        only(&["Axes", "CY", "AxisType"], "I", "an even spacing", None)?;
+        only(&["Axes", "CZ", "AxisType"], "A", "a height for each point", Some("A"))?;
+        let (nx, ny, layers) = (size(data, "SizeX")?, size(data, "SizeY")?, size(data, "SizeZ")?);
+        if layers != 1 {
+            return Err(ReadError::Unsupported(format!("holds {layers} layers; allowed: one")));
+        }
+        let mut pixel = [0.0; 2];
+        for (size, axis) in pixel.iter_mut().zip(["CX", "CY"]) {
+            *size = number(header, &["Axes", axis, "Increment"], None)?;
+            if !is_positive(*size) {
+                return Err(ReadError::Corrupt(format!(
+                    "has Axes/{axis}/Increment = {size:e}; allowed: positive, in metres"
+                )));
+            }
+        }
+        let increment = number(header, &["Axes", "CZ", "Increment"], Some(1.0))?;
+        if increment == 0.0 {
+            return Err(ReadError::Corrupt("has Axes/CZ/Increment = 0; allowed: other than zero".to_owned()));
+        }
+        let offset = number(header, &["Axes", "CZ", "Offset"], Some(0.0))?;
+        let stored = match words(header, &["Axes", "CZ", "DataType"]).unwrap_or("D") {
+            "I" => Stored::I16,
+            "L" => Stored::I32,
+            "F" => Stored::F32,
+            "D" => Stored::F64,
+            found => {
+                let found: String = found.chars().take(40).collect();
+                return Err(ReadError::Unsupported(format!(
+                    "has Axes/CZ/DataType = {found}; allowed: I, L, F, D"
+                )));
+            }
+        };
+        let count = nx.checked_mul(ny).ok_or_else(too_large)?;
+        let length = |length: u64| usize::try_from(length).map_err(|_| too_large());
+        let points = [length(nx)?, length(ny)?];
+        let heights = if let Some(list) = child(data, "DataList") {
+            Heights::Listed(listed(list, count)?)
+        } else {
+            let link = |path: &[&str], md5: &str| {
+                words(data, path).map(|name| Link {
+                    name: name.to_owned(),
+                    md5: words(data, &["DataLink", md5]).map(str::to_owned),
+                })
+            };
+            let path = ["DataLink", "PointDataLink"];
+            Heights::Linked {
+                heights: link(&path, "MD5ChecksumPointData").ok_or_else(|| missing(&path))?,
+                valid: link(&["DataLink", "ValidPointsLink"], "MD5ChecksumValidPoints"),
+            }
+        };
+        let head = Head { points, pixel: Some(pixel), has_unit: true, format: FORMAT };
+        Ok(Self { head, count, stored, increment, offset, heights })
+    }
+}
+
+fn too_large() -> ReadError {
+    ReadError::Corrupt("claims to hold more numbers than any file can".to_owned())
+}
+
+/// The heights of a DataList: one Datum a point, empty where the point is missing.
+fn listed(list: Node, count: u64) -> Result<Vec<f64>, ReadError> {
+    let data = list.children().filter(|node| node.tag_name().name() == "Datum");
+    let value = |(place, node): (usize, Node)| {
+        let text = node.text().unwrap_or_default().trim();
+        if text.is_empty() {
+            return Ok(f64::NAN);
+        }
+        text.parse().map_err(|_| {
+            let found: String = text.chars().take(40).collect();
+            ReadError::Corrupt(format!("Datum {place}: found \"{found}\"; allowed: a number, or nothing"))
+        })
+    };
+    let values: Vec<f64> = (1..).zip(data).map(value).collect::<Result<_, _>>()?;
+    if values.len() as u64 != count {
+        let kind = if (values.len() as u64) < count { "is truncated" } else { "is inconsistent" };
+        return Err(ReadError::Corrupt(format!(
+            "{kind}: its DataList holds {} heights; allowed: {count}, as MatrixDimension says",
+            values.len()
+        )));
+    }
+    Ok(values)
+}
