@@ -5,7 +5,8 @@ use std::process::ExitCode;
 use std::time::Instant;
 
 use asperity::experiment::progress::{Progress, Silent};
-use asperity::experiment::{Experiment, Refusal, TEMPLATE};
+use asperity::experiment::results::Results;
+use asperity::experiment::{Experiment, FileWords, Refusal, TEMPLATE};
 use asperity::report::store::{Store, StoreError};
 use asperity::report::{self, Index, MARK, ReportError};
 use clap::{Args, Parser, Subcommand};
@@ -53,6 +54,15 @@ enum Command {
         /// Name of the spec; NAME.toml is written
         name: PathBuf,
     },
+    /// Look at one surface: of a measured file, or each of a spec
+    Surface {
+        /// A height map (.npy, text, XYZ, X3P, SDF), or a spec
+        file: PathBuf,
+        #[command(flatten)]
+        words: Words,
+        #[command(flatten)]
+        options: RunOptions,
+    },
     /// Compare freshly made reports with those in another folder, number by number
     Verify {
         /// Folder of fresh reports
@@ -61,6 +71,35 @@ enum Command {
         #[arg(long, default_value = "reports")]
         out: PathBuf,
     },
+}
+
+/// What a spec says of a measured file.
+#[derive(Args)]
+struct Words {
+    /// Distance of points, where the file holds none: "0.8 um", or along x and y "0.8 um, 0.5 um"
+    #[arg(long)]
+    pixel: Option<String>,
+    /// Unit of the lengths in the file, where it holds none: um
+    #[arg(long)]
+    unit: Option<String>,
+    /// Form that is removed: none, mean, plane, quadratic
+    #[arg(long)]
+    level: Option<String>,
+    /// S filter (ISO 16610-61): what is shorter is removed: "2.5 um"
+    #[arg(long)]
+    s: Option<String>,
+    /// L filter (ISO 16610-61): what is longer is removed: "80 um"
+    #[arg(long)]
+    l: Option<String>,
+    /// Which neighbours a summit is higher than: four, eight
+    #[arg(long)]
+    neighbours: Option<String>,
+}
+
+impl From<Words> for FileWords {
+    fn from(Words { pixel, unit, level, s, l, neighbours }: Words) -> Self {
+        Self { pixel, unit, level, s, l, neighbours }
+    }
 }
 
 #[derive(Args)]
@@ -116,6 +155,7 @@ fn main() -> ExitCode {
         Some(Command::List { out }) => list(&out),
         Some(Command::Check { files }) => check(&files),
         Some(Command::New { name }) => new(&name),
+        Some(Command::Surface { file, words, options }) => surface(&file, words.into(), &options),
         Some(Command::Verify { fresh, out }) => verify(&fresh, &out),
     };
     match outcome {
@@ -184,18 +224,9 @@ fn read_all(files: &[PathBuf]) -> Result<Vec<Experiment>, Failure> {
 }
 
 fn run(files: &[PathBuf], options: &RunOptions) -> Result<(), Failure> {
-    if let Some(threads) = options.threads {
-        rayon::ThreadPoolBuilder::new()
-            .num_threads(threads.into())
-            .build_global()
-            .map_err(|error| Failure::Run(error.to_string()))?;
-    }
+    set_threads(options)?;
     let experiments = read_all(files)?;
-    let mut store = Store::new(&options.out);
-    store.recover()?;
-    for page in INDEX {
-        store.check_page(page, MARK)?;
-    }
+    let mut store = open_store(options)?;
     let mut failures: Vec<Failure> =
         experiments.iter().filter_map(|experiment| run_one(experiment, &mut store, options).err()).collect();
     if let Err(failure) = write_index(&mut store, &options.out) {
@@ -208,6 +239,40 @@ fn run(files: &[PathBuf], options: &RunOptions) -> Result<(), Failure> {
         failure.report();
     }
     Err(last)
+}
+
+fn set_threads(options: &RunOptions) -> Result<(), Failure> {
+    let Some(threads) = options.threads else { return Ok(()) };
+    rayon::ThreadPoolBuilder::new()
+        .num_threads(threads.into())
+        .build_global()
+        .map_err(|error| Failure::Run(error.to_string()))
+}
+
+/// The folder of reports, made whole again if a run was cut off, and ours to write to.
+fn open_store(options: &RunOptions) -> Result<Store, Failure> {
+    let mut store = Store::new(&options.out);
+    store.recover()?;
+    for page in INDEX {
+        store.check_page(page, MARK)?;
+    }
+    Ok(store)
+}
+
+/// Looks at surfaces: a table in the terminal, pages in the folder of reports.
+fn surface(file: &Path, words: FileWords, options: &RunOptions) -> Result<(), Failure> {
+    set_threads(options)?;
+    let experiment = Experiment::look(file, &words)?;
+    let mut store = open_store(options)?;
+    store.check(experiment.stem())?;
+    let results = run_and_write(&experiment, &mut store, options)?;
+    if let Results::Surfaces(found) = &results {
+        for surface in &found.surfaces {
+            say(options, &format!("\nsurface {}", surface.name));
+            say(options, report::surface::for_terminal(surface).trim_end());
+        }
+    }
+    write_index(&mut store, &options.out)
 }
 
 /// Writes the pages that lead to all reports, where they say something else than is there.
@@ -234,6 +299,18 @@ fn run_one(experiment: &Experiment, store: &mut Store, options: &RunOptions) -> 
         return Ok(());
     }
     store.check(experiment.stem())?;
+    run_and_write(experiment, store, options).map(|_| ())
+}
+
+/// Runs an experiment and writes its report.
+fn run_and_write(
+    experiment: &Experiment,
+    store: &mut Store,
+    options: &RunOptions,
+) -> Result<Results, Failure> {
+    let start = Instant::now();
+    let key = experiment.key()?;
+    let folder = options.out.join(experiment.stem());
     let results = if options.quiet {
         experiment.run(&Silent)?
     } else {
@@ -259,7 +336,7 @@ fn run_one(experiment: &Experiment, store: &mut Store, options: &RunOptions) -> 
         options,
         &format!("{} written: {} files in {} s", folder.display(), report.names().count(), seconds(start)),
     );
-    Ok(())
+    Ok(results)
 }
 
 fn say(options: &RunOptions, line: &str) {

@@ -47,6 +47,13 @@ impl Experiment {
     /// As [`Self::read`].
     pub fn look(path: &Path, words: &FileWords) -> Result<Self, Refusal> {
         let is_spec = path.extension().is_some_and(|ending| ending == "toml");
+        if is_spec && *words != FileWords::default() {
+            return Err(Refusal::file(
+                path,
+                "is a spec, which says everything of its surfaces itself; allowed with a spec: no pixel, unit, level, \
+                 filter or neighbours beside it",
+            ));
+        }
         let plan =
             if is_spec { Plan::look_at_spec(path)? } else { Plan::look_at_file(words.spec(path), path)? };
         Ok(Self { plan })
@@ -90,7 +97,7 @@ impl Experiment {
 }
 
 /// What a person says of a measured file, besides its path; the words are those of a spec.
-#[derive(Debug, Clone, Default)]
+#[derive(Debug, Clone, Default, PartialEq)]
 pub struct FileWords {
     /// A length, or two with a comma between them.
     pub pixel: Option<String>,

@@ -28,6 +28,8 @@ struct Entry {
     title: String,
     #[serde(default)]
     warnings: Vec<String>,
+    #[serde(default)]
+    files: Vec<String>,
 }
 
 impl Index {
@@ -53,7 +55,7 @@ impl Index {
         let page = |file: &str| {
             let mut page = Page::new("Reports");
             page.table(
-                ["report", "what it answers", "warnings", "tables"],
+                ["report", "what it answers", "warnings", "numbers"],
                 entries.iter().map(|(name, entry)| {
                     let link = |text: &str, file: &str| Cell::Link {
                         text: text.to_owned(),
@@ -66,7 +68,10 @@ impl Index {
                             0 => "none".to_owned(),
                             count => format!("{count}: read them first"),
                         }),
-                        link("comparison.csv", "comparison.csv"),
+                        match entry.files.iter().any(|file| file == "comparison.csv") {
+                            true => link("comparison.csv", "comparison.csv"),
+                            false => link("summary.json", "summary.json"),
+                        },
                     ]
                 }),
             );

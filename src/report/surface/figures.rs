@@ -4,7 +4,6 @@ use crate::asperity::Population;
 use crate::experiment::{Surface, Whole};
 use crate::report::plot::{Axis, Colour, ColourMap, Dash, Figure, Layer, Marker, Plot, Raster};
 use crate::surface::HeightMap;
-use crate::surface::Rows;
 use crate::surface::correlation::{Autocorrelation, RadialSpectrum};
 
 /// Normalised heights that are shown.

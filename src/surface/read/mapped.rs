@@ -29,7 +29,7 @@ pub struct MappedMap {
 
 impl Rows for MappedMap {
     fn points(&self) -> [usize; 2] {
-        self.array.points
+        self.array.points()
     }
 
     fn pixel(&self) -> [f64; 2] {
@@ -37,7 +37,7 @@ impl Rows for MappedMap {
     }
 
     fn precision(&self) -> f64 {
-        let precision = self.array.stored.precision();
+        let precision = self.array.precision();
         if self.unit == 1.0 { precision } else { precision.max(f64::EPSILON) }
     }
 
@@ -89,6 +89,11 @@ impl Mapped {
     /// Points along x, which is the first index, and y.
     pub fn points(&self) -> [usize; 2] {
         self.points
+    }
+
+    /// Relative precision of the stored numbers; 0 for integers.
+    pub fn precision(&self) -> f64 {
+        self.stored.precision()
     }
 
     /// Copies the heights at the index `ix` along x to `out`, in the unit of the file. Missing points,
