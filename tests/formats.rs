@@ -26,6 +26,8 @@ mod x3p;
 
 const NX: usize = 5;
 const NY: usize = 4;
+/// How often each sample is damaged.
+const DAMAGES: usize = 300;
 
 /// Heights of the map that is written in every format, by its indices; one point is missing.
 fn z(ix: usize, iy: usize) -> f64 {
@@ -78,6 +80,10 @@ fn in_lines() -> impl Iterator<Item = f64> {
     (0..NX * NY).map(|k| z(k % NX, k / NX))
 }
 
+fn sample(name: &str) -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/formats").join(name)
+}
+
 fn opd() -> HeightMap {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("experiments/surfaces/opd-1.npy");
     height_map(&path, Given { pixel: Some([1.9673303177114576e-7; 2]), unit: None }).unwrap()
@@ -99,4 +105,46 @@ fn assert_opd(bytes: impl AsRef<[u8]>, given: Given, precision: f64) {
         assert!((found - exact).abs() <= 5e-4, "{found} for {exact}");
     }
     assert_eq!(five_point(&levelled).heights.len(), 24714);
+}
+
+#[test]
+fn no_damage_to_a_file_is_a_panic() {
+    let numbers: Vec<u8> = in_lines().flat_map(f64::to_le_bytes).collect();
+    let header = "# Width: 10 um\n# Height: 12 um\n# Value units: nm\n";
+    let samples = [
+        format!("{header}{}", lines("\t", "NaN")).into_bytes(),
+        lines(";", "").into_bytes(),
+        text::points([0.5, 0.25], |x| x).into_bytes(),
+        sdf::Sdf::of("ISO-1.0", 7).text(&lines(" ", "BAD")).into_bytes(),
+        sdf::Sdf::of("ISO-2.0", 7).binary(&numbers),
+        x3p::X3p::linked("D", "1e-9", numbers.clone()).bytes(),
+    ];
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("map.dat");
+    let mut state = 1u64;
+    let mut random = |below: usize| {
+        state = state.wrapping_mul(6364136223846793005).wrapping_add(1442695040888963407);
+        (state >> 33) as usize % below
+    };
+    for sample in &samples {
+        for _ in 0..DAMAGES {
+            let mut bytes = sample.clone();
+            for _ in 0..=random(3) {
+                let place = random(bytes.len());
+                match random(4) {
+                    0 => bytes[place] = random(256) as u8,
+                    1 => bytes[place] = b"0;,.-eE9 \n\t*#"[random(13)],
+                    2 => bytes.truncate(place + 1),
+                    _ => drop(bytes.splice(place..place, [bytes[place], b'9'])),
+                }
+            }
+            std::fs::write(&path, &bytes).unwrap();
+            let given = Given { pixel: None, unit: None };
+            let (head, map) = (head(&path), height_map(&path, given));
+            // What has been read is as large as its head said.
+            if let (Ok(head), Ok(map)) = (head, map) {
+                assert_eq!(head.points, map.points());
+            }
+        }
+    }
 }

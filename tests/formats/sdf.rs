@@ -1,8 +1,10 @@
 //! Surface data files.
 
+use std::f64::consts::TAU;
+
 use super::*;
 
-struct Sdf {
+pub struct Sdf {
     version: &'static str,
     size: [u32; 2],
     scales: [f64; 3],
@@ -10,7 +12,7 @@ struct Sdf {
 }
 
 impl Sdf {
-    const fn of(version: &'static str, data_type: u8) -> Self {
+    pub const fn of(version: &'static str, data_type: u8) -> Self {
         Self {
             version,
             size: [NX as u32, NY as u32],
@@ -19,7 +21,7 @@ impl Sdf {
         }
     }
 
-    fn text(&self, numbers: &str) -> String {
+    pub fn text(&self, numbers: &str) -> String {
         let Self { version, size: [nx, ny], scales: [x, y, z], codes: [compression, data_type, check] } =
             self;
         format!(
@@ -30,7 +32,7 @@ impl Sdf {
         )
     }
 
-    fn binary(&self, numbers: &[u8]) -> Vec<u8> {
+    pub fn binary(&self, numbers: &[u8]) -> Vec<u8> {
         let mut bytes = format!("b{}TEST      010120260000010120260000", self.version).into_bytes();
         for count in self.size {
             bytes.extend(&count.to_le_bytes()[..if self.version == "ISO-2.0" { 4 } else { 2 }]);
@@ -48,7 +50,7 @@ fn sdf_binary_of_every_data_type() {
     macro_rules! check {
         ($($kind:ty, $code:literal, $missing:expr;)*) => {$(
             for version in ["ISO-1.0", "ISO-2.0", "BCR-1.0"] {
-                let missing: Option<$kind> = $missing;
+                let missing: Option<$kind> = ($missing)(version);
                 let stored = |z: f64| if z.is_nan() { missing.unwrap_or(0 as $kind) } else { (4.0 * z + 54.0) as $kind };
                 let numbers: Vec<u8> = in_lines().flat_map(|z| stored(z).to_le_bytes()).collect();
                 let mut sdf = Sdf::of(version, $code);
@@ -71,9 +73,13 @@ fn sdf_binary_of_every_data_type() {
         )*};
     }
     check! {
-        u8, 0, None; u16, 1, Some(u16::MAX); u32, 2, Some(u32::MAX); f32, 3, Some(f32::NAN); f32, 3, Some(f32::MIN);
-        i8, 4, Some(i8::MIN); i16, 5, Some(i16::MIN); i32, 6, Some(i32::MIN); f64, 7, Some(f64::NAN);
-        f64, 7, Some(f64::MIN); f64, 7, Some(1e30);
+        u8, 0, |_| Some(u8::MAX); u16, 1, |_| Some(u16::MAX); u32, 2, |_| Some(u32::MAX);
+        f32, 3, |_| Some(f32::NAN); f32, 3, |_| Some(f32::MIN); f32, 3, |_| Some(f32::MAX);
+        i8, 4, |version| Some(if version == "BCR-1.0" { i8::MAX } else { i8::MIN });
+        i16, 5, |version| Some(if version == "BCR-1.0" { i16::MAX } else { i16::MIN });
+        i32, 6, |version| Some(if version == "BCR-1.0" { i32::MAX } else { i32::MIN });
+        f64, 7, |_| Some(f64::NAN); f64, 7, |_| Some(f64::MIN); f64, 7, |_| Some(f64::MAX); f64, 7, |_| Some(1e30);
+        i16, 5, |_| None;
     }
     // Eight bytes more before the numbers.
     let numbers: Vec<u8> = in_lines().flat_map(f64::to_le_bytes).collect();
@@ -90,6 +96,12 @@ fn sdf_text_and_what_is_given_beside_it() {
         let head = assert_map(Sdf::of(version, 7).text(&lines(" ", missing)), Given::default(), 1e-9, PIXEL);
         assert!(head.has_unit);
     }
+    let bare = Sdf::of("BCR-1.0", 7).text(&lines(" ", "NaN"));
+    let commented = bare
+        .replace("aBCR", "ABCR")
+        .replace("\r\n", " ; a comment\n")
+        .replace("DataType = 7", "DataType = DOUBLE");
+    assert_map(commented.replace("Type = 0", "Type = NULL"), Given::default(), 1e-9, PIXEL);
     let ones = Sdf::of("ISO-1.0", 1).text(&"1 65535 ".repeat(NX * NY / 2));
     let (_folder, path) = file(ones);
     assert_eq!(height_map(&path, Given::default()).unwrap().missing(), 10);
@@ -97,6 +109,52 @@ fn sdf_text_and_what_is_given_beside_it() {
     assert!(given.to_string().contains("holds its own pixel of 2e-6 x 3e-6 m; allowed: leave pixel out"));
     let given = height_map(&path, Given { pixel: None, unit: Some(1e-6) }).unwrap_err();
     assert!(given.to_string().contains("holds its own unit of length; allowed: leave unit out"));
+}
+
+#[test]
+fn sdf_samples_hold_the_heights_they_were_made_of() {
+    let wave = |x: f64, y: f64| {
+        1e-6 * ((TAU * x / 40e-6).cos() * (TAU * y / 36e-6).cos() + 0.3 * (TAU * x / 14e-6).sin())
+    };
+    let [nx, ny] = [48, 32];
+    for (name, step) in [
+        ("iso1_surface_ascii", 1e-10),
+        ("iso1_surface_binary", 1e-10),
+        ("iso1_surface_int32_ascii", 1e-13),
+        ("iso1_surface_int32_binary", 1e-13),
+        ("iso1_surface_binary64_binary", 1e-21),
+        ("iso2_surface_binary32_ascii", 2e-12),
+        ("iso2_surface_binary32_binary", 2e-13),
+        ("iso2_surface_int8_ascii", 2e-8),
+        ("iso2_surface_int8_binary", 2e-8),
+        ("bcr1_surface_ascii", 1e-10),
+        ("bcr1_surface_binary", 1e-10),
+        ("bcr1_surface_int32_binary", 1e-13),
+        ("bcr1_surface_uint16_ascii", 1e-10),
+        ("bcr1_surface_uint16_binary", 1e-10),
+    ] {
+        let path = super::sample(&format!("{name}.sdf"));
+        assert_eq!(head(&path).unwrap().pixel, Some([2e-6, 3e-6]));
+        let map = height_map(&path, Given::default()).unwrap();
+        assert_eq!((map.points(), map.missing()), ([nx, ny], 40), "{name}");
+        // The first profile of the BCR files is that of the greatest y.
+        let row = |iy: usize| if name.starts_with("bcr1") { ny - 1 - iy } else { iy };
+        let exact: Vec<f64> =
+            (0..nx * ny).map(|k| wave((k / ny) as f64 * 2e-6, row(k % ny) as f64 * 3e-6)).collect();
+        // The unsigned surface lies above zero.
+        let raised = if name.contains("uint16") { -exact.iter().copied().fold(0.0, f64::min) } else { 0.0 };
+        for (k, (found, exact)) in map.heights().iter().zip(exact).enumerate() {
+            let (ix, iy) = (k / ny, row(k % ny));
+            let missing = (20..30).contains(&ix) && (10..14).contains(&iy);
+            assert_eq!(found.is_nan(), missing, "{name} {ix} {iy}");
+            assert!(
+                missing || (found - exact - raised).abs() <= 0.51 * step,
+                "{name} {ix} {iy}: {found} {exact}"
+            );
+        }
+    }
+    let error = head(&super::sample("iso1_profile_binary.sdf")).unwrap_err();
+    assert!(matches!(error, ReadError::Unsupported(_)), "{error}");
 }
 
 #[test]

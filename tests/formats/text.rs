@@ -93,7 +93,7 @@ fn bad_text_is_refused_with_its_place() {
 }
 
 /// The map as points x y z, the missing one left out, in a mixed order.
-fn points(step: [f64; 2], round: impl Fn(f64) -> f64) -> String {
+pub fn points(step: [f64; 2], round: impl Fn(f64) -> f64) -> String {
     let place = |k: usize| ((k * 7 % (NX * NY)) / NY, (k * 7) % NY);
     (0..NX * NY)
         .map(place)

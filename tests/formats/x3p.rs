@@ -5,10 +5,6 @@ use std::io::Write;
 
 use super::*;
 
-fn sample(name: &str) -> PathBuf {
-    Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/formats").join(name)
-}
-
 #[test]
 fn x3p_of_an_instrument_has_its_known_statistics() {
     let path = sample("x3p-2.x3p");
@@ -65,7 +61,7 @@ fn x3p_samples_hold_the_heights_they_were_made_of() {
 }
 
 /// An X3P file that is written by hand; `axes` are increments and offset of z.
-struct X3p {
+pub struct X3p {
     data_type: &'static str,
     increment: &'static str,
     offset: &'static str,
@@ -75,7 +71,7 @@ struct X3p {
 }
 
 impl X3p {
-    fn linked(data_type: &'static str, increment: &'static str, bytes: Vec<u8>) -> Self {
+    pub fn linked(data_type: &'static str, increment: &'static str, bytes: Vec<u8>) -> Self {
         let record3 = "<DataLink><PointDataLink>bindata/data.bin</PointDataLink></DataLink>".to_owned();
         let files = vec![("bindata/data.bin", bytes)];
         Self { data_type, increment, offset: "", size: [NX as u64, NY as u64, 1], record3, files }
@@ -95,7 +91,7 @@ impl X3p {
         )
     }
 
-    fn bytes(&self) -> Vec<u8> {
+    pub fn bytes(&self) -> Vec<u8> {
         zipped(&[&[("main.xml", self.xml().into_bytes())], &self.files[..]].concat())
     }
 }

@@ -1,11 +1,11 @@
 //! Surface data files (ISO 25178-71), as text and binary: versions ISO-1.0 and ISO-2.0, and BCR-1.0
 //! that they come from.
 //!
-//! Scales are in metres. Missing points are BAD or NaN in a text; in both kinds also the least number
-//! of a signed integer or floating type and the greatest of an unsigned one, but not of single
-//! unsigned bytes, where the tallest point of a stretched picture has it. No check sum is defined
-//! beyond type 0, which is none; other types cannot be checked and are refused, as compression is.
+//! Scales are in metres. What marks a missing point: in a text BAD or NaN, in both kinds of ISO-1.0
+//! and ISO-2.0 the least number of the type, in BCR-1.0 and in the unsigned types, which only BCR-1.0
+//! defines, the greatest. Compression and check sums, which only BCR-1.0 defines, are refused.
 
+use std::borrow::Cow;
 use std::fs::File;
 use std::io::Read;
 use std::path::Path;
@@ -16,14 +16,26 @@ use crate::numeric::is_positive;
 const FORMAT: &str = "an SDF file";
 const FIELDS: &str = "NumPoints, NumProfiles, Xscale, Yscale, Zscale, Compression, DataType, CheckType";
 const VERSIONS: [&[u8]; 3] = [b"ISO-1.0", b"ISO-2.0", b"BCR-1.0"];
+/// Names of the codes of `DataType` in BCR-1.0.
+const TYPES: [&str; 8] = ["UCHAR", "UINTEGER", "ULONGINT", "FLOAT", "CHAR", "INTEGER", "LONGINT", "DOUBLE"];
 /// Bytes of the head of a binary file, its counts being of two bytes.
 const HEAD: usize = 81;
 
-/// Whether a file begins as a surface data file: a or b, capitals, a hyphen and a digit.
+/// Whether a file begins as a surface data file: a or b, three capitals, a hyphen, two digits.
 pub(super) fn is_sdf(begin: &[u8]) -> bool {
     matches!(
         begin,
-        [b'a' | b'b', b'A'..=b'Z', b'A'..=b'Z', b'A'..=b'Z', b'-', b'0'..=b'9', b'.', b'0'..=b'9', ..]
+        [
+            b'a' | b'b' | b'A' | b'B',
+            b'A'..=b'Z',
+            b'A'..=b'Z',
+            b'A'..=b'Z',
+            b'-',
+            b'0'..=b'9',
+            b'.',
+            b'0'..=b'9',
+            ..
+        ]
     )
 }
 
@@ -57,18 +69,20 @@ impl Stored {
         }
     }
 
-    fn marks_missing(self, value: f64) -> bool {
-        match self {
-            Self::U8 => false,
-            Self::U16 => value == f64::from(u16::MAX),
-            Self::U32 => value == f64::from(u32::MAX),
-            Self::I8 => value == f64::from(i8::MIN),
-            Self::I16 => value == f64::from(i16::MIN),
-            Self::I32 => value == f64::from(i32::MIN),
-            // A text may print the least number with fewer digits.
-            Self::F32 => value.abs() > 0.99 * f64::from(f32::MAX),
-            Self::F64 => value.abs() > 0.99 * f64::MAX,
-        }
+    /// Whether a number marks a missing point: the least or, if so said, the greatest of the type.
+    fn marks_missing(self, value: f64, greatest: bool) -> bool {
+        let (least, most) = match self {
+            Self::U8 => return value == f64::from(u8::MAX),
+            Self::U16 => return value == f64::from(u16::MAX),
+            Self::U32 => return value == f64::from(u32::MAX),
+            // A text may print the extreme number with fewer digits; no height is near either.
+            Self::F32 => return value.abs() > 0.99 * f64::from(f32::MAX),
+            Self::F64 => return value.abs() > 0.99 * f64::MAX,
+            Self::I8 => (f64::from(i8::MIN), f64::from(i8::MAX)),
+            Self::I16 => (f64::from(i16::MIN), f64::from(i16::MAX)),
+            Self::I32 => (f64::from(i32::MIN), f64::from(i32::MAX)),
+        };
+        value == if greatest { most } else { least }
     }
 
     /// Integers are scaled, which rounds.
@@ -111,6 +125,8 @@ struct Checked {
     count: u64,
     z_scale: f64,
     stored: Stored,
+    /// Whether the greatest number of a signed type marks a missing point.
+    greatest: bool,
 }
 
 /// The head, checked against the length of the file.
@@ -127,7 +143,7 @@ pub(super) fn head(path: &Path) -> Result<Head, ReadError> {
 /// See [`ReadError`].
 pub(super) fn measured(path: &Path) -> Result<Measured, ReadError> {
     let (checked, body) = open(path)?;
-    let Checked { head, count, z_scale, stored } = checked;
+    let Checked { head, count, z_scale, stored, greatest } = checked;
     let mut values = match body {
         Body::Text(text) => text_values(&text, count)?,
         Body::Binary { mut file, begin } => {
@@ -142,7 +158,7 @@ pub(super) fn measured(path: &Path) -> Result<Measured, ReadError> {
         return Err(truncated(count, &format!("{} numbers", values.len())));
     }
     for value in &mut values {
-        *value = if stored.marks_missing(*value) { f64::NAN } else { *value * z_scale };
+        *value = if stored.marks_missing(*value, greatest) { f64::NAN } else { *value * z_scale };
     }
     let heights = transposed(&values, head.points[0]);
     Ok(Measured { head, heights, precision: stored.precision() })
@@ -169,14 +185,16 @@ fn open(path: &Path) -> Result<(Checked, Body), ReadError> {
             version.escape_ascii()
         )));
     }
-    if *kind == b'a' {
+    let greatest = version == b"BCR-1.0";
+    if kind.eq_ignore_ascii_case(&b'a') {
         let bytes = std::fs::read(path)?;
         let text = String::from_utf8_lossy(&bytes);
+        let text = without_comments(&text);
         let mut parts = text.splitn(3, '*');
         let (Some(header), Some(numbers)) = (parts.next(), parts.next()) else {
             return Err(ReadError::Corrupt("is truncated: no * ends its header".to_owned()));
         };
-        let checked = Fields::of_text(header)?.check()?;
+        let checked = Fields::of_text(header)?.check(greatest)?;
         // The shortest number and its separator.
         if checked.count > numbers.len() as u64 / 2 + 1 {
             return Err(truncated(checked.count, &format!("{} characters", numbers.len())));
@@ -187,7 +205,7 @@ fn open(path: &Path) -> Result<(Checked, Body), ReadError> {
     let head_length = HEAD as u64 + if wide { 4 } else { 0 };
     let fields = Fields::of_binary(&begin, wide)
         .ok_or_else(|| ReadError::Corrupt("is truncated: it ends within its header".to_owned()))?;
-    let checked = fields.check()?;
+    let checked = fields.check(greatest)?;
     let body = length.saturating_sub(head_length);
     let bytes = checked.count.checked_mul(checked.stored.bytes()).filter(|&bytes| bytes <= body);
     let bytes = bytes.ok_or_else(|| truncated(checked.count, &format!("{body} bytes")))?;
@@ -195,6 +213,15 @@ fn open(path: &Path) -> Result<(Checked, Body), ReadError> {
     // is said of them but their size.
     let extra = if version == b"ISO-1.0" && body == bytes + 8 && is_olympus(&mut file)? { 8 } else { 0 };
     Ok((checked, Body::Binary { file, begin: head_length + extra }))
+}
+
+/// BCR-1.0 lets a semicolon begin a comment in every line.
+fn without_comments(text: &str) -> Cow<'_, str> {
+    if !text.contains(';') {
+        return Cow::Borrowed(text);
+    }
+    let bare = text.lines().map(|line| line.split(';').next().unwrap_or_default());
+    Cow::Owned(bare.flat_map(|line| [line, "\n"]).collect())
 }
 
 fn is_olympus(file: &mut File) -> std::io::Result<bool> {
@@ -236,26 +263,39 @@ impl Fields {
                 ReadError::Corrupt(format!("has {key} = \"{found}\"; allowed: a number"))
             })
         }
+        // BCR-1.0 may write a name for a code.
+        let code = |header, key, names: &[&str]| {
+            let word: String = field(header, key)?;
+            let word = if word == "NULL" { "NONE".to_owned() } else { word };
+            let named = names.iter().position(|&name| name == word).and_then(|code| u8::try_from(code).ok());
+            named.or_else(|| word.parse().ok()).ok_or_else(|| {
+                let found: String = word.chars().take(40).collect();
+                ReadError::Unsupported(format!(
+                    "has {key} = \"{found}\"; allowed: its code, or {}",
+                    names.join(", ")
+                ))
+            })
+        };
         Ok(Self {
             points: field(header, "NumPoints")?,
             profiles: field(header, "NumProfiles")?,
             x_scale: field(header, "Xscale")?,
             y_scale: field(header, "Yscale")?,
             z_scale: field(header, "Zscale")?,
-            compression: field(header, "Compression")?,
-            data_type: field(header, "DataType")?,
-            check_type: field(header, "CheckType")?,
+            compression: code(header, "Compression", &["NONE"])?,
+            data_type: code(header, "DataType", &TYPES)?,
+            check_type: code(header, "CheckType", &["NONE"])?,
         })
     }
 
-    fn check(&self) -> Result<Checked, ReadError> {
+    fn check(&self, greatest: bool) -> Result<Checked, ReadError> {
         let unsupported = |what: &str, code: u8| {
             Err(ReadError::Unsupported(format!("has the {what} {code}; allowed: 0, which is none")))
         };
-        if self.compression > 0 && self.compression != b'0' {
+        if self.compression > 0 {
             return unsupported("Compression", self.compression);
         }
-        if self.check_type > 0 && self.check_type != b'0' {
+        if self.check_type > 0 {
             return unsupported("CheckType", self.check_type);
         }
         let stored = Stored::of(self.data_type)?;
@@ -277,7 +317,7 @@ impl Fields {
         };
         let pixel = Some([self.x_scale, self.y_scale]);
         let head = Head { points: [nx, ny], pixel, has_unit: true, format: FORMAT };
-        Ok(Checked { head, count, z_scale: self.z_scale, stored })
+        Ok(Checked { head, count, z_scale: self.z_scale, stored, greatest })
     }
 }
 
