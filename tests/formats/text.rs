@@ -69,6 +69,11 @@ fn a_header_gives_the_size_and_the_unit() {
 #[test]
 fn bad_text_is_refused_with_its_place() {
     assert_refused!(Mismatch, "line 1 has \"this\" for a number", "this is no array\n");
+    assert_refused!(
+        Mismatch,
+        "line 2 has \"Prose\" for a number",
+        "# Head\nProse, with commas; and 1.5 numbers.\n"
+    );
     assert_refused!(Mismatch, "begins with \"\\x00\\x01", b"\0\x01\x02\x03 binary");
     assert_refused!(Corrupt, "is empty", "");
     assert_refused!(Corrupt, "holds no number", "# only a comment\n");

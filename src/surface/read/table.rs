@@ -51,6 +51,16 @@ impl Table {
             }
             lines.remove(0);
         }
+        // Prose is told from numbers before its commas are wondered at.
+        if let Some(&(number, line)) = lines.first() {
+            let mut words = line.split([' ', '\t', ',', ';']).map(|word| word.trim_matches('"'));
+            if let Some(word) =
+                words.find(|word| !is_missing(word) && !word.contains(|c: char| c.is_ascii_digit()))
+                && word.parse::<f64>().is_err()
+            {
+                return Err(no_number(0, number, 1, word));
+            }
+        }
         let separation = Separation::of(&lines)?;
         let mut table = Self { rows: lines.len(), columns: 0, values: Vec::new(), precision: 0.0 };
         let mut digits = 0;
@@ -79,6 +89,10 @@ impl Table {
         table.precision = precision(digits);
         Ok(table)
     }
+}
+
+fn is_missing(word: &str) -> bool {
+    MISSING.contains(&word.to_ascii_lowercase().as_str())
 }
 
 fn is_comment(line: &str) -> bool {
@@ -213,7 +227,6 @@ impl Separation {
     fn value(&self, word: &str) -> Option<f64> {
         let parsed =
             if self.decimal_comma { word.replace(',', ".").parse::<f64>() } else { word.parse::<f64>() };
-        let missing = || MISSING.contains(&word.to_ascii_lowercase().as_str()).then_some(f64::NAN);
-        parsed.ok().or_else(missing)
+        parsed.ok().or_else(|| is_missing(word).then_some(f64::NAN))
     }
 }
