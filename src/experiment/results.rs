@@ -27,6 +27,8 @@ pub struct Head {
     pub title: String,
     /// Name of the spec's file, without its ending.
     pub stem: String,
+    /// What the spec's author says of it.
+    pub notes: String,
     /// SHA-256 of the spec, hexadecimal.
     pub spec_sha256: String,
     /// Every random number came from it.
@@ -162,6 +164,8 @@ pub struct RealisationResults {
     pub nominal_area: f64,
     /// Statistics of the asperities.
     pub statistics: Statistics,
+    /// What d is measured in, m.
+    pub sigma: f64,
     /// Of the map that they were found on.
     pub moments: Option<Moments>,
     /// The population that the statistical model stands on.

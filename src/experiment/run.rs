@@ -106,6 +106,7 @@ fn run_surface(
         asperities: surface.set.count(),
         nominal_area: area,
         statistics: surface.statistics,
+        sigma: surface.datum.sigma,
         moments: surface.map.as_ref().map(|map| map.character.moments),
         population,
         cases,
@@ -203,6 +204,7 @@ fn head(plan: &Plan, mut papers: Vec<Paper>, timing: Timing) -> Head {
     Head {
         title: plan.title.clone(),
         stem: plan.stem.clone(),
+        notes: plan.notes.clone(),
         spec_sha256: hexadecimal(&digest(plan.source.text.as_bytes())),
         seed: plan.seed,
         papers,

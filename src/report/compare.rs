@@ -6,7 +6,7 @@ use super::head;
 use super::page::Page;
 use super::page::escape;
 use super::surface::section as surface_section;
-use crate::compare::{Control, Gap, Kind, Pair, Pairing};
+use crate::compare::{Comparison, Control, Gap, Kind, Pair, Pairing, Realisation, Scatter, spread};
 use crate::experiment::results::{CaseResults, CompareResults, SurfaceResults};
 
 /// A gap of fewer standard errors than this may be chance.
@@ -15,6 +15,7 @@ const SIGNIFICANT: f64 = 3.0;
 /// The page.
 pub fn page(results: &CompareResults) -> Page {
     let mut page = Page::new(&results.head.title);
+    head::notes(&mut page, &results.head);
     for warning in results.warnings() {
         page.warning(&escape(&warning));
     }
@@ -27,8 +28,8 @@ pub fn page(results: &CompareResults) -> Page {
     head::what_was_run(&mut page, &results.head, &results.contact);
     for found in &results.surfaces {
         surface(&mut page, found);
-        for case in &found.first.cases {
-            answers(&mut page, results, found, case);
+        for index in 0..found.first.cases.len() {
+            answers(&mut page, results, found, index);
         }
     }
     limits(&mut page, results);
@@ -141,7 +142,8 @@ fn surface(page: &mut Page, found: &SurfaceResults) {
 }
 
 /// Both models' answers under one law.
-fn answers(page: &mut Page, results: &CompareResults, found: &SurfaceResults, case: &CaseResults) {
+fn answers(page: &mut Page, results: &CompareResults, found: &SurfaceResults, index: usize) {
+    let case = &found.first.cases[index];
     let (modulus, comparison) = (results.contact.reduced_modulus, &case.comparison);
     let stem = if found.first.cases.len() == 1 {
         found.surface.name.clone()
@@ -155,21 +157,56 @@ fn answers(page: &mut Page, results: &CompareResults, found: &SurfaceResults, ca
     let mut figure = |name: &str, caption: &str, svg: String| {
         page.figure(&format!("{stem}-{name}.svg"), svg, caption);
     };
+    let others: Vec<&Comparison> =
+        found.others.iter().map(|answered| &answered.cases[index].comparison).collect();
     figure(
         "separation",
         "Separation against load ratio, and the difference at equal load. Bands: 95 % of other samples of the same \
-         surface would lie within.",
-        figures::separation(comparison, modulus, found.surface.datum.sigma),
+         surface would lie within, if asperities were independent draws.",
+        figures::separation(comparison, &others, modulus, found.surface.datum.sigma),
     );
     figure("area", "Real contact area against load ratio.", figures::area(comparison, modulus));
     figure("regimes", "How the load is shared by the regimes.", figures::regimes(comparison, modulus));
+    realisations(page, found, index);
     let pairs = decades(&comparison.pairs);
     if !pairs.is_empty() {
-        page.paragraph("Both models at equal load:");
+        page.paragraph("Both models at equal load, in full, on the first realisation:");
         let area = found.surface.set.nominal_area();
         page.table(LOAD_TABLE, pairs.iter().map(|pair| load_row(pair)));
         page.table(CONTACT_TABLE, pairs.iter().map(|pair| contact_row(pair, area)));
     }
+}
+
+/// How far several realisations lie apart, and whether the sums' own sampling errors tell so.
+fn realisations(page: &mut Page, found: &SurfaceResults, index: usize) {
+    let all: Vec<Realisation> = found
+        .realisations()
+        .map(|(_, answered)| (&answered.cases[index].comparison.pairs[..], answered.sigma))
+        .collect();
+    let spread = spread(&all);
+    if spread.is_empty() {
+        return;
+    }
+    page.paragraph(&format!(
+        "Both models at equal load over {} realisations, each pressed to the same loads: mean ± standard deviation of one \
+         realisation, and beside it the sampling error that the sums state for themselves.",
+        all.len()
+    ));
+    let with_scatter = |scatter: &Scatter| format!("{} ± {}", number(scatter.mean), number(scatter.deviation));
+    page.table(
+        ["p", "d/σ stat.", "d/σ det.", "stated error", "difference", "A/A_nom stat.", "A/A_nom det."],
+        spread.iter().map(|at| {
+            vec![
+                quantity(at.target, "Pa"),
+                number(at.statistical_separation.mean),
+                with_scatter(&at.deterministic_separation),
+                number(at.sampling_error),
+                with_scatter(&at.difference),
+                number(at.statistical_area.mean),
+                with_scatter(&at.deterministic_area),
+            ]
+        }),
+    );
 }
 
 /// The pairs at equal load nearest to one and three in each decade.

@@ -45,10 +45,20 @@ fn at_equal_load(comparison: &Comparison) -> Vec<&Pair> {
     pairs
 }
 
-/// d/sigma against load (Pasaribu and Schipper 2005, Fig. 4), the difference at equal load below.
-pub fn separation(comparison: &Comparison, modulus: f64, sigma: f64) -> String {
+/// d/sigma against load (Pasaribu and Schipper 2005, Fig. 4), the difference at equal load below; the deterministic
+/// answers of other realisations are thin dots.
+pub fn separation(comparison: &Comparison, others: &[&Comparison], modulus: f64, sigma: f64) -> String {
+    const OTHERS: &str = "other realisations";
     let axis = || load_axis(comparison, modulus);
     let mut plot = Plot::new("Separation against load", axis(), Axis::linear("separation d/σ"));
+    for other in others {
+        let points = curve(other, Kind::Deterministic);
+        let line = points
+            .iter()
+            .map(|point| (point.response.pressure.total() / modulus, point.response.separation_over_sigma));
+        let line = Layer::line(line.collect::<Vec<_>>()).coloured(Colour::Deterministic).dashed(Dash::Dotted);
+        plot = plot.with(line.named(format!("deterministic, {OTHERS}")));
+    }
     for kind in [Kind::Deterministic, Kind::Statistical] {
         let points = curve(comparison, kind);
         let load = |point: &CurvePoint| point.response.pressure.total() / modulus;
@@ -74,9 +84,14 @@ pub fn separation(comparison: &Comparison, modulus: f64, sigma: f64) -> String {
         Some((pair.target / modulus, difference(pair) - half, difference(pair) + half))
     });
     let line = pairs.iter().map(|pair| (pair.target / modulus, difference(pair)));
-    let below = Plot::new("", axis(), Axis::linear("difference in d/σ"))
-        .height(170.0)
-        .with(Layer::at_y(0.0, ""))
+    let mut below =
+        Plot::new("", axis(), Axis::linear("difference in d/σ")).height(170.0).with(Layer::at_y(0.0, ""));
+    for other in others {
+        let line = at_equal_load(other).into_iter().map(|pair| (pair.target / modulus, difference(pair)));
+        let line = Layer::line(line.collect::<Vec<_>>()).coloured(Colour::Series(2)).dashed(Dash::Dotted);
+        below = below.with(line.named(OTHERS));
+    }
+    let below = below
         .with(Layer::band(band.collect::<Vec<_>>()).coloured(Colour::Series(2)))
         .with(
             Layer::line(line.collect::<Vec<_>>())

@@ -1,8 +1,15 @@
 //! What every page says: the bodies, the sources, the files.
 
 use super::format::{number, quantity};
-use super::page::Page;
+use super::page::{Page, escape};
 use crate::experiment::results::{ContactHead, Head};
+
+/// What the spec's author says of it.
+pub fn notes(page: &mut Page, head: &Head) {
+    for paragraph in head.notes.split("\n\n").map(str::trim).filter(|paragraph| !paragraph.is_empty()) {
+        page.paragraph(&escape(&paragraph.replace('\n', " ")));
+    }
+}
 
 /// The bodies and the spec.
 pub fn what_was_run(page: &mut Page, head: &Head, contact: &ContactHead) {

@@ -90,6 +90,7 @@ fn series<'a>(
 /// The page.
 pub fn page(results: &LimitResults) -> Page {
     let mut page = Page::new(&results.head.title);
+    head::notes(&mut page, &results.head);
     let slopes = slopes(results);
     page.heading(2, "In short");
     page.bullets(Heights::ALL.into_iter().filter_map(|heights| finding(&slopes, heights)));

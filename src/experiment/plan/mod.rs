@@ -27,6 +27,8 @@ pub struct Plan {
     pub stem: String,
     /// What the report is called.
     pub title: String,
+    /// What the spec's author says of it.
+    pub notes: String,
     /// Every random number comes from it.
     pub seed: u64,
     /// The bodies that are used, in file order.
@@ -146,8 +148,8 @@ impl Plan {
     }
 
     fn checked(source: Source, stem: String, spec: Spec, kind: PlanKind) -> Result<Self, Refusal> {
-        let Spec { title, seed, material: materials, .. } = spec;
-        let plan = Self { source, stem, title, seed, materials, kind };
+        let Spec { title, notes, seed, material: materials, .. } = spec;
+        let plan = Self { source, stem, title, notes, seed, materials, kind };
         plan.check_memory()?;
         Ok(plan)
     }

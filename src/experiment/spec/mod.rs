@@ -36,6 +36,9 @@ use crate::material::Material;
 pub struct Spec {
     /// What the report is called.
     pub title: String,
+    /// What a reader of the report should know of it; a blank line parts paragraphs.
+    #[serde(default)]
+    pub notes: String,
     /// Every random number comes from it.
     #[serde(default)]
     pub seed: u64,

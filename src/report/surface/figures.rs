@@ -31,7 +31,7 @@ pub fn asperities(surface: &Surface, assumed: Option<&Population>) -> (String, f
         top = top.with(
             Layer::line(curve.collect::<Vec<_>>())
                 .coloured(Colour::Statistical)
-                .named(format!("{}, as the statistical model assumes", population.heights.name())),
+                .named(format!("{} heights, as it assumes", population.heights.name())),
         );
     }
     let is_outside = |point: &&(f64, f64)| {
@@ -49,7 +49,8 @@ pub fn asperities(surface: &Surface, assumed: Option<&Population>) -> (String, f
         .with(Layer::raster(Raster::of_points(points, HEIGHTS, RATIOS, cells, cells)));
     if let Some(population) = assumed {
         let ratio = population.radius / statistics.mean_radius;
-        main = main.with(Layer::at_y(ratio, "the one radius of the statistical model"));
+        let line = Layer::line([(HEIGHTS.0, ratio), (HEIGHTS.1, ratio)]).coloured(Colour::Statistical);
+        main = main.with(line.dashed(Dash::Dashed).named("the one radius of the statistical model"));
     }
     let (edges, density) = histogram(&ratios, RATIOS);
     let right = Plot::new("", y(), Axis::linear("density"))

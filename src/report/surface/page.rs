@@ -8,6 +8,7 @@ use crate::report::page::{Page, escape};
 /// The page.
 pub fn page(results: &SurfacesResults) -> Page {
     let mut page = Page::new(&results.head.title);
+    head::notes(&mut page, &results.head);
     for surface in &results.surfaces {
         for warning in &surface.warnings {
             page.warning(&escape(&format!("surface {}: {warning}", surface.name)));

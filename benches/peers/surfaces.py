@@ -1,0 +1,225 @@
+"""Surfaces beside the peers, in one run: generation (NumPy with scipy.fft, tamaas) and five-point summits (numba).
+
+    pip install numpy scipy numba tamaas
+    python benches/peers/surfaces.py            # prints a table; --write puts it into docs/performance.md
+
+Ours and the peers run alternately, 15 times each, on two threads; medians are compared. The peers are tuned: half
+spectra, two FFT workers, transforms in place, a two-pass numba kernel that writes into exact arrays; arrays are
+freed between runs.
+"""
+
+import os
+
+os.environ.setdefault("OMP_NUM_THREADS", "2")
+os.environ.setdefault("NUMBA_NUM_THREADS", "2")
+
+import json
+import pathlib
+import statistics
+import subprocess
+import sys
+import time
+
+import numba
+import numpy as np
+import scipy
+import scipy.fft
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+ROUNDS = 15
+
+
+def amplitudes(n):
+    """Standard deviations of the waves of the `full` spectrum, as benches/peer.rs has it."""
+    kx = np.fft.fftfreq(n, 1 / n)
+    ky = np.fft.rfftfreq(n, 1 / n)
+    q2 = kx[:, None] ** 2 + ky[None, :] ** 2
+    amplitude = np.maximum(q2 / 64, 1) ** -0.9
+    amplitude[q2 > (n / 2) ** 2] = 0
+    amplitude[0, 0] = 0
+    return amplitude
+
+
+def with_scipy(n, seed):
+    """A random half spectrum, transformed in place; the amplitudes count as ours do."""
+    rng = np.random.default_rng(seed)
+    wave = rng.standard_normal((n, n // 2 + 1, 2)).view(complex)[..., 0]
+    wave *= amplitudes(n)
+    return scipy.fft.irfft2(wave, s=(n, n), workers=2, overwrite_x=True)
+
+
+def with_tamaas(n, seed):
+    import tamaas
+
+    spectrum = tamaas.Isopowerlaw2D()
+    spectrum.q0, spectrum.q1, spectrum.q2, spectrum.hurst = 1, 8, n // 2, 0.8
+    generator = tamaas.SurfaceGeneratorFilter2D([n, n])
+    generator.spectrum = spectrum
+    generator.random_seed = seed
+    return generator.buildSurface()
+
+
+@numba.njit(parallel=True)
+def count_summits(z):
+    n, m = z.shape
+    counts = np.zeros(n, np.int64)
+    for i in numba.prange(n):
+        above, row, below = z[(i - 1) % n], z[i], z[(i + 1) % n]
+        count = 0
+        for j in range(m):
+            left = row[j - 1] if j > 0 else row[m - 1]
+            right = row[j + 1] if j < m - 1 else row[0]
+            v = row[j]
+            if v > above[j] and v > below[j] and v > left and v > right:
+                count += 1
+        counts[i] = count
+    return counts
+
+
+@numba.njit(parallel=True)
+def fill_summits(z, starts, heights, curvatures):
+    n, m = z.shape
+    for i in numba.prange(n):
+        above, row, below = z[(i - 1) % n], z[i], z[(i + 1) % n]
+        k = starts[i]
+        for j in range(m):
+            left = row[j - 1] if j > 0 else row[m - 1]
+            right = row[j + 1] if j < m - 1 else row[0]
+            v = row[j]
+            if v > above[j] and v > below[j] and v > left and v > right:
+                heights[k] = v
+                curvatures[k] = 0.5 * ((2 * v - above[j] - below[j]) + (2 * v - left - right))
+                k += 1
+
+
+@numba.njit(parallel=True)
+def summits_by_blocks(z, blocks):
+    """One reading of the map: each block of rows into an array of its own, wide enough for any map."""
+    n, m = z.shape
+    rows = (n + blocks - 1) // blocks
+    heights = np.empty((blocks, rows * m // 2))
+    curvatures = np.empty((blocks, rows * m // 2))
+    counts = np.zeros(blocks, np.int64)
+    for b in numba.prange(blocks):
+        k = 0
+        for i in range(b * rows, min(n, (b + 1) * rows)):
+            above, row, below = z[(i - 1) % n], z[i], z[(i + 1) % n]
+            for j in range(m):
+                left = row[j - 1] if j > 0 else row[m - 1]
+                right = row[j + 1] if j < m - 1 else row[0]
+                v = row[j]
+                if v > above[j] and v > below[j] and v > left and v > right:
+                    heights[b, k] = v
+                    curvatures[b, k] = 0.5 * ((2 * v - above[j] - below[j]) + (2 * v - left - right))
+                    k += 1
+        counts[b] = k
+    return heights, curvatures, counts
+
+
+def numba_two_passes(z):
+    counts = count_summits(z)
+    starts = np.concatenate(([0], np.cumsum(counts)))
+    heights, curvatures = np.empty(starts[-1]), np.empty(starts[-1])
+    fill_summits(z, starts, heights, curvatures)
+    return heights, curvatures
+
+
+def numba_one_pass(z):
+    heights, curvatures, counts = summits_by_blocks(z, 64)
+    take = lambda parts: np.concatenate([part[:count] for part, count in zip(parts, counts)])
+    return take(heights), take(curvatures)
+
+
+class Ours:
+    """The release build, told what to do line by line."""
+
+    def __init__(self):
+        build = subprocess.run(
+            ["cargo", "bench", "--bench", "peer", "--no-run", "--message-format=json"],
+            cwd=ROOT, check=True, capture_output=True, text=True,
+        )
+        messages = map(json.loads, build.stdout.splitlines())
+        paths = [m["executable"] for m in messages if m.get("target", {}).get("name") == "peer"]
+        environment = dict(os.environ, RAYON_NUM_THREADS="2")
+        self.process = subprocess.Popen(
+            [paths[-1]], stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True, env=environment
+        )
+
+    def __call__(self, task):
+        self.process.stdin.write(task + "\n")
+        self.process.stdin.flush()
+        answer = self.process.stdout.readline().split()
+        return [float(word) for word in answer]
+
+
+def timed(what, *arguments):
+    start = time.perf_counter()
+    result = what(*arguments)
+    return time.perf_counter() - start, result
+
+
+def alternately(ours, peers, rounds=ROUNDS):
+    """Medians of seconds: ours, then each peer."""
+    times = [[] for _ in range(1 + len(peers))]
+    for k in range(rounds):
+        times[0].append(ours(k))
+        for list_of, peer in zip(times[1:], peers):
+            list_of.append(timed(peer, k)[0])
+    return [statistics.median(list_of) for list_of in times]
+
+
+def main():
+    ours = Ours()
+    rows = []
+
+    def row(what, name, mine, theirs, bound):
+        met = "met" if mine / theirs <= bound else "**missed**"
+        rows.append([what, name, f"{1e3 * mine:.1f}", f"{1e3 * theirs:.1f}", f"{mine / theirs:.2f}", f"{bound:g}", met])
+        print("  ".join(rows[-1]), flush=True)
+
+    for n, bounds in ((4096, (0.55, 0.2)), (8192, (0.45, None))):
+        with_scipy(n, 0)
+        peers = [lambda k: with_scipy(n, k)] + ([lambda k: with_tamaas(n, k)] if bounds[1] else [])
+        medians = alternately(lambda k: ours(f"generate {n} full {k}")[0], peers, ROUNDS if n == 4096 else 7)
+        row(f"surface of {n} x {n}", "scipy.fft, 2 workers", medians[0], medians[1], bounds[0])
+        if bounds[1]:
+            row(f"surface of {n} x {n}", "tamaas", medians[0], medians[2], bounds[1])
+    fresh = Ours()
+    peak = fresh("generate 8192 full 1")[1]
+    arrays = peak / (8 * 8192**2)
+    print(f"peak memory at 8192 x 8192: {arrays:.2f} arrays")
+
+    for spectrum, what in (("full", "waves to 2 pixels"), ("cut", "waves to 8 pixels")):
+        n = 4096
+        ours(f"generate {n} {spectrum} 3")
+        amplitude = amplitudes(n)
+        if spectrum == "cut":
+            k = np.fft.fftfreq(n, 1 / n)[:, None] ** 2 + np.fft.rfftfreq(n, 1 / n)[None, :] ** 2
+            amplitude = np.where(k > (n / 8) ** 2, 0, np.maximum(k / (n / 32) ** 2, 1) ** -0.9)
+        rng = np.random.default_rng(3)
+        wave = rng.standard_normal((n, n // 2 + 1, 2)).view(complex)[..., 0] * amplitude
+        z = scipy.fft.irfft2(wave, s=(n, n), workers=2)
+        del wave, amplitude
+        for function in (numba_two_passes, numba_one_pass):
+            function(z)
+        medians = alternately(
+            lambda _: ours("summits")[0], [lambda _: numba_two_passes(z), lambda _: numba_one_pass(z)]
+        )
+        row(f"summits of 4096 x 4096, {what}", "numba", medians[0], min(medians[1:]), 0.5)
+
+    model = next(line.split(":")[1].strip() for line in open("/proc/cpuinfo") if line.startswith("model name"))
+    table = ["| task | peer | ours [ms] | peer [ms] | ratio | bound | |", "|---|---|---:|---:|---:|---:|---|"]
+    table += ["| " + " | ".join(cells) + " |" for cells in rows]
+    table += ["", f"Peak memory of a surface of 8192 x 8192: {arrays:.2f} arrays of its size (bound 1.5). {model}, 2 threads, "
+              f"medians of alternate runs; NumPy {np.__version__}, SciPy {scipy.__version__}, numba {numba.__version__}."]
+    text = "\n".join(table)
+    print("\n" + text)
+    if "--write" in sys.argv:
+        page = ROOT / "docs" / "performance.md"
+        begin, end = "<!-- surfaces -->", "<!-- /surfaces -->"
+        before, _, rest = page.read_text().partition(begin)
+        page.write_text(f"{before}{begin}\n{text}\n{end}{rest.partition(end)[2]}")
+
+
+if __name__ == "__main__":
+    main()

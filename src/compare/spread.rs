@@ -1,0 +1,130 @@
+//! How far the realisations of one surface lie apart.
+
+use super::{Pair, Pairing};
+
+/// Mean and scatter of a quantity over realisations.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Scatter {
+    /// Mean.
+    pub mean: f64,
+    /// Standard deviation of one realisation, by n - 1.
+    pub deviation: f64,
+}
+
+impl Scatter {
+    fn of(values: &[f64]) -> Self {
+        let count = values.len() as f64;
+        let mean = values.iter().sum::<f64>() / count;
+        let squares: f64 = values.iter().map(|value| (value - mean).powi(2)).sum();
+        Self { mean, deviation: (squares / (count - 1.0)).sqrt() }
+    }
+}
+
+/// Both models at one load that all realisations were pressed to.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Spread {
+    /// The load, Pa.
+    pub target: f64,
+    /// d/sigma of the statistical model: its populations differ where the realisations do.
+    pub statistical_separation: Scatter,
+    /// d/sigma of the deterministic model.
+    pub deterministic_separation: Scatter,
+    /// Statistical minus deterministic.
+    pub difference: Scatter,
+    /// Mean of the sampling errors of d/sigma that each sum states for itself; a scatter beyond it comes from
+    /// long waves, which make neighbours alike.
+    pub sampling_error: f64,
+    /// A/A_nom of the statistical model.
+    pub statistical_area: Scatter,
+    /// A/A_nom of the deterministic model.
+    pub deterministic_area: Scatter,
+}
+
+/// One realisation: its pairs, and the deviation of heights (m) that d is measured in.
+pub type Realisation<'a> = (&'a [Pair], f64);
+
+/// Both models at the loads that all realisations have in common, by growing load; nothing for fewer than
+/// two realisations.
+pub fn spread(realisations: &[Realisation]) -> Vec<Spread> {
+    let Some(((first, _), others)) = realisations.split_first() else { return Vec::new() };
+    if others.is_empty() {
+        return Vec::new();
+    }
+    let mut targets: Vec<f64> =
+        first.iter().filter(|pair| pair.pairing == Pairing::Load).map(|pair| pair.target).collect();
+    targets.sort_unstable_by(f64::total_cmp);
+    targets.dedup();
+    targets.into_iter().filter_map(|target| at(target, realisations)).collect()
+}
+
+/// `None` where a realisation lacks the load.
+fn at(target: f64, realisations: &[Realisation]) -> Option<Spread> {
+    let is_it = |pair: &&Pair| pair.pairing == Pairing::Load && pair.target == target;
+    let found: Option<Vec<(&Pair, f64)>> = realisations
+        .iter()
+        .map(|&(pairs, sigma)| pairs.iter().find(is_it).map(|pair| (pair, sigma)))
+        .collect();
+    let found = found?;
+    let scatter = |value: &dyn Fn(&Pair) -> f64| {
+        Scatter::of(&found.iter().map(|(pair, _)| value(pair)).collect::<Vec<_>>())
+    };
+    let errors = found.iter().filter_map(|(pair, sigma)| {
+        let response = &pair.deterministic;
+        response.sampling.map(|error| error.pressure / (response.stiffness * sigma))
+    });
+    Some(Spread {
+        target,
+        statistical_separation: scatter(&|pair| pair.statistical.separation_over_sigma),
+        deterministic_separation: scatter(&|pair| pair.deterministic.separation_over_sigma),
+        difference: scatter(&|pair| {
+            pair.statistical.separation_over_sigma - pair.deterministic.separation_over_sigma
+        }),
+        sampling_error: errors.sum::<f64>() / found.len() as f64,
+        statistical_area: scatter(&|pair| pair.statistical.area_ratio.total()),
+        deterministic_area: scatter(&|pair| pair.deterministic.area_ratio.total()),
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::contact::ByRegime;
+    use crate::model::{Response, SamplingError};
+
+    fn pair(target: f64, statistical: f64, deterministic: f64) -> Pair {
+        let response = |h: f64| Response {
+            separation_over_sigma: h,
+            separation: h * 1e-8,
+            contact_density: 1.0,
+            area_ratio: ByRegime([0.1 * h, 0.0, 0.0]),
+            pressure: ByRegime([target, 0.0, 0.0]),
+            stiffness: 1e9,
+            sampling: Some(SamplingError { pressure: 5.0, area_ratio: 1e-4 }),
+        };
+        Pair {
+            pairing: Pairing::Load,
+            target,
+            statistical: response(statistical),
+            deterministic: response(deterministic),
+        }
+    }
+
+    #[test]
+    fn loads_in_common_with_mean_and_scatter() {
+        let pairs = [
+            vec![pair(2.0, 3.0, 1.0), pair(1.0, 4.0, 2.0)],
+            vec![pair(1.0, 4.0, 3.0)],
+            vec![pair(1.0, 4.0, 4.0), pair(3.0, 1.0, 1.0)],
+        ];
+        let realisations: Vec<Realisation> = pairs.iter().map(|pairs| (&pairs[..], 1e-8)).collect();
+        let [found] = spread(&realisations)[..] else { panic!("one load in common") };
+        assert_eq!(found.target, 1.0);
+        assert_eq!(found.statistical_separation, Scatter { mean: 4.0, deviation: 0.0 });
+        assert_eq!(found.deterministic_separation, Scatter { mean: 3.0, deviation: 1.0 });
+        assert_eq!(found.difference, Scatter { mean: 1.0, deviation: 1.0 });
+        assert!((found.deterministic_area.deviation - 0.1).abs() < 1e-15);
+        // 5 Pa over 1e9 Pa/m is 5e-9 m, half of sigma.
+        assert!((found.sampling_error - 0.5).abs() < 1e-15);
+        assert_eq!(spread(&realisations[..1]), []);
+    }
+}
