@@ -192,7 +192,8 @@ fn realisations(page: &mut Page, found: &SurfaceResults, index: usize) {
          realisation, and beside it the sampling error that the sums state for themselves.",
         all.len()
     ));
-    let with_scatter = |scatter: &Scatter| format!("{} ± {}", number(scatter.mean), number(scatter.deviation));
+    let with_scatter =
+        |scatter: &Scatter| format!("{} ± {}", number(scatter.mean), number(scatter.deviation));
     page.table(
         ["p", "d/σ stat.", "d/σ det.", "stated error", "difference", "A/A_nom stat.", "A/A_nom det."],
         spread.iter().map(|at| {

@@ -91,13 +91,11 @@ pub fn separation(comparison: &Comparison, others: &[&Comparison], modulus: f64,
         let line = Layer::line(line.collect::<Vec<_>>()).coloured(Colour::Series(2)).dashed(Dash::Dotted);
         below = below.with(line.named(OTHERS));
     }
-    let below = below
-        .with(Layer::band(band.collect::<Vec<_>>()).coloured(Colour::Series(2)))
-        .with(
-            Layer::line(line.collect::<Vec<_>>())
-                .coloured(Colour::Series(2))
-                .named("statistical − deterministic at equal load"),
-        );
+    let below = below.with(Layer::band(band.collect::<Vec<_>>()).coloured(Colour::Series(2))).with(
+        Layer::line(line.collect::<Vec<_>>())
+            .coloured(Colour::Series(2))
+            .named("statistical − deterministic at equal load"),
+    );
     Figure::column("Separation against load, and the difference at equal load", vec![plot, below]).svg()
 }
 

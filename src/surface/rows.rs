@@ -123,6 +123,7 @@ pub fn first_present(map: &dyn Rows) -> f64 {
 }
 
 /// Number of missing points of a row.
+#[inline(always)]
 pub fn count_missing(row: &[f64]) -> usize {
     row.iter().filter(|z| z.is_nan()).count()
 }

@@ -1,5 +1,7 @@
 //! Summits of a map: five-point (Greenwood 1984), or higher than all eight neighbours.
 
+use pulp::{Arch, Simd, WithSimd};
+use rayon::prelude::*;
 use serde::Deserialize;
 
 use super::rows::{Boundary, Rows, Strip, count_missing, strips};
@@ -128,26 +130,36 @@ pub fn find(map: &dyn Rows, neighbours: Neighbours, detail: Detail) -> Summits {
         neighbours,
         detail,
     };
-    let parts = strips(map, 1, |strip| finder.strip(&strip));
-    let mut found = Summits::default();
-    let count = parts.iter().map(|part| part.summits.heights.len()).sum();
-    found.positions.reserve_exact(count);
-    found.heights.reserve_exact(count);
-    found.curvatures.reserve_exact(count);
-    let mut level = Vec::new();
-    for Part { summits, level: points } in parts {
-        found.positions.extend(summits.positions);
-        found.heights.extend(summits.heights);
-        found.curvatures.extend(summits.curvatures);
-        found.principal.extend(summits.principal);
-        found.drops.extend(summits.drops);
-        found.tested += summits.tested;
-        level.extend(points);
-    }
+    let arch = Arch::new();
+    let mut parts = strips(map, 1, |strip| finder.strip(arch, &strip));
+    let level: Vec<LevelPoint> = parts.iter_mut().flat_map(|part| std::mem::take(&mut part.level)).collect();
+    let mut found = Summits {
+        positions: joined(&parts, |part| &part.summits.positions),
+        heights: joined(&parts, |part| &part.summits.heights),
+        curvatures: joined(&parts, |part| &part.summits.curvatures),
+        principal: joined(&parts, |part| &part.summits.principal),
+        drops: joined(&parts, |part| &part.summits.drops),
+        tested: parts.iter().map(|part| part.summits.tested).sum(),
+        ..Summits::default()
+    };
     if !level.is_empty() {
         finder.add_plateaus(&level, &mut found);
     }
     found
+}
+
+/// The lists of all parts, one after another.
+fn joined<T: Copy + Default + Send + Sync>(parts: &[Part], list: impl Fn(&Part) -> &Vec<T>) -> Vec<T> {
+    let mut all = vec![T::default(); parts.iter().map(|part| list(part).len()).sum()];
+    let mut rest = &mut all[..];
+    let mut places = Vec::new();
+    for part in parts {
+        let (place, beyond) = rest.split_at_mut(list(part).len());
+        places.push((place, &list(part)[..]));
+        rest = beyond;
+    }
+    places.into_par_iter().for_each(|(place, list)| place.copy_from_slice(list));
+    all
 }
 
 struct Finder {
@@ -180,10 +192,10 @@ impl Window<'_> {
 }
 
 impl Finder {
-    fn strip(&self, strip: &Strip) -> Part {
+    fn strip(&self, arch: Arch, strip: &Strip) -> Part {
         let mut part = Part::default();
         let mut flags = vec![false; self.points[1]];
-        let is_whole = |row: &[f64]| count_missing(row) == 0;
+        let is_whole = |row: &[f64]| arch.dispatch(IsWhole(row));
         let mut whole = [strip.row(-1).is_some_and(is_whole), strip.row(0).is_some_and(is_whole), false];
         for k in 0..strip.count as isize {
             whole[2] = strip.row(k + 1).is_some_and(is_whole);
@@ -192,6 +204,7 @@ impl Finder {
             {
                 let window = Window([before, row, after]);
                 part.summits.tested += self.tested(window, whole == [true; 3]);
+                arch.dispatch(Mark { window, neighbours: self.neighbours, flags: &mut flags });
                 self.row(window, (strip.first + k as usize) * self.points[1], &mut flags, &mut part);
             }
             whole.rotate_left(1);
@@ -212,38 +225,43 @@ impl Finder {
         inside.filter(is_there).count()
     }
 
-    /// Looks at the points of one row, whose first has the position `start`.
+    /// Keeps the points of one row that are flagged, and the first and the last of a periodic map where they
+    /// should be. The row's first point has the position `start`.
     fn row(&self, window: Window, start: usize, flags: &mut [bool], part: &mut Part) {
         let count = self.points[1];
         let steps = self.neighbours.steps();
-        flag(window, self.neighbours, flags);
         if self.is_periodic {
             for iy in [0, count - 1] {
                 flags[iy] = steps.iter().all(|&step| window.0[1][iy] >= window.at(iy, step));
             }
         }
-        for (block, some) in flags.chunks(FLAGS).enumerate() {
-            if !some.contains(&true) {
-                continue;
-            }
-            for iy in (block * FLAGS..).zip(some).filter_map(|(iy, &flag)| flag.then_some(iy)) {
-                self.keep(window, start, iy, part);
+        for (block, some) in flags.chunks(u64::BITS as usize).enumerate() {
+            let mut marked = bits(some);
+            while marked != 0 {
+                self.keep(window, start, block * u64::BITS as usize + marked.trailing_zeros() as usize, part);
+                marked &= marked - 1;
             }
         }
     }
 
     /// Keeps a point that is lower than none of its neighbours.
+    #[inline]
     fn keep(&self, window: Window, start: usize, iy: usize, part: &mut Part) {
+        let steps = self.neighbours.steps();
         let z = window.0[1][iy];
-        let mut equal = 0u8;
-        for (bit, &step) in self.neighbours.steps().iter().enumerate() {
-            equal |= u8::from(window.at(iy, step) == z) << bit;
+        let nearest = [0, 1, 2, 3].map(|k| window.at(iy, STEPS[k]));
+        let is_level = nearest.contains(&z) || steps[4..].iter().any(|&step| window.at(iy, step) == z);
+        let mut bend = self.bend(z, nearest);
+        if self.detail.principal {
+            bend.0[2] = mixed(window, iy) / (self.pixel[0] * self.pixel[1]);
         }
-        let bend = self.bend(window, iy);
-        let drops = || [STEPS[0], STEPS[1], STEPS[2], STEPS[3]].map(|step| z - window.at(iy, step));
+        let drops = nearest.map(|other| z - other);
         let position = start + iy;
-        if equal != 0 {
-            part.level.push(LevelPoint { position, height: z, bend, equal, drops: drops() });
+        if is_level {
+            let equal = (0..)
+                .zip(steps)
+                .fold(0, |equal, (bit, &step)| equal | u8::from(window.at(iy, step) == z) << bit);
+            part.level.push(LevelPoint { position, height: z, bend, equal, drops });
             return;
         }
         let summits = &mut part.summits;
@@ -254,16 +272,15 @@ impl Finder {
             summits.principal.push(bend.principal());
         }
         if self.detail.drops {
-            summits.drops.extend(drops());
+            summits.drops.extend(drops);
         }
     }
 
-    fn bend(&self, window: Window, iy: usize) -> Bend {
+    /// Second derivatives along x and y, of a height and those west, east, south and north of it.
+    #[inline]
+    fn bend(&self, z: f64, [west, east, south, north]: [f64; 4]) -> Bend {
         let [dx, dy] = self.pixel;
-        let z = window.0[1][iy];
-        let along = |a: usize, b: usize| 2.0 * z - window.at(iy, STEPS[a]) - window.at(iy, STEPS[b]);
-        let mixed = if self.detail.principal { mixed(window, iy) / (dx * dy) } else { 0.0 };
-        Bend([along(0, 1) / (dx * dx), along(2, 3) / (dy * dy), mixed])
+        Bend([(2.0 * z - west - east) / (dx * dx), (2.0 * z - south - north) / (dy * dy), 0.0])
     }
 
     /// The position `step` away, around the border of a periodic map; `None` beyond an open one.
@@ -359,27 +376,59 @@ impl Finder {
     }
 }
 
-/// Flags that are looked at together: most blocks hold no summit.
-const FLAGS: usize = 16;
+/// A bit for each of up to 64 flags.
+fn bits(flags: &[bool]) -> u64 {
+    /// Gathers the low bits of eight bytes in the highest byte, the first lowest.
+    const GATHER: u64 = 0x0102_0408_1020_4080;
+    let (bytes, rest) = flags.as_chunks::<8>();
+    let eight = |flags: &[bool; 8]| u64::from_le_bytes(flags.map(u8::from)).wrapping_mul(GATHER) >> 56;
+    let whole = bytes.iter().enumerate().fold(0, |all, (k, flags)| all | eight(flags) << (8 * k));
+    rest.iter().zip(8 * bytes.len()..).fold(whole, |all, (&flag, k)| all | u64::from(flag) << k)
+}
 
 /// Marks the inner points of the middle row that are lower than none of their neighbours. Written so that
-/// compilers make it one comparison of many points at a time.
-fn flag(Window([before, row, after]): Window, neighbours: Neighbours, flags: &mut [bool]) {
-    let inner = row.len() - 2;
-    (flags[0], flags[inner + 1]) = (false, false);
-    let flags = &mut flags[1..=inner];
-    let z = &row[1..=inner];
-    let beside = [&before[1..=inner], &after[1..=inner], &row[..inner], &row[2..inner + 2]];
-    for i in 0..inner {
-        let z = z[i];
-        flags[i] = (z >= beside[0][i]) & (z >= beside[1][i]) & (z >= beside[2][i]) & (z >= beside[3][i]);
-    }
-    if neighbours == Neighbours::Eight {
-        let beside = [&before[..inner], &before[2..inner + 2], &after[..inner], &after[2..inner + 2]];
+/// compilers make it comparisons of many points at a time, as wide as the machine has them.
+struct Mark<'a> {
+    window: Window<'a>,
+    neighbours: Neighbours,
+    flags: &'a mut [bool],
+}
+
+impl WithSimd for Mark<'_> {
+    type Output = ();
+
+    #[inline(always)]
+    fn with_simd<S: Simd>(self, _: S) {
+        let Self { window: Window([before, row, after]), neighbours, flags } = self;
+        let inner = row.len() - 2;
+        (flags[0], flags[inner + 1]) = (false, false);
+        let flags = &mut flags[1..=inner];
+        let z = &row[1..=inner];
+        let beside = [&before[1..=inner], &after[1..=inner], &row[..inner], &row[2..inner + 2]];
         for i in 0..inner {
             let z = z[i];
-            flags[i] &= (z >= beside[0][i]) & (z >= beside[1][i]) & (z >= beside[2][i]) & (z >= beside[3][i]);
+            flags[i] = (z >= beside[0][i]) & (z >= beside[1][i]) & (z >= beside[2][i]) & (z >= beside[3][i]);
         }
+        if neighbours == Neighbours::Eight {
+            let beside = [&before[..inner], &before[2..inner + 2], &after[..inner], &after[2..inner + 2]];
+            for i in 0..inner {
+                let z = z[i];
+                flags[i] &=
+                    (z >= beside[0][i]) & (z >= beside[1][i]) & (z >= beside[2][i]) & (z >= beside[3][i]);
+            }
+        }
+    }
+}
+
+/// Whether a row has no missing point.
+struct IsWhole<'a>(&'a [f64]);
+
+impl WithSimd for IsWhole<'_> {
+    type Output = bool;
+
+    #[inline(always)]
+    fn with_simd<S: Simd>(self, _: S) -> bool {
+        count_missing(self.0) == 0
     }
 }
 

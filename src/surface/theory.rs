@@ -5,7 +5,7 @@ use std::f64::consts::{FRAC_1_SQRT_2, PI};
 use std::sync::LazyLock;
 
 use gauss_quad::GaussLegendre;
-use statrs::function::erf::erfc;
+use libm::erfc;
 
 use super::character::NeighbourCorrelation;
 

@@ -1,7 +1,7 @@
 //! Matrices and points in plain text.
 
-use asperity::surface::rows::missing;
 use super::*;
+use asperity::surface::rows::missing;
 
 #[test]
 fn a_matrix_of_numbers_with_every_separator() {
