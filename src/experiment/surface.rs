@@ -112,6 +112,8 @@ pub(super) enum NoAsperities {
     Level(#[from] Undetermined),
     #[error(transparent)]
     Filter(#[from] FilterError),
+    #[error("has no summit: once levelled it is flat to the rounding of its heights")]
+    Flat,
     #[error("has no summit: none of its {tested} tested points is higher than its neighbours")]
     NoSummit { tested: usize },
     #[error("all summits are equally high: their standard deviation is zero")]
@@ -144,19 +146,22 @@ impl Finding {
             None => None,
         };
         let map: &dyn Rows = filtered.as_ref().map_or(&levelled as &dyn Rows, |map| map);
+        let character = Character::of(map);
+        if character.moments.sq <= levelled.form.magnitude() * raw.precision().max(f64::EPSILON) {
+            return Err(NoAsperities::Flat);
+        }
         let summits = find(map, self.neighbours, Detail::ALL);
         if summits.heights.is_empty() {
             return Err(NoAsperities::NoSummit { tested: summits.tested });
         }
-        let facts = self.facts(raw, map, &summits);
+        let facts = self.facts(raw, map, character, &summits);
         let [dx, dy] = map.pixel();
         let radii = summits.curvatures.iter().map(|curvature| curvature.recip()).collect();
         let set = AsperitySet::new(summits.heights, radii, dx * dy * summits.tested as f64)?;
         Ok((set, facts))
     }
 
-    fn facts(&self, raw: &dyn Rows, map: &dyn Rows, summits: &Summits) -> MapFacts {
-        let character = Character::of(map);
+    fn facts(&self, raw: &dyn Rows, map: &dyn Rows, character: Character, summits: &Summits) -> MapFacts {
         let sq = character.moments.sq;
         let five_point = |lags| theory::five_point(&lags, sq, map.pixel());
         MapFacts {

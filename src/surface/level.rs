@@ -97,6 +97,11 @@ pub struct Form {
 }
 
 impl Form {
+    /// The largest height that was taken off, m: differences below its rounding mean nothing.
+    pub fn magnitude(&self) -> f64 {
+        self.origin.abs() + self.coefficients.iter().map(|c| c.abs()).sum::<f64>()
+    }
+
     fn coordinate(&self, index: usize, axis: usize) -> f64 {
         index as f64 / self.centre[axis] - 1.0
     }

@@ -57,7 +57,7 @@ pub enum SpectrumError {
     Hurst(f64),
     /// Wavelengths in order.
     #[error(
-        "found a roll-off at {roll_off:e} m and a cut-off at {cut_off:e} m; allowed: a roll-off wavelength that is at least the cut-off's"
+        "found a roll-off at {roll_off:.3e} m and a cut-off at {cut_off:.3e} m; allowed: a roll-off wavelength that is at least the cut-off's"
     )]
     Order {
         /// The longest wavelength of the power law, m.
@@ -72,7 +72,7 @@ pub enum SpectrumError {
     #[error("found an elongation of {0}; allowed: 1e-3 to 1e3")]
     Elongation(f64),
     /// The grid shows the shortest wave.
-    #[error("found a cut-off at {cut_off:e} m on pixels of {pixel:e} m; allowed: at least two pixels")]
+    #[error("found a cut-off at {cut_off:.3e} m on pixels of {pixel:.3e} m; allowed: at least two pixels")]
     BelowPixel {
         /// The shortest wavelength along an axis, m.
         cut_off: f64,
@@ -81,7 +81,7 @@ pub enum SpectrumError {
     },
     /// The map shows the longest wave.
     #[error(
-        "found a {what} of {length:e} m on a map of {size:e} m; allowed: at most {part} of the shorter side"
+        "found a {what} of {length:.3e} m on a map of {size:.3e} m; allowed: at most {part} of the shorter side"
     )]
     TooLong {
         /// Roll-off or correlation length.

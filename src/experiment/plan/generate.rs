@@ -268,7 +268,10 @@ fn target_recipe(
         return Err(with_summits(sigma.span(), "sigma"));
     }
     if let Some(plateau) = &words.plateau {
-        return Err(with_summits(plateau.span(), "plateau"));
+        return Err(source.refuse(
+            plateau.span(),
+            "found plateau beside summits, which are searched for on the surfaces of one process; allowed: one of the two",
+        ));
     }
     let refuse = |message: &dyn std::fmt::Display| source.refuse(words.spectrum.span(), message);
     let SpectrumSpec::SelfAffine(self_affine) = words.spectrum.get_ref() else {

@@ -1,7 +1,7 @@
 //! `[surface.NAME.generate]`: a random rough surface.
 
 use serde::Deserialize;
-use serde::de::value::{MapAccessDeserializer, StrDeserializer};
+use serde::de::value::MapAccessDeserializer;
 use serde::de::{Deserializer, Error, MapAccess, SeqAccess, Visitor};
 use toml::Spanned;
 
@@ -155,6 +155,9 @@ impl From<HeightsWords> for HeightsSpec {
     }
 }
 
+const ALLOWED_HEIGHTS: &str =
+    "\"gaussian\", { johnson = { skewness = -1, kurtosis = 4.5 } } or { weibull = { shape = 2 } }";
+
 impl<'de> Deserialize<'de> for HeightsSpec {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
         struct NameOrTable;
@@ -163,19 +166,12 @@ impl<'de> Deserialize<'de> for HeightsSpec {
             type Value = HeightsSpec;
 
             fn expecting(&self, f: &mut std::fmt::Formatter) -> std::fmt::Result {
-                f.write_str(
-                    "\"gaussian\", { johnson = { skewness = .., kurtosis = .. } } or { weibull = { shape = .. } }",
-                )
+                f.write_str(ALLOWED_HEIGHTS)
             }
             fn visit_str<E: Error>(self, name: &str) -> Result<HeightsSpec, E> {
                 match name {
                     "gaussian" => Ok(HeightsSpec::Gaussian),
-                    _ => {
-                        // A known name without its table and an unknown name each have their own words.
-                        let words: Result<HeightsWords, E> =
-                            HeightsWords::deserialize(StrDeserializer::new(name));
-                        words.map(HeightsSpec::from)
-                    }
+                    _ => Err(E::custom(format!("found \"{name}\"; allowed: {ALLOWED_HEIGHTS}"))),
                 }
             }
             fn visit_map<A: MapAccess<'de>>(self, table: A) -> Result<HeightsSpec, A::Error> {
