@@ -4,8 +4,11 @@
 use std::fmt;
 
 use rayon::prelude::*;
+use realfft::num_complex::Complex;
+use rustfft::FftPlanner;
 
-use super::HeightMap;
+use super::fourier::{analyse, synthesise};
+use super::{Boundary, HeightMap, Rows};
 
 /// An S and an L filter, either or both.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -97,17 +100,52 @@ impl fmt::Display for Filter {
 /// The Gaussian mean of a map: weights exp(-pi (x/(alpha index))^2) along x and y (ISO 16610-61,
 /// Eq. 1; a Gaussian separates), normalised by the weights of the points that are there.
 fn low_pass(map: &HeightMap, index: f64) -> HeightMap {
-    let [nx, ny] = map.points();
-    let [along_x, along_y] = map.pixel().map(|pixel| weights(index / pixel));
-    // Heights and presence go through the same two passes; their quotient is the mean.
-    let present: Vec<[f64; 2]> =
-        map.heights().iter().map(|&z| if z.is_nan() { [0.0, 0.0] } else { [z, 1.0] }).collect();
-    let once = pass(&present, [nx, ny], &along_y);
-    let twice = pass(&transposed(&once, [nx, ny]), [ny, nx], &along_x);
-    let means = transposed(&twice, [ny, nx]);
-    let heights =
-        map.heights().iter().zip(means).map(|(&z, [sum, weight])| if z.is_nan() { z } else { sum / weight });
+    let weights = map.pixel().map(|pixel| weights(index / pixel));
+    let smoothed = |of: &(dyn Fn(f64) -> f64 + Sync)| smoothed(map, &weights, of);
+    // Heights and presence go the same way; their quotient is the mean.
+    let sums = smoothed(&|z| z);
+    let presence = smoothed(&|_| 1.0);
+    let means = sums.iter().zip(&presence).map(|(sum, weight)| sum / weight);
+    let heights = map.heights().iter().zip(means).map(|(&z, mean)| if z.is_nan() { z } else { mean });
     map.with_heights(heights.collect())
+}
+
+/// Weighted sums over the neighbourhood of each point of what `of` makes of the heights that are there: a
+/// product of transforms, so that the cost does not grow with the nesting index.
+fn smoothed(map: &HeightMap, weights: &[Vec<f64>; 2], of: &(dyn Fn(f64) -> f64 + Sync)) -> Vec<f64> {
+    let [nx, ny] = map.points();
+    // Beyond an open border there is nothing: as much room as the weights reach keeps the borders apart.
+    let points = [0, 1].map(|axis| match map.boundary() {
+        Boundary::Periodic => map.points()[axis],
+        Boundary::Open => (map.points()[axis] + weights[axis].len()).next_multiple_of(16),
+    });
+    let mut field = vec![0.0; points[0] * points[1]];
+    field.par_chunks_mut(points[1]).zip(map.heights().par_chunks(ny)).for_each(|(row, heights)| {
+        for (value, &z) in row.iter_mut().zip(heights) {
+            *value = if z.is_nan() { 0.0 } else { of(z) };
+        }
+    });
+    let [along_x, along_y] = [0, 1].map(|axis| wrapped(&weights[axis], points[axis]));
+    let count = (points[0] * points[1]) as f64;
+    let waves = analyse(field, points, |j, waves| {
+        waves.iter().zip(&along_x).map(|(wave, x)| wave * (x * along_y[j])).collect::<Vec<_>>()
+    });
+    let fill = |j: usize, column: &mut [Complex<f64>]| column.copy_from_slice(&waves[j]);
+    let sums = synthesise(points, fill, |_| count.recip());
+    sums.chunks(points[1]).take(nx).flat_map(|row| &row[..ny]).copied().collect()
+}
+
+/// The transform of weights on both sides of a point, around a border of `count` points.
+fn wrapped(weights: &[f64], count: usize) -> Vec<f64> {
+    let mut both = vec![Complex::default(); count];
+    for (k, &weight) in weights.iter().enumerate() {
+        both[k % count].re += weight;
+        if k > 0 {
+            both[(count - k % count) % count].re += weight;
+        }
+    }
+    FftPlanner::new().plan_fft_forward(count).process(&mut both);
+    both.into_iter().map(|wave| wave.re).collect()
 }
 
 /// Weights at 0, 1, 2, ... pixels, up to where they fall below 1e-12 of the first. The index is in
@@ -120,34 +158,6 @@ fn weights(index: f64) -> Vec<f64> {
         .map(|k| (-std::f64::consts::PI * f64::from(k).powi(2) / (ALPHA_SQUARED * index * index)).exp())
         .take_while(|&weight| weight > NEGLIGIBLE)
         .collect()
-}
-
-/// Weighted sums along the second index.
-fn pass(values: &[[f64; 2]], [_, columns]: [usize; 2], weights: &[f64]) -> Vec<[f64; 2]> {
-    let mut sums = vec![[0.0; 2]; values.len()];
-    sums.par_chunks_mut(columns).zip(values.par_chunks(columns)).for_each(|(sums, row)| {
-        for (k, weight) in weights.iter().enumerate().take(columns) {
-            for j in k..columns {
-                for part in 0..2 {
-                    sums[j][part] += weight * row[j - k][part];
-                    if k > 0 {
-                        sums[j - k][part] += weight * row[j][part];
-                    }
-                }
-            }
-        }
-    });
-    sums
-}
-
-fn transposed(values: &[[f64; 2]], [rows, columns]: [usize; 2]) -> Vec<[f64; 2]> {
-    let mut turned = vec![[0.0; 2]; values.len()];
-    turned.par_chunks_mut(rows).enumerate().for_each(|(column, turned)| {
-        for (row, value) in turned.iter_mut().enumerate() {
-            *value = values[row * columns + column];
-        }
-    });
-    turned
 }
 
 #[cfg(test)]
@@ -205,5 +215,38 @@ mod tests {
             Filter::new(Some(61.0), None).unwrap().apply(small),
             Err(FilterError::TooLarge { .. })
         ));
+    }
+
+    /// The definition, point by point.
+    #[test]
+    fn the_same_as_by_the_definition() {
+        let (points, pixel, index) = ([40, 37], [1e-6, 1.5e-6], 7e-6);
+        let height = |k: usize| if k % 29 == 3 { f64::NAN } else { ((k * k) % 97) as f64 * 1e-9 };
+        let open = HeightMap::new(points, pixel, (0..40 * 37).map(height).collect(), 0.0).unwrap();
+        for map in [open.clone(), open.periodic()] {
+            let found = low_pass(&map, index);
+            let half = map.points().map(|count| count as isize);
+            for k in (0..40 * 37).step_by(13).filter(|k| !height(*k).is_nan()) {
+                let (mut sum, mut total) = (0.0, 0.0);
+                for other in (0..40 * 37).filter(|other| !height(*other).is_nan()) {
+                    let steps = [other / 37, other % 37].into_iter().zip([k / 37, k % 37]);
+                    let distance: Vec<isize> = steps.map(|(a, b)| a as isize - b as isize).collect();
+                    // Two images each way: the weights end within them.
+                    let reach = if map.boundary() == Boundary::Periodic { 2 } else { 0 };
+                    for i in -reach..=reach {
+                        for j in -reach..=reach {
+                            let x = (distance[0] + i * half[0]) as f64 * pixel[0];
+                            let y = (distance[1] + j * half[1]) as f64 * pixel[1];
+                            let alpha2 = std::f64::consts::LN_2 / std::f64::consts::PI;
+                            let weight =
+                                (-std::f64::consts::PI * (x * x + y * y) / (alpha2 * index * index)).exp();
+                            sum += weight * height(other);
+                            total += weight;
+                        }
+                    }
+                }
+                assert!((found.heights()[k] / (sum / total) - 1.0).abs() < 1e-11, "{k}");
+            }
+        }
     }
 }
