@@ -4,7 +4,7 @@ use asperity::asperity::{AsperitySet, Statistics};
 use asperity::surface::character::Character;
 use asperity::surface::correlation::{Autocorrelation, RadialSpectrum};
 use asperity::surface::generate::{
-    Plateau, Process, Recipe, Seeds, Target, TargetRecipe, Unreachable, gaussian,
+    Plateau, Process, Recipe, Seeds, SpectrumOf, Target, TargetRecipe, Unreachable, gaussian,
 };
 use asperity::surface::level::{Level, Levelled};
 use asperity::surface::marginal::{Johnson, Marginal, Weibull};
@@ -21,7 +21,7 @@ fn seeds(seed: u8) -> Seeds {
 }
 
 fn process(shape: Shape, lay: Lay, heights: Marginal) -> Process {
-    Process { spectrum: Spectrum::new(shape, lay).unwrap(), sigma: SIGMA, heights }
+    Process { spectrum: Spectrum::new(shape, lay).unwrap(), of: SpectrumOf::Heights, sigma: SIGMA, heights }
 }
 
 fn surface(points: [usize; 2], pixel: [f64; 2], process: Process, seed: u8) -> HeightMap {
@@ -259,6 +259,33 @@ fn a_plateau_is_cut_and_nothing_else() {
     // P(coarse < fine + 0.3 sigma) = Phi(0.3/1.01^.5) = 0.617, over some 30 x 25 independent patches.
     let share = kept as f64 / moved.len() as f64;
     assert!((share - 0.617).abs() < 0.08, "{share}");
+}
+
+/// A map of heights distorts the autocorrelation of a Gaussian field; one that is made for it does not end distorted.
+#[test]
+fn a_surface_of_other_heights_has_the_autocorrelation_that_was_asked_for() {
+    let (l, pixel) = (6e-6, 1e-6);
+    let weibull = Marginal::Weibull(Weibull::new(1.0).unwrap());
+    for (heights, distorted) in [(weibull, 0.04), (johnson(-1.5, 6.5), 0.02)] {
+        let mut worst = [0.0f64; 2];
+        for (worst, of) in worst.iter_mut().zip([SpectrumOf::Heights, SpectrumOf::Gaussian]) {
+            let process = Process { of, ..process(Shape::Exponential(l), Lay::default(), heights) };
+            let mut mean = [0.0; 20];
+            for seed in 1..=24 {
+                let map = surface([512; 2], [pixel; 2], process, seed);
+                let found = Autocorrelation::of(&map).unwrap();
+                for (k, sum) in mean.iter_mut().enumerate() {
+                    *sum += (found.along_x[k].1 + found.along_y[k].1) / 48.0;
+                }
+            }
+            for (k, rho) in mean.iter().enumerate() {
+                *worst = worst.max((rho - (-(k as f64) * pixel / l).exp()).abs());
+            }
+        }
+        println!("{heights}: {worst:?}");
+        assert!(worst[0] < 0.01, "{heights}: {worst:?}");
+        assert!(worst[1] > distorted, "{heights}: {worst:?}");
+    }
 }
 
 /// A finer grid of the same size shows the same long waves.

@@ -6,7 +6,7 @@ use crate::model::{Datum, MeanRadius};
 use crate::surface::character::Character;
 use crate::surface::correlation::{Autocorrelation, RadialSpectrum};
 use crate::surface::filter::{Filter, FilterError};
-use crate::surface::generate::{Recipe, Target};
+use crate::surface::generate::{Recipe, SpectrumOf, Target};
 use crate::surface::level::{Level, Levelled, Undetermined};
 use crate::surface::marginal::Marginal;
 use crate::surface::quantisation::Quantisation;
@@ -97,6 +97,8 @@ pub enum Look {
 pub struct Whole {
     /// The spectrum that was asked for.
     pub asked: Option<RadialSpectrum>,
+    /// Whether it was asked of the Gaussian field whose heights were mapped, not of the heights.
+    pub is_asked_of_gaussian: bool,
     /// The spectrum that was found.
     pub spectrum: Option<RadialSpectrum>,
     /// The autocorrelation.
@@ -201,6 +203,10 @@ impl Whole {
         whole.asked = generation.filter(|made| made.recipe.plateau.is_none()).map(|made| {
             let Recipe { points, pixel, process, .. } = made.recipe;
             RadialSpectrum::asked(&process.spectrum.on_grid(points, pixel), pixel, process.sigma)
+        });
+        whole.is_asked_of_gaussian = generation.is_some_and(|made| {
+            made.recipe.process.of == SpectrumOf::Gaussian
+                && made.recipe.process.heights != Marginal::Gaussian
         });
         let map = HeightMap::of(map);
         whole.autocorrelation = if is_close { Autocorrelation::of(&map) } else { None };

@@ -117,9 +117,12 @@ impl RadialSpectrum {
 }
 
 impl RadialSpectrum {
-    /// Quartiles of the ratio of another spectrum to this one, over the rings where this one is not zero.
+    /// Quartiles of the ratio of another spectrum to this one, over the rings whose density is at least a thousandth of
+    /// the largest one.
     pub fn quartiles_of(&self, other: &Self) -> [f64; 2] {
-        let pairs = self.rings.iter().zip(&other.rings).filter(|(asked, _)| asked.1 > 0.0);
+        const NEGLIGIBLE: f64 = 1e-3;
+        let largest = self.rings.iter().fold(0.0f64, |a, ring| a.max(ring.1));
+        let pairs = self.rings.iter().zip(&other.rings).filter(|(asked, _)| asked.1 > NEGLIGIBLE * largest);
         let mut ratios: Vec<f64> = pairs.map(|(asked, found)| found.1 / asked.1).collect();
         ratios.sort_unstable_by(f64::total_cmp);
         [1, 3].map(|quarter| ratios.get(quarter * ratios.len() / 4).copied().unwrap_or(f64::NAN))

@@ -5,7 +5,8 @@ use std::f64::consts::TAU;
 use rayon::prelude::*;
 use realfft::num_complex::Complex;
 
-use super::fourier::analyse;
+use super::fourier::{analyse, synthesise, weight};
+use super::marginal::Distortion;
 use crate::numeric::is_positive;
 
 /// A spectrum of unit variance, by its shape and its lay.
@@ -215,12 +216,17 @@ impl Spectrum {
                     .sum();
             }
         });
-        let roots = |_, column: &[Complex<f64>]| -> Vec<f64> {
-            // The transform is real, and negative only by rounding.
-            column.iter().map(|wave| wave.re.max(0.0).sqrt()).collect()
-        };
-        analyse(wrapped, points, roots).concat()
+        roots(wrapped, points)
     }
+}
+
+/// Amplitudes of the waves of a field with this autocorrelation, column by column. Its transform is real; where it
+/// is negative no field has it.
+fn roots(correlation: Vec<f64>, points: [usize; 2]) -> Vec<f64> {
+    let column = |_, column: &[Complex<f64>]| -> Vec<f64> {
+        column.iter().map(|wave| wave.re.max(0.0).sqrt()).collect()
+    };
+    analyse(correlation, points, column).concat()
 }
 
 impl Lay {
@@ -258,6 +264,31 @@ impl GridSpectrum {
     /// Points along x and y.
     pub fn points(&self) -> [usize; 2] {
         self.points
+    }
+
+    /// The spectrum of the Gaussian field that a map of heights turns into a field of this one, as far as there is
+    /// one: autocorrelations that no Gaussian field can have are brought to the nearest that it can (Grigoriu 1998).
+    pub fn before(&self, map: &Distortion) -> Self {
+        let points = self.points;
+        let inverse = map.inverse();
+        let mut correlation = synthesise(
+            points,
+            |j, waves| {
+                let mut deviations = vec![0.0; waves.len()];
+                self.column(j, &mut deviations);
+                let mut total = 0.0;
+                for (wave, deviation) in waves.iter_mut().zip(&deviations) {
+                    *wave = Complex::new(deviation * deviation, 0.0);
+                    total += wave.re;
+                }
+                weight(points, j) * total
+            },
+            |totals| totals.iter().sum::<f64>().recip(),
+        );
+        correlation.par_chunks_mut(points[1]).for_each(|row| {
+            row.iter_mut().for_each(|rho| *rho = inverse.of(*rho));
+        });
+        Self { points, kind: Kind::Table(roots(correlation, points)) }
     }
 
     /// Writes the standard deviations of the waves with wave number `j` along y, by their wave number along x

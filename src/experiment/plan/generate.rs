@@ -10,7 +10,9 @@ use crate::experiment::spec::{
 };
 use crate::experiment::stream_seed;
 use crate::surface::HeightMap;
-use crate::surface::generate::{Plateau, Process, Recipe, Seeds, Target, TargetRecipe, Unreachable};
+use crate::surface::generate::{
+    Plateau, Process, Recipe, Seeds, SpectrumOf, Target, TargetRecipe, Unreachable,
+};
 use crate::surface::marginal::{Johnson, Marginal, Weibull};
 use crate::surface::spectrum::{Lay, Shape, Spectrum, SpectrumError};
 use crate::surface::summits::Neighbours;
@@ -86,9 +88,10 @@ impl Generation {
     /// Arrays of the map's size that are in memory at once.
     pub fn arrays(&self) -> u128 {
         match &self.way {
-            Way::Recipe(Recipe { plateau: None, .. }) => 2,
-            // Two processes; two ends of a bracket and a trial.
-            Way::Recipe(_) => 3,
+            // The surface and its spectrum's table, or the table and the autocorrelation that it comes from; two
+            // processes; two ends of a bracket and a trial.
+            Way::Recipe(Recipe { plateau: None, .. }) => 3,
+            Way::Recipe(_) => 4,
             Way::Target { .. } => 4,
         }
     }
@@ -132,6 +135,7 @@ impl Generation {
                 };
                 let process = Process {
                     spectrum: Spectrum::new(shape, recipe.lay)?,
+                    of: SpectrumOf::Gaussian,
                     sigma: found.sigma,
                     heights: recipe.heights,
                 };
@@ -191,11 +195,13 @@ fn recipe(
     };
     let pixel = words.pixel.as_ref().ok_or_else(|| missing("pixel"))?.get_ref().0;
     let sigma = words.sigma.as_ref().ok_or_else(|| missing("sigma"))?.get_ref().value();
-    let process = Process { spectrum: spectrum(source, &words.spectrum, points, pixel)?, sigma, heights };
+    let of = words.spectrum_of.as_ref().map(|of| *of.get_ref()).unwrap_or_default();
+    let process = Process { spectrum: spectrum(source, &words.spectrum, points, pixel)?, of, sigma, heights };
     let plateau = words.plateau.as_ref().map(|plateau| {
         let PlateauSpec { sigma, spectrum: words, height } = plateau.get_ref();
         let spectrum = spectrum(source, words, points, pixel)?;
-        let process = Process { spectrum, sigma: sigma.value(), heights: Marginal::Gaussian };
+        let process =
+            Process { spectrum, of: SpectrumOf::Heights, sigma: sigma.value(), heights: Marginal::Gaussian };
         Ok(Plateau { process, height: height.value() })
     });
     Ok(Recipe { points, pixel, process, plateau: plateau.transpose()? })
@@ -266,6 +272,9 @@ fn target_recipe(
     }
     if let Some(sigma) = &words.sigma {
         return Err(with_summits(sigma.span(), "sigma"));
+    }
+    if let Some(of) = &words.spectrum_of {
+        return Err(with_summits(of.span(), "spectrum-of"));
     }
     if let Some(plateau) = &words.plateau {
         return Err(source.refuse(

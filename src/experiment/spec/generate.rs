@@ -6,6 +6,7 @@ use serde::de::{Deserializer, Error, MapAccess, SeqAccess, Visitor};
 use toml::Spanned;
 
 use super::surface::PixelSpec;
+use crate::surface::generate::SpectrumOf;
 use crate::surface::summits::Neighbours;
 use crate::units::{Angle, ArealNumberDensity, Finite, Length, Pure, Quantity};
 
@@ -22,8 +23,9 @@ pub struct GenerateSpec {
     /// How the variance is spread over the waves.
     pub spectrum: Spanned<SpectrumSpec>,
     /// Distribution of the heights.
-    #[serde(default)]
     pub heights: Option<Spanned<HeightsSpec>>,
+    /// Whose spectrum it is: not with `summits`, which leave the spectrum open.
+    pub spectrum_of: Option<Spanned<SpectrumOf>>,
     /// A finer process that cuts the surface; not with `summits`.
     pub plateau: Option<Spanned<PlateauSpec>>,
     /// What the found summits shall be.

@@ -122,7 +122,11 @@ pub fn spectrum(whole: &Whole) -> Option<String> {
             .with(points);
     if let Some(asked) = &whole.asked {
         let line = Layer::line(line(asked)).coloured(Colour::Statistical).dashed(Dash::Dashed);
-        plot = plot.with(line.named("asked for, before the heights were mapped"));
+        plot = plot.with(line.named(if whole.is_asked_of_gaussian {
+            "asked for, before the heights were mapped"
+        } else {
+            "asked for"
+        }));
     }
     Some(plot.svg())
 }

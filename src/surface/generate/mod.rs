@@ -7,22 +7,35 @@ pub use gaussian::gaussian;
 pub use target::{Reached, Target, TargetRecipe, Unreachable};
 
 use rayon::prelude::*;
+use serde::Deserialize;
 
-use super::marginal::Marginal;
+use super::marginal::{Distortion, Marginal};
 use super::spectrum::{GridSpectrum, Spectrum, SpectrumError};
 use super::{HeightMap, MapError};
 use crate::numeric::sum::sum_of;
 
-/// A process that makes rough surfaces: a Gaussian surface of a spectrum whose heights are mapped to a
-/// distribution. The map of heights distorts the spectrum: it is that of the Gaussian surface.
+/// A process that makes rough surfaces: a Gaussian surface whose heights are mapped to a distribution.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Process {
-    /// How the variance is spread over the waves.
+    /// How the variance is spread over the waves, of the field that [`Self::of`] names.
     pub spectrum: Spectrum,
+    /// Whose spectrum it is.
+    pub of: SpectrumOf,
     /// Standard deviation of the heights over all surfaces, m.
     pub sigma: f64,
     /// Distribution of the heights.
     pub heights: Marginal,
+}
+
+/// The field that a spectrum is asked of. A map of heights distorts the spectrum.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum SpectrumOf {
+    /// The surface: the Gaussian field is given the spectrum that becomes it, as far as there is one.
+    #[default]
+    Heights,
+    /// The Gaussian field before its heights are mapped.
+    Gaussian,
 }
 
 /// A finer process that cuts the summits of a coarser one, as honing does: the lower of the two surfaces is
@@ -88,7 +101,11 @@ impl Recipe {
 
 impl Process {
     fn heights(&self, points: [usize; 2], pixel: [f64; 2], seed: [u8; 32]) -> Vec<f64> {
-        field(&self.spectrum.on_grid(points, pixel), self.heights, self.sigma, seed)
+        let mut spectrum = self.spectrum.on_grid(points, pixel);
+        if self.heights != Marginal::Gaussian && self.of == SpectrumOf::Heights {
+            spectrum = spectrum.before(&Distortion::new(&self.heights));
+        }
+        field(&spectrum, self.heights, self.sigma, seed)
     }
 }
 

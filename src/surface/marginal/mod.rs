@@ -19,7 +19,7 @@ use std::fmt;
 use rayon::prelude::*;
 
 use crate::numeric::Sum;
-pub use distortion::Distortion;
+pub use distortion::{Distortion, Inverse};
 pub use johnson::Johnson;
 pub use weibull::Weibull;
 

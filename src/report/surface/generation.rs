@@ -1,0 +1,113 @@
+//! Of a random surface, what was asked for and what was reached.
+
+use super::words::or_dash;
+use crate::experiment::{GenerationFacts, MapFacts, Surface};
+use crate::report::format::{number, percent, quantity};
+use crate::report::page::Page;
+use crate::surface::generate::{Process, Recipe, SpectrumOf};
+use crate::surface::marginal::Marginal;
+use crate::surface::spectrum::Shape;
+
+/// Says how a surface was made, and how far it is from what was asked for.
+pub fn section(page: &mut Page, surface: &Surface, map: &MapFacts, made: &GenerationFacts) {
+    page.paragraph(&format!(
+        "{} is a random surface, periodic at its borders: {}.",
+        surface.name,
+        recipe(&made.recipe)
+    ));
+    if made.recipe.plateau.is_some() {
+        page.paragraph(
+            "Standard deviations, heights and spectra are those of the two processes; of what they leave together nothing was \
+             asked.",
+        );
+        return;
+    }
+    let mut rows = Vec::new();
+    if let Some((target, _)) = &made.target {
+        rows.push(ratio("mean radius of the summits", target.radius, surface.statistics.mean_radius, "m"));
+        rows.push(ratio("σ of the summit heights", target.sigma, surface.statistics.sigma, "m"));
+        rows.push(ratio("density of the summits", target.density, surface.set.density(), "1/m²"));
+    }
+    let (process, moments) = (&made.recipe.process, &map.character.moments);
+    rows.push(ratio("Sq", process.sigma, moments.sq, "m"));
+    rows.push(difference("Ssk", process.heights.skewness(), moments.ssk));
+    rows.push(difference("Sku", process.heights.kurtosis(), moments.sku));
+    if let (Some(asked), Some(reached)) = (&map.whole.asked, &map.whole.spectrum) {
+        let [low, high] = asked.quartiles_of(reached).map(number);
+        let reached = format!("{low} to {high} times");
+        rows.push(["spectrum, middle half of its rings".to_owned(), "1".to_owned(), reached, String::new()]);
+    }
+    page.table(["quantity", "asked", "reached", "off"], rows.into_iter().map(Vec::from));
+    if let Some((_, tried)) = made.target {
+        page.paragraph(&format!(
+            "Density × radius × σ depends on the bandwidth of the spectrum alone: it was searched for over {tried} surfaces of the \
+             same random numbers, then heights were scaled to σ and lengths to the density. What is asked of Sq and the \
+             spectrum is what the search found.",
+        ));
+    }
+    page.paragraph(
+        "Sq, Ssk, Sku and the spectrum asked for are those of all surfaces of the process; one surface scatters about them.",
+    );
+    if process.heights != Marginal::Gaussian {
+        page.paragraph(match process.of {
+            SpectrumOf::Heights => {
+                "The map from Gaussian to other heights changes a spectrum: the Gaussian field was given the one that becomes what \
+                 was asked for, as far as there is such a field."
+            }
+            SpectrumOf::Gaussian => {
+                "The map from Gaussian to other heights changes a spectrum: the one asked for is that of the Gaussian field before."
+            }
+        });
+    }
+}
+
+fn ratio(what: &str, asked: f64, reached: f64, unit: &str) -> [String; 4] {
+    let off = percent((reached / asked - 1.0).abs());
+    [what.to_owned(), quantity(asked, unit), quantity(reached, unit), off]
+}
+
+fn difference(what: &str, asked: f64, reached: Option<f64>) -> [String; 4] {
+    let apart = reached.map_or_else(String::new, |reached| number((reached - asked).abs()));
+    [what.to_owned(), number(asked), or_dash(reached), apart]
+}
+
+/// A recipe in words.
+fn recipe(recipe: &Recipe) -> String {
+    let process = |process: &Process| {
+        let length = |length: f64| quantity(length, "m");
+        let shape = match process.spectrum.shape() {
+            Shape::SelfAffine { hurst, roll_off, cut_off } => format!(
+                "self-affine spectrum with Hurst exponent {}, roll-off at a wavelength of {} and cut-off at {} ({} times \
+                 shorter)",
+                number(hurst),
+                length(roll_off),
+                length(cut_off),
+                number(roll_off / cut_off)
+            ),
+            Shape::Gaussian(l) => format!("Gaussian autocorrelation with correlation length {}", length(l)),
+            Shape::Exponential(l) => {
+                format!("exponential autocorrelation with correlation length {}", length(l))
+            }
+        };
+        let lay = process.spectrum.lay();
+        let lay = if lay.elongation == 1.0 {
+            String::new()
+        } else {
+            format!(
+                ", {} times longer along a lay at {}° to the x axis",
+                number(lay.elongation),
+                number(lay.angle.to_degrees())
+            )
+        };
+        format!("{shape}{lay}; heights {} with standard deviation {}", process.heights, length(process.sigma))
+    };
+    match &recipe.plateau {
+        None => process(&recipe.process),
+        Some(plateau) => format!(
+            "{}; cut by a finer process {} above its mean plane: {}",
+            process(&recipe.process),
+            quantity(plateau.height, "m"),
+            process(&plateau.process)
+        ),
+    }
+}
