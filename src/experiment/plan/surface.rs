@@ -46,6 +46,8 @@ enum Origin {
 struct MapPlan {
     path: PathBuf,
     points: usize,
+    /// Whether its heights stay on disk.
+    is_on_disk: bool,
     given: Given,
     level: Level,
     filter: Option<Filter>,
@@ -167,7 +169,8 @@ impl SurfacePlan {
         // The head of a file has been checked against its length: the product fits.
         let points = points[0] * points[1];
         let neighbours = words.neighbours;
-        Ok(Origin::Map(MapPlan { path, points, given, level: words.level, filter, neighbours }))
+        let is_on_disk = read::stays_on_disk(&path).map_err(|error| refuse(&error))?;
+        Ok(Origin::Map(MapPlan { path, points, is_on_disk, given, level: words.level, filter, neighbours }))
     }
 
     /// The file that it is read from.
@@ -203,23 +206,28 @@ impl SurfacePlan {
         }
     }
 
-    /// An estimate of the memory that it needs at its peak, bytes. Beyond one point in five of a map are
-    /// summits only on noise, so that no more are reckoned with.
+    /// An estimate of the memory that it needs at its peak, bytes, with as many summits as a rough surface has: on
+    /// noise there are twice as many.
     pub fn memory(&self) -> u128 {
-        /// A map that is no `.npy`, while it is read and turned.
+        /// A map that is read as a whole, and turned.
         const BYTES_PER_POINT: u128 = 32;
-        /// The copies that a filter's two passes work on.
+        /// The transforms of a filter.
         const BYTES_PER_FILTERED_POINT: u128 = 96;
         const BYTES_PER_HEIGHT: u128 = 8;
-        const POINTS_PER_SUMMIT: u128 = 5;
+        /// What is found of a summit, twice while the strips' lists are joined, and the models' copies.
+        const BYTES_PER_SUMMIT: u128 = 200;
+        let found = self.likely_asperities() * BYTES_PER_SUMMIT;
         match &self.origin {
-            Origin::Map(MapPlan { points, filter, .. }) => {
-                let bytes = if filter.is_some() { BYTES_PER_FILTERED_POINT } else { BYTES_PER_POINT };
-                *points as u128 * bytes + set_memory(*points as u128 / POINTS_PER_SUMMIT)
+            Origin::Map(MapPlan { points, is_on_disk, filter, .. }) => {
+                let bytes = match (filter, is_on_disk) {
+                    (Some(_), _) => BYTES_PER_FILTERED_POINT,
+                    (None, false) => BYTES_PER_POINT,
+                    (None, true) => 0,
+                };
+                *points as u128 * bytes + found
             }
             Origin::Generated(generation) => {
-                let points = area(generation.points());
-                points * BYTES_PER_HEIGHT * generation.arrays() + set_memory(points / POINTS_PER_SUMMIT)
+                area(generation.points()) * BYTES_PER_HEIGHT * generation.arrays() + found
             }
             _ => set_memory(self.most_asperities()),
         }
@@ -228,7 +236,17 @@ impl SurfacePlan {
     /// An estimate of the bytes of its asperities, which are kept for the report.
     pub fn kept(&self) -> u128 {
         const BYTES_PER_ASPERITY: u128 = 16;
-        self.most_asperities() * BYTES_PER_ASPERITY
+        self.likely_asperities() * BYTES_PER_ASPERITY
+    }
+
+    /// As many asperities as a rough surface of its size has.
+    fn likely_asperities(&self) -> u128 {
+        const POINTS_PER_SUMMIT: u128 = 10;
+        match &self.origin {
+            Origin::Generated(generation) => area(generation.points()) / POINTS_PER_SUMMIT,
+            Origin::Map(MapPlan { points, .. }) => *points as u128 / POINTS_PER_SUMMIT,
+            Origin::List { .. } | Origin::Population { .. } => self.most_asperities(),
+        }
     }
 
     /// A maker of its realisations, one after the other.

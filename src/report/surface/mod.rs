@@ -7,7 +7,7 @@ mod words;
 
 pub use page::page;
 
-use super::format::{number, percent, quantity};
+use super::format::{number, percent};
 use super::page::Page;
 use crate::experiment::{MapFacts, Surface};
 use words::{or_dash, properties, table};

@@ -234,23 +234,28 @@ pub fn height_map(path: &Path, given: Given) -> Result<HeightMap, ReadError> {
     Ok(HeightMap::new(head.points, pixel, heights, precision)?)
 }
 
-/// Opens a map without reading more of it than must be: a `.npy` in C order stays on disk and is read row by row,
-/// whatever its size.
+/// Whether [`rows`] leaves a map on disk: a `.npy` in C order.
+///
+/// # Errors
+/// As [`head`].
+pub fn stays_on_disk(path: &Path) -> Result<bool, ReadError> {
+    Ok(Format::of(path)? == Format::Npy && npy::Head::read(path)?.order == npyz::Order::C)
+}
+
+/// Opens a map without reading more of it than must be: one that stays on disk is read row by row, whatever its
+/// size.
 ///
 /// # Errors
 /// As [`height_map`].
 pub fn rows(path: &Path, given: Given) -> Result<Box<dyn Rows>, ReadError> {
-    if Format::of(path)? == Format::Npy {
-        let head = npy::Head::read(path)?;
-        if head.order == npyz::Order::C {
-            let head = head.map();
-            let array = Mapped::open(path)?;
-            let map = MappedMap { array, pixel: head.pixel(&given)?, unit: head.unit(&given) };
-            check_rows(&map)?;
-            return Ok(Box::new(map));
-        }
+    if !stays_on_disk(path)? {
+        return Ok(Box::new(height_map(path, given)?));
     }
-    Ok(Box::new(height_map(path, given)?))
+    let head = npy::Head::read(path)?.map();
+    let array = Mapped::open(path)?;
+    let map = MappedMap { array, pixel: head.pixel(&given)?, unit: head.unit(&given) };
+    check_rows(&map)?;
+    Ok(Box::new(map))
 }
 
 /// As [`check_heights`] and [`HeightMap::new`], row by row.
