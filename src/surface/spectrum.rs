@@ -8,6 +8,7 @@ use realfft::num_complex::Complex;
 use super::fourier::{analyse, synthesise, weight};
 use super::marginal::Distortion;
 use crate::numeric::is_positive;
+use crate::numeric::power::Power;
 
 /// A spectrum of unit variance, by its shape and its lay.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -167,7 +168,7 @@ impl Spectrum {
     /// Autocorrelation at a distance (m, along x and y) on an endless surface; `None` where it has no
     /// closed form.
     pub fn autocorrelation(&self, distance: [f64; 2]) -> Option<f64> {
-        let r = self.lay.length(distance, self.lay.elongation.recip());
+        let r = self.lay.squared(distance, self.lay.elongation.recip()).sqrt();
         match self.shape {
             Shape::SelfAffine { .. } => None,
             Shape::Gaussian(length) => Some((-(r / length).powi(2)).exp()),
@@ -184,7 +185,7 @@ impl Spectrum {
                 roll_off: (TAU / roll_off).powi(2),
                 // Waves on the edge are in, rounding or not.
                 cut_off: (TAU / cut_off).powi(2) * (1.0 + 1e-12),
-                exponent: -0.5 * (1.0 + hurst),
+                power: Power::new(-0.5 * (1.0 + hurst)),
             },
             _ => Kind::Table(self.table(points, pixel)),
         };
@@ -230,13 +231,14 @@ fn roots(correlation: Vec<f64>, points: [usize; 2]) -> Vec<f64> {
 }
 
 impl Lay {
-    /// Length of a vector whose part along the lay is multiplied by `factor`.
-    fn length(&self, [x, y]: [f64; 2], factor: f64) -> f64 {
+    /// Squared length of a vector whose part along the lay is multiplied by `factor`.
+    fn squared(&self, [x, y]: [f64; 2], factor: f64) -> f64 {
         if self.elongation == 1.0 {
-            return x.hypot(y);
+            return x * x + y * y;
         }
         let (sin, cos) = self.angle.sin_cos();
-        (factor * (x * cos + y * sin)).hypot(y * cos - x * sin)
+        let (along, across) = (factor * (x * cos + y * sin), y * cos - x * sin);
+        along * along + across * across
     }
 
     /// Whether waves i and -i along x are alike.
@@ -254,8 +256,8 @@ pub struct GridSpectrum {
 
 #[derive(Debug, Clone)]
 enum Kind {
-    /// Squared wave numbers in rad^2/m^2; the exponent is that of the amplitude over the squared wave number.
-    PowerLaw { step: [f64; 2], lay: Lay, roll_off: f64, cut_off: f64, exponent: f64 },
+    /// Squared wave numbers in rad^2/m^2; the power is that of the amplitude over the squared wave number.
+    PowerLaw { step: [f64; 2], lay: Lay, roll_off: f64, cut_off: f64, power: Power },
     /// Column by column.
     Table(Vec<f64>),
 }
@@ -295,11 +297,12 @@ impl GridSpectrum {
     /// (0, 1, ..., -2, -1).
     pub fn column(&self, j: usize, waves: &mut [f64]) {
         match &self.kind {
-            Kind::PowerLaw { step, lay, roll_off, cut_off, exponent } => {
+            Kind::PowerLaw { step, lay, roll_off, cut_off, power } => {
+                let scale = roll_off.recip();
                 let y = step[1] * j as f64;
                 let amplitude = |x: f64| {
-                    let q = lay.length([x, y], lay.elongation).powi(2);
-                    if q > *cut_off { 0.0 } else { (q / roll_off).max(1.0).powf(*exponent) }
+                    let q = lay.squared([x, y], lay.elongation);
+                    if q > *cut_off { 0.0 } else { power.of((q * scale).max(1.0)) }
                 };
                 let half = waves.len() / 2;
                 for i in 0..=half {
