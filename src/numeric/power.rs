@@ -25,7 +25,7 @@ impl Power {
         Self {
             exponent,
             middles: (0..INTERVALS).map(middle).map(|m| [m, m.recip(), m.powf(exponent)]).collect(),
-            octaves: (0..OCTAVES).map(|k| (exponent * k as f64).exp2()).collect(),
+            octaves: (0..OCTAVES as i32).map(|k| 2f64.powi(k).powf(exponent)).collect(),
             ratios: std::array::from_fn(|k| (exponent - k as f64) / (k + 1) as f64),
         }
     }
