@@ -333,3 +333,105 @@ fn the_measured_surfaces_end_to_end() {
     }
     assert!(near_the_limit > 0);
 }
+
+/// Two realisations of a random surface and of a population in one report.
+#[test]
+fn realisations_stand_in_every_table_and_differ() {
+    let folder = tempfile::tempdir().unwrap();
+    let (spec, out) = (folder.path().join("several.toml"), folder.path().join("reports"));
+    let words = format!(
+        "{}
+[surface.random.generate]
+points = [96, 64]
+pixel = [\"1 um\", \"0.8 um\"]
+sigma = \"0.2 um\"
+spectrum.exponential = {{ correlation-length = [\"8 um\", \"3 um\"], angle = \"30 deg\" }}
+heights.johnson = {{ skewness = -1, kurtosis = 4.5 }}
+realisations = 3
+",
+        SMALL
+            .replace("count = 2000", "count = 2000\nrealisations = 2")
+            .replace("[\"1 MPa\"]", "[\"1 MPa\", \"3 MPa\", \"9 MPa\", \"30 MPa\"]")
+    );
+    fs::write(&spec, words).unwrap();
+    fs::write(folder.path().join("list.csv"), "height,radius\n0,1e-6\n1e-9,1e-6\n5e-9,2e-6\n").unwrap();
+    let output = run(&spec, &out, &[]);
+    assert!(output.status.success(), "{}", text(&output.stderr));
+    let mut pressures: std::collections::BTreeMap<(String, String), Vec<String>> = Default::default();
+    let mut reader = csv::Reader::from_path(out.join("several/curves.csv")).unwrap();
+    let columns = reader.headers().unwrap().clone();
+    let place = |name: &str| columns.iter().position(|column| column == name).unwrap();
+    let [surface, realisation, model, control, area] =
+        ["surface", "realisation", "model", "control", "area_ratio"].map(place);
+    for row in reader.records().map(Result::unwrap) {
+        if &row[model] == "deterministic" && &row[control] == "pressure" {
+            let key = (row[surface].to_owned(), row[realisation].to_owned());
+            pressures.entry(key).or_default().push(row[area].to_owned());
+        }
+    }
+    let of = |surface: &str| -> Vec<&Vec<String>> {
+        pressures.iter().filter(|(key, _)| key.0 == surface).map(|(_, areas)| areas).collect()
+    };
+    assert_eq!(of("random").len(), 3);
+    for areas in of("random") {
+        assert_eq!(areas.len(), 4);
+    }
+    assert!(of("random")[0] != of("random")[1] && of("random")[1] != of("random")[2]);
+    let report = fs::read_to_string(out.join("several/report.md")).unwrap();
+    assert!(report.contains("over 3 realisations"));
+    let random = &summary(&out, "several")["surfaces"]["random"];
+    assert_eq!(random["realisations"].as_array().unwrap().len(), 3);
+    assert_eq!(random["generation"]["process"]["skewness"], -1.0);
+    assert!(random["height_map"]["five_point_theory"]["density_per_m2"].as_f64().unwrap() > 0.0);
+}
+
+#[test]
+fn a_look_at_a_surface() {
+    let folder = tempfile::tempdir().unwrap();
+    let out = folder.path().join("reports");
+    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
+    let look = |arguments: &[&str]| {
+        let all = [&["surface"], arguments, &["--out", out.to_str().unwrap()]].concat();
+        experiment(&all, folder.path())
+    };
+    let opd = root.join("experiments/surfaces/opd-1.npy");
+    let opd = opd.to_str().unwrap();
+
+    let output = look(&[opd, "--pixel", "196.73303177114576 nm"]);
+    assert!(output.status.success(), "{}", text(&output.stderr));
+    let said = text(&output.stdout);
+    for words in ["24,714 of 304,784", "6.711 nm", "-0.3667, 4.538", "autocorrelation length Sal"] {
+        assert!(said.contains(words), "{words}: {said}");
+    }
+    for file in
+        ["opd-1-heights.svg", "opd-1-spectrum.svg", "opd-1-autocorrelation.svg", "opd-1-asperities.svg"]
+    {
+        assert!(out.join("surface-opd-1").join(file).exists(), "{file}");
+    }
+    let map = &summary(&out, "surface-opd-1")["surfaces"]["opd-1"]["height_map"];
+    assert_eq!(map["summits"], 24714);
+    // Sal from the definition in numpy: unbiased pairs about the mean, least distance to 0.2 over all directions.
+    assert!((map["autocorrelation_length_m"].as_f64().unwrap() / 3.64e-6 - 1.0).abs() < 0.01);
+
+    let x3p = look(&[root.join("tests/formats/x3p-2.x3p").to_str().unwrap()]);
+    assert!(text(&x3p.stdout).contains("2,916"), "{}", text(&x3p.stderr));
+    let spec = look(&[root.join("experiments/heights-of-one-spectrum.toml").to_str().unwrap(), "--quiet"]);
+    assert!(spec.status.success() && text(&spec.stdout).is_empty());
+    assert!(out.join("heights-of-one-spectrum-surfaces/honed-heights.svg").exists());
+
+    for (arguments, words) in [
+        (&[opd][..], "holds no pixel size"),
+        (&[opd, "--pixel", "0.2 um", "--level", "cubic"], "cubic"),
+        (&[opd, "--pixel", "0.2 um", "--s", "3 um", "--l", "2 um"], "s below l"),
+        (&["nowhere.npy"], "nowhere.npy"),
+        (&[root.join("Cargo.lock").to_str().unwrap()], "Cargo.lock"),
+    ] {
+        let output = look(arguments);
+        let said = text(&output.stderr);
+        assert_eq!(output.status.code(), Some(2), "{arguments:?}: {said}");
+        assert!(said.contains(words), "{arguments:?}: {said}");
+    }
+    let both = look(&[root.join("experiments/gw-zmc-limit.toml").to_str().unwrap(), "--pixel", "1 um"]);
+    assert_eq!(both.status.code(), Some(2));
+    assert!(text(&both.stderr).contains("is a spec"), "{}", text(&both.stderr));
+}

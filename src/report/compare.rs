@@ -6,7 +6,7 @@ use super::head;
 use super::page::Page;
 use super::page::escape;
 use super::surface::section as surface_section;
-use crate::compare::{Comparison, Control, Gap, Kind, Pair, Pairing, Realisation, Scatter, spread};
+use crate::compare::{Comparison, Control, Gap, Kind, Pair, Realisation, Scatter, spread};
 use crate::experiment::results::{CaseResults, CompareResults, SurfaceResults};
 
 /// A gap of fewer standard errors than this may be chance.
@@ -168,7 +168,7 @@ fn answers(page: &mut Page, results: &CompareResults, found: &SurfaceResults, in
     figure("area", "Real contact area against load ratio.", figures::area(comparison, modulus));
     figure("regimes", "How the load is shared by the regimes.", figures::regimes(comparison, modulus));
     realisations(page, found, index);
-    let pairs = decades(&comparison.pairs);
+    let pairs = decades(figures::at_equal_load(comparison), |pair| pair.target);
     if !pairs.is_empty() {
         page.paragraph("Both models at equal load, in full, on the first realisation:");
         let area = found.surface.set.nominal_area();
@@ -187,16 +187,23 @@ fn realisations(page: &mut Page, found: &SurfaceResults, index: usize) {
     if spread.is_empty() {
         return;
     }
+    let generation = found.surface.map.as_ref().and_then(|map| map.generation.as_ref());
+    let is_targeted = generation.is_some_and(|made| made.target.is_some());
     page.paragraph(&format!(
         "Both models at equal load over {} realisations, each pressed to the same loads: mean ± standard deviation of one \
-         realisation, and beside it the sampling error that the sums state for themselves.",
-        all.len()
+         realisation, and beside it the sampling error that the sums state for themselves.{}",
+        all.len(),
+        if is_targeted {
+            " All realisations are scaled to the same radius, σ and density, which takes out a part of the scatter."
+        } else {
+            ""
+        }
     ));
     let with_scatter =
         |scatter: &Scatter| format!("{} ± {}", number(scatter.mean), number(scatter.deviation));
     page.table(
         ["p", "d/σ stat.", "d/σ det.", "stated error", "difference", "A/A_nom stat.", "A/A_nom det."],
-        spread.iter().map(|at| {
+        decades(&spread, |at| at.target).into_iter().map(|at| {
             vec![
                 quantity(at.target, "Pa"),
                 number(at.statistical_separation.mean),
@@ -210,21 +217,19 @@ fn realisations(page: &mut Page, found: &SurfaceResults, index: usize) {
     );
 }
 
-/// The pairs at equal load nearest to one and three in each decade.
-fn decades(pairs: &[Pair]) -> Vec<&Pair> {
-    let mut loads: Vec<&Pair> = pairs.iter().filter(|pair| pair.pairing == Pairing::Load).collect();
-    loads.sort_by(|a, b| a.target.total_cmp(&b.target));
-    let step = |pair: &Pair| (2.0 * pair.target.log10()).round() as i64;
-    let away = |pair: &Pair| (2.0 * pair.target.log10() - step(pair) as f64).abs();
-    let mut chosen: Vec<&Pair> = Vec::new();
-    for pair in loads {
+/// The items whose loads, which grow, are nearest to one and three in each decade.
+fn decades<T>(items: impl IntoIterator<Item = T>, load: impl Fn(&T) -> f64) -> Vec<T> {
+    let step = |item: &T| (2.0 * load(item).log10()).round();
+    let away = |item: &T| (2.0 * load(item).log10() - step(item)).abs();
+    let mut chosen: Vec<T> = Vec::new();
+    for item in items {
         match chosen.last_mut() {
-            Some(last) if step(last) == step(pair) => {
-                if away(pair) < away(last) {
-                    *last = pair;
+            Some(last) if step(last) == step(&item) => {
+                if away(&item) < away(last) {
+                    *last = item;
                 }
             }
-            _ => chosen.push(pair),
+            _ => chosen.push(item),
         }
     }
     chosen

@@ -38,7 +38,7 @@ fn curve(comparison: &Comparison, kind: Kind) -> Vec<&CurvePoint> {
 }
 
 /// Pairs at equal load, by growing load.
-fn at_equal_load(comparison: &Comparison) -> Vec<&Pair> {
+pub fn at_equal_load(comparison: &Comparison) -> Vec<&Pair> {
     let mut pairs: Vec<&Pair> =
         comparison.pairs.iter().filter(|pair| pair.pairing == Pairing::Load).collect();
     pairs.sort_by(|a, b| a.target.total_cmp(&b.target));
