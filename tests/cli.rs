@@ -354,7 +354,8 @@ realisations = 3
             .replace("[\"1 MPa\"]", "[\"1 MPa\", \"3 MPa\", \"9 MPa\", \"30 MPa\"]")
     );
     fs::write(&spec, words).unwrap();
-    fs::write(folder.path().join("list.csv"), "height,radius\n0,1e-6\n1e-9,1e-6\n5e-9,2e-6\n").unwrap();
+    let rows: String = (0..500).map(|i| format!("{:e},1e-6\n", f64::from(i % 97) * 1e-9)).collect();
+    fs::write(folder.path().join("list.csv"), format!("height,radius\n{rows}")).unwrap();
     let output = run(&spec, &out, &[]);
     assert!(output.status.success(), "{}", text(&output.stderr));
     let mut pressures: std::collections::BTreeMap<(String, String), Vec<String>> = Default::default();
@@ -374,7 +375,7 @@ realisations = 3
     };
     assert_eq!(of("random").len(), 3);
     for areas in of("random") {
-        assert_eq!(areas.len(), 4);
+        assert_eq!(areas.len(), 8, "four pressures, two laws");
     }
     assert!(of("random")[0] != of("random")[1] && of("random")[1] != of("random")[2]);
     let report = fs::read_to_string(out.join("several/report.md")).unwrap();

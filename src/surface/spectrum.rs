@@ -304,13 +304,12 @@ impl GridSpectrum {
                     let q = lay.squared([x, y], lay.elongation);
                     if q > *cut_off { 0.0 } else { power.of((q * scale).max(1.0)) }
                 };
-                let half = waves.len() / 2;
-                for i in 0..=half {
-                    waves[i] = amplitude(step[0] * i as f64);
+                let (count, half) = (waves.len(), waves.len() / 2);
+                for (i, wave) in waves[..=half].iter_mut().enumerate() {
+                    *wave = amplitude(step[0] * i as f64);
                 }
-                for i in half + 1..waves.len() {
-                    let mirror = waves.len() - i;
-                    waves[i] =
+                for mirror in 1..count - half {
+                    waves[count - mirror] =
                         if lay.is_mirrored() { waves[mirror] } else { amplitude(-step[0] * mirror as f64) };
                 }
             }

@@ -211,11 +211,12 @@ mod tests {
     /// The table of five-point summits in PHYSICS part B, of which all digits are right.
     #[test]
     fn the_table_of_five_point_summits() {
-        let cases: [(&dyn Fn(f64) -> f64, [f64; 4]); 4] = [
-            (&|r| (-r).exp(), [0.1616, 2.246, 1.060, 0.593]),
-            (&|r| (-r * r / 4.0).exp(), [0.0514, 0.951, 1.200, 0.650]),
-            (&|r| (-r * r).exp(), [0.1365, 2.179, 1.174, 0.541]),
-            (&|_| 0.0, [0.2000, 2.907, 1.163, 0.447]),
+        type Case = (fn(f64) -> f64, [f64; 4]);
+        let cases: [Case; 4] = [
+            (|r| (-r).exp(), [0.1616, 2.246, 1.060, 0.593]),
+            (|r| (-r * r / 4.0).exp(), [0.0514, 0.951, 1.200, 0.650]),
+            (|r| (-r * r).exp(), [0.1365, 2.179, 1.174, 0.541]),
+            (|_| 0.0, [0.2000, 2.907, 1.163, 0.447]),
         ];
         for (rho, [probability, curvature, height, variance]) in cases {
             let found = five_point(&isotropic(rho), 1.0, [1.0; 2]).unwrap();

@@ -20,7 +20,7 @@ pub enum SurfaceSpec {
     /// A population by its three numbers.
     Population(PopulationSpec),
     /// A random rough surface.
-    Generate(GenerateSpec),
+    Generate(Box<GenerateSpec>),
     /// A measured height map.
     File(FileSpec),
 }
@@ -43,7 +43,7 @@ impl TryFrom<Kinds> for SurfaceSpec {
         let given = [
             asperities.map(Self::Asperities),
             population.map(Self::Population),
-            generate.map(Self::Generate),
+            generate.map(|words| Self::Generate(Box::new(words))),
             file.map(Self::File),
         ];
         let mut given = given.into_iter().flatten();
