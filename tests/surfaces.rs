@@ -1,7 +1,9 @@
 //! Random surfaces and the summits that are found on them, against theory and against themselves.
 
 use asperity::asperity::{AsperitySet, Statistics};
-use asperity::surface::character::Character;
+use std::f64::consts::PI;
+
+use asperity::surface::character::{Character, Drops};
 use asperity::surface::correlation::{Autocorrelation, RadialSpectrum};
 use asperity::surface::generate::{
     Plateau, Process, Recipe, Seeds, SpectrumOf, Target, TargetRecipe, Unreachable, gaussian,
@@ -71,17 +73,21 @@ fn summits_are_those_of_the_five_point_theory() {
         ("white noise", Shape::Gaussian(0.1 * H), isotropic, [H, H]),
         ("rectangular pixels", Shape::Gaussian(2.0 * H), isotropic, [H, 0.6 * H]),
         ("lay along x", Shape::Exponential(1.5 * H), along_x, [H, H]),
+        ("strong lay along x", Shape::Gaussian(1.5 * H), Lay { elongation: 6.0, angle: 0.0 }, [H, H]),
+        ("lay at 45 degrees", Shape::Gaussian(2.0 * H), Lay { elongation: 4.0, angle: 0.25 * PI }, [H, H]),
+        ("lay at 0.3 rad", Shape::Exponential(2.0 * H), Lay { elongation: 2.5, angle: 0.3 }, [H, 0.7 * H]),
     ];
     let mut checked = 0;
     for (name, shape, lay, pixel) in cases {
         let spectrum = Spectrum::new(shape, lay).unwrap();
         let rho = |i: f64, j: f64| spectrum.autocorrelation([i * pixel[0], j * pixel[1]]).unwrap();
-        let correlation = asperity::surface::character::NeighbourCorrelation {
-            one: [rho(1.0, 0.0), rho(0.0, 1.0)],
-            two: [rho(2.0, 0.0), rho(0.0, 2.0)],
-            diagonal: rho(1.0, 1.0),
-        };
-        let theory = expected(theory::five_point(&correlation, SIGMA, pixel).unwrap());
+        let mut drops = Drops::of(rho);
+        for square in
+            drops.first.iter_mut().chain(&mut drops.second).chain([&mut drops.mixed, &mut drops.skew])
+        {
+            *square *= SIGMA * SIGMA;
+        }
+        let theory = expected(theory::five_point(&drops, SIGMA, pixel).unwrap());
         let all: Vec<[f64; 4]> = (1..=24)
             .map(|seed| {
                 let map = surface([384, 320], pixel, process(shape, lay, Marginal::Gaussian), seed);
@@ -96,7 +102,7 @@ fn summits_are_those_of_the_five_point_theory() {
             checked += 1;
         }
     }
-    assert_eq!(checked, 24);
+    assert_eq!(checked, 36);
 }
 
 /// As the pixel shrinks, summits higher than eight neighbours become Nayak's, and five points count 1.30639 times

@@ -60,7 +60,8 @@ pub struct MapFacts {
     pub dropped: usize,
     /// Summits whose smaller principal curvature is not positive.
     pub saddles: usize,
-    /// Five-point summits of a Gaussian surface with the same autocorrelation at neighbours.
+    /// Five-point summits of a Gaussian surface with the same autocorrelation at neighbours; `None` where other
+    /// summits were looked for.
     pub expected: Option<Expected>,
     /// Summits of a continuous isotropic Gaussian surface with the same spectral moments.
     pub nayak: Option<Expected>,
@@ -92,6 +93,9 @@ pub enum Look {
     Everything,
 }
 
+/// Beyond so many points a map is not brought into memory for its spectrum and autocorrelation.
+pub(super) const MOST_POINTS_LOOKED_AT: usize = 1 << 26;
+
 /// What a look at a whole map tells.
 #[derive(Debug, Clone, Default)]
 pub struct Whole {
@@ -118,8 +122,11 @@ pub(super) enum NoAsperities {
     Flat,
     #[error("has no summit: none of its {tested} tested points is higher than its neighbours")]
     NoSummit { tested: usize },
-    #[error("all summits are equally high: their standard deviation is zero")]
-    EqualHeights,
+    #[error(
+        "has {summits} summits that are equally high: separations are measured in their standard deviation; allowed: summits of \
+             different heights"
+    )]
+    EqualHeights { summits: usize },
     #[error(transparent)]
     Set(#[from] SetError),
 }
@@ -165,7 +172,7 @@ impl Finding {
 
     fn facts(&self, raw: &dyn Rows, map: &dyn Rows, character: Character, summits: &Summits) -> MapFacts {
         let sq = character.moments.sq;
-        let five_point = |lags| theory::five_point(&lags, sq, map.pixel());
+        let is_five_point = self.neighbours == Neighbours::Four;
         MapFacts {
             points: map.points(),
             pixel: map.pixel(),
@@ -177,7 +184,7 @@ impl Finding {
             plateaus: summits.plateaus,
             dropped: summits.dropped,
             saddles: summits.principal.iter().filter(|principal| principal[1] <= 0.0).count(),
-            expected: character.neighbours.and_then(five_point),
+            expected: is_five_point.then(|| theory::five_point(&character.drops, sq, map.pixel())).flatten(),
             nayak: theory::nayak(character.spectral_moments()),
             quantisation: self.generation.is_none().then(|| Quantisation::of(raw, summits)),
             generation: self.generation,
@@ -189,14 +196,13 @@ impl Finding {
 
 impl Whole {
     fn of(map: &dyn Rows, generation: Option<&GenerationFacts>, look: Look) -> Self {
-        /// Beyond so many points a map is not brought into memory for these.
-        const MOST_POINTS: usize = 1 << 26;
         /// Points of a picture along an axis.
         const PICTURE: usize = 512;
         let [nx, ny] = map.points();
         let is_close = look == Look::Everything;
         let mut whole = Self { picture: is_close.then(|| thumbnail(map, PICTURE)), ..Self::default() };
-        if look == Look::Asperities || (!is_close && generation.is_none()) || nx * ny > MOST_POINTS {
+        if look == Look::Asperities || (!is_close && generation.is_none()) || nx * ny > MOST_POINTS_LOOKED_AT
+        {
             return whole;
         }
         // Two processes have two spectra: neither is that of what they leave.

@@ -31,19 +31,40 @@ pub struct Character {
     /// Mean square of the curvature along x and along y, by second differences, 1/m^2: the profiles' fourth
     /// spectral moment.
     pub m4: [f64; 2],
-    /// Autocorrelation at neighbouring points; `None` on a flat map.
-    pub neighbours: Option<NeighbourCorrelation>,
+    /// How heights drop from a point to its neighbours.
+    pub drops: Drops,
 }
 
-/// Autocorrelation at lags of one and two points, from mean squares of differences.
+/// Mean squares of differences between neighbouring heights, m^2: what a Gaussian surface's five-point summits
+/// depend on. Taken as they are, and not from an autocorrelation near 1, they lose no digits on a fine grid.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct NeighbourCorrelation {
-    /// One pixel along x, along y.
-    pub one: [f64; 2],
-    /// Two pixels along x, along y.
-    pub two: [f64; 2],
-    /// One along both, the mean of the two diagonals.
-    pub diagonal: f64,
+pub struct Drops {
+    /// First differences along x, along y.
+    pub first: [f64; 2],
+    /// Second differences along x, along y.
+    pub second: [f64; 2],
+    /// Mixed differences, of four points in a square: the difference along y of that along x.
+    pub mixed: f64,
+    /// Along the diagonal on which x and y rise together, less that along the other: positive where heights change
+    /// more along the first.
+    pub skew: f64,
+}
+
+impl Drops {
+    /// Those of a surface of unit variance by its autocorrelation at a lag of (i, j) points.
+    pub fn of(correlation: impl Fn(f64, f64) -> f64) -> Self {
+        let rho = correlation;
+        let structure = |i: f64, j: f64| 2.0 * (1.0 - rho(i, j));
+        let first = [structure(1.0, 0.0), structure(0.0, 1.0)];
+        let two = [structure(2.0, 0.0), structure(0.0, 2.0)];
+        let diagonals = [structure(1.0, 1.0), structure(1.0, -1.0)];
+        Self {
+            first,
+            second: [0, 1].map(|axis| 4.0 * first[axis] - two[axis]),
+            mixed: 2.0 * (first[0] + first[1]) - diagonals[0] - diagonals[1],
+            skew: diagonals[0] - diagonals[1],
+        }
+    }
 }
 
 impl Moments {
@@ -75,17 +96,17 @@ impl Character {
         let moments = Moments { mean, sa, sq, ssk: standardised(cube, 3), sku: standardised(fourth, 4) };
         let mean_square = |lag: Lag| sums.lags[lag as usize].mean();
         let pixel = map.pixel();
-        let correlation = |lag: Lag| 1.0 - mean_square(lag) / (2.0 * square);
         Self {
             missing,
             moments,
             m2: [mean_square(Lag::X) / pixel[0].powi(2), mean_square(Lag::Y) / pixel[1].powi(2)],
             m4: [mean_square(Lag::BendX) / pixel[0].powi(4), mean_square(Lag::BendY) / pixel[1].powi(4)],
-            neighbours: (sq > 0.0).then(|| NeighbourCorrelation {
-                one: [correlation(Lag::X), correlation(Lag::Y)],
-                two: [correlation(Lag::TwoX), correlation(Lag::TwoY)],
-                diagonal: 0.5 * (correlation(Lag::Rising) + correlation(Lag::Falling)),
-            }),
+            drops: Drops {
+                first: [mean_square(Lag::X), mean_square(Lag::Y)],
+                second: [mean_square(Lag::BendX), mean_square(Lag::BendY)],
+                mixed: mean_square(Lag::Mixed),
+                skew: mean_square(Lag::Rising) - mean_square(Lag::Falling),
+            },
         }
     }
 
@@ -111,15 +132,14 @@ impl Character {
 enum Lag {
     X,
     Y,
-    TwoX,
-    TwoY,
     Rising,
     Falling,
+    Mixed,
     BendX,
     BendY,
 }
 
-const LAGS: usize = 8;
+const LAGS: usize = 7;
 
 /// A sum of squares and the number of its terms.
 #[derive(Clone, Copy, Default)]
@@ -173,12 +193,10 @@ impl Sums {
                 sums.lags[lag as usize].add(differences);
             };
             add(Lag::Y, &mut row.windows(2).map(|z| z[1] - z[0]));
-            add(Lag::TwoY, &mut row.windows(3).map(|z| z[2] - z[0]));
             add(Lag::BendY, &mut row.windows(3).map(|z| z[2] - 2.0 * z[1] + z[0]));
             if strip.is_periodic() {
                 let at = |iy: usize| row[iy % ny];
                 add(Lag::Y, &mut [ny - 1].into_iter().map(|iy| at(iy + 1) - at(iy)));
-                add(Lag::TwoY, &mut [ny - 2, ny - 1].into_iter().map(|iy| at(iy + 2) - at(iy)));
                 let bend = |iy| at(iy + 2) - 2.0 * at(iy + 1) + at(iy);
                 add(Lag::BendY, &mut [ny - 2, ny - 1].into_iter().map(bend));
             }
@@ -186,12 +204,14 @@ impl Sums {
             add(Lag::X, &mut next.iter().zip(row).map(|(a, b)| a - b));
             add(Lag::Rising, &mut next[1..].iter().zip(row).map(|(a, b)| a - b));
             add(Lag::Falling, &mut next.iter().zip(&row[1..]).map(|(a, b)| a - b));
+            let squares = next.windows(2).zip(row.windows(2));
+            add(Lag::Mixed, &mut squares.map(|(a, b)| (a[1] - b[1]) - (a[0] - b[0])));
             if strip.is_periodic() {
                 add(Lag::Rising, &mut [next[0] - row[ny - 1]].into_iter());
                 add(Lag::Falling, &mut [next[ny - 1] - row[0]].into_iter());
+                add(Lag::Mixed, &mut [(next[0] - row[0]) - (next[ny - 1] - row[ny - 1])].into_iter());
             }
             let Some(second) = strip.row(k + 2) else { continue };
-            add(Lag::TwoX, &mut second.iter().zip(row).map(|(a, b)| a - b));
             let bends = second.iter().zip(next).zip(row).map(|((a, b), c)| a - 2.0 * b + c);
             add(Lag::BendX, &mut { bends });
         }

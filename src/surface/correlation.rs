@@ -107,7 +107,7 @@ impl RadialSpectrum {
                 (rings.column(j, |i| deviations[i] * deviations[i]), total)
             })
             .collect();
-        let total: f64 = columns.iter().map(|column| column.1).sum();
+        let total = spectrum.mean_variance() + columns.iter().map(|column| column.1).sum::<f64>();
         let mut asked = rings.spectrum(columns.into_iter().map(|column| column.0).collect());
         for ring in &mut asked.rings {
             ring.1 *= sigma * sigma / total;

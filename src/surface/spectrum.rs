@@ -10,6 +10,9 @@ use super::marginal::Distortion;
 use crate::numeric::is_positive;
 use crate::numeric::power::Power;
 
+/// So many correlation lengths fit into the sides of a map: some hundred patches that know nothing of each other.
+const LENGTHS_ACROSS: f64 = 10.0;
+
 /// A spectrum of unit variance, by its shape and its lay.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Spectrum {
@@ -83,7 +86,7 @@ pub enum SpectrumError {
     },
     /// The map shows the longest wave.
     #[error(
-        "found a {what} of {length:.3e} m on a map of {size:.3e} m; allowed: at most {part} of the shorter side"
+        "found a {what} of {length:.3e} m along a side of {size:.3e} m; allowed: at most {part} of the side"
     )]
     TooLong {
         /// Roll-off or correlation length.
@@ -134,31 +137,34 @@ impl Spectrum {
         self.lay
     }
 
-    /// Whether a grid of `points` that are `pixel` (m) apart can show it.
+    /// Whether a grid of `points` that are `pixel` (m) apart can show it: along each axis by the extent that lengths have
+    /// there under the lay.
     ///
     /// # Errors
-    /// A cut-off below two pixels; a roll-off beyond the map or a correlation length beyond a quarter of it.
+    /// Waves below two pixels; a roll-off beyond the map, or a correlation length beyond a tenth of it.
     pub fn check(&self, points: [usize; 2], pixel: [f64; 2]) -> Result<(), SpectrumError> {
-        let side = [0, 1].map(|axis| points[axis] as f64 * pixel[axis]);
-        let size = side[0].min(side[1]);
-        let longest = self.lay.elongation.max(1.0);
-        match self.shape {
-            Shape::SelfAffine { roll_off, cut_off, .. } => {
-                let shortest = cut_off * self.lay.elongation.min(1.0);
-                let coarsest = pixel[0].max(pixel[1]);
-                if shortest < 2.0 * coarsest * (1.0 - 1e-12) {
-                    return Err(SpectrumError::BelowPixel { cut_off: shortest, pixel: coarsest });
+        /// A length that fits but for rounding fits.
+        const ROOM: f64 = 1.0 + 1e-9;
+        for axis in 0..2 {
+            let (size, pixel) = (points[axis] as f64 * pixel[axis], pixel[axis]);
+            let extent = self.lay.extent(axis);
+            match self.shape {
+                Shape::SelfAffine { roll_off, cut_off, .. } => {
+                    let cut_off = cut_off / self.lay.shortening(axis);
+                    if cut_off * ROOM < 2.0 * pixel {
+                        return Err(SpectrumError::BelowPixel { cut_off, pixel });
+                    }
+                    let length = roll_off * extent;
+                    if length > size * ROOM {
+                        return Err(SpectrumError::TooLong { what: "roll-off", length, size, part: "all" });
+                    }
                 }
-                let length = roll_off * longest;
-                if length > size {
-                    return Err(SpectrumError::TooLong { what: "roll-off", length, size, part: "all" });
-                }
-            }
-            Shape::Gaussian(length) | Shape::Exponential(length) => {
-                let length = length * longest;
-                if 4.0 * length > size {
-                    let what = "correlation length";
-                    return Err(SpectrumError::TooLong { what, length, size, part: "a quarter" });
+                Shape::Gaussian(length) | Shape::Exponential(length) => {
+                    let length = length * extent;
+                    if LENGTHS_ACROSS * length > size * ROOM {
+                        let what = "correlation length";
+                        return Err(SpectrumError::TooLong { what, length, size, part: "a tenth" });
+                    }
                 }
             }
         }
@@ -192,29 +198,39 @@ impl Spectrum {
         GridSpectrum { points, kind }
     }
 
+    /// Where the autocorrelation has fallen below 1e-14, m across the lay.
+    fn reach(&self) -> f64 {
+        match self.shape {
+            Shape::SelfAffine { roll_off, .. } => roll_off,
+            Shape::Gaussian(length) => 5.7 * length,
+            Shape::Exponential(length) => 32.3 * length,
+        }
+    }
+
     /// Amplitudes whose autocorrelation on the grid is the one asked for, aliases and all: the roots of the
     /// transform of the autocorrelation, wrapped around the map. Column by column.
     fn table(&self, points: [usize; 2], pixel: [f64; 2]) -> Vec<f64> {
-        /// Images of the map that are further away than so many correlation lengths are below rounding.
-        const FAR: f64 = 40.0;
         let size = [points[0] as f64 * pixel[0], points[1] as f64 * pixel[1]];
-        let length = match self.shape {
-            Shape::SelfAffine { roll_off, .. } => roll_off,
-            Shape::Gaussian(length) | Shape::Exponential(length) => length,
-        };
-        let reach = FAR * length * self.lay.elongation.max(1.0);
-        let images = |distance: f64, size: f64| {
-            [0.0, -1.0, 1.0].into_iter().map(move |k| distance + k * size).filter(move |d| d.abs() < reach)
-        };
+        let reach = self.reach();
+        // Every lag in its nearest image first: what is summed is then the same at opposite lags.
+        let images = [0, 1].map(|axis| {
+            let reach = reach * self.lay.extent(axis);
+            let most = (reach / size[axis]).ceil() as i32;
+            let nearest = |k: usize| {
+                let distance = k as f64 * pixel[axis];
+                if 2 * k > points[axis] { distance - size[axis] } else { distance }
+            };
+            let all = |k: usize| {
+                let images = (-most..=most).map(|image| nearest(k) + f64::from(image) * size[axis]);
+                images.filter(|distance| distance.abs() <= reach).collect::<Vec<f64>>()
+            };
+            (0..points[axis]).map(all).collect::<Vec<_>>()
+        });
         let mut wrapped = vec![0.0; points[0] * points[1]];
-        wrapped.par_chunks_mut(points[1]).enumerate().for_each(|(i, row)| {
-            let x = i as f64 * pixel[0];
-            for (j, value) in row.iter_mut().enumerate() {
-                let y = j as f64 * pixel[1];
-                *value = images(x, size[0])
-                    .flat_map(|x| images(y, size[1]).map(move |y| [x, y]))
-                    .filter_map(|distance| self.autocorrelation(distance))
-                    .sum();
+        wrapped.par_chunks_mut(points[1]).zip(&images[0]).for_each(|(row, along_x)| {
+            for (value, along_y) in row.iter_mut().zip(&images[1]) {
+                let all = along_x.iter().flat_map(|&x| along_y.iter().map(move |&y| [x, y]));
+                *value = all.filter_map(|distance| self.autocorrelation(distance)).sum();
             }
         });
         roots(wrapped, points)
@@ -239,6 +255,24 @@ impl Lay {
         let (sin, cos) = self.angle.sin_cos();
         let (along, across) = (factor * (x * cos + y * sin), y * cos - x * sin);
         along * along + across * across
+    }
+
+    /// Components of the directions along the lay and across it on an axis.
+    fn components(&self, axis: usize) -> [f64; 2] {
+        let (sin, cos) = self.angle.sin_cos();
+        if axis == 0 { [cos, sin] } else { [sin, cos] }
+    }
+
+    /// How far a length of 1 across the lay extends along an axis.
+    fn extent(&self, axis: usize) -> f64 {
+        let [along, across] = self.components(axis);
+        (self.elongation * along).hypot(across)
+    }
+
+    /// How much shorter along an axis waves may be than across the lay.
+    fn shortening(&self, axis: usize) -> f64 {
+        let [along, across] = self.components(axis);
+        (along / self.elongation).hypot(across)
     }
 
     /// Whether waves i and -i along x are alike.
@@ -279,6 +313,9 @@ impl GridSpectrum {
                 let mut deviations = vec![0.0; waves.len()];
                 self.column(j, &mut deviations);
                 let mut total = 0.0;
+                if j == 0 {
+                    deviations[0] = self.mean_variance().sqrt();
+                }
                 for (wave, deviation) in waves.iter_mut().zip(&deviations) {
                     *wave = Complex::new(deviation * deviation, 0.0);
                     total += wave.re;
@@ -293,8 +330,18 @@ impl GridSpectrum {
         Self { points, kind: Kind::Table(roots(correlation, points)) }
     }
 
+    /// The share of the mean wave in the variance, up to the factor that all waves have. A map has none of it, its mean
+    /// plane being at zero: its heights deviate by less than those of an endless surface, while neighbours differ by as
+    /// much.
+    pub fn mean_variance(&self) -> f64 {
+        match &self.kind {
+            Kind::PowerLaw { .. } => 0.0,
+            Kind::Table(table) => table[0] * table[0],
+        }
+    }
+
     /// Writes the standard deviations of the waves with wave number `j` along y, by their wave number along x
-    /// (0, 1, ..., -2, -1).
+    /// (0, 1, ..., -2, -1); of the mean wave zero.
     pub fn column(&self, j: usize, waves: &mut [f64]) {
         match &self.kind {
             Kind::PowerLaw { step, lay, roll_off, cut_off, power } => {
@@ -318,9 +365,78 @@ impl GridSpectrum {
                 waves.copy_from_slice(&table[j * count..(j + 1) * count]);
             }
         }
-        // The mean plane is at zero.
         if j == 0 {
             waves[0] = 0.0;
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// The autocorrelation that the waves of a spectrum have on the grid, the mean wave among them.
+    fn realised(spectrum: &GridSpectrum, points: [usize; 2]) -> Vec<f64> {
+        let fill = |j: usize, waves: &mut [Complex<f64>]| {
+            let mut deviations = vec![0.0; waves.len()];
+            spectrum.column(j, &mut deviations);
+            if j == 0 {
+                deviations[0] = spectrum.mean_variance().sqrt();
+            }
+            for (wave, deviation) in waves.iter_mut().zip(deviations) {
+                *wave = Complex::new(deviation * deviation, 0.0);
+            }
+        };
+        synthesise(points, fill, |_| ((points[0] * points[1]) as f64).recip())
+    }
+
+    /// Up to the longest correlation length that a map may have, the grid's autocorrelation is the one asked for,
+    /// wrapped around the map: also its kink, or its curvature, at the origin.
+    #[test]
+    fn autocorrelations_on_a_grid_are_exact() {
+        let (points, pixel) = ([100, 84], [1.0, 1.2]);
+        let turned = Lay { elongation: 2.0, angle: 0.6 };
+        for (shape, lay) in [
+            (Shape::Exponential(10.0), Lay::default()),
+            (Shape::Gaussian(10.0), Lay::default()),
+            (Shape::Exponential(5.0), turned),
+            (Shape::Gaussian(5.0), turned),
+            (Shape::Gaussian(0.1), Lay::default()),
+        ] {
+            let spectrum = Spectrum::new(shape, lay).unwrap();
+            spectrum.check(points, pixel).unwrap();
+            let found = realised(&spectrum.on_grid(points, pixel), points);
+            for (i, j) in [(0, 0), (1, 0), (0, 1), (1, 1), (1, 83), (99, 0), (50, 42), (7, 80), (2, 0)] {
+                let mut exact = 0.0;
+                for a in -12..=12 {
+                    for b in -12..=12 {
+                        let x = (f64::from(i) + 100.0 * f64::from(a)) * pixel[0];
+                        let y = (f64::from(j) + 84.0 * f64::from(b)) * pixel[1];
+                        exact += spectrum.autocorrelation([x, y]).unwrap();
+                    }
+                }
+                let gap = found[i as usize * points[1] + j as usize] - exact;
+                assert!(gap.abs() < 2e-12, "{shape:?} {lay:?} {i} {j}: {gap}");
+            }
+        }
+    }
+
+    #[test]
+    fn lengths_are_held_against_the_side_that_they_lie_along() {
+        let lay = |elongation, angle| Lay { elongation, angle };
+        let check = |shape, lay, points| Spectrum::new(shape, lay).unwrap().check(points, [1.0; 2]);
+        let along_x = lay(10.0, 0.0);
+        let along_y = lay(10.0, std::f64::consts::FRAC_PI_2);
+        assert!(check(Shape::Gaussian(5.0), along_x, [500, 50]).is_ok());
+        assert!(check(Shape::Gaussian(5.0), along_y, [500, 50]).is_err());
+        assert!(check(Shape::Gaussian(5.0), along_y, [50, 500]).is_ok());
+        let affine = |roll_off, cut_off| Shape::SelfAffine { hurst: 0.8, roll_off, cut_off };
+        assert!(check(affine(20.0, 4.0), along_x, [200, 20]).is_ok());
+        assert!(check(affine(20.0, 4.0), lay(10.0, 0.1), [200, 20]).is_err());
+        // Across the lay waves are short, along it long: what counts is the shortest along each axis.
+        assert!(check(affine(20.0, 4.0), lay(0.4, 0.0), [64, 64]).is_err());
+        assert!(check(affine(20.0, 4.0), lay(0.5, 0.0), [64, 64]).is_ok());
+        assert!(Spectrum::new(affine(3.0, 4.0), Lay::default()).is_err());
+        assert!(Spectrum::new(Shape::Gaussian(f64::NAN), Lay::default()).is_err());
     }
 }

@@ -301,7 +301,27 @@ impl Finder {
     /// Each plateau is walked once, over its points that are lower than none of their neighbours; it is a
     /// summit if all its points are such. `level` is in file order.
     fn add_plateaus(&self, level: &[LevelPoint], found: &mut Summits) {
-        let place = |position: usize| level.binary_search_by_key(&position, |point| point.position).ok();
+        // Where each row of the map begins in the list: a neighbour is looked for in its row alone.
+        let columns = self.points[1];
+        let mut starts = vec![0; self.points[0] + 1];
+        for point in level {
+            starts[point.position / columns + 1] += 1;
+        }
+        for row in 0..self.points[0] {
+            starts[row + 1] += starts[row];
+        }
+        let place = |position: usize, from: usize| {
+            // On a wide plateau the neighbour along the row is the next of the list.
+            for near in [from.wrapping_sub(1), from + 1] {
+                if level.get(near).is_some_and(|point| point.position == position) {
+                    return Some(near);
+                }
+            }
+            let row = position / columns;
+            let found =
+                level[starts[row]..starts[row + 1]].binary_search_by_key(&position, |point| point.position);
+            found.ok().map(|place| starts[row] + place)
+        };
         let mut seen = vec![false; level.len()];
         let mut summits = Vec::new();
         for start in 0..level.len() {
@@ -321,7 +341,8 @@ impl Finder {
                     }
                     // A point as high that is not in the list is lower than another, or was not tested: the
                     // plateau rises there, or may.
-                    match self.neighbour(point.position, step).and_then(place) {
+                    let neighbour = self.neighbour(point.position, step);
+                    match neighbour.and_then(|position| place(position, member)) {
                         Some(other) if !seen[other] => {
                             seen[other] = true;
                             plateau.push(other);

@@ -7,7 +7,7 @@ use std::sync::LazyLock;
 use gauss_quad::GaussLegendre;
 use libm::erfc;
 
-use super::character::NeighbourCorrelation;
+use super::character::Drops;
 
 /// Statistics of summits.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -35,68 +35,102 @@ pub fn nayak([m0, m2, m4]: [f64; 3]) -> Option<Expected> {
     })
 }
 
-/// Five-point summits of a Gaussian surface of standard deviation `sigma` (m) on a grid of `pixel` (m), from its
-/// autocorrelation at neighbours.
+/// Five-point summits of a Gaussian surface of standard deviation `sigma` (m) on a grid of `pixel` (m), from the mean
+/// squares of its differences between neighbours (m^2).
 ///
-/// A point is a summit if its drops to the four neighbours are all positive. Drops along x and along y correlate
-/// alike where the lay, if any, is along an axis: then, given one common factor v, the two pairs are
-/// independent, and every mean over summits is an integral over v of moments of truncated bivariate
-/// normals. `None` where neighbours do not correlate as those of a surface do.
-pub fn five_point(correlation: &NeighbourCorrelation, sigma: f64, pixel: [f64; 2]) -> Option<Expected> {
-    let NeighbourCorrelation { one, two, diagonal } = *correlation;
-    // Variances of the drops, and their correlations: of a drop along x with one along y, and of opposite ones.
-    let variance = one.map(|rho| 2.0 * (1.0 - rho));
-    if variance.iter().any(|&variance| variance.is_nan() || variance <= 0.0) {
-        return None;
-    }
-    let deviation = variance.map(f64::sqrt);
-    let adjacent = (1.0 + diagonal - one[0] - one[1]) / (deviation[0] * deviation[1]);
-    let opposite = [0, 1].map(|axis| 1.0 - (1.0 - two[axis]) / variance[axis]);
-    let rest = 1.0 - adjacent;
-    let pair = opposite.map(|correlation| (correlation - adjacent) / rest);
-    if !(0.0..1.0).contains(&adjacent) || pair.iter().any(|&r| !(-1.0..1.0).contains(&r)) {
-        return None;
-    }
-    let sums = Moments::over_summits(adjacent, pair);
-
-    // Sums of the two drops along an axis are u_x, u_y in units of the deviation of the uncommon part.
-    let unit = [0, 1].map(|axis| sigma * deviation[axis] * rest.sqrt());
+/// A point is a summit if its drops to the four neighbours are all positive. Two common factors make the four
+/// drops independent but for opposite ones: one that they share by as much as drops along x and along y correlate in the
+/// mean, and one by which neighbouring drops differ where the lay is at an angle. Every mean over summits is then an
+/// integral over the factors of moments of truncated bivariate normals. `None` on a flat surface, or where the
+/// differences are those of no surface.
+pub fn five_point(drops: &Drops, sigma: f64, pixel: [f64; 2]) -> Option<Expected> {
+    let model = Model::new(drops)?;
+    let sums = model.over_summits();
+    // Sums of the two drops along an axis are in units of the drop's deviation.
+    let unit = drops.first.map(f64::sqrt);
     let bend = [0, 1].map(|axis| 0.5 * unit[axis] / (pixel[axis] * pixel[axis]));
-    let curvature = bend[0] * sums.mean[0] + bend[1] * sums.mean[1];
-    // The height follows the drops by linear regression on their sums.
-    let weights = regression(variance, deviation, opposite, adjacent)?;
-    let shares = [0, 1].map(|axis| weights[axis] * unit[axis] / sigma);
-    let height = sigma * (shares[0] * sums.mean[0] + shares[1] * sums.mean[1]);
-    let unexplained = 1.0 - weights[0] * variance[0] - weights[1] * variance[1];
+    // The height follows the drops by linear regression on their sums, with which it covaries by the drops' variance.
+    // The sum of opposite drops is a second difference; of sums along x and y the covariance is that of four drops.
+    let (own, cross) = (drops.second, drops.mixed);
+    let determinant = own[0] * own[1] - cross * cross;
+    if determinant <= 1e-12 * own[0] * own[1] {
+        return None;
+    }
+    let first = drops.first;
+    let weights = [
+        (first[0] * own[1] - first[1] * cross) / determinant,
+        (first[1] * own[0] - first[0] * cross) / determinant,
+    ];
+    let shares = [0, 1].map(|axis| weights[axis] * unit[axis]);
+    let unexplained = sigma * sigma - weights[0] * first[0] - weights[1] * first[1];
     let explained = shares[0].powi(2) * sums.variance(0)
         + shares[1].powi(2) * sums.variance(1)
         + 2.0 * shares[0] * shares[1] * sums.covariance();
     Some(Expected {
         density: sums.probability / (pixel[0] * pixel[1]),
-        curvature,
-        height,
-        height_variance: sigma * sigma * (unexplained + explained),
+        curvature: bend[0] * sums.mean[0] + bend[1] * sums.mean[1],
+        height: shares[0] * sums.mean[0] + shares[1] * sums.mean[1],
+        height_variance: unexplained + explained,
     })
 }
 
-/// Weights of the sums of drops along x and along y in the height, for sigma = 1. A height covaries with each
-/// drop by half of the drop's variance.
-fn regression(
-    variance: [f64; 2],
-    deviation: [f64; 2],
-    opposite: [f64; 2],
-    adjacent: f64,
-) -> Option<[f64; 2]> {
-    let own = [0, 1].map(|axis| 2.0 * variance[axis] * (1.0 + opposite[axis]));
-    let cross = 4.0 * adjacent * deviation[0] * deviation[1];
-    let determinant = own[0] * own[1] - cross * cross;
-    let is_regular = determinant > 1e-12 * own[0] * own[1];
-    is_regular.then(|| {
-        [
-            (variance[0] * own[1] - variance[1] * cross) / determinant,
-            (variance[1] * own[0] - variance[0] * cross) / determinant,
-        ]
-    })
+/// Drops of unit variance as sums of independent normals.
+struct Model {
+    /// Variance that the drops along x, along y have from the factor that all share.
+    shared: [f64; 2],
+    /// And from the one that is added to the drops east and north and taken off those west and south.
+    turned: [f64; 2],
+    /// Correlation of what is left, of opposite drops.
+    pair: [f64; 2],
+}
+
+impl Model {
+    fn new(drops: &Drops) -> Option<Self> {
+        let Drops { first, second, mixed, skew } = *drops;
+        if first.iter().chain(&second).any(|&square| square.is_nan() || square <= 0.0) {
+            return None;
+        }
+        let scale = (first[0] * first[1]).sqrt();
+        // Mean correlation of a drop along x with one along y, and half of what the two kinds of neighbours differ by.
+        let adjacent = 0.25 * mixed / scale;
+        let turned = 0.25 * skew.abs() / scale;
+        // 1 + the correlation of opposite drops, without cancellation.
+        let opposite = [0, 1].map(|axis| 0.5 * second[axis] / first[axis]);
+        // The factors load on both axes as the opposite drops leave room.
+        let ratio = (opposite[0] / opposite[1]).sqrt();
+        let loads = [ratio, ratio.recip()];
+        let shared = loads.map(|load| adjacent * load);
+        let turned = loads.map(|load| turned * load);
+        let rest = [0, 1].map(|axis| 1.0 - shared[axis] - turned[axis]);
+        let pair = [0, 1].map(|axis| (opposite[axis] - 1.0 - shared[axis] + turned[axis]) / rest[axis]);
+        let is_possible = adjacent >= 0.0
+            && rest.iter().all(|&rest| rest > 0.0)
+            && pair.iter().all(|&pair| pair > -1.0 && pair < 1.0);
+        is_possible.then_some(Self { shared, turned, pair })
+    }
+
+    /// Integrates over the factors.
+    fn over_summits(&self) -> Moments {
+        let mut sums = Moments::default();
+        let one = [(0.0, 1.0)];
+        // Without a lay at an angle the second factor is nothing.
+        let turns: &[(f64, f64)] = if self.turned[0] < 1e-9 { &one } else { &NORMAL };
+        for &(v, weight_v) in NORMAL.iter() {
+            for &(u, weight_u) in turns {
+                let pairs = [0, 1].map(|axis| {
+                    let rest = (1.0 - self.shared[axis] - self.turned[axis]).sqrt();
+                    let (shared, turned) = (v * self.shared[axis].sqrt(), u * self.turned[axis].sqrt());
+                    Truncated::new(
+                        [(shared + turned) / rest, (shared - turned) / rest],
+                        self.pair[axis],
+                        rest,
+                    )
+                });
+                sums.add(weight_v * weight_u, &pairs);
+            }
+        }
+        sums.over_probability()
+    }
 }
 
 /// Moments over summits of the sums of drops along x and along y.
@@ -109,25 +143,22 @@ struct Moments {
 }
 
 impl Moments {
-    /// Integrates over the common factor v of all four drops.
-    fn over_summits(adjacent: f64, pair: [f64; 2]) -> Self {
-        /// Beyond, the density of v is below 1e-17.
-        const REACH: f64 = 8.5;
-        let threshold = (adjacent / (1.0 - adjacent)).sqrt();
-        let integral = |term: &dyn Fn(&[Truncated; 2]) -> f64| {
-            let at = |v: f64| {
-                let pairs = pair.map(|r| Truncated::new(v * threshold, r));
-                density(v) * term(&pairs)
-            };
-            RULE.integrate(-REACH, 0.0, at) + RULE.integrate(0.0, REACH, at)
-        };
-        let probability = integral(&|[x, y]| x.probability * y.probability);
-        let over = |term: &dyn Fn(&[Truncated; 2]) -> f64| integral(term) / probability;
+    fn add(&mut self, weight: f64, [x, y]: &[Truncated; 2]) {
+        self.probability += weight * x.probability * y.probability;
+        self.mean[0] += weight * x.sum * y.probability;
+        self.mean[1] += weight * x.probability * y.sum;
+        self.square[0] += weight * x.square * y.probability;
+        self.square[1] += weight * x.probability * y.square;
+        self.product += weight * x.sum * y.sum;
+    }
+
+    fn over_probability(self) -> Self {
+        let p = self.probability;
         Self {
-            probability,
-            mean: [over(&|[x, y]| x.sum * y.probability), over(&|[x, y]| x.probability * y.sum)],
-            square: [over(&|[x, y]| x.square * y.probability), over(&|[x, y]| x.probability * y.square)],
-            product: over(&|[x, y]| x.sum * y.sum),
+            probability: p,
+            mean: self.mean.map(|m| m / p),
+            square: self.square.map(|m| m / p),
+            product: self.product / p,
         }
     }
 
@@ -140,38 +171,55 @@ impl Moments {
     }
 }
 
-/// Moments of X + Y + 2t over X > -t and Y > -t, for standard normal X, Y of correlation r (Rosenbaum 1961).
+/// Moments of two normals of deviation `unit`, correlation r and means t1 and t2 units, over the quadrant where both
+/// are positive (Rosenbaum 1961).
 struct Truncated {
     probability: f64,
-    /// Of X + Y + 2t.
+    /// Of their sum.
     sum: f64,
     /// Of its square.
     square: f64,
 }
 
 impl Truncated {
-    fn new(t: f64, r: f64) -> Self {
-        let probability = both_above(t, r);
-        let edge = density(t) * normal(t * ((1.0 - r) / (1.0 + r)).sqrt());
-        let corner = density(t * (2.0 / (1.0 + r)).sqrt()) * (1.0 - r * r).sqrt() / (2.0 * PI).sqrt();
-        // First moment of X, second moments of X and of X Y.
-        let first = (1.0 + r) * edge;
-        let square = probability - t * (1.0 + r * r) * edge + r * corner;
-        let product = r * probability - 2.0 * t * r * edge + corner;
+    fn new([t1, t2]: [f64; 2], r: f64, unit: f64) -> Self {
+        let probability = both_above(t1, t2, r);
+        let root = (1.0 - r * r).sqrt();
+        // Densities along the two edges, X = -t1 and Y = -t2, and at the corner.
+        let edges = [density(t1) * normal((t2 - r * t1) / root), density(t2) * normal((t1 - r * t2) / root)];
+        let corner = density(((t1 * t1 - 2.0 * r * t1 * t2 + t2 * t2) / (1.0 - r * r)).sqrt()) * root
+            / (2.0 * PI).sqrt();
+        // Moments of X and Y about their means.
+        let x = edges[0] + r * edges[1];
+        let y = edges[1] + r * edges[0];
+        let xx = probability - t1 * edges[0] - r * r * t2 * edges[1] + r * corner;
+        let yy = probability - t2 * edges[1] - r * r * t1 * edges[0] + r * corner;
+        let xy = r * probability - r * t1 * edges[0] - r * t2 * edges[1] + corner;
+        let t = t1 + t2;
         Self {
             probability,
-            sum: 2.0 * (first + t * probability),
-            square: 2.0 * (square + product) + 8.0 * t * first + 4.0 * t * t * probability,
+            sum: unit * (x + y + t * probability),
+            square: unit * unit * (xx + yy + 2.0 * xy + 2.0 * t * (x + y) + t * t * probability),
         }
     }
 }
 
-/// Probability that two standard normals of correlation r both exceed -t: the product of the single ones, and
+/// Probability that standard normals of correlation r exceed -t1 and -t2: the product of the single ones, and
 /// what their correlation adds (Plackett 1954), with r = sin(angle).
-fn both_above(t: f64, r: f64) -> f64 {
-    let correlated = RULE.integrate(0.0, r.asin(), |angle| (-t * t / (1.0 + angle.sin())).exp()) / (2.0 * PI);
-    normal(t).powi(2) + correlated
+fn both_above(t1: f64, t2: f64, r: f64) -> f64 {
+    let at = |angle: f64| {
+        let (sin, cos) = angle.sin_cos();
+        (-(t1 * t1 - 2.0 * t1 * t2 * sin + t2 * t2) / (2.0 * cos * cos)).exp()
+    };
+    normal(t1) * normal(t2) + RULE.integrate(0.0, r.asin(), at) / (2.0 * PI)
 }
+
+/// Nodes of an integral over a standard normal, with the density in the weights: beyond 8.5 it is below 1e-16.
+static NORMAL: LazyLock<Vec<(f64, f64)>> = LazyLock::new(|| {
+    const REACH: f64 = 8.5;
+    let both = [-REACH, 0.0].into_iter().flat_map(|from| RULE.nodes(from, from + REACH));
+    both.map(|(x, weight)| (x, weight * density(x))).collect()
+});
 
 /// Enough nodes for 1e-11 in all integrals here.
 static RULE: LazyLock<Rule> = LazyLock::new(Rule::new);
@@ -185,9 +233,14 @@ impl Rule {
         Self(GaussLegendre::new(Self::NODES).as_node_weight_pairs().to_vec())
     }
 
-    fn integrate(&self, from: f64, to: f64, of: impl Fn(f64) -> f64) -> f64 {
+    /// Nodes and weights between two bounds.
+    fn nodes(&self, from: f64, to: f64) -> impl Iterator<Item = (f64, f64)> {
         let (half, middle) = (0.5 * (to - from), 0.5 * (from + to));
-        half * self.0.iter().map(|(node, weight)| weight * of(middle + half * node)).sum::<f64>()
+        self.0.iter().map(move |(node, weight)| (middle + half * node, half * weight))
+    }
+
+    fn integrate(&self, from: f64, to: f64, of: impl Fn(f64) -> f64) -> f64 {
+        self.nodes(from, to).map(|(x, weight)| weight * of(x)).sum()
     }
 }
 
@@ -202,10 +255,9 @@ fn normal(x: f64) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use std::f64::consts::SQRT_2;
 
-    fn isotropic(rho: impl Fn(f64) -> f64) -> NeighbourCorrelation {
-        NeighbourCorrelation { one: [rho(1.0); 2], two: [rho(2.0); 2], diagonal: rho(SQRT_2) }
+    fn isotropic(rho: impl Fn(f64) -> f64) -> Drops {
+        Drops::of(|i, j| rho(i.hypot(j)))
     }
 
     /// The table of five-point summits in PHYSICS part B, of which all digits are right.
@@ -237,22 +289,44 @@ mod tests {
     #[test]
     fn units_and_rectangular_pixels() {
         let rho = |x: f64, y: f64| (-(x * x + 4.0 * y * y)).exp();
-        let correlation = |dx: f64, dy: f64| NeighbourCorrelation {
-            one: [rho(dx, 0.0), rho(0.0, dy)],
-            two: [rho(2.0 * dx, 0.0), rho(0.0, 2.0 * dy)],
-            diagonal: rho(dx, dy),
+        let drops = |dx: f64, dy: f64| Drops::of(|i, j| rho(i * dx, j * dy));
+        let one = five_point(&drops(0.5, 0.2), 1.0, [0.5, 0.2]).unwrap();
+        let three = |mut drops: Drops| {
+            drops.first = drops.first.map(|square| 9.0 * square);
+            drops.second = drops.second.map(|square| 9.0 * square);
+            (drops.mixed, drops.skew) = (9.0 * drops.mixed, 9.0 * drops.skew);
+            drops
         };
-        let one = five_point(&correlation(0.5, 0.2), 1.0, [0.5, 0.2]).unwrap();
-        let other = five_point(&correlation(0.5, 0.2), 3.0, [1.0, 0.4]).unwrap();
+        let other = five_point(&three(drops(0.5, 0.2)), 3.0, [1.0, 0.4]).unwrap();
         assert!((other.density / one.density - 0.25).abs() < 1e-14);
         assert!((other.curvature / one.curvature - 0.75).abs() < 1e-14);
         assert!((other.height / one.height - 3.0).abs() < 1e-14);
-        assert!((other.height_variance / one.height_variance - 9.0).abs() < 1e-13);
+        assert!((other.height_variance / one.height_variance - 9.0).abs() < 1e-12);
         // A stretch that makes it isotropic changes neither which points are summits nor their heights.
-        let square = five_point(&correlation(0.4, 0.2), 1.0, [0.4, 0.2]).unwrap();
+        let square = five_point(&drops(0.4, 0.2), 1.0, [0.4, 0.2]).unwrap();
         let isotropic = five_point(&isotropic(|r| (-0.16 * r * r).exp()), 1.0, [1.0; 2]).unwrap();
         assert!((square.density * 0.08 - isotropic.density).abs() < 1e-14);
         assert!((square.height - isotropic.height).abs() < 1e-13);
+    }
+
+    /// A lay along an axis is stretched away; one along a diagonal is the other's mirror image.
+    #[test]
+    fn lays() {
+        let rho = |x: f64, y: f64| (-(x * x + 0.04 * y * y)).exp();
+        let found = five_point(&Drops::of(|i, j| rho(0.4 * i, 2.0 * j)), 1.0, [0.4, 2.0]).unwrap();
+        let round = five_point(&isotropic(|r| (-0.16 * r * r).exp()), 1.0, [1.0; 2]).unwrap();
+        assert!((found.density * 0.8 / round.density - 1.0).abs() < 1e-12);
+        let turned = |sign: f64| {
+            let along = move |i: f64, j: f64| (i + sign * j, i - sign * j);
+            let drops = Drops::of(|i, j| {
+                let (u, v) = along(i, j);
+                (-(0.02 * u * u + 0.3 * v * v)).exp()
+            });
+            five_point(&drops, 1.0, [1.0; 2]).unwrap()
+        };
+        let (one, other) = (turned(1.0), turned(-1.0));
+        assert!((one.density / other.density - 1.0).abs() < 1e-12);
+        assert!((one.height / other.height - 1.0).abs() < 1e-12);
     }
 
     /// As the grid shrinks, five points count 1.30639 times Nayak's summits: saddles too.

@@ -122,12 +122,21 @@ impl Generation {
     ) -> Result<(Generated, Option<f64>), Unreachable> {
         let seed = |what: &str| stream_seed(seed, &format!("{what} {name} realisation {realisation}"));
         let seeds = Seeds { process: seed("surface"), plateau: seed("plateau") };
+        /// The product of a small map steps as single summits come and go: other random numbers step elsewhere.
+        const ATTEMPTS: usize = 8;
         match &self.way {
             Way::Recipe(recipe) => {
                 Ok((Generated { map: recipe.surface(seeds)?, recipe: *recipe, target: None }, None))
             }
             Way::Target { recipe, target } => {
-                let found = recipe.surface(target, seeds.process, first)?;
+                let mut found = recipe.surface(target, seeds.process, first);
+                for attempt in 2..=ATTEMPTS {
+                    if !matches!(found, Err(Unreachable::Jump { .. })) {
+                        break;
+                    }
+                    found = recipe.surface(target, seed(&format!("attempt {attempt} at surface")), first);
+                }
+                let found = found?;
                 let shape = Shape::SelfAffine {
                     hurst: recipe.hurst,
                     roll_off: found.roll_off,

@@ -12,6 +12,7 @@ use std::path::{Path, PathBuf};
 use super::refusal::{Refusal, Source};
 use super::results::Bodies;
 use super::spec::{self, Spec};
+use super::surface::Look;
 use crate::asperity::{HeightDensity, Population};
 use crate::compare::{Controls, Kind};
 use crate::interface::MicroContact;
@@ -128,7 +129,7 @@ impl Plan {
     pub fn look_at_spec(path: &Path) -> Result<Self, Refusal> {
         let (source, spec) = spec::read(path)?;
         let stem = format!("{}-surfaces", stem_of(path)?);
-        Self::look(source, stem, spec)
+        Self::surfaces_of(source, stem, spec)
     }
 
     /// Plans a look at the surface of a measured file, described in the words of a spec.
@@ -138,10 +139,10 @@ impl Plan {
     pub fn look_at_file(words: String, path: &Path) -> Result<Self, Refusal> {
         let (source, spec) = spec::from_command_line(words)?;
         let stem = format!("surface-{}", stem_of(path)?);
-        Self::look(source, stem, spec)
+        Self::surfaces_of(source, stem, spec)
     }
 
-    fn look(source: Source, stem: String, spec: Spec) -> Result<Self, Refusal> {
+    fn surfaces_of(source: Source, stem: String, spec: Spec) -> Result<Self, Refusal> {
         let reader = read::Reader { source: &source, spec: &spec };
         let surfaces = reader.surfaces(None, 0..0)?;
         Self::checked(source, stem, spec, PlanKind::Surfaces(surfaces))
@@ -169,13 +170,18 @@ impl Plan {
             PlanKind::Compare(ComparePlan { surfaces, .. }) | PlanKind::Surfaces(surfaces) => {
                 // The asperities of every surface are kept for the report, one map at a time.
                 let kept: u128 = surfaces.iter().map(SurfacePlan::kept).sum();
-                kept + surfaces.iter().map(SurfacePlan::memory).max().unwrap_or(0)
+                kept + surfaces.iter().map(|surface| surface.memory(self.look())).max().unwrap_or(0)
             }
             PlanKind::Limit(limit) => {
                 let largest = limit.counts.iter().copied().max().unwrap_or(0);
                 surface::set_memory(largest as u128)
             }
         }
+    }
+
+    /// How closely it looks at its surfaces.
+    fn look(&self) -> Look {
+        if matches!(self.kind, PlanKind::Surfaces(_)) { Look::Everything } else { Look::Spectrum }
     }
 
     /// An estimate of the work: asperities or nodes evaluated.
@@ -211,7 +217,7 @@ impl Plan {
         );
         let place = match &self.kind {
             PlanKind::Compare(ComparePlan { surfaces, .. }) | PlanKind::Surfaces(surfaces) => {
-                let largest = surfaces.iter().max_by_key(|surface| surface.memory());
+                let largest = surfaces.iter().max_by_key(|surface| surface.memory(self.look()));
                 largest.map(|surface| surface.size_key.clone())
             }
             PlanKind::Limit(_) => None,

@@ -12,7 +12,9 @@ use crate::experiment::refusal::{Refusal, Source};
 use crate::experiment::results::Timing;
 use crate::experiment::spec::{DrawSpec, FileSpec, ListSpec, PopulationHeights, PopulationSpec, SurfaceSpec};
 use crate::experiment::stream_seed;
-use crate::experiment::surface::{Finding, GenerationFacts, Look, NoAsperities, Surface};
+use crate::experiment::surface::{
+    Finding, GenerationFacts, Look, MOST_POINTS_LOOKED_AT, NoAsperities, Surface,
+};
 use crate::model::Datum;
 use crate::surface::filter::Filter;
 use crate::surface::level::Level;
@@ -208,9 +210,13 @@ impl SurfacePlan {
 
     /// An estimate of the memory that it needs at its peak, bytes, with as many summits as a rough surface has: on
     /// noise there are twice as many.
-    pub fn memory(&self) -> u128 {
+    pub fn memory(&self, look: Look) -> u128 {
         /// A map that is read as a whole, and turned.
         const BYTES_PER_POINT: u128 = 32;
+        /// The transforms of an autocorrelation, over one and a half times the side of an open map.
+        const BYTES_PER_POINT_LOOKED_AT: u128 = 96;
+        /// A copy of a random surface, and what its spectrum is summed from.
+        const BYTES_PER_POINT_OF_SPECTRUM: u128 = 16;
         /// The transforms of a filter.
         const BYTES_PER_FILTERED_POINT: u128 = 96;
         const BYTES_PER_HEIGHT: u128 = 8;
@@ -224,10 +230,16 @@ impl SurfacePlan {
                     (None, false) => BYTES_PER_POINT,
                     (None, true) => 0,
                 };
+                let looked_at = look == Look::Everything && *points <= MOST_POINTS_LOOKED_AT;
+                let bytes = bytes + if looked_at { BYTES_PER_POINT_LOOKED_AT } else { 0 };
                 *points as u128 * bytes + found
             }
             Origin::Generated(generation) => {
-                area(generation.points()) * BYTES_PER_HEIGHT * generation.arrays() + found
+                let look = match look {
+                    Look::Everything => BYTES_PER_POINT_LOOKED_AT,
+                    _ => BYTES_PER_POINT_OF_SPECTRUM,
+                };
+                area(generation.points()) * (BYTES_PER_HEIGHT * generation.arrays() + look) + found
             }
             _ => set_memory(self.most_asperities()),
         }
@@ -341,6 +353,9 @@ impl Maker<'_> {
     }
 }
 
+/// Heights that scatter by less, relative to themselves, are equal but for rounding.
+const ROUNDING: f64 = 1e-12;
+
 /// The surface of the asperities that are found on a map.
 fn found(
     name: &str,
@@ -352,8 +367,9 @@ fn found(
     let (set, facts) = finding.asperities(map)?;
     timing.summits += start.elapsed();
     let statistics = Statistics::of(&set);
-    if statistics.sigma == 0.0 {
-        return Err(NoAsperities::EqualHeights);
+    let summits = facts.summits;
+    if statistics.sigma <= ROUNDING * (statistics.mean_height.abs() + facts.character.moments.sq) {
+        return Err(NoAsperities::EqualHeights { summits });
     }
     let mut surface = Surface::new(name, set, statistics);
     surface.warnings = facts.warnings();

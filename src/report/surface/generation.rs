@@ -46,7 +46,8 @@ pub fn section(page: &mut Page, surface: &Surface, map: &MapFacts, made: &Genera
         ));
     }
     page.paragraph(
-        "Sq, Ssk, Sku and the spectrum asked for are those of all surfaces of the process; one surface scatters about them.",
+        "Sq, Ssk, Sku and the spectrum asked for are those of an endless surface; one map, about its own mean, scatters about \
+         them.",
     );
     if process.heights != Marginal::Gaussian {
         page.paragraph(match process.of {

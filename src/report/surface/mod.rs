@@ -21,7 +21,7 @@ pub fn section(page: &mut Page, surface: &Surface, assumed: Option<&crate::asper
         }
         theory(page, surface, map);
         if let Some(picture) = &map.whole.picture {
-            let caption = format!("Height map of {}, the mean plane at zero.", surface.name);
+            let caption = format!("Height map of {}.", surface.name);
             page.figure(&format!("{}-heights.svg", surface.name), figures::heights(picture), &caption);
         }
         if let Some(svg) = figures::spectrum(&map.whole) {

@@ -17,6 +17,11 @@ pub fn page(results: &SurfacesResults) -> Page {
     for surface in &results.surfaces {
         page.heading(2, &format!("Surface {}", surface.name));
         section(&mut page, surface, None);
+        if surface.map.as_ref().is_some_and(|map| map.whole.spectrum.is_none()) {
+            page.paragraph(
+                "The map is too large for its spectrum and autocorrelation to be looked at in memory.",
+            );
+        }
     }
     head::sources(&mut page, &results.head);
     page

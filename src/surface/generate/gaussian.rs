@@ -8,8 +8,8 @@ use realfft::num_complex::Complex;
 use crate::surface::fourier::{synthesise, weight};
 use crate::surface::spectrum::GridSpectrum;
 
-/// Heights (m) of a Gaussian surface whose standard deviation over all surfaces of the spectrum is `sigma`
-/// (m); that of one surface scatters about it. The seed decides them all, on any number of threads.
+/// Heights (m) of a Gaussian surface whose standard deviation is `sigma` (m) on an endless surface of the spectrum;
+/// that of a map, about its own mean, scatters about a little less. The seed decides them all, on any number of threads.
 ///
 /// Each wave number along y has a random stream of its own, and in it waves are drawn by growing wave
 /// number along x: a map of the same size on a finer grid has the same long waves.
@@ -28,7 +28,8 @@ pub fn gaussian(spectrum: &GridSpectrum, sigma: f64, seed: [u8; 32]) -> Vec<f64>
         }
         weight(points, j) * deviations.iter().map(|deviation| deviation * deviation).sum::<f64>()
     };
-    synthesise(points, draw, |variances| sigma / variances.iter().sum::<f64>().sqrt())
+    let total = |variances: Vec<f64>| spectrum.mean_variance() + variances.iter().sum::<f64>();
+    synthesise(points, draw, |variances| sigma / total(variances).sqrt())
 }
 
 fn normal(rng: &mut ChaCha8Rng) -> f64 {

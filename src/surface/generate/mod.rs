@@ -21,7 +21,7 @@ pub struct Process {
     pub spectrum: Spectrum,
     /// Whose spectrum it is.
     pub of: SpectrumOf,
-    /// Standard deviation of the heights over all surfaces, m.
+    /// Standard deviation of the heights of an endless surface, m.
     pub sigma: f64,
     /// Distribution of the heights.
     pub heights: Marginal,
@@ -116,6 +116,7 @@ fn field(spectrum: &GridSpectrum, heights: Marginal, sigma: f64, seed: [u8; 32])
     }
     let mut field = gaussian(spectrum, 1.0, seed);
     heights.apply(&mut field, sigma);
+    centre(&mut field);
     field
 }
 

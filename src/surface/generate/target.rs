@@ -70,7 +70,7 @@ pub enum Unreachable {
     #[error(
         "density * radius * sigma = {product:.5} is not reached: with this grid, these heights and Hurst exponent it goes from \
          {least:.5} (a ratio of roll-off to cut-off of {from:.3}) to {most:.5} (of {to:.3}); allowed: a product in this range, or \
-         other heights, another Hurst exponent or another cut-off-pixels"
+         other heights, another Hurst exponent, another cut-off-pixels or more points"
     )]
     Product {
         /// What was asked for.
@@ -96,6 +96,18 @@ pub enum Unreachable {
         below: f64,
         /// The nearest above.
         above: f64,
+    },
+    /// The longest wave is the shortest.
+    #[error(
+        "found {} x {} points; allowed with summits: more than {least} along each axis, so that four waves of the cut-off, and longer \
+         ones, fit (fewer with a smaller cut-off-pixels or elongation)",
+        points[0], points[1]
+    )]
+    NoRoom {
+        /// Points along x and y.
+        points: [usize; 2],
+        /// Too few.
+        least: usize,
     },
     /// A spectrum that the grid cannot show.
     #[error(transparent)]
@@ -131,15 +143,20 @@ impl TargetRecipe {
     /// Whether the grid can show its spectra.
     ///
     /// # Errors
-    /// A cut-off below two pixels, or numbers that make no spectrum.
-    pub fn check(&self) -> Result<(), SpectrumError> {
-        self.spectrum(1.0, 1.0)?.check(self.points, [1.0; 2])
+    /// A cut-off below two pixels, numbers that make no spectrum, or a map without room for longer waves.
+    pub fn check(&self) -> Result<(), Unreachable> {
+        self.spectrum(1.0, 1.0)?.check(self.points, [1.0; 2])?;
+        if self.widest() > 1.0 {
+            return Ok(());
+        }
+        let least = (self.points[0].min(self.points[1]) as f64 / self.widest()).round() as usize;
+        Err(Unreachable::NoRoom { points: self.points, least })
     }
 
     /// The largest bandwidth: four of the longest waves fit into the shorter side.
     fn widest(&self) -> f64 {
         let side = self.points[0].min(self.points[1]) as f64;
-        (side / (4.0 * self.cut_off * self.lay.elongation.max(1.0))).max(1.0)
+        side / (4.0 * self.cut_off * self.lay.elongation.max(1.0))
     }
 
     fn spectrum(&self, bandwidth: f64, pixel: f64) -> Result<Spectrum, SpectrumError> {

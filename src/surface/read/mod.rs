@@ -227,14 +227,13 @@ pub fn height_map(path: &Path, given: Given) -> Result<HeightMap, ReadError> {
     let pixel = head.pixel(&given)?;
     let unit = head.unit(&given);
     if unit != 1.0 {
-        heights.iter_mut().for_each(|z| *z *= unit);
         precision = precision.max(f64::EPSILON);
     }
-    check_heights(&mut heights, head.has_unit)?;
+    check_heights(&mut heights, unit, head.has_unit)?;
     Ok(HeightMap::new(head.points, pixel, heights, precision)?)
 }
 
-/// Whether [`rows`] leaves a map on disk: a `.npy` in C order.
+/// Whether [`rows()`] leaves a map on disk: a `.npy` in C order.
 ///
 /// # Errors
 /// As [`head`].
@@ -280,15 +279,16 @@ fn too_tall(tallest: f64, in_metres: bool) -> ReadError {
     ReadError::Unsupported(format!("holds a height of {tallest:e} m; allowed: at most {TALLEST} m{advice}"))
 }
 
-/// Takes out the marks of missing points, where heights are known to be in metres, and refuses heights
-/// (m) that no roughness has.
-fn check_heights(heights: &mut [f64], in_metres: bool) -> Result<(), ReadError> {
+/// Takes out the marks of missing points, brings heights from the unit of their file to metres, and refuses those that
+/// no roughness has.
+fn check_heights(heights: &mut [f64], unit: f64, in_metres: bool) -> Result<(), ReadError> {
     /// Beyond it a height in metres is the mark of a missing point, such as 1e10.
     const MARK: f64 = 1e3;
     let mark = if in_metres { MARK } else { LARGEST };
     let mut tallest = 0.0f64;
     for z in heights {
         if z.abs() <= mark {
+            *z *= unit;
             tallest = tallest.max(z.abs());
         } else {
             *z = f64::NAN;
