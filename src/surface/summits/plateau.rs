@@ -1,0 +1,128 @@
+//! Plateaus: points of equal height that together are a summit, or none.
+
+use super::{Bend, Finder, Summits};
+
+/// A point that is as high as some of its neighbours and lower than none.
+pub(super) struct LevelPoint {
+    pub(super) position: usize,
+    pub(super) height: f64,
+    pub(super) bend: Bend,
+    /// A bit for each neighbour that is as high.
+    pub(super) equal: u8,
+    pub(super) drops: [f64; 4],
+}
+
+impl Finder {
+    /// The position `step` away, around the border of a periodic map; `None` beyond an open one.
+    fn neighbour(&self, position: usize, step: [isize; 2]) -> Option<usize> {
+        let here = [position / self.points[1], position % self.points[1]];
+        let mut there = [0; 2];
+        for axis in 0..2 {
+            let count = self.points[axis] as isize;
+            let index = here[axis] as isize + step[axis];
+            if !self.is_periodic && !(0..count).contains(&index) {
+                return None;
+            }
+            there[axis] = index.rem_euclid(count) as usize;
+        }
+        Some(there[0] * self.points[1] + there[1])
+    }
+
+    /// Each plateau is walked once, over its points that are lower than none of their neighbours; it is a
+    /// summit if all its points are such. `level` is in file order.
+    pub(super) fn add_plateaus(&self, level: &[LevelPoint], found: &mut Summits) {
+        // Where each row of the map begins in the list: a neighbour is looked for in its row alone.
+        let columns = self.points[1];
+        let mut starts = vec![0; self.points[0] + 1];
+        for point in level {
+            starts[point.position / columns + 1] += 1;
+        }
+        for row in 0..self.points[0] {
+            starts[row + 1] += starts[row];
+        }
+        let place = |position: usize, from: usize| {
+            // On a wide plateau the neighbour along the row is the next of the list.
+            for near in [from.wrapping_sub(1), from + 1] {
+                if level.get(near).is_some_and(|point| point.position == position) {
+                    return Some(near);
+                }
+            }
+            let row = position / columns;
+            let found =
+                level[starts[row]..starts[row + 1]].binary_search_by_key(&position, |point| point.position);
+            found.ok().map(|place| starts[row] + place)
+        };
+        let mut seen = vec![false; level.len()];
+        let mut summits = Vec::new();
+        for start in 0..level.len() {
+            if seen[start] {
+                continue;
+            }
+            seen[start] = true;
+            let mut plateau = vec![start];
+            let mut is_summit = true;
+            let mut next = 0;
+            while let Some(&member) = plateau.get(next) {
+                next += 1;
+                let point = &level[member];
+                for (bit, &step) in self.neighbours.steps().iter().enumerate() {
+                    if point.equal & (1 << bit) == 0 {
+                        continue;
+                    }
+                    // A point as high that is not in the list is lower than another, or was not tested: the
+                    // plateau rises there, or may.
+                    let neighbour = self.neighbour(point.position, step);
+                    match neighbour.and_then(|position| place(position, member)) {
+                        Some(other) if !seen[other] => {
+                            seen[other] = true;
+                            plateau.push(other);
+                        }
+                        Some(_) => {}
+                        None => is_summit = false,
+                    }
+                }
+            }
+            if is_summit {
+                summits.push(plateau);
+            }
+        }
+        found.plateaus = summits.len();
+        let mut kept = Vec::new();
+        for plateau in summits {
+            let mut mean = Bend::default();
+            for &member in &plateau {
+                for (sum, part) in mean.0.iter_mut().zip(level[member].bend.0) {
+                    *sum += part / plateau.len() as f64;
+                }
+            }
+            if mean.curvature() <= 0.0 {
+                found.dropped += 1;
+                continue;
+            }
+            if self.detail.drops {
+                let drops = plateau.iter().flat_map(|&member| level[member].drops);
+                found.drops.extend(drops.filter(|&drop| drop > 0.0));
+            }
+            // Walking began at its first point in file order.
+            kept.push((&level[plateau[0]], mean));
+        }
+        self.merge(found, &kept);
+    }
+
+    /// Puts plateaus, which are in file order, among the other summits.
+    fn merge(&self, found: &mut Summits, plateaus: &[(&LevelPoint, Bend)]) {
+        let strict = found.positions.len();
+        let mut order: Vec<(usize, usize)> = found.positions.iter().copied().zip(0..).collect();
+        order.extend(plateaus.iter().map(|plateau| plateau.0.position).zip(strict..));
+        order.sort_unstable();
+        found.heights.extend(plateaus.iter().map(|plateau| plateau.0.height));
+        found.curvatures.extend(plateaus.iter().map(|plateau| plateau.1.curvature()));
+        found.positions = order.iter().map(|&(position, _)| position).collect();
+        found.heights = order.iter().map(|&(_, from)| found.heights[from]).collect();
+        found.curvatures = order.iter().map(|&(_, from)| found.curvatures[from]).collect();
+        if self.detail.principal {
+            found.principal.extend(plateaus.iter().map(|plateau| plateau.1.principal()));
+            found.principal = order.iter().map(|&(_, from)| found.principal[from]).collect();
+        }
+    }
+}
