@@ -27,7 +27,7 @@ fn process(shape: Shape, lay: Lay, heights: Marginal) -> Process {
 }
 
 fn surface(points: [usize; 2], pixel: [f64; 2], process: Process, seed: u8) -> HeightMap {
-    Recipe { points, pixel, process, plateau: None }.surface(seeds(seed)).unwrap()
+    Recipe { points, pixel, process, plateau: None }.surface(seeds(seed)).unwrap().0
 }
 
 fn johnson(skewness: f64, kurtosis: f64) -> Marginal {
@@ -253,8 +253,8 @@ fn a_plateau_is_cut_and_nothing_else() {
         process: coarse,
         plateau: Some(Plateau { process: fine, height: 0.3 * SIGMA }),
     };
-    let honed = recipe.surface(seeds(5)).unwrap();
-    let uncut = Recipe { plateau: None, ..recipe }.surface(seeds(5)).unwrap();
+    let (honed, cut) = recipe.surface(seeds(5)).unwrap();
+    let uncut = Recipe { plateau: None, ..recipe }.surface(seeds(5)).unwrap().0;
     let moments = Moments::of(&honed);
     assert!(moments.mean.abs() < 1e-12 * SIGMA);
     assert!(moments.ssk.unwrap() < -0.5, "plateaus with valleys: {:?}", moments.ssk);
@@ -265,6 +265,7 @@ fn a_plateau_is_cut_and_nothing_else() {
     // P(coarse < fine + 0.3 sigma) = Phi(0.3/1.01^.5) = 0.617, over some 30 x 25 independent patches.
     let share = kept as f64 / moved.len() as f64;
     assert!((share - 0.617).abs() < 0.08, "{share}");
+    assert!((cut.unwrap() + share - 1.0).abs() < 1e-12, "{cut:?}");
 }
 
 /// A map of heights distorts the autocorrelation of a Gaussian field; one that is made for it does not end distorted.
@@ -319,7 +320,7 @@ fn the_same_bits_on_any_number_of_threads() {
         let fine = process(Shape::Gaussian(2e-6), Lay::default(), Marginal::Gaussian);
         let plateau = Some(Plateau { process: Process { sigma: 1e-8, ..fine }, height: 1e-7 });
         let recipe = Recipe { points: [210, 333], pixel: [1e-6, 1.5e-6], process: rough, plateau };
-        let map = recipe.surface(seeds(9)).unwrap();
+        let map = recipe.surface(seeds(9)).unwrap().0;
         let open = HeightMap::new(map.points(), map.pixel(), map.heights().to_vec(), 0.0).unwrap();
         let levelled = Level::Quadratic.apply(&open).unwrap();
         let spectrum = rough.spectrum.on_grid(map.points(), map.pixel());

@@ -60,6 +60,9 @@ enum Command {
         file: PathBuf,
         #[command(flatten)]
         words: Words,
+        /// What the report's folder is called; after the file if not given
+        #[arg(long)]
+        name: Option<String>,
         #[command(flatten)]
         options: RunOptions,
     },
@@ -77,22 +80,22 @@ enum Command {
 #[derive(Args)]
 struct Words {
     /// Distance of points, where the file holds none: "0.8 um", or along x and y "0.8 um, 0.5 um"
-    #[arg(long)]
+    #[arg(long, allow_hyphen_values = true)]
     pixel: Option<String>,
     /// Unit of the lengths in the file, where it holds none: um
-    #[arg(long)]
+    #[arg(long, allow_hyphen_values = true)]
     unit: Option<String>,
     /// Form that is removed: none, mean, plane, quadratic
-    #[arg(long)]
+    #[arg(long, allow_hyphen_values = true)]
     level: Option<String>,
     /// S filter (ISO 16610-61): what is shorter is removed: "2.5 um"
-    #[arg(long)]
+    #[arg(long, allow_hyphen_values = true)]
     s: Option<String>,
     /// L filter (ISO 16610-61): what is longer is removed: "80 um"
-    #[arg(long)]
+    #[arg(long, allow_hyphen_values = true)]
     l: Option<String>,
     /// Which neighbours a summit is higher than: four, eight
-    #[arg(long)]
+    #[arg(long, allow_hyphen_values = true)]
     neighbours: Option<String>,
 }
 
@@ -155,7 +158,9 @@ fn main() -> ExitCode {
         Some(Command::List { out }) => list(&out),
         Some(Command::Check { files }) => check(&files),
         Some(Command::New { name }) => new(&name),
-        Some(Command::Surface { file, words, options }) => surface(&file, words.into(), &options),
+        Some(Command::Surface { file, words, name, options }) => {
+            surface(&file, words.into(), name.as_deref(), &options)
+        }
         Some(Command::Verify { fresh, out }) => verify(&fresh, &out),
     };
     match outcome {
@@ -260,9 +265,9 @@ fn open_store(options: &RunOptions) -> Result<Store, Failure> {
 }
 
 /// Looks at surfaces: a table in the terminal, pages in the folder of reports.
-fn surface(file: &Path, words: FileWords, options: &RunOptions) -> Result<(), Failure> {
+fn surface(file: &Path, words: FileWords, name: Option<&str>, options: &RunOptions) -> Result<(), Failure> {
     set_threads(options)?;
-    let experiment = Experiment::look(file, &words)?;
+    let experiment = Experiment::look(file, &words, name)?;
     let mut store = open_store(options)?;
     store.check(experiment.stem())?;
     let results = run_and_write(&experiment, &mut store, options)?;

@@ -1,6 +1,7 @@
 //! How far the realisations of one surface lie apart.
 
-use super::{Pair, Pairing};
+use super::{FEWEST_CONTACTS, Pair, Pairing};
+use crate::model::INTERACTION;
 
 /// Mean and scatter of a quantity over realisations.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -34,19 +35,36 @@ pub struct Spread {
     /// Mean of the sampling errors of d/sigma that each sum states for itself; a scatter beyond it comes from
     /// long waves, which make neighbours alike.
     pub sampling_error: f64,
+    /// Mean number of contacts of the deterministic model.
+    pub contacts: f64,
     /// A/A_nom of the statistical model.
     pub statistical_area: Scatter,
     /// A/A_nom of the deterministic model.
     pub deterministic_area: Scatter,
 }
 
-/// One realisation: its pairs, and the deviation of heights (m) that d is measured in.
-pub type Realisation<'a> = (&'a [Pair], f64);
+impl Spread {
+    /// Standard errors of the mean over `count` realisations that the mean difference of the separations is; a
+    /// realisation scatters at least by its stated error.
+    pub fn standard_errors(&self, count: usize) -> f64 {
+        let scatter = self.difference.deviation.max(self.sampling_error);
+        self.difference.mean.abs() / (scatter / (count as f64).sqrt())
+    }
+
+    /// Whether it counts in a finding: at least 30 contacts, and asperities that do not interact.
+    pub fn counts(&self) -> bool {
+        let area = self.deterministic_area.mean.max(self.statistical_area.mean);
+        self.contacts >= FEWEST_CONTACTS && area <= INTERACTION
+    }
+}
+
+/// One realisation: its pairs, the deviation of heights (m) that d is measured in, and its nominal area (m^2).
+pub type Realisation<'a> = (&'a [Pair], f64, f64);
 
 /// Both models at the loads that all realisations have in common, by growing load; nothing for fewer than
 /// two realisations.
 pub fn spread(realisations: &[Realisation]) -> Vec<Spread> {
-    let Some(((first, _), others)) = realisations.split_first() else { return Vec::new() };
+    let Some(((first, ..), others)) = realisations.split_first() else { return Vec::new() };
     if others.is_empty() {
         return Vec::new();
     }
@@ -60,15 +78,16 @@ pub fn spread(realisations: &[Realisation]) -> Vec<Spread> {
 /// `None` where a realisation lacks the load.
 fn at(target: f64, realisations: &[Realisation]) -> Option<Spread> {
     let is_it = |pair: &&Pair| pair.pairing == Pairing::Load && pair.target == target;
-    let found: Option<Vec<(&Pair, f64)>> = realisations
+    let found: Option<Vec<(&Pair, f64, f64)>> = realisations
         .iter()
-        .map(|&(pairs, sigma)| pairs.iter().find(is_it).map(|pair| (pair, sigma)))
+        .map(|&(pairs, sigma, area)| pairs.iter().find(is_it).map(|pair| (pair, sigma, area)))
         .collect();
     let found = found?;
     let scatter = |value: &dyn Fn(&Pair) -> f64| {
-        Scatter::of(&found.iter().map(|(pair, _)| value(pair)).collect::<Vec<_>>())
+        Scatter::of(&found.iter().map(|(pair, ..)| value(pair)).collect::<Vec<_>>())
     };
-    let errors = found.iter().filter_map(|(pair, sigma)| {
+    let contacts: f64 = found.iter().map(|(pair, _, area)| pair.deterministic.contact_density * area).sum();
+    let errors = found.iter().filter_map(|(pair, sigma, _)| {
         let response = &pair.deterministic;
         response.sampling.map(|error| error.pressure / (response.stiffness * sigma))
     });
@@ -80,6 +99,7 @@ fn at(target: f64, realisations: &[Realisation]) -> Option<Spread> {
             pair.statistical.separation_over_sigma - pair.deterministic.separation_over_sigma
         }),
         sampling_error: errors.sum::<f64>() / found.len() as f64,
+        contacts: contacts / found.len() as f64,
         statistical_area: scatter(&|pair| pair.statistical.area_ratio.total()),
         deterministic_area: scatter(&|pair| pair.deterministic.area_ratio.total()),
     })
@@ -116,7 +136,7 @@ mod tests {
             vec![pair(1.0, 4.0, 3.0)],
             vec![pair(1.0, 4.0, 4.0), pair(3.0, 1.0, 1.0)],
         ];
-        let realisations: Vec<Realisation> = pairs.iter().map(|pairs| (&pairs[..], 1e-8)).collect();
+        let realisations: Vec<Realisation> = pairs.iter().map(|pairs| (&pairs[..], 1e-8, 40.0)).collect();
         let [found] = spread(&realisations)[..] else { panic!("one load in common") };
         assert_eq!(found.target, 1.0);
         assert_eq!(found.statistical_separation, Scatter { mean: 4.0, deviation: 0.0 });
@@ -125,6 +145,9 @@ mod tests {
         assert!((found.deterministic_area.deviation - 0.1).abs() < 1e-15);
         // 5 Pa over 1e9 Pa/m is 5e-9 m, half of sigma.
         assert!((found.sampling_error - 0.5).abs() < 1e-15);
+        assert_eq!(found.contacts, 40.0);
+        assert!((found.standard_errors(3) - 3f64.sqrt()).abs() < 1e-12);
+        assert!(!found.counts(), "A/A_nom of 0.4");
         assert_eq!(spread(&realisations[..1]), []);
     }
 }

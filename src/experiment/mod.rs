@@ -41,11 +41,11 @@ impl Experiment {
     }
 
     /// Looks at the surfaces of a spec, or at a measured file in the words of a spec:
-    /// `[surface.NAME.file]` and what stands below it.
+    /// `[surface.NAME.file]` and what stands below it. The report is called `name`, or after the file.
     ///
     /// # Errors
     /// As [`Self::read`].
-    pub fn look(path: &Path, words: &FileWords) -> Result<Self, Refusal> {
+    pub fn look(path: &Path, words: &FileWords, name: Option<&str>) -> Result<Self, Refusal> {
         let is_spec = path.extension().is_some_and(|ending| ending == "toml");
         if is_spec && *words != FileWords::default() {
             return Err(Refusal::file(
@@ -54,8 +54,11 @@ impl Experiment {
                  filter or neighbours beside it",
             ));
         }
-        let plan =
+        let mut plan =
             if is_spec { Plan::look_at_spec(path)? } else { Plan::look_at_file(words.spec(path), path)? };
+        if let Some(name) = name {
+            plan.stem = plan::stem_of(Path::new(&format!("{name}.toml")))?;
+        }
         Ok(Self { plan })
     }
 

@@ -48,6 +48,8 @@ impl fmt::Display for Refusal {
 
 impl std::error::Error for Refusal {}
 
+const COMMAND_LINE: &str = "(command line)";
+
 /// A spec's text and where it is from.
 #[derive(Debug, Clone)]
 pub struct Source {
@@ -58,6 +60,16 @@ pub struct Source {
 }
 
 impl Source {
+    /// Words that the command line made; what they name is relative to the working directory.
+    pub fn command_line(text: String) -> Self {
+        Self { path: COMMAND_LINE.into(), text }
+    }
+
+    /// Whether the command line made it.
+    pub fn is_command_line(&self) -> bool {
+        self.path.as_os_str() == COMMAND_LINE
+    }
+
     /// Refuses what stands at `span` (bytes of the text).
     pub fn refuse(&self, span: Range<usize>, message: impl fmt::Display) -> Refusal {
         let start = span.start.min(self.text.len());

@@ -115,6 +115,8 @@ fn warnings<'a>(surfaces: impl IntoIterator<Item = &'a Surface>) -> Vec<String> 
 pub struct SurfacesResults {
     /// What every experiment has.
     pub head: Head,
+    /// The words of a spec that the command line made, for a measured file.
+    pub words: Option<String>,
     /// The surfaces, in file order.
     pub surfaces: Vec<Surface>,
 }

@@ -67,7 +67,8 @@ fn look(plan: &Plan, surfaces: &[SurfacePlan], progress: &dyn Progress) -> Resul
     }
     timing.total = start.elapsed();
     let papers = seen.iter().flat_map(Surface::papers).collect();
-    Ok(SurfacesResults { head: head(plan, papers, timing), surfaces: seen })
+    let words = plan.source.is_command_line().then(|| plan.source.text.clone());
+    Ok(SurfacesResults { head: head(plan, papers, timing), words, surfaces: seen })
 }
 
 fn run_surface(

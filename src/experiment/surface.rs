@@ -10,6 +10,7 @@ use crate::surface::generate::{Recipe, SpectrumOf, Target};
 use crate::surface::level::{Level, Levelled, Undetermined};
 use crate::surface::marginal::Marginal;
 use crate::surface::quantisation::Quantisation;
+use crate::surface::rows::{Strip, strips};
 use crate::surface::summits::{Detail, Neighbours, Summits, find};
 use crate::surface::theory::{self, Expected};
 use crate::surface::{HeightMap, Rows};
@@ -80,6 +81,8 @@ pub struct GenerationFacts {
     pub recipe: Recipe,
     /// What its summits were asked to be, and how many surfaces were tried.
     pub target: Option<(Target, usize)>,
+    /// Share of the points that a finer process has cut.
+    pub cut: Option<f64>,
 }
 
 /// How closely a map is looked at, beyond its asperities.
@@ -109,6 +112,8 @@ pub struct Whole {
     pub autocorrelation: Option<Autocorrelation>,
     /// The heights, at most 512 along each axis.
     pub picture: Option<HeightMap>,
+    /// How many heights lie in each of equal intervals over 5 Sq on both sides of the mean.
+    pub distribution: Option<Vec<usize>>,
 }
 
 /// A map on which no asperities are found.
@@ -188,19 +193,23 @@ impl Finding {
             nayak: theory::nayak(character.spectral_moments()),
             quantisation: self.generation.is_none().then(|| Quantisation::of(raw, summits)),
             generation: self.generation,
-            whole: Whole::of(map, self.generation.as_ref(), self.look),
+            whole: Whole::of(map, &character, self.generation.as_ref(), self.look),
             character,
         }
     }
 }
 
 impl Whole {
-    fn of(map: &dyn Rows, generation: Option<&GenerationFacts>, look: Look) -> Self {
+    fn of(map: &dyn Rows, character: &Character, generation: Option<&GenerationFacts>, look: Look) -> Self {
         /// Points of a picture along an axis.
         const PICTURE: usize = 512;
         let [nx, ny] = map.points();
         let is_close = look == Look::Everything;
-        let mut whole = Self { picture: is_close.then(|| thumbnail(map, PICTURE)), ..Self::default() };
+        let mut whole = Self {
+            picture: is_close.then(|| thumbnail(map, PICTURE)),
+            distribution: is_close.then(|| distribution(map, character)),
+            ..Self::default()
+        };
         if look == Look::Asperities || (!is_close && generation.is_none()) || nx * ny > MOST_POINTS_LOOKED_AT
         {
             return whole;
@@ -219,6 +228,24 @@ impl Whole {
         whole.spectrum = Some(RadialSpectrum::of(&map));
         whole
     }
+}
+
+/// Counts of heights in equal intervals over 5 Sq on both sides of the mean.
+fn distribution(map: &dyn Rows, character: &Character) -> Vec<usize> {
+    const INTERVALS: usize = 100;
+    let (mean, sq) = (character.moments.mean, character.moments.sq);
+    let count = |strip: Strip| {
+        let mut counts = vec![0; INTERVALS];
+        for z in (0..strip.count as isize).filter_map(|k| strip.row(k)).flatten() {
+            let place = ((z - mean) / sq + 5.0) * 0.1 * INTERVALS as f64;
+            if (0.0..INTERVALS as f64).contains(&place) {
+                counts[place as usize] += 1;
+            }
+        }
+        counts
+    };
+    let parts = strips(map, 0, count);
+    (0..INTERVALS).map(|k| parts.iter().map(|part| part[k]).sum()).collect()
 }
 
 /// A map of at most `most` points along each axis: each the mean of a block of points that are there.
@@ -270,16 +297,31 @@ impl Rows for Blocks<'_> {
 }
 
 impl MapFacts {
-    /// Why its radii may be the instrument's.
+    /// What makes its numbers doubtful.
     pub fn warnings(&self) -> Vec<String> {
-        let Some(found) = &self.quantisation else { return Vec::new() };
-        let nanometres = |length: f64| format!("{:.4} nm", length * 1e9);
+        /// No measured or machined surface is so steep all over.
+        const STEEP: f64 = 1.0;
         let mut warnings = Vec::new();
+        let slope = self.character.rms_slope();
+        if slope > STEEP {
+            warnings.push(format!(
+                "the r.m.s. slope is {slope:.3}: heights and distances of points are probably in different units, or in others than \
+                 the file is read in.",
+            ));
+        }
+        warnings.extend(self.step_warning());
+        warnings
+    }
+
+    /// Why its radii may be the instrument's.
+    fn step_warning(&self) -> Option<String> {
+        let found = self.quantisation.as_ref()?;
+        let nanometres = |length: f64| format!("{:.4} nm", length * 1e9);
         let step = found.step.map_or_else(String::new, |step| {
             format!(" The instrument stores one height level every {}.", nanometres(step))
         });
         if let Some(step) = found.step.filter(|_| found.has_coarse_step()) {
-            warnings.push(format!(
+            return Some(format!(
                 "the radii are set by the instrument's height step of {}, not by the surface: the median drop from a summit \
                  to its neighbours is {}, and the {} summits have {} distinct curvatures. Neither model's answer \
                  describes this surface; measure with a finer step, or filter out the wavelengths that the step spoils.",
@@ -288,14 +330,14 @@ impl MapFacts {
                 found.summits,
                 found.distinct_curvatures,
             ));
-        } else if found.has_few_curvatures() {
-            warnings.push(format!(
+        }
+        found.has_few_curvatures().then(|| {
+            format!(
                 "the {} summits have only {} distinct curvatures: the radii are set by the instrument, not by the \
                  surface.{step}",
                 found.summits, found.distinct_curvatures,
-            ));
-        }
-        warnings
+            )
+        })
     }
 
     /// The papers behind it.

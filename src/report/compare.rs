@@ -6,7 +6,7 @@ use super::head;
 use super::page::Page;
 use super::page::escape;
 use super::surface::section as surface_section;
-use crate::compare::{Comparison, Control, Gap, Kind, Pair, Realisation, Scatter, spread};
+use crate::compare::{Comparison, Control, Gap, Kind, Pair, Realisation, Scatter, Spread, spread};
 use crate::experiment::results::{CaseResults, CompareResults, SurfaceResults};
 
 /// A gap of fewer standard errors than this may be chance.
@@ -21,8 +21,8 @@ pub fn page(results: &CompareResults) -> Page {
     }
     page.heading(2, "In short");
     for found in &results.surfaces {
-        for case in &found.first.cases {
-            page.bullets(in_short(results, found, case));
+        for index in 0..found.first.cases.len() {
+            page.bullets(in_short(results, found, index));
         }
     }
     head::what_was_run(&mut page, &results.head, &results.contact);
@@ -38,8 +38,14 @@ pub fn page(results: &CompareResults) -> Page {
 }
 
 /// The finding in a few sentences.
-fn in_short(results: &CompareResults, found: &SurfaceResults, case: &CaseResults) -> Vec<String> {
+fn in_short(results: &CompareResults, found: &SurfaceResults, index: usize) -> Vec<String> {
+    let case = &found.first.cases[index];
     let subject = subject(results, found, case);
+    if !found.others.is_empty()
+        && let Some(lines) = in_short_over_all(&subject, found, index)
+    {
+        return lines;
+    }
     if case.gaps.largest.is_empty() {
         return vec![format!(
             "**{subject}**: no pair of answers rests on at least 30 contacts within 5 % real area, so nothing is said \
@@ -48,8 +54,55 @@ fn in_short(results: &CompareResults, found: &SurfaceResults, case: &CaseResults
     }
     let mut lines: Vec<String> =
         case.gaps.largest.iter().map(|gap| format!("**{subject}**: {}", sentence(gap))).collect();
-    lines.push(format!("**{subject}, which to trust**: {}", verdict(found, case)));
+    let significant = |gap: &Gap| gap.over_sampling_error.is_none_or(|errors| errors > SIGNIFICANT);
+    let is_significant = case.gaps.largest.iter().any(significant);
+    lines.push(format!("**{subject}, which to trust**: {}", verdict(found, is_significant)));
     lines
+}
+
+/// The finding over all realisations; `None` where they have no load in common that counts.
+fn in_short_over_all(subject: &str, found: &SurfaceResults, index: usize) -> Option<Vec<String>> {
+    let all = realisations_of(found, index);
+    let spread = spread(&all);
+    let counting = || spread.iter().filter(|at| at.counts());
+    let by_mean = |a: &&Spread, b: &&Spread| a.difference.mean.abs().total_cmp(&b.difference.mean.abs());
+    let largest = counting().max_by(by_mean)?;
+    let errors = |at: &Spread| at.standard_errors(all.len());
+    let surest = counting().max_by(|a, b| errors(a).total_cmp(&errors(b)))?;
+    let finding = format!(
+        "**{subject}**, over {} realisations: at equal load the separations differ by up to {} ± {} σ (mean ± standard deviation of one \
+         realisation) at {}, {} standard errors of the mean: {} σ statistical, {} σ deterministic. {CONDITION}",
+        all.len(),
+        number(largest.difference.mean.abs()),
+        number(largest.difference.deviation),
+        quantity(largest.target, "Pa"),
+        number(errors(largest)),
+        number(largest.statistical_separation.mean),
+        number(largest.deterministic_separation.mean),
+    );
+    let ratios = || counting().map(|at| (at, at.statistical_area.mean / at.deterministic_area.mean));
+    let (at, ratio) = ratios().max_by(|a, b| a.1.ln().abs().total_cmp(&b.1.ln().abs()))?;
+    let area = format!(
+        "**{subject}**: at equal load, where the real areas are furthest apart in the mean, the statistical one is {} times the \
+         deterministic one, at {}.",
+        number(ratio),
+        quantity(at.target, "Pa")
+    );
+    let trust = format!("**{subject}, which to trust**: {}", verdict(found, errors(surest) > SIGNIFICANT));
+    Some(vec![finding, area, trust])
+}
+
+/// What a finding rests on.
+const CONDITION: &str = "Only loads that at least 30 asperities carry within A/A_nom = 0.05 count.";
+
+/// All realisations under one law.
+fn realisations_of(found: &SurfaceResults, index: usize) -> Vec<Realisation<'_>> {
+    found
+        .realisations()
+        .map(|(_, answered)| {
+            (&answered.cases[index].comparison.pairs[..], answered.sigma, answered.nominal_area)
+        })
+        .collect()
 }
 
 fn subject(results: &CompareResults, found: &SurfaceResults, case: &CaseResults) -> String {
@@ -64,7 +117,7 @@ fn sentence(gap: &Gap) -> String {
     };
     match (gap.quantity, gap.pairing) {
         ("separation_over_sigma", _) => format!(
-            "at equal load the separations differ by up to {} σ: {} σ statistical, {} σ deterministic at {}{errors}.",
+            "at equal load the separations differ by up to {} σ: {} σ statistical, {} σ deterministic at {}{errors}. {CONDITION}",
             number(gap.difference().abs()),
             number(gap.statistical),
             number(gap.deterministic),
@@ -84,13 +137,12 @@ fn sentence(gap: &Gap) -> String {
 }
 
 /// Which model to use on this surface, from what the gaps and the surface say.
-fn verdict(found: &SurfaceResults, case: &CaseResults) -> String {
+fn verdict(found: &SurfaceResults, is_significant: bool) -> String {
     if !found.surface.warnings.is_empty() {
-        return "neither, before the warning above is dealt with: the radii are not the surface's."
+        return "neither, before the warning above is dealt with: the numbers are not those of the surface."
             .to_owned();
     }
-    let significant = |gap: &Gap| gap.over_sampling_error.is_none_or(|errors| errors > SIGNIFICANT);
-    if !case.gaps.largest.iter().any(significant) {
+    if !is_significant {
         return "either. The models differ by less than three standard errors of the sum: another sample of the \
                 same surface would move the sum as much."
             .to_owned();
@@ -125,6 +177,12 @@ fn surface(page: &mut Page, found: &SurfaceResults) {
     let surface = &found.surface;
     let population = &found.first.population;
     page.heading(2, &format!("Surface {}", surface.name));
+    if !found.others.is_empty() {
+        page.paragraph(&format!(
+            "This is the first of {} realisations; all are in `summary.json` and the tables.",
+            found.others.len() + 1
+        ));
+    }
     surface_section(page, surface, Some(population));
     if surface.is_quoted_as_surface() {
         page.paragraph(
@@ -170,7 +228,11 @@ fn answers(page: &mut Page, results: &CompareResults, found: &SurfaceResults, in
     realisations(page, found, index);
     let pairs = decades(figures::at_equal_load(comparison), |pair| pair.target);
     if !pairs.is_empty() {
-        page.paragraph("Both models at equal load, in full, on the first realisation:");
+        page.paragraph(if found.others.is_empty() {
+            "Both models at equal load:"
+        } else {
+            "Both models at equal load, in full, on the first realisation:"
+        });
         let area = found.surface.set.nominal_area();
         page.table(LOAD_TABLE, pairs.iter().map(|pair| load_row(pair)));
         page.table(CONTACT_TABLE, pairs.iter().map(|pair| contact_row(pair, area)));
@@ -179,10 +241,7 @@ fn answers(page: &mut Page, results: &CompareResults, found: &SurfaceResults, in
 
 /// How far several realisations lie apart, and whether the sums' own sampling errors tell so.
 fn realisations(page: &mut Page, found: &SurfaceResults, index: usize) {
-    let all: Vec<Realisation> = found
-        .realisations()
-        .map(|(_, answered)| (&answered.cases[index].comparison.pairs[..], answered.sigma))
-        .collect();
+    let all = realisations_of(found, index);
     let spread = spread(&all);
     if spread.is_empty() {
         return;

@@ -24,7 +24,7 @@ pub enum FilterError {
     #[error("found no nesting index; allowed: s, l, or both")]
     Missing,
     /// Short comes before long.
-    #[error("found s = {s} m and l = {l} m; allowed: s below l")]
+    #[error("found s = {s:.4e} m and l = {l:.4e} m; allowed: s below l")]
     Order {
         /// The S index, m.
         s: f64,

@@ -84,6 +84,16 @@ pub enum SpectrumError {
         /// The pixel along it, m.
         pixel: f64,
     },
+    /// The grid shows how neighbours correlate.
+    #[error(
+        "found a correlation length of {length:.3e} m on pixels of {pixel:.3e} m; allowed: at least a pixel"
+    )]
+    Unresolved {
+        /// Along an axis, m.
+        length: f64,
+        /// The pixel along it, m.
+        pixel: f64,
+    },
     /// The map shows the longest wave.
     #[error(
         "found a {what} of {length:.3e} m along a side of {size:.3e} m; allowed: at most {part} of the side"
@@ -161,6 +171,9 @@ impl Spectrum {
                 }
                 Shape::Gaussian(length) | Shape::Exponential(length) => {
                     let length = length * extent;
+                    if length * ROOM < pixel {
+                        return Err(SpectrumError::Unresolved { length, pixel });
+                    }
                     if LENGTHS_ACROSS * length > size * ROOM {
                         let what = "correlation length";
                         return Err(SpectrumError::TooLong { what, length, size, part: "a tenth" });
@@ -401,7 +414,7 @@ mod tests {
             (Shape::Gaussian(10.0), Lay::default()),
             (Shape::Exponential(5.0), turned),
             (Shape::Gaussian(5.0), turned),
-            (Shape::Gaussian(0.1), Lay::default()),
+            (Shape::Gaussian(1.3), Lay::default()),
         ] {
             let spectrum = Spectrum::new(shape, lay).unwrap();
             spectrum.check(points, pixel).unwrap();

@@ -1,5 +1,6 @@
 //! Random rough surfaces, planned from their words.
 
+use std::f64::consts::TAU;
 use std::ops::Range;
 
 use toml::Spanned;
@@ -14,8 +15,9 @@ use crate::surface::generate::{
     Plateau, Process, Recipe, Seeds, SpectrumOf, Target, TargetRecipe, Unreachable,
 };
 use crate::surface::marginal::{Johnson, Marginal, Weibull};
-use crate::surface::spectrum::{Lay, Shape, Spectrum, SpectrumError};
+use crate::surface::spectrum::{Lay, Shape, Spectrum};
 use crate::surface::summits::Neighbours;
+use crate::units::{Angle, Finite, Quantity};
 
 /// How a random surface is made.
 #[derive(Debug, Clone)]
@@ -24,6 +26,8 @@ pub struct Generation {
     pub way: Way,
     /// What a summit is.
     pub neighbours: Neighbours,
+    /// What the spec says of its size, or of its summits.
+    pub key: Range<usize>,
 }
 
 /// The two ways to a surface.
@@ -48,6 +52,8 @@ pub struct Generated {
     pub recipe: Recipe,
     /// What its summits were asked to be, and how many surfaces were tried.
     pub target: Option<(Target, usize)>,
+    /// Share of the points that a finer process has cut.
+    pub cut: Option<f64>,
 }
 
 /// A grid that is worth making.
@@ -74,7 +80,8 @@ impl Generation {
             }
             None => Way::Recipe(recipe(source, span, words, points, heights)?),
         };
-        Ok(Self { way, neighbours: words.neighbours })
+        let key = words.summits.as_ref().map_or_else(|| words.points.span(), Spanned::span);
+        Ok(Self { way, neighbours: words.neighbours, key })
     }
 
     /// Points along x and y.
@@ -102,7 +109,7 @@ impl Generation {
         match &self.way {
             Way::Recipe(_) => format!("random surface, {nx} x {ny} points"),
             Way::Target { target, .. } => format!(
-                "random surface, {nx} x {ny} points, whose summits have radius {:e} m, sigma {:e} m, density {:e} /m^2",
+                "random surface, {nx} x {ny} points, whose summits have radius {:.4e} m, sigma {:.4e} m, density {:.4e} /m^2",
                 target.radius, target.sigma, target.density
             ),
         }
@@ -126,7 +133,8 @@ impl Generation {
         const ATTEMPTS: usize = 8;
         match &self.way {
             Way::Recipe(recipe) => {
-                Ok((Generated { map: recipe.surface(seeds)?, recipe: *recipe, target: None }, None))
+                let (map, cut) = recipe.surface(seeds)?;
+                Ok((Generated { map, recipe: *recipe, target: None, cut }, None))
             }
             Way::Target { recipe, target } => {
                 let mut found = recipe.surface(target, seeds.process, first);
@@ -150,7 +158,7 @@ impl Generation {
                 };
                 let made = Recipe { points: recipe.points, pixel: found.map.pixel(), process, plateau: None };
                 let target = Some((*target, found.tried));
-                Ok((Generated { map: found.map, recipe: made, target }, Some(found.bandwidth)))
+                Ok((Generated { map: found.map, recipe: made, target, cut: None }, Some(found.bandwidth)))
             }
         }
     }
@@ -238,30 +246,36 @@ fn spectrum(
                 ));
             };
             let (roll_off, cut_off) = (roll_off.value(), cut_off.value());
-            Spectrum::new(
-                Shape::SelfAffine { hurst: hurst.value(), roll_off, cut_off },
-                self_affine_lay(self_affine),
-            )
+            let lay = lay(self_affine.elongation.map_or(1.0, |e| e.value()), self_affine.angle);
+            let lay = lay.map_err(|error| refuse(&error))?;
+            Spectrum::new(Shape::SelfAffine { hurst: hurst.value(), roll_off, cut_off }, lay)
         }
-        SpectrumSpec::Gaussian(words) => correlated(Shape::Gaussian, words),
-        SpectrumSpec::Exponential(words) => correlated(Shape::Exponential, words),
+        SpectrumSpec::Gaussian(CorrelationSpec { correlation_length, angle })
+        | SpectrumSpec::Exponential(CorrelationSpec { correlation_length, angle }) => {
+            let [along, across] = correlation_length.0;
+            let is_gaussian = matches!(words.get_ref(), SpectrumSpec::Gaussian(_));
+            let shape = if is_gaussian { Shape::Gaussian(across) } else { Shape::Exponential(across) };
+            Spectrum::new(shape, lay(along / across, *angle).map_err(|error| refuse(&error))?)
+        }
     };
     let made = made.and_then(|spectrum| spectrum.check(points, pixel).map(|()| spectrum));
     made.map_err(|error| refuse(&error))
 }
 
-/// A spectrum by the autocorrelation's lengths along the lay and across it.
-fn correlated(shape: impl Fn(f64) -> Shape, words: &CorrelationSpec) -> Result<Spectrum, SpectrumError> {
-    let [along, across] = words.correlation_length.0;
-    let angle = words.angle.map_or(0.0, |angle| angle.value());
-    Spectrum::new(shape(across), Lay { elongation: along / across, angle })
-}
-
-fn self_affine_lay(words: &SelfAffineSpec) -> Lay {
-    Lay {
-        elongation: words.elongation.map_or(1.0, |elongation| elongation.value()),
-        angle: words.angle.map_or(0.0, |angle| angle.value()),
+/// A lay by its lengths along over those across, and its angle.
+fn lay(elongation: f64, angle: Option<Quantity<Angle, Finite>>) -> Result<Lay, String> {
+    let Some(angle) = angle.map(|angle| angle.value()) else { return Ok(Lay { elongation, angle: 0.0 }) };
+    if angle.abs() > TAU {
+        return Err(format!(
+            "found an angle of {angle} rad; allowed: at most a full turn, such as \"30 deg\" (a bare number is in rad)"
+        ));
     }
+    if elongation == 1.0 {
+        return Err("found an angle without a lay; allowed: beside two different correlation lengths, along the lay and across \
+                    it, or beside an elongation"
+            .to_owned());
+    }
+    Ok(Lay { elongation, angle })
 }
 
 /// A target leaves scales and bandwidth open.
@@ -306,7 +320,8 @@ fn target_recipe(
         points,
         hurst: self_affine.hurst.value(),
         cut_off: self_affine.cut_off_pixels.map_or(CUT_OFF, |pixels| pixels.value()),
-        lay: self_affine_lay(self_affine),
+        lay: lay(self_affine.elongation.map_or(1.0, |e| e.value()), self_affine.angle)
+            .map_err(|error| refuse(&error))?,
         heights,
         neighbours: words.neighbours,
     };

@@ -234,7 +234,7 @@ fn describe(surfaces: &[SurfacePlan], f: &mut fmt::Formatter) -> fmt::Result {
 }
 
 /// Stem of a file, by which its report is called.
-fn stem_of(path: &Path) -> Result<String, Refusal> {
+pub(super) fn stem_of(path: &Path) -> Result<String, Refusal> {
     let stem = path.file_stem().and_then(|stem| stem.to_str()).filter(|stem| !stem.starts_with('.'));
     stem.map(str::to_owned).ok_or_else(|| {
         Refusal::file(path, "has no name to call the report by; allowed: a file name such as my-surface.toml")

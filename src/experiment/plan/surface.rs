@@ -39,7 +39,7 @@ pub struct SurfacePlan {
 enum Origin {
     List { path: PathBuf, bytes: u64, nominal_area: f64 },
     Population { population: Population, count: usize, draw: DrawSpec, datum: Datum },
-    Generated(Generation),
+    Generated(Box<Generation>),
     Map(MapPlan),
 }
 
@@ -92,7 +92,7 @@ impl SurfacePlan {
                 (origin, population.count.span(), &population.realisations)
             }
             SurfaceSpec::Generate(generate) => {
-                let origin = Origin::Generated(Generation::new(source, words.span(), generate)?);
+                let origin = Origin::Generated(Box::new(Generation::new(source, words.span(), generate)?));
                 (origin, generate.points.span(), &generate.realisations)
             }
             SurfaceSpec::File(file) => (Self::map(source, file)?, file.path.span(), &None),
@@ -322,10 +322,10 @@ impl Maker<'_> {
             Origin::Generated(generation) => {
                 let (made, bandwidth) = generation
                     .make(self.seed, name, realisation, self.bandwidth)
-                    .map_err(|error| refuse(&error))?;
+                    .map_err(|error| source.refuse(generation.key.clone(), error))?;
                 timing.generate += start.elapsed();
                 self.bandwidth = bandwidth;
-                let facts = GenerationFacts { recipe: made.recipe, target: made.target };
+                let facts = GenerationFacts { recipe: made.recipe, target: made.target, cut: made.cut };
                 let finding = Finding {
                     level: Level::None,
                     filter: None,
@@ -353,6 +353,9 @@ impl Maker<'_> {
     }
 }
 
+/// The ratio is 1.2 for Gaussian heights, and 1.5 for those of machined surfaces.
+const FEW_FLAT_TOPS: f64 = 4.0;
+
 /// Heights that scatter by less, relative to themselves, are equal but for rounding.
 const ROUNDING: f64 = 1e-12;
 
@@ -373,6 +376,13 @@ fn found(
     }
     let mut surface = Surface::new(name, set, statistics);
     surface.warnings = facts.warnings();
+    let spread = statistics.mean_radius / statistics.radius_of_mean_curvature;
+    if spread > FEW_FLAT_TOPS {
+        surface.warnings.push(format!(
+            "the mean radius is {spread:.1} times the radius of the mean curvature: a few nearly flat tops set it. \
+             statistical.mean-radius = \"inverse-mean-curvature\" takes the other mean.",
+        ));
+    }
     surface.mean_plane = Some(facts.character.moments.mean);
     surface.map = Some(facts);
     Ok(surface)

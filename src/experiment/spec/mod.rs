@@ -72,7 +72,7 @@ pub fn read(path: &Path) -> Result<(Source, Spec), Refusal> {
 /// # Errors
 /// As [`read`].
 pub fn from_command_line(text: String) -> Result<(Source, Spec), Refusal> {
-    parse(Source { path: "(command line)".into(), text })
+    parse(Source::command_line(text))
 }
 
 fn parse(source: Source) -> Result<(Source, Spec), Refusal> {

@@ -1,6 +1,6 @@
 //! Pictures of a surface.
 
-use crate::asperity::Population;
+use crate::asperity::{HeightDensity, Population};
 use crate::experiment::{Surface, Whole};
 use crate::report::plot::{Axis, Colour, ColourMap, Dash, Figure, Layer, Marker, Plot, Raster};
 use crate::surface::HeightMap;
@@ -45,8 +45,11 @@ pub fn asperities(surface: &Surface, assumed: Option<&Population>) -> (String, f
     let ratios: Vec<f64> = points.iter().map(|point| point.1).collect();
     // Cells hold some points each where there are enough.
     let cells = ((points.len() as f64).sqrt() as usize).clamp(30, 120);
-    let mut main = Plot::new("Radius ratio against normalised height", x(), y())
-        .with(Layer::raster(Raster::of_points(points, HEIGHTS, RATIOS, cells, cells)));
+    let mut main =
+        Plot::new("Radius ratio against normalised height", x(), y()).with(Layer::raster(Raster {
+            label: "asperities per cell".to_owned(),
+            ..Raster::of_points(points, HEIGHTS, RATIOS, cells, cells)
+        }));
     if let Some(population) = assumed {
         let ratio = population.radius / statistics.mean_radius;
         let line = Layer::line([(HEIGHTS.0, ratio), (HEIGHTS.1, ratio)]).coloured(Colour::Statistical);
@@ -79,12 +82,19 @@ fn unit(largest: f64) -> (f64, &'static str) {
     units.into_iter().rev().find(|(size, _)| largest >= *size).unwrap_or(units[0])
 }
 
+/// The height (m) at which colours end: one point in two hundred lies beyond, so that a few pits do not bleach the rest.
+fn colour_limit(map: &HeightMap) -> f64 {
+    let mut sizes: Vec<f64> = map.heights().iter().filter(|z| !z.is_nan()).map(|z| z.abs()).collect();
+    sizes.sort_unstable_by(f64::total_cmp);
+    sizes.get(sizes.len() * 199 / 200).copied().unwrap_or(0.0)
+}
+
 /// The heights as an image.
 pub fn heights(map: &HeightMap) -> String {
     let [nx, ny] = map.points();
     let size = [nx as f64 * map.pixel()[0], ny as f64 * map.pixel()[1]];
     let (length, length_name) = unit(size[0].max(size[1]));
-    let largest = map.heights().iter().filter(|z| !z.is_nan()).fold(0.0f64, |a, z| a.max(z.abs()));
+    let largest = colour_limit(map);
     let (height, height_name) = unit(largest);
     // An image has x fastest, a map y.
     let values = (0..ny).flat_map(|iy| (0..nx).map(move |ix| map.heights()[ix * ny + iy] / height)).collect();
@@ -100,10 +110,36 @@ pub fn heights(map: &HeightMap) -> String {
             rows: ny,
             values,
             map: ColourMap::Diverging,
-            limits: None,
+            limits: Some((-largest / height, largest / height)),
             label: format!("height [{height_name}]"),
         }))
         .svg()
+}
+
+/// Heights of all points, by counts over 5 Sq on both sides of the mean.
+pub fn distribution(counts: &[usize]) -> String {
+    let step = (HEIGHTS.1 - HEIGHTS.0) / counts.len() as f64;
+    let edges: Vec<f64> = (0..=counts.len()).map(|k| HEIGHTS.0 + step * k as f64).collect();
+    let total = counts.iter().sum::<usize>().max(1) as f64;
+    let density: Vec<f64> = counts.iter().map(|&count| count as f64 / (total * step)).collect();
+    let gaussian = (0..=200).map(|k| {
+        let x = HEIGHTS.0 + 0.05 * f64::from(k);
+        (x, HeightDensity::Gaussian.density(x))
+    });
+    Plot::new(
+        "Heights of the points",
+        Axis::linear("height (z − mean)/Sq").range(HEIGHTS.0, HEIGHTS.1),
+        Axis::linear("density"),
+    )
+    .height(260.0)
+    .with(Layer::bars(&edges, &density).coloured(Colour::Deterministic).named("points"))
+    .with(
+        Layer::line(gaussian.collect::<Vec<_>>())
+            .coloured(Colour::Neutral)
+            .dashed(Dash::Dashed)
+            .named("Gaussian"),
+    )
+    .svg()
 }
 
 /// The radial spectrum, asked for and found; `None` where none was looked at.

@@ -15,11 +15,12 @@ pub fn section(page: &mut Page, surface: &Surface, map: &MapFacts, made: &Genera
         surface.name,
         recipe(&made.recipe)
     ));
-    if made.recipe.plateau.is_some() {
-        page.paragraph(
-            "Standard deviations, heights and spectra are those of the two processes; of what they leave together nothing was \
-             asked.",
-        );
+    if let Some(cut) = made.cut {
+        page.paragraph(&format!(
+            "The finer process has cut {} of the points. Standard deviations, heights and spectra asked for are those of the two \
+             processes; what they leave together has Sq, Ssk and Sku as in the table above.",
+            percent(cut)
+        ));
         return;
     }
     let mut rows = Vec::new();
@@ -40,8 +41,8 @@ pub fn section(page: &mut Page, surface: &Surface, map: &MapFacts, made: &Genera
     page.table(["quantity", "asked", "reached", "off"], rows.into_iter().map(Vec::from));
     if let Some((_, tried)) = made.target {
         page.paragraph(&format!(
-            "Density × radius × σ depends on the bandwidth of the spectrum alone: it was searched for over {tried} surfaces of the \
-             same random numbers, then heights were scaled to σ and lengths to the density. What is asked of Sq and the \
+            "With this Hurst exponent, these heights and this cut-off in pixels, density × radius × σ depends on the bandwidth of the \
+             spectrum alone: it was searched for over {tried} surfaces of the same random numbers, then heights were scaled to σ and lengths to the density. What is asked of Sq and the \
              spectrum is what the search found.",
         ));
     }
@@ -94,20 +95,23 @@ fn recipe(recipe: &Recipe) -> String {
         let lay = if lay.elongation == 1.0 {
             String::new()
         } else {
-            format!(
-                ", {} times longer along a lay at {}° to the x axis",
-                number(lay.elongation),
-                number(lay.angle.to_degrees())
-            )
+            let (times, comparative) = if lay.elongation > 1.0 {
+                (lay.elongation, "longer")
+            } else {
+                (lay.elongation.recip(), "shorter")
+            };
+            let angle = number(lay.angle.to_degrees());
+            format!(" across a lay at {angle}° to the x axis, {} times {comparative} along it", number(times))
         };
         format!("{shape}{lay}; heights {} with standard deviation {}", process.heights, length(process.sigma))
     };
     match &recipe.plateau {
         None => process(&recipe.process),
         Some(plateau) => format!(
-            "{}; cut by a finer process {} above its mean plane: {}",
+            "{}; cut by a finer process whose mean plane is {} {}: {}",
             process(&recipe.process),
-            quantity(plateau.height, "m"),
+            quantity(plateau.height.abs(), "m"),
+            if plateau.height < 0.0 { "lower" } else { "higher" },
             process(&plateau.process)
         ),
     }

@@ -21,8 +21,17 @@ pub fn section(page: &mut Page, surface: &Surface, assumed: Option<&crate::asper
         }
         theory(page, surface, map);
         if let Some(picture) = &map.whole.picture {
-            let caption = format!("Height map of {}.", surface.name);
+            let caption = format!(
+                "Height map of {}; half a percent of the points lies beyond the colours.",
+                surface.name
+            );
             page.figure(&format!("{}-heights.svg", surface.name), figures::heights(picture), &caption);
+        }
+        if let Some(counts) = &map.whole.distribution {
+            let caption =
+                format!("Heights of the points of {}, and a Gaussian of the same Sq.", surface.name);
+            let svg = figures::distribution(counts);
+            page.figure(&format!("{}-height-distribution.svg", surface.name), svg, &caption);
         }
         if let Some(svg) = figures::spectrum(&map.whole) {
             let window =
@@ -54,11 +63,15 @@ pub fn section(page: &mut Page, surface: &Surface, assumed: Option<&crate::asper
     } else {
         String::new()
     };
-    let caption = format!(
-        "The asperities of {}: radius over mean radius against normalised height, how many lie in each cell, and both \
+    let caption = if surface.statistics.radius_cv == 0.0 {
+        format!("The heights of the asperities of {}; all have one radius.{beyond}", surface.name)
+    } else {
+        format!(
+            "The asperities of {}: radius over mean radius against normalised height, how many lie in each cell, and both \
          distributions.{beyond}",
-        surface.name
-    );
+            surface.name
+        )
+    };
     page.figure(&format!("{}-asperities.svg", surface.name), svg, &caption);
 }
 

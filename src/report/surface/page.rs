@@ -1,7 +1,7 @@
 //! The page of a look at surfaces.
 
 use super::section;
-use crate::experiment::results::SurfacesResults;
+use crate::experiment::results::{Head, SurfacesResults};
 use crate::report::head;
 use crate::report::page::{Page, escape};
 
@@ -21,6 +21,20 @@ pub fn page(results: &SurfacesResults) -> Page {
             page.paragraph(
                 "The map is too large for its spectrum and autocorrelation to be looked at in memory.",
             );
+        }
+    }
+    page.heading(2, "How it was made");
+    let Head { stem, seed, spec_sha256, .. } = &results.head;
+    let version = env!("CARGO_PKG_VERSION");
+    match &results.words {
+        Some(words) => {
+            page.paragraph(&format!("These words in a spec read the same surface. Asperity {version}."));
+            page.code("toml", words);
+        }
+        None => {
+            page.paragraph(&format!(
+                "`{stem}`: seed {seed}, SHA-256 of the spec `{spec_sha256}`. Asperity {version}."
+            ));
         }
     }
     head::sources(&mut page, &results.head);

@@ -83,19 +83,29 @@ impl Recipe {
         }
     }
 
-    /// The surface, periodic, its mean plane at zero; the same to the bit on any number of threads.
+    /// The surface, periodic, its mean plane at zero, and which share of its points a finer process has cut; the same to
+    /// the bit on any number of threads.
     ///
     /// # Errors
     /// A grid that makes no map.
-    pub fn surface(&self, seeds: Seeds) -> Result<HeightMap, MapError> {
+    pub fn surface(&self, seeds: Seeds) -> Result<(HeightMap, Option<f64>), MapError> {
         let mut heights = self.process.heights(self.points, self.pixel, seeds.process);
-        if let Some(plateau) = &self.plateau {
-            let cut = plateau.process.heights(self.points, self.pixel, seeds.plateau);
-            let pairs = heights.par_iter_mut().zip(cut);
-            pairs.for_each(|(z, cut)| *z = z.min(cut + plateau.height));
+        let share = self.plateau.map(|plateau| {
+            let finer = plateau.process.heights(self.points, self.pixel, seeds.plateau);
+            let pairs = heights.par_iter_mut().zip(finer);
+            let cut: usize = pairs
+                .map(|(z, finer)| {
+                    let finer = finer + plateau.height;
+                    let is_cut = finer < *z;
+                    *z = z.min(finer);
+                    usize::from(is_cut)
+                })
+                .sum();
             centre(&mut heights);
-        }
-        HeightMap::new(self.points, self.pixel, heights, f64::EPSILON).map(HeightMap::periodic)
+            cut as f64 / heights.len() as f64
+        });
+        let map = HeightMap::new(self.points, self.pixel, heights, f64::EPSILON)?.periodic();
+        Ok((map, share))
     }
 }
 

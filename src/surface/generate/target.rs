@@ -137,7 +137,7 @@ impl Trial {
 /// How close the product must come: the radius is off by as much.
 const TOLERANCE: f64 = 5e-5;
 /// What is still a surface of the target where the product jumps.
-const MET: f64 = 5e-4;
+const MET: f64 = 1e-3;
 
 impl TargetRecipe {
     /// Whether the grid can show its spectra.

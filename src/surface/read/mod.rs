@@ -69,7 +69,9 @@ pub enum GivenError {
         has_unit: bool,
     },
     /// No pixel.
-    #[error("holds no pixel size; allowed: pixel = \"0.8 um\", or [\"0.8 um\", \"0.5 um\"], beside path")]
+    #[error(
+        "holds no pixel size; allowed: pixel = \"0.8 um\", or [\"0.8 um\", \"0.5 um\"], beside path (--pixel \"0.8 um\" on the command line)"
+    )]
     NoPixel,
     /// Two units: one must be wrong.
     #[error("{format} holds its own unit of length; allowed: leave unit out")]
