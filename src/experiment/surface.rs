@@ -164,7 +164,7 @@ impl Finding {
         if character.moments.sq <= levelled.form.magnitude() * raw.precision().max(f64::EPSILON) {
             return Err(NoAsperities::Flat);
         }
-        let summits = find(map, self.neighbours, Detail::ALL);
+        let summits = find(map, self.neighbours, Detail { positions: false, ..Detail::ALL });
         if summits.heights.is_empty() {
             return Err(NoAsperities::NoSummit { tested: summits.tested });
         }

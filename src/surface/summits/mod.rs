@@ -46,6 +46,8 @@ const STEPS: [[isize; 2]; 8] = [[-1, 0], [1, 0], [0, -1], [0, 1], [-1, -1], [-1,
 /// What is found besides height and curvature.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub struct Detail {
+    /// Where the summits are.
+    pub positions: bool,
     /// Both principal curvatures.
     pub principal: bool,
     /// Drops to the four nearest neighbours.
@@ -54,13 +56,13 @@ pub struct Detail {
 
 impl Detail {
     /// Everything.
-    pub const ALL: Self = Self { principal: true, drops: true };
+    pub const ALL: Self = Self { positions: true, principal: true, drops: true };
 }
 
 /// The summits of a map, in file order.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Summits {
-    /// Index of each summit, the y index running fastest; of a plateau its first point.
+    /// Index of each summit, the y index running fastest; of a plateau its first point. Empty unless asked for.
     pub positions: Vec<usize>,
     /// Heights, m.
     pub heights: Vec<f64>,
@@ -129,8 +131,10 @@ pub fn find(map: &dyn Rows, neighbours: Neighbours, detail: Detail) -> Summits {
     let arch = Arch::new();
     let mut parts = strips(map, 1, |strip| finder.strip(arch, &strip));
     let level: Vec<LevelPoint> = parts.iter_mut().flat_map(|part| std::mem::take(&mut part.level)).collect();
+    // Plateaus have their place among the others.
+    let is_placed = detail.positions || !level.is_empty();
     let mut found = Summits {
-        positions: joined(&parts, |part| &part.summits.positions),
+        positions: if is_placed { joined(&parts, |part| &part.summits.positions) } else { Vec::new() },
         heights: joined(&parts, |part| &part.summits.heights),
         curvatures: joined(&parts, |part| &part.summits.curvatures),
         principal: joined(&parts, |part| &part.summits.principal),
@@ -140,6 +144,9 @@ pub fn find(map: &dyn Rows, neighbours: Neighbours, detail: Detail) -> Summits {
     };
     if !level.is_empty() {
         finder.add_plateaus(&level, &mut found);
+        if !detail.positions {
+            found.positions = Vec::new();
+        }
     }
     found
 }
