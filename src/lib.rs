@@ -41,6 +41,7 @@ pub mod interface;
 pub mod law;
 pub mod literature;
 pub mod material;
+mod memory;
 pub mod model;
 pub mod numeric;
 pub mod report;

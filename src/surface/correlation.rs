@@ -8,6 +8,7 @@ use realfft::num_complex::Complex;
 use super::fourier::{analyse, columns, synthesise, weight};
 use super::spectrum::GridSpectrum;
 use super::{Boundary, HeightMap, Moments, Rows};
+use crate::memory::zeros;
 
 /// Power spectral density C over rings of wave numbers q, such that the integral of C over the plane of wave
 /// vectors is the variance of the heights.
@@ -161,7 +162,7 @@ impl Autocorrelation {
             Boundary::Open => points.map(|count| (count + count / 2 + 1).next_multiple_of(8)),
         };
         let embed = |of: &(dyn Fn(f64) -> f64 + Sync)| {
-            let mut field = vec![0.0; padded[0] * padded[1]];
+            let mut field = zeros(padded[0] * padded[1]);
             field.par_chunks_mut(padded[1]).zip(map.heights().par_chunks(points[1])).for_each(
                 |(row, heights)| {
                     for (value, &z) in row.iter_mut().zip(heights) {

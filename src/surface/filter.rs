@@ -9,6 +9,7 @@ use rustfft::FftPlanner;
 
 use super::fourier::{analyse, synthesise};
 use super::{Boundary, HeightMap, Rows};
+use crate::memory::zeros;
 
 /// An S and an L filter, either or both.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -119,7 +120,7 @@ fn smoothed(map: &HeightMap, weights: &[Vec<f64>; 2], of: &(dyn Fn(f64) -> f64 +
         Boundary::Periodic => map.points()[axis],
         Boundary::Open => (map.points()[axis] + weights[axis].len()).next_multiple_of(16),
     });
-    let mut field = vec![0.0; points[0] * points[1]];
+    let mut field = zeros(points[0] * points[1]);
     field.par_chunks_mut(points[1]).zip(map.heights().par_chunks(ny)).for_each(|(row, heights)| {
         for (value, &z) in row.iter_mut().zip(heights) {
             *value = if z.is_nan() { 0.0 } else { of(z) };

@@ -9,6 +9,8 @@ use realfft::RealFftPlanner;
 use realfft::num_complex::Complex;
 use rustfft::{FftDirection, FftPlanner};
 
+use crate::memory::zeros;
+
 /// Numbers in one batch of columns: 4 MiB.
 const BATCH: usize = 1 << 18;
 
@@ -42,7 +44,7 @@ pub fn synthesise<T: Send>(
 ) -> Vec<f64> {
     let [nx, ny] = points;
     let transform = FftPlanner::new().plan_fft(nx, FftDirection::Inverse);
-    let mut map = vec![0.0; nx * ny];
+    let mut map = zeros(nx * ny);
     let mut answers = Vec::with_capacity(columns(points));
     let width = batch_width(points);
     let mut batch = vec![Complex::default(); width * nx];

@@ -34,6 +34,7 @@ use std::ops::Range;
 
 use rayon::prelude::*;
 
+use crate::memory::zeros;
 use crate::numeric::is_positive;
 pub use character::Moments;
 pub use rows::{Boundary, Rows};
@@ -115,7 +116,7 @@ impl HeightMap {
     /// All rows of `map`, in memory.
     pub fn of(map: &dyn Rows) -> Self {
         let points = map.points();
-        let mut heights = vec![0.0; points[0] * points[1]];
+        let mut heights = zeros(points[0] * points[1]);
         heights.par_chunks_mut(points[1]).enumerate().for_each(|(ix, row)| map.read(ix, row));
         Self { points, pixel: map.pixel(), heights, precision: map.precision(), boundary: map.boundary() }
     }

@@ -40,6 +40,9 @@ pub trait Rows: Sync {
 /// Rows that one task works on. Fixed, so that sums do not depend on the number of threads.
 const STRIP: usize = 32;
 
+/// Strips whose answers are held at a time.
+const TURN: usize = 16;
+
 /// Some neighbouring rows of a map and what lies beside them.
 pub struct Strip<'a> {
     /// Index of the first row.
@@ -70,35 +73,74 @@ impl Strip<'_> {
 /// the order of the strips, which does not depend on the number of threads. On a periodic map the halo goes
 /// on at the opposite border.
 pub fn strips<T: Send>(rows: &dyn Rows, halo: usize, part: impl Fn(Strip) -> T + Sync) -> Vec<T> {
+    (0..count(rows))
+        .into_par_iter()
+        .map_init(Vec::new, |buffer, index| part(strip(rows, halo, index, buffer)))
+        .collect()
+}
+
+/// The same for answers too large to be kept until the end: `part` adds to an answer that is empty at first, `take`
+/// gets the answers in the order of the strips, with the share of the strips that is done then, and leaves them empty,
+/// with their memory, for later strips.
+pub fn strips_in_turn<T: Send + Default>(
+    rows: &dyn Rows,
+    halo: usize,
+    part: impl Fn(Strip, &mut T) + Sync,
+    mut take: impl FnMut(&mut T, f64) + Send,
+) {
+    let count = count(rows);
+    let mut taken = 0;
+    let mut take_all = |answers: &mut [T]| {
+        for answer in answers {
+            taken += 1;
+            take(answer, taken as f64 / count as f64);
+        }
+    };
+    let (mut filled, mut other) = (Vec::new(), Vec::new());
+    for begin in (0..count).step_by(TURN) {
+        other.resize_with(TURN.min(count - begin), T::default);
+        let fill = || {
+            other.par_iter_mut().enumerate().for_each_init(Vec::new, |buffer, (k, answer)| {
+                part(strip(rows, halo, begin + k, buffer), answer);
+            });
+        };
+        rayon::join(fill, || take_all(&mut filled));
+        std::mem::swap(&mut filled, &mut other);
+    }
+    take_all(&mut filled);
+}
+
+/// How many strips a map has.
+fn count(rows: &dyn Rows) -> usize {
+    rows.points()[0].div_ceil(STRIP)
+}
+
+/// The strip `index` of a map, in `buffer` unless it lies in memory.
+fn strip<'a>(rows: &'a dyn Rows, halo: usize, index: usize, buffer: &'a mut Vec<f64>) -> Strip<'a> {
     let [nx, columns] = rows.points();
     let is_periodic = rows.boundary() == Boundary::Periodic;
-    (0..nx.div_ceil(STRIP))
-        .into_par_iter()
-        .map_init(Vec::new, |buffer: &mut Vec<f64>, strip| {
-            let first = strip * STRIP;
-            let count = STRIP.min(nx - first);
-            let inside = first.saturating_sub(halo)..nx.min(first + count + halo);
-            let is_whole = inside.len() == count + 2 * halo;
-            let range = if is_periodic {
-                first as isize - halo as isize..(first + count + halo) as isize
-            } else {
-                inside.start as isize..inside.end as isize
-            };
-            let before = (first as isize - range.start) as usize;
-            let in_memory = if is_whole || !is_periodic { rows.block(inside) } else { None };
-            let heights = match in_memory {
-                Some(heights) => heights,
-                None => {
-                    buffer.resize(range.len() * columns, 0.0);
-                    for (row, ix) in buffer.chunks_mut(columns).zip(range) {
-                        rows.read(ix.rem_euclid(nx as isize) as usize, row);
-                    }
-                    buffer
-                }
-            };
-            part(Strip { first, count, before, columns, is_periodic, heights })
-        })
-        .collect()
+    let first = index * STRIP;
+    let count = STRIP.min(nx - first);
+    let inside = first.saturating_sub(halo)..nx.min(first + count + halo);
+    let is_whole = inside.len() == count + 2 * halo;
+    let range = if is_periodic {
+        first as isize - halo as isize..(first + count + halo) as isize
+    } else {
+        inside.start as isize..inside.end as isize
+    };
+    let before = (first as isize - range.start) as usize;
+    let in_memory = if is_whole || !is_periodic { rows.block(inside) } else { None };
+    let heights = match in_memory {
+        Some(heights) => heights,
+        None => {
+            buffer.resize(range.len() * columns, 0.0);
+            for (row, ix) in buffer.chunks_mut(columns).zip(range) {
+                rows.read(ix.rem_euclid(nx as isize) as usize, row);
+            }
+            buffer
+        }
+    };
+    Strip { first, count, before, columns, is_periodic, heights }
 }
 
 /// Number of missing points.

@@ -7,6 +7,7 @@ use realfft::num_complex::Complex;
 
 use super::fourier::{analyse, synthesise, weight};
 use super::marginal::Distortion;
+use crate::memory::zeros;
 use crate::numeric::is_positive;
 use crate::numeric::power::Power;
 
@@ -239,7 +240,7 @@ impl Spectrum {
             };
             (0..points[axis]).map(all).collect::<Vec<_>>()
         });
-        let mut wrapped = vec![0.0; points[0] * points[1]];
+        let mut wrapped = zeros(points[0] * points[1]);
         wrapped.par_chunks_mut(points[1]).zip(&images[0]).for_each(|(row, along_x)| {
             for (value, along_y) in row.iter_mut().zip(&images[1]) {
                 let all = along_x.iter().flat_map(|&x| along_y.iter().map(move |&y| [x, y]));

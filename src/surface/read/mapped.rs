@@ -1,6 +1,6 @@
 //! The rows of a `.npy` map that is too large to be read as a whole, taken from a memory map.
 //!
-//! Mapping is the one unsafe thing in the crate: the compiler cannot know that no other process cuts
+//! Mapping is unsafe: the compiler cannot know that no other process cuts
 //! the file while it is mapped. Here the bytes are only ever copied out and any bytes make a number,
 //! so that another process that writes can change heights but break no rule of the language; one that
 //! cuts the file ends this program with a bus error, as any reader of a map.

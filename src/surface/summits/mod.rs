@@ -1,7 +1,6 @@
 //! Summits of a map: five-point (Greenwood 1984), or higher than all eight neighbours.
 
 use pulp::{Arch, Simd, WithSimd};
-use rayon::prelude::*;
 use serde::Deserialize;
 
 mod plateau;
@@ -10,7 +9,8 @@ mod tests;
 
 use plateau::LevelPoint;
 
-use super::rows::{Boundary, Rows, Strip, count_missing, strips};
+use super::rows::{Boundary, Rows, Strip, count_missing, strips_in_turn};
+use crate::memory::make_room;
 
 /// Which neighbours a summit is higher than.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Deserialize)]
@@ -99,11 +99,38 @@ impl Bend {
     }
 }
 
-/// What one strip of rows holds.
+/// What one strip of rows holds, or all strips so far.
 #[derive(Default)]
 struct Part {
     summits: Summits,
     level: Vec<LevelPoint>,
+}
+
+impl Part {
+    /// Moves the next strip's summits to the end; then the share `done` of the map has been searched.
+    fn append(&mut self, part: &mut Self, done: f64) {
+        let (summits, more) = (&mut self.summits, &mut part.summits);
+        // A plateau's place is after the summits that the strips before it hold too.
+        let before = summits.heights.len();
+        self.level
+            .extend(part.level.drain(..).map(|point| LevelPoint { rank: before + point.rank, ..point }));
+        append(&mut summits.positions, &mut more.positions, done);
+        append(&mut summits.heights, &mut more.heights, done);
+        append(&mut summits.curvatures, &mut more.curvatures, done);
+        append(&mut summits.principal, &mut more.principal, done);
+        append(&mut summits.drops, &mut more.drops, done);
+        summits.tested += std::mem::take(&mut more.tested);
+    }
+}
+
+/// The first strips tell how much room the whole map will need, if they are like the others: lists are seldom moved.
+fn append<T>(list: &mut Vec<T>, more: &mut Vec<T>, done: f64) {
+    let count = list.len() + more.len();
+    if count > list.capacity() {
+        let expected = 1.2 * count as f64 / done;
+        make_room(list, (expected as usize).min(16 * count));
+    }
+    list.append(more);
 }
 
 /// Five-point summits with everything known of them.
@@ -129,40 +156,18 @@ pub fn find(map: &dyn Rows, neighbours: Neighbours, detail: Detail) -> Summits {
         detail,
     };
     let arch = Arch::new();
-    let mut parts = strips(map, 1, |strip| finder.strip(arch, &strip));
-    let level: Vec<LevelPoint> = parts.iter_mut().flat_map(|part| std::mem::take(&mut part.level)).collect();
-    // Plateaus have their place among the others.
-    let is_placed = detail.positions || !level.is_empty();
-    let mut found = Summits {
-        positions: if is_placed { joined(&parts, |part| &part.summits.positions) } else { Vec::new() },
-        heights: joined(&parts, |part| &part.summits.heights),
-        curvatures: joined(&parts, |part| &part.summits.curvatures),
-        principal: joined(&parts, |part| &part.summits.principal),
-        drops: joined(&parts, |part| &part.summits.drops),
-        tested: parts.iter().map(|part| part.summits.tested).sum(),
-        ..Summits::default()
-    };
+    let mut all = Part::default();
+    strips_in_turn(
+        map,
+        1,
+        |strip, part| finder.strip(arch, &strip, part),
+        |part, done| all.append(part, done),
+    );
+    let Part { mut summits, level } = all;
     if !level.is_empty() {
-        finder.add_plateaus(&level, &mut found);
-        if !detail.positions {
-            found.positions = Vec::new();
-        }
+        finder.add_plateaus(&level, &mut summits);
     }
-    found
-}
-
-/// The lists of all parts, one after another.
-fn joined<T: Copy + Default + Send + Sync>(parts: &[Part], list: impl Fn(&Part) -> &Vec<T>) -> Vec<T> {
-    let mut all = vec![T::default(); parts.iter().map(|part| list(part).len()).sum()];
-    let mut rest = &mut all[..];
-    let mut places = Vec::new();
-    for part in parts {
-        let (place, beyond) = rest.split_at_mut(list(part).len());
-        places.push((place, &list(part)[..]));
-        rest = beyond;
-    }
-    places.into_par_iter().for_each(|(place, list)| place.copy_from_slice(list));
-    all
+    summits
 }
 
 struct Finder {
@@ -195,8 +200,7 @@ impl Window<'_> {
 }
 
 impl Finder {
-    fn strip(&self, arch: Arch, strip: &Strip) -> Part {
-        let mut part = Part::default();
+    fn strip(&self, arch: Arch, strip: &Strip, part: &mut Part) {
         let mut flags = vec![false; self.points[1]];
         let is_whole = |row: &[f64]| arch.dispatch(IsWhole(row));
         let mut whole = [strip.row(-1).is_some_and(is_whole), strip.row(0).is_some_and(is_whole), false];
@@ -208,11 +212,10 @@ impl Finder {
                 let window = Window([before, row, after]);
                 part.summits.tested += self.tested(window, whole == [true; 3]);
                 arch.dispatch(Mark { window, neighbours: self.neighbours, flags: &mut flags });
-                self.row(window, (strip.first + k as usize) * self.points[1], &mut flags, &mut part);
+                self.row(window, (strip.first + k as usize) * self.points[1], &mut flags, part);
             }
             whole.rotate_left(1);
         }
-        part
     }
 
     /// How many points of the middle row can be tested.
@@ -264,11 +267,14 @@ impl Finder {
             let equal = (0..)
                 .zip(steps)
                 .fold(0, |equal, (bit, &step)| equal | u8::from(window.at(iy, step) == z) << bit);
-            part.level.push(LevelPoint { position, height: z, bend, equal, drops });
+            let rank = part.summits.heights.len();
+            part.level.push(LevelPoint { position, rank, height: z, bend, equal, drops });
             return;
         }
         let summits = &mut part.summits;
-        summits.positions.push(position);
+        if self.detail.positions {
+            summits.positions.push(position);
+        }
         summits.heights.push(z);
         summits.curvatures.push(bend.curvature());
         if self.detail.principal {

@@ -5,6 +5,8 @@ use super::{Bend, Finder, Summits};
 /// A point that is as high as some of its neighbours and lower than none.
 pub(super) struct LevelPoint {
     pub(super) position: usize,
+    /// How many summits, plateaus not counted, come before it in file order.
+    pub(super) rank: usize,
     pub(super) height: f64,
     pub(super) bend: Bend,
     /// A bit for each neighbour that is as high.
@@ -111,18 +113,30 @@ impl Finder {
 
     /// Puts plateaus, which are in file order, among the other summits.
     fn merge(&self, found: &mut Summits, plateaus: &[(&LevelPoint, Bend)]) {
-        let strict = found.positions.len();
-        let mut order: Vec<(usize, usize)> = found.positions.iter().copied().zip(0..).collect();
-        order.extend(plateaus.iter().map(|plateau| plateau.0.position).zip(strict..));
-        order.sort_unstable();
-        found.heights.extend(plateaus.iter().map(|plateau| plateau.0.height));
-        found.curvatures.extend(plateaus.iter().map(|plateau| plateau.1.curvature()));
-        found.positions = order.iter().map(|&(position, _)| position).collect();
-        found.heights = order.iter().map(|&(_, from)| found.heights[from]).collect();
-        found.curvatures = order.iter().map(|&(_, from)| found.curvatures[from]).collect();
+        insert(&mut found.heights, plateaus, |(point, _)| point.height);
+        insert(&mut found.curvatures, plateaus, |(_, bend)| bend.curvature());
+        if self.detail.positions {
+            insert(&mut found.positions, plateaus, |(point, _)| point.position);
+        }
         if self.detail.principal {
-            found.principal.extend(plateaus.iter().map(|plateau| plateau.1.principal()));
-            found.principal = order.iter().map(|&(_, from)| found.principal[from]).collect();
+            insert(&mut found.principal, plateaus, |(_, bend)| bend.principal());
         }
     }
+}
+
+/// Puts a value for each plateau at its place in a list of the other summits.
+fn insert<T: Copy>(
+    list: &mut Vec<T>,
+    plateaus: &[(&LevelPoint, Bend)],
+    value: impl Fn(&(&LevelPoint, Bend)) -> T,
+) {
+    let mut all = Vec::with_capacity(list.len() + plateaus.len());
+    let mut from = 0;
+    for plateau in plateaus {
+        all.extend_from_slice(&list[from..plateau.0.rank]);
+        all.push(value(plateau));
+        from = plateau.0.rank;
+    }
+    all.extend_from_slice(&list[from..]);
+    *list = all;
 }

@@ -115,6 +115,22 @@ fn random_maps_full_of_plateaus() {
     assert!(all_plateaus.iter().all(|&count| count > 50), "{all_plateaus:?}");
 }
 
+/// Lists are put together over many strips, and hold no more than is asked for.
+#[test]
+fn a_tall_map_and_less_detail() {
+    let mut rng = rand_chacha::ChaCha8Rng::seed_from_u64(6);
+    let heights = (0..1500 * 5).map(|_| f64::from(rng.random_range(0..9))).collect();
+    let map = map([1500, 5], heights).periodic();
+    let found = find(&map, Neighbours::Four, Detail::ALL);
+    let (summits, tested, plateaus, dropped) = oracle(&map, Neighbours::Four);
+    assert!(plateaus > 100 && found.positions.is_sorted());
+    assert_eq!(found.positions, summits.keys().copied().collect::<Vec<_>>());
+    assert_eq!((found.tested, found.plateaus, found.dropped), (tested, plateaus, dropped));
+    let less = find(&map, Neighbours::Four, Detail::default());
+    let nothing = Summits { positions: vec![], principal: vec![], drops: vec![], ..found };
+    assert_eq!(less, nothing);
+}
+
 /// On a paraboloid with any axes the nine points give both curvatures exactly, also where corners are missing.
 #[test]
 fn principal_curvatures_of_a_paraboloid() {
