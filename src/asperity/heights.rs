@@ -21,10 +21,18 @@ pub enum HeightDensity {
 }
 
 impl HeightDensity {
-    /// The name that specs and reports use.
+    /// The name that specs and tables use.
     pub const fn name(self) -> &'static str {
         match self {
             Self::Gaussian => "gaussian",
+            Self::Exponential => "exponential",
+        }
+    }
+
+    /// The name that sentences use.
+    pub const fn adjective(self) -> &'static str {
+        match self {
+            Self::Gaussian => "Gaussian",
             Self::Exponential => "exponential",
         }
     }

@@ -192,7 +192,7 @@ fn surface(page: &mut Page, found: &SurfaceResults) {
     }
     page.paragraph(&format!(
         "The statistical model stands on {} heights with σ = {}, one radius of {} and η = {} /m².",
-        population.heights.name(),
+        population.heights.adjective(),
         quantity(population.sigma, "m"),
         quantity(population.radius, "m"),
         number(population.density),

@@ -31,7 +31,7 @@ pub fn asperities(surface: &Surface, assumed: Option<&Population>) -> (String, f
         top = top.with(
             Layer::line(curve.collect::<Vec<_>>())
                 .coloured(Colour::Statistical)
-                .named(format!("{} heights, as it assumes", population.heights.name())),
+                .named(format!("{} heights, as it assumes", population.heights.adjective())),
         );
     }
     let is_outside = |point: &&(f64, f64)| {
