@@ -280,7 +280,7 @@ fn a_surface_of_other_heights_has_the_autocorrelation_that_was_asked_for() {
             let mut mean = [0.0; 20];
             for seed in 1..=24 {
                 let map = surface([512; 2], [pixel; 2], process, seed);
-                let found = Autocorrelation::of(&map).unwrap();
+                let found = Autocorrelation::of(&map, 0.0).unwrap();
                 for (k, sum) in mean.iter_mut().enumerate() {
                     *sum += (found.along_x[k].1 + found.along_y[k].1) / 48.0;
                 }
@@ -328,8 +328,8 @@ fn the_same_bits_on_any_number_of_threads() {
             format!("{:?} {:?}", Character::of(&map), Character::of(&levelled)),
             five_point(&map),
             five_point(&levelled),
-            Autocorrelation::of(&levelled),
-            RadialSpectrum::of(&map),
+            Autocorrelation::of(&levelled, 0.0),
+            RadialSpectrum::of(&map, 0.0),
             RadialSpectrum::asked(&spectrum, map.pixel(), SIGMA),
             map,
             gaussian(&spectrum, 1.0, [3; 32]),

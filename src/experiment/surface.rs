@@ -223,9 +223,9 @@ impl Whole {
             made.recipe.process.of == SpectrumOf::Gaussian
                 && made.recipe.process.heights != Marginal::Gaussian
         });
-        let map = HeightMap::of(map);
-        whole.autocorrelation = if is_close { Autocorrelation::of(&map) } else { None };
-        whole.spectrum = Some(RadialSpectrum::of(&map));
+        let (map, mean) = (HeightMap::of(map), character.moments.mean);
+        whole.autocorrelation = if is_close { Autocorrelation::of(&map, mean) } else { None };
+        whole.spectrum = Some(RadialSpectrum::of(&map, mean));
         whole
     }
 }

@@ -272,7 +272,6 @@ mod tests {
         ];
         for (rho, [probability, curvature, height, variance]) in cases {
             let found = five_point(&isotropic(rho), 1.0, [1.0; 2]).unwrap();
-            println!("{found:?}");
             assert!((found.density - probability).abs() < 6e-5);
             assert!((found.curvature - curvature).abs() < 6e-4);
             assert!((found.height - height).abs() < 6e-4);
