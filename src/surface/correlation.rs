@@ -71,16 +71,16 @@ impl Rings {
 }
 
 impl RadialSpectrum {
-    /// The spectrum of a map about its `mean` (m). An open map is seen through a Hann window, so that its borders do
+    /// The spectrum of a map, which is used up, about its `mean` (m). An open map is seen through a Hann window, so that its borders do
     /// not show; missing points are taken at the mean.
-    pub fn of(map: &HeightMap, mean: f64) -> Self {
+    pub fn of(map: HeightMap, mean: f64) -> Self {
         let points = map.points();
         let rings = Rings::new(points, map.pixel());
         let window = [0, 1].map(|axis| match map.boundary() {
             Boundary::Periodic => vec![1.0; points[axis]],
             Boundary::Open => hann(points[axis]),
         });
-        let mut heights = map.heights().to_vec();
+        let mut heights = map.into_heights();
         heights.par_chunks_mut(points[1]).zip(&window[0]).for_each(|(row, wx)| {
             for (z, wy) in row.iter_mut().zip(&window[1]) {
                 *z = if z.is_nan() { 0.0 } else { (*z - mean) * wx * wy };
@@ -259,7 +259,7 @@ mod tests {
         let mut reached = vec![0.0; asked.rings.len()];
         for seed in 0..20 {
             let map = surface(shape, Lay::default(), seed).0;
-            for (sum, ring) in reached.iter_mut().zip(RadialSpectrum::of(&map, 0.0).rings) {
+            for (sum, ring) in reached.iter_mut().zip(RadialSpectrum::of(map, 0.0).rings) {
                 *sum += ring.1 / 20.0;
             }
         }

@@ -9,10 +9,8 @@ use crate::report::page::{Page, escape};
 pub fn page(results: &SurfacesResults) -> Page {
     let mut page = Page::new(&results.head.title);
     head::notes(&mut page, &results.head);
-    for surface in &results.surfaces {
-        for warning in &surface.warnings {
-            page.warning(&escape(&format!("surface {}: {warning}", surface.name)));
-        }
+    for warning in results.warnings() {
+        page.warning(&escape(&warning));
     }
     for surface in &results.surfaces {
         page.heading(2, &format!("Surface {}", surface.name));
