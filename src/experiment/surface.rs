@@ -31,6 +31,8 @@ pub struct Surface {
     pub nominal: Option<Population>,
     /// The map that it was found on.
     pub map: Option<MapFacts>,
+    /// How many surfaces of its name there are, of which this is one.
+    pub realisations: usize,
     /// What makes its numbers doubtful.
     pub warnings: Vec<String>,
 }
@@ -172,7 +174,16 @@ impl MapFacts {
     pub fn warnings(&self) -> Vec<String> {
         /// No measured or machined surface is so steep all over.
         const STEEP: f64 = 1.0;
+        /// Nobody measures roughness at points so far apart, m.
+        const WIDE: f64 = 1e-3;
         let mut warnings = Vec::new();
+        let widest = self.pixel[0].max(self.pixel[1]);
+        if widest > WIDE {
+            warnings.push(format!(
+                "its points are {widest:.3e} m apart: its lengths are probably in another unit than the file is read in \
+                 (unit = \"um\" beside path says in which).",
+            ));
+        }
         let slope = self.character.rms_slope();
         if slope > STEEP {
             warnings.push(format!(
@@ -180,8 +191,23 @@ impl MapFacts {
                  the file is read in.",
             ));
         }
+        warnings.extend(self.lay_warning());
         warnings.extend(self.step_warning());
         warnings
+    }
+
+    /// Why five-point summits may be the grid's.
+    fn lay_warning(&self) -> Option<String> {
+        /// There are twice as many five-point summits as with the same lay along an axis.
+        const OBLIQUE: f64 = 0.6;
+        let correlation = self.character.drops.slope_correlation();
+        (self.neighbours == Neighbours::Four && correlation > OBLIQUE).then(|| {
+            format!(
+                "the lay lies at an angle to the grid (slopes along x and y correlate by {correlation:.2}): five-point summits \
+                 stand in rows along its ridges where the surface has none, and are more than twice too many. \
+                 neighbours = \"eight\" finds far fewer; best is a map that is turned so that the lay lies along x or y."
+            )
+        })
     }
 
     /// Why its radii may be the instrument's.
@@ -239,6 +265,7 @@ impl Surface {
             mean_plane: None,
             nominal: None,
             map: None,
+            realisations: 1,
             warnings: Vec::new(),
         }
     }

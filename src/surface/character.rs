@@ -65,6 +65,21 @@ impl Drops {
             skew: diagonals[0] - diagonals[1],
         }
     }
+
+    /// Mean squares of the differences over two points along x and along y, and the mean of their product, but for its
+    /// sign: those of the gradient times two pixels.
+    pub fn over_two(&self) -> [f64; 3] {
+        let [x, y] = [0, 1].map(|axis| 4.0 * self.first[axis] - self.second[axis]);
+        [x, y, self.skew]
+    }
+
+    /// How closely slopes along x and along y correlate, from 0 to 1: the lay then lies at an angle to both. 0 on a map
+    /// without slopes.
+    pub fn slope_correlation(&self) -> f64 {
+        let [x, y, product] = self.over_two();
+        let scale = (x * y).sqrt();
+        if scale > 0.0 { (product / scale).abs() } else { 0.0 }
+    }
 }
 
 impl Moments {

@@ -79,14 +79,14 @@ impl Model {
     fn new(drops: &Drops) -> Option<Self> {
         /// A correlation closer to 1 is that of profiles.
         const PROFILE: f64 = 1.0 - 1e-9;
-        let Drops { first, second, mixed, skew } = *drops;
+        let Drops { first, second, mixed, .. } = *drops;
         if first.iter().chain(&second).any(|&square| square.is_nan() || square <= 0.0) {
             return None;
         }
         let scale = (second[0] * second[1]).sqrt();
         let sums = mixed / scale;
-        let variances = [0, 1].map(|axis| (4.0 * first[axis] - second[axis]) / second[axis]);
-        let covariance = skew / scale;
+        let [x, y, product] = drops.over_two();
+        let (variances, covariance) = ([x / second[0], y / second[1]], product / scale);
         let is_possible = (-PROFILE..PROFILE).contains(&sums)
             && variances.iter().all(|&variance| variance >= 0.0)
             && covariance * covariance <= variances[0] * variances[1];

@@ -281,6 +281,11 @@ impl Maker<'_> {
     /// # Errors
     /// A file that cannot be read, a map without a summit, heights that are all equal, a target that is not reached.
     pub fn make(&mut self, realisation: usize, look: Look, timing: &mut Timing) -> Result<Surface, Refusal> {
+        let surface = self.one(realisation, look, timing)?;
+        Ok(Surface { realisations: self.plan.realisations, ..surface })
+    }
+
+    fn one(&mut self, realisation: usize, look: Look, timing: &mut Timing) -> Result<Surface, Refusal> {
         let (name, source) = (&self.plan.name, self.source);
         let key = &self.plan.size_key;
         let refuse = |error: &dyn std::fmt::Display| source.refuse(key.clone(), error);

@@ -14,6 +14,9 @@ pub fn page(results: &SurfacesResults) -> Page {
     }
     for surface in &results.surfaces {
         page.heading(2, &format!("Surface {}", surface.name));
+        if surface.realisations > 1 {
+            page.paragraph(&format!("This is the first of {} realisations.", surface.realisations));
+        }
         section(&mut page, surface, None);
         if surface.map.as_ref().is_some_and(|map| map.whole.spectrum.is_none()) {
             page.paragraph(
