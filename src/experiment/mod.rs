@@ -122,6 +122,11 @@ impl FileWords {
     /// The spec that describes the file at `path`.
     fn spec(&self, path: &Path) -> String {
         let quoted = |text: &str| toml::Value::from(text).to_string();
+        // A bare number is in metres, as in a spec.
+        let length = |text: &str| match text.parse::<f64>() {
+            Ok(number) if number.is_finite() => format!("{number:e}"),
+            _ => quoted(text),
+        };
         let stem = path.file_stem().and_then(|stem| stem.to_str()).unwrap_or("surface");
         let is_plain = |c: char| c.is_alphanumeric() || c == '-' || c == '_';
         let name: String = stem.chars().map(|c| if is_plain(c) { c } else { '-' }).collect();
@@ -131,7 +136,7 @@ impl FileWords {
             format!("path = {}", quoted(&path.to_string_lossy())),
         ];
         if let Some(pixel) = &self.pixel {
-            let sizes: Vec<String> = pixel.split(',').map(|size| quoted(size.trim())).collect();
+            let sizes: Vec<String> = pixel.split(',').map(|size| length(size.trim())).collect();
             lines.push(match &sizes[..] {
                 [one] => format!("pixel = {one}"),
                 several => format!("pixel = [{}]", several.join(", ")),
@@ -141,7 +146,7 @@ impl FileWords {
             lines.extend(value.as_ref().map(|value| format!("{key} = {}", quoted(value))));
         }
         for (key, value) in [("filter.s", &self.s), ("filter.l", &self.l)] {
-            lines.extend(value.as_ref().map(|value| format!("{key} = {}", quoted(value))));
+            lines.extend(value.as_ref().map(|value| format!("{key} = {}", length(value))));
         }
         lines.join("\n") + "\n"
     }

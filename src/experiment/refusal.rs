@@ -87,11 +87,51 @@ impl Source {
 
     /// Refuses the spec as its parser did.
     pub fn refuse_as(&self, error: &toml::de::Error) -> Refusal {
+        let message = in_our_words(error.message());
         match error.span() {
-            Some(span) => self.refuse(span, error.message()),
-            None => Refusal::file(&self.path, error.message()),
+            Some(span) => self.refuse(span, message),
+            None => Refusal::file(&self.path, message),
         }
     }
+}
+
+/// What the parser says, as what was found and what is allowed.
+fn in_our_words(message: &str) -> String {
+    let plain = match message {
+        "wanted string or table" => {
+            Some("found neither a name nor a table; allowed: a name in quotes, or a table")
+        }
+        "wanted exactly 1 element, more than 1 element" => {
+            Some("found several keys; allowed: exactly one of them")
+        }
+        "wanted exactly 1 element, found 0 elements" => {
+            Some("found an empty table; allowed: one key and its value")
+        }
+        "invalid type: unit variant, expected newtype variant" => Some(
+            "found a name alone; allowed: a table that has the name as its key, and the numbers below it",
+        ),
+        _ => None,
+    };
+    if let Some(plain) = plain {
+        return plain.to_owned();
+    }
+    if let Some(field) = message.strip_prefix("missing field ") {
+        return format!("found no {field}, which is needed");
+    }
+    for (begin, found) in [
+        ("unknown field ", "found the key "),
+        ("unknown variant ", "found "),
+        ("invalid type: ", "found "),
+        ("invalid value: ", "found "),
+    ] {
+        if let Some((what, expected)) =
+            message.strip_prefix(begin).and_then(|rest| rest.split_once(", expected "))
+        {
+            let expected = expected.strip_prefix("one of ").unwrap_or(expected);
+            return format!("{found}{what}; allowed: {expected}");
+        }
+    }
+    message.to_owned()
 }
 
 /// The dotted key of the innermost entry of `table` that `span` points into.

@@ -31,7 +31,7 @@ pub enum FilterError {
         l: f64,
     },
     /// The map is larger than what is taken out.
-    #[error("found a nesting index of {index:e} m on a map of {} x {} m; allowed: at most its shorter side", size[0], size[1])]
+    #[error("found a nesting index of {index:.4e} m on a map of {:.4e} x {:.4e} m; allowed: at most its shorter side", size[0], size[1])]
     TooLarge {
         /// The index, m.
         index: f64,

@@ -233,9 +233,11 @@ fn spectrum(
                 ));
             }
             let (Some(roll_off), Some(cut_off)) = (roll_off, cut_off) else {
-                return Err(refuse(
-                    &"found a self-affine spectrum without its wavelengths; allowed: hurst, roll-off and cut-off",
-                ));
+                let missing = if roll_off.is_none() { "roll-off" } else { "cut-off" };
+                return Err(refuse(&format!(
+                    "found a self-affine spectrum without {missing}; allowed: hurst, roll-off and cut-off, the longest and \
+                     the shortest wavelength of the power law"
+                )));
             };
             let (roll_off, cut_off) = (roll_off.value(), cut_off.value());
             let lay = lay(self_affine.elongation.map_or(1.0, |e| e.value()), self_affine.angle);

@@ -12,7 +12,11 @@ use crate::units::{Angle, ArealNumberDensity, Finite, Length, Pure, Quantity};
 
 /// A random rough surface: either pixel, sigma and the lengths of its spectrum, or what its summits shall be.
 #[derive(Debug, Deserialize)]
-#[serde(deny_unknown_fields, rename_all = "kebab-case")]
+#[serde(
+    deny_unknown_fields,
+    rename_all = "kebab-case",
+    expecting = "a table with points, spectrum, and either pixel and sigma or summits"
+)]
 pub struct GenerateSpec {
     /// Points along x and y.
     pub points: Spanned<PointsSpec>,
@@ -39,7 +43,7 @@ pub struct GenerateSpec {
 
 /// The numbers of found summits that a surface shall have.
 #[derive(Debug, Clone, Copy, Deserialize)]
-#[serde(deny_unknown_fields)]
+#[serde(deny_unknown_fields, expecting = "a table { radius, sigma, density }")]
 pub struct TargetSpec {
     /// Arithmetic mean of the radii.
     pub radius: Quantity<Length>,
@@ -51,7 +55,7 @@ pub struct TargetSpec {
 
 /// A process that cuts the summits off.
 #[derive(Debug, Deserialize)]
-#[serde(deny_unknown_fields)]
+#[serde(deny_unknown_fields, expecting = "a table { sigma, spectrum, height }")]
 pub struct PlateauSpec {
     /// Standard deviation of its heights.
     pub sigma: Quantity<Length>,
@@ -75,7 +79,7 @@ pub enum SpectrumSpec {
 
 /// A self-affine spectrum; with `summits` its wavelengths are found and only `cut-off-pixels` may be given.
 #[derive(Debug, Clone, Copy, Deserialize)]
-#[serde(deny_unknown_fields, rename_all = "kebab-case")]
+#[serde(deny_unknown_fields, rename_all = "kebab-case", expecting = "a table { hurst, roll-off, cut-off }")]
 pub struct SelfAffineSpec {
     /// Hurst exponent.
     pub hurst: Quantity<Pure, Finite>,
@@ -93,7 +97,7 @@ pub struct SelfAffineSpec {
 
 /// One correlation length, or one along the lay and one across it.
 #[derive(Debug, Clone, Copy, Deserialize)]
-#[serde(deny_unknown_fields, rename_all = "kebab-case")]
+#[serde(deny_unknown_fields, rename_all = "kebab-case", expecting = "a table { correlation-length }")]
 pub struct CorrelationSpec {
     /// Along the lay and across it.
     pub correlation_length: PixelSpec,
@@ -129,18 +133,18 @@ enum HeightsWords {
 }
 
 #[derive(Deserialize)]
-#[serde(deny_unknown_fields)]
+#[serde(deny_unknown_fields, expecting = "an empty table")]
 struct NoOptions {}
 
 #[derive(Deserialize)]
-#[serde(deny_unknown_fields)]
+#[serde(deny_unknown_fields, expecting = "a table { skewness, kurtosis }")]
 struct JohnsonSpec {
     skewness: Quantity<Pure, Finite>,
     kurtosis: Quantity<Pure, Finite>,
 }
 
 #[derive(Deserialize)]
-#[serde(deny_unknown_fields)]
+#[serde(deny_unknown_fields, expecting = "a table { shape }")]
 struct WeibullSpec {
     shape: Quantity<Pure, Finite>,
 }

@@ -58,7 +58,7 @@ impl TryFrom<Kinds> for SurfaceSpec {
 
 /// A list of asperities: CSV with columns height and radius, or an n x 2 `.npy`.
 #[derive(Debug, Deserialize)]
-#[serde(deny_unknown_fields, rename_all = "kebab-case")]
+#[serde(deny_unknown_fields, rename_all = "kebab-case", expecting = "a table { file, nominal-area }")]
 pub struct ListSpec {
     /// The file, relative to the spec.
     pub file: Spanned<PathBuf>,
@@ -68,7 +68,11 @@ pub struct ListSpec {
 
 /// Radius, deviation of heights, density, and how a set is drawn.
 #[derive(Debug, Deserialize)]
-#[serde(deny_unknown_fields, rename_all = "kebab-case")]
+#[serde(
+    deny_unknown_fields,
+    rename_all = "kebab-case",
+    expecting = "a table { radius, sigma, density, count }"
+)]
 pub struct PopulationSpec {
     /// Radius of every asperity.
     pub radius: Quantity<Length>,
@@ -114,7 +118,7 @@ pub enum DrawSpec {
 
 /// A measured topography.
 #[derive(Debug, Deserialize)]
-#[serde(deny_unknown_fields, rename_all = "kebab-case")]
+#[serde(deny_unknown_fields, rename_all = "kebab-case", expecting = "a table { path }")]
 pub struct FileSpec {
     /// The file, relative to the spec.
     pub path: Spanned<PathBuf>,
@@ -190,7 +194,7 @@ impl<'de> Deserialize<'de> for PixelSpec {
 
 /// `filter = { s, l }`: nesting indices (ISO 16610-61), either or both.
 #[derive(Debug, Clone, Copy, Deserialize)]
-#[serde(deny_unknown_fields)]
+#[serde(deny_unknown_fields, expecting = "a table { s, l }")]
 pub struct FilterSpec {
     /// Wavelengths below it are taken out.
     pub s: Option<Quantity<Length>>,

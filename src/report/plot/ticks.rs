@@ -10,21 +10,30 @@ pub(super) struct Tick {
     pub(super) label: Option<String>,
 }
 
-/// Divides an axis as finely as its labels fit: `fits` judges one set of labelled ticks.
+/// Divides an axis as finely as its labels fit, into about `most` parts: `fits` judges one set of labelled ticks. Of one
+/// label nobody reads a scale: rather than that there are a few more than `most`.
 pub(super) fn ticks(scale: &Scale, most: usize, fits: impl Fn(&[Tick]) -> bool) -> Vec<Tick> {
-    let mut least = Vec::new();
-    for count in (1..=most.max(1)).rev() {
-        let ticks = match scale.spread {
-            Spread::Linear => linear(scale, count),
-            Spread::Log => log(scale, count),
-        };
-        let labelled = ticks.iter().filter(|tick| tick.label.is_some()).count();
-        if labelled <= most.max(2) && fits(&ticks) {
-            return ticks;
+    /// Steps of 1, 2 and 5 are at most so much finer than the next.
+    const FINER: usize = 3;
+    let most = most.max(1);
+    let divided = |count: usize| match scale.spread {
+        Spread::Linear => linear(scale, count),
+        Spread::Log => log(scale, count),
+    };
+    let labels = |ticks: &[Tick]| ticks.iter().filter(|tick| tick.label.is_some()).count();
+    let mut best = divided(1);
+    for count in (1..=most).rev() {
+        let ticks = divided(count);
+        if labels(&ticks) <= most.max(2) && fits(&ticks) {
+            best = ticks;
+            break;
         }
-        least = ticks;
     }
-    least
+    let finer = (most + 1..=FINER * most).map(divided);
+    match finer.into_iter().find(|ticks| labels(ticks) > 1 && fits(ticks)) {
+        Some(ticks) if labels(&best) < 2 => ticks,
+        _ => best,
+    }
 }
 
 /// Equal steps of 1, 2 or 5 times a power of ten.
@@ -172,6 +181,8 @@ mod tests {
     fn round_steps() {
         assert_eq!(labels(Spread::Linear, 0.0, 2.0, 5), ["0", "0.5", "1.0", "1.5", "2.0"]);
         assert_eq!(labels(Spread::Linear, 4.0, 0.0, 5), ["0", "1", "2", "3", "4"]);
+        // Rather five labels than one.
+        assert_eq!(labels(Spread::Linear, -0.45, 0.42, 4), ["−0.4", "−0.2", "0", "0.2", "0.4"]);
         assert_eq!(labels(Spread::Linear, -2e-7, 2e-7, 5), ["−2×10⁻⁷", "−1×10⁻⁷", "0", "1×10⁻⁷", "2×10⁻⁷"]);
     }
 

@@ -58,7 +58,7 @@ pub enum ReadError {
 pub enum GivenError {
     /// Two pixels: one must be wrong.
     #[error(
-        "{format} holds its own pixel of {:e} x {:e} {}; allowed: leave pixel out",
+        "is {format}, which holds its own pixel of {:e} x {:e} {}; allowed: leave pixel out",
         pixel[0], pixel[1], if *has_unit { "m" } else { "units" }
     )]
     PixelHeld {
@@ -75,7 +75,7 @@ pub enum GivenError {
     )]
     NoPixel,
     /// Two units: one must be wrong.
-    #[error("{format} holds its own unit of length; allowed: leave unit out")]
+    #[error("is {format}, which holds its own unit of length; allowed: leave unit out")]
     UnitHeld {
         /// The format.
         format: &'static str,
