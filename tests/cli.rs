@@ -386,6 +386,20 @@ realisations = 3
     assert!(random["height_map"]["five_point_theory"]["density_per_m2"].as_f64().unwrap() > 0.0);
 }
 
+/// As `head` does it: the reader leaves before all is said.
+#[test]
+fn a_reader_may_leave() {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
+    let mut child = Command::new(env!("CARGO_BIN_EXE_experiment"))
+        .args(["list", "--out", "nowhere"])
+        .current_dir(root)
+        .stdout(std::process::Stdio::piped())
+        .spawn()
+        .unwrap();
+    drop(child.stdout.take());
+    assert_eq!(child.wait().unwrap().code(), Some(0));
+}
+
 #[test]
 fn a_look_at_a_surface() {
     let folder = tempfile::tempdir().unwrap();
@@ -419,6 +433,15 @@ fn a_look_at_a_surface() {
     let spec = look(&[root.join("experiments/heights-of-one-spectrum.toml").to_str().unwrap(), "--quiet"]);
     assert!(spec.status.success() && text(&spec.stdout).is_empty());
     assert!(out.join("heights-of-one-spectrum-surfaces/honed-heights.svg").exists());
+
+    // Another file of that name does not take its place, the same one does.
+    let copy = folder.path().join("opd-1.npy");
+    fs::copy(opd, &copy).unwrap();
+    let other = look(&[copy.to_str().unwrap(), "--pixel", "0.2 um"]);
+    assert_eq!(other.status.code(), Some(2));
+    assert!(text(&other.stderr).contains("allowed: --name NAME"), "{}", text(&other.stderr));
+    assert!(look(&[copy.to_str().unwrap(), "--pixel", "0.2 um", "--name", "copy"]).status.success());
+    assert!(look(&[opd, "--pixel", "2e-7"]).status.success());
 
     for (arguments, words) in [
         (&[opd][..], "holds no pixel size"),

@@ -271,6 +271,7 @@ fn surface(file: &Path, words: FileWords, name: Option<&str>, options: &RunOptio
     let experiment = Experiment::look(file, &words, name)?;
     let mut store = open_store(options)?;
     store.check(experiment.stem())?;
+    check_same_file(&experiment, &options.out.join(experiment.stem()))?;
     let results = run_and_write(&experiment, &mut store, options)?;
     if let Results::Surfaces(found) = &results {
         for surface in &found.surfaces {
@@ -278,6 +279,22 @@ fn surface(file: &Path, words: FileWords, name: Option<&str>, options: &RunOptio
         }
     }
     write_index(&mut store, &options.out)
+}
+
+/// A look at one file does not replace the look at another that happens to be called the same.
+fn check_same_file(experiment: &Experiment, folder: &Path) -> Result<(), Failure> {
+    let (Some(now), Some(before)) = (experiment.looked_at(), report::looked_at(folder)) else {
+        return Ok(());
+    };
+    let whole = |path: &Path| std::fs::canonicalize(path).unwrap_or_else(|_| path.to_owned());
+    if whole(&now) == whole(&before) {
+        return Ok(());
+    }
+    Err(Failure::Input(format!(
+        "{} holds the look at {}, another file; allowed: --name NAME for a report beside it",
+        folder.display(),
+        before.display()
+    )))
 }
 
 /// Writes the pages that lead to all reports, where they say something else than is there.

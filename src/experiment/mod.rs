@@ -14,11 +14,11 @@ pub use surface::{GenerationFacts, MapFacts, Surface};
 pub use whole::Whole;
 
 use std::io::Read;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 use sha2::{Digest, Sha256};
 
-use plan::Plan;
+use plan::{Plan, PlanKind};
 use progress::Progress;
 use results::Results;
 
@@ -62,6 +62,14 @@ impl Experiment {
             plan.stem = plan::stem_of(Path::new(&format!("{name}.toml")))?;
         }
         Ok(Self { plan })
+    }
+
+    /// The file that it looks at; `None` of an experiment that is more than a look.
+    pub fn looked_at(&self) -> Option<PathBuf> {
+        match &self.plan.kind {
+            PlanKind::Surfaces(surfaces) => Some(self.plan.looked_at(surfaces)),
+            _ => None,
+        }
     }
 
     /// Name of its report's folder.

@@ -1,5 +1,6 @@
 //! What an experiment found: everything that a report may say.
 
+use std::path::PathBuf;
 use std::time::Duration;
 
 use indexmap::IndexMap;
@@ -113,6 +114,8 @@ fn warnings<'a>(surfaces: impl IntoIterator<Item = &'a Surface>) -> Vec<String> 
 pub struct SurfacesResults {
     /// What every experiment has.
     pub head: Head,
+    /// The file that was looked at: a measured one, or a spec.
+    pub file: PathBuf,
     /// The words of a spec that the command line made, for a measured file.
     pub words: Option<String>,
     /// The surfaces, in file order.

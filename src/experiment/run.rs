@@ -69,7 +69,8 @@ fn look(plan: &Plan, surfaces: &[SurfacePlan], progress: &dyn Progress) -> Resul
     timing.total = start.elapsed();
     let papers = seen.iter().flat_map(Surface::papers).collect();
     let words = plan.source.is_command_line().then(|| plan.source.text.clone());
-    Ok(SurfacesResults { head: head(plan, papers, timing), words, surfaces: seen })
+    let file = plan.looked_at(surfaces);
+    Ok(SurfacesResults { head: head(plan, papers, timing), file, words, surfaces: seen })
 }
 
 fn run_surface(

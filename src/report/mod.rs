@@ -29,6 +29,7 @@ mod tables;
 pub mod verify;
 
 pub use index::{Index, MARK};
+pub use summary::looked_at;
 
 use std::time::Instant;
 

@@ -179,6 +179,13 @@ impl Plan {
         }
     }
 
+    /// The file that a look at `surfaces` is at: the one measured file that the command line named, or the spec.
+    pub fn looked_at(&self, surfaces: &[SurfacePlan]) -> PathBuf {
+        let measured =
+            surfaces.first().and_then(SurfacePlan::input).filter(|_| self.source.is_command_line());
+        measured.unwrap_or_else(|| self.source.path.clone())
+    }
+
     /// How closely it looks at its surfaces.
     fn look(&self) -> Look {
         if matches!(self.kind, PlanKind::Surfaces(_)) { Look::Everything } else { Look::Spectrum }

@@ -2,8 +2,10 @@
 
 mod surface;
 
+use std::path::{Path, PathBuf};
+
 use indexmap::IndexMap;
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 
 use super::limit::Slope;
 use crate::experiment::results::{CompareResults, ContactHead, Head, LimitResults, SurfacesResults};
@@ -19,6 +21,8 @@ struct Summary<'a> {
     title: &'a str,
     spec_sha256: &'a str,
     seed: u64,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    looked_at: Option<&'a Path>,
     #[serde(skip_serializing_if = "Option::is_none")]
     reduced_modulus_pa: Option<f64>,
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -65,6 +69,7 @@ impl<'a> Summary<'a> {
             title: &head.title,
             spec_sha256: &head.spec_sha256,
             seed: head.seed,
+            looked_at: None,
             reduced_modulus_pa: contact.map(|contact| contact.reduced_modulus),
             hardness_pa: contact.and_then(|contact| contact.hardness),
             surfaces: IndexMap::new(),
@@ -112,11 +117,22 @@ pub fn compare(results: &CompareResults, files: &[String]) -> serde_json::Result
 /// None that a result can cause.
 pub fn surfaces(results: &SurfacesResults, files: &[String]) -> serde_json::Result<Vec<u8>> {
     let mut summary = Summary::new(&results.head, None, files);
+    summary.looked_at = Some(&results.file);
     summary.warnings = results.warnings();
     for surface in &results.surfaces {
         summary.surfaces.insert(&surface.name, surface::surface(surface));
     }
     serde_json::to_vec_pretty(&summary)
+}
+
+/// The file that the report in `folder` looked at; `None` if there is no such report.
+pub fn looked_at(folder: &Path) -> Option<PathBuf> {
+    #[derive(Deserialize)]
+    struct Look {
+        looked_at: PathBuf,
+    }
+    let summary = std::fs::read(folder.join("summary.json")).ok()?;
+    serde_json::from_slice::<Look>(&summary).ok().map(|look| look.looked_at)
 }
 
 /// `summary.json` of a limit.
