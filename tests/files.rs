@@ -4,8 +4,8 @@ use std::path::PathBuf;
 
 use asperity::asperity::{ListError, read_list};
 use asperity::surface::Rows;
+use asperity::surface::character::Character;
 use asperity::surface::read::{Given, ReadError, head, height_map, npy, rows};
-use asperity::surface::rows::missing;
 
 /// A `.npy` of version 1 with the given type, order and bytes.
 fn array(descr: &str, fortran: bool, shape: &str, data: &[u8]) -> Vec<u8> {
@@ -125,7 +125,7 @@ fn a_map_has_its_pixel_and_its_missing_points() {
     let (_folder, path) = file("map.npy", &array("<f4", false, "(3, 4)", &data));
     assert_eq!(head(&path).unwrap().points, [3, 4]);
     let map = height_map(&path, Given { pixel: Some([1e-6, 2e-6]), unit: None }).unwrap();
-    assert_eq!((map.points(), map.pixel(), missing(&map)), ([3, 4], [1e-6, 2e-6], 2));
+    assert_eq!((map.points(), map.pixel(), Character::of(&map).missing), ([3, 4], [1e-6, 2e-6], 2));
 }
 
 #[test]

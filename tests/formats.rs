@@ -1,6 +1,6 @@
 //! Measured height maps in every format: known values, round trips, bad input of each kind.
 
-use asperity::surface::rows::missing;
+use asperity::surface::character::Character;
 use std::path::{Path, PathBuf};
 
 use asperity::surface::level::Level;
@@ -94,7 +94,7 @@ fn opd() -> HeightMap {
 fn assert_opd(bytes: impl AsRef<[u8]>, given: Given, precision: f64) {
     let (_folder, path) = file(bytes);
     let (opd, map) = (opd(), height_map(&path, given).unwrap());
-    assert_eq!((opd.points(), missing(&opd)), (map.points(), missing(&map)));
+    assert_eq!((opd.points(), Character::of(&opd).missing), (map.points(), Character::of(&map).missing));
     assert!(map.pixel().iter().all(|size| (size / opd.pixel()[0] - 1.0).abs() < 1e-9), "{:?}", map.pixel());
     let largest = opd.heights().iter().fold(0.0f64, |largest, z| largest.max(z.abs()));
     let far = |(a, b): (&f64, &f64)| (a - b).abs() > precision * largest;

@@ -2,9 +2,9 @@
 
 use std::path::{Path, PathBuf};
 
+use asperity::surface::character::Character;
 use asperity::surface::level::Level;
 use asperity::surface::quantisation::Quantisation;
-use asperity::surface::rows::missing;
 use asperity::surface::summits::{Summits, five_point};
 use asperity::surface::{HeightMap, Moments, read};
 
@@ -64,7 +64,12 @@ fn read_and_level(known: &Known) -> (HeightMap, HeightMap, Summits) {
 fn statistics_to_every_digit_known() {
     for known in &SURFACES {
         let (raw, levelled, summits) = read_and_level(known);
-        assert_eq!((raw.points(), missing(&raw)), (known.points, known.missing), "{}", known.name);
+        assert_eq!(
+            (raw.points(), Character::of(&raw).missing),
+            (known.points, known.missing),
+            "{}",
+            known.name
+        );
         let moments = Moments::of(&levelled);
         let found = [moments.sq * 1e9, moments.ssk.unwrap(), moments.sku.unwrap()];
         for (found, (exact, digit)) in found.into_iter().zip(known.moments) {

@@ -1,5 +1,6 @@
 //! The command line: arguments, progress, exit code; nothing else.
 
+use std::io::Write;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 use std::time::Instant;
@@ -174,11 +175,11 @@ impl Failure {
     fn report(self) -> ExitCode {
         match self {
             Self::Input(message) => {
-                eprintln!("error: {message}");
+                complain(format_args!("error: {message}"));
                 ExitCode::from(2)
             }
             Self::Run(message) => {
-                eprintln!("error: {message}");
+                complain(format_args!("error: {message}"));
                 ExitCode::FAILURE
             }
         }
@@ -273,8 +274,7 @@ fn surface(file: &Path, words: FileWords, name: Option<&str>, options: &RunOptio
     let results = run_and_write(&experiment, &mut store, options)?;
     if let Results::Surfaces(found) = &results {
         for surface in &found.surfaces {
-            say(options, &format!("\nsurface {}", surface.name));
-            say(options, report::surface::for_terminal(surface).trim_end());
+            say(options, &format!("\n{}", report::surface::for_terminal(surface).trim_end()));
         }
     }
     write_index(&mut store, &options.out)
@@ -334,7 +334,7 @@ fn run_and_write(
     store.write(&report)?;
     if !options.quiet {
         for warning in results.warnings() {
-            eprintln!("warning: {}: {warning}", experiment.stem());
+            complain(format_args!("warning: {}: {warning}", experiment.stem()));
         }
     }
     say(
@@ -344,9 +344,19 @@ fn run_and_write(
     Ok(results)
 }
 
+/// Writes a line. A reader that is gone, as `head` is after some lines, misses the rest.
+fn print(line: std::fmt::Arguments) {
+    let _ = writeln!(std::io::stdout(), "{line}");
+}
+
+/// The same for what is no answer.
+fn complain(line: std::fmt::Arguments) {
+    let _ = writeln!(std::io::stderr(), "{line}");
+}
+
 fn say(options: &RunOptions, line: &str) {
     if !options.quiet {
-        println!("{line}");
+        print(format_args!("{line}"));
     }
 }
 
@@ -364,9 +374,9 @@ fn list(out: &Path) -> Result<(), Failure> {
                 } else {
                     "to run"
                 };
-                println!("{:<28} {state:<11} {}", experiment.stem(), experiment.plan().title);
+                print(format_args!("{:<28} {state:<11} {}", experiment.stem(), experiment.plan().title));
             }
-            Err(refusal) => println!("{:<28} refused     {refusal}", file.display()),
+            Err(refusal) => print(format_args!("{:<28} refused     {refusal}", file.display())),
         }
     }
     Ok(())
@@ -374,7 +384,7 @@ fn list(out: &Path) -> Result<(), Failure> {
 
 fn check(files: &[PathBuf]) -> Result<(), Failure> {
     for experiment in read_all(files)? {
-        print!("{}", experiment.plan());
+        print(format_args!("{}", experiment.plan().to_string().trim_end()));
     }
     Ok(())
 }
@@ -385,7 +395,7 @@ fn new(name: &Path) -> Result<(), Failure> {
     std::fs::File::create_new(&path)
         .and_then(|mut file| file.write_all(TEMPLATE.as_bytes()))
         .map_err(|error| Failure::Input(format!("{}: {error}", path.display())))?;
-    println!("{} written; run it with `experiment run {}`", path.display(), path.display());
+    print(format_args!("{} written; run it with `experiment run {}`", path.display(), path.display()));
     Ok(())
 }
 
@@ -393,11 +403,11 @@ fn verify(fresh: &Path, committed: &Path) -> Result<(), Failure> {
     let differences = report::verify::differences(fresh, committed)
         .map_err(|error| Failure::Run(format!("{} and {}: {error}", fresh.display(), committed.display())))?;
     if differences.is_empty() {
-        println!("{} says the same as {}", fresh.display(), committed.display());
+        print(format_args!("{} says the same as {}", fresh.display(), committed.display()));
         return Ok(());
     }
     for difference in &differences {
-        eprintln!("{difference}");
+        complain(format_args!("{difference}"));
     }
     Err(Failure::Run(format!(
         "{} differences between {} and {}",

@@ -79,7 +79,7 @@ impl Gaps {
 /// stiffness, is the scatter of.
 fn separation_gap(pair: &Pair, sigma: f64) -> Gap {
     let (s, d) = (&pair.statistical, &pair.deterministic);
-    let error = d.sampling.map(|sampling| sampling.pressure / d.stiffness / sigma);
+    let error = d.separation_error(sigma);
     gap(pair, "separation_over_sigma", s.separation_over_sigma, d.separation_over_sigma, error)
 }
 

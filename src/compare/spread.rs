@@ -87,10 +87,7 @@ fn at(target: f64, realisations: &[Realisation]) -> Option<Spread> {
         Scatter::of(&found.iter().map(|(pair, ..)| value(pair)).collect::<Vec<_>>())
     };
     let contacts: f64 = found.iter().map(|(pair, _, area)| pair.deterministic.contact_density * area).sum();
-    let errors = found.iter().filter_map(|(pair, sigma, _)| {
-        let response = &pair.deterministic;
-        response.sampling.map(|error| error.pressure / (response.stiffness * sigma))
-    });
+    let errors = found.iter().filter_map(|(pair, sigma, _)| pair.deterministic.separation_error(*sigma));
     Some(Spread {
         target,
         statistical_separation: scatter(&|pair| pair.statistical.separation_over_sigma),

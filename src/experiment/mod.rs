@@ -7,9 +7,11 @@ pub mod results;
 mod run;
 pub mod spec;
 mod surface;
+mod whole;
 
 pub use refusal::Refusal;
-pub use surface::{GenerationFacts, MapFacts, Surface, Whole};
+pub use surface::{GenerationFacts, MapFacts, Surface};
+pub use whole::Whole;
 
 use std::io::Read;
 use std::path::Path;

@@ -89,15 +89,13 @@ impl Results {
             Self::Surfaces(results) => &results.head,
         }
     }
-}
 
-impl Results {
     /// What makes the answers doubtful, a line each.
     pub fn warnings(&self) -> Vec<String> {
         match self {
             Self::Compare(results) => results.warnings(),
             Self::Limit(_) => Vec::new(),
-            Self::Surfaces(results) => warnings(&results.surfaces),
+            Self::Surfaces(results) => results.warnings(),
         }
     }
 }
@@ -121,10 +119,10 @@ pub struct SurfacesResults {
     pub surfaces: Vec<Surface>,
 }
 
-impl CompareResults {
-    /// What makes the answers doubtful, a line each.
+impl SurfacesResults {
+    /// What makes the numbers doubtful, a line each.
     pub fn warnings(&self) -> Vec<String> {
-        warnings(self.surfaces.iter().map(|found| &found.surface))
+        warnings(&self.surfaces)
     }
 }
 
@@ -137,6 +135,13 @@ pub struct CompareResults {
     pub contact: ContactHead,
     /// Surface by surface, in file order.
     pub surfaces: Vec<SurfaceResults>,
+}
+
+impl CompareResults {
+    /// What makes the answers doubtful, a line each.
+    pub fn warnings(&self) -> Vec<String> {
+        warnings(self.surfaces.iter().map(|found| &found.surface))
+    }
 }
 
 /// One surface, all its realisations, and what they answered.

@@ -8,7 +8,8 @@ use super::results::{
     Bodies, CaseResults, CompareResults, ContactHead, Head, LimitResults, RealisationResults, Results,
     SurfaceResults, SurfacesResults, Timing,
 };
-use super::surface::{Look, Surface};
+use super::surface::Surface;
+use super::whole::Look;
 use super::{Refusal, digest, hexadecimal, stream_seed};
 use crate::asperity::{Ordered, Population, gaussian_moment};
 use crate::compare::{Control, Exact, Gaps, Kind, LimitCase, Models, NotReached, compare, convergence};

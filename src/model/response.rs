@@ -36,6 +36,12 @@ pub struct SamplingError {
 pub const INTERACTION: f64 = 0.05;
 
 impl Response {
+    /// Standard error of d/sigma at a fixed load, where the response has standard errors; `sigma` (m) is what d is
+    /// measured in.
+    pub fn separation_error(&self, sigma: f64) -> Option<f64> {
+        self.sampling.map(|error| error.pressure / (self.stiffness * sigma))
+    }
+
     /// The response that `tally`, times `per_area` (1/m^2), is at separation `h` = d/sigma.
     pub(super) fn new(h: f64, datum: Datum, tally: &Tally, per_area: f64) -> Self {
         Self {

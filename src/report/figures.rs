@@ -64,7 +64,7 @@ pub fn separation(comparison: &Comparison, others: &[&Comparison], modulus: f64,
         let load = |point: &CurvePoint| point.response.pressure.total() / modulus;
         let band = points.iter().filter_map(|point| {
             let response = &point.response;
-            let half = BAND * response.sampling?.pressure / (response.stiffness * sigma);
+            let half = BAND * response.separation_error(sigma)?;
             let d = response.separation_over_sigma;
             Some((load(point), d - half, d + half))
         });
@@ -79,8 +79,7 @@ pub fn separation(comparison: &Comparison, others: &[&Comparison], modulus: f64,
     let difference =
         |pair: &Pair| pair.statistical.separation_over_sigma - pair.deterministic.separation_over_sigma;
     let band = pairs.iter().filter_map(|pair| {
-        let response = &pair.deterministic;
-        let half = BAND * response.sampling?.pressure / (response.stiffness * sigma);
+        let half = BAND * pair.deterministic.separation_error(sigma)?;
         Some((pair.target / modulus, difference(pair) - half, difference(pair) + half))
     });
     let line = pairs.iter().map(|pair| (pair.target / modulus, difference(pair)));

@@ -1,6 +1,6 @@
 //! What a surface is: height parameters, spectral moments, the autocorrelation at neighbours.
 
-use super::rows::{Rows, Strip, first_present, missing, strips};
+use super::rows::{Rows, Strip, count_missing, first_present, strips};
 use crate::numeric::sum::Sum;
 
 /// Height parameters of a map (ISO 25178-2), about its mean, divided by the number of points.
@@ -65,6 +65,21 @@ impl Drops {
             skew: diagonals[0] - diagonals[1],
         }
     }
+
+    /// Mean squares of the differences over two points along x and along y, and the mean of their product, but for its
+    /// sign: those of the gradient times two pixels.
+    pub fn over_two(&self) -> [f64; 3] {
+        let [x, y] = [0, 1].map(|axis| 4.0 * self.first[axis] - self.second[axis]);
+        [x, y, self.skew]
+    }
+
+    /// How closely slopes along x and along y correlate, from 0 to 1: the lay then lies at an angle to both. 0 on a map
+    /// without slopes.
+    pub fn slope_correlation(&self) -> f64 {
+        let [x, y, product] = self.over_two();
+        let scale = (x * y).sqrt();
+        if scale > 0.0 { (product / scale).abs() } else { 0.0 }
+    }
 }
 
 impl Moments {
@@ -78,12 +93,14 @@ impl Character {
     /// Looks at a map, the same to the bit on any number of threads.
     pub fn of(map: &dyn Rows) -> Self {
         let points = map.points();
-        let missing = missing(map);
-        let count = (points[0] * points[1] - missing) as f64;
         // About a height of the map: a large offset costs nothing.
         let origin = first_present(map);
-        let total: Sum =
-            strips(map, 0, |strip| row_sums(&strip, |z| z - origin)).concat().into_iter().collect();
+        let (mut total, mut present) = (Sum::default(), 0);
+        for (sum, count) in strips(map, 0, |strip| row_sums(&strip, origin)).into_iter().flatten() {
+            total.add(sum);
+            present += count;
+        }
+        let count = present as f64;
         let mean = origin + total.value() / count;
 
         let mut sums = Sums::default();
@@ -97,7 +114,7 @@ impl Character {
         let mean_square = |lag: Lag| sums.lags[lag as usize].mean();
         let pixel = map.pixel();
         Self {
-            missing,
+            missing: points[0] * points[1] - present,
             moments,
             m2: [mean_square(Lag::X) / pixel[0].powi(2), mean_square(Lag::Y) / pixel[1].powi(2)],
             m4: [mean_square(Lag::BendX) / pixel[0].powi(4), mean_square(Lag::BendY) / pixel[1].powi(4)],
@@ -229,9 +246,12 @@ impl Sums {
     }
 }
 
-/// The sum of each row over the points that are there.
-fn row_sums(strip: &Strip, term: impl Fn(f64) -> f64) -> Vec<f64> {
-    let sum = |row: &[f64]| row.iter().map(|&z| if z.is_nan() { 0.0 } else { term(z) }).sum();
+/// For each row the sum of its heights over `origin` and how many there are.
+fn row_sums(strip: &Strip, origin: f64) -> Vec<(f64, usize)> {
+    let sum = |row: &[f64]| {
+        let heights = row.iter().map(|&z| if z.is_nan() { 0.0 } else { z - origin });
+        (heights.sum(), row.len() - count_missing(row))
+    };
     (0..strip.count as isize).filter_map(|k| strip.row(k).map(sum)).collect()
 }
 

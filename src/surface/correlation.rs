@@ -7,8 +7,7 @@ use realfft::num_complex::Complex;
 
 use super::fourier::{analyse, columns, synthesise, weight};
 use super::spectrum::GridSpectrum;
-use super::{Boundary, HeightMap, Moments, Rows};
-use crate::memory::zeros;
+use super::{Boundary, HeightMap, Rows};
 
 /// Power spectral density C over rings of wave numbers q, such that the integral of C over the plane of wave
 /// vectors is the variance of the heights.
@@ -72,17 +71,16 @@ impl Rings {
 }
 
 impl RadialSpectrum {
-    /// The spectrum of a map without its mean. An open map is seen through a Hann window, so that its borders do
+    /// The spectrum of a map, which is used up, about its `mean` (m). An open map is seen through a Hann window, so that its borders do
     /// not show; missing points are taken at the mean.
-    pub fn of(map: &HeightMap) -> Self {
+    pub fn of(map: HeightMap, mean: f64) -> Self {
         let points = map.points();
         let rings = Rings::new(points, map.pixel());
-        let mean = Moments::of(map).mean;
         let window = [0, 1].map(|axis| match map.boundary() {
             Boundary::Periodic => vec![1.0; points[axis]],
             Boundary::Open => hann(points[axis]),
         });
-        let mut heights = map.heights().to_vec();
+        let mut heights = map.into_heights();
         heights.par_chunks_mut(points[1]).zip(&window[0]).for_each(|(row, wx)| {
             for (z, wy) in row.iter_mut().zip(&window[1]) {
                 *z = if z.is_nan() { 0.0 } else { (*z - mean) * wx * wy };
@@ -115,9 +113,7 @@ impl RadialSpectrum {
         }
         asked
     }
-}
 
-impl RadialSpectrum {
     /// Quartiles of the ratio of another spectrum to this one, over the rings whose density is at least a thousandth of
     /// the largest one.
     pub fn quartiles_of(&self, other: &Self) -> [f64; 2] {
@@ -151,30 +147,18 @@ pub struct Autocorrelation {
 }
 
 impl Autocorrelation {
-    /// The autocorrelation of the points that are there, about their mean. Beyond an open border nothing is known:
+    /// The autocorrelation of the points that are there, about their `mean` (m). Beyond an open border nothing is known:
     /// only pairs of points within the map count. `None` on a flat map.
-    pub fn of(map: &HeightMap) -> Option<Self> {
+    pub fn of(map: &HeightMap, mean: f64) -> Option<Self> {
         let points = map.points();
-        let mean = Moments::of(map).mean;
         let padded = match map.boundary() {
             Boundary::Periodic => points,
             // Lags up to half of the side do not meet around the border.
             Boundary::Open => points.map(|count| (count + count / 2 + 1).next_multiple_of(8)),
         };
-        let embed = |of: &(dyn Fn(f64) -> f64 + Sync)| {
-            let mut field = zeros(padded[0] * padded[1]);
-            field.par_chunks_mut(padded[1]).zip(map.heights().par_chunks(points[1])).for_each(
-                |(row, heights)| {
-                    for (value, &z) in row.iter_mut().zip(heights) {
-                        *value = if z.is_nan() { 0.0 } else { of(z) };
-                    }
-                },
-            );
-            pairs(field, padded)
-        };
-        let products = embed(&|z| z - mean);
+        let products = pairs(map.embedded(padded, |z| z - mean), padded);
         let is_whole = map.boundary() == Boundary::Periodic && !map.heights().iter().any(|z| z.is_nan());
-        let counts = (!is_whole).then(|| embed(&|_| 1.0));
+        let counts = (!is_whole).then(|| pairs(map.embedded(padded, |_| 1.0), padded));
         let at = |i: usize, j: usize| {
             let place = i * padded[1] + j;
             match &counts {
@@ -253,6 +237,7 @@ fn bilinear(rho: &impl Fn(isize, isize) -> f64, place: [f64; 2]) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::surface::Moments;
     use crate::surface::generate::gaussian;
     use crate::surface::spectrum::{Lay, Shape, Spectrum};
 
@@ -267,13 +252,14 @@ mod tests {
 
     #[test]
     fn the_spectrum_adds_up_to_the_variance_and_is_the_one_asked_for() {
-        let shape = Shape::SelfAffine { hurst: 0.7, roll_off: 20.0, cut_off: 2.0 };
-        let (map, grid) = surface(shape, Lay::default(), 1);
+        let (hurst, roll_off, cut_off) = (0.7, 20.0, 2.0);
+        let shape = Shape::SelfAffine { hurst, roll_off, cut_off };
+        let (_, grid) = surface(shape, Lay::default(), 1);
         let asked = RadialSpectrum::asked(&grid, PIXEL, 3.0);
         let mut reached = vec![0.0; asked.rings.len()];
         for seed in 0..20 {
             let map = surface(shape, Lay::default(), seed).0;
-            for (sum, ring) in reached.iter_mut().zip(RadialSpectrum::of(&map).rings) {
+            for (sum, ring) in reached.iter_mut().zip(RadialSpectrum::of(map, 0.0).rings) {
                 *sum += ring.1 / 20.0;
             }
         }
@@ -284,16 +270,11 @@ mod tests {
             let waves = (q / (TAU / 128.0)).max(1.0) * 20.0;
             assert!((reached - asked).abs() <= 4.0 * asked / waves.sqrt() + 1e-25, "{q}: {asked} {reached}");
         }
-        // Waves beyond the inscribed ring are few: the cut-off lies within it.
-        let step = [TAU / 128.0, TAU / 160.0];
-        let found: f64 = analyse(map.heights().to_vec(), POINTS, |j, waves| {
-            waves.iter().map(|w| w.norm_sqr()).sum::<f64>() * weight(POINTS, j)
-        })
-        .iter()
-        .sum();
-        let count = (POINTS[0] * POINTS[1]) as f64;
-        assert!((found / (count * count) - Moments::of(&map).sq.powi(2)).abs() < 1e-12);
-        assert!(step[0] > step[1]);
+        // The integral of the density over the plane of wave vectors, with the level C0 up to the roll-off.
+        let q: f64 = TAU / roll_off;
+        let falling = (1.0 - (roll_off / cut_off).powf(-2.0 * hurst)) / hurst;
+        let level = 9.0 / (PI * q * q * (1.0 + falling));
+        assert!((plateau[0] / level - 1.0).abs() < 0.01, "{} {level}", plateau[0]);
     }
 
     #[test]
@@ -304,7 +285,7 @@ mod tests {
         ] {
             let mut mean = [0.0; 12];
             for seed in 0..30 {
-                let found = Autocorrelation::of(&surface(shape, Lay::default(), seed).0).unwrap();
+                let found = Autocorrelation::of(&surface(shape, Lay::default(), seed).0, 0.0).unwrap();
                 for (sum, (_, rho)) in mean.iter_mut().zip(&found.along_x) {
                     *sum += rho / 30.0;
                 }
@@ -320,7 +301,7 @@ mod tests {
         let lay = Lay { elongation: 4.0, angle: 0.5 };
         let mut found = [0.0; 2];
         for seed in 0..20 {
-            let of = Autocorrelation::of(&surface(Shape::Gaussian(3.0), lay, seed).0).unwrap();
+            let of = Autocorrelation::of(&surface(Shape::Gaussian(3.0), lay, seed).0, 0.0).unwrap();
             found[0] += of.length.unwrap() / 20.0;
             found[1] += of.aspect.unwrap() / 20.0;
         }
@@ -351,7 +332,7 @@ mod tests {
             }
             sum / count
         };
-        let found = Autocorrelation::of(&map).unwrap();
+        let found = Autocorrelation::of(&map, mean).unwrap();
         for lag in [1, 5, 40, 128] {
             let exact = covariance(lag) / covariance(0);
             assert!((found.along_x[lag].1 - exact).abs() < 1e-12, "{lag}");
@@ -366,7 +347,8 @@ mod tests {
             let map = surface(Shape::Gaussian(0.05), Lay::default(), seed).0;
             let open = HeightMap::new(POINTS, PIXEL, map.heights().to_vec(), 0.0).unwrap();
             for (found, map) in found.iter_mut().zip([map, open]) {
-                let rings = RadialSpectrum::of(&map).rings;
+                let mean = Moments::of(&map).mean;
+                let rings = RadialSpectrum::of(map, mean).rings;
                 *found += rings[rings.len() - 10..].iter().map(|ring| ring.1 / 80.0).sum::<f64>();
             }
         }

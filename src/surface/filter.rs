@@ -3,13 +3,11 @@
 
 use std::fmt;
 
-use rayon::prelude::*;
 use realfft::num_complex::Complex;
 use rustfft::FftPlanner;
 
 use super::fourier::{analyse, synthesise};
 use super::{Boundary, HeightMap, Rows};
-use crate::memory::zeros;
 
 /// An S and an L filter, either or both.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -120,15 +118,9 @@ fn smoothed(map: &HeightMap, weights: &[Vec<f64>; 2], of: &(dyn Fn(f64) -> f64 +
         Boundary::Periodic => map.points()[axis],
         Boundary::Open => (map.points()[axis] + weights[axis].len()).next_multiple_of(16),
     });
-    let mut field = zeros(points[0] * points[1]);
-    field.par_chunks_mut(points[1]).zip(map.heights().par_chunks(ny)).for_each(|(row, heights)| {
-        for (value, &z) in row.iter_mut().zip(heights) {
-            *value = if z.is_nan() { 0.0 } else { of(z) };
-        }
-    });
     let [along_x, along_y] = [0, 1].map(|axis| wrapped(&weights[axis], points[axis]));
     let count = (points[0] * points[1]) as f64;
-    let waves = analyse(field, points, |j, waves| {
+    let waves = analyse(map.embedded(points, of), points, |j, waves| {
         waves.iter().zip(&along_x).map(|(wave, x)| wave * (x * along_y[j])).collect::<Vec<_>>()
     });
     let fill = |j: usize, column: &mut [Complex<f64>]| column.copy_from_slice(&waves[j]);
@@ -164,7 +156,7 @@ fn weights(index: f64) -> Vec<f64> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::surface::rows::missing;
+    use crate::surface::character::Character;
 
     const POINTS: [usize; 2] = [120, 80];
     const PIXEL: [f64; 2] = [0.5, 0.8];
@@ -201,7 +193,7 @@ mod tests {
     fn a_flat_map_stays_flat_to_its_borders_and_around_holes() {
         let holed = map(|x, y| if (x - 30.0).abs() + (y - 20.0).abs() < 5.0 { f64::NAN } else { 7.0 });
         let flat = filtered(&holed, Some(8.0), None);
-        assert_eq!(missing(&flat), missing(&holed));
+        assert_eq!(Character::of(&flat).missing, Character::of(&holed).missing);
         assert!(flat.heights().iter().all(|z| z.is_nan() || (z - 7.0).abs() < 1e-13));
         let nothing = filtered(&holed, Some(2.0), Some(8.0));
         assert!(nothing.heights().iter().all(|z| z.is_nan() || z.abs() < 1e-13));

@@ -147,6 +147,19 @@ impl HeightMap {
         self.heights
     }
 
+    /// What `of` makes of the heights that are there, on a grid of as many `points` or more; zero where there is none.
+    fn embedded(&self, points: [usize; 2], of: impl Fn(f64) -> f64 + Sync) -> Vec<f64> {
+        let mut field = zeros(points[0] * points[1]);
+        field.par_chunks_mut(points[1]).zip(self.heights.par_chunks(self.points[1])).for_each(
+            |(row, heights)| {
+                for (value, &z) in row.iter_mut().zip(heights) {
+                    *value = if z.is_nan() { 0.0 } else { of(z) };
+                }
+            },
+        );
+        field
+    }
+
     /// The same map with other heights, the same points missing.
     fn with_heights(&self, heights: Vec<f64>) -> Self {
         Self { heights, ..*self }

@@ -143,15 +143,6 @@ fn strip<'a>(rows: &'a dyn Rows, halo: usize, index: usize, buffer: &'a mut Vec<
     Strip { first, count, before, columns, is_periodic, heights }
 }
 
-/// Number of missing points.
-pub fn missing(rows: &dyn Rows) -> usize {
-    let count = |strip: Strip| {
-        let rows = (0..strip.count as isize).filter_map(|k| strip.row(k).map(count_missing));
-        rows.sum::<usize>()
-    };
-    strips(rows, 0, count).into_iter().sum()
-}
-
 /// A height that is there, m; 0 if none is.
 pub fn first_present(map: &dyn Rows) -> f64 {
     let [nx, ny] = map.points();

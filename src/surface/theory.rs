@@ -38,95 +38,95 @@ pub fn nayak([m0, m2, m4]: [f64; 3]) -> Option<Expected> {
 /// Five-point summits of a Gaussian surface of standard deviation `sigma` (m) on a grid of `pixel` (m), from the mean
 /// squares of its differences between neighbours (m^2).
 ///
-/// A point is a summit if its drops to the four neighbours are all positive. Two common factors make the four
-/// drops independent but for opposite ones: one that they share by as much as drops along x and along y correlate in the
-/// mean, and one by which neighbouring drops differ where the lay is at an angle. Every mean over summits is then an
-/// integral over the factors of moments of truncated bivariate normals. `None` on a flat surface, or where the
-/// differences are those of no surface.
+/// A point is a summit if its drops to the four neighbours are all positive. Sums of opposite drops, second differences,
+/// are independent of their differences: the drops are positive where each sum exceeds the size of its difference. Means
+/// over summits are integrals over the two differences of moments of a bivariate normal beyond a corner, which have a
+/// closed form. `None` where heights vary along one direction alone, or the differences are those of no surface.
 pub fn five_point(drops: &Drops, sigma: f64, pixel: [f64; 2]) -> Option<Expected> {
     let model = Model::new(drops)?;
     let sums = model.over_summits();
-    // Sums of the two drops along an axis are in units of the drop's deviation.
-    let unit = drops.first.map(f64::sqrt);
+    // Sums are in units of their deviations.
+    let unit = drops.second.map(f64::sqrt);
     let bend = [0, 1].map(|axis| 0.5 * unit[axis] / (pixel[axis] * pixel[axis]));
-    // The height follows the drops by linear regression on their sums, with which it covaries by the drops' variance.
-    // The sum of opposite drops is a second difference; of sums along x and y the covariance is that of four drops.
-    let (own, cross) = (drops.second, drops.mixed);
-    let determinant = own[0] * own[1] - cross * cross;
-    if determinant <= 1e-12 * own[0] * own[1] {
-        return None;
-    }
-    let first = drops.first;
+    // The height follows the sums by linear regression; it covaries with each by the variance of one drop.
+    let covariances = [0, 1].map(|axis| drops.first[axis] / unit[axis]);
+    let free = 1.0 - model.sums * model.sums;
     let weights = [
-        (first[0] * own[1] - first[1] * cross) / determinant,
-        (first[1] * own[0] - first[0] * cross) / determinant,
+        (covariances[0] - model.sums * covariances[1]) / free,
+        (covariances[1] - model.sums * covariances[0]) / free,
     ];
-    let shares = [0, 1].map(|axis| weights[axis] * unit[axis]);
-    let unexplained = sigma * sigma - weights[0] * first[0] - weights[1] * first[1];
-    let explained = shares[0].powi(2) * sums.variance(0)
-        + shares[1].powi(2) * sums.variance(1)
-        + 2.0 * shares[0] * shares[1] * sums.covariance();
+    let unexplained = sigma * sigma - weights[0] * covariances[0] - weights[1] * covariances[1];
+    let explained = weights[0].powi(2) * sums.variance(0)
+        + weights[1].powi(2) * sums.variance(1)
+        + 2.0 * weights[0] * weights[1] * sums.covariance();
     Some(Expected {
         density: sums.probability / (pixel[0] * pixel[1]),
         curvature: bend[0] * sums.mean[0] + bend[1] * sums.mean[1],
-        height: shares[0] * sums.mean[0] + shares[1] * sums.mean[1],
+        height: weights[0] * sums.mean[0] + weights[1] * sums.mean[1],
         height_variance: unexplained + explained,
     })
 }
 
-/// Drops of unit variance as sums of independent normals.
+/// Sums and differences of opposite drops, each along x and along y.
 struct Model {
-    /// Variance that the drops along x, along y have from the factor that all share.
-    shared: [f64; 2],
-    /// And from the one that is added to the drops east and north and taken off those west and south.
-    turned: [f64; 2],
-    /// Correlation of what is left, of opposite drops.
-    pair: [f64; 2],
+    /// Correlation of the two sums.
+    sums: f64,
+    /// Variances of the differences in units of those of the sums, and their covariance.
+    differences: [f64; 3],
 }
 
 impl Model {
     fn new(drops: &Drops) -> Option<Self> {
-        let Drops { first, second, mixed, skew } = *drops;
+        /// A correlation closer to 1 is that of profiles.
+        const PROFILE: f64 = 1.0 - 1e-9;
+        let Drops { first, second, mixed, .. } = *drops;
         if first.iter().chain(&second).any(|&square| square.is_nan() || square <= 0.0) {
             return None;
         }
-        let scale = (first[0] * first[1]).sqrt();
-        // Mean correlation of a drop along x with one along y, and half of what the two kinds of neighbours differ by.
-        let adjacent = 0.25 * mixed / scale;
-        let turned = 0.25 * skew.abs() / scale;
-        // 1 + the correlation of opposite drops, without cancellation.
-        let opposite = [0, 1].map(|axis| 0.5 * second[axis] / first[axis]);
-        // The factors load on both axes as the opposite drops leave room.
-        let ratio = (opposite[0] / opposite[1]).sqrt();
-        let loads = [ratio, ratio.recip()];
-        let shared = loads.map(|load| adjacent * load);
-        let turned = loads.map(|load| turned * load);
-        let rest = [0, 1].map(|axis| 1.0 - shared[axis] - turned[axis]);
-        let pair = [0, 1].map(|axis| (opposite[axis] - 1.0 - shared[axis] + turned[axis]) / rest[axis]);
-        let is_possible = adjacent >= 0.0
-            && rest.iter().all(|&rest| rest > 0.0)
-            && pair.iter().all(|&pair| pair > -1.0 && pair < 1.0);
-        is_possible.then_some(Self { shared, turned, pair })
+        let scale = (second[0] * second[1]).sqrt();
+        let sums = mixed / scale;
+        let [x, y, product] = drops.over_two();
+        let (variances, covariance) = ([x / second[0], y / second[1]], product / scale);
+        let is_possible = (-PROFILE..PROFILE).contains(&sums)
+            && variances.iter().all(|&variance| variance >= 0.0)
+            && covariance * covariance <= variances[0] * variances[1];
+        is_possible.then_some(Self { sums, differences: [variances[0], variances[1], covariance] })
     }
 
-    /// Integrates over the factors.
+    /// Integrates over the differences t, in polar coordinates in which their density times the share of summits falls
+    /// off alike in all directions: with their covariance V, t = L u where L L' = V (V + 1)^-1.
     fn over_summits(&self) -> Moments {
+        /// Beyond, the share is below 1e-16.
+        const REACH: f64 = 12.5;
+        let [xx, yy, xy] = self.differences;
+        let determinant = (xx + 1.0) * (yy + 1.0) - xy * xy;
+        // V (V + 1)^-1 = 1 - (V + 1)^-1.
+        let [cx, cy, cxy] =
+            [1.0 - (yy + 1.0) / determinant, 1.0 - (xx + 1.0) / determinant, xy / determinant];
+        let root = cx.max(0.0).sqrt();
+        let (slant, rest) = if root > 0.0 {
+            (cxy / root, (cy - (cxy / root).powi(2)).max(0.0).sqrt())
+        } else {
+            (0.0, cy.max(0.0).sqrt())
+        };
+        // The angle of u for a direction of t.
+        let angle = |[x, y]: [f64; 2]| (y * root - x * slant).atan2(x * rest);
         let mut sums = Moments::default();
-        let one = [(0.0, 1.0)];
-        // Without a lay at an angle the second factor is nothing.
-        let turns: &[(f64, f64)] = if self.turned[0] < 1e-9 { &one } else { &NORMAL };
-        for &(v, weight_v) in NORMAL.iter() {
-            for &(u, weight_u) in turns {
-                let pairs = [0, 1].map(|axis| {
-                    let rest = (1.0 - self.shared[axis] - self.turned[axis]).sqrt();
-                    let (shared, turned) = (v * self.shared[axis].sqrt(), u * self.turned[axis].sqrt());
-                    Truncated::new(
-                        [(shared + turned) / rest, (shared - turned) / rest],
-                        self.pair[axis],
-                        rest,
-                    )
-                });
-                sums.add(weight_v * weight_u, &pairs);
+        // Half of the plane stands for the other; borders where the size of a difference, or the larger, changes.
+        for [from, to] in [
+            [[0.0, -1.0], [1.0, -1.0]],
+            [[1.0, -1.0], [1.0, 0.0]],
+            [[1.0, 0.0], [1.0, 1.0]],
+            [[1.0, 1.0], [0.0, 1.0]],
+        ] {
+            for (angle, across) in RULE.nodes(angle(from), angle(to)) {
+                let (sin, cos) = angle.sin_cos();
+                let t = [root * cos, slant * cos + rest * sin];
+                let fall = 1.0 - t[0] * t[0] - t[1] * t[1];
+                for (r, along) in RULE.nodes(0.0, REACH) {
+                    let weight = across * along * r * (-0.5 * fall * r * r).exp() / (PI * determinant.sqrt());
+                    sums.add(weight, &Beyond::new(t.map(|t| r * t.abs()), self.sums));
+                }
             }
         }
         sums.over_probability()
@@ -143,13 +143,13 @@ struct Moments {
 }
 
 impl Moments {
-    fn add(&mut self, weight: f64, [x, y]: &[Truncated; 2]) {
-        self.probability += weight * x.probability * y.probability;
-        self.mean[0] += weight * x.sum * y.probability;
-        self.mean[1] += weight * x.probability * y.sum;
-        self.square[0] += weight * x.square * y.probability;
-        self.square[1] += weight * x.probability * y.square;
-        self.product += weight * x.sum * y.sum;
+    fn add(&mut self, weight: f64, beyond: &Beyond) {
+        self.probability += weight * beyond.probability;
+        for axis in 0..2 {
+            self.mean[axis] += weight * beyond.first[axis];
+            self.square[axis] += weight * beyond.second[axis];
+        }
+        self.product += weight * beyond.product;
     }
 
     fn over_probability(self) -> Self {
@@ -171,35 +171,33 @@ impl Moments {
     }
 }
 
-/// Moments of two normals of deviation `unit`, correlation r and means t1 and t2 units, over the quadrant where both
-/// are positive (Rosenbaum 1961).
-struct Truncated {
+/// Moments of standard normals X and Y of correlation r where X > a and Y > b (Rosenbaum 1961).
+struct Beyond {
     probability: f64,
-    /// Of their sum.
-    sum: f64,
-    /// Of its square.
-    square: f64,
+    /// Of X, of Y.
+    first: [f64; 2],
+    /// Of their squares.
+    second: [f64; 2],
+    /// Of their product.
+    product: f64,
 }
 
-impl Truncated {
-    fn new([t1, t2]: [f64; 2], r: f64, unit: f64) -> Self {
-        let probability = both_above(t1, t2, r);
+impl Beyond {
+    fn new([a, b]: [f64; 2], r: f64) -> Self {
+        let probability = both_above(-a, -b, r);
         let root = (1.0 - r * r).sqrt();
-        // Densities along the two edges, X = -t1 and Y = -t2, and at the corner.
-        let edges = [density(t1) * normal((t2 - r * t1) / root), density(t2) * normal((t1 - r * t2) / root)];
-        let corner = density(((t1 * t1 - 2.0 * r * t1 * t2 + t2 * t2) / (1.0 - r * r)).sqrt()) * root
-            / (2.0 * PI).sqrt();
-        // Moments of X and Y about their means.
-        let x = edges[0] + r * edges[1];
-        let y = edges[1] + r * edges[0];
-        let xx = probability - t1 * edges[0] - r * r * t2 * edges[1] + r * corner;
-        let yy = probability - t2 * edges[1] - r * r * t1 * edges[0] + r * corner;
-        let xy = r * probability - r * t1 * edges[0] - r * t2 * edges[1] + corner;
-        let t = t1 + t2;
+        // Densities along the two edges and at the corner.
+        let edges = [density(a) * normal((r * a - b) / root), density(b) * normal((r * b - a) / root)];
+        let corner =
+            density(((a * a - 2.0 * r * a * b + b * b) / (1.0 - r * r)).sqrt()) * root / (2.0 * PI).sqrt();
         Self {
             probability,
-            sum: unit * (x + y + t * probability),
-            square: unit * unit * (xx + yy + 2.0 * xy + 2.0 * t * (x + y) + t * t * probability),
+            first: [edges[0] + r * edges[1], edges[1] + r * edges[0]],
+            second: [
+                probability + a * edges[0] + r * r * b * edges[1] + r * corner,
+                probability + b * edges[1] + r * r * a * edges[0] + r * corner,
+            ],
+            product: r * probability + r * a * edges[0] + r * b * edges[1] + corner,
         }
     }
 }
@@ -214,14 +212,7 @@ fn both_above(t1: f64, t2: f64, r: f64) -> f64 {
     normal(t1) * normal(t2) + RULE.integrate(0.0, r.asin(), at) / (2.0 * PI)
 }
 
-/// Nodes of an integral over a standard normal, with the density in the weights: beyond 8.5 it is below 1e-16.
-static NORMAL: LazyLock<Vec<(f64, f64)>> = LazyLock::new(|| {
-    const REACH: f64 = 8.5;
-    let both = [-REACH, 0.0].into_iter().flat_map(|from| RULE.nodes(from, from + REACH));
-    both.map(|(x, weight)| (x, weight * density(x))).collect()
-});
-
-/// Enough nodes for 1e-11 in all integrals here.
+/// Enough nodes for 1e-11, and for 1e-8 on a lay a thousand times as long as it is wide.
 static RULE: LazyLock<Rule> = LazyLock::new(Rule::new);
 
 struct Rule(Vec<(f64, f64)>);
@@ -272,7 +263,6 @@ mod tests {
         ];
         for (rho, [probability, curvature, height, variance]) in cases {
             let found = five_point(&isotropic(rho), 1.0, [1.0; 2]).unwrap();
-            println!("{found:?}");
             assert!((found.density - probability).abs() < 6e-5);
             assert!((found.curvature - curvature).abs() < 6e-4);
             assert!((found.height - height).abs() < 6e-4);
@@ -309,24 +299,40 @@ mod tests {
         assert!((square.height - isotropic.height).abs() < 1e-13);
     }
 
-    /// A lay along an axis is stretched away; one along a diagonal is the other's mirror image.
+    /// A lay along an axis is stretched away; a mirror image, or x for y, changes nothing.
     #[test]
     fn lays() {
+        let gaussian = |elongation: f64, angle: f64| {
+            let (sin, cos) = angle.sin_cos();
+            let drops = Drops::of(|i, j| {
+                let (along, across) = ((i * cos + j * sin) / elongation, j * cos - i * sin);
+                (-0.02 * (along * along + across * across)).exp()
+            });
+            five_point(&drops, 1.0, [1.0; 2]).unwrap()
+        };
         let rho = |x: f64, y: f64| (-(x * x + 0.04 * y * y)).exp();
         let found = five_point(&Drops::of(|i, j| rho(0.4 * i, 2.0 * j)), 1.0, [0.4, 2.0]).unwrap();
         let round = five_point(&isotropic(|r| (-0.16 * r * r).exp()), 1.0, [1.0; 2]).unwrap();
         assert!((found.density * 0.8 / round.density - 1.0).abs() < 1e-12);
-        let turned = |sign: f64| {
-            let along = move |i: f64, j: f64| (i + sign * j, i - sign * j);
-            let drops = Drops::of(|i, j| {
-                let (u, v) = along(i, j);
-                (-(0.02 * u * u + 0.3 * v * v)).exp()
-            });
-            five_point(&drops, 1.0, [1.0; 2]).unwrap()
+        let near = |a: Expected, b: Expected, most: f64| {
+            let pairs = [
+                (a.density, b.density),
+                (a.curvature, b.curvature),
+                (a.height, b.height),
+                (a.height_variance, b.height_variance),
+            ];
+            assert!(pairs.iter().all(|(a, b)| (a / b - 1.0).abs() < most), "{a:?} {b:?}");
         };
-        let (one, other) = (turned(1.0), turned(-1.0));
-        assert!((one.density / other.density - 1.0).abs() < 1e-12);
-        assert!((one.height / other.height - 1.0).abs() < 1e-12);
+        let half = std::f64::consts::FRAC_PI_2;
+        for angle in [0.1, 0.3, 0.5, 0.7] {
+            for elongation in [1.5, 5.0, 20.0] {
+                let one = gaussian(elongation, angle);
+                near(one, gaussian(elongation, -angle), 1e-11);
+                near(one, gaussian(elongation, half - angle), 1e-11);
+            }
+        }
+        // A small turn is a small change.
+        near(gaussian(5.0, 1e-7), gaussian(5.0, 0.0), 1e-6);
     }
 
     /// As the grid shrinks, five points count 1.30639 times Nayak's summits: saddles too.

@@ -1,6 +1,6 @@
 //! X3P.
 
-use asperity::surface::rows::{self, missing};
+use asperity::surface::character::Character;
 use std::f64::consts::TAU;
 use std::io::Write;
 
@@ -11,7 +11,7 @@ fn x3p_of_an_instrument_has_its_known_statistics() {
     let path = sample("x3p-2.x3p");
     assert_eq!(head(&path).unwrap().points, [650, 650]);
     let map = height_map(&path, Given::default()).unwrap();
-    assert_eq!((map.points(), missing(&map)), ([650, 650], 0));
+    assert_eq!((map.points(), Character::of(&map).missing), ([650, 650], 0));
     let pixel = map.pixel().map(|size| (size * 1e10).round() / 10.0);
     assert_eq!(pixel, [127.7, 314.6]);
     let levelled = Level::Plane.apply(&map).unwrap();
@@ -43,7 +43,7 @@ fn x3p_samples_hold_the_heights_they_were_made_of() {
         assert_eq!(head(&path).unwrap().points, points);
         let map = height_map(&path, Given::default()).unwrap();
         assert_eq!((map.points(), map.pixel()), (points, [1e-6; 2]));
-        assert_eq!(rows::missing(&map), missing.0.len() * missing.1.len(), "{name}");
+        assert_eq!(Character::of(&map).missing, missing.0.len() * missing.1.len(), "{name}");
         for (k, found) in map.heights().iter().enumerate() {
             let (ix, iy) = (k / points[1], k % points[1]);
             if missing.0.contains(&ix) && missing.1.contains(&iy) {
@@ -120,7 +120,7 @@ fn x3p_of_every_data_type_scaled_and_moved() {
             x3p.files.push(("bindata/valid.bin", vec![0xff, 0xfe, 0x0f]));
             let (_folder, path) = file(x3p.bytes());
             let map = height_map(&path, Given::default()).unwrap();
-            assert_eq!((map.points(), map.pixel(), missing(&map)), ([NX, NY], PIXEL, 1));
+            assert_eq!((map.points(), map.pixel(), Character::of(&map).missing), ([NX, NY], PIXEL, 1));
             for (k, found) in map.heights().iter().enumerate() {
                 let wanted = z(k / NY, k % NY);
                 let near = (found + 2e-6 - wanted * 1e-9).abs() <= 1e-21;

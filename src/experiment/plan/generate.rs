@@ -10,6 +10,7 @@ use crate::experiment::spec::{
     CorrelationSpec, GenerateSpec, HeightsSpec, PlateauSpec, SelfAffineSpec, SpectrumSpec,
 };
 use crate::experiment::stream_seed;
+use crate::experiment::surface::GenerationFacts;
 use crate::surface::HeightMap;
 use crate::surface::generate::{
     Plateau, Process, Recipe, Seeds, SpectrumOf, Target, TargetRecipe, Unreachable,
@@ -44,16 +45,14 @@ pub enum Way {
     },
 }
 
-/// A surface and the recipe that it came from.
+/// A surface and what it was made by.
 pub struct Generated {
     /// The surface.
     pub map: HeightMap,
-    /// Its recipe; of a target the one that was found.
-    pub recipe: Recipe,
-    /// What its summits were asked to be, and how many surfaces were tried.
-    pub target: Option<(Target, usize)>,
-    /// Share of the points that a finer process has cut.
-    pub cut: Option<f64>,
+    /// What it was made by.
+    pub facts: GenerationFacts,
+    /// The bandwidth that met the target, if there is one.
+    pub bandwidth: Option<f64>,
 }
 
 /// A grid that is worth making.
@@ -67,7 +66,7 @@ impl Generation {
     /// # Errors
     /// The first that makes no surface.
     pub fn new(source: &Source, span: Range<usize>, words: &GenerateSpec) -> Result<Self, Refusal> {
-        let Reader { points, heights } = Reader::new(source, words)?;
+        let (points, heights) = (points(source, words)?, heights(source, words)?);
         let way = match &words.summits {
             Some(summits) => {
                 let target = Target {
@@ -126,7 +125,7 @@ impl Generation {
         name: &str,
         realisation: usize,
         first: Option<f64>,
-    ) -> Result<(Generated, Option<f64>), Unreachable> {
+    ) -> Result<Generated, Unreachable> {
         let seed = |what: &str| stream_seed(seed, &format!("{what} {name} realisation {realisation}"));
         let seeds = Seeds { process: seed("surface"), plateau: seed("plateau") };
         /// The product of a small map steps as single summits come and go: other random numbers step elsewhere.
@@ -134,7 +133,8 @@ impl Generation {
         match &self.way {
             Way::Recipe(recipe) => {
                 let (map, cut) = recipe.surface(seeds)?;
-                Ok((Generated { map, recipe: *recipe, target: None, cut }, None))
+                let facts = GenerationFacts { recipe: *recipe, target: None, cut };
+                Ok(Generated { map, facts, bandwidth: None })
             }
             Way::Target { recipe, target } => {
                 let mut found = recipe.surface(target, seeds.process, first);
@@ -158,43 +158,35 @@ impl Generation {
                 };
                 let made = Recipe { points: recipe.points, pixel: found.map.pixel(), process, plateau: None };
                 let target = Some((*target, found.tried));
-                Ok((Generated { map: found.map, recipe: made, target, cut: None }, Some(found.bandwidth)))
+                let facts = GenerationFacts { recipe: made, target, cut: None };
+                Ok(Generated { map: found.map, facts, bandwidth: Some(found.bandwidth) })
             }
         }
     }
 }
 
-/// What both ways need.
-struct Reader {
-    points: [usize; 2],
-    heights: Marginal,
+fn points(source: &Source, words: &GenerateSpec) -> Result<[usize; 2], Refusal> {
+    let counts = words.points.get_ref().0;
+    if counts.iter().all(|count| (FEWEST_POINTS..=MOST_POINTS).contains(count)) {
+        return Ok(counts.map(|count| count as usize));
+    }
+    let message = format!(
+        "found {} x {} points; allowed: {FEWEST_POINTS} to {MOST_POINTS} along x and y",
+        counts[0], counts[1]
+    );
+    Err(source.refuse(words.points.span(), message))
 }
 
-impl Reader {
-    fn new(source: &Source, words: &GenerateSpec) -> Result<Self, Refusal> {
-        let counts = words.points.get_ref().0;
-        if counts.iter().any(|count| !(FEWEST_POINTS..=MOST_POINTS).contains(count)) {
-            let message = format!(
-                "found {} x {} points; allowed: {FEWEST_POINTS} to {MOST_POINTS} along x and y",
-                counts[0], counts[1]
-            );
-            return Err(source.refuse(words.points.span(), message));
+fn heights(source: &Source, words: &GenerateSpec) -> Result<Marginal, Refusal> {
+    let Some(heights) = &words.heights else { return Ok(Marginal::Gaussian) };
+    let made = match *heights.get_ref() {
+        HeightsSpec::Gaussian => Ok(Marginal::Gaussian),
+        HeightsSpec::Johnson { skewness, kurtosis } => {
+            Johnson::from_moments(skewness, kurtosis).map(Marginal::Johnson)
         }
-        let heights = match &words.heights {
-            None => Marginal::Gaussian,
-            Some(heights) => {
-                let made = match *heights.get_ref() {
-                    HeightsSpec::Gaussian => Ok(Marginal::Gaussian),
-                    HeightsSpec::Johnson { skewness, kurtosis } => {
-                        Johnson::from_moments(skewness, kurtosis).map(Marginal::Johnson)
-                    }
-                    HeightsSpec::Weibull { shape } => Weibull::new(shape).map(Marginal::Weibull),
-                };
-                made.map_err(|error| source.refuse(heights.span(), error))?
-            }
-        };
-        Ok(Self { points: counts.map(|count| count as usize), heights })
-    }
+        HeightsSpec::Weibull { shape } => Weibull::new(shape).map(Marginal::Weibull),
+    };
+    made.map_err(|error| source.refuse(heights.span(), error))
 }
 
 fn recipe(

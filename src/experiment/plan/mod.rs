@@ -12,7 +12,7 @@ use std::path::{Path, PathBuf};
 use super::refusal::{Refusal, Source};
 use super::results::Bodies;
 use super::spec::{self, Spec};
-use super::surface::Look;
+use super::whole::Look;
 use crate::asperity::{HeightDensity, Population};
 use crate::compare::{Controls, Kind};
 use crate::interface::MicroContact;

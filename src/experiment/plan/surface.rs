@@ -12,9 +12,8 @@ use crate::experiment::refusal::{Refusal, Source};
 use crate::experiment::results::Timing;
 use crate::experiment::spec::{DrawSpec, FileSpec, ListSpec, PopulationHeights, PopulationSpec, SurfaceSpec};
 use crate::experiment::stream_seed;
-use crate::experiment::surface::{
-    Finding, GenerationFacts, Look, MOST_POINTS_LOOKED_AT, NoAsperities, Surface,
-};
+use crate::experiment::surface::{Finding, NoAsperities, Surface};
+use crate::experiment::whole::{Look, MOST_POINTS_LOOKED_AT};
 use crate::model::Datum;
 use crate::surface::filter::Filter;
 use crate::surface::level::Level;
@@ -215,12 +214,12 @@ impl SurfacePlan {
         const BYTES_PER_POINT: u128 = 32;
         /// The transforms of an autocorrelation, over one and a half times the side of an open map.
         const BYTES_PER_POINT_LOOKED_AT: u128 = 96;
-        /// A copy of a random surface, and what its spectrum is summed from.
-        const BYTES_PER_POINT_OF_SPECTRUM: u128 = 16;
+        /// A copy of a random surface, which its spectrum is made from.
+        const BYTES_PER_POINT_OF_SPECTRUM: u128 = 8;
         /// The transforms of a filter.
         const BYTES_PER_FILTERED_POINT: u128 = 96;
         const BYTES_PER_HEIGHT: u128 = 8;
-        /// What is found of a summit, twice while the strips' lists are joined, and the models' copies.
+        /// What is found of a summit, room for a fifth more, and the models' copies.
         const BYTES_PER_SUMMIT: u128 = 200;
         let found = self.likely_asperities() * BYTES_PER_SUMMIT;
         match &self.origin {
@@ -282,6 +281,11 @@ impl Maker<'_> {
     /// # Errors
     /// A file that cannot be read, a map without a summit, heights that are all equal, a target that is not reached.
     pub fn make(&mut self, realisation: usize, look: Look, timing: &mut Timing) -> Result<Surface, Refusal> {
+        let surface = self.one(realisation, look, timing)?;
+        Ok(Surface { realisations: self.plan.realisations, ..surface })
+    }
+
+    fn one(&mut self, realisation: usize, look: Look, timing: &mut Timing) -> Result<Surface, Refusal> {
         let (name, source) = (&self.plan.name, self.source);
         let key = &self.plan.size_key;
         let refuse = |error: &dyn std::fmt::Display| source.refuse(key.clone(), error);
@@ -320,17 +324,16 @@ impl Maker<'_> {
                 Ok(surface)
             }
             Origin::Generated(generation) => {
-                let (made, bandwidth) = generation
+                let made = generation
                     .make(self.seed, name, realisation, self.bandwidth)
                     .map_err(|error| source.refuse(generation.key.clone(), error))?;
                 timing.generate += start.elapsed();
-                self.bandwidth = bandwidth;
-                let facts = GenerationFacts { recipe: made.recipe, target: made.target, cut: made.cut };
+                self.bandwidth = made.bandwidth;
                 let finding = Finding {
                     level: Level::None,
                     filter: None,
                     neighbours: generation.neighbours,
-                    generation: Some(facts),
+                    generation: Some(made.facts),
                     look,
                 };
                 found(name, &finding, &made.map, timing).map_err(|error| refuse(&error))

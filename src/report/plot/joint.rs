@@ -3,8 +3,8 @@
 use super::axes::{self, FOOT, Frame, LABEL, TICK};
 use super::bar::Bar;
 use super::canvas::{Canvas, Rect};
-use super::draw::{Sketch, WIDTH};
 use super::layer::Layer;
+use super::sketch::{Sketch, WIDTH};
 use super::ticks::Tick;
 use super::{Plot, text};
 

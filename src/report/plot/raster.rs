@@ -71,12 +71,8 @@ impl Raster {
         Self { x, y, columns, rows, values, map: ColourMap::Counts, limits, label }
     }
 
-    /// The same field on at most `max` columns and `max` rows: each new cell has the mean of what it
-    /// covers, by area, NaN left out.
-    pub fn reduced(&self, max: usize) -> Self {
-        self.reduced_to(max, max)
-    }
-
+    /// The same field on at most so many columns and rows: each new cell has the mean of what it covers, by
+    /// area, NaN left out.
     pub(super) fn reduced_to(&self, columns: usize, rows: usize) -> Self {
         let (columns, rows) = (columns.clamp(1, self.columns.max(1)), rows.clamp(1, self.rows.max(1)));
         if !self.is_whole() || (columns, rows) == (self.columns, self.rows) {
@@ -195,17 +191,17 @@ mod tests {
     fn a_reduced_field_keeps_its_mean() {
         let field = raster(7, 5, (0..35).map(|k| f64::from(k * k)).collect());
         let mean = |values: &[f64]| values.iter().sum::<f64>() / values.len() as f64;
-        let small = field.reduced(3);
+        let small = field.reduced_to(3, 3);
         assert_eq!((small.columns, small.rows, small.values.len()), (3, 3, 9));
         assert!((mean(&small.values) - mean(&field.values)).abs() < 1e-9);
-        assert_eq!(field.reduced(100).values, field.values);
-        assert_eq!(raster(4, 1, vec![1.0, 3.0, 5.0, 9.0]).reduced(2).values, [2.0, 7.0]);
-        assert_eq!(raster(3, 1, vec![1.0, 4.0, 7.0]).reduced(2).values, [2.0, 6.0]);
+        assert_eq!(field.reduced_to(100, 100).values, field.values);
+        assert_eq!(raster(4, 1, vec![1.0, 3.0, 5.0, 9.0]).reduced_to(2, 2).values, [2.0, 7.0]);
+        assert_eq!(raster(3, 1, vec![1.0, 4.0, 7.0]).reduced_to(2, 2).values, [2.0, 6.0]);
     }
 
     #[test]
     fn holes_do_not_count_and_stay_where_nothing_is() {
-        let field = raster(4, 1, vec![1.0, f64::NAN, f64::NAN, f64::NAN]).reduced(2);
+        let field = raster(4, 1, vec![1.0, f64::NAN, f64::NAN, f64::NAN]).reduced_to(2, 2);
         assert_eq!(field.values[0], 1.0);
         assert!(field.values[1].is_nan());
     }

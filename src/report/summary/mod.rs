@@ -112,10 +112,8 @@ pub fn compare(results: &CompareResults, files: &[String]) -> serde_json::Result
 /// None that a result can cause.
 pub fn surfaces(results: &SurfacesResults, files: &[String]) -> serde_json::Result<Vec<u8>> {
     let mut summary = Summary::new(&results.head, None, files);
+    summary.warnings = results.warnings();
     for surface in &results.surfaces {
-        summary
-            .warnings
-            .extend(surface.warnings.iter().map(|warning| format!("surface {}: {warning}", surface.name)));
         summary.surfaces.insert(&surface.name, surface::surface(surface));
     }
     serde_json::to_vec_pretty(&summary)

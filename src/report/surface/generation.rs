@@ -23,22 +23,7 @@ pub fn section(page: &mut Page, surface: &Surface, map: &MapFacts, made: &Genera
         ));
         return;
     }
-    let mut rows = Vec::new();
-    if let Some((target, _)) = &made.target {
-        rows.push(ratio("mean radius of the summits", target.radius, surface.statistics.mean_radius, "m"));
-        rows.push(ratio("σ of the summit heights", target.sigma, surface.statistics.sigma, "m"));
-        rows.push(ratio("density of the summits", target.density, surface.set.density(), "1/m²"));
-    }
-    let (process, moments) = (&made.recipe.process, &map.character.moments);
-    rows.push(ratio("Sq", process.sigma, moments.sq, "m"));
-    rows.push(difference("Ssk", process.heights.skewness(), moments.ssk));
-    rows.push(difference("Sku", process.heights.kurtosis(), moments.sku));
-    if let (Some(asked), Some(reached)) = (&map.whole.asked, &map.whole.spectrum) {
-        let [low, high] = asked.quartiles_of(reached).map(number);
-        let reached = format!("{low} to {high} times");
-        rows.push(["spectrum, middle half of its rings".to_owned(), "1".to_owned(), reached, String::new()]);
-    }
-    page.table(["quantity", "asked", "reached", "off"], rows.into_iter().map(Vec::from));
+    page.table(HEAD, rows(surface, map, made));
     if let Some((_, tried)) = made.target {
         page.paragraph(&format!(
             "With this Hurst exponent, these heights and this cut-off in pixels, density × radius × σ depends on the bandwidth of the \
@@ -50,6 +35,7 @@ pub fn section(page: &mut Page, surface: &Surface, map: &MapFacts, made: &Genera
         "Sq, Ssk, Sku and the spectrum asked for are those of an endless surface; one map, about its own mean, scatters about \
          them.",
     );
+    let process = &made.recipe.process;
     if process.heights != Marginal::Gaussian {
         page.paragraph(match process.of {
             SpectrumOf::Heights => {
@@ -63,14 +49,47 @@ pub fn section(page: &mut Page, surface: &Surface, map: &MapFacts, made: &Genera
     }
 }
 
-fn ratio(what: &str, asked: f64, reached: f64, unit: &str) -> [String; 4] {
-    let off = percent((reached / asked - 1.0).abs());
-    [what.to_owned(), quantity(asked, unit), quantity(reached, unit), off]
+/// What was asked for and what was reached.
+pub const HEAD: [&str; 4] = ["quantity", "asked", "reached", "off"];
+
+/// Rows below [`HEAD`]; none where a finer process has cut the surface, of which nothing is asked.
+pub fn rows(surface: &Surface, map: &MapFacts, made: &GenerationFacts) -> Vec<Vec<String>> {
+    let mut rows = Vec::new();
+    if made.cut.is_some() {
+        return rows;
+    }
+    if let Some((target, _)) = &made.target {
+        rows.push(ratio("mean radius of the summits", target.radius, surface.statistics.mean_radius, "m"));
+        rows.push(ratio("σ of the summit heights", target.sigma, surface.statistics.sigma, "m"));
+        rows.push(ratio("density of the summits", target.density, surface.set.density(), "1/m²"));
+    }
+    let (process, moments) = (&made.recipe.process, &map.character.moments);
+    rows.push(ratio("Sq", process.sigma, moments.sq, "m"));
+    rows.push(difference("Ssk", process.heights.skewness(), moments.ssk));
+    rows.push(difference("Sku", process.heights.kurtosis(), moments.sku));
+    if let (Some(asked), Some(reached)) = (&map.whole.asked, &map.whole.spectrum) {
+        let [low, high] = asked.quartiles_of(reached).map(number);
+        let reached = format!("{low} to {high} times");
+        rows.push(vec![
+            "spectrum, middle half of its rings".to_owned(),
+            "1".to_owned(),
+            reached,
+            String::new(),
+        ]);
+    }
+    rows
 }
 
-fn difference(what: &str, asked: f64, reached: Option<f64>) -> [String; 4] {
+fn ratio(what: &str, asked: f64, reached: f64, unit: &str) -> Vec<String> {
+    /// What is off by less is off by rounding.
+    const ROUNDING: f64 = 1e-12;
+    let off = Some((reached / asked - 1.0).abs()).filter(|&off| off > ROUNDING).unwrap_or(0.0);
+    vec![what.to_owned(), quantity(asked, unit), quantity(reached, unit), percent(off)]
+}
+
+fn difference(what: &str, asked: f64, reached: Option<f64>) -> Vec<String> {
     let apart = reached.map_or_else(String::new, |reached| number((reached - asked).abs()));
-    [what.to_owned(), number(asked), or_dash(reached), apart]
+    vec![what.to_owned(), number(asked), or_dash(reached), apart]
 }
 
 /// A recipe in words.

@@ -10,7 +10,7 @@ pub use page::page;
 use super::format::{number, percent};
 use super::page::Page;
 use crate::experiment::{MapFacts, Surface};
-use words::{or_dash, properties, table};
+use words::{columns, or_dash, properties, table};
 
 /// Adds tables and pictures of a surface to a page.
 pub fn section(page: &mut Page, surface: &Surface, assumed: Option<&crate::asperity::Population>) {
@@ -21,8 +21,13 @@ pub fn section(page: &mut Page, surface: &Surface, assumed: Option<&crate::asper
         }
         theory(page, surface, map);
         if let Some(picture) = &map.whole.picture {
+            let missing = if map.character.missing > 0 {
+                " Where points are missing the picture is white."
+            } else {
+                ""
+            };
             let caption = format!(
-                "Height map of {}; half a percent of the points lies beyond the colours.",
+                "Height map of {}; half a percent of the points lies beyond the colours.{missing}",
                 surface.name
             );
             page.figure(&format!("{}-heights.svg", surface.name), figures::heights(picture), &caption);
@@ -34,8 +39,11 @@ pub fn section(page: &mut Page, surface: &Surface, assumed: Option<&crate::asper
             page.figure(&format!("{}-height-distribution.svg", surface.name), svg, &caption);
         }
         if let Some(svg) = figures::spectrum(&map.whole) {
-            let window =
-                if map.generation.is_some() { "" } else { " A Hann window keeps the borders from showing." };
+            let window = if map.generation.is_some() {
+                ""
+            } else {
+                " A Hann window keeps the borders from showing; missing points are taken at the mean."
+            };
             page.figure(
                 &format!("{}-spectrum.svg", surface.name),
                 svg,
@@ -75,11 +83,16 @@ pub fn section(page: &mut Page, surface: &Surface, assumed: Option<&crate::asper
     page.figure(&format!("{}-asperities.svg", surface.name), svg, &caption);
 }
 
-/// How far the found summits are from what theory expects of a Gaussian surface.
-fn theory(page: &mut Page, surface: &Surface, map: &MapFacts) {
+/// Found summits and what theory expects of a Gaussian surface.
+const THEORY: [&str; 6] =
+    ["summits", "found", "five-point theory", "found / theory", "Nayak", "found / Nayak"];
+
+/// How far the found summits are from what theory expects of a Gaussian surface, below [`THEORY`]; nothing where there
+/// is no theory.
+fn theory_rows(surface: &Surface, map: &MapFacts) -> Vec<Vec<String>> {
     let expected = [map.expected, map.nayak];
     if expected.iter().all(Option::is_none) {
-        return;
+        return Vec::new();
     }
     let statistics = &surface.statistics;
     let sq = map.character.moments.sq;
@@ -99,7 +112,7 @@ fn theory(page: &mut Page, surface: &Surface, map: &MapFacts) {
         "mean height above the mean plane / Sq",
         "variance of heights / Sq²",
     ];
-    let rows = (0..names.len()).map(|k| {
+    let row = |k: usize| {
         let mut row = vec![names[k].to_owned(), number(found[k])];
         for theory in &expected {
             row.push(or_dash(theory.as_ref().map(|theory| of(theory)[k])));
@@ -107,12 +120,20 @@ fn theory(page: &mut Page, surface: &Surface, map: &MapFacts) {
             row.push(ratio.map_or_else(|| "-".to_owned(), |ratio| format!("{ratio:.3}")));
         }
         row
-    });
+    };
+    (0..names.len()).map(row).collect()
+}
+
+fn theory(page: &mut Page, surface: &Surface, map: &MapFacts) {
+    let rows = theory_rows(surface, map);
+    if rows.is_empty() {
+        return;
+    }
     page.paragraph(&format!(
         "The {} summits that were found, and those of a Gaussian surface:",
         map.neighbours.name()
     ));
-    page.table(["summits", "found", "five-point theory", "found / theory", "Nayak", "found / Nayak"], rows);
+    page.table(THEORY, rows);
     page.paragraph(
         "Five-point theory: a Gaussian surface with the autocorrelation of this one at neighbouring points, on the same grid. \
          Nayak: a continuous isotropic Gaussian surface with its m0, m2 and m4; on a fine grid five points count 1.306 times as \
@@ -120,7 +141,24 @@ fn theory(page: &mut Page, surface: &Surface, map: &MapFacts) {
     );
 }
 
-/// Rows of a table for a terminal.
+/// Tables for a terminal.
 pub fn for_terminal(surface: &Surface) -> String {
-    table(properties(surface))
+    let which = match surface.realisations {
+        1 => String::new(),
+        count => format!(", the first of {count} realisations"),
+    };
+    let mut tables = format!("surface {}{which}\n{}", surface.name, table(properties(surface)));
+    let mut add = |head: &[&str], rows: Vec<Vec<String>>| {
+        if !rows.is_empty() {
+            tables.push('\n');
+            tables.push_str(&columns(head, &rows));
+        }
+    };
+    if let Some(map) = &surface.map {
+        if let Some(made) = &map.generation {
+            add(&generation::HEAD, generation::rows(surface, map, made));
+        }
+        add(&THEORY, theory_rows(surface, map));
+    }
+    tables
 }

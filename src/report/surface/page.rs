@@ -9,13 +9,14 @@ use crate::report::page::{Page, escape};
 pub fn page(results: &SurfacesResults) -> Page {
     let mut page = Page::new(&results.head.title);
     head::notes(&mut page, &results.head);
-    for surface in &results.surfaces {
-        for warning in &surface.warnings {
-            page.warning(&escape(&format!("surface {}: {warning}", surface.name)));
-        }
+    for warning in results.warnings() {
+        page.warning(&escape(&warning));
     }
     for surface in &results.surfaces {
         page.heading(2, &format!("Surface {}", surface.name));
+        if surface.realisations > 1 {
+            page.paragraph(&format!("This is the first of {} realisations.", surface.realisations));
+        }
         section(&mut page, surface, None);
         if surface.map.as_ref().is_some_and(|map| map.whole.spectrum.is_none()) {
             page.paragraph(

@@ -99,6 +99,24 @@ impl Rows {
     }
 }
 
+/// Rows of a table with a head as lines: the first column at its left, the others at their right.
+pub fn columns(head: &[&str], rows: &[Vec<String>]) -> String {
+    let length = |cell: &str| cell.chars().count();
+    let width = |k: usize| {
+        let cells = rows.iter().filter_map(|row| row.get(k)).map(|cell| length(cell));
+        cells.chain([length(head[k])]).max().unwrap_or(0)
+    };
+    let line = |cells: &[&str]| {
+        let cells = cells.iter().enumerate().map(|(k, cell)| {
+            let room = " ".repeat(width(k) - length(cell));
+            if k == 0 { format!("  {cell}{room}") } else { format!("  {room}{cell}") }
+        });
+        cells.collect::<String>().trim_end().to_owned() + "\n"
+    };
+    let rows = rows.iter().map(|row| line(&row.iter().map(String::as_str).collect::<Vec<_>>()));
+    line(head) + &rows.collect::<String>()
+}
+
 /// Rows as lines, their values below each other.
 pub fn table(rows: Vec<Row>) -> String {
     let width = rows.iter().map(|row| row[0].chars().count()).max().unwrap_or(0);

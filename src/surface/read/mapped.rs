@@ -1,9 +1,9 @@
 //! The rows of a `.npy` map that is too large to be read as a whole, taken from a memory map.
 //!
-//! Mapping is unsafe: the compiler cannot know that no other process cuts
-//! the file while it is mapped. Here the bytes are only ever copied out and any bytes make a number,
-//! so that another process that writes can change heights but break no rule of the language; one that
-//! cuts the file ends this program with a bus error, as any reader of a map.
+//! Mapping is unsafe: the compiler cannot know that no other process cuts the file while it is mapped.
+//! Here the bytes are only ever copied out and any bytes make a number, so that another process that
+//! writes can change heights but break no rule of the language; one that cuts the file ends this
+//! program with a bus error, as any reader of a map.
 
 use std::fs::File;
 use std::path::Path;
@@ -12,7 +12,8 @@ use memmap2::Mmap;
 use npyz::Order;
 
 use super::ReadError;
-use super::npy::{Head, Stored};
+use super::npy::Head;
+use super::stored::Stored;
 use crate::numeric::LARGEST;
 use crate::surface::{Boundary, Rows};
 
@@ -107,37 +108,9 @@ impl Mapped {
         let length = columns * self.stored.bytes() as usize;
         // `open` has checked that all rows are there.
         let bytes = &self.map[self.begin + ix * length..][..length];
-        macro_rules! copy {
-            ($kind:ty) => {
-                self.copy(bytes, out, <$kind>::from_le_bytes, <$kind>::from_be_bytes, |value| value as f64)
-            };
-        }
-        match self.stored {
-            Stored::Float(4) => copy!(f32),
-            Stored::Float(_) => copy!(f64),
-            Stored::Signed(1) => copy!(i8),
-            Stored::Signed(2) => copy!(i16),
-            Stored::Signed(4) => copy!(i32),
-            Stored::Signed(_) => copy!(i64),
-            Stored::Unsigned(1) => copy!(u8),
-            Stored::Unsigned(2) => copy!(u16),
-            Stored::Unsigned(4) => copy!(u32),
-            Stored::Unsigned(_) => copy!(u64),
-        }
-    }
-
-    fn copy<T, const BYTES: usize>(
-        &self,
-        bytes: &[u8],
-        out: &mut [f64],
-        little: impl Fn([u8; BYTES]) -> T,
-        big: impl Fn([u8; BYTES]) -> T,
-        convert: impl Fn(T) -> f64,
-    ) {
-        let (stored, _) = bytes.as_chunks::<BYTES>();
-        for (z, &number) in out.iter_mut().zip(stored) {
-            let value = convert(if self.big_endian { big(number) } else { little(number) });
-            *z = if value.abs() <= LARGEST { value } else { f64::NAN };
+        self.stored.decode(bytes, self.big_endian, out);
+        for z in out.iter_mut().filter(|z| z.abs() > LARGEST) {
+            *z = f64::NAN;
         }
     }
 }

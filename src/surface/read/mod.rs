@@ -16,6 +16,7 @@
 mod mapped;
 pub mod npy;
 mod sdf;
+mod stored;
 mod table;
 mod text;
 mod x3p;
@@ -297,6 +298,15 @@ fn check_heights(heights: &mut [f64], unit: f64, in_metres: bool) -> Result<(), 
         }
     }
     if tallest > TALLEST { Err(too_tall(tallest, in_metres)) } else { Ok(()) }
+}
+
+fn too_large() -> ReadError {
+    ReadError::Corrupt("claims to hold more numbers than any file can".to_owned())
+}
+
+/// What was found, not too long for a message.
+fn shortened(text: &str) -> String {
+    text.trim().chars().take(40).collect()
 }
 
 /// Heights with the y index running fastest, of heights in lines of `points_x` along x.

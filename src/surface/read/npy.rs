@@ -8,34 +8,11 @@ use std::path::Path;
 use npyz::{DType, Deserialize, NpyFile, Order, TypeChar};
 
 pub use super::mapped::Mapped;
-use super::{Matrix, Measured, ReadError};
+use super::stored::{Stored, with_type};
+use super::{Matrix, Measured, ReadError, too_large};
 
 /// How a `.npy` file begins.
 pub(super) const MAGIC: &[u8; 6] = b"\x93NUMPY";
-
-/// How the numbers are stored, and in how many bytes.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum Stored {
-    Float(u64),
-    Signed(u64),
-    Unsigned(u64),
-}
-
-impl Stored {
-    pub(super) const fn bytes(self) -> u64 {
-        match self {
-            Self::Float(bytes) | Self::Signed(bytes) | Self::Unsigned(bytes) => bytes,
-        }
-    }
-
-    pub(super) const fn precision(self) -> f64 {
-        match self {
-            Self::Float(4) => f32::EPSILON as f64,
-            Self::Float(_) => f64::EPSILON,
-            Self::Signed(_) | Self::Unsigned(_) => 0.0,
-        }
-    }
-}
 
 /// What the head of a file says, checked against the file's length.
 pub struct Head {
@@ -68,18 +45,7 @@ pub fn is_npy(path: &Path) -> std::io::Result<bool> {
 /// allocated.
 pub fn matrix(path: &Path) -> Result<Matrix, ReadError> {
     let Head { rows, columns, stored, order, file, .. } = Head::read(path)?;
-    let stored_values = match stored {
-        Stored::Float(4) => values(file, |v: f32| f64::from(v)),
-        Stored::Float(_) => values(file, |v: f64| v),
-        Stored::Signed(1) => values(file, |v: i8| f64::from(v)),
-        Stored::Signed(2) => values(file, |v: i16| f64::from(v)),
-        Stored::Signed(4) => values(file, |v: i32| f64::from(v)),
-        Stored::Signed(_) => values(file, |v: i64| v as f64),
-        Stored::Unsigned(1) => values(file, |v: u8| f64::from(v)),
-        Stored::Unsigned(2) => values(file, |v: u16| f64::from(v)),
-        Stored::Unsigned(4) => values(file, |v: u32| f64::from(v)),
-        Stored::Unsigned(_) => values(file, |v: u64| v as f64),
-    }?;
+    let stored_values = with_type!(stored, T => values(file, |value: T| value as f64))?;
     let values = match order {
         Order::C => stored_values,
         Order::Fortran => {
@@ -156,10 +122,6 @@ impl Head {
     }
 }
 
-fn too_large() -> ReadError {
-    ReadError::Corrupt("claims to hold more numbers than any file can".to_owned())
-}
-
 /// Looks at the head before npyz does, which allocates what the head claims as its length and
 /// multiplies the shape without a check. Gives the length of the head, bytes.
 fn check_head(path: &Path, length: u64) -> Result<u64, ReadError> {
@@ -195,10 +157,12 @@ fn stored(dtype: &DType) -> Result<Stored, ReadError> {
         ))
     };
     let DType::Plain(kind) = dtype else { return Err(unsupported()) };
-    match (kind.type_char(), kind.size_field()) {
-        (TypeChar::Float, bytes @ (4 | 8)) => Ok(Stored::Float(bytes)),
-        (TypeChar::Int, bytes @ (1 | 2 | 4 | 8)) => Ok(Stored::Signed(bytes)),
-        (TypeChar::Uint, bytes @ (1 | 2 | 4 | 8)) => Ok(Stored::Unsigned(bytes)),
-        _ => Err(unsupported()),
-    }
+    use Stored::{F32, F64, I8, I16, I32, I64, U8, U16, U32, U64};
+    let all: &[Stored] = match kind.type_char() {
+        TypeChar::Float => &[F32, F64],
+        TypeChar::Int => &[I8, I16, I32, I64],
+        TypeChar::Uint => &[U8, U16, U32, U64],
+        _ => return Err(unsupported()),
+    };
+    all.iter().copied().find(|stored| stored.bytes() == kind.size_field()).ok_or_else(unsupported)
 }

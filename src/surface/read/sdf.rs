@@ -10,7 +10,8 @@ use std::fs::File;
 use std::io::Read;
 use std::path::Path;
 
-use super::{Head, Measured, ReadError, transposed};
+use super::stored::Stored;
+use super::{Head, Measured, ReadError, shortened, too_large, transposed};
 use crate::numeric::is_positive;
 
 const FORMAT: &str = "an SDF file";
@@ -39,71 +40,23 @@ pub(super) fn is_sdf(begin: &[u8]) -> bool {
     )
 }
 
-/// How numbers are stored (`DataType`).
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-enum Stored {
-    U8,
-    U16,
-    U32,
-    F32,
-    I8,
-    I16,
-    I32,
-    F64,
+/// The type of a `DataType`.
+fn stored(code: u8) -> Result<Stored, ReadError> {
+    use Stored::{F32, F64, I8, I16, I32, U8, U16, U32};
+    [U8, U16, U32, F32, I8, I16, I32, F64].get(usize::from(code)).copied().ok_or_else(|| {
+        ReadError::Unsupported(format!("holds numbers of the DataType {code}; allowed: 0 to 7"))
+    })
 }
 
-impl Stored {
-    fn of(code: u8) -> Result<Self, ReadError> {
-        use Stored::{F32, F64, I8, I16, I32, U8, U16, U32};
-        [U8, U16, U32, F32, I8, I16, I32, F64].get(usize::from(code)).copied().ok_or_else(|| {
-            ReadError::Unsupported(format!("holds numbers of the DataType {code}; allowed: 0 to 7"))
-        })
-    }
-
-    const fn bytes(self) -> u64 {
-        match self {
-            Self::U8 | Self::I8 => 1,
-            Self::U16 | Self::I16 => 2,
-            Self::U32 | Self::I32 | Self::F32 => 4,
-            Self::F64 => 8,
-        }
-    }
-
-    /// Whether a number marks a missing point: the least or, if so said, the greatest of the type.
-    fn marks_missing(self, value: f64, greatest: bool) -> bool {
-        let (least, most) = match self {
-            Self::U8 => return value == f64::from(u8::MAX),
-            Self::U16 => return value == f64::from(u16::MAX),
-            Self::U32 => return value == f64::from(u32::MAX),
-            // A text may print the extreme number with fewer digits; no height is near either.
-            Self::F32 => return value.abs() > 0.99 * f64::from(f32::MAX),
-            Self::F64 => return value.abs() > 0.99 * f64::MAX,
-            Self::I8 => (f64::from(i8::MIN), f64::from(i8::MAX)),
-            Self::I16 => (f64::from(i16::MIN), f64::from(i16::MAX)),
-            Self::I32 => (f64::from(i32::MIN), f64::from(i32::MAX)),
-        };
-        value == if greatest { most } else { least }
-    }
-
-    /// Integers are scaled, which rounds.
-    const fn precision(self) -> f64 {
-        if matches!(self, Self::F32) { f32::EPSILON as f64 } else { f64::EPSILON }
-    }
-
-    fn values(self, bytes: &[u8]) -> Vec<f64> {
-        fn all<const BYTES: usize>(bytes: &[u8], value: impl Fn([u8; BYTES]) -> f64) -> Vec<f64> {
-            bytes.as_chunks::<BYTES>().0.iter().map(|&number| value(number)).collect()
-        }
-        match self {
-            Self::U8 => all(bytes, |[byte]| f64::from(byte)),
-            Self::U16 => all(bytes, |number| f64::from(u16::from_le_bytes(number))),
-            Self::U32 => all(bytes, |number| f64::from(u32::from_le_bytes(number))),
-            Self::F32 => all(bytes, |number| f64::from(f32::from_le_bytes(number))),
-            Self::I8 => all(bytes, |number| f64::from(i8::from_le_bytes(number))),
-            Self::I16 => all(bytes, |number| f64::from(i16::from_le_bytes(number))),
-            Self::I32 => all(bytes, |number| f64::from(i32::from_le_bytes(number))),
-            Self::F64 => all(bytes, f64::from_le_bytes),
-        }
+/// Whether a number marks a missing point: the least or, if so said, the greatest of the type; of the unsigned
+/// types always the greatest.
+fn marks_missing(stored: Stored, value: f64, greatest: bool) -> bool {
+    let [least, most] = stored.range();
+    if stored.is_integer() {
+        value == if greatest || least == 0.0 { most } else { least }
+    } else {
+        // A text may print the extreme number with fewer digits; no height is near either.
+        value.abs() > 0.99 * most
     }
 }
 
@@ -158,10 +111,10 @@ pub(super) fn measured(path: &Path) -> Result<Measured, ReadError> {
         return Err(truncated(count, &format!("{} numbers", values.len())));
     }
     for value in &mut values {
-        *value = if stored.marks_missing(*value, greatest) { f64::NAN } else { *value * z_scale };
+        *value = if marks_missing(stored, *value, greatest) { f64::NAN } else { *value * z_scale };
     }
     let heights = transposed(&values, head.points[0]);
-    Ok(Measured { head, heights, precision: stored.precision() })
+    Ok(Measured { head, heights, precision: stored.scaled_precision() })
 }
 
 /// The numbers, not yet read.
@@ -259,7 +212,7 @@ impl Fields {
                 return Err(ReadError::Corrupt(format!("has no {key} in its header; allowed: {FIELDS}")));
             };
             value.trim().parse().map_err(|_| {
-                let found: String = value.trim().chars().take(40).collect();
+                let found = shortened(value);
                 ReadError::Corrupt(format!("has {key} = \"{found}\"; allowed: a number"))
             })
         }
@@ -269,7 +222,7 @@ impl Fields {
             let word = if word == "NULL" { "NONE".to_owned() } else { word };
             let named = names.iter().position(|&name| name == word).and_then(|code| u8::try_from(code).ok());
             named.or_else(|| word.parse().ok()).ok_or_else(|| {
-                let found: String = word.chars().take(40).collect();
+                let found = shortened(&word);
                 ReadError::Unsupported(format!(
                     "has {key} = \"{found}\"; allowed: its code, or {}",
                     names.join(", ")
@@ -298,7 +251,7 @@ impl Fields {
         if self.check_type > 0 {
             return unsupported("CheckType", self.check_type);
         }
-        let stored = Stored::of(self.data_type)?;
+        let stored = stored(self.data_type)?;
         if self.profiles == 1 {
             return Err(ReadError::Unsupported("holds a single profile; allowed: surfaces".to_owned()));
         }
@@ -313,7 +266,7 @@ impl Fields {
         let (Some(nx), Some(ny), Some(count)) =
             (size(self.points), size(self.profiles), self.points.checked_mul(self.profiles))
         else {
-            return Err(ReadError::Corrupt("claims to hold more numbers than any file can".to_owned()));
+            return Err(too_large());
         };
         let pixel = Some([self.x_scale, self.y_scale]);
         let head = Head { points: [nx, ny], pixel, has_unit: true, format: FORMAT };
@@ -328,7 +281,7 @@ fn text_values(numbers: &str, count: u64) -> Result<Vec<f64>, ReadError> {
             return Ok(f64::NAN);
         }
         word.parse().map_err(|_| {
-            let found: String = word.chars().take(40).collect();
+            let found = shortened(word);
             ReadError::Corrupt(format!("number {place}: found \"{found}\"; allowed: a number, BAD or NaN"))
         })
     };

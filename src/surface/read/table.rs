@@ -4,7 +4,7 @@
 //! comma where something else separates, every comma stands between two digits and there is no
 //! decimal point; what could be read in two ways is refused.
 
-use super::ReadError;
+use super::{ReadError, shortened};
 
 /// Words for a missing point, in any case.
 const MISSING: [&str; 14] =
@@ -128,10 +128,6 @@ fn no_number(row: usize, line: usize, column: usize, word: &str) -> ReadError {
         "line {line}, column {column}: found \"{found}\"; allowed: a number, or NaN, BAD or nothing for a \
          missing point"
     ))
-}
-
-fn shortened(word: &str) -> String {
-    word.trim().chars().take(40).collect()
 }
 
 /// The relative precision of numbers printed with so many significant digits. Few digits are steps

@@ -15,7 +15,8 @@ use roxmltree::{Document, Node};
 use zip::ZipArchive;
 use zip::result::ZipError;
 
-use super::{Head, Measured, ReadError, transposed};
+use super::stored::Stored;
+use super::{Head, Measured, ReadError, shortened, too_large, transposed};
 use crate::numeric::{LARGEST, is_positive};
 
 /// How every zip archive that is not empty begins.
@@ -25,37 +26,6 @@ const FORMAT: &str = "an X3P file";
 const MAIN: &str = "main.xml";
 /// The XML is held as a whole; the standard puts more than 10 000 heights into a binary file.
 const LONGEST_XML: u64 = 32 << 20;
-
-/// How numbers are stored.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-enum Stored {
-    I16,
-    I32,
-    F32,
-    F64,
-}
-
-impl Stored {
-    const fn bytes(self) -> u64 {
-        match self {
-            Self::I16 => 2,
-            Self::I32 | Self::F32 => 4,
-            Self::F64 => 8,
-        }
-    }
-
-    fn values(self, bytes: &[u8]) -> Vec<f64> {
-        fn all<const BYTES: usize>(bytes: &[u8], value: impl Fn([u8; BYTES]) -> f64) -> Vec<f64> {
-            bytes.as_chunks::<BYTES>().0.iter().map(|&number| value(number)).collect()
-        }
-        match self {
-            Self::I16 => all(bytes, |number| f64::from(i16::from_le_bytes(number))),
-            Self::I32 => all(bytes, |number| f64::from(i32::from_le_bytes(number))),
-            Self::F32 => all(bytes, |number| f64::from(f32::from_le_bytes(number))),
-            Self::F64 => all(bytes, f64::from_le_bytes),
-        }
-    }
-}
 
 /// A file within the archive, and its check sum if there is one.
 struct Link {
@@ -124,9 +94,7 @@ pub(super) fn measured(path: &Path) -> Result<Measured, ReadError> {
     for value in &mut values {
         *value = *value * increment + offset;
     }
-    // Integers are scaled, which rounds.
-    let precision = if stored == Stored::F32 { f64::from(f32::EPSILON) } else { f64::EPSILON };
-    Ok(Measured { head, heights: transposed(&values, head.points[0]), precision })
+    Ok(Measured { head, heights: transposed(&values, head.points[0]), precision: stored.scaled_precision() })
 }
 
 impl Archive {
@@ -303,7 +271,7 @@ impl Main {
             if found == allowed {
                 return Ok(());
             }
-            let found: String = found.chars().take(40).collect();
+            let found = shortened(found);
             Err(ReadError::Unsupported(format!(
                 "has {} = {found}; allowed: {allowed}, which is {meaning}",
                 path.join("/")
@@ -337,7 +305,7 @@ impl Main {
             "F" => Stored::F32,
             "D" => Stored::F64,
             found => {
-                let found: String = found.chars().take(40).collect();
+                let found = shortened(found);
                 return Err(ReadError::Unsupported(format!(
                     "has Axes/CZ/DataType = {found}; allowed: I, L, F, D"
                 )));
@@ -366,10 +334,6 @@ impl Main {
     }
 }
 
-fn too_large() -> ReadError {
-    ReadError::Corrupt("claims to hold more numbers than any file can".to_owned())
-}
-
 /// The heights of a DataList: one Datum a point, empty where the point is missing.
 fn listed(list: Node, count: u64) -> Result<Vec<f64>, ReadError> {
     let data = list.children().filter(|node| node.tag_name().name() == "Datum");
@@ -379,7 +343,7 @@ fn listed(list: Node, count: u64) -> Result<Vec<f64>, ReadError> {
             return Ok(f64::NAN);
         }
         text.parse().map_err(|_| {
-            let found: String = text.chars().take(40).collect();
+            let found = shortened(text);
             ReadError::Corrupt(format!("Datum {place}: found \"{found}\"; allowed: a number, or nothing"))
         })
     };

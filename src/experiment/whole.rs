@@ -1,0 +1,166 @@
+//! A look at a map as a whole: spectrum, autocorrelation, picture.
+
+use crate::surface::character::Character;
+use crate::surface::correlation::{Autocorrelation, RadialSpectrum};
+use crate::surface::generate::{Recipe, SpectrumOf};
+use crate::surface::marginal::Marginal;
+use crate::surface::rows::{Strip, strips};
+use crate::surface::{Boundary, HeightMap, Rows};
+
+/// How closely a map is looked at, beyond its asperities.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Look {
+    /// No closer.
+    Asperities,
+    /// Of a random surface, the spectrum that was asked for and the one that was reached.
+    Spectrum,
+    /// Spectrum, autocorrelation and a picture.
+    Everything,
+}
+
+/// Beyond so many points a map is not brought into memory for its spectrum and autocorrelation.
+pub(super) const MOST_POINTS_LOOKED_AT: usize = 1 << 26;
+
+/// What a look at a whole map tells.
+#[derive(Debug, Clone, Default)]
+pub struct Whole {
+    /// The spectrum that was asked for.
+    pub asked: Option<RadialSpectrum>,
+    /// Whether it was asked of the Gaussian field whose heights were mapped, not of the heights.
+    pub is_asked_of_gaussian: bool,
+    /// The spectrum that was found.
+    pub spectrum: Option<RadialSpectrum>,
+    /// The autocorrelation.
+    pub autocorrelation: Option<Autocorrelation>,
+    /// The heights, at most 512 along each axis.
+    pub picture: Option<HeightMap>,
+    /// How many heights lie in each of equal intervals over 5 Sq on both sides of the mean.
+    pub distribution: Option<Vec<usize>>,
+}
+
+impl Whole {
+    /// Looks at a map, made by `recipe` if it was made, as closely as `look` says.
+    pub(super) fn of(map: &dyn Rows, character: &Character, recipe: Option<&Recipe>, look: Look) -> Self {
+        /// Points of a picture along an axis.
+        const PICTURE: usize = 512;
+        let [nx, ny] = map.points();
+        let is_close = look == Look::Everything;
+        let mut whole = Self {
+            picture: is_close.then(|| thumbnail(map, PICTURE)),
+            distribution: is_close.then(|| distribution(map, character)),
+            ..Self::default()
+        };
+        if look == Look::Asperities || (!is_close && recipe.is_none()) || nx * ny > MOST_POINTS_LOOKED_AT {
+            return whole;
+        }
+        // Two processes have two spectra: neither is that of what they leave.
+        whole.asked = recipe.filter(|recipe| recipe.plateau.is_none()).map(|recipe| {
+            let Recipe { points, pixel, process, .. } = *recipe;
+            RadialSpectrum::asked(&process.spectrum.on_grid(points, pixel), pixel, process.sigma)
+        });
+        whole.is_asked_of_gaussian = recipe.is_some_and(|Recipe { process, .. }| {
+            process.of == SpectrumOf::Gaussian && process.heights != Marginal::Gaussian
+        });
+        let (map, mean) = (HeightMap::of(map), character.moments.mean);
+        whole.autocorrelation = if is_close { Autocorrelation::of(&map, mean) } else { None };
+        whole.spectrum = Some(RadialSpectrum::of(map, mean));
+        whole
+    }
+}
+
+/// Counts of heights in equal intervals over 5 Sq on both sides of the mean.
+fn distribution(map: &dyn Rows, character: &Character) -> Vec<usize> {
+    const INTERVALS: usize = 100;
+    let (mean, sq) = (character.moments.mean, character.moments.sq);
+    let count = |strip: Strip| {
+        let mut counts = vec![0; INTERVALS];
+        for z in (0..strip.count as isize).filter_map(|k| strip.row(k)).flatten() {
+            let place = ((z - mean) / sq + 5.0) * 0.1 * INTERVALS as f64;
+            if (0.0..INTERVALS as f64).contains(&place) {
+                counts[place as usize] += 1;
+            }
+        }
+        counts
+    };
+    let parts = strips(map, 0, count);
+    (0..INTERVALS).map(|k| parts.iter().map(|part| part[k]).sum()).collect()
+}
+
+/// A map of at most `most` points along each axis: each the mean of a block of points that are there.
+fn thumbnail(map: &dyn Rows, most: usize) -> HeightMap {
+    HeightMap::of(&Blocks { map, block: map.points().map(|count| count.div_ceil(most)) })
+}
+
+/// Means over blocks of points.
+struct Blocks<'a> {
+    map: &'a dyn Rows,
+    block: [usize; 2],
+}
+
+impl Rows for Blocks<'_> {
+    fn points(&self) -> [usize; 2] {
+        [0, 1].map(|axis| self.map.points()[axis].div_ceil(self.block[axis]))
+    }
+
+    fn pixel(&self) -> [f64; 2] {
+        [0, 1].map(|axis| self.map.pixel()[axis] * self.block[axis] as f64)
+    }
+
+    fn precision(&self) -> f64 {
+        f64::EPSILON
+    }
+
+    fn boundary(&self) -> Boundary {
+        self.map.boundary()
+    }
+
+    fn read(&self, ix: usize, row: &mut [f64]) {
+        let [nx, ny] = self.map.points();
+        let mut line = vec![0.0; ny];
+        let mut sums = vec![(0.0, 0.0); row.len()];
+        for i in ix * self.block[0]..nx.min((ix + 1) * self.block[0]) {
+            self.map.read(i, &mut line);
+            for (sum, block) in sums.iter_mut().zip(line.chunks(self.block[1])) {
+                for z in block.iter().filter(|z| !z.is_nan()) {
+                    sum.0 += z;
+                    sum.1 += 1.0;
+                }
+            }
+        }
+        for (z, (sum, count)) in row.iter_mut().zip(sums) {
+            // A block without a point is missing: 0/0.
+            *z = sum / count;
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::surface::character::Moments;
+
+    fn map(points: [usize; 2], height: impl Fn(usize) -> f64) -> HeightMap {
+        HeightMap::new(points, [1.0, 2.0], (0..points[0] * points[1]).map(height).collect(), 0.0).unwrap()
+    }
+
+    #[test]
+    fn a_picture_has_the_means_of_the_points_that_are_there() {
+        let height = |k: usize| if [0, 6, 24].contains(&k) { f64::NAN } else { k as f64 };
+        let small = thumbnail(&map([5, 5], height), 3);
+        assert_eq!((small.points(), small.pixel()), ([3, 3], [2.0, 4.0]));
+        assert_eq!(small.heights()[..8], [3.0, 5.0, 6.5, 13.0, 15.0, 16.5, 20.5, 22.5]);
+        assert!(small.heights()[8].is_nan());
+        assert_eq!(thumbnail(&small, 3).heights()[..8], small.heights()[..8]);
+    }
+
+    #[test]
+    fn heights_are_counted_about_their_mean_over_ten_sq() {
+        // A tenth of Sq is an interval, the first at -5.
+        let map = map([4, 4], |k| [-1.05, 1.05, 0.05, f64::NAN][k % 4]);
+        let moments = Moments { mean: 0.0, sa: 1.0, sq: 1.0, ssk: None, sku: None };
+        let counts = distribution(&map, &Character { moments, ..Character::of(&map) });
+        let held: Vec<(usize, usize)> =
+            counts.iter().copied().enumerate().filter(|(_, count)| *count > 0).collect();
+        assert_eq!((counts.len(), held), (100, vec![(39, 4), (50, 4), (60, 4)]));
+    }
+}

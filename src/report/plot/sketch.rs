@@ -1,0 +1,205 @@
+//! One plot: its scales and margins first, then its place and its marks.
+
+use super::axes::{self, FOOT, Frame, INK, LABEL};
+use super::bar::Bar;
+use super::canvas::{Align, Canvas, Rect, Type};
+use super::label::draw_label;
+use super::layer::{Direction, Layer, Shape};
+use super::legend::{self, Entry, Legend};
+use super::marks;
+use super::place::Taken;
+use super::scale::{Scale, measure};
+use super::text::{width, wrap};
+use super::ticks::Tick;
+use super::{Axis, Plot, Raster};
+
+/// Width of a figure, pixels.
+pub(super) const WIDTH: f64 = 720.0;
+const TITLE: f64 = 15.0;
+/// Bold letters are wider, in some fonts much.
+const BOLD: f64 = 1.25;
+/// No frame is narrower or lower.
+const LEAST: f64 = 60.0;
+
+/// A plot whose axes are known, but not yet its place.
+pub(super) struct Sketch<'a> {
+    pub(super) plot: &'a Plot,
+    pub(super) width: f64,
+    pub(super) x: Scale,
+    pub(super) y: Scale,
+    y_ticks: Vec<Tick>,
+    /// The field that the colour bar is about.
+    pub(super) raster: Option<&'a Raster>,
+    /// Left and right of the frame.
+    pub(super) margins: (f64, f64),
+    title: Vec<String>,
+    nothing: bool,
+}
+
+impl<'a> Sketch<'a> {
+    pub(super) fn new(plot: &'a Plot, width: f64) -> Self {
+        // Only a point that both axes can show counts for either.
+        let shown: Vec<(f64, f64)> = plot
+            .layers
+            .iter()
+            .filter(|layer| plot.is_linear() || !matches!(layer.shape, Shape::Raster(_)))
+            .flat_map(Layer::reach)
+            .filter(|p| measure(plot.x.spread, p.0).is_some() && measure(plot.y.spread, p.1).is_some())
+            .collect();
+        let raster = plot.raster();
+        // Bars stand on the axis along which they lie.
+        let stand = |along: Direction| {
+            plot.layers.iter().any(|layer| matches!(layer.shape, Shape::Bars(_, d) if d == along))
+        };
+        let scale = |axis: &Axis, values: &[f64], stands: bool| match raster {
+            // An image reaches to the frame.
+            Some(_) => Scale::new(&axis.ending_with(values), values.iter().copied(), stands),
+            None => Scale::new(axis, values.iter().copied(), stands),
+        };
+        let x = scale(&plot.x, &shown.iter().map(|p| p.0).collect::<Vec<_>>(), stand(Direction::Y));
+        let y = scale(&plot.y, &shown.iter().map(|p| p.1).collect::<Vec<_>>(), stand(Direction::X));
+        let y_ticks = axes::y_ticks(&y, plot.height);
+        let bar = raster.and_then(|raster| Bar::new(raster, plot.height)).map_or(0.0, |bar| bar.room());
+        let right = axes::right_margin(&axes::x_ticks(&x, 0.8 * width));
+        let margins = (axes::left_margin(&plot.y, &y_ticks), right.max(bar));
+        let title = wrap(&plot.title, BOLD * TITLE, width - 30.0, 3);
+        Self { plot, width, x, y, y_ticks, raster, margins, title, nothing: shown.is_empty() }
+    }
+
+    /// Height of the title.
+    pub(super) fn head(&self) -> f64 {
+        self.title.len() as f64 * (TITLE + 6.0)
+    }
+
+    /// Width and height of the frame in a space.
+    pub(super) fn fitted(&self, width: f64, height: f64) -> (f64, f64) {
+        let (along, up) = ((self.x.to - self.x.from).abs(), (self.y.to - self.y.from).abs());
+        let unit = (width / along).min(height / up);
+        if self.plot.equal && self.plot.is_linear() && unit.is_normal() {
+            ((along * unit).max(LEAST), (up * unit).max(LEAST))
+        } else {
+            (width, height)
+        }
+    }
+
+    /// Draws the plot with its upper left corner at a place and the frame below `head`; returns the
+    /// y of its lower end.
+    pub(super) fn draw(
+        &self,
+        canvas: &mut Canvas,
+        corner: (f64, f64),
+        margins: (f64, f64),
+        head: f64,
+    ) -> f64 {
+        let plot = self.plot;
+        let room = (self.width - margins.0 - margins.1).max(LEAST);
+        let (frame_width, frame_height) = self.fitted(room, plot.height);
+        let start = corner.0 + (room - frame_width) / 2.0;
+        let rect = Rect::new(start + margins.0, corner.1 + 10.0 + head + 2.0, frame_width, frame_height);
+        self.draw_title(canvas, corner.0, &rect);
+        let frame = Frame { x: self.x, y: self.y, rect };
+        let x_ticks = axes::x_ticks(&self.x, frame_width);
+        let lower = (frame_height != plot.height).then(|| axes::y_ticks(&self.y, frame_height));
+        let y_ticks = lower.as_ref().unwrap_or(&self.y_ticks);
+        let label_x = start + 6.0 + LABEL / 2.0;
+        let taken = self.draw_panel(canvas, &frame, &x_ticks, y_ticks, |canvas| {
+            let named = (Some(&plot.x), Some(&plot.y));
+            axes::draw_axes(canvas, &frame, &x_ticks, y_ticks, named, label_x);
+        });
+        if let Some(bar) = self.raster.and_then(|raster| Bar::new(raster, frame_height)) {
+            bar.draw(canvas, &rect);
+        }
+        let bottom = rect.bottom + if plot.x.label.is_empty() { FOOT - LABEL - 8.0 } else { FOOT };
+        self.draw_legend(canvas, &plot.layers, &rect, &taken, (corner.0, bottom))
+    }
+
+    /// Writes the title above the frame, or above all of a panel that begins at `left`.
+    pub(super) fn draw_title(&self, canvas: &mut Canvas, left: f64, rect: &Rect) {
+        // A title longer than the frame starts at the edge of the page.
+        let longest = self.title.iter().map(|line| width(line, BOLD * TITLE)).fold(0.0, f64::max);
+        let x = if longest > rect.width() { left + 12.0 } else { rect.left };
+        let first = rect.top - 2.0 - self.head() + TITLE / 2.0;
+        let lines = self.title.iter().enumerate();
+        let lines = lines.map(|(k, line)| (line.as_str(), (x, first + k as f64 * (TITLE + 6.0))));
+        canvas
+            .texts(lines, Type { size: TITLE, colour: INK, align: Align::Left, bold: true, upright: false });
+    }
+
+    /// Draws the layers in their frame, and its axes as `draw_axes` does; says what is taken.
+    pub(super) fn draw_panel(
+        &self,
+        canvas: &mut Canvas,
+        frame: &Frame,
+        x_ticks: &[Tick],
+        y_ticks: &[Tick],
+        draw_axes: impl FnOnce(&mut Canvas),
+    ) -> Taken {
+        let (layers, rect) = (&self.plot.layers, &frame.rect);
+        axes::draw_grid(canvas, frame, x_ticks, y_ticks);
+        let mut taken = Taken::default();
+        for layer in layers {
+            marks::draw_region(canvas, frame, layer);
+        }
+        canvas.clipped(rect, |canvas| {
+            for layer in layers {
+                marks::draw(canvas, frame, layer, &mut taken);
+            }
+        });
+        draw_axes(canvas);
+        for layer in layers {
+            marks::draw_markers(canvas, frame, layer, &mut taken);
+        }
+        if self.nothing {
+            let set = Type { size: 16.0, colour: INK, align: Align::Centre, bold: false, upright: false };
+            let middle = ((rect.left + rect.right) / 2.0, (rect.top + rect.bottom) / 2.0);
+            canvas.texts([("no data", middle)], set);
+            taken.text(Rect::new(middle.0 - 40.0, middle.1 - 12.0, 80.0, 24.0));
+        }
+        for layer in layers {
+            draw_label(canvas, frame, layer, &mut taken);
+        }
+        taken
+    }
+
+    /// Names layers in the frame, or from `foot` on downwards; returns the y of the lower end.
+    pub(super) fn draw_legend<'l>(
+        &self,
+        canvas: &mut Canvas,
+        layers: impl IntoIterator<Item = &'l Layer> + Clone,
+        rect: &Rect,
+        taken: &Taken,
+        foot: (f64, f64),
+    ) -> f64 {
+        let inside = legend::entries(layers.clone(), 0.7 * rect.width());
+        let end = foot.1 + 6.0;
+        if inside.is_empty() || self.plot.legend == Legend::Hidden {
+            return end;
+        }
+        let (width, height) = legend::inside_size(&inside);
+        let inner = rect.grown(-9.0);
+        let right = inner.right - width;
+        let bottom = inner.bottom - height;
+        let corners = [
+            (Legend::TopRight, right, inner.top),
+            (Legend::TopLeft, inner.left, inner.top),
+            (Legend::BottomLeft, inner.left, bottom),
+            (Legend::BottomRight, right, bottom),
+        ]
+        .map(|(name, left, top)| (Rect::new(left, top, width, height), name));
+        let chosen = match self.plot.legend {
+            Legend::Auto => taken.clearest(corners).filter(|(place, _)| {
+                taken.under(place) == 0 && rect.holds((place.left, place.top)) && bottom > rect.top
+            }),
+            named => corners.into_iter().find(|(_, name)| *name == named),
+        };
+        if let Some((place, _)) = chosen {
+            legend::draw_inside(canvas, &inside, &place);
+            return end;
+        }
+        let room = self.width - 32.0;
+        let entries: Vec<Entry<'_>> = legend::entries(layers, room);
+        let (places, height) = legend::rows_below(&entries, room);
+        legend::draw_below(canvas, &entries, &places, (foot.0 + 16.0, foot.1));
+        end + height
+    }
+}

@@ -1,0 +1,86 @@
+//! Numbers as files store them.
+
+/// The type of stored numbers.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Stored {
+    U8,
+    U16,
+    U32,
+    U64,
+    I8,
+    I16,
+    I32,
+    I64,
+    F32,
+    F64,
+}
+
+/// Evaluates an expression with the type of the numbers in place of a name.
+macro_rules! with_type {
+    ($stored:expr, $kind:ident => $value:expr) => {{
+        macro_rules! of {
+            ($type:ty) => {{
+                type $kind = $type;
+                $value
+            }};
+        }
+        match $stored {
+            Stored::U8 => of!(u8),
+            Stored::U16 => of!(u16),
+            Stored::U32 => of!(u32),
+            Stored::U64 => of!(u64),
+            Stored::I8 => of!(i8),
+            Stored::I16 => of!(i16),
+            Stored::I32 => of!(i32),
+            Stored::I64 => of!(i64),
+            Stored::F32 => of!(f32),
+            Stored::F64 => of!(f64),
+        }
+    }};
+}
+pub(super) use with_type;
+
+impl Stored {
+    /// Bytes of a number.
+    pub(super) const fn bytes(self) -> u64 {
+        with_type!(self, T => size_of::<T>() as u64)
+    }
+
+    /// The least and the greatest number of the type.
+    pub(super) const fn range(self) -> [f64; 2] {
+        with_type!(self, T => [T::MIN as f64, T::MAX as f64])
+    }
+
+    pub(super) const fn is_integer(self) -> bool {
+        !matches!(self, Self::F32 | Self::F64)
+    }
+
+    /// Relative precision of the numbers as they are; 0 for integers.
+    pub(super) const fn precision(self) -> f64 {
+        if self.is_integer() { 0.0 } else { self.scaled_precision() }
+    }
+
+    /// Relative precision of the numbers once they are multiplied, which rounds.
+    pub(super) const fn scaled_precision(self) -> f64 {
+        if matches!(self, Self::F32) { f32::EPSILON as f64 } else { f64::EPSILON }
+    }
+
+    /// Copies as many numbers as `out` has room for.
+    pub(super) fn decode(self, bytes: &[u8], big_endian: bool, out: &mut [f64]) {
+        with_type!(self, T => {
+            let numbers = bytes.as_chunks().0.iter().zip(out);
+            if big_endian {
+                numbers.for_each(|(&number, value)| *value = T::from_be_bytes(number) as f64);
+            } else {
+                numbers.for_each(|(&number, value)| *value = T::from_le_bytes(number) as f64);
+            }
+        });
+    }
+
+    /// All numbers in `bytes`, in little-endian order.
+    pub(super) fn values(self, bytes: &[u8]) -> Vec<f64> {
+        let mut values = vec![0.0; bytes.len() / self.bytes() as usize];
+        self.decode(bytes, false, &mut values);
+        values
+    }
+}
