@@ -283,15 +283,20 @@ fn each_surface_has_random_numbers_of_its_own() {
     let (folder, spec, out) = small();
     assert!(run(&spec, &out, &[]).status.success());
     let population = SMALL.split("[surface.drawn.population]").nth(1).unwrap();
-    let more = format!("{SMALL}\n[surface.other.population]{population}");
+    let rough = "\n[surface.rough.generate]\npoints = 64\npixel = \"1 um\"\nsigma = \"0.2 um\"\n\
+                 spectrum.gaussian.correlation-length = \"3 um\"\n";
+    let more = format!("{SMALL}\n[surface.other.population]{population}{rough}");
     let (more_spec, seed_spec) = (folder.path().join("more.toml"), folder.path().join("seed.toml"));
     fs::write(&more_spec, more).unwrap();
-    fs::write(&seed_spec, SMALL.replace("title = \"small\"", "title = \"small\"\nseed = 7")).unwrap();
+    let seeded = SMALL.replace("title = \"small\"", "title = \"small\"\nseed = 7");
+    fs::write(&seed_spec, seeded + rough).unwrap();
     assert!(run(&more_spec, &out, &[seed_spec.to_str().unwrap()]).status.success());
     let drawn = &summary(&out, "small")["surfaces"]["drawn"]["sigma_m"];
     assert_eq!(drawn, &summary(&out, "more")["surfaces"]["drawn"]["sigma_m"]);
     assert_ne!(drawn, &summary(&out, "more")["surfaces"]["other"]["sigma_m"]);
     assert_ne!(drawn, &summary(&out, "seed")["surfaces"]["drawn"]["sigma_m"]);
+    let rough = |stem: &str| summary(&out, stem)["surfaces"]["rough"]["sigma_m"].take();
+    assert_ne!(rough("more"), rough("seed"));
 }
 
 #[test]
@@ -382,6 +387,35 @@ realisations = 3
     assert!(report.contains("over 3 realisations"));
     let random = &summary(&out, "several")["surfaces"]["random"];
     assert_eq!(random["realisations"].as_array().unwrap().len(), 3);
+    for key in ["sq_m", "ssk", "sku"] {
+        assert_eq!(random["realisations"][0][key], random["height_map"][key], "{key}");
+    }
+    // What the report says over all realisations is what the pairs in the other table say.
+    let mut reader = csv::Reader::from_path(out.join("several/comparison.csv")).unwrap();
+    let columns = reader.headers().unwrap().clone();
+    let place = |name: &str| columns.iter().position(|column| column == name).unwrap();
+    let [pairing, target, difference] = ["pairing", "target", "difference_separation_over_sigma"].map(place);
+    let pairs: Vec<csv::StringRecord> = reader.records().map(Result::unwrap).collect();
+    let at_9_mpa = pairs.iter().filter(|row| {
+        [&row[0], &row[2], &row[pairing]] == ["random", "hertz", "load"]
+            && (row[target].parse::<f64>().unwrap() / 9e6 - 1.0).abs() < 1e-9
+    });
+    let found: Vec<f64> = at_9_mpa.map(|row| row[difference].parse().unwrap()).collect();
+    assert_eq!(found.len(), 3);
+    let mean = found.iter().sum::<f64>() / 3.0;
+    let deviation = (found.iter().map(|d| (d - mean).powi(2)).sum::<f64>() / 2.0).sqrt();
+    let finding = report.lines().find(|line| line.starts_with("- **random, law hertz**, over 3")).unwrap();
+    let between = |from: &str, to: &str| finding.split_once(from).unwrap().1.split_once(to).unwrap().0;
+    assert_eq!(between(" realisation) at ", ","), "9 MPa");
+    let errors: f64 = between("9 MPa, ", " standard errors").parse().unwrap();
+    close(errors, mean / (deviation / 3f64.sqrt()), 1e-3);
+    let answers = report.split_once("random, law hertz: the answers").unwrap().1;
+    let cells = row(answers.split_once("stated error").unwrap().1, "9 MPa");
+    for shown in [&cells[4], between("up to ", " σ")] {
+        let (shown, scatter) = shown.split_once(" ± ").unwrap();
+        close(shown.parse().unwrap(), mean, 1e-3);
+        close(scatter.parse().unwrap(), deviation, 1e-3);
+    }
     assert_eq!(random["generation"]["process"]["skewness"], -1.0);
     assert!(random["height_map"]["five_point_theory"]["density_per_m2"].as_f64().unwrap() > 0.0);
 }
@@ -458,4 +492,173 @@ fn a_look_at_a_surface() {
     let both = look(&[root.join("experiments/gw-zmc-limit.toml").to_str().unwrap(), "--pixel", "1 um"]);
     assert_eq!(both.status.code(), Some(2));
     assert!(text(&both.stderr).contains("is a spec"), "{}", text(&both.stderr));
+}
+
+/// A look at surfaces in these words, and how it ends; `map.txt` holds these heights.
+fn looked_at(words: &str, heights: &str) -> (tempfile::TempDir, Output) {
+    let folder = tempfile::tempdir().unwrap();
+    let bodies = SMALL.split("[surface.list").next().unwrap();
+    fs::write(folder.path().join("look.toml"), format!("{bodies}{words}")).unwrap();
+    fs::write(folder.path().join("map.txt"), heights).unwrap();
+    let output = experiment(&["surface", "look.toml"], folder.path());
+    (folder, output)
+}
+
+/// The summary and the report of a look that succeeds.
+fn look(words: &str, heights: &str) -> (serde_json::Value, String) {
+    let (folder, output) = looked_at(words, heights);
+    assert!(output.status.success(), "{}", text(&output.stderr));
+    let out = folder.path().join("reports");
+    let report = fs::read_to_string(out.join("look-surfaces/report.md")).unwrap();
+    (summary(&out, "look-surfaces")["surfaces"].take(), report)
+}
+
+/// The cells of the first row of a report that begins with these words.
+fn row(report: &str, name: &str) -> Vec<String> {
+    let line = report.lines().find(|line| line.starts_with(&format!("| {name} |")));
+    let line = line.unwrap_or_else(|| panic!("no row {name}"));
+    line.trim_matches(['|', ' ']).split(" | ").map(|cell| cell.trim().to_owned()).collect()
+}
+
+fn close(found: f64, exact: f64, within: f64) {
+    assert!((found / exact - 1.0).abs() < within, "{found} for {exact}");
+}
+
+#[test]
+fn a_random_surface_is_made_as_its_words_say() {
+    let grid = "points = [128, 96]\npixel = [\"1 um\", \"0.8 um\"]\nsigma = \"0.2 um\"\n";
+    let lay = "spectrum.gaussian = { correlation-length = [\"8 um\", \"3 um\"], angle = \"30 deg\" }";
+    let (surfaces, report) = look(
+        &format!(
+            "[surface.one.generate]\n{grid}{lay}\n[surface.two.generate]\n{grid}{lay}\nneighbours = \"eight\"
+[surface.honed.generate]\n{grid}spectrum.exponential.correlation-length = \"4 um\"
+plateau = {{ height = \"-50 nm\", sigma = \"20 nm\", spectrum.exponential.correlation-length = \"2 um\" }}
+[surface.mapped.generate]\n{grid}{lay}\nheights.weibull.shape = 2\nspectrum-of = \"gaussian\"\n"
+        ),
+        "",
+    );
+    let process = &surfaces["one"]["generation"]["process"];
+    let number = |value: &serde_json::Value| value.as_f64().unwrap();
+    assert_eq!((&process["spectrum"], &process["cut_off_m"]), (&"gaussian".into(), &serde_json::Value::Null));
+    close(number(&process["correlation_length_m"]), 3e-6, 1e-12);
+    close(number(&process["elongation"]), 8.0 / 3.0, 1e-12);
+    close(number(&process["angle_rad"]), 30f64.to_radians(), 1e-12);
+    assert_ne!(
+        surfaces["one"]["height_map"]["sq_m"], surfaces["two"]["height_map"]["sq_m"],
+        "of its own name"
+    );
+    close(number(&surfaces["honed"]["generation"]["plateau_height_m"]), -5e-8, 1e-12);
+    assert!(report.contains("the one asked for is that of the Gaussian field before"));
+
+    assert_eq!(surfaces["one"]["height_map"]["summit_definition"], "five-point");
+    assert_eq!(surfaces["two"]["height_map"]["summit_definition"], "eight-neighbour");
+    assert!(surfaces["one"]["height_map"]["five_point_theory"].is_object());
+    assert!(surfaces["two"]["height_map"]["five_point_theory"].is_null(), "none for other summits");
+}
+
+#[test]
+fn tables_of_a_surface_say_what_its_summary_says() {
+    let (surfaces, report) = look(
+        "[surface.met.generate]
+points = 512
+spectrum.self-affine.hurst = 0.8
+summits = { radius = \"20 um\", sigma = \"48 nm\", density = \"6e10 /m^2\" }
+",
+        "",
+    );
+    let (met, map) = (&surfaces["met"], &surfaces["met"]["height_map"]);
+    let number = |value: &serde_json::Value| value.as_f64().unwrap();
+    for name in ["σ of the summit heights", "density of the summits"] {
+        let cells = row(&report, name);
+        assert_eq!(cells[1], cells[2], "{name}");
+    }
+    let along: Vec<f64> =
+        row(&report, "m2 along x, y")[1].split(", ").map(|number| number.parse().unwrap()).collect();
+    for (axis, along) in along.into_iter().enumerate() {
+        close(along, number(&map["m2_along_x_y"][axis]), 1e-3);
+    }
+    close(
+        2.0 * number(&map["m4_per_m2"]),
+        (0..2).map(|k| number(&map["m4_along_x_y_per_m2"][k])).sum(),
+        1e-12,
+    );
+    let cells = row(&report, "density \\[1/m²\\]");
+    let [found, theory, over_theory, nayak, over_nayak] =
+        [1, 2, 3, 4, 5].map(|k| cells[k].parse::<f64>().unwrap());
+    close(found, number(&met["density_per_m2"]), 1e-3);
+    close(theory, number(&map["five_point_theory"]["density_per_m2"]), 1e-3);
+    close(nayak, number(&map["nayak_theory"]["density_per_m2"]), 1e-3);
+    close(over_theory, found / theory, 2e-3);
+    close(over_nayak, found / nayak, 2e-3);
+    let saddles = &row(&report, "summits whose smaller principal curvature is not positive")[1];
+    assert_eq!(saddles.replace(',', ""), map["summits_with_a_saddle"].to_string());
+    assert!(number(&met["offset_to_mean_plane_m"]) > 0.0, "summits are above the mean plane");
+}
+
+/// Rough heights (nm) about 500 nm, a line for each y.
+fn rough() -> String {
+    let mut state = 1u64;
+    let mut height = || {
+        state = state.wrapping_mul(6364136223846793005).wrapping_add(1442695040888963407);
+        format!("{:.3}", 500.0 + (state >> 40) as f64 / 2e5)
+    };
+    (0..40).map(|_| (0..50).map(|_| height()).collect::<Vec<_>>().join(" ") + "\n").collect()
+}
+
+#[test]
+fn a_measured_map_is_treated_as_its_words_say() {
+    let file = "path = \"map.txt\"\npixel = \"1 um\"\nunit = \"nm\"\n";
+    let (surfaces, report) = look(
+        &format!(
+            "[surface.raw.file]\n{file}level = \"none\"\n[surface.level.file]\n{file}
+[surface.bowl.file]\n{file}level = \"quadratic\"\nneighbours = \"eight\"\nfilter = {{ s = \"3 um\" }}\n"
+        ),
+        &rough(),
+    );
+    let number = |name: &str, key: &str| surfaces[name][key].as_f64().unwrap();
+    let map = |name: &str| &surfaces[name]["height_map"];
+    let level = |name: &str| map(name)["level"].as_str().unwrap().to_owned();
+    assert_eq!(["raw", "level", "bowl"].map(level), ["none", "plane", "quadratic"]);
+    assert!(number("raw", "mean_height_m") > 5e-7 && number("level", "mean_height_m") < 1e-7);
+    close(number("raw", "offset_to_mean_plane_m"), number("level", "offset_to_mean_plane_m"), 0.05);
+    let sq = map("raw")["sq_m"].as_f64().unwrap();
+    let found: f64 = row(&report, "mean height above the mean plane / Sq")[1].parse().unwrap();
+    close(found, number("raw", "offset_to_mean_plane_m") / sq, 1e-3);
+    assert_eq!(map("bowl")["summit_definition"], "eight-neighbour");
+    assert!(map("bowl")["filter"].as_str().unwrap().starts_with("S = 3"));
+    assert!(map("bowl")["sq_m"].as_f64().unwrap() < 0.7 * map("level")["sq_m"].as_f64().unwrap());
+}
+
+#[test]
+fn maps_of_doubtful_numbers_are_told() {
+    let words = |unit: &str| {
+        format!(
+            "[surface.a.file]\npath = \"map.txt\"\npixel = \"1 um\"\nlevel = \"none\"\nunit = \"{unit}\"\n"
+        )
+    };
+    let warned = |unit: &str, heights: &str| {
+        let (surfaces, _) = look(&words(unit), heights);
+        surfaces["a"]["warnings"]
+            .as_array()
+            .unwrap()
+            .iter()
+            .map(|w| w.to_string())
+            .collect::<Vec<_>>()
+            .join(" ")
+    };
+    assert!(!warned("nm", &rough()).contains("r.m.s. slope"));
+    assert!(warned("um", &rough()).contains("the r.m.s. slope is "));
+    // Tops of one and of two nanometres, and one that is all but flat.
+    let tops = |flat: &str| {
+        let line = |top: &str| format!("0 0 0 0 0 0 0\n0 1.0 0 {top} 0 2.0 0\n");
+        line("1.5") + &line(flat) + &line("1.7") + "0 0 0 0 0 0 0\n"
+    };
+    assert!(!warned("nm", &tops("0.9")).contains("nearly flat tops"));
+    assert!(warned("nm", &tops("0.001")).contains("a few nearly flat tops set it"));
+    let (_folder, output) = looked_at(
+        &words("nm"),
+        &tops("1.5").replace("2.0", "1.5").replace("1.0", "1.5").replace("1.7", "1.5"),
+    );
+    assert_eq!(output.status.code(), Some(2));
+    assert!(text(&output.stderr).contains("has 9 summits that are equally high"), "{}", text(&output.stderr));
 }

@@ -3,8 +3,9 @@
 use std::path::PathBuf;
 
 use asperity::asperity::{ListError, read_list};
+use asperity::surface::Rows;
 use asperity::surface::character::Character;
-use asperity::surface::read::{Given, ReadError, head, height_map, npy};
+use asperity::surface::read::{Given, ReadError, head, height_map, npy, rows};
 
 /// A `.npy` of version 1 with the given type, order and bytes.
 fn array(descr: &str, fortran: bool, shape: &str, data: &[u8]) -> Vec<u8> {
@@ -168,4 +169,43 @@ fn a_list_may_be_an_array_of_two_columns() {
     assert_eq!(read_list(&path).unwrap(), (vec![2e-9, -3e-9], vec![1e-6, 2e-6]));
     let (_folder, path) = file("wide.npy", &array("<f8", false, "(1, 4)", &data));
     assert!(matches!(read_list(&path), Err(ListError::Shape { rows: 1, columns: 4 })));
+}
+
+/// Versions 2 and 3 say the length of the head in four bytes.
+#[test]
+fn later_versions_have_a_longer_head() {
+    let data: Vec<u8> = VALUES.iter().flat_map(|&v| f64::from(v).to_le_bytes()).collect();
+    for version in [2, 3] {
+        let mut bytes = array("<f8", false, "(2, 3)", &data);
+        bytes[6] = version;
+        bytes.splice(10..10, [0, 0]);
+        assert_eq!(read(&bytes), VALUES.map(f64::from));
+        let (_folder, path) = file("a.npy", &bytes);
+        let mut row = [0.0; 3];
+        npy::Mapped::open(&path).unwrap().row(1, &mut row);
+        assert_eq!(row, [-10.0, 11.0, 12.0]);
+    }
+}
+
+#[test]
+fn a_map_is_the_same_row_by_row_and_as_a_whole() {
+    let data: Vec<u8> = (0..12i16).flat_map(|v| (v * v).to_le_bytes()).collect();
+    let pixel = Some([1e-6, 2e-6]);
+    for fortran in [false, true] {
+        let (_folder, path) = file("map.npy", &array("<i2", fortran, "(3, 4)", &data));
+        let in_metres = Given { pixel, unit: None };
+        for error in [height_map(&path, in_metres).err(), rows(&path, in_metres).err()] {
+            assert!(error.unwrap().to_string().contains("holds a height of 1.21e2 m"));
+        }
+        let given = Given { pixel, unit: Some(1e-9) };
+        let (whole, rows) = (height_map(&path, given).unwrap(), rows(&path, given).unwrap());
+        assert_eq!((whole.points(), whole.pixel()), (rows.points(), rows.pixel()));
+        // Whole numbers are exact, scaled ones are rounded.
+        assert_eq!((whole.precision(), rows.precision()), (f64::EPSILON, f64::EPSILON));
+        let mut row = [0.0; 4];
+        for ix in 0..3 {
+            rows.read(ix, &mut row);
+            assert_eq!(row, whole.heights()[4 * ix..][..4]);
+        }
+    }
 }

@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 use asperity::surface::level::Level;
 use asperity::surface::read::{Given, GivenError, Head, ReadError, head, height_map};
 use asperity::surface::summits::five_point;
-use asperity::surface::{HeightMap, Moments};
+use asperity::surface::{HeightMap, Moments, Rows};
 
 /// Asserts that bytes are refused with this kind of error and these words.
 macro_rules! assert_refused {

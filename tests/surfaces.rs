@@ -361,3 +361,38 @@ fn a_mapped_file_gives_the_same_summits_as_the_map_in_memory() {
     assert_eq!(summits, five_point(&Level::Plane.apply(&whole).unwrap()));
     assert_eq!(format!("{:?}", Character::of(&rows)), format!("{:?}", Character::of(&map)));
 }
+
+/// Of the same spectrum and the same height, it cuts every other point; if it were the coarser one again, none.
+#[test]
+fn the_finer_process_has_random_numbers_of_its_own() {
+    let process = process(Shape::Exponential(2e-6), Lay::default(), Marginal::Gaussian);
+    let plateau = Some(Plateau { process, height: 0.0 });
+    let recipe = Recipe { points: [200, 160], pixel: [1e-6; 2], process, plateau };
+    let cut = recipe.surface(seeds(5)).unwrap().1.unwrap();
+    assert!((cut - 0.5).abs() < 0.1, "{cut}");
+}
+
+/// What a report says of a target is a recipe, which makes the same surface from the same seed.
+#[test]
+fn what_meets_a_target_is_made_by_the_recipe_that_is_reported() {
+    let target = Target { radius: 2e-5, sigma: 4.8e-8, density: 6e10 };
+    for (heights, neighbours) in
+        [(Marginal::Gaussian, Neighbours::Eight), (johnson(-1.0, 4.5), Neighbours::Four)]
+    {
+        let points = [512, 384];
+        let recipe =
+            TargetRecipe { points, hurst: 0.8, cut_off: 8.0, lay: Lay::default(), heights, neighbours };
+        // A target may lie in a jump of the small map of one seed.
+        let of = |seed| Some((seed, recipe.surface(&target, seeds(seed).process, None).ok()?));
+        let (seed, reached) = (1..=8).find_map(of).unwrap();
+        let [density, _, _, variance] = found(&reached.map, neighbours);
+        assert!((density / target.density - 1.0).abs() < 1e-3, "{density}");
+        assert!((variance.sqrt() / target.sigma - 1.0).abs() < 1e-3, "{variance}");
+        let shape = Shape::SelfAffine { hurst: 0.8, roll_off: reached.roll_off, cut_off: reached.cut_off };
+        let spectrum = Spectrum::new(shape, Lay::default()).unwrap();
+        let process = Process { spectrum, of: SpectrumOf::Gaussian, sigma: reached.sigma, heights };
+        let again = surface(points, reached.map.pixel(), process, seed);
+        let far = |(a, b): &(&f64, &f64)| (*a - *b).abs() > 1e-9 * reached.sigma;
+        assert_eq!(again.heights().iter().zip(reached.map.heights()).filter(far).count(), 0);
+    }
+}

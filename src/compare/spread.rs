@@ -147,4 +147,33 @@ mod tests {
         assert!(!found.counts(), "A/A_nom of 0.4");
         assert_eq!(spread(&realisations[..1]), []);
     }
+
+    #[test]
+    fn a_realisation_scatters_at_least_by_its_stated_error() {
+        let pairs = [vec![pair(1.0, 4.0, 3.0)], vec![pair(1.0, 4.0, 3.0)]];
+        let realisations: Vec<Realisation> = pairs.iter().map(|pairs| (&pairs[..], 1e-8, 40.0)).collect();
+        let found = &spread(&realisations)[0];
+        assert_eq!((found.difference.deviation, found.sampling_error), (0.0, 0.5));
+        assert!((found.standard_errors(2) - 2.0 * 2f64.sqrt()).abs() < 1e-12);
+    }
+
+    #[test]
+    fn pairs_at_equal_separation_are_not_at_equal_load() {
+        let separation = Pair { pairing: Pairing::Separation, ..pair(1.0, 9.0, 9.0) };
+        let pairs = [vec![separation, pair(1.0, 4.0, 3.0)], vec![pair(1.0, 4.0, 3.0)], vec![separation]];
+        let all: Vec<Realisation> = pairs.iter().map(|pairs| (&pairs[..], 1e-8, 40.0)).collect();
+        assert_eq!(spread(&all[..2])[0].difference, Scatter { mean: 1.0, deviation: 0.0 });
+        assert_eq!(spread(&all), []);
+    }
+
+    #[test]
+    fn few_contacts_and_a_large_area_of_either_model_do_not_count() {
+        let at = |statistical: f64, deterministic: f64, area: f64| {
+            let pairs = [pair(1.0, statistical, deterministic)];
+            spread(&[(&pairs[..], 1e-8, area), (&pairs[..], 1e-8, area)])[0].counts()
+        };
+        assert!(at(0.4, 0.4, 30.0));
+        assert!(!at(0.4, 0.4, 29.0), "29 contacts");
+        assert!(!at(0.6, 0.4, 30.0) && !at(0.4, 0.6, 30.0), "A/A_nom of 0.06");
+    }
 }

@@ -309,3 +309,62 @@ impl Surface {
         papers
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::surface::generate::{Plateau, Process, Seeds, SpectrumOf};
+    use crate::surface::spectrum::{Lay, Shape, Spectrum};
+
+    fn map(points: [usize; 2], height: impl Fn(usize) -> f64) -> HeightMap {
+        HeightMap::new(points, [1.0, 2.0], (0..points[0] * points[1]).map(height).collect(), 0.0).unwrap()
+    }
+
+    fn facts(plateau: Option<Plateau>, neighbours: Neighbours) -> (HeightMap, MapFacts) {
+        let recipe = Recipe { points: [64, 48], pixel: [1.0, 0.8], process: process(3.0), plateau };
+        let (map, cut) = recipe.surface(Seeds { process: [1; 32], plateau: [2; 32] }).unwrap();
+        let generation = Some(GenerationFacts { recipe, target: None, cut });
+        let finding =
+            Finding { level: Level::None, filter: None, neighbours, generation, look: Look::Everything };
+        let facts = finding.asperities(&map).unwrap().1;
+        (map, facts)
+    }
+
+    fn process(length: f64) -> Process {
+        let spectrum = Spectrum::new(Shape::Exponential(length), Lay::default()).unwrap();
+        Process { spectrum, of: SpectrumOf::Heights, sigma: 1.0, heights: Marginal::Gaussian }
+    }
+
+    #[test]
+    fn a_surface_of_two_processes_has_no_spectrum_that_was_asked_for() {
+        let one = facts(None, Neighbours::Four).1;
+        assert!(one.whole.asked.is_some() && !one.whole.is_asked_of_gaussian);
+        let two = facts(Some(Plateau { process: process(2.0), height: 0.0 }), Neighbours::Four).1;
+        assert!(two.whole.asked.is_none() && two.whole.spectrum.is_some());
+    }
+
+    #[test]
+    fn saddles_are_summits_whose_smaller_curvature_is_not_positive() {
+        for neighbours in [Neighbours::Four, Neighbours::Eight] {
+            let (map, facts) = facts(None, neighbours);
+            let principal = find(&map, neighbours, Detail::ALL).principal;
+            let [larger, smaller] =
+                [0, 1].map(|k| principal.iter().filter(|curvatures| curvatures[k] <= 0.0).count());
+            assert_eq!((facts.saddles, larger), (smaller, 0));
+            assert!(smaller > 0);
+        }
+    }
+
+    /// What is left of a plane far from zero is its rounding.
+    #[test]
+    fn a_plane_far_from_zero_is_flat_once_it_is_levelled() {
+        let map = map([40, 30], |k| 1.0 + 1e-3 * (k / 30) as f64 + f64::EPSILON * ((k * k) % 2) as f64);
+        let finding = |level| {
+            let neighbours = Neighbours::Four;
+            Finding { level, filter: None, neighbours, generation: None, look: Look::Asperities }
+                .asperities(&map)
+        };
+        assert!(matches!(finding(Level::Plane), Err(NoAsperities::Flat)));
+        assert!(matches!(finding(Level::Quadratic), Err(NoAsperities::Flat)));
+    }
+}

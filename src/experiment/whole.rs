@@ -133,3 +133,34 @@ impl Rows for Blocks<'_> {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::surface::character::Moments;
+
+    fn map(points: [usize; 2], height: impl Fn(usize) -> f64) -> HeightMap {
+        HeightMap::new(points, [1.0, 2.0], (0..points[0] * points[1]).map(height).collect(), 0.0).unwrap()
+    }
+
+    #[test]
+    fn a_picture_has_the_means_of_the_points_that_are_there() {
+        let height = |k: usize| if [0, 6, 24].contains(&k) { f64::NAN } else { k as f64 };
+        let small = thumbnail(&map([5, 5], height), 3);
+        assert_eq!((small.points(), small.pixel()), ([3, 3], [2.0, 4.0]));
+        assert_eq!(small.heights()[..8], [3.0, 5.0, 6.5, 13.0, 15.0, 16.5, 20.5, 22.5]);
+        assert!(small.heights()[8].is_nan());
+        assert_eq!(thumbnail(&small, 3).heights()[..8], small.heights()[..8]);
+    }
+
+    #[test]
+    fn heights_are_counted_about_their_mean_over_ten_sq() {
+        // A tenth of Sq is an interval, the first at -5.
+        let map = map([4, 4], |k| [-1.05, 1.05, 0.05, f64::NAN][k % 4]);
+        let moments = Moments { mean: 0.0, sa: 1.0, sq: 1.0, ssk: None, sku: None };
+        let counts = distribution(&map, &Character { moments, ..Character::of(&map) });
+        let held: Vec<(usize, usize)> =
+            counts.iter().copied().enumerate().filter(|(_, count)| *count > 0).collect();
+        assert_eq!((counts.len(), held), (100, vec![(39, 4), (50, 4), (60, 4)]));
+    }
+}

@@ -254,3 +254,66 @@ fn row_sums(strip: &Strip, origin: f64) -> Vec<(f64, usize)> {
     };
     (0..strip.count as isize).filter_map(|k| strip.row(k).map(sum)).collect()
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::surface::{Boundary, HeightMap};
+
+    /// Over more than two strips, with holes.
+    fn map() -> HeightMap {
+        let height = |k: usize| if k % 41 == 7 { f64::NAN } else { 5.0 + ((k * k) % 89) as f64 };
+        HeightMap::new([70, 9], [0.5, 2.0], (0..70 * 9).map(height).collect(), 0.0).unwrap()
+    }
+
+    #[test]
+    fn differences_are_those_of_the_definition() {
+        for map in [map(), map().periodic()] {
+            let is_periodic = map.boundary() == Boundary::Periodic;
+            let z = |i: isize, j: isize| {
+                let is_inside = (0..70).contains(&i) && (0..9).contains(&j);
+                if !is_inside && !is_periodic {
+                    return f64::NAN;
+                }
+                map.heights()[(i.rem_euclid(70) * 9 + j.rem_euclid(9)) as usize]
+            };
+            let mean_square = |difference: &dyn Fn(isize, isize) -> f64| {
+                let all = (0..70).flat_map(|i| (0..9).map(move |j| (i, j)));
+                let there: Vec<f64> = all.map(|(i, j)| difference(i, j)).filter(|d| !d.is_nan()).collect();
+                there.iter().map(|d| d * d).sum::<f64>() / there.len() as f64
+            };
+            let first =
+                [mean_square(&|i, j| z(i + 1, j) - z(i, j)), mean_square(&|i, j| z(i, j + 1) - z(i, j))];
+            let second = [
+                mean_square(&|i, j| z(i + 2, j) - 2.0 * z(i + 1, j) + z(i, j)),
+                mean_square(&|i, j| z(i, j + 2) - 2.0 * z(i, j + 1) + z(i, j)),
+            ];
+            let mixed = mean_square(&|i, j| z(i + 1, j + 1) - z(i, j + 1) - z(i + 1, j) + z(i, j));
+            let skew = mean_square(&|i, j| z(i + 1, j + 1) - z(i, j))
+                - mean_square(&|i, j| z(i + 1, j) - z(i, j + 1));
+            let close = |found: f64, exact: f64| {
+                assert!((found - exact).abs() < 1e-12 * exact.abs(), "{is_periodic}: {found} for {exact}");
+            };
+            let found = Character::of(&map);
+            for axis in 0..2 {
+                let pixel: f64 = map.pixel()[axis];
+                close(found.drops.first[axis], first[axis]);
+                close(found.drops.second[axis], second[axis]);
+                close(found.m2[axis], first[axis] / pixel.powi(2));
+                close(found.m4[axis], second[axis] / pixel.powi(4));
+            }
+            close(found.drops.mixed, mixed);
+            assert!((found.drops.skew - skew).abs() < 1e-12 * mixed, "{} for {skew}", found.drops.skew);
+        }
+    }
+
+    #[test]
+    fn spectral_moments_are_means_over_both_axes() {
+        let found = Character::of(&map());
+        let [m0, m2, m4] = found.spectral_moments();
+        assert_eq!(m0, found.moments.sq.powi(2));
+        assert_eq!([2.0 * m2, 2.0 * m4], [found.m2, found.m4].map(|m| m[0] + m[1]));
+        assert_eq!(found.alpha(), Some(m0 * m4 / (m2 * m2)));
+        assert_eq!(found.rms_slope(), (2.0 * m2).sqrt());
+    }
+}

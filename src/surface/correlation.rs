@@ -338,4 +338,42 @@ mod tests {
             assert!((found.along_x[lag].1 - exact).abs() < 1e-12, "{lag}");
         }
     }
+
+    /// sigma^2 over all wave vectors that the grid has.
+    #[test]
+    fn white_noise_has_its_density_within_open_borders_too() {
+        let mut found = [0.0; 2];
+        for seed in 0..8 {
+            let map = surface(Shape::Gaussian(0.05), Lay::default(), seed).0;
+            let open = HeightMap::new(POINTS, PIXEL, map.heights().to_vec(), 0.0).unwrap();
+            for (found, map) in found.iter_mut().zip([map, open]) {
+                let mean = Moments::of(&map).mean;
+                let rings = RadialSpectrum::of(map, mean).rings;
+                *found += rings[rings.len() - 10..].iter().map(|ring| ring.1 / 80.0).sum::<f64>();
+            }
+        }
+        let exact = 9.0 * PIXEL[0] * PIXEL[1] / TAU.powi(2);
+        // Four standard errors of the open maps.
+        assert!(found.iter().all(|found| (found / exact - 1.0).abs() < 0.03), "{found:?} for {exact}");
+    }
+
+    /// C(q) = sigma^2 l^2/(4 pi) exp(-(q l/2)^2); the longest wave is alone in its ring.
+    #[test]
+    fn the_spectrum_asked_for_is_that_of_an_endless_surface() {
+        let spectrum = Spectrum::new(Shape::Gaussian(10.0), Lay::default()).unwrap();
+        let (q, density) = RadialSpectrum::asked(&spectrum.on_grid(POINTS, PIXEL), PIXEL, 3.0).rings[0];
+        assert!((q / (TAU / 160.0) - 1.0).abs() < 1e-12);
+        let exact = 9.0 * 100.0 / (4.0 * PI) * (-(5.0 * q).powi(2)).exp();
+        assert!((density / exact - 1.0).abs() < 1e-6, "{density} for {exact}");
+    }
+
+    #[test]
+    fn quartiles_are_those_of_found_over_asked() {
+        let of = |density: &dyn Fn(usize) -> f64| RadialSpectrum {
+            rings: (0..8).map(|k| (1.0 + k as f64, density(k))).collect(),
+        };
+        assert_eq!(of(&|_| 2.0).quartiles_of(&of(&|k| 2.0 * k as f64)), [2.0, 6.0]);
+        let negligible = of(&|k| if k < 4 { 1.0 } else { 1e-4 });
+        assert_eq!(negligible.quartiles_of(&of(&|k| if k < 4 { 3.0 } else { 9.0 })), [3.0, 3.0]);
+    }
 }

@@ -442,6 +442,7 @@ mod tests {
         let along_x = lay(10.0, 0.0);
         let along_y = lay(10.0, std::f64::consts::FRAC_PI_2);
         assert!(check(Shape::Gaussian(5.0), along_x, [500, 50]).is_ok());
+        assert!(check(Shape::Exponential(5.1), along_x, [600, 50]).is_err(), "longer than a tenth of y");
         assert!(check(Shape::Gaussian(5.0), along_y, [500, 50]).is_err());
         assert!(check(Shape::Gaussian(5.0), along_y, [50, 500]).is_ok());
         let affine = |roll_off, cut_off| Shape::SelfAffine { hurst: 0.8, roll_off, cut_off };
@@ -452,5 +453,30 @@ mod tests {
         assert!(check(affine(20.0, 4.0), lay(0.5, 0.0), [64, 64]).is_ok());
         assert!(Spectrum::new(affine(3.0, 4.0), Lay::default()).is_err());
         assert!(Spectrum::new(Shape::Gaussian(f64::NAN), Lay::default()).is_err());
+    }
+
+    /// Persson et al. 2005, with the lay turned to the x axis.
+    #[test]
+    fn self_affine_waves_are_those_of_the_definition() {
+        let (points, pixel) = ([50, 36], [1.0, 1.5]);
+        let (hurst, roll_off, cut_off) = (0.7, 20.0, 6.0);
+        for (elongation, angle) in [(1.0, 0.0), (2.0, 0.0), (2.0, 0.6), (0.5, -0.6)] {
+            let shape = Shape::SelfAffine { hurst, roll_off, cut_off };
+            let grid = Spectrum::new(shape, Lay { elongation, angle }).unwrap().on_grid(points, pixel);
+            let mut waves = vec![0.0; points[0]];
+            for j in 0..=points[1] / 2 {
+                grid.column(j, &mut waves);
+                for (i, wave) in waves.iter().enumerate().skip(usize::from(j == 0)) {
+                    let i = if 2 * i > points[0] { i as f64 - points[0] as f64 } else { i as f64 };
+                    let [x, y] =
+                        [i / (points[0] as f64 * pixel[0]), j as f64 / (points[1] as f64 * pixel[1])];
+                    let along = elongation * (x * f64::cos(angle) + y * f64::sin(angle));
+                    let q = along.hypot(y * f64::cos(angle) - x * f64::sin(angle));
+                    let density = (q * roll_off).max(1.0).powf(-2.0 * (1.0 + hurst));
+                    let exact = if q * cut_off > 1.0 + 1e-9 { 0.0 } else { density };
+                    assert!((wave * wave - exact).abs() < 1e-12 * density, "{elongation} {angle}: {i} {j}");
+                }
+            }
+        }
     }
 }

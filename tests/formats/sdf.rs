@@ -219,3 +219,20 @@ fn opd_1_as_sdf_is_the_same_surface() {
         1e-6,
     );
 }
+
+/// Only the two counts that Olympus writes stand before the numbers; what else is there comes after them.
+#[test]
+fn eight_bytes_after_the_numbers_move_nothing() {
+    let numbers: Vec<u8> = in_lines().flat_map(f64::to_le_bytes).chain(*b"the end.").collect();
+    assert_map(Sdf::of("ISO-1.0", 7).binary(&numbers), Given::default(), 1e-9, PIXEL);
+}
+
+#[test]
+fn numbers_of_four_bytes_have_their_precision() {
+    let four: Vec<u8> = in_lines().flat_map(|z| (z as f32).to_le_bytes()).collect();
+    let eight: Vec<u8> = in_lines().flat_map(f64::to_le_bytes).collect();
+    for (data_type, numbers, precision) in [(3, four, f64::from(f32::EPSILON)), (7, eight, f64::EPSILON)] {
+        let (_folder, path) = file(Sdf::of("ISO-1.0", data_type).binary(&numbers));
+        assert_eq!(height_map(&path, Given::default()).unwrap().precision(), precision);
+    }
+}

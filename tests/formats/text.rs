@@ -182,3 +182,12 @@ fn opd_1_as_text_and_as_points_is_the_same_surface() {
         .collect();
     assert_opd(exact, in_um, 1e-15);
 }
+
+#[test]
+fn digits_tell_the_precision_but_few_of_them_are_steps() {
+    for (number, precision) in [("12.345", f64::EPSILON), ("12.34567", 0.5e-6), ("0.0001234567e-3", 0.5e-6)] {
+        let (_folder, path) = file(lines(" ", "NaN").replacen("1.25", number, 1));
+        let found = height_map(&path, IN_NM).unwrap().precision();
+        assert!((found / precision - 1.0).abs() < 1e-14, "{number}: {found}");
+    }
+}

@@ -237,3 +237,36 @@ fn bad_x3p_is_refused() {
         let _ = head(&path).and_then(|_| height_map(&path, Given::default()));
     }
 }
+
+#[test]
+fn the_file_of_valid_points_is_checked_as_the_heights_are() {
+    let numbers: Vec<u8> = in_lines().flat_map(|z| (z * 1e-9).to_le_bytes()).collect();
+    let mut x3p = X3p::linked("D", "1", numbers);
+    let valid =
+        "<ValidPointsLink>valid.bin</ValidPointsLink><MD5ChecksumValidPoints>0123</MD5ChecksumValidPoints>";
+    x3p.record3 = x3p.record3.replace("</DataLink>", &format!("{valid}</DataLink>"));
+    x3p.files.push(("valid.bin", vec![0xff; 3]));
+    assert_refused!(Corrupt, "is damaged: valid.bin has the MD5 sum", x3p.bytes());
+    x3p.files[1].1.pop();
+    let (_folder, path) = file(x3p.bytes());
+    let error = head(&path).unwrap_err().to_string();
+    assert!(error.contains("is truncated: valid.bin holds 2 bytes; allowed: 3"), "{error}");
+}
+
+#[test]
+fn an_archive_that_is_packed_otherwise_is_not_called_damaged() {
+    let numbers: Vec<u8> = in_lines().flat_map(|z| (z * 1e-9).to_le_bytes()).collect();
+    let whole = X3p::linked("D", "1", numbers).bytes();
+    // In the header of each entry and in the directory: bzip2 as its method, or the flag of an encrypted one.
+    for (offset, value) in [(8, 12), (6, 1)] {
+        let mut bytes = whole.clone();
+        for place in 0..bytes.len() {
+            match &bytes[place..] {
+                [b'P', b'K', 3, 4, ..] => bytes[place + offset] = value,
+                [b'P', b'K', 1, 2, ..] => bytes[place + offset + 2] = value,
+                _ => {}
+            }
+        }
+        assert_refused!(Unsupported, "is packed otherwise", bytes);
+    }
+}

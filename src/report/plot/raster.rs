@@ -229,4 +229,28 @@ mod tests {
         assert_eq!(ends(ColourMap::Counts, vec![0.0, 1.0, 100.0], None), Some((0.0, 2.0)));
         assert_eq!(ends(ColourMap::Counts, vec![0.0, -1.0], None), None);
     }
+
+    /// Of an image, the first row of pixels is the upper one.
+    #[test]
+    fn the_first_cell_stands_at_the_lower_left() {
+        use base64::Engine;
+        let field = raster(2, 3, vec![5.0, 1.0, 2.0, 2.0, 3.0, 4.0]);
+        let corners = |falling| {
+            let uri = field.image(&field.scale().unwrap(), falling, (2.0, 3.0)).unwrap();
+            let file = uri.strip_prefix("data:image/png;base64,").unwrap();
+            let file = base64::engine::general_purpose::STANDARD.decode(file).unwrap();
+            let mut decoder = png::Decoder::new(std::io::Cursor::new(file));
+            decoder.set_transformations(png::Transformations::IDENTITY);
+            let mut reader = decoder.read_info().unwrap();
+            let mut pixels = vec![0; reader.output_buffer_size().unwrap()];
+            let info = reader.next_frame(&mut pixels).unwrap();
+            let (wide, high) = (info.width as usize, info.height as usize);
+            // Upper left, upper right, lower left, lower right, as fifths of the largest value.
+            [0, wide - 1, (high - 1) * wide, high * wide - 1]
+                .map(|at| (5.0 * f64::from(pixels[at] - 1) / f64::from(COLOURS - 1)).round())
+        };
+        assert_eq!(corners((false, false)), [3.0, 4.0, 5.0, 1.0]);
+        assert_eq!(corners((true, false)), [4.0, 3.0, 1.0, 5.0]);
+        assert_eq!(corners((false, true)), [5.0, 1.0, 3.0, 4.0]);
+    }
 }

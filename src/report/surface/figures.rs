@@ -185,3 +185,48 @@ pub fn autocorrelation(found: &Autocorrelation) -> String {
     }
     plot.svg()
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_histogram_has_the_area_of_the_values_that_it_shows() {
+        let values: Vec<f64> = (0..1000).map(|k| 0.012 * f64::from(k) - 6.0).collect();
+        let (edges, density) = histogram(&values, HEIGHTS);
+        let area: f64 =
+            edges.windows(2).zip(&density).map(|(edge, density)| (edge[1] - edge[0]) * density).sum();
+        let inside = values.iter().filter(|value| (HEIGHTS.0..HEIGHTS.1).contains(value)).count();
+        assert!((area - inside as f64 / 1000.0).abs() < 1e-12, "{area}");
+    }
+
+    #[test]
+    fn one_height_in_two_hundred_lies_beyond_the_colours() {
+        let heights = (0..1000).map(|k| if k % 2 == 0 { -0.001 } else { 0.001 } * f64::from(k)).collect();
+        let map = HeightMap::new([40, 25], [1e-6; 2], heights, 0.0).unwrap();
+        assert_eq!(colour_limit(&map), 0.995);
+    }
+
+    /// The first index of a map is x, which runs to the right; y runs upwards.
+    #[test]
+    fn the_picture_of_a_map_is_not_turned() {
+        use base64::Engine;
+        // The highest point has the largest x and the smallest y.
+        let heights = (0..12).map(|k| if k == 9 { 1e-6 } else { -1e-6 }).collect();
+        let svg = super::heights(&HeightMap::new([4, 3], [1e-6; 2], heights, 0.0).unwrap());
+        let file = svg.split_once("base64,").unwrap().1.split_once('"').unwrap().0;
+        let file = base64::engine::general_purpose::STANDARD.decode(file).unwrap();
+        let mut decoder = png::Decoder::new(std::io::Cursor::new(file));
+        decoder.set_transformations(png::Transformations::IDENTITY);
+        let mut reader = decoder.read_info().unwrap();
+        let mut pixels = vec![0; reader.output_buffer_size().unwrap()];
+        let info = reader.next_frame(&mut pixels).unwrap();
+        let (wide, high) = (info.width as usize, info.height as usize);
+        for row in 0..3 {
+            for column in 0..4 {
+                let pixel = pixels[(2 * row + 1) * high / 6 * wide + (2 * column + 1) * wide / 8];
+                assert_eq!(pixel, if (column, row) == (3, 2) { 255 } else { 1 }, "{column} {row}");
+            }
+        }
+    }
+}

@@ -70,3 +70,49 @@ fn draw_real(deviations: &[f64], rng: &mut ChaCha8Rng, waves: &mut [Complex<f64>
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::surface::fourier::analyse;
+    use crate::surface::spectrum::{Lay, Shape, Spectrum};
+
+    /// Also those that stand for no other: at the end of even numbers of points.
+    #[test]
+    fn each_wave_has_its_variance_and_is_drawn_by_itself() {
+        const SEEDS: u32 = 3000;
+        let points = [8, 6];
+        let shape = Shape::Gaussian(0.7);
+        let spectrum =
+            Spectrum::new(shape, Lay { elongation: 1.5, angle: 0.6 }).unwrap().on_grid(points, [1.0; 2]);
+        let mut power = vec![vec![0.0; 8]; 4];
+        let mut product = Complex::<f64>::default();
+        for number in 0..SEEDS {
+            let mut seed = [7; 32];
+            seed[..4].copy_from_slice(&number.to_le_bytes());
+            let waves = analyse(gaussian(&spectrum, 1.0, seed), points, |_, column| column.to_vec());
+            for (sum, wave) in power.iter_mut().flatten().zip(waves.iter().flatten()) {
+                *sum += wave.norm_sqr() / f64::from(SEEDS);
+            }
+            product += waves[1][1] * waves[2][1].conj() / f64::from(SEEDS);
+        }
+        let mut deviations = vec![0.0; 8];
+        let mut total = spectrum.mean_variance();
+        for j in 0..4 {
+            spectrum.column(j, &mut deviations);
+            total += weight(points, j) * deviations.iter().map(|d| d * d).sum::<f64>();
+        }
+        for (j, power) in power.iter().enumerate() {
+            spectrum.column(j, &mut deviations);
+            for (i, (power, deviation)) in power.iter().zip(&deviations).enumerate() {
+                let exact = 48.0 * 48.0 * deviation * deviation / total;
+                // Five standard errors of the square of a real wave.
+                assert!(
+                    (power - exact).abs() <= 5.0 * (2.0 / f64::from(SEEDS)).sqrt() * exact + 1e-20,
+                    "{i} {j}"
+                );
+            }
+        }
+        assert!(product.norm() < 0.1 * (power[1][1] * power[2][1]).sqrt(), "{product}");
+    }
+}

@@ -211,6 +211,7 @@ fn of_io(error: std::io::Error) -> ReadError {
         ErrorKind::UnexpectedEof | ErrorKind::InvalidData | ErrorKind::InvalidInput | ErrorKind::Other => {
             ReadError::Corrupt(format!("is no sound zip archive: {error}"))
         }
+        ErrorKind::Unsupported => ReadError::Unsupported(format!("is packed otherwise: {error}")),
         _ => ReadError::Io(error),
     }
 }

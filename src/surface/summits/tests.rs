@@ -178,3 +178,20 @@ fn zeros_of_both_signs_are_equal() {
     let found = five_point(&map([6, 6], heights));
     assert_eq!((found.positions, found.plateaus), (vec![14], 1));
 }
+
+#[test]
+fn a_plateau_has_the_drops_to_the_lower_points_around_it() {
+    let mut heights = vec![0.0; 30];
+    (heights[14], heights[15], heights[13]) = (3.0, 3.0, 1.0);
+    let found = five_point(&map([5, 6], heights));
+    assert_eq!((found.positions, found.plateaus), (vec![14], 1));
+    assert_eq!(found.drops, [3.0, 3.0, 2.0, 3.0, 3.0, 3.0]);
+}
+
+#[test]
+fn a_flat_map_has_no_summit_even_where_it_goes_on() {
+    for neighbours in [Neighbours::Four, Neighbours::Eight] {
+        let found = find(&map([6, 5], vec![1.0; 30]).periodic(), neighbours, Detail::ALL);
+        assert_eq!((found.heights.len(), found.drops.len(), found.plateaus, found.dropped), (0, 0, 1, 1));
+    }
+}
