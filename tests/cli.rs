@@ -481,6 +481,8 @@ fn a_look_at_a_surface() {
         (&[opd][..], "holds no pixel size"),
         (&[opd, "--pixel", "0.2 um", "--level", "cubic"], "cubic"),
         (&[opd, "--pixel", "0.2 um", "--s", "3 um", "--l", "2 um"], "s below l"),
+        (&[opd, "--pixel", "0.2 um", "--name", ""], "found the name \"\" for its report"),
+        (&[opd, "--pixel", "0.2 um", "--name", "../up"], "found the name \"../up\" for its report"),
         (&["nowhere.npy"], "nowhere.npy"),
         (&[root.join("Cargo.lock").to_str().unwrap()], "Cargo.lock"),
     ] {

@@ -59,6 +59,11 @@ impl Experiment {
         let mut plan =
             if is_spec { Plan::look_at_spec(path)? } else { Plan::look_at_file(words.spec(path), path)? };
         if let Some(name) = name {
+            if name.is_empty() || Path::new(name).file_name() != Some(name.as_ref()) {
+                let message =
+                    format!("found the name \"{name}\" for its report; allowed: one such as my-surface");
+                return Err(Refusal::file(path, message));
+            }
             plan.stem = plan::stem_of(Path::new(&format!("{name}.toml")))?;
         }
         Ok(Self { plan })

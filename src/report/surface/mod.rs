@@ -10,7 +10,8 @@ pub use page::page;
 use super::format::{number, percent};
 use super::page::Page;
 use crate::experiment::{MapFacts, Surface};
-use words::{columns, or_dash, properties, table};
+use crate::surface::theory::Expected;
+use words::{columns, properties, table};
 
 /// Adds tables and pictures of a surface to a page.
 pub fn section(page: &mut Page, surface: &Surface, assumed: Option<&crate::asperity::Population>) {
@@ -83,16 +84,16 @@ pub fn section(page: &mut Page, surface: &Surface, assumed: Option<&crate::asper
     page.figure(&format!("{}-asperities.svg", surface.name), svg, &caption);
 }
 
-/// Found summits and what theory expects of a Gaussian surface.
-const THEORY: [&str; 6] =
-    ["summits", "found", "five-point theory", "found / theory", "Nayak", "found / Nayak"];
-
-/// How far the found summits are from what theory expects of a Gaussian surface, below [`THEORY`]; nothing where there
-/// is no theory.
-fn theory_rows(surface: &Surface, map: &MapFacts) -> Vec<Vec<String>> {
-    let expected = [map.expected, map.nayak];
-    if expected.iter().all(Option::is_none) {
-        return Vec::new();
+/// Found summits and those that theory expects of a Gaussian surface: a head and its rows. `None` where there is no theory.
+fn theory_table(surface: &Surface, map: &MapFacts) -> Option<(Vec<&'static str>, Vec<Vec<String>>)> {
+    let expected = [
+        (map.expected.as_ref(), ["five-point theory", "found / theory"]),
+        (map.nayak.as_ref(), ["Nayak", "found / Nayak"]),
+    ];
+    let expected: Vec<(&Expected, [&str; 2])> =
+        expected.into_iter().filter_map(|(theory, head)| theory.map(|theory| (theory, head))).collect();
+    if expected.is_empty() {
+        return None;
     }
     let statistics = &surface.statistics;
     let sq = map.character.moments.sq;
@@ -103,7 +104,7 @@ fn theory_rows(surface: &Surface, map: &MapFacts) -> Vec<Vec<String>> {
         (statistics.mean_height - plane) / sq,
         (statistics.sigma / sq).powi(2),
     ];
-    let of = |expected: &crate::surface::theory::Expected| {
+    let of = |expected: &Expected| {
         [expected.density, expected.curvature, expected.height / sq, expected.height_variance / (sq * sq)]
     };
     let names = [
@@ -112,33 +113,31 @@ fn theory_rows(surface: &Surface, map: &MapFacts) -> Vec<Vec<String>> {
         "mean height above the mean plane / Sq",
         "variance of heights / Sq²",
     ];
+    let head = ["summits", "found"].into_iter().chain(expected.iter().flat_map(|(_, head)| *head)).collect();
     let row = |k: usize| {
         let mut row = vec![names[k].to_owned(), number(found[k])];
-        for theory in &expected {
-            row.push(or_dash(theory.as_ref().map(|theory| of(theory)[k])));
-            let ratio = theory.as_ref().map(|theory| found[k] / of(theory)[k]);
-            row.push(ratio.map_or_else(|| "-".to_owned(), |ratio| format!("{ratio:.3}")));
+        for (theory, _) in &expected {
+            row.extend([number(of(theory)[k]), format!("{:.3}", found[k] / of(theory)[k])]);
         }
         row
     };
-    (0..names.len()).map(row).collect()
+    Some((head, (0..names.len()).map(row).collect()))
 }
 
+/// How far the found summits are from what theory expects of a Gaussian surface.
 fn theory(page: &mut Page, surface: &Surface, map: &MapFacts) {
-    let rows = theory_rows(surface, map);
-    if rows.is_empty() {
-        return;
-    }
+    let Some((head, rows)) = theory_table(surface, map) else { return };
     page.paragraph(&format!(
         "The {} summits that were found, and those of a Gaussian surface:",
         map.neighbours.name()
     ));
-    page.table(THEORY, rows);
-    page.paragraph(
-        "Five-point theory: a Gaussian surface with the autocorrelation of this one at neighbouring points, on the same grid. \
-         Nayak: a continuous isotropic Gaussian surface with its m0, m2 and m4; on a fine grid five points count 1.306 times as \
+    page.table(head, rows);
+    let five_point = "Five-point theory: a Gaussian surface with the autocorrelation of this one at neighbouring points, on the same grid. ";
+    page.paragraph(&format!(
+        "{}Nayak: a continuous isotropic Gaussian surface with its m0, m2 and m4; on a fine grid five points count 1.306 times as \
          many, saddles among them.",
-    );
+        if map.expected.is_some() { five_point } else { "" }
+    ));
 }
 
 /// Tables for a terminal.
@@ -158,7 +157,9 @@ pub fn for_terminal(surface: &Surface) -> String {
         if let Some(made) = &map.generation {
             add(&generation::HEAD, generation::rows(surface, map, made));
         }
-        add(&THEORY, theory_rows(surface, map));
+        if let Some((head, rows)) = theory_table(surface, map) {
+            add(&head, rows);
+        }
     }
     tables
 }
