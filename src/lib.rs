@@ -9,7 +9,7 @@
 //! ```text
 //! spec --> surface --> asperities --\
 //!   \                                +--> model --> response --> compare --> report
-//!    \--> materials, law (interface) /
+//!    \--> materials, coating, law (interface) /
 //! ```
 //!
 //! Data flows one way: `report` sees results only, `model` never sees a file, `law` never sees a
@@ -34,6 +34,7 @@
 #![warn(missing_docs)]
 
 pub mod asperity;
+pub mod coating;
 pub mod compare;
 pub mod contact;
 pub mod experiment;

@@ -56,3 +56,27 @@ pub const ISO_16610_61: Paper = Paper {
     short: "ISO 16610-61:2015",
     full: "ISO 16610-61:2015. Geometrical product specification (GPS) - Filtration - Part 61: Linear areal filters: Gaussian filters.",
 };
+
+/// The weights of a layer in an effective modulus.
+pub const GAO_CHIU_LEE_1992: Paper = Paper {
+    short: "Gao, Chiu and Lee 1992",
+    full: "Gao, H., Chiu, C.-H., Lee, J. (1992). Elastic contact versus indentation modeling of multi-layered materials. International Journal of Solids and Structures 29(20), 2471-2492. doi:10.1016/0020-7683(92)90004-D",
+};
+
+/// The effective modulus under a sphere.
+pub const SWAIN_MENCIK_1994: Paper = Paper {
+    short: "Swain and Mencik 1994",
+    full: "Swain, M. V., Mencik, J. (1994). Mechanical property characterization of thin films using spherical tipped indenters. Thin Solid Films 253, 204-211. doi:10.1016/0040-6090(94)90321-2",
+};
+
+/// The effective hardness of a layered flat.
+pub const BHATTACHARYA_NIX_1988: Paper = Paper {
+    short: "Bhattacharya and Nix 1988",
+    full: "Bhattacharya, A. K., Nix, W. D. (1988). Analysis of elastic and plastic deformation associated with indentation testing of thin films on substrates. International Journal of Solids and Structures 24(12), 1287-1298. doi:10.1016/0020-7683(88)90091-1",
+};
+
+/// The compliances of layer and substrate in series.
+pub const SONG_PHARR_1999: Paper = Paper {
+    short: "Song and Pharr 1999",
+    full: "Song, H. (1999). Selected mechanical problems in load- and depth-sensing indentation testing. PhD thesis, Rice University (with G. M. Pharr).",
+};

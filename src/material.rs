@@ -103,13 +103,17 @@ impl Material {
     pub fn yield_strength(&self) -> Option<f64> {
         self.yield_strength
     }
+
+    /// What the body contributes to 1/E*: (1 - nu^2)/E, 1/Pa.
+    pub fn plane_compliance(&self) -> f64 {
+        (1.0 - self.poisson) * (1.0 + self.poisson) / self.young
+    }
 }
 
 /// Reduced modulus of two bodies, Pa (Pasaribu and Schipper 2005, Eq. 3):
 /// 1/E* = (1 - nu1^2)/E1 + (1 - nu2^2)/E2.
 pub fn reduced_modulus(one: &Material, other: &Material) -> f64 {
-    let compliance = |body: &Material| (1.0 - body.poisson) * (1.0 + body.poisson) / body.young;
-    (compliance(one) + compliance(other)).recip()
+    (one.plane_compliance() + other.plane_compliance()).recip()
 }
 
 /// Hardness of the softer body, Pa; infinite where neither yields.

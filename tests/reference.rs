@@ -3,13 +3,13 @@
 
 mod common;
 
-use asperity::asperity::{AsperitySet, HeightDensity, Ordered, Population};
-use asperity::contact::{Contact, Regime, Tally};
+use asperity::asperity::{HeightDensity, Population};
+use asperity::contact::{Contact, Regime};
 use asperity::interface::{Interface, MicroContact};
 use asperity::law::{Hertz, Law, Pair, Zmc};
 use asperity::literature::Paper;
 use asperity::material::Material;
-use asperity::model::{Datum, Deterministic, Model, Statistical};
+use asperity::model::{Model, Statistical};
 use common::{Worst, rows};
 
 /// The worst error of a law over zmc.csv, given how it is made from a row's transition ratio.
@@ -51,11 +51,17 @@ impl MicroContact for Power {
     fn contact(&self, w: f64, _: f64) -> Contact {
         Contact { area: w.powf(self.0), load: 0.0, stiffness: 0.0, regime: Regime::Elastic }
     }
+    fn regime_changes(&self, _: f64) -> Vec<f64> {
+        Vec::new()
+    }
     fn breakpoints(&self, _: f64) -> Vec<f64> {
         Vec::new()
     }
-    fn load_falls(&self) -> bool {
-        false
+    fn load_rises_to(&self) -> f64 {
+        f64::INFINITY
+    }
+    fn highest_load(&self, _: f64, _: f64, _: f64) -> f64 {
+        0.0
     }
     fn reference_modulus(&self) -> f64 {
         1.0
@@ -140,8 +146,14 @@ impl MicroContact for Forgetful {
         all.remove(self.forgotten);
         all
     }
-    fn load_falls(&self) -> bool {
-        self.contact.load_falls()
+    fn regime_changes(&self, b: f64) -> Vec<f64> {
+        self.contact.regime_changes(b)
+    }
+    fn load_rises_to(&self) -> f64 {
+        self.contact.load_rises_to()
+    }
+    fn highest_load(&self, from: f64, to: f64, b: f64) -> f64 {
+        self.contact.highest_load(from, to, b)
     }
     fn reference_modulus(&self) -> f64 {
         self.contact.reference_modulus()
@@ -173,32 +185,4 @@ fn the_references_bite() {
         let [near, _] = statistical_error(contact);
         assert!(near.error() > 1e-10, "breakpoint {forgotten}: {:e}", near.error());
     }
-}
-
-/// The bare rows: lead of thickness 0 on steel, and lead all through.
-#[test]
-fn sums_over_bare_asperities() {
-    let steel = Material::new(210e9, 0.3, Some(7.6e9), None).unwrap();
-    let lead = Material::new(18e9, 0.35, Some(0.17e9), None).unwrap();
-    let asperities = rows("asperities");
-    let mut worst = Worst::default();
-    for row in rows("asperity_sums") {
-        let flat = match row.text("lead_thickness") {
-            "0.0" => steel,
-            "inf" => lead,
-            _ => continue,
-        };
-        let members = || asperities.iter().filter(|a| a.text("set") == row.text("set"));
-        let heights = members().map(|a| a.number("height")).collect();
-        let radii = members().map(|a| a.number("radius")).collect();
-        let set = Ordered::new(&AsperitySet::new(heights, radii, 1.0).unwrap());
-        let zmc = Interface::bare(Zmc::default(), &steel, &flat);
-        let d = row.number("separation");
-        let found: Tally = Deterministic::new(&zmc, &set, Datum { mean: 0.0, sigma: 1.0 }).tally(d);
-        let place = || format!("set {} at {d:e}", row.text("set"));
-        assert_eq!(found.contacts(), row.number("contacts"), "{}", place());
-        worst.see(found.area().total(), row.number("total_area"), place);
-        worst.see(found.load().total(), row.number("total_load"), place);
-    }
-    worst.assert_within(1e-13, 60);
 }

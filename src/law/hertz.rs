@@ -5,6 +5,7 @@ use std::f64::consts::PI;
 use super::{Law, Pair};
 use crate::contact::{Contact, Regime};
 use crate::literature::{self, Paper};
+use crate::numeric::interval::Interval;
 
 /// A sphere that stays elastic at any indentation (Greenwood and Williamson 1966):
 ///
@@ -39,5 +40,9 @@ impl Law for Hertz {
 
     fn critical_ratios(&self, _: &Pair) -> Vec<f64> {
         Vec::new()
+    }
+
+    fn load_exponents(&self) -> Interval {
+        Interval::point(1.5)
     }
 }

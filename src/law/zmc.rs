@@ -5,6 +5,7 @@ use std::f64::consts::PI;
 use super::{Hertz, Law, Pair};
 use crate::contact::{Contact, Regime};
 use crate::literature::{self, Paper};
+use crate::numeric::interval::Interval;
 use crate::numeric::is_positive;
 
 /// The elastic - elastic-plastic - plastic sphere of Zhao, Maietta and Chang (2000), in the notation
@@ -117,5 +118,20 @@ impl Law for Zmc {
     fn critical_ratios(&self, pair: &Pair) -> Vec<f64> {
         let w1 = self.onset_ratio(pair);
         if w1.is_finite() { vec![w1, self.transition_ratio * w1] } else { Vec::new() }
+    }
+    /// 1 where all is plastic, 1.5 where nothing is. Between, mean pressure and area add to 1: bounded on pieces of
+    /// x, on each by the terms' own greatest values.
+    fn load_exponents(&self) -> Interval {
+        const PIECES: i32 = 64;
+        let span = self.transition_ratio - 1.0;
+        let growth = |x: f64| 1.0 + x * x * (3.0 - 2.0 * x);
+        let highest = |k: i32| {
+            let [low, high] = [k, k + 1].map(|k| f64::from(k) / f64::from(PIECES));
+            let pressure =
+                0.6 * self.inverse_log_ratio / (0.4 + 0.6 * (1.0 + span * low).ln() * self.inverse_log_ratio);
+            let steepest = if low < 0.5 { high } else { low };
+            1.0 + pressure + (high + span.recip()) * 6.0 * steepest * (1.0 - steepest) / growth(low)
+        };
+        Interval { low: 1.0, high: (0..PIECES).map(highest).fold(1.5, f64::max) }
     }
 }

@@ -83,13 +83,15 @@ impl<C: MicroContact + ?Sized> Model for Deterministic<'_, C> {
     }
 
     fn separation_at(&self, pressure: f64) -> Option<f64> {
-        let top = (self.asperities.highest() - self.datum.mean) / self.datum.sigma;
-        let highest = top.max(LOWEST_SEPARATION);
-        if self.contact.load_falls() {
-            let (value, bound) = (|h: f64| self.pressure(h), |low, high| self.highest_pressure(low, high));
-            last_reaching_bounded(&value, &bound, pressure, LOWEST_SEPARATION, highest)
-        } else {
-            last_reaching(|h| self.pressure(h), pressure, LOWEST_SEPARATION, highest)
-        }
+        let in_sigma = |separation: f64| (separation - self.datum.mean) / self.datum.sigma;
+        let highest = in_sigma(self.asperities.highest()).max(LOWEST_SEPARATION);
+        // As long as no asperity is pressed deeper than that, no load falls.
+        let rising = self.contact.load_rises_to();
+        let falling_from = in_sigma(self.asperities.highest() - rising).clamp(LOWEST_SEPARATION, highest);
+        let value = |h: f64| self.pressure(h);
+        last_reaching(value, pressure, falling_from, highest).or_else(|| {
+            let bound = |low, high| self.highest_pressure(low, high);
+            last_reaching_bounded(&value, &bound, pressure, LOWEST_SEPARATION, falling_from)
+        })
     }
 }

@@ -51,17 +51,21 @@ impl MeanRadius {
 ///
 /// by Gauss-Legendre panels between the breakpoints of the micro-contact, in w with the density
 /// relative to its value at d: the far tail keeps full relative accuracy.
-#[derive(Debug, Clone, Copy)]
+#[derive(Debug, Clone)]
 pub struct Statistical<'a, C: ?Sized> {
     contact: &'a C,
     population: Population,
     datum: Datum,
+    /// Of the contact at the population's radius, in units of sigma.
+    breakpoints: Vec<f64>,
 }
 
 impl<'a, C: MicroContact + ?Sized> Statistical<'a, C> {
     /// The model of a population, with separations from its mean asperity height in its sigma.
     pub fn new(contact: &'a C, population: Population) -> Self {
-        Self { contact, population, datum: Datum { mean: 0.0, sigma: population.sigma } }
+        let Population { radius, sigma, .. } = population;
+        let breakpoints = contact.breakpoints(radius).into_iter().map(|w| w / sigma).collect();
+        Self { contact, population, datum: Datum { mean: 0.0, sigma }, breakpoints }
     }
 
     /// The same model with separations measured as `datum` says, its mean relative to the mean
@@ -104,8 +108,7 @@ impl<'a, C: MicroContact + ?Sized> Statistical<'a, C> {
         let [start, end] = heights.window(h);
         // What lies nearer to zero than this carries nothing, and would take panels without end.
         let nearest = NEGLIGIBLE * end;
-        let breakpoints: Vec<f64> =
-            self.contact.breakpoints(radius).iter().map(|w| w / sigma).filter(|&x| x > nearest).collect();
+        let breakpoints = &self.breakpoints[self.breakpoints.partition_point(|&x| x <= nearest)..];
         let ends = breakpoints.iter().copied().chain([end]);
         let mut from = start;
         for (segment, to) in ends.enumerate() {
@@ -113,17 +116,11 @@ impl<'a, C: MicroContact + ?Sized> Statistical<'a, C> {
             if to <= from {
                 continue;
             }
-            // Behind the last breakpoint area and load are smooth in w itself.
-            let variable = if segment > 0 && segment == breakpoints.len() {
-                Variable::Linear
-            } else {
-                Variable::SquareRoot
-            };
             for [low, high] in spans(from, to, segment > 0) {
                 let resolved =
                     if heights.turns(h, low, high) { FOLDINGS_PER_BELL } else { FOLDINGS_PER_PANEL };
                 let count = (heights.foldings(h, low, high) / resolved).ceil().max(1.0) as usize;
-                for panel in panels(low, high, variable, count) {
+                for panel in panels(low, high, Variable::SquareRoot, count) {
                     let indentations = panel.points.map(|x| x * sigma);
                     let mut weights = panel.weights;
                     for (weight, x) in weights.iter_mut().zip(panel.points) {
@@ -134,7 +131,7 @@ impl<'a, C: MicroContact + ?Sized> Statistical<'a, C> {
             }
             from = to;
         }
-        self.add_jumps(h, &breakpoints, [start, end], &mut tally);
+        self.add_jumps(h, breakpoints, [start, end], &mut tally);
         tally
     }
 
@@ -187,7 +184,7 @@ impl<C: MicroContact + ?Sized> Model for Statistical<'_, C> {
         let density = self.population.heights;
         let highest = self.quoted(density.highest_separation());
         let search = |low, high| last_reaching(|h| self.pressure(h), pressure, low, high);
-        if !self.contact.load_falls() {
+        if self.contact.load_rises_to() == f64::INFINITY {
             return search(LOWEST_SEPARATION, highest);
         }
         let mode = self.quoted(density.mode()).max(LOWEST_SEPARATION);

@@ -1,5 +1,6 @@
 //! Numerical tools that know no physics: quadrature, root search, sums in a fixed order.
 
+pub mod interval;
 pub mod power;
 pub mod quadrature;
 pub mod root;

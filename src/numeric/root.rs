@@ -1,7 +1,9 @@
-//! Searches that answer where a falling curve first reaches a level.
+//! Searches that answer where a curve reaches a level: where a falling one first does, and where any curve does.
 //!
-//! Both keep a bracket from the first to the last step, so they end at a separation whose value has
-//! been seen to reach the level; neither can fail silently.
+//! All keep a bracket from the first to the last step, so they end at a place whose value has been seen to reach the
+//! level; none can fail silently.
+
+use super::interval::Interval;
 
 /// Relative width of the last bracket, a few units of rounding.
 const WIDTH: f64 = 4.0 * f64::EPSILON;
@@ -18,14 +20,21 @@ fn closed(low: f64, high: f64) -> bool {
 /// bisection wherever a value is zero or infinite.
 pub fn last_reaching(value: impl Fn(f64) -> f64, level: f64, low: f64, high: f64) -> Option<f64> {
     let gap = |x: f64| (value(x) / level).ln();
-    let (mut near, mut near_gap) = (low, gap(low));
+    let near_gap = gap(low);
     if near_gap.is_nan() || near_gap < 0.0 {
         return None;
     }
-    let (mut far, mut far_gap) = (high, gap(high));
+    let far_gap = gap(high);
     if far_gap >= 0.0 {
         return Some(high);
     }
+    Some(crossing(gap, [low, near_gap], [high, far_gap]))
+}
+
+/// The last place from `low` on, to rounding, where `gap` is not negative, of two ends `[x, gap]` of which the first
+/// is not negative and the second is.
+fn crossing(gap: impl Fn(f64) -> f64, low: [f64; 2], high: [f64; 2]) -> f64 {
+    let ([mut near, mut near_gap], [mut far, mut far_gap]) = (low, high);
     // `latest` is the end that moved last, `other` the opposite end, `before` the one it replaced.
     let (mut latest, mut latest_gap, mut other, mut other_gap) = (near, near_gap, far, far_gap);
     let mut fraction: f64 = 0.5;
@@ -49,7 +58,43 @@ pub fn last_reaching(value: impl Fn(f64) -> f64, level: f64, low: f64, high: f64
         fraction = interpolate(latest, latest_gap, other, other_gap, before, before_gap).unwrap_or(0.5);
     }
     debug_assert!(near_gap >= 0.0 && far_gap < 0.0);
-    Some(near)
+    near
+}
+
+/// Every place in [low, high] where `value` changes its sign, ascending, given `over(a, b)`, ranges that hold all
+/// values and all slopes of `value` on [a, b] and close as the interval shrinks.
+///
+/// A piece whose values keep their sign is left; in one whose slopes do, the sign changes once or not at all; any other
+/// is halved. So no root can be stepped over, unless two lie so close together that nothing changes between
+/// them but rounding.
+pub fn sign_changes(
+    value: &impl Fn(f64) -> f64,
+    over: &impl Fn(f64, f64) -> [Interval; 2],
+    low: f64,
+    high: f64,
+) -> Vec<f64> {
+    let mut found = Vec::new();
+    let mut pieces = vec![(low, high)];
+    while let Some((from, to)) = pieces.pop() {
+        let [values, slopes] = over(from, to);
+        if !values.holds(0.0) {
+            continue;
+        }
+        let (start, end) = (value(from), value(to));
+        if !slopes.holds(0.0) || closed(from, to) {
+            // The sign of a zero at an end counts with the piece above it.
+            if start >= 0.0 && end < 0.0 {
+                found.push(crossing(value, [from, start], [to, end]));
+            } else if start < 0.0 && end >= 0.0 {
+                let turned = |x: f64| -value(x);
+                found.push(crossing(turned, [from, -start], [to, -end]));
+            }
+            continue;
+        }
+        let middle = 0.5 * (from + to);
+        pieces.extend([(middle, to), (from, middle)]);
+    }
+    found
 }
 
 /// Inverse quadratic interpolation through the last three points, as a fraction of the way from
@@ -122,6 +167,33 @@ mod tests {
         assert_eq!(last_reaching(|x| -x, 11.0, -10.0, 10.0), None);
         assert_eq!(last_reaching(|_| f64::NAN, 1.0, -10.0, 10.0), None);
         assert_eq!(last_reaching_bounded(&|x| -x, &|a, _| -a, 11.0, -10.0, 10.0), None);
+    }
+
+    /// Roots of a cubic, two of them close together or one, none or a touching pair.
+    #[test]
+    fn every_change_of_sign_is_found() {
+        for (shift, expected) in [(0.0, 3), (1e-13, 1), (-1e-9, 3), (1e-3, 1), (-4.0, 3), (-9.0, 1)] {
+            // (x - 1)^2 (x + 2) + shift, of which x = 1 is a double root and x = -1 the peak of 4.
+            let value = |x: f64| (x - 1.0) * (x - 1.0) * (x + 2.0) + shift;
+            let over = |a: f64, b: f64| {
+                let x = Interval { low: a, high: b };
+                let less = x + -1.0;
+                let square = if less.holds(0.0) {
+                    Interval { low: 0.0, high: (less * less).high }
+                } else {
+                    less * less
+                };
+                [square * (x + 2.0) + shift, less * (x + 1.0) * 3.0]
+            };
+            let found = sign_changes(&value, &over, -10.0, 10.0);
+            let count = if shift == 0.0 || shift == -4.0 { 1..=3 } else { expected..=expected };
+            assert!(count.contains(&found.len()), "{shift}: {found:?}");
+            assert!(found.is_sorted());
+            for x in found {
+                let width = 1e-14 * x.abs().max(1.0);
+                assert!(value(x - width) * value(x + width) <= 0.0, "{shift}: {x}");
+            }
+        }
     }
 
     #[test]

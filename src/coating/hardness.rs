@@ -1,0 +1,179 @@
+//! The effective hardness of a layered flat (Pasaribu and Schipper 2005, Eq. 16; Bhattacharya and Nix 1988).
+
+use crate::material::Material;
+use crate::numeric::interval::Interval;
+
+/// H_eff(w), with x the exponent:
+///
+/// ```text
+/// softer layer:  H_s + (H_l - H_s) exp(-x),  x = (Y_l/Y_s) (E_s/E_l) (w/t)^2
+/// harder layer:  H_s + (H_l - H_s) exp(-x),  x = (H_l/H_s)/((Y_l/Y_s) (E_l/E_s)^.5) (w/t)
+/// ```
+///
+/// It goes from H_l to H_s as w grows, and nowhere back. A yield strength that is not given is H/3.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct EffectiveHardness {
+    layer: f64,
+    substrate: f64,
+    /// Of x in (w/t)^power.
+    factor: f64,
+    thickness: f64,
+    is_softer: bool,
+}
+
+/// Beyond this exponent nothing is left of the layer.
+const GONE: f64 = 40.0;
+
+impl EffectiveHardness {
+    /// `None` where neither body has a hardness.
+    pub(super) fn new(layer: &Material, substrate: &Material, thickness: f64) -> Option<Self> {
+        let (of_layer, of_substrate) = layer.hardness().zip(substrate.hardness())?;
+        let strength = |body: &Material, hardness: f64| body.yield_strength().unwrap_or(hardness / 3.0);
+        let strengths = strength(layer, of_layer) / strength(substrate, of_substrate);
+        let moduli = layer.young() / substrate.young();
+        let is_softer = of_layer < of_substrate;
+        let factor = if is_softer {
+            strengths / moduli
+        } else {
+            of_layer / of_substrate / (strengths * moduli.sqrt())
+        };
+        Some(Self { layer: of_layer, substrate: of_substrate, factor, thickness, is_softer })
+    }
+
+    fn power(&self) -> i32 {
+        if self.is_softer { 2 } else { 1 }
+    }
+
+    /// Hardness, Pa, and d ln H/d ln w at the indentation `w` (m).
+    #[inline]
+    pub(super) fn at(&self, w: f64) -> (f64, f64) {
+        let depth = w / self.thickness;
+        let x = if self.is_softer { self.factor * depth * depth } else { self.factor * depth };
+        if x > 745.0 {
+            return (self.substrate, 0.0);
+        }
+        let step = self.layer - self.substrate;
+        // Positive terms only, whichever body is the harder.
+        let (hardness, left) = if self.is_softer {
+            let gone = -(-x).exp_m1();
+            (self.layer - step * gone, 1.0 - gone)
+        } else {
+            let left = (-x).exp();
+            (self.substrate + step * left, left)
+        };
+        (hardness, -step * f64::from(self.power()) * x * left / hardness)
+    }
+
+    /// All hardnesses at the indentations of `w`, and all d ln H/d ln w.
+    pub(super) fn over(&self, w: Interval) -> (Interval, Interval) {
+        let hardness = Interval::between(self.at(w.low).0, self.at(w.high).0);
+        // x exp(-x) is highest at x = 1.
+        let swell = |w: f64| {
+            let (hardness, slope) = self.at(w);
+            slope.abs() * hardness
+        };
+        let size = w.of_hump(swell, self.indentation(1.0)) * hardness.recip();
+        (hardness, if self.is_softer { size } else { -size })
+    }
+
+    /// The indentation at which the flat is as hard as `hardness` (Pa); `None` if it nowhere is.
+    pub(super) fn reaching(&self, hardness: f64) -> Option<f64> {
+        let left = (hardness - self.substrate) / (self.layer - self.substrate);
+        (left > 0.0 && left < 1.0).then(|| self.indentation(-left.ln()))
+    }
+
+    fn indentation(&self, x: f64) -> f64 {
+        self.thickness * (x / self.factor).powf(f64::from(self.power()).recip())
+    }
+
+    /// Indentations (m, ascending) between which H, 1/H and ln H are smooth enough for a quadrature panel: they
+    /// have singularities beside the axis where H_eff would vanish, 2 pi apart in x, the first one next to where a
+    /// much softer layer gives way.
+    pub(super) fn scales(&self) -> Vec<f64> {
+        const STEPS: [f64; 5] = [0.5, 4.0, 10.0, 20.0, GONE];
+        let ratio = self.layer / self.substrate;
+        let first = (self.is_softer && ratio < 0.3).then(|| ratio);
+        first.into_iter().chain(STEPS).map(|x| self.indentation(x)).collect()
+    }
+
+    /// The hardnesses at both ends, Pa.
+    pub(super) fn range(&self) -> Interval {
+        Interval::between(self.layer, self.substrate)
+    }
+
+    /// From this exponent on H_eff no longer changes: the indentation, m.
+    pub(super) fn end(&self) -> f64 {
+        self.indentation(GONE)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn of(layer: f64, substrate: f64) -> EffectiveHardness {
+        let body = |young, hardness| Material::new(young, 0.3, Some(hardness), None).unwrap();
+        EffectiveHardness::new(&body(18e9, layer), &body(210e9, substrate), 1e-7).unwrap()
+    }
+
+    #[test]
+    fn from_the_layer_to_the_substrate() {
+        for (layer, substrate) in [(0.17e9, 7.6e9), (21e9, 7.6e9), (5e9, 5e9)] {
+            let found = of(layer, substrate);
+            assert_eq!(found.at(1e-30).0, layer);
+            assert_eq!(found.at(1.0), (substrate, 0.0));
+        }
+    }
+
+    /// With yield strengths in the ratio of the hardnesses the factors are (H_l/H_s)(E_s/E_l) and (E_s/E_l)^.5.
+    #[test]
+    fn factors_without_yield_strengths() {
+        let x = |layer: f64, power: i32, factor: f64| {
+            let (hardness, _) = of(layer, 7.6e9).at(0.5e-7);
+            let expected = 7.6e9 + (layer - 7.6e9) * (-factor * 0.5f64.powi(power)).exp();
+            assert!((hardness / expected - 1.0).abs() < 1e-14, "{hardness:e} {expected:e}");
+        };
+        x(0.17e9, 2, 0.17 / 7.6 * 210.0 / 18.0);
+        x(21e9, 1, (210.0f64 / 18.0).sqrt());
+    }
+
+    #[test]
+    fn given_yield_strengths_are_used() {
+        let body =
+            |young, hardness, strength| Material::new(young, 0.3, Some(hardness), Some(strength)).unwrap();
+        let found =
+            EffectiveHardness::new(&body(18e9, 0.17e9, 10e6), &body(210e9, 7.6e9, 2e9), 1e-7).unwrap();
+        let expected = 7.6e9 - 7.43e9 * (-(10e6 / 2e9) * (210.0 / 18.0) * 4.0f64).exp();
+        assert!((found.at(2e-7).0 / expected - 1.0).abs() < 1e-14);
+    }
+
+    #[test]
+    fn slopes_and_ranges_hold_what_they_bound() {
+        for layer in [0.17e9, 2e9, 21e9, 500e9] {
+            let found = of(layer, 7.6e9);
+            for k in 0..60 {
+                let w = Interval { low: 1e-10 * 1.3f64.powi(k), high: 1e-10 * 1.3f64.powi(k + 3) };
+                let (hardness, slope) = found.over(w);
+                for j in 0..=50 {
+                    let at = w.low + (w.high - w.low) * f64::from(j) / 50.0;
+                    let (h, s) = found.at(at);
+                    let eps = 1e-13;
+                    assert!(hardness.low <= h * (1.0 + eps) && h <= hardness.high * (1.0 + eps));
+                    assert!(slope.low <= s + eps && s <= slope.high + eps, "{s} in {slope:?}");
+                    let numeric =
+                        (found.at(at * 1.0001).0 / found.at(at / 1.0001).0).ln() / (2.0 * 1.0001f64.ln());
+                    assert!((numeric - s).abs() < 1e-6);
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn the_depth_of_a_hardness() {
+        let found = of(0.17e9, 7.6e9);
+        let w = found.reaching(3e9).unwrap();
+        assert!((found.at(w).0 / 3e9 - 1.0).abs() < 1e-13);
+        assert_eq!((found.reaching(8e9), found.reaching(0.1e9), found.reaching(7.6e9)), (None, None, None));
+        assert_eq!(of(5e9, 5e9).reaching(5e9), None);
+    }
+}

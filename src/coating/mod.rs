@@ -1,0 +1,171 @@
+//! The layered flat: a solid whose modulus, Poisson's ratio and hardness change with the indentation of each
+//! asperity (Pasaribu and Schipper 2005, Eqs. 14-20).
+//!
+//! | file | what lives there |
+//! |---|---|
+//! | `weights` | the functions of xi = t/a that say how much layer an asperity feels (Eqs. 17, 18) |
+//! | `modulus` | nu_eff and E_eff by the paper's rule or in series (Eqs. 14, 15) |
+//! | `hardness` | H_eff (Eq. 16) |
+
+mod hardness;
+mod modulus;
+mod weights;
+
+pub use modulus::Rule;
+
+use crate::literature::{self, Paper};
+use crate::material::Material;
+use crate::numeric::interval::Interval;
+use crate::numeric::is_positive;
+use hardness::EffectiveHardness;
+use modulus::EffectiveModulus;
+
+/// A layer of finite thickness on a substrate.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Coating {
+    thickness: f64,
+    modulus: EffectiveModulus,
+    hardness: Option<EffectiveHardness>,
+    rule: Rule,
+}
+
+/// A layered flat that has no effective properties.
+#[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
+pub enum CoatingError {
+    /// The thickness must be positive and finite; without a layer, and all layer, the flat is homogeneous.
+    #[error("thickness {0} m; allowed: positive and finite")]
+    Thickness(f64),
+    /// Both bodies must have a hardness, or neither.
+    #[error("only one of layer and substrate has a hardness; allowed: both, or neither")]
+    OneHardness,
+}
+
+/// The flat as one asperity feels it.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Effective {
+    /// nu_eff (Eq. 14).
+    pub poisson: f64,
+    /// (1 - nu_eff^2)/E_eff, 1/Pa.
+    pub compliance: f64,
+    /// d ln(compliance)/d ln w.
+    pub compliance_slope: f64,
+    /// H_eff (Eq. 16), Pa; infinite where neither body yields.
+    pub hardness: f64,
+    /// d ln H_eff/d ln w.
+    pub hardness_slope: f64,
+}
+
+impl Effective {
+    /// E_eff (Eq. 15), Pa.
+    pub fn young(&self) -> f64 {
+        (1.0 - self.poisson) * (1.0 + self.poisson) / self.compliance
+    }
+}
+
+/// Bounds of the same over a range of indentations and radii.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Bounds {
+    /// Of the compliance, 1/Pa.
+    pub compliance: Interval,
+    /// Of d ln(compliance)/d ln w.
+    pub compliance_slope: Interval,
+    /// Of H_eff, Pa.
+    pub hardness: Interval,
+    /// Of d ln H_eff/d ln w.
+    pub hardness_slope: Interval,
+}
+
+impl Coating {
+    /// A layer of `thickness` (m) on a substrate.
+    ///
+    /// # Errors
+    /// A thickness that is not positive and finite; a hardness of one body alone.
+    pub fn new(
+        layer: &Material,
+        substrate: &Material,
+        thickness: f64,
+        rule: Rule,
+    ) -> Result<Self, CoatingError> {
+        if !is_positive(thickness) {
+            return Err(CoatingError::Thickness(thickness));
+        }
+        if layer.hardness().is_some() != substrate.hardness().is_some() {
+            return Err(CoatingError::OneHardness);
+        }
+        Ok(Self {
+            thickness,
+            modulus: EffectiveModulus::new(rule, layer, substrate),
+            hardness: EffectiveHardness::new(layer, substrate, thickness),
+            rule,
+        })
+    }
+
+    /// Thickness, m.
+    pub fn thickness(&self) -> f64 {
+        self.thickness
+    }
+
+    /// The papers that its rules are from.
+    pub fn papers(&self) -> Vec<Paper> {
+        let mut papers = vec![literature::PASARIBU_SCHIPPER_2005, literature::GAO_CHIU_LEE_1992];
+        papers.push(match self.rule {
+            Rule::Gao => literature::SWAIN_MENCIK_1994,
+            Rule::Series => literature::SONG_PHARR_1999,
+        });
+        papers.extend(self.hardness.map(|_| literature::BHATTACHARYA_NIX_1988));
+        papers
+    }
+
+    /// 1/xi = a/t with a = (b w)^.5 (Eqs. 19, 20).
+    #[inline]
+    fn inverse(&self, w: f64, b: f64) -> f64 {
+        (b * w).sqrt() / self.thickness
+    }
+
+    /// The flat as an asperity of radius `b` (m) feels it at indentation `w` (m).
+    #[inline]
+    pub fn at(&self, w: f64, b: f64) -> Effective {
+        let compliance = self.modulus.at(self.inverse(w, b));
+        let (hardness, hardness_slope) =
+            self.hardness.as_ref().map_or((f64::INFINITY, 0.0), |hardness| hardness.at(w));
+        Effective {
+            poisson: compliance.poisson,
+            compliance: compliance.value,
+            compliance_slope: compliance.slope,
+            hardness,
+            hardness_slope,
+        }
+    }
+
+    /// The flat as asperities of radii `b` feel it at indentations `w`.
+    pub fn over(&self, w: Interval, b: Interval) -> Bounds {
+        let inverse = Interval { low: self.inverse(w.low, b.low), high: self.inverse(w.high, b.high) };
+        let (compliance, compliance_slope) = self.modulus.over(inverse);
+        let never = (Interval::point(f64::INFINITY), Interval::point(0.0));
+        let (hardness, hardness_slope) = self.hardness.as_ref().map_or(never, |hardness| hardness.over(w));
+        Bounds { compliance, compliance_slope, hardness, hardness_slope }
+    }
+
+    /// Hardnesses at any indentation, Pa.
+    pub fn hardness_range(&self) -> Interval {
+        self.hardness.as_ref().map_or(Interval::point(f64::INFINITY), EffectiveHardness::range)
+    }
+
+    /// The indentation (m) at which the flat is as hard as `hardness` (Pa); `None` if it nowhere is.
+    pub fn indentation_of_hardness(&self, hardness: f64) -> Option<f64> {
+        self.hardness.as_ref()?.reaching(hardness)
+    }
+
+    /// The indentation (m) beyond which the hardness is that of the substrate; 0 where nothing yields.
+    pub fn depth(&self) -> f64 {
+        self.hardness.as_ref().map_or(0.0, EffectiveHardness::end)
+    }
+
+    /// Indentations (m, in no order) that part ranges over which the effective properties of an asperity of radius
+    /// `b` (m) change smoothly: in w^.5 they have their singularities at a = +-i t, and those of 1/H_eff.
+    pub fn scales(&self, b: f64) -> Vec<f64> {
+        let mut scales = self.hardness.as_ref().map(EffectiveHardness::scales).unwrap_or_default();
+        scales.push(self.thickness * self.thickness / b);
+        scales
+    }
+}

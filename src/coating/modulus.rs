@@ -1,0 +1,151 @@
+//! The effective modulus and Poisson's ratio of a layered flat (Pasaribu and Schipper 2005, Eqs. 14, 15, 17-19).
+
+use serde::Deserialize;
+
+use super::weights::{LOG_PEAK, POLE_PEAK, SWELL_PEAK, Weights};
+use crate::material::Material;
+use crate::numeric::interval::Interval;
+
+/// How the moduli of layer and substrate are put together.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Rule {
+    /// E_eff = E_s + (E_l - E_s) I0 (Eq. 15; Gao, Chiu and Lee 1992, Swain and Mencik 1994): exact to first order
+    /// in the mismatch, good for E_l/E_s of 0.5 to 2.
+    #[default]
+    Gao,
+    /// 1/mu = (1 - I0)/mu_s + I0/mu_l, mu the shear modulus (Song and Pharr 1999): the same weights in series.
+    Series,
+}
+
+impl Rule {
+    /// Both.
+    pub const ALL: [Self; 2] = [Self::Gao, Self::Series];
+
+    /// The name that specs and tables use.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Gao => "gao",
+            Self::Series => "series",
+        }
+    }
+}
+
+/// One of the two bodies, and the way from it to the other.
+#[derive(Debug, Clone, Copy, PartialEq)]
+struct Side {
+    poisson: f64,
+    poisson_step: f64,
+    /// E under Gao's rule, 1/mu in series.
+    modulus: f64,
+    modulus_step: f64,
+}
+
+/// What the flat contributes to E*: 1/E* = (1 - nu^2)/E of the rough body + compliance.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Compliance {
+    /// (1 - nu_eff^2)/E_eff, 1/Pa.
+    pub(super) value: f64,
+    /// d ln(compliance)/d ln w.
+    pub(super) slope: f64,
+    /// nu_eff.
+    pub(super) poisson: f64,
+}
+
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct EffectiveModulus {
+    rule: Rule,
+    layer: Side,
+    substrate: Side,
+}
+
+impl EffectiveModulus {
+    pub(super) fn new(rule: Rule, layer: &Material, substrate: &Material) -> Self {
+        let modulus = |body: &Material| match rule {
+            Rule::Gao => body.young(),
+            Rule::Series => 2.0 * (1.0 + body.poisson()) / body.young(),
+        };
+        let side = |from: &Material, to: &Material| Side {
+            poisson: from.poisson(),
+            poisson_step: to.poisson() - from.poisson(),
+            modulus: modulus(from),
+            modulus_step: modulus(to) - modulus(from),
+        };
+        Self { rule, layer: side(layer, substrate), substrate: side(substrate, layer) }
+    }
+
+    /// The body that weighs more.
+    #[inline]
+    fn side(&self, weights: &Weights) -> &Side {
+        if weights.in_layer { &self.layer } else { &self.substrate }
+    }
+
+    /// nu_eff (Eq. 14).
+    #[inline]
+    fn poisson(&self, weights: &Weights) -> f64 {
+        let side = self.side(weights);
+        side.poisson + side.poisson_step * weights.of_poisson()
+    }
+
+    /// E_eff (Eq. 15), or 1/mu_eff.
+    #[inline]
+    fn modulus(&self, weights: &Weights, poisson: f64) -> f64 {
+        let side = self.side(weights);
+        side.modulus + side.modulus_step * weights.of_modulus(poisson)
+    }
+
+    /// At `inverse` = 1/xi = a/t.
+    #[inline]
+    pub(super) fn at(&self, inverse: f64) -> Compliance {
+        let weights = Weights::at(inverse);
+        let poisson = self.poisson(&weights);
+        let modulus = self.modulus(&weights, poisson);
+        // Derivatives in ln xi: of nu, of I0 at fixed nu and through nu, of E or 1/mu.
+        let poisson_slope = self.substrate.poisson_step * weights.log;
+        let rest = (1.0 - poisson).recip();
+        let weight_slope = weights.slope_of_modulus(poisson)
+            - 0.5 * (weights.log + weights.pole) * rest * rest * poisson_slope;
+        let modulus_slope = self.substrate.modulus_step * weight_slope / modulus;
+        let (value, slope) = match self.rule {
+            Rule::Gao => (
+                (1.0 - poisson) * (1.0 + poisson) / modulus,
+                -2.0 * poisson * rest / (1.0 + poisson) * poisson_slope - modulus_slope,
+            ),
+            Rule::Series => (0.5 * (1.0 - poisson) * modulus, modulus_slope - rest * poisson_slope),
+        };
+        // xi falls as the square root of w.
+        Compliance { value, slope: -0.5 * slope, poisson }
+    }
+
+    /// All compliances at the 1/xi of `inverse`, and all their d ln/d ln w.
+    ///
+    /// nu_eff follows I1, which grows with xi; I0 grows with xi and falls with nu. The three humps in the slope
+    /// are bounded by their ends and peaks.
+    pub(super) fn over(&self, inverse: Interval) -> (Interval, Interval) {
+        let (thick, thin) = (Weights::at(inverse.low), Weights::at(inverse.high));
+        let poisson = Interval::between(self.poisson(&thick), self.poisson(&thin));
+        let modulus = Interval::between(self.modulus(&thick, poisson.low), self.modulus(&thin, poisson.high));
+        let hump = |value: fn(&Weights) -> f64, peak| inverse.of_hump(|x| value(&Weights::at(x)), peak);
+        let log = hump(|weights| weights.log, LOG_PEAK);
+        let pole = hump(|weights| weights.pole, POLE_PEAK);
+        let swell = hump(Weights::swell, SWELL_PEAK);
+
+        let rest = (-poisson + 1.0).recip();
+        let poisson_slope = log * self.substrate.poisson_step;
+        let weight_slope = (swell + (poisson * -2.0 + 1.0) * log) * rest * 0.5
+            - (log + pole) * rest * rest * poisson_slope * 0.5;
+        let modulus_slope = weight_slope * modulus.recip() * self.substrate.modulus_step;
+        let (value, slope) = match self.rule {
+            Rule::Gao => {
+                let plane = Interval::between(
+                    (1.0 - poisson.low) * (1.0 + poisson.low),
+                    (1.0 - poisson.high) * (1.0 + poisson.high),
+                );
+                let share = poisson * rest * (poisson + 1.0).recip();
+                (plane * modulus.recip(), -(share * poisson_slope * 2.0) - modulus_slope)
+            }
+            Rule::Series => ((-poisson + 1.0) * modulus * 0.5, modulus_slope - rest * poisson_slope),
+        };
+        (value, slope * -0.5)
+    }
+}

@@ -1,0 +1,212 @@
+//! A rough body on a flat with a layer of finite thickness.
+
+use super::MicroContact;
+use crate::coating::{Coating, Effective};
+use crate::contact::Contact;
+use crate::law::{Law, Pair};
+use crate::literature::Paper;
+use crate::material::Material;
+use crate::numeric::interval::Interval;
+use crate::numeric::root::sign_changes;
+
+/// A homogeneous rough body on a layered flat under one law: the law sees the pair that each asperity feels at its
+/// own indentation (Pasaribu and Schipper 2005, Eqs. 5, 9 with E_eff, nu_eff, H_eff).
+#[derive(Debug, Clone, Copy)]
+pub struct Layered<L> {
+    law: L,
+    coating: Coating,
+    /// (1 - nu^2)/E of the rough body, 1/Pa.
+    rough_compliance: f64,
+    /// Of the rough body, Pa; infinite where it never yields.
+    rough_hardness: f64,
+    /// Without the layer.
+    reference: Pair,
+}
+
+/// The pair that an asperity feels, and how it changes with the indentation.
+struct Felt {
+    pair: Pair,
+    /// d ln E*/d ln w.
+    modulus_slope: f64,
+    /// d ln H/d ln w.
+    hardness_slope: f64,
+}
+
+/// The same over a range.
+struct FeltRange {
+    modulus: Interval,
+    modulus_slope: Interval,
+    hardness: Interval,
+    hardness_slope: Interval,
+}
+
+impl<L: Law> Layered<L> {
+    /// The contact of a rough body with `substrate` under `coating`.
+    pub fn new(law: L, rough: &Material, substrate: &Material, coating: Coating) -> Self {
+        Self {
+            law,
+            coating,
+            rough_compliance: rough.plane_compliance(),
+            rough_hardness: rough.hardness().unwrap_or(f64::INFINITY),
+            reference: Pair::of(rough, substrate),
+        }
+    }
+
+    fn yields(&self) -> bool {
+        self.rough_hardness.is_finite() || self.coating.hardness_range().high.is_finite()
+    }
+
+    #[inline]
+    fn felt(&self, w: f64, b: f64) -> Felt {
+        let Effective { compliance, compliance_slope, hardness, hardness_slope, .. } = self.coating.at(w, b);
+        let reduced_modulus = (self.rough_compliance + compliance).recip();
+        // The softer body yields.
+        let (hardness, hardness_slope) = if hardness < self.rough_hardness {
+            (hardness, hardness_slope)
+        } else {
+            (self.rough_hardness, 0.0)
+        };
+        Felt {
+            pair: Pair { reduced_modulus, hardness },
+            modulus_slope: -compliance * reduced_modulus * compliance_slope,
+            hardness_slope,
+        }
+    }
+
+    fn felt_over(&self, w: Interval, b: Interval) -> FeltRange {
+        let of_flat = self.coating.over(w, b);
+        let modulus = (of_flat.compliance + self.rough_compliance).recip();
+        let share = of_flat.compliance * modulus;
+        let (hardness, hardness_slope) = if of_flat.hardness.high < self.rough_hardness {
+            (of_flat.hardness, of_flat.hardness_slope)
+        } else if of_flat.hardness.low >= self.rough_hardness {
+            (Interval::point(self.rough_hardness), Interval::point(0.0))
+        } else {
+            let hardness = Interval { low: of_flat.hardness.low, high: self.rough_hardness };
+            (hardness, of_flat.hardness_slope.hull(Interval::point(0.0)))
+        };
+        FeltRange { modulus, modulus_slope: -(share * of_flat.compliance_slope), hardness, hardness_slope }
+    }
+
+    /// All d ln E*/d ln w there are.
+    fn steps_of_modulus(&self) -> Interval {
+        /// Pieces of 1/xi; its last end is far in the substrate.
+        const PIECES: i32 = 200;
+        let unit = Interval::point(1.0);
+        let place = |k: i32| match k {
+            0 => 0.0,
+            PIECES => 1e40 * self.coating.thickness(),
+            k => 1e-12 * 1e24f64.powf(f64::from(k) / f64::from(PIECES)) * self.coating.thickness(),
+        };
+        let steps = |k: i32| {
+            let w = Interval { low: place(k).powi(2), high: place(k + 1).powi(2) };
+            self.felt_over(w, unit).modulus_slope
+        };
+        (0..PIECES).map(steps).fold(Interval::point(0.0), Interval::hull)
+    }
+
+    /// Where w = `ratio` b (H/E*)^2: every root, by the sign of ln w - 2 ln H + 2 ln E* - ln(ratio b) over ln w.
+    fn crossings(&self, ratio: f64, b: f64) -> Vec<f64> {
+        let level = (ratio * b).ln();
+        let radius = Interval::point(b);
+        let all = self.felt_over(Interval { low: 0.0, high: f64::MAX.sqrt() / b.max(1.0) }, radius);
+        let bound = |hardness: f64, modulus: f64| level + 2.0 * (hardness / modulus).ln();
+        let low = bound(all.hardness.low, all.modulus.high) - 1e-9;
+        let high = bound(all.hardness.high, all.modulus.low) + 1e-9;
+        let value = |v: f64| {
+            let felt = self.felt(v.exp(), b);
+            v - 2.0 * (felt.pair.hardness / felt.pair.reduced_modulus).ln() - level
+        };
+        let over = |from: f64, to: f64| {
+            let felt = self.felt_over(Interval { low: from.exp(), high: to.exp() }, radius);
+            let ln = |range: Interval| Interval { low: range.low.ln(), high: range.high.ln() };
+            let values =
+                Interval { low: from, high: to } + (ln(felt.modulus) - ln(felt.hardness)) * 2.0 + -level;
+            [values, (felt.modulus_slope - felt.hardness_slope) * 2.0 + 1.0]
+        };
+        sign_changes(&value, &over, low, high).into_iter().map(f64::exp).collect()
+    }
+}
+
+impl<L: Law> MicroContact for Layered<L> {
+    /// With P = E* b^.5 w^1.5 g(u), u = (w/b) (E*/H)^2, and e = d ln P/d ln w of the fixed pair, the load goes with the
+    /// (2e - 2)th power of E* and the (3 - 2e)th of H.
+    #[inline]
+    fn contact(&self, w: f64, b: f64) -> Contact {
+        let felt = self.felt(w, b);
+        let contact = self.law.contact(w, b, &felt.pair);
+        let stiffness = contact.stiffness * (1.0 + 2.0 * (felt.modulus_slope - felt.hardness_slope))
+            + contact.load / w * (3.0 * felt.hardness_slope - 2.0 * felt.modulus_slope);
+        Contact { stiffness, ..contact }
+    }
+
+    fn regime_changes(&self, b: f64) -> Vec<f64> {
+        // Each critical ratio stands with (H/E*)^2: of a pair of H = E* it is the factor before it.
+        let unit = Pair { reduced_modulus: 1.0, hardness: if self.yields() { 1.0 } else { f64::INFINITY } };
+        let ratios = self.law.critical_ratios(&unit);
+        let mut changes: Vec<f64> = ratios.into_iter().flat_map(|ratio| self.crossings(ratio, b)).collect();
+        changes.sort_unstable_by(f64::total_cmp);
+        changes
+    }
+
+    fn breakpoints(&self, b: f64) -> Vec<f64> {
+        let mut points = self.regime_changes(b);
+        points.extend(self.coating.scales(b));
+        points.extend(self.coating.indentation_of_hardness(self.rough_hardness));
+        points.sort_unstable_by(f64::total_cmp);
+        points
+    }
+
+    /// d ln P/d ln w = e + (2e - 2) d ln E*/d ln w + (3 - 2e) d ln H/d ln w (see [`Self::contact`]) is linear in each of the
+    /// three: it is least at a corner of their ranges.
+    fn load_rises_to(&self) -> f64 {
+        /// Pieces of the depth on which the hardness changes.
+        const PIECES: i32 = 400;
+        if super::drops(&self.law, &self.reference) {
+            return 0.0;
+        }
+        let whole = Interval { low: 0.0, high: 1e200 };
+        let of_modulus = self.steps_of_modulus();
+        let exponents = self.law.load_exponents();
+        let rises = |hardness: Interval| {
+            let corner = |e: f64, m: f64, h: f64| e + (2.0 * e - 2.0) * m + (3.0 - 2.0 * e) * h;
+            let ends = |range: Interval| [range.low, range.high];
+            ends(exponents).iter().all(|&e| {
+                ends(of_modulus).iter().all(|&m| ends(hardness).iter().all(|&h| corner(e, m, h) > 0.0))
+            })
+        };
+        let unit = Interval::point(1.0);
+        if !rises(Interval::point(0.0)) {
+            return 0.0;
+        }
+        if rises(self.felt_over(whole, unit).hardness_slope) {
+            return f64::INFINITY;
+        }
+        let end = self.coating.depth();
+        // From a depth at which next to nothing of the layer is gone.
+        let place =
+            |k: i32| if k == 0 { 0.0 } else { end * 1e-12f64.powf(1.0 - f64::from(k) / f64::from(PIECES)) };
+        let piece = |k: i32| Interval { low: place(k), high: place(k + 1) };
+        let falling = (0..PIECES).find(|&k| !rises(self.felt_over(piece(k), unit).hardness_slope));
+        falling.map_or(f64::INFINITY, place)
+    }
+
+    fn highest_load(&self, from: f64, to: f64, b: f64) -> f64 {
+        let felt = self.felt_over(Interval { low: from, high: to }, Interval::point(b));
+        let low = Pair { reduced_modulus: felt.modulus.low, hardness: felt.hardness.low };
+        let high = Pair { reduced_modulus: felt.modulus.high, hardness: felt.hardness.high };
+        self.law.highest_load(from, to, b, &low, &high)
+    }
+
+    fn reference_modulus(&self) -> f64 {
+        self.reference.reduced_modulus
+    }
+
+    fn reference_hardness(&self) -> f64 {
+        self.reference.hardness
+    }
+
+    fn papers(&self) -> Vec<Paper> {
+        self.law.papers().iter().copied().chain(self.coating.papers()).collect()
+    }
+}

@@ -1,0 +1,75 @@
+//! Materials, coating and law together: the micro-contact that both models add up.
+
+mod bare;
+mod layered;
+
+pub use bare::Interface;
+pub use layered::Layered;
+
+use crate::contact::{Contact, Tally};
+use crate::law::{Law, Pair};
+use crate::literature::Paper;
+
+/// What the models know of a contact: at indentation `w` and radius `b`, what area, what load,
+/// which regime? Neither model knows which law answers, or whether there is a layer on the flat.
+///
+/// The provided methods work on blocks of asperities: through `dyn MicroContact` the law is chosen
+/// once a block, never once an asperity.
+pub trait MicroContact: Send + Sync {
+    /// The answer at indentation `w > 0` (m) of an asperity of radius `b` (m).
+    fn contact(&self, w: f64, b: f64) -> Contact;
+
+    /// The indentations (m, ascending) at which the regime of an asperity of radius `b` changes: all of them, a
+    /// regime that it enters again included.
+    fn regime_changes(&self, b: f64) -> Vec<f64>;
+
+    /// The indentations (m, ascending) that an integral over w splits at: between them area and load of an asperity
+    /// of radius `b` are smooth in w^.5, up to the first as far as 0, behind it on the scale of w itself.
+    fn breakpoints(&self, b: f64) -> Vec<f64>;
+
+    /// Up to this indentation (m) no load falls as the indentation grows, whatever the radius: infinite where none
+    /// ever does, 0 where nothing is known. Beyond it a pressure may be reached more than once on approach.
+    fn load_rises_to(&self) -> f64;
+
+    /// An upper bound of the load at indentations from `from` to `to`, `from < to` (m), that closes with the range.
+    fn highest_load(&self, from: f64, to: f64, b: f64) -> f64;
+
+    /// Reduced modulus that load ratios refer to, Pa: that of the uncoated pair.
+    fn reference_modulus(&self) -> f64;
+
+    /// Hardness that the plasticity index refers to, Pa: that of the softer body of the uncoated
+    /// pair, infinite where neither yields.
+    fn reference_hardness(&self) -> f64;
+
+    /// The papers behind the answers.
+    fn papers(&self) -> Vec<Paper>;
+
+    /// Adds `weights[i]` contacts of radius `b` at `indentations[i]` to the tally.
+    fn weigh(&self, indentations: &[f64], weights: &[f64], b: f64, tally: &mut Tally) {
+        for (&w, &weight) in indentations.iter().zip(weights) {
+            tally.weigh(&self.contact(w, b), weight);
+        }
+    }
+
+    /// Adds the contacts of asperities that all stand above the flat at `separation` (m, in the
+    /// frame of `heights`) to the tally.
+    fn press(&self, heights: &[f64], radii: &[f64], separation: f64, tally: &mut Tally) {
+        for (&z, &b) in heights.iter().zip(radii) {
+            tally.add(&self.contact(z - separation, b));
+        }
+    }
+}
+
+/// Plasticity index psi = (E*/H) (sigma/R)^.5 (Greenwood and Williamson 1966) of asperities of mean
+/// radius `radius` (m) and height deviation `sigma` (m); `None` where nothing yields.
+pub fn plasticity_index(contact: &dyn MicroContact, sigma: f64, radius: f64) -> Option<f64> {
+    let hardness = contact.reference_hardness();
+    hardness.is_finite().then(|| contact.reference_modulus() / hardness * (sigma / radius).sqrt())
+}
+
+/// Whether the load of a law drops at one of its boundaries.
+fn drops(law: &impl Law, pair: &Pair) -> bool {
+    /// Wider than the rounding of a load, narrower than any jump that a law states.
+    const ROUNDING: f64 = 1e-12;
+    law.jumps(pair).into_iter().any(|jump| jump < 1.0 - ROUNDING)
+}

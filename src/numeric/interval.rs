@@ -1,0 +1,122 @@
+//! Ranges of numbers, and what arithmetic makes of them.
+
+use std::ops::{Add, Mul, Neg, Sub};
+
+/// All numbers from `low` to `high`. Sums and products hold every result that numbers of their ranges have, but
+/// for the rounding of the ends.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Interval {
+    /// The least number.
+    pub low: f64,
+    /// The greatest.
+    pub high: f64,
+}
+
+impl Interval {
+    /// The range between two numbers, in any order.
+    pub fn between(a: f64, b: f64) -> Self {
+        Self { low: a.min(b), high: a.max(b) }
+    }
+
+    /// One number.
+    pub fn point(x: f64) -> Self {
+        Self { low: x, high: x }
+    }
+
+    /// Whether `x` lies in it.
+    pub fn holds(self, x: f64) -> bool {
+        self.low <= x && x <= self.high
+    }
+
+    /// The least range that holds both.
+    pub fn hull(self, other: Self) -> Self {
+        Self { low: self.low.min(other.low), high: self.high.max(other.high) }
+    }
+
+    /// The range of 1/x; `self` is positive.
+    pub fn recip(self) -> Self {
+        Self { low: self.high.recip(), high: self.low.recip() }
+    }
+
+    /// The values that a function takes on a range, which rises up to `peak` and falls behind it.
+    pub fn of_hump(self, value: impl Fn(f64) -> f64, peak: f64) -> Self {
+        let ends = Self::between(value(self.low), value(self.high));
+        if self.holds(peak) { ends.hull(Self::point(value(peak))) } else { ends }
+    }
+}
+
+impl Add for Interval {
+    type Output = Self;
+
+    fn add(self, other: Self) -> Self {
+        Self { low: self.low + other.low, high: self.high + other.high }
+    }
+}
+
+impl Sub for Interval {
+    type Output = Self;
+
+    fn sub(self, other: Self) -> Self {
+        self + -other
+    }
+}
+
+impl Neg for Interval {
+    type Output = Self;
+
+    fn neg(self) -> Self {
+        Self { low: -self.high, high: -self.low }
+    }
+}
+
+impl Mul for Interval {
+    type Output = Self;
+
+    fn mul(self, other: Self) -> Self {
+        let corners = [self.low, self.high].map(|a| [a * other.low, a * other.high]);
+        let corners = corners.as_flattened();
+        Self {
+            low: corners.iter().copied().fold(f64::INFINITY, f64::min),
+            high: corners.iter().copied().fold(f64::NEG_INFINITY, f64::max),
+        }
+    }
+}
+
+impl Add<f64> for Interval {
+    type Output = Self;
+
+    fn add(self, x: f64) -> Self {
+        self + Self::point(x)
+    }
+}
+
+impl Mul<f64> for Interval {
+    type Output = Self;
+
+    fn mul(self, x: f64) -> Self {
+        self * Self::point(x)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn holds_what_its_numbers_give() {
+        let (a, b) = (Interval { low: -2.0, high: 3.0 }, Interval { low: -5.0, high: 1.0 });
+        assert_eq!(a + b, Interval { low: -7.0, high: 4.0 });
+        assert_eq!(a - b, Interval { low: -3.0, high: 8.0 });
+        assert_eq!(a * b, Interval { low: -15.0, high: 10.0 });
+        assert_eq!(a * -2.0, Interval { low: -6.0, high: 4.0 });
+        assert_eq!(Interval::between(4.0, 2.0).recip(), Interval { low: 0.25, high: 0.5 });
+        assert_eq!(a.hull(b), Interval { low: -5.0, high: 3.0 });
+    }
+
+    #[test]
+    fn a_hump_is_highest_at_its_peak() {
+        let hump = |x: f64| -(x - 1.0).powi(2);
+        assert_eq!(Interval { low: 0.0, high: 3.0 }.of_hump(hump, 1.0), Interval { low: -4.0, high: 0.0 });
+        assert_eq!(Interval { low: 2.0, high: 3.0 }.of_hump(hump, 1.0), Interval { low: -4.0, high: -1.0 });
+    }
+}
