@@ -4,7 +4,8 @@
 use std::hint::black_box;
 
 use asperity::asperity::{Draw, HeightDensity, Ordered, Population};
-use asperity::interface::{Interface, MicroContact};
+use asperity::coating::{Coating, Rule};
+use asperity::interface::{Interface, Layered, MicroContact};
 use asperity::law::{Hertz, Law, Zmc};
 use asperity::material::Material;
 use asperity::model::{Datum, Deterministic, Model, Statistical, at_pressure};
@@ -22,6 +23,55 @@ fn interface<L: Law>(law: L) -> Interface<L> {
 
 fn laws() -> [(&'static str, Box<dyn MicroContact>); 2] {
     [("hertz", Box::new(interface(Hertz))), ("zmc", Box::new(interface(Zmc::default())))]
+}
+
+/// ZMC on steel, bare and under lead and a hard ceramic: the coated over the bare is the price of a layer.
+fn flats() -> [(String, Box<dyn MicroContact>); 7] {
+    let material =
+        |young, poisson, hardness| Material::new(young, poisson, Some(hardness), None).expect("a material");
+    let steel = material(210e9, 0.3, 7.6e9);
+    let under = |layer: &Material, thickness: f64| -> Box<dyn MicroContact> {
+        let coating = Coating::new(layer, &steel, thickness, Rule::Gao).expect("a coating");
+        Box::new(Layered::new(Zmc::default(), &steel, &steel, coating))
+    };
+    let (lead, ceramic) = (material(18e9, 0.35, 0.17e9), material(400e9, 0.2, 21e9));
+    [
+        ("bare".to_owned(), Box::new(interface(Zmc::default()))),
+        ("10 nm of lead".to_owned(), under(&lead, 1e-8)),
+        ("50 nm of lead".to_owned(), under(&lead, 5e-8)),
+        ("1 um of lead".to_owned(), under(&lead, 1e-6)),
+        ("10 nm of ceramic".to_owned(), under(&ceramic, 1e-8)),
+        ("50 nm of ceramic".to_owned(), under(&ceramic, 5e-8)),
+        ("1 um of ceramic".to_owned(), under(&ceramic, 1e-6)),
+    ]
+}
+
+/// The price of a layer: the sum over a million asperities at 50 separations, the integral at one, and finding all
+/// regime changes, which a model does once.
+fn coated(c: &mut Criterion) {
+    let mut group = c.benchmark_group("coated");
+    group.sample_size(10);
+    let separations: Vec<f64> = (0..50).map(|k| 4.0 - 4.0 * f64::from(k) / 49.0).collect();
+    for (case, population) in CASES {
+        let set = population.set(1_000_000, Draw::Random([1; 32])).expect("a million asperities");
+        let ordered = Ordered::new(&set);
+        for (flat, contact) in flats() {
+            let model = Deterministic::new(&*contact, &ordered, Datum { mean: 0.0, sigma: population.sigma });
+            group.bench_function(BenchmarkId::new(format!("sum, {case}"), &flat), |b| {
+                b.iter(|| separations.iter().map(|&h| model.respond(h).pressure.total()).sum::<f64>());
+            });
+            let model = Statistical::new(&*contact, population);
+            for h in [0.0, 2.0] {
+                group.bench_function(BenchmarkId::new(format!("integral at {h}, {case}"), &flat), |b| {
+                    b.iter(|| model.respond(black_box(h)));
+                });
+            }
+            group.bench_function(BenchmarkId::new(format!("regime changes, {case}"), &flat), |b| {
+                b.iter(|| contact.breakpoints(black_box(population.radius)));
+            });
+        }
+    }
+    group.finish();
 }
 
 /// 1000 indentations from far below yield to full plasticity.
@@ -71,5 +121,5 @@ fn sum(c: &mut Criterion) {
     group.finish();
 }
 
-criterion_group!(benches, law, integral, sum);
+criterion_group!(benches, law, integral, sum, coated);
 criterion_main!(benches);

@@ -50,8 +50,9 @@ fn effective_properties_and_the_coated_contact() {
         let mut see = |value, column: &str| {
             properties.see(value, row.number(column), || format!("{column} of row {k}"))
         };
-        see(found.poisson, "effective_poisson");
-        see(found.young(), "effective_young");
+        let (poisson, young) = coating.elasticity(w, b);
+        see(poisson, "effective_poisson");
+        see(young, "effective_young");
         see(found.hardness, "effective_hardness");
         see((rough.plane_compliance() + found.compliance).recip(), "reduced_modulus");
         let contact = Layered::new(Zmc::default(), &rough, &substrate, coating).contact(w, b);

@@ -1,5 +1,6 @@
 //! The effective hardness of a layered flat (Pasaribu and Schipper 2005, Eq. 16; Bhattacharya and Nix 1988).
 
+use super::decay::decay;
 use crate::material::Material;
 use crate::numeric::interval::Interval;
 
@@ -40,8 +41,12 @@ impl EffectiveHardness {
         Some(Self { layer: of_layer, substrate: of_substrate, factor, thickness, is_softer })
     }
 
-    fn power(&self) -> i32 {
-        if self.is_softer { 2 } else { 1 }
+    pub(super) fn with_thickness(self, thickness: f64) -> Self {
+        Self { thickness, ..self }
+    }
+
+    fn power(&self) -> f64 {
+        if self.is_softer { 2.0 } else { 1.0 }
     }
 
     /// Hardness, Pa, and d ln H/d ln w at the indentation `w` (m).
@@ -49,19 +54,11 @@ impl EffectiveHardness {
     pub(super) fn at(&self, w: f64) -> (f64, f64) {
         let depth = w / self.thickness;
         let x = if self.is_softer { self.factor * depth * depth } else { self.factor * depth };
-        if x > 745.0 {
-            return (self.substrate, 0.0);
-        }
+        let (left, gone) = decay(x);
         let step = self.layer - self.substrate;
         // Positive terms only, whichever body is the harder.
-        let (hardness, left) = if self.is_softer {
-            let gone = -(-x).exp_m1();
-            (self.layer - step * gone, 1.0 - gone)
-        } else {
-            let left = (-x).exp();
-            (self.substrate + step * left, left)
-        };
-        (hardness, -step * f64::from(self.power()) * x * left / hardness)
+        let hardness = if self.is_softer { self.layer - step * gone } else { self.substrate + step * left };
+        (hardness, -step * self.power() * x * left / hardness)
     }
 
     /// All hardnesses at the indentations of `w`, and all d ln H/d ln w.
@@ -83,7 +80,7 @@ impl EffectiveHardness {
     }
 
     fn indentation(&self, x: f64) -> f64 {
-        self.thickness * (x / self.factor).powf(f64::from(self.power()).recip())
+        self.thickness * (x / self.factor).powf(self.power().recip())
     }
 
     /// Indentations (m, ascending) between which H, 1/H and ln H are smooth enough for a quadrature panel: they
@@ -92,7 +89,7 @@ impl EffectiveHardness {
     pub(super) fn scales(&self) -> Vec<f64> {
         const STEPS: [f64; 5] = [0.5, 4.0, 10.0, 20.0, GONE];
         let ratio = self.layer / self.substrate;
-        let first = (self.is_softer && ratio < 0.3).then(|| ratio);
+        let first = (self.is_softer && ratio < 0.3).then_some(ratio);
         first.into_iter().chain(STEPS).map(|x| self.indentation(x)).collect()
     }
 

@@ -4,11 +4,15 @@
 //! | file | what lives there |
 //! |---|---|
 //! | `weights` | the functions of xi = t/a that say how much layer an asperity feels (Eqs. 17, 18) |
+//! | `table` | the compliance of one pair of materials, at a third of the time |
 //! | `modulus` | nu_eff and E_eff by the paper's rule or in series (Eqs. 14, 15) |
 //! | `hardness` | H_eff (Eq. 16) |
+//! | `decay` | exp(-x) and 1 - exp(-x) together |
 
+mod decay;
 mod hardness;
 mod modulus;
+mod table;
 mod weights;
 
 pub use modulus::Rule;
@@ -21,12 +25,11 @@ use hardness::EffectiveHardness;
 use modulus::EffectiveModulus;
 
 /// A layer of finite thickness on a substrate.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, PartialEq)]
 pub struct Coating {
     thickness: f64,
     modulus: EffectiveModulus,
     hardness: Option<EffectiveHardness>,
-    rule: Rule,
 }
 
 /// A layered flat that has no effective properties.
@@ -43,11 +46,9 @@ pub enum CoatingError {
 /// The flat as one asperity feels it.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Effective {
-    /// nu_eff (Eq. 14).
-    pub poisson: f64,
     /// (1 - nu_eff^2)/E_eff, 1/Pa.
     pub compliance: f64,
-    /// d ln(compliance)/d ln w.
+    /// d(compliance)/d ln w, 1/Pa.
     pub compliance_slope: f64,
     /// H_eff (Eq. 16), Pa; infinite where neither body yields.
     pub hardness: f64,
@@ -55,19 +56,12 @@ pub struct Effective {
     pub hardness_slope: f64,
 }
 
-impl Effective {
-    /// E_eff (Eq. 15), Pa.
-    pub fn young(&self) -> f64 {
-        (1.0 - self.poisson) * (1.0 + self.poisson) / self.compliance
-    }
-}
-
 /// Bounds of the same over a range of indentations and radii.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Bounds {
     /// Of the compliance, 1/Pa.
     pub compliance: Interval,
-    /// Of d ln(compliance)/d ln w.
+    /// Of d(compliance)/d ln w, 1/Pa.
     pub compliance_slope: Interval,
     /// Of H_eff, Pa.
     pub hardness: Interval,
@@ -96,7 +90,6 @@ impl Coating {
             thickness,
             modulus: EffectiveModulus::new(rule, layer, substrate),
             hardness: EffectiveHardness::new(layer, substrate, thickness),
-            rule,
         })
     }
 
@@ -108,7 +101,7 @@ impl Coating {
     /// The papers that its rules are from.
     pub fn papers(&self) -> Vec<Paper> {
         let mut papers = vec![literature::PASARIBU_SCHIPPER_2005, literature::GAO_CHIU_LEE_1992];
-        papers.push(match self.rule {
+        papers.push(match self.modulus.rule() {
             Rule::Gao => literature::SWAIN_MENCIK_1994,
             Rule::Series => literature::SONG_PHARR_1999,
         });
@@ -125,16 +118,28 @@ impl Coating {
     /// The flat as an asperity of radius `b` (m) feels it at indentation `w` (m).
     #[inline]
     pub fn at(&self, w: f64, b: f64) -> Effective {
-        let compliance = self.modulus.at(self.inverse(w, b));
+        let (compliance, compliance_slope) = self.modulus.compliance(self.inverse(w, b));
         let (hardness, hardness_slope) =
             self.hardness.as_ref().map_or((f64::INFINITY, 0.0), |hardness| hardness.at(w));
-        Effective {
-            poisson: compliance.poisson,
-            compliance: compliance.value,
-            compliance_slope: compliance.slope,
-            hardness,
-            hardness_slope,
+        Effective { compliance, compliance_slope, hardness, hardness_slope }
+    }
+
+    /// nu_eff (Eq. 14) and E_eff (Eq. 15, Pa) as an asperity of radius `b` (m) feels them at indentation `w` (m).
+    pub fn elasticity(&self, w: f64, b: f64) -> (f64, f64) {
+        let poisson = self.modulus.poisson(self.inverse(w, b));
+        (poisson, (1.0 - poisson) * (1.0 + poisson) / self.at(w, b).compliance)
+    }
+
+    /// The same layer in another thickness (m).
+    ///
+    /// # Errors
+    /// A thickness that is not positive and finite.
+    pub fn with_thickness(&self, thickness: f64) -> Result<Self, CoatingError> {
+        if !is_positive(thickness) {
+            return Err(CoatingError::Thickness(thickness));
         }
+        let hardness = self.hardness.map(|hardness| hardness.with_thickness(thickness));
+        Ok(Self { thickness, modulus: self.modulus.clone(), hardness })
     }
 
     /// The flat as asperities of radii `b` feel it at indentations `w`.

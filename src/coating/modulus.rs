@@ -1,7 +1,10 @@
 //! The effective modulus and Poisson's ratio of a layered flat (Pasaribu and Schipper 2005, Eqs. 14, 15, 17-19).
 
+use std::sync::Arc;
+
 use serde::Deserialize;
 
+use super::table::Table;
 use super::weights::{LOG_PEAK, POLE_PEAK, SWELL_PEAK, Weights};
 use crate::material::Material;
 use crate::numeric::interval::Interval;
@@ -41,19 +44,15 @@ struct Side {
     modulus_step: f64,
 }
 
-/// What the flat contributes to E*: 1/E* = (1 - nu^2)/E of the rough body + compliance.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct Compliance {
-    /// (1 - nu_eff^2)/E_eff, 1/Pa.
-    pub(super) value: f64,
-    /// d ln(compliance)/d ln w.
-    pub(super) slope: f64,
-    /// nu_eff.
-    pub(super) poisson: f64,
+/// What a pair of materials is by one rule, whatever the thickness of the layer: a function of a/t.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct EffectiveModulus {
+    sides: Sides,
+    table: Arc<Table>,
 }
 
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct EffectiveModulus {
+struct Sides {
     rule: Rule,
     layer: Side,
     substrate: Side,
@@ -61,6 +60,36 @@ pub(super) struct EffectiveModulus {
 
 impl EffectiveModulus {
     pub(super) fn new(rule: Rule, layer: &Material, substrate: &Material) -> Self {
+        let sides = Sides::new(rule, layer, substrate);
+        Self { sides, table: Arc::new(Table::of(|inverse| sides.at(inverse).0)) }
+    }
+
+    pub(super) fn rule(&self) -> Rule {
+        self.sides.rule
+    }
+
+    /// nu_eff (Eq. 14) at `inverse` = 1/xi = a/t.
+    pub(super) fn poisson(&self, inverse: f64) -> f64 {
+        self.sides.poisson(&Weights::at(inverse))
+    }
+
+    /// What the flat contributes to 1/E*, (1 - nu_eff^2)/E_eff in 1/Pa, and d/d ln w of it, at `inverse` = 1/xi = a/t.
+    #[inline]
+    pub(super) fn compliance(&self, inverse: f64) -> (f64, f64) {
+        let (value, slope) = self.table.at(inverse).unwrap_or_else(|| self.sides.at(inverse));
+        // a grows as the square root of w.
+        (value, 0.5 * slope)
+    }
+
+    /// All compliances at the 1/xi of `inverse`, and all their d/d ln w.
+    pub(super) fn over(&self, inverse: Interval) -> (Interval, Interval) {
+        let (value, slope) = self.sides.over(inverse);
+        (value, slope * 0.5)
+    }
+}
+
+impl Sides {
+    fn new(rule: Rule, layer: &Material, substrate: &Material) -> Self {
         let modulus = |body: &Material| match rule {
             Rule::Gao => body.young(),
             Rule::Series => 2.0 * (1.0 + body.poisson()) / body.young(),
@@ -94,9 +123,8 @@ impl EffectiveModulus {
         side.modulus + side.modulus_step * weights.of_modulus(poisson)
     }
 
-    /// At `inverse` = 1/xi = a/t.
-    #[inline]
-    pub(super) fn at(&self, inverse: f64) -> Compliance {
+    /// The compliance at `inverse` = 1/xi, and its d/d ln(1/xi).
+    fn at(&self, inverse: f64) -> (f64, f64) {
         let weights = Weights::at(inverse);
         let poisson = self.poisson(&weights);
         let modulus = self.modulus(&weights, poisson);
@@ -113,15 +141,12 @@ impl EffectiveModulus {
             ),
             Rule::Series => (0.5 * (1.0 - poisson) * modulus, modulus_slope - rest * poisson_slope),
         };
-        // xi falls as the square root of w.
-        Compliance { value, slope: -0.5 * slope, poisson }
+        (value, -value * slope)
     }
 
-    /// All compliances at the 1/xi of `inverse`, and all their d ln/d ln w.
-    ///
-    /// nu_eff follows I1, which grows with xi; I0 grows with xi and falls with nu. The three humps in the slope
+    /// All values of [`Self::at`]: nu_eff follows I1, which grows with xi; I0 grows with xi and falls with nu. The three humps in the slope
     /// are bounded by their ends and peaks.
-    pub(super) fn over(&self, inverse: Interval) -> (Interval, Interval) {
+    fn over(&self, inverse: Interval) -> (Interval, Interval) {
         let (thick, thin) = (Weights::at(inverse.low), Weights::at(inverse.high));
         let poisson = Interval::between(self.poisson(&thick), self.poisson(&thin));
         let modulus = Interval::between(self.modulus(&thick, poisson.low), self.modulus(&thin, poisson.high));
@@ -146,6 +171,6 @@ impl EffectiveModulus {
             }
             Rule::Series => ((-poisson + 1.0) * modulus * 0.5, modulus_slope - rest * poisson_slope),
         };
-        (value, slope * -0.5)
+        (value, -(value * slope))
     }
 }

@@ -1,7 +1,6 @@
 //! How much of a layered flat an asperity feels: the functions of xi = t/a behind Eqs. 17 and 18.
 
 use std::f64::consts::{FRAC_1_PI, FRAC_2_PI};
-use std::sync::LazyLock;
 
 /// The parts of the weights I1 (Eq. 17) and I0 (Eq. 18) that no material enters.
 ///
@@ -28,7 +27,7 @@ impl Weights {
         let q = if in_layer { inverse } else { inverse.recip() };
         let small = q * q;
         let whole = (1.0 + small).recip();
-        let [angle, log] = TABLE.at(inverse).unwrap_or_else(|| exact(inverse));
+        let [angle, log] = transcendental(inverse);
         Self {
             in_layer,
             angle,
@@ -74,8 +73,8 @@ pub(super) const LOG_PEAK: f64 = 1.980_291_300_432_212_9;
 pub(super) const POLE_PEAK: f64 = 1.0;
 pub(super) const SWELL_PEAK: f64 = 0.681_250_038_633_213_3;
 
-/// (2/pi) arctan q and (xi/pi) ln(1 + 1/xi^2), from the definitions.
-fn exact(inverse: f64) -> [f64; 2] {
+/// (2/pi) arctan q and (xi/pi) ln(1 + 1/xi^2).
+fn transcendental(inverse: f64) -> [f64; 2] {
     if inverse <= 1.0 {
         // For 1/xi below 1e-154 the square vanishes, and the logarithm is 1/xi^2 to all digits.
         let log = if inverse > 1e-100 { (inverse * inverse).ln_1p() / inverse } else { inverse };
@@ -86,104 +85,9 @@ fn exact(inverse: f64) -> [f64; 2] {
     }
 }
 
-const INTERVALS: usize = 32;
-const TERMS: usize = 8;
-/// The table covers 1/xi from 2^-OCTAVES to 2^OCTAVES.
-const OCTAVES: i32 = 24;
-const MANTISSA_BITS: u32 = f64::MANTISSA_DIGITS - 1;
-
-/// Both functions as polynomials, one pair for each 32nd of an octave of 1/xi. Each is analytic but at 0 and
-/// +-i, so that on so short an interval eight terms leave 132^-8 of it: below rounding. About a third of the time
-/// of `atan` and `ln_1p`.
-struct Table(Vec<Piece>);
-
-struct Piece {
-    middle: f64,
-    /// Of the half width.
-    inverse: f64,
-    coefficients: [[f64; 2]; TERMS],
-}
-
-static TABLE: LazyLock<Table> = LazyLock::new(|| {
-    let octave = |power: i32| (0..INTERVALS).map(move |k| (power, k));
-    let piece = |(power, k): (i32, usize)| {
-        let width = 2f64.powi(power) / INTERVALS as f64;
-        Piece::through(2f64.powi(power) + (k as f64 + 0.5) * width, 0.5 * width)
-    };
-    Table((-OCTAVES..OCTAVES).flat_map(octave).map(piece).collect())
-});
-
-impl Table {
-    #[inline]
-    fn at(&self, x: f64) -> Option<[f64; 2]> {
-        let place = x.to_bits() >> (MANTISSA_BITS - INTERVALS.ilog2());
-        let first = ((1023 - OCTAVES) as u64) << INTERVALS.ilog2();
-        let piece = self.0.get(usize::try_from(place.wrapping_sub(first)).ok()?)?;
-        let r = (x - piece.middle) * piece.inverse;
-        let mut value = piece.coefficients[TERMS - 1];
-        for k in (0..TERMS - 1).rev() {
-            for (value, term) in value.iter_mut().zip(piece.coefficients[k]) {
-                *value = *value * r + term;
-            }
-        }
-        Some(value)
-    }
-}
-
-impl Piece {
-    /// Interpolates at the Chebyshev points of middle +- half.
-    fn through(middle: f64, half: f64) -> Self {
-        use std::f64::consts::PI;
-        let angle = |j: usize| PI * (j as f64 + 0.5) / TERMS as f64;
-        // Away from the middle they differ by a 64th: sums of differences round that much less.
-        let centre = exact(middle);
-        let values: [[f64; 2]; TERMS] = std::array::from_fn(|j| {
-            let value = exact(middle + half * angle(j).cos());
-            [value[0] - centre[0], value[1] - centre[1]]
-        });
-        let mut coefficients = [[0.0; 2]; TERMS];
-        // T_0 and T_1 as powers of r; each next one is 2 r T_k - T_(k-1).
-        let (mut before, mut chebyshev) = ([0.0; TERMS], [0.0; TERMS]);
-        chebyshev[0] = 1.0;
-        for k in 0..TERMS {
-            let share = if k == 0 { 1.0 } else { 2.0 } / TERMS as f64;
-            for f in 0..2 {
-                let sum: f64 = (0..TERMS).map(|j| values[j][f] * (k as f64 * angle(j)).cos()).sum();
-                for (total, power) in coefficients.iter_mut().zip(chebyshev) {
-                    total[f] += share * sum * power;
-                }
-            }
-            let mut next = before.map(|c| -c);
-            let double = if k == 0 { 1.0 } else { 2.0 };
-            for j in 0..TERMS - 1 {
-                next[j + 1] += double * chebyshev[j];
-            }
-            (before, chebyshev) = (chebyshev, next);
-        }
-        coefficients[0] = [coefficients[0][0] + centre[0], coefficients[0][1] + centre[1]];
-        Self { middle, inverse: half.recip(), coefficients }
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    #[test]
-    fn the_table_is_the_definition() {
-        let mut worst: f64 = 0.0;
-        for k in -400_000..400_000 {
-            let x = (f64::from(k) * 4.15e-5).exp();
-            let Some(found) = TABLE.at(x) else { panic!("{x:e} is in the table") };
-            for (found, exact) in found.into_iter().zip(exact(x)) {
-                worst = worst.max((found / exact - 1.0).abs());
-            }
-        }
-        assert!(worst < 2e-15, "{worst:e}");
-        for outside in [0.0, 1e-300, 1e-8, 1e8, 1e300, f64::INFINITY, f64::NAN] {
-            assert!(TABLE.at(outside).is_none());
-        }
-    }
 
     /// Both weights of the body that weighs less, next to their limits (PHYSICS of xi -> 0 and xi -> inf).
     #[test]

@@ -2,7 +2,7 @@
 
 use super::MicroContact;
 use crate::coating::{Coating, Effective};
-use crate::contact::Contact;
+use crate::contact::{Contact, Tally};
 use crate::law::{Law, Pair};
 use crate::literature::Paper;
 use crate::material::Material;
@@ -11,7 +11,7 @@ use crate::numeric::root::sign_changes;
 
 /// A homogeneous rough body on a layered flat under one law: the law sees the pair that each asperity feels at its
 /// own indentation (Pasaribu and Schipper 2005, Eqs. 5, 9 with E_eff, nu_eff, H_eff).
-#[derive(Debug, Clone, Copy)]
+#[derive(Debug, Clone)]
 pub struct Layered<L> {
     law: L,
     coating: Coating,
@@ -23,7 +23,11 @@ pub struct Layered<L> {
     reference: Pair,
 }
 
+/// Asperities that are looked at together.
+const BLOCK: usize = 64;
+
 /// The pair that an asperity feels, and how it changes with the indentation.
+#[derive(Debug, Clone, Copy, Default)]
 struct Felt {
     pair: Pair,
     /// d ln E*/d ln w.
@@ -58,7 +62,7 @@ impl<L: Law> Layered<L> {
 
     #[inline]
     fn felt(&self, w: f64, b: f64) -> Felt {
-        let Effective { compliance, compliance_slope, hardness, hardness_slope, .. } = self.coating.at(w, b);
+        let Effective { compliance, compliance_slope, hardness, hardness_slope } = self.coating.at(w, b);
         let reduced_modulus = (self.rough_compliance + compliance).recip();
         // The softer body yields.
         let (hardness, hardness_slope) = if hardness < self.rough_hardness {
@@ -68,7 +72,7 @@ impl<L: Law> Layered<L> {
         };
         Felt {
             pair: Pair { reduced_modulus, hardness },
-            modulus_slope: -compliance * reduced_modulus * compliance_slope,
+            modulus_slope: -reduced_modulus * compliance_slope,
             hardness_slope,
         }
     }
@@ -76,7 +80,6 @@ impl<L: Law> Layered<L> {
     fn felt_over(&self, w: Interval, b: Interval) -> FeltRange {
         let of_flat = self.coating.over(w, b);
         let modulus = (of_flat.compliance + self.rough_compliance).recip();
-        let share = of_flat.compliance * modulus;
         let (hardness, hardness_slope) = if of_flat.hardness.high < self.rough_hardness {
             (of_flat.hardness, of_flat.hardness_slope)
         } else if of_flat.hardness.low >= self.rough_hardness {
@@ -85,7 +88,17 @@ impl<L: Law> Layered<L> {
             let hardness = Interval { low: of_flat.hardness.low, high: self.rough_hardness };
             (hardness, of_flat.hardness_slope.hull(Interval::point(0.0)))
         };
-        FeltRange { modulus, modulus_slope: -(share * of_flat.compliance_slope), hardness, hardness_slope }
+        FeltRange { modulus, modulus_slope: -(modulus * of_flat.compliance_slope), hardness, hardness_slope }
+    }
+
+    /// With P = E* b^.5 w^1.5 g(u), u = (w/b) (E*/H)^2, and e = d ln P/d ln w of the fixed pair, the load goes with the
+    /// (2e - 2)th power of E* and the (3 - 2e)th of H.
+    #[inline]
+    fn answer(&self, w: f64, b: f64, felt: &Felt) -> Contact {
+        let contact = self.law.contact(w, b, &felt.pair);
+        let stiffness = contact.stiffness * (1.0 + 2.0 * (felt.modulus_slope - felt.hardness_slope))
+            + contact.load / w * (3.0 * felt.hardness_slope - 2.0 * felt.modulus_slope);
+        Contact { stiffness, ..contact }
     }
 
     /// All d ln E*/d ln w there are.
@@ -129,15 +142,22 @@ impl<L: Law> Layered<L> {
 }
 
 impl<L: Law> MicroContact for Layered<L> {
-    /// With P = E* b^.5 w^1.5 g(u), u = (w/b) (E*/H)^2, and e = d ln P/d ln w of the fixed pair, the load goes with the
-    /// (2e - 2)th power of E* and the (3 - 2e)th of H.
     #[inline]
     fn contact(&self, w: f64, b: f64) -> Contact {
-        let felt = self.felt(w, b);
-        let contact = self.law.contact(w, b, &felt.pair);
-        let stiffness = contact.stiffness * (1.0 + 2.0 * (felt.modulus_slope - felt.hardness_slope))
-            + contact.load / w * (3.0 * felt.hardness_slope - 2.0 * felt.modulus_slope);
-        Contact { stiffness, ..contact }
+        self.answer(w, b, &self.felt(w, b))
+    }
+
+    fn press(&self, heights: &[f64], radii: &[f64], separation: f64, tally: &mut Tally) {
+        // First what all of a block feel, without a branch that depends on the asperity, then what they answer.
+        let mut felt = [Felt::default(); BLOCK];
+        for (heights, radii) in heights.chunks(BLOCK).zip(radii.chunks(BLOCK)) {
+            for ((felt, &z), &b) in felt.iter_mut().zip(heights).zip(radii) {
+                *felt = self.felt(z - separation, b);
+            }
+            for ((felt, &z), &b) in felt.iter().zip(heights).zip(radii) {
+                tally.add(&self.answer(z - separation, b, felt));
+            }
+        }
     }
 
     fn regime_changes(&self, b: f64) -> Vec<f64> {
@@ -157,7 +177,7 @@ impl<L: Law> MicroContact for Layered<L> {
         points
     }
 
-    /// d ln P/d ln w = e + (2e - 2) d ln E*/d ln w + (3 - 2e) d ln H/d ln w (see [`Self::contact`]) is linear in each of the
+    /// d ln P/d ln w = e + (2e - 2) d ln E*/d ln w + (3 - 2e) d ln H/d ln w (see [`Self::answer`]) is linear in each of the
     /// three: it is least at a corner of their ranges.
     fn load_rises_to(&self) -> f64 {
         /// Pieces of the depth on which the hardness changes.

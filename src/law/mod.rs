@@ -15,7 +15,7 @@ use crate::literature::Paper;
 use crate::numeric::interval::Interval;
 
 /// The pair of bodies as a law sees it.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Pair {
     /// Reduced modulus E*, Pa (Pasaribu and Schipper 2005, Eq. 3).
     pub reduced_modulus: f64,
