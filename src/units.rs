@@ -93,6 +93,17 @@ impl Range for Finite {
     }
 }
 
+/// Zero, or positive and far from both ends of the floating-point range.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum NotNegative {}
+
+impl Range for NotNegative {
+    const WORDS: &'static str = "zero or a positive finite";
+    fn holds(value: f64) -> bool {
+        value == 0.0 || is_positive(value)
+    }
+}
+
 /// A separation in units of sigma: beyond, rounding of d/sigma leaves nothing of the heights.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum SeparationRange {}

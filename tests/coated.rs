@@ -4,7 +4,7 @@ mod common;
 
 use asperity::asperity::{AsperitySet, HeightDensity, Ordered, Population};
 use asperity::coating::{Coating, Rule};
-use asperity::interface::{Interface, Layered, MicroContact};
+use asperity::interface::{Flat, Layered, MicroContact};
 use asperity::law::Zmc;
 use asperity::material::Material;
 use asperity::model::{Datum, Deterministic, Model, Statistical};
@@ -20,15 +20,7 @@ fn lead() -> Material {
 
 /// ZMC against a flat with a layer of any thickness, 0 and infinity included.
 fn flat(rough: &Material, layer: &Material, substrate: &Material, thickness: f64) -> Box<dyn MicroContact> {
-    let zmc = Zmc::default();
-    if thickness == 0.0 {
-        Box::new(Interface::bare(zmc, rough, substrate))
-    } else if thickness == f64::INFINITY {
-        Box::new(Interface::all_layer(zmc, rough, substrate, layer))
-    } else {
-        let coating = Coating::new(layer, substrate, thickness, Rule::Gao).unwrap();
-        Box::new(Layered::new(zmc, rough, substrate, coating))
-    }
+    Flat::with_layer(layer, substrate, thickness, Rule::Gao).unwrap().under(Zmc::default(), rough)
 }
 
 fn body(row: &Row, name: &str, strength: Option<f64>) -> Material {

@@ -73,12 +73,22 @@ impl EffectiveModulus {
         self.sides.poisson(&Weights::at(inverse))
     }
 
-    /// What the flat contributes to 1/E*, (1 - nu_eff^2)/E_eff in 1/Pa, and d/d ln w of it, at `inverse` = 1/xi = a/t.
-    #[inline]
-    pub(super) fn compliance(&self, inverse: f64) -> (f64, f64) {
-        let (value, slope) = self.table.at(inverse).unwrap_or_else(|| self.sides.at(inverse));
+    /// What the flat contributes to 1/E*, (1 - nu_eff^2)/E_eff in 1/Pa, and d/d ln w of it, at each `inverse` =
+    /// 1/xi = a/t.
+    #[inline(always)]
+    pub(super) fn compliance<const LANES: usize>(
+        &self,
+        inverse: [f64; LANES],
+    ) -> ([f64; LANES], [f64; LANES]) {
+        let (value, slope) = self.table.at(inverse).unwrap_or_else(|| self.outside(inverse));
         // a grows as the square root of w.
-        (value, 0.5 * slope)
+        (value, slope.map(|slope| 0.5 * slope))
+    }
+
+    #[cold]
+    fn outside<const LANES: usize>(&self, inverse: [f64; LANES]) -> ([f64; LANES], [f64; LANES]) {
+        let all = inverse.map(|inverse| self.sides.at(inverse));
+        (all.map(|(value, _)| value), all.map(|(_, slope)| slope))
     }
 
     /// All compliances at the 1/xi of `inverse`, and all their d/d ln w.

@@ -32,19 +32,33 @@ impl Table {
         Self((-OCTAVES..OCTAVES).flat_map(octave).map(piece).collect())
     }
 
-    /// The value at `x` and x times the slope there; `None` outside the table.
-    #[inline]
-    pub(super) fn at(&self, x: f64) -> Option<(f64, f64)> {
+    /// The value at each `x`, and x times the slope there; `None` if one is outside the table.
+    #[inline(always)]
+    pub(super) fn at<const LANES: usize>(&self, x: [f64; LANES]) -> Option<([f64; LANES], [f64; LANES])> {
         const FIRST: u64 = ((1023 - OCTAVES) as u64) << INTERVALS.ilog2();
-        let place = (x.to_bits() >> (MANTISSA_BITS - INTERVALS.ilog2())).wrapping_sub(FIRST);
-        let piece = self.0.get(usize::try_from(place).ok()?)?;
-        let r = (x - piece.middle) * piece.inverse;
-        let (mut value, mut slope) = (piece.coefficients[TERMS - 1], 0.0);
-        for k in (0..TERMS - 1).rev() {
-            slope = slope * r + value;
-            value = value * r + piece.coefficients[k];
+        // Lanes side by side, a term at a time: one polynomial would wait for itself.
+        let mut coefficients = [[0.0; LANES]; TERMS];
+        let (mut r, mut stretch) = ([0.0; LANES], [0.0; LANES]);
+        for lane in 0..LANES {
+            let place = (x[lane].to_bits() >> (MANTISSA_BITS - INTERVALS.ilog2())).wrapping_sub(FIRST);
+            let piece = self.0.get(usize::try_from(place).ok()?)?;
+            for (term, coefficient) in coefficients.iter_mut().zip(piece.coefficients) {
+                term[lane] = coefficient;
+            }
+            r[lane] = (x[lane] - piece.middle) * piece.inverse;
+            stretch[lane] = x[lane] * piece.inverse;
         }
-        Some((value, x * piece.inverse * slope))
+        let (mut value, mut slope) = (coefficients[TERMS - 1], [0.0; LANES]);
+        for term in coefficients[..TERMS - 1].iter().rev() {
+            for lane in 0..LANES {
+                slope[lane] = slope[lane] * r[lane] + value[lane];
+                value[lane] = value[lane] * r[lane] + term[lane];
+            }
+        }
+        for lane in 0..LANES {
+            slope[lane] *= stretch[lane];
+        }
+        Some((value, slope))
     }
 }
 
@@ -86,12 +100,12 @@ mod tests {
         let table = Table::of(|x| x.powf(-0.7));
         for k in -100_000..100_000 {
             let x = (f64::from(k) * 1.66e-4).exp();
-            let (value, slope) = table.at(x).unwrap();
+            let ([value], [slope]) = table.at([x]).unwrap();
             assert!((value / x.powf(-0.7) - 1.0).abs() < 2e-15);
             assert!((slope / value + 0.7).abs() < 1e-12);
         }
         for outside in [0.0, 1e-300, 1e-8, 1e8, 1e300, f64::INFINITY, f64::NAN, -1.0] {
-            assert_eq!(table.at(outside), None);
+            assert_eq!(table.at([1.0, outside]), None);
         }
     }
 }

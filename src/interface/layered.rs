@@ -1,7 +1,7 @@
 //! A rough body on a flat with a layer of finite thickness.
 
 use super::MicroContact;
-use crate::coating::{Coating, Effective};
+use crate::coating::Coating;
 use crate::contact::{Contact, Tally};
 use crate::law::{Law, Pair};
 use crate::literature::Paper;
@@ -23,8 +23,8 @@ pub struct Layered<L> {
     reference: Pair,
 }
 
-/// Asperities that are looked at together.
-const BLOCK: usize = 64;
+/// Asperities that are looked at side by side.
+const LANES: usize = 8;
 
 /// The pair that an asperity feels, and how it changes with the indentation.
 #[derive(Debug, Clone, Copy, Default)]
@@ -60,21 +60,21 @@ impl<L: Law> Layered<L> {
         self.rough_hardness.is_finite() || self.coating.hardness_range().high.is_finite()
     }
 
-    #[inline]
-    fn felt(&self, w: f64, b: f64) -> Felt {
-        let Effective { compliance, compliance_slope, hardness, hardness_slope } = self.coating.at(w, b);
-        let reduced_modulus = (self.rough_compliance + compliance).recip();
-        // The softer body yields.
-        let (hardness, hardness_slope) = if hardness < self.rough_hardness {
-            (hardness, hardness_slope)
-        } else {
-            (self.rough_hardness, 0.0)
-        };
-        Felt {
-            pair: Pair { reduced_modulus, hardness },
-            modulus_slope: -reduced_modulus * compliance_slope,
-            hardness_slope,
-        }
+    #[inline(always)]
+    fn felt<const LANES: usize>(&self, w: [f64; LANES], b: [f64; LANES]) -> [Felt; LANES] {
+        self.coating.lanes(w, b).map(|flat| {
+            let reduced_modulus = (self.rough_compliance + flat.compliance).recip();
+            // The softer body yields.
+            let is_flat = flat.hardness < self.rough_hardness;
+            Felt {
+                pair: Pair {
+                    reduced_modulus,
+                    hardness: if is_flat { flat.hardness } else { self.rough_hardness },
+                },
+                modulus_slope: -reduced_modulus * flat.compliance_slope,
+                hardness_slope: if is_flat { flat.hardness_slope } else { 0.0 },
+            }
+        })
     }
 
     fn felt_over(&self, w: Interval, b: Interval) -> FeltRange {
@@ -93,7 +93,7 @@ impl<L: Law> Layered<L> {
 
     /// With P = E* b^.5 w^1.5 g(u), u = (w/b) (E*/H)^2, and e = d ln P/d ln w of the fixed pair, the load goes with the
     /// (2e - 2)th power of E* and the (3 - 2e)th of H.
-    #[inline]
+    #[inline(always)]
     fn answer(&self, w: f64, b: f64, felt: &Felt) -> Contact {
         let contact = self.law.contact(w, b, &felt.pair);
         let stiffness = contact.stiffness * (1.0 + 2.0 * (felt.modulus_slope - felt.hardness_slope))
@@ -127,7 +127,7 @@ impl<L: Law> Layered<L> {
         let low = bound(all.hardness.low, all.modulus.high) - 1e-9;
         let high = bound(all.hardness.high, all.modulus.low) + 1e-9;
         let value = |v: f64| {
-            let felt = self.felt(v.exp(), b);
+            let [felt] = self.felt([v.exp()], [b]);
             v - 2.0 * (felt.pair.hardness / felt.pair.reduced_modulus).ln() - level
         };
         let over = |from: f64, to: f64| {
@@ -144,19 +144,34 @@ impl<L: Law> Layered<L> {
 impl<L: Law> MicroContact for Layered<L> {
     #[inline]
     fn contact(&self, w: f64, b: f64) -> Contact {
-        self.answer(w, b, &self.felt(w, b))
+        let [felt] = self.felt([w], [b]);
+        self.answer(w, b, &felt)
+    }
+
+    fn weigh(&self, indentations: &[f64], weights: &[f64], b: f64, tally: &mut Tally) {
+        let (blocks, rest) = indentations.as_chunks::<LANES>();
+        let (block_weights, rest_weights) = weights.as_chunks::<LANES>();
+        for (w, weights) in blocks.iter().zip(block_weights) {
+            for (felt, (&w, &weight)) in self.felt(*w, [b; LANES]).iter().zip(w.iter().zip(weights)) {
+                tally.weigh(&self.answer(w, b, felt), weight);
+            }
+        }
+        for (&w, &weight) in rest.iter().zip(rest_weights) {
+            tally.weigh(&self.contact(w, b), weight);
+        }
     }
 
     fn press(&self, heights: &[f64], radii: &[f64], separation: f64, tally: &mut Tally) {
-        // First what all of a block feel, without a branch that depends on the asperity, then what they answer.
-        let mut felt = [Felt::default(); BLOCK];
-        for (heights, radii) in heights.chunks(BLOCK).zip(radii.chunks(BLOCK)) {
-            for ((felt, &z), &b) in felt.iter_mut().zip(heights).zip(radii) {
-                *felt = self.felt(z - separation, b);
+        let (blocks, rest) = heights.as_chunks::<LANES>();
+        let (block_radii, rest_radii) = radii.as_chunks::<LANES>();
+        for (heights, b) in blocks.iter().zip(block_radii) {
+            let w = heights.map(|z| z - separation);
+            for ((felt, &w), &b) in self.felt(w, *b).iter().zip(&w).zip(b) {
+                tally.add(&self.answer(w, b, felt));
             }
-            for ((felt, &z), &b) in felt.iter().zip(heights).zip(radii) {
-                tally.add(&self.answer(z - separation, b, felt));
-            }
+        }
+        for (&z, &b) in rest.iter().zip(rest_radii) {
+            tally.add(&self.contact(z - separation, b));
         }
     }
 

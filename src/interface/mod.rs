@@ -6,9 +6,67 @@ mod layered;
 pub use bare::Interface;
 pub use layered::Layered;
 
+use crate::coating::{Coating, CoatingError, Rule};
 use crate::contact::{Contact, Tally};
 use crate::law::{Law, Pair};
 use crate::literature::Paper;
+use crate::material::Material;
+
+/// The flat body.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Flat {
+    /// Without a layer.
+    Bare(Material),
+    /// Under a layer of finite thickness.
+    Coated {
+        /// The body below.
+        substrate: Material,
+        /// The layer.
+        coating: Coating,
+    },
+    /// All layer. Load ratios still refer to the substrate.
+    AllLayer {
+        /// The body below, which nothing feels.
+        substrate: Material,
+        /// The layer.
+        layer: Material,
+    },
+}
+
+impl Flat {
+    /// A layer of `thickness` (m) on a substrate: 0 is the substrate and infinity the layer, exactly.
+    ///
+    /// # Errors
+    /// See [`CoatingError`].
+    pub fn with_layer(
+        layer: &Material,
+        substrate: &Material,
+        thickness: f64,
+        rule: Rule,
+    ) -> Result<Self, CoatingError> {
+        let substrate = *substrate;
+        if thickness == 0.0 {
+            Ok(Self::Bare(substrate))
+        } else if thickness == f64::INFINITY {
+            Ok(Self::AllLayer { substrate, layer: *layer })
+        } else {
+            Ok(Self::Coated { coating: Coating::new(layer, &substrate, thickness, rule)?, substrate })
+        }
+    }
+
+    /// The micro-contact of a rough body with it under `law`.
+    pub fn under<L: Law>(&self, law: L, rough: &Material) -> Box<dyn MicroContact> {
+        match self {
+            Self::Bare(flat) => Box::new(Interface::bare(law, rough, flat)),
+            Self::Coated { substrate, coating } => {
+                Box::new(Layered::new(law, rough, substrate, coating.clone()))
+            }
+            Self::AllLayer { substrate, layer } => {
+                Box::new(Interface::all_layer(law, rough, substrate, layer))
+            }
+        }
+    }
+}
 
 /// What the models know of a contact: at indentation `w` and radius `b`, what area, what load,
 /// which regime? Neither model knows which law answers, or whether there is a layer on the flat.

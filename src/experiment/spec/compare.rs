@@ -6,7 +6,7 @@ use serde::Deserialize;
 use serde::de::{Deserializer, Error, SeqAccess, Visitor};
 use toml::Spanned;
 
-use super::{Laws, LinearSweep, LogSweep};
+use super::{LayerSpec, Laws, LinearSweep, LogSweep};
 use crate::asperity::HeightDensity;
 use crate::compare::Kind;
 use crate::model::MeanRadius;
@@ -22,6 +22,8 @@ pub struct CompareSpec {
     pub flat: Spanned<String>,
     /// The laws to run.
     pub law: Laws,
+    /// What lies on the flat.
+    pub layer: Option<LayerSpec>,
     /// The models to run; both unless told otherwise.
     #[serde(default)]
     pub models: Models,

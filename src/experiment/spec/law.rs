@@ -6,8 +6,8 @@ use serde::Deserialize;
 use serde::de::value::{MapAccessDeserializer, StrDeserializer};
 use serde::de::{Deserializer, Error, MapAccess, SeqAccess, Visitor};
 
-use crate::interface::{Interface, MicroContact};
-use crate::law::{Hertz, Law, Zmc};
+use crate::interface::{Flat, MicroContact};
+use crate::law::{Hertz, Zmc};
 use crate::material::Material;
 use crate::units::{Finite, Pure, Quantity};
 
@@ -42,14 +42,11 @@ impl LawSpec {
         }
     }
 
-    /// The micro-contact of two bodies under this law. The law is chosen here, once a run.
-    pub fn interface(&self, rough: &Material, flat: &Material) -> Box<dyn MicroContact> {
-        fn boxed<L: Law>(law: L, rough: &Material, flat: &Material) -> Box<dyn MicroContact> {
-            Box::new(Interface::bare(law, rough, flat))
-        }
+    /// The micro-contact of a rough and a flat body under this law. The law is chosen here, once a run.
+    pub fn interface(&self, rough: &Material, flat: &Flat) -> Box<dyn MicroContact> {
         match *self {
-            Self::Hertz => boxed(Hertz, rough, flat),
-            Self::Zmc { law, .. } => boxed(law, rough, flat),
+            Self::Hertz => flat.under(Hertz, rough),
+            Self::Zmc { law, .. } => flat.under(law, rough),
         }
     }
 }

@@ -5,6 +5,7 @@
 mod compare;
 mod generate;
 mod law;
+mod layer;
 mod limit;
 mod surface;
 mod sweep;
@@ -21,6 +22,7 @@ pub use generate::{
     TargetSpec,
 };
 pub use law::{LawSpec, Laws};
+pub use layer::{LayerSpec, Thicknesses};
 pub use limit::LimitSpec;
 pub use surface::{
     DrawSpec, FileSpec, FilterSpec, ListSpec, PixelSpec, PopulationHeights, PopulationSpec, SurfaceSpec,
