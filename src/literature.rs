@@ -56,3 +56,9 @@ pub const ISO_16610_61: Paper = Paper {
     short: "ISO 16610-61:2015",
     full: "ISO 16610-61:2015. Geometrical product specification (GPS) - Filtration - Part 61: Linear areal filters: Gaussian filters.",
 };
+
+/// The layered half-space: its surface kernel and the contact's integral equation.
+pub const PERRIOT_BARTHEL_2004: Paper = Paper {
+    short: "Perriot and Barthel 2004",
+    full: "Perriot, A., Barthel, E. (2004). Elastic contact to a coated half-space: Effective elastic modulus and real penetration. Journal of Materials Research 19(2), 600-608. doi:10.1557/jmr.2004.19.2.600",
+};
