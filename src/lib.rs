@@ -40,6 +40,7 @@ pub mod contact;
 pub mod experiment;
 pub mod interface;
 pub mod law;
+pub mod layered;
 pub mod literature;
 pub mod material;
 mod memory;

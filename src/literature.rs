@@ -80,3 +80,9 @@ pub const SONG_PHARR_1999: Paper = Paper {
     short: "Song and Pharr 1999",
     full: "Song, H. (1999). Selected mechanical problems in load- and depth-sensing indentation testing. PhD thesis, Rice University (with G. M. Pharr).",
 };
+
+/// The layered half-space: its surface kernel and the contact's integral equation.
+pub const PERRIOT_BARTHEL_2004: Paper = Paper {
+    short: "Perriot and Barthel 2004",
+    full: "Perriot, A., Barthel, E. (2004). Elastic contact to a coated half-space: Effective elastic modulus and real penetration. Journal of Materials Research 19(2), 600-608. doi:10.1557/jmr.2004.19.2.600",
+};

@@ -1,9 +1,11 @@
 //! From the words of a spec to things that run: names resolved, files looked at, memory counted.
 
 mod generate;
+mod layer;
 mod read;
 mod surface;
 
+pub use layer::LayerPlan;
 pub use surface::SurfacePlan;
 
 use std::fmt;
@@ -52,6 +54,8 @@ pub enum PlanKind {
 pub struct LawPlan {
     /// How tables and plots name it.
     pub label: String,
+    /// Thickness of the layer, m; `None` where no layer is asked for.
+    pub thickness: Option<f64>,
     /// The micro-contact.
     pub contact: Box<dyn MicroContact>,
     /// Whether it is purely elastic, with a closed form for Gaussian heights.
@@ -62,7 +66,9 @@ pub struct LawPlan {
 pub struct ComparePlan {
     /// Who touches whom.
     pub bodies: Bodies,
-    /// The laws.
+    /// What lies on the flat.
+    pub layer: Option<LayerPlan>,
+    /// The laws, each under every thickness of the layer.
     pub laws: Vec<LawPlan>,
     /// The models that are asked for.
     pub models: Vec<Kind>,

@@ -10,6 +10,7 @@ use crate::compare::Controls;
 use crate::experiment::refusal::{Refusal, Source};
 use crate::experiment::results::Bodies;
 use crate::experiment::spec::{CompareSpec, LawSpec, Laws, LimitSpec, Spec};
+use crate::interface::Flat;
 use crate::material::Material;
 
 /// Resolves the names of one spec.
@@ -19,7 +20,7 @@ pub(super) struct Reader<'a> {
 }
 
 impl Reader<'_> {
-    fn body(&self, name: &str, span: Range<usize>) -> Result<Material, Refusal> {
+    pub(super) fn body(&self, name: &str, span: Range<usize>) -> Result<Material, Refusal> {
         self.spec.material.get(name).copied().ok_or_else(|| {
             let defined: Vec<&str> = self.spec.material.keys().map(String::as_str).collect();
             let allowed = if defined.is_empty() {
@@ -31,15 +32,15 @@ impl Reader<'_> {
         })
     }
 
-    fn laws(&self, laws: &Laws, rough: &Material, flat: &Material) -> Vec<LawPlan> {
-        laws.0
-            .iter()
-            .map(|law| LawPlan {
-                label: law.label(),
-                contact: law.interface(rough, flat),
-                is_hertz: *law == LawSpec::Hertz,
-            })
-            .collect()
+    /// Each law against each flat, which has a layer of the thickness beside it.
+    fn laws(&self, laws: &Laws, rough: &Material, flats: &[(Option<f64>, Flat)]) -> Vec<LawPlan> {
+        let plan = |law: &LawSpec, (thickness, flat): &(Option<f64>, Flat)| LawPlan {
+            label: law.label(),
+            thickness: *thickness,
+            contact: law.interface(rough, flat),
+            is_hertz: *law == LawSpec::Hertz,
+        };
+        laws.0.iter().flat_map(|law| flats.iter().map(move |flat| plan(law, flat))).collect()
     }
 
     pub(super) fn compare(&self, words: &CompareSpec, span: Range<usize>) -> Result<ComparePlan, Refusal> {
@@ -61,9 +62,19 @@ impl Reader<'_> {
                 "found nothing to press the surfaces to; allowed: at least one of separation, pressure, force",
             ));
         }
+        let layer = words.layer.as_ref().map(|layer| self.layer(layer, &flat)).transpose()?;
+        let flats = match &layer {
+            None => vec![(None, Flat::Bare(flat))],
+            Some(layer) => {
+                let on = |&t: &f64| layer.on(&flat, t).map(|flat| (Some(t), flat));
+                let flats: Result<Vec<_>, _> = layer.thicknesses.iter().map(on).collect();
+                flats.map_err(|error| Refusal::file(&self.source.path, error))?
+            }
+        };
         Ok(ComparePlan {
             bodies: Bodies { rough: rough_name.clone(), flat: words.flat.get_ref().clone() },
-            laws: self.laws(&words.law, &rough, &flat),
+            laws: self.laws(&words.law, &rough, &flats),
+            layer,
             models: words.models.0.clone(),
             heights: words.statistical.heights,
             mean_radius: words.statistical.mean_radius,
@@ -137,7 +148,7 @@ impl Reader<'_> {
         }
         Ok(LimitPlan {
             bodies: Bodies { rough: words.rough.get_ref().clone(), flat: words.flat.get_ref().clone() },
-            laws: self.laws(&words.law, &rough, &flat),
+            laws: self.laws(&words.law, &rough, &[(None, Flat::Bare(flat))]),
             population: Population {
                 radius: words.radius.value(),
                 sigma: words.sigma.value(),

@@ -6,7 +6,7 @@ use serde::Deserialize;
 use serde::de::{Deserializer, Error, SeqAccess, Visitor};
 use toml::Spanned;
 
-use super::{LayerSpec, Laws, LinearSweep, LogSweep};
+use super::{Laws, LayerSpec, LinearSweep, LogSweep};
 use crate::asperity::HeightDensity;
 use crate::compare::Kind;
 use crate::model::MeanRadius;

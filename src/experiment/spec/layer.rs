@@ -26,7 +26,8 @@ pub struct LayerSpec {
 /// One thickness, m: 0 is no layer, infinity nothing but the layer.
 struct Thickness(f64);
 
-const ALLOWED: &str = "0, \"inf\", or a positive finite length such as \"50 nm\" (m, mm, um, nm, pm; a bare number is in m)";
+const ALLOWED: &str =
+    "0, \"inf\", or a positive finite length such as \"50 nm\" (m, mm, um, nm, pm; a bare number is in m)";
 
 impl<'de> Deserialize<'de> for Thickness {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {

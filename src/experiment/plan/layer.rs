@@ -1,0 +1,53 @@
+//! A layer on the flat.
+
+use crate::coating::{CoatingError, Rule};
+use crate::experiment::refusal::Refusal;
+use crate::experiment::spec::LayerSpec;
+use crate::interface::Flat;
+use crate::material::Material;
+
+use super::read::Reader;
+
+/// A layer in one thickness or several.
+#[derive(Debug, Clone)]
+pub struct LayerPlan {
+    /// Name of its material.
+    pub name: String,
+    /// The material.
+    pub material: Material,
+    /// How its modulus and that of the substrate are put together.
+    pub rule: Rule,
+    /// Thicknesses, m, ascending; 0 and infinity among them.
+    pub thicknesses: Vec<f64>,
+}
+
+impl LayerPlan {
+    /// The flat with the layer in the thickness `thickness` (m) on it.
+    ///
+    /// # Errors
+    /// See [`CoatingError`]; a layer that was read has none.
+    pub fn on(&self, substrate: &Material, thickness: f64) -> Result<Flat, CoatingError> {
+        Flat::with_layer(&self.material, substrate, thickness, self.rule)
+    }
+
+    /// The same with a finite thickness, where the layer is one that has effective properties.
+    fn check(&self, substrate: &Material) -> Result<(), CoatingError> {
+        let finite = |t: &&f64| **t > 0.0 && t.is_finite();
+        self.thicknesses.iter().filter(finite).try_for_each(|&t| self.on(substrate, t).map(drop))
+    }
+}
+
+impl Reader<'_> {
+    /// Resolves a layer on `substrate`.
+    pub(super) fn layer(&self, words: &LayerSpec, substrate: &Material) -> Result<LayerPlan, Refusal> {
+        let plan = LayerPlan {
+            name: words.material.get_ref().clone(),
+            material: self.body(words.material.get_ref(), words.material.span())?,
+            rule: words.rule,
+            thicknesses: words.thickness.0.clone(),
+        };
+        plan.check(substrate)
+            .map_err(|error| self.source.refuse(words.material.span(), format!("found a layer: {error}")))?;
+        Ok(plan)
+    }
+}
