@@ -4,11 +4,13 @@
 mod gap;
 mod limit;
 mod spread;
+mod threshold;
 
 pub use gap::{FEWEST_CONTACTS, Gap, Gaps};
 pub use limit::{Exact, LimitCase, LimitPoint, Quantity, SlopeFit, convergence};
 
 pub use spread::{Realisation, Scatter, Spread, spread};
+pub use threshold::threshold;
 
 use std::time::{Duration, Instant};
 

@@ -7,6 +7,7 @@ pub mod results;
 mod run;
 pub mod spec;
 mod surface;
+mod thickness;
 mod whole;
 
 pub use refusal::Refusal;

@@ -7,7 +7,9 @@ use indexmap::IndexMap;
 
 use super::surface::Surface;
 use crate::asperity::{Population, Statistics};
-use crate::compare::{Comparison, Gaps, LimitPoint};
+use crate::coating::Rule;
+use crate::compare::{Comparison, Gaps, Kind, LimitPoint};
+use crate::interface::Falls;
 use crate::literature::Paper;
 use crate::material::Material;
 use crate::surface::Moments;
@@ -40,6 +42,17 @@ pub struct Head {
     pub timing: Timing,
 }
 
+/// What lies on the flat.
+#[derive(Debug, Clone)]
+pub struct LayerHead {
+    /// Name of its material.
+    pub name: String,
+    /// How its modulus and that of the substrate are put together.
+    pub rule: Rule,
+    /// Thicknesses, m, ascending; 0 and infinity among them.
+    pub thicknesses: Vec<f64>,
+}
+
 /// The two bodies of a contact.
 #[derive(Debug, Clone)]
 pub struct ContactHead {
@@ -51,6 +64,8 @@ pub struct ContactHead {
     pub reduced_modulus: f64,
     /// Hardness of the softer body, Pa.
     pub hardness: Option<f64>,
+    /// What lies on the flat.
+    pub layer: Option<LayerHead>,
 }
 
 /// Where the time went.
@@ -156,6 +171,21 @@ pub struct SurfaceResults {
     pub first: RealisationResults,
     /// The others: their asperities are not kept.
     pub others: Vec<RealisationResults>,
+    /// Up to which thickness the first takes no notice of the layer, law by law, load by load, model by model.
+    pub thresholds: Vec<Threshold>,
+}
+
+/// Up to which thickness the real area stays within 5 % of the one without a layer.
+#[derive(Debug, Clone)]
+pub struct Threshold {
+    /// The law.
+    pub law: String,
+    /// The model.
+    pub kind: Kind,
+    /// The nominal pressure, Pa.
+    pub pressure: f64,
+    /// The thickness, m: infinite where no layer matters, `None` where the thinnest layer that was looked at does.
+    pub thickness: Option<f64>,
 }
 
 impl SurfaceResults {
@@ -189,8 +219,12 @@ pub struct RealisationResults {
 pub struct CaseResults {
     /// The law, as tables name it.
     pub law: String,
+    /// Thickness of the layer, m; `None` where no layer is asked for.
+    pub thickness: Option<f64>,
     /// Greenwood and Williamson's plasticity index; `None` where nothing yields.
     pub plasticity_index: Option<f64>,
+    /// Where an asperity of the mean radius carries less, or touches on less, as it is pressed deeper.
+    pub falls: Falls,
     /// Both models' answers.
     pub comparison: Comparison,
     /// The largest gaps between them.

@@ -2,18 +2,20 @@
 
 use std::time::Instant;
 
-use super::plan::{ComparePlan, LawPlan, LimitPlan, Plan, PlanKind, SurfacePlan};
+use super::plan::{ComparePlan, LawPlan, LayerPlan, LimitPlan, Plan, PlanKind, SurfacePlan};
 use super::progress::Progress;
 use super::results::{
-    Bodies, CaseResults, CompareResults, ContactHead, Head, LimitResults, RealisationResults, Results,
-    SurfaceResults, SurfacesResults, Timing,
+    Bodies, CaseResults, CompareResults, ContactHead, Head, LayerHead, LimitResults, RealisationResults,
+    Results, SurfaceResults, SurfacesResults, Timing,
 };
 use super::surface::Surface;
 use super::whole::Look;
-use super::{Refusal, digest, hexadecimal, stream_seed};
+use super::{Refusal, digest, hexadecimal, stream_seed, thickness};
 use crate::asperity::{Ordered, Population, gaussian_moment};
-use crate::compare::{Control, Exact, Gaps, Kind, LimitCase, Models, NotReached, compare, convergence};
-use crate::interface::plasticity_index;
+use crate::compare::{
+    Comparison, Control, Exact, Gaps, Kind, LimitCase, Models, NotReached, compare, convergence,
+};
+use crate::interface::{Falls, plasticity_index};
 use crate::literature::{self, Paper};
 use crate::model::{Deterministic, Model, Statistical};
 
@@ -45,14 +47,15 @@ fn run_compare(
             Ok::<_, Refusal>((surface, answered))
         };
         let (first_surface, first) = run(1, Look::Spectrum)?;
+        let thresholds = thickness::thresholds(compare, &first_surface, &first);
         let others =
             (2..=surface.realisations).map(|k| run(k, Look::Asperities).map(|(_, answered)| answered));
         let others = others.collect::<Result<_, _>>()?;
         papers.extend(first_surface.papers());
-        surfaces.push(SurfaceResults { surface: first_surface, first, others });
+        surfaces.push(SurfaceResults { surface: first_surface, first, others, thresholds });
     }
     timing.total = start.elapsed();
-    let contact = contact_head(plan, &compare.laws, &compare.bodies);
+    let contact = contact_head(plan, &compare.laws, &compare.bodies, compare.layer.as_ref());
     Ok(CompareResults { head: head(plan, papers, timing), contact, surfaces })
 }
 
@@ -100,7 +103,9 @@ fn run_surface(
         timing.deterministic += comparison.deterministic_time;
         cases.push(CaseResults {
             law: law.label.clone(),
+            thickness: law.thickness,
             plasticity_index: plasticity_index(contact, population.sigma, population.radius),
+            falls: Falls::of(contact, population.radius, deepest(&comparison, surface)),
             gaps: Gaps::of(&comparison.pairs, area, surface.datum.sigma),
             comparison,
         });
@@ -114,6 +119,15 @@ fn run_surface(
         population,
         cases,
     })
+}
+
+/// The deepest indentation of the asperities that stand out least, m: some sigma above the nearest flat that was asked
+/// for.
+fn deepest(comparison: &Comparison, surface: &Surface) -> f64 {
+    /// Of the highest asperities, in sigma.
+    const HIGHEST: f64 = 4.0;
+    let nearest = comparison.curves.iter().map(|point| point.response.separation_over_sigma);
+    (HIGHEST - nearest.fold(0.0, f64::min)) * surface.datum.sigma
 }
 
 /// Points at the sweep that asks for more than a model reaches.
@@ -157,7 +171,7 @@ fn run_limit(plan: &Plan, limit: &LimitPlan, progress: &dyn Progress) -> Result<
     timing.total = start.elapsed();
     Ok(LimitResults {
         head: head(plan, papers_of(&limit.laws), timing),
-        contact: contact_head(plan, &limit.laws, &limit.bodies),
+        contact: contact_head(plan, &limit.laws, &limit.bodies, None),
         population: limit.population,
         plasticity_index: plasticity_index(
             &*limit.laws[0].contact,
@@ -215,7 +229,7 @@ fn head(plan: &Plan, mut papers: Vec<Paper>, timing: Timing) -> Head {
     }
 }
 
-fn contact_head(plan: &Plan, laws: &[LawPlan], bodies: &Bodies) -> ContactHead {
+fn contact_head(plan: &Plan, laws: &[LawPlan], bodies: &Bodies, layer: Option<&LayerPlan>) -> ContactHead {
     // Every law of an experiment stands on the same two bodies.
     let contact = &laws[0].contact;
     ContactHead {
@@ -223,5 +237,10 @@ fn contact_head(plan: &Plan, laws: &[LawPlan], bodies: &Bodies) -> ContactHead {
         bodies: bodies.clone(),
         reduced_modulus: contact.reference_modulus(),
         hardness: Some(contact.reference_hardness()).filter(|hardness| hardness.is_finite()),
+        layer: layer.map(|layer| LayerHead {
+            name: layer.name.clone(),
+            rule: layer.rule,
+            thicknesses: layer.thicknesses.clone(),
+        }),
     }
 }

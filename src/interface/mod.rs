@@ -1,9 +1,11 @@
 //! Materials, coating and law together: the micro-contact that both models add up.
 
 mod bare;
+mod falls;
 mod layered;
 
 pub use bare::Interface;
+pub use falls::{Fall, Falls};
 pub use layered::Layered;
 
 use crate::coating::{Coating, CoatingError, Rule};

@@ -3,7 +3,7 @@
 use serde::Serialize;
 
 use crate::compare::{Control, CurvePoint, Kind, LimitPoint, Pair, Pairing, Quantity};
-use crate::experiment::results::{CompareResults, LimitResults};
+use crate::experiment::results::{CaseResults, CompareResults, LimitResults};
 use crate::model::Response;
 
 /// A table that cannot be written: a value that CSV cannot hold.
@@ -28,13 +28,17 @@ struct Case {
     /// From 1; a given or measured surface is its own only realisation.
     realisation: usize,
     law: String,
-    /// Empty on a bare flat.
+    /// Empty where no layer is asked for.
     layer_thickness_m: Option<f64>,
 }
 
 impl Case {
     fn bare(surface: &str, realisation: usize, law: &str) -> Self {
         Self { surface: surface.to_owned(), realisation, law: law.to_owned(), layer_thickness_m: None }
+    }
+
+    fn of(surface: &str, realisation: usize, case: &CaseResults) -> Self {
+        Self { layer_thickness_m: case.thickness, ..Self::bare(surface, realisation, &case.law) }
     }
 }
 
@@ -199,7 +203,7 @@ pub fn curves(results: &CompareResults) -> Result<Vec<u8>, TableError> {
     for found in &results.surfaces {
         for (realisation, answered) in found.realisations() {
             for case in &answered.cases {
-                let of = Case::bare(&found.surface.name, realisation, &case.law);
+                let of = Case::of(&found.surface.name, realisation, case);
                 for point in &case.comparison.curves {
                     table.row((&of, CurveRow::new(point, results.contact.reduced_modulus)))?;
                 }
@@ -218,7 +222,7 @@ pub fn comparison(results: &CompareResults) -> Result<Vec<u8>, TableError> {
     for found in &results.surfaces {
         for (realisation, answered) in found.realisations() {
             for case in &answered.cases {
-                let of = Case::bare(&found.surface.name, realisation, &case.law);
+                let of = Case::of(&found.surface.name, realisation, case);
                 for pair in &case.comparison.pairs {
                     table.row((&of, PairRow::new(pair, answered.nominal_area, case.plasticity_index)))?;
                 }

@@ -13,7 +13,7 @@ use std::path::{Path, PathBuf};
 
 use super::refusal::{Refusal, Source};
 use super::results::Bodies;
-use super::spec::{self, Spec};
+use super::spec::{self, LawSpec, Spec};
 use super::whole::Look;
 use crate::asperity::{HeightDensity, Population};
 use crate::compare::{Controls, Kind};
@@ -66,10 +66,14 @@ pub struct LawPlan {
 pub struct ComparePlan {
     /// Who touches whom.
     pub bodies: Bodies,
+    /// The rough body and the flat.
+    pub pair: [Material; 2],
     /// What lies on the flat.
     pub layer: Option<LayerPlan>,
     /// The laws, each under every thickness of the layer.
     pub laws: Vec<LawPlan>,
+    /// The laws alone.
+    pub law_specs: Vec<LawSpec>,
     /// The models that are asked for.
     pub models: Vec<Kind>,
     /// Height density of the statistical model, where the spec names one.

@@ -73,6 +73,8 @@ impl Reader<'_> {
         };
         Ok(ComparePlan {
             bodies: Bodies { rough: rough_name.clone(), flat: words.flat.get_ref().clone() },
+            pair: [rough, flat],
+            law_specs: words.law.0.clone(),
             laws: self.laws(&words.law, &rough, &flats),
             layer,
             models: words.models.0.clone(),

@@ -1,0 +1,77 @@
+//! Up to which thickness a layer does not matter.
+
+/// Where the search gives up: no layer is thinner than that, none thicker.
+const RANGE: [f64; 2] = [1e-12, 1.0];
+
+/// Ratio of the two thicknesses between which the answer lies at last.
+const CLOSE: f64 = 1.01;
+
+/// The thickness (m) below which a layer does not matter, between the thinnest of `listed` that does and the one before
+/// it; `listed` are thicknesses, ascending, and whether each matters, of which 0 does not. Infinite where none matters,
+/// `None` where one of [`RANGE`]'s first still does.
+pub fn threshold(listed: &[(f64, bool)], matters: impl Fn(f64) -> bool) -> Option<f64> {
+    let Some(first) = listed.iter().position(|(_, matters)| *matters) else { return Some(f64::INFINITY) };
+    let mut thick = listed[first].0;
+    let mut thin = if first == 0 { 0.0 } else { listed[first - 1].0 };
+    if thick == f64::INFINITY {
+        // Up from the last one that does not matter, in decades.
+        let mut trial = if thin > 0.0 { 10.0 * thin } else { RANGE[0] };
+        while !matters(trial) {
+            thin = trial;
+            trial *= 10.0;
+            if trial > RANGE[1] {
+                return Some(f64::INFINITY);
+            }
+        }
+        thick = trial;
+    }
+    while thin == 0.0 {
+        let trial = 0.1 * thick;
+        if trial < RANGE[0] {
+            return None;
+        }
+        if matters(trial) { thick = trial } else { thin = trial }
+    }
+    while thick > CLOSE * thin {
+        let middle = (thin * thick).sqrt();
+        if matters(middle) { thick = middle } else { thin = middle }
+    }
+    Some((thin * thick).sqrt())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn between_two_listed_thicknesses_or_beyond_them() {
+        let matters = |t: f64| t > 3e-8;
+        let lists: [&[f64]; 5] = [
+            &[0.0, 1e-8, 1e-7, f64::INFINITY],
+            &[0.0, 1e-6],
+            &[0.0, 1e-9, f64::INFINITY],
+            &[0.0, f64::INFINITY],
+            &[1e-7, 1e-6],
+        ];
+        for list in lists {
+            let listed: Vec<(f64, bool)> = list.iter().map(|&t| (t, matters(t))).collect();
+            let found = threshold(&listed, matters).unwrap();
+            assert!((found / 3e-8 - 1.0).abs() < 0.01, "{list:?}: {found:e}");
+        }
+    }
+
+    #[test]
+    fn none_matters_or_all_do() {
+        assert_eq!(threshold(&[(0.0, false), (1e-7, false)], |_| false), Some(f64::INFINITY));
+        assert_eq!(threshold(&[(0.0, false), (1e-7, true)], |_| true), None);
+        assert_eq!(threshold(&[(0.0, false), (f64::INFINITY, true)], |_| false), Some(f64::INFINITY));
+    }
+
+    /// The first one counts where thicker layers take it back.
+    #[test]
+    fn the_thinnest_layer_that_matters_counts() {
+        let listed = [(0.0, false), (1e-8, false), (1e-7, true), (1e-6, false), (1e-5, true)];
+        let found = threshold(&listed, |t| (2e-8..5e-7).contains(&t) || t > 5e-6).unwrap();
+        assert!((found / 2e-8 - 1.0).abs() < 0.01);
+    }
+}

@@ -1,0 +1,122 @@
+//! Up to which thickness the layer of a comparison does not matter.
+
+use rayon::prelude::*;
+
+use super::plan::{ComparePlan, LayerPlan};
+use super::results::{RealisationResults, Threshold};
+use super::spec::LawSpec;
+use super::surface::Surface;
+use crate::asperity::Ordered;
+use crate::compare::{Control, Kind, threshold};
+use crate::interface::MicroContact;
+use crate::model::{Deterministic, Model, Statistical, at_pressure};
+
+/// A layer matters where it changes the real area by more than this part.
+const PART: f64 = 0.05;
+
+/// Law by law, load by load, model by model; nothing without a layer.
+pub(super) fn thresholds(
+    plan: &ComparePlan,
+    surface: &Surface,
+    answered: &RealisationResults,
+) -> Vec<Threshold> {
+    let Some(layer) = &plan.layer else { return Vec::new() };
+    let area = surface.set.nominal_area();
+    let mut pressures: Vec<f64> = plan.controls.pressures.clone();
+    pressures.extend(plan.controls.forces.iter().map(|force| force / area));
+    let pressures = of_each_decade(pressures);
+    let ordered = plan.models.contains(&Kind::Deterministic).then(|| Ordered::new(&surface.set));
+    let mut asked = Vec::new();
+    for law in &plan.law_specs {
+        for &pressure in &pressures {
+            asked.extend(plan.models.iter().map(|&kind| (law, pressure, kind)));
+        }
+    }
+    let one = |&(law, pressure, kind): &(&LawSpec, f64, Kind)| {
+        let question =
+            Question { plan, layer, surface, answered, ordered: ordered.as_ref(), law, pressure, kind };
+        question.threshold()
+    };
+    asked.par_iter().filter_map(one).collect()
+}
+
+/// Of each decade the load that is nearest to its beginning.
+fn of_each_decade(mut loads: Vec<f64>) -> Vec<f64> {
+    loads.sort_unstable_by(f64::total_cmp);
+    let decade = |load: f64| load.log10().round();
+    let away = |load: f64| (load.log10() - decade(load)).abs();
+    let mut chosen: Vec<f64> = Vec::new();
+    for load in loads {
+        match chosen.last_mut() {
+            Some(last) if decade(*last) == decade(load) => {
+                if away(load) < away(*last) {
+                    *last = load;
+                }
+            }
+            _ => chosen.push(load),
+        }
+    }
+    chosen
+}
+
+/// One law, load and model.
+struct Question<'a> {
+    plan: &'a ComparePlan,
+    layer: &'a LayerPlan,
+    surface: &'a Surface,
+    answered: &'a RealisationResults,
+    ordered: Option<&'a Ordered>,
+    law: &'a LawSpec,
+    pressure: f64,
+    kind: Kind,
+}
+
+impl Question<'_> {
+    /// `None` where the load is not reached without the layer.
+    fn threshold(&self) -> Option<Threshold> {
+        let bare = self.area(0.0)?;
+        // A load that a flat does not carry at any separation shows no area: it matters.
+        let departs = |area: Option<f64>| area.is_none_or(|area| (area / bare - 1.0).abs() > PART);
+        let listed: Vec<(f64, bool)> =
+            self.layer.thicknesses.iter().map(|&t| (t, departs(self.known(t)))).collect();
+        Some(Threshold {
+            law: self.law.label(),
+            kind: self.kind,
+            pressure: self.pressure,
+            thickness: threshold(&listed, |t| departs(self.area(t))),
+        })
+    }
+
+    /// The area ratio that the comparison has found for a listed thickness.
+    fn known(&self, thickness: f64) -> Option<f64> {
+        let label = self.law.label();
+        let case =
+            self.answered.cases.iter().find(|case| case.law == label && case.thickness == Some(thickness))?;
+        let nominal = self.surface.set.nominal_area();
+        let point = case.comparison.curves.iter().find(|point| {
+            let pressure = match point.control {
+                Control::Separation => return false,
+                Control::Pressure => point.target,
+                Control::Force => point.target / nominal,
+            };
+            point.kind == self.kind && pressure == self.pressure
+        })?;
+        Some(point.response.area_ratio.total())
+    }
+
+    /// The area ratio under a layer of any thickness (m).
+    fn area(&self, thickness: f64) -> Option<f64> {
+        let [rough, flat] = &self.plan.pair;
+        let contact = self.law.interface(rough, &self.layer.on(flat, thickness).ok()?);
+        let contact: &dyn MicroContact = &*contact;
+        let press = |model: &dyn Model| at_pressure(model, self.pressure).ok();
+        let reached = match self.kind {
+            Kind::Statistical => {
+                let model = Statistical::new(contact, self.answered.population);
+                press(&model.quoted_from(self.surface.quoting_datum()))
+            }
+            Kind::Deterministic => press(&Deterministic::new(contact, self.ordered?, self.surface.datum)),
+        };
+        reached.map(|reached| reached.response.area_ratio.total())
+    }
+}
