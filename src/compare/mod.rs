@@ -3,12 +3,14 @@
 
 mod gap;
 mod limit;
+mod rule;
 mod spread;
 mod threshold;
 
 pub use gap::{FEWEST_CONTACTS, Gap, Gaps};
 pub use limit::{Exact, LimitCase, LimitPoint, Quantity, SlopeFit, convergence};
 
+pub use rule::{GOOD_RATIO, RuleCheck, RuleError};
 pub use spread::{Realisation, Scatter, Spread, spread};
 pub use threshold::threshold;
 
@@ -88,6 +90,8 @@ pub struct CurvePoint {
     pub control: Control,
     /// Its value, in sigma, Pa or N.
     pub target: f64,
+    /// The nominal pressure that was asked for, Pa; `None` under separation control.
+    pub asked: Option<f64>,
     /// The answer.
     pub response: Response,
     /// Whether the load lies in a jump of the law; see [`Reached::in_jump`].
@@ -170,6 +174,13 @@ pub struct Comparison {
     pub deterministic_time: Duration,
 }
 
+impl Comparison {
+    /// The answer of a model to the nominal pressure `asked` (Pa), where that was asked for.
+    pub fn at_load(&self, kind: Kind, asked: f64) -> Option<&CurvePoint> {
+        self.curves.iter().find(|point| point.kind == kind && point.asked == Some(asked))
+    }
+}
+
 /// Runs `models` through `controls` on the nominal area `area` (m^2) and pairs their answers.
 ///
 /// # Errors
@@ -181,7 +192,7 @@ pub fn compare(models: Models, controls: &Controls, area: f64) -> Result<Compari
     let deterministic =
         run(Kind::Deterministic, models.deterministic, controls, area, &mut result.deterministic_time)?;
     if models.statistical.is_some() && models.deterministic.is_some() {
-        result.pairs = statistical.iter().zip(&deterministic).map(|(s, d)| pair(s, d, area)).collect();
+        result.pairs = statistical.iter().zip(&deterministic).map(|(s, d)| pair(s, d)).collect();
         pair_at_loads(models, &deterministic, &mut result);
     }
     result.curves = statistical;
@@ -205,26 +216,30 @@ fn run(
     let curve = points
         .into_par_iter()
         .map(|(control, target)| {
-            let pressed = |pressure| {
-                at_pressure(model, pressure).map_err(|unreachable| NotReached { kind, control, unreachable })
+            let asked = match control {
+                Control::Separation => None,
+                Control::Pressure => Some(target),
+                Control::Force => Some(target / area),
             };
-            let Reached { response, in_jump } = match control {
-                Control::Separation => Reached { response: model.respond(target), in_jump: false },
-                Control::Pressure => pressed(target)?,
-                Control::Force => pressed(target / area)?,
+            let Reached { response, in_jump } = match asked {
+                None => Reached { response: model.respond(target), in_jump: false },
+                Some(pressure) => at_pressure(model, pressure).map_err(|unreachable| NotReached {
+                    kind,
+                    control,
+                    unreachable,
+                })?,
             };
-            Ok(CurvePoint { kind, control, target, response, in_jump })
+            Ok(CurvePoint { kind, control, target, asked, response, in_jump })
         })
         .collect();
     *time += start.elapsed();
     curve
 }
 
-fn pair(statistical: &CurvePoint, deterministic: &CurvePoint, area: f64) -> Pair {
-    let (pairing, target) = match statistical.control {
-        Control::Separation => (Pairing::Separation, statistical.target),
-        Control::Pressure => (Pairing::Load, statistical.target),
-        Control::Force => (Pairing::Load, statistical.target / area),
+fn pair(statistical: &CurvePoint, deterministic: &CurvePoint) -> Pair {
+    let (pairing, target) = match statistical.asked {
+        None => (Pairing::Separation, statistical.target),
+        Some(pressure) => (Pairing::Load, pressure),
     };
     Pair { pairing, target, statistical: statistical.response, deterministic: deterministic.response }
 }

@@ -8,7 +8,7 @@ use indexmap::IndexMap;
 use super::surface::Surface;
 use crate::asperity::{Population, Statistics};
 use crate::coating::Rule;
-use crate::compare::{Comparison, Gaps, Kind, LimitPoint};
+use crate::compare::{Comparison, GOOD_RATIO, Gaps, Kind, LimitPoint, RuleError};
 use crate::interface::Falls;
 use crate::literature::Paper;
 use crate::material::Material;
@@ -51,6 +51,19 @@ pub struct LayerHead {
     pub rule: Rule,
     /// Thicknesses, m, ascending; 0 and infinity among them.
     pub thicknesses: Vec<f64>,
+    /// How good the rules are for these materials; `None` where no thickness is finite.
+    pub check: Option<RuleCheckResults>,
+}
+
+/// Both rules beside the exact elastic solution.
+#[derive(Debug, Clone)]
+pub struct RuleCheckResults {
+    /// E of the layer over that of the substrate.
+    pub modulus_ratio: f64,
+    /// [`Rule::Gao`] and [`Rule::Series`] at growing a/t.
+    pub rows: Vec<[RuleError; 2]>,
+    /// The worst of each rule.
+    pub worst: Vec<(Rule, RuleError)>,
 }
 
 /// The two bodies of a contact.
@@ -158,7 +171,37 @@ pub struct CompareResults {
 impl CompareResults {
     /// What makes the answers doubtful, a line each.
     pub fn warnings(&self) -> Vec<String> {
-        warnings(self.surfaces.iter().map(|found| &found.surface))
+        let mut lines = warnings(self.surfaces.iter().map(|found| &found.surface));
+        lines.extend(self.contact.layer.as_ref().and_then(LayerHead::warning));
+        lines
+    }
+}
+
+impl LayerHead {
+    /// What makes its rule doubtful, where the moduli differ too much.
+    fn warning(&self) -> Option<String> {
+        let check = self.check.as_ref().filter(|check| !check.is_good())?;
+        let (_, worst) = check.worst.iter().find(|(rule, _)| *rule == self.rule)?;
+        let direction = if worst.ratio > 1.0 { "stiff" } else { "compliant" };
+        Some(format!(
+            "the modulus of the layer, {}, is {:.3} times the substrate's; the paper's rule is good for {} to {}. Against the exact \
+             elastic solution the rule \"{}\" is up to {:.2} times too {direction} (load at equal indentation, at a = {:.2} t, before \
+             anything yields)",
+            self.name,
+            check.modulus_ratio,
+            GOOD_RATIO[0],
+            GOOD_RATIO[1],
+            self.rule.name(),
+            worst.factor(),
+            worst.contact_ratio,
+        ))
+    }
+}
+
+impl RuleCheckResults {
+    /// Whether E_l/E_s lies where the paper's rule is good.
+    pub fn is_good(&self) -> bool {
+        (GOOD_RATIO[0]..=GOOD_RATIO[1]).contains(&self.modulus_ratio)
     }
 }
 

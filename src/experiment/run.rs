@@ -6,14 +6,15 @@ use super::plan::{ComparePlan, LawPlan, LayerPlan, LimitPlan, Plan, PlanKind, Su
 use super::progress::Progress;
 use super::results::{
     Bodies, CaseResults, CompareResults, ContactHead, Head, LayerHead, LimitResults, RealisationResults,
-    Results, SurfaceResults, SurfacesResults, Timing,
+    Results, RuleCheckResults, SurfaceResults, SurfacesResults, Timing,
 };
 use super::surface::Surface;
 use super::whole::Look;
 use super::{Refusal, digest, hexadecimal, stream_seed, thickness};
 use crate::asperity::{Ordered, Population, gaussian_moment};
+use crate::coating::Rule;
 use crate::compare::{
-    Comparison, Control, Exact, Gaps, Kind, LimitCase, Models, NotReached, compare, convergence,
+    Comparison, Control, Exact, Gaps, Kind, LimitCase, Models, NotReached, RuleCheck, compare, convergence,
 };
 use crate::interface::{Falls, plasticity_index};
 use crate::literature::{self, Paper};
@@ -98,7 +99,7 @@ fn run_surface(
             deterministic: deterministic.as_ref().map(|model| model as &dyn Model),
         };
         let comparison = compare(models, &compare_plan.controls, area)
-            .map_err(|error| refuse_load(plan, compare_plan, &surface.name, &law.label, &error))?;
+            .map_err(|error| refuse_load(plan, compare_plan, &surface.name, law, &error))?;
         timing.statistical += comparison.statistical_time;
         timing.deterministic += comparison.deterministic_time;
         cases.push(CaseResults {
@@ -131,8 +132,15 @@ fn deepest(comparison: &Comparison, surface: &Surface) -> f64 {
 }
 
 /// Points at the sweep that asks for more than a model reaches.
-fn refuse_load(plan: &Plan, compare: &ComparePlan, surface: &str, law: &str, error: &NotReached) -> Refusal {
-    let message = format!("surface {surface}, law {law}: {error}");
+fn refuse_load(
+    plan: &Plan,
+    compare: &ComparePlan,
+    surface: &str,
+    law: &LawPlan,
+    error: &NotReached,
+) -> Refusal {
+    let layer = law.thickness.map_or_else(String::new, |t| format!(", layer of {t:e} m"));
+    let message = format!("surface {surface}, law {}{layer}: {error}", law.label);
     let span = match error.control {
         Control::Pressure => compare.load_keys[0].clone(),
         Control::Force => compare.load_keys[1].clone(),
@@ -229,6 +237,21 @@ fn head(plan: &Plan, mut papers: Vec<Paper>, timing: Timing) -> Head {
     }
 }
 
+/// How good both rules are between the materials of a spec.
+fn rule_check(plan: &Plan, bodies: &Bodies, layer: &LayerPlan) -> Option<RuleCheckResults> {
+    /// a/t of the rows.
+    const ROWS: [f64; 7] = [0.1, 0.2, 0.5, 1.0, 2.0, 5.0, 10.0];
+    let body = |name: &str| plan.materials.get(name);
+    let check = RuleCheck::new(body(&bodies.rough)?, &layer.material, body(&bodies.flat)?).ok()?;
+    let row = |&ratio: &f64| Some([check.at(Rule::Gao, ratio)?, check.at(Rule::Series, ratio)?]);
+    let worst = |rule| Some((rule, check.worst(rule, ROWS[0], ROWS[ROWS.len() - 1])?));
+    Some(RuleCheckResults {
+        modulus_ratio: check.modulus_ratio(),
+        rows: ROWS.iter().filter_map(row).collect(),
+        worst: Rule::ALL.into_iter().filter_map(worst).collect(),
+    })
+}
+
 fn contact_head(plan: &Plan, laws: &[LawPlan], bodies: &Bodies, layer: Option<&LayerPlan>) -> ContactHead {
     // Every law of an experiment stands on the same two bodies.
     let contact = &laws[0].contact;
@@ -241,6 +264,7 @@ fn contact_head(plan: &Plan, laws: &[LawPlan], bodies: &Bodies, layer: Option<&L
             name: layer.name.clone(),
             rule: layer.rule,
             thicknesses: layer.thicknesses.clone(),
+            check: layer.has_finite().then(|| rule_check(plan, bodies, layer)).flatten(),
         }),
     }
 }

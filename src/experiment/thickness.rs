@@ -7,7 +7,7 @@ use super::results::{RealisationResults, Threshold};
 use super::spec::LawSpec;
 use super::surface::Surface;
 use crate::asperity::Ordered;
-use crate::compare::{Control, Kind, threshold};
+use crate::compare::{Kind, threshold};
 use crate::interface::MicroContact;
 use crate::model::{Deterministic, Model, Statistical, at_pressure};
 
@@ -92,16 +92,7 @@ impl Question<'_> {
         let label = self.law.label();
         let case =
             self.answered.cases.iter().find(|case| case.law == label && case.thickness == Some(thickness))?;
-        let nominal = self.surface.set.nominal_area();
-        let point = case.comparison.curves.iter().find(|point| {
-            let pressure = match point.control {
-                Control::Separation => return false,
-                Control::Pressure => point.target,
-                Control::Force => point.target / nominal,
-            };
-            point.kind == self.kind && pressure == self.pressure
-        })?;
-        Some(point.response.area_ratio.total())
+        Some(case.comparison.at_load(self.kind, self.pressure)?.response.area_ratio.total())
     }
 
     /// The area ratio under a layer of any thickness (m).

@@ -3,6 +3,7 @@
 use super::figures;
 use super::format::{count, number, quantity};
 use super::head;
+use super::layer;
 use super::page::Page;
 use super::page::escape;
 use super::surface::section as surface_section;
@@ -20,15 +21,25 @@ pub fn page(results: &CompareResults) -> Page {
         page.warning(&escape(&warning));
     }
     page.heading(2, "In short");
-    for found in &results.surfaces {
+    let layered = layer::all(results);
+    for series in &layered {
+        page.bullets(series.in_short());
+    }
+    for found in results.surfaces.iter().filter(|_| layered.is_empty()) {
         for index in 0..found.first.cases.len() {
             page.bullets(in_short(results, found, index));
         }
     }
     head::what_was_run(&mut page, &results.head, &results.contact);
+    if let Some(layer) = &results.contact.layer {
+        layer::rule_section(&mut page, layer);
+    }
     for found in &results.surfaces {
         surface(&mut page, found);
-        for index in 0..found.first.cases.len() {
+        for series in layered.iter().filter(|series| std::ptr::eq(series.found(), found)) {
+            series.answers(&mut page);
+        }
+        for index in (0..found.first.cases.len()).filter(|_| layered.is_empty()) {
             answers(&mut page, results, found, index);
         }
     }
@@ -40,7 +51,7 @@ pub fn page(results: &CompareResults) -> Page {
 /// The finding in a few sentences.
 fn in_short(results: &CompareResults, found: &SurfaceResults, index: usize) -> Vec<String> {
     let case = &found.first.cases[index];
-    let subject = subject(results, found, case);
+    let subject = subject(results, found, &case.law);
     if !found.others.is_empty()
         && let Some(lines) = in_short_over_all(&subject, found, index)
     {
@@ -105,9 +116,23 @@ fn realisations_of(found: &SurfaceResults, index: usize) -> Vec<Realisation<'_>>
         .collect()
 }
 
-fn subject(results: &CompareResults, found: &SurfaceResults, case: &CaseResults) -> String {
-    let one_law = results.surfaces.iter().all(|found| found.first.cases.len() == 1);
-    if one_law { found.surface.name.clone() } else { format!("{}, law {}", found.surface.name, case.law) }
+/// The laws of a surface, in file order.
+pub fn laws(found: &SurfaceResults) -> Vec<&str> {
+    let mut laws: Vec<&str> = found.first.cases.iter().map(|case| case.law.as_str()).collect();
+    laws.dedup();
+    laws
+}
+
+/// What a finding is about: the surface, and the law where there are several.
+pub fn subject(results: &CompareResults, found: &SurfaceResults, law: &str) -> String {
+    let one_law = results.surfaces.iter().all(|found| laws(found).len() == 1);
+    if one_law { found.surface.name.clone() } else { format!("{}, law {law}", found.surface.name) }
+}
+
+/// The same as the beginning of a file's name.
+pub fn stem(found: &SurfaceResults, law: &str) -> String {
+    let name = &found.surface.name;
+    if laws(found).len() == 1 { name.clone() } else { format!("{name}-{}", slug(law)) }
 }
 
 fn sentence(gap: &Gap) -> String {
@@ -203,12 +228,8 @@ fn surface(page: &mut Page, found: &SurfaceResults) {
 fn answers(page: &mut Page, results: &CompareResults, found: &SurfaceResults, index: usize) {
     let case = &found.first.cases[index];
     let (modulus, comparison) = (results.contact.reduced_modulus, &case.comparison);
-    let stem = if found.first.cases.len() == 1 {
-        found.surface.name.clone()
-    } else {
-        format!("{}-{}", found.surface.name, slug(&case.law))
-    };
-    page.heading(2, &format!("{}: the answers", subject(results, found, case)));
+    let stem = stem(found, &case.law);
+    page.heading(2, &format!("{}: the answers", subject(results, found, &case.law)));
     if let Some(index) = case.plasticity_index {
         page.paragraph(&format!("Plasticity index ψ = (E*/H)(σ/R)^½ = {}.", number(index)));
     }
@@ -348,60 +369,64 @@ fn limits(page: &mut Page, results: &CompareResults) {
     page.heading(2, "Where not to trust this");
     let mut lines = Vec::new();
     for found in &results.surfaces {
-        for case in &found.first.cases {
-            let comparison = &case.comparison;
-            let subject = subject(results, found, case);
-            let beyond = comparison.curves.iter().filter(|point| point.response.is_beyond_model()).count();
-            let sum = comparison.curves.iter().filter(|point| point.kind == Kind::Deterministic);
-            let few = sum.clone().filter(|point| {
-                let contacts = point.response.contact_density * found.surface.set.nominal_area();
-                contacts > 0.0 && contacts < crate::compare::FEWEST_CONTACTS
-            });
-            let jumps = comparison
-                .curves
-                .iter()
-                .filter(|point| point.in_jump && point.control != Control::Separation);
-            if beyond > 0 {
-                lines.push(format!(
-                    "{subject}: {beyond} of {} points lie beyond A/A_nom = 0.05, where neighbouring asperities interact and \
-                     no asperity model holds. They are marked `beyond_model` in the tables.",
-                    comparison.curves.len()
-                ));
-            }
-            let few = few.count();
-            if few > 0 {
-                lines.push(format!(
-                    "{subject}: at {few} of {} points fewer than 30 asperities carry the sum; they tell of the highest few.",
-                    sum.count()
-                ));
-            }
-            let jumps = jumps.count();
-            if jumps > 0 {
-                lines.push(format!(
-                    "{subject}: at {jumps} points the load asked for lies in a jump of the law; the answer is the largest \
-                     separation that carries at least as much, and `pressure_pa` exceeds `target`."
-                ));
-            }
-            if !comparison.unpaired.is_empty() {
-                lines.push(format!(
-                    "{subject}: {} deterministic pressures have no pair at equal load: one of the models does not reach \
-                     them above −10 σ.",
-                    comparison.unpaired.len()
-                ));
-            }
+        for law in laws(found) {
+            let cases: Vec<&CaseResults> = found.first.cases.iter().filter(|case| case.law == law).collect();
+            limits_of(&mut lines, &subject(results, found, law), found, &cases);
         }
     }
-    lines.push(
-        "The flat is smooth and homogeneous; asperities are spheres that do not touch each other; there is no \
-         adhesion, friction or hardening."
-            .to_owned(),
-    );
+    lines.push(format!(
+        "The flat is smooth{}; asperities are spheres that do not touch each other; there is no adhesion, friction or hardening.",
+        if results.contact.layer.is_some() {
+            ", its layer bonded everywhere and free of cracks and residual stress"
+        } else {
+            " and homogeneous"
+        }
+    ));
     lines.push(
         "Standard errors take the asperities as independent draws; those of a real surface are neighbours, and a surface with long \
          waves scatters more."
             .to_owned(),
     );
     page.bullets(lines);
+}
+
+/// The same of one surface under one law, all thicknesses together.
+fn limits_of(lines: &mut Vec<String>, subject: &str, found: &SurfaceResults, cases: &[&CaseResults]) {
+    let curves = || cases.iter().flat_map(|case| &case.comparison.curves);
+    let beyond = curves().filter(|point| point.response.is_beyond_model()).count();
+    let sum = || curves().filter(|point| point.kind == Kind::Deterministic);
+    let few = sum().filter(|point| {
+        let contacts = point.response.contact_density * found.surface.set.nominal_area();
+        contacts > 0.0 && contacts < crate::compare::FEWEST_CONTACTS
+    });
+    let few = few.count();
+    let jumps = curves().filter(|point| point.in_jump && point.control != Control::Separation).count();
+    let unpaired: usize = cases.iter().map(|case| case.comparison.unpaired.len()).sum();
+    if beyond > 0 {
+        lines.push(format!(
+            "{subject}: {beyond} of {} points lie beyond A/A_nom = 0.05, where neighbouring asperities interact and \
+             no asperity model holds. They are marked `beyond_model` in the tables.",
+            curves().count()
+        ));
+    }
+    if few > 0 {
+        lines.push(format!(
+            "{subject}: at {few} of {} points fewer than 30 asperities carry the sum; they tell of the highest few.",
+            sum().count()
+        ));
+    }
+    if jumps > 0 {
+        lines.push(format!(
+            "{subject}: at {jumps} points the load asked for lies in a jump of the law; the answer is the largest \
+             separation that carries at least as much, and `pressure_pa` exceeds `target`."
+        ));
+    }
+    if unpaired > 0 {
+        lines.push(format!(
+            "{subject}: {unpaired} deterministic pressures have no pair at equal load: one of the models does not reach \
+             them above −10 σ."
+        ));
+    }
 }
 
 /// A law's label as part of a file name.

@@ -27,7 +27,7 @@ fn colour(kind: Kind) -> Colour {
 }
 
 /// The points of one model that carry load, by growing load.
-fn curve(comparison: &Comparison, kind: Kind) -> Vec<&CurvePoint> {
+pub fn curve(comparison: &Comparison, kind: Kind) -> Vec<&CurvePoint> {
     let mut points: Vec<&CurvePoint> = comparison
         .curves
         .iter()

@@ -15,26 +15,41 @@ pub fn notes(page: &mut Page, head: &Head) {
 pub fn what_was_run(page: &mut Page, head: &Head, contact: &ContactHead) {
     page.heading(2, "What was run");
     let value = |value: Option<f64>| value.map_or_else(|| "never yields".to_owned(), |v| quantity(v, "Pa"));
-    let roles = |name: &str| match (name == contact.bodies.rough, name == contact.bodies.flat) {
-        (true, true) => "rough and flat",
-        (true, false) => "rough",
-        (false, true) => "flat",
-        (false, false) => "not used",
+    let layer = contact.layer.as_ref();
+    let roles = |name: &str| {
+        let roles = [
+            (name == contact.bodies.rough, "rough"),
+            (name == contact.bodies.flat, if layer.is_some() { "substrate" } else { "flat" }),
+            (layer.is_some_and(|layer| layer.name == name), "layer"),
+        ];
+        let roles: Vec<&str> = roles.into_iter().filter_map(|(is_it, role)| is_it.then_some(role)).collect();
+        if roles.is_empty() { "not used".to_owned() } else { roles.join(" and ") }
     };
     page.table(
         ["material", "body", "E", "ν", "H"],
         contact.materials.iter().map(|(name, body)| {
             vec![
                 name.clone(),
-                roles(name).to_owned(),
+                roles(name),
                 quantity(body.young(), "Pa"),
                 number(body.poisson()),
                 value(body.hardness()),
             ]
         }),
     );
+    if let Some(layer) = layer {
+        let thicknesses: Vec<String> =
+            layer.thicknesses.iter().map(|&t| super::layer::thickness(t)).collect();
+        page.paragraph(&format!(
+            "Layer of {}: {}. Its modulus and that of the substrate are put together by rule `{}`.",
+            escape(&layer.name),
+            thicknesses.join(", "),
+            layer.rule.name(),
+        ));
+    }
+    let bare = if layer.is_some() { " without the layer" } else { "" };
     page.paragraph(&format!(
-        "Reduced modulus E* = {}; hardness of the softer body: {}. Seed {}; spec `{}.toml`, SHA-256 `{}`. Asperity {}.",
+        "Reduced modulus E* = {}{bare}; hardness of the softer body: {}. Seed {}; spec `{}.toml`, SHA-256 `{}`. Asperity {}.",
         quantity(contact.reduced_modulus, "Pa"),
         value(contact.hardness),
         head.seed,

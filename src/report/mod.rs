@@ -8,6 +8,7 @@
 //! | [`page`] | one content in two forms, Markdown and self-contained HTML |
 //! | [`mod@format`] | numbers and quantities as people read them |
 //! | `compare`, `limit` | the page of each kind of experiment, on `head` and `figures` |
+//! | `layer` | a comparison under a layer in several thicknesses |
 //! | [`surface`] | what a surface is, in a comparison, on a page of its own, in the terminal |
 //! | `tables`, `summary` | CSV and JSON, for machines |
 //! | `index` | the pages that lead to all reports of a folder |
@@ -19,6 +20,7 @@ mod figures;
 pub mod format;
 mod head;
 mod index;
+mod layer;
 mod limit;
 pub mod page;
 pub mod plot;

@@ -250,8 +250,14 @@ pub fn limit_curves(results: &LimitResults) -> Result<Vec<u8>, TableError> {
     let mut table = Table::new(&[CASE, CurveRow::COLUMNS])?;
     let mut row = |of: Case, kind, response: &Response| {
         let target = response.separation_over_sigma;
-        let point =
-            CurvePoint { kind, control: Control::Separation, target, response: *response, in_jump: false };
+        let point = CurvePoint {
+            kind,
+            control: Control::Separation,
+            target,
+            asked: None,
+            response: *response,
+            in_jump: false,
+        };
         table.row((of, CurveRow::new(&point, results.contact.reduced_modulus)))
     };
     let smallest = results.points.iter().map(|point| point.count).min();

@@ -30,10 +30,9 @@ impl LayerPlan {
         Flat::with_layer(&self.material, substrate, thickness, self.rule)
     }
 
-    /// The same with a finite thickness, where the layer is one that has effective properties.
-    fn check(&self, substrate: &Material) -> Result<(), CoatingError> {
-        let finite = |t: &&f64| **t > 0.0 && t.is_finite();
-        self.thicknesses.iter().filter(finite).try_for_each(|&t| self.on(substrate, t).map(drop))
+    /// Whether some thickness is neither no layer nor all layer.
+    pub fn has_finite(&self) -> bool {
+        self.thicknesses.iter().any(|&t| t > 0.0 && t.is_finite())
     }
 }
 
@@ -46,8 +45,10 @@ impl Reader<'_> {
             rule: words.rule,
             thicknesses: words.thickness.0.clone(),
         };
-        plan.check(substrate)
-            .map_err(|error| self.source.refuse(words.material.span(), format!("found a layer: {error}")))?;
+        // Between no layer and all layer both bodies count together; a search for a thickness asks for any.
+        plan.on(substrate, 1.0).map_err(|error| {
+            self.source.refuse(words.material.span(), format!("found \"{}\": {error}", plan.name))
+        })?;
         Ok(plan)
     }
 }
