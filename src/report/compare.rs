@@ -65,9 +65,10 @@ fn in_short(results: &CompareResults, found: &SurfaceResults, index: usize) -> V
     }
     let mut lines: Vec<String> =
         case.gaps.largest.iter().map(|gap| format!("**{subject}**: {}", sentence(gap))).collect();
-    let significant = |gap: &Gap| gap.over_sampling_error.is_none_or(|errors| errors > SIGNIFICANT);
-    let is_significant = case.gaps.largest.iter().any(significant);
-    lines.push(format!("**{subject}, which to trust**: {}", verdict(found, is_significant)));
+    lines.push(format!(
+        "**{subject}, which to trust**: {}",
+        verdict(found, is_significant(&case.gaps.largest))
+    ));
     lines
 }
 
@@ -103,8 +104,13 @@ fn in_short_over_all(subject: &str, found: &SurfaceResults, index: usize) -> Opt
     Some(vec![finding, area, trust])
 }
 
+/// Whether one of the gaps is more than chance.
+pub fn is_significant<'a>(gaps: impl IntoIterator<Item = &'a Gap>) -> bool {
+    gaps.into_iter().any(|gap| gap.over_sampling_error.is_none_or(|errors| errors > SIGNIFICANT))
+}
+
 /// What a finding rests on.
-const CONDITION: &str = "Only loads that at least 30 asperities carry within A/A_nom = 0.05 count.";
+pub const CONDITION: &str = "Only loads that at least 30 asperities carry within A/A_nom = 0.05 count.";
 
 /// All realisations under one law.
 fn realisations_of(found: &SurfaceResults, index: usize) -> Vec<Realisation<'_>> {
@@ -162,7 +168,7 @@ fn sentence(gap: &Gap) -> String {
 }
 
 /// Which model to use on this surface, from what the gaps and the surface say.
-fn verdict(found: &SurfaceResults, is_significant: bool) -> String {
+pub fn verdict(found: &SurfaceResults, is_significant: bool) -> String {
     if !found.surface.warnings.is_empty() {
         return "neither, before the warning above is dealt with: the numbers are not those of the surface."
             .to_owned();

@@ -1,10 +1,11 @@
 //! A comparison under a layer in several thicknesses: Fig. 6 of Pasaribu and Schipper (2005), and thickness as an axis.
 
+use super::compare::{CONDITION, is_significant, verdict};
 use super::figures::curve;
 use super::format::{number, percent, quantity};
 use super::page::{Page, escape};
 use super::plot::{Axis, Colour, Dash, Figure, Layer, Marker, Plot};
-use crate::compare::{CurvePoint, GOOD_RATIO, Kind};
+use crate::compare::{CurvePoint, GOOD_RATIO, Gap, Kind};
 use crate::contact::Regime;
 use crate::experiment::results::{CaseResults, CompareResults, LayerHead, SurfaceResults, Threshold};
 use crate::interface::Fall;
@@ -89,9 +90,7 @@ impl<'a> Series<'a> {
     /// The findings, a line each.
     pub fn in_short(&self) -> Vec<String> {
         let mut lines = Vec::new();
-        if let Some(line) = self.threshold_finding() {
-            lines.push(line);
-        }
+        lines.extend(self.threshold_finding());
         lines.extend(self.gap_finding());
         lines.extend(self.fall_finding("area", |case| case.falls.area, ""));
         lines.extend(self.fall_finding(
@@ -118,48 +117,58 @@ impl<'a> Series<'a> {
     }
 
     fn threshold_finding(&self) -> Option<String> {
-        let parts: Vec<String> = self
-            .loads()
-            .into_iter()
-            .map(|load| {
-                let of = |threshold: &&&Threshold| threshold.pressure == load;
-                let each = self.thresholds.iter().filter(of);
-                let each: Vec<String> = each
-                    .map(|threshold| format!("{} ({})", depth(threshold.thickness), threshold.kind.name()))
-                    .collect();
-                format!("at {}: {}", quantity(load, "Pa"), each.join(", "))
-            })
-            .collect();
+        let at_load = |load: f64| {
+            let each = self.thresholds.iter().filter(|threshold| threshold.pressure == load);
+            let each: Vec<String> = each
+                .map(|threshold| format!("{} ({})", depth(threshold.thickness), threshold.kind.name()))
+                .collect();
+            format!("at {} {}", quantity(load, "Pa"), each.join(" or "))
+        };
+        let parts: Vec<String> = self.loads().into_iter().map(at_load).collect();
         (!parts.is_empty()).then(|| {
             format!(
-                "**{}**: a layer of {} no longer matters - the real area is within 5 % of the uncoated one - when it is thinner than: {}.",
+                "**{}**: the thickness of {} below which it no longer matters, the real area within 5 % of that without a layer, is {}.",
                 escape(&self.subject),
                 escape(&self.layer.name),
-                parts.join("; ")
+                listed(&parts)
             )
         })
     }
 
-    /// Where the models are furthest apart, over all thicknesses.
-    fn gap_finding(&self) -> Option<String> {
+    /// Where the models are furthest apart, over all thicknesses, and which to trust.
+    fn gap_finding(&self) -> Vec<String> {
         let separation = |case: &&CaseResults| {
             case.gaps.largest.iter().find(|gap| gap.quantity == "separation_over_sigma").copied()
         };
-        let all: Vec<(f64, _)> =
+        let all: Vec<(f64, Gap)> =
             self.cases.iter().filter_map(|case| Some((case.thickness?, separation(case)?))).collect();
-        let size = |(_, gap): &(f64, crate::compare::Gap)| gap.difference().abs();
-        let most = all.iter().max_by(|a, b| size(a).total_cmp(&size(b)))?;
-        let least = all.iter().min_by(|a, b| size(a).total_cmp(&size(b)))?;
+        let size = |(_, gap): &(f64, Gap)| gap.difference().abs();
+        let most = all.iter().max_by(|a, b| size(a).total_cmp(&size(b)));
+        let least = all.iter().min_by(|a, b| size(a).total_cmp(&size(b)));
+        let (Some(most), Some(least)) = (most, least) else { return Vec::new() };
+        let subject = escape(&self.subject);
+        let gaps = self.cases.iter().flat_map(|case| &case.gaps.largest);
+        vec![
+            format!(
+                "**{subject}**: the two models' separations at equal load differ by up to {} σ {}, where they differ most, and by up \
+                 to {} σ {}, where they differ least. {CONDITION}",
+                number(size(most)),
+                self.under(most.0),
+                number(size(least)),
+                self.under(least.0),
+            ),
+            format!("**{subject}, which to trust**: {}", verdict(self.found, is_significant(gaps))),
+        ]
+    }
+
+    /// "under 50 nm of lead".
+    fn under(&self, t: f64) -> String {
         let name = escape(&self.layer.name);
-        Some(format!(
-            "**{}**: the two models' separations at equal load differ by up to {} σ under {} of {name}, where they differ most, and by up \
-             to {} σ under {}, where they differ least. Only loads that at least 30 asperities carry within A/A_nom = 0.05 count.",
-            escape(&self.subject),
-            number(size(most)),
-            thickness(most.0),
-            number(size(least)),
-            thickness(least.0),
-        ))
+        match t {
+            0.0 => "without a layer".to_owned(),
+            f64::INFINITY => format!("on nothing but {name}"),
+            t => format!("under {} of {name}", quantity(t, "m")),
+        }
     }
 
     fn fall_finding(
@@ -171,13 +180,13 @@ impl<'a> Series<'a> {
         let falling: Vec<(f64, Fall)> =
             self.cases.iter().filter_map(|case| Some((case.thickness?, of(case)?))).collect();
         let worst = falling.iter().max_by(|a, b| a.1.loss.total_cmp(&b.1.loss))?;
-        let names: Vec<String> = falling.iter().map(|(t, _)| thickness(*t)).collect();
+        let names: Vec<String> = falling.iter().map(|(t, _)| self.under(*t)).collect();
         Some(format!(
-            "**{}**: under {} the {what} of an asperity of mean radius falls somewhere as it is pressed deeper, by up to {} ({}, between {} and {}).{consequence}",
+            "**{}**: {} the {what} of an asperity of mean radius falls somewhere as it is pressed deeper, by up to {} ({}, between {} and {}).{consequence}",
             escape(&self.subject),
             listed(&names),
             percent(worst.1.loss),
-            thickness(worst.0),
+            self.under(worst.0),
             quantity(worst.1.from, "m"),
             quantity(worst.1.to, "m"),
         ))
@@ -322,8 +331,8 @@ impl<'a> Series<'a> {
         const ROOM: f64 = 1.6;
         let all: Vec<f64> = self.finite().map(|(t, _)| t).collect();
         let (thin, thick) = (all[0], all[all.len() - 1]);
-        let place = |t: f64| t.clamp(thin / ROOM, thick * ROOM);
-        let x = Axis::log("thickness of the layer (m)").range(thin / ROOM / 1.1, thick * ROOM * 1.1);
+        let place = |t: f64| nanometres(t.clamp(thin / ROOM, thick * ROOM));
+        let x = thickness_axis().range(nanometres(thin / ROOM / 1.1), nanometres(thick * ROOM * 1.1));
         let mut plot = Plot::new(title, x, axis).height(230.0);
         let loads = self.loads();
         for (index, &load) in loads.iter().enumerate() {
@@ -332,7 +341,7 @@ impl<'a> Series<'a> {
                 let found = |case: &CaseResults| {
                     case.comparison.at_load(kind, load).and_then(|point| value(&point.response))
                 };
-                let line = self.finite().filter_map(|(t, case)| Some((t, found(case)?)));
+                let line = self.finite().filter_map(|(t, case)| Some((nanometres(t), found(case)?)));
                 let dash = if kind == Kind::Statistical { Dash::Dashed } else { Dash::Solid };
                 let mut line = Layer::line(line.collect::<Vec<_>>()).coloured(colour).dashed(dash);
                 if kind == Kind::Deterministic || self.kinds().len() == 1 {
@@ -369,12 +378,12 @@ impl<'a> Series<'a> {
                     Some((t, case.comparison.at_load(kind, load)?.response.pressure.shares()?))
                 })
                 .collect();
-            let thicknesses: Vec<f64> = shares.iter().map(|(t, _)| *t).collect();
+            let thicknesses: Vec<f64> = shares.iter().map(|(t, _)| nanometres(*t)).collect();
             let share = |regime: Regime| shares.iter().map(|(_, s)| s[regime as usize]).collect::<Vec<f64>>();
             let [elastic, middle, plastic] = Regime::ALL.map(share);
             Plot::new(
                 quantity(load, "Pa"),
-                Axis::log("thickness of the layer (m)"),
+                thickness_axis(),
                 Axis::linear("share of the load").range(0.0, 1.0),
             )
             .with_stacked(
@@ -390,6 +399,14 @@ impl<'a> Series<'a> {
     }
 }
 
+fn thickness_axis() -> Axis {
+    Axis::log("thickness of the layer (nm)")
+}
+
+fn nanometres(t: f64) -> f64 {
+    t * 1e9
+}
+
 fn shares(response: &Response) -> String {
     let whole = |share: f64| format!("{:.0} %", 100.0 * share);
     response.pressure.shares().map_or_else(|| "–".to_owned(), |shares| shares.map(whole).join(" / "))
@@ -400,6 +417,7 @@ fn depth(thickness: Option<f64>) -> String {
     match thickness {
         None => "less than 1 pm".to_owned(),
         Some(f64::INFINITY) => "any thickness".to_owned(),
-        Some(t) => quantity(t, "m"),
+        // It is known to 1 %.
+        Some(t) => quantity(format!("{t:.1e}").parse().unwrap_or(t), "m"),
     }
 }

@@ -1,5 +1,6 @@
 //! `summary.json` and `timing.json`: what ran, on what, and what came out, for machines.
 
+mod layer;
 mod surface;
 
 use std::path::{Path, PathBuf};
@@ -9,6 +10,7 @@ use serde::{Deserialize, Serialize};
 
 use super::limit::Slope;
 use crate::experiment::results::{CompareResults, ContactHead, Head, LimitResults, SurfacesResults};
+use layer::{FallSummary, LayerSummary, Thickness, ThresholdSummary};
 use surface::SurfaceSummary;
 
 /// The name by which a report says that this program wrote it.
@@ -27,8 +29,14 @@ struct Summary<'a> {
     reduced_modulus_pa: Option<f64>,
     #[serde(skip_serializing_if = "Option::is_none")]
     hardness_pa: Option<f64>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    layer: Option<LayerSummary<'a>>,
     surfaces: IndexMap<&'a str, SurfaceSummary<'a>>,
     largest_gaps: Vec<GapSummary<'a>>,
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    layer_thresholds: Vec<ThresholdSummary<'a>>,
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    falls: Vec<FallSummary<'a>>,
     warnings: Vec<String>,
     #[serde(skip_serializing_if = "Vec::is_empty")]
     slopes: Vec<SlopeSummary<'a>>,
@@ -41,6 +49,8 @@ struct GapSummary<'a> {
     surface: &'a str,
     realisation: usize,
     law: &'a str,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    layer_thickness_m: Option<Thickness>,
     quantity: &'static str,
     pairing: &'static str,
     target: f64,
@@ -62,7 +72,7 @@ struct SlopeSummary<'a> {
 }
 
 impl<'a> Summary<'a> {
-    fn new(head: &'a Head, contact: Option<&ContactHead>, files: &'a [String]) -> Self {
+    fn new(head: &'a Head, contact: Option<&'a ContactHead>, files: &'a [String]) -> Self {
         Self {
             program: PROGRAM,
             version: env!("CARGO_PKG_VERSION"),
@@ -73,7 +83,10 @@ impl<'a> Summary<'a> {
             reduced_modulus_pa: contact.map(|contact| contact.reduced_modulus),
             hardness_pa: contact.and_then(|contact| contact.hardness),
             surfaces: IndexMap::new(),
+            layer: contact.and_then(|contact| contact.layer.as_ref()).map(layer::summary),
             largest_gaps: Vec::new(),
+            layer_thresholds: Vec::new(),
+            falls: Vec::new(),
             warnings: Vec::new(),
             slopes: Vec::new(),
             papers: head.papers.iter().map(|paper| paper.full).collect(),
@@ -91,12 +104,15 @@ pub fn compare(results: &CompareResults, files: &[String]) -> serde_json::Result
     summary.warnings = results.warnings();
     for found in &results.surfaces {
         summary.surfaces.insert(&found.surface.name, surface::compared(found));
+        summary.layer_thresholds.extend(layer::thresholds(found));
+        summary.falls.extend(layer::falls(found));
         for (realisation, answered) in found.realisations() {
             for case in &answered.cases {
                 summary.largest_gaps.extend(case.gaps.largest.iter().map(|gap| GapSummary {
                     surface: &found.surface.name,
                     realisation,
                     law: &case.law,
+                    layer_thickness_m: case.thickness.map(Thickness),
                     quantity: gap.quantity,
                     pairing: gap.pairing.name(),
                     target: gap.target,

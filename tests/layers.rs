@@ -1,0 +1,163 @@
+//! Comparisons under a layer, from a spec to the report.
+
+use asperity::compare::Kind;
+use asperity::experiment::Experiment;
+use asperity::experiment::progress::Silent;
+use asperity::experiment::results::{CompareResults, Results, Threshold};
+use asperity::report::store::Store;
+
+/// A steel population on a flat, with the words of the flat.
+fn spec(flat: &str) -> String {
+    format!(
+        r#"
+title = "t"
+seed = 3
+[material.steel]
+young = "210 GPa"
+poisson = 0.3
+hardness = "7.6 GPa"
+[material.lead]
+young = "18 GPa"
+poisson = 0.35
+hardness = "0.17 GPa"
+[material.titanium]
+young = "120 GPa"
+poisson = 0.33
+hardness = "3 GPa"
+[compare]
+rough = "steel"
+{flat}
+law = ["zmc", "hertz"]
+separation = {{ values = [3, 1] }}
+pressure = {{ values = ["1 MPa", "10 MPa"] }}
+[surface.a.population]
+radius = "20 um"
+sigma = "48 nm"
+density = "6e10 /m^2"
+count = 5000
+"#
+    )
+}
+
+fn results(flat: &str) -> Results {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("layers.toml");
+    std::fs::write(&path, spec(flat)).unwrap();
+    Experiment::read(&path).unwrap().run(&Silent).unwrap()
+}
+
+fn compared(flat: &str) -> CompareResults {
+    match results(flat) {
+        Results::Compare(results) => results,
+        _ => panic!("a comparison"),
+    }
+}
+
+/// The files of a report by name.
+fn written(results: &Results, names: &[&str]) -> Vec<String> {
+    let out = tempfile::tempdir().unwrap();
+    let folder = asperity::report::folder(results, "key").unwrap();
+    Store::new(out.path()).write(&folder).unwrap();
+    names.iter().map(|name| std::fs::read_to_string(out.path().join("layers").join(name)).unwrap()).collect()
+}
+
+const LAYERS: &str = r#"flat = "steel"
+layer = { material = "lead", thickness = [0, 2e-8, 5e-8, "inf"] }"#;
+
+/// The contract's rows: surface, realisation, law, thickness.
+#[test]
+fn every_law_runs_under_every_thickness_in_file_order() {
+    let found = compared(LAYERS);
+    let cases: Vec<(&str, Option<f64>)> =
+        found.surfaces[0].first.cases.iter().map(|case| (case.law.as_str(), case.thickness)).collect();
+    let thicknesses = [0.0, 20e-9, 50e-9, f64::INFINITY];
+    let expected: Vec<(&str, Option<f64>)> =
+        ["zmc", "hertz"].into_iter().flat_map(|law| thicknesses.map(|t| (law, Some(t)))).collect();
+    assert_eq!(cases, expected);
+    for table in written(&results(LAYERS), &["curves.csv", "comparison.csv"]) {
+        let mut reader = csv::Reader::from_reader(table.as_bytes());
+        let column = reader.headers().unwrap().iter().position(|name| name == "layer_thickness_m").unwrap();
+        let mut read: Vec<f64> = reader.records().map(|row| row.unwrap()[column].parse().unwrap()).collect();
+        read.dedup();
+        assert_eq!(read, [thicknesses, thicknesses].concat());
+    }
+}
+
+#[test]
+fn no_layer_is_the_substrate_and_all_layer_the_layer_to_the_bit() {
+    let layered = compared(LAYERS);
+    let [steel, lead] = ["steel", "lead"].map(|flat| compared(&format!("flat = \"{flat}\"")));
+    let curves = |results: &CompareResults, thickness| {
+        let cases = results.surfaces[0].first.cases.iter();
+        let of = cases.filter(|case| case.thickness == thickness);
+        of.map(|case| case.comparison.curves.clone()).collect::<Vec<_>>()
+    };
+    assert_eq!(curves(&layered, Some(0.0)), curves(&steel, None));
+    assert_eq!(curves(&layered, Some(f64::INFINITY)), curves(&lead, None));
+    assert_ne!(curves(&layered, Some(20e-9)), curves(&steel, None));
+    // Load ratios refer to the pair without the layer.
+    assert_eq!(layered.contact.reduced_modulus, steel.contact.reduced_modulus);
+}
+
+/// Just below the threshold the area is within 5 %, just above it is not.
+#[test]
+fn a_threshold_is_where_the_area_has_changed_by_5_percent() {
+    let thresholds = compared(LAYERS).surfaces.remove(0).thresholds;
+    assert_eq!(thresholds.len(), 8, "2 laws, 2 loads, 2 models");
+    let first: &Threshold = &thresholds[0];
+    assert_eq!((first.law.as_str(), first.kind, first.pressure), ("zmc", Kind::Statistical, 1e6));
+    for threshold in &thresholds {
+        let t = threshold.thickness.unwrap();
+        let flat = format!(
+            "flat = \"steel\"\nlayer = {{ material = \"lead\", thickness = [0, {:e}, {:e}] }}",
+            t * 0.99,
+            t * 1.01
+        );
+        let around = compared(&flat);
+        let cases = around.surfaces[0].first.cases.iter().filter(|case| case.law == threshold.law);
+        let areas: Vec<f64> = cases
+            .map(|case| {
+                case.comparison
+                    .at_load(threshold.kind, threshold.pressure)
+                    .unwrap()
+                    .response
+                    .area_ratio
+                    .total()
+            })
+            .collect();
+        let change = |k: usize| (areas[k] / areas[0] - 1.0).abs();
+        assert!(change(1) < 0.05 && change(2) > 0.05, "{threshold:?}: {} {}", change(1), change(2));
+    }
+}
+
+#[test]
+fn a_rule_outside_its_range_is_said_with_its_error() {
+    let layer = |name: &str, rule: &str| {
+        let flat = format!(
+            "flat = \"steel\"\nlayer = {{ material = \"{name}\", thickness = \"50 nm\", rule = \"{rule}\" }}"
+        );
+        compared(&flat).warnings()
+    };
+    let [gao] = &layer("lead", "gao")[..] else { panic!("one warning") };
+    assert!(gao.contains("0.086 times the substrate's") && gao.contains("0.5 to 2"), "{gao}");
+    assert!(gao.contains("\"gao\" is up to 2.35 times too stiff"), "{gao}");
+    let [series] = &layer("lead", "series")[..] else { panic!("one warning") };
+    assert!(series.contains("\"series\" is up to 1.3") && series.contains("too compliant"), "{series}");
+    assert_eq!(layer("titanium", "gao"), Vec::<String>::new());
+    let bare = compared("flat = \"steel\"\nlayer = { material = \"lead\", thickness = [0, \"inf\"] }");
+    assert_eq!(bare.warnings(), Vec::<String>::new(), "no thickness is finite: no rule is used");
+}
+
+#[test]
+fn the_summary_holds_the_layer() {
+    let written = written(&results(LAYERS), &["summary.json"]);
+    let summary: serde_json::Value = serde_json::from_str(&written[0]).unwrap();
+    assert_eq!(summary["layer"]["thicknesses_m"], serde_json::json!([0.0, 2e-8, 5e-8, "inf"]));
+    assert_eq!(summary["layer"]["material"], "lead");
+    assert_eq!(summary["layer"]["rule_errors"].as_array().unwrap().len(), 14);
+    assert_eq!(summary["layer_thresholds"].as_array().unwrap().len(), 8);
+    // PHYSICS: under 50 nm of lead the area of an asperity of 20 um falls somewhere.
+    let falls = summary["falls"].as_array().unwrap();
+    assert!(falls.iter().any(|fall| fall["of"] == "area" && fall["layer_thickness_m"] == 50e-9), "{falls:?}");
+    assert!(falls.iter().all(|fall| fall["of"] == "area"), "no load falls under lead");
+}
