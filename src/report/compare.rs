@@ -25,7 +25,9 @@ pub fn page(results: &CompareResults) -> Page {
     for series in &layered {
         page.bullets(series.in_short());
     }
-    for found in results.surfaces.iter().filter(|_| layered.is_empty()) {
+    // A single thickness is shown as closely as no layer.
+    let in_full = layered.iter().all(|series| !series.has_several());
+    for found in results.surfaces.iter().filter(|_| in_full) {
         for index in 0..found.first.cases.len() {
             page.bullets(in_short(results, found, index));
         }
@@ -36,10 +38,10 @@ pub fn page(results: &CompareResults) -> Page {
     }
     for found in &results.surfaces {
         surface(&mut page, found);
-        for series in layered.iter().filter(|series| std::ptr::eq(series.found(), found)) {
+        for series in layered.iter().filter(|series| !in_full && std::ptr::eq(series.found(), found)) {
             series.answers(&mut page);
         }
-        for index in (0..found.first.cases.len()).filter(|_| layered.is_empty()) {
+        for index in (0..found.first.cases.len()).filter(|_| in_full) {
             answers(&mut page, results, found, index);
         }
     }

@@ -87,11 +87,18 @@ impl<'a> Series<'a> {
         self.found
     }
 
+    /// Whether there is more than one thickness to compare.
+    pub fn has_several(&self) -> bool {
+        self.cases.len() > 1
+    }
+
     /// The findings, a line each.
     pub fn in_short(&self) -> Vec<String> {
         let mut lines = Vec::new();
         lines.extend(self.threshold_finding());
-        lines.extend(self.gap_finding());
+        if self.has_several() {
+            lines.extend(self.gap_finding());
+        }
         lines.extend(self.fall_finding("area", |case| case.falls.area, ""));
         lines.extend(self.fall_finding(
             "load",

@@ -1,5 +1,7 @@
 //! A layer on the flat.
 
+use std::fmt;
+
 use crate::coating::{CoatingError, Rule};
 use crate::experiment::refusal::Refusal;
 use crate::experiment::spec::LayerSpec;
@@ -33,6 +35,14 @@ impl LayerPlan {
     /// Whether some thickness is neither no layer nor all layer.
     pub fn has_finite(&self) -> bool {
         self.thicknesses.iter().any(|&t| t > 0.0 && t.is_finite())
+    }
+}
+
+/// "lead of 0, 5e-8, inf m, rule gao".
+impl fmt::Display for LayerPlan {
+    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        let thicknesses: Vec<String> = self.thicknesses.iter().map(|t| format!("{t:e}")).collect();
+        write!(f, "{} of {} m, rule {}", self.name, thicknesses.join(", "), self.rule.name())
     }
 }
 

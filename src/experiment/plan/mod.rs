@@ -266,13 +266,16 @@ impl fmt::Display for Plan {
         match &self.kind {
             PlanKind::Compare(plan) => {
                 let models: Vec<&str> = plan.models.iter().map(|model| model.name()).collect();
-                writeln!(f, "  {} on {}, law {}", plan.bodies.rough, plan.bodies.flat, laws(&plan.laws))?;
-                writeln!(
-                    f,
-                    "  {} at {} points a law and surface",
-                    models.join(" and "),
-                    plan.controls.points()
-                )?;
+                let laws: Vec<String> = plan.law_specs.iter().map(LawSpec::label).collect();
+                writeln!(f, "  {} on {}, law {}", plan.bodies.rough, plan.bodies.flat, laws.join(", "))?;
+                let each = match &plan.layer {
+                    Some(layer) => {
+                        writeln!(f, "  under {layer}")?;
+                        "law, thickness and surface"
+                    }
+                    None => "law and surface",
+                };
+                writeln!(f, "  {} at {} points a {each}", models.join(" and "), plan.controls.points())?;
                 describe(&plan.surfaces, f)?;
             }
             PlanKind::Surfaces(surfaces) => describe(surfaces, f)?,
