@@ -149,9 +149,23 @@ impl<D: Dimension, R: Range> Quantity<D, R> {
 
     fn parse(text: &str) -> Result<Self, String> {
         let found = format!("\"{text}\"");
-        let value = in_uoms_spelling(text).and_then(|spelt| D::si(&spelt));
+        let value = in_uoms_spelling(text).and_then(|spelt| Some(in_tens(&spelt, D::si(&spelt)?)));
         value.map_or_else(|| Err(Self::refusal(&found)), |value| Self::checked(value, &found))
     }
+}
+
+/// The value of "50 nm", which is `value` but for rounding: where the unit is a power of ten it is read as "50e-9",
+/// which is the nearest number there is.
+fn in_tens(spelt: &str, value: f64) -> f64 {
+    let number = spelt.split_whitespace().next().unwrap_or_default();
+    let (digits, exponent) = number.split_once(['e', 'E']).unwrap_or((number, "0"));
+    let unit = value / number.parse().unwrap_or(f64::NAN);
+    let power = unit.log10().round();
+    if !((unit / 10f64.powf(power) - 1.0).abs() < 1e-12) {
+        return value;
+    }
+    let shifted = exponent.parse::<i32>().map(|exponent| format!("{digits}e{}", exponent + power as i32));
+    shifted.ok().and_then(|text| text.parse().ok()).unwrap_or(value)
 }
 
 /// "1.2 um" as uom reads it, "1.2 µm"; `None` if there is no number in front.
@@ -210,6 +224,14 @@ mod tests {
 
     fn length(text: &str) -> Result<f64, String> {
         Quantity::<Length>::parse(text).map(|q| q.value())
+    }
+
+    #[test]
+    fn a_unit_of_tens_rounds_once() {
+        assert_eq!(length("50 nm"), Ok(5e-8));
+        assert_eq!(length("0.3 um"), Ok(3e-7));
+        assert_eq!(length("1.5e3 nm"), Ok(1.5e-6));
+        assert_eq!(in_tens("2 in", 0.0508), 0.0508);
     }
 
     #[test]

@@ -187,10 +187,11 @@ impl<'a> Series<'a> {
         let falling: Vec<(f64, Fall)> =
             self.cases.iter().filter_map(|case| Some((case.thickness?, of(case)?))).collect();
         let worst = falling.iter().max_by(|a, b| a.1.loss.total_cmp(&b.1.loss))?;
-        let names: Vec<String> = falling.iter().map(|(t, _)| self.under(*t)).collect();
+        let names: Vec<String> = falling.iter().map(|(t, _)| thickness(*t)).collect();
         Some(format!(
-            "**{}**: {} the {what} of an asperity of mean radius falls somewhere as it is pressed deeper, by up to {} ({}, between {} and {}).{consequence}",
+            "**{}**: the {what} of an asperity of mean radius falls somewhere as it is pressed deeper, with {} of {}; by up to {} ({}, between {} and {}).{consequence}",
             escape(&self.subject),
+            escape(&self.layer.name),
             listed(&names),
             percent(worst.1.loss),
             self.under(worst.0),
