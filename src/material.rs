@@ -104,6 +104,11 @@ impl Material {
         self.yield_strength
     }
 
+    /// The same body if it never yielded.
+    pub fn without_yielding(&self) -> Self {
+        Self { hardness: None, yield_strength: None, ..*self }
+    }
+
     /// What the body contributes to 1/E*: (1 - nu^2)/E, 1/Pa.
     pub fn plane_compliance(&self) -> f64 {
         (1.0 - self.poisson) * (1.0 + self.poisson) / self.young

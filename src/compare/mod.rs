@@ -3,11 +3,12 @@
 
 mod gap;
 mod limit;
+mod rule;
 mod spread;
 
 pub use gap::{FEWEST_CONTACTS, Gap, Gaps};
 pub use limit::{Exact, LimitCase, LimitPoint, Quantity, SlopeFit, convergence};
-
+pub use rule::{GOOD_RATIO, RuleCheck, RuleError};
 pub use spread::{Realisation, Scatter, Spread, spread};
 
 use std::time::{Duration, Instant};

@@ -1,0 +1,151 @@
+//! How good the rule for a layered flat's modulus is: its elastic load over the exact one.
+//!
+//! Without yielding a sphere on a layered flat is known exactly. The ratio of the loads depends on the materials and
+//! on a/t alone: neither on the radius of the sphere nor on the thickness of the layer.
+
+use crate::coating::{Coating, CoatingError, Rule};
+use crate::interface::{Layered, MicroContact};
+use crate::law::Hertz;
+use crate::layered::{ElasticContact, LARGEST_RATIO, LayeredSphere};
+use crate::literature::Paper;
+use crate::material::Material;
+
+/// E_l/E_s within which the first-order weights of the paper's rule are good (Perriot and Barthel 2004).
+pub const GOOD_RATIO: [f64; 2] = [0.5, 2.0];
+
+/// Both rules beside the exact solution, for one ball, layer and substrate.
+pub struct RuleCheck {
+    /// Radius and thickness 1 m.
+    exact: LayeredSphere,
+    by_rule: [(Rule, Layered<Hertz>); 2],
+    modulus_ratio: f64,
+}
+
+/// A rule's elastic load beside the exact one at equal indentation.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct RuleError {
+    /// a/t of the exact contact.
+    pub contact_ratio: f64,
+    /// w R/t^2.
+    pub indentation_ratio: f64,
+    /// Load by the rule over the exact one.
+    pub ratio: f64,
+}
+
+impl RuleError {
+    /// The factor, at least 1, by which the rule is wrong in one direction or the other.
+    pub fn factor(&self) -> f64 {
+        self.ratio.max(self.ratio.recip())
+    }
+}
+
+impl RuleCheck {
+    /// A ball of material `rough` on `layer` on `substrate`; whether they yield does not count.
+    ///
+    /// # Errors
+    /// None that materials can cause.
+    pub fn new(rough: &Material, layer: &Material, substrate: &Material) -> Result<Self, CoatingError> {
+        let [rough, layer, substrate] = [rough, layer, substrate].map(Material::without_yielding);
+        let by = |rule| {
+            let coating = Coating::new(&layer, &substrate, 1.0, rule)?;
+            Ok::<_, CoatingError>((rule, Layered::new(Hertz, &rough, &substrate, coating)))
+        };
+        Ok(Self {
+            exact: LayeredSphere::new(Some(&rough), 1.0, &layer, &substrate, 1.0),
+            by_rule: [by(Rule::Gao)?, by(Rule::Series)?],
+            modulus_ratio: layer.young() / substrate.young(),
+        })
+    }
+
+    /// E_l/E_s.
+    pub fn modulus_ratio(&self) -> f64 {
+        self.modulus_ratio
+    }
+
+    /// Whether E_l/E_s lies where the paper's rule is good.
+    pub fn is_good(&self) -> bool {
+        (GOOD_RATIO[0]..=GOOD_RATIO[1]).contains(&self.modulus_ratio)
+    }
+
+    /// The error of `rule` where the exact contact has the radius `contact_ratio` times the thickness; `None` unless that
+    /// is positive and at most [`LARGEST_RATIO`].
+    pub fn at(&self, rule: Rule, contact_ratio: f64) -> Option<RuleError> {
+        self.exact.at_contact_radius(contact_ratio).map(|exact| self.beside(rule, &exact))
+    }
+
+    /// The same under the indentation w = `indentation_ratio` t^2/R.
+    pub fn at_indentation(&self, rule: Rule, indentation_ratio: f64) -> Option<RuleError> {
+        self.exact.at_indentation(indentation_ratio).map(|exact| self.beside(rule, &exact))
+    }
+
+    fn beside(&self, rule: Rule, exact: &ElasticContact) -> RuleError {
+        let [gao, series] = &self.by_rule;
+        let (_, contact) = if rule == gao.0 { gao } else { series };
+        RuleError {
+            contact_ratio: exact.contact_radius,
+            indentation_ratio: exact.indentation,
+            ratio: contact.contact(exact.indentation, 1.0).load / exact.load,
+        }
+    }
+
+    /// The largest error of `rule` over a/t from `from` to `to`, ends included, among points that divide the range
+    /// evenly in ln(a/t), at least 20 a decade; `None` of a range beyond [`LARGEST_RATIO`] or an empty one.
+    pub fn worst(&self, rule: Rule, from: f64, to: f64) -> Option<RuleError> {
+        const A_DECADE: f64 = 20.0;
+        /// Errors closer than this are equal: the first is the worst, whatever their rounding.
+        const ROUNDING: f64 = 1e-9;
+        let to = to.min(LARGEST_RATIO);
+        if !(from > 0.0 && from <= to) {
+            return None;
+        }
+        let steps = ((to / from).log10() * A_DECADE).ceil();
+        let place = |k: i32| match f64::from(k) {
+            0.0 => from,
+            k if k == steps => to,
+            k => from * (to / from).powf(k / steps),
+        };
+        let errors = (0..=steps as i32).filter_map(|k| self.at(rule, place(k)));
+        errors.reduce(|worst, next| if next.factor() > worst.factor() + ROUNDING { next } else { worst })
+    }
+
+    /// The papers behind both rules and the exact solution.
+    pub fn papers(&self) -> Vec<Paper> {
+        let rules = self.by_rule.iter().flat_map(|(_, contact)| contact.papers());
+        rules.chain(LayeredSphere::papers().iter().copied()).collect()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn body(young: f64, poisson: f64) -> Material {
+        Material::new(young, poisson, None, None).unwrap()
+    }
+
+    #[test]
+    fn the_papers_rule_is_far_too_stiff_for_lead_on_steel() {
+        let rigid = body(1e20, 0.3);
+        let check = RuleCheck::new(&rigid, &body(18e9, 0.35), &body(210e9, 0.3)).unwrap();
+        assert!(!check.is_good());
+        let at_t = check.at(Rule::Gao, 1.0).unwrap();
+        assert!((at_t.ratio - 2.8).abs() < 0.05, "{at_t:?}");
+        // w R/t^2 of the exact table.
+        assert!((at_t.indentation_ratio - 0.67683676).abs() < 1e-8);
+        let same = check.at_indentation(Rule::Gao, at_t.indentation_ratio).unwrap();
+        assert!((same.ratio / at_t.ratio - 1.0).abs() < 1e-12);
+        let worst = |rule| check.worst(rule, 0.1, 10.0).unwrap().factor();
+        assert!(worst(Rule::Gao) >= at_t.factor() && worst(Rule::Series) < worst(Rule::Gao));
+    }
+
+    #[test]
+    fn without_a_difference_there_is_no_error() {
+        let steel = body(210e9, 0.3);
+        let check = RuleCheck::new(&steel, &steel, &steel).unwrap();
+        let worst = check.worst(Rule::Gao, 0.1, 10.0).unwrap();
+        assert!((worst.ratio - 1.0).abs() < 1e-12 && worst.contact_ratio == 0.1 && check.is_good());
+        assert_eq!(check.worst(Rule::Gao, 0.0, 1.0), None);
+        assert_eq!(check.worst(Rule::Gao, 2e3, 3e3), None);
+        assert_eq!(check.worst(Rule::Series, 2.0, 2.0).map(|at| at.contact_ratio), Some(2.0));
+    }
+}
