@@ -1,5 +1,6 @@
 //! From a spec file to results: read, plan, run. Nothing here knows a terminal or writes a file.
 
+mod indentation;
 pub mod plan;
 pub mod progress;
 mod refusal;
@@ -9,6 +10,7 @@ pub mod spec;
 mod surface;
 mod whole;
 
+pub use indentation::{IndentationResults, LARGEST_SLOPE, LawCurves, LayerResults, RuleFindings};
 pub use refusal::Refusal;
 pub use surface::{GenerationFacts, MapFacts, Surface};
 pub use whole::Whole;

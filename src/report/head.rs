@@ -1,8 +1,11 @@
 //! What every page says: the bodies, the sources, the files.
 
+use indexmap::IndexMap;
+
 use super::format::{number, quantity};
 use super::page::{Page, escape};
 use crate::experiment::results::{ContactHead, Head};
+use crate::material::Material;
 
 /// What the spec's author says of it.
 pub fn notes(page: &mut Page, head: &Head) {
@@ -14,34 +17,53 @@ pub fn notes(page: &mut Page, head: &Head) {
 /// The bodies and the spec.
 pub fn what_was_run(page: &mut Page, head: &Head, contact: &ContactHead) {
     page.heading(2, "What was run");
-    let value = |value: Option<f64>| value.map_or_else(|| "never yields".to_owned(), |v| quantity(v, "Pa"));
-    let roles = |name: &str| match (name == contact.bodies.rough, name == contact.bodies.flat) {
-        (true, true) => "rough and flat",
-        (true, false) => "rough",
-        (false, true) => "flat",
-        (false, false) => "not used",
+    let role = |name: &str| {
+        let role = match (name == contact.bodies.rough, name == contact.bodies.flat) {
+            (true, true) => "rough and flat",
+            (true, false) => "rough",
+            (false, true) => "flat",
+            (false, false) => "not used",
+        };
+        role.to_owned()
     };
+    materials(page, &contact.materials, role);
+    page.paragraph(&format!(
+        "Reduced modulus E* = {}; hardness of the softer body: {}. {}",
+        quantity(contact.reduced_modulus, "Pa"),
+        hardness(contact.hardness),
+        provenance(head),
+    ));
+}
+
+/// The bodies, and the part that each has.
+pub fn materials(page: &mut Page, materials: &IndexMap<String, Material>, role: impl Fn(&str) -> String) {
     page.table(
         ["material", "body", "E", "ν", "H"],
-        contact.materials.iter().map(|(name, body)| {
+        materials.iter().map(|(name, body)| {
             vec![
                 name.clone(),
-                roles(name).to_owned(),
+                role(name),
                 quantity(body.young(), "Pa"),
                 number(body.poisson()),
-                value(body.hardness()),
+                hardness(body.hardness()),
             ]
         }),
     );
-    page.paragraph(&format!(
-        "Reduced modulus E* = {}; hardness of the softer body: {}. Seed {}; spec `{}.toml`, SHA-256 `{}`. Asperity {}.",
-        quantity(contact.reduced_modulus, "Pa"),
-        value(contact.hardness),
+}
+
+fn hardness(value: Option<f64>) -> String {
+    value.map_or_else(|| "never yields".to_owned(), |v| quantity(v, "Pa"))
+}
+
+/// Seed, spec and program, in a sentence.
+pub fn provenance(head: &Head) -> String {
+    format!(
+        "Seed {}; spec `{}.toml`, SHA-256 `{}`. Asperity {}.",
         head.seed,
         head.stem,
         head.spec_sha256,
         env!("CARGO_PKG_VERSION"),
-    ));
+    )
 }
 
 /// The papers behind what was run.

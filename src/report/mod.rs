@@ -7,7 +7,7 @@
 //! | [`plot`] | a figure described by its layers, drawn to SVG text |
 //! | [`page`] | one content in two forms, Markdown and self-contained HTML |
 //! | [`mod@format`] | numbers and quantities as people read them |
-//! | `compare`, `limit` | the page of each kind of experiment, on `head` and `figures` |
+//! | `compare`, `indentation`, `limit` | the page of each kind of experiment, on `head` and `figures` |
 //! | [`surface`] | what a surface is, in a comparison, on a page of its own, in the terminal |
 //! | `tables`, `summary` | CSV and JSON, for machines |
 //! | `index` | the pages that lead to all reports of a folder |
@@ -18,6 +18,7 @@ mod compare;
 mod figures;
 pub mod format;
 mod head;
+mod indentation;
 mod index;
 mod limit;
 pub mod page;
@@ -62,6 +63,7 @@ pub fn folder(results: &Results, key: &str) -> Result<Folder, ReportError> {
             ];
             (compare::page(results), tables)
         }
+        Results::Indentation(results) => (indentation::page(results), indentation::tables(results)?),
         Results::Surfaces(results) => (surface::page(results), Vec::new()),
         Results::Limit(results) => {
             let tables = vec![
@@ -85,6 +87,7 @@ pub fn folder(results: &Results, key: &str) -> Result<Folder, ReportError> {
     names.sort();
     let summary = match results {
         Results::Compare(results) => summary::compare(results, &names)?,
+        Results::Indentation(results) => summary::indentation(results, &names)?,
         Results::Limit(results) => summary::limit(results, &limit::slopes(results), &names)?,
         Results::Surfaces(results) => summary::surfaces(results, &names)?,
     };

@@ -1,5 +1,6 @@
 //! `summary.json` and `timing.json`: what ran, on what, and what came out, for machines.
 
+mod indentation;
 mod surface;
 
 use std::path::{Path, PathBuf};
@@ -9,6 +10,8 @@ use serde::{Deserialize, Serialize};
 
 use super::limit::Slope;
 use crate::experiment::results::{CompareResults, ContactHead, Head, LimitResults, SurfacesResults};
+use indentation::LayerSummary;
+pub use indentation::indentation;
 use surface::SurfaceSummary;
 
 /// The name by which a report says that this program wrote it.
@@ -30,6 +33,8 @@ struct Summary<'a> {
     surfaces: IndexMap<&'a str, SurfaceSummary<'a>>,
     largest_gaps: Vec<GapSummary<'a>>,
     warnings: Vec<String>,
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    layers: Vec<LayerSummary<'a>>,
     #[serde(skip_serializing_if = "Vec::is_empty")]
     slopes: Vec<SlopeSummary<'a>>,
     papers: Vec<&'static str>,
@@ -75,6 +80,7 @@ impl<'a> Summary<'a> {
             surfaces: IndexMap::new(),
             largest_gaps: Vec::new(),
             warnings: Vec::new(),
+            layers: Vec::new(),
             slopes: Vec::new(),
             papers: head.papers.iter().map(|paper| paper.full).collect(),
             files,
