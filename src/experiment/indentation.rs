@@ -17,14 +17,14 @@ use crate::compare::{GOOD_RATIO, RuleCheck, RuleError};
 use crate::interface::Flat;
 use crate::layered::{ElasticContact, LayeredSphere};
 use crate::literature::{self, Paper};
-use crate::material::Material;
+use crate::material::{Material, reduced_modulus};
 use crate::sphere::Curve;
 
 /// a/R beyond which the sphere is no paraboloid and strains are not small.
 pub const LARGEST_SLOPE: f64 = 0.3;
 
 /// Where the errors of the rules are told, a/t.
-const TOLD: [f64; 9] = [0.05, 0.1, 0.2, 0.5, 1.0, 2.0, 5.0, 10.0, 20.0];
+const TOLD: [f64; 12] = [0.05, 0.1, 0.2, 0.5, 1.0, 2.0, 5.0, 10.0, 20.0, 50.0, 100.0, 200.0];
 
 /// One sphere on layered flats.
 #[derive(Debug)]
@@ -39,6 +39,8 @@ pub struct IndentationResults {
     pub radius: f64,
     /// The substrate's material.
     pub flat: String,
+    /// E* of the pair without a layer, Pa.
+    pub reduced_modulus: f64,
     /// m, ascending.
     pub indentations: Vec<f64>,
     /// Which way round the curves are drawn.
@@ -105,12 +107,15 @@ impl IndentationResults {
             if !found.check.is_good {
                 let [from, to] = GOOD_RATIO;
                 let size = found.worst().map_or_else(String::new, |worst| {
-                    let (ratio, at) = (worst.ratio, worst.contact_ratio);
-                    format!("; without yielding, its load is as much as {ratio:.3} times the exact one, at a/t = {at:.3}")
+                    let (ratio, at) = (short(worst.ratio), short(worst.contact_ratio));
+                    let bound = if worst.ratio < 1.0 { "as little as" } else { "up to" };
+                    format!(
+                        "; without yielding its load is {bound} {ratio} times the exact one, at a/t = {at}"
+                    )
                 });
                 warnings.push(format!(
-                    "{layer}: E_l/E_s = {:.3} lies outside {from} to {to}, where the paper's rule is good (here: {}){size}",
-                    found.check.modulus_ratio,
+                    "{layer}: E_l/E_s = {} lies outside {from} to {to}, where the paper's rule is good (here: {}){size}",
+                    short(found.check.modulus_ratio),
                     found.rule.name()
                 ));
             }
@@ -124,6 +129,11 @@ impl IndentationResults {
         }
         warnings
     }
+}
+
+/// To three digits.
+fn short(value: f64) -> String {
+    format!("{value:.2e}").parse::<f64>().unwrap_or(value).to_string()
 }
 
 impl LayerResults {
@@ -167,6 +177,7 @@ pub(super) fn run(
         ball: indentation.ball.0.clone(),
         radius: indentation.radius,
         flat: indentation.flat.0.clone(),
+        reduced_modulus: reduced_modulus(&indentation.ball.1, &indentation.flat.1),
         indentations: indentation.indentations.clone(),
         show: indentation.show,
         layers,

@@ -2,6 +2,7 @@
 
 use std::f64::consts::PI;
 
+use super::super::format::number;
 use super::super::plot::{Axis, Colour, Dash, Figure, Layer, Legend, Marker, Plot};
 use super::Shown;
 use crate::coating::Rule;
@@ -67,6 +68,9 @@ fn lines(
         .changes_within()
         .map(|change| turn(change.indentation, change.load, area(change.indentation)))
         .collect();
+    if changes.is_empty() {
+        return plot;
+    }
     plot.with(Layer::points(changes, Marker::Circle).coloured(Colour::Neutral).named("change of regime"))
 }
 
@@ -97,16 +101,24 @@ pub fn load(results: &IndentationResults, found: &LayerResults, law: &LawCurves)
     Figure::row("Load and indentation", panels).svg()
 }
 
-/// Real area and mean pressure against indentation.
-pub fn pressure(found: &LayerResults, law: &LawCurves) -> String {
+/// Load and area over those of Hertz without a layer, against indentation.
+pub fn ratios(results: &IndentationResults, found: &LayerResults, law: &LawCurves) -> String {
+    let radius = results.radius;
+    let hertz_load = |w: f64| 4.0 / 3.0 * results.reduced_modulus * radius.sqrt() * w.powf(1.5);
     let x = || Axis::log("indentation w (µm)");
-    let area = Plot::new("real contact area", x(), Axis::log("area A (µm²)")).legend(Legend::Below);
-    let mean = Plot::new("mean pressure", x(), Axis::log("mean pressure P/A (GPa)")).legend(Legend::Hidden);
-    let panels = vec![
-        lines(area, found, law, |w, _, area| (w * MICRO, area * MICRO * MICRO)),
-        lines(mean, found, law, |w, load, area| (w * MICRO, load / area * 1e-9)),
-    ];
-    Figure::row("Real area and mean pressure against indentation", panels).svg()
+    let load =
+        Plot::new("load", x(), Axis::linear("load over the uncoated Hertz load")).legend(Legend::Below);
+    let area = Plot::new("real contact area", x(), Axis::linear("area A/(π R w)")).legend(Legend::Hidden);
+    let mut load = lines(load, found, law, |w, load, _| (w * MICRO, load / hertz_load(w)));
+    if let Some((_, points)) = &results.overlay {
+        load = load.with(measured(points.iter().map(|&(w, load)| (w * MICRO, load / hertz_load(w)))));
+    }
+    let area = lines(area, found, law, |w, _, area| (w * MICRO, area / (PI * radius * w)));
+    Figure::row("Load and real area over those of Hertz without a layer", vec![load, area]).svg()
+}
+
+fn measured(points: impl Iterator<Item = (f64, f64)>) -> Layer {
+    Layer::points(points.collect::<Line>(), Marker::Cross).coloured(Colour::Series(6)).named("measured")
 }
 
 fn rule_plot(title: &str) -> Plot {
@@ -151,11 +163,14 @@ pub fn rules(results: &IndentationResults) -> String {
         let mut plot =
             Plot::new(title, Axis::log("a/t of the exact contact"), axis).with(Layer::at_y(1.0, ""));
         for (index, found) in results.layers.iter().enumerate() {
-            let name =
-                format!("{}, E_l/E_s = {:.3}", super::subject(results, found), found.check.modulus_ratio);
+            let name = format!(
+                "{}, E_l/E_s = {}",
+                super::subject(results, found),
+                number(found.check.modulus_ratio)
+            );
             plot = plot.with(errors(&found.check.errors[k]).coloured(Colour::Series(index)).named(name));
         }
-        plot.legend(Legend::Below)
+        plot.legend(if k == 0 { Legend::Below } else { Legend::Hidden })
     };
     let panels = Rule::ALL.into_iter().enumerate().map(panel).collect();
     let [from, to] = GOOD_RATIO;

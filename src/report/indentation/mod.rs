@@ -12,7 +12,7 @@ use super::page::{Page, escape};
 use super::plot::{Colour, Dash};
 use crate::experiment::{IndentationResults, LARGEST_SLOPE, LawCurves, LayerResults};
 use crate::layered::LARGEST_RATIO;
-use crate::sphere::{Curve, Fall, Falling};
+use crate::sphere::{Curve, Fall, Falling, RegimeChange};
 
 /// The curves that stand beside each other.
 #[derive(Clone, Copy, PartialEq, Eq)]
@@ -107,8 +107,11 @@ pub fn page(results: &IndentationResults) -> Page {
 fn in_short(results: &IndentationResults, found: &LayerResults, law: &LawCurves) -> String {
     let last = |curve: &Curve| curve.points.last().map_or(f64::NAN, |point| point.contact.load);
     let regimes: Vec<&str> = law.coated.sequence().into_iter().map(|regime| regime.name()).collect();
-    let changes: Vec<String> =
-        law.coated.changes.iter().map(|change| quantity(change.indentation, "m")).collect();
+    let change = |change: &RegimeChange| {
+        let beyond = if law.coated.is_within(change) { "" } else { " (beyond the sweep)" };
+        format!("{}{beyond}", quantity(change.indentation, "m"))
+    };
+    let changes: Vec<String> = law.coated.changes.iter().map(change).collect();
     let changes = match changes.len() {
         0 => format!("the contact is {} throughout", regimes.join(", ")),
         _ => format!("the regimes are {}, with changes at {}", regimes.join(", "), changes.join(", ")),
@@ -185,9 +188,10 @@ fn curves(
          exact elastic contact of ball, layer and substrate. Left on logarithmic axes, right on linear ones.",
     );
     page.figure(
-        &name(&label, "pressure"),
-        figures::pressure(found, law),
-        "Real contact area and mean pressure against indentation.",
+        &name(&label, "ratios"),
+        figures::ratios(results, found, law),
+        "The same over Hertz without a layer: the load over (4/3) E* R^½ w^(3/2) with E* of the uncoated pair, and the real contact \
+         area over π R w.",
     );
     let rows = Shown::of(law).into_iter().flat_map(|(shown, curve)| {
         curve.changes.iter().map(move |change| {

@@ -14,8 +14,9 @@ pub fn sentence(found: &LayerResults) -> String {
     let worst = |(rule, worst): (Rule, &Option<RuleError>)| {
         let worst = worst.as_ref()?;
         Some(format!(
-            "the load by `{}` is up to {} times the exact one (at a/t = {}{})",
+            "the load by `{}` is {} {} times the exact one (at a/t = {}{})",
             rule.name(),
+            if worst.ratio < 1.0 { "as little as" } else { "up to" },
             number(worst.ratio),
             number(worst.contact_ratio),
             if rule == found.rule { ", the rule of this layer" } else { "" },
