@@ -103,14 +103,17 @@ fn loads_of_figure_5_in_the_table() {
 #[test]
 fn curves_lie_between_their_limits_and_reach_them() {
     let words = |t: &str, range: &str| {
-        format!("radius = \"1 mm\"\nlayer = {{ material = \"lead\", thickness = \"{t}\" }}\nindentation = {range}\n")
+        format!(
+            "radius = \"1 mm\"\nlayer = {{ material = \"lead\", thickness = \"{t}\" }}\nindentation = {range}\n"
+        )
     };
     let range = "{ from = \"1 nm\", to = \"1 um\", points = 13 }";
     let (_folder, between) = run_words(&words("1 um", range), "");
     let layer = &between.layers[0];
     let hertz = &layer.laws[0];
     for k in 0..13 {
-        let [soft, coated, stiff] = [&hertz.all_layer, &hertz.coated, &hertz.uncoated].map(|curve| loads(curve)[k]);
+        let [soft, coated, stiff] =
+            [&hertz.all_layer, &hertz.coated, &hertz.uncoated].map(|curve| loads(curve)[k]);
         let exact = layer.exact[k].unwrap();
         assert!(soft < coated && coated < stiff && soft < exact.load && exact.load < coated, "point {k}");
         assert_eq!(exact.indentation, between.indentations[k]);

@@ -211,12 +211,16 @@ fn on_layer(
     let sphere = LayeredSphere::new(Some(ball), plan.radius, &layer.material, substrate, thickness);
     let check = RuleCheck::new(ball, &layer.material, substrate)?;
     papers.extend(check.papers());
+    let exact = |&w: &f64| {
+        let found = sphere.at_indentation(w)?;
+        Some(ElasticContact { indentation: w, ..found })
+    };
     Ok(LayerResults {
         name: layer.name.clone(),
         thickness,
         rule: layer.rule,
         laws,
-        exact: plan.indentations.par_iter().map(|&w| sphere.at_indentation(w)).collect(),
+        exact: plan.indentations.par_iter().map(exact).collect(),
         check: findings(&check, plan, thickness),
     })
 }

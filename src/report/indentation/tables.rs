@@ -170,14 +170,14 @@ fn changes(results: &IndentationResults) -> Result<Vec<u8>, TableError> {
 fn rules(results: &IndentationResults) -> Result<Vec<u8>, TableError> {
     let mut table = Table::new(&[RuleRow::COLUMNS])?;
     for found in &results.layers {
-        let t = found.thickness;
         for (rule, errors) in Rule::ALL.into_iter().zip(&found.check.errors) {
-            for error in errors {
+            // The exact contact is solved up to some indentation.
+            for (&indentation_m, error) in results.indentations.iter().zip(errors) {
                 table.row(RuleRow {
                     layer: found.name.clone(),
-                    layer_thickness_m: t,
+                    layer_thickness_m: found.thickness,
                     rule: rule.name(),
-                    indentation_m: error.indentation_ratio * t * (t / results.radius),
+                    indentation_m,
                     contact_ratio: error.contact_ratio,
                     load_over_exact: error.ratio,
                 })?;
