@@ -1,6 +1,5 @@
 //! Running `[indentation]`: one sphere on layered flats, and how good the rule of each layer is.
 
-use std::path::PathBuf;
 use std::time::Instant;
 
 use indexmap::IndexMap;
@@ -47,8 +46,8 @@ pub struct IndentationResults {
     pub show: Show,
     /// Layer by layer, thickness by thickness.
     pub layers: Vec<LayerResults>,
-    /// Measured points and their file.
-    pub overlay: Option<(PathBuf, Vec<(f64, f64)>)>,
+    /// Measured points, m and N, and their file in the words of the spec.
+    pub overlay: Option<(String, Vec<(f64, f64)>)>,
 }
 
 /// One layer in one thickness.
@@ -103,7 +102,7 @@ impl IndentationResults {
     pub fn warnings(&self) -> Vec<String> {
         let mut warnings = Vec::new();
         for found in &self.layers {
-            let layer = format!("layer {} of {:e} m", found.name, found.thickness);
+            let layer = format!("layer {} of {} µm", found.name, short(1e6 * found.thickness));
             if !found.check.is_good {
                 let [from, to] = GOOD_RATIO;
                 let size = found.worst().map_or_else(String::new, |worst| {
@@ -181,7 +180,7 @@ pub(super) fn run(
         indentations: indentation.indentations.clone(),
         show: indentation.show,
         layers,
-        overlay: overlay.as_ref().map(|overlay| (overlay.path.clone(), overlay.points.clone())),
+        overlay: overlay.as_ref().map(|overlay| (overlay.name.clone(), overlay.points.clone())),
     })
 }
 

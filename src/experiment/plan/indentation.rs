@@ -35,7 +35,9 @@ pub struct IndentationPlan {
 
 /// Measured points.
 pub struct OverlayPlan {
-    /// The file that they are from.
+    /// The file that they are from, as the spec names it.
+    pub name: String,
+    /// Where it is.
     pub path: PathBuf,
     /// Indentation (m) and load (N), in file order.
     pub points: Vec<(f64, f64)>,
@@ -166,7 +168,7 @@ fn overlay(source: &Source, file: &Spanned<PathBuf>) -> Result<OverlayPlan, Refu
     let path = beside(source, file)?;
     let points = read_points(&path)
         .map_err(|message| source.refuse(file.span(), format!("{}: {message}", path.display())))?;
-    Ok(OverlayPlan { path, points })
+    Ok(OverlayPlan { name: file.get_ref().to_string_lossy().into_owned(), path, points })
 }
 
 /// Indentation (m) and load (N) from a CSV; lines that begin with `#` are comments, further columns are passed over.

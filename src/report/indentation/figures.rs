@@ -121,15 +121,6 @@ fn measured(points: impl Iterator<Item = (f64, f64)>) -> Layer {
     Layer::points(points.collect::<Line>(), Marker::Cross).coloured(Colour::Series(6)).named("measured")
 }
 
-fn rule_plot(title: &str) -> Plot {
-    Plot::new(
-        title,
-        Axis::log("a/t of the exact contact"),
-        Axis::log("load by the rule / exact elastic load"),
-    )
-    .with(Layer::at_y(1.0, "exact"))
-}
-
 fn errors(errors: &[RuleError]) -> Layer {
     Layer::line(errors.iter().map(|error| (error.contact_ratio, error.ratio)).collect::<Line>())
 }
@@ -137,7 +128,15 @@ fn errors(errors: &[RuleError]) -> Layer {
 /// Each rule's load over the exact one for one layer.
 pub fn rule(found: &LayerResults) -> String {
     let colours = [Colour::Series(1), Colour::Series(0)];
-    let mut plot = rule_plot("How good is the rule? Elastic load over the exact one at equal indentation");
+    let mut plot = Plot::new(
+        "How good is the rule? Elastic load over the exact one at equal indentation",
+        Axis::log("a/t of the exact contact"),
+        Axis::log("load by the rule / exact elastic load"),
+    );
+    let exact = found.check.errors[0].iter().map(|error| (error.contact_ratio, 1.0));
+    plot = plot.with(
+        Layer::line(exact.collect::<Line>()).coloured(Colour::Neutral).dashed(Dash::Dotted).named("exact"),
+    );
     for ((rule, of), colour) in Rule::ALL.into_iter().zip(&found.check.errors).zip(colours) {
         plot =
             plot.with(errors(of).coloured(colour).dashed(dash(rule)).named(format!("rule {}", rule.name())));

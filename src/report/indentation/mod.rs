@@ -210,8 +210,8 @@ fn curves(
         page.paragraph("All changes of the regime, those outside the indentations that were run too:");
         page.table(["curve", "indentation", "load", "from", "to", "the sweep"], rows);
     }
-    if let Some((path, points)) = &results.overlay {
-        overlay(page, &path.to_string_lossy(), points, law);
+    if let Some((file, points)) = &results.overlay {
+        overlay(page, file, points, law);
     }
 }
 

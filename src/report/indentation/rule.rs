@@ -46,15 +46,19 @@ pub fn section(page: &mut Page, found: &LayerResults, figure: &str) {
         "The elastic load by each rule for the modulus of the layered flat over the exact elastic load at equal indentation, \
          against the exact contact radius in layer thicknesses.",
     );
+    page.paragraph(
+        "Both rules take the area of an elastic contact to be π R w, as without a layer; the last column sets it beside the exact one.",
+    );
     let [gao, series] = &found.check.told;
     page.table(
-        ["a/t", "w R/t²", "gao / exact", "series / exact"],
+        ["a/t", "w R/t²", "load: gao / exact", "load: series / exact", "area: π R w / exact"],
         gao.iter().zip(series).map(|(gao, series)| {
             vec![
                 number(gao.contact_ratio),
                 number(gao.indentation_ratio),
                 format!("{:.3}", gao.ratio),
                 format!("{:.3}", series.ratio),
+                format!("{:.3}", gao.indentation_ratio / gao.contact_ratio.powi(2)),
             ]
         }),
     );
