@@ -47,5 +47,6 @@ mod memory;
 pub mod model;
 pub mod numeric;
 pub mod report;
+pub mod sphere;
 pub mod surface;
 pub mod units;

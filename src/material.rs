@@ -104,7 +104,7 @@ impl Material {
         self.yield_strength
     }
 
-    /// The same body, without what makes it yield.
+    /// The same body if it never yielded.
     pub fn without_yielding(&self) -> Self {
         Self { hardness: None, yield_strength: None, ..*self }
     }

@@ -9,7 +9,6 @@ mod threshold;
 
 pub use gap::{FEWEST_CONTACTS, Gap, Gaps};
 pub use limit::{Exact, LimitCase, LimitPoint, Quantity, SlopeFit, convergence};
-
 pub use rule::{GOOD_RATIO, RuleCheck, RuleError};
 pub use spread::{Realisation, Scatter, Spread, spread};
 pub use threshold::threshold;

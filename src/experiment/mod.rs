@@ -1,5 +1,6 @@
 //! From a spec file to results: read, plan, run. Nothing here knows a terminal or writes a file.
 
+mod indentation;
 pub mod plan;
 pub mod progress;
 mod refusal;
@@ -10,6 +11,7 @@ mod surface;
 mod thickness;
 mod whole;
 
+pub use indentation::{IndentationResults, LARGEST_SLOPE, LawCurves, LayerResults, RuleFindings};
 pub use refusal::Refusal;
 pub use surface::{GenerationFacts, MapFacts, Surface};
 pub use whole::Whole;

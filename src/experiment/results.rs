@@ -5,6 +5,7 @@ use std::time::Duration;
 
 use indexmap::IndexMap;
 
+use super::indentation::IndentationResults;
 use super::surface::Surface;
 use crate::asperity::{Population, Statistics};
 use crate::coating::Rule;
@@ -103,6 +104,8 @@ pub struct Timing {
 pub enum Results {
     /// Of `[compare]`.
     Compare(CompareResults),
+    /// Of `[indentation]`.
+    Indentation(IndentationResults),
     /// Of `[limit]`.
     Limit(LimitResults),
     /// Of a look at surfaces.
@@ -114,6 +117,7 @@ impl Results {
     pub fn head(&self) -> &Head {
         match self {
             Self::Compare(results) => &results.head,
+            Self::Indentation(results) => &results.head,
             Self::Limit(results) => &results.head,
             Self::Surfaces(results) => &results.head,
         }
@@ -123,6 +127,7 @@ impl Results {
     pub fn warnings(&self) -> Vec<String> {
         match self {
             Self::Compare(results) => results.warnings(),
+            Self::Indentation(results) => results.warnings(),
             Self::Limit(_) => Vec::new(),
             Self::Surfaces(results) => results.warnings(),
         }

@@ -10,7 +10,7 @@ use super::results::{
 };
 use super::surface::Surface;
 use super::whole::Look;
-use super::{Refusal, digest, hexadecimal, stream_seed, thickness};
+use super::{Refusal, digest, hexadecimal, indentation, stream_seed, thickness};
 use crate::asperity::{Ordered, Population, gaussian_moment};
 use crate::coating::Rule;
 use crate::compare::{
@@ -23,6 +23,7 @@ use crate::model::{Deterministic, Model, Statistical};
 pub(super) fn run(plan: &Plan, progress: &dyn Progress) -> Result<Results, Refusal> {
     match &plan.kind {
         PlanKind::Compare(compare) => run_compare(plan, compare, progress).map(Results::Compare),
+        PlanKind::Indentation(sphere) => indentation::run(plan, sphere, progress).map(Results::Indentation),
         PlanKind::Limit(limit) => run_limit(plan, limit, progress).map(Results::Limit),
         PlanKind::Surfaces(surfaces) => look(plan, surfaces, progress).map(Results::Surfaces),
     }
@@ -223,7 +224,7 @@ fn papers_of(laws: &[LawPlan]) -> Vec<Paper> {
     laws.iter().flat_map(|law| law.contact.papers()).chain(models).collect()
 }
 
-fn head(plan: &Plan, mut papers: Vec<Paper>, timing: Timing) -> Head {
+pub(super) fn head(plan: &Plan, mut papers: Vec<Paper>, timing: Timing) -> Head {
     papers.sort_by_key(|paper| paper.short);
     papers.dedup();
     Head {

@@ -1,8 +1,11 @@
 //! What every page says: the bodies, the sources, the files.
 
+use indexmap::IndexMap;
+
 use super::format::{number, quantity};
 use super::page::{Page, escape};
 use crate::experiment::results::{ContactHead, Head};
+use crate::material::Material;
 
 /// What the spec's author says of it.
 pub fn notes(page: &mut Page, head: &Head) {
@@ -14,9 +17,8 @@ pub fn notes(page: &mut Page, head: &Head) {
 /// The bodies and the spec.
 pub fn what_was_run(page: &mut Page, head: &Head, contact: &ContactHead) {
     page.heading(2, "What was run");
-    let value = |value: Option<f64>| value.map_or_else(|| "never yields".to_owned(), |v| quantity(v, "Pa"));
     let layer = contact.layer.as_ref();
-    let roles = |name: &str| {
+    let role = |name: &str| {
         let roles = [
             (name == contact.bodies.rough, "rough"),
             (name == contact.bodies.flat, if layer.is_some() { "substrate" } else { "flat" }),
@@ -25,18 +27,7 @@ pub fn what_was_run(page: &mut Page, head: &Head, contact: &ContactHead) {
         let roles: Vec<&str> = roles.into_iter().filter_map(|(is_it, role)| is_it.then_some(role)).collect();
         if roles.is_empty() { "not used".to_owned() } else { roles.join(" and ") }
     };
-    page.table(
-        ["material", "body", "E", "ν", "H"],
-        contact.materials.iter().map(|(name, body)| {
-            vec![
-                name.clone(),
-                roles(name),
-                quantity(body.young(), "Pa"),
-                number(body.poisson()),
-                value(body.hardness()),
-            ]
-        }),
-    );
+    materials(page, &contact.materials, role);
     if let Some(layer) = layer {
         let thicknesses: Vec<String> =
             layer.thicknesses.iter().map(|&t| super::layer::thickness(t)).collect();
@@ -49,14 +40,42 @@ pub fn what_was_run(page: &mut Page, head: &Head, contact: &ContactHead) {
     }
     let bare = if layer.is_some() { " without the layer" } else { "" };
     page.paragraph(&format!(
-        "Reduced modulus E* = {}{bare}; hardness of the softer body: {}. Seed {}; spec `{}.toml`, SHA-256 `{}`. Asperity {}.",
+        "Reduced modulus E* = {}{bare}; hardness of the softer body: {}. {}",
         quantity(contact.reduced_modulus, "Pa"),
-        value(contact.hardness),
+        hardness(contact.hardness),
+        provenance(head),
+    ));
+}
+
+/// The bodies, and the part that each has.
+pub fn materials(page: &mut Page, materials: &IndexMap<String, Material>, role: impl Fn(&str) -> String) {
+    page.table(
+        ["material", "body", "E", "ν", "H"],
+        materials.iter().map(|(name, body)| {
+            vec![
+                name.clone(),
+                role(name),
+                quantity(body.young(), "Pa"),
+                number(body.poisson()),
+                hardness(body.hardness()),
+            ]
+        }),
+    );
+}
+
+fn hardness(value: Option<f64>) -> String {
+    value.map_or_else(|| "never yields".to_owned(), |v| quantity(v, "Pa"))
+}
+
+/// Seed, spec and program, in a sentence.
+pub fn provenance(head: &Head) -> String {
+    format!(
+        "Seed {}; spec `{}.toml`, SHA-256 `{}`. Asperity {}.",
         head.seed,
         head.stem,
         head.spec_sha256,
         env!("CARGO_PKG_VERSION"),
-    ));
+    )
 }
 
 /// The papers behind what was run.

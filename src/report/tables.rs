@@ -21,6 +21,8 @@ macro_rules! row {
     };
 }
 
+pub(super) use row;
+
 /// What a row belongs to.
 #[derive(Debug, Clone, Serialize)]
 struct Case {
@@ -316,20 +318,20 @@ pub fn convergence(results: &LimitResults) -> Result<Vec<u8>, TableError> {
 }
 
 /// A CSV that has its header also when it has no rows.
-struct Table(csv::Writer<Vec<u8>>);
+pub(super) struct Table(csv::Writer<Vec<u8>>);
 
 impl Table {
-    fn new(columns: &[&[&str]]) -> Result<Self, TableError> {
+    pub(super) fn new(columns: &[&[&str]]) -> Result<Self, TableError> {
         let mut writer = csv::WriterBuilder::new().has_headers(false).from_writer(Vec::new());
         writer.write_record(columns.concat())?;
         Ok(Self(writer))
     }
 
-    fn row(&mut self, row: impl Serialize) -> Result<(), TableError> {
+    pub(super) fn row(&mut self, row: impl Serialize) -> Result<(), TableError> {
         self.0.serialize(row)
     }
 
-    fn bytes(self) -> Result<Vec<u8>, TableError> {
+    pub(super) fn bytes(self) -> Result<Vec<u8>, TableError> {
         self.0.into_inner().map_err(|error| error.into_error().into())
     }
 }

@@ -1,10 +1,12 @@
 //! From the words of a spec to things that run: names resolved, files looked at, memory counted.
 
 mod generate;
+mod indentation;
 mod layer;
 mod read;
 mod surface;
 
+pub use indentation::{IndentationPlan, OverlayPlan};
 pub use layer::LayerPlan;
 pub use surface::SurfacePlan;
 
@@ -21,6 +23,10 @@ use crate::interface::MicroContact;
 use crate::material::Material;
 use crate::model::MeanRadius;
 use indexmap::IndexMap;
+use toml::Spanned;
+
+/// What a spec must hold.
+const ONE_OF_THE_KINDS: &str = "exactly one of [compare], [indentation], [limit]";
 
 /// A spec that can be run.
 pub struct Plan {
@@ -46,6 +52,8 @@ pub enum PlanKind {
     Compare(ComparePlan),
     /// `[limit]`
     Limit(LimitPlan),
+    /// `[indentation]`
+    Indentation(IndentationPlan),
     /// A look at surfaces, whatever the spec's kind.
     Surfaces(Vec<SurfacePlan>),
 }
@@ -113,21 +121,25 @@ impl Plan {
         let (source, spec) = spec::read(path)?;
         let stem = stem_of(path)?;
         let reader = read::Reader { source: &source, spec: &spec };
-        let kind = match (&spec.compare, &spec.limit) {
-            (Some(compare), None) => PlanKind::Compare(reader.compare(compare.get_ref(), compare.span())?),
-            (None, Some(limit)) => PlanKind::Limit(reader.limit(limit.get_ref())?),
-            (None, None) => {
-                return Err(Refusal::file(
-                    path,
-                    "found no experiment; allowed: exactly one of [compare], [limit]",
-                ));
-            }
-            (Some(_), Some(second)) => {
-                return Err(source.refuse(
-                    second.span(),
-                    "found a second experiment; allowed: exactly one of [compare], [limit] a file",
-                ));
-            }
+        let kinds = [
+            spec.compare.as_ref().map(Spanned::span),
+            spec.indentation.as_ref().map(Spanned::span),
+            spec.limit.as_ref().map(Spanned::span),
+        ];
+        let mut given: Vec<_> = kinds.into_iter().flatten().collect();
+        given.sort_unstable_by_key(|span| span.start);
+        if let Some(second) = given.into_iter().nth(1) {
+            return Err(source
+                .refuse(second, format!("found a second experiment; allowed: {ONE_OF_THE_KINDS} a file")));
+        }
+        let kind = if let Some(compare) = &spec.compare {
+            PlanKind::Compare(reader.compare(compare.get_ref(), compare.span())?)
+        } else if let Some(indentation) = &spec.indentation {
+            PlanKind::Indentation(reader.indentation(indentation.get_ref())?)
+        } else if let Some(limit) = &spec.limit {
+            PlanKind::Limit(reader.limit(limit.get_ref())?)
+        } else {
+            return Err(Refusal::file(path, format!("found no experiment; allowed: {ONE_OF_THE_KINDS}")));
         };
         Self::checked(source, stem, spec, kind)
     }
@@ -169,6 +181,7 @@ impl Plan {
     pub fn inputs(&self) -> Vec<PathBuf> {
         match &self.kind {
             PlanKind::Compare(compare) => compare.surfaces.iter().filter_map(SurfacePlan::input).collect(),
+            PlanKind::Indentation(plan) => plan.overlay.iter().map(|overlay| overlay.path.clone()).collect(),
             PlanKind::Limit(_) => Vec::new(),
             PlanKind::Surfaces(surfaces) => surfaces.iter().filter_map(SurfacePlan::input).collect(),
         }
@@ -182,6 +195,7 @@ impl Plan {
                 let kept: u128 = surfaces.iter().map(SurfacePlan::kept).sum();
                 kept + surfaces.iter().map(|surface| surface.memory(self.look())).max().unwrap_or(0)
             }
+            PlanKind::Indentation(plan) => plan.memory(),
             PlanKind::Limit(limit) => {
                 let largest = limit.counts.iter().copied().max().unwrap_or(0);
                 surface::set_memory(largest as u128)
@@ -209,6 +223,7 @@ impl Plan {
                 let asperities: u128 = compare.surfaces.iter().map(all).sum();
                 asperities * (compare.controls.points() * compare.laws.len()) as u128
             }
+            PlanKind::Indentation(plan) => plan.work(),
             PlanKind::Limit(limit) => {
                 let asperities: u128 = limit.counts.iter().map(|&count| count as u128).sum();
                 asperities * ((limit.draws + 1) * limit.laws.len() * limit.separations.len()) as u128
@@ -237,7 +252,7 @@ impl Plan {
                 let largest = surfaces.iter().max_by_key(|surface| surface.memory(self.look()));
                 largest.map(|surface| surface.size_key.clone())
             }
-            PlanKind::Limit(_) => None,
+            PlanKind::Indentation(_) | PlanKind::Limit(_) => None,
         };
         Err(match place {
             Some(span) => self.source.refuse(span, message),
@@ -278,6 +293,7 @@ impl fmt::Display for Plan {
                 writeln!(f, "  {} at {} points a {each}", models.join(" and "), plan.controls.points())?;
                 describe(&plan.surfaces, f)?;
             }
+            PlanKind::Indentation(plan) => write!(f, "{plan}")?,
             PlanKind::Surfaces(surfaces) => describe(surfaces, f)?,
             PlanKind::Limit(plan) => {
                 writeln!(f, "  {} on {}, law {}", plan.bodies.rough, plan.bodies.flat, laws(&plan.laws))?;

@@ -396,7 +396,7 @@ fn area([nx, ny]: [usize; 2]) -> u128 {
 }
 
 /// A file named relative to the spec, there and not empty.
-fn beside(source: &Source, words: &Spanned<PathBuf>) -> Result<PathBuf, Refusal> {
+pub(super) fn beside(source: &Source, words: &Spanned<PathBuf>) -> Result<PathBuf, Refusal> {
     let folder = source.path.parent().unwrap_or_else(|| std::path::Path::new(""));
     let path = folder.join(words.get_ref());
     read::existing(&path)

@@ -4,6 +4,7 @@
 
 mod compare;
 mod generate;
+mod indentation;
 mod law;
 mod layer;
 mod limit;
@@ -21,6 +22,7 @@ pub use generate::{
     CorrelationSpec, GenerateSpec, HeightsSpec, PlateauSpec, PointsSpec, SelfAffineSpec, SpectrumSpec,
     TargetSpec,
 };
+pub use indentation::{IndentationSpec, Layers, Show};
 pub use law::{LawSpec, Laws};
 pub use layer::{LayerSpec, Thicknesses};
 pub use limit::LimitSpec;
@@ -51,6 +53,8 @@ pub struct Spec {
     pub compare: Option<Spanned<CompareSpec>>,
     /// The deterministic model against the statistical limit.
     pub limit: Option<Spanned<LimitSpec>>,
+    /// One sphere on a layered flat.
+    pub indentation: Option<Spanned<IndentationSpec>>,
     /// The surfaces by name.
     #[serde(default)]
     pub surface: IndexMap<Spanned<String>, Spanned<SurfaceSpec>>,

@@ -1,5 +1,6 @@
 //! `summary.json` and `timing.json`: what ran, on what, and what came out, for machines.
 
+mod indentation;
 mod layer;
 mod surface;
 
@@ -10,6 +11,7 @@ use serde::{Deserialize, Serialize};
 
 use super::limit::Slope;
 use crate::experiment::results::{CompareResults, ContactHead, Head, LimitResults, SurfacesResults};
+pub use indentation::indentation;
 use layer::{FallSummary, LayerSummary, Thickness, ThresholdSummary};
 use surface::SurfaceSummary;
 
@@ -38,6 +40,8 @@ struct Summary<'a> {
     #[serde(skip_serializing_if = "Vec::is_empty")]
     falls: Vec<FallSummary<'a>>,
     warnings: Vec<String>,
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    layers: Vec<indentation::SphereSummary<'a>>,
     #[serde(skip_serializing_if = "Vec::is_empty")]
     slopes: Vec<SlopeSummary<'a>>,
     papers: Vec<&'static str>,
@@ -88,6 +92,7 @@ impl<'a> Summary<'a> {
             layer_thresholds: Vec::new(),
             falls: Vec::new(),
             warnings: Vec::new(),
+            layers: Vec::new(),
             slopes: Vec::new(),
             papers: head.papers.iter().map(|paper| paper.full).collect(),
             files,

@@ -1,0 +1,204 @@
+//! A sphere on layers: names resolved, measured points read.
+
+use std::fmt;
+use std::path::{Path, PathBuf};
+
+use toml::Spanned;
+
+use super::layer::LayerPlan;
+use super::read::Reader;
+use super::surface::beside;
+use crate::experiment::refusal::{Refusal, Source};
+use crate::experiment::spec::{IndentationSpec, LawSpec, Show};
+use crate::material::Material;
+use crate::numeric::is_positive;
+
+/// One sphere on layered flats.
+pub struct IndentationPlan {
+    /// Name of the ball's material, and the material.
+    pub ball: (String, Material),
+    /// Of the ball, m.
+    pub radius: f64,
+    /// Name of the substrate's material, and the material.
+    pub flat: (String, Material),
+    /// The layers, each in thicknesses that are positive and finite.
+    pub layers: Vec<LayerPlan>,
+    /// The laws.
+    pub laws: Vec<LawSpec>,
+    /// m, ascending, at least two, none beyond the radius.
+    pub indentations: Vec<f64>,
+    /// Measured points, where there are some.
+    pub overlay: Option<OverlayPlan>,
+    /// Which way round the curves are drawn.
+    pub show: Show,
+}
+
+/// Measured points.
+pub struct OverlayPlan {
+    /// The file that they are from, as the spec names it.
+    pub name: String,
+    /// Where it is.
+    pub path: PathBuf,
+    /// Indentation (m) and load (N), in file order.
+    pub points: Vec<(f64, f64)>,
+}
+
+impl IndentationPlan {
+    /// Number of layers, each thickness by itself.
+    pub fn cases(&self) -> usize {
+        self.layers.iter().map(|layer| layer.thicknesses.len()).sum()
+    }
+
+    /// Micro-contacts that are evaluated, each exact one counted as one.
+    pub fn work(&self) -> u128 {
+        /// Uncoated, coated, all layer; the exact contact and two rules beside it for all laws.
+        const CURVES: usize = 3;
+        let a_case = CURVES * (self.laws.len() + 1) * self.indentations.len();
+        a_case as u128 * self.cases() as u128
+    }
+
+    /// What the points of all curves need, bytes.
+    pub fn memory(&self) -> u128 {
+        const BYTES: u128 = 64;
+        self.work() * BYTES
+    }
+}
+
+impl fmt::Display for IndentationPlan {
+    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        let laws: Vec<String> = self.laws.iter().map(LawSpec::label).collect();
+        writeln!(
+            f,
+            "  a ball of {}, radius {:e} m, on {}, law {}",
+            self.ball.0,
+            self.radius,
+            self.flat.0,
+            laws.join(", ")
+        )?;
+        for layer in &self.layers {
+            let thicknesses: Vec<String> = layer.thicknesses.iter().map(|t| format!("{t:e}")).collect();
+            writeln!(f, "  layer {}: {} m, rule {}", layer.name, thicknesses.join(", "), layer.rule.name())?;
+        }
+        let count = self.indentations.len();
+        writeln!(
+            f,
+            "  {count} indentations from {:e} to {:e} m",
+            self.indentations[0],
+            self.indentations[count - 1]
+        )?;
+        match &self.overlay {
+            Some(overlay) => {
+                writeln!(f, "  {} measured points in {}", overlay.points.len(), overlay.path.display())
+            }
+            None => Ok(()),
+        }
+    }
+}
+
+impl Reader<'_> {
+    pub(super) fn indentation(&self, words: &IndentationSpec) -> Result<IndentationPlan, Refusal> {
+        let body =
+            |name: &Spanned<String>| Ok((name.get_ref().clone(), self.body(name.get_ref(), name.span())?));
+        let (ball, flat) = (body(&words.ball)?, body(&words.flat)?);
+        let radius = words.radius.value();
+        let layers = words.layer.get_ref().0.iter().map(|layer| self.layer(layer, &flat.1));
+        let layers = layers.collect::<Result<Vec<_>, _>>()?;
+        self.check_layers(words, &layers)?;
+        let indentations = words.indentation.get_ref().values.clone();
+        let refuse_sweep = |message: String| Err(self.source.refuse(words.indentation.span(), message));
+        if indentations.len() < 2 || indentations.windows(2).any(|pair| pair[0] >= pair[1]) {
+            return refuse_sweep(
+                "found indentations that do not grow, or one alone; allowed: two or more, the smallest first"
+                    .to_owned(),
+            );
+        }
+        let last = indentations[indentations.len() - 1];
+        if last > radius {
+            return refuse_sweep(format!(
+                "found an indentation of {last:e} m; allowed: at most the radius, {radius:e} m"
+            ));
+        }
+        let plan = IndentationPlan {
+            ball,
+            radius,
+            flat,
+            layers,
+            laws: words.law.0.clone(),
+            indentations,
+            overlay: words.overlay.as_ref().map(|file| overlay(self.source, file)).transpose()?,
+            show: words.show,
+        };
+        match &words.overlay {
+            Some(file) if plan.cases() > 1 => {
+                let message = format!(
+                    "found measured points beside {} layers; allowed: one layer in one thickness with them",
+                    plan.cases()
+                );
+                Err(self.source.refuse(file.span(), message))
+            }
+            _ => Ok(plan),
+        }
+    }
+
+    /// The limits of no layer and nothing but the layer stand beside every layer by themselves.
+    fn check_layers(&self, words: &IndentationSpec, layers: &[LayerPlan]) -> Result<(), Refusal> {
+        let refuse = |message: String| Err(self.source.refuse(words.layer.span(), message));
+        for (k, layer) in layers.iter().enumerate() {
+            if let Some(t) = layer.thicknesses.iter().find(|t| !is_positive(**t)) {
+                return refuse(format!(
+                    "layer {}: found a thickness of {t}; allowed: positive and finite (the flat without a layer and \
+                     all of the layer's material are shown beside each)",
+                    layer.name
+                ));
+            }
+            let same = |other: &LayerPlan| {
+                (&other.name, other.rule) == (&layer.name, layer.rule)
+                    && other.thicknesses.iter().any(|t| layer.thicknesses.contains(t))
+            };
+            if layers[..k].iter().any(same) {
+                return refuse(format!("found layer {} twice in one thickness; allowed: once", layer.name));
+            }
+        }
+        Ok(())
+    }
+}
+
+/// Reads measured points beside the spec.
+fn overlay(source: &Source, file: &Spanned<PathBuf>) -> Result<OverlayPlan, Refusal> {
+    let path = beside(source, file)?;
+    let points = read_points(&path)
+        .map_err(|message| source.refuse(file.span(), format!("{}: {message}", path.display())))?;
+    Ok(OverlayPlan { name: file.get_ref().to_string_lossy().into_owned(), path, points })
+}
+
+/// Indentation (m) and load (N) from a CSV; lines that begin with `#` are comments, further columns are passed over.
+fn read_points(path: &Path) -> Result<Vec<(f64, f64)>, String> {
+    let reader = csv::ReaderBuilder::new().comment(Some(b'#')).trim(csv::Trim::All).from_path(path);
+    let mut reader = reader.map_err(|error| error.to_string())?;
+    let header = reader.headers().map_err(|error| error.to_string())?.clone();
+    let column = |name: &str| {
+        header.iter().position(|found| found == name).ok_or_else(|| {
+            let found = header.iter().collect::<Vec<_>>().join(", ");
+            format!(
+                "no column `{name}` (found: {found}); allowed: a header line with the columns indentation in m and load in N"
+            )
+        })
+    };
+    let columns = [("indentation", column("indentation")?), ("load", column("load")?)];
+    let mut points = Vec::new();
+    for record in reader.records() {
+        let record = record.map_err(|error| error.to_string())?;
+        let line = record.position().map_or(0, csv::Position::line);
+        let [w, load] = columns.map(|(name, index)| {
+            let text = record.get(index).unwrap_or_default();
+            text.parse().ok().filter(|value| is_positive(*value)).ok_or_else(|| {
+                format!("line {line}, column `{name}`: found `{text}`; allowed: a positive finite number")
+            })
+        });
+        points.push((w?, load?));
+    }
+    if points.is_empty() {
+        return Err("no points: the table has no rows".to_owned());
+    }
+    Ok(points)
+}
