@@ -5,11 +5,12 @@ mod common;
 
 use asperity::asperity::{HeightDensity, Population};
 use asperity::contact::{Contact, Regime};
-use asperity::interface::{Interface, MicroContact};
+use asperity::interface::{Interface, LoadBounds, MicroContact};
 use asperity::law::{Hertz, Law, Pair, Zmc};
 use asperity::literature::Paper;
 use asperity::material::Material;
 use asperity::model::{Model, Statistical};
+use asperity::numeric::interval::Interval;
 use common::{Worst, rows};
 
 /// The worst error of a law over zmc.csv, given how it is made from a row's transition ratio.
@@ -60,8 +61,8 @@ impl MicroContact for Power {
     fn load_rises_to(&self) -> f64 {
         f64::INFINITY
     }
-    fn highest_load(&self, _: f64, _: f64, _: f64) -> f64 {
-        0.0
+    fn load_over(&self, _: f64, _: f64, _: f64) -> LoadBounds {
+        LoadBounds { highest: 0.0, slopes: Interval::point(0.0) }
     }
     fn reference_modulus(&self) -> f64 {
         1.0
@@ -152,8 +153,8 @@ impl MicroContact for Forgetful {
     fn load_rises_to(&self) -> f64 {
         self.contact.load_rises_to()
     }
-    fn highest_load(&self, from: f64, to: f64, b: f64) -> f64 {
-        self.contact.highest_load(from, to, b)
+    fn load_over(&self, from: f64, to: f64, b: f64) -> LoadBounds {
+        self.contact.load_over(from, to, b)
     }
     fn reference_modulus(&self) -> f64 {
         self.contact.reference_modulus()

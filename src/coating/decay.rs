@@ -5,7 +5,7 @@ use std::sync::LazyLock;
 /// Entries of the table a unit of x.
 const PER_UNIT: f64 = 32.0;
 /// Where the table ends: exp(-x) times the largest ratio of hardnesses is below rounding.
-const LAST: f64 = 110.0;
+const LAST: f64 = 180.0;
 
 /// exp(-x) and 1 - exp(-x) at the entries.
 static TABLE: LazyLock<Vec<[f64; 2]>> = LazyLock::new(|| {
@@ -14,7 +14,7 @@ static TABLE: LazyLock<Vec<[f64; 2]>> = LazyLock::new(|| {
 });
 
 /// exp(-x) and 1 - exp(-x) for each `x` >= 0, both to rounding: the nearest entry of a table, and a series in what is
-/// left, at most 1/64. From x = 110 on nothing changes.
+/// left, at most 1/64. From x = 180 on nothing changes.
 #[inline(always)]
 pub(super) fn decay<const LANES: usize>(x: [f64; LANES]) -> ([f64; LANES], [f64; LANES]) {
     /// Coefficients of (1 - exp(-r))/r, the highest power first.

@@ -23,7 +23,7 @@ pub(super) struct EffectiveHardness {
 }
 
 /// Beyond this exponent nothing is left of the layer, however hard it is.
-const GONE: f64 = 110.0;
+const GONE: f64 = 180.0;
 
 impl EffectiveHardness {
     /// `None` where neither body has a hardness.

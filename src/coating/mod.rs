@@ -44,6 +44,9 @@ pub enum CoatingError {
     OneHardness,
 }
 
+/// From this part of the distance to +-i on, a panel to there resolves a pole beyond 0 as well.
+const FAR: f64 = 0.3;
+
 /// The flat as one asperity feels it.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Effective {
@@ -181,11 +184,18 @@ impl Coating {
         self.hardness.as_ref().map_or(0.0, EffectiveHardness::end)
     }
 
-    /// Indentations (m, in no order) that part ranges over which the effective properties of an asperity of radius
-    /// `b` (m) change smoothly: in w^.5 they have their singularities at a = +-i t, and those of 1/H_eff.
-    pub fn scales(&self, b: f64) -> Vec<f64> {
-        let mut scales = self.hardness.as_ref().map(EffectiveHardness::scales).unwrap_or_default();
-        scales.push(self.thickness * self.thickness / b);
-        scales
+    /// Indentations (m) that part ranges over which the modulus that an asperity of radius `b` (m) feels changes
+    /// smoothly, with `beside` (1/Pa) the compliance of the other body: in w^.5 it has its singularities at a = +-i t,
+    /// and a pole beyond a = 0 where the two compliances are opposite.
+    pub fn modulus_scales(&self, b: f64, beside: f64) -> impl Iterator<Item = f64> {
+        let pole = self.modulus.pole(beside).min(1.0);
+        let thickness = self.thickness;
+        let scales = [pole, 1.0].into_iter().skip(usize::from(pole > FAR));
+        scales.map(move |inverse| (inverse * thickness).powi(2) / b)
+    }
+
+    /// The same for the hardness: those of 1/H_eff.
+    pub fn hardness_scales(&self) -> Vec<f64> {
+        self.hardness.as_ref().map(EffectiveHardness::scales).unwrap_or_default()
     }
 }

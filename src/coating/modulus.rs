@@ -91,6 +91,20 @@ impl EffectiveModulus {
         (all.map(|(value, _)| value), all.map(|(_, slope)| slope))
     }
 
+    /// How far beyond 0 the compliance is -`beside` (1/Pa), in a/t: E_eff, or 1/mu_eff in series, grows linearly from
+    /// that of the layer. Infinite where it falls instead.
+    pub(super) fn pole(&self, beside: f64) -> f64 {
+        /// Where what is not linear is below rounding.
+        const NEAR: f64 = 1e-9;
+        let (value, slope) = self.sides.at(NEAR);
+        let growth = slope / (value * NEAR);
+        let pole = match self.sides.rule {
+            Rule::Gao => (1.0 + value / beside) / -growth,
+            Rule::Series => (1.0 + beside / value) / growth,
+        };
+        if pole > 0.0 { pole } else { f64::INFINITY }
+    }
+
     /// All compliances at the 1/xi of `inverse`, and all their d/d ln w.
     pub(super) fn over(&self, inverse: Interval) -> (Interval, Interval) {
         let (value, slope) = self.sides.over(inverse);

@@ -1,10 +1,11 @@
 //! Two homogeneous bodies.
 
-use super::MicroContact;
+use super::{LoadBounds, MicroContact};
 use crate::contact::Contact;
 use crate::law::{Law, Pair};
 use crate::literature::Paper;
 use crate::material::{Material, reduced_modulus, softer_hardness};
+use crate::numeric::interval::Interval;
 
 /// A rough and a flat body, both homogeneous, under one law.
 #[derive(Debug, Clone, Copy)]
@@ -54,8 +55,15 @@ impl<L: Law> MicroContact for Interface<L> {
         if super::drops(&self.law, &self.pair) { 0.0 } else { f64::INFINITY }
     }
 
-    fn highest_load(&self, from: f64, to: f64, b: f64) -> f64 {
-        self.law.highest_load(from, to, b, &self.pair, &self.pair)
+    fn load_over(&self, from: f64, to: f64, b: f64) -> LoadBounds {
+        if self.regime_changes(b).into_iter().any(|w| (from..=to).contains(&w)) {
+            return LoadBounds::any(self.law.highest_load(from, to, b, &self.pair, &self.pair));
+        }
+        let strain = self.pair.reduced_modulus / self.pair.hardness;
+        let u = |w: f64| w / b * strain * strain;
+        let exponents = self.law.load_exponents(Interval { low: u(from), high: u(to) });
+        let w = Interval { low: from, high: to };
+        LoadBounds::between(w, [from, to].map(|w| self.contact(w, b).load), exponents)
     }
 
     fn reference_modulus(&self) -> f64 {

@@ -1,8 +1,8 @@
 //! A rough body on a flat with a layer of finite thickness.
 
-use super::MicroContact;
+use super::{JUMP, LoadBounds, MicroContact};
 use crate::coating::Coating;
-use crate::contact::{Contact, Tally};
+use crate::contact::{Contact, Regime, Tally};
 use crate::law::{Law, Pair};
 use crate::literature::Paper;
 use crate::material::Material;
@@ -21,7 +21,12 @@ pub struct Layered<L> {
     rough_hardness: f64,
     /// Without the layer.
     reference: Pair,
+    /// The (w/b) (E*/H)^2 at which the load of the law jumps, and by what factor.
+    jumps: Vec<(f64, f64)>,
 }
+
+/// Critical ratios stand with (H/E*)^2: of this pair they are the factors before it.
+const UNIT: Pair = Pair { reduced_modulus: 1.0, hardness: 1.0 };
 
 /// Asperities that are looked at side by side.
 const LANES: usize = 8;
@@ -47,12 +52,16 @@ struct FeltRange {
 impl<L: Law> Layered<L> {
     /// The contact of a rough body with `substrate` under `coating`.
     pub fn new(law: L, rough: &Material, substrate: &Material, coating: Coating) -> Self {
+        let reference = Pair::of(rough, substrate);
+        let places = law.critical_ratios(&UNIT).into_iter().zip(law.jumps(&UNIT));
+        let jumps = places.filter(|(_, jump)| reference.hardness.is_finite() && (jump - 1.0).abs() > JUMP);
         Self {
             law,
             coating,
             rough_compliance: rough.plane_compliance(),
             rough_hardness: rough.hardness().unwrap_or(f64::INFINITY),
-            reference: Pair::of(rough, substrate),
+            reference,
+            jumps: jumps.collect(),
         }
     }
 
@@ -101,6 +110,19 @@ impl<L: Law> Layered<L> {
         Contact { stiffness, ..contact }
     }
 
+    /// (w/b) (E*/H)^2.
+    fn place(w: Interval, b: f64, felt: &FeltRange) -> Interval {
+        let strain = felt.modulus * felt.hardness.recip();
+        w * strain * strain * b.recip()
+    }
+
+    /// d ln P/d ln w = e + (2e - 2) d ln E*/d ln w + (3 - 2e) d ln H/d ln w (see [`Self::answer`]) is linear in each of
+    /// the three: it is least and greatest at corners of their ranges.
+    fn exponents(e: Interval, modulus_slope: Interval, hardness_slope: Interval) -> Interval {
+        let at = |e: f64| modulus_slope * (2.0 * e - 2.0) + hardness_slope * (3.0 - 2.0 * e) + e;
+        at(e.low).hull(at(e.high))
+    }
+
     /// All d ln E*/d ln w there are.
     fn steps_of_modulus(&self) -> Interval {
         /// Pieces of 1/xi; its last end is far in the substrate.
@@ -108,7 +130,7 @@ impl<L: Law> Layered<L> {
         let unit = Interval::point(1.0);
         let place = |k: i32| match k {
             0 => 0.0,
-            PIECES => 1e40 * self.coating.thickness(),
+            PIECES => 1e100 * self.coating.thickness(),
             k => 1e-12 * 1e24f64.powf(f64::from(k) / f64::from(PIECES)) * self.coating.thickness(),
         };
         let steps = |k: i32| {
@@ -176,9 +198,7 @@ impl<L: Law> MicroContact for Layered<L> {
     }
 
     fn regime_changes(&self, b: f64) -> Vec<f64> {
-        // Each critical ratio stands with (H/E*)^2: of a pair of H = E* it is the factor before it.
-        let unit = Pair { reduced_modulus: 1.0, hardness: if self.yields() { 1.0 } else { f64::INFINITY } };
-        let ratios = self.law.critical_ratios(&unit);
+        let ratios = if self.yields() { self.law.critical_ratios(&UNIT) } else { Vec::new() };
         let mut changes: Vec<f64> = ratios.into_iter().flat_map(|ratio| self.crossings(ratio, b)).collect();
         changes.sort_unstable_by(f64::total_cmp);
         changes
@@ -186,29 +206,32 @@ impl<L: Law> MicroContact for Layered<L> {
 
     fn breakpoints(&self, b: f64) -> Vec<f64> {
         let mut points = self.regime_changes(b);
-        points.extend(self.coating.scales(b));
+        // An elastic contact does not feel the hardness, nor a plastic one the modulus.
+        let regime = |w: f64| self.contact(w, b).regime;
+        let modulus = self.coating.modulus_scales(b, self.rough_compliance);
+        points.extend(modulus.filter(|&w| regime(w) != Regime::Plastic));
+        let is_softer = |w: f64| self.coating.at(w, b).hardness < self.rough_hardness;
+        let hardness = self.coating.hardness_scales().into_iter();
+        points.extend(hardness.filter(|&w| regime(w) != Regime::Elastic && is_softer(w)));
         points.extend(self.coating.indentation_of_hardness(self.rough_hardness));
         points.sort_unstable_by(f64::total_cmp);
         points
     }
 
-    /// d ln P/d ln w = e + (2e - 2) d ln E*/d ln w + (3 - 2e) d ln H/d ln w (see [`Self::answer`]) is linear in each of the
-    /// three: it is least at a corner of their ranges.
     fn load_rises_to(&self) -> f64 {
         /// Pieces of the depth on which the hardness changes.
         const PIECES: i32 = 400;
-        if super::drops(&self.law, &self.reference) {
+        if self.jumps.iter().any(|&(_, jump)| jump < 1.0) {
             return 0.0;
         }
         let whole = Interval { low: 0.0, high: 1e200 };
         let of_modulus = self.steps_of_modulus();
-        let exponents = self.law.load_exponents();
-        let rises = |hardness: Interval| {
-            let corner = |e: f64, m: f64, h: f64| e + (2.0 * e - 2.0) * m + (3.0 - 2.0 * e) * h;
-            let ends = |range: Interval| [range.low, range.high];
-            ends(exponents).iter().all(|&e| {
-                ends(of_modulus).iter().all(|&m| ends(hardness).iter().all(|&h| corner(e, m, h) > 0.0))
-            })
+        let exponents = self.law.load_exponents(Interval { low: 0.0, high: f64::INFINITY });
+        let rises = |of_hardness: Interval| {
+            // Back over a boundary, a rise of the load is a fall.
+            let turns_back = (of_modulus - of_hardness).low <= -0.5;
+            Self::exponents(exponents, of_modulus, of_hardness).low > 0.0
+                && (self.jumps.is_empty() || !turns_back)
         };
         let unit = Interval::point(1.0);
         if !rises(Interval::point(0.0)) {
@@ -226,11 +249,17 @@ impl<L: Law> MicroContact for Layered<L> {
         falling.map_or(f64::INFINITY, place)
     }
 
-    fn highest_load(&self, from: f64, to: f64, b: f64) -> f64 {
-        let felt = self.felt_over(Interval { low: from, high: to }, Interval::point(b));
-        let low = Pair { reduced_modulus: felt.modulus.low, hardness: felt.hardness.low };
-        let high = Pair { reduced_modulus: felt.modulus.high, hardness: felt.hardness.high };
-        self.law.highest_load(from, to, b, &low, &high)
+    fn load_over(&self, from: f64, to: f64, b: f64) -> LoadBounds {
+        let w = Interval { low: from, high: to };
+        let felt = self.felt_over(w, Interval::point(b));
+        let u = Self::place(w, b, &felt);
+        let exponents = Self::exponents(self.law.load_exponents(u), felt.modulus_slope, felt.hardness_slope);
+        if self.jumps.iter().any(|&(place, _)| u.holds(place)) || (from == 0.0 && exponents.low < 0.0) {
+            let low = Pair { reduced_modulus: felt.modulus.low, hardness: felt.hardness.low };
+            let high = Pair { reduced_modulus: felt.modulus.high, hardness: felt.hardness.high };
+            return LoadBounds::any(self.law.highest_load(from, to, b, &low, &high));
+        }
+        LoadBounds::between(w, [from, to].map(|w| self.contact(w, b).load), exponents)
     }
 
     fn reference_modulus(&self) -> f64 {

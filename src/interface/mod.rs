@@ -13,6 +13,7 @@ use crate::contact::{Contact, Tally};
 use crate::law::{Law, Pair};
 use crate::literature::Paper;
 use crate::material::Material;
+use crate::numeric::interval::Interval;
 
 /// The flat body.
 #[derive(Debug, Clone, PartialEq)]
@@ -70,6 +71,46 @@ impl Flat {
     }
 }
 
+/// What the load of an asperity does over a range of indentations.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct LoadBounds {
+    /// An upper bound of the load, N.
+    pub highest: f64,
+    /// All dP/dw, N/m; every number where the load may jump.
+    pub slopes: Interval,
+}
+
+impl LoadBounds {
+    /// Where nothing is known of the slopes.
+    fn any(highest: f64) -> Self {
+        Self { highest, slopes: Interval { low: f64::NEG_INFINITY, high: f64::INFINITY } }
+    }
+
+    /// From the `loads` at the ends of the range `w` and all d ln P/d ln w on it.
+    fn between(w: Interval, loads: [f64; 2], exponents: Interval) -> Self {
+        let [first, last] = loads;
+        let ratio = w.high / w.low;
+        let highest = if exponents.low >= 0.0 {
+            last
+        } else if exponents.high <= 0.0 {
+            first
+        } else {
+            (first * ratio.powf(exponents.high)).min(last * ratio.powf(-exponents.low))
+        };
+        let lowest = if exponents.low >= 0.0 {
+            first
+        } else if exponents.high <= 0.0 {
+            last
+        } else {
+            0.0
+        };
+        // P/w grows with w where the exponent is above 1.
+        let steepest = highest / if exponents.low >= 1.0 { w.high } else { w.low };
+        let steep = Interval { low: lowest / w.high, high: steepest };
+        Self { highest, slopes: steep * exponents }
+    }
+}
+
 /// What the models know of a contact: at indentation `w` and radius `b`, what area, what load,
 /// which regime? Neither model knows which law answers, or whether there is a layer on the flat.
 ///
@@ -91,8 +132,8 @@ pub trait MicroContact: Send + Sync {
     /// ever does, 0 where nothing is known. Beyond it a pressure may be reached more than once on approach.
     fn load_rises_to(&self) -> f64;
 
-    /// An upper bound of the load at indentations from `from` to `to`, `from < to` (m), that closes with the range.
-    fn highest_load(&self, from: f64, to: f64, b: f64) -> f64;
+    /// Bounds of the load at indentations from `from` to `to`, `from < to` (m), that close with the range.
+    fn load_over(&self, from: f64, to: f64, b: f64) -> LoadBounds;
 
     /// Reduced modulus that load ratios refer to, Pa: that of the uncoated pair.
     fn reference_modulus(&self) -> f64;
@@ -127,9 +168,10 @@ pub fn plasticity_index(contact: &dyn MicroContact, sigma: f64, radius: f64) -> 
     hardness.is_finite().then(|| contact.reference_modulus() / hardness * (sigma / radius).sqrt())
 }
 
+/// Wider than the rounding of a load, narrower than any jump that a law states.
+const JUMP: f64 = 1e-12;
+
 /// Whether the load of a law drops at one of its boundaries.
 fn drops(law: &impl Law, pair: &Pair) -> bool {
-    /// Wider than the rounding of a load, narrower than any jump that a law states.
-    const ROUNDING: f64 = 1e-12;
-    law.jumps(pair).into_iter().any(|jump| jump < 1.0 - ROUNDING)
+    law.jumps(pair).into_iter().any(|jump| jump < 1.0 - JUMP)
 }

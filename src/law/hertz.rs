@@ -42,7 +42,7 @@ impl Law for Hertz {
         Vec::new()
     }
 
-    fn load_exponents(&self) -> Interval {
+    fn load_exponents(&self, _: Interval) -> Interval {
         Interval::point(1.5)
     }
 }

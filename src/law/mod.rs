@@ -30,7 +30,7 @@ pub struct Pair {
 /// nor load decreases with `w`. A jump at a boundary is stated in the law's own documentation.
 ///
 /// Contacts are similar: A = b w f(u) and P = E* b^.5 w^1.5 g(u), where u = (w/b) (E*/H)^2 is where w stands among the
-/// critical indentations. So at a fixed w the load grows as E* does, but for drops at boundaries, and P/H falls
+/// critical indentations; an elastic contact does not depend on H, nor a plastic one on E*. So at a fixed w the load grows as E* does, but for drops at boundaries, and P/H falls
 /// as H grows.
 pub trait Law: Send + Sync + 'static {
     /// The papers that the law's equations are from.
@@ -43,8 +43,9 @@ pub trait Law: Send + Sync + 'static {
     /// Empty where the law has one regime only.
     fn critical_ratios(&self, pair: &Pair) -> Vec<f64>;
 
-    /// Bounds of d ln P/d ln w within the regimes, the pair being fixed.
-    fn load_exponents(&self) -> Interval;
+    /// Bounds of d ln P/d ln w within the regimes that `u` = (w/b) (E*/H)^2 passes, the pair being fixed; they close
+    /// with `u`.
+    fn load_exponents(&self, u: Interval) -> Interval;
 
     /// The load just above each boundary over that just below it.
     fn jumps(&self, pair: &Pair) -> Vec<f64> {

@@ -61,6 +61,19 @@ impl Zmc {
         Ok(Self { onset, transition_ratio, inverse_log_ratio: transition_ratio.ln().recip() })
     }
 
+    /// d ln P/d ln w of elastic-plastic contacts over a range of x.
+    fn exponents_between(&self, x: Interval) -> Interval {
+        let span = self.transition_ratio - 1.0;
+        let growth = |x: f64| 1.0 + x * x * (3.0 - 2.0 * x);
+        let slope = 0.6 * self.inverse_log_ratio;
+        let pressure = |x: f64| slope / (0.4 + slope * (span * x).ln_1p());
+        let steep = x.of_hump(|x| 6.0 * x * (1.0 - x), 0.5);
+        Interval {
+            low: 1.0 + pressure(x.high) + (x.low + span.recip()) * steep.low / growth(x.high),
+            high: 1.0 + pressure(x.low) + (x.high + span.recip()) * steep.high / growth(x.low),
+        }
+    }
+
     /// w1/b, infinite where neither body yields.
     #[inline]
     fn onset_ratio(&self, pair: &Pair) -> f64 {
@@ -119,19 +132,23 @@ impl Law for Zmc {
         let w1 = self.onset_ratio(pair);
         if w1.is_finite() { vec![w1, self.transition_ratio * w1] } else { Vec::new() }
     }
-    /// 1 where all is plastic, 1.5 where nothing is. Between, mean pressure and area add to 1: bounded on pieces of
-    /// x, on each by the terms' own greatest values.
-    fn load_exponents(&self) -> Interval {
-        const PIECES: i32 = 64;
+
+    /// 1.5 where nothing is plastic, 1 where all is. Between, mean pressure and area add to 1: bounded on pieces of
+    /// x, on each by the terms' own least and greatest values.
+    fn load_exponents(&self, u: Interval) -> Interval {
+        /// Pieces of x from 0 to 1.
+        const PIECES: f64 = 64.0;
         let span = self.transition_ratio - 1.0;
-        let growth = |x: f64| 1.0 + x * x * (3.0 - 2.0 * x);
-        let highest = |k: i32| {
-            let [low, high] = [k, k + 1].map(|k| f64::from(k) / f64::from(PIECES));
-            let pressure =
-                0.6 * self.inverse_log_ratio / (0.4 + 0.6 * (1.0 + span * low).ln() * self.inverse_log_ratio);
-            let steepest = if low < 0.5 { high } else { low };
-            1.0 + pressure + (high + span.recip()) * 6.0 * steepest * (1.0 - steepest) / growth(low)
-        };
-        Interval { low: 1.0, high: (0..PIECES).map(highest).fold(1.5, f64::max) }
+        let place = |u: f64| ((u / self.onset - 1.0) / span).clamp(0.0, 1.0);
+        let x = Interval { low: place(u.low), high: place(u.high) };
+        let elastic = (u.low <= self.onset).then_some(Interval::point(1.5));
+        let plastic = (u.high >= self.transition_ratio * self.onset).then_some(Interval::point(1.0));
+        let count = ((x.high - x.low) * PIECES).ceil();
+        let between = (0..count as i32).map(|k| {
+            let end = |k: i32| x.low + (x.high - x.low) * f64::from(k) / count;
+            self.exponents_between(Interval { low: end(k), high: end(k + 1) })
+        });
+        let all = elastic.into_iter().chain(plastic).chain(between).reduce(Interval::hull);
+        all.unwrap_or_else(|| self.exponents_between(x))
     }
 }

@@ -6,6 +6,7 @@ use crate::asperity::Ordered;
 use crate::contact::Tally;
 use crate::interface::MicroContact;
 use crate::numeric::Sum;
+use crate::numeric::interval::Interval;
 use crate::numeric::root::{last_reaching, last_reaching_bounded};
 use crate::numeric::sum::in_chunks;
 
@@ -46,23 +47,32 @@ impl<'a, C: MicroContact + ?Sized> Deterministic<'a, C> {
         self.respond(h).pressure.total()
     }
 
-    /// The highest pressure that any separation from `low` to `high` could carry, were each
-    /// asperity at its own worst.
-    fn highest_pressure(&self, low: f64, high: f64) -> f64 {
+    /// The highest pressure that any separation from `low` to `high` could carry, were each asperity at its own
+    /// worst, and all slopes of the pressure, given that no load falls up to the indentation `rising` (m).
+    fn pressure_over(&self, low: f64, high: f64, rising: f64) -> (f64, Interval) {
         let (near, far) = (self.absolute(low), self.absolute(high));
         let (heights, radii) = self.asperities.above(near);
-        let load = in_chunks(
+        let deep = heights.partition_point(|&z| z - near > rising);
+        if deep == 0 {
+            return (self.pressure(low), Interval { low: f64::NEG_INFINITY, high: 0.0 });
+        }
+        let (load, slopes) = in_chunks(
             heights.len(),
             |chunk| {
-                chunk
-                    .map(|i| {
-                        self.contact.highest_load((heights[i] - far).max(0.0), heights[i] - near, radii[i])
-                    })
-                    .collect::<Sum>()
+                let (mut load, mut slopes) = (Sum::default(), Interval::point(0.0));
+                for (&z, &b) in heights[chunk.clone()].iter().zip(&radii[chunk]) {
+                    let bounds = self.contact.load_over((z - far).max(0.0), z - near, b);
+                    load.add(bounds.highest);
+                    slopes = slopes + bounds.slopes;
+                }
+                (load, slopes)
             },
-            Sum::merge,
+            |(load, slopes), part| {
+                load.merge(&part.0);
+                *slopes = *slopes + part.1;
+            },
         );
-        load.value() / self.asperities.nominal_area()
+        (load.value() / self.asperities.nominal_area(), -slopes)
     }
 }
 
@@ -90,7 +100,7 @@ impl<C: MicroContact + ?Sized> Model for Deterministic<'_, C> {
         let falling_from = in_sigma(self.asperities.highest() - rising).clamp(LOWEST_SEPARATION, highest);
         let value = |h: f64| self.pressure(h);
         last_reaching(value, pressure, falling_from, highest).or_else(|| {
-            let bound = |low, high| self.highest_pressure(low, high);
+            let bound = |low, high| self.pressure_over(low, high, rising);
             last_reaching_bounded(&value, &bound, pressure, LOWEST_SEPARATION, falling_from)
         })
     }

@@ -4,7 +4,7 @@ use std::ops::{Add, Mul, Neg, Sub};
 
 /// All numbers from `low` to `high`. Sums and products hold every result that numbers of their ranges have, but
 /// for the rounding of the ends.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub struct Interval {
     /// The least number.
     pub low: f64,

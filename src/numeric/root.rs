@@ -61,8 +61,8 @@ fn crossing(gap: impl Fn(f64) -> f64, low: [f64; 2], high: [f64; 2]) -> f64 {
     near
 }
 
-/// Every place in [low, high] where `value` changes its sign, ascending, given `over(a, b)`, ranges that hold all
-/// values and all slopes of `value` on [a, b] and close as the interval shrinks.
+/// Every place in [low, high] where `value`, of order 1 to 100, changes its sign, ascending, given `over(a, b)`, ranges
+/// that hold all values and all slopes of `value` on [a, b] and close as the interval shrinks.
 ///
 /// A piece whose values keep their sign is left; in one whose slopes do, the sign changes once or not at all; any other
 /// is halved. So no root can be stepped over, unless two lie so close together that nothing changes between
@@ -73,21 +73,26 @@ pub fn sign_changes(
     low: f64,
     high: f64,
 ) -> Vec<f64> {
+    /// Of a value.
+    const ROUNDING: f64 = 1e-13;
     let mut found = Vec::new();
     let mut pieces = vec![(low, high)];
     while let Some((from, to)) = pieces.pop() {
         let [values, slopes] = over(from, to);
-        if !values.holds(0.0) {
+        let values = values + Interval { low: -ROUNDING, high: ROUNDING };
+        let start = value(from);
+        // Next to a multiple root the slopes bound the values better than their own range does.
+        let change = slopes.low.abs().max(slopes.high.abs()) * (to - from);
+        if !values.holds(0.0) || start.abs() > change + ROUNDING {
             continue;
         }
-        let (start, end) = (value(from), value(to));
-        if !slopes.holds(0.0) || closed(from, to) {
-            // The sign of a zero at an end counts with the piece above it.
+        if !slopes.holds(0.0) || change <= ROUNDING || closed(from, to) {
+            let end = value(to);
+            // A zero counts as positive, from whichever side.
             if start >= 0.0 && end < 0.0 {
                 found.push(crossing(value, [from, start], [to, end]));
             } else if start < 0.0 && end >= 0.0 {
-                let turned = |x: f64| -value(x);
-                found.push(crossing(turned, [from, -start], [to, -end]));
+                found.push(-crossing(|x| value(-x), [-to, end], [-from, start]));
             }
             continue;
         }
@@ -113,18 +118,25 @@ fn interpolate(a: f64, fa: f64, b: f64, fb: f64, c: f64, fc: f64) -> Option<f64>
 }
 
 /// The largest `x` in [low, high], to rounding, with `value(x) >= level`, for a `value` that may
-/// rise and fall, given `bound(a, b)`, an upper bound of `value` on [a, b] that tightens as the
-/// interval shrinks. Halves are searched from above; one whose bound lies below the level is not
-/// entered. `None` if the level is reached nowhere.
+/// rise and fall, given `bound(a, b)`, an upper bound of `value` on [a, b] and a range of its slopes that tighten as
+/// the interval shrinks. Halves are searched from above; one whose bound lies below the level is not
+/// entered, and one where all slopes have one sign is not halved. `None` if the level is reached nowhere.
 pub fn last_reaching_bounded(
     value: &impl Fn(f64) -> f64,
-    bound: &impl Fn(f64, f64) -> f64,
+    bound: &impl Fn(f64, f64) -> (f64, Interval),
     level: f64,
     low: f64,
     high: f64,
 ) -> Option<f64> {
-    if bound(low, high) < level {
+    let (highest, slopes) = bound(low, high);
+    if highest < level {
         return None;
+    }
+    if slopes.high <= 0.0 {
+        return last_reaching(value, level, low, high);
+    }
+    if slopes.low >= 0.0 {
+        return (value(high) >= level).then_some(high);
     }
     if closed(low, high) {
         return (value(low) >= level).then_some(low);
@@ -138,6 +150,8 @@ pub fn last_reaching_bounded(
 mod tests {
     use super::*;
     use std::cell::Cell;
+
+    const ANY: Interval = Interval { low: f64::NEG_INFINITY, high: f64::INFINITY };
 
     #[test]
     fn finds_a_smooth_level_in_few_steps() {
@@ -166,7 +180,7 @@ mod tests {
     fn a_level_out_of_reach_is_said() {
         assert_eq!(last_reaching(|x| -x, 11.0, -10.0, 10.0), None);
         assert_eq!(last_reaching(|_| f64::NAN, 1.0, -10.0, 10.0), None);
-        assert_eq!(last_reaching_bounded(&|x| -x, &|a, _| -a, 11.0, -10.0, 10.0), None);
+        assert_eq!(last_reaching_bounded(&|x| -x, &|a, _| (-a, ANY), 11.0, -10.0, 10.0), None);
     }
 
     /// Roots of a cubic, two of them close together or one, none or a touching pair.
@@ -200,7 +214,9 @@ mod tests {
     fn a_curve_that_falls_on_the_way_is_reached_where_it_first_is() {
         // Rises to 1 at x = 2, drops by half, rises again: 0.8 is first reached at 2.2.
         let value = |x: f64| if x >= 2.0 { 3.0 - x } else { 2.5 - x };
-        let bound = |a: f64, b: f64| if a < 2.0 && b >= 2.0 { value(a).max(1.0) } else { value(a) };
+        let bound = |a: f64, b: f64| {
+            if a < 2.0 && b >= 2.0 { (value(a).max(1.0), ANY) } else { (value(a), Interval::point(-1.0)) }
+        };
         let found = last_reaching_bounded(&value, &bound, 0.8, -10.0, 10.0).unwrap();
         assert!((found - 2.2).abs() < 1e-14);
     }
