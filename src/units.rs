@@ -161,7 +161,8 @@ fn in_tens(spelt: &str, value: f64) -> f64 {
     let (digits, exponent) = number.split_once(['e', 'E']).unwrap_or((number, "0"));
     let unit = value / number.parse().unwrap_or(f64::NAN);
     let power = unit.log10().round();
-    if !((unit / 10f64.powf(power) - 1.0).abs() < 1e-12) {
+    let off = (unit / 10f64.powf(power) - 1.0).abs();
+    if off.is_nan() || off > 1e-12 {
         return value;
     }
     let shifted = exponent.parse::<i32>().map(|exponent| format!("{digits}e{}", exponent + power as i32));

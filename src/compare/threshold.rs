@@ -8,7 +8,7 @@ const CLOSE: f64 = 1.01;
 
 /// The thickness (m) below which a layer does not matter, between the thinnest of `listed` that does and the one before
 /// it; `listed` are thicknesses, ascending, and whether each matters, of which 0 does not. Infinite where none matters,
-/// `None` where one of [`RANGE`]'s first still does.
+/// `None` where one of a picometre still does.
 pub fn threshold(listed: &[(f64, bool)], matters: impl Fn(f64) -> bool) -> Option<f64> {
     let Some(first) = listed.iter().position(|(_, matters)| *matters) else { return Some(f64::INFINITY) };
     let mut thick = listed[first].0;
