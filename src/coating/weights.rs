@@ -69,7 +69,7 @@ impl Weights {
 }
 
 /// Where (xi/pi) ln(1 + 1/xi^2), xi/(1 + xi^2) and xi (1 + 3 xi^2)/(1 + xi^2)^2 are largest, as 1/xi.
-pub(super) const LOG_PEAK: f64 = 1.980_291_300_432_212_9;
+pub(super) const LOG_PEAK: f64 = 1.980_291_300_432_213;
 pub(super) const POLE_PEAK: f64 = 1.0;
 pub(super) const SWELL_PEAK: f64 = 0.681_250_038_633_213_3;
 
@@ -132,7 +132,8 @@ mod tests {
 
     #[test]
     fn peaks_are_where_they_are_said_to_be() {
-        let peaks: [(f64, fn(&Weights) -> f64); 3] =
+        type Part = fn(&Weights) -> f64;
+        let peaks: [(f64, Part); 3] =
             [(LOG_PEAK, |w| w.log), (POLE_PEAK, |w| w.pole), (SWELL_PEAK, Weights::swell)];
         for (peak, value) in peaks {
             let at = |x: f64| value(&Weights::at(x));
