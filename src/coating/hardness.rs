@@ -139,7 +139,7 @@ mod tests {
 
     #[test]
     fn from_the_layer_to_the_substrate() {
-        for (layer, substrate) in [(0.17e9, 7.6e9), (21e9, 7.6e9), (5e9, 5e9)] {
+        for (layer, substrate) in [(0.17e9, 7.6e9), (21e9, 7.6e9), (5e9, 5e9), (1e30, 1e-30)] {
             let found = of(layer, substrate);
             assert_eq!(found.at(1e-30).0, layer);
             assert!((found.at(1.0).0 / substrate - 1.0).abs() < 1e-15 && found.at(1.0).1.abs() < 1e-12);
