@@ -7,7 +7,7 @@ use crate::interface::MicroContact;
 const PER_PIECE: usize = 160;
 
 /// A fall is more than the rounding of an answer.
-const ROUNDING: f64 = 1e-12;
+const ROUNDING: f64 = 1e-9;
 
 /// The answer at one indentation.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -140,13 +140,19 @@ impl Curve {
 
 /// From `first` to `last`, evenly in ln w between the places at which the curve bends, which are among them.
 fn places(contact: &dyn MicroContact, radius: f64, first: f64, last: f64) -> Vec<f64> {
-    let bends = contact.breakpoints(radius).into_iter().filter(|&w| w > first && w < last);
+    /// On both sides of a change of regime, where a law may jump.
+    const BESIDE: f64 = 1e-12;
+    let bends = contact.breakpoints(radius).into_iter();
+    let sides =
+        contact.regime_changes(radius).into_iter().flat_map(|w| [w * (1.0 - BESIDE), w * (1.0 + BESIDE)]);
+    let bends = bends.chain(sides).filter(|&w| w > first && w < last);
     let mut ends: Vec<f64> = [first, last].into_iter().chain(bends).collect();
     ends.sort_unstable_by(f64::total_cmp);
     ends.dedup();
     let piece = |pair: &[f64]| {
         let [from, ratio] = [pair[0], pair[1] / pair[0]];
-        (0..PER_PIECE).map(move |k| from * ratio.powf(k as f64 / PER_PIECE as f64))
+        let count = if ratio < 1.0 + 4.0 * BESIDE { 1 } else { PER_PIECE };
+        (0..count).map(move |k| from * ratio.powf(k as f64 / PER_PIECE as f64))
     };
     let mut places: Vec<f64> = ends.windows(2).flat_map(piece).chain([last]).collect();
     // A piece as short as the rounding of its ends may not grow.
@@ -187,6 +193,13 @@ fn falls(trace: &[Point], of: Falling) -> Vec<Fall> {
         }
     }
     falls
+}
+
+impl Fall {
+    /// The part of area or load that is lost.
+    pub fn loss(&self) -> f64 {
+        1.0 - self.of.of(&self.to.contact) / self.of.of(&self.from.contact)
+    }
 }
 
 #[cfg(test)]
@@ -230,6 +243,19 @@ mod tests {
         assert!(
             fall.from.contact.area > fall.to.contact.area && fall.from.contact.load < fall.to.contact.load
         );
+    }
+
+    /// The rounded onset of yield leaves a fall of 0.0976 %, whether there is a layer or not.
+    #[test]
+    fn a_fall_at_a_jump_is_seen() {
+        let lead = Material::new(18e9, 0.35, Some(0.17e9), None).unwrap();
+        for thickness in [0.0, 1e-9, f64::INFINITY] {
+            let flat = Flat::with_layer(&lead, &steel(), thickness, Rule::Gao).unwrap();
+            let contact = flat.under(Zmc::new(0.89, 54.0).unwrap(), &steel());
+            let curve = Curve::of(&*contact, 20e-6, &[1e-12, 1e-6]);
+            let of_load = |fall: &&Fall| fall.of == Falling::Load && (fall.loss() - 9.76e-4).abs() < 1e-6;
+            assert!(curve.falls.iter().any(|fall| of_load(&fall)), "{thickness}: {:?}", curve.falls);
+        }
     }
 
     #[test]

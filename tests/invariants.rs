@@ -9,6 +9,7 @@ use asperity::interface::{Interface, MicroContact};
 use asperity::law::{Hertz, Zmc};
 use asperity::material::Material;
 use asperity::model::{Datum, Deterministic, Model, Statistical, at_pressure};
+use asperity::numeric::interval::Interval;
 use common::{Worst, relative_error, rows};
 
 const CASE_1: Population =
@@ -251,9 +252,9 @@ fn load_control_returns_the_largest_separation_that_carries_the_pressure() {
 #[test]
 fn where_the_load_falls_the_first_reach_counts() {
     let law = zmc(0.89);
-    assert_eq!(law.load_rises_to(), 0.0);
-    assert_eq!(zmc(Zmc::ONSET).load_rises_to(), f64::INFINITY);
-    assert_eq!(zmc(0.4).load_rises_to(), f64::INFINITY);
+    assert_eq!(law.load_rises_to(Interval::point(2e-5)), 0.0);
+    assert_eq!(zmc(Zmc::ONSET).load_rises_to(Interval::point(2e-5)), f64::INFINITY);
+    assert_eq!(zmc(0.4).load_rises_to(Interval::point(2e-5)), f64::INFINITY);
     let set = Ordered::new(&AsperitySet::new(vec![0.0, -1e-6], vec![2e-5, 2e-5], 1.0).unwrap());
     let model = Deterministic::new(&law, &set, Datum { mean: 0.0, sigma: 1e-8 });
     let w1 = law.breakpoints(2e-5)[0];

@@ -273,7 +273,7 @@ fn no_load_falls_before_it_is_said_to() {
     for _ in 0..1500 {
         let case = Case::any(&mut random);
         let contact = case.contact();
-        let to = contact.load_rises_to();
+        let to = contact.load_rises_to(Interval::point(case.radius));
         if to > 0.0 {
             bounded += 1;
             let from = 1e-6 * case.thickness.min(case.thickness.powi(2) / case.radius);
@@ -296,7 +296,7 @@ fn a_jump_that_is_passed_backwards_is_a_fall() {
     let back = contact.regime_changes(2e-5)[1];
     let load = |w: f64| contact.contact(w, 2e-5).load;
     assert!(load(back * (1.0 + 1e-9)) < 0.7 * load(back * (1.0 - 1e-9)));
-    assert!(contact.load_rises_to() < back);
+    assert!(contact.load_rises_to(Interval::point(2e-5)) < back);
 }
 
 /// Counts the bounds that a search asks for.
@@ -312,8 +312,8 @@ impl MicroContact for Counted<'_> {
     fn breakpoints(&self, b: f64) -> Vec<f64> {
         self.0.breakpoints(b)
     }
-    fn load_rises_to(&self) -> f64 {
-        self.0.load_rises_to()
+    fn load_rises_to(&self, radii: Interval) -> f64 {
+        self.0.load_rises_to(radii)
     }
     fn load_over(&self, from: f64, to: f64, b: f64) -> LoadBounds {
         self.1.fetch_add(1, Ordering::Relaxed);

@@ -5,9 +5,12 @@ use asperity::experiment::Experiment;
 use asperity::experiment::progress::Silent;
 use asperity::experiment::results::{CompareResults, Results, Threshold};
 use asperity::report::store::Store;
+use asperity::sphere::Falling;
 
 /// A steel population on a flat, with the words of the flat.
 fn spec(flat: &str) -> String {
+    // Under a film the rough body never yields, and is pressed deep.
+    let (rough, nearest) = if flat.contains("film") { ("hard", -9.0) } else { ("steel", 1.0) };
     format!(
         r#"
 title = "t"
@@ -24,11 +27,22 @@ hardness = "0.17 GPa"
 young = "120 GPa"
 poisson = 0.33
 hardness = "3 GPa"
+[material.film]
+young = "200 GPa"
+poisson = 0.3
+hardness = "2 GPa"
+[material.soft]
+young = "200 GPa"
+poisson = 0.3
+hardness = "0.1 GPa"
+[material.hard]
+young = "600 GPa"
+poisson = 0.2
 [compare]
-rough = "steel"
+rough = "{rough}"
 {flat}
 law = ["zmc", "hertz"]
-separation = {{ values = [3, 1] }}
+separation = {{ values = [3, {nearest}] }}
 pressure = {{ values = ["1 MPa", "10 MPa"] }}
 [surface.a.population]
 radius = "20 um"
@@ -139,13 +153,47 @@ fn a_rule_outside_its_range_is_said_with_its_error() {
         compared(&flat).warnings()
     };
     let [gao] = &layer("lead", "gao")[..] else { panic!("one warning") };
-    assert!(gao.contains("0.086 times the substrate's") && gao.contains("0.5 to 2"), "{gao}");
-    assert!(gao.contains("\"gao\" is up to 2.35 times too stiff"), "{gao}");
+    assert!(gao.contains("its modulus is 0.0857 times the substrate's") && gao.contains("0.5 to 2"), "{gao}");
+    assert!(gao.contains("rule \"gao\" is up to 2.35 times too stiff"), "{gao}");
     let [series] = &layer("lead", "series")[..] else { panic!("one warning") };
     assert!(series.contains("\"series\" is up to 1.3") && series.contains("too compliant"), "{series}");
     assert_eq!(layer("titanium", "gao"), Vec::<String>::new());
-    let bare = compared("flat = \"steel\"\nlayer = { material = \"lead\", thickness = [0, \"inf\"] }");
-    assert_eq!(bare.warnings(), Vec::<String>::new(), "no thickness is finite: no rule is used");
+}
+
+/// One thin layer alone that does not matter says where a thicker one would.
+#[test]
+fn a_threshold_is_sought_beyond_the_list() {
+    let of = |list: &str| {
+        let flat = format!("flat = \"steel\"\nlayer = {{ material = \"lead\", thickness = {list} }}");
+        let found = compared(&flat).surfaces.remove(0).thresholds;
+        found.into_iter().map(|threshold| threshold.thickness).collect::<Vec<_>>()
+    };
+    let known = of("[0, 2e-8, 5e-8, \"inf\"]");
+    for list in ["[0, \"1 nm\"]", "\"inf\"", "[\"1 um\", \"2 um\"]"] {
+        for (found, known) in of(list).into_iter().zip(&known) {
+            assert!((found.unwrap() / known.unwrap() - 1.0).abs() < 0.02, "{list}: {found:?} {known:?}");
+        }
+    }
+    assert_eq!(of("0"), []);
+}
+
+/// A plastic film 20 times as hard as its substrate.
+#[test]
+fn where_a_load_falls_the_report_says_so() {
+    let flat = "flat = \"soft\"\nlayer = { material = \"film\", thickness = \"150 nm\" }";
+    let found = compared(flat);
+    let case = &found.surfaces[0].first.cases[0];
+    assert!(
+        case.falls.iter().any(|(_, fall)| fall.of == Falling::Load && fall.loss() > 0.01),
+        "{:?}",
+        case.falls
+    );
+    let page = &written(&Results::Compare(found), &["report.md"])[0];
+    assert!(
+        page.contains("the load of an asperity can fall as it is pressed deeper, with film of 150 nm"),
+        "{page}"
+    );
+    assert!(page.contains("the answers are the first"));
 }
 
 #[test]

@@ -58,7 +58,7 @@ impl MicroContact for Power {
     fn breakpoints(&self, _: f64) -> Vec<f64> {
         Vec::new()
     }
-    fn load_rises_to(&self) -> f64 {
+    fn load_rises_to(&self, _: Interval) -> f64 {
         f64::INFINITY
     }
     fn load_over(&self, _: f64, _: f64, _: f64) -> LoadBounds {
@@ -150,8 +150,8 @@ impl MicroContact for Forgetful {
     fn regime_changes(&self, b: f64) -> Vec<f64> {
         self.contact.regime_changes(b)
     }
-    fn load_rises_to(&self) -> f64 {
-        self.contact.load_rises_to()
+    fn load_rises_to(&self, radii: Interval) -> f64 {
+        self.contact.load_rises_to(radii)
     }
     fn load_over(&self, from: f64, to: f64, b: f64) -> LoadBounds {
         self.contact.load_over(from, to, b)

@@ -3,6 +3,7 @@
 use rayon::prelude::*;
 
 use super::AsperitySet;
+use crate::numeric::interval::Interval;
 
 /// A set with its asperities highest first, so that those in contact at any separation are a prefix
 /// and the others are never touched.
@@ -32,6 +33,12 @@ impl Ordered {
     /// Height of the highest asperity, m.
     pub fn highest(&self) -> f64 {
         self.heights[0]
+    }
+
+    /// The range of the radii, m.
+    pub fn radii(&self) -> Interval {
+        let low = self.radii.iter().copied().fold(f64::INFINITY, f64::min);
+        Interval { low, high: self.radii.iter().copied().fold(0.0, f64::max) }
     }
 
     /// Nominal area, m^2.

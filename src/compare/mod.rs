@@ -9,7 +9,7 @@ mod threshold;
 
 pub use gap::{FEWEST_CONTACTS, Gap, Gaps};
 pub use limit::{Exact, LimitCase, LimitPoint, Quantity, SlopeFit, convergence};
-pub use rule::{GOOD_RATIO, RuleCheck, RuleError};
+pub use rule::{GOOD_RATIO, RuleCheck, RuleError, RuleFindings};
 pub use spread::{Realisation, Scatter, Spread, spread};
 pub use threshold::threshold;
 

@@ -21,6 +21,59 @@ pub struct RuleCheck {
     modulus_ratio: f64,
 }
 
+/// Where the errors of the rules are told, a/t.
+const TOLD: [f64; 12] = [0.05, 0.1, 0.2, 0.5, 1.0, 2.0, 5.0, 10.0, 20.0, 50.0, 100.0, 200.0];
+
+/// How wrong each of [`Rule::ALL`] is for a layer, over a range of a/t.
+#[derive(Debug, Clone)]
+pub struct RuleFindings {
+    /// E_l/E_s.
+    pub modulus_ratio: f64,
+    /// Whether that lies where the paper's rule is good.
+    pub is_good: bool,
+    /// a/t, from and to.
+    pub range: [f64; 2],
+    /// At round a/t within them.
+    pub told: [Vec<RuleError>; 2],
+    /// The largest within them.
+    pub worst: [Option<RuleError>; 2],
+}
+
+impl RuleFindings {
+    /// The largest error of `rule`.
+    pub fn worst_of(&self, rule: Rule) -> Option<&RuleError> {
+        Rule::ALL.into_iter().zip(&self.worst).find(|(of, _)| *of == rule)?.1.as_ref()
+    }
+
+    /// What makes `rule` doubtful for the layer called `layer`; `None` where the moduli are near enough.
+    pub fn warning(&self, layer: &str, rule: Rule) -> Option<String> {
+        let size = self.worst_of(rule).map_or_else(String::new, |worst| {
+            let direction = if worst.ratio > 1.0 { "stiff" } else { "compliant" };
+            format!(
+                ". Without yielding, rule \"{}\" is up to {:.2} times too {direction} (load at equal indentation beside the \
+                 exact solution, a/t from {} to {}; most at a/t = {})",
+                rule.name(),
+                worst.factor(),
+                short(self.range[0]),
+                short(self.range[1]),
+                short(worst.contact_ratio),
+            )
+        });
+        let [from, to] = GOOD_RATIO;
+        (!self.is_good).then(|| {
+            format!(
+                "layer {layer}: its modulus is {} times the substrate's, outside the {from} to {to} where the paper's rule is good{size}",
+                short(self.modulus_ratio)
+            )
+        })
+    }
+}
+
+/// To three digits.
+fn short(value: f64) -> String {
+    format!("{value:.2e}").parse::<f64>().unwrap_or(value).to_string()
+}
+
 /// A rule's elastic load beside the exact one at equal indentation.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct RuleError {
@@ -106,6 +159,18 @@ impl RuleCheck {
         };
         let errors = (0..=steps as i32).filter_map(|k| self.at(rule, place(k)));
         errors.reduce(|worst, next| if next.factor() > worst.factor() + ROUNDING { next } else { worst })
+    }
+
+    /// Both rules over a/t from `from` to `to`; nothing told where the range is empty.
+    pub fn findings(&self, from: f64, to: f64) -> RuleFindings {
+        let told = TOLD.into_iter().filter(|told| (from..=to).contains(told));
+        RuleFindings {
+            modulus_ratio: self.modulus_ratio,
+            is_good: self.is_good(),
+            range: [from, to],
+            told: Rule::ALL.map(|rule| told.clone().filter_map(|told| self.at(rule, told)).collect()),
+            worst: Rule::ALL.map(|rule| self.worst(rule, from, to)),
+        }
     }
 
     /// The papers behind both rules and the exact solution.

@@ -7,12 +7,14 @@ const RANGE: [f64; 2] = [1e-12, 1.0];
 const CLOSE: f64 = 1.01;
 
 /// The thickness (m) below which a layer does not matter, between the thinnest of `listed` that does and the one before
-/// it; `listed` are thicknesses, ascending, and whether each matters, of which 0 does not. Infinite where none matters,
-/// `None` where one of a picometre still does.
+/// it, beyond the list in decades; `listed` are thicknesses, ascending, and whether each matters, of which 0 does not.
+/// Between two trials it is taken to begin to matter once. Infinite where none matters, `None` where one of a picometre still
+/// does.
 pub fn threshold(listed: &[(f64, bool)], matters: impl Fn(f64) -> bool) -> Option<f64> {
-    let Some(first) = listed.iter().position(|(_, matters)| *matters) else { return Some(f64::INFINITY) };
-    let mut thick = listed[first].0;
-    let mut thin = if first == 0 { 0.0 } else { listed[first - 1].0 };
+    let first = listed.iter().position(|(_, matters)| *matters);
+    let mut thick = first.map_or(f64::INFINITY, |first| listed[first].0);
+    let below = &listed[..first.unwrap_or(listed.len())];
+    let mut thin = below.iter().map(|(t, _)| *t).filter(|t| t.is_finite()).fold(0.0, f64::max);
     if thick == f64::INFINITY {
         // Up from the last one that does not matter, in decades.
         let mut trial = if thin > 0.0 { 10.0 * thin } else { RANGE[0] };
@@ -46,7 +48,8 @@ mod tests {
     #[test]
     fn between_two_listed_thicknesses_or_beyond_them() {
         let matters = |t: f64| t > 3e-8;
-        let lists: [&[f64]; 5] = [
+        let lists: [&[f64]; 6] = [
+            &[0.0, 1e-9],
             &[0.0, 1e-8, 1e-7, f64::INFINITY],
             &[0.0, 1e-6],
             &[0.0, 1e-9, f64::INFINITY],

@@ -6,13 +6,13 @@ use indexmap::IndexMap;
 use rayon::prelude::*;
 
 use super::Refusal;
-use super::plan::{IndentationPlan, LayerPlan, Plan};
+use super::plan::{IndentationPlan, LayerPlan, Plan, thickness_words};
 use super::progress::Progress;
 use super::results::{Head, Timing};
 use super::run::head;
 use super::spec::Show;
 use crate::coating::{CoatingError, Rule};
-use crate::compare::{GOOD_RATIO, RuleCheck, RuleError};
+use crate::compare::{RuleCheck, RuleError, RuleFindings};
 use crate::interface::Flat;
 use crate::layered::{ElasticContact, LayeredSphere};
 use crate::literature::{self, Paper};
@@ -21,9 +21,6 @@ use crate::sphere::Curve;
 
 /// a/R beyond which the sphere is no paraboloid and strains are not small.
 pub const LARGEST_SLOPE: f64 = 0.3;
-
-/// Where the errors of the rules are told, a/t.
-const TOLD: [f64; 12] = [0.05, 0.1, 0.2, 0.5, 1.0, 2.0, 5.0, 10.0, 20.0, 50.0, 100.0, 200.0];
 
 /// One sphere on layered flats.
 #[derive(Debug)]
@@ -63,8 +60,10 @@ pub struct LayerResults {
     pub laws: Vec<LawCurves>,
     /// The exact elastic contact at each indentation; `None` where it is too large to be solved.
     pub exact: Vec<Option<ElasticContact>>,
-    /// Each rule against the exact contact.
+    /// Both rules over the contacts of the sweep that are solved exactly.
     pub check: RuleFindings,
+    /// The errors of both at the indentations that were asked for, as far as the exact contact is solved.
+    pub errors: [Vec<RuleError>; 2],
 }
 
 /// One layer under one law.
@@ -82,46 +81,17 @@ pub struct LawCurves {
     pub at_overlay: Vec<f64>,
 }
 
-/// How wrong each of [`Rule::ALL`] is for a layer.
-#[derive(Debug)]
-pub struct RuleFindings {
-    /// E_l/E_s.
-    pub modulus_ratio: f64,
-    /// Whether that lies where the paper's rule is good.
-    pub is_good: bool,
-    /// At the indentations that were asked for, as far as the exact contact is solved.
-    pub errors: [Vec<RuleError>; 2],
-    /// At round a/t within them.
-    pub told: [Vec<RuleError>; 2],
-    /// The largest within them.
-    pub worst: [Option<RuleError>; 2],
-}
-
 impl IndentationResults {
     /// What makes the answers doubtful, a line each.
     pub fn warnings(&self) -> Vec<String> {
         let mut warnings = Vec::new();
         for found in &self.layers {
-            let layer = format!("layer {} of {} µm", found.name, short(1e6 * found.thickness));
-            if !found.check.is_good {
-                let [from, to] = GOOD_RATIO;
-                let size = found.worst().map_or_else(String::new, |worst| {
-                    let (ratio, at) = (short(worst.ratio), short(worst.contact_ratio));
-                    let bound = if worst.ratio < 1.0 { "as little as" } else { "up to" };
-                    format!(
-                        "; without yielding its load is {bound} {ratio} times the exact one, at a/t = {at}"
-                    )
-                });
-                warnings.push(format!(
-                    "{layer}: E_l/E_s = {} lies outside {from} to {to}, where the paper's rule is good (here: {}){size}",
-                    short(found.check.modulus_ratio),
-                    found.rule.name()
-                ));
-            }
+            let layer = format!("{} of {}", found.name, thickness_words(found.thickness));
+            warnings.extend(found.check.warning(&layer, found.rule));
             let slope = found.largest_slope(self.radius);
             if slope > LARGEST_SLOPE {
                 warnings.push(format!(
-                    "{layer}: the contact radius reaches {slope:.2} of the ball's; beyond {LARGEST_SLOPE} the ball is no \
+                    "layer {layer}: the contact radius reaches {slope:.2} of the ball's; beyond {LARGEST_SLOPE} the ball is no \
                      paraboloid and strains are not small"
                 ));
             }
@@ -130,18 +100,7 @@ impl IndentationResults {
     }
 }
 
-/// To three digits.
-fn short(value: f64) -> String {
-    format!("{value:.2e}").parse::<f64>().unwrap_or(value).to_string()
-}
-
 impl LayerResults {
-    /// The largest error of its own rule.
-    pub fn worst(&self) -> Option<&RuleError> {
-        let own = Rule::ALL.iter().position(|rule| *rule == self.rule)?;
-        self.check.worst[own].as_ref()
-    }
-
     /// a/R at the last indentation: the largest of all curves.
     pub fn largest_slope(&self, radius: f64) -> f64 {
         let last = |law: &LawCurves| law.coated.points.last().map(|point| point.contact.area);
@@ -191,7 +150,7 @@ fn on_layer(
     papers: &mut Vec<Paper>,
 ) -> Result<LayerResults, CoatingError> {
     let (ball, substrate) = (&plan.ball.1, &plan.flat.1);
-    let coated = layer.on(substrate, thickness)?;
+    let coated = layer.flat(thickness)?;
     let all_layer = Flat::AllLayer { substrate: *substrate, layer: layer.material };
     let measured = plan.overlay.iter().flat_map(|overlay| &overlay.points);
     let mut laws = Vec::new();
@@ -214,17 +173,24 @@ fn on_layer(
         let found = sphere.at_indentation(w)?;
         Some(ElasticContact { indentation: w, ..found })
     };
+    let (errors, found) = findings(&check, plan, thickness);
     Ok(LayerResults {
         name: layer.name.clone(),
         thickness,
         rule: layer.rule,
         laws,
         exact: plan.indentations.par_iter().map(exact).collect(),
-        check: findings(&check, plan, thickness),
+        check: found,
+        errors,
     })
 }
 
-fn findings(check: &RuleCheck, plan: &IndentationPlan, thickness: f64) -> RuleFindings {
+/// The errors of both rules at the indentations of the plan, and over the range of their contacts.
+fn findings(
+    check: &RuleCheck,
+    plan: &IndentationPlan,
+    thickness: f64,
+) -> ([Vec<RuleError>; 2], RuleFindings) {
     let ratio = |w: f64| w / thickness * (plan.radius / thickness);
     let errors = Rule::ALL.map(|rule| {
         let at = |&w: &f64| check.at_indentation(rule, ratio(w));
@@ -235,12 +201,5 @@ fn findings(check: &RuleCheck, plan: &IndentationPlan, thickness: f64) -> RuleFi
         [only] => [only.contact_ratio; 2],
         [] => [f64::NAN; 2],
     };
-    let told = TOLD.into_iter().filter(|told| (from..=to).contains(told));
-    RuleFindings {
-        modulus_ratio: check.modulus_ratio(),
-        is_good: check.is_good(),
-        told: Rule::ALL.map(|rule| told.clone().filter_map(|told| check.at(rule, told)).collect()),
-        worst: Rule::ALL.map(|rule| check.worst(rule, from, to)),
-        errors,
-    }
+    (errors, check.findings(from, to))
 }

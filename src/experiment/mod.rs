@@ -11,7 +11,7 @@ mod surface;
 mod thickness;
 mod whole;
 
-pub use indentation::{IndentationResults, LARGEST_SLOPE, LawCurves, LayerResults, RuleFindings};
+pub use indentation::{IndentationResults, LARGEST_SLOPE, LawCurves, LayerResults};
 pub use refusal::Refusal;
 pub use surface::{GenerationFacts, MapFacts, Surface};
 pub use whole::Whole;

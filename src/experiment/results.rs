@@ -9,10 +9,10 @@ use super::indentation::IndentationResults;
 use super::surface::Surface;
 use crate::asperity::{Population, Statistics};
 use crate::coating::Rule;
-use crate::compare::{Comparison, GOOD_RATIO, Gaps, Kind, LimitPoint, RuleError};
-use crate::interface::Falls;
+use crate::compare::{Comparison, Gaps, Kind, LimitPoint, RuleFindings};
 use crate::literature::Paper;
 use crate::material::Material;
+use crate::sphere::Fall;
 use crate::surface::Moments;
 
 /// The two bodies, by name.
@@ -52,19 +52,8 @@ pub struct LayerHead {
     pub rule: Rule,
     /// Thicknesses, m, ascending; 0 and infinity among them.
     pub thicknesses: Vec<f64>,
-    /// How good the rules are for these materials; `None` where no thickness is finite.
-    pub check: Option<RuleCheckResults>,
-}
-
-/// Both rules beside the exact elastic solution.
-#[derive(Debug, Clone)]
-pub struct RuleCheckResults {
-    /// E of the layer over that of the substrate.
-    pub modulus_ratio: f64,
-    /// [`Rule::Gao`] and [`Rule::Series`] at growing a/t.
-    pub rows: Vec<[RuleError; 2]>,
-    /// The worst of each rule.
-    pub worst: Vec<(Rule, RuleError)>,
+    /// How good the rules are for these materials, over a/t from 0.1 to 10.
+    pub check: RuleFindings,
 }
 
 /// The two bodies of a contact.
@@ -177,36 +166,10 @@ impl CompareResults {
     /// What makes the answers doubtful, a line each.
     pub fn warnings(&self) -> Vec<String> {
         let mut lines = warnings(self.surfaces.iter().map(|found| &found.surface));
-        lines.extend(self.contact.layer.as_ref().and_then(LayerHead::warning));
+        lines.extend(
+            self.contact.layer.as_ref().and_then(|layer| layer.check.warning(&layer.name, layer.rule)),
+        );
         lines
-    }
-}
-
-impl LayerHead {
-    /// What makes its rule doubtful, where the moduli differ too much.
-    fn warning(&self) -> Option<String> {
-        let check = self.check.as_ref().filter(|check| !check.is_good())?;
-        let (_, worst) = check.worst.iter().find(|(rule, _)| *rule == self.rule)?;
-        let direction = if worst.ratio > 1.0 { "stiff" } else { "compliant" };
-        Some(format!(
-            "the modulus of the layer, {}, is {:.3} times the substrate's; the paper's rule is good for {} to {}. Against the exact \
-             elastic solution the rule \"{}\" is up to {:.2} times too {direction} (load at equal indentation, at a = {:.2} t, before \
-             anything yields)",
-            self.name,
-            check.modulus_ratio,
-            GOOD_RATIO[0],
-            GOOD_RATIO[1],
-            self.rule.name(),
-            worst.factor(),
-            worst.contact_ratio,
-        ))
-    }
-}
-
-impl RuleCheckResults {
-    /// Whether E_l/E_s lies where the paper's rule is good.
-    pub fn is_good(&self) -> bool {
-        (GOOD_RATIO[0]..=GOOD_RATIO[1]).contains(&self.modulus_ratio)
     }
 }
 
@@ -271,8 +234,9 @@ pub struct CaseResults {
     pub thickness: Option<f64>,
     /// Greenwood and Williamson's plasticity index; `None` where nothing yields.
     pub plasticity_index: Option<f64>,
-    /// Where an asperity of the mean radius carries less, or touches on less, as it is pressed deeper.
-    pub falls: Falls,
+    /// Where the sharpest, a mean and the bluntest asperity carry less, or touch on less, as they are pressed deeper: the
+    /// radius, m, and the stretch.
+    pub falls: Vec<(f64, Fall)>,
     /// Both models' answers.
     pub comparison: Comparison,
     /// The largest gaps between them.

@@ -2,23 +2,26 @@
 
 use std::time::Instant;
 
+use super::plan::thickness_words;
 use super::plan::{ComparePlan, LawPlan, LayerPlan, LimitPlan, Plan, PlanKind, SurfacePlan};
 use super::progress::Progress;
 use super::results::{
     Bodies, CaseResults, CompareResults, ContactHead, Head, LayerHead, LimitResults, RealisationResults,
-    Results, RuleCheckResults, SurfaceResults, SurfacesResults, Timing,
+    Results, SurfaceResults, SurfacesResults, Timing,
 };
 use super::surface::Surface;
 use super::whole::Look;
 use super::{Refusal, digest, hexadecimal, indentation, stream_seed, thickness};
 use crate::asperity::{Ordered, Population, gaussian_moment};
-use crate::coating::Rule;
+use crate::coating::CoatingError;
 use crate::compare::{
-    Comparison, Control, Exact, Gaps, Kind, LimitCase, Models, NotReached, RuleCheck, compare, convergence,
+    Comparison, Control, Exact, Gaps, Kind, LimitCase, Models, NotReached, RuleCheck, RuleFindings, compare,
+    convergence,
 };
-use crate::interface::{Falls, plasticity_index};
+use crate::interface::{MicroContact, plasticity_index};
 use crate::literature::{self, Paper};
 use crate::model::{Deterministic, Model, Statistical};
+use crate::sphere::{Curve, Fall};
 
 pub(super) fn run(plan: &Plan, progress: &dyn Progress) -> Result<Results, Refusal> {
     match &plan.kind {
@@ -57,7 +60,19 @@ fn run_compare(
         surfaces.push(SurfaceResults { surface: first_surface, first, others, thresholds });
     }
     timing.total = start.elapsed();
-    let contact = contact_head(plan, &compare.laws, &compare.bodies, compare.layer.as_ref());
+    let mut layer_head = None;
+    if let Some(layer) = &compare.layer {
+        let (check, rules) =
+            rule_check(compare, layer).map_err(|error| Refusal::file(&plan.source.path, error))?;
+        papers.extend(rules);
+        layer_head = Some(LayerHead {
+            name: layer.name.clone(),
+            rule: layer.rule,
+            thicknesses: layer.thicknesses.clone(),
+            check,
+        });
+    }
+    let contact = contact_head(plan, &compare.laws, &compare.bodies, layer_head);
     Ok(CompareResults { head: head(plan, papers, timing), contact, surfaces })
 }
 
@@ -107,7 +122,7 @@ fn run_surface(
             law: law.label.clone(),
             thickness: law.thickness,
             plasticity_index: plasticity_index(contact, population.sigma, population.radius),
-            falls: Falls::of(contact, population.radius, deepest(&comparison, surface)),
+            falls: falls(contact, population.radius, &comparison, surface),
             gaps: Gaps::of(&comparison.pairs, area, surface.datum.sigma),
             comparison,
         });
@@ -123,13 +138,32 @@ fn run_surface(
     })
 }
 
-/// The deepest indentation of the asperities that stand out least, m: some sigma above the nearest flat that was asked
-/// for.
-fn deepest(comparison: &Comparison, surface: &Surface) -> f64 {
-    /// Of the highest asperities, in sigma.
-    const HIGHEST: f64 = 4.0;
-    let nearest = comparison.curves.iter().map(|point| point.response.separation_over_sigma);
-    (HIGHEST - nearest.fold(0.0, f64::min)) * surface.datum.sigma
+/// Where area or load of the sharpest asperity, of one of the radius `mean` (m) and of the bluntest falls, as deep as
+/// the highest asperity is pressed.
+fn falls(
+    contact: &dyn MicroContact,
+    mean: f64,
+    comparison: &Comparison,
+    surface: &Surface,
+) -> Vec<(f64, Fall)> {
+    /// The first indentation that is looked at, of the deepest.
+    const SHALLOWEST: f64 = 1e-4;
+    let highest = surface.set.heights().iter().copied().fold(f64::NEG_INFINITY, f64::max);
+    let nearest =
+        comparison.curves.iter().map(|point| point.response.separation).fold(f64::INFINITY, f64::min);
+    let deepest = highest - surface.datum.mean - nearest;
+    if !(deepest.is_finite() && deepest > 0.0) {
+        return Vec::new();
+    }
+    let radii = surface.set.radii();
+    let sharpest = radii.iter().copied().fold(f64::INFINITY, f64::min);
+    let mut looked_at = vec![sharpest, mean, radii.iter().copied().fold(0.0, f64::max)];
+    looked_at.dedup();
+    let of = |&radius: &f64| {
+        let curve = Curve::of(contact, radius, &[SHALLOWEST * deepest, deepest]);
+        curve.falls.into_iter().map(move |fall| (radius, fall))
+    };
+    looked_at.iter().flat_map(of).collect()
 }
 
 /// Points at the sweep that asks for more than a model reaches.
@@ -140,7 +174,8 @@ fn refuse_load(
     law: &LawPlan,
     error: &NotReached,
 ) -> Refusal {
-    let layer = law.thickness.map_or_else(String::new, |t| format!(", layer of {t:e} m"));
+    let layer =
+        law.thickness.map_or_else(String::new, |t| format!(", layer of thickness {}", thickness_words(t)));
     let message = format!("surface {surface}, law {}{layer}: {error}", law.label);
     let span = match error.control {
         Control::Pressure => compare.load_keys[0].clone(),
@@ -238,22 +273,16 @@ pub(super) fn head(plan: &Plan, mut papers: Vec<Paper>, timing: Timing) -> Head 
     }
 }
 
-/// How good both rules are between the materials of a spec.
-fn rule_check(plan: &Plan, bodies: &Bodies, layer: &LayerPlan) -> Option<RuleCheckResults> {
-    /// a/t of the rows.
-    const ROWS: [f64; 7] = [0.1, 0.2, 0.5, 1.0, 2.0, 5.0, 10.0];
-    let body = |name: &str| plan.materials.get(name);
-    let check = RuleCheck::new(body(&bodies.rough)?, &layer.material, body(&bodies.flat)?).ok()?;
-    let row = |&ratio: &f64| Some([check.at(Rule::Gao, ratio)?, check.at(Rule::Series, ratio)?]);
-    let worst = |rule| Some((rule, check.worst(rule, ROWS[0], ROWS[ROWS.len() - 1])?));
-    Some(RuleCheckResults {
-        modulus_ratio: check.modulus_ratio(),
-        rows: ROWS.iter().filter_map(row).collect(),
-        worst: Rule::ALL.into_iter().filter_map(worst).collect(),
-    })
+/// How good both rules are between the materials of a comparison.
+fn rule_check(compare: &ComparePlan, layer: &LayerPlan) -> Result<(RuleFindings, Vec<Paper>), CoatingError> {
+    /// a/t, from and to.
+    const RANGE: [f64; 2] = [0.1, 10.0];
+    let [rough, flat] = &compare.pair;
+    let check = RuleCheck::new(rough, &layer.material, flat)?;
+    Ok((check.findings(RANGE[0], RANGE[1]), check.papers()))
 }
 
-fn contact_head(plan: &Plan, laws: &[LawPlan], bodies: &Bodies, layer: Option<&LayerPlan>) -> ContactHead {
+fn contact_head(plan: &Plan, laws: &[LawPlan], bodies: &Bodies, layer: Option<LayerHead>) -> ContactHead {
     // Every law of an experiment stands on the same two bodies.
     let contact = &laws[0].contact;
     ContactHead {
@@ -261,11 +290,6 @@ fn contact_head(plan: &Plan, laws: &[LawPlan], bodies: &Bodies, layer: Option<&L
         bodies: bodies.clone(),
         reduced_modulus: contact.reference_modulus(),
         hardness: Some(contact.reference_hardness()).filter(|hardness| hardness.is_finite()),
-        layer: layer.map(|layer| LayerHead {
-            name: layer.name.clone(),
-            rule: layer.rule,
-            thicknesses: layer.thicknesses.clone(),
-            check: layer.has_finite().then(|| rule_check(plan, bodies, layer)).flatten(),
-        }),
+        layer,
     }
 }

@@ -24,7 +24,10 @@ pub(super) fn thresholds(
     let area = surface.set.nominal_area();
     let mut pressures: Vec<f64> = plan.controls.pressures.clone();
     pressures.extend(plan.controls.forces.iter().map(|force| force / area));
-    let pressures = of_each_decade(pressures);
+    let pressures = some_of(pressures);
+    if layer.thicknesses == [0.0] {
+        return Vec::new();
+    }
     let ordered = plan.models.contains(&Kind::Deterministic).then(|| Ordered::new(&surface.set));
     let mut asked = Vec::new();
     for law in &plan.law_specs {
@@ -40,9 +43,14 @@ pub(super) fn thresholds(
     asked.par_iter().filter_map(one).collect()
 }
 
-/// Of each decade the load that is nearest to its beginning.
-fn of_each_decade(mut loads: Vec<f64>) -> Vec<f64> {
+/// All loads (Pa) of a short list; of a long one those nearest to the powers of ten.
+fn some_of(mut loads: Vec<f64>) -> Vec<f64> {
+    const SHORT: usize = 6;
     loads.sort_unstable_by(f64::total_cmp);
+    loads.dedup();
+    if loads.len() <= SHORT {
+        return loads;
+    }
     let decade = |load: f64| load.log10().round();
     let away = |load: f64| (load.log10() - decade(load)).abs();
     let mut chosen: Vec<f64> = Vec::new();
@@ -97,8 +105,7 @@ impl Question<'_> {
 
     /// The area ratio under a layer of any thickness (m).
     fn area(&self, thickness: f64) -> Option<f64> {
-        let [rough, flat] = &self.plan.pair;
-        let contact = self.law.interface(rough, &self.layer.on(flat, thickness).ok()?);
+        let contact = self.law.interface(&self.plan.pair[0], &self.layer.flat(thickness).ok()?);
         let contact: &dyn MicroContact = &*contact;
         let press = |model: &dyn Model| at_pressure(model, self.pressure).ok();
         let reached = match self.kind {

@@ -51,7 +51,7 @@ impl<L: Law> MicroContact for Interface<L> {
     }
 
     /// Bare contacts of one law are similar whatever their radius, and within a regime no law falls.
-    fn load_rises_to(&self) -> f64 {
+    fn load_rises_to(&self, _: Interval) -> f64 {
         if super::drops(&self.law, &self.pair) { 0.0 } else { f64::INFINITY }
     }
 

@@ -111,7 +111,7 @@ impl<L: Law> Layered<L> {
     }
 
     /// (w/b) (E*/H)^2.
-    fn place(w: Interval, b: f64, felt: &FeltRange) -> Interval {
+    fn place(w: Interval, b: Interval, felt: &FeltRange) -> Interval {
         let strain = felt.modulus * felt.hardness.recip();
         w * strain * strain * b.recip()
     }
@@ -121,23 +121,6 @@ impl<L: Law> Layered<L> {
     fn exponents(e: Interval, modulus_slope: Interval, hardness_slope: Interval) -> Interval {
         let at = |e: f64| modulus_slope * (2.0 * e - 2.0) + hardness_slope * (3.0 - 2.0 * e) + e;
         at(e.low).hull(at(e.high))
-    }
-
-    /// All d ln E*/d ln w there are.
-    fn steps_of_modulus(&self) -> Interval {
-        /// Pieces of 1/xi; its last end is far in the substrate.
-        const PIECES: i32 = 200;
-        let unit = Interval::point(1.0);
-        let place = |k: i32| match k {
-            0 => 0.0,
-            PIECES => 1e100 * self.coating.thickness(),
-            k => 1e-12 * 1e24f64.powf(f64::from(k) / f64::from(PIECES)) * self.coating.thickness(),
-        };
-        let steps = |k: i32| {
-            let w = Interval { low: place(k).powi(2), high: place(k + 1).powi(2) };
-            self.felt_over(w, unit).modulus_slope
-        };
-        (0..PIECES).map(steps).fold(Interval::point(0.0), Interval::hull)
     }
 
     /// Where w = `ratio` b (H/E*)^2: every root, by the sign of ln w - 2 ln H + 2 ln E* - ln(ratio b) over ln w.
@@ -218,41 +201,36 @@ impl<L: Law> MicroContact for Layered<L> {
         points
     }
 
-    fn load_rises_to(&self) -> f64 {
+    fn load_rises_to(&self, radii: Interval) -> f64 {
         /// Pieces of the depth on which the hardness changes.
         const PIECES: i32 = 400;
         if self.jumps.iter().any(|&(_, jump)| jump < 1.0) {
             return 0.0;
         }
-        let whole = Interval { low: 0.0, high: 1e200 };
-        let of_modulus = self.steps_of_modulus();
-        let exponents = self.law.load_exponents(Interval { low: 0.0, high: f64::INFINITY });
-        let rises = |of_hardness: Interval| {
+        let end = self.coating.depth();
+        // From a depth at which next to nothing of the layer is gone, to any.
+        let place = |k: i32| match k {
+            0 => 0.0,
+            k if k > PIECES => 1e200,
+            k => end * 1e-12f64.powf(1.0 - f64::from(k) / f64::from(PIECES)),
+        };
+        let rises = |k: &i32| {
+            let w = Interval { low: place(*k), high: place(k + 1) };
+            let felt = self.felt_over(w, radii);
+            let exponents = self.law.load_exponents(Self::place(w, radii, &felt));
             // Back over a boundary, a rise of the load is a fall.
-            let turns_back = (of_modulus - of_hardness).low <= -0.5;
-            Self::exponents(exponents, of_modulus, of_hardness).low > 0.0
+            let turns_back = (felt.modulus_slope - felt.hardness_slope).low <= -0.5;
+            Self::exponents(exponents, felt.modulus_slope, felt.hardness_slope).low > 0.0
                 && (self.jumps.is_empty() || !turns_back)
         };
-        let unit = Interval::point(1.0);
-        if !rises(Interval::point(0.0)) {
-            return 0.0;
-        }
-        if rises(self.felt_over(whole, unit).hardness_slope) {
-            return f64::INFINITY;
-        }
-        let end = self.coating.depth();
-        // From a depth at which next to nothing of the layer is gone.
-        let place =
-            |k: i32| if k == 0 { 0.0 } else { end * 1e-12f64.powf(1.0 - f64::from(k) / f64::from(PIECES)) };
-        let piece = |k: i32| Interval { low: place(k), high: place(k + 1) };
-        let falling = (0..PIECES).find(|&k| !rises(self.felt_over(piece(k), unit).hardness_slope));
-        falling.map_or(f64::INFINITY, place)
+        (0..=PIECES).find(|k| !rises(k)).map_or(f64::INFINITY, place)
     }
 
     fn load_over(&self, from: f64, to: f64, b: f64) -> LoadBounds {
         let w = Interval { low: from, high: to };
-        let felt = self.felt_over(w, Interval::point(b));
-        let u = Self::place(w, b, &felt);
+        let radius = Interval::point(b);
+        let felt = self.felt_over(w, radius);
+        let u = Self::place(w, radius, &felt);
         let exponents = Self::exponents(self.law.load_exponents(u), felt.modulus_slope, felt.hardness_slope);
         if self.jumps.iter().any(|&(place, _)| u.holds(place)) || (from == 0.0 && exponents.low < 0.0) {
             let low = Pair { reduced_modulus: felt.modulus.low, hardness: felt.hardness.low };

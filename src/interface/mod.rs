@@ -1,11 +1,9 @@
 //! Materials, coating and law together: the micro-contact that both models add up.
 
 mod bare;
-mod falls;
 mod layered;
 
 pub use bare::Interface;
-pub use falls::{Fall, Falls};
 pub use layered::Layered;
 
 use crate::coating::{Coating, CoatingError, Rule};
@@ -128,9 +126,10 @@ pub trait MicroContact: Send + Sync {
     /// of radius `b` are smooth in w^.5, up to the first as far as 0, behind it on the scale of w itself.
     fn breakpoints(&self, b: f64) -> Vec<f64>;
 
-    /// Up to this indentation (m) no load falls as the indentation grows, whatever the radius: infinite where none
-    /// ever does, 0 where nothing is known. Beyond it a pressure may be reached more than once on approach.
-    fn load_rises_to(&self) -> f64;
+    /// Up to this indentation (m) no load falls as the indentation grows, of asperities whose radii (m) lie within
+    /// `radii`: infinite where none ever does, 0 where nothing is known. Beyond it a pressure may be reached more than
+    /// once on approach.
+    fn load_rises_to(&self, radii: Interval) -> f64;
 
     /// Bounds of the load at indentations from `from` to `to`, `from < to` (m), that close with the range.
     fn load_over(&self, from: f64, to: f64, b: f64) -> LoadBounds;

@@ -88,6 +88,9 @@ impl LayeredSphere {
     /// 1000 times stiffer than its substrate.
     pub fn at_indentation(&self, w: f64) -> Option<ElasticContact> {
         let target = w / self.thickness * (self.radius / self.thickness);
+        if target.is_nan() || target <= 0.0 {
+            return None;
+        }
         let (mut low, mut high) = (0.0, f64::INFINITY);
         let mut a = target.sqrt().min(LARGEST_RATIO);
         loop {

@@ -7,6 +7,7 @@ use super::{Datum, Model, Response};
 use crate::asperity::{Population, Statistics};
 use crate::contact::Tally;
 use crate::interface::MicroContact;
+use crate::numeric::interval::Interval;
 use crate::numeric::quadrature::{Variable, panels};
 use crate::numeric::root::last_reaching;
 
@@ -184,7 +185,7 @@ impl<C: MicroContact + ?Sized> Model for Statistical<'_, C> {
         let density = self.population.heights;
         let highest = self.quoted(density.highest_separation());
         let search = |low, high| last_reaching(|h| self.pressure(h), pressure, low, high);
-        if self.contact.load_rises_to() == f64::INFINITY {
+        if self.contact.load_rises_to(Interval::point(self.population.radius)) == f64::INFINITY {
             return search(LOWEST_SEPARATION, highest);
         }
         let mode = self.quoted(density.mode()).max(LOWEST_SEPARATION);

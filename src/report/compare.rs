@@ -1,5 +1,6 @@
 //! The page of a comparison: how far apart the two models are, why, and which to trust.
 
+use super::falls;
 use super::figures;
 use super::format::{count, number, quantity};
 use super::head;
@@ -30,6 +31,15 @@ pub fn page(results: &CompareResults) -> Page {
     for found in results.surfaces.iter().filter(|_| in_full) {
         for index in 0..found.first.cases.len() {
             page.bullets(in_short(results, found, index));
+        }
+    }
+    for found in &results.surfaces {
+        for law in laws(found) {
+            let cases: Vec<&CaseResults> = found.first.cases.iter().filter(|case| case.law == law).collect();
+            let lines = falls::lines(&subject(results, found, law), &cases, results.contact.layer.as_ref());
+            if !lines.is_empty() {
+                page.bullets(lines);
+            }
         }
     }
     head::what_was_run(&mut page, &results.head, &results.contact);

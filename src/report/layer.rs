@@ -5,10 +5,9 @@ use super::figures::curve;
 use super::format::{number, percent, quantity};
 use super::page::{Page, escape};
 use super::plot::{Axis, Colour, Dash, Figure, Layer, Marker, Plot};
-use crate::compare::{CurvePoint, GOOD_RATIO, Gap, Kind};
+use crate::compare::{GOOD_RATIO, Gap, Kind};
 use crate::contact::Regime;
 use crate::experiment::results::{CaseResults, CompareResults, LayerHead, SurfaceResults, Threshold};
-use crate::interface::Fall;
 use crate::model::{INTERACTION, Response};
 
 /// One surface under one law: a case for each thickness.
@@ -31,8 +30,18 @@ pub fn thickness(value: f64) -> String {
     }
 }
 
+/// "under 50 nm of lead".
+pub fn under(layer: &LayerHead, t: f64) -> String {
+    let name = escape(&layer.name);
+    match t {
+        0.0 => "without a layer".to_owned(),
+        f64::INFINITY => format!("on nothing but {name}"),
+        t => format!("under {} of {name}", quantity(t, "m")),
+    }
+}
+
 /// A list as a sentence has it.
-fn listed(names: &[String]) -> String {
+pub fn listed(names: &[String]) -> String {
     match names {
         [] => String::new(),
         [one] => one.clone(),
@@ -42,26 +51,25 @@ fn listed(names: &[String]) -> String {
 
 /// How good the rules are, beside the exact solution.
 pub fn rule_section(page: &mut Page, layer: &LayerHead) {
-    let Some(check) = &layer.check else { return };
+    let check = &layer.check;
     page.heading(2, "How good is the rule?");
-    let verdict = if check.is_good() {
-        format!("within the {} to {} where the paper's rule is good", GOOD_RATIO[0], GOOD_RATIO[1])
-    } else {
-        format!("outside the {} to {} where the paper's rule is good", GOOD_RATIO[0], GOOD_RATIO[1])
-    };
+    let place = if check.is_good { "within" } else { "outside" };
     page.paragraph(&format!(
-        "E of the layer is {} of that of the substrate, {verdict} (Perriot and Barthel 2004). This is the elastic load by both rules over \
-         that of the exact solution at equal indentation, a the exact contact radius; this experiment uses `{}`. Where contacts \
-         are plastic the modulus does not enter the load, and the error is smaller.",
+        "E of the layer is {} of that of the substrate, {place} the {} to {} where the paper's rule (`gao`) is good (Perriot and Barthel 2004). \
+         This is the elastic load by both rules over that of the exact solution at equal indentation, a the exact contact radius; this \
+         experiment uses `{}`. The tables below say which a/t its contacts have. The ball of the exact solution is as elastic as the rough \
+         body; under a rigid one the errors are larger. Where a contact is plastic the modulus does not enter its load.",
         number(check.modulus_ratio),
+        GOOD_RATIO[0],
+        GOOD_RATIO[1],
         layer.rule.name(),
     ));
+    let [gao, series] = &check.told;
     page.table(
         ["a/t", "load by rule gao / exact", "load by rule series / exact"],
-        check
-            .rows
-            .iter()
-            .map(|[gao, series]| vec![number(gao.contact_ratio), number(gao.ratio), number(series.ratio)]),
+        gao.iter().zip(series).map(|(gao, series)| {
+            vec![number(gao.contact_ratio), format!("{:.3}", gao.ratio), format!("{:.3}", series.ratio)]
+        }),
     );
 }
 
@@ -96,15 +104,10 @@ impl<'a> Series<'a> {
     pub fn in_short(&self) -> Vec<String> {
         let mut lines = Vec::new();
         lines.extend(self.threshold_finding());
+        lines.extend(self.plastic_finding());
         if self.has_several() {
             lines.extend(self.gap_finding());
         }
-        lines.extend(self.fall_finding("area", |case| case.falls.area, ""));
-        lines.extend(self.fall_finding(
-            "load",
-            |case| case.falls.load,
-            " A pressure may then be reached more than once on approach; the answers are the first.",
-        ));
         lines
     }
 
@@ -142,6 +145,45 @@ impl<'a> Series<'a> {
         })
     }
 
+    /// How the plastic share of the load changes with the thickness, at the highest load.
+    fn plastic_finding(&self) -> Option<String> {
+        let load = *self.loads().last()?;
+        let kind = self.foremost();
+        let share = |case: &&&CaseResults| {
+            let response = &case.comparison.at_load(kind, load)?.response;
+            Some((case.thickness?, response.pressure.shares()?[Regime::Plastic as usize]))
+        };
+        let all: Vec<(f64, f64)> = self.cases.iter().filter_map(|case| share(&case)).collect();
+        let most = all.iter().max_by(|a, b| a.1.total_cmp(&b.1))?;
+        let least = all.iter().min_by(|a, b| a.1.total_cmp(&b.1))?;
+        (self.has_several() && most.1 > 0.0).then(|| {
+            format!(
+                "**{}**: the plastic share of the load at {} ({}) is largest {}, {}, and smallest {}, {}.",
+                escape(&self.subject),
+                quantity(load, "Pa"),
+                kind.name(),
+                under(self.layer, most.0),
+                percent(most.1),
+                under(self.layer, least.0),
+                percent(least.1),
+            )
+        })
+    }
+
+    /// The model that is drawn solid: the sum, or the integral where it stands alone.
+    fn foremost(&self) -> Kind {
+        if self.kinds().contains(&Kind::Deterministic) { Kind::Deterministic } else { Kind::Statistical }
+    }
+
+    /// What the lines of a picture are.
+    fn lines_are(&self) -> &'static str {
+        match self.kinds()[..] {
+            [Kind::Statistical] => "Lines: the statistical integral.",
+            [Kind::Deterministic] => "Lines: the deterministic sum.",
+            _ => "Solid: the deterministic sum, as in the paper's Fig. 6; dashed: the statistical integral.",
+        }
+    }
+
     /// Where the models are furthest apart, over all thicknesses, and which to trust.
     fn gap_finding(&self) -> Vec<String> {
         let separation = |case: &&CaseResults| {
@@ -154,50 +196,24 @@ impl<'a> Series<'a> {
         let least = all.iter().min_by(|a, b| size(a).total_cmp(&size(b)));
         let (Some(most), Some(least)) = (most, least) else { return Vec::new() };
         let subject = escape(&self.subject);
+        let least = if size(most) > size(least) {
+            format!(
+                ", and by up to {} σ {}, where they differ least",
+                number(size(least)),
+                under(self.layer, least.0)
+            )
+        } else {
+            String::new()
+        };
         let gaps = self.cases.iter().flat_map(|case| &case.gaps.largest);
         vec![
             format!(
-                "**{subject}**: the two models' separations at equal load differ by up to {} σ {}, where they differ most, and by up \
-                 to {} σ {}, where they differ least. {CONDITION}",
+                "**{subject}**: the two models' separations at equal load differ by up to {} σ {}, where they differ most{least}. {CONDITION}",
                 number(size(most)),
-                self.under(most.0),
-                number(size(least)),
-                self.under(least.0),
+                under(self.layer, most.0),
             ),
             format!("**{subject}, which to trust**: {}", verdict(self.found, is_significant(gaps))),
         ]
-    }
-
-    /// "under 50 nm of lead".
-    fn under(&self, t: f64) -> String {
-        let name = escape(&self.layer.name);
-        match t {
-            0.0 => "without a layer".to_owned(),
-            f64::INFINITY => format!("on nothing but {name}"),
-            t => format!("under {} of {name}", quantity(t, "m")),
-        }
-    }
-
-    fn fall_finding(
-        &self,
-        what: &str,
-        of: fn(&CaseResults) -> Option<Fall>,
-        consequence: &str,
-    ) -> Option<String> {
-        let falling: Vec<(f64, Fall)> =
-            self.cases.iter().filter_map(|case| Some((case.thickness?, of(case)?))).collect();
-        let worst = falling.iter().max_by(|a, b| a.1.loss.total_cmp(&b.1.loss))?;
-        let names: Vec<String> = falling.iter().map(|(t, _)| thickness(*t)).collect();
-        Some(format!(
-            "**{}**: the {what} of an asperity of mean radius falls somewhere as it is pressed deeper, with {} of {}; by up to {} ({}, between {} and {}).{consequence}",
-            escape(&self.subject),
-            escape(&self.layer.name),
-            listed(&names),
-            percent(worst.1.loss),
-            self.under(worst.0),
-            quantity(worst.1.from, "m"),
-            quantity(worst.1.to, "m"),
-        ))
     }
 
     /// The pictures and tables.
@@ -206,57 +222,76 @@ impl<'a> Series<'a> {
         page.figure(
             &format!("{}-layers.svg", self.stem),
             self.figure_6(),
-            "Separation and real area against load, by thickness of the layer. Solid: the deterministic sum, as in the paper's Fig. 6; dashed: the statistical integral.",
+            &format!(
+                "Separation and real area against load, by thickness of the layer. {}",
+                self.lines_are()
+            ),
         );
         let loads = self.loads();
+        if !self.found.others.is_empty() {
+            page.paragraph("Pictures, tables and findings by thickness are of the first realisation; the others are in `curves.csv`.");
+        }
         if loads.is_empty() {
+            page.paragraph(
+                "No pressure or force is asked for: nothing can be said at equal load, by thickness. With `pressure = ...` this report has the \
+                 real area, the mean real pressure and the regimes against the thickness.",
+            );
             return;
         }
         if self.finite().count() > 1 {
             page.figure(
                 &format!("{}-thickness.svg", self.stem),
                 self.by_thickness(),
-                "Real area, mean real pressure and plastic share of the load against thickness, by nominal pressure. Solid: deterministic; dashed: statistical. Squares at the edges: no layer (left), all layer (right).",
+                &format!(
+                    "Real area, mean real pressure and plastic share of the load against thickness, by nominal pressure. {} At the edges: no \
+                     layer (left), all layer (right).",
+                    self.lines_are()
+                ),
             );
             page.figure(
                 &format!("{}-regimes.svg", self.stem),
                 self.regimes(),
-                "How the load is shared by the regimes, by thickness (deterministic, or statistical where that was not asked for).",
+                &format!(
+                    "How the load is shared by the regimes, by thickness, at the least, a middle and the highest load ({}).",
+                    self.foremost().name()
+                ),
             );
         }
         self.threshold_table(page);
-        page.paragraph("All thicknesses at these loads; shares are those of the load, elastic / elastic-plastic / plastic:");
+        page.paragraph(
+            "All thicknesses at these loads; a/t is that of the mean contact, shares are those of the load, elastic / elastic-plastic / plastic:",
+        );
+        type Column = (&'static str, fn(&Response) -> String);
+        let columns: [Column; 4] = [
+            ("d/σ", |r| number(r.separation_over_sigma)),
+            ("A/A_nom", |r| {
+                let mark = if r.is_beyond_model() { " *" } else { "" };
+                format!("{}{mark}", number(r.area_ratio.total()))
+            }),
+            ("mean real p", |r| r.mean_real_pressure().map_or_else(|| "–".to_owned(), |p| quantity(p, "Pa"))),
+            ("shares", shares),
+        ];
+        let kinds = self.kinds();
+        let short = |kind: Kind| if kind == Kind::Statistical { "stat." } else { "det." };
+        let mut header = vec!["p".to_owned(), "layer".to_owned(), "a/t".to_owned()];
+        for (name, _) in columns {
+            header.extend(kinds.iter().map(|&kind| format!("{name} {}", short(kind))));
+        }
         let rows = loads.iter().flat_map(|&load| self.cases.iter().map(move |case| (load, case)));
         page.table(
-            [
-                "p",
-                "layer",
-                "d/σ stat.",
-                "d/σ det.",
-                "A/A_nom stat.",
-                "A/A_nom det.",
-                "mean real p stat.",
-                "mean real p det.",
-                "shares stat.",
-                "shares det.",
-            ],
+            header,
             rows.map(|(load, case)| {
-                let [s, d] =
-                    [Kind::Statistical, Kind::Deterministic].map(|kind| case.comparison.at_load(kind, load));
-                let text = |point: Option<&CurvePoint>, value: fn(&Response) -> String| {
-                    point.map_or_else(|| "–".to_owned(), |point| value(&point.response))
-                };
-                let pair = |value: fn(&Response) -> String| [text(s, value), text(d, value)];
-                let mut row = vec![quantity(load, "Pa"), thickness(case.thickness.unwrap_or(0.0))];
-                row.extend(pair(|r| number(r.separation_over_sigma)));
-                row.extend(pair(|r| {
-                    let mark = if r.is_beyond_model() { " *" } else { "" };
-                    format!("{}{mark}", number(r.area_ratio.total()))
-                }));
-                row.extend(pair(|r| {
-                    r.mean_real_pressure().map_or_else(|| "–".to_owned(), |p| quantity(p, "Pa"))
-                }));
-                row.extend(pair(shares));
+                let response = |kind| case.comparison.at_load(kind, load).map(|point| &point.response);
+                let t = case.thickness.unwrap_or(0.0);
+                let radius = response(self.foremost()).and_then(mean_contact_radius);
+                let ratio = radius.filter(|_| t > 0.0 && t.is_finite()).map(|a| number(a / t));
+                let mut row =
+                    vec![quantity(load, "Pa"), thickness(t), ratio.unwrap_or_else(|| "–".to_owned())];
+                for (_, value) in columns {
+                    row.extend(
+                        kinds.iter().map(|&kind| response(kind).map_or_else(|| "–".to_owned(), value)),
+                    );
+                }
                 row
             }),
         );
@@ -266,7 +301,7 @@ impl<'a> Series<'a> {
     fn threshold_table(&self, page: &mut Page) {
         page.paragraph(
             "The thickness below which the layer no longer matters: the real area at the same load is within 5 % of the one without a \
-             layer. Sought between the listed thicknesses, to 1 %.",
+             layer. Sought to 1 % between the thinnest listed one that matters and the one before it, and beyond the list where none does.",
         );
         let loads = self.loads();
         let kinds = self.kinds();
@@ -350,19 +385,23 @@ impl<'a> Series<'a> {
                     case.comparison.at_load(kind, load).and_then(|point| value(&point.response))
                 };
                 let line = self.finite().filter_map(|(t, case)| Some((nanometres(t), found(case)?)));
-                let dash = if kind == Kind::Statistical { Dash::Dashed } else { Dash::Solid };
-                let mut line = Layer::line(line.collect::<Vec<_>>()).coloured(colour).dashed(dash);
-                if kind == Kind::Deterministic || self.kinds().len() == 1 {
-                    line = line.named(quantity(load, "Pa"));
-                }
+                let is_foremost = kind == self.foremost();
+                let line: Vec<(f64, f64)> = line.collect();
+                let places = Layer::points(line.clone(), Marker::Circle).coloured(colour);
                 let is_limit =
                     |case: &&&CaseResults| case.thickness.is_some_and(|t| t == 0.0 || t == f64::INFINITY);
                 let limits = self.cases.iter().filter(is_limit);
                 let limits = limits.filter_map(|case| Some((place(case.thickness?), found(case)?)));
-                let limits = Layer::points(limits.collect::<Vec<_>>(), Marker::Square).coloured(colour);
-                plot = plot.with(line);
-                if kind == Kind::Deterministic || self.kinds().len() == 1 {
-                    plot = plot.with(limits);
+                let marker = if is_foremost { Marker::Square } else { Marker::Triangle };
+                let limits = Layer::points(limits.collect::<Vec<_>>(), marker).coloured(colour);
+                let line = Layer::line(line).coloured(colour);
+                plot = plot.with(limits).with(if is_foremost {
+                    line.named(quantity(load, "Pa"))
+                } else {
+                    line.dashed(Dash::Dashed)
+                });
+                if is_foremost {
+                    plot = plot.with(places);
                 }
             }
         }
@@ -372,8 +411,7 @@ impl<'a> Series<'a> {
     fn regimes(&self) -> String {
         /// Panels beside each other.
         const PANELS: usize = 3;
-        let kind =
-            if self.kinds().contains(&Kind::Deterministic) { Kind::Deterministic } else { Kind::Statistical };
+        let kind = self.foremost();
         let loads = self.loads();
         let chosen = match loads.len() {
             0..=PANELS => loads,
@@ -407,6 +445,12 @@ impl<'a> Series<'a> {
     }
 }
 
+/// Radius of a contact of the mean area, m; `None` where nothing touches.
+fn mean_contact_radius(response: &Response) -> Option<f64> {
+    let area = response.area_ratio.total() / response.contact_density;
+    area.is_finite().then(|| (area / std::f64::consts::PI).sqrt())
+}
+
 fn thickness_axis() -> Axis {
     Axis::log("thickness of the layer (nm)")
 }
@@ -424,7 +468,7 @@ fn shares(response: &Response) -> String {
 fn depth(thickness: Option<f64>) -> String {
     match thickness {
         None => "less than 1 pm".to_owned(),
-        Some(f64::INFINITY) => "any thickness".to_owned(),
+        Some(f64::INFINITY) => "none up to 1 m matters".to_owned(),
         // It is known to 1 %.
         Some(t) => quantity(format!("{t:.1e}").parse().unwrap_or(t), "m"),
     }

@@ -8,7 +8,7 @@
 //! | [`page`] | one content in two forms, Markdown and self-contained HTML |
 //! | [`mod@format`] | numbers and quantities as people read them |
 //! | `compare`, `indentation`, `limit` | the page of each kind of experiment, on `head` and `figures` |
-//! | `layer` | a comparison under a layer in several thicknesses |
+//! | `layer`, `falls` | a comparison under a layer in several thicknesses; where area or load falls |
 //! | [`surface`] | what a surface is, in a comparison, on a page of its own, in the terminal |
 //! | `tables`, `summary` | CSV and JSON, for machines |
 //! | `index` | the pages that lead to all reports of a folder |
@@ -16,6 +16,7 @@
 //! | [`verify`] | do fresh reports say the same as committed ones? |
 
 mod compare;
+mod falls;
 mod figures;
 pub mod format;
 mod head;

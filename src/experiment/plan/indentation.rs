@@ -128,7 +128,15 @@ impl Reader<'_> {
             overlay: words.overlay.as_ref().map(|file| overlay(self.source, file)).transpose()?,
             show: words.show,
         };
+        let deepest =
+            plan.overlay.iter().flat_map(|overlay| &overlay.points).map(|(w, _)| *w).fold(0.0, f64::max);
         match &words.overlay {
+            Some(file) if deepest > radius => {
+                let message = format!(
+                    "found a measured indentation of {deepest:e} m; allowed: at most the radius, {radius:e} m (the columns are in m and N)"
+                );
+                Err(self.source.refuse(file.span(), message))
+            }
             Some(file) if plan.cases() > 1 => {
                 let message = format!(
                     "found measured points beside {} layers; allowed: one layer in one thickness with them",

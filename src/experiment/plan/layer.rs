@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-use crate::coating::{CoatingError, Rule};
+use crate::coating::{Coating, CoatingError, Rule};
 use crate::experiment::refusal::Refusal;
 use crate::experiment::spec::LayerSpec;
 use crate::interface::Flat;
@@ -21,44 +21,56 @@ pub struct LayerPlan {
     pub rule: Rule,
     /// Thicknesses, m, ascending; 0 and infinity among them.
     pub thicknesses: Vec<f64>,
+    /// The layer, 1 m thick, on its substrate: what does not depend on the thickness is found once.
+    coating: Coating,
+    substrate: Material,
+}
+
+/// A thickness (m) in the words of a spec.
+pub fn thickness_words(thickness: f64) -> String {
+    match thickness {
+        0.0 => "0".to_owned(),
+        f64::INFINITY => "inf".to_owned(),
+        t if (1e-10..1e-6).contains(&t) => format!("{} nm", (t * 1e13).round() / 1e4),
+        t if (1e-6..1e-3).contains(&t) => format!("{} um", (t * 1e10).round() / 1e4),
+        t => format!("{t:e} m"),
+    }
 }
 
 impl LayerPlan {
-    /// The flat with the layer in the thickness `thickness` (m) on it.
+    /// The substrate with the layer in the thickness `thickness` (m) on it.
     ///
     /// # Errors
-    /// See [`CoatingError`]; a layer that was read has none.
-    pub fn on(&self, substrate: &Material, thickness: f64) -> Result<Flat, CoatingError> {
-        Flat::with_layer(&self.material, substrate, thickness, self.rule)
-    }
-
-    /// Whether some thickness is neither no layer nor all layer.
-    pub fn has_finite(&self) -> bool {
-        self.thicknesses.iter().any(|&t| t > 0.0 && t.is_finite())
+    /// A thickness that is not positive and finite, nor 0 or infinite.
+    pub fn flat(&self, thickness: f64) -> Result<Flat, CoatingError> {
+        let substrate = self.substrate;
+        Ok(if thickness == 0.0 {
+            Flat::Bare(substrate)
+        } else if thickness == f64::INFINITY {
+            Flat::AllLayer { substrate, layer: self.material }
+        } else {
+            Flat::Coated { substrate, coating: self.coating.with_thickness(thickness)? }
+        })
     }
 }
 
-/// "lead of 0, 5e-8, inf m, rule gao".
+/// "lead of 0, 50 nm, inf, rule gao".
 impl fmt::Display for LayerPlan {
     fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
-        let thicknesses: Vec<String> = self.thicknesses.iter().map(|t| format!("{t:e}")).collect();
-        write!(f, "{} of {} m, rule {}", self.name, thicknesses.join(", "), self.rule.name())
+        let thicknesses: Vec<String> = self.thicknesses.iter().map(|&t| thickness_words(t)).collect();
+        write!(f, "{} of {}, rule {}", self.name, thicknesses.join(", "), self.rule.name())
     }
 }
 
 impl Reader<'_> {
     /// Resolves a layer on `substrate`.
     pub(super) fn layer(&self, words: &LayerSpec, substrate: &Material) -> Result<LayerPlan, Refusal> {
-        let plan = LayerPlan {
-            name: words.material.get_ref().clone(),
-            material: self.body(words.material.get_ref(), words.material.span())?,
-            rule: words.rule,
-            thicknesses: words.thickness.0.clone(),
-        };
-        // Between no layer and all layer both bodies count together; a search for a thickness asks for any.
-        plan.on(substrate, 1.0).map_err(|error| {
-            self.source.refuse(words.material.span(), format!("found \"{}\": {error}", plan.name))
+        let name = words.material.get_ref().clone();
+        let material = self.body(&name, words.material.span())?;
+        let coating = Coating::new(&material, substrate, 1.0, words.rule).map_err(|error| {
+            self.source.refuse(words.material.span(), format!("found \"{name}\": {error}"))
         })?;
-        Ok(plan)
+        let thicknesses = words.thickness.0.clone();
+        Ok(LayerPlan { name, material, rule: words.rule, thicknesses, coating, substrate: *substrate })
     }
 }

@@ -7,7 +7,7 @@ mod read;
 mod surface;
 
 pub use indentation::{IndentationPlan, OverlayPlan};
-pub use layer::LayerPlan;
+pub use layer::{LayerPlan, thickness_words};
 pub use surface::SurfacePlan;
 
 use std::fmt;
@@ -77,7 +77,7 @@ pub struct ComparePlan {
     /// The rough body and the flat.
     pub pair: [Material; 2],
     /// What lies on the flat.
-    pub layer: Option<LayerPlan>,
+    pub layer: Option<Box<LayerPlan>>,
     /// The laws, each under every thickness of the layer.
     pub laws: Vec<LawPlan>,
     /// The laws alone.
@@ -131,6 +131,11 @@ impl Plan {
         if let Some(second) = given.into_iter().nth(1) {
             return Err(source
                 .refuse(second, format!("found a second experiment; allowed: {ONE_OF_THE_KINDS} a file")));
+        }
+        let uses_none = spec.indentation.is_some() || spec.limit.is_some();
+        if let Some((name, _)) = spec.surface.first().filter(|_| uses_none) {
+            let message = "found a surface, which only [compare] uses; allowed: no [surface.NAME] here";
+            return Err(source.refuse(name.span(), message));
         }
         let kind = if let Some(compare) = &spec.compare {
             PlanKind::Compare(reader.compare(compare.get_ref(), compare.span())?)

@@ -62,11 +62,11 @@ impl Reader<'_> {
                 "found nothing to press the surfaces to; allowed: at least one of separation, pressure, force",
             ));
         }
-        let layer = words.layer.as_ref().map(|layer| self.layer(layer, &flat)).transpose()?;
+        let layer = words.layer.as_ref().map(|layer| self.layer(layer, &flat).map(Box::new)).transpose()?;
         let flats = match &layer {
             None => vec![(None, Flat::Bare(flat))],
             Some(layer) => {
-                let on = |&t: &f64| layer.on(&flat, t).map(|flat| (Some(t), flat));
+                let on = |&t: &f64| layer.flat(t).map(|flat| (Some(t), flat));
                 let flats: Result<Vec<_>, _> = layer.thicknesses.iter().map(on).collect();
                 flats.map_err(|error| Refusal::file(&self.source.path, error))?
             }

@@ -12,7 +12,11 @@ use crate::units::{Length, NotNegative, Quantity};
 
 /// A layer on the flat, in one thickness or several.
 #[derive(Debug, Deserialize)]
-#[serde(deny_unknown_fields, rename_all = "kebab-case")]
+#[serde(
+    deny_unknown_fields,
+    rename_all = "kebab-case",
+    expecting = "a layer such as { material = \"lead\", thickness = [0, \"50 nm\", \"inf\"] }"
+)]
 pub struct LayerSpec {
     /// Name of its material.
     pub material: Spanned<String>,

@@ -133,11 +133,11 @@ pub fn rule(found: &LayerResults) -> String {
         Axis::log("a/t of the exact contact"),
         Axis::log("load by the rule / exact elastic load"),
     );
-    let exact = found.check.errors[0].iter().map(|error| (error.contact_ratio, 1.0));
+    let exact = found.errors[0].iter().map(|error| (error.contact_ratio, 1.0));
     plot = plot.with(
         Layer::line(exact.collect::<Line>()).coloured(Colour::Neutral).dashed(Dash::Dotted).named("exact"),
     );
-    for ((rule, of), colour) in Rule::ALL.into_iter().zip(&found.check.errors).zip(colours) {
+    for ((rule, of), colour) in Rule::ALL.into_iter().zip(&found.errors).zip(colours) {
         plot =
             plot.with(errors(of).coloured(colour).dashed(dash(rule)).named(format!("rule {}", rule.name())));
     }
@@ -153,7 +153,7 @@ fn dash(rule: Rule) -> Dash {
 
 /// The same for all layers: a panel a rule.
 pub fn rules(results: &IndentationResults) -> String {
-    let all = || results.layers.iter().flat_map(|found| found.check.errors.iter().flatten());
+    let all = || results.layers.iter().flat_map(|found| found.errors.iter().flatten());
     let low = all().map(|error| error.ratio).fold(1.0, f64::min) / 1.1;
     let high = all().map(|error| error.ratio).fold(1.0, f64::max) * 1.1;
     let panel = |(k, rule): (usize, Rule)| {
@@ -167,7 +167,7 @@ pub fn rules(results: &IndentationResults) -> String {
                 super::subject(results, found),
                 number(found.check.modulus_ratio)
             );
-            plot = plot.with(errors(&found.check.errors[k]).coloured(Colour::Series(index)).named(name));
+            plot = plot.with(errors(&found.errors[k]).coloured(Colour::Series(index)).named(name));
         }
         plot.legend(if k == 0 { Legend::Below } else { Legend::Hidden })
     };

@@ -37,7 +37,7 @@ pub fn sentence(found: &LayerResults) -> String {
 pub fn section(page: &mut Page, found: &LayerResults, figure: &str) {
     page.heading(3, "How good is the rule here?");
     page.paragraph(&sentence(found));
-    if found.check.errors[0].is_empty() {
+    if found.errors[0].is_empty() {
         return;
     }
     page.figure(

@@ -170,7 +170,7 @@ fn changes(results: &IndentationResults) -> Result<Vec<u8>, TableError> {
 fn rules(results: &IndentationResults) -> Result<Vec<u8>, TableError> {
     let mut table = Table::new(&[RuleRow::COLUMNS])?;
     for found in &results.layers {
-        for (rule, errors) in Rule::ALL.into_iter().zip(&found.check.errors) {
+        for (rule, errors) in Rule::ALL.into_iter().zip(&found.errors) {
             // The exact contact is solved up to some indentation.
             for (&indentation_m, error) in results.indentations.iter().zip(errors) {
                 table.row(RuleRow {

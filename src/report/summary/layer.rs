@@ -5,7 +5,6 @@ use serde::{Serialize, Serializer};
 use crate::coating::Rule;
 use crate::compare::RuleError;
 use crate::experiment::results::{LayerHead, SurfaceResults};
-use crate::interface::Fall;
 
 /// A thickness, m. JSON has no infinity: it is the word "inf", as in a spec.
 #[derive(Debug, Clone, Copy)]
@@ -22,8 +21,7 @@ pub(super) struct LayerSummary<'a> {
     material: &'a str,
     rule: &'static str,
     thicknesses_m: Vec<Thickness>,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    modulus_ratio: Option<f64>,
+    modulus_ratio: f64,
     rule_errors: Vec<RuleErrorSummary>,
 }
 
@@ -45,13 +43,14 @@ pub(super) struct ThresholdSummary<'a> {
     thickness_m: Option<Thickness>,
 }
 
-/// Where a deeper asperity of the mean radius has less area or load.
+/// Where a deeper asperity has less area or load.
 #[derive(Serialize)]
 pub(super) struct FallSummary<'a> {
     surface: &'a str,
     law: &'a str,
     #[serde(skip_serializing_if = "Option::is_none")]
     layer_thickness_m: Option<Thickness>,
+    radius_m: f64,
     of: &'static str,
     from_m: f64,
     to_m: f64,
@@ -64,14 +63,14 @@ pub(super) fn summary(layer: &LayerHead) -> LayerSummary<'_> {
         contact_radius_over_thickness: error.contact_ratio,
         load_over_exact: error.ratio,
     };
-    let check = layer.check.as_ref();
-    let rows = check.into_iter().flat_map(|check| &check.rows);
+    let told = Rule::ALL.into_iter().zip(&layer.check.told);
+    let errors = told.flat_map(|(rule, errors)| errors.iter().map(move |error| (rule, error)));
     LayerSummary {
         material: &layer.name,
         rule: layer.rule.name(),
         thicknesses_m: layer.thicknesses.iter().copied().map(Thickness).collect(),
-        modulus_ratio: check.map(|check| check.modulus_ratio),
-        rule_errors: rows.flat_map(|row| Rule::ALL.into_iter().zip(row)).map(error).collect(),
+        modulus_ratio: layer.check.modulus_ratio,
+        rule_errors: errors.map(error).collect(),
     }
 }
 
@@ -87,17 +86,15 @@ pub(super) fn thresholds(found: &SurfaceResults) -> impl Iterator<Item = Thresho
 
 pub(super) fn falls(found: &SurfaceResults) -> impl Iterator<Item = FallSummary<'_>> {
     found.first.cases.iter().flat_map(|case| {
-        let of = |of, fall: Option<Fall>| {
-            fall.map(|fall| FallSummary {
-                surface: &found.surface.name,
-                law: &case.law,
-                layer_thickness_m: case.thickness.map(Thickness),
-                of,
-                from_m: fall.from,
-                to_m: fall.to,
-                loss: fall.loss,
-            })
-        };
-        [of("area", case.falls.area), of("load", case.falls.load)].into_iter().flatten()
+        case.falls.iter().map(|(radius, fall)| FallSummary {
+            surface: &found.surface.name,
+            law: &case.law,
+            layer_thickness_m: case.thickness.map(Thickness),
+            radius_m: *radius,
+            of: fall.of.name(),
+            from_m: fall.from.indentation,
+            to_m: fall.to.indentation,
+            loss: fall.loss(),
+        })
     })
 }
