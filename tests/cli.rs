@@ -701,7 +701,7 @@ fn a_sphere_has_its_tables_and_a_warning() {
     let output = run(&spec, &out, &[]);
     assert!(output.status.success());
     assert!(
-        text(&output.stderr).contains("E_l/E_s = 0.0857 lies outside 0.5 to 2"),
+        text(&output.stderr).contains("its modulus is 0.0857 times the substrate's, outside the 0.5 to 2"),
         "{}",
         text(&output.stderr)
     );
@@ -726,7 +726,10 @@ fn a_sphere_has_its_tables_and_a_warning() {
     assert_eq!(header, "layer,layer_thickness_m,rule,law,curve,indentation_m,load_n,from,to,within_sweep");
     assert!(rows.iter().all(|row| &row[3] == "zmc" && row[7] != row[8]));
     let (header, rows) = table("rule.csv");
-    assert_eq!(header, "layer,layer_thickness_m,rule,indentation_m,contact_ratio,load_over_exact");
+    assert_eq!(
+        header,
+        "layer,layer_thickness_m,rule,indentation_m,contact_radius_over_thickness,load_over_exact"
+    );
     assert_eq!(rows.len(), 2 * 5);
     let (header, rows) = table("overlay.csv");
     assert_eq!(

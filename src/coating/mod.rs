@@ -4,7 +4,7 @@
 //! | file | what lives there |
 //! |---|---|
 //! | `weights` | the functions of xi = t/a that say how much layer an asperity feels (Eqs. 17, 18) |
-//! | `table` | the compliance of one pair of materials, at a third of the time |
+//! | `table` | the compliance of one pair of materials, as polynomials |
 //! | `modulus` | nu_eff and E_eff by the paper's rule or in series (Eqs. 14, 15) |
 //! | `hardness` | H_eff (Eq. 16) |
 //! | `decay` | exp(-x) and 1 - exp(-x) together |

@@ -58,7 +58,7 @@ pub fn rule_section(page: &mut Page, layer: &LayerHead) {
         "E of the layer is {} of that of the substrate, {place} the {} to {} where the paper's rule (`gao`) is good (Perriot and Barthel 2004). \
          This is the elastic load by both rules over that of the exact solution at equal indentation, a the exact contact radius; this \
          experiment uses `{}`. The tables below say which a/t its contacts have. The ball of the exact solution is as elastic as the rough \
-         body; under a rigid one the errors are larger. Where a contact is plastic the modulus does not enter its load.",
+         body. Where a contact is plastic the modulus does not enter its load.",
         number(check.modulus_ratio),
         GOOD_RATIO[0],
         GOOD_RATIO[1],

@@ -90,7 +90,7 @@ struct RuleRow {
     layer_thickness_m: f64,
     rule: &'static str,
     indentation_m: f64,
-    contact_ratio: f64,
+    contact_radius_over_thickness: f64,
     load_over_exact: f64,
 }
 }
@@ -178,7 +178,7 @@ fn rules(results: &IndentationResults) -> Result<Vec<u8>, TableError> {
                     layer_thickness_m: found.thickness,
                     rule: rule.name(),
                     indentation_m,
-                    contact_ratio: error.contact_ratio,
+                    contact_radius_over_thickness: error.contact_ratio,
                     load_over_exact: error.ratio,
                 })?;
             }

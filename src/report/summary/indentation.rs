@@ -26,7 +26,7 @@ pub struct SphereSummary<'a> {
 #[derive(Serialize)]
 struct RuleSummary {
     rule: &'static str,
-    contact_ratio: f64,
+    contact_radius_over_thickness: f64,
     indentation_ratio: f64,
     load_over_exact: f64,
 }
@@ -88,7 +88,7 @@ fn layer(found: &LayerResults, radius: f64) -> SphereSummary<'_> {
 fn rule_error(rule: Rule, error: &RuleError) -> RuleSummary {
     RuleSummary {
         rule: rule.name(),
-        contact_ratio: error.contact_ratio,
+        contact_radius_over_thickness: error.contact_ratio,
         indentation_ratio: error.indentation_ratio,
         load_over_exact: error.ratio,
     }
