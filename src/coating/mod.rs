@@ -98,11 +98,6 @@ impl Coating {
         })
     }
 
-    /// Thickness, m.
-    pub fn thickness(&self) -> f64 {
-        self.thickness
-    }
-
     /// The papers that its rules are from.
     pub fn papers(&self) -> Vec<Paper> {
         let mut papers = vec![literature::PASARIBU_SCHIPPER_2005, literature::GAO_CHIU_LEE_1992];

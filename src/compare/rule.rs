@@ -4,9 +4,9 @@
 //! on a/t alone: neither on the radius of the sphere nor on the thickness of the layer.
 
 use crate::coating::{Coating, CoatingError, Rule};
+use crate::exact_sphere::{ElasticContact, LARGEST_RATIO, LayeredSphere};
 use crate::interface::{Layered, MicroContact};
 use crate::law::Hertz;
-use crate::layered::{ElasticContact, LARGEST_RATIO, LayeredSphere};
 use crate::literature::Paper;
 use crate::material::Material;
 

@@ -8,7 +8,7 @@ pub mod results;
 mod run;
 pub mod spec;
 mod surface;
-mod thickness;
+mod threshold;
 mod whole;
 
 pub use indentation::{IndentationResults, LARGEST_SLOPE, LawCurves, LayerResults};

@@ -11,7 +11,7 @@ use super::results::{
 };
 use super::surface::Surface;
 use super::whole::Look;
-use super::{Refusal, digest, hexadecimal, indentation, stream_seed, thickness};
+use super::{Refusal, digest, hexadecimal, indentation, stream_seed, threshold};
 use crate::asperity::{Ordered, Population, gaussian_moment};
 use crate::coating::CoatingError;
 use crate::compare::{
@@ -52,7 +52,7 @@ fn run_compare(
             Ok::<_, Refusal>((surface, answered))
         };
         let (first_surface, first) = run(1, Look::Spectrum)?;
-        let thresholds = thickness::thresholds(compare, &first_surface, &first);
+        let thresholds = threshold::thresholds(compare, &first_surface, &first);
         let others =
             (2..=surface.realisations).map(|k| run(k, Look::Asperities).map(|(_, answered)| answered));
         let others = others.collect::<Result<_, _>>()?;

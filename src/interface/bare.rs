@@ -4,7 +4,7 @@ use super::{LoadBounds, MicroContact};
 use crate::contact::Contact;
 use crate::law::{Law, Pair};
 use crate::literature::Paper;
-use crate::material::{Material, reduced_modulus, softer_hardness};
+use crate::material::Material;
 use crate::numeric::interval::Interval;
 
 /// A rough and a flat body, both homogeneous, under one law.
@@ -14,13 +14,6 @@ pub struct Interface<L> {
     pair: Pair,
     /// The pair that load ratios and the plasticity index refer to.
     reference: Pair,
-}
-
-impl Pair {
-    /// What a rough and a homogeneous flat body are to a law.
-    pub fn of(rough: &Material, flat: &Material) -> Self {
-        Self { reduced_modulus: reduced_modulus(rough, flat), hardness: softer_hardness(rough, flat) }
-    }
 }
 
 impl<L: Law> Interface<L> {

@@ -29,7 +29,7 @@ pub struct Layered<L> {
 const UNIT: Pair = Pair { reduced_modulus: 1.0, hardness: 1.0 };
 
 /// Asperities that are looked at side by side.
-const LANES: usize = 8;
+const SIDE_BY_SIDE: usize = 8;
 
 /// The pair that an asperity feels, and how it changes with the indentation.
 #[derive(Debug, Clone, Copy, Default)]
@@ -154,10 +154,10 @@ impl<L: Law> MicroContact for Layered<L> {
     }
 
     fn weigh(&self, indentations: &[f64], weights: &[f64], b: f64, tally: &mut Tally) {
-        let (blocks, rest) = indentations.as_chunks::<LANES>();
-        let (block_weights, rest_weights) = weights.as_chunks::<LANES>();
+        let (blocks, rest) = indentations.as_chunks::<SIDE_BY_SIDE>();
+        let (block_weights, rest_weights) = weights.as_chunks::<SIDE_BY_SIDE>();
         for (w, weights) in blocks.iter().zip(block_weights) {
-            for (felt, (&w, &weight)) in self.felt(*w, [b; LANES]).iter().zip(w.iter().zip(weights)) {
+            for (felt, (&w, &weight)) in self.felt(*w, [b; SIDE_BY_SIDE]).iter().zip(w.iter().zip(weights)) {
                 tally.weigh(&self.answer(w, b, felt), weight);
             }
         }
@@ -167,8 +167,8 @@ impl<L: Law> MicroContact for Layered<L> {
     }
 
     fn press(&self, heights: &[f64], radii: &[f64], separation: f64, tally: &mut Tally) {
-        let (blocks, rest) = heights.as_chunks::<LANES>();
-        let (block_radii, rest_radii) = radii.as_chunks::<LANES>();
+        let (blocks, rest) = heights.as_chunks::<SIDE_BY_SIDE>();
+        let (block_radii, rest_radii) = radii.as_chunks::<SIDE_BY_SIDE>();
         for (heights, b) in blocks.iter().zip(block_radii) {
             let w = heights.map(|z| z - separation);
             for ((felt, &w), &b) in self.felt(w, *b).iter().zip(&w).zip(b) {

@@ -10,8 +10,15 @@ use crate::coating::{Coating, CoatingError, Rule};
 use crate::contact::{Contact, Tally};
 use crate::law::{Law, Pair};
 use crate::literature::Paper;
-use crate::material::Material;
+use crate::material::{Material, reduced_modulus, softer_hardness};
 use crate::numeric::interval::Interval;
+
+impl Pair {
+    /// What a rough and a homogeneous flat body are to a law.
+    pub fn of(rough: &Material, flat: &Material) -> Self {
+        Self { reduced_modulus: reduced_modulus(rough, flat), hardness: softer_hardness(rough, flat) }
+    }
+}
 
 /// The flat body.
 #[derive(Debug, Clone, PartialEq)]

@@ -10,8 +10,8 @@ use super::format::{count, number, quantity};
 use super::head;
 use super::page::{Page, escape};
 use super::plot::{Colour, Dash};
+use crate::exact_sphere::LARGEST_RATIO;
 use crate::experiment::{IndentationResults, LARGEST_SLOPE, LawCurves, LayerResults};
-use crate::layered::LARGEST_RATIO;
 use crate::sphere::{Curve, Fall, Falling, RegimeChange};
 
 /// The curves that stand beside each other.

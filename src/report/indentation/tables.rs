@@ -7,8 +7,8 @@ use serde::Serialize;
 use super::super::tables::{Table, TableError, row};
 use super::Shown;
 use crate::coating::Rule;
+use crate::exact_sphere::ElasticContact;
 use crate::experiment::{IndentationResults, LawCurves, LayerResults};
-use crate::layered::ElasticContact;
 use crate::sphere::Point;
 
 /// What a row belongs to.

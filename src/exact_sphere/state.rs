@@ -71,7 +71,7 @@ impl State {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::layered::kernel::Kernel;
+    use crate::exact_sphere::kernel::Kernel;
     use crate::material::Material;
 
     fn influence(ratio: f64) -> Influence {

@@ -2,7 +2,7 @@
 
 mod common;
 
-use asperity::layered::{ElasticContact, LARGEST_RATIO, LayeredSphere};
+use asperity::exact_sphere::{ElasticContact, LARGEST_RATIO, LayeredSphere};
 use asperity::material::{Material, reduced_modulus};
 use common::{Row, Worst, rows};
 use rayon::prelude::*;
