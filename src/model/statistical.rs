@@ -185,11 +185,11 @@ impl<C: MicroContact + ?Sized> Model for Statistical<'_, C> {
         let density = self.population.heights;
         let highest = self.quoted(density.highest_separation());
         let search = |low, high| last_reaching(|h| self.pressure(h), pressure, low, high);
-        if self.contact.load_rises_to(Interval::point(self.population.radius)) == f64::INFINITY {
-            return search(LOWEST_SEPARATION, highest);
-        }
         let mode = self.quoted(density.mode()).max(LOWEST_SEPARATION);
         search(mode, highest).or_else(|| {
+            if self.contact.load_rises_to(Interval::point(self.population.radius)) == f64::INFINITY {
+                return search(LOWEST_SEPARATION, mode);
+            }
             let steps = ((mode - LOWEST_SEPARATION) / STEP).ceil() as i32;
             let end = |k: i32| (mode - STEP * f64::from(k)).max(LOWEST_SEPARATION);
             (0..steps).find_map(|k| {
