@@ -25,6 +25,8 @@ pub struct RegimeChange {
     pub indentation: f64,
     /// P there, N.
     pub load: f64,
+    /// A there, m^2.
+    pub area: f64,
     /// Below it.
     pub from: Regime,
     /// Above it.
@@ -170,11 +172,9 @@ fn changes(contact: &dyn MicroContact, radius: f64) -> Vec<RegimeChange> {
         (Some(low), None) => 2.0 * low,
         (None, None) => radius,
     };
-    let change = |(k, &w): (usize, &f64)| RegimeChange {
-        indentation: w,
-        load: contact.contact(w, radius).load,
-        from: regime(between(k)),
-        to: regime(between(k + 1)),
+    let change = |(k, &w): (usize, &f64)| {
+        let Contact { load, area, .. } = contact.contact(w, radius);
+        RegimeChange { indentation: w, load, area, from: regime(between(k)), to: regime(between(k + 1)) }
     };
     at.iter().enumerate().map(change).filter(|change| change.from != change.to).collect()
 }

@@ -5,7 +5,6 @@ mod common;
 use std::fs;
 use std::path::Path;
 
-use asperity::coating::Rule;
 use asperity::compare::RuleCheck;
 use asperity::experiment::progress::Silent;
 use asperity::experiment::results::Results;
@@ -189,7 +188,7 @@ fn rules_against_the_exact_table() {
         let layer = body(number("layer_young"), number("layer_poisson"));
         let substrate = body(number("substrate_young"), number("substrate_poisson"));
         let check = RuleCheck::new(&body(1e20, 0.3), &layer, &substrate).unwrap();
-        let [gao, series] = Rule::ALL.map(|rule| check.at(rule, number("contact_radius")).unwrap());
+        let [gao, series] = check.at(number("contact_radius")).unwrap();
         assert!((gao.indentation_ratio - number("indentation")).abs() < 5.1e-9);
         assert!(series.factor() < gao.factor() || gao.factor() < 1.3, "{gao:?} {series:?}");
         if number("layer_young") == 18.0 && number("contact_radius") == 1.0 {

@@ -113,6 +113,30 @@ fn no_layer_is_the_substrate_and_all_layer_the_layer_to_the_bit() {
     assert_eq!(layered.contact.reduced_modulus, steel.contact.reduced_modulus);
 }
 
+/// A report of one model speaks of that model alone, and tells how wide its contacts are.
+#[test]
+fn a_report_of_one_model_shows_one_model() {
+    let of = |models: &str| {
+        let found = compared(&format!("{LAYERS}\nmodels = {models}"));
+        let case = &found.surfaces[0].first.cases[1];
+        let point = &case.comparison.curves.iter().rfind(|point| point.asked == Some(1e6)).unwrap().response;
+        let mean = point.area_ratio.total() / point.contact_density;
+        let ratio = (mean / std::f64::consts::PI).sqrt() / 2e-8;
+        let page = written(&Results::Compare(found), &["report.md"]).remove(0);
+        let row = page.lines().find(|line| line.starts_with("| 1 MPa | 20 nm |")).unwrap().to_owned();
+        assert!(row.contains(&format!("| {} |", asperity::report::format::number(ratio))), "{row}: {ratio}");
+        (page, row.matches('|').count())
+    };
+    let (integral, one) = of("[\"statistical\"]");
+    assert!(integral.contains("Lines: the statistical integral.") && !integral.contains("dashed"));
+    assert!(!integral.contains("det. |"), "columns of a model that did not run");
+    let (sum, same) = of("[\"deterministic\"]");
+    assert!(sum.contains("Lines: the deterministic sum.") && !sum.contains("dashed"));
+    let (both, more) = of("[\"statistical\", \"deterministic\"]");
+    assert!(both.contains("Solid: the deterministic sum"));
+    assert_eq!((one, same, more), (8, 8, 12));
+}
+
 /// Just below the threshold the area is within 5 %, just above it is not.
 #[test]
 fn a_threshold_is_where_the_area_has_changed_by_5_percent() {
@@ -182,12 +206,8 @@ fn a_threshold_is_sought_beyond_the_list() {
 fn where_a_load_falls_the_report_says_so() {
     let flat = "flat = \"soft\"\nlayer = { material = \"film\", thickness = \"150 nm\" }";
     let found = compared(flat);
-    let case = &found.surfaces[0].first.cases[0];
-    assert!(
-        case.falls.iter().any(|(_, fall)| fall.of == Falling::Load && fall.loss() > 0.01),
-        "{:?}",
-        case.falls
-    );
+    let falls = &found.surfaces[0].falls;
+    assert!(falls.iter().any(|one| one.fall.of == Falling::Load && one.fall.loss() > 0.01), "{falls:?}");
     let page = &written(&Results::Compare(found), &["report.md"])[0];
     assert!(
         page.contains("the load of an asperity can fall as it is pressed deeper, with film of 150 nm"),

@@ -5,7 +5,7 @@ use std::sync::LazyLock;
 /// Entries of the table a unit of x.
 const PER_UNIT: f64 = 32.0;
 /// Where the table ends: exp(-x) times the largest ratio of hardnesses is below rounding.
-const LAST: f64 = 180.0;
+pub(super) const LAST: f64 = 180.0;
 
 /// exp(-x) and 1 - exp(-x) at the entries.
 static TABLE: LazyLock<Vec<[f64; 2]>> = LazyLock::new(|| {

@@ -1,6 +1,6 @@
 //! The effective hardness of a layered flat (Pasaribu and Schipper 2005, Eq. 16; Bhattacharya and Nix 1988).
 
-use super::decay::decay;
+use super::decay::{LAST, decay};
 use crate::material::Material;
 use crate::numeric::interval::Interval;
 
@@ -18,16 +18,15 @@ pub(super) struct EffectiveHardness {
     substrate: f64,
     /// Of x in (w/t)^power.
     factor: f64,
-    inverse_thickness: f64,
     is_softer: bool,
 }
 
 /// Beyond this exponent nothing is left of the layer, however hard it is.
-const GONE: f64 = 180.0;
+const GONE: f64 = LAST;
 
 impl EffectiveHardness {
     /// `None` where neither body has a hardness.
-    pub(super) fn new(layer: &Material, substrate: &Material, thickness: f64) -> Option<Self> {
+    pub(super) fn new(layer: &Material, substrate: &Material) -> Option<Self> {
         let (of_layer, of_substrate) = layer.hardness().zip(substrate.hardness())?;
         let strength = |body: &Material, hardness: f64| body.yield_strength().unwrap_or(hardness / 3.0);
         let strengths = strength(layer, of_layer) / strength(substrate, of_substrate);
@@ -38,33 +37,22 @@ impl EffectiveHardness {
         } else {
             of_layer / of_substrate / (strengths * moduli.sqrt())
         };
-        Some(Self {
-            layer: of_layer,
-            substrate: of_substrate,
-            factor,
-            inverse_thickness: thickness.recip(),
-            is_softer,
-        })
-    }
-
-    pub(super) fn with_thickness(self, thickness: f64) -> Self {
-        Self { inverse_thickness: thickness.recip(), ..self }
+        Some(Self { layer: of_layer, substrate: of_substrate, factor, is_softer })
     }
 
     fn power(&self) -> f64 {
         if self.is_softer { 2.0 } else { 1.0 }
     }
 
-    /// Hardness, Pa, and d ln H/d ln w at the indentation `w` (m).
-    fn at(&self, w: f64) -> (f64, f64) {
-        let ([hardness], [slope]) = self.lanes([w]);
+    /// Hardness, Pa, and d ln H/d ln w at `depth` = w/t.
+    fn at(&self, depth: f64) -> (f64, f64) {
+        let ([hardness], [slope]) = self.lanes([depth]);
         (hardness, slope)
     }
 
-    /// The same at each `w`.
+    /// The same at each `depth`.
     #[inline(always)]
-    pub(super) fn lanes<const LANES: usize>(&self, w: [f64; LANES]) -> ([f64; LANES], [f64; LANES]) {
-        let depth = w.map(|w| w * self.inverse_thickness);
+    pub(super) fn lanes<const LANES: usize>(&self, depth: [f64; LANES]) -> ([f64; LANES], [f64; LANES]) {
         let x = depth.map(|depth| {
             let linear = self.factor * depth;
             if self.is_softer { linear * depth } else { linear }
@@ -85,36 +73,36 @@ impl EffectiveHardness {
         (hardness, slope)
     }
 
-    /// All hardnesses at the indentations of `w`, and all d ln H/d ln w.
-    pub(super) fn over(&self, w: Interval) -> (Interval, Interval) {
-        let hardness = Interval::between(self.at(w.low).0, self.at(w.high).0);
+    /// All hardnesses over the range `depth` of w/t, and all d ln H/d ln w.
+    pub(super) fn over(&self, depth: Interval) -> (Interval, Interval) {
+        let hardness = Interval::between(self.at(depth.low).0, self.at(depth.high).0);
         // x exp(-x) is highest at x = 1.
-        let swell = |w: f64| {
-            let (hardness, slope) = self.at(w);
+        let swell = |depth: f64| {
+            let (hardness, slope) = self.at(depth);
             slope.abs() * hardness
         };
-        let size = w.of_hump(swell, self.indentation(1.0)) * hardness.recip();
+        let size = depth.of_hump(swell, self.depth(1.0)) * hardness.recip();
         (hardness, if self.is_softer { size } else { -size })
     }
 
-    /// The indentation at which the flat is as hard as `hardness` (Pa); `None` if it nowhere is.
+    /// The depth w/t at which the flat is as hard as `hardness` (Pa); `None` if it nowhere is.
     pub(super) fn reaching(&self, hardness: f64) -> Option<f64> {
         let left = (hardness - self.substrate) / (self.layer - self.substrate);
-        (left > 0.0 && left < 1.0).then(|| self.indentation(-left.ln()))
+        (left > 0.0 && left < 1.0).then(|| self.depth(-left.ln()))
     }
 
-    fn indentation(&self, x: f64) -> f64 {
-        (x / self.factor).powf(self.power().recip()) / self.inverse_thickness
+    fn depth(&self, x: f64) -> f64 {
+        (x / self.factor).powf(self.power().recip())
     }
 
-    /// Indentations (m, ascending) between which H, 1/H and ln H are smooth enough for a quadrature panel: they
+    /// Depths w/t, ascending, between which H, 1/H and ln H are smooth enough for a quadrature panel: they
     /// have singularities beside the axis where H_eff would vanish, 2 pi apart in x, the first one next to where a
     /// much softer layer gives way.
     pub(super) fn scales(&self) -> Vec<f64> {
         const STEPS: [f64; 5] = [0.5, 4.0, 10.0, 20.0, 40.0];
         let ratio = self.layer / self.substrate;
         let first = (self.is_softer && ratio < 0.3).then_some(ratio);
-        first.into_iter().chain(STEPS).map(|x| self.indentation(x)).collect()
+        first.into_iter().chain(STEPS).map(|x| self.depth(x)).collect()
     }
 
     /// The hardnesses at both ends, Pa.
@@ -122,9 +110,9 @@ impl EffectiveHardness {
         Interval::between(self.layer, self.substrate)
     }
 
-    /// From this indentation (m) on H_eff no longer changes.
+    /// From this depth w/t on H_eff no longer changes.
     pub(super) fn end(&self) -> f64 {
-        self.indentation(GONE)
+        self.depth(GONE)
     }
 }
 
@@ -134,15 +122,15 @@ mod tests {
 
     fn of(layer: f64, substrate: f64) -> EffectiveHardness {
         let body = |young, hardness| Material::new(young, 0.3, Some(hardness), None).unwrap();
-        EffectiveHardness::new(&body(18e9, layer), &body(210e9, substrate), 1e-7).unwrap()
+        EffectiveHardness::new(&body(18e9, layer), &body(210e9, substrate)).unwrap()
     }
 
     #[test]
     fn from_the_layer_to_the_substrate() {
         for (layer, substrate) in [(0.17e9, 7.6e9), (21e9, 7.6e9), (5e9, 5e9), (1e30, 1e-30)] {
             let found = of(layer, substrate);
-            assert_eq!(found.at(1e-30).0, layer);
-            assert!((found.at(1.0).0 / substrate - 1.0).abs() < 1e-15 && found.at(1.0).1.abs() < 1e-12);
+            assert_eq!(found.at(1e-23).0, layer);
+            assert!((found.at(1e7).0 / substrate - 1.0).abs() < 1e-15 && found.at(1e7).1.abs() < 1e-12);
         }
     }
 
@@ -150,7 +138,7 @@ mod tests {
     #[test]
     fn factors_without_yield_strengths() {
         let x = |layer: f64, power: i32, factor: f64| {
-            let (hardness, _) = of(layer, 7.6e9).at(0.5e-7);
+            let (hardness, _) = of(layer, 7.6e9).at(0.5);
             let expected = 7.6e9 + (layer - 7.6e9) * (-factor * 0.5f64.powi(power)).exp();
             assert!((hardness / expected - 1.0).abs() < 1e-14, "{hardness:e} {expected:e}");
         };
@@ -162,10 +150,9 @@ mod tests {
     fn given_yield_strengths_are_used() {
         let body =
             |young, hardness, strength| Material::new(young, 0.3, Some(hardness), Some(strength)).unwrap();
-        let found =
-            EffectiveHardness::new(&body(18e9, 0.17e9, 10e6), &body(210e9, 7.6e9, 2e9), 1e-7).unwrap();
+        let found = EffectiveHardness::new(&body(18e9, 0.17e9, 10e6), &body(210e9, 7.6e9, 2e9)).unwrap();
         let expected = 7.6e9 - 7.43e9 * (-(10e6 / 2e9) * (210.0 / 18.0) * 4.0f64).exp();
-        assert!((found.at(2e-7).0 / expected - 1.0).abs() < 1e-14);
+        assert!((found.at(2.0).0 / expected - 1.0).abs() < 1e-14);
     }
 
     #[test]
@@ -173,7 +160,7 @@ mod tests {
         for layer in [0.17e9, 2e9, 21e9, 500e9] {
             let found = of(layer, 7.6e9);
             for k in 0..60 {
-                let w = Interval { low: 1e-10 * 1.3f64.powi(k), high: 1e-10 * 1.3f64.powi(k + 3) };
+                let w = Interval { low: 1e-3 * 1.3f64.powi(k), high: 1e-3 * 1.3f64.powi(k + 3) };
                 let (hardness, slope) = found.over(w);
                 for j in 0..=50 {
                     let at = w.low + (w.high - w.low) * f64::from(j) / 50.0;

@@ -27,7 +27,6 @@ use modulus::EffectiveModulus;
 /// A layer of finite thickness on a substrate.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Coating {
-    thickness: f64,
     inverse_thickness: f64,
     modulus: EffectiveModulus,
     hardness: Option<EffectiveHardness>,
@@ -91,10 +90,9 @@ impl Coating {
             return Err(CoatingError::OneHardness);
         }
         Ok(Self {
-            thickness,
             inverse_thickness: thickness.recip(),
             modulus: EffectiveModulus::new(rule, layer, substrate),
-            hardness: EffectiveHardness::new(layer, substrate, thickness),
+            hardness: EffectiveHardness::new(layer, substrate),
         })
     }
 
@@ -128,7 +126,9 @@ impl Coating {
         let inverse: [f64; LANES] = std::array::from_fn(|lane| self.inverse(w[lane], b[lane]));
         let (compliance, compliance_slope) = self.modulus.compliance(inverse);
         let never = ([f64::INFINITY; LANES], [0.0; LANES]);
-        let (hardness, hardness_slope) = self.hardness.as_ref().map_or(never, |hardness| hardness.lanes(w));
+        let depth = w.map(|w| w * self.inverse_thickness);
+        let (hardness, hardness_slope) =
+            self.hardness.as_ref().map_or(never, |hardness| hardness.lanes(depth));
         std::array::from_fn(|lane| Effective {
             compliance: compliance[lane],
             compliance_slope: compliance_slope[lane],
@@ -151,8 +151,7 @@ impl Coating {
         if !is_positive(thickness) {
             return Err(CoatingError::Thickness(thickness));
         }
-        let hardness = self.hardness.map(|hardness| hardness.with_thickness(thickness));
-        Ok(Self { thickness, inverse_thickness: thickness.recip(), modulus: self.modulus.clone(), hardness })
+        Ok(Self { inverse_thickness: thickness.recip(), ..self.clone() })
     }
 
     /// The flat as asperities of radii `b` feel it at indentations `w`.
@@ -160,7 +159,9 @@ impl Coating {
         let inverse = Interval { low: self.inverse(w.low, b.low), high: self.inverse(w.high, b.high) };
         let (compliance, compliance_slope) = self.modulus.over(inverse);
         let never = (Interval::point(f64::INFINITY), Interval::point(0.0));
-        let (hardness, hardness_slope) = self.hardness.as_ref().map_or(never, |hardness| hardness.over(w));
+        let depth = w * self.inverse_thickness;
+        let (hardness, hardness_slope) =
+            self.hardness.as_ref().map_or(never, |hardness| hardness.over(depth));
         Bounds { compliance, compliance_slope, hardness, hardness_slope }
     }
 
@@ -171,12 +172,12 @@ impl Coating {
 
     /// The indentation (m) at which the flat is as hard as `hardness` (Pa); `None` if it nowhere is.
     pub fn indentation_of_hardness(&self, hardness: f64) -> Option<f64> {
-        self.hardness.as_ref()?.reaching(hardness)
+        Some(self.hardness.as_ref()?.reaching(hardness)? / self.inverse_thickness)
     }
 
     /// The indentation (m) beyond which the hardness is that of the substrate; 0 where nothing yields.
     pub fn depth(&self) -> f64 {
-        self.hardness.as_ref().map_or(0.0, EffectiveHardness::end)
+        self.hardness.as_ref().map_or(0.0, EffectiveHardness::end) / self.inverse_thickness
     }
 
     /// Indentations (m) that part ranges over which the modulus that an asperity of radius `b` (m) feels changes
@@ -184,13 +185,14 @@ impl Coating {
     /// and a pole beyond a = 0 where the two compliances are opposite.
     pub fn modulus_scales(&self, b: f64, beside: f64) -> impl Iterator<Item = f64> {
         let pole = self.modulus.pole(beside).min(1.0);
-        let thickness = self.thickness;
+        let thickness = self.inverse_thickness.recip();
         let scales = [pole, 1.0].into_iter().skip(usize::from(pole > FAR));
         scales.map(move |inverse| (inverse * thickness).powi(2) / b)
     }
 
     /// The same for the hardness: those of 1/H_eff.
     pub fn hardness_scales(&self) -> Vec<f64> {
-        self.hardness.as_ref().map(EffectiveHardness::scales).unwrap_or_default()
+        let depths = self.hardness.as_ref().map(EffectiveHardness::scales).unwrap_or_default();
+        depths.into_iter().map(|depth| depth / self.inverse_thickness).collect()
     }
 }

@@ -168,8 +168,8 @@ impl Sides {
         (value, -value * slope)
     }
 
-    /// All values of [`Self::at`]: nu_eff follows I1, which grows with xi; I0 grows with xi and falls with nu. The three humps in the slope
-    /// are bounded by their ends and peaks.
+    /// All values of [`Self::at`]: nu_eff follows I1, which grows with xi; I0 grows with xi and falls with nu. The
+    /// three humps in the slope are bounded by their ends and peaks.
     fn over(&self, inverse: Interval) -> (Interval, Interval) {
         let (thick, thin) = (Weights::at(inverse.low), Weights::at(inverse.high));
         let poisson = Interval::between(self.poisson(&thick), self.poisson(&thin));
@@ -196,5 +196,33 @@ impl Sides {
             Rule::Series => ((-poisson + 1.0) * modulus * 0.5, modulus_slope - rest * poisson_slope),
         };
         (value, -(value * slope))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// However far the moduli lie apart: no zero of E_eff comes near the axis.
+    #[test]
+    fn the_table_is_the_formula() {
+        let mut worst = (0.0f64, 0.0f64);
+        for rule in Rule::ALL {
+            for ratio in [1e-6, 1e-3, 0.1, 0.9, 1.1, 10.0, 1e3, 1e6] {
+                for (nu_layer, nu_substrate) in [(0.0, 0.499), (0.499, 0.0), (0.3, 0.3)] {
+                    let body = |young, nu| Material::new(young, nu, None, None).unwrap();
+                    let pair = (body(ratio * 1e11, nu_layer), body(1e11, nu_substrate));
+                    let modulus = EffectiveModulus::new(rule, &pair.0, &pair.1);
+                    for k in -4000..4000 {
+                        let inverse = (f64::from(k) * 4.1e-3).exp();
+                        let ([value], [slope]) = modulus.table.at([inverse]).unwrap();
+                        let (exact, exact_slope) = modulus.sides.at(inverse);
+                        worst.0 = worst.0.max((value / exact - 1.0).abs());
+                        worst.1 = worst.1.max((slope - exact_slope).abs() / exact);
+                    }
+                }
+            }
+        }
+        assert!(worst.0 < 5e-15 && worst.1 < 5e-12, "{worst:?}");
     }
 }

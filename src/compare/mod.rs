@@ -9,7 +9,7 @@ mod threshold;
 
 pub use gap::{FEWEST_CONTACTS, Gap, Gaps};
 pub use limit::{Exact, LimitCase, LimitPoint, Quantity, SlopeFit, convergence};
-pub use rule::{GOOD_RATIO, RuleCheck, RuleError, RuleFindings};
+pub use rule::{GOOD_RATIO, RuleCheck, RuleError, RuleFindings, apart};
 pub use spread::{Realisation, Scatter, Spread, spread};
 pub use threshold::threshold;
 
@@ -171,6 +171,24 @@ pub struct Comparison {
     pub statistical_time: Duration,
     /// Time spent in the deterministic sums.
     pub deterministic_time: Duration,
+}
+
+/// Of items whose loads grow, those whose loads are nearest to the `steps` equal steps of each decade.
+pub fn of_each_decade<T>(items: impl IntoIterator<Item = T>, load: impl Fn(&T) -> f64, steps: f64) -> Vec<T> {
+    let step = |item: &T| (steps * load(item).log10()).round();
+    let away = |item: &T| (steps * load(item).log10() - step(item)).abs();
+    let mut chosen: Vec<T> = Vec::new();
+    for item in items {
+        match chosen.last_mut() {
+            Some(last) if step(last) == step(&item) => {
+                if away(&item) < away(last) {
+                    *last = item;
+                }
+            }
+            _ => chosen.push(item),
+        }
+    }
+    chosen
 }
 
 impl Comparison {

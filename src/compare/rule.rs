@@ -17,7 +17,8 @@ pub const GOOD_RATIO: [f64; 2] = [0.5, 2.0];
 pub struct RuleCheck {
     /// Radius and thickness 1 m.
     exact: LayeredSphere,
-    by_rule: [(Rule, Layered<Hertz>); 2],
+    /// As in [`Rule::ALL`].
+    by_rule: [Layered<Hertz>; 2],
     modulus_ratio: f64,
 }
 
@@ -29,8 +30,6 @@ const TOLD: [f64; 12] = [0.05, 0.1, 0.2, 0.5, 1.0, 2.0, 5.0, 10.0, 20.0, 50.0, 1
 pub struct RuleFindings {
     /// E_l/E_s.
     pub modulus_ratio: f64,
-    /// Whether that lies where the paper's rule is good.
-    pub is_good: bool,
     /// a/t, from and to.
     pub range: [f64; 2],
     /// At round a/t within them.
@@ -40,6 +39,11 @@ pub struct RuleFindings {
 }
 
 impl RuleFindings {
+    /// Whether E_l/E_s lies where the paper's rule is good.
+    pub fn is_good(&self) -> bool {
+        (GOOD_RATIO[0]..=GOOD_RATIO[1]).contains(&self.modulus_ratio)
+    }
+
     /// The largest error of `rule`.
     pub fn worst_of(&self, rule: Rule) -> Option<&RuleError> {
         Rule::ALL.into_iter().zip(&self.worst).find(|(of, _)| *of == rule)?.1.as_ref()
@@ -60,13 +64,19 @@ impl RuleFindings {
             )
         });
         let [from, to] = GOOD_RATIO;
-        (!self.is_good).then(|| {
+        (!self.is_good()).then(|| {
             format!(
                 "layer {layer}: its modulus is {} times the substrate's, outside the {from} to {to} where the paper's rule is good{size}",
                 short(self.modulus_ratio)
             )
         })
     }
+}
+
+/// Rule by rule what stands error by error.
+pub fn apart(errors: impl Iterator<Item = [RuleError; 2]>) -> [Vec<RuleError>; 2] {
+    let (gao, series) = errors.map(|[gao, series]| (gao, series)).unzip();
+    [gao, series]
 }
 
 /// To three digits.
@@ -101,7 +111,7 @@ impl RuleCheck {
         let [rough, layer, substrate] = [rough, layer, substrate].map(Material::without_yielding);
         let by = |rule| {
             let coating = Coating::new(&layer, &substrate, 1.0, rule)?;
-            Ok::<_, CoatingError>((rule, Layered::new(Hertz, &rough, &substrate, coating)))
+            Ok::<_, CoatingError>(Layered::new(Hertz, &rough, &substrate, coating))
         };
         Ok(Self {
             exact: LayeredSphere::new(Some(&rough), 1.0, &layer, &substrate, 1.0),
@@ -110,46 +120,34 @@ impl RuleCheck {
         })
     }
 
-    /// E_l/E_s.
-    pub fn modulus_ratio(&self) -> f64 {
-        self.modulus_ratio
+    /// The errors of both, as in [`Rule::ALL`], where the exact contact has the radius `contact_ratio` times the
+    /// thickness; `None` unless that is positive and at most [`LARGEST_RATIO`].
+    pub fn at(&self, contact_ratio: f64) -> Option<[RuleError; 2]> {
+        self.exact.at_contact_radius(contact_ratio).map(|exact| self.beside(&exact, 1.0, 1.0))
     }
 
-    /// Whether E_l/E_s lies where the paper's rule is good.
-    pub fn is_good(&self) -> bool {
-        (GOOD_RATIO[0]..=GOOD_RATIO[1]).contains(&self.modulus_ratio)
+    /// The errors of both, as in [`Rule::ALL`], beside an exact contact of the ball of `radius` (m) on the layer of
+    /// `thickness` (m).
+    pub fn beside(&self, exact: &ElasticContact, radius: f64, thickness: f64) -> [RuleError; 2] {
+        let scale = radius / thickness;
+        let indentation_ratio = exact.indentation / thickness * scale;
+        let load_ratio = exact.load / thickness / thickness * scale;
+        self.by_rule.each_ref().map(|contact| RuleError {
+            contact_ratio: exact.contact_radius / thickness,
+            indentation_ratio,
+            ratio: contact.contact(indentation_ratio, 1.0).load / load_ratio,
+        })
     }
 
-    /// The error of `rule` where the exact contact has the radius `contact_ratio` times the thickness; `None` unless that
-    /// is positive and at most [`LARGEST_RATIO`].
-    pub fn at(&self, rule: Rule, contact_ratio: f64) -> Option<RuleError> {
-        self.exact.at_contact_radius(contact_ratio).map(|exact| self.beside(rule, &exact))
-    }
-
-    /// The same under the indentation w = `indentation_ratio` t^2/R.
-    pub fn at_indentation(&self, rule: Rule, indentation_ratio: f64) -> Option<RuleError> {
-        self.exact.at_indentation(indentation_ratio).map(|exact| self.beside(rule, &exact))
-    }
-
-    fn beside(&self, rule: Rule, exact: &ElasticContact) -> RuleError {
-        let [gao, series] = &self.by_rule;
-        let (_, contact) = if rule == gao.0 { gao } else { series };
-        RuleError {
-            contact_ratio: exact.contact_radius,
-            indentation_ratio: exact.indentation,
-            ratio: contact.contact(exact.indentation, 1.0).load / exact.load,
-        }
-    }
-
-    /// The largest error of `rule` over a/t from `from` to `to`, ends included, among points that divide the range
-    /// evenly in ln(a/t), at least 20 a decade; `None` of a range beyond [`LARGEST_RATIO`] or an empty one.
-    pub fn worst(&self, rule: Rule, from: f64, to: f64) -> Option<RuleError> {
+    /// The largest error of each over a/t from `from` to `to`, ends included, among points that divide the range evenly in
+    /// ln(a/t), at least 20 a decade; `None` of a range beyond [`LARGEST_RATIO`] or an empty one.
+    pub fn worst(&self, from: f64, to: f64) -> [Option<RuleError>; 2] {
         const A_DECADE: f64 = 20.0;
         /// Errors closer than this are equal: the first is the worst, whatever their rounding.
         const ROUNDING: f64 = 1e-9;
         let to = to.min(LARGEST_RATIO);
         if !(from > 0.0 && from <= to) {
-            return None;
+            return [None; 2];
         }
         let steps = ((to / from).log10() * A_DECADE).ceil();
         let place = |k: i32| match f64::from(k) {
@@ -157,8 +155,11 @@ impl RuleCheck {
             k if k == steps => to,
             k => from * (to / from).powf(k / steps),
         };
-        let errors = (0..=steps as i32).filter_map(|k| self.at(rule, place(k)));
-        errors.reduce(|worst, next| if next.factor() > worst.factor() + ROUNDING { next } else { worst })
+        let errors = (0..=steps as i32).filter_map(|k| self.at(place(k)));
+        let worse = |worst: RuleError, next: RuleError| {
+            if next.factor() > worst.factor() + ROUNDING { next } else { worst }
+        };
+        apart(errors).map(|errors| errors.into_iter().reduce(worse))
     }
 
     /// Both rules over a/t from `from` to `to`; nothing told where the range is empty.
@@ -166,16 +167,15 @@ impl RuleCheck {
         let told = TOLD.into_iter().filter(|told| (from..=to).contains(told));
         RuleFindings {
             modulus_ratio: self.modulus_ratio,
-            is_good: self.is_good(),
             range: [from, to],
-            told: Rule::ALL.map(|rule| told.clone().filter_map(|told| self.at(rule, told)).collect()),
-            worst: Rule::ALL.map(|rule| self.worst(rule, from, to)),
+            told: apart(told.filter_map(|told| self.at(told))),
+            worst: self.worst(from, to),
         }
     }
 
     /// The papers behind both rules and the exact solution.
     pub fn papers(&self) -> Vec<Paper> {
-        let rules = self.by_rule.iter().flat_map(|(_, contact)| contact.papers());
+        let rules = self.by_rule.iter().flat_map(MicroContact::papers);
         rules.chain(LayeredSphere::papers().iter().copied()).collect()
     }
 }
@@ -192,25 +192,28 @@ mod tests {
     fn the_papers_rule_is_far_too_stiff_for_lead_on_steel() {
         let rigid = body(1e20, 0.3);
         let check = RuleCheck::new(&rigid, &body(18e9, 0.35), &body(210e9, 0.3)).unwrap();
-        assert!(!check.is_good());
-        let at_t = check.at(Rule::Gao, 1.0).unwrap();
-        assert!((at_t.ratio - 2.8).abs() < 0.05, "{at_t:?}");
+        assert!(!check.findings(0.1, 10.0).is_good());
+        let [gao, _] = check.at(1.0).unwrap();
+        assert!((gao.ratio - 2.8).abs() < 0.05, "{gao:?}");
         // w R/t^2 of the exact table.
-        assert!((at_t.indentation_ratio - 0.67683676).abs() < 1e-8);
-        let same = check.at_indentation(Rule::Gao, at_t.indentation_ratio).unwrap();
-        assert!((same.ratio / at_t.ratio - 1.0).abs() < 1e-12);
-        let worst = |rule| check.worst(rule, 0.1, 10.0).unwrap().factor();
-        assert!(worst(Rule::Gao) >= at_t.factor() && worst(Rule::Series) < worst(Rule::Gao));
+        assert!((gao.indentation_ratio - 0.67683676).abs() < 1e-8);
+        // The same in any size.
+        let sphere = LayeredSphere::new(Some(&rigid), 3e-6, &body(18e9, 0.35), &body(210e9, 0.3), 2e-8);
+        let [same, _] = check.beside(&sphere.at_contact_radius(2e-8).unwrap(), 3e-6, 2e-8);
+        assert!((same.ratio / gao.ratio - 1.0).abs() < 1e-12 && (same.contact_ratio - 1.0).abs() < 1e-15);
+        let [worst, of_series] = check.worst(0.1, 10.0).map(|worst| worst.unwrap().factor());
+        assert!(worst >= gao.factor() && of_series < worst);
     }
 
     #[test]
     fn without_a_difference_there_is_no_error() {
         let steel = body(210e9, 0.3);
         let check = RuleCheck::new(&steel, &steel, &steel).unwrap();
-        let worst = check.worst(Rule::Gao, 0.1, 10.0).unwrap();
-        assert!((worst.ratio - 1.0).abs() < 1e-12 && worst.contact_ratio == 0.1 && check.is_good());
-        assert_eq!(check.worst(Rule::Gao, 0.0, 1.0), None);
-        assert_eq!(check.worst(Rule::Gao, 2e3, 3e3), None);
-        assert_eq!(check.worst(Rule::Series, 2.0, 2.0).map(|at| at.contact_ratio), Some(2.0));
+        let found = check.findings(0.1, 10.0);
+        let worst = found.worst_of(Rule::Gao).unwrap();
+        assert!((worst.ratio - 1.0).abs() < 1e-12 && worst.contact_ratio == 0.1 && found.is_good());
+        assert_eq!(check.worst(0.0, 1.0), [None; 2]);
+        assert_eq!(check.worst(2e3, 3e3), [None; 2]);
+        assert_eq!(check.worst(2.0, 2.0).map(|at| at.map(|at| at.contact_ratio)), [Some(2.0); 2]);
     }
 }

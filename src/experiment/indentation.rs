@@ -12,7 +12,7 @@ use super::results::{Head, Timing};
 use super::run::head;
 use super::spec::Show;
 use crate::coating::{CoatingError, Rule};
-use crate::compare::{RuleCheck, RuleError, RuleFindings};
+use crate::compare::{RuleCheck, RuleError, RuleFindings, apart};
 use crate::exact_sphere::{ElasticContact, LayeredSphere};
 use crate::interface::Flat;
 use crate::literature::{self, Paper};
@@ -173,33 +173,21 @@ fn on_layer(
         let found = sphere.at_indentation(w)?;
         Some(ElasticContact { indentation: w, ..found })
     };
-    let (errors, found) = findings(&check, plan, thickness);
-    Ok(LayerResults {
-        name: layer.name.clone(),
-        thickness,
-        rule: layer.rule,
-        laws,
-        exact: plan.indentations.par_iter().map(exact).collect(),
-        check: found,
-        errors,
-    })
-}
-
-/// The errors of both rules at the indentations of the plan, and over the range of their contacts.
-fn findings(
-    check: &RuleCheck,
-    plan: &IndentationPlan,
-    thickness: f64,
-) -> ([Vec<RuleError>; 2], RuleFindings) {
-    let ratio = |w: f64| w / thickness * (plan.radius / thickness);
-    let errors = Rule::ALL.map(|rule| {
-        let at = |&w: &f64| check.at_indentation(rule, ratio(w));
-        plan.indentations.par_iter().filter_map(at).collect::<Vec<RuleError>>()
-    });
+    let exact: Vec<Option<ElasticContact>> = plan.indentations.par_iter().map(exact).collect();
+    let beside = |contact| check.beside(contact, plan.radius, thickness);
+    let errors = apart(exact.iter().flatten().map(beside));
     let [from, to] = match &errors[0][..] {
         [first, .., last] => [first.contact_ratio, last.contact_ratio],
         [only] => [only.contact_ratio; 2],
         [] => [f64::NAN; 2],
     };
-    (errors, check.findings(from, to))
+    Ok(LayerResults {
+        name: layer.name.clone(),
+        thickness,
+        rule: layer.rule,
+        laws,
+        exact,
+        check: check.findings(from, to),
+        errors,
+    })
 }

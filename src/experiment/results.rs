@@ -184,6 +184,22 @@ pub struct SurfaceResults {
     pub others: Vec<RealisationResults>,
     /// Up to which thickness the first takes no notice of the layer, law by law, load by load, model by model.
     pub thresholds: Vec<Threshold>,
+    /// Where the sharpest, a mean and the bluntest asperity of the first carry less, or touch on less, as they are
+    /// pressed deeper.
+    pub falls: Vec<FallResults>,
+}
+
+/// A stretch on which area or load of an asperity falls.
+#[derive(Debug, Clone)]
+pub struct FallResults {
+    /// The law.
+    pub law: String,
+    /// Thickness of the layer, m; `None` where no layer is asked for.
+    pub thickness: Option<f64>,
+    /// Of the asperity, m.
+    pub radius: f64,
+    /// The stretch.
+    pub fall: Fall,
 }
 
 /// Up to which thickness the real area stays within 5 % of the one without a layer.
@@ -234,9 +250,6 @@ pub struct CaseResults {
     pub thickness: Option<f64>,
     /// Greenwood and Williamson's plasticity index; `None` where nothing yields.
     pub plasticity_index: Option<f64>,
-    /// Where the sharpest, a mean and the bluntest asperity carry less, or touch on less, as they are pressed deeper: the
-    /// radius, m, and the stretch.
-    pub falls: Vec<(f64, Fall)>,
     /// Both models' answers.
     pub comparison: Comparison,
     /// The largest gaps between them.

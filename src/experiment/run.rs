@@ -6,8 +6,8 @@ use super::plan::thickness_words;
 use super::plan::{ComparePlan, LawPlan, LayerPlan, LimitPlan, Plan, PlanKind, SurfacePlan};
 use super::progress::Progress;
 use super::results::{
-    Bodies, CaseResults, CompareResults, ContactHead, Head, LayerHead, LimitResults, RealisationResults,
-    Results, SurfaceResults, SurfacesResults, Timing,
+    Bodies, CaseResults, CompareResults, ContactHead, FallResults, Head, LayerHead, LimitResults,
+    RealisationResults, Results, SurfaceResults, SurfacesResults, Timing,
 };
 use super::surface::Surface;
 use super::whole::Look;
@@ -15,13 +15,12 @@ use super::{Refusal, digest, hexadecimal, indentation, stream_seed, threshold};
 use crate::asperity::{Ordered, Population, gaussian_moment};
 use crate::coating::CoatingError;
 use crate::compare::{
-    Comparison, Control, Exact, Gaps, Kind, LimitCase, Models, NotReached, RuleCheck, RuleFindings, compare,
-    convergence,
+    Control, Exact, Gaps, Kind, LimitCase, Models, NotReached, RuleCheck, RuleFindings, compare, convergence,
 };
-use crate::interface::{MicroContact, plasticity_index};
+use crate::interface::plasticity_index;
 use crate::literature::{self, Paper};
 use crate::model::{Deterministic, Model, Statistical};
-use crate::sphere::{Curve, Fall};
+use crate::sphere::Curve;
 
 pub(super) fn run(plan: &Plan, progress: &dyn Progress) -> Result<Results, Refusal> {
     match &plan.kind {
@@ -47,17 +46,22 @@ fn run_compare(
         let mut maker = surface.maker(&plan.source, plan.seed);
         let mut run = |realisation, look| {
             let surface = maker.make(realisation, look, &mut timing)?;
-            let answered = run_surface(plan, compare, &surface, &mut timing)?;
+            let start = Instant::now();
+            let is_summed = compare.models.contains(&Kind::Deterministic);
+            let ordered = is_summed.then(|| Ordered::new(&surface.set));
+            timing.deterministic += start.elapsed();
+            let answered = run_surface(plan, compare, &surface, ordered.as_ref(), &mut timing)?;
             progress.advance(1);
-            Ok::<_, Refusal>((surface, answered))
+            Ok::<_, Refusal>((surface, ordered, answered))
         };
-        let (first_surface, first) = run(1, Look::Spectrum)?;
-        let thresholds = threshold::thresholds(compare, &first_surface, &first);
+        let (first_surface, ordered, first) = run(1, Look::Spectrum)?;
+        let thresholds = threshold::thresholds(compare, &first_surface, ordered.as_ref(), &first);
+        let falls = falls(compare, &first_surface, &first);
         let others =
-            (2..=surface.realisations).map(|k| run(k, Look::Asperities).map(|(_, answered)| answered));
+            (2..=surface.realisations).map(|k| run(k, Look::Asperities).map(|(.., answered)| answered));
         let others = others.collect::<Result<_, _>>()?;
         papers.extend(first_surface.papers());
-        surfaces.push(SurfaceResults { surface: first_surface, first, others, thresholds });
+        surfaces.push(SurfaceResults { surface: first_surface, first, others, thresholds, falls });
     }
     timing.total = start.elapsed();
     let mut layer_head = None;
@@ -97,19 +101,17 @@ fn run_surface(
     plan: &Plan,
     compare_plan: &ComparePlan,
     surface: &Surface,
+    ordered: Option<&Ordered>,
     timing: &mut Timing,
 ) -> Result<RealisationResults, Refusal> {
     let asked = |kind| compare_plan.models.contains(&kind);
     let population = surface.population(compare_plan.heights, compare_plan.mean_radius);
-    let ordering = Instant::now();
-    let ordered = asked(Kind::Deterministic).then(|| Ordered::new(&surface.set));
-    timing.deterministic += ordering.elapsed();
     let area = surface.set.nominal_area();
     let mut cases = Vec::new();
     for law in &compare_plan.laws {
         let contact = &*law.contact;
         let statistical = Statistical::new(contact, population).quoted_from(surface.quoting_datum());
-        let deterministic = ordered.as_ref().map(|set| Deterministic::new(contact, set, surface.datum));
+        let deterministic = ordered.map(|set| Deterministic::new(contact, set, surface.datum));
         let models = Models {
             statistical: asked(Kind::Statistical).then_some(&statistical as &dyn Model),
             deterministic: deterministic.as_ref().map(|model| model as &dyn Model),
@@ -122,7 +124,6 @@ fn run_surface(
             law: law.label.clone(),
             thickness: law.thickness,
             plasticity_index: plasticity_index(contact, population.sigma, population.radius),
-            falls: falls(contact, population.radius, &comparison, surface),
             gaps: Gaps::of(&comparison.pairs, area, surface.datum.sigma),
             comparison,
         });
@@ -138,32 +139,37 @@ fn run_surface(
     })
 }
 
-/// Where area or load of the sharpest asperity, of one of the radius `mean` (m) and of the bluntest falls, as deep as
-/// the highest asperity is pressed.
-fn falls(
-    contact: &dyn MicroContact,
-    mean: f64,
-    comparison: &Comparison,
-    surface: &Surface,
-) -> Vec<(f64, Fall)> {
+/// Where area or load of the sharpest asperity, of one of the mean radius and of the bluntest falls, as deep as the
+/// highest asperity is pressed.
+fn falls(plan: &ComparePlan, surface: &Surface, answered: &RealisationResults) -> Vec<FallResults> {
     /// The first indentation that is looked at, of the deepest.
     const SHALLOWEST: f64 = 1e-4;
-    let highest = surface.set.heights().iter().copied().fold(f64::NEG_INFINITY, f64::max);
-    let nearest =
-        comparison.curves.iter().map(|point| point.response.separation).fold(f64::INFINITY, f64::min);
-    let deepest = highest - surface.datum.mean - nearest;
-    if !(deepest.is_finite() && deepest > 0.0) {
-        return Vec::new();
-    }
-    let radii = surface.set.radii();
-    let sharpest = radii.iter().copied().fold(f64::INFINITY, f64::min);
-    let mut looked_at = vec![sharpest, mean, radii.iter().copied().fold(0.0, f64::max)];
-    looked_at.dedup();
-    let of = |&radius: &f64| {
-        let curve = Curve::of(contact, radius, &[SHALLOWEST * deepest, deepest]);
-        curve.falls.into_iter().map(move |fall| (radius, fall))
+    let extremes = |values: &[f64]| {
+        let ends = (f64::INFINITY, f64::NEG_INFINITY);
+        values.iter().fold(ends, |(low, high), &value| (low.min(value), high.max(value)))
     };
-    looked_at.iter().flat_map(of).collect()
+    let highest = extremes(surface.set.heights()).1 - surface.datum.mean;
+    let (sharpest, bluntest) = extremes(surface.set.radii());
+    let mut radii = vec![sharpest, answered.population.radius, bluntest];
+    radii.dedup();
+    let mut found = Vec::new();
+    for (law, case) in plan.laws.iter().zip(&answered.cases) {
+        let separations = case.comparison.curves.iter().map(|point| point.response.separation);
+        let deepest = highest - separations.fold(f64::INFINITY, f64::min);
+        if !(deepest > 0.0 && deepest.is_finite()) {
+            continue;
+        }
+        for &radius in &radii {
+            let falls = Curve::of(&*law.contact, radius, &[SHALLOWEST * deepest, deepest]).falls;
+            found.extend(falls.into_iter().map(|fall| FallResults {
+                law: case.law.clone(),
+                thickness: case.thickness,
+                radius,
+                fall,
+            }));
+        }
+    }
+    found
 }
 
 /// Points at the sweep that asks for more than a model reaches.

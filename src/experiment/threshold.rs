@@ -7,7 +7,7 @@ use super::results::{RealisationResults, Threshold};
 use super::spec::LawSpec;
 use super::surface::Surface;
 use crate::asperity::Ordered;
-use crate::compare::{Kind, threshold};
+use crate::compare::{Kind, of_each_decade, threshold};
 use crate::interface::MicroContact;
 use crate::model::{Deterministic, Model, Statistical, at_pressure};
 
@@ -18,6 +18,7 @@ const PART: f64 = 0.05;
 pub(super) fn thresholds(
     plan: &ComparePlan,
     surface: &Surface,
+    ordered: Option<&Ordered>,
     answered: &RealisationResults,
 ) -> Vec<Threshold> {
     let Some(layer) = &plan.layer else { return Vec::new() };
@@ -28,7 +29,6 @@ pub(super) fn thresholds(
     if layer.thicknesses == [0.0] {
         return Vec::new();
     }
-    let ordered = plan.models.contains(&Kind::Deterministic).then(|| Ordered::new(&surface.set));
     let mut asked = Vec::new();
     for law in &plan.law_specs {
         for &pressure in &pressures {
@@ -36,8 +36,7 @@ pub(super) fn thresholds(
         }
     }
     let one = |&(law, pressure, kind): &(&LawSpec, f64, Kind)| {
-        let question =
-            Question { plan, layer, surface, answered, ordered: ordered.as_ref(), law, pressure, kind };
+        let question = Question { plan, layer, surface, answered, ordered, law, pressure, kind };
         question.threshold()
     };
     asked.par_iter().filter_map(one).collect()
@@ -51,20 +50,7 @@ fn some_of(mut loads: Vec<f64>) -> Vec<f64> {
     if loads.len() <= SHORT {
         return loads;
     }
-    let decade = |load: f64| load.log10().round();
-    let away = |load: f64| (load.log10() - decade(load)).abs();
-    let mut chosen: Vec<f64> = Vec::new();
-    for load in loads {
-        match chosen.last_mut() {
-            Some(last) if decade(*last) == decade(load) => {
-                if away(load) < away(*last) {
-                    *last = load;
-                }
-            }
-            _ => chosen.push(load),
-        }
-    }
-    chosen
+    of_each_decade(loads, |&load| load, 1.0)
 }
 
 /// One law, load and model.
@@ -82,7 +68,7 @@ struct Question<'a> {
 impl Question<'_> {
     /// `None` where the load is not reached without the layer.
     fn threshold(&self) -> Option<Threshold> {
-        let bare = self.area(0.0)?;
+        let bare = self.known(0.0).or_else(|| self.area(0.0))?;
         // A load that a flat does not carry at any separation shows no area: it matters.
         let departs = |area: Option<f64>| area.is_none_or(|area| (area / bare - 1.0).abs() > PART);
         let listed: Vec<(f64, bool)> =

@@ -52,14 +52,25 @@ impl Flat {
         thickness: f64,
         rule: Rule,
     ) -> Result<Self, CoatingError> {
+        Self::in_thickness(layer, substrate, thickness, || Coating::new(layer, substrate, thickness, rule))
+    }
+
+    /// The same, with `coating` the layer in that thickness, which is asked for only where one is there.
+    ///
+    /// # Errors
+    /// Those of `coating`.
+    pub fn in_thickness(
+        layer: &Material,
+        substrate: &Material,
+        thickness: f64,
+        coating: impl FnOnce() -> Result<Coating, CoatingError>,
+    ) -> Result<Self, CoatingError> {
         let substrate = *substrate;
-        if thickness == 0.0 {
-            Ok(Self::Bare(substrate))
-        } else if thickness == f64::INFINITY {
-            Ok(Self::AllLayer { substrate, layer: *layer })
-        } else {
-            Ok(Self::Coated { coating: Coating::new(layer, &substrate, thickness, rule)?, substrate })
-        }
+        Ok(match thickness {
+            0.0 => Self::Bare(substrate),
+            f64::INFINITY => Self::AllLayer { substrate, layer: *layer },
+            _ => Self::Coated { coating: coating()?, substrate },
+        })
     }
 
     /// The micro-contact of a rough body with it under `law`.

@@ -8,7 +8,9 @@ use super::layer;
 use super::page::Page;
 use super::page::escape;
 use super::surface::section as surface_section;
-use crate::compare::{Comparison, Control, Gap, Kind, Pair, Realisation, Scatter, Spread, spread};
+use crate::compare::{
+    Comparison, Control, Gap, Kind, Pair, Realisation, Scatter, Spread, of_each_decade, spread,
+};
 use crate::experiment::results::{CaseResults, CompareResults, SurfaceResults};
 
 /// A gap of fewer standard errors than this may be chance.
@@ -35,8 +37,8 @@ pub fn page(results: &CompareResults) -> Page {
     }
     for found in &results.surfaces {
         for law in laws(found) {
-            let cases: Vec<&CaseResults> = found.first.cases.iter().filter(|case| case.law == law).collect();
-            let lines = falls::lines(&subject(results, found, law), &cases, results.contact.layer.as_ref());
+            let layer = results.contact.layer.as_ref();
+            let lines = falls::lines(&subject(results, found, law), found, law, layer);
             if !lines.is_empty() {
                 page.bullets(lines);
             }
@@ -265,7 +267,7 @@ fn answers(page: &mut Page, results: &CompareResults, found: &SurfaceResults, in
     figure("area", "Real contact area against load ratio.", figures::area(comparison, modulus));
     figure("regimes", "How the load is shared by the regimes.", figures::regimes(comparison, modulus));
     realisations(page, found, index);
-    let pairs = decades(figures::at_equal_load(comparison), |pair| pair.target);
+    let pairs = of_each_decade(figures::at_equal_load(comparison), |pair| pair.target, STEPS);
     if !pairs.is_empty() {
         page.paragraph(if found.others.is_empty() {
             "Both models at equal load:"
@@ -301,7 +303,7 @@ fn realisations(page: &mut Page, found: &SurfaceResults, index: usize) {
         |scatter: &Scatter| format!("{} ± {}", number(scatter.mean), number(scatter.deviation));
     page.table(
         ["p", "d/σ stat.", "d/σ det.", "stated error", "difference", "A/A_nom stat.", "A/A_nom det."],
-        decades(&spread, |at| at.target).into_iter().map(|at| {
+        of_each_decade(&spread, |at| at.target, STEPS).into_iter().map(|at| {
             vec![
                 quantity(at.target, "Pa"),
                 number(at.statistical_separation.mean),
@@ -315,23 +317,8 @@ fn realisations(page: &mut Page, found: &SurfaceResults, index: usize) {
     );
 }
 
-/// The items whose loads, which grow, are nearest to one and three in each decade.
-fn decades<T>(items: impl IntoIterator<Item = T>, load: impl Fn(&T) -> f64) -> Vec<T> {
-    let step = |item: &T| (2.0 * load(item).log10()).round();
-    let away = |item: &T| (2.0 * load(item).log10() - step(item)).abs();
-    let mut chosen: Vec<T> = Vec::new();
-    for item in items {
-        match chosen.last_mut() {
-            Some(last) if step(last) == step(&item) => {
-                if away(&item) < away(last) {
-                    *last = item;
-                }
-            }
-            _ => chosen.push(item),
-        }
-    }
-    chosen
-}
+/// Steps of a decade that tables show: loads nearest to one and three.
+const STEPS: f64 = 2.0;
 
 const LOAD_TABLE: [&str; 8] = [
     "p",

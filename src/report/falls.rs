@@ -3,24 +3,27 @@
 use super::format::{percent, quantity};
 use super::layer::{listed, thickness, under};
 use super::page::escape;
-use crate::experiment::results::{CaseResults, LayerHead};
-use crate::sphere::{Fall, Falling};
+use crate::experiment::results::{FallResults, LayerHead, SurfaceResults};
+use crate::sphere::Falling;
 
 /// A line for the area and one for the load of one surface under one law, where they fall.
-pub fn lines(subject: &str, cases: &[&CaseResults], layer: Option<&LayerHead>) -> Vec<String> {
-    Falling::ALL.into_iter().filter_map(|of| line(subject, cases, layer, of)).collect()
+pub fn lines(subject: &str, found: &SurfaceResults, law: &str, layer: Option<&LayerHead>) -> Vec<String> {
+    Falling::ALL.into_iter().filter_map(|of| line(subject, found, law, layer, of)).collect()
 }
 
-fn line(subject: &str, cases: &[&CaseResults], layer: Option<&LayerHead>, of: Falling) -> Option<String> {
-    let falls_of =
-        |case: &CaseResults| case.falls.iter().filter(|(_, fall)| fall.of == of).copied().collect::<Vec<_>>();
-    let falling: Vec<(&CaseResults, (f64, Fall))> =
-        cases.iter().flat_map(|case| falls_of(case).into_iter().map(move |found| (*case, found))).collect();
-    let (case, (radius, fall)) = falling.iter().max_by(|a, b| a.1.1.loss().total_cmp(&b.1.1.loss()))?;
-    let mut names: Vec<String> =
-        falling.iter().filter_map(|(case, _)| case.thickness).map(thickness).collect();
+fn line(
+    subject: &str,
+    found: &SurfaceResults,
+    law: &str,
+    layer: Option<&LayerHead>,
+    of: Falling,
+) -> Option<String> {
+    let falling = || found.falls.iter().filter(|found| found.law == law && found.fall.of == of);
+    let FallResults { radius, fall, thickness: under_it, .. } =
+        falling().max_by(|a, b| a.fall.loss().total_cmp(&b.fall.loss()))?;
+    let mut names: Vec<String> = falling().filter_map(|found| found.thickness).map(thickness).collect();
     names.dedup();
-    let (with, place) = match (layer, case.thickness) {
+    let (with, place) = match (layer, *under_it) {
         (Some(layer), Some(t)) => {
             (format!(", with {} of {}", escape(&layer.name), listed(&names)), format!(" {}", under(layer, t)))
         }

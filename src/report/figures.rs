@@ -2,6 +2,7 @@
 
 use super::plot::{Axis, Colour, Dash, Figure, Layer, Plot};
 use crate::compare::{Comparison, CurvePoint, Kind, Pair, Pairing};
+use crate::contact::Regime;
 use crate::model::INTERACTION;
 
 /// How many standard errors a band shows: 95 % of all draws lie within.
@@ -125,6 +126,26 @@ pub fn area(comparison: &Comparison, modulus: f64) -> String {
     plot.svg()
 }
 
+/// The colour of a regime.
+pub fn regime_colour(regime: Regime) -> Colour {
+    match regime {
+        Regime::Elastic => Colour::Elastic,
+        Regime::ElasticPlastic => Colour::ElasticPlastic,
+        Regime::Plastic => Colour::Plastic,
+    }
+}
+
+/// Each regime's share of the load against something.
+pub fn shares_of_load(title: &str, x: Axis, shares: impl Iterator<Item = (f64, [f64; 3])>) -> Plot {
+    let (x_values, shares): (Vec<f64>, Vec<[f64; 3]>) = shares.unzip();
+    let share = Regime::ALL.map(|regime| shares.iter().map(|s| s[regime as usize]).collect::<Vec<f64>>());
+    let stacked = Regime::ALL.into_iter().zip(&share);
+    Plot::new(title, x, Axis::linear("share of the load").range(0.0, 1.0)).with_stacked(
+        &x_values,
+        stacked.map(|(regime, share)| (regime.name(), regime_colour(regime), &share[..])),
+    )
+}
+
 /// Each regime's share of the load, one panel a model.
 pub fn regimes(comparison: &Comparison, modulus: f64) -> String {
     let panel = |kind: Kind| {
@@ -132,21 +153,8 @@ pub fn regimes(comparison: &Comparison, modulus: f64) -> String {
         let load: Vec<f64> = points.iter().map(|p| p.response.pressure.total() / modulus).collect();
         let shares: Vec<[f64; 3]> =
             points.iter().filter_map(|point| point.response.pressure.shares()).collect();
-        let share = |regime: usize| shares.iter().map(|s| s[regime]).collect::<Vec<f64>>();
-        let [elastic, middle, plastic] = [share(0), share(1), share(2)];
-        Plot::new(
-            kind.name(),
-            load_axis(comparison, modulus),
-            Axis::linear("share of the load").range(0.0, 1.0),
-        )
-        .with_stacked(
-            &load,
-            [
-                ("elastic", Colour::Elastic, &elastic[..]),
-                ("elastic-plastic", Colour::ElasticPlastic, &middle[..]),
-                ("plastic", Colour::Plastic, &plastic[..]),
-            ],
-        )
+        let axis = load_axis(comparison, modulus);
+        shares_of_load(kind.name(), axis, load.into_iter().zip(shares))
     };
     let kinds = [Kind::Statistical, Kind::Deterministic];
     let present = kinds.into_iter().filter(|&kind| !curve(comparison, kind).is_empty());

@@ -1,7 +1,7 @@
 //! A comparison under a layer in several thicknesses: Fig. 6 of Pasaribu and Schipper (2005), and thickness as an axis.
 
 use super::compare::{CONDITION, is_significant, verdict};
-use super::figures::curve;
+use super::figures::{curve, shares_of_load};
 use super::format::{number, percent, quantity};
 use super::page::{Page, escape};
 use super::plot::{Axis, Colour, Dash, Figure, Layer, Marker, Plot};
@@ -53,7 +53,7 @@ pub fn listed(names: &[String]) -> String {
 pub fn rule_section(page: &mut Page, layer: &LayerHead) {
     let check = &layer.check;
     page.heading(2, "How good is the rule?");
-    let place = if check.is_good { "within" } else { "outside" };
+    let place = if check.is_good() { "within" } else { "outside" };
     page.paragraph(&format!(
         "E of the layer is {} of that of the substrate, {place} the {} to {} where the paper's rule (`gao`) is good (Perriot and Barthel 2004). \
          This is the elastic load by both rules over that of the exact solution at equal indentation, a the exact contact radius; this \
@@ -418,28 +418,10 @@ impl<'a> Series<'a> {
             count => vec![loads[0], loads[count / 2], loads[count - 1]],
         };
         let panel = |load: f64| {
-            let shares: Vec<(f64, [f64; 3])> = self
-                .finite()
-                .filter_map(|(t, case)| {
-                    Some((t, case.comparison.at_load(kind, load)?.response.pressure.shares()?))
-                })
-                .collect();
-            let thicknesses: Vec<f64> = shares.iter().map(|(t, _)| nanometres(*t)).collect();
-            let share = |regime: Regime| shares.iter().map(|(_, s)| s[regime as usize]).collect::<Vec<f64>>();
-            let [elastic, middle, plastic] = Regime::ALL.map(share);
-            Plot::new(
-                quantity(load, "Pa"),
-                thickness_axis(),
-                Axis::linear("share of the load").range(0.0, 1.0),
-            )
-            .with_stacked(
-                &thicknesses,
-                [
-                    ("elastic", Colour::Elastic, &elastic[..]),
-                    ("elastic-plastic", Colour::ElasticPlastic, &middle[..]),
-                    ("plastic", Colour::Plastic, &plastic[..]),
-                ],
-            )
+            let shares = self.finite().filter_map(|(t, case)| {
+                Some((nanometres(t), case.comparison.at_load(kind, load)?.response.pressure.shares()?))
+            });
+            shares_of_load(&quantity(load, "Pa"), thickness_axis(), shares)
         };
         Figure::row("Regimes by thickness", chosen.into_iter().map(panel).collect()).svg()
     }

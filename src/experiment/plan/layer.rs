@@ -43,14 +43,8 @@ impl LayerPlan {
     /// # Errors
     /// A thickness that is not positive and finite, nor 0 or infinite.
     pub fn flat(&self, thickness: f64) -> Result<Flat, CoatingError> {
-        let substrate = self.substrate;
-        Ok(if thickness == 0.0 {
-            Flat::Bare(substrate)
-        } else if thickness == f64::INFINITY {
-            Flat::AllLayer { substrate, layer: self.material }
-        } else {
-            Flat::Coated { substrate, coating: self.coating.with_thickness(thickness)? }
-        })
+        let coating = || self.coating.with_thickness(thickness);
+        Flat::in_thickness(&self.material, &self.substrate, thickness, coating)
     }
 }
 

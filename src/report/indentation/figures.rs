@@ -2,12 +2,12 @@
 
 use std::f64::consts::PI;
 
+use super::super::figures::regime_colour;
 use super::super::format::number;
 use super::super::plot::{Axis, Colour, Dash, Figure, Layer, Legend, Marker, Plot};
 use super::Shown;
 use crate::coating::Rule;
 use crate::compare::{GOOD_RATIO, RuleError};
-use crate::contact::Regime;
 use crate::experiment::spec::Show;
 use crate::experiment::{IndentationResults, LawCurves, LayerResults};
 
@@ -15,14 +15,6 @@ use crate::experiment::{IndentationResults, LawCurves, LayerResults};
 const MICRO: f64 = 1e6;
 
 type Line = Vec<(f64, f64)>;
-
-fn regime_colour(regime: Regime) -> Colour {
-    match regime {
-        Regime::Elastic => Colour::Elastic,
-        Regime::ElasticPlastic => Colour::ElasticPlastic,
-        Regime::Plastic => Colour::Plastic,
-    }
-}
 
 /// The curves of one law, each as (w, P, A): `turn` says where a point stands.
 fn lines(
@@ -60,14 +52,8 @@ fn lines(
         let name = format!("coated, {}", regime.name());
         plot = plot.with(Layer::line(line).coloured(regime_colour(regime)).named(name));
     }
-    let area = |w: f64| {
-        let at = coated.trace.iter().find(|point| point.indentation == w);
-        at.map_or(f64::NAN, |point| point.contact.area)
-    };
-    let changes: Line = coated
-        .changes_within()
-        .map(|change| turn(change.indentation, change.load, area(change.indentation)))
-        .collect();
+    let changes: Line =
+        coated.changes_within().map(|change| turn(change.indentation, change.load, change.area)).collect();
     if changes.is_empty() {
         return plot;
     }
@@ -88,9 +74,7 @@ pub fn load(results: &IndentationResults, found: &LayerResults, law: &LawCurves)
         };
         let mut plot = lines(plot, found, law, |w, load, _| turn(w, load));
         if let Some((_, points)) = &results.overlay {
-            let points: Line = points.iter().map(|&(w, load)| turn(w, load)).collect();
-            plot =
-                plot.with(Layer::points(points, Marker::Cross).coloured(Colour::Series(6)).named("measured"));
+            plot = plot.with(measured(points.iter().map(|&(w, load)| turn(w, load))));
         }
         plot
     };

@@ -10,7 +10,7 @@ use crate::experiment::{IndentationResults, LayerResults};
 /// Modulus ratio, and the largest error of each rule.
 pub fn sentence(found: &LayerResults) -> String {
     let [from, to] = GOOD_RATIO;
-    let place = if found.check.is_good { "within" } else { "outside" };
+    let place = if found.check.is_good() { "within" } else { "outside" };
     let worst = |(rule, worst): (Rule, &Option<RuleError>)| {
         let worst = worst.as_ref()?;
         Some(format!(

@@ -75,7 +75,7 @@ fn layer(found: &LayerResults, radius: f64) -> SphereSummary<'_> {
         layer_thickness_m: found.thickness,
         rule: found.rule.name(),
         modulus_ratio: found.check.modulus_ratio,
-        is_modulus_ratio_good: found.check.is_good,
+        is_modulus_ratio_good: found.check.is_good(),
         largest_rule_errors: worst
             .filter_map(|(rule, worst)| Some(rule_error(rule, worst.as_ref()?)))
             .collect(),

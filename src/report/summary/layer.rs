@@ -85,16 +85,14 @@ pub(super) fn thresholds(found: &SurfaceResults) -> impl Iterator<Item = Thresho
 }
 
 pub(super) fn falls(found: &SurfaceResults) -> impl Iterator<Item = FallSummary<'_>> {
-    found.first.cases.iter().flat_map(|case| {
-        case.falls.iter().map(|(radius, fall)| FallSummary {
-            surface: &found.surface.name,
-            law: &case.law,
-            layer_thickness_m: case.thickness.map(Thickness),
-            radius_m: *radius,
-            of: fall.of.name(),
-            from_m: fall.from.indentation,
-            to_m: fall.to.indentation,
-            loss: fall.loss(),
-        })
+    found.falls.iter().map(|one| FallSummary {
+        surface: &found.surface.name,
+        law: &one.law,
+        layer_thickness_m: one.thickness.map(Thickness),
+        radius_m: one.radius,
+        of: one.fall.of.name(),
+        from_m: one.fall.from.indentation,
+        to_m: one.fall.to.indentation,
+        loss: one.fall.loss(),
     })
 }
