@@ -40,6 +40,19 @@ pub struct Contact {
     pub regime: Regime,
 }
 
+impl Contact {
+    /// What `count` of them answer side by side.
+    #[inline(always)]
+    pub fn times(self, count: f64) -> Self {
+        Self {
+            area: count * self.area,
+            load: count * self.load,
+            stiffness: count * self.stiffness,
+            regime: self.regime,
+        }
+    }
+}
+
 /// One quantity split by regime; its total is the sum of the parts.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct ByRegime(pub [f64; 3]);

@@ -86,3 +86,33 @@ pub const PERRIOT_BARTHEL_2004: Paper = Paper {
     short: "Perriot and Barthel 2004",
     full: "Perriot, A., Barthel, E. (2004). Elastic contact to a coated half-space: Effective elastic modulus and real penetration. Journal of Materials Research 19(2), 600-608. doi:10.1557/jmr.2004.19.2.600",
 };
+
+/// The elastic-plastic law with conserved volume, and the onset of yield that others took over.
+pub const CHANG_ETSION_BOGY_1987: Paper = Paper {
+    short: "Chang, Etsion and Bogy 1987",
+    full: "Chang, W. R., Etsion, I., Bogy, D. B. (1987). An elastic-plastic model for the contact of rough surfaces. ASME Journal of Tribology 109(2), 257-263. doi:10.1115/1.3261348",
+};
+
+/// Powers fitted to finite elements.
+pub const KOGUT_ETSION_2002: Paper = Paper {
+    short: "Kogut and Etsion 2002",
+    full: "Kogut, L., Etsion, I. (2002). Elastic-plastic contact analysis of a sphere and a rigid flat. ASME Journal of Applied Mechanics 69(5), 657-662. doi:10.1115/1.1490373",
+};
+
+/// A hardness that falls as the contact grows.
+pub const JACKSON_GREEN_2005: Paper = Paper {
+    short: "Jackson and Green 2005",
+    full: "Jackson, R. L., Green, I. (2005). A finite element study of elasto-plastic hemispherical contact against a rigid flat. ASME Journal of Tribology 127(2), 343-354. doi:10.1115/1.1866166",
+};
+
+/// The fully plastic limit.
+pub const ABBOTT_FIRESTONE_1933: Paper = Paper {
+    short: "Abbott and Firestone 1933",
+    full: "Abbott, E. J., Firestone, F. A. (1933). Specifying surface quality: a method based on accurate measurement and comparison. Mechanical Engineering 55, 569-572.",
+};
+
+/// Hertz's contact of elliptic paraboloids.
+pub const JOHNSON_1985: Paper = Paper {
+    short: "Johnson 1985",
+    full: "Johnson, K. L. (1985). Contact mechanics. Cambridge University Press, chapter 4. doi:10.1017/CBO9781139171731",
+};

@@ -2,6 +2,7 @@
 
 use crate::contact::{Contact, Regime};
 use crate::interface::MicroContact;
+use crate::law::Shape;
 
 /// Points of the trace between two places at which a curve bends.
 const PER_PIECE: usize = 160;
@@ -88,17 +89,17 @@ pub struct Curve {
 }
 
 impl Curve {
-    /// A sphere of `radius` (m) at `indentations` (m), which ascend.
-    pub fn of(contact: &dyn MicroContact, radius: f64, indentations: &[f64]) -> Self {
-        let at = |w: f64| Point { indentation: w, contact: contact.contact(w, radius) };
+    /// An asperity at `indentations` (m), which ascend.
+    pub fn of(contact: &dyn MicroContact, shape: Shape, indentations: &[f64]) -> Self {
+        let at = |w: f64| Point { indentation: w, contact: contact.contact(w, shape) };
         let trace: Vec<Point> = match indentations {
             [] => Vec::new(),
-            [first, .., last] => places(contact, radius, *first, *last).into_iter().map(at).collect(),
+            [first, .., last] => places(contact, shape, *first, *last).into_iter().map(at).collect(),
             [only] => vec![at(*only)],
         };
         Self {
             points: indentations.iter().copied().map(at).collect(),
-            changes: changes(contact, radius),
+            changes: changes(contact, shape),
             falls: Falling::ALL.into_iter().flat_map(|of| falls(&trace, of)).collect(),
             trace,
         }
@@ -141,12 +142,12 @@ impl Curve {
 }
 
 /// From `first` to `last`, evenly in ln w between the places at which the curve bends, which are among them.
-fn places(contact: &dyn MicroContact, radius: f64, first: f64, last: f64) -> Vec<f64> {
+fn places(contact: &dyn MicroContact, shape: Shape, first: f64, last: f64) -> Vec<f64> {
     /// On both sides of a change of regime, where a law may jump.
     const BESIDE: f64 = 1e-12;
-    let bends = contact.breakpoints(radius).into_iter();
+    let bends = contact.breakpoints(shape).into_iter();
     let sides =
-        contact.regime_changes(radius).into_iter().flat_map(|w| [w * (1.0 - BESIDE), w * (1.0 + BESIDE)]);
+        contact.regime_changes(shape).into_iter().flat_map(|w| [w * (1.0 - BESIDE), w * (1.0 + BESIDE)]);
     let bends = bends.chain(sides).filter(|&w| w > first && w < last);
     let mut ends: Vec<f64> = [first, last].into_iter().chain(bends).collect();
     ends.sort_unstable_by(f64::total_cmp);
@@ -162,18 +163,18 @@ fn places(contact: &dyn MicroContact, radius: f64, first: f64, last: f64) -> Vec
     places
 }
 
-fn changes(contact: &dyn MicroContact, radius: f64) -> Vec<RegimeChange> {
-    let mut at = contact.regime_changes(radius);
+fn changes(contact: &dyn MicroContact, shape: Shape) -> Vec<RegimeChange> {
+    let mut at = contact.regime_changes(shape);
     at.dedup();
-    let regime = |w: f64| contact.contact(w, radius).regime;
+    let regime = |w: f64| contact.contact(w, shape).regime;
     let between = |k: usize| match (k.checked_sub(1).map(|k| at[k]), at.get(k)) {
         (Some(low), Some(&high)) => (low * high).sqrt(),
         (None, Some(&high)) => 0.5 * high,
         (Some(low), None) => 2.0 * low,
-        (None, None) => radius,
+        (None, None) => shape.radius,
     };
     let change = |(k, &w): (usize, &f64)| {
-        let Contact { load, area, .. } = contact.contact(w, radius);
+        let Contact { load, area, .. } = contact.contact(w, shape);
         RegimeChange { indentation: w, load, area, from: regime(between(k)), to: regime(between(k + 1)) }
     };
     at.iter().enumerate().map(change).filter(|change| change.from != change.to).collect()

@@ -47,7 +47,7 @@ fn effective_properties_and_the_coated_contact() {
         see(young, "effective_young");
         see(found.hardness, "effective_hardness");
         see((rough.plane_compliance() + found.compliance).recip(), "reduced_modulus");
-        let contact = Layered::new(Zmc::default(), &rough, &substrate, coating).contact(w, b);
+        let contact = Layered::new(Zmc::default(), &rough, &substrate, coating).contact(w, Shape::sphere(b));
         contacts.see(contact.area, row.number("area"), || format!("area of row {k}"));
         contacts.see(contact.load, row.number("load"), || format!("load of row {k}"));
         assert_eq!(contact.regime.name(), row.text("regime"), "row {k}");
@@ -115,7 +115,7 @@ fn the_two_spheres_of_figure_5() {
     let tang_arnell = Layered::new(Zmc::default(), &diamond, &substrate, coating);
     let loads = |contact: &dyn MicroContact, b: f64, known: &[(f64, f64)]| {
         for &(w, load) in known {
-            let found = contact.contact(w * 1e-6, b).load;
+            let found = contact.contact(w * 1e-6, Shape::sphere(b)).load;
             assert!((found / load - 1.0).abs() < 2e-6, "{found} N, expected {load} at {w} um");
         }
     };
@@ -126,7 +126,7 @@ fn the_two_spheres_of_figure_5() {
     );
     loads(&tang_arnell, 100e-6, &[(0.1, 0.0878111), (0.5, 0.908916), (1.0, 2.24359), (2.0, 4.78555)]);
     let changes = |contact: &dyn MicroContact, b: f64, known: &[f64]| {
-        let found: Vec<f64> = contact.regime_changes(b).into_iter().map(|w| w * 1e6).collect();
+        let found: Vec<f64> = contact.regime_changes(Shape::sphere(b)).into_iter().map(|w| w * 1e6).collect();
         assert_eq!(found.len(), known.len(), "{found:?}");
         for (found, known) in found.iter().zip(known) {
             assert!((found / known - 1.0).abs() < 1e-3, "{found} um, expected {known}");

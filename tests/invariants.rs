@@ -65,7 +65,7 @@ fn a_sum_over_a_million_asperities_is_exact_to_4_ulp() {
     for set in [drawn_set, Ordered::new(&equal)] {
         for d in [-1e-6, 0.0, 1e-7] {
             let (heights, radii) = set.above(d);
-            let contacts = || heights.iter().zip(radii).map(|(z, &b)| law.contact(z - d, b));
+            let contacts = || heights.iter().zip(radii).map(|(z, &b)| law.contact(z - d, Shape::sphere(b)));
             let found = Deterministic::new(&law, &set, datum(CASE_2)).tally(d);
             let ulp = |exact: f64| exact * f64::EPSILON;
             let (area, load) = (exact_sum(contacts().map(|c| c.area)), exact_sum(contacts().map(|c| c.load)));
@@ -190,10 +190,10 @@ fn an_adaptive_integration_agrees() {
         let Population { radius, sigma, density, .. } = population;
         let integrand = |x: f64| {
             let z = h + x;
-            law.contact(x * sigma, radius).load * (-0.5 * z * z).exp() / (2.0 * std::f64::consts::PI).sqrt()
+            law.contact(x * sigma, Shape::sphere(radius)).load * (-0.5 * z * z).exp() / (2.0 * std::f64::consts::PI).sqrt()
         };
         let mut ends = vec![1e-12];
-        ends.extend(law.breakpoints(radius).iter().map(|w| w / sigma).filter(|&x| x < 9.0));
+        ends.extend(law.breakpoints(Shape::sphere(radius)).iter().map(|w| w / sigma).filter(|&x| x < 9.0));
         ends.push(9.0);
         let exact: f64 = ends.windows(2).map(|end| adaptive(integrand, end[0], end[1])).sum();
         let found = Statistical::new(&law, population).respond(h).pressure.total();
@@ -252,14 +252,14 @@ fn load_control_returns_the_largest_separation_that_carries_the_pressure() {
 #[test]
 fn where_the_load_falls_the_first_reach_counts() {
     let law = zmc(0.89);
-    assert_eq!(law.load_rises_to(Interval::point(2e-5)), 0.0);
-    assert_eq!(zmc(Zmc::ONSET).load_rises_to(Interval::point(2e-5)), f64::INFINITY);
-    assert_eq!(zmc(0.4).load_rises_to(Interval::point(2e-5)), f64::INFINITY);
+    assert_eq!(law.load_rises_to(Shape::sphere(2e-5).into()), 0.0);
+    assert_eq!(zmc(Zmc::ONSET).load_rises_to(Shape::sphere(2e-5).into()), f64::INFINITY);
+    assert_eq!(zmc(0.4).load_rises_to(Shape::sphere(2e-5).into()), f64::INFINITY);
     let set = Ordered::new(&AsperitySet::new(vec![0.0, -1e-6], vec![2e-5, 2e-5], 1.0).unwrap());
     let model = Deterministic::new(&law, &set, Datum { mean: 0.0, sigma: 1e-8 });
-    let w1 = law.breakpoints(2e-5)[0];
-    let before = law.contact(w1 * (1.0 - 1e-9), 2e-5).load;
-    let after = law.contact(w1 * (1.0 + 1e-9), 2e-5).load;
+    let w1 = law.breakpoints(Shape::sphere(2e-5))[0];
+    let before = law.contact(w1 * (1.0 - 1e-9), Shape::sphere(2e-5)).load;
+    let after = law.contact(w1 * (1.0 + 1e-9), Shape::sphere(2e-5)).load;
     assert!(after < before);
     // Reached just before yield, lost, and reached again beyond it.
     let pressure = 0.5 * (before + after);
@@ -274,9 +274,9 @@ fn a_pressure_in_a_jump_is_said_to_be_in_one() {
     let law = zmc(0.4);
     let set = Ordered::new(&AsperitySet::new(vec![0.0, -1e-6], vec![2e-5, 2e-5], 1.0).unwrap());
     let model = Deterministic::new(&law, &set, Datum { mean: 0.0, sigma: 1e-8 });
-    let w1 = law.breakpoints(2e-5)[0];
+    let w1 = law.breakpoints(Shape::sphere(2e-5))[0];
     let (before, after) =
-        (law.contact(w1 * (1.0 - 1e-9), 2e-5).load, law.contact(w1 * (1.0 + 1e-9), 2e-5).load);
+        (law.contact(w1 * (1.0 - 1e-9), Shape::sphere(2e-5)).load, law.contact(w1 * (1.0 + 1e-9), Shape::sphere(2e-5)).load);
     let reached = at_pressure(&model, 0.5 * (before + after)).unwrap();
     assert!(reached.in_jump);
     assert!(relative_error(-reached.response.separation, w1) < 1e-12);
@@ -361,14 +361,14 @@ fn dense(law: &dyn MicroContact, population: Population, h: f64) -> f64 {
     let Population { radius, sigma, density, heights } = population;
     let [start, end] = heights.window(h);
     let mut ends = vec![start, -h];
-    ends.extend(law.breakpoints(radius).iter().map(|w| w / sigma));
+    ends.extend(law.breakpoints(Shape::sphere(radius)).iter().map(|w| w / sigma));
     ends.push(end);
     ends.retain(|x| (start..=end).contains(x));
     ends.sort_by(f64::total_cmp);
     let panel = |from: f64, to: f64| {
         panels(from, to, Variable::SquareRoot, 200)
             .flat_map(|panel| panel.points.into_iter().zip(panel.weights))
-            .map(|(x, weight)| weight * law.contact(x * sigma, radius).load * heights.density(h + x))
+            .map(|(x, weight)| weight * law.contact(x * sigma, Shape::sphere(radius)).load * heights.density(h + x))
             .collect::<asperity::numeric::Sum>()
             .value()
     };
@@ -403,7 +403,7 @@ fn breakpoints_next_to_nothing_cost_nothing() {
 #[test]
 fn a_peak_within_a_step_of_the_search_is_found() {
     let law = zmc(100.0);
-    let sigma = law.breakpoints(2e-5)[0] / 2.0;
+    let sigma = law.breakpoints(Shape::sphere(2e-5))[0] / 2.0;
     let model = Statistical::new(&law, Population { sigma, ..CASE_1 });
     let pressure = |h: f64| model.respond(h).pressure.total();
     let peak = (0..4000).map(|k| pressure(-1e-3 * f64::from(k))).take_while(|&p| p > 0.0);

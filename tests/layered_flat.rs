@@ -126,12 +126,12 @@ fn regimes_of_lead_on_steel_come_again() {
     for (b, thicknesses, expected, falls) in cases {
         for t in thicknesses {
             let contact = under_lead(t);
-            let changes = contact.regime_changes(b);
+            let changes = contact.regime_changes(Shape::sphere(b));
             let ends = [1e-30].into_iter().chain(changes.iter().copied()).chain([1.0]).collect::<Vec<_>>();
             let regimes: Vec<_> =
-                ends.windows(2).map(|w| contact.contact((w[0] * w[1]).sqrt(), b).regime).collect();
+                ends.windows(2).map(|w| contact.contact((w[0] * w[1]).sqrt(), Shape::sphere(b)).regime).collect();
             assert_eq!(&regimes, expected, "{t:e} m on {b:e} m");
-            let curve: Vec<_> = (0..20_000).map(|k| contact.contact(1e-13 * 1.0015f64.powi(k), b)).collect();
+            let curve: Vec<_> = (0..20_000).map(|k| contact.contact(1e-13 * 1.0015f64.powi(k), Shape::sphere(b))).collect();
             let drops = |value: fn(&Contact) -> f64| {
                 curve.windows(2).any(|pair| value(&pair[1]) < value(&pair[0]) * (1.0 - 1e-12))
             };
@@ -177,9 +177,9 @@ fn every_regime_change_is_found() {
     for _ in 0..150 {
         let case = Case::any(&mut random);
         let contact = case.contact();
-        let found = contact.regime_changes(case.radius);
+        let found = contact.regime_changes(Shape::sphere(case.radius));
         most = most.max(found.len());
-        let regime = |ln_w: f64| contact.contact(ln_w.exp(), case.radius).regime;
+        let regime = |ln_w: f64| contact.contact(ln_w.exp(), Shape::sphere(case.radius)).regime;
         for w in &found {
             assert_ne!(regime(w.ln() - 1e-11), regime(w.ln() + 1e-11), "{w:e} is none of {case:?}");
         }
@@ -206,7 +206,7 @@ fn three_roots_that_merge_are_one() {
         let b = w * (modulus / coating.at(w, 1e-5).hardness).powi(2) / Zmc::ONSET;
         let contact = Layered::new(Zmc::default(), &rough, &body(1e9), coating);
         // Of these one is the end of the elastic-plastic range.
-        let found = contact.regime_changes(b).len() - 1;
+        let found = contact.regime_changes(Shape::sphere(b)).len() - 1;
         assert!(expected.contains(&found), "{found} roots at {apart:e}");
     }
 }
@@ -217,7 +217,7 @@ fn dense(contact: &dyn MicroContact, kink: Option<f64>, population: Population, 
     let [start, end] = heights.window(h);
     let mut ends: Vec<f64> = (0..170).map(|k| end * 1.5f64.powi(-k)).collect();
     ends.extend((0..40).map(|k| start + (end - start) * f64::from(k) / 40.0));
-    ends.extend(contact.regime_changes(radius).into_iter().chain(kink).map(|w| w / sigma));
+    ends.extend(contact.regime_changes(Shape::sphere(radius)).into_iter().chain(kink).map(|w| w / sigma));
     ends.push(-h);
     ends.retain(|x| (start..=end).contains(x));
     ends.sort_by(f64::total_cmp);
@@ -225,7 +225,7 @@ fn dense(contact: &dyn MicroContact, kink: Option<f64>, population: Population, 
     for range in ends.windows(2).filter(|range| range[0] < range[1]) {
         for panel in panels(range[0], range[1], Variable::SquareRoot, 1) {
             for (x, weight) in panel.points.into_iter().zip(panel.weights) {
-                let found = contact.contact(x * sigma, radius);
+                let found = contact.contact(x * sigma, Shape::sphere(radius));
                 let share = weight * (-heights.exponent(h, x)).exp();
                 for (sum, value) in sums.iter_mut().zip([found.area, found.load, found.stiffness]) {
                     sum.add(share * value);
@@ -273,7 +273,7 @@ fn no_load_falls_before_it_is_said_to() {
     for _ in 0..1500 {
         let case = Case::any(&mut random);
         let contact = case.contact();
-        let to = contact.load_rises_to(Interval::point(case.radius));
+        let to = contact.load_rises_to(Shape::sphere(case.radius).into());
         if to > 0.0 {
             bounded += 1;
             let from = 1e-6 * case.thickness.min(case.thickness.powi(2) / case.radius);
@@ -293,10 +293,10 @@ fn a_jump_that_is_passed_backwards_is_a_fall() {
     let lead = Material::new(18e9, 0.35, Some(0.17e9), None).unwrap();
     let coating = Coating::new(&lead, &steel(), 1e-9, Rule::Gao).unwrap();
     let contact = Layered::new(Zmc::new(0.4, 54.0).unwrap(), &steel(), &steel(), coating);
-    let back = contact.regime_changes(2e-5)[1];
-    let load = |w: f64| contact.contact(w, 2e-5).load;
+    let back = contact.regime_changes(Shape::sphere(2e-5))[1];
+    let load = |w: f64| contact.contact(w, Shape::sphere(2e-5)).load;
     assert!(load(back * (1.0 + 1e-9)) < 0.7 * load(back * (1.0 - 1e-9)));
-    assert!(contact.load_rises_to(Interval::point(2e-5)) < back);
+    assert!(contact.load_rises_to(Shape::sphere(2e-5).into()) < back);
 }
 
 /// Counts the bounds that a search asks for.
@@ -304,13 +304,13 @@ struct Counted<'a>(&'a dyn MicroContact, AtomicUsize);
 
 impl MicroContact for Counted<'_> {
     fn contact(&self, w: f64, b: f64) -> Contact {
-        self.0.contact(w, b)
+        self.0.contact(w, Shape::sphere(b))
     }
     fn regime_changes(&self, b: f64) -> Vec<f64> {
-        self.0.regime_changes(b)
+        self.0.regime_changes(Shape::sphere(b))
     }
     fn breakpoints(&self, b: f64) -> Vec<f64> {
-        self.0.breakpoints(b)
+        self.0.breakpoints(Shape::sphere(b))
     }
     fn load_rises_to(&self, radii: Interval) -> f64 {
         self.0.load_rises_to(radii)
@@ -390,16 +390,16 @@ fn stiffness_is_the_slope_of_the_load() {
     for _ in 0..300 {
         let case = Case::any(&mut random);
         let contact = case.contact();
-        let kinks: Vec<f64> = contact.regime_changes(case.radius).into_iter().chain(case.kink()).collect();
+        let kinks: Vec<f64> = contact.regime_changes(Shape::sphere(case.radius)).into_iter().chain(case.kink()).collect();
         for _ in 0..40 {
             let scale = random.one_of(&[case.thickness, case.thickness.powi(2) / case.radius]);
             let (w, step) = (scale * random.log(1e-6, 1e6), 2e-4);
             if kinks.iter().any(|kink| (kink / w).ln().abs() < 3.0 * step) {
                 continue;
             }
-            let load = |shift: f64| contact.contact(w * (shift * step).exp(), case.radius).load;
+            let load = |shift: f64| contact.contact(w * (shift * step).exp(), Shape::sphere(case.radius)).load;
             let slope = (8.0 * (load(1.0) - load(-1.0)) - (load(2.0) - load(-2.0))) / (12.0 * step);
-            let found = contact.contact(w, case.radius);
+            let found = contact.contact(w, Shape::sphere(case.radius));
             let error = (found.stiffness * w - slope).abs() / slope.abs().max(found.load);
             assert!(error < 1e-10, "{error:e} at {w:e} of {case:?}");
         }

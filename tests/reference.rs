@@ -140,15 +140,15 @@ struct Forgetful {
 
 impl MicroContact for Forgetful {
     fn contact(&self, w: f64, b: f64) -> Contact {
-        self.contact.contact(w, b)
+        self.contact.contact(w, Shape::sphere(b))
     }
     fn breakpoints(&self, b: f64) -> Vec<f64> {
-        let mut all = self.contact.breakpoints(b);
+        let mut all = self.contact.breakpoints(Shape::sphere(b));
         all.remove(self.forgotten);
         all
     }
     fn regime_changes(&self, b: f64) -> Vec<f64> {
-        self.contact.regime_changes(b)
+        self.contact.regime_changes(Shape::sphere(b))
     }
     fn load_rises_to(&self, radii: Interval) -> f64 {
         self.contact.load_rises_to(radii)

@@ -1,5 +1,6 @@
 //! Asperities: the set, its statistics, populations drawn from three numbers, height densities.
 
+mod ellipse;
 mod heights;
 mod nayak;
 mod ordered;
@@ -7,11 +8,12 @@ mod population;
 mod read;
 mod statistics;
 
+pub use ellipse::{Ellipse, Ellipticity};
 pub use heights::{HeightDensity, gaussian_moment};
 pub use nayak::{NoSuchSurface, SurfaceHeights};
-pub use ordered::Ordered;
+pub use ordered::{Asperities, Ordered};
 pub use population::{Draw, Population};
-pub use read::{ListError, read_list};
+pub use read::{AsperityList, Column, ListError, read_list};
 pub use statistics::Statistics;
 
 use crate::numeric::{LARGEST, is_positive};
@@ -21,6 +23,7 @@ use crate::numeric::{LARGEST, is_positive};
 pub struct AsperitySet {
     heights: Vec<f64>,
     radii: Vec<f64>,
+    ellipses: Option<Vec<Ellipse>>,
     nominal_area: f64,
 }
 
@@ -37,6 +40,14 @@ pub enum SetError {
         heights: usize,
         /// Number of radii.
         radii: usize,
+    },
+    /// As many heights as ellipses.
+    #[error("{heights} heights but {ellipses} ellipses")]
+    Ellipses {
+        /// Number of heights.
+        heights: usize,
+        /// Number of ellipses.
+        ellipses: usize,
     },
     /// Heights are finite.
     #[error("asperity {index}: height {height} m; allowed: a finite number")]
@@ -80,7 +91,7 @@ impl AsperitySet {
         if !is_positive(nominal_area) {
             return Err(SetError::NominalArea(nominal_area));
         }
-        Ok(Self { heights, radii, nominal_area })
+        Ok(Self { heights, radii, ellipses: None, nominal_area })
     }
 
     /// Heights, m.
@@ -91,6 +102,22 @@ impl AsperitySet {
     /// Radii, m.
     pub fn radii(&self) -> &[f64] {
         &self.radii
+    }
+
+    /// The same set with an ellipse for each asperity, which laws for ellipses see in place of its sphere.
+    ///
+    /// # Errors
+    /// Fewer or more ellipses than asperities.
+    pub fn with_ellipses(self, ellipses: Vec<Ellipse>) -> Result<Self, SetError> {
+        if ellipses.len() != self.count() {
+            return Err(SetError::Ellipses { heights: self.count(), ellipses: ellipses.len() });
+        }
+        Ok(Self { ellipses: Some(ellipses), ..self })
+    }
+
+    /// The ellipses, where they are known.
+    pub fn ellipses(&self) -> Option<&[Ellipse]> {
+        self.ellipses.as_deref()
     }
 
     /// Number of asperities.

@@ -1,8 +1,11 @@
 //! Asperities highest first.
 
+use std::ops::Range;
+
 use rayon::prelude::*;
 
 use super::AsperitySet;
+use crate::law::Shape;
 use crate::numeric::interval::Interval;
 
 /// A set with its asperities highest first, so that those in contact at any separation are a prefix
@@ -11,18 +14,45 @@ use crate::numeric::interval::Interval;
 pub struct Ordered {
     heights: Vec<f64>,
     radii: Vec<f64>,
+    spheres: Option<Vec<f64>>,
     nominal_area: f64,
 }
 
+/// Some asperities of an ordered set, as a struct of arrays.
+#[derive(Debug, Clone, Copy)]
+pub struct Asperities<'a> {
+    heights: &'a [f64],
+    radii: &'a [f64],
+    spheres: Option<&'a [f64]>,
+}
+
 impl Ordered {
-    /// Orders a set. Equal heights stand in the order of their radii, so that nothing depends on
+    /// Orders a set of spheres. Equal heights stand in the order of their radii, so that nothing depends on
     /// the order of the input.
     pub fn new(set: &AsperitySet) -> Self {
         let mut pairs: Vec<(f64, f64)> =
             set.heights().iter().copied().zip(set.radii().iter().copied()).collect();
         pairs.par_sort_unstable_by(|a, b| b.0.total_cmp(&a.0).then(a.1.total_cmp(&b.1)));
         let (heights, radii) = pairs.into_iter().unzip();
-        Self { heights, radii, nominal_area: set.nominal_area() }
+        Self { heights, radii, spheres: None, nominal_area: set.nominal_area() }
+    }
+
+    /// Orders a set of elliptic paraboloids likewise; `None` where the set does not know its principal curvatures.
+    pub fn of_ellipses(set: &AsperitySet) -> Option<Self> {
+        let ellipses = set.ellipses()?;
+        let mut all: Vec<(f64, Shape)> = (set.heights().par_iter().zip(ellipses))
+            .map(|(&z, ellipse)| (z, ellipse.shape()))
+            .collect();
+        let shape = |a: &Shape, b: &Shape| {
+            a.radius.total_cmp(&b.radius).then(a.spheres.total_cmp(&b.spheres))
+        };
+        all.par_sort_unstable_by(|a, b| b.0.total_cmp(&a.0).then_with(|| shape(&a.1, &b.1)));
+        Some(Self {
+            heights: all.iter().map(|(z, _)| *z).collect(),
+            radii: all.iter().map(|(_, shape)| shape.radius).collect(),
+            spheres: Some(all.iter().map(|(_, shape)| shape.spheres).collect()),
+            nominal_area: set.nominal_area(),
+        })
     }
 
     /// Number of asperities.
@@ -37,8 +67,12 @@ impl Ordered {
 
     /// The range of the radii, m.
     pub fn radii(&self) -> Interval {
-        let low = self.radii.iter().copied().fold(f64::INFINITY, f64::min);
-        Interval { low, high: self.radii.iter().copied().fold(0.0, f64::max) }
+        Interval::of(&self.radii)
+    }
+
+    /// The range of the numbers of spheres.
+    pub fn spheres(&self) -> Interval {
+        self.spheres.as_deref().map_or(Interval::point(1.0), Interval::of)
     }
 
     /// Nominal area, m^2.
@@ -46,10 +80,82 @@ impl Ordered {
         self.nominal_area
     }
 
-    /// Heights (m, highest first) and radii (m) of the asperities above `separation` (m, in the
-    /// frame of the heights).
-    pub fn above(&self, separation: f64) -> (&[f64], &[f64]) {
+    /// The asperities above `separation` (m, in the frame of the heights), highest first.
+    pub fn above(&self, separation: f64) -> Asperities<'_> {
         let count = self.heights.partition_point(|&z| z > separation);
-        (&self.heights[..count], &self.radii[..count])
+        let all = Asperities {
+            heights: &self.heights,
+            radii: &self.radii,
+            spheres: self.spheres.as_deref(),
+        };
+        all.part(0..count)
+    }
+}
+
+impl<'a> Asperities<'a> {
+    /// Number of asperities.
+    pub fn count(&self) -> usize {
+        self.heights.len()
+    }
+
+    /// Heights, m.
+    pub fn heights(&self) -> &'a [f64] {
+        self.heights
+    }
+
+    /// Radii, m; of ellipses those of the spheres that stand for them.
+    pub fn radii(&self) -> &'a [f64] {
+        self.radii
+    }
+
+    /// How many spheres stand for each; `None` where each is one.
+    pub fn spheres(&self) -> Option<&'a [f64]> {
+        self.spheres
+    }
+
+    /// The shape of one.
+    #[inline]
+    pub fn shape(&self, index: usize) -> Shape {
+        let spheres = self.spheres.map_or(1.0, |spheres| spheres[index]);
+        Shape { radius: self.radii[index], spheres }
+    }
+
+    /// Those of a range.
+    pub fn part(&self, range: Range<usize>) -> Self {
+        Self {
+            heights: &self.heights[range.clone()],
+            radii: &self.radii[range.clone()],
+            spheres: self.spheres.map(|spheres| &spheres[range]),
+        }
+    }
+
+    /// Hands over each height (m) and shape.
+    #[inline]
+    pub fn each(&self, mut see: impl FnMut(f64, Shape)) {
+        for (index, &z) in self.heights.iter().enumerate() {
+            see(z, self.shape(index));
+        }
+    }
+
+    /// Hands over all whole blocks of `N`, and answers with what is left.
+    #[inline]
+    pub fn each_block<const N: usize>(&self, mut see: impl FnMut([f64; N], [Shape; N])) -> Self {
+        let (blocks, rest) = self.heights.as_chunks::<N>();
+        let radii = self.radii.as_chunks::<N>().0;
+        match self.spheres {
+            None => {
+                for (heights, radii) in blocks.iter().zip(radii) {
+                    see(*heights, radii.map(Shape::sphere));
+                }
+            }
+            Some(spheres) => {
+                for (block, (heights, radii)) in blocks.iter().zip(radii).enumerate() {
+                    let spheres = &spheres[block * N..(block + 1) * N];
+                    let shape = |lane: usize| Shape { radius: radii[lane], spheres: spheres[lane] };
+                    see(*heights, std::array::from_fn(shape));
+                }
+            }
+        }
+        self.part(self.count() - rest.len()..self.count())
     }
 }

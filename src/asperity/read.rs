@@ -1,7 +1,9 @@
-//! Reading a list of asperities: CSV with the columns `height` and `radius`, or an n x 2 `.npy`.
+//! Reading a list of asperities: CSV with the columns `height` and `radius`, or an n x 2 `.npy`; of ellipses with `kx`
+//! and `ky` behind them.
 
 use std::path::Path;
 
+use super::{AsperitySet, Ellipse, SetError};
 use crate::numeric::{LARGEST, is_positive};
 use crate::surface::read::{self, ReadError, npy};
 
@@ -11,92 +13,172 @@ pub enum ListError {
     /// The file could not be read, or its array is not a table of numbers.
     #[error(transparent)]
     File(#[from] ReadError),
-    /// The `.npy` array has other columns than height and radius.
-    #[error("an array of shape {rows} x {columns}; allowed: n x 2, with the columns height and radius in m")]
+    /// The `.npy` array has other columns than those that are needed.
+    #[error("an array of shape {rows} x {columns}; allowed: n x {}, with the columns {}", needed.len(), Column::names(needed))]
     Shape {
         /// Rows found.
         rows: usize,
         /// Columns found.
         columns: usize,
+        /// The columns that are needed.
+        needed: &'static [Column],
     },
     /// A column is not there.
     #[error(
-        "no column `{column}` (found: {found}); allowed: a header line with the columns height and radius, in m"
+        "no column `{}` (found: {found}); allowed: a header line with the columns {}",
+        column.name(),
+        Column::names(needed)
     )]
     Column {
         /// The column that is missing.
-        column: &'static str,
+        column: Column,
         /// The header that was found.
         found: String,
+        /// The columns that are needed.
+        needed: &'static [Column],
     },
     /// A line is not CSV.
     #[error("{0}")]
     Csv(#[from] csv::Error),
     /// A cell holds no number that is allowed there.
-    #[error("{place}, column `{column}`: found {found}; allowed: {allowed}")]
+    #[error("{place}, column `{}`: found {found}; allowed: {}", column.name(), column.allowed())]
     Cell {
         /// The row, as its reader finds it.
         place: String,
         /// The column.
-        column: &'static str,
+        column: Column,
         /// What stands there.
         found: String,
-        /// What may stand there.
-        allowed: &'static str,
     },
     /// The list has no row.
     #[error("no asperity: the list has no rows")]
     Empty,
 }
 
-const HEIGHT: &str = "a finite number of metres";
-const RADIUS: &str = "a positive finite number of metres";
+/// A column of a list.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Column {
+    /// Height, m.
+    Height,
+    /// Radius, m.
+    Radius,
+    /// One principal curvature, 1/m.
+    Kx,
+    /// The other one, 1/m.
+    Ky,
+}
 
-/// Reads heights and radii, m, from a CSV file or an n x 2 `.npy`, told apart by their first bytes.
-/// Lines of a CSV that begin with `#` are comments; further columns are passed over.
+impl Column {
+    /// Those of spheres, then those of ellipses too, in the order of an array.
+    const ALL: &'static [Self] = &[Self::Height, Self::Radius, Self::Kx, Self::Ky];
+
+    /// The name in a header.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Height => "height",
+            Self::Radius => "radius",
+            Self::Kx => "kx",
+            Self::Ky => "ky",
+        }
+    }
+
+    const fn unit(self) -> &'static str {
+        match self {
+            Self::Height | Self::Radius => "m",
+            Self::Kx | Self::Ky => "1/m",
+        }
+    }
+
+    fn names(columns: &[Self]) -> String {
+        let named: Vec<String> =
+            columns.iter().map(|column| format!("{} [{}]", column.name(), column.unit())).collect();
+        named.join(", ")
+    }
+
+    fn allows(self, value: f64) -> bool {
+        match self {
+            Self::Height => value.abs() <= LARGEST,
+            Self::Radius | Self::Kx | Self::Ky => is_positive(value),
+        }
+    }
+
+    const fn allowed(self) -> &'static str {
+        match self {
+            Self::Height => "a finite number of metres",
+            Self::Radius => "a positive finite number of metres",
+            Self::Kx | Self::Ky => "a positive finite number of 1/m",
+        }
+    }
+}
+
+/// The values of one asperity in the order of the columns; 0 where one was not asked for.
+type Row = [f64; Column::ALL.len()];
+
+/// What a list holds, a row an asperity.
+#[derive(Debug, Clone, PartialEq)]
+pub struct AsperityList {
+    rows: Vec<Row>,
+    has_ellipses: bool,
+}
+
+impl AsperityList {
+    /// The asperities on a nominal area (m^2).
+    ///
+    /// # Errors
+    /// See [`SetError`].
+    pub fn set(self, nominal_area: f64) -> Result<AsperitySet, SetError> {
+        let column = |index: usize| self.rows.iter().map(|row| row[index]).collect();
+        let set = AsperitySet::new(column(0), column(1), nominal_area)?;
+        if !self.has_ellipses {
+            return Ok(set);
+        }
+        set.with_ellipses(self.rows.iter().map(|row| Ellipse::new(row[2], row[3])).collect())
+    }
+}
+
+/// Reads heights and radii (m), and where `as_ellipses` principal curvatures kx and ky (1/m), from a CSV file or an `.npy`
+/// with these columns, told apart by their first bytes. Lines of a CSV that begin with `#` are comments; further columns
+/// are passed over.
 ///
 /// # Errors
 /// See [`ListError`]; a bad value is named with its row.
-pub fn read_list(path: &Path) -> Result<(Vec<f64>, Vec<f64>), ListError> {
-    let (heights, radii) =
-        if npy::is_npy(path).map_err(ReadError::from)? { read_npy(path)? } else { read_csv(path)? };
-    if heights.is_empty() {
+pub fn read_list(path: &Path, as_ellipses: bool) -> Result<AsperityList, ListError> {
+    let needed = &Column::ALL[..if as_ellipses { 4 } else { 2 }];
+    let is_npy = npy::is_npy(path).map_err(ReadError::from)?;
+    let rows = if is_npy { read_npy(path, needed)? } else { read_csv(path, needed)? };
+    if rows.is_empty() {
         return Err(ListError::Empty);
     }
-    Ok((heights, radii))
+    Ok(AsperityList { rows, has_ellipses: as_ellipses })
 }
 
-fn read_npy(path: &Path) -> Result<(Vec<f64>, Vec<f64>), ListError> {
+fn read_npy(path: &Path, needed: &'static [Column]) -> Result<Vec<Row>, ListError> {
     let read::Matrix { rows, columns, values, .. } = npy::matrix(path)?;
-    if columns != 2 {
-        return Err(ListError::Shape { rows, columns });
+    // An array of ellipses is one of spheres too.
+    if !(columns == needed.len() || columns == Column::ALL.len()) {
+        return Err(ListError::Shape { rows, columns, needed });
     }
-    let cell = |row: usize, column, value: f64, allowed| ListError::Cell {
-        place: format!("row {} of {rows}", row + 1),
-        column,
-        found: value.to_string(),
-        allowed,
+    let asperity = |(row, found): (usize, &[f64])| {
+        let mut asperity = Row::default();
+        for ((&column, &value), place) in needed.iter().zip(found).zip(&mut asperity) {
+            if !column.allows(value) {
+                let place = format!("row {} of {rows}", row + 1);
+                return Err(ListError::Cell { place, column, found: value.to_string() });
+            }
+            *place = value;
+        }
+        Ok(asperity)
     };
-    let (mut heights, mut radii) = (Vec::with_capacity(rows), Vec::with_capacity(rows));
-    for (row, pair) in values.chunks_exact(2).enumerate() {
-        if !is_height(pair[0]) {
-            return Err(cell(row, "height", pair[0], HEIGHT));
-        }
-        if !is_radius(pair[1]) {
-            return Err(cell(row, "radius", pair[1], RADIUS));
-        }
-        heights.push(pair[0]);
-        radii.push(pair[1]);
-    }
-    Ok((heights, radii))
+    values.chunks_exact(columns).enumerate().map(asperity).collect()
 }
 
-fn read_csv(path: &Path) -> Result<(Vec<f64>, Vec<f64>), ListError> {
+fn read_csv(path: &Path, needed: &'static [Column]) -> Result<Vec<Row>, ListError> {
     let mut reader = csv::ReaderBuilder::new().comment(Some(b'#')).trim(csv::Trim::All).from_path(path)?;
     let header = reader.headers()?.clone();
-    let column = |name: &'static str| {
-        header.iter().position(|found| found == name).ok_or_else(|| ListError::Column {
-            column: name,
+    let place_of = |&column: &Column| {
+        header.iter().position(|found| found == column.name()).ok_or_else(|| ListError::Column {
+            column,
+            needed,
             found: if header.is_empty() {
                 "an empty file".into()
             } else {
@@ -104,30 +186,18 @@ fn read_csv(path: &Path) -> Result<(Vec<f64>, Vec<f64>), ListError> {
             },
         })
     };
-    let (height_column, radius_column) = (column("height")?, column("radius")?);
-    let (mut heights, mut radii) = (Vec::new(), Vec::new());
-    for record in reader.records() {
+    let places = needed.iter().map(place_of).collect::<Result<Vec<_>, _>>()?;
+    let asperity = |record: Result<csv::StringRecord, csv::Error>| {
         let record = record?;
         let line = record.position().map_or(0, csv::Position::line);
-        let number = |index: usize, column, is_allowed: fn(f64) -> bool, allowed| {
+        let mut asperity = Row::default();
+        for ((&column, &index), place) in needed.iter().zip(&places).zip(&mut asperity) {
             let text = &record[index];
-            text.parse().ok().filter(|&value| is_allowed(value)).ok_or_else(|| ListError::Cell {
-                place: format!("line {line}"),
-                column,
-                found: format!("`{text}`"),
-                allowed,
-            })
-        };
-        heights.push(number(height_column, "height", is_height, HEIGHT)?);
-        radii.push(number(radius_column, "radius", is_radius, RADIUS)?);
-    }
-    Ok((heights, radii))
-}
-
-fn is_height(value: f64) -> bool {
-    value.abs() <= LARGEST
-}
-
-fn is_radius(value: f64) -> bool {
-    is_positive(value)
+            *place = text.parse().ok().filter(|&value| column.allows(value)).ok_or_else(|| {
+                ListError::Cell { place: format!("line {line}"), column, found: format!("`{text}`") }
+            })?;
+        }
+        Ok(asperity)
+    };
+    reader.records().map(asperity).collect()
 }

@@ -4,7 +4,6 @@
 //! | file | what lives there |
 //! |---|---|
 //! | `weights` | the functions of xi = t/a that say how much layer an asperity feels (Eqs. 17, 18) |
-//! | `table` | the compliance of one pair of materials, as polynomials |
 //! | `modulus` | nu_eff and E_eff by the paper's rule or in series (Eqs. 14, 15) |
 //! | `hardness` | H_eff (Eq. 16) |
 //! | `decay` | exp(-x) and 1 - exp(-x) together |
@@ -12,7 +11,6 @@
 mod decay;
 mod hardness;
 mod modulus;
-mod table;
 mod weights;
 
 pub use modulus::Rule;
@@ -113,6 +111,10 @@ impl Coating {
         (b * w).sqrt() * self.inverse_thickness
     }
 
+    fn inverse_over(&self, w: Interval, b: Interval) -> Interval {
+        Interval { low: self.inverse(w.low, b.low), high: self.inverse(w.high, b.high) }
+    }
+
     /// The flat as an asperity of radius `b` (m) feels it at indentation `w` (m).
     #[inline]
     pub fn at(&self, w: f64, b: f64) -> Effective {
@@ -137,6 +139,21 @@ impl Coating {
         })
     }
 
+    /// nu_eff (Eq. 14) as asperities side by side feel it, and d nu_eff/d ln w.
+    #[inline(always)]
+    pub fn poisson_lanes<const LANES: usize>(
+        &self,
+        w: [f64; LANES],
+        b: [f64; LANES],
+    ) -> ([f64; LANES], [f64; LANES]) {
+        self.modulus.poisson_lanes(std::array::from_fn(|lane| self.inverse(w[lane], b[lane])))
+    }
+
+    /// All nu_eff that asperities of radii `b` feel at indentations `w`, and all d nu_eff/d ln w.
+    pub fn poisson_over(&self, w: Interval, b: Interval) -> (Interval, Interval) {
+        self.modulus.poisson_over(self.inverse_over(w, b))
+    }
+
     /// nu_eff (Eq. 14) and E_eff (Eq. 15, Pa) as an asperity of radius `b` (m) feels them at indentation `w` (m).
     pub fn elasticity(&self, w: f64, b: f64) -> (f64, f64) {
         let poisson = self.modulus.poisson(self.inverse(w, b));
@@ -156,8 +173,7 @@ impl Coating {
 
     /// The flat as asperities of radii `b` feel it at indentations `w`.
     pub fn over(&self, w: Interval, b: Interval) -> Bounds {
-        let inverse = Interval { low: self.inverse(w.low, b.low), high: self.inverse(w.high, b.high) };
-        let (compliance, compliance_slope) = self.modulus.over(inverse);
+        let (compliance, compliance_slope) = self.modulus.over(self.inverse_over(w, b));
         let never = (Interval::point(f64::INFINITY), Interval::point(0.0));
         let depth = w * self.inverse_thickness;
         let (hardness, hardness_slope) =
@@ -168,6 +184,11 @@ impl Coating {
     /// Hardnesses at any indentation, Pa.
     pub fn hardness_range(&self) -> Interval {
         self.hardness.as_ref().map_or(Interval::point(f64::INFINITY), EffectiveHardness::range)
+    }
+
+    /// Poisson's ratios at any indentation.
+    pub fn poisson_range(&self) -> Interval {
+        self.modulus.poisson_range()
     }
 
     /// The indentation (m) at which the flat is as hard as `hardness` (Pa); `None` if it nowhere is.

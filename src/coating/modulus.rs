@@ -1,13 +1,13 @@
 //! The effective modulus and Poisson's ratio of a layered flat (Pasaribu and Schipper 2005, Eqs. 14, 15, 17-19).
 
-use std::sync::Arc;
+use std::sync::{Arc, OnceLock};
 
 use serde::Deserialize;
 
-use super::table::Table;
 use super::weights::{LOG_PEAK, POLE_PEAK, SWELL_PEAK, Weights};
 use crate::material::Material;
 use crate::numeric::interval::Interval;
+use crate::numeric::table::Table;
 
 /// How the moduli of layer and substrate are put together.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default, Deserialize)]
@@ -34,6 +34,9 @@ impl Rule {
     }
 }
 
+/// Of a/t, which the tables cover.
+const OCTAVES: std::ops::Range<i32> = -24..24;
+
 /// One of the two bodies, and the way from it to the other.
 #[derive(Debug, Clone, Copy, PartialEq)]
 struct Side {
@@ -49,6 +52,8 @@ struct Side {
 pub(super) struct EffectiveModulus {
     sides: Sides,
     table: Arc<Table>,
+    /// Of nu_eff; made when a law first asks for it.
+    poisson: Arc<OnceLock<Table>>,
 }
 
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -61,7 +66,8 @@ struct Sides {
 impl EffectiveModulus {
     pub(super) fn new(rule: Rule, layer: &Material, substrate: &Material) -> Self {
         let sides = Sides::new(rule, layer, substrate);
-        Self { sides, table: Arc::new(Table::of(|inverse| sides.at(inverse).0)) }
+        let table = Table::of(OCTAVES, |inverse| sides.at(inverse).0);
+        Self { sides, table: Arc::new(table), poisson: Arc::default() }
     }
 
     pub(super) fn rule(&self) -> Rule {
@@ -89,6 +95,37 @@ impl EffectiveModulus {
     fn outside<const LANES: usize>(&self, inverse: [f64; LANES]) -> ([f64; LANES], [f64; LANES]) {
         let all = inverse.map(|inverse| self.sides.at(inverse));
         (all.map(|(value, _)| value), all.map(|(_, slope)| slope))
+    }
+
+    /// nu_eff (Eq. 14) and d/d ln w of it at each `inverse` = 1/xi = a/t.
+    #[inline(always)]
+    pub(super) fn poisson_lanes<const LANES: usize>(
+        &self,
+        inverse: [f64; LANES],
+    ) -> ([f64; LANES], [f64; LANES]) {
+        let sides = &self.sides;
+        let table = self.poisson.get_or_init(|| Table::of(OCTAVES, |x| sides.poisson(&Weights::at(x))));
+        let (value, slope) = table.at(inverse).unwrap_or_else(|| {
+            let all = inverse.map(Weights::at);
+            // ln xi falls as ln a grows.
+            (all.map(|w| sides.poisson(&w)), all.map(|w| -sides.substrate.poisson_step * w.log))
+        });
+        (value, slope.map(|slope| 0.5 * slope))
+    }
+
+    /// Those of layer and substrate, and all between.
+    pub(super) fn poisson_range(&self) -> Interval {
+        Interval::between(self.sides.layer.poisson, self.sides.substrate.poisson)
+    }
+
+    /// All nu_eff at the 1/xi of `inverse`, and all their d/d ln w.
+    pub(super) fn poisson_over(&self, inverse: Interval) -> (Interval, Interval) {
+        let at = |x: f64| self.sides.poisson(&Weights::at(x));
+        let slope = inverse.of_hump(|x| Weights::at(x).log, LOG_PEAK);
+        (
+            Interval::between(at(inverse.low), at(inverse.high)),
+            slope * (-0.5 * self.sides.substrate.poisson_step),
+        )
     }
 
     /// How far beyond 0 the compliance is -`beside` (1/Pa), in a/t: E_eff, or 1/mu_eff in series, grows linearly from

@@ -3,10 +3,10 @@
 //! Without yielding a sphere on a layered flat is known exactly. The ratio of the loads depends on the materials and
 //! on a/t alone: neither on the radius of the sphere nor on the thickness of the layer.
 
-use crate::coating::{Coating, CoatingError, Rule};
+use crate::coating::{Coating, Rule};
 use crate::exact_sphere::{ElasticContact, LARGEST_RATIO, LayeredSphere};
-use crate::interface::{Layered, MicroContact};
-use crate::law::Hertz;
+use crate::interface::{ContactError, Layered, MicroContact};
+use crate::law::{Hertz, Shape};
 use crate::literature::Paper;
 use crate::material::Material;
 
@@ -107,11 +107,11 @@ impl RuleCheck {
     ///
     /// # Errors
     /// None that materials can cause.
-    pub fn new(rough: &Material, layer: &Material, substrate: &Material) -> Result<Self, CoatingError> {
+    pub fn new(rough: &Material, layer: &Material, substrate: &Material) -> Result<Self, ContactError> {
         let [rough, layer, substrate] = [rough, layer, substrate].map(Material::without_yielding);
         let by = |rule| {
             let coating = Coating::new(&layer, &substrate, 1.0, rule)?;
-            Ok::<_, CoatingError>(Layered::new(Hertz, &rough, &substrate, coating))
+            Ok::<_, ContactError>(Layered::new(Hertz, &rough, &substrate, coating)?)
         };
         Ok(Self {
             exact: LayeredSphere::new(Some(&rough), 1.0, &layer, &substrate, 1.0),
@@ -135,7 +135,7 @@ impl RuleCheck {
         self.by_rule.each_ref().map(|contact| RuleError {
             contact_ratio: exact.contact_radius / thickness,
             indentation_ratio,
-            ratio: contact.contact(indentation_ratio, 1.0).load / load_ratio,
+            ratio: contact.contact(indentation_ratio, Shape::sphere(1.0)).load / load_ratio,
         })
     }
 

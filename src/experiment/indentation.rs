@@ -11,10 +11,11 @@ use super::progress::Progress;
 use super::results::{Head, Timing};
 use super::run::head;
 use super::spec::Show;
-use crate::coating::{CoatingError, Rule};
+use crate::coating::Rule;
 use crate::compare::{RuleCheck, RuleError, RuleFindings, apart};
 use crate::exact_sphere::{ElasticContact, LayeredSphere};
-use crate::interface::Flat;
+use crate::interface::{ContactError, Flat};
+use crate::law::Shape;
 use crate::literature::{self, Paper};
 use crate::material::{Material, reduced_modulus};
 use crate::sphere::Curve;
@@ -148,22 +149,25 @@ fn on_layer(
     layer: &LayerPlan,
     thickness: f64,
     papers: &mut Vec<Paper>,
-) -> Result<LayerResults, CoatingError> {
+) -> Result<LayerResults, ContactError> {
     let (ball, substrate) = (&plan.ball.1, &plan.flat.1);
     let coated = layer.flat(thickness)?;
     let all_layer = Flat::AllLayer { substrate: *substrate, layer: layer.material };
     let measured = plan.overlay.iter().flat_map(|overlay| &overlay.points);
     let mut laws = Vec::new();
     for law in &plan.laws {
-        let curve = |flat: &Flat| Curve::of(&*law.interface(ball, flat), plan.radius, &plan.indentations);
-        let contact = law.interface(ball, &coated);
+        let shape = Shape::sphere(plan.radius);
+        let curve = |flat: &Flat| {
+            law.interface(ball, flat).map(|contact| Curve::of(&*contact, shape, &plan.indentations))
+        };
+        let contact = law.interface(ball, &coated)?;
         papers.extend(contact.papers());
         laws.push(LawCurves {
             law: law.label(),
-            coated: curve(&coated),
-            uncoated: curve(&Flat::Bare(*substrate)),
-            all_layer: curve(&all_layer),
-            at_overlay: measured.clone().map(|(w, _)| contact.contact(*w, plan.radius).load).collect(),
+            coated: curve(&coated)?,
+            uncoated: curve(&Flat::Bare(*substrate))?,
+            all_layer: curve(&all_layer)?,
+            at_overlay: measured.clone().map(|(w, _)| contact.contact(*w, shape).load).collect(),
         });
     }
     let sphere = LayeredSphere::new(Some(ball), plan.radius, &layer.material, substrate, thickness);

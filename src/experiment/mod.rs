@@ -1,6 +1,7 @@
 //! From a spec file to results: read, plan, run. Nothing here knows a terminal or writes a file.
 
 mod indentation;
+mod models;
 pub mod plan;
 pub mod progress;
 mod refusal;

@@ -2,6 +2,7 @@
 
 use std::time::Instant;
 
+use super::models::SurfaceModels;
 use super::plan::thickness_words;
 use super::plan::{ComparePlan, LawPlan, LayerPlan, LimitPlan, Plan, PlanKind, SurfacePlan};
 use super::progress::Progress;
@@ -12,14 +13,14 @@ use super::results::{
 use super::surface::Surface;
 use super::whole::Look;
 use super::{Refusal, digest, hexadecimal, indentation, stream_seed, threshold};
-use crate::asperity::{Ordered, Population, gaussian_moment};
-use crate::coating::CoatingError;
+use crate::asperity::{Population, gaussian_moment};
 use crate::compare::{
     Control, Exact, Gaps, Kind, LimitCase, Models, NotReached, RuleCheck, RuleFindings, compare, convergence,
 };
-use crate::interface::plasticity_index;
+use crate::interface::{ContactError, plasticity_index};
+use crate::law::Shape;
 use crate::literature::{self, Paper};
-use crate::model::{Deterministic, Model, Statistical};
+use crate::model::{Model, Statistical};
 use crate::sphere::Curve;
 
 pub(super) fn run(plan: &Plan, progress: &dyn Progress) -> Result<Results, Refusal> {
@@ -44,22 +45,20 @@ fn run_compare(
     let mut surfaces = Vec::new();
     for surface in &compare.surfaces {
         let mut maker = surface.maker(&plan.source, plan.seed);
-        let mut run = |realisation, look| {
-            let surface = maker.make(realisation, look, &mut timing)?;
-            let start = Instant::now();
-            let is_summed = compare.models.contains(&Kind::Deterministic);
-            let ordered = is_summed.then(|| Ordered::new(&surface.set));
-            timing.deterministic += start.elapsed();
-            let answered = run_surface(plan, compare, &surface, ordered.as_ref(), &mut timing)?;
+        let first_surface = maker.make(1, Look::Spectrum, &mut timing)?;
+        let models = models_of(compare, &first_surface, &mut timing);
+        let first = run_surface(plan, compare, &first_surface, &models, &mut timing)?;
+        let thresholds = threshold::thresholds(compare, &first_surface, &models, &first);
+        let falls = falls(compare, &first_surface, &models, &first);
+        drop(models);
+        progress.advance(1);
+        let mut others = Vec::new();
+        for realisation in 2..=surface.realisations {
+            let surface = maker.make(realisation, Look::Asperities, &mut timing)?;
+            let models = models_of(compare, &surface, &mut timing);
+            others.push(run_surface(plan, compare, &surface, &models, &mut timing)?);
             progress.advance(1);
-            Ok::<_, Refusal>((surface, ordered, answered))
-        };
-        let (first_surface, ordered, first) = run(1, Look::Spectrum)?;
-        let thresholds = threshold::thresholds(compare, &first_surface, ordered.as_ref(), &first);
-        let falls = falls(compare, &first_surface, &first);
-        let others =
-            (2..=surface.realisations).map(|k| run(k, Look::Asperities).map(|(.., answered)| answered));
-        let others = others.collect::<Result<_, _>>()?;
+        }
         papers.extend(first_surface.papers());
         surfaces.push(SurfaceResults { surface: first_surface, first, others, thresholds, falls });
     }
@@ -97,21 +96,31 @@ fn look(plan: &Plan, surfaces: &[SurfacePlan], progress: &dyn Progress) -> Resul
     Ok(SurfacesResults { head: head(plan, papers, timing), file, words, surfaces: seen })
 }
 
+/// Both models on a surface, its asperities ordered for the sums.
+fn models_of<'a>(compare: &ComparePlan, surface: &'a Surface, timing: &mut Timing) -> SurfaceModels<'a> {
+    let start = Instant::now();
+    let population = surface.population(compare.heights, compare.mean_radius);
+    let is_summed = compare.models.contains(&Kind::Deterministic);
+    let models = SurfaceModels::new(surface, population, &compare.law_specs, is_summed);
+    timing.deterministic += start.elapsed();
+    models
+}
+
 fn run_surface(
     plan: &Plan,
     compare_plan: &ComparePlan,
     surface: &Surface,
-    ordered: Option<&Ordered>,
+    models: &SurfaceModels,
     timing: &mut Timing,
 ) -> Result<RealisationResults, Refusal> {
     let asked = |kind| compare_plan.models.contains(&kind);
-    let population = surface.population(compare_plan.heights, compare_plan.mean_radius);
+    let population = models.population();
     let area = surface.set.nominal_area();
     let mut cases = Vec::new();
     for law in &compare_plan.laws {
         let contact = &*law.contact;
-        let statistical = Statistical::new(contact, population).quoted_from(surface.quoting_datum());
-        let deterministic = ordered.map(|set| Deterministic::new(contact, set, surface.datum));
+        let statistical = models.statistical(contact, &law.spec);
+        let deterministic = models.deterministic(contact, &law.spec);
         let models = Models {
             statistical: asked(Kind::Statistical).then_some(&statistical as &dyn Model),
             deterministic: deterministic.as_ref().map(|model| model as &dyn Model),
@@ -141,7 +150,12 @@ fn run_surface(
 
 /// Where area or load of the sharpest asperity, of one of the mean radius and of the bluntest falls, as deep as the
 /// highest asperity is pressed.
-fn falls(plan: &ComparePlan, surface: &Surface, answered: &RealisationResults) -> Vec<FallResults> {
+fn falls(
+    plan: &ComparePlan,
+    surface: &Surface,
+    models: &SurfaceModels,
+    answered: &RealisationResults,
+) -> Vec<FallResults> {
     /// The first indentation that is looked at, of the deepest.
     const SHALLOWEST: f64 = 1e-4;
     let extremes = |values: &[f64]| {
@@ -150,8 +164,6 @@ fn falls(plan: &ComparePlan, surface: &Surface, answered: &RealisationResults) -
     };
     let highest = extremes(surface.set.heights()).1 - surface.datum.mean;
     let (sharpest, bluntest) = extremes(surface.set.radii());
-    let mut radii = vec![sharpest, answered.population.radius, bluntest];
-    radii.dedup();
     let mut found = Vec::new();
     for (law, case) in plan.laws.iter().zip(&answered.cases) {
         let separations = case.comparison.curves.iter().map(|point| point.response.separation);
@@ -159,12 +171,15 @@ fn falls(plan: &ComparePlan, surface: &Surface, answered: &RealisationResults) -
         if !(deepest > 0.0 && deepest.is_finite()) {
             continue;
         }
-        for &radius in &radii {
-            let falls = Curve::of(&*law.contact, radius, &[SHALLOWEST * deepest, deepest]).falls;
+        let mut shapes =
+            vec![Shape::sphere(sharpest), models.mean_shape(&law.spec), Shape::sphere(bluntest)];
+        shapes.dedup();
+        for shape in shapes {
+            let falls = Curve::of(&*law.contact, shape, &[SHALLOWEST * deepest, deepest]).falls;
             found.extend(falls.into_iter().map(|fall| FallResults {
                 law: case.law.clone(),
                 thickness: case.thickness,
-                radius,
+                radius: shape.radius,
                 fall,
             }));
         }
@@ -236,14 +251,14 @@ fn run_limit(plan: &Plan, limit: &LimitPlan, progress: &dyn Progress) -> Result<
 }
 
 fn reference(law: &LawPlan) -> &'static str {
-    if law.is_hertz { "the closed form of Greenwood and Williamson" } else { "the statistical integral" }
+    if law.spec.is_greenwood_williamson() { "the closed form of Greenwood and Williamson" } else { "the statistical integral" }
 }
 
 /// The limit at d/sigma = `h`: Greenwood and Williamson's closed form for Hertz, else the integral.
 fn exact(law: &LawPlan, population: Population, h: f64) -> Exact {
     let Population { radius, sigma, density, .. } = population;
     let integral = Statistical::new(&*law.contact, population).respond(h);
-    let (area_ratio, pressure) = if law.is_hertz {
+    let (area_ratio, pressure) = if law.spec.is_greenwood_williamson() {
         let modulus = law.contact.reference_modulus();
         (
             std::f64::consts::PI * density * radius * sigma * gaussian_moment(1.0, h),
@@ -262,7 +277,8 @@ fn exact(law: &LawPlan, population: Population, h: f64) -> Exact {
 
 fn papers_of(laws: &[LawPlan]) -> Vec<Paper> {
     let models = [literature::PASARIBU_SCHIPPER_2005, literature::ZHAO_MAIETTA_CHANG_2000];
-    laws.iter().flat_map(|law| law.contact.papers()).chain(models).collect()
+    let of = |law: &LawPlan| law.contact.papers().into_iter().chain(law.spec.papers().iter().copied());
+    laws.iter().flat_map(of).chain(models).collect()
 }
 
 pub(super) fn head(plan: &Plan, mut papers: Vec<Paper>, timing: Timing) -> Head {
@@ -280,7 +296,7 @@ pub(super) fn head(plan: &Plan, mut papers: Vec<Paper>, timing: Timing) -> Head 
 }
 
 /// How good both rules are between the materials of a comparison.
-fn rule_check(compare: &ComparePlan, layer: &LayerPlan) -> Result<(RuleFindings, Vec<Paper>), CoatingError> {
+fn rule_check(compare: &ComparePlan, layer: &LayerPlan) -> Result<(RuleFindings, Vec<Paper>), ContactError> {
     /// a/t, from and to.
     const RANGE: [f64; 2] = [0.1, 10.0];
     let [rough, flat] = &compare.pair;

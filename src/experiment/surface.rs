@@ -1,7 +1,7 @@
 //! A surface as the models and the report see it: its asperities and what is known of them.
 
 use super::whole::{Look, Whole};
-use crate::asperity::{AsperitySet, HeightDensity, Population, SetError, Statistics};
+use crate::asperity::{AsperitySet, Ellipse, Ellipticity, HeightDensity, Population, SetError, Statistics};
 use crate::literature::{self, Paper};
 use crate::model::{Datum, MeanRadius};
 use crate::surface::character::Character;
@@ -29,6 +29,8 @@ pub struct Surface {
     pub mean_plane: Option<f64>,
     /// The population that it was drawn from: the statistical model then stands on its numbers.
     pub nominal: Option<Population>,
+    /// The mean shape of its asperities as ellipses, where a law sees them so.
+    pub ellipticity: Option<Ellipticity>,
     /// The map that it was found on.
     pub map: Option<MapFacts>,
     /// How many surfaces of its name there are, of which this is one.
@@ -114,6 +116,8 @@ pub(super) struct Finding {
     pub(super) filter: Option<Filter>,
     /// What a summit is.
     pub(super) neighbours: Neighbours,
+    /// Whether the ellipses of the asperities are wanted.
+    pub(super) as_ellipses: bool,
     /// What the map was made by, if it was made.
     pub(super) generation: Option<GenerationFacts>,
     /// How closely it is looked at.
@@ -142,7 +146,11 @@ impl Finding {
         let [dx, dy] = map.pixel();
         let radii = summits.curvatures.iter().map(|curvature| curvature.recip()).collect();
         let set = AsperitySet::new(summits.heights, radii, dx * dy * summits.tested as f64)?;
-        Ok((set, facts))
+        if !self.as_ellipses {
+            return Ok((set, facts));
+        }
+        let ellipses = summits.principal.iter().copied().map(Ellipse::of_summit).collect();
+        Ok((set.with_ellipses(ellipses)?, facts))
     }
 
     fn facts(&self, raw: &dyn Rows, map: &dyn Rows, character: Character, summits: &Summits) -> MapFacts {
@@ -257,6 +265,7 @@ impl MapFacts {
 impl Surface {
     /// A set that separations are measured in by its own statistics.
     pub(super) fn new(name: &str, set: AsperitySet, statistics: Statistics) -> Self {
+        let ellipticity = Ellipticity::of(&set);
         Self {
             name: name.to_owned(),
             set,
@@ -264,6 +273,7 @@ impl Surface {
             statistics,
             mean_plane: None,
             nominal: None,
+            ellipticity,
             map: None,
             realisations: 1,
             warnings: Vec::new(),
@@ -325,7 +335,7 @@ mod tests {
         let (map, cut) = recipe.surface(Seeds { process: [1; 32], plateau: [2; 32] }).unwrap();
         let generation = Some(GenerationFacts { recipe, target: None, cut });
         let finding =
-            Finding { level: Level::None, filter: None, neighbours, generation, look: Look::Everything };
+            Finding { level: Level::None, filter: None, neighbours, generation, as_ellipses: false, look: Look::Everything };
         let facts = finding.asperities(&map).unwrap().1;
         (map, facts)
     }
@@ -361,7 +371,7 @@ mod tests {
         let map = map([40, 30], |k| 1.0 + 1e-3 * (k / 30) as f64 + f64::EPSILON * ((k * k) % 2) as f64);
         let finding = |level| {
             let neighbours = Neighbours::Four;
-            Finding { level, filter: None, neighbours, generation: None, look: Look::Asperities }
+            Finding { level, filter: None, neighbours, generation: None, as_ellipses: false, look: Look::Asperities }
                 .asperities(&map)
         };
         assert!(matches!(finding(Level::Plane), Err(NoAsperities::Flat)));

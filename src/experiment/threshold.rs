@@ -3,13 +3,13 @@
 use rayon::prelude::*;
 
 use super::plan::{ComparePlan, LayerPlan};
+use super::models::SurfaceModels;
 use super::results::{RealisationResults, Threshold};
 use super::spec::LawSpec;
 use super::surface::Surface;
-use crate::asperity::Ordered;
 use crate::compare::{Kind, of_each_decade, threshold};
 use crate::interface::MicroContact;
-use crate::model::{Deterministic, Model, Statistical, at_pressure};
+use crate::model::{Model, at_pressure};
 
 /// A layer matters where it changes the real area by more than this part.
 const PART: f64 = 0.05;
@@ -18,7 +18,7 @@ const PART: f64 = 0.05;
 pub(super) fn thresholds(
     plan: &ComparePlan,
     surface: &Surface,
-    ordered: Option<&Ordered>,
+    models: &SurfaceModels,
     answered: &RealisationResults,
 ) -> Vec<Threshold> {
     let Some(layer) = &plan.layer else { return Vec::new() };
@@ -36,7 +36,7 @@ pub(super) fn thresholds(
         }
     }
     let one = |&(law, pressure, kind): &(&LawSpec, f64, Kind)| {
-        let question = Question { plan, layer, surface, answered, ordered, law, pressure, kind };
+        let question = Question { plan, layer, models, answered, law, pressure, kind };
         question.threshold()
     };
     asked.par_iter().filter_map(one).collect()
@@ -57,9 +57,8 @@ fn some_of(mut loads: Vec<f64>) -> Vec<f64> {
 struct Question<'a> {
     plan: &'a ComparePlan,
     layer: &'a LayerPlan,
-    surface: &'a Surface,
+    models: &'a SurfaceModels<'a>,
     answered: &'a RealisationResults,
-    ordered: Option<&'a Ordered>,
     law: &'a LawSpec,
     pressure: f64,
     kind: Kind,
@@ -91,15 +90,12 @@ impl Question<'_> {
 
     /// The area ratio under a layer of any thickness (m).
     fn area(&self, thickness: f64) -> Option<f64> {
-        let contact = self.law.interface(&self.plan.pair[0], &self.layer.flat(thickness).ok()?);
-        let contact: &dyn MicroContact = &*contact;
+        let flat = self.layer.flat(thickness).ok()?;
+        let contact: &dyn MicroContact = &*self.law.interface(&self.plan.pair[0], &flat).ok()?;
         let press = |model: &dyn Model| at_pressure(model, self.pressure).ok();
         let reached = match self.kind {
-            Kind::Statistical => {
-                let model = Statistical::new(contact, self.answered.population);
-                press(&model.quoted_from(self.surface.quoting_datum()))
-            }
-            Kind::Deterministic => press(&Deterministic::new(contact, self.ordered?, self.surface.datum)),
+            Kind::Statistical => press(&self.models.statistical(contact, self.law)),
+            Kind::Deterministic => press(&self.models.deterministic(contact, self.law)?),
         };
         reached.map(|reached| reached.response.area_ratio.total())
     }

@@ -1,66 +1,85 @@
 //! Two homogeneous bodies.
 
-use super::{LoadBounds, MicroContact};
-use crate::contact::Contact;
-use crate::law::{Law, Pair};
+use super::{JUMP, LoadBounds, MicroContact, Reference, Shapes};
+use crate::asperity::Asperities;
+use crate::contact::{Contact, Tally};
+use crate::law::{Inapplicable, Law, Pair, Shape};
 use crate::literature::Paper;
 use crate::material::Material;
 use crate::numeric::interval::Interval;
 
 /// A rough and a flat body, both homogeneous, under one law.
-#[derive(Debug, Clone, Copy)]
+#[derive(Debug, Clone)]
 pub struct Interface<L> {
     law: L,
     pair: Pair,
-    /// The pair that load ratios and the plasticity index refer to.
-    reference: Pair,
+    reference: Reference,
 }
 
 impl<L: Law> Interface<L> {
     /// The contact of a rough body with a flat one.
-    pub fn bare(law: L, rough: &Material, flat: &Material) -> Self {
-        let pair = Pair::of(rough, flat);
-        Self { law, pair, reference: pair }
+    ///
+    /// # Errors
+    /// Bodies that the law says nothing of.
+    pub fn bare(law: L, rough: &Material, flat: &Material) -> Result<Self, Inapplicable> {
+        Self::all_layer(law, rough, flat, flat)
     }
 
     /// The same with the flat all of `layer`; load ratios still refer to `flat`.
-    pub fn all_layer(law: L, rough: &Material, flat: &Material, layer: &Material) -> Self {
-        Self { law, pair: Pair::of(rough, layer), reference: Pair::of(rough, flat) }
+    ///
+    /// # Errors
+    /// As [`Self::bare`].
+    pub fn all_layer(
+        law: L,
+        rough: &Material,
+        flat: &Material,
+        layer: &Material,
+    ) -> Result<Self, Inapplicable> {
+        let pair = Pair::between(&law, rough, layer)?;
+        Ok(Self { law: law.tuned(&pair), pair, reference: Reference::of(rough, flat) })
     }
 }
 
 impl<L: Law> MicroContact for Interface<L> {
     #[inline]
-    fn contact(&self, w: f64, b: f64) -> Contact {
-        self.law.contact(w, b, &self.pair)
+    fn contact(&self, w: f64, shape: Shape) -> Contact {
+        self.law.contact(w, shape.radius, &self.pair).times(shape.spheres)
     }
 
-    fn regime_changes(&self, b: f64) -> Vec<f64> {
-        self.law.critical_ratios(&self.pair).into_iter().map(|ratio| ratio * b).collect()
-    }
-
-    fn breakpoints(&self, b: f64) -> Vec<f64> {
-        self.regime_changes(b)
-    }
-
-    /// Bare contacts of one law are similar whatever their radius, and within a regime no law falls.
-    fn load_rises_to(&self, _: Interval) -> f64 {
-        if super::drops(&self.law, &self.pair) { 0.0 } else { f64::INFINITY }
-    }
-
-    fn load_over(&self, from: f64, to: f64, b: f64) -> LoadBounds {
-        if self.regime_changes(b).into_iter().any(|w| (from..=to).contains(&w)) {
-            return LoadBounds::any(self.law.highest_load(from, to, b, &self.pair, &self.pair));
+    fn press(&self, asperities: Asperities<'_>, separation: f64, tally: &mut Tally) {
+        let (heights, radii) = (asperities.heights(), asperities.radii());
+        let contacts =
+            heights.iter().zip(radii).map(|(z, &b)| self.law.contact(z - separation, b, &self.pair));
+        match asperities.spheres() {
+            None => contacts.for_each(|contact| tally.add(&contact)),
+            Some(spheres) => contacts.zip(spheres).for_each(|(contact, &n)| tally.add(&contact.times(n))),
         }
-        let strain = self.pair.reduced_modulus / self.pair.hardness;
-        let u = |w: f64| w / b * strain * strain;
-        let exponents = self.law.load_exponents(Interval { low: u(from), high: u(to) });
-        let w = Interval { low: from, high: to };
-        LoadBounds::between(w, [from, to].map(|w| self.contact(w, b).load), exponents)
+    }
+
+    fn regime_changes(&self, shape: Shape) -> Vec<f64> {
+        self.law.critical_ratios(&self.pair).into_iter().map(|ratio| ratio * shape.radius).collect()
+    }
+
+    fn breakpoints(&self, shape: Shape) -> Vec<f64> {
+        self.regime_changes(shape)
+    }
+
+    /// Bare contacts of one law are similar whatever their radius, and within a range no law falls.
+    fn load_rises_to(&self, _: Shapes) -> f64 {
+        let falls = self.law.jumps(&self.pair).into_iter().any(|jump| jump < 1.0 - JUMP);
+        if falls { 0.0 } else { f64::INFINITY }
+    }
+
+    fn load_over(&self, from: f64, to: f64, shape: Shape) -> LoadBounds {
+        let highest = shape.spheres * self.law.highest_load(from, to, shape.radius, &self.pair);
+        if self.regime_changes(shape).into_iter().any(|w| (from..=to).contains(&w)) {
+            return LoadBounds::any(highest);
+        }
+        LoadBounds { highest, slopes: Interval { low: 0.0, high: f64::INFINITY } }
     }
 
     fn reference_modulus(&self) -> f64 {
-        self.reference.reduced_modulus
+        self.reference.modulus
     }
 
     fn reference_hardness(&self) -> f64 {

@@ -1,9 +1,10 @@
 //! A rough body on a flat with a layer of finite thickness.
 
-use super::{JUMP, LoadBounds, MicroContact};
+use super::{JUMP, LoadBounds, MicroContact, Reference, Shapes};
+use crate::asperity::Asperities;
 use crate::coating::Coating;
 use crate::contact::{Contact, Regime, Tally};
-use crate::law::{Law, Pair};
+use crate::law::{Inapplicable, Pair, Resistance, Shape, Similar};
 use crate::literature::Paper;
 use crate::material::Material;
 use crate::numeric::interval::Interval;
@@ -11,77 +12,119 @@ use crate::numeric::root::sign_changes;
 
 /// A homogeneous rough body on a layered flat under one law: the law sees the pair that each asperity feels at its
 /// own indentation (Pasaribu and Schipper 2005, Eqs. 5, 9 with E_eff, nu_eff, H_eff).
+///
+/// An elliptic asperity feels the layer as a sphere does whose contact has the same area while it is elastic.
 #[derive(Debug, Clone)]
 pub struct Layered<L> {
     law: L,
     coating: Coating,
     /// (1 - nu^2)/E of the rough body, 1/Pa.
     rough_compliance: f64,
-    /// Of the rough body, Pa; infinite where it never yields.
-    rough_hardness: f64,
-    /// Without the layer.
-    reference: Pair,
-    /// The (w/b) (E*/H)^2 at which the load of the law jumps, and by what factor.
-    jumps: Vec<(f64, f64)>,
+    /// Of the rough body.
+    rough: Resistance,
+    reference: Reference,
+    /// Where the load of the law jumps.
+    jumps: Vec<Jump>,
+    /// One of the ratios of strength and onset that bodies between these have.
+    strength_over_onset: f64,
 }
 
-/// Critical ratios stand with (H/E*)^2: of this pair they are the factors before it.
-const UNIT: Pair = Pair { reduced_modulus: 1.0, hardness: 1.0 };
+/// A boundary of the law at which its load jumps.
+#[derive(Debug, Clone, Copy)]
+struct Jump {
+    /// (w/b) (E*/onset)^2.
+    place: f64,
+    /// By what factor, whichever body yields.
+    factor: Interval,
+}
+
+/// Critical ratios stand with (onset/E*)^2: of such a pair they are the factors before it.
+fn unit(strength: f64) -> Pair {
+    Pair { reduced_modulus: 1.0, resistance: Resistance { onset: 1.0, strength } }
+}
 
 /// Asperities that are looked at side by side.
 const SIDE_BY_SIDE: usize = 8;
 
 /// The pair that an asperity feels, and how it changes with the indentation.
-#[derive(Debug, Clone, Copy, Default)]
+#[derive(Debug, Clone, Copy)]
 struct Felt {
     pair: Pair,
     /// d ln E*/d ln w.
     modulus_slope: f64,
-    /// d ln H/d ln w.
-    hardness_slope: f64,
+    /// d ln onset/d ln w.
+    onset_slope: f64,
+    /// d ln strength/d ln w.
+    strength_slope: f64,
 }
 
 /// The same over a range.
 struct FeltRange {
     modulus: Interval,
     modulus_slope: Interval,
-    hardness: Interval,
-    hardness_slope: Interval,
+    onset: Interval,
+    onset_slope: Interval,
+    strength_slope: Interval,
 }
 
-impl<L: Law> Layered<L> {
+impl<L: Similar> Layered<L> {
     /// The contact of a rough body with `substrate` under `coating`.
-    pub fn new(law: L, rough: &Material, substrate: &Material, coating: Coating) -> Self {
-        let reference = Pair::of(rough, substrate);
-        let places = law.critical_ratios(&UNIT).into_iter().zip(law.jumps(&UNIT));
-        let jumps = places.filter(|(_, jump)| reference.hardness.is_finite() && (jump - 1.0).abs() > JUMP);
-        Self {
+    ///
+    /// # Errors
+    /// Bodies that the law says nothing of.
+    pub fn new(
+        law: L,
+        rough: &Material,
+        substrate: &Material,
+        coating: Coating,
+    ) -> Result<Self, Inapplicable> {
+        Pair::between(&law, rough, substrate)?;
+        let poisson = coating.poisson_range().hull(Interval::point(rough.poisson()));
+        let [low, high] = [poisson.low, poisson.high].map(|nu| unit(L::ONSET.at(nu).recip()));
+        let factors = law.jumps(&low).into_iter().zip(law.jumps(&high)).map(|(a, b)| Interval::between(a, b));
+        let jumps = law.critical_ratios(&low).into_iter().zip(factors);
+        let jumps = jumps.map(|(place, factor)| Jump { place, factor });
+        let reference = Reference::of(rough, substrate);
+        let is_jump = |jump: &Jump| jump.factor.low < 1.0 - JUMP || jump.factor.high > 1.0 + JUMP;
+        Ok(Self {
+            rough_compliance: rough.plane_compliance(),
+            rough: law.by_hardness(rough),
+            jumps: jumps.filter(|jump| reference.hardness.is_finite() && is_jump(jump)).collect(),
+            strength_over_onset: low.resistance.strength,
             law,
             coating,
-            rough_compliance: rough.plane_compliance(),
-            rough_hardness: rough.hardness().unwrap_or(f64::INFINITY),
             reference,
-            jumps: jumps.collect(),
-        }
+        })
     }
 
     fn yields(&self) -> bool {
-        self.rough_hardness.is_finite() || self.coating.hardness_range().high.is_finite()
+        self.rough.onset.is_finite() || self.coating.hardness_range().high.is_finite()
     }
 
+    /// Of spheres whose elastic contacts have the radius (b w)^.5.
     #[inline(always)]
     fn felt<const LANES: usize>(&self, w: [f64; LANES], b: [f64; LANES]) -> [Felt; LANES] {
-        self.coating.lanes(w, b).map(|flat| {
+        let flat = self.coating.lanes(w, b);
+        let (poisson, poisson_slope) = if L::feels_poisson() {
+            self.coating.poisson_lanes(w, b)
+        } else {
+            ([0.0; LANES], [0.0; LANES])
+        };
+        std::array::from_fn(|lane| {
+            let flat = &flat[lane];
             let reduced_modulus = (self.rough_compliance + flat.compliance).recip();
-            // The softer body yields.
-            let is_flat = flat.hardness < self.rough_hardness;
+            let of_flat = self.law.of_hardness(flat.hardness, poisson[lane]);
+            let onset_slope =
+                flat.hardness_slope + L::ONSET.slope / L::ONSET.at(poisson[lane]) * poisson_slope[lane];
             Felt {
-                pair: Pair {
-                    reduced_modulus,
-                    hardness: if is_flat { flat.hardness } else { self.rough_hardness },
-                },
+                pair: Pair { reduced_modulus, resistance: of_flat.with(self.rough) },
                 modulus_slope: -reduced_modulus * flat.compliance_slope,
-                hardness_slope: if is_flat { flat.hardness_slope } else { 0.0 },
+                onset_slope: if of_flat.onset < self.rough.onset { onset_slope } else { 0.0 },
+                strength_slope: if of_flat.strength < self.rough.strength {
+                    flat.hardness_slope
+                } else {
+                    0.0
+                },
             }
         })
     }
@@ -89,125 +132,184 @@ impl<L: Law> Layered<L> {
     fn felt_over(&self, w: Interval, b: Interval) -> FeltRange {
         let of_flat = self.coating.over(w, b);
         let modulus = (of_flat.compliance + self.rough_compliance).recip();
-        let (hardness, hardness_slope) = if of_flat.hardness.high < self.rough_hardness {
-            (of_flat.hardness, of_flat.hardness_slope)
-        } else if of_flat.hardness.low >= self.rough_hardness {
-            (Interval::point(self.rough_hardness), Interval::point(0.0))
-        } else {
-            let hardness = Interval { low: of_flat.hardness.low, high: self.rough_hardness };
-            (hardness, of_flat.hardness_slope.hull(Interval::point(0.0)))
-        };
-        FeltRange { modulus, modulus_slope: -(modulus * of_flat.compliance_slope), hardness, hardness_slope }
+        let (onset, onset_slope) = self.flat_onset_over(w, b);
+        let (onset, onset_slope) = weaker(onset, onset_slope, self.rough.onset);
+        let (_, strength_slope) = weaker(of_flat.hardness, of_flat.hardness_slope, self.rough.strength);
+        let modulus_slope = -(modulus * of_flat.compliance_slope);
+        FeltRange { modulus, modulus_slope, onset, onset_slope, strength_slope }
     }
 
-    /// With P = E* b^.5 w^1.5 g(u), u = (w/b) (E*/H)^2, and e = d ln P/d ln w of the fixed pair, the load goes with the
-    /// (2e - 2)th power of E* and the (3 - 2e)th of H.
+    /// The onset of the flat, Pa, and d/d ln w of its logarithm.
+    fn flat_onset_over(&self, w: Interval, b: Interval) -> (Interval, Interval) {
+        let of_flat = self.coating.over(w, b);
+        if !L::feels_poisson() {
+            return (of_flat.hardness, of_flat.hardness_slope);
+        }
+        let (poisson, poisson_slope) = self.coating.poisson_over(w, b);
+        let factor = Interval { low: L::ONSET.at(poisson.low), high: L::ONSET.at(poisson.high) };
+        let slope = poisson_slope * factor.recip() * L::ONSET.slope;
+        (of_flat.hardness * factor, of_flat.hardness_slope + slope)
+    }
+
+    /// With P = E* b^.5 w^1.5 g(u), u = (w/b) (E*/onset)^2, and e = d ln P/d ln w of the fixed pair, the load goes with
+    /// the (2e - 2)th power of E* and the (3 - 2e)th of the onset, in a plastic contact of the strength.
     #[inline(always)]
-    fn answer(&self, w: f64, b: f64, felt: &Felt) -> Contact {
-        let contact = self.law.contact(w, b, &felt.pair);
-        let stiffness = contact.stiffness * (1.0 + 2.0 * (felt.modulus_slope - felt.hardness_slope))
-            + contact.load / w * (3.0 * felt.hardness_slope - 2.0 * felt.modulus_slope);
-        Contact { stiffness, ..contact }
+    fn answer(&self, w: f64, shape: Shape, felt: &Felt) -> Contact {
+        let contact = self.law.contact(w, shape.radius, &felt.pair);
+        let slope = if contact.regime == Regime::Plastic { felt.strength_slope } else { felt.onset_slope };
+        let stiffness = contact.stiffness * (1.0 + 2.0 * (felt.modulus_slope - slope))
+            + contact.load / w * (3.0 * slope - 2.0 * felt.modulus_slope);
+        Contact { stiffness, ..contact }.times(shape.spheres)
     }
 
-    /// (w/b) (E*/H)^2.
+    /// (w/b) (E*/onset)^2.
     fn place(w: Interval, b: Interval, felt: &FeltRange) -> Interval {
-        let strain = felt.modulus * felt.hardness.recip();
+        let strain = felt.modulus * felt.onset.recip();
         w * strain * strain * b.recip()
     }
 
-    /// d ln P/d ln w = e + (2e - 2) d ln E*/d ln w + (3 - 2e) d ln H/d ln w (see [`Self::answer`]) is linear in each of
-    /// the three: it is least and greatest at corners of their ranges.
-    fn exponents(e: Interval, modulus_slope: Interval, hardness_slope: Interval) -> Interval {
-        let at = |e: f64| modulus_slope * (2.0 * e - 2.0) + hardness_slope * (3.0 - 2.0 * e) + e;
+    /// d ln P/d ln w = e + (2e - 2) d ln E*/d ln w + (3 - 2e) d ln(onset or strength)/d ln w (see [`Self::answer`]) is
+    /// linear in each of the three: it is least and greatest at corners of their ranges.
+    fn exponents(e: Interval, felt: &FeltRange) -> Interval {
+        let slope = felt.onset_slope.hull(felt.strength_slope);
+        let at = |e: f64| felt.modulus_slope * (2.0 * e - 2.0) + slope * (3.0 - 2.0 * e) + e;
         at(e.low).hull(at(e.high))
     }
 
-    /// Where w = `ratio` b (H/E*)^2: every root, by the sign of ln w - 2 ln H + 2 ln E* - ln(ratio b) over ln w.
-    fn crossings(&self, ratio: f64, b: f64) -> Vec<f64> {
-        let level = (ratio * b).ln();
+    /// Where w = `ratio` b (onset/E*)^2: every root, by the sign of ln w - 2 ln onset + 2 ln E* - ln(ratio b) over ln w.
+    fn crossings(&self, ratio: f64, shape: Shape) -> Vec<f64> {
+        let level = (ratio * shape.radius).ln();
+        let b = shape.spheres * shape.radius;
         let radius = Interval::point(b);
         let all = self.felt_over(Interval { low: 0.0, high: f64::MAX.sqrt() / b.max(1.0) }, radius);
-        let bound = |hardness: f64, modulus: f64| level + 2.0 * (hardness / modulus).ln();
-        let low = bound(all.hardness.low, all.modulus.high) - 1e-9;
-        let high = bound(all.hardness.high, all.modulus.low) + 1e-9;
+        let bound = |onset: f64, modulus: f64| level + 2.0 * (onset / modulus).ln();
+        let low = bound(all.onset.low, all.modulus.high) - 1e-9;
+        let high = bound(all.onset.high, all.modulus.low) + 1e-9;
         let value = |v: f64| {
             let [felt] = self.felt([v.exp()], [b]);
-            v - 2.0 * (felt.pair.hardness / felt.pair.reduced_modulus).ln() - level
+            v - 2.0 * (felt.pair.resistance.onset / felt.pair.reduced_modulus).ln() - level
         };
         let over = |from: f64, to: f64| {
             let felt = self.felt_over(Interval { low: from.exp(), high: to.exp() }, radius);
-            let ln = |range: Interval| Interval { low: range.low.ln(), high: range.high.ln() };
-            let values =
-                Interval { low: from, high: to } + (ln(felt.modulus) - ln(felt.hardness)) * 2.0 + -level;
-            [values, (felt.modulus_slope - felt.hardness_slope) * 2.0 + 1.0]
+            let values = Interval { low: from, high: to } + (felt.modulus.ln() - felt.onset.ln()) * 2.0 + -level;
+            [values, (felt.modulus_slope - felt.onset_slope) * 2.0 + 1.0]
         };
         sign_changes(&value, &over, low, high).into_iter().map(f64::exp).collect()
     }
-}
 
-impl<L: Law> MicroContact for Layered<L> {
-    #[inline]
-    fn contact(&self, w: f64, b: f64) -> Contact {
-        let [felt] = self.felt([w], [b]);
-        self.answer(w, b, &felt)
+    /// Where the other body begins to yield first.
+    fn onset_switches(&self, b: f64) -> Vec<f64> {
+        /// Of ln w, w in m.
+        const RANGE: [f64; 2] = [-100.0, 50.0];
+        if !(L::feels_poisson() && self.rough.onset.is_finite() && self.yields()) {
+            return Vec::new();
+        }
+        let level = self.rough.onset.ln();
+        let value = |v: f64| {
+            let (poisson, _) = self.coating.poisson_lanes([v.exp()], [b]);
+            self.law.of_hardness(self.coating.at(v.exp(), b).hardness, poisson[0]).onset.ln() - level
+        };
+        let over = |from: f64, to: f64| {
+            let w = Interval { low: from.exp(), high: to.exp() };
+            let (onset, slope) = self.flat_onset_over(w, Interval::point(b));
+            [onset.ln() + -level, slope]
+        };
+        sign_changes(&value, &over, RANGE[0], RANGE[1]).into_iter().map(f64::exp).collect()
     }
 
-    fn weigh(&self, indentations: &[f64], weights: &[f64], b: f64, tally: &mut Tally) {
+    /// An upper bound of the load at indentations from `from` to `to` (m), the pair being any that `felt` holds. Of the
+    /// same strength over the onset, a load over the onset falls as that grows, but for drops at boundaries; of another
+    /// strength it differs by no more than the jumps do.
+    fn highest_load(&self, from: f64, to: f64, shape: Shape, felt: &FeltRange) -> f64 {
+        let w = Interval { low: from, high: to };
+        let u = Self::place(w, Interval::point(shape.radius), felt);
+        let possible = || self.jumps.iter().filter(|jump| u.holds(jump.place));
+        let drops: f64 = possible().map(|jump| jump.factor.low.min(1.0)).product();
+        let spread: f64 = self.jumps.iter().map(|jump| jump.factor.high / jump.factor.low).product();
+        let strength = self.strength_over_onset * felt.onset.low;
+        let resistance = Resistance { onset: felt.onset.low, strength };
+        let most = Pair { reduced_modulus: felt.modulus.high, resistance };
+        let growth =
+            if felt.onset.high > felt.onset.low { felt.onset.high / felt.onset.low } else { 1.0 };
+        shape.spheres * self.law.highest_load(from, to, shape.radius, &most) * growth * spread / drops
+    }
+}
+
+/// The lesser of `value`, with d ln value/d ln w `slope`, and a constant.
+fn weaker(value: Interval, slope: Interval, constant: f64) -> (Interval, Interval) {
+    if value.high < constant {
+        (value, slope)
+    } else if value.low >= constant {
+        (Interval::point(constant), Interval::point(0.0))
+    } else {
+        (Interval { low: value.low, high: constant }, slope.hull(Interval::point(0.0)))
+    }
+}
+
+impl<L: Similar> MicroContact for Layered<L> {
+    #[inline]
+    fn contact(&self, w: f64, shape: Shape) -> Contact {
+        let [felt] = self.felt([w], [shape.spheres * shape.radius]);
+        self.answer(w, shape, &felt)
+    }
+
+    fn weigh(&self, indentations: &[f64], weights: &[f64], shape: Shape, tally: &mut Tally) {
         let (blocks, rest) = indentations.as_chunks::<SIDE_BY_SIDE>();
         let (block_weights, rest_weights) = weights.as_chunks::<SIDE_BY_SIDE>();
+        let b = [shape.spheres * shape.radius; SIDE_BY_SIDE];
         for (w, weights) in blocks.iter().zip(block_weights) {
-            for (felt, (&w, &weight)) in self.felt(*w, [b; SIDE_BY_SIDE]).iter().zip(w.iter().zip(weights)) {
-                tally.weigh(&self.answer(w, b, felt), weight);
+            for (felt, (&w, &weight)) in self.felt(*w, b).iter().zip(w.iter().zip(weights)) {
+                tally.weigh(&self.answer(w, shape, felt), weight);
             }
         }
         for (&w, &weight) in rest.iter().zip(rest_weights) {
-            tally.weigh(&self.contact(w, b), weight);
+            tally.weigh(&self.contact(w, shape), weight);
         }
     }
 
-    fn press(&self, heights: &[f64], radii: &[f64], separation: f64, tally: &mut Tally) {
-        let (blocks, rest) = heights.as_chunks::<SIDE_BY_SIDE>();
-        let (block_radii, rest_radii) = radii.as_chunks::<SIDE_BY_SIDE>();
-        for (heights, b) in blocks.iter().zip(block_radii) {
+    fn press(&self, asperities: Asperities<'_>, separation: f64, tally: &mut Tally) {
+        let rest = asperities.each_block(|heights: [f64; SIDE_BY_SIDE], shapes| {
             let w = heights.map(|z| z - separation);
-            for ((felt, &w), &b) in self.felt(w, *b).iter().zip(&w).zip(b) {
-                tally.add(&self.answer(w, b, felt));
+            let felt = self.felt(w, shapes.map(|shape| shape.spheres * shape.radius));
+            for ((felt, &w), &shape) in felt.iter().zip(&w).zip(&shapes) {
+                tally.add(&self.answer(w, shape, felt));
             }
-        }
-        for (&z, &b) in rest.iter().zip(rest_radii) {
-            tally.add(&self.contact(z - separation, b));
-        }
+        });
+        rest.each(|z, shape| tally.add(&self.contact(z - separation, shape)));
     }
 
-    fn regime_changes(&self, b: f64) -> Vec<f64> {
-        let ratios = if self.yields() { self.law.critical_ratios(&UNIT) } else { Vec::new() };
-        let mut changes: Vec<f64> = ratios.into_iter().flat_map(|ratio| self.crossings(ratio, b)).collect();
+    fn regime_changes(&self, shape: Shape) -> Vec<f64> {
+        let ratios = if self.yields() { self.law.critical_ratios(&unit(1.0)) } else { Vec::new() };
+        let mut changes: Vec<f64> =
+            ratios.into_iter().flat_map(|ratio| self.crossings(ratio, shape)).collect();
         changes.sort_unstable_by(f64::total_cmp);
         changes
     }
 
-    fn breakpoints(&self, b: f64) -> Vec<f64> {
-        let mut points = self.regime_changes(b);
+    fn breakpoints(&self, shape: Shape) -> Vec<f64> {
+        let mut points = self.regime_changes(shape);
+        let b = shape.spheres * shape.radius;
         // An elastic contact does not feel the hardness, nor a plastic one the modulus.
-        let regime = |w: f64| self.contact(w, b).regime;
+        let regime = |w: f64| self.contact(w, shape).regime;
         let modulus = self.coating.modulus_scales(b, self.rough_compliance);
         points.extend(modulus.filter(|&w| regime(w) != Regime::Plastic));
-        let is_softer = |w: f64| self.coating.at(w, b).hardness < self.rough_hardness;
+        let is_softer = |w: f64| self.coating.at(w, b).hardness < self.rough.strength;
         let hardness = self.coating.hardness_scales().into_iter();
         points.extend(hardness.filter(|&w| regime(w) != Regime::Elastic && is_softer(w)));
-        points.extend(self.coating.indentation_of_hardness(self.rough_hardness));
+        points.extend(self.coating.indentation_of_hardness(self.rough.strength));
+        points.extend(self.onset_switches(b));
         points.sort_unstable_by(f64::total_cmp);
         points
     }
 
-    fn load_rises_to(&self, radii: Interval) -> f64 {
+    fn load_rises_to(&self, shapes: Shapes) -> f64 {
         /// Pieces of the depth on which the hardness changes.
         const PIECES: i32 = 400;
-        if self.jumps.iter().any(|&(_, jump)| jump < 1.0) {
+        if self.jumps.iter().any(|jump| jump.factor.low < 1.0) {
             return 0.0;
         }
         let end = self.coating.depth();
+        let wide = shapes.radii * shapes.spheres;
         // From a depth at which next to nothing of the layer is gone, to any.
         let place = |k: i32| match k {
             0 => 0.0,
@@ -216,32 +318,28 @@ impl<L: Law> MicroContact for Layered<L> {
         };
         let rises = |k: &i32| {
             let w = Interval { low: place(*k), high: place(k + 1) };
-            let felt = self.felt_over(w, radii);
-            let exponents = self.law.load_exponents(Self::place(w, radii, &felt));
+            let felt = self.felt_over(w, wide);
+            let exponents = self.law.load_exponents(Self::place(w, shapes.radii, &felt));
             // Back over a boundary, a rise of the load is a fall.
-            let turns_back = (felt.modulus_slope - felt.hardness_slope).low <= -0.5;
-            Self::exponents(exponents, felt.modulus_slope, felt.hardness_slope).low > 0.0
-                && (self.jumps.is_empty() || !turns_back)
+            let turns_back = (felt.modulus_slope - felt.onset_slope).low <= -0.5;
+            Self::exponents(exponents, &felt).low > 0.0 && (self.jumps.is_empty() || !turns_back)
         };
         (0..=PIECES).find(|k| !rises(k)).map_or(f64::INFINITY, place)
     }
 
-    fn load_over(&self, from: f64, to: f64, b: f64) -> LoadBounds {
+    fn load_over(&self, from: f64, to: f64, shape: Shape) -> LoadBounds {
         let w = Interval { low: from, high: to };
-        let radius = Interval::point(b);
-        let felt = self.felt_over(w, radius);
-        let u = Self::place(w, radius, &felt);
-        let exponents = Self::exponents(self.law.load_exponents(u), felt.modulus_slope, felt.hardness_slope);
-        if self.jumps.iter().any(|&(place, _)| u.holds(place)) || (from == 0.0 && exponents.low < 0.0) {
-            let low = Pair { reduced_modulus: felt.modulus.low, hardness: felt.hardness.low };
-            let high = Pair { reduced_modulus: felt.modulus.high, hardness: felt.hardness.high };
-            return LoadBounds::any(self.law.highest_load(from, to, b, &low, &high));
+        let felt = self.felt_over(w, Interval::point(shape.spheres * shape.radius));
+        let u = Self::place(w, Interval::point(shape.radius), &felt);
+        let exponents = Self::exponents(self.law.load_exponents(u), &felt);
+        if self.jumps.iter().any(|jump| u.holds(jump.place)) || (from == 0.0 && exponents.low < 0.0) {
+            return LoadBounds::any(self.highest_load(from, to, shape, &felt));
         }
-        LoadBounds::between(w, [from, to].map(|w| self.contact(w, b).load), exponents)
+        LoadBounds::between(w, [from, to].map(|w| self.contact(w, shape).load), exponents)
     }
 
     fn reference_modulus(&self) -> f64 {
-        self.reference.reduced_modulus
+        self.reference.modulus
     }
 
     fn reference_hardness(&self) -> f64 {

@@ -6,17 +6,52 @@ mod layered;
 pub use bare::Interface;
 pub use layered::Layered;
 
+use crate::asperity::Asperities;
 use crate::coating::{Coating, CoatingError, Rule};
 use crate::contact::{Contact, Tally};
-use crate::law::{Law, Pair};
+use crate::law::{Inapplicable, Law, Shape, Similar};
 use crate::literature::Paper;
 use crate::material::{Material, reduced_modulus, softer_hardness};
 use crate::numeric::interval::Interval;
 
-impl Pair {
-    /// What a rough and a homogeneous flat body are to a law.
-    pub fn of(rough: &Material, flat: &Material) -> Self {
-        Self { reduced_modulus: reduced_modulus(rough, flat), hardness: softer_hardness(rough, flat) }
+/// The pair that load ratios and the plasticity index refer to: without a layer, whatever the law.
+#[derive(Debug, Clone, Copy, PartialEq)]
+struct Reference {
+    /// Pa.
+    modulus: f64,
+    /// Of the softer body, Pa; infinite where neither has one.
+    hardness: f64,
+}
+
+impl Reference {
+    fn of(rough: &Material, flat: &Material) -> Self {
+        Self { modulus: reduced_modulus(rough, flat), hardness: softer_hardness(rough, flat) }
+    }
+}
+
+/// A contact that cannot be made.
+#[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
+pub enum ContactError {
+    /// The layered flat has no effective properties.
+    #[error(transparent)]
+    Coating(#[from] CoatingError),
+    /// The law says nothing of the bodies.
+    #[error(transparent)]
+    Law(#[from] Inapplicable),
+}
+
+/// Shapes between two.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Shapes {
+    /// Radii, m.
+    pub radii: Interval,
+    /// Numbers of spheres.
+    pub spheres: Interval,
+}
+
+impl From<Shape> for Shapes {
+    fn from(shape: Shape) -> Self {
+        Self { radii: Interval::point(shape.radius), spheres: Interval::point(shape.spheres) }
     }
 }
 
@@ -74,14 +109,36 @@ impl Flat {
     }
 
     /// The micro-contact of a rough body with it under `law`.
-    pub fn under<L: Law>(&self, law: L, rough: &Material) -> Box<dyn MicroContact> {
+    ///
+    /// # Errors
+    /// Bodies that the law says nothing of.
+    pub fn under<L: Similar>(
+        &self,
+        law: L,
+        rough: &Material,
+    ) -> Result<Box<dyn MicroContact>, Inapplicable> {
         match self {
-            Self::Bare(flat) => Box::new(Interface::bare(law, rough, flat)),
             Self::Coated { substrate, coating } => {
-                Box::new(Layered::new(law, rough, substrate, coating.clone()))
+                Ok(Box::new(Layered::new(law, rough, substrate, coating.clone())?))
             }
+            _ => self.homogeneous_under(law, rough),
+        }
+    }
+
+    /// The same under a law that does not say what a layer of finite thickness does to it.
+    ///
+    /// # Errors
+    /// Such a layer, or bodies that the law says nothing of.
+    pub fn homogeneous_under<L: Law>(
+        &self,
+        law: L,
+        rough: &Material,
+    ) -> Result<Box<dyn MicroContact>, Inapplicable> {
+        match self {
+            Self::Bare(flat) => Ok(Box::new(Interface::bare(law, rough, flat)?)),
+            Self::Coated { .. } => Err(Inapplicable::Layer { law: law.name() }),
             Self::AllLayer { substrate, layer } => {
-                Box::new(Interface::all_layer(law, rough, substrate, layer))
+                Ok(Box::new(Interface::all_layer(law, rough, substrate, layer)?))
             }
         }
     }
@@ -127,54 +184,52 @@ impl LoadBounds {
     }
 }
 
-/// What the models know of a contact: at indentation `w` and radius `b`, what area, what load,
+/// What the models know of a contact: at indentation `w` and of a shape, what area, what load,
 /// which regime? Neither model knows which law answers, or whether there is a layer on the flat.
 ///
 /// The provided methods work on blocks of asperities: through `dyn MicroContact` the law is chosen
 /// once a block, never once an asperity.
 pub trait MicroContact: Send + Sync {
-    /// The answer at indentation `w > 0` (m) of an asperity of radius `b` (m).
-    fn contact(&self, w: f64, b: f64) -> Contact;
+    /// The answer at indentation `w > 0` (m) of an asperity.
+    fn contact(&self, w: f64, shape: Shape) -> Contact;
 
-    /// The indentations (m, ascending) at which the regime of an asperity of radius `b` changes: all of them, a
-    /// regime that it enters again included.
-    fn regime_changes(&self, b: f64) -> Vec<f64>;
+    /// The indentations (m, ascending) at which one formula of the law gives way to another, as it does where the regime
+    /// changes: all of them, a regime that is entered again included.
+    fn regime_changes(&self, shape: Shape) -> Vec<f64>;
 
     /// The indentations (m, ascending) that an integral over w splits at: between them area and load of an asperity
-    /// of radius `b` are smooth in w^.5, up to the first as far as 0, behind it on the scale of w itself.
-    fn breakpoints(&self, b: f64) -> Vec<f64>;
+    /// are smooth in w^.5, up to the first as far as 0, behind it on the scale of w itself.
+    fn breakpoints(&self, shape: Shape) -> Vec<f64>;
 
-    /// Up to this indentation (m) no load falls as the indentation grows, of asperities whose radii (m) lie within
-    /// `radii`: infinite where none ever does, 0 where nothing is known. Beyond it a pressure may be reached more than
+    /// Up to this indentation (m) no load falls as the indentation grows, of asperities whose shapes lie within
+    /// `shapes`: infinite where none ever does, 0 where nothing is known. Beyond it a pressure may be reached more than
     /// once on approach.
-    fn load_rises_to(&self, radii: Interval) -> f64;
+    fn load_rises_to(&self, shapes: Shapes) -> f64;
 
     /// Bounds of the load at indentations from `from` to `to`, `from < to` (m), that close with the range.
-    fn load_over(&self, from: f64, to: f64, b: f64) -> LoadBounds;
+    fn load_over(&self, from: f64, to: f64, shape: Shape) -> LoadBounds;
 
     /// Reduced modulus that load ratios refer to, Pa: that of the uncoated pair.
     fn reference_modulus(&self) -> f64;
 
     /// Hardness that the plasticity index refers to, Pa: that of the softer body of the uncoated
-    /// pair, infinite where neither yields.
+    /// pair, infinite where neither has one.
     fn reference_hardness(&self) -> f64;
 
     /// The papers behind the answers.
     fn papers(&self) -> Vec<Paper>;
 
-    /// Adds `weights[i]` contacts of radius `b` at `indentations[i]` to the tally.
-    fn weigh(&self, indentations: &[f64], weights: &[f64], b: f64, tally: &mut Tally) {
+    /// Adds `weights[i]` contacts of one shape at `indentations[i]` to the tally.
+    fn weigh(&self, indentations: &[f64], weights: &[f64], shape: Shape, tally: &mut Tally) {
         for (&w, &weight) in indentations.iter().zip(weights) {
-            tally.weigh(&self.contact(w, b), weight);
+            tally.weigh(&self.contact(w, shape), weight);
         }
     }
 
     /// Adds the contacts of asperities that all stand above the flat at `separation` (m, in the
-    /// frame of `heights`) to the tally.
-    fn press(&self, heights: &[f64], radii: &[f64], separation: f64, tally: &mut Tally) {
-        for (&z, &b) in heights.iter().zip(radii) {
-            tally.add(&self.contact(z - separation, b));
-        }
+    /// frame of their heights) to the tally.
+    fn press(&self, asperities: Asperities<'_>, separation: f64, tally: &mut Tally) {
+        asperities.each(|z, shape| tally.add(&self.contact(z - separation, shape)));
     }
 }
 
@@ -187,8 +242,3 @@ pub fn plasticity_index(contact: &dyn MicroContact, sigma: f64, radius: f64) -> 
 
 /// Wider than the rounding of a load, narrower than any jump that a law states.
 const JUMP: f64 = 1e-12;
-
-/// Whether the load of a law drops at one of its boundaries.
-fn drops(law: &impl Law, pair: &Pair) -> bool {
-    law.jumps(pair).into_iter().any(|jump| jump < 1.0 - JUMP)
-}

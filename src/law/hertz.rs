@@ -2,9 +2,10 @@
 
 use std::f64::consts::PI;
 
-use super::{Law, Pair};
+use super::{Law, Pair, Property, Resistance, Similar};
 use crate::contact::{Contact, Regime};
 use crate::literature::{self, Paper};
+use crate::material::Material;
 use crate::numeric::interval::Interval;
 
 /// A sphere that stays elastic at any indentation (Greenwood and Williamson 1966):
@@ -29,8 +30,16 @@ impl Hertz {
 }
 
 impl Law for Hertz {
+    fn name(&self) -> &'static str {
+        "hertz"
+    }
+
     fn papers(&self) -> &'static [Paper] {
         &[literature::GREENWOOD_WILLIAMSON_1966]
+    }
+
+    fn resistance(&self, _: &Material) -> Result<Resistance, Property> {
+        Ok(Resistance::ENDLESS)
     }
 
     #[inline]
@@ -41,7 +50,9 @@ impl Law for Hertz {
     fn critical_ratios(&self, _: &Pair) -> Vec<f64> {
         Vec::new()
     }
+}
 
+impl Similar for Hertz {
     fn load_exponents(&self, _: Interval) -> Interval {
         Interval::point(1.5)
     }

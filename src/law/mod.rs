@@ -3,49 +3,203 @@
 //! A law sees the properties of the pair of bodies, an indentation and a radius, and nothing else:
 //! no model, no surface, no coating. Whatever changes the properties from asperity to asperity does
 //! so before the law is asked.
+//!
+//! | file | law | regimes |
+//! |---|---|---|
+//! | `hertz` | Hertz, as Greenwood and Williamson use it | elastic |
+//! | `zmc` | Zhao, Maietta and Chang | elastic, elastic-plastic, plastic |
+//! | `ceb` | Chang, Etsion and Bogy | elastic, elastic-plastic |
+//! | `kogut_etsion` | Kogut and Etsion | elastic, elastic-plastic in two ranges, plastic |
+//! | `jackson_green` | Jackson and Green | elastic, elastic-plastic |
+//! | `fully_plastic` | Abbott and Firestone | plastic |
 
+mod ceb;
+mod elliptic;
+mod fully_plastic;
 mod hertz;
+mod jackson_green;
+mod kogut_etsion;
 mod zmc;
 
+pub use ceb::Ceb;
+pub use elliptic::Shape;
+pub use fully_plastic::FullyPlastic;
 pub use hertz::Hertz;
+pub use jackson_green::JacksonGreen;
+pub use kogut_etsion::KogutEtsion;
 pub use zmc::{Zmc, ZmcError};
 
 use crate::contact::Contact;
 use crate::literature::Paper;
+use crate::material::{Material, reduced_modulus};
 use crate::numeric::interval::Interval;
 
+/// What a body sets against yielding, as a law sees it. Of a pair, the onset is that of the body that yields first, the
+/// strength that of the weaker one.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Resistance {
+    /// The pressure that sets where yield begins, Pa: H, K(nu) H or C(nu) Y, as the law has it.
+    pub onset: f64,
+    /// What limits the mean pressure of a plastic contact, Pa: H, or Y.
+    pub strength: f64,
+}
+
+impl Resistance {
+    /// Of a body that never yields.
+    pub const ENDLESS: Self = Self { onset: f64::INFINITY, strength: f64::INFINITY };
+
+    /// Of two bodies in contact.
+    #[inline(always)]
+    pub fn with(self, other: Self) -> Self {
+        Self { onset: self.onset.min(other.onset), strength: self.strength.min(other.strength) }
+    }
+}
+
 /// The pair of bodies as a law sees it.
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
+#[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Pair {
     /// Reduced modulus E*, Pa (Pasaribu and Schipper 2005, Eq. 3).
     pub reduced_modulus: f64,
-    /// Hardness of the softer body, Pa; infinite where neither body yields.
-    pub hardness: f64,
+    /// What they set against yielding; infinite where neither body yields.
+    pub resistance: Resistance,
+}
+
+impl Pair {
+    /// What a rough and a homogeneous flat body are to `law`.
+    ///
+    /// # Errors
+    /// See [`Inapplicable`].
+    pub fn between(law: &impl Law, rough: &Material, flat: &Material) -> Result<Self, Inapplicable> {
+        let of = |material, body| law.resistance(material).map_err(|key| law.lacks(key, Some(body)));
+        let (rough_resistance, flat_resistance) = (of(rough, Body::Rough)?, of(flat, Body::Flat)?);
+        let resistance = rough_resistance.with(flat_resistance);
+        if let Some(key) = law.needs().filter(|_| resistance == Resistance::ENDLESS) {
+            return Err(law.lacks(key, None));
+        }
+        let pair = Self { reduced_modulus: reduced_modulus(rough, flat), resistance };
+        law.check(&pair).map(|()| pair)
+    }
+
+    /// (w/b) (E*/onset)^2 = `u` at the indentation w = ratio b.
+    #[inline(always)]
+    pub fn ratio(&self, u: f64) -> f64 {
+        let strain = self.resistance.onset / self.reduced_modulus;
+        u * strain * strain
+    }
+}
+
+/// A property of a body, by its key in a spec.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum Property {
+    /// `hardness`
+    Hardness,
+    /// `yield-strength`
+    YieldStrength,
+}
+
+impl Property {
+    /// The key.
+    pub const fn key(self) -> &'static str {
+        match self {
+            Self::Hardness => "hardness",
+            Self::YieldStrength => "yield-strength",
+        }
+    }
+}
+
+/// One of the two bodies.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum Body {
+    /// The rough one.
+    Rough,
+    /// The flat one.
+    Flat,
+}
+
+/// Bodies that a law says nothing of.
+#[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
+pub enum Inapplicable {
+    /// A property is not known that the law needs.
+    #[error("no {}, which law {law} needs of {}", property.key(), match body {
+        Some(Body::Rough) => "the rough body",
+        Some(Body::Flat) => "the flat body",
+        None => "one of the two bodies at least",
+    })]
+    Lacking {
+        /// The law.
+        law: &'static str,
+        /// The property.
+        property: Property,
+        /// The body that lacks it; `None` where both do and one of them must have it.
+        body: Option<Body>,
+    },
+    /// The pair lies beyond what the law was made for.
+    #[error("a yield strength of {ratio:.3} E*, beyond the range of law {law}; allowed: at most {most} E*")]
+    TooStrong {
+        /// The law.
+        law: &'static str,
+        /// Yield strength over reduced modulus.
+        ratio: f64,
+        /// The largest that is allowed.
+        most: f64,
+    },
+    /// The law does not say what a layer of finite thickness does to it.
+    #[error(
+        "law {law} under a layer: what it needs is known of a homogeneous body only; allowed: no layer, or thicknesses of 0 and \"inf\""
+    )]
+    Layer {
+        /// The law.
+        law: &'static str,
+    },
 }
 
 /// One micro-contact law.
 ///
 /// # Contract
-/// For `w > 0`, `b > 0` every answer is finite and non-negative, and within a regime neither area
-/// nor load decreases with `w`. A jump at a boundary is stated in the law's own documentation.
+/// For `w > 0`, `b > 0` every answer is finite and non-negative, and within a range between critical indentations
+/// neither area nor load decreases with `w`. A jump at a boundary is stated in the law's own documentation. Lengths
+/// scale: with w and b both doubled, area and load are four times as large; with E* and the resistance doubled, the load
+/// is.
 ///
-/// Contacts are similar: A = b w f(u) and P = E* b^.5 w^1.5 g(u), where u = (w/b) (E*/H)^2 is where w stands among the
-/// critical indentations; an elastic contact does not depend on H, nor a plastic one on E*. So at a fixed w the load grows as E* does, but for drops at boundaries, and P/H falls
-/// as H grows.
-pub trait Law: Send + Sync + 'static {
+/// `tests/conformance.rs` holds every law to it.
+pub trait Law: Clone + Send + Sync + 'static {
+    /// The law's name in a spec.
+    fn name(&self) -> &'static str;
+
     /// The papers that the law's equations are from.
     fn papers(&self) -> &'static [Paper];
+
+    /// What one body sets against yielding; [`Resistance::ENDLESS`] if it never yields.
+    ///
+    /// # Errors
+    /// The property that is needed to tell.
+    fn resistance(&self, body: &Material) -> Result<Resistance, Property>;
+
+    /// The property that one of the two bodies must have at least; `None` where the law also says what bodies do that
+    /// never yield.
+    fn needs(&self) -> Option<Property> {
+        None
+    }
+
+    /// Whether the law says anything of a pair.
+    ///
+    /// # Errors
+    /// See [`Inapplicable`].
+    fn check(&self, _: &Pair) -> Result<(), Inapplicable> {
+        Ok(())
+    }
+
+    /// The same law with everything worked out that only the pair decides: contacts of this pair then cost less.
+    fn tuned(self, _: &Pair) -> Self {
+        self
+    }
 
     /// Area, load, stiffness and regime at indentation `w` (m) of a sphere of radius `b` (m).
     fn contact(&self, w: f64, b: f64, pair: &Pair) -> Contact;
 
-    /// The indentations at which the regime changes, as ratios w/b, ascending; each is proportional to (H/E*)^2.
-    /// Empty where the law has one regime only.
+    /// The indentations at which one formula gives way to another, as ratios w/b, ascending; each is proportional to
+    /// (onset/E*)^2. Empty where the law has one range only.
     fn critical_ratios(&self, pair: &Pair) -> Vec<f64>;
-
-    /// Bounds of d ln P/d ln w within the regimes that `u` = (w/b) (E*/H)^2 passes, the pair being fixed; they close
-    /// with `u`.
-    fn load_exponents(&self, u: Interval) -> Interval;
 
     /// The load just above each boundary over that just below it.
     fn jumps(&self, pair: &Pair) -> Vec<f64> {
@@ -54,29 +208,79 @@ pub trait Law: Send + Sync + 'static {
         ratios.map(|w| side(w * (1.0 + 2.0 * f64::EPSILON)) / side(w * (1.0 - f64::EPSILON))).collect()
     }
 
-    /// An upper bound of the load at indentations from `from` to `to`, `from < to` (m), of a pair whose properties lie
-    /// between those of `low` and of `high`; the least there is where they are the same, else closing with them.
-    fn highest_load(&self, from: f64, to: f64, b: f64, low: &Pair, high: &Pair) -> f64 {
-        let most = Pair { reduced_modulus: high.reduced_modulus, hardness: low.hardness };
-        let least = Pair { reduced_modulus: low.reduced_modulus, hardness: high.hardness };
-        let critical = self.critical_ratios(&most).into_iter().map(|ratio| ratio * b);
-        let load = critical
-            .clone()
+    /// The highest load at indentations from `from` to `to`, `from < to` (m).
+    fn highest_load(&self, from: f64, to: f64, b: f64, pair: &Pair) -> f64 {
+        let critical = self.critical_ratios(pair).into_iter().map(|ratio| ratio * b);
+        critical
             .filter(|w| (from..to).contains(w))
             .flat_map(|w| [w, w.next_down()])
             .chain([to])
-            .map(|w| self.contact(w, b, &most).load)
-            .fold(0.0, f64::max);
-        if low == high {
-            return load;
-        }
-        // A boundary that some of the pairs have on this range may be one where the load drops.
-        let latest = self.critical_ratios(&least).into_iter().map(|ratio| ratio * b);
-        let drops: f64 = (critical.zip(latest).zip(self.jumps(&most)))
-            .filter(|((first, last), _)| *first <= to && *last >= from)
-            .map(|(_, jump)| jump.min(1.0))
-            .product();
-        let hardness = if high.hardness > low.hardness { high.hardness / low.hardness } else { 1.0 };
-        hardness * load / drops
+            .map(|w| self.contact(w, b, pair).load)
+            .fold(0.0, f64::max)
     }
+
+    /// A property that is missing.
+    fn lacks(&self, property: Property, body: Option<Body>) -> Inapplicable {
+        Inapplicable::Lacking { law: self.name(), property, body }
+    }
+}
+
+/// constant + slope nu: a factor before the hardness.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct OfPoisson {
+    /// At nu = 0.
+    pub constant: f64,
+    /// d/d nu, not negative.
+    pub slope: f64,
+}
+
+impl OfPoisson {
+    /// The hardness itself.
+    pub const ONE: Self = Self { constant: 1.0, slope: 0.0 };
+
+    /// At Poisson's ratio `nu`.
+    #[inline(always)]
+    pub const fn at(self, nu: f64) -> f64 {
+        self.constant + self.slope * nu
+    }
+}
+
+/// A law whose contacts are similar, so that it can be asked with properties that change with the indentation: under a
+/// layer.
+///
+/// # Contract
+/// A = b w f(u) and P = E* b^.5 w^1.5 g(u), where u = (w/b) (E*/onset)^2 is where w stands among the critical
+/// indentations. An elastic contact depends on E* alone, an elastic-plastic one on E* and the onset, a plastic one on
+/// the strength alone. So at a fixed w the load grows as E* does, but for drops at boundaries, and P over the resistance
+/// falls as that grows. The strength is the hardness, the onset a factor of it.
+pub trait Similar: Law {
+    /// The onset over the hardness.
+    const ONSET: OfPoisson = OfPoisson::ONE;
+
+    /// Bounds of d ln P/d ln w within the ranges that `u` = (w/b) (E*/onset)^2 passes, the pair being fixed; they close
+    /// with `u`.
+    fn load_exponents(&self, u: Interval) -> Interval;
+
+    /// Whether the onset depends on Poisson's ratio.
+    fn feels_poisson() -> bool {
+        Self::ONSET.slope != 0.0
+    }
+
+    /// What a hardness (Pa) at a Poisson's ratio is to the law.
+    #[inline(always)]
+    fn of_hardness(&self, hardness: f64, poisson: f64) -> Resistance {
+        Resistance { onset: Self::ONSET.at(poisson) * hardness, strength: hardness }
+    }
+
+    /// [`Law::resistance`] of such a law.
+    fn by_hardness(&self, body: &Material) -> Resistance {
+        body.hardness().map_or(Resistance::ENDLESS, |hardness| self.of_hardness(hardness, body.poisson()))
+    }
+}
+
+/// The hull of `exponents` (each from its u on, ascending, the first from 0) over the ranges that `u` passes.
+fn exponents_passed(u: Interval, exponents: &[(f64, Interval)]) -> Interval {
+    let ends = exponents.iter().skip(1).map(|(from, _)| *from).chain([f64::INFINITY]);
+    let passed = exponents.iter().zip(ends).filter(|((from, _), to)| u.high >= *from && u.low <= *to);
+    passed.map(|((_, exponents), _)| *exponents).reduce(Interval::hull).unwrap_or_default()
 }

@@ -2,9 +2,10 @@
 
 use std::f64::consts::PI;
 
-use super::{Hertz, Law, Pair};
+use super::{Hertz, Law, Pair, Property, Resistance, Similar};
 use crate::contact::{Contact, Regime};
 use crate::literature::{self, Paper};
+use crate::material::Material;
 use crate::numeric::interval::Interval;
 use crate::numeric::is_positive;
 
@@ -73,13 +74,6 @@ impl Zmc {
             high: 1.0 + pressure(x.low) + (x.high + span.recip()) * steep.high / growth(x.low),
         }
     }
-
-    /// w1/b, infinite where neither body yields.
-    #[inline]
-    fn onset_ratio(&self, pair: &Pair) -> f64 {
-        let strain = pair.hardness / pair.reduced_modulus;
-        self.onset * strain * strain
-    }
 }
 
 impl Default for Zmc {
@@ -93,13 +87,22 @@ impl Default for Zmc {
 }
 
 impl Law for Zmc {
+    fn name(&self) -> &'static str {
+        "zmc"
+    }
+
     fn papers(&self) -> &'static [Paper] {
         &[literature::ZHAO_MAIETTA_CHANG_2000, literature::PASARIBU_SCHIPPER_2005]
     }
 
+    fn resistance(&self, body: &Material) -> Result<Resistance, Property> {
+        Ok(self.by_hardness(body))
+    }
+
     #[inline]
     fn contact(&self, w: f64, b: f64, pair: &Pair) -> Contact {
-        let w1 = self.onset_ratio(pair) * b;
+        // Infinite where neither body yields.
+        let w1 = pair.ratio(self.onset) * b;
         if w <= w1 {
             return Hertz::elastic(w, b, pair.reduced_modulus);
         }
@@ -108,8 +111,8 @@ impl Law for Zmc {
             let slope = 2.0 * PI * b;
             return Contact {
                 area: slope * w,
-                load: pair.hardness * slope * w,
-                stiffness: pair.hardness * slope,
+                load: pair.resistance.strength * slope * w,
+                stiffness: pair.resistance.strength * slope,
                 regime: Regime::Plastic,
             };
         }
@@ -118,8 +121,9 @@ impl Law for Zmc {
         let growth = 1.0 + x * x * (3.0 - 2.0 * x);
         let area = PI * b * w * growth;
         let area_slope = PI * b * (growth + u * 6.0 * x * (1.0 - x) / span);
-        let pressure = pair.hardness * (0.4 + 0.6 * u.ln() * self.inverse_log_ratio);
-        let pressure_slope = 0.6 * pair.hardness * self.inverse_log_ratio / w;
+        let hardness = pair.resistance.onset;
+        let pressure = hardness * (0.4 + 0.6 * u.ln() * self.inverse_log_ratio);
+        let pressure_slope = 0.6 * hardness * self.inverse_log_ratio / w;
         Contact {
             area,
             load: pressure * area,
@@ -129,10 +133,12 @@ impl Law for Zmc {
     }
 
     fn critical_ratios(&self, pair: &Pair) -> Vec<f64> {
-        let w1 = self.onset_ratio(pair);
+        let w1 = pair.ratio(self.onset);
         if w1.is_finite() { vec![w1, self.transition_ratio * w1] } else { Vec::new() }
     }
+}
 
+impl Similar for Zmc {
     /// 1.5 where nothing is plastic, 1 where all is. Between, mean pressure and area add to 1: bounded on pieces of
     /// x, on each by the terms' own least and greatest values.
     fn load_exponents(&self, u: Interval) -> Interval {

@@ -6,7 +6,7 @@ use super::load_control::LOWEST_SEPARATION;
 use super::{Datum, Model, Response, SamplingError};
 use crate::asperity::Ordered;
 use crate::contact::Tally;
-use crate::interface::{LoadBounds, MicroContact};
+use crate::interface::{LoadBounds, MicroContact, Shapes};
 use crate::numeric::Sum;
 use crate::numeric::interval::Interval;
 use crate::numeric::root::{last_reaching, last_reaching_bounded};
@@ -35,19 +35,22 @@ impl Rises {
     fn of<C: MicroContact + ?Sized>(contact: &C, asperities: &Ordered) -> Self {
         /// Classes of radii, so that one sharp asperity does not speak for all.
         const CLASSES: usize = 32;
-        let radii = asperities.radii();
-        if contact.load_rises_to(radii) == f64::INFINITY {
+        let (radii, spheres) = (asperities.radii(), asperities.spheres());
+        if contact.load_rises_to(Shapes { radii, spheres }) == f64::INFINITY {
             return Self { to: Vec::new(), from: f64::NEG_INFINITY };
         }
         let step = (radii.high / radii.low).ln() / CLASSES as f64;
         let end = |k: usize| radii.low * (step * k as f64).exp();
         // Ends are rounded: classes overlap a little.
-        let class = |k: usize| Interval { low: end(k) * (1.0 - 1e-9), high: end(k + 1) * (1.0 + 1e-9) };
+        let class = |k: usize| Shapes {
+            radii: Interval { low: end(k) * (1.0 - 1e-9), high: end(k + 1) * (1.0 + 1e-9) },
+            spheres,
+        };
         let known: Vec<f64> = (0..CLASSES).map(|k| contact.load_rises_to(class(k))).collect();
-        let (heights, radii_of) = asperities.above(f64::NEG_INFINITY);
+        let all = asperities.above(f64::NEG_INFINITY);
         let place = |b: f64| ((b / radii.low).ln() / step) as usize;
-        let to: Vec<f64> = radii_of.iter().map(|&b| known[place(b).min(CLASSES - 1)]).collect();
-        let from = heights.iter().zip(&to).map(|(z, to)| z - to).fold(f64::NEG_INFINITY, f64::max);
+        let to: Vec<f64> = all.radii().iter().map(|&b| known[place(b).min(CLASSES - 1)]).collect();
+        let from = all.heights().iter().zip(&to).map(|(z, to)| z - to).fold(f64::NEG_INFINITY, f64::max);
         Self { to, from }
     }
 }
@@ -60,12 +63,12 @@ impl<'a, C: MicroContact + ?Sized> Deterministic<'a, C> {
 
     /// What the asperities above `separation` (m, in the frame of the set's heights) add up to.
     pub fn tally(&self, separation: f64) -> Tally {
-        let (heights, radii) = self.asperities.above(separation);
+        let touching = self.asperities.above(separation);
         in_chunks(
-            heights.len(),
+            touching.count(),
             |chunk| {
                 let mut tally = Tally::default();
-                self.contact.press(&heights[chunk.clone()], &radii[chunk], separation, &mut tally);
+                self.contact.press(touching.part(chunk), separation, &mut tally);
                 tally
             },
             Tally::merge,
@@ -85,21 +88,21 @@ impl<'a, C: MicroContact + ?Sized> Deterministic<'a, C> {
     /// worst, and bounds of the sum of all dP/dd (N/m) over them.
     fn pressure_over(&self, low: f64, high: f64, rises: &Rises) -> (f64, Interval) {
         let (near, far) = (self.absolute(low), self.absolute(high));
-        let (heights, radii) = self.asperities.above(near);
+        let touching = self.asperities.above(near);
         let (load, slopes) = in_chunks(
-            heights.len(),
+            touching.count(),
             |chunk| {
                 let (mut load, mut slopes) = (Sum::default(), Interval::point(0.0));
                 for i in chunk {
-                    let (z, b) = (heights[i], radii[i]);
+                    let (z, shape) = (touching.heights()[i], touching.shape(i));
                     // Where the load rises it is highest at the end, and no slope is below zero.
                     let bounds = if z - near <= rises.to[i] {
                         LoadBounds {
-                            highest: self.contact.contact(z - near, b).load,
+                            highest: self.contact.contact(z - near, shape).load,
                             slopes: Interval { low: 0.0, high: f64::INFINITY },
                         }
                     } else {
-                        self.contact.load_over((z - far).max(0.0), z - near, b)
+                        self.contact.load_over((z - far).max(0.0), z - near, shape)
                     };
                     load.add(bounds.highest);
                     slopes = slopes + bounds.slopes;

@@ -7,7 +7,7 @@ use super::{Datum, Model, Response};
 use crate::asperity::{Population, Statistics};
 use crate::contact::Tally;
 use crate::interface::MicroContact;
-use crate::numeric::interval::Interval;
+use crate::law::Shape;
 use crate::numeric::quadrature::{Variable, panels};
 use crate::numeric::root::last_reaching;
 
@@ -56,17 +56,24 @@ impl MeanRadius {
 pub struct Statistical<'a, C: ?Sized> {
     contact: &'a C,
     population: Population,
+    /// Of every asperity.
+    shape: Shape,
     datum: Datum,
-    /// Of the contact at the population's radius, in units of sigma.
+    /// Of the contact of one asperity, in units of sigma.
     breakpoints: Vec<f64>,
 }
 
 impl<'a, C: MicroContact + ?Sized> Statistical<'a, C> {
     /// The model of a population, with separations from its mean asperity height in its sigma.
     pub fn new(contact: &'a C, population: Population) -> Self {
-        let Population { radius, sigma, .. } = population;
-        let breakpoints = contact.breakpoints(radius).into_iter().map(|w| w / sigma).collect();
-        Self { contact, population, datum: Datum { mean: 0.0, sigma }, breakpoints }
+        Self::of_shape(contact, population, Shape::sphere(population.radius))
+    }
+
+    /// The model of a population of another shape than spheres of its radius.
+    pub fn of_shape(contact: &'a C, population: Population, shape: Shape) -> Self {
+        let sigma = population.sigma;
+        let breakpoints = contact.breakpoints(shape).into_iter().map(|w| w / sigma).collect();
+        Self { contact, population, shape, datum: Datum { mean: 0.0, sigma }, breakpoints }
     }
 
     /// The same model with separations measured as `datum` says, its mean relative to the mean
@@ -100,7 +107,7 @@ impl<'a, C: MicroContact + ?Sized> Statistical<'a, C> {
 
     /// The tally at the standardised separation `h`, per asperity.
     fn tally(&self, h: f64) -> Tally {
-        let Population { radius, sigma, heights, .. } = self.population;
+        let Population { sigma, heights, .. } = self.population;
         let scale = heights.scale(h);
         let mut tally = Tally::default();
         if scale == 0.0 {
@@ -127,7 +134,7 @@ impl<'a, C: MicroContact + ?Sized> Statistical<'a, C> {
                     for (weight, x) in weights.iter_mut().zip(panel.points) {
                         *weight *= scale * (-heights.exponent(h, x)).exp();
                     }
-                    self.contact.weigh(&indentations, &weights, radius, &mut tally);
+                    self.contact.weigh(&indentations, &weights, self.shape, &mut tally);
                 }
             }
             from = to;
@@ -138,9 +145,9 @@ impl<'a, C: MicroContact + ?Sized> Statistical<'a, C> {
 
     /// dp/dd has a contribution of its own where the load jumps.
     fn add_jumps(&self, h: f64, breakpoints: &[f64], window: [f64; 2], tally: &mut Tally) {
-        let Population { radius, sigma, heights, .. } = self.population;
+        let Population { sigma, heights, .. } = self.population;
         for &x in breakpoints.iter().filter(|x| (window[0]..window[1]).contains(x)) {
-            let load = |w: f64| self.contact.contact(w, radius).load;
+            let load = |w: f64| self.contact.contact(w, self.shape).load;
             let jump =
                 load(x * sigma * (1.0 + 2.0 * f64::EPSILON)) - load(x * sigma * (1.0 - 2.0 * f64::EPSILON));
             let density = heights.scale(h) * (-heights.exponent(h, x)).exp() / sigma;
@@ -187,7 +194,7 @@ impl<C: MicroContact + ?Sized> Model for Statistical<'_, C> {
         let search = |low, high| last_reaching(|h| self.pressure(h), pressure, low, high);
         let mode = self.quoted(density.mode()).max(LOWEST_SEPARATION);
         search(mode, highest).or_else(|| {
-            if self.contact.load_rises_to(Interval::point(self.population.radius)) == f64::INFINITY {
+            if self.contact.load_rises_to(self.shape.into()) == f64::INFINITY {
                 return search(LOWEST_SEPARATION, mode);
             }
             let steps = ((mode - LOWEST_SEPARATION) / STEP).ceil() as i32;

@@ -18,6 +18,11 @@ impl Interval {
         Self { low: a.min(b), high: a.max(b) }
     }
 
+    /// The least range that holds all `values`, of which there is one.
+    pub fn of(values: &[f64]) -> Self {
+        values.iter().map(|&x| Self::point(x)).reduce(Self::hull).unwrap_or_default()
+    }
+
     /// One number.
     pub fn point(x: f64) -> Self {
         Self { low: x, high: x }
@@ -36,6 +41,11 @@ impl Interval {
     /// The range of 1/x; `self` is positive.
     pub fn recip(self) -> Self {
         Self { low: self.high.recip(), high: self.low.recip() }
+    }
+
+    /// The range of ln x; `self` is not negative.
+    pub fn ln(self) -> Self {
+        Self { low: self.low.ln(), high: self.high.ln() }
     }
 
     /// The values that a function takes on a range, which rises up to `peak` and falls behind it.

@@ -5,6 +5,7 @@ pub mod power;
 pub mod quadrature;
 pub mod root;
 pub mod sum;
+pub mod table;
 
 pub use sum::Sum;
 

@@ -118,12 +118,23 @@ impl Reader<'_> {
                 "found an indentation of {last:e} m; allowed: at most the radius, {radius:e} m"
             ));
         }
+        self.spheres_only(&words.law, "a ball is a sphere")?;
+        let met = layers.iter().map(|layer| (layer.name.as_str(), &layer.material));
+        let met: Vec<_> = std::iter::once((flat.0.as_str(), &flat.1)).chain(met).collect();
+        self.check_laws(&words.law, (&ball.0, &ball.1), &met)?;
+        // Each layer is of finite thickness.
+        let coated = layers[0].flat(layers[0].thicknesses[0]);
+        let coated = coated.map_err(|error| Refusal::file(&self.source.path, error))?;
+        for law in &words.law.get_ref().0 {
+            law.interface(&ball.1, &coated)
+                .map_err(|error| self.inapplicable(&words.law, &error, &ball.0, &flat.0))?;
+        }
         let plan = IndentationPlan {
             ball,
             radius,
             flat,
             layers,
-            laws: words.law.0.clone(),
+            laws: words.law.get_ref().0.clone(),
             indentations,
             overlay: words.overlay.as_ref().map(|file| overlay(self.source, file)).transpose()?,
             show: words.show,

@@ -66,8 +66,8 @@ pub struct LawPlan {
     pub thickness: Option<f64>,
     /// The micro-contact.
     pub contact: Box<dyn MicroContact>,
-    /// Whether it is purely elastic, with a closed form for Gaussian heights.
-    pub is_hertz: bool,
+    /// The law in the words of a spec.
+    pub spec: LawSpec,
 }
 
 /// Both models on given surfaces.
@@ -171,12 +171,13 @@ impl Plan {
 
     fn surfaces_of(source: Source, stem: String, spec: Spec) -> Result<Self, Refusal> {
         let reader = read::Reader { source: &source, spec: &spec };
-        let surfaces = reader.surfaces(None, 0..0)?;
+        let surfaces = reader.surfaces(None, 0..0, false)?;
         Self::checked(source, stem, spec, PlanKind::Surfaces(surfaces))
     }
 
     fn checked(source: Source, stem: String, spec: Spec, kind: PlanKind) -> Result<Self, Refusal> {
-        let Spec { title, notes, seed, material: materials, .. } = spec;
+        let Spec { title, notes, seed, material, .. } = spec;
+        let materials = material.into_iter().map(|(name, body)| (name.into_inner(), body)).collect();
         let plan = Self { source, stem, title, notes, seed, materials, kind };
         plan.check_memory()?;
         Ok(plan)

@@ -9,8 +9,9 @@ use crate::asperity::{HeightDensity, Population};
 use crate::compare::Controls;
 use crate::experiment::refusal::{Refusal, Source};
 use crate::experiment::results::Bodies;
-use crate::experiment::spec::{CompareSpec, LawSpec, Laws, LimitSpec, Spec};
+use crate::experiment::spec::{CompareSpec, LawSpec, Laws, LimitSpec, Spec, Summit};
 use crate::interface::Flat;
+use crate::law::{Body, Inapplicable, Property};
 use crate::material::Material;
 
 /// Resolves the names of one spec.
@@ -21,8 +22,9 @@ pub(super) struct Reader<'a> {
 
 impl Reader<'_> {
     pub(super) fn body(&self, name: &str, span: Range<usize>) -> Result<Material, Refusal> {
-        self.spec.material.get(name).copied().ok_or_else(|| {
-            let defined: Vec<&str> = self.spec.material.keys().map(String::as_str).collect();
+        let found = self.spec.material.iter().find(|(defined, _)| defined.get_ref() == name);
+        found.map(|(_, material)| *material).ok_or_else(|| {
+            let defined: Vec<&str> = self.spec.material.keys().map(|name| name.get_ref().as_str()).collect();
             let allowed = if defined.is_empty() {
                 "a material defined in this file as [material.NAME]; none is".to_owned()
             } else {
@@ -32,15 +34,83 @@ impl Reader<'_> {
         })
     }
 
-    /// Each law against each flat, which has a layer of the thickness beside it.
-    fn laws(&self, laws: &Laws, rough: &Material, flats: &[(Option<f64>, Flat)]) -> Vec<LawPlan> {
-        let plan = |law: &LawSpec, (thickness, flat): &(Option<f64>, Flat)| LawPlan {
-            label: law.label(),
-            thickness: *thickness,
-            contact: law.interface(rough, flat),
-            is_hertz: *law == LawSpec::Hertz,
+    /// Holds each law against the bodies that it will meet, the flats among them homogeneous; in which layers of finite
+    /// thickness a law is asked, is seen when it is.
+    pub(super) fn check_laws(
+        &self,
+        laws: &Spanned<Laws>,
+        rough: (&str, &Material),
+        flats: &[(&str, &Material)],
+    ) -> Result<(), Refusal> {
+        for law in &laws.get_ref().0 {
+            for flat in flats {
+                law.check(rough.1, flat.1)
+                    .map_err(|error| self.inapplicable(laws, &error, rough.0, flat.0))?;
+            }
+        }
+        Ok(())
+    }
+
+    /// Points at the body that lacks a property, else at the laws.
+    pub(super) fn inapplicable(
+        &self,
+        laws: &Spanned<Laws>,
+        error: &Inapplicable,
+        rough: &str,
+        flat: &str,
+    ) -> Refusal {
+        let Inapplicable::Lacking { law, property, body } = error else {
+            return self.source.refuse(laws.span(), format!("found {error}"));
         };
-        laws.0.iter().flat_map(|law| flats.iter().map(move |flat| plan(law, flat))).collect()
+        let name = if *body == Some(Body::Flat) { flat } else { rough };
+        let key = property.key();
+        let message = match body {
+            Some(_) => format!(
+                "found no `{key}` in [material.{name}], which law {law} needs there; allowed: {key} = \"...\" with a unit of \
+                 pressure{}",
+                match property {
+                    Property::YieldStrength => ", or no hardness either, for a body that never yields",
+                    Property::Hardness => "",
+                }
+            ),
+            None => format!(
+                "found no `{key}` in [material.{rough}], nor in [material.{flat}]: law {law} needs that of one of them at \
+                 least; allowed: {key} = \"...\" with a unit of pressure"
+            ),
+        };
+        let defined = self.spec.material.keys().find(|defined| defined.get_ref() == name);
+        self.source.refuse(defined.map_or_else(|| laws.span(), Spanned::span), message)
+    }
+
+    /// Each law against each flat, which has a layer of the thickness beside it.
+    fn laws(
+        &self,
+        laws: &Spanned<Laws>,
+        rough: (&str, &Material),
+        flats: &[(Option<f64>, Flat)],
+        flat: &str,
+    ) -> Result<Vec<LawPlan>, Refusal> {
+        let plan = |law: &LawSpec, (thickness, on): &(Option<f64>, Flat)| {
+            let contact = law.interface(rough.1, on);
+            Ok(LawPlan {
+                label: law.label(),
+                thickness: *thickness,
+                contact: contact.map_err(|error| self.inapplicable(laws, &error, rough.0, flat))?,
+                spec: *law,
+            })
+        };
+        laws.get_ref().0.iter().flat_map(|law| flats.iter().map(move |flat| plan(law, flat))).collect()
+    }
+
+    /// Refuses laws for ellipses where all asperities are spheres.
+    pub(super) fn spheres_only(&self, laws: &Spanned<Laws>, what: &str) -> Result<(), Refusal> {
+        match laws.get_ref().0.iter().find(|law| law.summit == Summit::Ellipse) {
+            Some(law) => {
+                let message = format!("found \"{}\", but {what}; allowed: a law for spheres", law.label());
+                Err(self.source.refuse(laws.span(), message))
+            }
+            None => Ok(()),
+        }
     }
 
     pub(super) fn compare(&self, words: &CompareSpec, span: Range<usize>) -> Result<ComparePlan, Refusal> {
@@ -71,18 +141,24 @@ impl Reader<'_> {
                 flats.map_err(|error| Refusal::file(&self.source.path, error))?
             }
         };
+        let flat_name = words.flat.get_ref();
+        let coat = layer.as_ref().map(|layer| (layer.name.as_str(), &layer.material));
+        let met: Vec<_> = std::iter::once((flat_name.as_str(), &flat)).chain(coat).collect();
+        self.check_laws(&words.law, (rough_name, &rough), &met)?;
+        let law_specs = words.law.get_ref().0.clone();
+        let as_ellipses = law_specs.iter().any(|law| law.summit == Summit::Ellipse);
         Ok(ComparePlan {
-            bodies: Bodies { rough: rough_name.clone(), flat: words.flat.get_ref().clone() },
+            bodies: Bodies { rough: rough_name.clone(), flat: flat_name.clone() },
             pair: [rough, flat],
-            law_specs: words.law.0.clone(),
-            laws: self.laws(&words.law, &rough, &flats),
+            law_specs,
+            laws: self.laws(&words.law, (rough_name, &rough), &flats, flat_name)?,
             layer,
             models: words.models.0.clone(),
             heights: words.statistical.heights,
             mean_radius: words.statistical.mean_radius,
             controls,
             load_keys: [words.pressure.as_ref().map(Spanned::span), words.force.as_ref().map(Spanned::span)],
-            surfaces: self.surfaces(words.surfaces.as_deref(), span)?,
+            surfaces: self.surfaces(words.surfaces.as_deref(), span, as_ellipses)?,
         })
     }
 
@@ -91,8 +167,9 @@ impl Reader<'_> {
         &self,
         named: Option<&[Spanned<String>]>,
         span: Range<usize>,
+        as_ellipses: bool,
     ) -> Result<Vec<SurfacePlan>, Refusal> {
-        let plan = |name: &Spanned<String>, words| SurfacePlan::new(self.source, name, words);
+        let plan = |name: &Spanned<String>, words| SurfacePlan::new(self.source, name, words, as_ellipses);
         let Some(named) = named else {
             if self.spec.surface.is_empty() {
                 return Err(self.source.refuse(
@@ -148,9 +225,13 @@ impl Reader<'_> {
             let message = format!("found {draws}; allowed: 2 to 1000 random sets of each size");
             return Err(self.source.refuse(words.draws.span(), message));
         }
+        self.spheres_only(&words.law, "the sets of [limit] are spheres of one radius")?;
+        let (rough_name, flat_name) = (words.rough.get_ref(), words.flat.get_ref());
+        self.check_laws(&words.law, (rough_name, &rough), &[(flat_name, &flat)])?;
+        let laws = self.laws(&words.law, (rough_name, &rough), &[(None, Flat::Bare(flat))], flat_name)?;
         Ok(LimitPlan {
             bodies: Bodies { rough: words.rough.get_ref().clone(), flat: words.flat.get_ref().clone() },
-            laws: self.laws(&words.law, &rough, &[(None, Flat::Bare(flat))]),
+            laws,
             population: Population {
                 radius: words.radius.value(),
                 sigma: words.sigma.value(),

@@ -7,7 +7,9 @@ use std::time::Instant;
 use toml::Spanned;
 
 use super::generate::Generation;
-use crate::asperity::{AsperitySet, Draw, HeightDensity, Population, Statistics, SurfaceHeights, read_list};
+use crate::asperity::{
+    Draw, Ellipse, Ellipticity, HeightDensity, Population, Statistics, SurfaceHeights, read_list,
+};
 use crate::experiment::refusal::{Refusal, Source};
 use crate::experiment::results::Timing;
 use crate::experiment::spec::{DrawSpec, FileSpec, ListSpec, PopulationHeights, PopulationSpec, SurfaceSpec};
@@ -31,13 +33,15 @@ pub struct SurfacePlan {
     pub size_key: Range<usize>,
     /// How many surfaces of this name are made; a given or measured one is its own only realisation.
     pub realisations: usize,
+    /// Whether a law sees its asperities as ellipses.
+    as_ellipses: bool,
     origin: Origin,
 }
 
 #[derive(Debug)]
 enum Origin {
     List { path: PathBuf, bytes: u64, nominal_area: f64 },
-    Population { population: Population, count: usize, draw: DrawSpec, datum: Datum },
+    Population { population: Population, ratio: Option<f64>, count: usize, draw: DrawSpec, datum: Datum },
     Generated(Box<Generation>),
     Map(MapPlan),
 }
@@ -73,6 +77,7 @@ impl SurfacePlan {
         source: &Source,
         name: &Spanned<String>,
         words: &Spanned<SurfaceSpec>,
+        as_ellipses: bool,
     ) -> Result<Self, Refusal> {
         // The name becomes part of file names.
         let is_plain = |name: &str| {
@@ -87,7 +92,7 @@ impl SurfacePlan {
         let (origin, size_key, realisations) = match words.get_ref() {
             SurfaceSpec::Asperities(list) => (Self::list(source, list)?, list.file.span(), &None),
             SurfaceSpec::Population(population) => {
-                let origin = Self::population(source, words.span(), population)?;
+                let origin = Self::population(source, words.span(), population, as_ellipses)?;
                 (origin, population.count.span(), &population.realisations)
             }
             SurfaceSpec::Generate(generate) => {
@@ -104,7 +109,7 @@ impl SurfacePlan {
                 return Err(source.refuse(count.span(), message));
             }
         };
-        Ok(Self { name: name.get_ref().clone(), size_key, realisations, origin })
+        Ok(Self { name: name.get_ref().clone(), size_key, realisations, as_ellipses, origin })
     }
 
     fn list(source: &Source, words: &ListSpec) -> Result<Origin, Refusal> {
@@ -113,7 +118,24 @@ impl SurfacePlan {
         Ok(Origin::List { path, bytes, nominal_area: words.nominal_area.value() })
     }
 
-    fn population(source: &Source, span: Range<usize>, words: &PopulationSpec) -> Result<Origin, Refusal> {
+    fn population(
+        source: &Source,
+        span: Range<usize>,
+        words: &PopulationSpec,
+        as_ellipses: bool,
+    ) -> Result<Origin, Refusal> {
+        /// Beyond this an asperity is a ridge.
+        const LONGEST: f64 = 1e6;
+        let ratio = words.curvature_ratio.as_ref();
+        if let Some(ratio) = ratio.filter(|ratio| !(1.0..=LONGEST).contains(&ratio.get_ref().value())) {
+            let found = ratio.get_ref().value();
+            return Err(source.refuse(ratio.span(), format!("found {found}; allowed: 1 to {LONGEST:e}")));
+        }
+        if as_ellipses && ratio.is_none() {
+            let message = "found no `curvature-ratio`, which a law for ellipses needs; allowed: curvature-ratio = 1 or \
+                           above, the larger principal curvature of the asperities over the smaller one";
+            return Err(source.refuse(span, message));
+        }
         let count = *words.count.get_ref();
         let count = usize::try_from(count).ok().filter(|&count| count > 0).ok_or_else(|| {
             source.refuse(words.count.span(), format!("found {count}; allowed: at least one asperity"))
@@ -130,7 +152,8 @@ impl SurfacePlan {
                 datum.mean = -surface.mean_asperity_height();
             }
         }
-        Ok(Origin::Population { population, count, draw: words.draw, datum })
+        let ratio = ratio.map(|ratio| ratio.get_ref().value());
+        Ok(Origin::Population { population, ratio, count, draw: words.draw, datum })
     }
 
     fn map(source: &Source, words: &FileSpec) -> Result<Origin, Refusal> {
@@ -221,6 +244,8 @@ impl SurfacePlan {
         const BYTES_PER_HEIGHT: u128 = 8;
         /// What is found of a summit, room for a fifth more, and the models' copies.
         const BYTES_PER_SUMMIT: u128 = 200;
+        /// Its curvatures, and the ordered copy of the spheres that stand for it.
+        const BYTES_PER_ELLIPSE: u128 = 64;
         let found = self.likely_asperities() * BYTES_PER_SUMMIT;
         match &self.origin {
             Origin::Map(MapPlan { points, is_on_disk, filter, .. }) => {
@@ -240,14 +265,19 @@ impl SurfacePlan {
                 };
                 area(generation.points()) * (BYTES_PER_HEIGHT * generation.arrays() + look) + found
             }
-            _ => set_memory(self.most_asperities()),
+            _ => {
+                let ellipses = if self.as_ellipses { BYTES_PER_ELLIPSE } else { 0 };
+                set_memory(self.most_asperities()) + self.most_asperities() * ellipses
+            }
         }
     }
 
     /// An estimate of the bytes of its asperities, which are kept for the report.
     pub fn kept(&self) -> u128 {
         const BYTES_PER_ASPERITY: u128 = 16;
-        self.likely_asperities() * BYTES_PER_ASPERITY
+        const BYTES_PER_ELLIPSE: u128 = 16;
+        let ellipses = if self.as_ellipses { BYTES_PER_ELLIPSE } else { 0 };
+        self.likely_asperities() * (BYTES_PER_ASPERITY + ellipses)
     }
 
     /// As many asperities as a rough surface of its size has.
@@ -292,10 +322,10 @@ impl Maker<'_> {
         let start = Instant::now();
         match &self.plan.origin {
             Origin::List { path, nominal_area, .. } => {
-                let (heights, radii) =
-                    read_list(path).map_err(|error| refuse(&format!("{} {error}", path.display())))?;
+                let list = read_list(path, self.plan.as_ellipses)
+                    .map_err(|error| refuse(&format!("{} {error}", path.display())))?;
                 timing.read += start.elapsed();
-                let set = AsperitySet::new(heights, radii, *nominal_area).map_err(|error| refuse(&error))?;
+                let set = list.set(*nominal_area).map_err(|error| refuse(&error))?;
                 let statistics = Statistics::of(&set);
                 if statistics.sigma == 0.0 {
                     return Err(refuse(&format!(
@@ -306,7 +336,7 @@ impl Maker<'_> {
                 }
                 Ok(Surface::new(name, set, statistics))
             }
-            Origin::Population { population, count, draw, datum } => {
+            Origin::Population { population, ratio, count, draw, datum } => {
                 let draw = match draw {
                     DrawSpec::Random => Draw::Random(stream_seed(
                         self.seed,
@@ -314,10 +344,18 @@ impl Maker<'_> {
                     )),
                     DrawSpec::Quantiles => Draw::Quantiles,
                 };
-                let set = population.set(*count, draw).map_err(|error| refuse(&error))?;
+                let mut set = population.set(*count, draw).map_err(|error| refuse(&error))?;
+                let mean_curvature = population.radius.recip();
+                let ratio = ratio.filter(|_| self.plan.as_ellipses);
+                if let Some(curvature_ratio) = ratio {
+                    let ellipse = Ellipse { mean_curvature, curvature_ratio };
+                    set = set.with_ellipses(vec![ellipse; *count]).map_err(|error| refuse(&error))?;
+                }
                 timing.generate += start.elapsed();
                 let statistics = Statistics::of(&set);
                 let mut surface = Surface::new(name, set, statistics);
+                surface.ellipticity =
+                    ratio.map(|ratio| Ellipticity { mean_curvature, mean_ratio: ratio.recip() });
                 surface.datum = *datum;
                 surface.mean_plane = Some(datum.mean).filter(|&mean| mean != 0.0);
                 surface.nominal = Some(*population);
@@ -334,6 +372,7 @@ impl Maker<'_> {
                     filter: None,
                     neighbours: generation.neighbours,
                     generation: Some(made.facts),
+                    as_ellipses: self.plan.as_ellipses,
                     look,
                 };
                 found(name, &finding, &made.map, timing).map_err(|error| refuse(&error))
@@ -348,6 +387,7 @@ impl Maker<'_> {
                     filter: map.filter,
                     neighbours: map.neighbours,
                     generation: None,
+                    as_ellipses: self.plan.as_ellipses,
                     look,
                 };
                 found(name, &finding, &*rows, timing).map_err(|error| refuse(&error))

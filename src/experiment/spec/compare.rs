@@ -21,7 +21,7 @@ pub struct CompareSpec {
     /// Name of the flat body's material.
     pub flat: Spanned<String>,
     /// The laws to run.
-    pub law: Laws,
+    pub law: Spanned<Laws>,
     /// What lies on the flat.
     pub layer: Option<LayerSpec>,
     /// The models to run; both unless told otherwise.

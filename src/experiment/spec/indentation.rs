@@ -24,7 +24,7 @@ pub struct IndentationSpec {
     /// What lies on the flat: each layer by itself.
     pub layer: Spanned<Layers>,
     /// The laws to run.
-    pub law: Laws,
+    pub law: Spanned<Laws>,
     /// How far the ball is pressed in.
     pub indentation: Spanned<LogSweep<Length>>,
     /// A file of measured points, laid over the curves.

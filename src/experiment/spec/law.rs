@@ -7,13 +7,34 @@ use serde::de::value::{MapAccessDeserializer, StrDeserializer};
 use serde::de::{Deserializer, Error, MapAccess, SeqAccess, Visitor};
 
 use crate::interface::{Flat, MicroContact};
-use crate::law::{Hertz, Zmc};
+use crate::law::{
+    Ceb, FullyPlastic, Hertz, Inapplicable, JacksonGreen, KogutEtsion, Law, Pair, Zmc, ZmcError,
+};
+use crate::literature::{self, Paper};
 use crate::material::Material;
 use crate::units::{Finite, Pure, Quantity};
 
 /// A law as a spec names it, with its options checked.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub enum LawSpec {
+pub struct LawSpec {
+    /// The equations.
+    pub equations: Equations,
+    /// What it takes asperities for.
+    pub summit: Summit,
+}
+
+/// What a law takes asperities for.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum Summit {
+    /// Spheres of the mean curvature.
+    Sphere,
+    /// Paraboloids of two principal curvatures.
+    Ellipse,
+}
+
+/// The equations of a law.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Equations {
     /// Hertz.
     Hertz,
     /// Zhao, Maietta and Chang, and its options where they differ from the default.
@@ -25,28 +46,121 @@ pub enum LawSpec {
         /// w2/w1, if given.
         transition_ratio: Option<f64>,
     },
+    /// Chang, Etsion and Bogy.
+    Ceb,
+    /// Kogut and Etsion.
+    KogutEtsion,
+    /// Jackson and Green.
+    JacksonGreen,
+    /// Abbott and Firestone.
+    FullyPlastic,
 }
 
 impl LawSpec {
+    /// The names of all laws.
+    pub const NAMES: [&'static str; 8] = [
+        "hertz",
+        "zmc",
+        "ceb",
+        "kogut-etsion",
+        "jackson-green",
+        "fully-plastic",
+        "elliptic-hertz",
+        "elliptic-zmc",
+    ];
+
+    fn spherical(equations: Equations) -> Self {
+        Self { equations, summit: Summit::Sphere }
+    }
+
+    fn elliptic(equations: Equations) -> Self {
+        Self { equations, summit: Summit::Ellipse }
+    }
+
+    /// The law of a name, without options.
+    fn named(name: &str) -> Option<Self> {
+        let zmc = Equations::Zmc { law: Zmc::default(), onset: None, transition_ratio: None };
+        Some(match name {
+            "hertz" => Self::spherical(Equations::Hertz),
+            "zmc" => Self::spherical(zmc),
+            "ceb" => Self::spherical(Equations::Ceb),
+            "kogut-etsion" => Self::spherical(Equations::KogutEtsion),
+            "jackson-green" => Self::spherical(Equations::JacksonGreen),
+            "fully-plastic" => Self::spherical(Equations::FullyPlastic),
+            "elliptic-hertz" => Self::elliptic(Equations::Hertz),
+            "elliptic-zmc" => Self::elliptic(zmc),
+            _ => return None,
+        })
+    }
+
     /// How tables and plots name the law: its options stand behind it.
     pub fn label(&self) -> String {
-        match self {
-            Self::Hertz => "hertz".to_owned(),
-            Self::Zmc { onset, transition_ratio, .. } => {
-                let options: Vec<String> = [("onset", onset), ("transition-ratio", transition_ratio)]
-                    .into_iter()
-                    .filter_map(|(name, value)| value.map(|value| format!("{name}={value}")))
-                    .collect();
-                if options.is_empty() { "zmc".to_owned() } else { format!("zmc({})", options.join(" ")) }
-            }
+        let name = match self.equations {
+            Equations::Hertz => "hertz",
+            Equations::Zmc { .. } => "zmc",
+            Equations::Ceb => "ceb",
+            Equations::KogutEtsion => "kogut-etsion",
+            Equations::JacksonGreen => "jackson-green",
+            Equations::FullyPlastic => "fully-plastic",
+        };
+        let shape = if self.summit == Summit::Ellipse { "elliptic-" } else { "" };
+        let mut options = Vec::new();
+        if let Equations::Zmc { onset, transition_ratio, .. } = self.equations {
+            let given = [("onset", onset), ("transition-ratio", transition_ratio)].into_iter();
+            options.extend(given.filter_map(|(name, value)| Some(format!("{name}={}", value?))));
+        }
+        let options = if options.is_empty() { String::new() } else { format!("({})", options.join(" ")) };
+        format!("{shape}{name}{options}")
+    }
+
+    /// Whether it is purely elastic spheres, with a closed form for Gaussian heights.
+    pub fn is_greenwood_williamson(&self) -> bool {
+        *self == Self::spherical(Equations::Hertz)
+    }
+
+    /// Whether contacts under it pass from elastic to something else.
+    pub fn passes_regimes(&self) -> bool {
+        !matches!(self.equations, Equations::Hertz | Equations::FullyPlastic)
+    }
+
+    /// Whether the law says anything of a rough and a homogeneous flat body.
+    ///
+    /// # Errors
+    /// See [`Inapplicable`].
+    pub fn check(&self, rough: &Material, flat: &Material) -> Result<(), Inapplicable> {
+        fn check(law: &impl Law, rough: &Material, flat: &Material) -> Result<(), Inapplicable> {
+            Pair::between(law, rough, flat).map(|_| ())
+        }
+        match self.equations {
+            Equations::Hertz => check(&Hertz, rough, flat),
+            Equations::Zmc { law, .. } => check(&law, rough, flat),
+            Equations::Ceb => check(&Ceb, rough, flat),
+            Equations::KogutEtsion => check(&KogutEtsion, rough, flat),
+            Equations::JacksonGreen => check(&JacksonGreen::default(), rough, flat),
+            Equations::FullyPlastic => check(&FullyPlastic, rough, flat),
         }
     }
 
     /// The micro-contact of a rough and a flat body under this law. The law is chosen here, once a run.
-    pub fn interface(&self, rough: &Material, flat: &Flat) -> Box<dyn MicroContact> {
-        match *self {
-            Self::Hertz => flat.under(Hertz, rough),
-            Self::Zmc { law, .. } => flat.under(law, rough),
+    ///
+    /// # Errors
+    /// See [`Inapplicable`].
+    pub fn interface(&self, rough: &Material, flat: &Flat) -> Result<Box<dyn MicroContact>, Inapplicable> {
+        match self.equations {
+            Equations::Hertz => flat.under(Hertz, rough),
+            Equations::Zmc { law, .. } => flat.under(law, rough),
+            Equations::Ceb => flat.under(Ceb, rough),
+            Equations::KogutEtsion => flat.under(KogutEtsion, rough),
+            Equations::JacksonGreen => flat.homogeneous_under(JacksonGreen::default(), rough),
+            Equations::FullyPlastic => flat.under(FullyPlastic, rough),
+        }
+    }
+
+    /// The papers behind what it takes asperities for.
+    pub fn papers(&self) -> &'static [Paper] {
+        match self.summit {
+            Summit::Sphere => &[],
+            Summit::Ellipse => &[literature::JOHNSON_1985],
         }
     }
 }
@@ -57,6 +171,12 @@ impl LawSpec {
 enum Words {
     Hertz(NoOptions),
     Zmc(ZmcOptions),
+    Ceb(NoOptions),
+    KogutEtsion(NoOptions),
+    JacksonGreen(NoOptions),
+    FullyPlastic(NoOptions),
+    EllipticHertz(NoOptions),
+    EllipticZmc(ZmcOptions),
 }
 
 #[derive(Deserialize)]
@@ -70,21 +190,37 @@ struct ZmcOptions {
     transition_ratio: Option<Quantity<Pure, Finite>>,
 }
 
-impl TryFrom<Words> for LawSpec {
-    type Error = crate::law::ZmcError;
+impl TryFrom<ZmcOptions> for Equations {
+    type Error = ZmcError;
 
-    fn try_from(words: Words) -> Result<Self, Self::Error> {
+    fn try_from(options: ZmcOptions) -> Result<Self, ZmcError> {
+        let value = |quantity: Option<Quantity<Pure, Finite>>| quantity.map(|q| q.value());
+        let (onset, transition_ratio) = (value(options.onset), value(options.transition_ratio));
+        let law = Zmc::new(onset.unwrap_or(Zmc::ONSET), transition_ratio.unwrap_or(Zmc::TRANSITION_RATIO))?;
+        Ok(Self::Zmc { law, onset, transition_ratio })
+    }
+}
+
+impl TryFrom<Words> for LawSpec {
+    type Error = ZmcError;
+
+    fn try_from(words: Words) -> Result<Self, ZmcError> {
         Ok(match words {
-            Words::Hertz(NoOptions {}) => Self::Hertz,
-            Words::Zmc(ZmcOptions { onset, transition_ratio }) => {
-                let (onset, transition_ratio) =
-                    (onset.map(|q| q.value()), transition_ratio.map(|q| q.value()));
-                let law =
-                    Zmc::new(onset.unwrap_or(Zmc::ONSET), transition_ratio.unwrap_or(Zmc::TRANSITION_RATIO))?;
-                Self::Zmc { law, onset, transition_ratio }
-            }
+            Words::Hertz(NoOptions {}) => Self::spherical(Equations::Hertz),
+            Words::Zmc(options) => Self::spherical(options.try_into()?),
+            Words::Ceb(NoOptions {}) => Self::spherical(Equations::Ceb),
+            Words::KogutEtsion(NoOptions {}) => Self::spherical(Equations::KogutEtsion),
+            Words::JacksonGreen(NoOptions {}) => Self::spherical(Equations::JacksonGreen),
+            Words::FullyPlastic(NoOptions {}) => Self::spherical(Equations::FullyPlastic),
+            Words::EllipticHertz(NoOptions {}) => Self::elliptic(Equations::Hertz),
+            Words::EllipticZmc(options) => Self::elliptic(options.try_into()?),
         })
     }
+}
+
+/// The names of all laws, for a refusal.
+fn allowed() -> String {
+    LawSpec::NAMES.map(|name| format!("\"{name}\"")).join(", ")
 }
 
 impl<'de> Deserialize<'de> for LawSpec {
@@ -95,16 +231,15 @@ impl<'de> Deserialize<'de> for LawSpec {
             type Value = LawSpec;
 
             fn expecting(&self, f: &mut fmt::Formatter) -> fmt::Result {
-                f.write_str(
-                    "a law: \"hertz\" or \"zmc\", or a table of one law with its options, such as { zmc = { transition-ratio = 110 } }",
+                write!(
+                    f,
+                    "a law ({}), or a table of one law with its options, such as {{ zmc = {{ transition-ratio = 110 }} }}",
+                    allowed()
                 )
             }
             fn visit_str<E: Error>(self, name: &str) -> Result<LawSpec, E> {
-                match name {
-                    "hertz" => Ok(LawSpec::Hertz),
-                    "zmc" => Ok(LawSpec::Zmc { law: Zmc::default(), onset: None, transition_ratio: None }),
-                    _ => Err(E::custom(format!("found \"{name}\"; allowed: \"hertz\", \"zmc\""))),
-                }
+                LawSpec::named(name)
+                    .ok_or_else(|| E::custom(format!("found \"{name}\"; allowed: {}", allowed())))
             }
             fn visit_map<A: MapAccess<'de>>(self, map: A) -> Result<LawSpec, A::Error> {
                 let words = Words::deserialize(MapAccessDeserializer::new(map))?;
@@ -127,9 +262,7 @@ impl<'de> Deserialize<'de> for Laws {
             type Value = Laws;
 
             fn expecting(&self, f: &mut fmt::Formatter) -> fmt::Result {
-                f.write_str(
-                    "a law (\"hertz\", \"zmc\", or a table of one law with its options) or a list of laws",
-                )
+                write!(f, "a law ({}, or a table of one law with its options) or a list of laws", allowed())
             }
             fn visit_str<E: Error>(self, name: &str) -> Result<Laws, E> {
                 Ok(Laws(vec![LawSpec::deserialize(StrDeserializer::new(name))?]))

@@ -16,7 +16,7 @@ pub struct LimitSpec {
     /// Name of the flat body's material.
     pub flat: Spanned<String>,
     /// The laws to run.
-    pub law: Laws,
+    pub law: Spanned<Laws>,
     /// Radius of every asperity.
     pub radius: Quantity<Length>,
     /// Standard deviation of the heights.

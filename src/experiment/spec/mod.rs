@@ -23,7 +23,7 @@ pub use generate::{
     TargetSpec,
 };
 pub use indentation::{IndentationSpec, Layers, Show};
-pub use law::{LawSpec, Laws};
+pub use law::{LawSpec, Laws, Summit};
 pub use layer::{LayerSpec, Thicknesses};
 pub use limit::LimitSpec;
 pub use surface::{
@@ -48,7 +48,7 @@ pub struct Spec {
     pub seed: u64,
     /// The bodies by name.
     #[serde(default)]
-    pub material: IndexMap<String, Material>,
+    pub material: IndexMap<Spanned<String>, Material>,
     /// Both models on given surfaces.
     pub compare: Option<Spanned<CompareSpec>>,
     /// The deterministic model against the statistical limit.

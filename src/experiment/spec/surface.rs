@@ -9,7 +9,7 @@ use super::generate::GenerateSpec;
 use crate::surface::level::Level;
 use crate::surface::read::{ALLOWED_UNITS, length_unit};
 use crate::surface::summits::Neighbours;
-use crate::units::{Area, ArealNumberDensity, Length, Quantity};
+use crate::units::{Area, ArealNumberDensity, Length, Pure, Quantity};
 
 /// One surface: exactly one kind a name.
 #[derive(Debug, Deserialize)]
@@ -56,7 +56,8 @@ impl TryFrom<Kinds> for SurfaceSpec {
     }
 }
 
-/// A list of asperities: CSV with columns height and radius, or an n x 2 `.npy`.
+/// A list of asperities: CSV with columns height and radius, or an n x 2 `.npy`; for laws that see ellipses with kx and
+/// ky too.
 #[derive(Debug, Deserialize)]
 #[serde(deny_unknown_fields, rename_all = "kebab-case", expecting = "a table { file, nominal-area }")]
 pub struct ListSpec {
@@ -74,8 +75,10 @@ pub struct ListSpec {
     expecting = "a table { radius, sigma, density, count }"
 )]
 pub struct PopulationSpec {
-    /// Radius of every asperity.
+    /// Radius of every asperity: 1/(mean curvature).
     pub radius: Quantity<Length>,
+    /// The larger principal curvature of every asperity over the smaller one, for laws that see ellipses.
+    pub curvature_ratio: Option<Spanned<Quantity<Pure>>>,
     /// Standard deviation of the heights.
     pub sigma: Quantity<Length>,
     /// Asperities per nominal area.

@@ -2,8 +2,6 @@
 
 const INTERVALS: usize = 32;
 const TERMS: usize = 8;
-/// The table covers arguments from 2^-OCTAVES to 2^OCTAVES.
-const OCTAVES: i32 = 24;
 const MANTISSA_BITS: u32 = f64::MANTISSA_DIGITS - 1;
 
 /// A smooth positive function of x > 0 and its slope, by a polynomial for each 32nd of an octave.
@@ -12,7 +10,7 @@ const MANTISSA_BITS: u32 = f64::MANTISSA_DIGITS - 1;
 /// the positive axis than to 0: on so short an interval eight terms leave 130^-8 of it, below rounding. One
 /// polynomial takes the place of an arctangent, a logarithm and ten divisions.
 #[derive(Debug, PartialEq)]
-pub(super) struct Table(Vec<Piece>);
+pub struct Table { first: u64, pieces: Vec<Piece> }
 
 #[derive(Debug, PartialEq)]
 struct Piece {
@@ -23,25 +21,25 @@ struct Piece {
 }
 
 impl Table {
-    pub(super) fn of(value: impl Fn(f64) -> f64) -> Self {
+    pub fn of(octaves: std::ops::Range<i32>, value: impl Fn(f64) -> f64) -> Self {
         let octave = |power: i32| (0..INTERVALS).map(move |k| (power, k));
         let piece = |(power, k): (i32, usize)| {
             let width = 2f64.powi(power) / INTERVALS as f64;
             Piece::through(&value, 2f64.powi(power) + (k as f64 + 0.5) * width, 0.5 * width)
         };
-        Self((-OCTAVES..OCTAVES).flat_map(octave).map(piece).collect())
+        let first = ((1023 + octaves.start) as u64) << INTERVALS.ilog2();
+        Self { first, pieces: octaves.flat_map(octave).map(piece).collect() }
     }
 
     /// The value at each `x`, and x times the slope there; `None` if one is outside the table.
     #[inline(always)]
-    pub(super) fn at<const LANES: usize>(&self, x: [f64; LANES]) -> Option<([f64; LANES], [f64; LANES])> {
-        const FIRST: u64 = ((1023 - OCTAVES) as u64) << INTERVALS.ilog2();
+    pub fn at<const LANES: usize>(&self, x: [f64; LANES]) -> Option<([f64; LANES], [f64; LANES])> {
         // Lanes side by side, a term at a time: one polynomial would wait for itself.
         let mut coefficients = [[0.0; LANES]; TERMS];
         let (mut r, mut stretch) = ([0.0; LANES], [0.0; LANES]);
         for lane in 0..LANES {
-            let place = (x[lane].to_bits() >> (MANTISSA_BITS - INTERVALS.ilog2())).wrapping_sub(FIRST);
-            let piece = self.0.get(usize::try_from(place).ok()?)?;
+            let place = (x[lane].to_bits() >> (MANTISSA_BITS - INTERVALS.ilog2())).wrapping_sub(self.first);
+            let piece = self.pieces.get(usize::try_from(place).ok()?)?;
             for (term, coefficient) in coefficients.iter_mut().zip(piece.coefficients) {
                 term[lane] = coefficient;
             }
@@ -97,7 +95,7 @@ mod tests {
 
     #[test]
     fn a_power_and_its_slope() {
-        let table = Table::of(|x| x.powf(-0.7));
+        let table = Table::of(-24..24, |x| x.powf(-0.7));
         for k in -100_000..100_000 {
             let x = (f64::from(k) * 1.66e-4).exp();
             let ([value], [slope]) = table.at([x]).unwrap();

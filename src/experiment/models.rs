@@ -1,0 +1,63 @@
+//! Both models on one surface, whichever way a law sees its asperities.
+
+use super::spec::{LawSpec, Summit};
+use super::surface::Surface;
+use crate::asperity::{Ordered, Population};
+use crate::interface::MicroContact;
+use crate::law::Shape;
+use crate::model::{Deterministic, Statistical};
+
+/// A surface with its asperities ordered for the sums that are asked for.
+pub(super) struct SurfaceModels<'a> {
+    surface: &'a Surface,
+    population: Population,
+    spheres: Option<Ordered>,
+    ellipses: Option<Ordered>,
+}
+
+impl<'a> SurfaceModels<'a> {
+    /// The models of `laws` on a surface, of which the statistical one stands on `population`.
+    pub(super) fn new(surface: &'a Surface, population: Population, laws: &[LawSpec], is_summed: bool) -> Self {
+        let sees = |summit| is_summed && laws.iter().any(|law| law.summit == summit);
+        Self {
+            surface,
+            population,
+            spheres: sees(Summit::Sphere).then(|| Ordered::new(&surface.set)),
+            ellipses: if sees(Summit::Ellipse) { Ordered::of_ellipses(&surface.set) } else { None },
+        }
+    }
+
+    /// The population that the statistical model stands on.
+    pub(super) fn population(&self) -> Population {
+        self.population
+    }
+
+    /// The asperity that stands for all under a law.
+    pub(super) fn mean_shape(&self, law: &LawSpec) -> Shape {
+        let ellipticity = self.surface.ellipticity.filter(|_| law.summit == Summit::Ellipse);
+        ellipticity.map_or(Shape::sphere(self.population.radius), |mean| mean.shape())
+    }
+
+    /// The integral over one contact of a law.
+    pub(super) fn statistical<'b>(
+        &self,
+        contact: &'b dyn MicroContact,
+        law: &LawSpec,
+    ) -> Statistical<'b, dyn MicroContact + 'b> {
+        Statistical::of_shape(contact, self.population, self.mean_shape(law))
+            .quoted_from(self.surface.quoting_datum())
+    }
+
+    /// The sum of one contact of a law; `None` where no sum was asked for.
+    pub(super) fn deterministic<'b>(
+        &'b self,
+        contact: &'b dyn MicroContact,
+        law: &LawSpec,
+    ) -> Option<Deterministic<'b, dyn MicroContact + 'b>> {
+        let ordered = match law.summit {
+            Summit::Sphere => &self.spheres,
+            Summit::Ellipse => &self.ellipses,
+        };
+        ordered.as_ref().map(|ordered| Deterministic::new(contact, ordered, self.surface.datum))
+    }
+}

@@ -1,0 +1,87 @@
+//! Chang, Etsion and Bogy: volume is conserved once an asperity yields.
+
+use std::f64::consts::PI;
+
+use super::{Hertz, Law, OfPoisson, Pair, Property, Resistance, Similar, exponents_passed};
+use crate::contact::{Contact, Regime};
+use crate::literature::{self, Paper};
+use crate::material::Material;
+use crate::numeric::interval::Interval;
+
+/// The elastic-plastic sphere of Chang, Etsion and Bogy (1987):
+///
+/// ```text
+/// K = 0.454 + 0.41 nu,   wc = (pi K H/(2 E*))^2 b
+/// w <= wc:  A = pi b w,              P = (4/3) E* b^.5 w^1.5
+/// w >  wc:  A = pi b w (2 - wc/w),   P = K H A
+/// ```
+///
+/// K H is the greatest pressure when yield begins, nu and H those of the body that yields first: the one of the smaller
+/// K H. The paper takes H = 2.8 Y; here a hardness is used as it is given, never made from a yield strength.
+///
+/// Beyond wc the mean pressure stays at K H, below the hardness: those contacts count as elastic-plastic at any
+/// indentation, and the regime plastic is never reached.
+///
+/// Valid for w much smaller than b. Jumps: the load by 1.5 at wc, where the mean pressure goes from (2/3) K H to K H at
+/// once; the area is continuous there, its slope doubles. The jump is the model's own and stays.
+#[derive(Debug, Clone, Copy, Default, PartialEq)]
+pub struct Ceb;
+
+/// K of Chang, Etsion and Bogy (1987), fitted to the greatest shear stress under a Hertz contact.
+pub(super) const HARDNESS_FACTOR: OfPoisson = OfPoisson { constant: 0.454, slope: 0.41 };
+
+/// wc/b over (onset/E*)^2.
+pub(super) const CRITICAL: f64 = PI * PI / 4.0;
+
+impl Law for Ceb {
+    fn name(&self) -> &'static str {
+        "ceb"
+    }
+
+    fn papers(&self) -> &'static [Paper] {
+        &[literature::CHANG_ETSION_BOGY_1987]
+    }
+
+    fn resistance(&self, body: &Material) -> Result<Resistance, Property> {
+        Ok(self.by_hardness(body))
+    }
+
+    fn needs(&self) -> Option<Property> {
+        Some(Property::Hardness)
+    }
+
+    #[inline]
+    fn contact(&self, w: f64, b: f64, pair: &Pair) -> Contact {
+        let critical = pair.ratio(CRITICAL) * b;
+        if w <= critical {
+            return Hertz::elastic(w, b, pair.reduced_modulus);
+        }
+        let area = PI * b * (w + (w - critical));
+        let pressure = pair.resistance.onset;
+        Contact {
+            area,
+            load: pressure * area,
+            stiffness: pressure * (2.0 * PI * b),
+            regime: Regime::ElasticPlastic,
+        }
+    }
+
+    fn critical_ratios(&self, pair: &Pair) -> Vec<f64> {
+        let critical = pair.ratio(CRITICAL);
+        if critical.is_finite() { vec![critical] } else { Vec::new() }
+    }
+}
+
+impl Similar for Ceb {
+    const ONSET: OfPoisson = HARDNESS_FACTOR;
+
+    /// 1.5, then 2 u/(2 u - 1) with u = w/wc: from 2 down to 1.
+    fn load_exponents(&self, u: Interval) -> Interval {
+        let exponent = |u: f64| {
+            let u = (u / CRITICAL).max(1.0);
+            (1.0 - 0.5 / u).recip()
+        };
+        let beyond = Interval { low: exponent(u.high), high: exponent(u.low) };
+        exponents_passed(u, &[(0.0, Interval::point(1.5)), (CRITICAL, beyond)])
+    }
+}

@@ -1,0 +1,55 @@
+//! Abbott and Firestone: the flat wears a profile down without deforming what is left.
+
+use std::f64::consts::PI;
+
+use super::{Law, Pair, Property, Resistance, Similar};
+use crate::contact::{Contact, Regime};
+use crate::literature::{self, Paper};
+use crate::material::Material;
+use crate::numeric::interval::Interval;
+
+/// A sphere that is plastic from the first touch on, on the truncated area of the profile (Abbott and Firestone 1933):
+///
+/// ```text
+/// A = 2 pi b w,   P = H A          (Pasaribu and Schipper 2005, Eqs. 8, 12)
+/// ```
+///
+/// Valid for w much smaller than b, and far beyond the onset of yield: a limit to compare with. H is that of the softer
+/// body. No elastic range, no jumps; the modulus is not used.
+#[derive(Debug, Clone, Copy, Default, PartialEq)]
+pub struct FullyPlastic;
+
+impl Law for FullyPlastic {
+    fn name(&self) -> &'static str {
+        "fully-plastic"
+    }
+
+    fn papers(&self) -> &'static [Paper] {
+        &[literature::ABBOTT_FIRESTONE_1933]
+    }
+
+    fn resistance(&self, body: &Material) -> Result<Resistance, Property> {
+        Ok(self.by_hardness(body))
+    }
+
+    fn needs(&self) -> Option<Property> {
+        Some(Property::Hardness)
+    }
+
+    #[inline]
+    fn contact(&self, w: f64, b: f64, pair: &Pair) -> Contact {
+        let slope = 2.0 * PI * b;
+        let stiffness = pair.resistance.strength * slope;
+        Contact { area: slope * w, load: stiffness * w, stiffness, regime: Regime::Plastic }
+    }
+
+    fn critical_ratios(&self, _: &Pair) -> Vec<f64> {
+        Vec::new()
+    }
+}
+
+impl Similar for FullyPlastic {
+    fn load_exponents(&self, _: Interval) -> Interval {
+        Interval::point(1.0)
+    }
+}

@@ -1,0 +1,171 @@
+//! Jackson and Green: a fit to finite elements in which the hardness falls as the contact grows.
+
+use std::f64::consts::PI;
+use std::sync::Arc;
+
+use super::ceb::CRITICAL;
+use super::{Hertz, Inapplicable, Law, Pair, Property, Resistance};
+use crate::contact::{Contact, Regime};
+use crate::literature::{self, Paper};
+use crate::material::Material;
+use crate::numeric::table::Table;
+
+/// The elastic-plastic sphere of Jackson and Green (2005), with u = w/wc:
+///
+/// ```text
+/// C = 1.295 exp(0.736 nu),   wc = (pi C Y/(2 E*))^2 b,   Pc = (4/3) (b/E*)^2 (pi C Y/2)^3
+/// u < 1.9:   A = pi b w,               P = (4/3) E* b^.5 w^1.5
+/// u >= 1.9:  A = pi b w (u/1.9)^B,     B = 0.14 exp(23 Y/E*)
+///            P/Pc = exp(-u^(5/12)/4) u^1.5 + (4 HG/(C Y)) [1 - exp(-u^(5/9)/25)] u
+///            HG/Y = 2.84 [1 - exp(-0.82 (a/b)^-0.7)],   a = (A/pi)^.5
+/// ```
+///
+/// C Y is that of the body that yields first (the smaller C Y), Y alone that of the weaker one. A body without yield
+/// strength and hardness never yields; one that has a hardness must have its yield strength too, which is not guessed.
+///
+/// The fit was made for steels with Y/E* from about 0.001 to 0.008, against a rigid flat, up to a/b = 0.41. Beyond
+/// Y/E* = 0.1 its load would fall with the indentation: such pairs are refused. The mean pressure tends to HG, which
+/// falls as the contact grows: no contact counts as plastic.
+///
+/// Jumps: at u = 1.9 the load grows by 1.0047 (a little less where a/b is not small there); the area is continuous.
+///
+/// Contacts are not similar in u alone, since HG depends on a/b and B on Y/E*. For one pair of bodies a/b follows from u,
+/// and so does the whole law: [`Law::tuned`] makes a table of it. No rule says what yields under a layer.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub struct JacksonGreen {
+    tuned: Option<Arc<Tuned>>,
+}
+
+/// w/wc up to which the contact is Hertz's.
+const ELASTIC: f64 = 1.9;
+
+/// The largest Y/E*: beyond it HG falls faster than the area grows.
+const STRONGEST: f64 = 0.1;
+
+/// P/Pc, d(P/Pc)/d ln w, and A/(pi b w).
+#[derive(Debug, Clone, Copy)]
+struct Answer {
+    load: f64,
+    load_slope: f64,
+    growth: f64,
+}
+
+/// The answers for one pair.
+#[derive(Debug, PartialEq)]
+struct Tuned {
+    pair: Pair,
+    /// Of u/1.9.
+    load: Table,
+    growth: Table,
+}
+
+impl Tuned {
+    /// u up to 2e12: far beyond w = b for any metal.
+    const OCTAVES: std::ops::Range<i32> = 0..40;
+
+    fn new(pair: &Pair) -> Self {
+        let answer = |v: f64| answer(ELASTIC * v, pair);
+        Self {
+            pair: *pair,
+            load: Table::of(Self::OCTAVES, |v| answer(v).load),
+            growth: Table::of(Self::OCTAVES, |v| answer(v).growth),
+        }
+    }
+
+    #[inline]
+    fn at(&self, u: f64) -> Option<Answer> {
+        let v = [u / ELASTIC];
+        let ([load], [load_slope]) = self.load.at(v)?;
+        let ([growth], _) = self.growth.at(v)?;
+        Some(Answer { load, load_slope, growth })
+    }
+}
+
+/// The law itself at `u` >= 1.9.
+fn answer(u: f64, pair: &Pair) -> Answer {
+    let Resistance { onset, strength } = pair.resistance;
+    let exponent = 0.14 * (23.0 * strength / pair.reduced_modulus).exp();
+    let growth = (u / ELASTIC).powf(exponent);
+    let elastic = (-0.25 * u.powf(5.0 / 12.0)).exp() * u.powf(1.5);
+    let elastic_slope = elastic * (1.5 - 5.0 / 48.0 * u.powf(5.0 / 12.0));
+
+    // (a/b)^2 = A/(pi b^2).
+    let width = (pair.ratio(CRITICAL) * u * growth).sqrt();
+    let sharp = 0.82 * width.powf(-0.7);
+    let sharp_slope = -0.35 * (1.0 + exponent) * sharp;
+    let hardness = -(-sharp).exp_m1();
+    let hardness_slope = (-sharp).exp() * sharp_slope;
+
+    let spread = u.powf(5.0 / 9.0) / 25.0;
+    let plastic = -(-spread).exp_m1();
+    let plastic_slope = (-spread).exp() * (5.0 / 9.0) * spread;
+
+    let factor = 4.0 * 2.84 * strength / onset * u;
+    Answer {
+        load: elastic + factor * hardness * plastic,
+        load_slope: elastic_slope
+            + factor * (hardness * plastic + hardness_slope * plastic + hardness * plastic_slope),
+        growth,
+    }
+}
+
+impl Law for JacksonGreen {
+    fn name(&self) -> &'static str {
+        "jackson-green"
+    }
+
+    fn papers(&self) -> &'static [Paper] {
+        &[literature::JACKSON_GREEN_2005]
+    }
+
+    fn resistance(&self, body: &Material) -> Result<Resistance, Property> {
+        match (body.yield_strength(), body.hardness()) {
+            (Some(strength), _) => {
+                Ok(Resistance { onset: 1.295 * (0.736 * body.poisson()).exp() * strength, strength })
+            }
+            (None, Some(_)) => Err(Property::YieldStrength),
+            (None, None) => Ok(Resistance::ENDLESS),
+        }
+    }
+
+    fn needs(&self) -> Option<Property> {
+        Some(Property::YieldStrength)
+    }
+
+    fn check(&self, pair: &Pair) -> Result<(), Inapplicable> {
+        let ratio = pair.resistance.strength / pair.reduced_modulus;
+        if ratio <= STRONGEST {
+            Ok(())
+        } else {
+            Err(Inapplicable::TooStrong { law: self.name(), ratio, most: STRONGEST })
+        }
+    }
+
+    fn tuned(self, pair: &Pair) -> Self {
+        Self { tuned: Some(Arc::new(Tuned::new(pair))) }
+    }
+
+    #[inline]
+    fn contact(&self, w: f64, b: f64, pair: &Pair) -> Contact {
+        let critical = pair.ratio(CRITICAL) * b;
+        let u = w / critical;
+        // Also where the pair never yields.
+        if !(u >= ELASTIC) {
+            return Hertz::elastic(w, b, pair.reduced_modulus);
+        }
+        let tuned = self.tuned.as_ref().filter(|tuned| tuned.pair == *pair);
+        let answer = tuned.and_then(|tuned| tuned.at(u)).unwrap_or_else(|| answer(u, pair));
+        let critical_load = (2.0 / 3.0) * PI * pair.resistance.onset * b * critical;
+        Contact {
+            area: PI * b * w * answer.growth,
+            load: critical_load * answer.load,
+            stiffness: critical_load * answer.load_slope / w,
+            regime: Regime::ElasticPlastic,
+        }
+    }
+
+    fn critical_ratios(&self, pair: &Pair) -> Vec<f64> {
+        let first = pair.ratio(ELASTIC * CRITICAL);
+        if first.is_finite() { vec![first] } else { Vec::new() }
+    }
+}
