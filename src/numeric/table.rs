@@ -21,6 +21,7 @@ struct Piece {
 }
 
 impl Table {
+    /// Of `value` from 2^start to 2^end of `octaves`.
     pub fn of(octaves: std::ops::Range<i32>, value: impl Fn(f64) -> f64) -> Self {
         let octave = |power: i32| (0..INTERVALS).map(move |k| (power, k));
         let piece = |(power, k): (i32, usize)| {
