@@ -64,10 +64,11 @@ impl<L: Law> MicroContact for Interface<L> {
         self.regime_changes(shape)
     }
 
-    /// Bare contacts of one law are similar whatever their radius, and within a range no law falls.
-    fn load_rises_to(&self, _: Shapes) -> f64 {
-        let falls = self.law.jumps(&self.pair).into_iter().any(|jump| jump < 1.0 - JUMP);
-        if falls { 0.0 } else { f64::INFINITY }
+    /// Within a range no law falls: the first boundary at which the load drops is nearest for the sharpest asperity.
+    fn load_rises_to(&self, shapes: Shapes) -> f64 {
+        let boundaries = self.law.critical_ratios(&self.pair).into_iter().zip(self.law.jumps(&self.pair));
+        let dropping = boundaries.filter(|(_, jump)| *jump < 1.0 - JUMP).map(|(ratio, _)| ratio);
+        dropping.fold(f64::INFINITY, f64::min) * shapes.radii.low
     }
 
     fn load_over(&self, from: f64, to: f64, shape: Shape) -> LoadBounds {

@@ -305,9 +305,6 @@ impl<L: Similar> MicroContact for Layered<L> {
     fn load_rises_to(&self, shapes: Shapes) -> f64 {
         /// Pieces of the depth on which the hardness changes.
         const PIECES: i32 = 400;
-        if self.jumps.iter().any(|jump| jump.factor.low < 1.0) {
-            return 0.0;
-        }
         let end = self.coating.depth();
         let wide = shapes.radii * shapes.spheres;
         // From a depth at which next to nothing of the layer is gone, to any.
@@ -319,10 +316,11 @@ impl<L: Similar> MicroContact for Layered<L> {
         let rises = |k: &i32| {
             let w = Interval { low: place(*k), high: place(k + 1) };
             let felt = self.felt_over(w, wide);
-            let exponents = self.law.load_exponents(Self::place(w, shapes.radii, &felt));
+            let u = Self::place(w, shapes.radii, &felt);
             // Back over a boundary, a rise of the load is a fall.
             let turns_back = (felt.modulus_slope - felt.onset_slope).low <= -0.5;
-            Self::exponents(exponents, &felt).low > 0.0 && (self.jumps.is_empty() || !turns_back)
+            let drops = |jump: &Jump| u.holds(jump.place) && (jump.factor.low < 1.0 || turns_back);
+            Self::exponents(self.law.load_exponents(u), &felt).low > 0.0 && !self.jumps.iter().any(drops)
         };
         (0..=PIECES).find(|k| !rises(k)).map_or(f64::INFINITY, place)
     }
