@@ -4,7 +4,6 @@
 //! | file | what lives there |
 //! |---|---|
 //! | `weights` | the functions of xi = t/a that say how much layer an asperity feels (Eqs. 17, 18) |
-//! | `table` | the compliance of one pair of materials, as polynomials |
 //! | `modulus` | nu_eff and E_eff by the paper's rule or in series (Eqs. 14, 15) |
 //! | `hardness` | H_eff (Eq. 16) |
 //! | `decay` | exp(-x) and 1 - exp(-x) together |
@@ -12,7 +11,6 @@
 mod decay;
 mod hardness;
 mod modulus;
-mod table;
 mod weights;
 
 pub use modulus::Rule;

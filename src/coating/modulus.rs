@@ -1,13 +1,17 @@
 //! The effective modulus and Poisson's ratio of a layered flat (Pasaribu and Schipper 2005, Eqs. 14, 15, 17-19).
 
+use std::ops::Range;
 use std::sync::Arc;
 
 use serde::Deserialize;
 
-use super::table::Table;
 use super::weights::{LOG_PEAK, POLE_PEAK, SWELL_PEAK, Weights};
 use crate::material::Material;
 use crate::numeric::interval::Interval;
+use crate::numeric::table::Table;
+
+/// The octaves of a/t over which the compliance is a table.
+const OCTAVES: Range<i32> = -24..24;
 
 /// How the moduli of layer and substrate are put together.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default, Deserialize)]
@@ -48,6 +52,8 @@ struct Side {
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct EffectiveModulus {
     sides: Sides,
+    /// The compliance. It is analytic but at 0, at +-i, and where E_eff vanishes, which is never nearer to the positive
+    /// axis than to 0. One polynomial takes the place of an arctangent, a logarithm and ten divisions.
     table: Arc<Table>,
 }
 
@@ -61,7 +67,7 @@ struct Sides {
 impl EffectiveModulus {
     pub(super) fn new(rule: Rule, layer: &Material, substrate: &Material) -> Self {
         let sides = Sides::new(rule, layer, substrate);
-        Self { sides, table: Arc::new(Table::of(|inverse| sides.at(inverse).0)) }
+        Self { sides, table: Arc::new(Table::of(OCTAVES, |inverse| sides.at(inverse).0)) }
     }
 
     pub(super) fn rule(&self) -> Rule {

@@ -1,10 +1,11 @@
-//! Numerical tools that know no physics: quadrature, root search, sums in a fixed order.
+//! Numerical tools that know no physics: quadrature, root search, sums in a fixed order, tables of functions.
 
 pub mod interval;
 pub mod power;
 pub mod quadrature;
 pub mod root;
 pub mod sum;
+pub mod table;
 
 pub use sum::Sum;
 
