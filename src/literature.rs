@@ -86,3 +86,15 @@ pub const PERRIOT_BARTHEL_2004: Paper = Paper {
     short: "Perriot and Barthel 2004",
     full: "Perriot, A., Barthel, E. (2004). Elastic contact to a coated half-space: Effective elastic modulus and real penetration. Journal of Materials Research 19(2), 600-608. doi:10.1557/jmr.2004.19.2.600",
 };
+
+/// Hertz's solution for paraboloids whose principal curvatures differ.
+pub const JOHNSON_1985: Paper = Paper {
+    short: "Johnson 1985",
+    full: "Johnson, K. L. (1985). Contact Mechanics, chapter 4. Cambridge University Press. doi:10.1017/CBO9781139171731",
+};
+
+/// An elastic-plastic law of elliptic asperities.
+pub const JENG_WANG_2003: Paper = Paper {
+    short: "Jeng and Wang 2003",
+    full: "Jeng, Y.-R., Wang, P.-Y. (2003). An elliptical microcontact model considering elastic, elastoplastic, and plastic deformation. ASME Journal of Tribology 125(2), 232-240. doi:10.1115/1.1538190",
+};

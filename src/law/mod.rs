@@ -2,11 +2,13 @@
 //!
 //! A law sees the properties of the pair of bodies, an indentation and a radius, and nothing else:
 //! no model, no surface, no coating. Whatever changes the properties from asperity to asperity does
-//! so before the law is asked.
+//! so before the law is asked. An elliptic asperity is so many spheres: its [`Shape`].
 
+mod elliptic;
 mod hertz;
 mod zmc;
 
+pub use elliptic::Shape;
 pub use hertz::Hertz;
 pub use zmc::{Zmc, ZmcError};
 
