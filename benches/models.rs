@@ -109,7 +109,12 @@ fn law(c: &mut Criterion) {
     group.throughput(Throughput::Elements(indentations.len() as u64));
     for (name, contact) in laws() {
         group.bench_function(name, |b| {
-            b.iter(|| indentations.iter().map(|&w| contact.contact(black_box(w), Shape::sphere(2e-5)).load).sum::<f64>());
+            b.iter(|| {
+                indentations
+                    .iter()
+                    .map(|&w| contact.contact(black_box(w), Shape::sphere(2e-5)).load)
+                    .sum::<f64>()
+            });
         });
     }
     group.finish();

@@ -190,7 +190,8 @@ fn an_adaptive_integration_agrees() {
         let Population { radius, sigma, density, .. } = population;
         let integrand = |x: f64| {
             let z = h + x;
-            law.contact(x * sigma, Shape::sphere(radius)).load * (-0.5 * z * z).exp() / (2.0 * std::f64::consts::PI).sqrt()
+            law.contact(x * sigma, Shape::sphere(radius)).load * (-0.5 * z * z).exp()
+                / (2.0 * std::f64::consts::PI).sqrt()
         };
         let mut ends = vec![1e-12];
         ends.extend(law.breakpoints(Shape::sphere(radius)).iter().map(|w| w / sigma).filter(|&x| x < 9.0));
@@ -275,8 +276,10 @@ fn a_pressure_in_a_jump_is_said_to_be_in_one() {
     let set = Ordered::new(&AsperitySet::new(vec![0.0, -1e-6], vec![2e-5, 2e-5], 1.0).unwrap());
     let model = Deterministic::new(&law, &set, Datum { mean: 0.0, sigma: 1e-8 });
     let w1 = law.breakpoints(Shape::sphere(2e-5))[0];
-    let (before, after) =
-        (law.contact(w1 * (1.0 - 1e-9), Shape::sphere(2e-5)).load, law.contact(w1 * (1.0 + 1e-9), Shape::sphere(2e-5)).load);
+    let (before, after) = (
+        law.contact(w1 * (1.0 - 1e-9), Shape::sphere(2e-5)).load,
+        law.contact(w1 * (1.0 + 1e-9), Shape::sphere(2e-5)).load,
+    );
     let reached = at_pressure(&model, 0.5 * (before + after)).unwrap();
     assert!(reached.in_jump);
     assert!(relative_error(-reached.response.separation, w1) < 1e-12);
@@ -368,7 +371,9 @@ fn dense(law: &dyn MicroContact, population: Population, h: f64) -> f64 {
     let panel = |from: f64, to: f64| {
         panels(from, to, Variable::SquareRoot, 200)
             .flat_map(|panel| panel.points.into_iter().zip(panel.weights))
-            .map(|(x, weight)| weight * law.contact(x * sigma, Shape::sphere(radius)).load * heights.density(h + x))
+            .map(|(x, weight)| {
+                weight * law.contact(x * sigma, Shape::sphere(radius)).load * heights.density(h + x)
+            })
             .collect::<asperity::numeric::Sum>()
             .value()
     };

@@ -128,10 +128,13 @@ fn regimes_of_lead_on_steel_come_again() {
             let contact = under_lead(t);
             let changes = contact.regime_changes(Shape::sphere(b));
             let ends = [1e-30].into_iter().chain(changes.iter().copied()).chain([1.0]).collect::<Vec<_>>();
-            let regimes: Vec<_> =
-                ends.windows(2).map(|w| contact.contact((w[0] * w[1]).sqrt(), Shape::sphere(b)).regime).collect();
+            let regimes: Vec<_> = ends
+                .windows(2)
+                .map(|w| contact.contact((w[0] * w[1]).sqrt(), Shape::sphere(b)).regime)
+                .collect();
             assert_eq!(&regimes, expected, "{t:e} m on {b:e} m");
-            let curve: Vec<_> = (0..20_000).map(|k| contact.contact(1e-13 * 1.0015f64.powi(k), Shape::sphere(b))).collect();
+            let curve: Vec<_> =
+                (0..20_000).map(|k| contact.contact(1e-13 * 1.0015f64.powi(k), Shape::sphere(b))).collect();
             let drops = |value: fn(&Contact) -> f64| {
                 curve.windows(2).any(|pair| value(&pair[1]) < value(&pair[0]) * (1.0 - 1e-12))
             };
@@ -390,14 +393,16 @@ fn stiffness_is_the_slope_of_the_load() {
     for _ in 0..300 {
         let case = Case::any(&mut random);
         let contact = case.contact();
-        let kinks: Vec<f64> = contact.regime_changes(Shape::sphere(case.radius)).into_iter().chain(case.kink()).collect();
+        let kinks: Vec<f64> =
+            contact.regime_changes(Shape::sphere(case.radius)).into_iter().chain(case.kink()).collect();
         for _ in 0..40 {
             let scale = random.one_of(&[case.thickness, case.thickness.powi(2) / case.radius]);
             let (w, step) = (scale * random.log(1e-6, 1e6), 2e-4);
             if kinks.iter().any(|kink| (kink / w).ln().abs() < 3.0 * step) {
                 continue;
             }
-            let load = |shift: f64| contact.contact(w * (shift * step).exp(), Shape::sphere(case.radius)).load;
+            let load =
+                |shift: f64| contact.contact(w * (shift * step).exp(), Shape::sphere(case.radius)).load;
             let slope = (8.0 * (load(1.0) - load(-1.0)) - (load(2.0) - load(-2.0))) / (12.0 * step);
             let found = contact.contact(w, Shape::sphere(case.radius));
             let error = (found.stiffness * w - slope).abs() / slope.abs().max(found.load);

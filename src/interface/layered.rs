@@ -105,11 +105,8 @@ impl<L: Similar> Layered<L> {
     #[inline(always)]
     fn felt<const LANES: usize>(&self, w: [f64; LANES], b: [f64; LANES]) -> [Felt; LANES] {
         let flat = self.coating.lanes(w, b);
-        let (poisson, poisson_slope) = if L::feels_poisson() {
-            self.coating.poisson_lanes(w, b)
-        } else {
-            ([0.0; LANES], [0.0; LANES])
-        };
+        let (poisson, poisson_slope) =
+            if L::feels_poisson() { self.coating.poisson_lanes(w, b) } else { ([0.0; LANES], [0.0; LANES]) };
         std::array::from_fn(|lane| {
             let flat = &flat[lane];
             let reduced_modulus = (self.rough_compliance + flat.compliance).recip();
@@ -191,7 +188,8 @@ impl<L: Similar> Layered<L> {
         };
         let over = |from: f64, to: f64| {
             let felt = self.felt_over(Interval { low: from.exp(), high: to.exp() }, radius);
-            let values = Interval { low: from, high: to } + (felt.modulus.ln() - felt.onset.ln()) * 2.0 + -level;
+            let values =
+                Interval { low: from, high: to } + (felt.modulus.ln() - felt.onset.ln()) * 2.0 + -level;
             [values, (felt.modulus_slope - felt.onset_slope) * 2.0 + 1.0]
         };
         sign_changes(&value, &over, low, high).into_iter().map(f64::exp).collect()
@@ -229,8 +227,7 @@ impl<L: Similar> Layered<L> {
         let strength = self.strength_over_onset * felt.onset.low;
         let resistance = Resistance { onset: felt.onset.low, strength };
         let most = Pair { reduced_modulus: felt.modulus.high, resistance };
-        let growth =
-            if felt.onset.high > felt.onset.low { felt.onset.high / felt.onset.low } else { 1.0 };
+        let growth = if felt.onset.high > felt.onset.low { felt.onset.high / felt.onset.low } else { 1.0 };
         shape.spheres * self.law.highest_load(from, to, shape.radius, &most) * growth * spread / drops
     }
 }
