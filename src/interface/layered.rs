@@ -299,7 +299,7 @@ impl<L: Similar> MicroContact for Layered<L> {
         points
     }
 
-    fn load_rises_to(&self, shapes: Shapes) -> f64 {
+    fn may_fall(&self, shapes: Shapes) -> Vec<Interval> {
         /// Pieces of the depth on which the hardness changes.
         const PIECES: i32 = 400;
         let end = self.coating.depth();
@@ -310,16 +310,16 @@ impl<L: Similar> MicroContact for Layered<L> {
             k if k > PIECES => 1e200,
             k => end * 1e-12f64.powf(1.0 - f64::from(k) / f64::from(PIECES)),
         };
-        let rises = |k: &i32| {
-            let w = Interval { low: place(*k), high: place(k + 1) };
-            let felt = self.felt_over(w, wide);
-            let u = Self::place(w, shapes.radii, &felt);
+        let may_fall = |w: &Interval| {
+            let felt = self.felt_over(*w, wide);
+            let u = Self::place(*w, shapes.radii, &felt);
             // Back over a boundary, a rise of the load is a fall.
             let turns_back = (felt.modulus_slope - felt.onset_slope).low <= -0.5;
             let drops = |jump: &Jump| u.holds(jump.place) && (jump.factor.low < 1.0 || turns_back);
-            Self::exponents(self.law.load_exponents(u), &felt).low > 0.0 && !self.jumps.iter().any(drops)
+            Self::exponents(self.law.load_exponents(u), &felt).low <= 0.0 || self.jumps.iter().any(drops)
         };
-        (0..=PIECES).find(|k| !rises(k)).map_or(f64::INFINITY, place)
+        let pieces = (0..=PIECES).map(|k| Interval { low: place(k), high: place(k + 1) });
+        Interval::joined(pieces.filter(may_fall))
     }
 
     fn load_over(&self, from: f64, to: f64, shape: Shape) -> LoadBounds {

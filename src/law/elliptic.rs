@@ -131,8 +131,7 @@ mod tests {
     use crate::contact::Regime;
     use crate::law::{Law, Pair, Resistance, Zmc};
 
-    const PAIR: Pair =
-        Pair { reduced_modulus: 1e11, resistance: Resistance { onset: 2e9, strength: 2e9 } };
+    const PAIR: Pair = Pair { reduced_modulus: 1e11, resistance: Resistance { onset: 2e9, strength: 2e9 } };
 
     /// kmax/kmin, b km and n, from 160 digits (mpmath), rounded once.
     const EXACT: [[f64; 3]; 17] = [
