@@ -7,7 +7,7 @@ use std::time::Instant;
 use asperity::asperity::{Draw, HeightDensity, Ordered, Population};
 use asperity::coating::{Coating, Rule};
 use asperity::interface::{Interface, Layered, MicroContact};
-use asperity::law::{Hertz, Law, Zmc};
+use asperity::law::{Hertz, Law, Shape, Zmc};
 use asperity::material::Material;
 use asperity::model::{Datum, Deterministic, Model, Statistical, at_pressure};
 use criterion::{BenchmarkId, Criterion, Throughput, criterion_group, criterion_main};
@@ -19,7 +19,7 @@ const CASES: [(&str, Population); 2] = [
 
 fn interface<L: Law>(law: L) -> Interface<L> {
     let steel = Material::new(210e9, 0.3, Some(7.6e9), None).expect("steel is a material");
-    Interface::bare(law, &steel, &steel)
+    Interface::bare(law, &steel, &steel).expect("every law knows steel")
 }
 
 fn laws() -> [(&'static str, Box<dyn MicroContact>); 2] {
@@ -33,7 +33,7 @@ fn flats() -> [(String, Box<dyn MicroContact>); 7] {
     let steel = material(210e9, 0.3, 7.6e9);
     let under = |layer: &Material, thickness: f64| -> Box<dyn MicroContact> {
         let coating = Coating::new(layer, &steel, thickness, Rule::Gao).expect("a coating");
-        Box::new(Layered::new(Zmc::default(), &steel, &steel, coating))
+        Box::new(Layered::new(Zmc::default(), &steel, &steel, coating).expect("a contact"))
     };
     let (lead, ceramic) = (material(18e9, 0.35, 0.17e9), material(400e9, 0.2, 21e9));
     [
@@ -59,7 +59,7 @@ fn coated(c: &mut Criterion) {
                 });
             }
             group.bench_function(BenchmarkId::new(format!("breakpoints, {case}"), &flat), |b| {
-                b.iter(|| contact.breakpoints(black_box(population.radius)));
+                b.iter(|| contact.breakpoints(black_box(Shape::sphere(population.radius))));
             });
         }
     }
@@ -109,7 +109,12 @@ fn law(c: &mut Criterion) {
     group.throughput(Throughput::Elements(indentations.len() as u64));
     for (name, contact) in laws() {
         group.bench_function(name, |b| {
-            b.iter(|| indentations.iter().map(|&w| contact.contact(black_box(w), Shape::sphere(2e-5)).load).sum::<f64>());
+            b.iter(|| {
+                indentations
+                    .iter()
+                    .map(|&w| contact.contact(black_box(w), Shape::sphere(2e-5)).load)
+                    .sum::<f64>()
+            });
         });
     }
     group.finish();
