@@ -42,6 +42,9 @@ const ELASTIC: f64 = 1.9;
 /// The largest Y/E*: beyond it HG falls faster than the area grows.
 const STRONGEST: f64 = 0.1;
 
+/// Y/E* of the steels that the fit was made for.
+const FITTED: [f64; 2] = [0.001, 0.008];
+
 /// P/Pc, d(P/Pc)/d ln w, and A/(pi b w).
 #[derive(Debug, Clone, Copy)]
 struct Answer {
@@ -114,6 +117,12 @@ impl Law for JacksonGreen {
         "jackson-green"
     }
 
+    fn about(&self) -> &'static str {
+        "A fit to finite elements in which the limiting mean pressure falls as the contact grows; \
+         elastic up to 1.9 of its own w_c. Fitted for steels of Y/E* from 0.001 to 0.008, up to a/R = \
+         0.41."
+    }
+
     fn papers(&self) -> &'static [Paper] {
         &[literature::JACKSON_GREEN_2005]
     }
@@ -139,6 +148,15 @@ impl Law for JacksonGreen {
         } else {
             Err(Inapplicable::TooStrong { law: self.name(), ratio, most: STRONGEST })
         }
+    }
+
+    fn doubt(&self, pair: &Pair) -> Option<String> {
+        let ratio = pair.resistance.strength / pair.reduced_modulus;
+        let [from, to] = FITTED;
+        // A pair that never yields is Hertz's.
+        (ratio.is_finite() && !(from..=to).contains(&ratio)).then(|| {
+            format!("law {}: Y/E* = {ratio:.4}; it was fitted for {from} to {to}", self.name())
+        })
     }
 
     fn tuned(self, pair: &Pair) -> Self {

@@ -78,8 +78,12 @@ impl Reader<'_> {
                  least; allowed: {key} = \"...\" with a unit of pressure"
             ),
         };
-        let defined = self.spec.material.keys().find(|defined| defined.get_ref() == name);
-        self.source.refuse(defined.map_or_else(|| laws.span(), Spanned::span), message)
+        self.source.refuse(self.material_at(name).unwrap_or_else(|| laws.span()), message)
+    }
+
+    /// Where a material is defined.
+    pub(super) fn material_at(&self, name: &str) -> Option<Range<usize>> {
+        self.spec.material.keys().find(|defined| defined.get_ref() == name).map(Spanned::span)
     }
 
     /// Each law against each flat, which has a layer of the thickness beside it.
