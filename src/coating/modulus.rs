@@ -1,5 +1,6 @@
 //! The effective modulus and Poisson's ratio of a layered flat (Pasaribu and Schipper 2005, Eqs. 14, 15, 17-19).
 
+use std::ops::Range;
 use std::sync::{Arc, OnceLock};
 
 use serde::Deserialize;
@@ -8,6 +9,9 @@ use super::weights::{LOG_PEAK, POLE_PEAK, SWELL_PEAK, Weights};
 use crate::material::Material;
 use crate::numeric::interval::Interval;
 use crate::numeric::table::Table;
+
+/// The octaves of a/t over which the compliance is a table.
+const OCTAVES: Range<i32> = -24..24;
 
 /// How the moduli of layer and substrate are put together.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default, Deserialize)]
@@ -34,9 +38,6 @@ impl Rule {
     }
 }
 
-/// Of a/t, which the tables cover.
-const OCTAVES: std::ops::Range<i32> = -24..24;
-
 /// One of the two bodies, and the way from it to the other.
 #[derive(Debug, Clone, Copy, PartialEq)]
 struct Side {
@@ -51,6 +52,8 @@ struct Side {
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct EffectiveModulus {
     sides: Sides,
+    /// The compliance. It is analytic but at 0, at +-i, and where E_eff vanishes, which is never nearer to the positive
+    /// axis than to 0. One polynomial takes the place of an arctangent, a logarithm and ten divisions.
     table: Arc<Table>,
     /// Of nu_eff; made when a law first asks for it.
     poisson: Arc<OnceLock<Table>>,

@@ -249,8 +249,11 @@ fn told(measure: Measure, pairs: &[Pair], passing: &[bool], sigma: f64) -> Told 
     };
     let deviations: Vec<[f64; 2]> = pairs.iter().map(from_first).collect();
     let spread = |group: Group, model: usize| {
-        let members =
-            || (0..pairs.len()).filter(|&law| group == Group::All || passing[law]).map(|law| (law, deviations[law][model]));
+        let members = || {
+            (0..pairs.len())
+                .filter(|&law| group == Group::All || passing[law])
+                .map(|law| (law, deviations[law][model]))
+        };
         let (lowest, low) = members().min_by(|a, b| a.1.total_cmp(&b.1))?;
         let (highest, high) = members().max_by(|a, b| a.1.total_cmp(&b.1))?;
         (members().count() > 1).then_some(Spread { size: high - low, lowest, highest })

@@ -172,8 +172,7 @@ fn falls(
         if !(deepest > 0.0 && deepest.is_finite()) {
             continue;
         }
-        let mut shapes =
-            vec![Shape::sphere(sharpest), models.mean_shape(&law.spec), Shape::sphere(bluntest)];
+        let mut shapes = vec![Shape::sphere(sharpest), models.mean_shape(&law.spec), Shape::sphere(bluntest)];
         shapes.dedup();
         for shape in shapes {
             let falls = Curve::of(&*law.contact, shape, &[SHALLOWEST * deepest, deepest]).falls;
@@ -252,7 +251,11 @@ fn run_limit(plan: &Plan, limit: &LimitPlan, progress: &dyn Progress) -> Result<
 }
 
 fn reference(law: &LawPlan) -> &'static str {
-    if law.spec.is_greenwood_williamson() { "the closed form of Greenwood and Williamson" } else { "the statistical integral" }
+    if law.spec.is_greenwood_williamson() {
+        "the closed form of Greenwood and Williamson"
+    } else {
+        "the statistical integral"
+    }
 }
 
 /// The limit at d/sigma = `h`: Greenwood and Williamson's closed form for Hertz, else the integral.

@@ -112,11 +112,7 @@ impl Flat {
     ///
     /// # Errors
     /// Bodies that the law says nothing of.
-    pub fn under<L: Similar>(
-        &self,
-        law: L,
-        rough: &Material,
-    ) -> Result<Box<dyn MicroContact>, Inapplicable> {
+    pub fn under<L: Similar>(&self, law: L, rough: &Material) -> Result<Box<dyn MicroContact>, Inapplicable> {
         match self {
             Self::Coated { substrate, coating } => {
                 Ok(Box::new(Layered::new(law, rough, substrate, coating.clone())?))

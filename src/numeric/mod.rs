@@ -1,4 +1,4 @@
-//! Numerical tools that know no physics: quadrature, root search, sums in a fixed order.
+//! Numerical tools that know no physics: quadrature, root search, sums in a fixed order, tables of functions.
 
 pub mod interval;
 pub mod power;

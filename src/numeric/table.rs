@@ -1,4 +1,6 @@
-//! A function of a/t as short polynomials.
+//! A function as short polynomials.
+
+use std::ops::Range;
 
 const INTERVALS: usize = 32;
 const TERMS: usize = 8;
@@ -6,11 +8,14 @@ const MANTISSA_BITS: u32 = f64::MANTISSA_DIGITS - 1;
 
 /// A smooth positive function of x > 0 and its slope, by a polynomial for each 32nd of an octave.
 ///
-/// The compliance of a layered flat is analytic but at 0, at +-i, and where E_eff vanishes, which is never nearer to
-/// the positive axis than to 0: on so short an interval eight terms leave 130^-8 of it, below rounding. One
-/// polynomial takes the place of an arctangent, a logarithm and ten divisions.
+/// To rounding where the function, continued to complex arguments, is analytic nearer to x than 0 is: on so short an
+/// interval eight terms leave 130^-8 of it.
 #[derive(Debug, PartialEq)]
-pub struct Table { first: u64, pieces: Vec<Piece> }
+pub struct Table {
+    /// Exponent and leading bits of the mantissa where the table begins.
+    first: u64,
+    pieces: Vec<Piece>,
+}
 
 #[derive(Debug, PartialEq)]
 struct Piece {
@@ -20,16 +25,21 @@ struct Piece {
     coefficients: [f64; TERMS],
 }
 
+/// The interval of `x` among those of all numbers: they follow each other as the bits of numbers do.
+#[inline(always)]
+fn place(x: f64) -> u64 {
+    x.to_bits() >> (MANTISSA_BITS - INTERVALS.ilog2())
+}
+
 impl Table {
-    /// Of `value` from 2^start to 2^end of `octaves`.
-    pub fn of(octaves: std::ops::Range<i32>, value: impl Fn(f64) -> f64) -> Self {
+    /// A table of `value` from 2^start on and below 2^end, of normal numbers.
+    pub fn of(octaves: Range<i32>, value: impl Fn(f64) -> f64) -> Self {
         let octave = |power: i32| (0..INTERVALS).map(move |k| (power, k));
         let piece = |(power, k): (i32, usize)| {
             let width = 2f64.powi(power) / INTERVALS as f64;
             Piece::through(&value, 2f64.powi(power) + (k as f64 + 0.5) * width, 0.5 * width)
         };
-        let first = ((1023 + octaves.start) as u64) << INTERVALS.ilog2();
-        Self { first, pieces: octaves.flat_map(octave).map(piece).collect() }
+        Self { first: place(2f64.powi(octaves.start)), pieces: octaves.flat_map(octave).map(piece).collect() }
     }
 
     /// The value at each `x`, and x times the slope there; `None` if one is outside the table.
@@ -39,8 +49,7 @@ impl Table {
         let mut coefficients = [[0.0; LANES]; TERMS];
         let (mut r, mut stretch) = ([0.0; LANES], [0.0; LANES]);
         for lane in 0..LANES {
-            let place = (x[lane].to_bits() >> (MANTISSA_BITS - INTERVALS.ilog2())).wrapping_sub(self.first);
-            let piece = self.pieces.get(usize::try_from(place).ok()?)?;
+            let piece = self.pieces.get(usize::try_from(place(x[lane]).wrapping_sub(self.first)).ok()?)?;
             for (term, coefficient) in coefficients.iter_mut().zip(piece.coefficients) {
                 term[lane] = coefficient;
             }
@@ -106,5 +115,13 @@ mod tests {
         for outside in [0.0, 1e-300, 1e-8, 1e8, 1e300, f64::INFINITY, f64::NAN, -1.0] {
             assert_eq!(table.at([1.0, outside]), None);
         }
+    }
+    #[test]
+    fn the_ends() {
+        let table = Table::of(0..3, |x| 1.0 + x);
+        let value = |x: f64| table.at([x]).map(|([value], _)| value);
+        assert!((value(1.0).unwrap() - 2.0).abs() < 1e-15);
+        assert!((value(8f64.next_down()).unwrap() - 9.0).abs() < 4e-15);
+        assert_eq!([value(1f64.next_down()), value(8.0)], [None; 2]);
     }
 }

@@ -107,7 +107,8 @@ impl Reader<'_> {
         let indentations = self.growing(&words.indentation)?;
         let last = indentations[indentations.len() - 1];
         if last > radius {
-            let message = format!("found an indentation of {last:e} m; allowed: at most the radius, {radius:e} m");
+            let message =
+                format!("found an indentation of {last:e} m; allowed: at most the radius, {radius:e} m");
             return Err(self.source.refuse(words.indentation.span(), message));
         }
         self.spheres_only(&words.law, "a ball is a sphere")?;

@@ -148,7 +148,8 @@ impl Plan {
         }
         let uses_none = spec.indentation.is_some() || spec.limit.is_some();
         if let Some((name, _)) = spec.surface.first().filter(|_| uses_none) {
-            let message = "found a surface, which only [compare] and [laws] use; allowed: no [surface.NAME] here";
+            let message =
+                "found a surface, which only [compare] and [laws] use; allowed: no [surface.NAME] here";
             return Err(source.refuse(name.span(), message));
         }
         let kind = if let Some(compare) = &spec.compare {

@@ -56,7 +56,9 @@ fn panel(results: &LawsResults, plot: Plot, shown: Shown) -> Plot {
             .boundaries
             .iter()
             .filter(|boundary| within(boundary.indentation))
-            .flat_map(|boundary| [&boundary.below, &boundary.above].map(|side| at(boundary.indentation, side)))
+            .flat_map(|boundary| {
+                [&boundary.below, &boundary.above].map(|side| at(boundary.indentation, side))
+            })
             .collect();
         plot = plot.with(Layer::points(sides, Marker::Circle).coloured(colour(index)));
     }
@@ -70,10 +72,13 @@ fn indentation_axis() -> Axis {
 /// Load and area in their critical values over all decades.
 pub fn curves(results: &LawsResults) -> String {
     let (load, area) = (results.critical.load, results.critical.area);
-    let plot = |title: &str, label: &str| Plot::new(title, indentation_axis(), Axis::log(label)).height(420.0);
+    let plot =
+        |title: &str, label: &str| Plot::new(title, indentation_axis(), Axis::log(label)).height(420.0);
     let panels = vec![
         panel(results, plot("load", "load P/P_c").legend(Legend::Below), &|_, contact| contact.load / load),
-        panel(results, plot("real contact area", "area A/A_c").legend(Legend::Hidden), &|_, contact| contact.area / area),
+        panel(results, plot("real contact area", "area A/A_c").legend(Legend::Hidden), &|_, contact| {
+            contact.area / area
+        }),
     ];
     Figure::row("Load and area of one asperity under every law", panels).svg()
 }

@@ -153,8 +153,16 @@ fn load_by_load(page: &mut Page, influence: &Influence, measure: Measure) {
         ),
     });
     let head = [
-        "p", "all laws, integral", "all laws, sum", "passing, integral", "passing, sum", "models, first law", "models, most",
-        "s.e. of the sum", "law / adding-up", "",
+        "p",
+        "all laws, integral",
+        "all laws, sum",
+        "passing, integral",
+        "passing, sum",
+        "models, first law",
+        "models, most",
+        "s.e. of the sum",
+        "law / adding-up",
+        "",
     ];
     let rows = of_each_decade(&influence.loads, |at| at.pressure, 1.0);
     page.table(head, rows.into_iter().map(|at| load_row(influence, at, measure)));
@@ -210,18 +218,19 @@ fn law_by_law(page: &mut Page, results: &LawsResults, influence: &Influence, mea
         escape(&influence.laws[0])
     ));
     let told = |weight: Option<Weight>| {
-        let words = |weight: Weight| {
-            format!("{} at {}", signed(measure, weight.largest), quantity(weight.at, "Pa"))
-        };
+        let words =
+            |weight: Weight| format!("{} at {}", signed(measure, weight.largest), quantity(weight.at, "Pa"));
         weight.map_or_else(|| "-".to_owned(), words)
     };
     let row = |(index, law): (usize, &crate::experiment::LawOnOne)| {
         let choice = |kind| {
-            if index == 0 { "(the first)".to_owned() } else { told(influence.of_choice(measure, index, kind)) }
+            if index == 0 {
+                "(the first)".to_owned()
+            } else {
+                told(influence.of_choice(measure, index, kind))
+            }
         };
-        let errors = influence.weight(|at| {
-            Some(at.gap(measure, index) / at.sampling_error(measure, index)?)
-        });
+        let errors = influence.weight(|at| Some(at.gap(measure, index) / at.sampling_error(measure, index)?));
         vec![
             law.law.clone(),
             choice(Kind::Statistical),
@@ -231,7 +240,13 @@ fn law_by_law(page: &mut Page, results: &LawsResults, influence: &Influence, mea
         ]
     };
     page.table(
-        ["law", "integral, from the first", "sum, from the first", "integral from sum", "most standard errors"],
+        [
+            "law",
+            "integral, from the first",
+            "sum, from the first",
+            "integral from sum",
+            "most standard errors",
+        ],
         results.laws.iter().enumerate().map(row),
     );
 }

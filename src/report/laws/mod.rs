@@ -145,7 +145,8 @@ fn one_asperity(page: &mut Page, results: &LawsResults) {
         );
     }
     if let Some(svg) = figures::jumps(results) {
-        let caption = "Where laws jump: load and area over those of an elastic contact at the same indentation.";
+        let caption =
+            "Where laws jump: load and area over those of an elastic contact at the same indentation.";
         page.figure("asperity-jumps.svg", svg, caption);
     }
     let unit = critical.indentation;
@@ -164,7 +165,10 @@ fn one_asperity(page: &mut Page, results: &LawsResults) {
         })
     });
     page.paragraph("Every boundary between two formulas, also where both sides count as one regime:");
-    page.table(["law", "w/w_c", "w", "below", "above", "jump of the load", "jump of the area", "strains"], rows);
+    page.table(
+        ["law", "w/w_c", "w", "below", "above", "jump of the load", "jump of the area", "strains"],
+        rows,
+    );
 }
 
 /// Whether a boundary lies where strains are small.

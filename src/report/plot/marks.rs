@@ -54,7 +54,13 @@ pub(super) fn draw(canvas: &mut Canvas, frame: &Frame, layer: &Layer, taken: &mu
             let pieces = pieces(points.iter().map(|point| frame.spot(*point)));
             // A piece of one point would not show as a line.
             let (alone, pieces): (Vec<_>, Vec<_>) = pieces.into_iter().partition(|piece| piece.len() == 1);
-            draw_lines(canvas, &pieces, Stroke { colour, width: LINE * layer.weight, dash: layer.dash }, frame, taken);
+            draw_lines(
+                canvas,
+                &pieces,
+                Stroke { colour, width: LINE * layer.weight, dash: layer.dash },
+                frame,
+                taken,
+            );
             let alone: Vec<Spot> = alone.into_iter().flatten().collect();
             alone.iter().for_each(|spot| taken.dot(*spot));
             canvas.circles(&alone, LINE * layer.weight, colour);

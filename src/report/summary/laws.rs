@@ -3,8 +3,8 @@
 use serde::Serialize;
 
 use crate::compare::{Group, Kind, Measure, Weight};
-use crate::experiment::{LawsResults, SurfaceInfluence};
 use crate::experiment::plan::Critical;
+use crate::experiment::{LawsResults, SurfaceInfluence};
 use crate::sphere::Boundary;
 
 /// Several laws on one asperity and on surfaces.
