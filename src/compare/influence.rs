@@ -96,6 +96,8 @@ pub struct AtLoad {
     pub counts: bool,
     /// A/A_nom of the first law's sum.
     pub area_ratio: f64,
+    /// Which laws pass from elastic to something else.
+    passing: Vec<bool>,
     /// By separation and by area.
     told: [Told; 2],
 }
@@ -109,19 +111,6 @@ struct Told {
     gaps: Vec<f64>,
     /// Of the sums, law by law.
     errors: Vec<Option<f64>>,
-    /// Of both groups under both models.
-    spreads: [[Option<Spread>; 2]; 2],
-}
-
-/// How far the laws lie apart.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Spread {
-    /// From the lowest to the highest.
-    pub size: f64,
-    /// Index of the law with the smallest answer.
-    pub lowest: usize,
-    /// Index of the law with the largest answer.
-    pub highest: usize,
 }
 
 impl AtLoad {
@@ -129,9 +118,22 @@ impl AtLoad {
         &self.told[measure as usize]
     }
 
-    /// How far the laws of a group lie apart under a model; `None` of fewer than two laws.
-    pub fn spread(&self, measure: Measure, group: Group, kind: Kind) -> Option<Spread> {
-        self.told(measure).spreads[group as usize][kind as usize]
+    fn is_in(&self, group: Group, law: usize) -> bool {
+        group == Group::All || self.passing[law]
+    }
+
+    /// How far the laws of a group lie apart under a model, from the lowest to the highest; `None` of fewer than two.
+    pub fn spread(&self, measure: Measure, group: Group, kind: Kind) -> Option<f64> {
+        self.spread_without(measure, group, kind, None)
+    }
+
+    /// The same with a law left out.
+    pub fn spread_without(&self, measure: Measure, group: Group, kind: Kind, without: Option<usize>) -> Option<f64> {
+        let deviations = self.told(measure).deviations.iter().enumerate();
+        let members = deviations.filter(|(law, _)| self.is_in(group, *law) && Some(*law) != without);
+        let values: Vec<f64> = members.map(|(_, deviation)| deviation[kind as usize]).collect();
+        let (low, high) = (values.iter().copied().reduce(f64::min)?, values.iter().copied().reduce(f64::max)?);
+        (values.len() > 1).then_some(high - low)
     }
 
     /// How far the answer under a law lies above that under the first.
@@ -149,10 +151,11 @@ impl AtLoad {
         self.told(measure).errors[law]
     }
 
-    /// The law under which the models lie furthest apart, and how far.
-    pub fn largest_gap(&self, measure: Measure) -> (usize, f64) {
+    /// The law of a group under which the models lie furthest apart, and how far.
+    pub fn largest_gap(&self, measure: Measure, group: Group) -> Option<(usize, f64)> {
         let gaps = self.told(measure).gaps.iter().copied().enumerate();
-        gaps.max_by(|a, b| a.1.abs().total_cmp(&b.1.abs())).unwrap_or((0, 0.0))
+        gaps.filter(|(law, _)| self.is_in(group, *law))
+            .max_by(|a, b| a.1.abs().total_cmp(&b.1.abs()))
     }
 }
 
@@ -205,7 +208,7 @@ impl Influence {
 
     /// What the law weighs under a model.
     pub fn of_law(&self, measure: Measure, group: Group, kind: Kind) -> Option<Weight> {
-        self.weight(|at| at.spread(measure, group, kind).map(|spread| spread.size))
+        self.weight(|at| at.spread(measure, group, kind))
     }
 
     /// What the adding-up weighs under a law.
@@ -235,11 +238,12 @@ fn compared(pressure: f64, pairs: &[Pair], passing: &[bool], area: f64, sigma: f
         // Contacts are counted: the rounding of their density goes.
         counts: fewest_contacts.round() >= FEWEST_CONTACTS && !interact,
         area_ratio: pairs.first().map_or(0.0, |pair| pair.deterministic.area_ratio.total()),
-        told: Measure::ALL.map(|measure| told(measure, pairs, passing, sigma)),
+        passing: passing.to_vec(),
+        told: Measure::ALL.map(|measure| told(measure, pairs, sigma)),
     }
 }
 
-fn told(measure: Measure, pairs: &[Pair], passing: &[bool], sigma: f64) -> Told {
+fn told(measure: Measure, pairs: &[Pair], sigma: f64) -> Told {
     let from_first = |pair: &Pair| {
         let first = &pairs[0];
         [
@@ -247,22 +251,10 @@ fn told(measure: Measure, pairs: &[Pair], passing: &[bool], sigma: f64) -> Told 
             measure.apart(&pair.deterministic, &first.deterministic),
         ]
     };
-    let deviations: Vec<[f64; 2]> = pairs.iter().map(from_first).collect();
-    let spread = |group: Group, model: usize| {
-        let members = || {
-            (0..pairs.len())
-                .filter(|&law| group == Group::All || passing[law])
-                .map(|law| (law, deviations[law][model]))
-        };
-        let (lowest, low) = members().min_by(|a, b| a.1.total_cmp(&b.1))?;
-        let (highest, high) = members().max_by(|a, b| a.1.total_cmp(&b.1))?;
-        (members().count() > 1).then_some(Spread { size: high - low, lowest, highest })
-    };
     Told {
-        spreads: Group::ALL.map(|group| [spread(group, 0), spread(group, 1)]),
+        deviations: pairs.iter().map(from_first).collect(),
         gaps: pairs.iter().map(|pair| measure.apart(&pair.statistical, &pair.deterministic)).collect(),
         errors: pairs.iter().map(|pair| measure.sampling_error(&pair.deterministic, sigma)).collect(),
-        deviations,
     }
 }
 
@@ -308,19 +300,19 @@ mod tests {
         let found = Influence::of(&laws, 1.0, 1e-8);
         let [at] = &found.loads[..] else { panic!("one load") };
         assert!(at.counts && at.fewest_contacts == 50.0 && at.area_ratio == 1e-3);
-        let spread = |measure, group, kind| {
-            let spread = at.spread(measure, group, kind).unwrap();
-            (spread.size, spread.lowest, spread.highest)
-        };
         let (close, ln2) = (|a: f64, b: f64| (a - b).abs() < 1e-12, 2f64.ln());
-        let (size, lowest, highest) = spread(Measure::Separation, Group::All, Kind::Statistical);
-        assert!(close(size, 1.1) && (lowest, highest) == (2, 1));
-        let (size, lowest, highest) = spread(Measure::Area, Group::Passing, Kind::Deterministic);
-        assert!(close(size, 1.5f64.ln()) && (lowest, highest) == (0, 1));
+        let spread = |measure, group, kind| at.spread(measure, group, kind).unwrap();
+        assert!(close(spread(Measure::Separation, Group::All, Kind::Statistical), 1.1));
+        assert!(close(spread(Measure::Area, Group::All, Kind::Deterministic), 9f64.ln()));
+        assert!(close(spread(Measure::Area, Group::Passing, Kind::Deterministic), 1.5f64.ln()));
+        let without = |law| at.spread_without(Measure::Separation, Group::All, Kind::Statistical, Some(law));
+        assert!(close(without(2).unwrap(), 0.1) && close(without(1).unwrap(), 1.0));
+        assert_eq!(at.spread_without(Measure::Area, Group::Passing, Kind::Statistical, Some(0)), None);
         assert!(close(at.deviation(Measure::Area, 1, Kind::Statistical), -ln2));
         assert!(close(at.gap(Measure::Separation, 0), 0.5) && close(at.gap(Measure::Area, 0), ln2));
-        let (law, gap) = at.largest_gap(Measure::Area);
+        let (law, gap) = at.largest_gap(Measure::Area, Group::All).unwrap();
         assert!(law == 2 && close(gap, (4.0f64 / 9.0).ln()));
+        assert_eq!(at.largest_gap(Measure::Area, Group::Passing).unwrap().0, 0);
         // 10 Pa over 1e10 Pa/m is 1e-9 m, a tenth of sigma; 1e-4 of 1e-3.
         assert!(close(at.sampling_error(Measure::Separation, 0).unwrap(), 0.1));
         assert!(close(at.sampling_error(Measure::Area, 0).unwrap(), 0.1));

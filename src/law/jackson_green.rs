@@ -119,7 +119,7 @@ impl Law for JacksonGreen {
 
     fn about(&self) -> &'static str {
         "A fit to finite elements in which the limiting mean pressure falls as the contact grows; \
-         elastic up to 1.9 of its own w_c. Fitted for steels of Y/E* from 0.001 to 0.008, up to a/R = \
+         elastic up to 1.9 of its own wc. Fitted for steels of Y/E* from 0.001 to 0.008, up to a/R = \
          0.41."
     }
 

@@ -55,7 +55,7 @@ impl Law for KogutEtsion {
 
     fn about(&self) -> &'static str {
         "Powers fitted to finite elements in two ranges beyond the onset of yield of Chang, Etsion and \
-         Bogy, plastic from 110 on; small jumps between the ranges. Fitted for up to 110 of its own w_c, \
+         Bogy, plastic from 110 on; small jumps between the ranges. Fitted for up to 110 of its own wc, \
          w much smaller than R."
     }
 

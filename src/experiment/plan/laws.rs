@@ -4,7 +4,7 @@ use std::fmt;
 use std::ops::Range;
 
 use super::ComparePlan;
-use super::read::Reader;
+use super::read::{Reader, materials};
 use super::surface::curvature_ratio;
 use crate::experiment::refusal::Refusal;
 use crate::experiment::spec::{LawSpec, LawsSpec, Summit};
@@ -90,9 +90,9 @@ impl Reader<'_> {
         let pair = Pair::between(&zmc, rough, flat).ok().filter(|pair| pair.resistance.onset.is_finite());
         let Some(pair) = pair else {
             let message = format!(
-                "found no `hardness` in [material.{}], nor in [material.{}]: [laws] measures indentations by the onset of \
-                 yield; allowed: hardness = \"...\" with a unit of pressure in one of them at least",
-                compare.bodies.rough, compare.bodies.flat
+                "found no `hardness` in {}, which [laws] needs of one body at least, since it measures indentations by the \
+                 onset of yield; allowed: hardness = \"...\" with a unit of pressure",
+                materials(&compare.bodies.rough, &compare.bodies.flat)
             );
             let at = self.material_at(&compare.bodies.rough).unwrap_or_else(|| words.rough.span());
             return Err(self.source.refuse(at, message));

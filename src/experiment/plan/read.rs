@@ -14,6 +14,15 @@ use crate::interface::Flat;
 use crate::law::{Body, Inapplicable, Property};
 use crate::material::Material;
 
+/// Two materials as a refusal names them, or one that both bodies are of.
+pub(super) fn materials(rough: &str, flat: &str) -> String {
+    if rough == flat {
+        format!("[material.{rough}]")
+    } else {
+        format!("[material.{rough}], nor in [material.{flat}]")
+    }
+}
+
 /// Resolves the names of one spec.
 pub(super) struct Reader<'a> {
     pub(super) source: &'a Source,
@@ -74,8 +83,9 @@ impl Reader<'_> {
                 }
             ),
             None => format!(
-                "found no `{key}` in [material.{rough}], nor in [material.{flat}]: law {law} needs that of one of them at \
-                 least; allowed: {key} = \"...\" with a unit of pressure"
+                "found no `{key}` in {}, which law {law} needs of one body at least; allowed: {key} = \"...\" with a unit of \
+                 pressure",
+                materials(rough, flat)
             ),
         };
         self.source.refuse(self.material_at(name).unwrap_or_else(|| laws.span()), message)

@@ -37,7 +37,8 @@ fn panel(results: &LawsResults, plot: Plot, shown: Shown) -> Plot {
         plot = plot.with(Layer::region_x(steep / unit, whole, format!("a > {LARGEST_SLOPE} R")));
     }
     plot = plot.with(Layer::region_x(whole, f64::INFINITY, "w > R"));
-    // The first law comes last, so that it is not hidden.
+    // The first law is named first and drawn last, so that it is not hidden.
+    plot = plot.with(Layer::line([]).coloured(colour(0)).dashed(dash(&results.laws[0])).named(&results.laws[0].law).thin());
     let mut order: Vec<usize> = (0..results.laws.len()).collect();
     order.rotate_left(1);
     for &index in &order {
@@ -66,7 +67,7 @@ fn panel(results: &LawsResults, plot: Plot, shown: Shown) -> Plot {
 }
 
 fn indentation_axis() -> Axis {
-    Axis::log("indentation w/w_c")
+    Axis::log("indentation w/wc")
 }
 
 /// Load and area in their critical values over all decades.
@@ -75,8 +76,8 @@ pub fn curves(results: &LawsResults) -> String {
     let plot =
         |title: &str, label: &str| Plot::new(title, indentation_axis(), Axis::log(label)).height(420.0);
     let panels = vec![
-        panel(results, plot("load", "load P/P_c").legend(Legend::Below), &|_, contact| contact.load / load),
-        panel(results, plot("real contact area", "area A/A_c").legend(Legend::Hidden), &|_, contact| {
+        panel(results, plot("load", "load P/Pc").legend(Legend::Below), &|_, contact| contact.load / load),
+        panel(results, plot("real contact area", "area A/Ac").legend(Legend::Hidden), &|_, contact| {
             contact.area / area
         }),
     ];
@@ -112,7 +113,7 @@ pub fn jumps(results: &LawsResults) -> Option<String> {
     let (critical, radius) = (results.critical, results.radius);
     let elastic = move |w: f64| critical.load * (w / unit).powf(1.5);
     let plot = |title: &str, y: Axis| Plot::new(title, indentation_axis().range(from, to), y).height(420.0);
-    let load = plot("load over the elastic one", Axis::linear("load over Hertz's").range(0.0, 1.6));
+    let load = plot("load over the elastic one", Axis::linear("load over Hertz's").range(0.0, 1.7));
     let area = plot("area over the elastic one", Axis::linear("area A/(π R w)").range(0.8, 2.4));
     let panels = vec![
         panel(results, load.legend(Legend::Below), &|w, contact| contact.load / elastic(w)),
@@ -124,51 +125,96 @@ pub fn jumps(results: &LawsResults) -> Option<String> {
 /// On one surface at equal load: each law's sum beside that of the first law, and integral beside sum under the first.
 pub fn law_or_model(results: &LawsResults, influence: &Influence) -> String {
     let first = &influence.laws[0];
-    let separation = Axis::linear(format!("d/σ minus that of the sum under {first}"));
-    let area = Axis::log(format!("real area over that of the sum under {first}"));
+    let label = |measure| match measure {
+        Measure::Separation => format!("d/σ minus that of the sum under {first}"),
+        Measure::Area => format!("real area over that of the sum under {first}"),
+    };
+    let plot = |measure, title: &str, legend| {
+        let y = Axis::linear(label(measure));
+        let y = match range(results, influence, measure) {
+            Some([low, high]) => y.range(low, high),
+            None => y,
+        };
+        let plot = Plot::new(title, Axis::log("nominal pressure p (MPa)"), y).height(420.0).legend(legend);
+        beside(results, influence, measure, plot)
+    };
     let panels = vec![
-        beside(results, influence, Measure::Separation, Plot::new("separation", load_axis(), separation))
-            .legend(Legend::Below),
-        beside(results, influence, Measure::Area, Plot::new("real contact area", load_axis(), area))
-            .legend(Legend::Hidden),
+        plot(Measure::Separation, "separation", Legend::Below),
+        plot(Measure::Area, "real contact area", Legend::Hidden),
     ];
     Figure::row("Law against adding-up at equal load", panels).svg()
 }
 
-fn load_axis() -> Axis {
-    Axis::log("nominal pressure p (MPa)")
+/// How a difference is drawn.
+fn shown(measure: Measure, difference: f64) -> f64 {
+    match measure {
+        Measure::Separation => difference,
+        Measure::Area => difference.exp(),
+    }
+}
+
+/// What the laws that pass from elastic to plastic, and the models, need over the loads that count: limits may lie far off.
+fn range(results: &LawsResults, influence: &Influence, measure: Measure) -> Option<[f64; 2]> {
+    /// Above and below, of the range.
+    const ROOM: f64 = 0.15;
+    let passing = || (0..results.laws.len()).filter(|&law| results.laws[law].passes_regimes);
+    let of_load = |at: &AtLoad| {
+        let mut needed = vec![0.0];
+        needed.extend(passing().map(|law| at.deviation(measure, law, Kind::Deterministic)));
+        let half = BAND * at.sampling_error(measure, 0).unwrap_or(0.0);
+        needed.extend([at.gap(measure, 0) - half, at.gap(measure, 0) + half]);
+        needed
+    };
+    let needed = || influence.counting().flat_map(of_load).map(|difference| shown(measure, difference));
+    let (low, high) = (needed().reduce(f64::min)?, needed().reduce(f64::max)?);
+    let room = ROOM * (high - low);
+    (room > 0.0).then_some([low - room, high + room])
+}
+
+/// The laws whose sums lie outside the picture of a measure wherever loads count, and between which values.
+pub fn outside(results: &LawsResults, influence: &Influence, measure: Measure) -> Vec<(String, [f64; 2])> {
+    let Some([low, high]) = range(results, influence, measure) else { return Vec::new() };
+    let of_law = |law: usize| {
+        let values = || {
+            let difference = |at: &AtLoad| at.deviation(measure, law, Kind::Deterministic);
+            influence.counting().map(move |at| shown(measure, difference(at)))
+        };
+        let is_outside = values().all(|value| !(low..=high).contains(&value));
+        let ends = [values().reduce(f64::min)?, values().reduce(f64::max)?];
+        is_outside.then(|| (influence.laws[law].clone(), ends))
+    };
+    (0..results.laws.len()).filter_map(of_law).collect()
 }
 
 fn beside(results: &LawsResults, influence: &Influence, measure: Measure, plot: Plot) -> Plot {
     const MEGA: f64 = 1e6;
-    let shown = |difference: f64| match measure {
-        Measure::Separation => difference,
-        Measure::Area => difference.exp(),
-    };
     let line = |of: &dyn Fn(&AtLoad) -> f64| -> Line {
-        influence.loads.iter().map(|at| (at.pressure / MEGA, shown(of(at)))).collect()
+        influence.loads.iter().map(|at| (at.pressure / MEGA, shown(measure, of(at)))).collect()
     };
-    let mut plot = plot.height(420.0);
+    let mut plot = plot;
     let counting: Vec<f64> = influence.counting().map(|at| at.pressure / MEGA).collect();
     if let (Some(&lowest), Some(&highest)) = (counting.first(), counting.last()) {
         let loads = || influence.loads.iter().map(|at| at.pressure / MEGA);
         if loads().any(|load| load < lowest) {
-            plot = plot.with(Layer::region_x(0.0, lowest, "few contacts"));
+            plot = plot.with(Layer::region_x(0.0, lowest, "few"));
         }
         if loads().any(|load| load > highest) {
-            plot = plot.with(Layer::region_x(highest, f64::INFINITY, "asperities interact"));
+            plot = plot.with(Layer::region_x(highest, f64::INFINITY, "interact"));
         }
     }
+    let name = format!("{}, integral", influence.laws[0]);
+    let band = influence.loads.iter().filter_map(|at| {
+        let (gap, half) = (at.gap(measure, 0), BAND * at.sampling_error(measure, 0)?);
+        Some((at.pressure / MEGA, shown(measure, gap - half), shown(measure, gap + half)))
+    });
+    plot = plot
+        .with(Layer::at_y(shown(measure, 0.0), ""))
+        .with(Layer::band(band.collect::<Vec<_>>()).coloured(colour(0)).named(name.clone()))
+        .with(Layer::line(line(&|at| at.gap(measure, 0))).coloured(colour(0)).named(name).thick());
     for (index, law) in results.laws.iter().enumerate().skip(1) {
         let points = line(&|at| at.deviation(measure, index, Kind::Deterministic));
         let layer = Layer::line(points).coloured(colour(index)).dashed(dash(law));
         plot = plot.with(layer.named(format!("{}, sum", law.law)).thin());
     }
-    let band = influence.loads.iter().filter_map(|at| {
-        let (gap, half) = (at.gap(measure, 0), BAND * at.sampling_error(measure, 0)?);
-        Some((at.pressure / MEGA, shown(gap - half), shown(gap + half)))
-    });
-    let name = format!("{}, integral (band: 95 % of other samples)", influence.laws[0]);
-    plot.with(Layer::band(band.collect::<Vec<_>>()).coloured(colour(0)).named(name.clone()))
-        .with(Layer::line(line(&|at| at.gap(measure, 0))).coloured(colour(0)).named(name).thick())
+    plot
 }

@@ -50,10 +50,12 @@ pub fn page(results: &LawsResults) -> Page {
         page.warning(&escape(&warning));
     }
     page.heading(2, "In short");
+    page.bullets(influence::verdict(results));
     for found in &compared.surfaces {
         page.bullets(influence::in_short(results, found));
     }
     page.bullets(on_one_in_short(results));
+    page.paragraph(compare::CONDITION);
     head::what_was_run(&mut page, &compared.head, &compared.contact);
     laws(&mut page, results);
     one_asperity(&mut page, results);
@@ -80,12 +82,12 @@ fn on_one_in_short(results: &LawsResults) -> Vec<String> {
         if each.is_empty() { "none".to_owned() } else { each.join("; ") }
     };
     let mut lines = vec![
-        format!("**Jumps of the load** on one asperity, at w/w_c: {}.", all(Boundary::load_jump)),
+        format!("**Jumps of the load** on one asperity, at w/wc: {}.", all(Boundary::load_jump)),
         format!("**Jumps of the area**: {}.", all(Boundary::area_jump)),
     ];
     if let Some(steep) = steep_from(results) {
         lines.push(format!(
-            "**Small strains** end near w/w_c = {}, where the contact radius passes {LARGEST_SLOPE} of the asperity's; at {} the \
+            "**Small strains** end near w/wc = {}, where the contact radius passes {LARGEST_SLOPE} of the asperity's; at {} the \
              indentation is the radius itself. Beyond that the curves show the laws, not contacts.",
             number(steep / unit),
             number(results.radius / unit),
@@ -125,8 +127,8 @@ fn one_asperity(page: &mut Page, results: &LawsResults) {
     };
     page.paragraph(&format!(
         "Radius R = {}. Indentations are in one unit for all laws, the onset of yield of Zhao, Maietta and Chang on a sphere: \
-         w_c = (0.3 π)² R (H/E*)² = {}; P_c = {} and A_c = {} are Hertz's load and area there. Laws with another onset begin to \
-         yield at another w/w_c.{ellipse}",
+         wc = (0.3 π)² R (H/E*)² = {}; Pc = {} and Ac = {} are Hertz's load and area there. Laws with another onset begin to \
+         yield at another w/wc.{ellipse}",
         quantity(results.radius, "m"),
         quantity(critical.indentation, "m"),
         quantity(critical.load, "N"),
@@ -166,7 +168,7 @@ fn one_asperity(page: &mut Page, results: &LawsResults) {
     });
     page.paragraph("Every boundary between two formulas, also where both sides count as one regime:");
     page.table(
-        ["law", "w/w_c", "w", "below", "above", "jump of the load", "jump of the area", "strains"],
+        ["law", "w/wc", "w", "below", "above", "jump of the load", "jump of the area", "strains"],
         rows,
     );
 }

@@ -54,8 +54,8 @@ struct InfluenceRow {
     passing_laws_statistical: Option<f64>,
     passing_laws_deterministic: Option<f64>,
     models_first_law: f64,
-    models_most: f64,
-    models_most_law: String,
+    passing_laws_models_most: Option<f64>,
+    passing_laws_models_most_law: Option<String>,
     sampling_error: Option<f64>,
     law_over_adding_up: Option<f64>,
 }
@@ -141,9 +141,9 @@ impl InfluenceRow {
             Measure::Separation => difference,
             Measure::Area => difference.exp(),
         };
-        let size = |group, kind| at.spread(measure, group, kind).map(|spread| spread.size);
+        let size = |group, kind| at.spread(measure, group, kind);
         let spread = |group, kind| size(group, kind).map(told);
-        let (law, most) = at.largest_gap(measure);
+        let most = at.largest_gap(measure, Group::Passing);
         let gap = at.gap(measure, 0);
         Self {
             surface: found.surface.clone(),
@@ -157,8 +157,8 @@ impl InfluenceRow {
             passing_laws_statistical: spread(Group::Passing, Kind::Statistical),
             passing_laws_deterministic: spread(Group::Passing, Kind::Deterministic),
             models_first_law: told(gap),
-            models_most: told(most),
-            models_most_law: influence.laws[law].clone(),
+            passing_laws_models_most: most.map(|(_, gap)| told(gap)),
+            passing_laws_models_most_law: most.map(|(law, _)| influence.laws[law].clone()),
             sampling_error: at.sampling_error(measure, 0),
             law_over_adding_up: size(Group::Passing, Kind::Deterministic)
                 .map(|size| size / gap.abs())
