@@ -23,7 +23,7 @@
 //! use asperity::model::{Statistical, at_pressure};
 //!
 //! let steel = Material::new(210e9, 0.3, Some(7.6e9), None)?;
-//! let contact = Interface::bare(Zmc::default(), &steel, &steel);
+//! let contact = Interface::bare(Zmc::default(), &steel, &steel)?;
 //! let population =
 //!     Population { radius: 20e-6, sigma: 48e-9, density: 6e10, heights: HeightDensity::Gaussian };
 //! let reached = at_pressure(&Statistical::new(&contact, population), 1e6)?;

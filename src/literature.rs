@@ -111,8 +111,8 @@ pub const ABBOTT_FIRESTONE_1933: Paper = Paper {
     full: "Abbott, E. J., Firestone, F. A. (1933). Specifying surface quality: a method based on accurate measurement and comparison. Mechanical Engineering 55, 569-572.",
 };
 
-/// Hertz's contact of elliptic paraboloids.
+/// Hertz's solution for paraboloids whose principal curvatures differ.
 pub const JOHNSON_1985: Paper = Paper {
     short: "Johnson 1985",
-    full: "Johnson, K. L. (1985). Contact mechanics. Cambridge University Press, chapter 4. doi:10.1017/CBO9781139171731",
+    full: "Johnson, K. L. (1985). Contact Mechanics, chapter 4. Cambridge University Press. doi:10.1017/CBO9781139171731",
 };

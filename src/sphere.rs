@@ -254,12 +254,15 @@ mod tests {
 
     fn under_lead(thickness: f64) -> Box<dyn MicroContact> {
         let lead = Material::new(18e9, 0.35, Some(0.17e9), None).unwrap();
-        Flat::with_layer(&lead, &steel(), thickness, Rule::Gao).unwrap().under(Zmc::default(), &steel())
+        Flat::with_layer(&lead, &steel(), thickness, Rule::Gao)
+            .unwrap()
+            .under(Zmc::default(), &steel())
+            .unwrap()
     }
 
     #[test]
     fn a_stretch_begins_where_another_ends_and_has_one_regime() {
-        let curve = Curve::of(&*under_lead(100e-9), 20e-6, &[1e-10, 1e-8, 1e-6]);
+        let curve = Curve::of(&*under_lead(100e-9), Shape::sphere(20e-6), &[1e-10, 1e-8, 1e-6]);
         let names: String = curve.sequence().iter().map(|regime| (*regime as u8).to_string()).collect();
         assert_eq!(names, "01212");
         let stretches = curve.stretches();
@@ -275,7 +278,7 @@ mod tests {
 
     #[test]
     fn area_falls_where_the_contact_turns_from_plastic_to_elastic_plastic() {
-        let curve = Curve::of(&*under_lead(100e-9), 20e-6, &[1e-10, 1e-6]);
+        let curve = Curve::of(&*under_lead(100e-9), Shape::sphere(20e-6), &[1e-10, 1e-6]);
         let [fall] = curve.falls[..] else { panic!("{:?}", curve.falls) };
         assert_eq!(fall.of, Falling::Area);
         assert!(
@@ -289,8 +292,8 @@ mod tests {
         let lead = Material::new(18e9, 0.35, Some(0.17e9), None).unwrap();
         for thickness in [0.0, 1e-9, f64::INFINITY] {
             let flat = Flat::with_layer(&lead, &steel(), thickness, Rule::Gao).unwrap();
-            let contact = flat.under(Zmc::new(0.89, 54.0).unwrap(), &steel());
-            let curve = Curve::of(&*contact, 20e-6, &[1e-12, 1e-6]);
+            let contact = flat.under(Zmc::new(0.89, 54.0).unwrap(), &steel()).unwrap();
+            let curve = Curve::of(&*contact, Shape::sphere(20e-6), &[1e-12, 1e-6]);
             let of_load = |fall: &&Fall| fall.of == Falling::Load && (fall.loss() - 9.76e-4).abs() < 1e-6;
             assert!(curve.falls.iter().any(|fall| of_load(&fall)), "{thickness}: {:?}", curve.falls);
         }
@@ -298,10 +301,10 @@ mod tests {
 
     #[test]
     fn a_curve_of_one_regime() {
-        let contact = Flat::Bare(steel()).under(Hertz, &steel());
-        let curve = Curve::of(&*contact, 1e-5, &[1e-9, 1e-8]);
+        let contact = Flat::Bare(steel()).under(Hertz, &steel()).unwrap();
+        let curve = Curve::of(&*contact, Shape::sphere(1e-5), &[1e-9, 1e-8]);
         assert!(curve.changes.is_empty() && curve.falls.is_empty());
         assert_eq!((curve.sequence(), curve.stretches().len()), (vec![Regime::Elastic], 1));
-        assert_eq!(Curve::of(&*contact, 1e-5, &[1e-9]).stretches().len(), 0);
+        assert_eq!(Curve::of(&*contact, Shape::sphere(1e-5), &[1e-9]).stretches().len(), 0);
     }
 }

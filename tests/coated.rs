@@ -5,7 +5,7 @@ mod common;
 use asperity::asperity::{AsperitySet, HeightDensity, Ordered, Population};
 use asperity::coating::{Coating, Rule};
 use asperity::interface::{Flat, Layered, MicroContact};
-use asperity::law::Zmc;
+use asperity::law::{Shape, Zmc};
 use asperity::material::Material;
 use asperity::model::{Datum, Deterministic, Model, Statistical};
 use common::{Row, Worst, rows};
@@ -20,7 +20,7 @@ fn lead() -> Material {
 
 /// ZMC against a flat with a layer of any thickness, 0 and infinity included.
 fn flat(rough: &Material, layer: &Material, substrate: &Material, thickness: f64) -> Box<dyn MicroContact> {
-    Flat::with_layer(layer, substrate, thickness, Rule::Gao).unwrap().under(Zmc::default(), rough)
+    Flat::with_layer(layer, substrate, thickness, Rule::Gao).unwrap().under(Zmc::default(), rough).unwrap()
 }
 
 fn body(row: &Row, name: &str, strength: Option<f64>) -> Material {
@@ -47,7 +47,8 @@ fn effective_properties_and_the_coated_contact() {
         see(young, "effective_young");
         see(found.hardness, "effective_hardness");
         see((rough.plane_compliance() + found.compliance).recip(), "reduced_modulus");
-        let contact = Layered::new(Zmc::default(), &rough, &substrate, coating).contact(w, Shape::sphere(b));
+        let contact =
+            Layered::new(Zmc::default(), &rough, &substrate, coating).unwrap().contact(w, Shape::sphere(b));
         contacts.see(contact.area, row.number("area"), || format!("area of row {k}"));
         contacts.see(contact.load, row.number("load"), || format!("load of row {k}"));
         assert_eq!(contact.regime.name(), row.text("regime"), "row {k}");
@@ -107,12 +108,13 @@ fn the_two_spheres_of_figure_5() {
         &Material::new(140e9, 0.3, Some(1.86e9), None).unwrap(),
         Coating::new(&lead(), &Material::new(140e9, 0.3, Some(1.86e9), None).unwrap(), 1.2e-6, Rule::Gao)
             .unwrap(),
-    );
+    )
+    .unwrap();
     let diamond = Material::new(1140e9, 0.07, None, None).unwrap();
     let ceramic = Material::new(400e9, 0.3, Some(21e9), None).unwrap();
     let substrate = Material::new(200e9, 0.07, Some(7.6e9), None).unwrap();
     let coating = Coating::new(&ceramic, &substrate, 1e-6, Rule::Gao).unwrap();
-    let tang_arnell = Layered::new(Zmc::default(), &diamond, &substrate, coating);
+    let tang_arnell = Layered::new(Zmc::default(), &diamond, &substrate, coating).unwrap();
     let loads = |contact: &dyn MicroContact, b: f64, known: &[(f64, f64)]| {
         for &(w, load) in known {
             let found = contact.contact(w * 1e-6, Shape::sphere(b)).load;

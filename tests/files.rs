@@ -1,6 +1,6 @@
 //! Reading `.npy` arrays and lists of asperities.
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use asperity::asperity::{ListError, read_list};
 use asperity::surface::Rows;
@@ -153,22 +153,30 @@ fn what_is_no_array_is_told_apart() {
     assert!(matches!(refused(&long), ReadError::Corrupt(_)));
 }
 
+/// Heights and radii of a list.
+fn spheres(path: &Path) -> (Vec<f64>, Vec<f64>) {
+    let set = read_list(path, false).unwrap().set(1.0).unwrap();
+    (set.heights().to_vec(), set.radii().to_vec())
+}
+
 #[test]
 fn a_list_may_have_comments_other_columns_and_windows_line_ends() {
     let text = "\u{feff}# made by hand\r\nname, radius, height\r\na, 1e-6, 2e-9\r\nb, 2e-6, -3e-9\r\n";
     let (_folder, path) = file("list.csv", text.trim_start_matches('\u{feff}').as_bytes());
-    assert_eq!(read_list(&path).unwrap(), (vec![2e-9, -3e-9], vec![1e-6, 2e-6]));
+    assert_eq!(spheres(&path), (vec![2e-9, -3e-9], vec![1e-6, 2e-6]));
     let (_folder, path) = file("bom.csv", "\u{feff}height,radius\n1e-9,1e-6\n".as_bytes());
-    assert_eq!(read_list(&path).unwrap(), (vec![1e-9], vec![1e-6]));
+    assert_eq!(spheres(&path), (vec![1e-9], vec![1e-6]));
 }
 
 #[test]
 fn a_list_may_be_an_array_of_two_columns() {
     let data: Vec<u8> = [2e-9, 1e-6, -3e-9, 2e-6f64].iter().flat_map(|v| v.to_le_bytes()).collect();
     let (_folder, path) = file("list.npy", &array("<f8", false, "(2, 2)", &data));
-    assert_eq!(read_list(&path).unwrap(), (vec![2e-9, -3e-9], vec![1e-6, 2e-6]));
+    assert_eq!(spheres(&path), (vec![2e-9, -3e-9], vec![1e-6, 2e-6]));
     let (_folder, path) = file("wide.npy", &array("<f8", false, "(1, 4)", &data));
-    assert!(matches!(read_list(&path), Err(ListError::Shape { rows: 1, columns: 4 })));
+    assert_eq!(spheres(&path), (vec![2e-9], vec![1e-6]));
+    let (_folder, path) = file("long.npy", &array("<f8", false, "(4, 1)", &data));
+    assert!(matches!(read_list(&path, false), Err(ListError::Shape { rows: 4, columns: 1, .. })));
 }
 
 /// Versions 2 and 3 say the length of the head in four bytes.

@@ -6,10 +6,9 @@ use asperity::asperity::{
     AsperitySet, Draw, HeightDensity, Ordered, Population, Statistics, SurfaceHeights, gaussian_moment,
 };
 use asperity::interface::{Interface, MicroContact};
-use asperity::law::{Hertz, Zmc};
+use asperity::law::{Hertz, Shape, Zmc};
 use asperity::material::Material;
 use asperity::model::{Datum, Deterministic, Model, Statistical, at_pressure};
-use asperity::numeric::interval::Interval;
 use common::{Worst, relative_error, rows};
 
 const CASE_1: Population =
@@ -22,7 +21,7 @@ fn steel() -> Material {
 }
 
 fn zmc(onset: f64) -> Interface<Zmc> {
-    Interface::bare(Zmc::new(onset, 54.0).unwrap(), &steel(), &steel())
+    Interface::bare(Zmc::new(onset, 54.0).unwrap(), &steel(), &steel()).unwrap()
 }
 
 fn drawn(population: Population, count: usize) -> Ordered {
@@ -64,8 +63,8 @@ fn a_sum_over_a_million_asperities_is_exact_to_4_ulp() {
     let equal = AsperitySet::new(vec![1.37e-7; 1_000_000], vec![1.1e-6; 1_000_000], 1.0).unwrap();
     for set in [drawn_set, Ordered::new(&equal)] {
         for d in [-1e-6, 0.0, 1e-7] {
-            let (heights, radii) = set.above(d);
-            let contacts = || heights.iter().zip(radii).map(|(z, &b)| law.contact(z - d, Shape::sphere(b)));
+            let above = set.above(d);
+            let contacts = || (0..above.count()).map(|i| law.contact(above.heights()[i] - d, above.shape(i)));
             let found = Deterministic::new(&law, &set, datum(CASE_2)).tally(d);
             let ulp = |exact: f64| exact * f64::EPSILON;
             let (area, load) = (exact_sum(contacts().map(|c| c.area)), exact_sum(contacts().map(|c| c.load)));
@@ -113,9 +112,9 @@ fn partial_tallies_merge_into_the_whole() {
 fn exponential_heights_make_area_proportional_to_load_for_any_law() {
     let population = Population { heights: HeightDensity::Exponential, ..CASE_2 };
     let laws: [Box<dyn MicroContact>; 3] = [
-        Box::new(Interface::bare(Hertz, &steel(), &steel())),
+        Box::new(Interface::bare(Hertz, &steel(), &steel()).unwrap()),
         Box::new(zmc(Zmc::ONSET)),
-        Box::new(Interface::bare(Zmc::new(0.89, 110.0).unwrap(), &steel(), &steel())),
+        Box::new(Interface::bare(Zmc::new(0.89, 110.0).unwrap(), &steel(), &steel()).unwrap()),
     ];
     for law in &laws {
         let model = Statistical::new(&**law, population);
@@ -131,7 +130,7 @@ fn exponential_heights_make_area_proportional_to_load_for_any_law() {
 #[test]
 fn exponential_moments_are_gamma_functions() {
     let body = Material::new(2.0, 0.0, None, None).unwrap();
-    let hertz = Interface::bare(Hertz, &body, &body);
+    let hertz = Interface::bare(Hertz, &body, &body).unwrap();
     let unit = Population { radius: 1.0, sigma: 1.0, density: 1.0, heights: HeightDensity::Exponential };
     for h in [-1.0, 0.0, 3.0, 100.0] {
         let found = Statistical::new(&hertz, unit).respond(h);
@@ -190,7 +189,8 @@ fn an_adaptive_integration_agrees() {
         let Population { radius, sigma, density, .. } = population;
         let integrand = |x: f64| {
             let z = h + x;
-            law.contact(x * sigma, Shape::sphere(radius)).load * (-0.5 * z * z).exp() / (2.0 * std::f64::consts::PI).sqrt()
+            law.contact(x * sigma, Shape::sphere(radius)).load * (-0.5 * z * z).exp()
+                / (2.0 * std::f64::consts::PI).sqrt()
         };
         let mut ends = vec![1e-12];
         ends.extend(law.breakpoints(Shape::sphere(radius)).iter().map(|w| w / sigma).filter(|&x| x < 9.0));
@@ -275,8 +275,10 @@ fn a_pressure_in_a_jump_is_said_to_be_in_one() {
     let set = Ordered::new(&AsperitySet::new(vec![0.0, -1e-6], vec![2e-5, 2e-5], 1.0).unwrap());
     let model = Deterministic::new(&law, &set, Datum { mean: 0.0, sigma: 1e-8 });
     let w1 = law.breakpoints(Shape::sphere(2e-5))[0];
-    let (before, after) =
-        (law.contact(w1 * (1.0 - 1e-9), Shape::sphere(2e-5)).load, law.contact(w1 * (1.0 + 1e-9), Shape::sphere(2e-5)).load);
+    let (before, after) = (
+        law.contact(w1 * (1.0 - 1e-9), Shape::sphere(2e-5)).load,
+        law.contact(w1 * (1.0 + 1e-9), Shape::sphere(2e-5)).load,
+    );
     let reached = at_pressure(&model, 0.5 * (before + after)).unwrap();
     assert!(reached.in_jump);
     assert!(relative_error(-reached.response.separation, w1) < 1e-12);
@@ -322,7 +324,7 @@ fn asperities_at_or_below_the_flat_do_not_touch() {
 /// not scatter.
 #[test]
 fn the_sampling_error_of_a_few_asperities() {
-    let law = Interface::bare(Hertz, &steel(), &steel());
+    let law = Interface::bare(Hertz, &steel(), &steel()).unwrap();
     let error = |radii: Vec<f64>, heights: Vec<f64>| {
         let set = Ordered::new(&AsperitySet::new(heights, radii, 2.0).unwrap());
         let found = Deterministic::new(&law, &set, Datum { mean: 0.0, sigma: 1e-9 }).respond(0.0);
@@ -368,7 +370,9 @@ fn dense(law: &dyn MicroContact, population: Population, h: f64) -> f64 {
     let panel = |from: f64, to: f64| {
         panels(from, to, Variable::SquareRoot, 200)
             .flat_map(|panel| panel.points.into_iter().zip(panel.weights))
-            .map(|(x, weight)| weight * law.contact(x * sigma, Shape::sphere(radius)).load * heights.density(h + x))
+            .map(|(x, weight)| {
+                weight * law.contact(x * sigma, Shape::sphere(radius)).load * heights.density(h + x)
+            })
             .collect::<asperity::numeric::Sum>()
             .value()
     };
@@ -378,7 +382,7 @@ fn dense(law: &dyn MicroContact, population: Population, h: f64) -> f64 {
 #[test]
 fn deep_below_the_mean_a_wide_transition_is_resolved_too() {
     for ratio in [2.0, 54.0, 110.0, 1e4, 1e10] {
-        let law = Interface::bare(Zmc::new(Zmc::ONSET, ratio).unwrap(), &steel(), &steel());
+        let law = Interface::bare(Zmc::new(Zmc::ONSET, ratio).unwrap(), &steel(), &steel()).unwrap();
         for h in [-10.0, -8.0, -5.0, -3.0, -1.0] {
             for radius in [1.6e-6, 1e-4, 1e-2] {
                 let population = Population { radius, ..CASE_2 };
@@ -393,7 +397,7 @@ fn deep_below_the_mean_a_wide_transition_is_resolved_too() {
 #[test]
 fn breakpoints_next_to_nothing_cost_nothing() {
     let soft = Material::new(1e30, 0.3, Some(1e-30), None).unwrap();
-    let law = Interface::bare(Zmc::default(), &soft, &soft);
+    let law = Interface::bare(Zmc::default(), &soft, &soft).unwrap();
     let population = Population { radius: 1e-30, sigma: 1e30, ..CASE_1 };
     let found = Statistical::new(&law, population).respond(1.0);
     assert!(found.area_ratio.0[2] > 0.0 && found.area_ratio.total().is_finite());
@@ -421,7 +425,7 @@ fn a_peak_within_a_step_of_the_search_is_found() {
 /// Rounding of a separation far from zero is no jump.
 #[test]
 fn an_offset_of_the_heights_makes_no_jumps() {
-    let law = Interface::bare(Hertz, &steel(), &steel());
+    let law = Interface::bare(Hertz, &steel(), &steel()).unwrap();
     let drawn = CASE_1.set(5000, Draw::Random([9; 32])).unwrap();
     let shifted = drawn.heights().iter().map(|z| z + 1e-3).collect();
     let set = AsperitySet::new(shifted, drawn.radii().to_vec(), drawn.nominal_area()).unwrap();

@@ -5,8 +5,8 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 use asperity::asperity::{AsperitySet, Draw, HeightDensity, Ordered, Population};
 use asperity::coating::{Coating, Rule};
 use asperity::contact::{Contact, Regime};
-use asperity::interface::{Flat, Layered, LoadBounds, MicroContact};
-use asperity::law::Zmc;
+use asperity::interface::{Flat, Layered, LoadBounds, MicroContact, Shapes};
+use asperity::law::{Shape, Zmc};
 use asperity::literature::Paper;
 use asperity::material::Material;
 use asperity::model::{Datum, Deterministic, Model, Statistical};
@@ -91,6 +91,7 @@ impl Case {
 
     fn contact(&self) -> Layered<Zmc> {
         Layered::new(Zmc::new(self.onset, self.ratio).unwrap(), &self.rough, &self.substrate, self.coating())
+            .unwrap()
     }
 
     /// Where the flat becomes as hard as the rough body.
@@ -106,7 +107,7 @@ fn steel() -> Material {
 fn under_lead(thickness: f64) -> Layered<Zmc> {
     let lead = Material::new(18e9, 0.35, Some(0.17e9), None).unwrap();
     let coating = Coating::new(&lead, &steel(), thickness, Rule::Gao).unwrap();
-    Layered::new(Zmc::default(), &steel(), &steel(), coating)
+    Layered::new(Zmc::default(), &steel(), &steel(), coating).unwrap()
 }
 
 /// The regimes of lead on steel that PHYSICS C lists for Table 1, and where its areas fall.
@@ -128,10 +129,13 @@ fn regimes_of_lead_on_steel_come_again() {
             let contact = under_lead(t);
             let changes = contact.regime_changes(Shape::sphere(b));
             let ends = [1e-30].into_iter().chain(changes.iter().copied()).chain([1.0]).collect::<Vec<_>>();
-            let regimes: Vec<_> =
-                ends.windows(2).map(|w| contact.contact((w[0] * w[1]).sqrt(), Shape::sphere(b)).regime).collect();
+            let regimes: Vec<_> = ends
+                .windows(2)
+                .map(|w| contact.contact((w[0] * w[1]).sqrt(), Shape::sphere(b)).regime)
+                .collect();
             assert_eq!(&regimes, expected, "{t:e} m on {b:e} m");
-            let curve: Vec<_> = (0..20_000).map(|k| contact.contact(1e-13 * 1.0015f64.powi(k), Shape::sphere(b))).collect();
+            let curve: Vec<_> =
+                (0..20_000).map(|k| contact.contact(1e-13 * 1.0015f64.powi(k), Shape::sphere(b))).collect();
             let drops = |value: fn(&Contact) -> f64| {
                 curve.windows(2).any(|pair| value(&pair[1]) < value(&pair[0]) * (1.0 - 1e-12))
             };
@@ -204,7 +208,7 @@ fn three_roots_that_merge_are_one() {
         let coating =
             Coating::new(&body(1e9 * MERGING * (1.0 - apart)), &body(1e9), 1e-7, Rule::Gao).unwrap();
         let b = w * (modulus / coating.at(w, 1e-5).hardness).powi(2) / Zmc::ONSET;
-        let contact = Layered::new(Zmc::default(), &rough, &body(1e9), coating);
+        let contact = Layered::new(Zmc::default(), &rough, &body(1e9), coating).unwrap();
         // Of these one is the end of the elastic-plastic range.
         let found = contact.regime_changes(Shape::sphere(b)).len() - 1;
         assert!(expected.contains(&found), "{found} roots at {apart:e}");
@@ -278,8 +282,11 @@ fn no_load_falls_before_it_is_said_to() {
             bounded += 1;
             let from = 1e-6 * case.thickness.min(case.thickness.powi(2) / case.radius);
             let end = to.min(1e3 * case.thickness.max(case.thickness.powi(2) / case.radius));
-            let load =
-                |k: i32| contact.contact(from * (end / from).powf(f64::from(k) / 4000.0), case.radius).load;
+            let load = |k: i32| {
+                contact
+                    .contact(from * (end / from).powf(f64::from(k) / 4000.0), Shape::sphere(case.radius))
+                    .load
+            };
             let falls = (0..4000).find(|&k| load(k + 1) < load(k) * (1.0 - 1e-12));
             assert!(from > end || falls.is_none(), "falls at {falls:?} before {to:e}: {case:?}");
         }
@@ -292,7 +299,7 @@ fn no_load_falls_before_it_is_said_to() {
 fn a_jump_that_is_passed_backwards_is_a_fall() {
     let lead = Material::new(18e9, 0.35, Some(0.17e9), None).unwrap();
     let coating = Coating::new(&lead, &steel(), 1e-9, Rule::Gao).unwrap();
-    let contact = Layered::new(Zmc::new(0.4, 54.0).unwrap(), &steel(), &steel(), coating);
+    let contact = Layered::new(Zmc::new(0.4, 54.0).unwrap(), &steel(), &steel(), coating).unwrap();
     let back = contact.regime_changes(Shape::sphere(2e-5))[1];
     let load = |w: f64| contact.contact(w, Shape::sphere(2e-5)).load;
     assert!(load(back * (1.0 + 1e-9)) < 0.7 * load(back * (1.0 - 1e-9)));
@@ -303,21 +310,21 @@ fn a_jump_that_is_passed_backwards_is_a_fall() {
 struct Counted<'a>(&'a dyn MicroContact, AtomicUsize);
 
 impl MicroContact for Counted<'_> {
-    fn contact(&self, w: f64, b: f64) -> Contact {
-        self.0.contact(w, Shape::sphere(b))
+    fn contact(&self, w: f64, shape: Shape) -> Contact {
+        self.0.contact(w, shape)
     }
-    fn regime_changes(&self, b: f64) -> Vec<f64> {
-        self.0.regime_changes(Shape::sphere(b))
+    fn regime_changes(&self, shape: Shape) -> Vec<f64> {
+        self.0.regime_changes(shape)
     }
-    fn breakpoints(&self, b: f64) -> Vec<f64> {
-        self.0.breakpoints(Shape::sphere(b))
+    fn breakpoints(&self, shape: Shape) -> Vec<f64> {
+        self.0.breakpoints(shape)
     }
-    fn load_rises_to(&self, radii: Interval) -> f64 {
-        self.0.load_rises_to(radii)
+    fn load_rises_to(&self, shapes: Shapes) -> f64 {
+        self.0.load_rises_to(shapes)
     }
-    fn load_over(&self, from: f64, to: f64, b: f64) -> LoadBounds {
+    fn load_over(&self, from: f64, to: f64, shape: Shape) -> LoadBounds {
         self.1.fetch_add(1, Ordering::Relaxed);
-        self.0.load_over(from, to, b)
+        self.0.load_over(from, to, shape)
     }
     fn reference_modulus(&self) -> f64 {
         self.0.reference_modulus()
@@ -345,7 +352,7 @@ fn where_the_load_falls_the_first_reach_counts() {
         let sigma = random.log(3e-9, 3e-7);
         let coating = Coating::new(&layer, &substrate, sigma * random.log(0.03, 10.0), Rule::Gao).unwrap();
         let law = Zmc::new(random.one_of(&[Zmc::ONSET, Zmc::ONSET, 0.4, 0.89]), 54.0).unwrap();
-        let contact = Layered::new(law, &rough, &substrate, coating);
+        let contact = Layered::new(law, &rough, &substrate, coating).unwrap();
         let contact = Counted(&contact, AtomicUsize::new(0));
         let population = Population { radius: 1e-5, sigma, density: 1e10, heights: HeightDensity::Gaussian };
         let count = [1, 3, 30, 600][k % 4];
@@ -390,14 +397,16 @@ fn stiffness_is_the_slope_of_the_load() {
     for _ in 0..300 {
         let case = Case::any(&mut random);
         let contact = case.contact();
-        let kinks: Vec<f64> = contact.regime_changes(Shape::sphere(case.radius)).into_iter().chain(case.kink()).collect();
+        let kinks: Vec<f64> =
+            contact.regime_changes(Shape::sphere(case.radius)).into_iter().chain(case.kink()).collect();
         for _ in 0..40 {
             let scale = random.one_of(&[case.thickness, case.thickness.powi(2) / case.radius]);
             let (w, step) = (scale * random.log(1e-6, 1e6), 2e-4);
             if kinks.iter().any(|kink| (kink / w).ln().abs() < 3.0 * step) {
                 continue;
             }
-            let load = |shift: f64| contact.contact(w * (shift * step).exp(), Shape::sphere(case.radius)).load;
+            let load =
+                |shift: f64| contact.contact(w * (shift * step).exp(), Shape::sphere(case.radius)).load;
             let slope = (8.0 * (load(1.0) - load(-1.0)) - (load(2.0) - load(-2.0))) / (12.0 * step);
             let found = contact.contact(w, Shape::sphere(case.radius));
             let error = (found.stiffness * w - slope).abs() / slope.abs().max(found.load);
@@ -418,7 +427,7 @@ fn thin_and_thick_layers_end_in_their_limits() {
         let set = Ordered::new(&population.set(50, Draw::Quantiles).unwrap());
         let loads = |thickness: f64| {
             let flat = Flat::with_layer(&case.layer, &case.substrate, thickness, case.rule).unwrap();
-            let contact = flat.under(Zmc::default(), &case.rough);
+            let contact = flat.under(Zmc::default(), &case.rough).unwrap();
             let sum = Deterministic::new(&*contact, &set, Datum { mean: 0.0, sigma });
             [&Statistical::new(&*contact, population) as &dyn Model, &sum]
                 .map(|model| model.respond(1.0).pressure.total())

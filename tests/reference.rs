@@ -5,8 +5,8 @@ mod common;
 
 use asperity::asperity::{HeightDensity, Population};
 use asperity::contact::{Contact, Regime};
-use asperity::interface::{Interface, LoadBounds, MicroContact};
-use asperity::law::{Hertz, Law, Pair, Zmc};
+use asperity::interface::{Interface, LoadBounds, MicroContact, Shapes};
+use asperity::law::{Hertz, Law, Pair, Shape, Similar, Zmc};
 use asperity::literature::Paper;
 use asperity::material::Material;
 use asperity::model::{Model, Statistical};
@@ -18,7 +18,8 @@ fn zmc_error(law: impl Fn(f64) -> Zmc) -> Worst {
     let mut worst = Worst::default();
     for (k, row) in rows("zmc").iter().enumerate() {
         let law = law(row.number("transition_ratio"));
-        let pair = Pair { reduced_modulus: row.number("reduced_modulus"), hardness: row.number("hardness") };
+        let resistance = law.of_hardness(row.number("hardness"), 0.3);
+        let pair = Pair { reduced_modulus: row.number("reduced_modulus"), resistance };
         let found = law.contact(row.number("indentation"), row.number("radius"), &pair);
         worst.see(found.area, row.number("area"), || format!("area of row {k}"));
         worst.see(found.load, row.number("load"), || format!("load of row {k}"));
@@ -35,7 +36,8 @@ fn zmc_contact() {
 fn zmc_regimes() {
     for (k, row) in rows("zmc").iter().enumerate() {
         let law = Zmc::new(Zmc::ONSET, row.number("transition_ratio")).unwrap();
-        let pair = Pair { reduced_modulus: row.number("reduced_modulus"), hardness: row.number("hardness") };
+        let resistance = law.of_hardness(row.number("hardness"), 0.3);
+        let pair = Pair { reduced_modulus: row.number("reduced_modulus"), resistance };
         let ratio = row.number("indentation") / row.number("radius");
         // Away from a boundary by more than its rounding the regime is exact too.
         if law.critical_ratios(&pair).iter().all(|c| (ratio / c - 1.0).abs() > 1e-15) {
@@ -49,19 +51,19 @@ fn zmc_regimes() {
 struct Power(f64);
 
 impl MicroContact for Power {
-    fn contact(&self, w: f64, _: f64) -> Contact {
+    fn contact(&self, w: f64, _: Shape) -> Contact {
         Contact { area: w.powf(self.0), load: 0.0, stiffness: 0.0, regime: Regime::Elastic }
     }
-    fn regime_changes(&self, _: f64) -> Vec<f64> {
+    fn regime_changes(&self, _: Shape) -> Vec<f64> {
         Vec::new()
     }
-    fn breakpoints(&self, _: f64) -> Vec<f64> {
+    fn breakpoints(&self, _: Shape) -> Vec<f64> {
         Vec::new()
     }
-    fn load_rises_to(&self, _: Interval) -> f64 {
+    fn load_rises_to(&self, _: Shapes) -> f64 {
         f64::INFINITY
     }
-    fn load_over(&self, _: f64, _: f64, _: f64) -> LoadBounds {
+    fn load_over(&self, _: f64, _: f64, _: Shape) -> LoadBounds {
         LoadBounds { highest: 0.0, slopes: Interval::point(0.0) }
     }
     fn reference_modulus(&self) -> f64 {
@@ -82,7 +84,7 @@ const UNIT: Population =
 fn moments_of_the_gaussian_tail() {
     // E* = 1: two bodies of E = 2, nu = 0.
     let body = Material::new(2.0, 0.0, None, None).unwrap();
-    let hertz = Interface::bare(Hertz, &body, &body);
+    let hertz = Interface::bare(Hertz, &body, &body).unwrap();
     let model = Statistical::new(&hertz, UNIT);
     let mut worst = Worst::default();
     for row in rows("gw_integrals") {
@@ -122,7 +124,7 @@ fn statistical_error<C: MicroContact>(contact: impl Fn(&Material) -> C) -> [Wors
 }
 
 fn bare(law: Zmc) -> impl Fn(&Material) -> Interface<Zmc> {
-    move |body| Interface::bare(law, body, body)
+    move |body| Interface::bare(law, body, body).unwrap()
 }
 
 #[test]
@@ -139,22 +141,22 @@ struct Forgetful {
 }
 
 impl MicroContact for Forgetful {
-    fn contact(&self, w: f64, b: f64) -> Contact {
-        self.contact.contact(w, Shape::sphere(b))
+    fn contact(&self, w: f64, shape: Shape) -> Contact {
+        self.contact.contact(w, shape)
     }
-    fn breakpoints(&self, b: f64) -> Vec<f64> {
-        let mut all = self.contact.breakpoints(Shape::sphere(b));
+    fn breakpoints(&self, shape: Shape) -> Vec<f64> {
+        let mut all = self.contact.breakpoints(shape);
         all.remove(self.forgotten);
         all
     }
-    fn regime_changes(&self, b: f64) -> Vec<f64> {
-        self.contact.regime_changes(Shape::sphere(b))
+    fn regime_changes(&self, shape: Shape) -> Vec<f64> {
+        self.contact.regime_changes(shape)
     }
-    fn load_rises_to(&self, radii: Interval) -> f64 {
-        self.contact.load_rises_to(radii)
+    fn load_rises_to(&self, shapes: Shapes) -> f64 {
+        self.contact.load_rises_to(shapes)
     }
-    fn load_over(&self, from: f64, to: f64, b: f64) -> LoadBounds {
-        self.contact.load_over(from, to, b)
+    fn load_over(&self, from: f64, to: f64, shape: Shape) -> LoadBounds {
+        self.contact.load_over(from, to, shape)
     }
     fn reference_modulus(&self) -> f64 {
         self.contact.reference_modulus()
@@ -181,8 +183,10 @@ fn the_references_bite() {
         assert!(near.error() > 1e-10 && far.error() > 1e-10);
     }
     for forgotten in [0, 1] {
-        let contact =
-            |body: &Material| Forgetful { contact: Interface::bare(Zmc::default(), body, body), forgotten };
+        let contact = |body: &Material| Forgetful {
+            contact: Interface::bare(Zmc::default(), body, body).unwrap(),
+            forgotten,
+        };
         let [near, _] = statistical_error(contact);
         assert!(near.error() > 1e-10, "breakpoint {forgotten}: {:e}", near.error());
     }

@@ -40,12 +40,10 @@ impl Ordered {
     /// Orders a set of elliptic paraboloids likewise; `None` where the set does not know its principal curvatures.
     pub fn of_ellipses(set: &AsperitySet) -> Option<Self> {
         let ellipses = set.ellipses()?;
-        let mut all: Vec<(f64, Shape)> = (set.heights().par_iter().zip(ellipses))
-            .map(|(&z, ellipse)| (z, ellipse.shape()))
-            .collect();
-        let shape = |a: &Shape, b: &Shape| {
-            a.radius.total_cmp(&b.radius).then(a.spheres.total_cmp(&b.spheres))
-        };
+        let mut all: Vec<(f64, Shape)> =
+            (set.heights().par_iter().zip(ellipses)).map(|(&z, ellipse)| (z, ellipse.shape())).collect();
+        let shape =
+            |a: &Shape, b: &Shape| a.radius.total_cmp(&b.radius).then(a.spheres.total_cmp(&b.spheres));
         all.par_sort_unstable_by(|a, b| b.0.total_cmp(&a.0).then_with(|| shape(&a.1, &b.1)));
         Some(Self {
             heights: all.iter().map(|(z, _)| *z).collect(),
@@ -83,11 +81,7 @@ impl Ordered {
     /// The asperities above `separation` (m, in the frame of the heights), highest first.
     pub fn above(&self, separation: f64) -> Asperities<'_> {
         let count = self.heights.partition_point(|&z| z > separation);
-        let all = Asperities {
-            heights: &self.heights,
-            radii: &self.radii,
-            spheres: self.spheres.as_deref(),
-        };
+        let all = Asperities { heights: &self.heights, radii: &self.radii, spheres: self.spheres.as_deref() };
         all.part(0..count)
     }
 }

@@ -10,7 +10,7 @@ use crate::material::Material;
 use crate::numeric::interval::Interval;
 use crate::numeric::table::Table;
 
-/// The octaves of a/t over which the compliance is a table.
+/// The octaves of a/t that the tables cover.
 const OCTAVES: Range<i32> = -24..24;
 
 /// How the moduli of layer and substrate are put together.

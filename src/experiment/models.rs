@@ -17,7 +17,12 @@ pub(super) struct SurfaceModels<'a> {
 
 impl<'a> SurfaceModels<'a> {
     /// The models of `laws` on a surface, of which the statistical one stands on `population`.
-    pub(super) fn new(surface: &'a Surface, population: Population, laws: &[LawSpec], is_summed: bool) -> Self {
+    pub(super) fn new(
+        surface: &'a Surface,
+        population: Population,
+        laws: &[LawSpec],
+        is_summed: bool,
+    ) -> Self {
         let sees = |summit| is_summed && laws.iter().any(|law| law.summit == summit);
         Self {
             surface,

@@ -334,8 +334,14 @@ mod tests {
         let recipe = Recipe { points: [64, 48], pixel: [1.0, 0.8], process: process(3.0), plateau };
         let (map, cut) = recipe.surface(Seeds { process: [1; 32], plateau: [2; 32] }).unwrap();
         let generation = Some(GenerationFacts { recipe, target: None, cut });
-        let finding =
-            Finding { level: Level::None, filter: None, neighbours, generation, as_ellipses: false, look: Look::Everything };
+        let finding = Finding {
+            level: Level::None,
+            filter: None,
+            neighbours,
+            generation,
+            as_ellipses: false,
+            look: Look::Everything,
+        };
         let facts = finding.asperities(&map).unwrap().1;
         (map, facts)
     }
@@ -371,8 +377,15 @@ mod tests {
         let map = map([40, 30], |k| 1.0 + 1e-3 * (k / 30) as f64 + f64::EPSILON * ((k * k) % 2) as f64);
         let finding = |level| {
             let neighbours = Neighbours::Four;
-            Finding { level, filter: None, neighbours, generation: None, as_ellipses: false, look: Look::Asperities }
-                .asperities(&map)
+            Finding {
+                level,
+                filter: None,
+                neighbours,
+                generation: None,
+                as_ellipses: false,
+                look: Look::Asperities,
+            }
+            .asperities(&map)
         };
         assert!(matches!(finding(Level::Plane), Err(NoAsperities::Flat)));
         assert!(matches!(finding(Level::Quadratic), Err(NoAsperities::Flat)));

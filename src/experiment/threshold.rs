@@ -2,8 +2,8 @@
 
 use rayon::prelude::*;
 
-use super::plan::{ComparePlan, LayerPlan};
 use super::models::SurfaceModels;
+use super::plan::{ComparePlan, LayerPlan};
 use super::results::{RealisationResults, Threshold};
 use super::spec::LawSpec;
 use super::surface::Surface;

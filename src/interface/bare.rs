@@ -64,10 +64,17 @@ impl<L: Law> MicroContact for Interface<L> {
         self.regime_changes(shape)
     }
 
-    /// Bare contacts of one law are similar whatever their radius, and within a range no law falls.
-    fn load_rises_to(&self, _: Shapes) -> f64 {
-        let falls = self.law.jumps(&self.pair).into_iter().any(|jump| jump < 1.0 - JUMP);
-        if falls { 0.0 } else { f64::INFINITY }
+    /// Within a range no law falls, so only at boundaries where the load drops.
+    fn may_fall(&self, shapes: Shapes) -> Vec<Interval> {
+        /// Of a critical indentation, and of the jump that is measured beside it.
+        const ROUNDING: f64 = 1e-14;
+        let boundaries = self.law.critical_ratios(&self.pair).into_iter().zip(self.law.jumps(&self.pair));
+        let dropping = boundaries.filter(|(_, jump)| *jump < 1.0 - JUMP);
+        let ranges = dropping.map(|(ratio, _)| Interval {
+            low: ratio * shapes.radii.low * (1.0 - ROUNDING),
+            high: ratio * shapes.radii.high * (1.0 + ROUNDING),
+        });
+        Interval::joined(ranges)
     }
 
     fn load_over(&self, from: f64, to: f64, shape: Shape) -> LoadBounds {

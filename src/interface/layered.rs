@@ -105,11 +105,8 @@ impl<L: Similar> Layered<L> {
     #[inline(always)]
     fn felt<const LANES: usize>(&self, w: [f64; LANES], b: [f64; LANES]) -> [Felt; LANES] {
         let flat = self.coating.lanes(w, b);
-        let (poisson, poisson_slope) = if L::feels_poisson() {
-            self.coating.poisson_lanes(w, b)
-        } else {
-            ([0.0; LANES], [0.0; LANES])
-        };
+        let (poisson, poisson_slope) =
+            if L::feels_poisson() { self.coating.poisson_lanes(w, b) } else { ([0.0; LANES], [0.0; LANES]) };
         std::array::from_fn(|lane| {
             let flat = &flat[lane];
             let reduced_modulus = (self.rough_compliance + flat.compliance).recip();
@@ -191,7 +188,8 @@ impl<L: Similar> Layered<L> {
         };
         let over = |from: f64, to: f64| {
             let felt = self.felt_over(Interval { low: from.exp(), high: to.exp() }, radius);
-            let values = Interval { low: from, high: to } + (felt.modulus.ln() - felt.onset.ln()) * 2.0 + -level;
+            let values =
+                Interval { low: from, high: to } + (felt.modulus.ln() - felt.onset.ln()) * 2.0 + -level;
             [values, (felt.modulus_slope - felt.onset_slope) * 2.0 + 1.0]
         };
         sign_changes(&value, &over, low, high).into_iter().map(f64::exp).collect()
@@ -229,8 +227,7 @@ impl<L: Similar> Layered<L> {
         let strength = self.strength_over_onset * felt.onset.low;
         let resistance = Resistance { onset: felt.onset.low, strength };
         let most = Pair { reduced_modulus: felt.modulus.high, resistance };
-        let growth =
-            if felt.onset.high > felt.onset.low { felt.onset.high / felt.onset.low } else { 1.0 };
+        let growth = if felt.onset.high > felt.onset.low { felt.onset.high / felt.onset.low } else { 1.0 };
         shape.spheres * self.law.highest_load(from, to, shape.radius, &most) * growth * spread / drops
     }
 }
@@ -302,12 +299,9 @@ impl<L: Similar> MicroContact for Layered<L> {
         points
     }
 
-    fn load_rises_to(&self, shapes: Shapes) -> f64 {
+    fn may_fall(&self, shapes: Shapes) -> Vec<Interval> {
         /// Pieces of the depth on which the hardness changes.
         const PIECES: i32 = 400;
-        if self.jumps.iter().any(|jump| jump.factor.low < 1.0) {
-            return 0.0;
-        }
         let end = self.coating.depth();
         let wide = shapes.radii * shapes.spheres;
         // From a depth at which next to nothing of the layer is gone, to any.
@@ -316,15 +310,16 @@ impl<L: Similar> MicroContact for Layered<L> {
             k if k > PIECES => 1e200,
             k => end * 1e-12f64.powf(1.0 - f64::from(k) / f64::from(PIECES)),
         };
-        let rises = |k: &i32| {
-            let w = Interval { low: place(*k), high: place(k + 1) };
-            let felt = self.felt_over(w, wide);
-            let exponents = self.law.load_exponents(Self::place(w, shapes.radii, &felt));
+        let may_fall = |w: &Interval| {
+            let felt = self.felt_over(*w, wide);
+            let u = Self::place(*w, shapes.radii, &felt);
             // Back over a boundary, a rise of the load is a fall.
             let turns_back = (felt.modulus_slope - felt.onset_slope).low <= -0.5;
-            Self::exponents(exponents, &felt).low > 0.0 && (self.jumps.is_empty() || !turns_back)
+            let drops = |jump: &Jump| u.holds(jump.place) && (jump.factor.low < 1.0 || turns_back);
+            Self::exponents(self.law.load_exponents(u), &felt).low <= 0.0 || self.jumps.iter().any(drops)
         };
-        (0..=PIECES).find(|k| !rises(k)).map_or(f64::INFINITY, place)
+        let pieces = (0..=PIECES).map(|k| Interval { low: place(k), high: place(k + 1) });
+        Interval::joined(pieces.filter(may_fall))
     }
 
     fn load_over(&self, from: f64, to: f64, shape: Shape) -> LoadBounds {

@@ -197,10 +197,15 @@ pub trait MicroContact: Send + Sync {
     /// are smooth in w^.5, up to the first as far as 0, behind it on the scale of w itself.
     fn breakpoints(&self, shape: Shape) -> Vec<f64>;
 
-    /// Up to this indentation (m) no load falls as the indentation grows, of asperities whose shapes lie within
-    /// `shapes`: infinite where none ever does, 0 where nothing is known. Beyond it a pressure may be reached more than
-    /// once on approach.
-    fn load_rises_to(&self, shapes: Shapes) -> f64;
+    /// The ranges of indentation (m), ascending and apart, within which the load of an asperity may fall as the
+    /// indentation grows, of asperities whose shapes lie within `shapes`. Where there is one, a pressure may be reached
+    /// more than once on approach.
+    fn may_fall(&self, shapes: Shapes) -> Vec<Interval>;
+
+    /// Up to this indentation (m) no load falls: infinite where none ever does.
+    fn load_rises_to(&self, shapes: Shapes) -> f64 {
+        self.may_fall(shapes).first().map_or(f64::INFINITY, |range| range.low)
+    }
 
     /// Bounds of the load at indentations from `from` to `to`, `from < to` (m), that close with the range.
     fn load_over(&self, from: f64, to: f64, shape: Shape) -> LoadBounds;

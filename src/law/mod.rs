@@ -2,7 +2,7 @@
 //!
 //! A law sees the properties of the pair of bodies, an indentation and a radius, and nothing else:
 //! no model, no surface, no coating. Whatever changes the properties from asperity to asperity does
-//! so before the law is asked. An elliptic asperity is so many spheres: its [`Shape`].
+//! so before the law is asked. An elliptic asperity is so many spheres: its [`Shape`] (`elliptic`).
 //!
 //! | file | law | regimes |
 //! |---|---|---|

@@ -19,46 +19,55 @@ pub struct Deterministic<'a, C: ?Sized> {
     asperities: &'a Ordered,
     datum: Datum,
     /// Found when a load is first asked for.
-    rises: OnceLock<Rises>,
+    falls: OnceLock<Falls>,
 }
 
-/// How deep asperities may be pressed before their load may fall.
+/// Where the loads of asperities may fall.
 #[derive(Debug, Clone)]
-struct Rises {
-    /// Of each asperity, m; empty where no load ever falls.
-    to: Vec<f64>,
-    /// No asperity is pressed deeper than that at this separation or a larger one, m.
+struct Falls {
+    /// Of each class of radii, ranges of indentation, m; empty where no load ever falls.
+    within: Vec<Vec<Interval>>,
+    /// The class of each asperity.
+    class: Vec<u8>,
+    /// No load falls at this separation or a larger one, m.
     from: f64,
 }
 
-impl Rises {
+impl Falls {
     fn of<C: MicroContact + ?Sized>(contact: &C, asperities: &Ordered) -> Self {
         /// Classes of radii, so that one sharp asperity does not speak for all.
-        const CLASSES: usize = 32;
+        const CLASSES: u8 = 32;
         let (radii, spheres) = (asperities.radii(), asperities.spheres());
-        if contact.load_rises_to(Shapes { radii, spheres }) == f64::INFINITY {
-            return Self { to: Vec::new(), from: f64::NEG_INFINITY };
+        if contact.may_fall(Shapes { radii, spheres }).is_empty() {
+            return Self { within: Vec::new(), class: Vec::new(), from: f64::NEG_INFINITY };
         }
-        let step = (radii.high / radii.low).ln() / CLASSES as f64;
-        let end = |k: usize| radii.low * (step * k as f64).exp();
+        let step = (radii.high / radii.low).ln() / f64::from(CLASSES);
+        let end = |k: u8| radii.low * (step * f64::from(k)).exp();
         // Ends are rounded: classes overlap a little.
-        let class = |k: usize| Shapes {
+        let shapes = |k: u8| Shapes {
             radii: Interval { low: end(k) * (1.0 - 1e-9), high: end(k + 1) * (1.0 + 1e-9) },
             spheres,
         };
-        let known: Vec<f64> = (0..CLASSES).map(|k| contact.load_rises_to(class(k))).collect();
+        let within: Vec<Vec<Interval>> = (0..CLASSES).map(|k| contact.may_fall(shapes(k))).collect();
         let all = asperities.above(f64::NEG_INFINITY);
-        let place = |b: f64| ((b / radii.low).ln() / step) as usize;
-        let to: Vec<f64> = all.radii().iter().map(|&b| known[place(b).min(CLASSES - 1)]).collect();
-        let from = all.heights().iter().zip(&to).map(|(z, to)| z - to).fold(f64::NEG_INFINITY, f64::max);
-        Self { to, from }
+        let place = |&b: &f64| (((b / radii.low).ln() / step) as u8).min(CLASSES - 1);
+        let class: Vec<u8> = all.radii().iter().map(place).collect();
+        let first = |&k: &u8| within[usize::from(k)].first().map_or(f64::INFINITY, |range| range.low);
+        let firsts = all.heights().iter().zip(&class).map(|(z, k)| z - first(k));
+        Self { from: firsts.fold(f64::NEG_INFINITY, f64::max), within, class }
+    }
+
+    /// Whether the load of asperity `index` rises all over `indentations`.
+    fn spare(&self, index: usize, indentations: Interval) -> bool {
+        let within = &self.within[usize::from(self.class[index])];
+        !within.iter().any(|range| range.meets(indentations))
     }
 }
 
 impl<'a, C: MicroContact + ?Sized> Deterministic<'a, C> {
     /// The model of a set, with separations measured as `datum` says.
     pub fn new(contact: &'a C, asperities: &'a Ordered, datum: Datum) -> Self {
-        Self { contact, asperities, datum, rises: OnceLock::new() }
+        Self { contact, asperities, datum, falls: OnceLock::new() }
     }
 
     /// What the asperities above `separation` (m, in the frame of the set's heights) add up to.
@@ -86,7 +95,7 @@ impl<'a, C: MicroContact + ?Sized> Deterministic<'a, C> {
 
     /// The highest pressure that any separation from `low` to `high` could carry, were each asperity at its own
     /// worst, and bounds of the sum of all dP/dd (N/m) over them.
-    fn pressure_over(&self, low: f64, high: f64, rises: &Rises) -> (f64, Interval) {
+    fn pressure_over(&self, low: f64, high: f64, falls: &Falls) -> (f64, Interval) {
         let (near, far) = (self.absolute(low), self.absolute(high));
         let touching = self.asperities.above(near);
         let (load, slopes) = in_chunks(
@@ -95,14 +104,15 @@ impl<'a, C: MicroContact + ?Sized> Deterministic<'a, C> {
                 let (mut load, mut slopes) = (Sum::default(), Interval::point(0.0));
                 for i in chunk {
                     let (z, shape) = (touching.heights()[i], touching.shape(i));
+                    let indentations = Interval { low: (z - far).max(0.0), high: z - near };
                     // Where the load rises it is highest at the end, and no slope is below zero.
-                    let bounds = if z - near <= rises.to[i] {
+                    let bounds = if falls.spare(i, indentations) {
                         LoadBounds {
                             highest: self.contact.contact(z - near, shape).load,
                             slopes: Interval { low: 0.0, high: f64::INFINITY },
                         }
                     } else {
-                        self.contact.load_over((z - far).max(0.0), z - near, shape)
+                        self.contact.load_over(indentations.low, indentations.high, shape)
                     };
                     load.add(bounds.highest);
                     slopes = slopes + bounds.slopes;
@@ -137,14 +147,14 @@ impl<C: MicroContact + ?Sized> Model for Deterministic<'_, C> {
     fn separation_at(&self, pressure: f64) -> Option<f64> {
         let in_sigma = |separation: f64| (separation - self.datum.mean) / self.datum.sigma;
         let highest = in_sigma(self.asperities.highest()).max(LOWEST_SEPARATION);
-        let rises = self.rises.get_or_init(|| Rises::of(self.contact, self.asperities));
-        let falling_from = in_sigma(rises.from).clamp(LOWEST_SEPARATION, highest);
+        let falls = self.falls.get_or_init(|| Falls::of(self.contact, self.asperities));
+        let falling_from = in_sigma(falls.from).clamp(LOWEST_SEPARATION, highest);
         let value = |h: f64| self.pressure(h);
         last_reaching(value, pressure, falling_from, highest).or_else(|| {
-            if rises.to.is_empty() {
+            if falls.within.is_empty() {
                 return None;
             }
-            let bound = |low, high| self.pressure_over(low, high, rises);
+            let bound = |low, high| self.pressure_over(low, high, falls);
             last_reaching_bounded(&value, &bound, pressure, LOWEST_SEPARATION, falling_from)
         })
     }

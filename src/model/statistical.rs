@@ -194,7 +194,7 @@ impl<C: MicroContact + ?Sized> Model for Statistical<'_, C> {
         let search = |low, high| last_reaching(|h| self.pressure(h), pressure, low, high);
         let mode = self.quoted(density.mode()).max(LOWEST_SEPARATION);
         search(mode, highest).or_else(|| {
-            if self.contact.load_rises_to(self.shape.into()) == f64::INFINITY {
+            if self.contact.may_fall(self.shape.into()).is_empty() {
                 return search(LOWEST_SEPARATION, mode);
             }
             let steps = ((mode - LOWEST_SEPARATION) / STEP).ceil() as i32;

@@ -23,6 +23,18 @@ impl Interval {
         values.iter().map(|&x| Self::point(x)).reduce(Self::hull).unwrap_or_default()
     }
 
+    /// Ranges, of which each begins no earlier than the one before, with those that touch made one.
+    pub fn joined(ranges: impl IntoIterator<Item = Self>) -> Vec<Self> {
+        let mut apart: Vec<Self> = Vec::new();
+        for range in ranges {
+            match apart.last_mut() {
+                Some(last) if range.low <= last.high => *last = last.hull(range),
+                _ => apart.push(range),
+            }
+        }
+        apart
+    }
+
     /// One number.
     pub fn point(x: f64) -> Self {
         Self { low: x, high: x }
@@ -31,6 +43,11 @@ impl Interval {
     /// Whether `x` lies in it.
     pub fn holds(self, x: f64) -> bool {
         self.low <= x && x <= self.high
+    }
+
+    /// Whether some number lies in both.
+    pub fn meets(self, other: Self) -> bool {
+        self.low <= other.high && other.low <= self.high
     }
 
     /// The least range that holds both.
@@ -121,6 +138,14 @@ mod tests {
         assert_eq!(a * -2.0, Interval { low: -6.0, high: 4.0 });
         assert_eq!(Interval::between(4.0, 2.0).recip(), Interval { low: 0.25, high: 0.5 });
         assert_eq!(a.hull(b), Interval { low: -5.0, high: 3.0 });
+    }
+
+    #[test]
+    fn ranges_that_touch_are_one() {
+        let range = |low, high| Interval { low, high };
+        let joined = Interval::joined([range(0.0, 2.0), range(1.0, 1.5), range(2.0, 3.0), range(4.0, 5.0)]);
+        assert_eq!(joined, [range(0.0, 3.0), range(4.0, 5.0)]);
+        assert!(joined[0].meets(range(3.0, 3.5)) && !joined[0].meets(joined[1]));
     }
 
     #[test]

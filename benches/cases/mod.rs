@@ -1,0 +1,57 @@
+//! What the benches run on: the paper's two surfaces, every law, layers on steel.
+
+use asperity::asperity::{HeightDensity, Population};
+use asperity::coating::Rule;
+use asperity::interface::{Flat, Interface, MicroContact};
+use asperity::law::{Ceb, FullyPlastic, Hertz, JacksonGreen, KogutEtsion, Law, Zmc};
+use asperity::material::Material;
+
+/// Table 1 of Pasaribu and Schipper (2005).
+pub const CASES: [(&str, Population); 2] = [
+    ("case 1", Population { radius: 2e-5, sigma: 4.8e-8, density: 6e10, heights: HeightDensity::Gaussian }),
+    ("case 2", Population { radius: 1.6e-6, sigma: 2.6e-7, density: 9e10, heights: HeightDensity::Gaussian }),
+];
+
+fn material(young: f64, poisson: f64, hardness: f64) -> Material {
+    Material::new(young, poisson, Some(hardness), Some(hardness / 2.8)).expect("a material")
+}
+
+fn steel() -> Material {
+    material(210e9, 0.3, 7.6e9)
+}
+
+/// Steel on steel.
+pub fn bare<L: Law>(law: L) -> Box<dyn MicroContact> {
+    Box::new(Interface::bare(law, &steel(), &steel()).expect("every law knows steel"))
+}
+
+/// Every law for spheres, ZMC first: those that others are measured by.
+pub fn laws() -> [(&'static str, Box<dyn MicroContact>); 6] {
+    [
+        ("zmc", bare(Zmc::default())),
+        ("hertz", bare(Hertz)),
+        ("ceb", bare(Ceb)),
+        ("kogut-etsion", bare(KogutEtsion)),
+        ("jackson-green", bare(JacksonGreen::default())),
+        ("fully-plastic", bare(FullyPlastic)),
+    ]
+}
+
+/// ZMC on steel, bare first, then under lead and a hard ceramic.
+pub fn flats() -> [(&'static str, Box<dyn MicroContact>); 7] {
+    let under = |layer: Material, thickness: f64| -> Box<dyn MicroContact> {
+        let flat = Flat::with_layer(&layer, &steel(), thickness, Rule::Gao).expect("a layer");
+        flat.under(Zmc::default(), &steel()).expect("a contact")
+    };
+    let lead = |thickness| under(material(18e9, 0.35, 0.17e9), thickness);
+    let ceramic = |thickness| under(material(400e9, 0.2, 21e9), thickness);
+    [
+        ("bare", bare(Zmc::default())),
+        ("10 nm of lead", lead(1e-8)),
+        ("50 nm of lead", lead(5e-8)),
+        ("1 um of lead", lead(1e-6)),
+        ("10 nm of ceramic", ceramic(1e-8)),
+        ("50 nm of ceramic", ceramic(5e-8)),
+        ("1 um of ceramic", ceramic(1e-6)),
+    ]
+}

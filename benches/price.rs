@@ -1,0 +1,72 @@
+//! What a layer and a law cost: sums over a million asperities at 50 separations from 4 to 0 sigma, medians of runs that
+//! alternate. The same asperities touch, so that a ratio is the one per contacting asperity.
+
+mod cases;
+
+use std::hint::black_box;
+use std::time::Instant;
+
+use asperity::asperity::{Draw, Ellipse, Ordered};
+use asperity::interface::MicroContact;
+use asperity::model::{Datum, Deterministic, Model};
+use cases::{CASES, flats, laws};
+
+const ROUNDS: usize = 15;
+
+/// The sums over some asperities under a contact.
+struct Sums<'a> {
+    name: &'a str,
+    contact: &'a dyn MicroContact,
+    asperities: &'a Ordered,
+}
+
+fn main() {
+    for (case, population) in CASES {
+        let set = population.set(1_000_000, Draw::Random([1; 32])).expect("a million asperities");
+        let spheres = Ordered::new(&set);
+        let under = |name, contact, asperities| Sums { name, contact, asperities };
+        let flats = flats();
+        let layers = flats.iter().map(|(flat, contact)| under(flat, &**contact, &spheres));
+        alternate(case, population.sigma, &layers.collect::<Vec<_>>());
+
+        // Ellipses of every ratio up to 10.
+        let ellipse = |k: usize| Ellipse {
+            mean_curvature: population.radius.recip(),
+            curvature_ratio: 1.0 + 9.0 * (k % 1000) as f64 / 999.0,
+        };
+        let ellipses = (0..set.count()).map(ellipse).collect();
+        let set = set.with_ellipses(ellipses).expect("an ellipse each");
+        let start = Instant::now();
+        let ellipses = Ordered::of_ellipses(&set).expect("a set of ellipses");
+        println!("{case}: ordering a million ellipses {:.1} ms", 1e3 * start.elapsed().as_secs_f64());
+        let laws = laws();
+        let mut sums: Vec<Sums> =
+            laws.iter().map(|(law, contact)| under(law, &**contact, &spheres)).collect();
+        sums.push(under("elliptic-zmc", &*laws[0].1, &ellipses));
+        sums.push(under("elliptic-hertz", &*laws[1].1, &ellipses));
+        alternate(case, population.sigma, &sums);
+    }
+}
+
+/// Runs all in turn and prints each median over that of the first.
+fn alternate(case: &str, sigma: f64, all: &[Sums]) {
+    let separations: Vec<f64> = (0..50).map(|k| 4.0 - 4.0 * f64::from(k) / 49.0).collect();
+    let mut times = vec![Vec::new(); all.len()];
+    for _ in 0..ROUNDS {
+        for (sums, times) in all.iter().zip(&mut times) {
+            let model = Deterministic::new(sums.contact, sums.asperities, Datum { mean: 0.0, sigma });
+            let start = Instant::now();
+            black_box(separations.iter().map(|&h| model.respond(h).pressure.total()).sum::<f64>());
+            times.push(start.elapsed().as_secs_f64());
+        }
+    }
+    let median = |times: &mut Vec<f64>| {
+        times.sort_unstable_by(f64::total_cmp);
+        times[ROUNDS / 2]
+    };
+    let medians: Vec<f64> = times.iter_mut().map(median).collect();
+    for (sums, time) in all.iter().zip(&medians) {
+        let first = all[0].name;
+        println!("{case}/{}: {:.1} ms, {:.2} times {first}", sums.name, 1e3 * time, time / medians[0]);
+    }
+}
