@@ -245,7 +245,7 @@ mod tests {
     use super::*;
     use crate::coating::Rule;
     use crate::interface::Flat;
-    use crate::law::{Hertz, Zmc};
+    use crate::law::{Ceb, Hertz, KogutEtsion, Zmc};
     use crate::material::Material;
 
     fn steel() -> Material {
@@ -297,6 +297,24 @@ mod tests {
             let of_load = |fall: &&Fall| fall.of == Falling::Load && (fall.loss() - 9.76e-4).abs() < 1e-6;
             assert!(curve.falls.iter().any(|fall| of_load(&fall)), "{thickness}: {:?}", curve.falls);
         }
+    }
+
+    #[test]
+    fn boundaries_have_both_sides_and_need_no_change_of_regime() {
+        let of = |flat: Result<Box<dyn MicroContact>, _>| boundaries(&*flat.unwrap(), Shape::sphere(1e-5));
+        let flat = Flat::Bare(steel());
+        let ceb = of(flat.under(Ceb, &steel()));
+        let [at] = &ceb[..] else { panic!("one boundary") };
+        assert!((at.load_jump() - 0.5).abs() < 1e-9 && at.area_jump().abs() < 1e-9);
+        assert_eq!((at.below.regime, at.above.regime), (Regime::Elastic, Regime::ElasticPlastic));
+        let kogut_etsion = of(flat.under(KogutEtsion, &steel()));
+        let [first, inner, last] = &kogut_etsion[..] else { panic!("three boundaries") };
+        assert_eq!(inner.below.regime, inner.above.regime);
+        assert!((inner.indentation / first.indentation - 6.0).abs() < 1e-12);
+        assert!((first.area_jump() + 0.07).abs() < 1e-9 && (last.load_jump() - 0.0788).abs() < 1e-4);
+        let smooth = of(flat.under(Zmc::default(), &steel()));
+        assert!(smooth.iter().all(|at| at.load_jump().abs() < 1e-9 && at.area_jump().abs() < 1e-9));
+        assert_eq!(of(flat.under(Hertz, &steel())), []);
     }
 
     #[test]

@@ -128,11 +128,18 @@ impl AtLoad {
     }
 
     /// The same with a law left out.
-    pub fn spread_without(&self, measure: Measure, group: Group, kind: Kind, without: Option<usize>) -> Option<f64> {
+    pub fn spread_without(
+        &self,
+        measure: Measure,
+        group: Group,
+        kind: Kind,
+        without: Option<usize>,
+    ) -> Option<f64> {
         let deviations = self.told(measure).deviations.iter().enumerate();
         let members = deviations.filter(|(law, _)| self.is_in(group, *law) && Some(*law) != without);
         let values: Vec<f64> = members.map(|(_, deviation)| deviation[kind as usize]).collect();
-        let (low, high) = (values.iter().copied().reduce(f64::min)?, values.iter().copied().reduce(f64::max)?);
+        let (low, high) =
+            (values.iter().copied().reduce(f64::min)?, values.iter().copied().reduce(f64::max)?);
         (values.len() > 1).then_some(high - low)
     }
 
@@ -154,8 +161,7 @@ impl AtLoad {
     /// The law of a group under which the models lie furthest apart, and how far.
     pub fn largest_gap(&self, measure: Measure, group: Group) -> Option<(usize, f64)> {
         let gaps = self.told(measure).gaps.iter().copied().enumerate();
-        gaps.filter(|(law, _)| self.is_in(group, *law))
-            .max_by(|a, b| a.1.abs().total_cmp(&b.1.abs()))
+        gaps.filter(|(law, _)| self.is_in(group, *law)).max_by(|a, b| a.1.abs().total_cmp(&b.1.abs()))
     }
 }
 

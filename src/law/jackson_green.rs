@@ -166,8 +166,8 @@ impl Law for JacksonGreen {
     fn contact(&self, w: f64, b: f64, pair: &Pair) -> Contact {
         let critical = pair.ratio(CRITICAL) * b;
         let u = w / critical;
-        // Also where the pair never yields.
-        if !(u >= ELASTIC) {
+        // 0 where the pair never yields.
+        if u < ELASTIC {
             return Hertz::elastic(w, b, pair.reduced_modulus);
         }
         let tuned = self.tuned.as_ref().filter(|tuned| tuned.pair == *pair);

@@ -38,7 +38,9 @@ fn panel(results: &LawsResults, plot: Plot, shown: Shown) -> Plot {
     }
     plot = plot.with(Layer::region_x(whole, f64::INFINITY, "w > R"));
     // The first law is named first and drawn last, so that it is not hidden.
-    plot = plot.with(Layer::line([]).coloured(colour(0)).dashed(dash(&results.laws[0])).named(&results.laws[0].law).thin());
+    plot = plot.with(
+        Layer::line([]).coloured(colour(0)).dashed(dash(&results.laws[0])).named(&results.laws[0].law).thin(),
+    );
     let mut order: Vec<usize> = (0..results.laws.len()).collect();
     order.rotate_left(1);
     for &index in &order {

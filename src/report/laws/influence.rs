@@ -65,7 +65,8 @@ pub fn verdict(results: &LawsResults) -> Vec<String> {
                 if weights.0.mean > weights.1.mean { &mut law } else { &mut model }.push(subject(found));
             }
         }
-        let parts = [("the law matters more than the adding-up", law), ("the adding-up more than the law", model)];
+        let parts =
+            [("the law matters more than the adding-up", law), ("the adding-up more than the law", model)];
         let told: Vec<String> = parts
             .into_iter()
             .filter(|(_, on)| !on.is_empty())
@@ -134,7 +135,8 @@ fn in_short_by(
 /// What is left of the spread without the law whose sums lie furthest from those of the first.
 fn without_furthest(results: &LawsResults, influence: &Influence, measure: Measure) -> Option<String> {
     let group = group(results);
-    let members = (1..results.laws.len()).filter(|&law| group == Group::All || results.laws[law].passes_regimes);
+    let members =
+        (1..results.laws.len()).filter(|&law| group == Group::All || results.laws[law].passes_regimes);
     let weight = |law| Some((law, influence.of_choice(measure, law, Kind::Deterministic)?.mean));
     let (furthest, _) = members.filter_map(weight).max_by(|a, b| a.1.total_cmp(&b.1))?;
     let left =
@@ -219,11 +221,10 @@ fn load_by_load(page: &mut Page, influence: &Influence, measure: Measure) {
              elastic to plastic; integral minus sum under {first} and under the passing law where it is largest; the standard error of the \
              sum under {first}. Last: passing laws under the sum over the gap under {first}."
         ),
-        Measure::Area => format!(
-            "**Real area at equal load**, the same in ratios: the largest over the smallest; integral over sum; the standard error in \
-             percent. The mean real pressure has the same ratios turned over, since it is the nominal pressure over A/A_nom. Last: \
-             the ratio of the logarithms."
-        ),
+        Measure::Area => "**Real area at equal load**, the same in ratios: the largest over the smallest; integral over sum; the \
+             standard error in percent. The mean real pressure has the same ratios turned over, since it is the nominal pressure \
+             over A/A_nom. Last: the ratio of the logarithms."
+            .to_owned(),
     });
     let head = [
         "p",
