@@ -252,9 +252,11 @@ fn load_control_returns_the_largest_separation_that_carries_the_pressure() {
 #[test]
 fn where_the_load_falls_the_first_reach_counts() {
     let law = zmc(0.89);
-    assert_eq!(law.load_rises_to(Shape::sphere(2e-5).into()), 0.0);
-    assert_eq!(zmc(Zmc::ONSET).load_rises_to(Shape::sphere(2e-5).into()), f64::INFINITY);
-    assert_eq!(zmc(0.4).load_rises_to(Shape::sphere(2e-5).into()), f64::INFINITY);
+    let w1 = law.breakpoints(Shape::sphere(2e-5))[0];
+    let within = law.may_fall(Shape::sphere(2e-5).into());
+    assert!(within.len() == 1 && within[0].holds(w1) && within[0].high - within[0].low < 1e-12 * w1);
+    assert!(zmc(Zmc::ONSET).may_fall(Shape::sphere(2e-5).into()).is_empty());
+    assert!(zmc(0.4).may_fall(Shape::sphere(2e-5).into()).is_empty());
     let set = Ordered::new(&AsperitySet::new(vec![0.0, -1e-6], vec![2e-5, 2e-5], 1.0).unwrap());
     let model = Deterministic::new(&law, &set, Datum { mean: 0.0, sigma: 1e-8 });
     let w1 = law.breakpoints(Shape::sphere(2e-5))[0];

@@ -271,27 +271,27 @@ fn integrals_over_any_coating() {
 }
 
 #[test]
-fn no_load_falls_before_it_is_said_to() {
+fn no_load_falls_but_where_it_is_said_to() {
     let mut random = Random(4);
-    let mut bounded = 0;
+    let (mut free, mut falling) = (0, 0);
     for _ in 0..1500 {
         let case = Case::any(&mut random);
-        let contact = case.contact();
-        let to = contact.load_rises_to(Shape::sphere(case.radius).into());
-        if to > 0.0 {
-            bounded += 1;
-            let from = 1e-6 * case.thickness.min(case.thickness.powi(2) / case.radius);
-            let end = to.min(1e3 * case.thickness.max(case.thickness.powi(2) / case.radius));
-            let load = |k: i32| {
-                contact
-                    .contact(from * (end / from).powf(f64::from(k) / 4000.0), Shape::sphere(case.radius))
-                    .load
-            };
-            let falls = (0..4000).find(|&k| load(k + 1) < load(k) * (1.0 - 1e-12));
-            assert!(from > end || falls.is_none(), "falls at {falls:?} before {to:e}: {case:?}");
+        let (contact, shape) = (case.contact(), Shape::sphere(case.radius));
+        let within = contact.may_fall(shape.into());
+        free += usize::from(within.is_empty());
+        let from = 1e-6 * case.thickness.min(case.thickness.powi(2) / case.radius);
+        let end = 1e3 * case.thickness.max(case.thickness.powi(2) / case.radius);
+        let place = |k: i32| from * (end / from).powf(f64::from(k) / 4000.0);
+        for k in 0..4000 {
+            let [low, high] = [place(k), place(k + 1)];
+            if contact.contact(high, shape).load < contact.contact(low, shape).load * (1.0 - 1e-12) {
+                falling += 1;
+                let is_said = within.iter().any(|range| range.meets(Interval { low, high }));
+                assert!(is_said, "falls at {low:e}, said {within:?}: {case:?}");
+            }
         }
     }
-    assert!(bounded > 500, "{bounded}");
+    assert!(free > 500 && falling > 500, "{free} {falling}");
 }
 
 /// Back over the onset of yield, a law whose load jumps up there lets it fall.
@@ -303,7 +303,7 @@ fn a_jump_that_is_passed_backwards_is_a_fall() {
     let back = contact.regime_changes(Shape::sphere(2e-5))[1];
     let load = |w: f64| contact.contact(w, Shape::sphere(2e-5)).load;
     assert!(load(back * (1.0 + 1e-9)) < 0.7 * load(back * (1.0 - 1e-9)));
-    assert!(contact.load_rises_to(Shape::sphere(2e-5).into()) < back);
+    assert!(contact.may_fall(Shape::sphere(2e-5).into()).iter().any(|range| range.holds(back)));
 }
 
 /// Counts the bounds that a search asks for.
@@ -319,8 +319,8 @@ impl MicroContact for Counted<'_> {
     fn breakpoints(&self, shape: Shape) -> Vec<f64> {
         self.0.breakpoints(shape)
     }
-    fn load_rises_to(&self, shapes: Shapes) -> f64 {
-        self.0.load_rises_to(shapes)
+    fn may_fall(&self, shapes: Shapes) -> Vec<Interval> {
+        self.0.may_fall(shapes)
     }
     fn load_over(&self, from: f64, to: f64, shape: Shape) -> LoadBounds {
         self.1.fetch_add(1, Ordering::Relaxed);

@@ -60,8 +60,8 @@ impl MicroContact for Power {
     fn breakpoints(&self, _: Shape) -> Vec<f64> {
         Vec::new()
     }
-    fn load_rises_to(&self, _: Shapes) -> f64 {
-        f64::INFINITY
+    fn may_fall(&self, _: Shapes) -> Vec<Interval> {
+        Vec::new()
     }
     fn load_over(&self, _: f64, _: f64, _: Shape) -> LoadBounds {
         LoadBounds { highest: 0.0, slopes: Interval::point(0.0) }
@@ -152,8 +152,8 @@ impl MicroContact for Forgetful {
     fn regime_changes(&self, shape: Shape) -> Vec<f64> {
         self.contact.regime_changes(shape)
     }
-    fn load_rises_to(&self, shapes: Shapes) -> f64 {
-        self.contact.load_rises_to(shapes)
+    fn may_fall(&self, shapes: Shapes) -> Vec<Interval> {
+        self.contact.may_fall(shapes)
     }
     fn load_over(&self, from: f64, to: f64, shape: Shape) -> LoadBounds {
         self.contact.load_over(from, to, shape)

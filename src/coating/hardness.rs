@@ -75,13 +75,17 @@ impl EffectiveHardness {
 
     /// All hardnesses over the range `depth` of w/t, and all d ln H/d ln w.
     pub(super) fn over(&self, depth: Interval) -> (Interval, Interval) {
-        let hardness = Interval::between(self.at(depth.low).0, self.at(depth.high).0);
+        let ends = [self.at(depth.low), self.at(depth.high)];
+        let hardness = Interval::between(ends[0].0, ends[1].0);
         // x exp(-x) is highest at x = 1.
-        let swell = |depth: f64| {
-            let (hardness, slope) = self.at(depth);
-            slope.abs() * hardness
-        };
-        let size = depth.of_hump(swell, self.depth(1.0)) * hardness.recip();
+        let swell = |(hardness, slope): (f64, f64)| slope.abs() * hardness;
+        let [low, high] = ends.map(swell);
+        let mut swells = Interval::between(low, high);
+        let peak = self.depth(1.0);
+        if depth.holds(peak) {
+            swells = swells.hull(Interval::point(swell(self.at(peak))));
+        }
+        let size = swells * hardness.recip();
         (hardness, if self.is_softer { size } else { -size })
     }
 

@@ -64,6 +64,10 @@ pub struct Bounds {
     pub compliance: Interval,
     /// Of d(compliance)/d ln w, 1/Pa.
     pub compliance_slope: Interval,
+    /// Of nu_eff.
+    pub poisson: Interval,
+    /// Of d nu_eff/d ln w.
+    pub poisson_slope: Interval,
     /// Of H_eff, Pa.
     pub hardness: Interval,
     /// Of d ln H_eff/d ln w.
@@ -111,10 +115,6 @@ impl Coating {
         (b * w).sqrt() * self.inverse_thickness
     }
 
-    fn inverse_over(&self, w: Interval, b: Interval) -> Interval {
-        Interval { low: self.inverse(w.low, b.low), high: self.inverse(w.high, b.high) }
-    }
-
     /// The flat as an asperity of radius `b` (m) feels it at indentation `w` (m).
     #[inline]
     pub fn at(&self, w: f64, b: f64) -> Effective {
@@ -149,11 +149,6 @@ impl Coating {
         self.modulus.poisson_lanes(std::array::from_fn(|lane| self.inverse(w[lane], b[lane])))
     }
 
-    /// All nu_eff that asperities of radii `b` feel at indentations `w`, and all d nu_eff/d ln w.
-    pub fn poisson_over(&self, w: Interval, b: Interval) -> (Interval, Interval) {
-        self.modulus.poisson_over(self.inverse_over(w, b))
-    }
-
     /// nu_eff (Eq. 14) and E_eff (Eq. 15, Pa) as an asperity of radius `b` (m) feels them at indentation `w` (m).
     pub fn elasticity(&self, w: f64, b: f64) -> (f64, f64) {
         let poisson = self.modulus.poisson(self.inverse(w, b));
@@ -173,12 +168,13 @@ impl Coating {
 
     /// The flat as asperities of radii `b` feel it at indentations `w`.
     pub fn over(&self, w: Interval, b: Interval) -> Bounds {
-        let (compliance, compliance_slope) = self.modulus.over(self.inverse_over(w, b));
+        let inverse = Interval { low: self.inverse(w.low, b.low), high: self.inverse(w.high, b.high) };
+        let [(compliance, compliance_slope), (poisson, poisson_slope)] = self.modulus.over(inverse);
         let never = (Interval::point(f64::INFINITY), Interval::point(0.0));
         let depth = w * self.inverse_thickness;
         let (hardness, hardness_slope) =
             self.hardness.as_ref().map_or(never, |hardness| hardness.over(depth));
-        Bounds { compliance, compliance_slope, hardness, hardness_slope }
+        Bounds { compliance, compliance_slope, poisson, poisson_slope, hardness, hardness_slope }
     }
 
     /// Hardnesses at any indentation, Pa.

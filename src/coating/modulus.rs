@@ -121,16 +121,6 @@ impl EffectiveModulus {
         Interval::between(self.sides.layer.poisson, self.sides.substrate.poisson)
     }
 
-    /// All nu_eff at the 1/xi of `inverse`, and all their d/d ln w.
-    pub(super) fn poisson_over(&self, inverse: Interval) -> (Interval, Interval) {
-        let at = |x: f64| self.sides.poisson(&Weights::at(x));
-        let slope = inverse.of_hump(|x| Weights::at(x).log, LOG_PEAK);
-        (
-            Interval::between(at(inverse.low), at(inverse.high)),
-            slope * (-0.5 * self.sides.substrate.poisson_step),
-        )
-    }
-
     /// How far beyond 0 the compliance is -`beside` (1/Pa), in a/t: E_eff, or 1/mu_eff in series, grows linearly from
     /// that of the layer. Infinite where it falls instead.
     pub(super) fn pole(&self, beside: f64) -> f64 {
@@ -145,10 +135,9 @@ impl EffectiveModulus {
         if pole > 0.0 { pole } else { f64::INFINITY }
     }
 
-    /// All compliances at the 1/xi of `inverse`, and all their d/d ln w.
-    pub(super) fn over(&self, inverse: Interval) -> (Interval, Interval) {
-        let (value, slope) = self.sides.over(inverse);
-        (value, slope * 0.5)
+    /// All compliances and nu_eff at the 1/xi of `inverse`, each with all its d/d ln w.
+    pub(super) fn over(&self, inverse: Interval) -> [(Interval, Interval); 2] {
+        self.sides.over(inverse).map(|(value, slope)| (value, slope * 0.5))
     }
 }
 
@@ -208,13 +197,16 @@ impl Sides {
         (value, -value * slope)
     }
 
-    /// All values of [`Self::at`]: nu_eff follows I1, which grows with xi; I0 grows with xi and falls with nu. The
-    /// three humps in the slope are bounded by their ends and peaks.
-    fn over(&self, inverse: Interval) -> (Interval, Interval) {
+    /// All values of [`Self::at`], and of nu_eff and its d/d ln(1/xi): nu_eff follows I1, which grows with xi; I0 grows
+    /// with xi and falls with nu. The three humps in the slope are bounded by their ends and peaks.
+    fn over(&self, inverse: Interval) -> [(Interval, Interval); 2] {
         let (thick, thin) = (Weights::at(inverse.low), Weights::at(inverse.high));
         let poisson = Interval::between(self.poisson(&thick), self.poisson(&thin));
         let modulus = Interval::between(self.modulus(&thick, poisson.low), self.modulus(&thin, poisson.high));
-        let hump = |value: fn(&Weights) -> f64, peak| inverse.of_hump(|x| value(&Weights::at(x)), peak);
+        let hump = |value: fn(&Weights) -> f64, peak: f64| {
+            let ends = Interval::between(value(&thick), value(&thin));
+            if inverse.holds(peak) { ends.hull(Interval::point(value(&Weights::at(peak)))) } else { ends }
+        };
         let log = hump(|weights| weights.log, LOG_PEAK);
         let pole = hump(|weights| weights.pole, POLE_PEAK);
         let swell = hump(Weights::swell, SWELL_PEAK);
@@ -235,7 +227,8 @@ impl Sides {
             }
             Rule::Series => ((-poisson + 1.0) * modulus * 0.5, modulus_slope - rest * poisson_slope),
         };
-        (value, -(value * slope))
+        // ln xi falls as ln(1/xi) grows.
+        [(value, -(value * slope)), (poisson, -poisson_slope)]
     }
 }
 

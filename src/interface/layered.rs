@@ -2,7 +2,7 @@
 
 use super::{JUMP, LoadBounds, MicroContact, Reference, Shapes};
 use crate::asperity::Asperities;
-use crate::coating::Coating;
+use crate::coating::{Bounds, Coating};
 use crate::contact::{Contact, Regime, Tally};
 use crate::law::{Inapplicable, Pair, Resistance, Shape, Similar};
 use crate::literature::Paper;
@@ -129,7 +129,7 @@ impl<L: Similar> Layered<L> {
     fn felt_over(&self, w: Interval, b: Interval) -> FeltRange {
         let of_flat = self.coating.over(w, b);
         let modulus = (of_flat.compliance + self.rough_compliance).recip();
-        let (onset, onset_slope) = self.flat_onset_over(w, b);
+        let (onset, onset_slope) = Self::flat_onset(&of_flat);
         let (onset, onset_slope) = weaker(onset, onset_slope, self.rough.onset);
         let (_, strength_slope) = weaker(of_flat.hardness, of_flat.hardness_slope, self.rough.strength);
         let modulus_slope = -(modulus * of_flat.compliance_slope);
@@ -137,15 +137,10 @@ impl<L: Similar> Layered<L> {
     }
 
     /// The onset of the flat, Pa, and d/d ln w of its logarithm.
-    fn flat_onset_over(&self, w: Interval, b: Interval) -> (Interval, Interval) {
-        let of_flat = self.coating.over(w, b);
-        if !L::feels_poisson() {
-            return (of_flat.hardness, of_flat.hardness_slope);
-        }
-        let (poisson, poisson_slope) = self.coating.poisson_over(w, b);
+    fn flat_onset(of_flat: &Bounds) -> (Interval, Interval) {
+        let Bounds { hardness, hardness_slope, poisson, poisson_slope, .. } = *of_flat;
         let factor = Interval { low: L::ONSET.at(poisson.low), high: L::ONSET.at(poisson.high) };
-        let slope = poisson_slope * factor.recip() * L::ONSET.slope;
-        (of_flat.hardness * factor, of_flat.hardness_slope + slope)
+        (hardness * factor, hardness_slope + poisson_slope * factor.recip() * L::ONSET.slope)
     }
 
     /// With P = E* b^.5 w^1.5 g(u), u = (w/b) (E*/onset)^2, and e = d ln P/d ln w of the fixed pair, the load goes with
@@ -209,7 +204,7 @@ impl<L: Similar> Layered<L> {
         };
         let over = |from: f64, to: f64| {
             let w = Interval { low: from.exp(), high: to.exp() };
-            let (onset, slope) = self.flat_onset_over(w, Interval::point(b));
+            let (onset, slope) = Self::flat_onset(&self.coating.over(w, Interval::point(b)));
             [onset.ln() + -level, slope]
         };
         sign_changes(&value, &over, RANGE[0], RANGE[1]).into_iter().map(f64::exp).collect()

@@ -202,11 +202,6 @@ pub trait MicroContact: Send + Sync {
     /// more than once on approach.
     fn may_fall(&self, shapes: Shapes) -> Vec<Interval>;
 
-    /// Up to this indentation (m) no load falls: infinite where none ever does.
-    fn load_rises_to(&self, shapes: Shapes) -> f64 {
-        self.may_fall(shapes).first().map_or(f64::INFINITY, |range| range.low)
-    }
-
     /// Bounds of the load at indentations from `from` to `to`, `from < to` (m), that close with the range.
     fn load_over(&self, from: f64, to: f64, shape: Shape) -> LoadBounds;
 

@@ -23,11 +23,14 @@ use crate::numeric::table::Table;
 /// C Y is that of the body that yields first (the smaller C Y), Y alone that of the weaker one. A body without yield
 /// strength and hardness never yields; one that has a hardness must have its yield strength too, which is not guessed.
 ///
-/// The fit was made for steels with Y/E* from about 0.001 to 0.008, against a rigid flat, up to a/b = 0.41. Beyond
-/// Y/E* = 0.1 its load would fall with the indentation: such pairs are refused. The mean pressure tends to HG, which
+/// The fit was made for steels with Y/E* from about 0.001 to 0.008, against a rigid flat, up to a/b = 0.41. Far beyond
+/// that, near u = 1800, its load would fall with the indentation, from Y/E* = 0.0657 on for nu = 0.5 and from 0.0761 on
+/// for nu = 0: pairs above 0.065 are refused. The mean pressure tends to HG, which
 /// falls as the contact grows: no contact counts as plastic.
 ///
-/// Jumps: at u = 1.9 the load grows by 1.0047 (a little less where a/b is not small there); the area is continuous.
+/// Jumps: the area is continuous; at u = 1.9 the load jumps by exp(-1.9^(5/12)/4) + (4 HG/(C Y)) [1 - exp(-1.9^(5/9)/25)]
+/// 1.9^-.5, where a/b is small by 1.0047 for nu = 0.3, by 1.0748 for 0, by 0.9678 for 0.49: it falls for nu above 0.3229,
+/// and where a/b is not small, as HG is less there, for smaller nu too (for 0.3 from Y/E* = 0.029 on).
 ///
 /// Contacts are not similar in u alone, since HG depends on a/b and B on Y/E*. For one pair of bodies a/b follows from u,
 /// and so does the whole law: [`Law::tuned`] makes a table of it. No rule says what yields under a layer.
@@ -39,8 +42,8 @@ pub struct JacksonGreen {
 /// w/wc up to which the contact is Hertz's.
 const ELASTIC: f64 = 1.9;
 
-/// The largest Y/E*: beyond it HG falls faster than the area grows.
-const STRONGEST: f64 = 0.1;
+/// The largest Y/E*: somewhere beyond it the load would fall with the indentation.
+const STRONGEST: f64 = 0.065;
 
 /// Y/E* of the steels that the fit was made for.
 const FITTED: [f64; 2] = [0.001, 0.008];

@@ -88,6 +88,10 @@ impl Pair {
     }
 }
 
+/// This part of a critical indentation lies between a place beside a boundary and the boundary: more than the rounding
+/// of where a formula gives way to another.
+const BESIDE: f64 = 8.0 * f64::EPSILON;
+
 /// A property of a body, by its key in a spec.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum Property {
@@ -213,16 +217,14 @@ pub trait Law: Clone + Send + Sync + 'static {
     fn jumps(&self, pair: &Pair) -> Vec<f64> {
         let side = |ratio: f64| self.contact(ratio, 1.0, pair).load;
         let ratios = self.critical_ratios(pair).into_iter();
-        ratios.map(|w| side(w * (1.0 + 2.0 * f64::EPSILON)) / side(w * (1.0 - f64::EPSILON))).collect()
+        ratios.map(|w| side(w * (1.0 + BESIDE)) / side(w * (1.0 - BESIDE))).collect()
     }
 
-    /// The highest load at indentations from `from` to `to`, `from < to` (m).
+    /// The highest load at indentations from `from` to `to`, `from < to` (m): within a range it is at the end.
     fn highest_load(&self, from: f64, to: f64, b: f64, pair: &Pair) -> f64 {
-        let critical = self.critical_ratios(pair).into_iter().map(|ratio| ratio * b);
-        critical
-            .filter(|w| (from..to).contains(w))
-            .flat_map(|w| [w, w.next_down()])
-            .chain([to])
+        let ends = self.critical_ratios(pair).into_iter().map(|ratio| ratio * b * (1.0 - BESIDE));
+        ends.filter(|w| (from..to).contains(w))
+            .chain([from, to])
             .map(|w| self.contact(w, b, pair).load)
             .fold(0.0, f64::max)
     }
