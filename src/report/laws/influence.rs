@@ -174,7 +174,7 @@ fn chance(measure: Measure, influence: &Influence, model: &Weight) -> String {
     };
     let judged = if errors < SIGNIFICANT { ", which leaves room for chance" } else { "" };
     format!(
-        "The sampling error of the sum {bound} {} in the mean: the gap between the models is {errors:.1}{many} of it{judged}.",
+        "The sampling error of the sum {bound} {} in the mean: the gap between the models is {errors:.1}{many} times that{judged}.",
         size(measure, error.mean),
     )
 }
