@@ -25,12 +25,15 @@ impl Measure {
         }
     }
 
-    /// How far `value` lies above `other`.
+    /// How far `value` lies above `other`; 0 if only rounding tells them apart.
     fn apart(self, value: &Response, other: &Response) -> f64 {
-        match self {
+        /// Of a separation at a given load.
+        const ROUNDING: f64 = 1e-9;
+        let apart = match self {
             Self::Separation => value.separation_over_sigma - other.separation_over_sigma,
             Self::Area => (value.area_ratio.total() / other.area_ratio.total()).ln(),
-        }
+        };
+        if apart.abs() > ROUNDING { apart } else { 0.0 }
     }
 
     /// The sampling error of a sum, as far as it has one; `sigma` (m) is what d is measured in.

@@ -245,14 +245,14 @@ pub fn surface(page: &mut Page, found: &SurfaceResults) {
     if let Some(mean) = &surface.ellipticity {
         let spheres = surface.map.as_ref().filter(|map| map.saddles > 0).map(|map| {
             format!(
-                " {} of {} summits are no ellipses, since one of their principal curvatures is not positive: laws for \
-                 ellipses take them as spheres of their mean curvature.",
+                " {} of {} summits are no ellipses, since one of their principal curvatures is not positive: elliptic laws \
+                 take them as spheres of their mean curvature.",
                 count(map.saddles),
                 count(map.summits)
             )
         });
         page.paragraph(&format!(
-            "Under a law for ellipses it stands on asperities of the mean curvature {} /m (a radius of {}) and the mean ratio \
+            "Under an elliptic law it stands on asperities of the mean curvature {} /m (a radius of {}) and the mean ratio \
              of the smaller to the larger principal curvature, {}.{}",
             number(mean.mean_curvature),
             quantity(mean.mean_curvature.recip(), "m"),
@@ -409,7 +409,7 @@ pub fn assumptions(results: &CompareResults) -> [String; 2] {
         " and homogeneous"
     };
     let sees_ellipses = results.surfaces.iter().any(|found| found.surface.ellipticity.is_some());
-    let asperities = if sees_ellipses { "spheres, or ellipses under laws for these," } else { "spheres" };
+    let asperities = if sees_ellipses { "spheres, or ellipses under elliptic laws," } else { "spheres" };
     [
         format!(
             "The flat is smooth{flat}; asperities are {asperities} that do not touch each other; there is no adhesion, friction or \

@@ -58,27 +58,35 @@ fn weights(results: &LawsResults, influence: &Influence, measure: Measure) -> Op
 
 /// Where the law matters more, and where the adding-up: a line a measure.
 pub fn verdict(results: &LawsResults) -> Vec<String> {
-    let line = |measure: Measure| {
-        let (mut law, mut model) = (Vec::new(), Vec::new());
-        for found in &results.compare.surfaces {
-            if let Some(weights) = of_first(results, found).and_then(|of| weights(results, of, measure)) {
-                if weights.0.mean > weights.1.mean { &mut law } else { &mut model }.push(subject(found));
-            }
-        }
-        let parts =
-            [("the law matters more than the adding-up", law), ("the adding-up more than the law", model)];
-        let told: Vec<String> = parts
-            .into_iter()
-            .filter(|(_, on)| !on.is_empty())
-            .map(|(what, on)| format!("{what} on {}", listed(&on)))
-            .collect();
-        let what = match measure {
-            Measure::Separation => "d/σ",
-            Measure::Area => "real area",
-        };
-        (!told.is_empty()).then(|| format!("**By {what}** {}.", told.join(", ")))
+    Measure::ALL.into_iter().filter_map(|measure| verdict_by(results, measure)).collect()
+}
+
+fn verdict_by(results: &LawsResults, measure: Measure) -> Option<String> {
+    let what = match measure {
+        Measure::Separation => "d/σ",
+        Measure::Area => "real area",
     };
-    Measure::ALL.into_iter().filter_map(line).collect()
+    let (mut law, mut model, mut left) = (Vec::new(), Vec::new(), Vec::new());
+    for found in &results.compare.surfaces {
+        let Some(influence) = of_first(results, found) else { continue };
+        let Some(weights) = weights(results, influence, measure) else { continue };
+        if weights.0.mean > weights.1.mean { &mut law } else { &mut model }.push(subject(found));
+        if without_furthest(results, influence, measure).is_some_and(|(_, left)| left.mean > weights.1.mean) {
+            left.push(subject(found));
+        }
+    }
+    let parts =
+        [("the law matters more than the adding-up", &law), ("the adding-up more than the law", &model)];
+    let parts = parts.into_iter().filter(|(_, on)| !on.is_empty());
+    let told: Vec<String> = parts.map(|(what, on)| format!("{what} on {}", listed(on))).collect();
+    let rest = match (law.is_empty(), left.is_empty()) {
+        (true, _) => String::new(),
+        (false, true) => " Without the one law that lies furthest off, it does so on none.".to_owned(),
+        (false, false) => {
+            format!(" Without the one law that lies furthest off, it does so on {}.", listed(&left))
+        }
+    };
+    (!told.is_empty()).then(|| format!("**By {what}** {}.{rest}", told.join(", ")))
 }
 
 /// Which matters more, by how much, and how much of it is chance: a line a measure.
@@ -112,6 +120,14 @@ fn in_short_by(
     } else {
         format!("The adding-up matters {} as much as the law", times(model.mean / law.mean))
     };
+    let left = without_furthest(results, influence, measure).map_or_else(String::new, |(furthest, left)| {
+        format!(
+            ", {} without {}, which lies furthest from {}",
+            size(measure, left.mean),
+            escape(&influence.laws[furthest]),
+            escape(&influence.laws[0])
+        )
+    });
     Some(format!(
         "**{}, {what}**: {members} lie {} apart in the mean under the sum ({} at most, at {}){}. Integral and sum under {} lie {} apart \
          in the mean ({} at most, at {}). {verdict}{}. {}",
@@ -119,7 +135,7 @@ fn in_short_by(
         size(measure, law.mean),
         size(measure, law.largest),
         quantity(law.at, "Pa"),
-        without_furthest(results, influence, measure).unwrap_or_default(),
+        left,
         escape(&influence.laws[0]),
         size(measure, model.mean),
         size(measure, model.largest),
@@ -132,8 +148,12 @@ fn in_short_by(
     ))
 }
 
-/// What is left of the spread without the law whose sums lie furthest from those of the first.
-fn without_furthest(results: &LawsResults, influence: &Influence, measure: Measure) -> Option<String> {
+/// The law whose sums lie furthest from those of the first, and what is left of the spread without it.
+fn without_furthest(
+    results: &LawsResults,
+    influence: &Influence,
+    measure: Measure,
+) -> Option<(usize, Weight)> {
     let group = group(results);
     let members =
         (1..results.laws.len()).filter(|&law| group == Group::All || results.laws[law].passes_regimes);
@@ -141,12 +161,7 @@ fn without_furthest(results: &LawsResults, influence: &Influence, measure: Measu
     let (furthest, _) = members.filter_map(weight).max_by(|a, b| a.1.total_cmp(&b.1))?;
     let left =
         influence.weight(|at| at.spread_without(measure, group, Kind::Deterministic, Some(furthest)))?;
-    Some(format!(
-        ", {} without {}, which lies furthest from {}",
-        size(measure, left.mean),
-        escape(&influence.laws[furthest]),
-        escape(&influence.laws[0])
-    ))
+    Some((furthest, left))
 }
 
 /// How much of the gap between the models may be chance.
@@ -157,9 +172,9 @@ fn chance(measure: Measure, influence: &Influence, model: &Weight) -> String {
         Measure::Separation => ("is", ""),
         Measure::Area => ("is at most", " or more"),
     };
-    let judged = if errors < SIGNIFICANT { ", and may be chance" } else { "" };
+    let judged = if errors < SIGNIFICANT { ", which leaves room for chance" } else { "" };
     format!(
-        "The sampling error of the sum {bound} {} in the mean: the gap between the models is {errors:.1}{many} of these{judged}.",
+        "The sampling error of the sum {bound} {} in the mean: the gap between the models is {errors:.1}{many} times that{judged}.",
         size(measure, error.mean),
     )
 }
@@ -189,7 +204,7 @@ pub fn section(page: &mut Page, results: &LawsResults, found: &SurfaceResults) {
     }
     if let Some(mean) = &found.surface.ellipticity {
         page.paragraph(&format!(
-            "Under a law for ellipses the integral stands on the mean curvature, a radius of {}, under the others on the radius {}: this \
+            "Under an elliptic law the integral stands on the mean curvature, a radius of {}, under the others on the radius {}: this \
              is a part of what the law changes there.",
             quantity(mean.mean_curvature.recip(), "m"),
             quantity(found.first.population.radius, "m"),
@@ -219,7 +234,7 @@ fn load_by_load(page: &mut Page, influence: &Influence, measure: Measure) {
         Measure::Separation => format!(
             "**d/σ at equal load**: the largest minus the smallest over the laws under each model, all laws and those that pass from \
              elastic to plastic; integral minus sum under {first} and under the passing law where it is largest; the standard error of the \
-             sum under {first}. Last: passing laws under the sum over the gap under {first}."
+             sum under {first}. Last: passing laws under the sum over the gap under {first}. Loads with a word beside them do not count."
         ),
         Measure::Area => "**Real area at equal load**, the same in ratios: the largest over the smallest; integral over sum; the \
              standard error in percent. The mean real pressure has the same ratios turned over, since it is the nominal pressure \
@@ -236,13 +251,12 @@ fn load_by_load(page: &mut Page, influence: &Influence, measure: Measure) {
         "models, most",
         "s.e. of the sum",
         "law / adding-up",
-        "",
     ];
     let rows = of_each_decade(&influence.loads, |at| at.pressure, 1.0);
-    page.table(head, rows.into_iter().map(|at| load_row(influence, at, measure)));
+    page.table(head, rows.into_iter().map(|at| load_row(at, measure)));
 }
 
-fn load_row(influence: &Influence, at: &AtLoad, measure: Measure) -> Vec<String> {
+fn load_row(at: &AtLoad, measure: Measure) -> Vec<String> {
     let dash = || "-".to_owned();
     let spread = |group, kind| {
         let found = at.spread(measure, group, kind);
@@ -256,27 +270,26 @@ fn load_row(influence: &Influence, at: &AtLoad, measure: Measure) -> Vec<String>
     let gap = at.gap(measure, 0);
     let ratio = at.spread(measure, Group::Passing, Kind::Deterministic).map(|law| law / gap.abs());
     vec![
-        quantity(at.pressure, "Pa"),
+        format!("{}{}", quantity(at.pressure, "Pa"), remark(at)),
         spread(Group::All, Kind::Statistical),
         spread(Group::All, Kind::Deterministic),
         spread(Group::Passing, Kind::Statistical),
         spread(Group::Passing, Kind::Deterministic),
         signed(measure, gap),
-        most.map_or_else(dash, |(law, gap)| format!("{} ({})", signed(measure, gap), influence.laws[law])),
+        most.map_or_else(dash, |(_, gap)| signed(measure, gap)),
         error,
         ratio.map_or_else(dash, short),
-        remark(at).to_owned(),
     ]
 }
 
-/// Whether a load counts, and why not.
+/// Why a load does not count, as the picture has it.
 fn remark(at: &AtLoad) -> &'static str {
     if at.counts {
-        "yes"
+        ""
     } else if at.fewest_contacts.round() < crate::compare::FEWEST_CONTACTS {
-        "no: few contacts"
+        " (few)"
     } else {
-        "no: asperities interact"
+        " (interact)"
     }
 }
 

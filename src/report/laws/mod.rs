@@ -119,7 +119,7 @@ fn one_asperity(page: &mut Page, results: &LawsResults) {
     page.heading(2, "One asperity");
     let ellipse = if results.curvature_ratio > 1.0 {
         format!(
-            " Laws for ellipses take it with this mean curvature and principal curvatures in the ratio {}.",
+            " Elliptic laws take it with this mean curvature and principal curvatures in the ratio {}.",
             number(results.curvature_ratio)
         )
     } else {

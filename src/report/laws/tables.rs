@@ -57,7 +57,6 @@ struct InfluenceRow {
     passing_laws_models_most: Option<f64>,
     passing_laws_models_most_law: Option<String>,
     sampling_error: Option<f64>,
-    law_over_adding_up: Option<f64>,
 }
 }
 
@@ -141,8 +140,7 @@ impl InfluenceRow {
             Measure::Separation => difference,
             Measure::Area => difference.exp(),
         };
-        let size = |group, kind| at.spread(measure, group, kind);
-        let spread = |group, kind| size(group, kind).map(told);
+        let spread = |group, kind| at.spread(measure, group, kind).map(told);
         let most = at.largest_gap(measure, Group::Passing);
         let gap = at.gap(measure, 0);
         Self {
@@ -160,9 +158,6 @@ impl InfluenceRow {
             passing_laws_models_most: most.map(|(_, gap)| told(gap)),
             passing_laws_models_most_law: most.map(|(law, _)| influence.laws[law].clone()),
             sampling_error: at.sampling_error(measure, 0),
-            law_over_adding_up: size(Group::Passing, Kind::Deterministic)
-                .map(|size| size / gap.abs())
-                .filter(|ratio| ratio.is_finite()),
         }
     }
 }
