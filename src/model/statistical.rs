@@ -145,13 +145,16 @@ impl<'a, C: MicroContact + ?Sized> Statistical<'a, C> {
 
     /// dp/dd has a contribution of its own where the load jumps.
     fn add_jumps(&self, h: f64, breakpoints: &[f64], window: [f64; 2], tally: &mut Tally) {
+        /// This part of a breakpoint lies to either side of it: more than the rounding of where a load jumps.
+        const BESIDE: f64 = 1e-12;
         let Population { sigma, heights, .. } = self.population;
         for &x in breakpoints.iter().filter(|x| (window[0]..window[1]).contains(x)) {
-            let load = |w: f64| self.contact.contact(w, self.shape).load;
-            let jump =
-                load(x * sigma * (1.0 + 2.0 * f64::EPSILON)) - load(x * sigma * (1.0 - 2.0 * f64::EPSILON));
+            let step = BESIDE * x * sigma;
+            let [below, above] =
+                [-step, step].map(|step| self.contact.contact(x * sigma + step, self.shape));
+            let rise = (below.stiffness + above.stiffness) * step;
             let density = heights.scale(h) * (-heights.exponent(h, x)).exp() / sigma;
-            tally.add_jump(jump * density);
+            tally.add_jump((above.load - below.load - rise) * density);
         }
     }
 
