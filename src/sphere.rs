@@ -7,6 +7,9 @@ use crate::law::Shape;
 /// Points of the trace between two places at which a curve bends.
 const PER_PIECE: usize = 160;
 
+/// On both sides of a boundary, where a law may jump.
+const BESIDE: f64 = 1e-12;
+
 /// A fall is more than the rounding of an answer.
 const ROUNDING: f64 = 1e-9;
 
@@ -32,6 +35,42 @@ pub struct RegimeChange {
     pub from: Regime,
     /// Above it.
     pub to: Regime,
+}
+
+/// Where one formula gives way to another, with or without a change of the regime; a law may jump there.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Boundary {
+    /// w, m.
+    pub indentation: f64,
+    /// Just below it.
+    pub below: Contact,
+    /// Just above it.
+    pub above: Contact,
+}
+
+impl Boundary {
+    /// How much larger the load is above than below, of the load below.
+    pub fn load_jump(&self) -> f64 {
+        self.above.load / self.below.load - 1.0
+    }
+
+    /// The same of the area.
+    pub fn area_jump(&self) -> f64 {
+        self.above.area / self.below.area - 1.0
+    }
+}
+
+/// All boundaries of an asperity, ascending.
+pub fn boundaries(contact: &dyn MicroContact, shape: Shape) -> Vec<Boundary> {
+    let mut at = contact.regime_changes(shape);
+    at.dedup();
+    let side = |w: f64| contact.contact(w, shape);
+    let boundary = |w: f64| Boundary {
+        indentation: w,
+        below: side(w * (1.0 - BESIDE)),
+        above: side(w * (1.0 + BESIDE)),
+    };
+    at.into_iter().map(boundary).collect()
 }
 
 /// A stretch on which area or load falls as the indentation grows.
@@ -143,8 +182,6 @@ impl Curve {
 
 /// From `first` to `last`, evenly in ln w between the places at which the curve bends, which are among them.
 fn places(contact: &dyn MicroContact, shape: Shape, first: f64, last: f64) -> Vec<f64> {
-    /// On both sides of a change of regime, where a law may jump.
-    const BESIDE: f64 = 1e-12;
     let bends = contact.breakpoints(shape).into_iter();
     let sides =
         contact.regime_changes(shape).into_iter().flat_map(|w| [w * (1.0 - BESIDE), w * (1.0 + BESIDE)]);
@@ -208,7 +245,7 @@ mod tests {
     use super::*;
     use crate::coating::Rule;
     use crate::interface::Flat;
-    use crate::law::{Hertz, Zmc};
+    use crate::law::{Ceb, Hertz, KogutEtsion, Zmc};
     use crate::material::Material;
 
     fn steel() -> Material {
@@ -260,6 +297,24 @@ mod tests {
             let of_load = |fall: &&Fall| fall.of == Falling::Load && (fall.loss() - 9.76e-4).abs() < 1e-6;
             assert!(curve.falls.iter().any(|fall| of_load(&fall)), "{thickness}: {:?}", curve.falls);
         }
+    }
+
+    #[test]
+    fn boundaries_have_both_sides_and_need_no_change_of_regime() {
+        let of = |flat: Result<Box<dyn MicroContact>, _>| boundaries(&*flat.unwrap(), Shape::sphere(1e-5));
+        let flat = Flat::Bare(steel());
+        let ceb = of(flat.under(Ceb, &steel()));
+        let [at] = &ceb[..] else { panic!("one boundary") };
+        assert!((at.load_jump() - 0.5).abs() < 1e-9 && at.area_jump().abs() < 1e-9);
+        assert_eq!((at.below.regime, at.above.regime), (Regime::Elastic, Regime::ElasticPlastic));
+        let kogut_etsion = of(flat.under(KogutEtsion, &steel()));
+        let [first, inner, last] = &kogut_etsion[..] else { panic!("three boundaries") };
+        assert_eq!(inner.below.regime, inner.above.regime);
+        assert!((inner.indentation / first.indentation - 6.0).abs() < 1e-12);
+        assert!((first.area_jump() + 0.07).abs() < 1e-9 && (last.load_jump() - 0.0788).abs() < 1e-4);
+        let smooth = of(flat.under(Zmc::default(), &steel()));
+        assert!(smooth.iter().all(|at| at.load_jump().abs() < 1e-9 && at.area_jump().abs() < 1e-9));
+        assert_eq!(of(flat.under(Hertz, &steel())), []);
     }
 
     #[test]

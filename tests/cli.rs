@@ -4,6 +4,8 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
 
+#[path = "cli/laws.rs"]
+mod laws;
 #[path = "cli/sphere.rs"]
 mod sphere;
 #[path = "cli/surface.rs"]

@@ -14,7 +14,7 @@ pub enum ListError {
     #[error(transparent)]
     File(#[from] ReadError),
     /// The `.npy` array has other columns than those that are needed.
-    #[error("an array of shape {rows} x {columns}; allowed: n x {}, with the columns {}", needed.len(), Column::names(needed))]
+    #[error("holds an array of shape {rows} x {columns}; allowed: n x {}, with the columns {}", needed.len(), Column::names(needed))]
     Shape {
         /// Rows found.
         rows: usize,
@@ -25,7 +25,7 @@ pub enum ListError {
     },
     /// A column is not there.
     #[error(
-        "no column `{}` (found: {found}); allowed: a header line with the columns {}",
+        "has no column `{}` (found: {found}); allowed: a header line with the columns {}",
         column.name(),
         Column::names(needed)
     )]
@@ -51,7 +51,7 @@ pub enum ListError {
         found: String,
     },
     /// The list has no row.
-    #[error("no asperity: the list has no rows")]
+    #[error("has no asperity: the list has no rows")]
     Empty,
 }
 

@@ -2,12 +2,14 @@
 //! separation, and how far apart they are.
 
 mod gap;
+mod influence;
 mod limit;
 mod rule;
 mod spread;
 mod threshold;
 
 pub use gap::{FEWEST_CONTACTS, Gap, Gaps};
+pub use influence::{AtLoad, Group, Influence, Measure, UnderLaw, Weight};
 pub use limit::{Exact, LimitCase, LimitPoint, Quantity, SlopeFit, convergence};
 pub use rule::{GOOD_RATIO, RuleCheck, RuleError, RuleFindings, apart};
 pub use spread::{Realisation, Scatter, Spread, spread};

@@ -1,6 +1,7 @@
 //! From a spec file to results: read, plan, run. Nothing here knows a terminal or writes a file.
 
 mod indentation;
+mod laws;
 mod models;
 pub mod plan;
 pub mod progress;
@@ -13,6 +14,7 @@ mod threshold;
 mod whole;
 
 pub use indentation::{IndentationResults, LARGEST_SLOPE, LawCurves, LayerResults};
+pub use laws::{LawOnOne, LawsResults, SurfaceInfluence};
 pub use refusal::Refusal;
 pub use surface::{GenerationFacts, MapFacts, Surface};
 pub use whole::Whole;

@@ -101,6 +101,7 @@ fn in_our_words(message: &str) -> String {
         "wanted string or table" => {
             Some("found neither a name nor a table; allowed: a name in quotes, or a table")
         }
+        "duplicate key" => Some("found this key twice; allowed: once"),
         "wanted exactly 1 element, more than 1 element" => {
             Some("found several keys; allowed: exactly one of them")
         }

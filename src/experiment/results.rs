@@ -6,6 +6,7 @@ use std::time::Duration;
 use indexmap::IndexMap;
 
 use super::indentation::IndentationResults;
+use super::laws::LawsResults;
 use super::surface::Surface;
 use crate::asperity::{Population, Statistics};
 use crate::coating::Rule;
@@ -69,6 +70,8 @@ pub struct ContactHead {
     pub hardness: Option<f64>,
     /// What lies on the flat.
     pub layer: Option<LayerHead>,
+    /// Laws that are asked beyond what they were made for, a line each.
+    pub doubts: Vec<String>,
 }
 
 /// Where the time went.
@@ -95,6 +98,8 @@ pub enum Results {
     Compare(CompareResults),
     /// Of `[indentation]`.
     Indentation(IndentationResults),
+    /// Of `[laws]`.
+    Laws(LawsResults),
     /// Of `[limit]`.
     Limit(LimitResults),
     /// Of a look at surfaces.
@@ -107,6 +112,7 @@ impl Results {
         match self {
             Self::Compare(results) => &results.head,
             Self::Indentation(results) => &results.head,
+            Self::Laws(results) => &results.compare.head,
             Self::Limit(results) => &results.head,
             Self::Surfaces(results) => &results.head,
         }
@@ -117,6 +123,7 @@ impl Results {
         match self {
             Self::Compare(results) => results.warnings(),
             Self::Indentation(results) => results.warnings(),
+            Self::Laws(results) => results.compare.warnings(),
             Self::Limit(_) => Vec::new(),
             Self::Surfaces(results) => results.warnings(),
         }
@@ -166,6 +173,7 @@ impl CompareResults {
     /// What makes the answers doubtful, a line each.
     pub fn warnings(&self) -> Vec<String> {
         let mut lines = warnings(self.surfaces.iter().map(|found| &found.surface));
+        lines.extend(self.contact.doubts.iter().cloned());
         lines.extend(
             self.contact.layer.as_ref().and_then(|layer| layer.check.warning(&layer.name, layer.rule)),
         );

@@ -12,7 +12,7 @@ use super::results::{
 };
 use super::surface::Surface;
 use super::whole::Look;
-use super::{Refusal, digest, hexadecimal, indentation, stream_seed, threshold};
+use super::{Refusal, digest, hexadecimal, indentation, laws, stream_seed, threshold};
 use crate::asperity::{Population, gaussian_moment};
 use crate::compare::{
     Control, Exact, Gaps, Kind, LimitCase, Models, NotReached, RuleCheck, RuleFindings, compare, convergence,
@@ -27,12 +27,13 @@ pub(super) fn run(plan: &Plan, progress: &dyn Progress) -> Result<Results, Refus
     match &plan.kind {
         PlanKind::Compare(compare) => run_compare(plan, compare, progress).map(Results::Compare),
         PlanKind::Indentation(sphere) => indentation::run(plan, sphere, progress).map(Results::Indentation),
+        PlanKind::Laws(several) => laws::run(plan, several, progress).map(Results::Laws),
         PlanKind::Limit(limit) => run_limit(plan, limit, progress).map(Results::Limit),
         PlanKind::Surfaces(surfaces) => look(plan, surfaces, progress).map(Results::Surfaces),
     }
 }
 
-fn run_compare(
+pub(super) fn run_compare(
     plan: &Plan,
     compare: &ComparePlan,
     progress: &dyn Progress,
@@ -280,8 +281,12 @@ fn exact(law: &LawPlan, population: Population, h: f64) -> Exact {
 
 fn papers_of(laws: &[LawPlan]) -> Vec<Paper> {
     let models = [literature::PASARIBU_SCHIPPER_2005, literature::ZHAO_MAIETTA_CHANG_2000];
-    let of = |law: &LawPlan| law.contact.papers().into_iter().chain(law.spec.papers().iter().copied());
-    laws.iter().flat_map(of).chain(models).collect()
+    laws.iter().flat_map(papers_of_law).chain(models).collect()
+}
+
+/// The papers behind one law.
+pub(super) fn papers_of_law(law: &LawPlan) -> Vec<Paper> {
+    law.contact.papers().into_iter().chain(law.spec.papers().iter().copied()).collect()
 }
 
 pub(super) fn head(plan: &Plan, mut papers: Vec<Paper>, timing: Timing) -> Head {
@@ -310,11 +315,14 @@ fn rule_check(compare: &ComparePlan, layer: &LayerPlan) -> Result<(RuleFindings,
 fn contact_head(plan: &Plan, laws: &[LawPlan], bodies: &Bodies, layer: Option<LayerHead>) -> ContactHead {
     // Every law of an experiment stands on the same two bodies.
     let contact = &laws[0].contact;
+    let mut doubts: Vec<String> = laws.iter().filter_map(|law| law.contact.doubt()).collect();
+    doubts.dedup();
     ContactHead {
         materials: plan.materials.clone(),
         bodies: bodies.clone(),
         reduced_modulus: contact.reference_modulus(),
         hardness: Some(contact.reference_hardness()).filter(|hardness| hardness.is_finite()),
         layer,
+        doubts,
     }
 }

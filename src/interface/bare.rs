@@ -96,4 +96,8 @@ impl<L: Law> MicroContact for Interface<L> {
     fn papers(&self) -> Vec<Paper> {
         self.law.papers().to_vec()
     }
+
+    fn doubt(&self) -> Option<String> {
+        self.law.doubt(&self.pair)
+    }
 }

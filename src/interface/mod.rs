@@ -215,6 +215,11 @@ pub trait MicroContact: Send + Sync {
     /// The papers behind the answers.
     fn papers(&self) -> Vec<Paper>;
 
+    /// What makes its answers doubtful though there are some; see [`Law::doubt`].
+    fn doubt(&self) -> Option<String> {
+        None
+    }
+
     /// Adds `weights[i]` contacts of one shape at `indentations[i]` to the tally.
     fn weigh(&self, indentations: &[f64], weights: &[f64], shape: Shape, tally: &mut Tally) {
         for (&w, &weight) in indentations.iter().zip(weights) {

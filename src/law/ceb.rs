@@ -38,6 +38,11 @@ impl Law for Ceb {
         "ceb"
     }
 
+    fn about(&self) -> &'static str {
+        "Elastic up to its own onset of yield; beyond it the volume is conserved and the mean pressure \
+         is K H at once: the load jumps by half. For w much smaller than R."
+    }
+
     fn papers(&self) -> &'static [Paper] {
         &[literature::CHANG_ETSION_BOGY_1987]
     }

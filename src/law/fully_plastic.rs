@@ -24,6 +24,11 @@ impl Law for FullyPlastic {
         "fully-plastic"
     }
 
+    fn about(&self) -> &'static str {
+        "Plastic throughout: the flat wears the profile down at the hardness. A limit for large \
+         indentations; elastic contacts get too large an area."
+    }
+
     fn papers(&self) -> &'static [Paper] {
         &[literature::ABBOTT_FIRESTONE_1933]
     }

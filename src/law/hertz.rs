@@ -34,6 +34,10 @@ impl Law for Hertz {
         "hertz"
     }
 
+    fn about(&self) -> &'static str {
+        "Elastic throughout. Holds below the onset of yield; beyond it a limit that the others leave."
+    }
+
     fn papers(&self) -> &'static [Paper] {
         &[literature::GREENWOOD_WILLIAMSON_1966]
     }

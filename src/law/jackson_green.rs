@@ -45,6 +45,9 @@ const ELASTIC: f64 = 1.9;
 /// The largest Y/E*: somewhere beyond it the load would fall with the indentation.
 const STRONGEST: f64 = 0.065;
 
+/// Y/E* of the steels that the fit was made for.
+const FITTED: [f64; 2] = [0.001, 0.008];
+
 /// P/Pc, d(P/Pc)/d ln w, and A/(pi b w).
 #[derive(Debug, Clone, Copy)]
 struct Answer {
@@ -117,6 +120,12 @@ impl Law for JacksonGreen {
         "jackson-green"
     }
 
+    fn about(&self) -> &'static str {
+        "A fit to finite elements in which the limiting mean pressure falls as the contact grows; \
+         elastic up to 1.9 of its own wc. Fitted for steels of Y/E* from 0.001 to 0.008, up to a/R = \
+         0.41."
+    }
+
     fn papers(&self) -> &'static [Paper] {
         &[literature::JACKSON_GREEN_2005]
     }
@@ -144,6 +153,14 @@ impl Law for JacksonGreen {
         }
     }
 
+    fn doubt(&self, pair: &Pair) -> Option<String> {
+        let ratio = pair.resistance.strength / pair.reduced_modulus;
+        let [from, to] = FITTED;
+        // A pair that never yields is Hertz's.
+        (ratio.is_finite() && !(from..=to).contains(&ratio))
+            .then(|| format!("law {}: Y/E* = {ratio:.4}; it was fitted for {from} to {to}", self.name()))
+    }
+
     fn tuned(self, pair: &Pair) -> Self {
         Self { tuned: Some(Arc::new(Tuned::new(pair))) }
     }
@@ -152,8 +169,8 @@ impl Law for JacksonGreen {
     fn contact(&self, w: f64, b: f64, pair: &Pair) -> Contact {
         let critical = pair.ratio(CRITICAL) * b;
         let u = w / critical;
-        // Also where the pair never yields.
-        if !(u >= ELASTIC) {
+        // 0 where the pair never yields.
+        if u < ELASTIC {
             return Hertz::elastic(w, b, pair.reduced_modulus);
         }
         let tuned = self.tuned.as_ref().filter(|tuned| tuned.pair == *pair);

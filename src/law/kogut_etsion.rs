@@ -53,6 +53,12 @@ impl Law for KogutEtsion {
         "kogut-etsion"
     }
 
+    fn about(&self) -> &'static str {
+        "Powers fitted to finite elements in two ranges beyond the onset of yield of Chang, Etsion and \
+         Bogy, plastic from 110 on; small jumps between the ranges. Fitted for up to 110 of its own wc, \
+         w much smaller than R."
+    }
+
     fn papers(&self) -> &'static [Paper] {
         &[
             literature::KOGUT_ETSION_2002,

@@ -170,6 +170,14 @@ pub trait Law: Clone + Send + Sync + 'static {
     /// The law's name in a spec.
     fn name(&self) -> &'static str;
 
+    /// What the law is and where it holds, in a line of a report.
+    fn about(&self) -> &'static str;
+
+    /// What makes answers for a pair doubtful though the law gives them: beyond what it was fitted for.
+    fn doubt(&self, _: &Pair) -> Option<String> {
+        None
+    }
+
     /// The papers that the law's equations are from.
     fn papers(&self) -> &'static [Paper];
 

@@ -91,6 +91,12 @@ impl Law for Zmc {
         "zmc"
     }
 
+    fn about(&self) -> &'static str {
+        "Elastic up to w1; from w2 = c w1 on plastic at the hardness, on twice the elastic area; a \
+         logarithm for the mean pressure and a cubic for the area between. Load and area are continuous \
+         with the default onset."
+    }
+
     fn papers(&self) -> &'static [Paper] {
         &[literature::ZHAO_MAIETTA_CHANG_2000, literature::PASARIBU_SCHIPPER_2005]
     }

@@ -217,8 +217,8 @@ pub fn verdict(found: &SurfaceResults, is_significant: bool) -> String {
     format!("the deterministic sum. The gap exceeds its sampling error.{why}")
 }
 
-/// What the surface is.
-fn surface(page: &mut Page, found: &SurfaceResults) {
+/// What the surface is, and what the statistical model makes of it.
+pub fn surface(page: &mut Page, found: &SurfaceResults) {
     let surface = &found.surface;
     let population = &found.first.population;
     page.heading(2, &format!("Surface {}", surface.name));
@@ -242,6 +242,24 @@ fn surface(page: &mut Page, found: &SurfaceResults) {
         quantity(population.radius, "m"),
         number(population.density),
     ));
+    if let Some(mean) = &surface.ellipticity {
+        let spheres = surface.map.as_ref().filter(|map| map.saddles > 0).map(|map| {
+            format!(
+                " {} of {} summits are no ellipses, since one of their principal curvatures is not positive: elliptic laws \
+                 take them as spheres of their mean curvature.",
+                count(map.saddles),
+                count(map.summits)
+            )
+        });
+        page.paragraph(&format!(
+            "Under an elliptic law it stands on asperities of the mean curvature {} /m (a radius of {}) and the mean ratio \
+             of the smaller to the larger principal curvature, {}.{}",
+            number(mean.mean_curvature),
+            quantity(mean.mean_curvature.recip(), "m"),
+            number(mean.mean_ratio),
+            spheres.unwrap_or_default()
+        ));
+    }
 }
 
 /// Both models' answers under one law.
@@ -379,24 +397,32 @@ fn limits(page: &mut Page, results: &CompareResults) {
             limits_of(&mut lines, &subject(results, found, law), found, &cases);
         }
     }
-    lines.push(format!(
-        "The flat is smooth{}; asperities are spheres that do not touch each other; there is no adhesion, friction or hardening.",
-        if results.contact.layer.is_some() {
-            ", its layer bonded everywhere and free of cracks and residual stress"
-        } else {
-            " and homogeneous"
-        }
-    ));
-    lines.push(
-        "Standard errors take the asperities as independent draws; those of a real surface are neighbours, and a surface with long \
-         waves scatters more."
-            .to_owned(),
-    );
+    lines.extend(assumptions(results));
     page.bullets(lines);
 }
 
+/// What all answers take for granted.
+pub fn assumptions(results: &CompareResults) -> [String; 2] {
+    let flat = if results.contact.layer.is_some() {
+        ", its layer bonded everywhere and free of cracks and residual stress"
+    } else {
+        " and homogeneous"
+    };
+    let sees_ellipses = results.surfaces.iter().any(|found| found.surface.ellipticity.is_some());
+    let asperities = if sees_ellipses { "spheres, or ellipses under elliptic laws," } else { "spheres" };
+    [
+        format!(
+            "The flat is smooth{flat}; asperities are {asperities} that do not touch each other; there is no adhesion, friction or \
+             hardening.",
+        ),
+        "Standard errors take the asperities as independent draws; those of a real surface are neighbours, and a surface with long \
+         waves scatters more."
+            .to_owned(),
+    ]
+}
+
 /// The same of one surface under one law, all thicknesses together.
-fn limits_of(lines: &mut Vec<String>, subject: &str, found: &SurfaceResults, cases: &[&CaseResults]) {
+pub fn limits_of(lines: &mut Vec<String>, subject: &str, found: &SurfaceResults, cases: &[&CaseResults]) {
     let curves = || cases.iter().flat_map(|case| &case.comparison.curves);
     let beyond = curves().filter(|point| point.response.is_beyond_model()).count();
     let sum = || curves().filter(|point| point.kind == Kind::Deterministic);

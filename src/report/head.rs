@@ -49,18 +49,23 @@ pub fn what_was_run(page: &mut Page, head: &Head, contact: &ContactHead) {
 
 /// The bodies, and the part that each has.
 pub fn materials(page: &mut Page, materials: &IndexMap<String, Material>, role: impl Fn(&str) -> String) {
-    page.table(
-        ["material", "body", "E", "ν", "H"],
-        materials.iter().map(|(name, body)| {
-            vec![
-                name.clone(),
-                role(name),
-                quantity(body.young(), "Pa"),
-                number(body.poisson()),
-                hardness(body.hardness()),
-            ]
-        }),
-    );
+    let has_yield_strength = materials.values().any(|body| body.yield_strength().is_some());
+    let row = |(name, body): (&String, &Material)| {
+        let mut row = vec![
+            name.clone(),
+            role(name),
+            quantity(body.young(), "Pa"),
+            number(body.poisson()),
+            hardness(body.hardness()),
+        ];
+        if has_yield_strength {
+            row.push(body.yield_strength().map_or_else(|| "-".to_owned(), |y| quantity(y, "Pa")));
+        }
+        row
+    };
+    let head: &[&str] = &["material", "body", "E", "ν", "H", "Y"];
+    let columns = if has_yield_strength { head } else { &head[..5] };
+    page.table(columns, materials.iter().map(row));
 }
 
 fn hardness(value: Option<f64>) -> String {

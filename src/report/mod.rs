@@ -7,7 +7,7 @@
 //! | [`plot`] | a figure described by its layers, drawn to SVG text |
 //! | [`page`] | one content in two forms, Markdown and self-contained HTML |
 //! | [`mod@format`] | numbers and quantities as people read them |
-//! | `compare`, `indentation`, `limit` | the page of each kind of experiment, on `head` and `figures` |
+//! | `compare`, `indentation`, `laws`, `limit` | the page of each kind of experiment, on `head` and `figures` |
 //! | `layer`, `falls` | a comparison under a layer in several thicknesses; where area or load falls |
 //! | [`surface`] | what a surface is, in a comparison, on a page of its own, in the terminal |
 //! | `tables`, `summary` | CSV and JSON, for machines |
@@ -22,6 +22,7 @@ pub mod format;
 mod head;
 mod indentation;
 mod index;
+mod laws;
 mod layer;
 mod limit;
 pub mod page;
@@ -67,6 +68,7 @@ pub fn folder(results: &Results, key: &str) -> Result<Folder, ReportError> {
             (compare::page(results), tables)
         }
         Results::Indentation(results) => (indentation::page(results), indentation::tables(results)?),
+        Results::Laws(results) => (laws::page(results), laws::tables(results)?),
         Results::Surfaces(results) => (surface::page(results), Vec::new()),
         Results::Limit(results) => {
             let tables = vec![
@@ -91,6 +93,7 @@ pub fn folder(results: &Results, key: &str) -> Result<Folder, ReportError> {
     let summary = match results {
         Results::Compare(results) => summary::compare(results, &names)?,
         Results::Indentation(results) => summary::indentation(results, &names)?,
+        Results::Laws(results) => summary::laws(results, &names)?,
         Results::Limit(results) => summary::limit(results, &limit::slopes(results), &names)?,
         Results::Surfaces(results) => summary::surfaces(results, &names)?,
     };

@@ -9,7 +9,7 @@ use super::layer::LayerPlan;
 use super::read::Reader;
 use super::surface::beside;
 use crate::experiment::refusal::{Refusal, Source};
-use crate::experiment::spec::{IndentationSpec, LawSpec, Show};
+use crate::experiment::spec::{IndentationSpec, LawSpec, LogSweep, Show};
 use crate::material::Material;
 use crate::numeric::is_positive;
 
@@ -104,19 +104,12 @@ impl Reader<'_> {
         let layers = words.layer.get_ref().0.iter().map(|layer| self.layer(layer, &flat.1));
         let layers = layers.collect::<Result<Vec<_>, _>>()?;
         self.check_layers(words, &layers)?;
-        let indentations = words.indentation.get_ref().values.clone();
-        let refuse_sweep = |message: String| Err(self.source.refuse(words.indentation.span(), message));
-        if indentations.len() < 2 || indentations.windows(2).any(|pair| pair[0] >= pair[1]) {
-            return refuse_sweep(
-                "found indentations that do not grow, or one alone; allowed: two or more, the smallest first"
-                    .to_owned(),
-            );
-        }
+        let indentations = self.growing(&words.indentation)?;
         let last = indentations[indentations.len() - 1];
         if last > radius {
-            return refuse_sweep(format!(
-                "found an indentation of {last:e} m; allowed: at most the radius, {radius:e} m"
-            ));
+            let message =
+                format!("found an indentation of {last:e} m; allowed: at most the radius, {radius:e} m");
+            return Err(self.source.refuse(words.indentation.span(), message));
         }
         self.spheres_only(&words.law, "a ball is a sphere")?;
         let met = layers.iter().map(|layer| (layer.name.as_str(), &layer.material));
@@ -157,6 +150,17 @@ impl Reader<'_> {
             }
             _ => Ok(plan),
         }
+    }
+
+    /// Indentations, at least two, the smallest first.
+    pub(super) fn growing<D>(&self, words: &Spanned<LogSweep<D>>) -> Result<Vec<f64>, Refusal> {
+        let indentations = &words.get_ref().values;
+        if indentations.len() < 2 || indentations.windows(2).any(|pair| pair[0] >= pair[1]) {
+            let message =
+                "found indentations that do not grow, or one alone; allowed: two or more, the smallest first";
+            return Err(self.source.refuse(words.span(), message));
+        }
+        Ok(indentations.clone())
     }
 
     /// The limits of no layer and nothing but the layer stand beside every layer by themselves.

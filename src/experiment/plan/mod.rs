@@ -2,11 +2,13 @@
 
 mod generate;
 mod indentation;
+mod laws;
 mod layer;
 mod read;
 mod surface;
 
 pub use indentation::{IndentationPlan, OverlayPlan};
+pub use laws::{Critical, LawsPlan};
 pub use layer::{LayerPlan, thickness_words};
 pub use surface::SurfacePlan;
 
@@ -26,7 +28,7 @@ use indexmap::IndexMap;
 use toml::Spanned;
 
 /// What a spec must hold.
-const ONE_OF_THE_KINDS: &str = "exactly one of [compare], [indentation], [limit]";
+const ONE_OF_THE_KINDS: &str = "exactly one of [compare], [indentation], [laws], [limit]";
 
 /// A spec that can be run.
 pub struct Plan {
@@ -54,6 +56,8 @@ pub enum PlanKind {
     Limit(LimitPlan),
     /// `[indentation]`
     Indentation(IndentationPlan),
+    /// `[laws]`
+    Laws(LawsPlan),
     /// A look at surfaces, whatever the spec's kind.
     Surfaces(Vec<SurfacePlan>),
 }
@@ -112,6 +116,15 @@ pub struct LimitPlan {
     pub draws: usize,
 }
 
+impl ComparePlan {
+    /// An estimate of the asperities and nodes that are evaluated.
+    fn work(&self) -> u128 {
+        let all = |surface: &SurfacePlan| surface.most_asperities() * surface.realisations as u128;
+        let asperities: u128 = self.surfaces.iter().map(all).sum();
+        asperities * (self.controls.points() * self.laws.len()) as u128
+    }
+}
+
 impl Plan {
     /// Reads a spec and everything about its files that can be known without running it.
     ///
@@ -124,6 +137,7 @@ impl Plan {
         let kinds = [
             spec.compare.as_ref().map(Spanned::span),
             spec.indentation.as_ref().map(Spanned::span),
+            spec.laws.as_ref().map(Spanned::span),
             spec.limit.as_ref().map(Spanned::span),
         ];
         let mut given: Vec<_> = kinds.into_iter().flatten().collect();
@@ -134,13 +148,16 @@ impl Plan {
         }
         let uses_none = spec.indentation.is_some() || spec.limit.is_some();
         if let Some((name, _)) = spec.surface.first().filter(|_| uses_none) {
-            let message = "found a surface, which only [compare] uses; allowed: no [surface.NAME] here";
+            let message =
+                "found a surface, which only [compare] and [laws] use; allowed: no [surface.NAME] here";
             return Err(source.refuse(name.span(), message));
         }
         let kind = if let Some(compare) = &spec.compare {
             PlanKind::Compare(reader.compare(compare.get_ref(), compare.span())?)
         } else if let Some(indentation) = &spec.indentation {
             PlanKind::Indentation(reader.indentation(indentation.get_ref())?)
+        } else if let Some(laws) = &spec.laws {
+            PlanKind::Laws(reader.laws_on_all(laws.get_ref(), laws.span())?)
         } else if let Some(limit) = &spec.limit {
             PlanKind::Limit(reader.limit(limit.get_ref())?)
         } else {
@@ -186,20 +203,27 @@ impl Plan {
     /// The measured files that it reads.
     pub fn inputs(&self) -> Vec<PathBuf> {
         match &self.kind {
-            PlanKind::Compare(compare) => compare.surfaces.iter().filter_map(SurfacePlan::input).collect(),
             PlanKind::Indentation(plan) => plan.overlay.iter().map(|overlay| overlay.path.clone()).collect(),
-            PlanKind::Limit(_) => Vec::new(),
-            PlanKind::Surfaces(surfaces) => surfaces.iter().filter_map(SurfacePlan::input).collect(),
+            _ => self.surfaces().iter().filter_map(SurfacePlan::input).collect(),
+        }
+    }
+
+    /// The surfaces that it makes or reads.
+    fn surfaces(&self) -> &[SurfacePlan] {
+        match &self.kind {
+            PlanKind::Compare(compare) | PlanKind::Laws(LawsPlan { compare, .. }) => &compare.surfaces,
+            PlanKind::Surfaces(surfaces) => surfaces,
+            PlanKind::Indentation(_) | PlanKind::Limit(_) => &[],
         }
     }
 
     /// An estimate of the memory that a run needs at its peak, bytes.
     pub fn memory(&self) -> u128 {
         match &self.kind {
-            PlanKind::Compare(ComparePlan { surfaces, .. }) | PlanKind::Surfaces(surfaces) => {
+            PlanKind::Compare(_) | PlanKind::Laws(_) | PlanKind::Surfaces(_) => {
                 // The asperities of every surface are kept for the report, one map at a time.
-                let kept: u128 = surfaces.iter().map(SurfacePlan::kept).sum();
-                kept + surfaces.iter().map(|surface| surface.memory(self.look())).max().unwrap_or(0)
+                let kept: u128 = self.surfaces().iter().map(SurfacePlan::kept).sum();
+                kept + self.surfaces().iter().map(|surface| surface.memory(self.look())).max().unwrap_or(0)
             }
             PlanKind::Indentation(plan) => plan.memory(),
             PlanKind::Limit(limit) => {
@@ -224,11 +248,8 @@ impl Plan {
     /// An estimate of the work: asperities or nodes evaluated.
     pub fn work(&self) -> u128 {
         match &self.kind {
-            PlanKind::Compare(compare) => {
-                let all = |surface: &SurfacePlan| surface.most_asperities() * surface.realisations as u128;
-                let asperities: u128 = compare.surfaces.iter().map(all).sum();
-                asperities * (compare.controls.points() * compare.laws.len()) as u128
-            }
+            PlanKind::Compare(compare) => compare.work(),
+            PlanKind::Laws(plan) => plan.compare.work() + plan.points(),
             PlanKind::Indentation(plan) => plan.work(),
             PlanKind::Limit(limit) => {
                 let asperities: u128 = limit.counts.iter().map(|&count| count as u128).sum();
@@ -253,15 +274,9 @@ impl Plan {
             needed as f64 / 1e9,
             available as f64 / 1e9
         );
-        let place = match &self.kind {
-            PlanKind::Compare(ComparePlan { surfaces, .. }) | PlanKind::Surfaces(surfaces) => {
-                let largest = surfaces.iter().max_by_key(|surface| surface.memory(self.look()));
-                largest.map(|surface| surface.size_key.clone())
-            }
-            PlanKind::Indentation(_) | PlanKind::Limit(_) => None,
-        };
-        Err(match place {
-            Some(span) => self.source.refuse(span, message),
+        let largest = self.surfaces().iter().max_by_key(|surface| surface.memory(self.look()));
+        Err(match largest {
+            Some(surface) => self.source.refuse(surface.size_key.clone(), message),
             None => Refusal::file(&self.source.path, message),
         })
     }
@@ -279,26 +294,31 @@ pub(super) fn stem_of(path: &Path) -> Result<String, Refusal> {
     })
 }
 
+impl fmt::Display for ComparePlan {
+    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        let models: Vec<&str> = self.models.iter().map(|model| model.name()).collect();
+        let laws: Vec<String> = self.law_specs.iter().map(LawSpec::label).collect();
+        writeln!(f, "  {} on {}, law {}", self.bodies.rough, self.bodies.flat, laws.join(", "))?;
+        let each = match &self.layer {
+            Some(layer) => {
+                writeln!(f, "  under {layer}")?;
+                "law, thickness and surface"
+            }
+            None => "law and surface",
+        };
+        writeln!(f, "  {} at {} points a {each}", models.join(" and "), self.controls.points())?;
+        describe(&self.surfaces, f)
+    }
+}
+
 /// What it will do and need, for a person.
 impl fmt::Display for Plan {
     fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
         writeln!(f, "{}: {}", self.source.path.display(), self.title)?;
         let laws = |laws: &[LawPlan]| laws.iter().map(|law| law.label.clone()).collect::<Vec<_>>().join(", ");
         match &self.kind {
-            PlanKind::Compare(plan) => {
-                let models: Vec<&str> = plan.models.iter().map(|model| model.name()).collect();
-                let laws: Vec<String> = plan.law_specs.iter().map(LawSpec::label).collect();
-                writeln!(f, "  {} on {}, law {}", plan.bodies.rough, plan.bodies.flat, laws.join(", "))?;
-                let each = match &plan.layer {
-                    Some(layer) => {
-                        writeln!(f, "  under {layer}")?;
-                        "law, thickness and surface"
-                    }
-                    None => "law and surface",
-                };
-                writeln!(f, "  {} at {} points a {each}", models.join(" and "), plan.controls.points())?;
-                describe(&plan.surfaces, f)?;
-            }
+            PlanKind::Compare(plan) => write!(f, "{plan}")?,
+            PlanKind::Laws(plan) => write!(f, "{}{plan}", plan.compare)?,
             PlanKind::Indentation(plan) => write!(f, "{plan}")?,
             PlanKind::Surfaces(surfaces) => describe(surfaces, f)?,
             PlanKind::Limit(plan) => {

@@ -14,6 +14,15 @@ use crate::interface::Flat;
 use crate::law::{Body, Inapplicable, Property};
 use crate::material::Material;
 
+/// Two materials as a refusal names them, or one that both bodies are of.
+pub(super) fn materials(rough: &str, flat: &str) -> String {
+    if rough == flat {
+        format!("[material.{rough}]")
+    } else {
+        format!("[material.{rough}], nor in [material.{flat}]")
+    }
+}
+
 /// Resolves the names of one spec.
 pub(super) struct Reader<'a> {
     pub(super) source: &'a Source,
@@ -74,12 +83,17 @@ impl Reader<'_> {
                 }
             ),
             None => format!(
-                "found no `{key}` in [material.{rough}], nor in [material.{flat}]: law {law} needs that of one of them at \
-                 least; allowed: {key} = \"...\" with a unit of pressure"
+                "found no `{key}` in {}, which law {law} needs of one body at least; allowed: {key} = \"...\" with a unit of \
+                 pressure",
+                materials(rough, flat)
             ),
         };
-        let defined = self.spec.material.keys().find(|defined| defined.get_ref() == name);
-        self.source.refuse(defined.map_or_else(|| laws.span(), Spanned::span), message)
+        self.source.refuse(self.material_at(name).unwrap_or_else(|| laws.span()), message)
+    }
+
+    /// Where a material is defined.
+    pub(super) fn material_at(&self, name: &str) -> Option<Range<usize>> {
+        self.spec.material.keys().find(|defined| defined.get_ref() == name).map(Spanned::span)
     }
 
     /// Each law against each flat, which has a layer of the thickness beside it.

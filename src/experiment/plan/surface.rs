@@ -22,7 +22,7 @@ use crate::surface::level::Level;
 use crate::surface::read::{self, Given, GivenError};
 use crate::surface::summits::Neighbours;
 use crate::surface::{MapError, Rows};
-use crate::units::{Length, Quantity};
+use crate::units::{Length, Pure, Quantity};
 
 /// A surface that can be made.
 #[derive(Debug)]
@@ -124,18 +124,7 @@ impl SurfacePlan {
         words: &PopulationSpec,
         as_ellipses: bool,
     ) -> Result<Origin, Refusal> {
-        /// Beyond this an asperity is a ridge.
-        const LONGEST: f64 = 1e6;
-        let ratio = words.curvature_ratio.as_ref();
-        if let Some(ratio) = ratio.filter(|ratio| !(1.0..=LONGEST).contains(&ratio.get_ref().value())) {
-            let found = ratio.get_ref().value();
-            return Err(source.refuse(ratio.span(), format!("found {found}; allowed: 1 to {LONGEST:e}")));
-        }
-        if as_ellipses && ratio.is_none() {
-            let message = "found no `curvature-ratio`, which a law for ellipses needs; allowed: curvature-ratio = 1 or \
-                           above, the larger principal curvature of the asperities over the smaller one";
-            return Err(source.refuse(span, message));
-        }
+        let ratio = curvature_ratio(source, &span, words.curvature_ratio.as_ref(), as_ellipses)?;
         let count = *words.count.get_ref();
         let count = usize::try_from(count).ok().filter(|&count| count > 0).ok_or_else(|| {
             source.refuse(words.count.span(), format!("found {count}; allowed: at least one asperity"))
@@ -152,7 +141,6 @@ impl SurfacePlan {
                 datum.mean = -surface.mean_asperity_height();
             }
         }
-        let ratio = ratio.map(|ratio| ratio.get_ref().value());
         Ok(Origin::Population { population, ratio, count, draw: words.draw, datum })
     }
 
@@ -429,6 +417,27 @@ fn found(
     surface.mean_plane = Some(facts.character.moments.mean);
     surface.map = Some(facts);
     Ok(surface)
+}
+
+/// The larger principal curvature over the smaller one, where a spec gives it; `span` is where it belongs.
+pub(super) fn curvature_ratio(
+    source: &Source,
+    span: &Range<usize>,
+    words: Option<&Spanned<Quantity<Pure>>>,
+    is_needed: bool,
+) -> Result<Option<f64>, Refusal> {
+    /// Beyond this an asperity is a ridge.
+    const LONGEST: f64 = 1e6;
+    let Some(words) = words else {
+        let message = "found no `curvature-ratio`, which a law for ellipses needs; allowed: curvature-ratio = 1 or \
+                       above, the larger principal curvature of an asperity over the smaller one";
+        return if is_needed { Err(source.refuse(span.clone(), message)) } else { Ok(None) };
+    };
+    let ratio = words.get_ref().value();
+    if (1.0..=LONGEST).contains(&ratio) {
+        return Ok(Some(ratio));
+    }
+    Err(source.refuse(words.span(), format!("found {ratio}; allowed: 1 to {LONGEST:e}")))
 }
 
 fn area([nx, ny]: [usize; 2]) -> u128 {

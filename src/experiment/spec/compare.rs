@@ -41,7 +41,7 @@ pub struct CompareSpec {
 }
 
 /// The name of one material: a second rough body is not modelled.
-#[derive(Debug)]
+#[derive(Debug, Clone)]
 pub struct RoughBody(pub String);
 
 impl<'de> Deserialize<'de> for RoughBody {

@@ -156,6 +156,26 @@ impl LawSpec {
         }
     }
 
+    /// What it is and where it holds, in a line of a report.
+    pub fn about(&self) -> &'static str {
+        match (self.summit, self.equations) {
+            (Summit::Sphere, Equations::Hertz) => Hertz.about(),
+            (Summit::Sphere, Equations::Zmc { law, .. }) => law.about(),
+            (Summit::Ellipse, Equations::Zmc { .. }) => {
+                "The regimes of Zhao, Maietta and Chang on an elliptic paraboloid: Hertz's ellipse of the two principal \
+                 curvatures, its own onset of yield. Derived here from Hertz's solution, not fitted."
+            }
+            (_, Equations::Ceb) => Ceb.about(),
+            (_, Equations::KogutEtsion) => KogutEtsion.about(),
+            (_, Equations::JacksonGreen) => JacksonGreen::default().about(),
+            (_, Equations::FullyPlastic) => FullyPlastic.about(),
+            (Summit::Ellipse, Equations::Hertz) => {
+                "Hertz's elastic contact of an elliptic paraboloid of two principal curvatures. Holds below the onset of \
+                 yield."
+            }
+        }
+    }
+
     /// The papers behind what it takes asperities for.
     pub fn papers(&self) -> &'static [Paper] {
         match self.summit {

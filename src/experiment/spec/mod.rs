@@ -6,6 +6,7 @@ mod compare;
 mod generate;
 mod indentation;
 mod law;
+mod laws;
 mod layer;
 mod limit;
 mod surface;
@@ -24,6 +25,7 @@ pub use generate::{
 };
 pub use indentation::{IndentationSpec, Layers, Show};
 pub use law::{LawSpec, Laws, Summit};
+pub use laws::{AsperitySpec, LawsSpec};
 pub use layer::{LayerSpec, Thicknesses};
 pub use limit::LimitSpec;
 pub use surface::{
@@ -53,6 +55,8 @@ pub struct Spec {
     pub compare: Option<Spanned<CompareSpec>>,
     /// The deterministic model against the statistical limit.
     pub limit: Option<Spanned<LimitSpec>>,
+    /// Several laws on one asperity and on given surfaces.
+    pub laws: Option<Spanned<LawsSpec>>,
     /// One sphere on a layered flat.
     pub indentation: Option<Spanned<IndentationSpec>>,
     /// The surfaces by name.

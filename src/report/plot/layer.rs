@@ -80,6 +80,8 @@ pub struct Layer {
     pub(super) colour: Colour,
     pub(super) dash: Dash,
     pub(super) opacity: f64,
+    /// Width of a line over the usual one.
+    pub(super) weight: f64,
 }
 
 impl Layer {
@@ -91,6 +93,7 @@ impl Layer {
             colour: Colour::Series(0),
             dash: Dash::Solid,
             opacity: 1.0,
+            weight: 1.0,
         }
     }
 
@@ -174,6 +177,18 @@ impl Layer {
     /// Breaks the line into dashes or dots.
     pub fn dashed(mut self, dash: Dash) -> Self {
         self.dash = dash;
+        self
+    }
+
+    /// Draws a line that stands out from many.
+    pub fn thick(mut self) -> Self {
+        self.weight = 1.8;
+        self
+    }
+
+    /// Draws a line that is one of many.
+    pub fn thin(mut self) -> Self {
+        self.weight = 0.7;
         self
     }
 

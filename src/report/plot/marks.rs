@@ -54,10 +54,16 @@ pub(super) fn draw(canvas: &mut Canvas, frame: &Frame, layer: &Layer, taken: &mu
             let pieces = pieces(points.iter().map(|point| frame.spot(*point)));
             // A piece of one point would not show as a line.
             let (alone, pieces): (Vec<_>, Vec<_>) = pieces.into_iter().partition(|piece| piece.len() == 1);
-            draw_lines(canvas, &pieces, Stroke { colour, width: LINE, dash: layer.dash }, frame, taken);
+            draw_lines(
+                canvas,
+                &pieces,
+                Stroke { colour, width: LINE * layer.weight, dash: layer.dash },
+                frame,
+                taken,
+            );
             let alone: Vec<Spot> = alone.into_iter().flatten().collect();
             alone.iter().for_each(|spot| taken.dot(*spot));
-            canvas.circles(&alone, LINE, colour);
+            canvas.circles(&alone, LINE * layer.weight, colour);
         }
         Shape::Band(points, along) => {
             let across = along.other();
@@ -108,7 +114,7 @@ pub(super) fn draw_key(canvas: &mut Canvas, layer: &Layer, key: &Rect) {
     let middle = ((key.left + key.right) / 2.0, (key.top + key.bottom) / 2.0);
     match &layer.shape {
         Shape::Line(_) | Shape::Level(..) | Shape::Slope { .. } => {
-            let width = if matches!(layer.shape, Shape::Line(_)) { LINE } else { REFERENCE };
+            let width = if matches!(layer.shape, Shape::Line(_)) { LINE * layer.weight } else { REFERENCE };
             let line = [(key.left, middle.1), (key.right, middle.1)];
             canvas.lines([line.as_slice()], Stroke { colour, width, dash: layer.dash });
         }

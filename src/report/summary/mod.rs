@@ -1,6 +1,7 @@
 //! `summary.json` and `timing.json`: what ran, on what, and what came out, for machines.
 
 mod indentation;
+mod laws;
 mod layer;
 mod surface;
 
@@ -10,8 +11,10 @@ use indexmap::IndexMap;
 use serde::{Deserialize, Serialize};
 
 use super::limit::Slope;
+use crate::experiment::LawsResults;
 use crate::experiment::results::{CompareResults, ContactHead, Head, LimitResults, SurfacesResults};
 pub use indentation::indentation;
+use laws::LawsSummary;
 use layer::{FallSummary, LayerSummary, Thickness, ThresholdSummary};
 use surface::SurfaceSummary;
 
@@ -42,6 +45,8 @@ struct Summary<'a> {
     warnings: Vec<String>,
     #[serde(skip_serializing_if = "Vec::is_empty")]
     layers: Vec<indentation::SphereSummary<'a>>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    laws: Option<LawsSummary<'a>>,
     #[serde(skip_serializing_if = "Vec::is_empty")]
     slopes: Vec<SlopeSummary<'a>>,
     papers: Vec<&'static str>,
@@ -93,6 +98,7 @@ impl<'a> Summary<'a> {
             falls: Vec::new(),
             warnings: Vec::new(),
             layers: Vec::new(),
+            laws: None,
             slopes: Vec::new(),
             papers: head.papers.iter().map(|paper| paper.full).collect(),
             files,
@@ -105,6 +111,20 @@ impl<'a> Summary<'a> {
 /// # Errors
 /// None that a result can cause.
 pub fn compare(results: &CompareResults, files: &[String]) -> serde_json::Result<Vec<u8>> {
+    serde_json::to_vec_pretty(&compared(results, files))
+}
+
+/// `summary.json` of several laws.
+///
+/// # Errors
+/// None that a result can cause.
+pub fn laws(results: &LawsResults, files: &[String]) -> serde_json::Result<Vec<u8>> {
+    let mut summary = compared(&results.compare, files);
+    summary.laws = Some(laws::summary(results));
+    serde_json::to_vec_pretty(&summary)
+}
+
+fn compared<'a>(results: &'a CompareResults, files: &'a [String]) -> Summary<'a> {
     let mut summary = Summary::new(&results.head, Some(&results.contact), files);
     summary.warnings = results.warnings();
     for found in &results.surfaces {
@@ -129,7 +149,7 @@ pub fn compare(results: &CompareResults, files: &[String]) -> serde_json::Result
             }
         }
     }
-    serde_json::to_vec_pretty(&summary)
+    summary
 }
 
 /// `summary.json` of a look at surfaces.

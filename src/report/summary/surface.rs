@@ -2,7 +2,7 @@
 
 use serde::Serialize;
 
-use crate::asperity::{Population, Statistics};
+use crate::asperity::{Ellipticity, Population, Statistics};
 use crate::experiment::results::{RealisationResults, SurfaceResults};
 use crate::experiment::{GenerationFacts, MapFacts, Surface};
 use crate::surface::generate::Process;
@@ -19,6 +19,8 @@ pub struct SurfaceSummary<'a> {
     statistics: StatisticsSummary,
     offset_to_mean_plane_m: Option<f64>,
     plasticity_index: Option<f64>,
+    #[serde(flatten)]
+    ellipticity: Option<EllipticitySummary>,
     #[serde(skip_serializing_if = "Option::is_none")]
     statistical_model: Option<PopulationSummary>,
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -28,6 +30,20 @@ pub struct SurfaceSummary<'a> {
     #[serde(skip_serializing_if = "Vec::is_empty")]
     realisations: Vec<RealisationSummary>,
     warnings: &'a [String],
+}
+
+/// The mean shape of asperities that a law sees as ellipses.
+#[derive(Serialize)]
+struct EllipticitySummary {
+    mean_curvature_per_m: f64,
+    /// The larger principal curvature over the smaller one, as in a spec: one over the mean of the smaller over the larger.
+    mean_curvature_ratio: f64,
+}
+
+impl From<Ellipticity> for EllipticitySummary {
+    fn from(mean: Ellipticity) -> Self {
+        Self { mean_curvature_per_m: mean.mean_curvature, mean_curvature_ratio: mean.mean_ratio.recip() }
+    }
 }
 
 #[derive(Serialize)]
@@ -297,6 +313,7 @@ pub fn surface(surface: &Surface) -> SurfaceSummary<'_> {
         statistics: StatisticsSummary::from(&surface.statistics),
         offset_to_mean_plane_m: surface.offset_to_mean_plane(),
         plasticity_index: None,
+        ellipticity: surface.ellipticity.map(EllipticitySummary::from),
         statistical_model: None,
         height_map: surface.map.as_ref().map(MapSummary::from),
         generation: surface.map.as_ref().and_then(|map| map.generation.as_ref()).map(GenerationSummary::from),

@@ -1,0 +1,362 @@
+//! How much the law matters against how much the adding-up matters: several laws on one surface at equal load.
+
+use super::{FEWEST_CONTACTS, Kind, Pair, Pairing};
+use crate::model::Response;
+
+/// What laws and models are told apart by at equal load. The mean real pressure is no third: at equal load it is the
+/// nominal pressure over the area ratio, so that its ratios are those of the areas turned over.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Measure {
+    /// d/sigma; two of them differ by their difference.
+    Separation,
+    /// A/A_nom; two of them differ by the logarithm of their ratio, which is the same either way round.
+    Area,
+}
+
+impl Measure {
+    /// Both.
+    pub const ALL: [Self; 2] = [Self::Separation, Self::Area];
+
+    /// As tables name it.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Separation => "separation_over_sigma",
+            Self::Area => "area_ratio",
+        }
+    }
+
+    /// How far `value` lies above `other`; 0 if only rounding tells them apart.
+    fn apart(self, value: &Response, other: &Response) -> f64 {
+        /// Of a separation at a given load.
+        const ROUNDING: f64 = 1e-9;
+        let apart = match self {
+            Self::Separation => value.separation_over_sigma - other.separation_over_sigma,
+            Self::Area => (value.area_ratio.total() / other.area_ratio.total()).ln(),
+        };
+        if apart.abs() > ROUNDING { apart } else { 0.0 }
+    }
+
+    /// The sampling error of a sum, as far as it has one; `sigma` (m) is what d is measured in.
+    fn sampling_error(self, sum: &Response, sigma: f64) -> Option<f64> {
+        match self {
+            Self::Separation => sum.separation_error(sigma),
+            Self::Area => sum.sampling.map(|error| error.area_ratio / sum.area_ratio.total()),
+        }
+        .filter(|error| error.is_finite())
+    }
+}
+
+/// Both models on one surface under one law.
+#[derive(Debug, Clone, Copy)]
+pub struct UnderLaw<'a> {
+    /// The law, as tables name it.
+    pub law: &'a str,
+    /// Whether its contacts pass from elastic to something else: a law of one regime is a limit of the others.
+    pub passes_regimes: bool,
+    /// All pairs; those at equal load are used.
+    pub pairs: &'a [Pair],
+}
+
+/// Which laws a spread is over.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Group {
+    /// All.
+    All,
+    /// Those that pass from elastic to something else.
+    Passing,
+}
+
+impl Group {
+    /// Both.
+    pub const ALL: [Self; 2] = [Self::All, Self::Passing];
+
+    /// As tables name it.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::All => "all",
+            Self::Passing => "passing",
+        }
+    }
+}
+
+/// Differences are in the measure's own way: see [`Measure`].
+#[derive(Debug, Clone, PartialEq)]
+pub struct Influence {
+    /// The laws; the others are compared with the first.
+    pub laws: Vec<String>,
+    /// Load by load, ascending, the same loads under every law.
+    pub loads: Vec<AtLoad>,
+}
+
+/// All laws and both models at one load.
+#[derive(Debug, Clone, PartialEq)]
+pub struct AtLoad {
+    /// Nominal pressure, Pa.
+    pub pressure: f64,
+    /// The fewest contacts that a sum rests on.
+    pub fewest_contacts: f64,
+    /// Whether it counts in a finding: at least 30 contacts, and asperities that do not interact, under every law.
+    pub counts: bool,
+    /// A/A_nom of the first law's sum.
+    pub area_ratio: f64,
+    /// Which laws pass from elastic to something else.
+    passing: Vec<bool>,
+    /// By separation and by area.
+    told: [Told; 2],
+}
+
+/// All laws and both models at one load by one measure.
+#[derive(Debug, Clone, PartialEq)]
+struct Told {
+    /// Above the first law, law by law, under both models.
+    deviations: Vec<[f64; 2]>,
+    /// Statistical above deterministic, law by law.
+    gaps: Vec<f64>,
+    /// Of the sums, law by law.
+    errors: Vec<Option<f64>>,
+}
+
+impl AtLoad {
+    fn told(&self, measure: Measure) -> &Told {
+        &self.told[measure as usize]
+    }
+
+    fn is_in(&self, group: Group, law: usize) -> bool {
+        group == Group::All || self.passing[law]
+    }
+
+    /// How far the laws of a group lie apart under a model, from the lowest to the highest; `None` of fewer than two.
+    pub fn spread(&self, measure: Measure, group: Group, kind: Kind) -> Option<f64> {
+        self.spread_without(measure, group, kind, None)
+    }
+
+    /// The same with a law left out.
+    pub fn spread_without(
+        &self,
+        measure: Measure,
+        group: Group,
+        kind: Kind,
+        without: Option<usize>,
+    ) -> Option<f64> {
+        let deviations = self.told(measure).deviations.iter().enumerate();
+        let members = deviations.filter(|(law, _)| self.is_in(group, *law) && Some(*law) != without);
+        let values: Vec<f64> = members.map(|(_, deviation)| deviation[kind as usize]).collect();
+        let (low, high) =
+            (values.iter().copied().reduce(f64::min)?, values.iter().copied().reduce(f64::max)?);
+        (values.len() > 1).then_some(high - low)
+    }
+
+    /// How far the answer under a law lies above that under the first.
+    pub fn deviation(&self, measure: Measure, law: usize, kind: Kind) -> f64 {
+        self.told(measure).deviations[law][kind as usize]
+    }
+
+    /// How far the integral lies above the sum under a law.
+    pub fn gap(&self, measure: Measure, law: usize) -> f64 {
+        self.told(measure).gaps[law]
+    }
+
+    /// The sampling error of the sum under a law.
+    pub fn sampling_error(&self, measure: Measure, law: usize) -> Option<f64> {
+        self.told(measure).errors[law]
+    }
+
+    /// The law of a group under which the models lie furthest apart, and how far.
+    pub fn largest_gap(&self, measure: Measure, group: Group) -> Option<(usize, f64)> {
+        let gaps = self.told(measure).gaps.iter().copied().enumerate();
+        gaps.filter(|(law, _)| self.is_in(group, *law)).max_by(|a, b| a.1.abs().total_cmp(&b.1.abs()))
+    }
+}
+
+/// A difference over the loads that count.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Weight {
+    /// Mean of its sizes.
+    pub mean: f64,
+    /// The largest, with its sign.
+    pub largest: f64,
+    /// Where that is, Pa.
+    pub at: f64,
+}
+
+impl Influence {
+    /// Of at least one law on a surface of nominal area `area` (m^2) whose separations are in units of `sigma` (m).
+    pub fn of(laws: &[UnderLaw], area: f64, sigma: f64) -> Self {
+        let at_load = |pairs: &'_ [Pair], target: f64| {
+            pairs.iter().find(|pair| pair.pairing == Pairing::Load && pair.target == target).copied()
+        };
+        let first = laws.first().map_or(&[][..], |law| law.pairs).iter();
+        let mut targets: Vec<f64> =
+            first.filter(|pair| pair.pairing == Pairing::Load).map(|pair| pair.target).collect();
+        targets.sort_unstable_by(f64::total_cmp);
+        targets.dedup();
+        let passing: Vec<bool> = laws.iter().map(|law| law.passes_regimes).collect();
+        let at = |target: f64| {
+            let pairs: Option<Vec<Pair>> = laws.iter().map(|law| at_load(law.pairs, target)).collect();
+            pairs.map(|pairs| compared(target, &pairs, &passing, area, sigma))
+        };
+        Self {
+            laws: laws.iter().map(|law| law.law.to_owned()).collect(),
+            loads: targets.into_iter().filter_map(at).collect(),
+        }
+    }
+
+    /// The loads that count.
+    pub fn counting(&self) -> impl Iterator<Item = &AtLoad> {
+        self.loads.iter().filter(|at| at.counts)
+    }
+
+    /// What a difference weighs over the loads that count; `None` where it is nowhere told.
+    pub fn weight(&self, difference: impl Fn(&AtLoad) -> Option<f64>) -> Option<Weight> {
+        let told: Vec<(f64, f64)> =
+            self.counting().filter_map(|at| Some((at.pressure, difference(at)?))).collect();
+        let (at, largest) = *told.iter().max_by(|a, b| a.1.abs().total_cmp(&b.1.abs()))?;
+        let mean = told.iter().map(|(_, value)| value.abs()).sum::<f64>() / told.len() as f64;
+        Some(Weight { mean, largest, at })
+    }
+
+    /// What the law weighs under a model.
+    pub fn of_law(&self, measure: Measure, group: Group, kind: Kind) -> Option<Weight> {
+        self.weight(|at| at.spread(measure, group, kind))
+    }
+
+    /// What the adding-up weighs under a law.
+    pub fn of_adding_up(&self, measure: Measure, law: usize) -> Option<Weight> {
+        self.weight(|at| Some(at.gap(measure, law)))
+    }
+
+    /// What the choice of a law instead of the first weighs under a model.
+    pub fn of_choice(&self, measure: Measure, law: usize, kind: Kind) -> Option<Weight> {
+        self.weight(|at| Some(at.deviation(measure, law, kind)))
+    }
+
+    /// The sampling errors of the sums under a law.
+    pub fn of_sampling(&self, measure: Measure, law: usize) -> Option<Weight> {
+        self.weight(|at| at.sampling_error(measure, law))
+    }
+}
+
+/// One pair a law at the load `pressure`.
+fn compared(pressure: f64, pairs: &[Pair], passing: &[bool], area: f64, sigma: f64) -> AtLoad {
+    let contacts = pairs.iter().map(|pair| pair.deterministic.contact_density * area);
+    let fewest_contacts = contacts.fold(f64::INFINITY, f64::min);
+    let interact = pairs.iter().any(Pair::is_beyond_model);
+    AtLoad {
+        pressure,
+        fewest_contacts,
+        // Contacts are counted: the rounding of their density goes.
+        counts: fewest_contacts.round() >= FEWEST_CONTACTS && !interact,
+        area_ratio: pairs.first().map_or(0.0, |pair| pair.deterministic.area_ratio.total()),
+        passing: passing.to_vec(),
+        told: Measure::ALL.map(|measure| told(measure, pairs, sigma)),
+    }
+}
+
+fn told(measure: Measure, pairs: &[Pair], sigma: f64) -> Told {
+    let from_first = |pair: &Pair| {
+        let first = &pairs[0];
+        [
+            measure.apart(&pair.statistical, &first.statistical),
+            measure.apart(&pair.deterministic, &first.deterministic),
+        ]
+    };
+    Told {
+        deviations: pairs.iter().map(from_first).collect(),
+        gaps: pairs.iter().map(|pair| measure.apart(&pair.statistical, &pair.deterministic)).collect(),
+        errors: pairs.iter().map(|pair| measure.sampling_error(&pair.deterministic, sigma)).collect(),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::contact::ByRegime;
+    use crate::model::SamplingError;
+
+    fn response(h: f64, area_ratio: f64) -> Response {
+        Response {
+            separation_over_sigma: h,
+            separation: h * 1e-8,
+            contact_density: 50.0,
+            area_ratio: ByRegime([area_ratio, 0.0, 0.0]),
+            pressure: ByRegime([100.0, 0.0, 0.0]),
+            stiffness: 1e10,
+            sampling: Some(SamplingError { pressure: 10.0, area_ratio: 1e-4 }),
+        }
+    }
+
+    /// (load, statistical d/sigma and area, deterministic ones)
+    fn pairs<const N: usize>(points: [(f64, [f64; 2], [f64; 2]); N]) -> Vec<Pair> {
+        let pair = |(target, s, d): (f64, [f64; 2], [f64; 2])| Pair {
+            pairing: Pairing::Load,
+            target,
+            statistical: response(s[0], s[1]),
+            deterministic: response(d[0], d[1]),
+        };
+        points.into_iter().map(pair).collect()
+    }
+
+    fn under<'a>(law: &'a str, passes_regimes: bool, pairs: &'a [Pair]) -> UnderLaw<'a> {
+        UnderLaw { law, passes_regimes, pairs }
+    }
+
+    #[test]
+    fn spreads_gaps_and_errors_at_one_load() {
+        let first = pairs([(1.0, [3.0, 2e-3], [2.5, 1e-3])]);
+        let second = pairs([(1.0, [3.1, 1e-3], [2.7, 1.5e-3])]);
+        let limit = pairs([(1.0, [2.0, 4e-3], [2.4, 9e-3])]);
+        let laws = [under("a", true, &first), under("b", true, &second), under("c", false, &limit)];
+        let found = Influence::of(&laws, 1.0, 1e-8);
+        let [at] = &found.loads[..] else { panic!("one load") };
+        assert!(at.counts && at.fewest_contacts == 50.0 && at.area_ratio == 1e-3);
+        let (close, ln2) = (|a: f64, b: f64| (a - b).abs() < 1e-12, 2f64.ln());
+        let spread = |measure, group, kind| at.spread(measure, group, kind).unwrap();
+        assert!(close(spread(Measure::Separation, Group::All, Kind::Statistical), 1.1));
+        assert!(close(spread(Measure::Area, Group::All, Kind::Deterministic), 9f64.ln()));
+        assert!(close(spread(Measure::Area, Group::Passing, Kind::Deterministic), 1.5f64.ln()));
+        let without = |law| at.spread_without(Measure::Separation, Group::All, Kind::Statistical, Some(law));
+        assert!(close(without(2).unwrap(), 0.1) && close(without(1).unwrap(), 1.0));
+        assert_eq!(at.spread_without(Measure::Area, Group::Passing, Kind::Statistical, Some(0)), None);
+        assert!(close(at.deviation(Measure::Area, 1, Kind::Statistical), -ln2));
+        assert!(close(at.gap(Measure::Separation, 0), 0.5) && close(at.gap(Measure::Area, 0), ln2));
+        let (law, gap) = at.largest_gap(Measure::Area, Group::All).unwrap();
+        assert!(law == 2 && close(gap, (4.0f64 / 9.0).ln()));
+        assert_eq!(at.largest_gap(Measure::Area, Group::Passing).unwrap().0, 0);
+        // 10 Pa over 1e10 Pa/m is 1e-9 m, a tenth of sigma; 1e-4 of 1e-3.
+        assert!(close(at.sampling_error(Measure::Separation, 0).unwrap(), 0.1));
+        assert!(close(at.sampling_error(Measure::Area, 0).unwrap(), 0.1));
+    }
+
+    #[test]
+    fn weights_are_over_the_loads_that_count_and_all_laws_have() {
+        let first = pairs([
+            (4.0, [3.0, 1e-2], [2.0, 1e-2]),
+            (1.0, [3.0, 1e-3], [2.0, 1e-3]),
+            (2.0, [3.0, 1e-3], [5.0, 1e-3]),
+            (3.0, [9.0, 1e-3], [0.0, 1e-3]),
+        ]);
+        // At 4 asperities interact under this law; 3 it does not have.
+        let second = pairs([
+            (1.0, [3.5, 1e-3], [2.25, 1e-3]),
+            (2.0, [3.0, 1e-3], [4.25, 1e-3]),
+            (4.0, [3.0, 0.06], [2.0, 1e-2]),
+        ]);
+        let found = Influence::of(&[under("a", true, &first), under("b", false, &second)], 1.0, 1e-8);
+        let loads: Vec<(f64, bool)> = found.loads.iter().map(|at| (at.pressure, at.counts)).collect();
+        assert_eq!(loads, [(1.0, true), (2.0, true), (4.0, false)]);
+        let gap = found.of_adding_up(Measure::Separation, 0).unwrap();
+        assert_eq!(gap, Weight { mean: 1.5, largest: -2.0, at: 2.0 });
+        let law = found.of_law(Measure::Separation, Group::All, Kind::Deterministic).unwrap();
+        assert_eq!(law, Weight { mean: 0.5, largest: 0.75, at: 2.0 });
+        let choice = found.of_choice(Measure::Separation, 1, Kind::Deterministic).unwrap();
+        assert_eq!(choice, Weight { mean: 0.5, largest: -0.75, at: 2.0 });
+        assert_eq!(found.of_law(Measure::Separation, Group::Passing, Kind::Deterministic), None);
+    }
+
+    #[test]
+    fn few_contacts_do_not_count() {
+        let one = pairs([(1.0, [3.0, 1e-3], [2.0, 1e-3])]);
+        let counts = |area| Influence::of(&[under("a", true, &one)], area, 1e-8).loads[0].counts;
+        assert!(counts(0.6) && !counts(0.58));
+    }
+}
