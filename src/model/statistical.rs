@@ -150,8 +150,7 @@ impl<'a, C: MicroContact + ?Sized> Statistical<'a, C> {
         let Population { sigma, heights, .. } = self.population;
         for &x in breakpoints.iter().filter(|x| (window[0]..window[1]).contains(x)) {
             let step = BESIDE * x * sigma;
-            let [below, above] =
-                [-step, step].map(|step| self.contact.contact(x * sigma + step, self.shape));
+            let [below, above] = [-step, step].map(|step| self.contact.contact(x * sigma + step, self.shape));
             let rise = (below.stiffness + above.stiffness) * step;
             let density = heights.scale(h) * (-heights.exponent(h, x)).exp() / sigma;
             tally.add_jump((above.load - below.load - rise) * density);

@@ -74,6 +74,10 @@ pub struct Entry {
     /// Poisson's ratio, and the jumps of the load to the digits that the documentation gives, one a boundary, where next
     /// to the radius everything is small.
     pub digits: Vec<(f64, Vec<&'static str>)>,
+    /// What one of the two bodies must have.
+    pub needs: Option<Property>,
+    /// What a body must have that has a hardness.
+    pub needs_beside_hardness: Option<Property>,
     /// The largest strength over E*.
     pub strongest: f64,
     /// Whether a layer of finite thickness may lie on the flat.
@@ -92,8 +96,21 @@ impl Entry {
     }
 
     fn new(label: &'static str, law: Box<dyn AnyLaw>, first: Regime, stands_under_layers: bool) -> Self {
-        let (boundaries, digits) = (Vec::new(), Vec::new());
-        Self { label, law, first, boundaries, digits, strongest: 1.0, stands_under_layers }
+        Self {
+            label,
+            law,
+            first,
+            boundaries: Vec::new(),
+            digits: Vec::new(),
+            needs: None,
+            needs_beside_hardness: None,
+            strongest: f64::INFINITY,
+            stands_under_layers,
+        }
+    }
+
+    fn needing(self, property: Property) -> Self {
+        Self { needs: Some(property), ..self }
     }
 
     fn then(mut self, place: f64, regime: Regime, jumps: fn(&Pair) -> [f64; 2]) -> Self {
@@ -144,6 +161,7 @@ fn kogut_etsion() -> Entry {
         ]
     };
     Entry::similar("kogut-etsion", KogutEtsion, Regime::Elastic)
+        .needing(Property::Hardness)
         .then(CRITICAL, Regime::ElasticPlastic, |_| [1.03, 0.93])
         .then(6.0 * CRITICAL, Regime::ElasticPlastic, |_| {
             [1.40 / 1.03 * 6f64.powf(1.263 - 1.425), 0.94 / 0.93 * 6f64.powf(1.146 - 1.136)]
@@ -164,12 +182,13 @@ fn jackson_green() -> Entry {
         [(-u.powf(5.0 / 12.0) / 4.0).exp() + plastic, 1.0]
     };
     let entry = Entry::homogeneous("jackson-green", JacksonGreen::default(), Regime::Elastic)
+        .needing(Property::YieldStrength)
         .then(1.9 * CRITICAL, Regime::ElasticPlastic, jumps)
         .stating(0.0, &["1.0748"])
         .stating(0.3, &["1.0047"])
         .stating(0.3229, &["1.0000"])
         .stating(0.49, &["0.9678"]);
-    Entry { strongest: 0.065, ..entry }
+    Entry { strongest: 0.065, needs_beside_hardness: Some(Property::YieldStrength), ..entry }
 }
 
 /// A law added here is tested by the whole suite.
@@ -185,10 +204,11 @@ pub fn all() -> Vec<Entry> {
         zmc("zmc, early", 0.4, 54.0, |_| [0.3 * PI / 0.4f64.sqrt(), 1.0]),
         zmc("zmc, late", 100.0, 54.0, |_| [0.03 * PI, 1.0]),
         Entry::similar("ceb", Ceb, Regime::Elastic)
+            .needing(Property::Hardness)
             .then(CRITICAL, Regime::ElasticPlastic, |_| [1.5, 1.0])
             .stating(0.3, &["1.5"]),
         kogut_etsion(),
         jackson_green(),
-        Entry::similar("fully-plastic", FullyPlastic, Regime::Plastic),
+        Entry::similar("fully-plastic", FullyPlastic, Regime::Plastic).needing(Property::Hardness),
     ]
 }
