@@ -2,7 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
-use asperity::asperity::{ListError, read_list};
+use asperity::asperity::{Column, Ellipse, ListError, read_list};
 use asperity::surface::Rows;
 use asperity::surface::character::Character;
 use asperity::surface::read::{Given, ReadError, head, height_map, npy, rows};
@@ -177,6 +177,55 @@ fn a_list_may_be_an_array_of_two_columns() {
     assert_eq!(spheres(&path), (vec![2e-9], vec![1e-6]));
     let (_folder, path) = file("long.npy", &array("<f8", false, "(4, 1)", &data));
     assert!(matches!(read_list(&path, false), Err(ListError::Shape { rows: 4, columns: 1, .. })));
+}
+
+/// Columns in any order, or four of an array; they are heights, radii and the principal curvatures.
+#[test]
+fn a_list_of_ellipses_has_two_curvatures_more() {
+    let text = "kx,height,ky,name,radius\n1e6,2e-9,4e6,a,1e-6\n5e5,-3e-9,5e5,b,2e-6\n";
+    let data: Vec<u8> = [2e-9, 1e-6, 1e6, 4e6, -3e-9, 2e-6, 5e5, 5e5f64].map(f64::to_le_bytes).concat();
+    for (_folder, path) in
+        [file("list.csv", text.as_bytes()), file("list.npy", &array("<f8", false, "(2, 4)", &data))]
+    {
+        let set = read_list(&path, true).unwrap().set(1.0).unwrap();
+        assert_eq!(set.ellipses(), Some(&[Ellipse::new(1e6, 4e6), Ellipse::new(5e5, 5e5)][..]));
+        assert_eq!((set.heights(), set.radii()), (&[2e-9, -3e-9][..], &[1e-6, 2e-6][..]));
+        // As spheres they have no use for them.
+        assert_eq!(spheres(&path), (vec![2e-9, -3e-9], vec![1e-6, 2e-6]));
+        assert_eq!(read_list(&path, false).unwrap().set(1.0).unwrap().ellipses(), None);
+    }
+    assert_eq!((Ellipse::new(1e6, 4e6).mean_curvature, Ellipse::new(4e6, 1e6).curvature_ratio), (2.5e6, 4.0));
+}
+
+#[test]
+fn curvatures_that_are_missing_or_none_are_refused() {
+    let refused = |name: &str, bytes: &[u8]| {
+        let (_folder, path) = file(name, bytes);
+        read_list(&path, true).unwrap_err()
+    };
+    for (header, missing) in
+        [("height,radius", Column::Kx), ("height,radius,ky", Column::Kx), ("radius,height,kx", Column::Ky)]
+    {
+        let error = refused("list.csv", format!("{header}\n").as_bytes());
+        assert!(matches!(error, ListError::Column { column, .. } if column == missing), "{error}");
+        let words = format!("no column `{}` (found: {})", missing.name(), header.replace(',', ", "));
+        assert!(error.to_string().contains(&words), "{error}");
+        assert!(error.to_string().contains("kx [1/m], ky [1/m]"), "{error}");
+    }
+    let two: Vec<u8> = [1.0f64; 4].map(f64::to_le_bytes).concat();
+    let error = refused("list.npy", &array("<f8", false, "(2, 2)", &two));
+    assert!(matches!(error, ListError::Shape { rows: 2, columns: 2, .. }), "{error}");
+    assert!(error.to_string().contains("n x 4") && error.to_string().contains("kx [1/m]"), "{error}");
+    for bad in ["0", "-1e5", "inf", "NaN", "1e31", "flat"] {
+        let text = format!("height,radius,kx,ky\n1e-9,1e-6,1e6,1e6\n1e-9,1e-6,1e6,{bad}\n");
+        let error = refused("list.csv", text.as_bytes()).to_string();
+        assert!(error.contains("line 3, column `ky`") && error.contains(&format!("`{bad}`")), "{error}");
+        assert!(error.contains("a positive finite number of 1/m"), "{error}");
+        let Ok(value) = bad.parse::<f64>() else { continue };
+        let data: Vec<u8> = [1e-9, 1e-6, 1e6, 1e6, 1e-9, 1e-6, value, 1e6].map(f64::to_le_bytes).concat();
+        let error = refused("list.npy", &array("<f8", false, "(2, 4)", &data)).to_string();
+        assert!(error.contains("row 2 of 2, column `kx`"), "{error}");
+    }
 }
 
 /// Versions 2 and 3 say the length of the head in four bytes.

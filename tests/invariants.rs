@@ -1,4 +1,4 @@
-//! What must hold for any surface and any law, whatever the numbers.
+//! What must hold for any surface, whatever the numbers, beyond what every law must hold (`tests/conformance.rs`).
 
 mod common;
 
@@ -9,7 +9,7 @@ use asperity::interface::{Interface, MicroContact};
 use asperity::law::{Hertz, Shape, Zmc};
 use asperity::material::Material;
 use asperity::model::{Datum, Deterministic, Model, Statistical, at_pressure};
-use common::{Worst, relative_error, rows};
+use common::{Worst, dense, relative_error, rows};
 
 const CASE_1: Population =
     Population { radius: 2e-5, sigma: 4.8e-8, density: 6e10, heights: HeightDensity::Gaussian };
@@ -109,25 +109,6 @@ fn partial_tallies_merge_into_the_whole() {
 }
 
 #[test]
-fn exponential_heights_make_area_proportional_to_load_for_any_law() {
-    let population = Population { heights: HeightDensity::Exponential, ..CASE_2 };
-    let laws: [Box<dyn MicroContact>; 3] = [
-        Box::new(Interface::bare(Hertz, &steel(), &steel()).unwrap()),
-        Box::new(zmc(Zmc::ONSET)),
-        Box::new(Interface::bare(Zmc::new(0.89, 110.0).unwrap(), &steel(), &steel()).unwrap()),
-    ];
-    for law in &laws {
-        let model = Statistical::new(&**law, population);
-        let mean_pressure = |h| model.respond(h).mean_real_pressure().unwrap();
-        for h in [-1.0, 0.0, 1.5, 4.0, 30.0] {
-            assert!(relative_error(mean_pressure(h), mean_pressure(0.5)) < 1e-15, "h = {h}");
-        }
-        // Below the support's end every asperity touches, and proportionality ends.
-        assert!(relative_error(mean_pressure(-2.0), mean_pressure(0.5)) > 1e-3);
-    }
-}
-
-#[test]
 fn exponential_moments_are_gamma_functions() {
     let body = Material::new(2.0, 0.0, None, None).unwrap();
     let hertz = Interface::bare(Hertz, &body, &body).unwrap();
@@ -203,47 +184,15 @@ fn an_adaptive_integration_agrees() {
 
 #[test]
 fn stiffness_is_the_slope_of_the_pressure() {
-    for onset in [Zmc::ONSET, 0.89, 0.4] {
-        let law = zmc(onset);
-        let set = drawn(CASE_2, 20_000);
-        let statistical = Statistical::new(&law, CASE_2);
-        let deterministic = Deterministic::new(&law, &set, datum(CASE_2));
-        let check = |model: &dyn Model, h: f64, tolerance: f64| {
-            let step = 1e-4;
-            let rise = model.respond(h - step).pressure.total() - model.respond(h + step).pressure.total();
-            let slope = rise / (2.0 * step * CASE_2.sigma);
-            let found = model.respond(h).stiffness;
-            assert!(relative_error(found, slope) < tolerance, "onset {onset}, h = {h}: {found:e} {slope:e}");
-        };
-        for h in [-3.0, 0.0, 1.0, 2.5, 6.0] {
-            check(&statistical, h, 1e-6);
-            // A sum has no jumps in its slope's own formula; only a continuous law can be compared.
-            if onset == Zmc::ONSET && h < 2.6 {
-                check(&deterministic, h, 1e-3);
-            }
-        }
-    }
-}
-
-#[test]
-fn load_control_returns_the_largest_separation_that_carries_the_pressure() {
-    for onset in [Zmc::ONSET, 0.89, 0.4] {
-        let law = zmc(onset);
-        let set = drawn(CASE_1, 3000);
-        let statistical = Statistical::new(&law, CASE_1);
-        let deterministic = Deterministic::new(&law, &set, datum(CASE_1));
-        let models: [&dyn Model; 2] = [&statistical, &deterministic];
-        for model in models {
-            for pressure in [1e-3, 1.0, 1e4, 1e6, 1e8, 5e8] {
-                let h = at_pressure(model, pressure).unwrap().response.separation_over_sigma;
-                assert!(model.respond(h).pressure.total() >= pressure);
-                let beyond = model.respond(h + 1e-13 * h.abs().max(1.0)).pressure.total();
-                assert!(
-                    beyond < pressure,
-                    "onset {onset}: {beyond:e} at a larger separation than {pressure:e}"
-                );
-            }
-        }
+    const STEP: f64 = 1e-4;
+    let law = zmc(Zmc::ONSET);
+    let set = drawn(CASE_2, 20_000);
+    let model = Deterministic::new(&law, &set, datum(CASE_2));
+    for h in [-3.0, 0.0, 1.0, 2.5] {
+        let pressure = |h: f64| model.respond(h).pressure.total();
+        let slope = (pressure(h - STEP) - pressure(h + STEP)) / (2.0 * STEP * CASE_2.sigma);
+        let found = model.respond(h).stiffness;
+        assert!(relative_error(found, slope) < 1e-3, "h = {h}: {found:e} {slope:e}");
     }
 }
 
@@ -268,23 +217,6 @@ fn where_the_load_falls_the_first_reach_counts() {
     let h = model.separation_at(pressure).unwrap();
     assert!(-h * 1e-8 < w1, "{} is behind the fall at {w1}", -h * 1e-8);
     assert!((1..200).all(|k| model.respond(h + 1e-4 * f64::from(k)).pressure.total() < pressure));
-}
-
-#[test]
-fn a_pressure_in_a_jump_is_said_to_be_in_one() {
-    // Below the continuous onset the load jumps up at yield.
-    let law = zmc(0.4);
-    let set = Ordered::new(&AsperitySet::new(vec![0.0, -1e-6], vec![2e-5, 2e-5], 1.0).unwrap());
-    let model = Deterministic::new(&law, &set, Datum { mean: 0.0, sigma: 1e-8 });
-    let w1 = law.breakpoints(Shape::sphere(2e-5))[0];
-    let (before, after) = (
-        law.contact(w1 * (1.0 - 1e-9), Shape::sphere(2e-5)).load,
-        law.contact(w1 * (1.0 + 1e-9), Shape::sphere(2e-5)).load,
-    );
-    let reached = at_pressure(&model, 0.5 * (before + after)).unwrap();
-    assert!(reached.in_jump);
-    assert!(relative_error(-reached.response.separation, w1) < 1e-12);
-    assert!(!at_pressure(&model, 0.5 * before).unwrap().in_jump);
 }
 
 #[test]
@@ -359,28 +291,6 @@ fn the_sampling_error_is_the_scatter_of_independent_sets() {
     assert!((scatter / claimed - 1.0).abs() < 0.15, "{scatter:e} {claimed:e}");
 }
 
-/// The same integral on a dense grid of panels between all kinks.
-fn dense(law: &dyn MicroContact, population: Population, h: f64) -> f64 {
-    use asperity::numeric::quadrature::{Variable, panels};
-    let Population { radius, sigma, density, heights } = population;
-    let [start, end] = heights.window(h);
-    let mut ends = vec![start, -h];
-    ends.extend(law.breakpoints(Shape::sphere(radius)).iter().map(|w| w / sigma));
-    ends.push(end);
-    ends.retain(|x| (start..=end).contains(x));
-    ends.sort_by(f64::total_cmp);
-    let panel = |from: f64, to: f64| {
-        panels(from, to, Variable::SquareRoot, 200)
-            .flat_map(|panel| panel.points.into_iter().zip(panel.weights))
-            .map(|(x, weight)| {
-                weight * law.contact(x * sigma, Shape::sphere(radius)).load * heights.density(h + x)
-            })
-            .collect::<asperity::numeric::Sum>()
-            .value()
-    };
-    density * ends.windows(2).filter(|end| end[0] < end[1]).map(|end| panel(end[0], end[1])).sum::<f64>()
-}
-
 #[test]
 fn deep_below_the_mean_a_wide_transition_is_resolved_too() {
     for ratio in [2.0, 54.0, 110.0, 1e4, 1e10] {
@@ -389,7 +299,9 @@ fn deep_below_the_mean_a_wide_transition_is_resolved_too() {
             for radius in [1.6e-6, 1e-4, 1e-2] {
                 let population = Population { radius, ..CASE_2 };
                 let found = Statistical::new(&law, population).respond(h).pressure.total();
-                let error = relative_error(found, dense(&law, population, h));
+                let shape = Shape::sphere(radius);
+                let [_, exact, _] = dense(&law, shape, &law.regime_changes(shape), &population, h);
+                let error = relative_error(found, exact);
                 assert!(error < 3e-14, "c = {ratio}, h = {h}, R = {radius}: {error:e}");
             }
         }

@@ -1,104 +1,19 @@
-//! What must hold for any layered flat, whatever the numbers: bounds, regimes, integrals, load control, limits.
+//! What must hold for a layered flat beyond what every law must hold on it (`tests/conformance.rs`).
+
+mod common;
 
 use std::sync::atomic::{AtomicUsize, Ordering};
 
 use asperity::asperity::{AsperitySet, Draw, HeightDensity, Ordered, Population};
 use asperity::coating::{Coating, Rule};
 use asperity::contact::{Contact, Regime};
-use asperity::interface::{Flat, Layered, LoadBounds, MicroContact, Shapes};
+use asperity::interface::{Layered, LoadBounds, MicroContact, Shapes};
 use asperity::law::{Shape, Zmc};
 use asperity::literature::Paper;
 use asperity::material::Material;
 use asperity::model::{Datum, Deterministic, Model, Statistical};
-use asperity::numeric::Sum;
 use asperity::numeric::interval::Interval;
-use asperity::numeric::quadrature::{Variable, panels};
-
-/// SplitMix64 (Steele, Lea and Flood 2014).
-struct Random(u64);
-
-impl Random {
-    fn unit(&mut self) -> f64 {
-        self.0 = self.0.wrapping_add(0x9E37_79B9_7F4A_7C15);
-        let mut z = self.0;
-        z = (z ^ (z >> 30)).wrapping_mul(0xBF58_476D_1CE4_E5B9);
-        z = (z ^ (z >> 27)).wrapping_mul(0x94D0_49BB_1331_11EB);
-        ((z ^ (z >> 31)) >> 11) as f64 / (1u64 << 53) as f64
-    }
-
-    /// Uniform in the logarithm.
-    fn log(&mut self, low: f64, high: f64) -> f64 {
-        low * (high / low).powf(self.unit())
-    }
-
-    fn one_of<T: Copy>(&mut self, all: &[T]) -> T {
-        all[(self.unit() * all.len() as f64) as usize]
-    }
-}
-
-#[derive(Debug, Clone)]
-struct Case {
-    rough: Material,
-    layer: Material,
-    substrate: Material,
-    thickness: f64,
-    rule: Rule,
-    radius: f64,
-    onset: f64,
-    ratio: f64,
-}
-
-impl Case {
-    /// Moduli over eight decades, hardnesses over six, the rough body harder, softer, equal or never yielding.
-    fn any(random: &mut Random) -> Self {
-        let young = random.log(1e9, 1e12);
-        let soft = young * random.log(1e-3, 0.1);
-        let hard = soft * random.log(1e-3, 1e3);
-        let of_rough = [
-            None,
-            Some(soft),
-            Some(soft * random.log(1e-2, 1e2)),
-            Some(hard * (soft / hard).powf(random.unit())),
-        ];
-        let never = random.unit() < 0.1;
-        let mut body = |young: f64, hardness: Option<f64>| {
-            let any_poisson = 0.499 * random.unit();
-            let poisson = random.one_of(&[0.0, 0.3, 0.499, any_poisson]);
-            let strength = hardness.filter(|_| random.unit() < 0.3).map(|h| h * random.log(0.05, 1.0));
-            (
-                Material::new(young * random.log(1e-4, 1e4), poisson, hardness, strength).unwrap(),
-                random.unit(),
-            )
-        };
-        let yields = |hardness: f64| (!never).then_some(hardness);
-        let ((layer, _), (substrate, place)) = (body(young, yields(hard)), body(young, yields(soft)));
-        let (rough, _) = body(young, of_rough[(4.0 * place) as usize]);
-        Self {
-            rough,
-            layer,
-            substrate,
-            thickness: random.log(1e-10, 1e-4),
-            rule: random.one_of(&Rule::ALL),
-            radius: random.log(1e-9, 1e-2),
-            onset: random.one_of(&[Zmc::ONSET, Zmc::ONSET, 0.4, 100.0, 0.89]),
-            ratio: random.one_of(&[54.0, 54.0, 1.01, 110.0, 1e4]),
-        }
-    }
-
-    fn coating(&self) -> Coating {
-        Coating::new(&self.layer, &self.substrate, self.thickness, self.rule).unwrap()
-    }
-
-    fn contact(&self) -> Layered<Zmc> {
-        Layered::new(Zmc::new(self.onset, self.ratio).unwrap(), &self.rough, &self.substrate, self.coating())
-            .unwrap()
-    }
-
-    /// Where the flat becomes as hard as the rough body.
-    fn kink(&self) -> Option<f64> {
-        self.coating().indentation_of_hardness(self.rough.hardness()?)
-    }
-}
+use common::{Random, bodies};
 
 fn steel() -> Material {
     Material::new(210e9, 0.3, Some(7.6e9), None).unwrap()
@@ -147,15 +62,16 @@ fn regimes_of_lead_on_steel_come_again() {
 
 #[test]
 fn bounds_hold_what_they_bound() {
-    let mut random = Random(1);
+    let mut random = Random::new(1);
     for _ in 0..400 {
-        let case = Case::any(&mut random);
-        let coating = case.coating();
+        let [_, layer, substrate] = bodies(&mut random);
+        let (thickness, radius) = (random.log(1e-10, 1e-4), random.log(1e-9, 1e-2));
+        let coating = Coating::new(&layer, &substrate, thickness, random.one_of(&Rule::ALL)).unwrap();
         for _ in 0..20 {
-            let low = case.thickness * random.log(1e-12, 1e12);
+            let low = thickness * random.log(1e-12, 1e12);
             let from = random.one_of(&[low, low, low, 0.0]);
             let w = Interval { low: from, high: low * random.log(1.0001, 1e4) };
-            let b = Interval { low: case.radius, high: case.radius * random.one_of(&[1.0, 1.5]) };
+            let b = Interval { low: radius, high: radius * random.one_of(&[1.0, 1.5]) };
             let bounds = coating.over(w, b);
             for k in 1..=20 {
                 let at = w.high * (low / w.high).powf(f64::from(k - 1) / 20.0);
@@ -171,29 +87,6 @@ fn bounds_hold_what_they_bound() {
             }
         }
     }
-}
-
-/// Against a scan of 20 000 indentations: none is missed, none is invented.
-#[test]
-fn every_regime_change_is_found() {
-    let mut random = Random(2);
-    let mut most = 0;
-    for _ in 0..150 {
-        let case = Case::any(&mut random);
-        let contact = case.contact();
-        let found = contact.regime_changes(Shape::sphere(case.radius));
-        most = most.max(found.len());
-        let regime = |ln_w: f64| contact.contact(ln_w.exp(), Shape::sphere(case.radius)).regime;
-        for w in &found {
-            assert_ne!(regime(w.ln() - 1e-11), regime(w.ln() + 1e-11), "{w:e} is none of {case:?}");
-        }
-        let place = |k: i32| -70.0 + 95.0 * f64::from(k) / 20_000.0;
-        for k in (0..20_000).filter(|&k| regime(place(k)) != regime(place(k + 1))) {
-            let range = place(k) - 1e-11..place(k + 1) + 1e-11;
-            assert!(found.iter().any(|w| range.contains(&w.ln())), "{:e} of {case:?}", place(k).exp());
-        }
-    }
-    assert!(most >= 6, "{most} changes at the most");
 }
 
 /// At this ratio of hardnesses, under equal moduli, ln(w/w1) has a place where it nor rises nor bends: three roots
@@ -213,85 +106,6 @@ fn three_roots_that_merge_are_one() {
         let found = contact.regime_changes(Shape::sphere(b)).len() - 1;
         assert!(expected.contains(&found), "{found} roots at {apart:e}");
     }
-}
-
-/// The same integrals by panels a fifth of an octave wide, and kinks from the materials alone.
-fn dense(contact: &dyn MicroContact, kink: Option<f64>, population: Population, h: f64) -> [f64; 3] {
-    let Population { radius, sigma, density, heights } = population;
-    let [start, end] = heights.window(h);
-    let mut ends: Vec<f64> = (0..170).map(|k| end * 1.5f64.powi(-k)).collect();
-    ends.extend((0..40).map(|k| start + (end - start) * f64::from(k) / 40.0));
-    ends.extend(contact.regime_changes(Shape::sphere(radius)).into_iter().chain(kink).map(|w| w / sigma));
-    ends.push(-h);
-    ends.retain(|x| (start..=end).contains(x));
-    ends.sort_by(f64::total_cmp);
-    let mut sums = [Sum::default(); 3];
-    for range in ends.windows(2).filter(|range| range[0] < range[1]) {
-        for panel in panels(range[0], range[1], Variable::SquareRoot, 1) {
-            for (x, weight) in panel.points.into_iter().zip(panel.weights) {
-                let found = contact.contact(x * sigma, Shape::sphere(radius));
-                let share = weight * (-heights.exponent(h, x)).exp();
-                for (sum, value) in sums.iter_mut().zip([found.area, found.load, found.stiffness]) {
-                    sum.add(share * value);
-                }
-            }
-        }
-    }
-    sums.map(|sum| sum.value() * heights.scale(h) * density)
-}
-
-/// Poles next to zero, where a stiff substrate lies below a compliant layer and a compliant rough body, included.
-#[test]
-fn integrals_over_any_coating() {
-    let mut random = Random(3);
-    let mut worst = [0.0f64; 3];
-    for _ in 0..500 {
-        let mut case = Case::any(&mut random);
-        let sigma = case.radius * random.log(1e-4, 0.3);
-        case.thickness = (sigma * case.radius).sqrt() * random.log(1e-4, 1e3);
-        let heights = random.one_of(&[HeightDensity::Gaussian, HeightDensity::Exponential]);
-        let population = Population { radius: case.radius, sigma, density: 1e10, heights };
-        let contact = case.contact();
-        let model = Statistical::new(&contact, population);
-        for h in [-10.0, -3.0, 0.0, 3.0, 20.0, 35.0] {
-            let found = model.respond(h);
-            let exact = dense(&contact, case.kink(), population, h);
-            let found = [found.area_ratio.total(), found.pressure.total(), found.stiffness];
-            // Where the load jumps, its slope has a share that no panel sees.
-            let columns = if case.onset == Zmc::ONSET { 3 } else { 2 };
-            for (k, (found, exact)) in found.into_iter().zip(exact).enumerate().take(columns) {
-                let error = (found / exact - 1.0).abs();
-                worst[k] = worst[k].max(error);
-                let bound = if k == 2 { 2e-12 } else { 2e-14 };
-                assert!(error < bound, "{error:e} of {k} at h = {h}, sigma = {sigma:e} {case:?}");
-            }
-        }
-    }
-    println!("worst {worst:?}");
-}
-
-#[test]
-fn no_load_falls_but_where_it_is_said_to() {
-    let mut random = Random(4);
-    let (mut free, mut falling) = (0, 0);
-    for _ in 0..1500 {
-        let case = Case::any(&mut random);
-        let (contact, shape) = (case.contact(), Shape::sphere(case.radius));
-        let within = contact.may_fall(shape.into());
-        free += usize::from(within.is_empty());
-        let from = 1e-6 * case.thickness.min(case.thickness.powi(2) / case.radius);
-        let end = 1e3 * case.thickness.max(case.thickness.powi(2) / case.radius);
-        let place = |k: i32| from * (end / from).powf(f64::from(k) / 4000.0);
-        for k in 0..4000 {
-            let [low, high] = [place(k), place(k + 1)];
-            if contact.contact(high, shape).load < contact.contact(low, shape).load * (1.0 - 1e-12) {
-                falling += 1;
-                let is_said = within.iter().any(|range| range.meets(Interval { low, high }));
-                assert!(is_said, "falls at {low:e}, said {within:?}: {case:?}");
-            }
-        }
-    }
-    assert!(free > 500 && falling > 500, "{free} {falling}");
 }
 
 /// Back over the onset of yield, a law whose load jumps up there lets it fall.
@@ -341,7 +155,7 @@ impl MicroContact for Counted<'_> {
 /// above, at loads next to each peak and anywhere. A search of a sum takes some hundred bounds of it at the most.
 #[test]
 fn where_the_load_falls_the_first_reach_counts() {
-    let mut random = Random(5);
+    let mut random = Random::new(5);
     let (mut peaks, mut most) = (0, 0);
     for k in 0..24 {
         let substrate = Material::new(random.log(5e10, 4e11), 0.3, Some(random.log(1e8, 1e9)), None).unwrap();
@@ -389,65 +203,4 @@ fn where_the_load_falls_the_first_reach_counts() {
     println!("{peaks} peaks, at most {most} bounds");
     assert!(peaks > 10, "{peaks}");
     assert!(most < 1000, "{most} bounds of a sum in one search");
-}
-
-#[test]
-fn stiffness_is_the_slope_of_the_load() {
-    let mut random = Random(6);
-    for _ in 0..300 {
-        let case = Case::any(&mut random);
-        let contact = case.contact();
-        let kinks: Vec<f64> =
-            contact.regime_changes(Shape::sphere(case.radius)).into_iter().chain(case.kink()).collect();
-        for _ in 0..40 {
-            let scale = random.one_of(&[case.thickness, case.thickness.powi(2) / case.radius]);
-            let (w, step) = (scale * random.log(1e-6, 1e6), 2e-4);
-            if kinks.iter().any(|kink| (kink / w).ln().abs() < 3.0 * step) {
-                continue;
-            }
-            let load =
-                |shift: f64| contact.contact(w * (shift * step).exp(), Shape::sphere(case.radius)).load;
-            let slope = (8.0 * (load(1.0) - load(-1.0)) - (load(2.0) - load(-2.0))) / (12.0 * step);
-            let found = contact.contact(w, Shape::sphere(case.radius));
-            let error = (found.stiffness * w - slope).abs() / slope.abs().max(found.load);
-            assert!(error < 1e-10, "{error:e} at {w:e} of {case:?}");
-        }
-    }
-}
-
-/// From the least to the largest thickness that is a number here, both ends included.
-#[test]
-fn thin_and_thick_layers_end_in_their_limits() {
-    let mut random = Random(7);
-    for _ in 0..40 {
-        let case = Case::any(&mut random);
-        let sigma = 1e-2 * case.radius;
-        let population =
-            Population { radius: case.radius, sigma, density: 1e10, heights: HeightDensity::Gaussian };
-        let set = Ordered::new(&population.set(50, Draw::Quantiles).unwrap());
-        let loads = |thickness: f64| {
-            let flat = Flat::with_layer(&case.layer, &case.substrate, thickness, case.rule).unwrap();
-            let contact = flat.under(Zmc::default(), &case.rough).unwrap();
-            let sum = Deterministic::new(&*contact, &set, Datum { mean: 0.0, sigma });
-            [&Statistical::new(&*contact, population) as &dyn Model, &sum]
-                .map(|model| model.respond(1.0).pressure.total())
-        };
-        for (end, sign) in [(0.0, -1), (f64::INFINITY, 1)] {
-            let limits = loads(end);
-            let mut before = [f64::INFINITY; 2];
-            for power in 0..=30 {
-                let found = loads(10f64.powi(sign * power));
-                for k in 0..2 {
-                    let off = (found[k] / limits[k] - 1.0).abs();
-                    assert!(off.is_finite() && found[k] > 0.0, "10^{} m of {case:?}", sign * power);
-                    // Nearer with each decade, once the contact is small or large beside the layer.
-                    if power >= 14 {
-                        assert!(off <= before[k].max(4e-15), "{off:e} at 10^{} m of {case:?}", sign * power);
-                    }
-                    before[k] = off;
-                }
-            }
-            assert!(before.iter().all(|&off| off < 1e-14), "{before:?} of {case:?}");
-        }
-    }
 }

@@ -6,7 +6,7 @@ mod common;
 use asperity::asperity::{HeightDensity, Population};
 use asperity::contact::{Contact, Regime};
 use asperity::interface::{Interface, LoadBounds, MicroContact, Shapes};
-use asperity::law::{Hertz, Law, Pair, Shape, Similar, Zmc};
+use asperity::law::{Ceb, Hertz, JacksonGreen, KogutEtsion, Law, Pair, Resistance, Shape, Similar, Zmc};
 use asperity::literature::Paper;
 use asperity::material::Material;
 use asperity::model::{Model, Statistical};
@@ -45,6 +45,37 @@ fn zmc_regimes() {
             assert_eq!(found.regime.name(), row.text("regime"), "row {k}");
         }
     }
+}
+
+/// The worst error of one law over its rows of laws.csv, given what it makes of a pair and what a row's body sets against
+/// yielding.
+fn law_error<L: Law>(
+    law: impl Fn(&Pair) -> L,
+    name: &str,
+    resistance: impl Fn(&Material) -> Resistance,
+) -> Worst {
+    let mut worst = Worst::default();
+    for (k, row) in rows("laws").iter().enumerate().filter(|(_, row)| row.text("law") == name) {
+        let known = |column: &str| (!row.text(column).is_empty()).then(|| row.number(column));
+        let poisson = row.number("poisson");
+        let body = Material::new(1e11, poisson, known("hardness"), known("yield_strength")).unwrap();
+        let pair = Pair { reduced_modulus: row.number("reduced_modulus"), resistance: resistance(&body) };
+        let found = law(&pair).contact(row.number("indentation"), row.number("radius"), &pair);
+        worst.see(found.area, row.number("area"), || format!("area of row {k}"));
+        worst.see(found.load, row.number("load"), || format!("load of row {k}"));
+    }
+    worst
+}
+
+#[test]
+fn other_laws() {
+    let jackson_green = JacksonGreen::default;
+    let of_strength = |body: &Material| jackson_green().resistance(body).unwrap();
+    law_error(|_| Ceb, "ceb", |body| Ceb.by_hardness(body)).assert_within(1e-13, 480);
+    law_error(|_| KogutEtsion, "kogut_etsion", |body| KogutEtsion.by_hardness(body))
+        .assert_within(1e-13, 480);
+    law_error(|_| jackson_green(), "jackson_green", of_strength).assert_within(1e-13, 350);
+    law_error(|pair| jackson_green().tuned(pair), "jackson_green", of_strength).assert_within(1e-13, 350);
 }
 
 /// A micro-contact whose area is w^n: the integrator alone.
@@ -181,6 +212,23 @@ fn the_references_bite() {
     for mutant in [Zmc::new(0.89, 54.0).unwrap(), Zmc::new(Zmc::ONSET, 53.0).unwrap()] {
         let [near, far] = statistical_error(bare(mutant));
         assert!(near.error() > 1e-10 && far.error() > 1e-10);
+    }
+    let nearly = |onset: f64, strength: f64| Resistance { onset, strength };
+    let of_hardness = |body: &Material| {
+        let hardness = body.hardness().unwrap();
+        nearly((0.454 + 0.4101 * body.poisson()) * hardness, hardness)
+    };
+    let of_strength = |body: &Material| {
+        let strength = body.yield_strength().unwrap();
+        nearly(1.2951 * (0.736 * body.poisson()).exp() * strength, strength)
+    };
+    let mutants = [
+        law_error(|_| Ceb, "ceb", of_hardness),
+        law_error(|_| KogutEtsion, "kogut_etsion", of_hardness),
+        law_error(|_| JacksonGreen::default(), "jackson_green", of_strength),
+    ];
+    for mutant in mutants {
+        assert!(mutant.error() > 1e-6, "{:e}", mutant.error());
     }
     for forgotten in [0, 1] {
         let contact = |body: &Material| Forgetful {
