@@ -259,7 +259,10 @@ impl SurfacePlan {
             }
             _ => {
                 let ellipses = if self.as_ellipses { BYTES_PER_ELLIPSE } else { 0 };
-                set_memory(self.most_asperities()) + self.most_asperities() * ellipses
+                // A row of a list while it is read.
+                const BYTES_PER_ROW: u128 = 64;
+                let rows = if matches!(self.origin, Origin::List { .. }) { BYTES_PER_ROW } else { 0 };
+                set_memory(self.most_asperities()) + self.most_asperities() * (ellipses + rows)
             }
         }
     }

@@ -8,7 +8,7 @@ use serde::de::{DeserializeSeed, Deserializer, Error, MapAccess, SeqAccess, Visi
 
 use crate::interface::{Flat, MicroContact};
 use crate::law::{
-    Ceb, FullyPlastic, Hertz, Inapplicable, JacksonGreen, KogutEtsion, Law, Pair, Zmc, ZmcError,
+    Ceb, FullyPlastic, Hertz, Inapplicable, JacksonGreen, KogutEtsion, Law, Pair, Property, Zmc, ZmcError,
 };
 use crate::literature::{self, Paper};
 use crate::material::Material;
@@ -125,6 +125,15 @@ impl LawSpec {
     /// Whether it is purely elastic spheres, with a closed form for Gaussian heights.
     pub fn is_greenwood_williamson(&self) -> bool {
         *self == Self::spherical(Equations::Hertz)
+    }
+
+    /// The property of the bodies that it takes their yielding from.
+    pub fn takes(&self) -> Option<Property> {
+        match self.equations {
+            Equations::Hertz => None,
+            Equations::JacksonGreen => Some(Property::YieldStrength),
+            _ => Some(Property::Hardness),
+        }
     }
 
     /// Whether contacts under it pass from elastic to something else.
