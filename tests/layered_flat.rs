@@ -8,12 +8,12 @@ use asperity::asperity::{AsperitySet, Draw, HeightDensity, Ordered, Population};
 use asperity::coating::{Coating, Rule};
 use asperity::contact::{Contact, Regime};
 use asperity::interface::{Layered, LoadBounds, MicroContact, Shapes};
-use asperity::law::{Shape, Zmc};
+use asperity::law::{Ceb, Shape, Zmc};
 use asperity::literature::Paper;
 use asperity::material::Material;
 use asperity::model::{Datum, Deterministic, Model, Statistical};
 use asperity::numeric::interval::Interval;
-use common::{Random, bodies};
+use common::{Random, bodies, dense, relative_error};
 
 fn steel() -> Material {
     Material::new(210e9, 0.3, Some(7.6e9), None).unwrap()
@@ -105,6 +105,26 @@ fn three_roots_that_merge_are_one() {
         // Of these one is the end of the elastic-plastic range.
         let found = contact.regime_changes(Shape::sphere(b)).len() - 1;
         assert!(expected.contains(&found), "{found} roots at {apart:e}");
+    }
+}
+
+/// Where Poisson's ratio counts, the onset of yield may be that of the flat though it is the harder body: the way of its
+/// hardness to that of the substrate is resolved then too.
+#[test]
+fn a_harder_flat_may_yield_first() {
+    let body = |young, poisson, hardness| Material::new(young, poisson, Some(hardness), None).unwrap();
+    let (rough, substrate) = (body(1e8, 0.499, 1e9), body(4e13, 0.14, 1e9));
+    let coating = Coating::new(&body(2e13, 0.25, 2e11), &substrate, 3e-7, Rule::Gao).unwrap();
+    let contact = Layered::new(Ceb, &rough, &substrate, coating).unwrap();
+    let shape = Shape::sphere(5e-8);
+    let population =
+        Population { radius: shape.radius, sigma: 2e-3, density: 1e10, heights: HeightDensity::Gaussian };
+    let model = Statistical::new(&contact, population);
+    for h in [0.0, 10.0, 20.0] {
+        let found = model.respond(h);
+        let [area, load, _] = dense(&contact, shape, &contact.breakpoints(shape), &population, h);
+        assert!(relative_error(found.area_ratio.total(), area) < 1e-13, "h = {h}");
+        assert!(relative_error(found.pressure.total(), load) < 1e-13, "h = {h}");
     }
 }
 

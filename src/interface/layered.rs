@@ -190,6 +190,11 @@ impl<L: Similar> Layered<L> {
         sign_changes(&value, &over, low, high).into_iter().map(f64::exp).collect()
     }
 
+    fn resistance_of_flat(&self, w: f64, b: f64) -> Resistance {
+        let poisson = if L::feels_poisson() { self.coating.poisson_lanes([w], [b]).0[0] } else { 0.0 };
+        self.law.of_hardness(self.coating.at(w, b).hardness, poisson)
+    }
+
     /// Where the other body begins to yield first.
     fn onset_switches(&self, b: f64) -> Vec<f64> {
         /// Of ln w, w in m.
@@ -198,10 +203,7 @@ impl<L: Similar> Layered<L> {
             return Vec::new();
         }
         let level = self.rough.onset.ln();
-        let value = |v: f64| {
-            let (poisson, _) = self.coating.poisson_lanes([v.exp()], [b]);
-            self.law.of_hardness(self.coating.at(v.exp(), b).hardness, poisson[0]).onset.ln() - level
-        };
+        let value = |v: f64| self.resistance_of_flat(v.exp(), b).onset.ln() - level;
         let over = |from: f64, to: f64| {
             let w = Interval { low: from.exp(), high: to.exp() };
             let (onset, slope) = Self::flat_onset(&self.coating.over(w, Interval::point(b)));
@@ -285,9 +287,12 @@ impl<L: Similar> MicroContact for Layered<L> {
         let regime = |w: f64| self.contact(w, shape).regime;
         let modulus = self.coating.modulus_scales(b, self.rough_compliance);
         points.extend(modulus.filter(|&w| regime(w) != Regime::Plastic));
-        let is_softer = |w: f64| self.coating.at(w, b).hardness < self.rough.strength;
+        let yields = |w: f64| {
+            let flat = self.resistance_of_flat(w, b);
+            flat.onset < self.rough.onset || flat.strength < self.rough.strength
+        };
         let hardness = self.coating.hardness_scales().into_iter();
-        points.extend(hardness.filter(|&w| regime(w) != Regime::Elastic && is_softer(w)));
+        points.extend(hardness.filter(|&w| regime(w) != Regime::Elastic && yields(w)));
         points.extend(self.coating.indentation_of_hardness(self.rough.strength));
         points.extend(self.onset_switches(b));
         points.sort_unstable_by(f64::total_cmp);

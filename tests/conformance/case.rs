@@ -39,24 +39,20 @@ impl Case {
 
     fn any(entry: &Entry, random: &mut Random) -> Self {
         let [rough, layer, substrate] = bodies(random);
-        let finite = random.log(1e-10, 1e-4);
+        let radius = random.log(1e-9, 1e-2);
+        let many = random.log(1.0, 100.0);
+        let shape = Shape { radius, spheres: random.one_of(&[1.0, 1.0, 1.3, many]) };
         let thickness = if entry.stands_under_layers && random.unit() < 0.5 {
-            finite
+            // In many of them the contact passes through the layer while formulas change.
+            let critical = critical(entry, &rough, &random.one_of(&[layer, substrate]), radius);
+            let depths = [random.log(1e-10, 1e-4), critical, (critical * radius).sqrt()];
+            (random.one_of(&depths) * random.log(1e-2, 1e2)).clamp(1e-15, 1e15)
         } else {
             random.one_of(&[0.0, f64::INFINITY])
         };
         let rule = random.one_of(&Rule::ALL);
         let coating = Coating::new(&layer, &substrate, thickness, rule).ok();
-        let many = random.log(1.0, 100.0);
-        Self {
-            rough,
-            layer,
-            substrate,
-            thickness,
-            rule,
-            coating,
-            shape: Shape { radius: random.log(1e-9, 1e-2), spheres: random.one_of(&[1.0, 1.0, 1.3, many]) },
-        }
+        Self { rough, layer, substrate, thickness, rule, shape, coating }
     }
 
     pub fn flat(&self, thickness: f64) -> Flat {
@@ -106,16 +102,17 @@ impl Case {
         let mut found = Vec::new();
         let mut before = state(place(0));
         for k in 1..=POINTS {
-            let here = state(place(k));
-            if here != before {
-                let (mut low, mut high) = (place(k - 1), place(k));
+            let (mut from, to) = (place(k - 1), place(k));
+            // Several changes may lie in one step.
+            while state(to) != before {
+                let (mut low, mut high) = (from, to);
                 while high / low > 1.0 + 1e-15 && low.next_up() < high {
                     let middle = 0.5 * (low + high);
                     if state(middle) == before { low = middle } else { high = middle }
                 }
                 found.push(high);
+                (from, before) = (high, state(high));
             }
-            before = here;
         }
         found
     }
@@ -123,14 +120,7 @@ impl Case {
     /// Indentations about which something changes: those of the law, of the layer's depth and of contacts as wide as it is
     /// thick.
     pub fn scale(&self, entry: &Entry, random: &mut Random) -> f64 {
-        let critical = |body: &Material| {
-            let pair = entry.law.between(&self.rough, body).unwrap();
-            if pair.resistance.onset.is_finite() {
-                pair.ratio(1.0) * self.shape.radius
-            } else {
-                self.shape.radius
-            }
-        };
+        let critical = |body: &Material| critical(entry, &self.rough, body, self.shape.radius);
         if self.coating.is_some() {
             let t = self.thickness;
             let all = [t, t.powi(2) / self.width(), critical(&self.layer), critical(&self.substrate)];
@@ -139,4 +129,10 @@ impl Case {
             critical(&self.felt(0.0))
         }
     }
+}
+
+/// The indentation (m) about which formulas change on a homogeneous flat; the radius where none does.
+fn critical(entry: &Entry, rough: &Material, flat: &Material, radius: f64) -> f64 {
+    let pair = entry.law.between(rough, flat).ok().filter(|pair| pair.resistance.onset.is_finite());
+    pair.map_or(radius, |pair| pair.ratio(1.0) * radius)
 }
