@@ -10,7 +10,7 @@ const PER_PIECE: usize = 160;
 /// On both sides of a boundary, where a law may jump.
 const BESIDE: f64 = 1e-12;
 
-/// A fall is more than the rounding of an answer.
+/// A fall, or a jump, is more than the rounding of an answer.
 const ROUNDING: f64 = 1e-9;
 
 /// The answer at one indentation.
@@ -27,9 +27,9 @@ pub struct Point {
 pub struct RegimeChange {
     /// w, m.
     pub indentation: f64,
-    /// P there, N.
+    /// P just below it, N.
     pub load: f64,
-    /// A there, m^2.
+    /// A just below it, m^2.
     pub area: f64,
     /// Below it.
     pub from: Regime,
@@ -49,15 +49,21 @@ pub struct Boundary {
 }
 
 impl Boundary {
-    /// How much larger the load is above than below, of the load below.
+    /// How much larger the load is above than below, of the load below; 0 where it does not jump.
     pub fn load_jump(&self) -> f64 {
-        self.above.load / self.below.load - 1.0
+        jump(self.below.load, self.above.load)
     }
 
     /// The same of the area.
     pub fn area_jump(&self) -> f64 {
-        self.above.area / self.below.area - 1.0
+        jump(self.below.area, self.above.area)
     }
+}
+
+/// What is less than the rounding of an answer is the way from one side to the other.
+fn jump(below: f64, above: f64) -> f64 {
+    let jump = above / below - 1.0;
+    if jump.abs() > ROUNDING { jump } else { 0.0 }
 }
 
 /// All boundaries of an asperity, ascending.
@@ -211,7 +217,7 @@ fn changes(contact: &dyn MicroContact, shape: Shape) -> Vec<RegimeChange> {
         (None, None) => shape.radius,
     };
     let change = |(k, &w): (usize, &f64)| {
-        let Contact { load, area, .. } = contact.contact(w, shape);
+        let Contact { load, area, .. } = contact.contact(w * (1.0 - BESIDE), shape);
         RegimeChange { indentation: w, load, area, from: regime(between(k)), to: regime(between(k + 1)) }
     };
     at.iter().enumerate().map(change).filter(|change| change.from != change.to).collect()

@@ -13,7 +13,7 @@ pub use heights::{HeightDensity, gaussian_moment};
 pub use nayak::{NoSuchSurface, SurfaceHeights};
 pub use ordered::{Asperities, Ordered};
 pub use population::{Draw, Population};
-pub use read::{AsperityList, Column, ListError, read_list};
+pub use read::{AsperityList, Column, ListError, check_list, read_list};
 pub use statistics::Statistics;
 
 use crate::numeric::{LARGEST, is_positive};

@@ -1,6 +1,7 @@
 //! Reading a list of asperities: CSV with the columns `height` and `radius`, or an n x 2 `.npy`; of ellipses with `kx`
 //! and `ky` behind them.
 
+use std::fs::File;
 use std::path::Path;
 
 use super::{AsperitySet, Ellipse, SetError};
@@ -122,6 +123,22 @@ pub struct AsperityList {
 }
 
 impl AsperityList {
+    /// How many radii lie beyond both principal radii of curvature, 1/kx and 1/ky: spheres and ellipses of such a row are
+    /// different asperities.
+    pub fn contradictions(&self) -> usize {
+        /// The rounding of a radius in a file.
+        const ROUNDING: f64 = 1e-3;
+        let contradicts = |[_, radius, kx, ky]: &Row| {
+            radius * kx.max(*ky) < 1.0 - ROUNDING || radius * kx.min(*ky) > 1.0 + ROUNDING
+        };
+        if self.has_ellipses { self.rows.iter().filter(|row| contradicts(row)).count() } else { 0 }
+    }
+
+    /// Number of rows.
+    pub fn count(&self) -> usize {
+        self.rows.len()
+    }
+
     /// The asperities on a nominal area (m^2).
     ///
     /// # Errors
@@ -136,6 +153,23 @@ impl AsperityList {
     }
 }
 
+/// Checks that a file has the columns that [`read_list`] needs, without reading the rows.
+///
+/// # Errors
+/// See [`ListError`].
+pub fn check_list(path: &Path, as_ellipses: bool) -> Result<(), ListError> {
+    let needed = needed(as_ellipses);
+    if npy::is_npy(path).map_err(ReadError::from)? {
+        let npy::Head { rows, columns, .. } = npy::Head::read(path)?;
+        return check_shape(rows, columns, needed);
+    }
+    places(&mut csv_reader(path)?, needed).map(|_| ())
+}
+
+fn needed(as_ellipses: bool) -> &'static [Column] {
+    &Column::ALL[..if as_ellipses { 4 } else { 2 }]
+}
+
 /// Reads heights and radii (m), and where `as_ellipses` principal curvatures kx and ky (1/m), from a CSV file or an `.npy`
 /// with these columns, told apart by their first bytes. Lines of a CSV that begin with `#` are comments; further columns
 /// are passed over.
@@ -143,7 +177,7 @@ impl AsperityList {
 /// # Errors
 /// See [`ListError`]; a bad value is named with its row.
 pub fn read_list(path: &Path, as_ellipses: bool) -> Result<AsperityList, ListError> {
-    let needed = &Column::ALL[..if as_ellipses { 4 } else { 2 }];
+    let needed = needed(as_ellipses);
     let is_npy = npy::is_npy(path).map_err(ReadError::from)?;
     let rows = if is_npy { read_npy(path, needed)? } else { read_csv(path, needed)? };
     if rows.is_empty() {
@@ -154,10 +188,7 @@ pub fn read_list(path: &Path, as_ellipses: bool) -> Result<AsperityList, ListErr
 
 fn read_npy(path: &Path, needed: &'static [Column]) -> Result<Vec<Row>, ListError> {
     let read::Matrix { rows, columns, values, .. } = npy::matrix(path)?;
-    // An array of ellipses is one of spheres too.
-    if !(columns == needed.len() || columns == Column::ALL.len()) {
-        return Err(ListError::Shape { rows, columns, needed });
-    }
+    check_shape(rows, columns, needed)?;
     let asperity = |(row, found): (usize, &[f64])| {
         let mut asperity = Row::default();
         for ((&column, &value), place) in needed.iter().zip(found).zip(&mut asperity) {
@@ -172,8 +203,20 @@ fn read_npy(path: &Path, needed: &'static [Column]) -> Result<Vec<Row>, ListErro
     values.chunks_exact(columns).enumerate().map(asperity).collect()
 }
 
-fn read_csv(path: &Path, needed: &'static [Column]) -> Result<Vec<Row>, ListError> {
-    let mut reader = csv::ReaderBuilder::new().comment(Some(b'#')).trim(csv::Trim::All).from_path(path)?;
+/// An array of ellipses is one of spheres too.
+fn check_shape(rows: usize, columns: usize, needed: &'static [Column]) -> Result<(), ListError> {
+    if columns == needed.len() || columns == Column::ALL.len() {
+        return Ok(());
+    }
+    Err(ListError::Shape { rows, columns, needed })
+}
+
+fn csv_reader(path: &Path) -> Result<csv::Reader<File>, csv::Error> {
+    csv::ReaderBuilder::new().comment(Some(b'#')).trim(csv::Trim::All).from_path(path)
+}
+
+/// Where the needed columns are.
+fn places(reader: &mut csv::Reader<File>, needed: &'static [Column]) -> Result<Vec<usize>, ListError> {
     let header = reader.headers()?.clone();
     let place_of = |&column: &Column| {
         header.iter().position(|found| found == column.name()).ok_or_else(|| ListError::Column {
@@ -186,7 +229,12 @@ fn read_csv(path: &Path, needed: &'static [Column]) -> Result<Vec<Row>, ListErro
             },
         })
     };
-    let places = needed.iter().map(place_of).collect::<Result<Vec<_>, _>>()?;
+    needed.iter().map(place_of).collect()
+}
+
+fn read_csv(path: &Path, needed: &'static [Column]) -> Result<Vec<Row>, ListError> {
+    let mut reader = csv_reader(path)?;
+    let places = places(&mut reader, needed)?;
     let asperity = |record: Result<csv::StringRecord, csv::Error>| {
         let record = record?;
         let line = record.position().map_or(0, csv::Position::line);

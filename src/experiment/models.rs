@@ -2,7 +2,7 @@
 
 use super::spec::{LawSpec, Summit};
 use super::surface::Surface;
-use crate::asperity::{Ordered, Population};
+use crate::asperity::{Ellipse, Ordered, Population};
 use crate::interface::MicroContact;
 use crate::law::Shape;
 use crate::model::{Deterministic, Statistical};
@@ -41,6 +41,22 @@ impl<'a> SurfaceModels<'a> {
     pub(super) fn mean_shape(&self, law: &LawSpec) -> Shape {
         let ellipticity = self.surface.ellipticity.filter(|_| law.summit == Summit::Ellipse);
         ellipticity.map_or(Shape::sphere(self.population.radius), |mean| mean.shape())
+    }
+
+    /// The sharpest and the bluntest asperity under a law.
+    pub(super) fn extreme_shapes(&self, law: &LawSpec) -> [Shape; 2] {
+        let set = &self.surface.set;
+        let by_radius = |a: &Shape, b: &Shape| a.radius.total_cmp(&b.radius);
+        let extremes = |shapes: &mut dyn Iterator<Item = Shape>| {
+            let first = self.mean_shape(law);
+            shapes.fold([first; 2], |[low, high], shape| {
+                [std::cmp::min_by(low, shape, by_radius), std::cmp::max_by(high, shape, by_radius)]
+            })
+        };
+        match set.ellipses().filter(|_| law.summit == Summit::Ellipse) {
+            Some(ellipses) => extremes(&mut ellipses.iter().map(Ellipse::shape)),
+            None => extremes(&mut set.radii().iter().copied().map(Shape::sphere)),
+        }
     }
 
     /// The integral over one contact of a law.

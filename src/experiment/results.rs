@@ -124,7 +124,7 @@ impl Results {
             Self::Compare(results) => results.warnings(),
             Self::Indentation(results) => results.warnings(),
             Self::Laws(results) => results.compare.warnings(),
-            Self::Limit(_) => Vec::new(),
+            Self::Limit(results) => results.contact.doubts.clone(),
             Self::Surfaces(results) => results.warnings(),
         }
     }

@@ -18,7 +18,7 @@ use crate::compare::{
     Control, Exact, Gaps, Kind, LimitCase, Models, NotReached, RuleCheck, RuleFindings, compare, convergence,
 };
 use crate::interface::{ContactError, plasticity_index};
-use crate::law::Shape;
+use crate::law::Property;
 use crate::literature::{self, Paper};
 use crate::model::{Model, Statistical};
 use crate::sphere::Curve;
@@ -164,7 +164,6 @@ fn falls(
         values.iter().fold(ends, |(low, high), &value| (low.min(value), high.max(value)))
     };
     let highest = extremes(surface.set.heights()).1 - surface.datum.mean;
-    let (sharpest, bluntest) = extremes(surface.set.radii());
     let mut found = Vec::new();
     for (law, case) in plan.laws.iter().zip(&answered.cases) {
         let separations = case.comparison.curves.iter().map(|point| point.response.separation);
@@ -172,7 +171,8 @@ fn falls(
         if !(deepest > 0.0 && deepest.is_finite()) {
             continue;
         }
-        let mut shapes = vec![Shape::sphere(sharpest), models.mean_shape(&law.spec), Shape::sphere(bluntest)];
+        let [sharpest, bluntest] = models.extreme_shapes(&law.spec);
+        let mut shapes = vec![sharpest, models.mean_shape(&law.spec), bluntest];
         shapes.dedup();
         for shape in shapes {
             let falls = Curve::of(&*law.contact, shape, &[SHALLOWEST * deepest, deepest]).falls;
@@ -312,10 +312,40 @@ fn rule_check(compare: &ComparePlan, layer: &LayerPlan) -> Result<(RuleFindings,
     Ok((check.findings(RANGE[0], RANGE[1]), check.papers()))
 }
 
+/// Bodies of which laws that take the hardness and one that takes the yield strength make two different ones.
+fn apart_in_strength(
+    plan: &Plan,
+    laws: &[LawPlan],
+    bodies: &Bodies,
+    layer: Option<&LayerHead>,
+) -> Vec<String> {
+    /// H/Y of metals; Chang, Etsion and Bogy (1987) take 2.8.
+    const METALS: [f64; 2] = [2.0, 4.0];
+    let takes = |property| laws.iter().any(|law| law.spec.takes() == Some(property));
+    if !(takes(Property::Hardness) && takes(Property::YieldStrength)) {
+        return Vec::new();
+    }
+    let names = [Some(&bodies.rough), Some(&bodies.flat), layer.map(|layer| &layer.name)];
+    let doubt = |name: &String| {
+        let body = plan.materials.get(name)?;
+        let ratio = body.hardness()? / body.yield_strength()?;
+        let [from, to] = METALS;
+        (!(from..=to).contains(&ratio)).then(|| {
+            format!(
+                "{name}: the hardness is {ratio:.2} times the yield strength, where metals have {from} to {to}: laws that take the one \
+                 and laws that take the other speak of different bodies"
+            )
+        })
+    };
+    names.into_iter().flatten().filter_map(doubt).collect()
+}
+
 fn contact_head(plan: &Plan, laws: &[LawPlan], bodies: &Bodies, layer: Option<LayerHead>) -> ContactHead {
     // Every law of an experiment stands on the same two bodies.
     let contact = &laws[0].contact;
     let mut doubts: Vec<String> = laws.iter().filter_map(|law| law.contact.doubt()).collect();
+    doubts.extend(apart_in_strength(plan, laws, bodies, layer.as_ref()));
+    doubts.sort_unstable();
     doubts.dedup();
     ContactHead {
         materials: plan.materials.clone(),

@@ -30,7 +30,10 @@ pub(super) fn thresholds(
         return Vec::new();
     }
     let mut asked = Vec::new();
-    for law in &plan.law_specs {
+    // A law that stands under no layer of finite thickness is asked of none.
+    let stands =
+        |law: &&LawSpec| layer.flat(1.0).is_ok_and(|finite| law.interface(&plan.pair[0], &finite).is_ok());
+    for law in plan.law_specs.iter().filter(stands) {
         for &pressure in &pressures {
             asked.extend(plan.models.iter().map(|&kind| (law, pressure, kind)));
         }

@@ -199,7 +199,7 @@ impl<L: Similar> Layered<L> {
     fn onset_switches(&self, b: f64) -> Vec<f64> {
         /// Of ln w, w in m.
         const RANGE: [f64; 2] = [-100.0, 50.0];
-        if !(L::feels_poisson() && self.rough.onset.is_finite() && self.yields()) {
+        if !(L::feels_poisson() && self.rough.onset.is_finite()) {
             return Vec::new();
         }
         let level = self.rough.onset.ln();

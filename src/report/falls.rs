@@ -6,6 +6,9 @@ use super::page::escape;
 use crate::experiment::results::{FallResults, LayerHead, SurfaceResults};
 use crate::sphere::Falling;
 
+/// A stretch this narrow, of its beginning, is a jump of the law.
+const NARROW: f64 = 1e-9;
+
 /// A line for the area and one for the load of one surface under one law, where they fall.
 pub fn lines(subject: &str, found: &SurfaceResults, law: &str, layer: Option<&LayerHead>) -> Vec<String> {
     Falling::ALL.into_iter().filter_map(|of| line(subject, found, law, layer, of)).collect()
@@ -35,14 +38,18 @@ fn line(
             " A pressure may then be reached more than once on approach; the answers are the first."
         }
     };
+    let [from, to] = [fall.from.indentation, fall.to.indentation];
+    let stretch = if to <= from * (1.0 + NARROW) {
+        format!("at once at w = {}", quantity(from, "m"))
+    } else {
+        format!("between w = {} and {}", quantity(from, "m"), quantity(to, "m"))
+    };
     Some(format!(
-        "**{}**: the {} of an asperity can fall as it is pressed deeper{with}. That of one of radius {}{place} falls by {} between w = {} and \
-         {} (looked at: the sharpest, the mean and the bluntest, as deep as the highest is pressed here).{consequence}",
+        "**{}**: the {} of an asperity can fall as it is pressed deeper{with}. That of one of radius {}{place} falls by {} {stretch} \
+         (looked at: the sharpest, the mean and the bluntest, as deep as the highest is pressed here).{consequence}",
         escape(subject),
         of.name(),
         quantity(*radius, "m"),
         percent(fall.loss()),
-        quantity(fall.from.indentation, "m"),
-        quantity(fall.to.indentation, "m"),
     ))
 }

@@ -82,7 +82,7 @@ fn laws_have_their_tables_and_say_what_matters() {
     let summary = fs::read_to_string(out.join("laws/summary.json")).unwrap();
     let summary: serde_json::Value = serde_json::from_str(&summary).unwrap();
     let drawn = &summary["surfaces"]["drawn"];
-    assert_eq!(drawn["mean_curvature_ratio"], 2.0);
+    assert_eq!(drawn["mean_smaller_over_larger_curvature"], 0.5);
     assert!((drawn["mean_curvature_per_m"].as_f64().unwrap() * 20e-6 - 1.0).abs() < 1e-12);
     assert_eq!(summary["laws"]["influence"][0]["loads"], 2);
 

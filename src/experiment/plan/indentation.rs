@@ -10,6 +10,7 @@ use super::read::Reader;
 use super::surface::beside;
 use crate::experiment::refusal::{Refusal, Source};
 use crate::experiment::spec::{IndentationSpec, LawSpec, LogSweep, Show};
+use crate::law::Inapplicable;
 use crate::material::Material;
 use crate::numeric::is_positive;
 
@@ -119,8 +120,16 @@ impl Reader<'_> {
         let coated = layers[0].flat(layers[0].thicknesses[0]);
         let coated = coated.map_err(|error| Refusal::file(&self.source.path, error))?;
         for law in &words.law.get_ref().0 {
-            law.interface(&ball.1, &coated)
-                .map_err(|error| self.inapplicable(&words.law, &error, &ball.0, &flat.0))?;
+            law.interface(&ball.1, &coated).map_err(|error| match error {
+                Inapplicable::Layer { law } => {
+                    let message = format!(
+                        "found law {law}, which says nothing of a layer; allowed: a law that does, for [indentation] is about layers \
+                         of finite thickness ([laws] shows one asperity without a layer)"
+                    );
+                    self.source.refuse(words.law.span(), message)
+                }
+                _ => self.inapplicable(&words.law, &error, &ball.0, &flat.0),
+            })?;
         }
         let plan = IndentationPlan {
             ball,

@@ -156,8 +156,13 @@ impl Reader<'_> {
             }
         };
         let flat_name = words.flat.get_ref();
-        let coat = layer.as_ref().map(|layer| (layer.name.as_str(), &layer.material));
-        let met: Vec<_> = std::iter::once((flat_name.as_str(), &flat)).chain(coat).collect();
+        // Under a layer of no thickness nothing feels it, under one of any nothing the substrate.
+        let coat = layer.as_deref().filter(|layer| layer.thicknesses.iter().any(|&t| t > 0.0));
+        let feels_substrate =
+            layer.as_deref().is_none_or(|layer| layer.thicknesses.iter().any(|t| t.is_finite()));
+        let substrate = feels_substrate.then_some((flat_name.as_str(), &flat));
+        let coat = coat.map(|layer| (layer.name.as_str(), &layer.material));
+        let met: Vec<_> = substrate.into_iter().chain(coat).collect();
         self.check_laws(&words.law, (rough_name, &rough), &met)?;
         let law_specs = words.law.get_ref().0.clone();
         let as_ellipses = law_specs.iter().any(|law| law.summit == Summit::Ellipse);

@@ -8,7 +8,7 @@ use toml::Spanned;
 
 use super::generate::Generation;
 use crate::asperity::{
-    Draw, Ellipse, Ellipticity, HeightDensity, Population, Statistics, SurfaceHeights, read_list,
+    Draw, Ellipse, Ellipticity, HeightDensity, Population, Statistics, SurfaceHeights, check_list, read_list,
 };
 use crate::experiment::refusal::{Refusal, Source};
 use crate::experiment::results::Timing;
@@ -90,7 +90,9 @@ impl SurfacePlan {
             ));
         }
         let (origin, size_key, realisations) = match words.get_ref() {
-            SurfaceSpec::Asperities(list) => (Self::list(source, list)?, list.file.span(), &None),
+            SurfaceSpec::Asperities(list) => {
+                (Self::list(source, list, as_ellipses)?, list.file.span(), &None)
+            }
             SurfaceSpec::Population(population) => {
                 let origin = Self::population(source, words.span(), population, as_ellipses)?;
                 (origin, population.count.span(), &population.realisations)
@@ -112,8 +114,10 @@ impl SurfacePlan {
         Ok(Self { name: name.get_ref().clone(), size_key, realisations, as_ellipses, origin })
     }
 
-    fn list(source: &Source, words: &ListSpec) -> Result<Origin, Refusal> {
+    fn list(source: &Source, words: &ListSpec, as_ellipses: bool) -> Result<Origin, Refusal> {
         let path = beside(source, &words.file)?;
+        check_list(&path, as_ellipses)
+            .map_err(|error| source.refuse(words.file.span(), format!("{} {error}", path.display())))?;
         let bytes = std::fs::metadata(&path).map_or(0, |metadata| metadata.len());
         Ok(Origin::List { path, bytes, nominal_area: words.nominal_area.value() })
     }
@@ -255,7 +259,10 @@ impl SurfacePlan {
             }
             _ => {
                 let ellipses = if self.as_ellipses { BYTES_PER_ELLIPSE } else { 0 };
-                set_memory(self.most_asperities()) + self.most_asperities() * ellipses
+                // A row of a list while it is read.
+                const BYTES_PER_ROW: u128 = 64;
+                let rows = if matches!(self.origin, Origin::List { .. }) { BYTES_PER_ROW } else { 0 };
+                set_memory(self.most_asperities()) + self.most_asperities() * (ellipses + rows)
             }
         }
     }
@@ -313,6 +320,7 @@ impl Maker<'_> {
                 let list = read_list(path, self.plan.as_ellipses)
                     .map_err(|error| refuse(&format!("{} {error}", path.display())))?;
                 timing.read += start.elapsed();
+                let (contradictions, count) = (list.contradictions(), list.count());
                 let set = list.set(*nominal_area).map_err(|error| refuse(&error))?;
                 let statistics = Statistics::of(&set);
                 if statistics.sigma == 0.0 {
@@ -322,7 +330,14 @@ impl Maker<'_> {
                         path.display()
                     )));
                 }
-                Ok(Surface::new(name, set, statistics))
+                let mut surface = Surface::new(name, set, statistics);
+                if contradictions > 0 {
+                    surface.warnings.push(format!(
+                        "{contradictions} of {count} radii lie beyond both 1/kx and 1/ky: laws for spheres take the radius, elliptic \
+                         laws kx and ky, and stand on different asperities there"
+                    ));
+                }
+                Ok(surface)
             }
             Origin::Population { population, ratio, count, draw, datum } => {
                 let draw = match draw {

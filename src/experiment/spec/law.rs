@@ -4,11 +4,11 @@ use std::fmt;
 
 use serde::Deserialize;
 use serde::de::value::{MapAccessDeserializer, StrDeserializer};
-use serde::de::{Deserializer, Error, MapAccess, SeqAccess, Visitor};
+use serde::de::{DeserializeSeed, Deserializer, Error, MapAccess, SeqAccess, Visitor};
 
 use crate::interface::{Flat, MicroContact};
 use crate::law::{
-    Ceb, FullyPlastic, Hertz, Inapplicable, JacksonGreen, KogutEtsion, Law, Pair, Zmc, ZmcError,
+    Ceb, FullyPlastic, Hertz, Inapplicable, JacksonGreen, KogutEtsion, Law, Pair, Property, Zmc, ZmcError,
 };
 use crate::literature::{self, Paper};
 use crate::material::Material;
@@ -113,9 +113,27 @@ impl LawSpec {
         format!("{shape}{name}{options}")
     }
 
+    /// Whether it is the same law, whatever options its words spell out.
+    fn is_same(&self, other: &Self) -> bool {
+        let same = match (self.equations, other.equations) {
+            (Equations::Zmc { law, .. }, Equations::Zmc { law: other, .. }) => law == other,
+            (equations, other) => equations == other,
+        };
+        same && self.summit == other.summit
+    }
+
     /// Whether it is purely elastic spheres, with a closed form for Gaussian heights.
     pub fn is_greenwood_williamson(&self) -> bool {
         *self == Self::spherical(Equations::Hertz)
+    }
+
+    /// The property of the bodies that it takes their yielding from.
+    pub fn takes(&self) -> Option<Property> {
+        match self.equations {
+            Equations::Hertz => None,
+            Equations::JacksonGreen => Some(Property::YieldStrength),
+            _ => Some(Property::Hardness),
+        }
     }
 
     /// Whether contacts under it pass from elastic to something else.
@@ -185,26 +203,62 @@ impl LawSpec {
     }
 }
 
-/// The file's words: a one-key table names the law and holds its options.
-#[derive(Deserialize)]
-#[serde(rename_all = "kebab-case")]
-enum Words {
-    Hertz(NoOptions),
-    Zmc(ZmcOptions),
-    Ceb(NoOptions),
-    KogutEtsion(NoOptions),
-    JacksonGreen(NoOptions),
-    FullyPlastic(NoOptions),
-    EllipticHertz(NoOptions),
-    EllipticZmc(ZmcOptions),
+/// The options of a law.
+enum Options {
+    None(Equations, Summit),
+    Zmc(ZmcOptions, Summit),
 }
 
-#[derive(Deserialize)]
-#[serde(deny_unknown_fields)]
+/// The options of the law of a name.
+struct Named<'a>(&'a str);
+
+impl<'de> DeserializeSeed<'de> for Named<'_> {
+    type Value = Options;
+
+    fn deserialize<D: Deserializer<'de>>(self, deserializer: D) -> Result<Options, D::Error> {
+        let law = LawSpec::named(self.0).ok_or_else(|| {
+            D::Error::custom(format!("found the law \"{}\"; allowed: {}", self.0, allowed()))
+        })?;
+        if matches!(law.equations, Equations::Zmc { .. }) {
+            return ZmcOptions::deserialize(deserializer).map(|options| Options::Zmc(options, law.summit));
+        }
+        NoOptions::deserialize(deserializer).map(|NoOptions {}| Options::None(law.equations, law.summit))
+    }
+}
+
+/// The table of a law that has no options.
 struct NoOptions {}
 
+impl<'de> Deserialize<'de> for NoOptions {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        struct Nothing;
+
+        impl<'de> Visitor<'de> for Nothing {
+            type Value = NoOptions;
+
+            fn expecting(&self, f: &mut fmt::Formatter) -> fmt::Result {
+                f.write_str("an empty table {}: this law has no options")
+            }
+            fn visit_map<A: MapAccess<'de>>(self, mut map: A) -> Result<NoOptions, A::Error> {
+                match map.next_key::<String>()? {
+                    None => Ok(NoOptions {}),
+                    Some(option) => Err(A::Error::custom(format!(
+                        "found the option `{option}`; allowed: none of this law (onset and transition-ratio are options of \
+                         zmc and elliptic-zmc)"
+                    ))),
+                }
+            }
+        }
+        deserializer.deserialize_map(Nothing)
+    }
+}
+
 #[derive(Deserialize, Default)]
-#[serde(deny_unknown_fields, rename_all = "kebab-case")]
+#[serde(
+    deny_unknown_fields,
+    rename_all = "kebab-case",
+    expecting = "a table of options, such as { transition-ratio = 110 }"
+)]
 struct ZmcOptions {
     onset: Option<Quantity<Pure, Finite>>,
     transition_ratio: Option<Quantity<Pure, Finite>>,
@@ -221,19 +275,13 @@ impl TryFrom<ZmcOptions> for Equations {
     }
 }
 
-impl TryFrom<Words> for LawSpec {
+impl TryFrom<Options> for LawSpec {
     type Error = ZmcError;
 
-    fn try_from(words: Words) -> Result<Self, ZmcError> {
-        Ok(match words {
-            Words::Hertz(NoOptions {}) => Self::spherical(Equations::Hertz),
-            Words::Zmc(options) => Self::spherical(options.try_into()?),
-            Words::Ceb(NoOptions {}) => Self::spherical(Equations::Ceb),
-            Words::KogutEtsion(NoOptions {}) => Self::spherical(Equations::KogutEtsion),
-            Words::JacksonGreen(NoOptions {}) => Self::spherical(Equations::JacksonGreen),
-            Words::FullyPlastic(NoOptions {}) => Self::spherical(Equations::FullyPlastic),
-            Words::EllipticHertz(NoOptions {}) => Self::elliptic(Equations::Hertz),
-            Words::EllipticZmc(options) => Self::elliptic(options.try_into()?),
+    fn try_from(options: Options) -> Result<Self, ZmcError> {
+        Ok(match options {
+            Options::None(equations, summit) => Self { equations, summit },
+            Options::Zmc(options, summit) => Self { equations: options.try_into()?, summit },
         })
     }
 }
@@ -261,8 +309,18 @@ impl<'de> Deserialize<'de> for LawSpec {
                 LawSpec::named(name)
                     .ok_or_else(|| E::custom(format!("found \"{name}\"; allowed: {}", allowed())))
             }
-            fn visit_map<A: MapAccess<'de>>(self, map: A) -> Result<LawSpec, A::Error> {
-                let words = Words::deserialize(MapAccessDeserializer::new(map))?;
+            fn visit_map<A: MapAccess<'de>>(self, mut map: A) -> Result<LawSpec, A::Error> {
+                const ALLOWED: &str =
+                    "allowed: one law a table; several laws as a list, each in a table or in quotes";
+                let Some(name) = map.next_key::<String>()? else {
+                    return Err(A::Error::custom(format!("found an empty table; {ALLOWED}")));
+                };
+                let words = map.next_value_seed(Named(&name))?;
+                if let Some(second) = map.next_key::<String>()? {
+                    return Err(A::Error::custom(format!(
+                        "found two laws in one table, \"{name}\" and \"{second}\"; {ALLOWED}"
+                    )));
+                }
                 LawSpec::try_from(words).map_err(|error| A::Error::custom(format!("found {error}")))
             }
         }
@@ -293,7 +351,7 @@ impl<'de> Deserialize<'de> for Laws {
             fn visit_seq<A: SeqAccess<'de>>(self, mut list: A) -> Result<Laws, A::Error> {
                 let mut laws = Vec::new();
                 while let Some(law) = list.next_element::<LawSpec>()? {
-                    if laws.contains(&law) {
+                    if laws.iter().any(|other: &LawSpec| other.is_same(&law)) {
                         return Err(A::Error::custom(format!(
                             "found {} twice; allowed: each law once",
                             law.label()

@@ -33,7 +33,7 @@ fn panel(results: &LawsResults, plot: Plot, shown: Shown) -> Plot {
     let at = |w: f64, contact: &Contact| (w / unit, shown(w, contact));
     let mut plot = plot;
     let whole = results.radius / unit;
-    if let Some(steep) = super::steep_from(results) {
+    if let Some((steep, _)) = super::steep_from(results) {
         plot = plot.with(Layer::region_x(steep / unit, whole, format!("a > {LARGEST_SLOPE} R")));
     }
     plot = plot.with(Layer::region_x(whole, f64::INFINITY, "w > R"));
@@ -155,7 +155,7 @@ fn shown(measure: Measure, difference: f64) -> f64 {
     }
 }
 
-/// What the laws that pass from elastic to plastic, and the models, need over the loads that count: limits may lie far off.
+/// What the laws that go beyond elastic contact, and the models, need over the loads that count: limits may lie far off.
 fn range(results: &LawsResults, influence: &Influence, measure: Measure) -> Option<[f64; 2]> {
     /// Above and below, of the range.
     const ROOM: f64 = 0.15;

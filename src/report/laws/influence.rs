@@ -12,6 +12,9 @@ use crate::experiment::results::SurfaceResults;
 /// A gap of fewer standard errors than this may be chance.
 const SIGNIFICANT: f64 = 3.0;
 
+/// A gap of fewer than this is not told from none.
+const TOLD: f64 = 2.0;
+
 /// The numbers of the first realisation.
 fn of_first<'a>(results: &'a LawsResults, found: &SurfaceResults) -> Option<&'a Influence> {
     let name = &found.surface.name;
@@ -66,26 +69,39 @@ fn verdict_by(results: &LawsResults, measure: Measure) -> Option<String> {
         Measure::Separation => "d/σ",
         Measure::Area => "real area",
     };
-    let (mut law, mut model, mut left) = (Vec::new(), Vec::new(), Vec::new());
+    let (mut law, mut model, mut neither) = (Vec::new(), Vec::new(), Vec::new());
+    // Surfaces on which the law matters more though the one that lies furthest off is left out, if some are left then.
+    let mut left: Option<Vec<String>> = None;
     for found in &results.compare.surfaces {
         let Some(influence) = of_first(results, found) else { continue };
         let Some(weights) = weights(results, influence, measure) else { continue };
-        if weights.0.mean > weights.1.mean { &mut law } else { &mut model }.push(subject(found));
-        if without_furthest(results, influence, measure).is_some_and(|(_, left)| left.mean > weights.1.mean) {
-            left.push(subject(found));
+        if !is_told(influence, measure, &weights.1) {
+            neither.push(subject(found));
+            continue;
+        }
+        if weights.0.mean <= weights.1.mean {
+            model.push(subject(found));
+            continue;
+        }
+        law.push(subject(found));
+        if let Some((_, rest)) = without_furthest(results, influence, measure) {
+            let left = left.get_or_insert_default();
+            if rest.mean > weights.1.mean {
+                left.push(subject(found));
+            }
         }
     }
-    let parts =
-        [("the law matters more than the adding-up", &law), ("the adding-up more than the law", &model)];
+    let parts = [
+        ("the law matters more than the adding-up", &law),
+        ("the adding-up matters more than the law", &model),
+        ("the models cannot be told apart for the sampling error of the sum", &neither),
+    ];
     let parts = parts.into_iter().filter(|(_, on)| !on.is_empty());
     let told: Vec<String> = parts.map(|(what, on)| format!("{what} on {}", listed(on))).collect();
-    let rest = match (law.is_empty(), left.is_empty()) {
-        (true, _) => String::new(),
-        (false, true) => " Without the one law that lies furthest off, it does so on none.".to_owned(),
-        (false, false) => {
-            format!(" Without the one law that lies furthest off, it does so on {}.", listed(&left))
-        }
-    };
+    let rest = left.map_or_else(String::new, |left| {
+        let on = if left.is_empty() { "none".to_owned() } else { listed(&left) };
+        format!(" Without the one law that lies furthest off, the law matters more on {on}.")
+    });
     (!told.is_empty()).then(|| format!("**By {what}** {}.{rest}", told.join(", ")))
 }
 
@@ -112,10 +128,12 @@ fn in_short_by(
         Measure::Area => "real area and, turned over, mean real pressure",
     };
     let members = match group(results) {
-        Group::Passing => "the laws that pass from elastic to plastic",
+        Group::Passing => "the laws that go beyond elastic contact",
         Group::All => "the laws",
     };
-    let verdict = if law.mean > model.mean {
+    let verdict = if !is_told(influence, measure, &model) {
+        "Integral and sum cannot be told apart here, so that nothing is said of which matters more".to_owned()
+    } else if law.mean > model.mean {
         format!("The law matters {} as much as the adding-up", times(law.mean / model.mean))
     } else {
         format!("The adding-up matters {} as much as the law", times(model.mean / law.mean))
@@ -141,8 +159,8 @@ fn in_short_by(
         size(measure, model.largest),
         quantity(model.at, "Pa"),
         match measure {
-            Measure::Separation => "",
-            Measure::Area => ", in logarithms",
+            Measure::Area if is_told(influence, measure, &model) => ", in logarithms",
+            _ => "",
         },
         chance(measure, influence, &model),
     ))
@@ -164,17 +182,23 @@ fn without_furthest(
     Some((furthest, left))
 }
 
+/// Whether the gap between the models is more than the sampling error of the sum leaves.
+fn is_told(influence: &Influence, measure: Measure, model: &Weight) -> bool {
+    let error = influence.of_sampling(measure, 0).map_or(0.0, |error| error.mean);
+    model.mean > TOLD * error
+}
+
 /// How much of the gap between the models may be chance.
 fn chance(measure: Measure, influence: &Influence, model: &Weight) -> String {
     let Some(error) = influence.of_sampling(measure, 0) else { return String::new() };
     let errors = model.mean / error.mean;
-    let (bound, many) = match measure {
-        Measure::Separation => ("is", ""),
-        Measure::Area => ("is at most", " or more"),
+    let bound = match measure {
+        Measure::Separation => "is",
+        Measure::Area => "is at most",
     };
     let judged = if errors < SIGNIFICANT { ", which leaves room for chance" } else { "" };
     format!(
-        "The sampling error of the sum {bound} {} in the mean: the gap between the models is {errors:.1}{many} times that{judged}.",
+        "The sampling error of the sum {bound} {} in the mean: the gap between the models is {errors:.1} times that{judged}.",
         size(measure, error.mean),
     )
 }
@@ -232,8 +256,8 @@ fn load_by_load(page: &mut Page, influence: &Influence, measure: Measure) {
     let first = escape(&influence.laws[0]);
     page.paragraph(&match measure {
         Measure::Separation => format!(
-            "**d/σ at equal load**: the largest minus the smallest over the laws under each model, all laws and those that pass from \
-             elastic to plastic; integral minus sum under {first} and under the passing law where it is largest; the standard error of the \
+            "**d/σ at equal load**: the largest minus the smallest over the laws under each model, all laws and those that go beyond \
+             elastic contact; integral minus sum under {first} and under the passing law where it is largest; the standard error of the \
              sum under {first}. Last: passing laws under the sum over the gap under {first}. Loads with a word beside them do not count."
         ),
         Measure::Area => "**Real area at equal load**, the same in ratios: the largest over the smallest; integral over sum; the \
@@ -268,7 +292,10 @@ fn load_row(at: &AtLoad, measure: Measure) -> Vec<String> {
         Measure::Area => percent(error),
     });
     let gap = at.gap(measure, 0);
+    // Beside a gap that may be none, a ratio says nothing.
+    let is_told = gap.abs() > TOLD * at.sampling_error(measure, 0).unwrap_or(0.0);
     let ratio = at.spread(measure, Group::Passing, Kind::Deterministic).map(|law| law / gap.abs());
+    let ratio = ratio.filter(|_| is_told);
     vec![
         format!("{}{}", quantity(at.pressure, "Pa"), remark(at)),
         spread(Group::All, Kind::Statistical),

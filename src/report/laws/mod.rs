@@ -19,12 +19,9 @@ use crate::experiment::results::{CaseResults, SurfaceResults};
 use crate::experiment::{LARGEST_SLOPE, LawOnOne, LawsResults};
 use crate::sphere::Boundary;
 
-/// A jump is more than what a continuous law changes over the width of a boundary.
-const ROUNDING: f64 = 1e-9;
-
 /// Whether load or area jumps at a boundary.
 fn is_jump(boundary: &Boundary) -> bool {
-    boundary.load_jump().abs() > ROUNDING || boundary.area_jump().abs() > ROUNDING
+    boundary.load_jump() != 0.0 || boundary.area_jump() != 0.0
 }
 
 /// a/R of a contact on the one asperity.
@@ -32,13 +29,14 @@ fn slope(results: &LawsResults, contact: &Contact) -> f64 {
     (contact.area / PI).sqrt() / results.radius
 }
 
-/// The smallest indentation (m) at which strains are no longer small under one of the laws.
-fn steep_from(results: &LawsResults) -> Option<f64> {
-    let first = |law: &LawOnOne| {
-        let is_steep = |contact: &Contact| slope(results, contact) > LARGEST_SLOPE;
-        law.curve.trace.iter().find(|point| is_steep(&point.contact)).map(|point| point.indentation)
-    };
-    results.laws.iter().filter_map(first).reduce(f64::min)
+/// The smallest indentation (m) at which strains are no longer small under one of the laws, and that law.
+fn steep_from(results: &LawsResults) -> Option<(f64, &LawOnOne)> {
+    let is_steep = |contact: &Contact| slope(results, contact) > LARGEST_SLOPE;
+    let steep = results.laws.iter().filter_map(|law| {
+        let first = law.curve.trace.iter().find(|point| is_steep(&point.contact))?;
+        Some((first.indentation, law))
+    });
+    steep.min_by(|a, b| a.0.total_cmp(&b.0))
 }
 
 /// The page.
@@ -50,7 +48,10 @@ pub fn page(results: &LawsResults) -> Page {
         page.warning(&escape(&warning));
     }
     page.heading(2, "In short");
-    page.bullets(influence::verdict(results));
+    let verdict = influence::verdict(results);
+    if !verdict.is_empty() {
+        page.bullets(verdict);
+    }
     for found in &compared.surfaces {
         page.bullets(influence::in_short(results, found));
     }
@@ -73,7 +74,7 @@ fn on_one_in_short(results: &LawsResults) -> Vec<String> {
     let unit = results.critical.indentation;
     let jumps = |law: &LawOnOne, of: fn(&Boundary) -> f64| {
         let at = |at: &Boundary| format!("{} at {}", signed_percent(of(at)), number(at.indentation / unit));
-        let large = law.boundaries.iter().filter(|at| of(at).abs() > ROUNDING);
+        let large = law.boundaries.iter().filter(|at| of(at) != 0.0);
         let each: Vec<String> = large.map(at).collect();
         (!each.is_empty()).then(|| format!("{} {}", escape(&law.law), listed(&each)))
     };
@@ -85,11 +86,12 @@ fn on_one_in_short(results: &LawsResults) -> Vec<String> {
         format!("**Jumps of the load** on one asperity, at w/wc: {}.", all(Boundary::load_jump)),
         format!("**Jumps of the area**: {}.", all(Boundary::area_jump)),
     ];
-    if let Some(steep) = steep_from(results) {
+    if let Some((steep, law)) = steep_from(results) {
         lines.push(format!(
-            "**Small strains** end near w/wc = {}, where the contact radius passes {LARGEST_SLOPE} of the asperity's; at {} the \
-             indentation is the radius itself. Beyond that the curves show the laws, not contacts.",
+            "**Small strains** end near w/wc = {}, where the contact radius passes {LARGEST_SLOPE} of the asperity's under the first of \
+             the laws ({}); at {} the indentation is the radius itself. Beyond that the curves show the laws, not contacts.",
             number(steep / unit),
+            escape(&law.law),
             number(results.radius / unit),
         ));
     }
@@ -108,7 +110,7 @@ fn laws(page: &mut Page, results: &LawsResults) {
     let first = &results.laws[0].law;
     page.paragraph(&format!(
         "The others are compared with the first, {}. Laws of one regime (hertz, fully-plastic) are limits: what is said of the \
-         laws that pass from elastic to plastic leaves them out. Equations and their numbers: docs/theory.md.",
+         laws that go beyond elastic contact leaves them out. Equations and their numbers: docs/theory.md.",
         escape(first)
     ));
 }
@@ -184,9 +186,9 @@ fn strains(results: &LawsResults, at: &Boundary) -> &'static str {
     }
 }
 
-/// "+50 %", or "none" of what is rounding.
+/// "+50 %", or "none".
 fn signed_percent(jump: f64) -> String {
-    if jump.abs() <= ROUNDING {
+    if jump == 0.0 {
         return "none".to_owned();
     }
     let sign = if jump > 0.0 { "+" } else { "" };

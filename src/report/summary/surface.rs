@@ -37,12 +37,15 @@ pub struct SurfaceSummary<'a> {
 struct EllipticitySummary {
     mean_curvature_per_m: f64,
     /// The larger principal curvature over the smaller one, as in a spec: one over the mean of the smaller over the larger.
-    mean_curvature_ratio: f64,
+    mean_smaller_over_larger_curvature: f64,
 }
 
 impl From<Ellipticity> for EllipticitySummary {
     fn from(mean: Ellipticity) -> Self {
-        Self { mean_curvature_per_m: mean.mean_curvature, mean_curvature_ratio: mean.mean_ratio.recip() }
+        Self {
+            mean_curvature_per_m: mean.mean_curvature,
+            mean_smaller_over_larger_curvature: mean.mean_ratio,
+        }
     }
 }
 
