@@ -7,8 +7,8 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 use asperity::asperity::{AsperitySet, Draw, HeightDensity, Ordered, Population};
 use asperity::coating::{Coating, Rule};
 use asperity::contact::{Contact, Regime};
-use asperity::interface::{Layered, LoadBounds, MicroContact, Shapes};
-use asperity::law::{Ceb, Shape, Zmc};
+use asperity::interface::{Flat, Layered, LoadBounds, MicroContact, Shapes};
+use asperity::law::{Ceb, KogutEtsion, Shape, Zmc};
 use asperity::literature::Paper;
 use asperity::material::Material;
 use asperity::model::{Datum, Deterministic, Model, Statistical};
@@ -172,24 +172,33 @@ impl MicroContact for Counted<'_> {
 }
 
 /// Hard films more than 1 + e^2 times as hard as what is below, under one asperity and under many: against a scan from
-/// above, at loads next to each peak and anywhere. A search of a sum takes some hundred bounds of it at the most.
+/// above, at loads next to each peak and anywhere. A search of a sum takes some hundred bounds of it.
 #[test]
 fn where_the_load_falls_the_first_reach_counts() {
     let mut random = Random::new(5);
     let (mut peaks, mut most) = (0, 0);
-    for k in 0..24 {
-        let substrate = Material::new(random.log(5e10, 4e11), 0.3, Some(random.log(1e8, 1e9)), None).unwrap();
+    for k in 0..36 {
+        // With the second of the ratios of Poisson the load of Kogut and Etsion falls as it becomes plastic.
+        let poisson = random.one_of(&[0.3, 0.45]);
+        let substrate =
+            Material::new(random.log(5e10, 4e11), poisson, Some(random.log(1e8, 1e9)), None).unwrap();
         let hardness = substrate.hardness().unwrap() * random.log(9.0, 60.0);
         let layer =
             Material::new(substrate.young() * random.log(0.5, 10.0), 0.25, Some(hardness), None).unwrap();
         let rough = Material::new(1.1e12, 0.1, None, None).unwrap();
         let sigma = random.log(3e-9, 3e-7);
         let coating = Coating::new(&layer, &substrate, sigma * random.log(0.03, 10.0), Rule::Gao).unwrap();
-        let law = Zmc::new(random.one_of(&[Zmc::ONSET, Zmc::ONSET, 0.4, 0.89]), 54.0).unwrap();
-        let contact = Layered::new(law, &rough, &substrate, coating).unwrap();
-        let contact = Counted(&contact, AtomicUsize::new(0));
+        let onset = random.one_of(&[Zmc::ONSET, Zmc::ONSET, 0.4, 0.89]);
+        let flat = Flat::Coated { substrate, coating };
+        let contact = match k % 6 {
+            4 => flat.under(Ceb, &rough),
+            5 => flat.under(KogutEtsion, &rough),
+            _ => flat.under(Zmc::new(onset, 54.0).unwrap(), &rough),
+        };
+        let contact = contact.unwrap();
+        let contact = Counted(&*contact, AtomicUsize::new(0));
         let population = Population { radius: 1e-5, sigma, density: 1e10, heights: HeightDensity::Gaussian };
-        let count = [1, 3, 30, 600][k % 4];
+        let count = random.one_of(&[1, 3, 30, 600]);
         let drawn = population.set(count, Draw::Random([k as u8; 32])).unwrap();
         let radii = drawn.radii().iter().map(|b| b * random.log(0.3, 3.0)).collect();
         let set = AsperitySet::new(drawn.heights().to_vec(), radii, drawn.nominal_area()).unwrap();
@@ -222,5 +231,5 @@ fn where_the_load_falls_the_first_reach_counts() {
     }
     println!("{peaks} peaks, at most {most} bounds");
     assert!(peaks > 10, "{peaks}");
-    assert!(most < 1000, "{most} bounds of a sum in one search");
+    assert!(most < 1500, "{most} bounds of a sum in one search");
 }
