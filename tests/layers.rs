@@ -168,6 +168,24 @@ fn a_threshold_is_where_the_area_has_changed_by_5_percent() {
     }
 }
 
+/// Jackson and Green's law says nothing of a layer of finite thickness, and so nothing of where one begins to matter.
+#[test]
+fn a_law_without_layers_has_no_threshold() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("limits.toml");
+    let words = spec("flat = \"steel\"\nlayer = { material = \"lead\", thickness = [0, \"inf\"] }")
+        .replace("hardness = \"7.6 GPa\"", "hardness = \"7.6 GPa\"\nyield-strength = \"2.7 GPa\"")
+        .replace("hardness = \"0.17 GPa\"", "hardness = \"0.17 GPa\"\nyield-strength = \"0.06 GPa\"")
+        .replace("\"hertz\"", "\"jackson-green\"");
+    std::fs::write(&path, words).unwrap();
+    let Results::Compare(found) = Experiment::read(&path).unwrap().run(&Silent).unwrap() else {
+        panic!("a comparison")
+    };
+    let of = |law: &str| found.surfaces[0].thresholds.iter().filter(|found| found.law == law).count();
+    assert_eq!((of("zmc"), of("jackson-green")), (4, 0));
+    assert_eq!(found.surfaces[0].first.cases.len(), 4);
+}
+
 #[test]
 fn a_rule_outside_its_range_is_said_with_its_error() {
     let layer = |name: &str, rule: &str| {
