@@ -18,11 +18,11 @@ fn coated(c: &mut Criterion) {
         for (flat, contact) in flats() {
             let model = Statistical::new(&*contact, population);
             for h in [0.0, 2.0] {
-                group.bench_function(BenchmarkId::new(format!("integral at {h}, {case}"), &flat), |b| {
+                group.bench_function(BenchmarkId::new(format!("integral at {h}, {case}"), flat), |b| {
                     b.iter(|| model.respond(black_box(h)));
                 });
             }
-            group.bench_function(BenchmarkId::new(format!("breakpoints, {case}"), &flat), |b| {
+            group.bench_function(BenchmarkId::new(format!("breakpoints, {case}"), flat), |b| {
                 b.iter(|| contact.breakpoints(black_box(Shape::sphere(population.radius))));
             });
         }

@@ -22,7 +22,8 @@ fn body([young, poisson, hardness]: [f64; 3]) -> Material {
 /// K(m) and E(m) at q = 1 - m, by the arithmetic-geometric mean as the textbooks have it.
 fn complete(q: f64) -> [f64; 2] {
     let (mut a, mut g, mut c, mut sum, mut power) = (1.0, q.sqrt(), (1.0 - q).sqrt(), 0.0, 0.5);
-    while c > 1e-17 {
+    // Of what is left out the square alone counts; the means may stay a unit of rounding apart for ever.
+    while c > 1e-9 {
         sum += power * c * c;
         power *= 2.0;
         (a, g, c) = (0.5 * (a + g), (a * g).sqrt(), 0.5 * (a - g));
@@ -129,7 +130,7 @@ fn under_a_layer_an_ellipse_feels_the_circle_of_its_area() {
         assert!((found.area / (n * law.area) - 1.0).abs() < 1e-14);
         assert_eq!(found.regime, law.regime);
     });
-    assert!(touching.count() > 100 && touching.count() % 8 != 0);
+    assert!(touching.count() > 100 && !touching.count().is_multiple_of(8));
     assert_eq!(block.load(), single.load());
     assert_eq!(block.area(), single.area());
     let mut weighed = Tally::default();
