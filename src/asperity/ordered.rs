@@ -130,26 +130,4 @@ impl<'a> Asperities<'a> {
             see(z, self.shape(index));
         }
     }
-
-    /// Hands over all whole blocks of `N`, and answers with what is left.
-    #[inline]
-    pub fn each_block<const N: usize>(&self, mut see: impl FnMut([f64; N], [Shape; N])) -> Self {
-        let (blocks, rest) = self.heights.as_chunks::<N>();
-        let radii = self.radii.as_chunks::<N>().0;
-        match self.spheres {
-            None => {
-                for (heights, radii) in blocks.iter().zip(radii) {
-                    see(*heights, radii.map(Shape::sphere));
-                }
-            }
-            Some(spheres) => {
-                for (block, (heights, radii)) in blocks.iter().zip(radii).enumerate() {
-                    let spheres = &spheres[block * N..(block + 1) * N];
-                    let shape = |lane: usize| Shape { radius: radii[lane], spheres: spheres[lane] };
-                    see(*heights, std::array::from_fn(shape));
-                }
-            }
-        }
-        self.part(self.count() - rest.len()..self.count())
-    }
 }

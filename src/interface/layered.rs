@@ -108,20 +108,24 @@ impl<L: Similar> Layered<L> {
         let (poisson, poisson_slope) =
             if L::feels_poisson() { self.coating.poisson_lanes(w, b) } else { ([0.0; LANES], [0.0; LANES]) };
         std::array::from_fn(|lane| {
-            let flat = &flat[lane];
+            let (flat, rough) = (&flat[lane], &self.rough);
             let reduced_modulus = (self.rough_compliance + flat.compliance).recip();
             let of_flat = self.law.of_hardness(flat.hardness, poisson[lane]);
-            let onset_slope =
-                flat.hardness_slope + L::ONSET.slope / L::ONSET.at(poisson[lane]) * poisson_slope[lane];
+            let yields_first = of_flat.onset < rough.onset;
+            let onset = if yields_first { of_flat.onset } else { rough.onset };
+            // Where the onset is the strength itself, nothing is compared twice.
+            let (mut strength, mut onset_slope, mut is_weaker) = (onset, flat.hardness_slope, yields_first);
+            if L::feels_poisson() {
+                is_weaker = of_flat.strength < rough.strength;
+                strength = if is_weaker { of_flat.strength } else { rough.strength };
+                onset_slope += L::ONSET.slope / L::ONSET.at(poisson[lane]) * poisson_slope[lane];
+            }
+            let resistance = Resistance { onset, strength };
             Felt {
-                pair: Pair { reduced_modulus, resistance: of_flat.with(self.rough) },
+                pair: Pair { reduced_modulus, resistance },
                 modulus_slope: -reduced_modulus * flat.compliance_slope,
-                onset_slope: if of_flat.onset < self.rough.onset { onset_slope } else { 0.0 },
-                strength_slope: if of_flat.strength < self.rough.strength {
-                    flat.hardness_slope
-                } else {
-                    0.0
-                },
+                onset_slope: if yields_first { onset_slope } else { 0.0 },
+                strength_slope: if is_weaker { flat.hardness_slope } else { 0.0 },
             }
         })
     }
@@ -148,10 +152,29 @@ impl<L: Similar> Layered<L> {
     #[inline(always)]
     fn answer(&self, w: f64, shape: Shape, felt: &Felt) -> Contact {
         let contact = self.law.contact(w, shape.radius, &felt.pair);
-        let slope = if contact.regime == Regime::Plastic { felt.strength_slope } else { felt.onset_slope };
+        let is_plastic = L::feels_poisson() && contact.regime == Regime::Plastic;
+        let slope = if is_plastic { felt.strength_slope } else { felt.onset_slope };
         let stiffness = contact.stiffness * (1.0 + 2.0 * (felt.modulus_slope - slope))
             + contact.load / w * (3.0 * slope - 2.0 * felt.modulus_slope);
         Contact { stiffness, ..contact }.times(shape.spheres)
+    }
+
+    /// A block of asperities, of heights `z`, for each of which `n` spheres of radius `b` stand.
+    #[inline(always)]
+    fn press_block(
+        &self,
+        z: &[f64; SIDE_BY_SIDE],
+        b: &[f64; SIDE_BY_SIDE],
+        n: &[f64; SIDE_BY_SIDE],
+        separation: f64,
+        tally: &mut Tally,
+    ) {
+        let w = z.map(|z| z - separation);
+        let felt = self.felt(w, std::array::from_fn(|lane| n[lane] * b[lane]));
+        for lane in 0..SIDE_BY_SIDE {
+            let shape = Shape { radius: b[lane], spheres: n[lane] };
+            tally.add(&self.answer(w[lane], shape, &felt[lane]));
+        }
     }
 
     /// (w/b) (E*/onset)^2.
@@ -262,13 +285,16 @@ impl<L: Similar> MicroContact for Layered<L> {
     }
 
     fn press(&self, asperities: Asperities<'_>, separation: f64, tally: &mut Tally) {
-        let rest = asperities.each_block(|heights: [f64; SIDE_BY_SIDE], shapes| {
-            let w = heights.map(|z| z - separation);
-            let felt = self.felt(w, shapes.map(|shape| shape.spheres * shape.radius));
-            for ((felt, &w), &shape) in felt.iter().zip(&w).zip(&shapes) {
-                tally.add(&self.answer(w, shape, felt));
-            }
-        });
+        let (heights, rest) = asperities.heights().as_chunks();
+        let blocks = heights.iter().zip(asperities.radii().as_chunks().0);
+        match asperities.spheres() {
+            None => blocks.for_each(|(z, b)| self.press_block(z, b, &[1.0; SIDE_BY_SIDE], separation, tally)),
+            Some(spheres) => blocks
+                .zip(spheres.as_chunks().0)
+                .for_each(|((z, b), n)| self.press_block(z, b, n, separation, tally)),
+        }
+        let count = asperities.count();
+        let rest = asperities.part(count - rest.len()..count);
         rest.each(|z, shape| tally.add(&self.contact(z - separation, shape)));
     }
 
