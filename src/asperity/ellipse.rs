@@ -22,8 +22,9 @@ impl Ellipse {
         Self { mean_curvature: 0.5 * (kx + ky), curvature_ratio: kx.max(ky) / kx.min(ky) }
     }
 
-    /// From the principal curvatures (1/m, the larger first) of a summit, whose mean is positive. A summit that is no ellipse, since the smaller curvature
-    /// is not positive or next to nothing, is taken as the sphere of its mean curvature.
+    /// From the principal curvatures (1/m, the larger first) of a summit, whose mean is positive. A summit that is no
+    /// ellipse, since the smaller curvature is not positive or next to nothing, is taken as the sphere of its mean
+    /// curvature.
     pub fn of_summit(principal: [f64; 2]) -> Self {
         let [larger, smaller] = principal;
         let mean_curvature = 0.5 * (larger + smaller);

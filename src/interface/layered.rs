@@ -25,7 +25,7 @@ pub struct Layered<L> {
     reference: Reference,
     /// Where the load of the law jumps.
     jumps: Vec<Jump>,
-    /// One of the ratios of strength and onset that bodies between these have.
+    /// Strength over onset of one of the bodies; see [`Self::highest_load`].
     strength_over_onset: f64,
 }
 

@@ -44,6 +44,11 @@ pub fn page(results: &CompareResults) -> Page {
             }
         }
     }
+    if results.surfaces.iter().any(|found| laws(found).len() > 1) {
+        page.paragraph(
+            "An experiment of the kind `[laws]` sets laws beside each other, and against the adding-up.",
+        );
+    }
     head::what_was_run(&mut page, &results.head, &results.contact);
     if let Some(layer) = &results.contact.layer {
         layer::rule_section(&mut page, layer);
@@ -431,7 +436,8 @@ pub fn limits_of(lines: &mut Vec<String>, subject: &str, found: &SurfaceResults,
         contacts > 0.0 && contacts < crate::compare::FEWEST_CONTACTS
     });
     let few = few.count();
-    let jumps = curves().filter(|point| point.in_jump && point.control != Control::Separation).count();
+    let pressed = || curves().filter(|point| point.control != Control::Separation);
+    let jumps = pressed().filter(|point| point.in_jump).count();
     let unpaired: usize = cases.iter().map(|case| case.comparison.unpaired.len()).sum();
     if beyond > 0 {
         lines.push(format!(
@@ -448,8 +454,9 @@ pub fn limits_of(lines: &mut Vec<String>, subject: &str, found: &SurfaceResults,
     }
     if jumps > 0 {
         lines.push(format!(
-            "{subject}: at {jumps} points the load asked for lies in a jump of the law; the answer is the largest \
-             separation that carries at least as much, and `pressure_pa` exceeds `target`."
+            "{subject}: at {jumps} of {} points the load asked for lies in a jump of the law; the answer is the largest \
+             separation that carries at least as much, and `pressure_pa` exceeds `target`.",
+            pressed().count()
         ));
     }
     if unpaired > 0 {

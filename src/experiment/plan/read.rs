@@ -43,8 +43,8 @@ impl Reader<'_> {
         })
     }
 
-    /// Holds each law against the bodies that it will meet, the flats among them homogeneous; in which layers of finite
-    /// thickness a law is asked, is seen when it is.
+    /// Holds each law against the bodies that it will meet, as if each flat were homogeneous. Whether it stands under a
+    /// layer of finite thickness is seen when the contact is made.
     pub(super) fn check_laws(
         &self,
         laws: &Spanned<Laws>,
