@@ -252,4 +252,15 @@ mod tests {
             assert!(shape.radius.is_finite() && shape.spheres.is_finite());
         }
     }
+
+    /// The plastic area of n spheres beside the section of the paraboloid, 2 pi w/(kmax kmin)^.5.
+    #[test]
+    fn a_plastic_ellipse_falls_short_of_its_section() {
+        for (ratio, shortfall) in [(2.0, 0.0065), (10.0, 0.059), (100.0, 0.16), (1e6, 0.38)] {
+            let shape = Shape::ellipse(1.0, ratio);
+            let section = (1.0 + ratio) / (2.0 * f64::sqrt(ratio));
+            let found = 1.0 - shape.spheres * shape.radius / section;
+            assert!((found / shortfall - 1.0).abs() < 0.04, "{ratio}: {found}");
+        }
+    }
 }

@@ -35,23 +35,26 @@ struct Falls {
 
 impl Falls {
     fn of<C: MicroContact + ?Sized>(contact: &C, asperities: &Ordered) -> Self {
-        /// Classes of radii, so that one sharp asperity does not speak for all.
+        /// Classes of radii at the most, so that one sharp asperity does not speak for all.
         const CLASSES: u8 = 32;
         let (radii, spheres) = (asperities.radii(), asperities.spheres());
         if contact.may_fall(Shapes { radii, spheres }).is_empty() {
             return Self { within: Vec::new(), class: Vec::new(), from: f64::NEG_INFINITY };
         }
-        let step = (radii.high / radii.low).ln() / f64::from(CLASSES);
-        let end = |k: u8| radii.low * (step * f64::from(k)).exp();
+        let octaves = (radii.high / radii.low).log2();
+        let classes = if octaves > 0.0 { CLASSES } else { 1 };
+        let step = octaves / f64::from(classes);
+        let end = |k: u8| radii.low * (step * f64::from(k)).exp2();
         // Ends are rounded: classes overlap a little.
         let shapes = |k: u8| Shapes {
             radii: Interval { low: end(k) * (1.0 - 1e-9), high: end(k + 1) * (1.0 + 1e-9) },
             spheres,
         };
-        let within: Vec<Vec<Interval>> = (0..CLASSES).map(|k| contact.may_fall(shapes(k))).collect();
+        let within: Vec<Vec<Interval>> = (0..classes).map(|k| contact.may_fall(shapes(k))).collect();
         let all = asperities.above(f64::NEG_INFINITY);
-        let place = |&b: &f64| (((b / radii.low).ln() / step) as u8).min(CLASSES - 1);
-        let class: Vec<u8> = all.radii().iter().map(place).collect();
+        let place = |&b: &f64| (((b / radii.low).log2() / step) as u8).min(classes - 1);
+        let class: Vec<u8> =
+            if classes == 1 { vec![0; all.count()] } else { all.radii().iter().map(place).collect() };
         let first = |&k: &u8| within[usize::from(k)].first().map_or(f64::INFINITY, |range| range.low);
         let firsts = all.heights().iter().zip(&class).map(|(z, k)| z - first(k));
         Self { from: firsts.fold(f64::NEG_INFINITY, f64::max), within, class }
