@@ -57,52 +57,42 @@ pub enum Equations {
 }
 
 impl LawSpec {
-    /// The names of all laws.
-    pub const NAMES: [&'static str; 8] = [
-        "hertz",
-        "zmc",
-        "ceb",
-        "kogut-etsion",
-        "jackson-green",
-        "fully-plastic",
-        "elliptic-hertz",
-        "elliptic-zmc",
-    ];
-
-    fn spherical(equations: Equations) -> Self {
-        Self { equations, summit: Summit::Sphere }
-    }
-
-    fn elliptic(equations: Equations) -> Self {
-        Self { equations, summit: Summit::Ellipse }
+    /// All laws, without options.
+    fn all() -> [Self; 8] {
+        let zmc = Equations::Zmc { law: Zmc::default(), onset: None, transition_ratio: None };
+        let sphere = |equations| Self { equations, summit: Summit::Sphere };
+        let ellipse = |equations| Self { equations, summit: Summit::Ellipse };
+        [
+            sphere(Equations::Hertz),
+            sphere(zmc),
+            sphere(Equations::Ceb),
+            sphere(Equations::KogutEtsion),
+            sphere(Equations::JacksonGreen),
+            sphere(Equations::FullyPlastic),
+            ellipse(Equations::Hertz),
+            ellipse(zmc),
+        ]
     }
 
     /// The law of a name, without options.
     fn named(name: &str) -> Option<Self> {
-        let zmc = Equations::Zmc { law: Zmc::default(), onset: None, transition_ratio: None };
-        Some(match name {
-            "hertz" => Self::spherical(Equations::Hertz),
-            "zmc" => Self::spherical(zmc),
-            "ceb" => Self::spherical(Equations::Ceb),
-            "kogut-etsion" => Self::spherical(Equations::KogutEtsion),
-            "jackson-green" => Self::spherical(Equations::JacksonGreen),
-            "fully-plastic" => Self::spherical(Equations::FullyPlastic),
-            "elliptic-hertz" => Self::elliptic(Equations::Hertz),
-            "elliptic-zmc" => Self::elliptic(zmc),
-            _ => return None,
-        })
+        Self::all().into_iter().find(|law| law.label() == name)
+    }
+
+    /// The law of the equations.
+    fn law(&self) -> Box<dyn AnyLaw> {
+        match self.equations {
+            Equations::Hertz => Box::new(On(Hertz, Flat::under)),
+            Equations::Zmc { law, .. } => Box::new(On(law, Flat::under)),
+            Equations::Ceb => Box::new(On(Ceb, Flat::under)),
+            Equations::KogutEtsion => Box::new(On(KogutEtsion, Flat::under)),
+            Equations::JacksonGreen => Box::new(On(JacksonGreen::default(), Flat::homogeneous_under)),
+            Equations::FullyPlastic => Box::new(On(FullyPlastic, Flat::under)),
+        }
     }
 
     /// How tables and plots name the law: its options stand behind it.
     pub fn label(&self) -> String {
-        let name = match self.equations {
-            Equations::Hertz => "hertz",
-            Equations::Zmc { .. } => "zmc",
-            Equations::Ceb => "ceb",
-            Equations::KogutEtsion => "kogut-etsion",
-            Equations::JacksonGreen => "jackson-green",
-            Equations::FullyPlastic => "fully-plastic",
-        };
         let shape = if self.summit == Summit::Ellipse { "elliptic-" } else { "" };
         let mut options = Vec::new();
         if let Equations::Zmc { onset, transition_ratio, .. } = self.equations {
@@ -110,7 +100,7 @@ impl LawSpec {
             options.extend(given.filter_map(|(name, value)| Some(format!("{name}={}", value?))));
         }
         let options = if options.is_empty() { String::new() } else { format!("({})", options.join(" ")) };
-        format!("{shape}{name}{options}")
+        format!("{shape}{}{options}", self.law().name())
     }
 
     /// Whether it is the same law, whatever options its words spell out.
@@ -124,7 +114,7 @@ impl LawSpec {
 
     /// Whether it is purely elastic spheres, with a closed form for Gaussian heights.
     pub fn is_greenwood_williamson(&self) -> bool {
-        *self == Self::spherical(Equations::Hertz)
+        *self == Self { equations: Equations::Hertz, summit: Summit::Sphere }
     }
 
     /// The property of the bodies that it takes their yielding from.
@@ -146,17 +136,7 @@ impl LawSpec {
     /// # Errors
     /// See [`Inapplicable`].
     pub fn check(&self, rough: &Material, flat: &Material) -> Result<(), Inapplicable> {
-        fn check(law: &impl Law, rough: &Material, flat: &Material) -> Result<(), Inapplicable> {
-            Pair::between(law, rough, flat).map(|_| ())
-        }
-        match self.equations {
-            Equations::Hertz => check(&Hertz, rough, flat),
-            Equations::Zmc { law, .. } => check(&law, rough, flat),
-            Equations::Ceb => check(&Ceb, rough, flat),
-            Equations::KogutEtsion => check(&KogutEtsion, rough, flat),
-            Equations::JacksonGreen => check(&JacksonGreen::default(), rough, flat),
-            Equations::FullyPlastic => check(&FullyPlastic, rough, flat),
-        }
+        self.law().check(rough, flat)
     }
 
     /// The micro-contact of a rough and a flat body under this law. The law is chosen here, once a run.
@@ -164,33 +144,21 @@ impl LawSpec {
     /// # Errors
     /// See [`Inapplicable`].
     pub fn interface(&self, rough: &Material, flat: &Flat) -> Result<Box<dyn MicroContact>, Inapplicable> {
-        match self.equations {
-            Equations::Hertz => flat.under(Hertz, rough),
-            Equations::Zmc { law, .. } => flat.under(law, rough),
-            Equations::Ceb => flat.under(Ceb, rough),
-            Equations::KogutEtsion => flat.under(KogutEtsion, rough),
-            Equations::JacksonGreen => flat.homogeneous_under(JacksonGreen::default(), rough),
-            Equations::FullyPlastic => flat.under(FullyPlastic, rough),
-        }
+        self.law().on(flat, rough)
     }
 
     /// What it is and where it holds, in a line of a report.
     pub fn about(&self) -> &'static str {
         match (self.summit, self.equations) {
-            (Summit::Sphere, Equations::Hertz) => Hertz.about(),
-            (Summit::Sphere, Equations::Zmc { law, .. }) => law.about(),
             (Summit::Ellipse, Equations::Zmc { .. }) => {
                 "The regimes of Zhao, Maietta and Chang on an elliptic paraboloid: Hertz's ellipse of the two principal \
                  curvatures, its own onset of yield. Derived here from Hertz's solution, not fitted."
             }
-            (_, Equations::Ceb) => Ceb.about(),
-            (_, Equations::KogutEtsion) => KogutEtsion.about(),
-            (_, Equations::JacksonGreen) => JacksonGreen::default().about(),
-            (_, Equations::FullyPlastic) => FullyPlastic.about(),
             (Summit::Ellipse, Equations::Hertz) => {
                 "Hertz's elastic contact of an elliptic paraboloid of two principal curvatures. Holds below the onset of \
                  yield."
             }
+            _ => self.law().about(),
         }
     }
 
@@ -200,6 +168,34 @@ impl LawSpec {
             Summit::Sphere => &[],
             Summit::Ellipse => &[literature::JOHNSON_1985],
         }
+    }
+}
+
+/// A law, which one it may be.
+trait AnyLaw {
+    fn name(&self) -> &'static str;
+    fn about(&self) -> &'static str;
+    fn check(&self, rough: &Material, flat: &Material) -> Result<(), Inapplicable>;
+    fn on(&self, flat: &Flat, rough: &Material) -> OnFlat;
+}
+
+/// A law and how it is put on a flat.
+struct On<L>(L, fn(&Flat, L, &Material) -> OnFlat);
+
+type OnFlat = Result<Box<dyn MicroContact>, Inapplicable>;
+
+impl<L: Law> AnyLaw for On<L> {
+    fn name(&self) -> &'static str {
+        self.0.name()
+    }
+    fn about(&self) -> &'static str {
+        self.0.about()
+    }
+    fn check(&self, rough: &Material, flat: &Material) -> Result<(), Inapplicable> {
+        Pair::between(&self.0, rough, flat).map(|_| ())
+    }
+    fn on(&self, flat: &Flat, rough: &Material) -> OnFlat {
+        (self.1)(flat, self.0.clone(), rough)
     }
 }
 
@@ -288,7 +284,7 @@ impl TryFrom<Options> for LawSpec {
 
 /// The names of all laws, for a refusal.
 fn allowed() -> String {
-    LawSpec::NAMES.map(|name| format!("\"{name}\"")).join(", ")
+    LawSpec::all().map(|law| format!("\"{}\"", law.label())).join(", ")
 }
 
 impl<'de> Deserialize<'de> for LawSpec {
