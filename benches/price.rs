@@ -6,7 +6,7 @@ mod cases;
 use std::hint::black_box;
 use std::time::Instant;
 
-use asperity::asperity::{Draw, Ellipse, Ordered};
+use asperity::asperity::{Asperities, Draw, Ellipse, Ellipses};
 use asperity::interface::MicroContact;
 use asperity::model::{Datum, Deterministic, Model};
 use cases::{CASES, flats, laws};
@@ -17,16 +17,16 @@ const ROUNDS: usize = 15;
 struct Sums<'a> {
     name: &'a str,
     contact: &'a dyn MicroContact,
-    asperities: &'a Ordered,
+    asperities: Asperities<'a>,
 }
 
 fn main() {
     for (case, population) in CASES {
         let set = population.set(1_000_000, Draw::Random([1; 32])).expect("a million asperities");
-        let spheres = Ordered::new(&set);
+        let spheres = set.spheres();
         let under = |name, contact, asperities| Sums { name, contact, asperities };
         let flats = flats();
-        let layers = flats.iter().map(|(flat, contact)| under(flat, &**contact, &spheres));
+        let layers = flats.iter().map(|(flat, contact)| under(flat, &**contact, spheres));
         alternate(case, population.sigma, &layers.collect::<Vec<_>>());
 
         // Ellipses of every ratio up to 10.
@@ -35,15 +35,14 @@ fn main() {
             curvature_ratio: 1.0 + 9.0 * (k % 1000) as f64 / 999.0,
         };
         let ellipses = (0..set.count()).map(ellipse).collect();
-        let set = set.with_ellipses(ellipses).expect("an ellipse each");
+        let set = set.clone().with_ellipses(ellipses).expect("an ellipse each");
         let start = Instant::now();
-        let ellipses = Ordered::of_ellipses(&set).expect("a set of ellipses");
-        println!("{case}: ordering a million ellipses {:.1} ms", 1e3 * start.elapsed().as_secs_f64());
+        let ellipses = Ellipses::of(&set).expect("a set of ellipses");
+        println!("{case}: the spheres of a million ellipses {:.1} ms", 1e3 * start.elapsed().as_secs_f64());
         let laws = laws();
-        let mut sums: Vec<Sums> =
-            laws.iter().map(|(law, contact)| under(law, &**contact, &spheres)).collect();
-        sums.push(under("elliptic-zmc", &*laws[0].1, &ellipses));
-        sums.push(under("elliptic-hertz", &*laws[1].1, &ellipses));
+        let mut sums: Vec<Sums> = laws.iter().map(|(law, contact)| under(law, &**contact, spheres)).collect();
+        sums.push(under("elliptic-zmc", &*laws[0].1, ellipses.asperities()));
+        sums.push(under("elliptic-hertz", &*laws[1].1, ellipses.asperities()));
         alternate(case, population.sigma, &sums);
     }
 }
@@ -56,7 +55,7 @@ fn alternate(case: &str, sigma: f64, all: &[Sums]) {
         for (sums, times) in all.iter().zip(&mut times) {
             let model = Deterministic::new(sums.contact, sums.asperities, Datum { mean: 0.0, sigma });
             let start = Instant::now();
-            black_box(separations.iter().map(|&h| model.respond(h).pressure.total()).sum::<f64>());
+            black_box(model.respond_all(&separations));
             times.push(start.elapsed().as_secs_f64());
         }
     }

@@ -1,6 +1,7 @@
 //! What one micro-contact answers, and what many of them add up to.
 
-use crate::numeric::Sum;
+use crate::numeric::lanes::{Mask, Real, Work, run};
+use crate::numeric::sum::{Parted, Sums};
 
 /// How an asperity carries its load.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
@@ -40,16 +41,50 @@ pub struct Contact {
     pub regime: Regime,
 }
 
-impl Contact {
-    /// What `count` of them answer side by side.
+/// The answers of asperities side by side.
+#[derive(Debug, Clone, Copy)]
+pub struct Contacts<N: Real> {
+    /// Real contact areas, m^2.
+    pub area: N,
+    /// Normal loads, N.
+    pub load: N,
+    /// dP/dw, N/m.
+    pub stiffness: N,
+    /// Which are elastic.
+    pub elastic: N::Mask,
+    /// Which are plastic.
+    pub plastic: N::Mask,
+}
+
+impl<N: Real> Contacts<N> {
+    /// Those of `yes` where `mask` is, those of `no` elsewhere.
     #[inline(always)]
-    pub fn times(self, count: f64) -> Self {
+    pub fn choose(mask: N::Mask, yes: &Self, no: &Self) -> Self {
         Self {
-            area: count * self.area,
-            load: count * self.load,
-            stiffness: count * self.stiffness,
-            regime: self.regime,
+            area: N::choose(mask, yes.area, no.area),
+            load: N::choose(mask, yes.load, no.load),
+            stiffness: N::choose(mask, yes.stiffness, no.stiffness),
+            elastic: (mask & yes.elastic) | (!mask & no.elastic),
+            plastic: (mask & yes.plastic) | (!mask & no.plastic),
         }
+    }
+
+    /// What `count` of each answer side by side.
+    #[inline(always)]
+    pub fn times(self, count: N) -> Self {
+        Self { area: self.area * count, load: self.load * count, stiffness: self.stiffness * count, ..self }
+    }
+}
+
+impl From<Contacts<f64>> for Contact {
+    #[inline(always)]
+    fn from(one: Contacts<f64>) -> Self {
+        let regime = match one {
+            Contacts { elastic: true, .. } => Regime::Elastic,
+            Contacts { plastic: true, .. } => Regime::Plastic,
+            _ => Regime::ElasticPlastic,
+        };
+        Self { area: one.area, load: one.load, stiffness: one.stiffness, regime }
     }
 }
 
@@ -74,12 +109,12 @@ impl ByRegime {
 /// whole; the order of merging is the caller's to fix.
 #[derive(Debug, Clone, Copy, Default)]
 pub struct Tally {
-    contacts: Sum,
-    area: [Sum; 3],
-    load: [Sum; 3],
-    stiffness: Sum,
-    area_squared: Sum,
-    load_squared: Sum,
+    contacts: Parted,
+    area: [Parted; 3],
+    load: [Parted; 3],
+    stiffness: Parted,
+    area_squared: Parted,
+    load_squared: Parted,
 }
 
 impl Tally {
@@ -112,14 +147,21 @@ impl Tally {
 
     /// Adds the tally of another part.
     pub fn merge(&mut self, other: &Self) {
-        self.contacts.merge(&other.contacts);
-        for regime in 0..3 {
-            self.area[regime].merge(&other.area[regime]);
-            self.load[regime].merge(&other.load[regime]);
+        run(Merge(self, other));
+    }
+
+    /// Adds what was tallied side by side.
+    #[inline(always)]
+    pub fn add_lanes<N: Real>(&mut self, lanes: &SideBySide<N>) {
+        self.contacts.add(lanes.count as f64);
+        self.contacts.add_lanes(&lanes.weights);
+        for (regime, _) in lanes.holds.iter().enumerate().filter(|(_, holds)| **holds) {
+            self.area[regime].add_lanes(&lanes.area[regime]);
+            self.load[regime].add_lanes(&lanes.load[regime]);
         }
-        self.stiffness.merge(&other.stiffness);
-        self.area_squared.merge(&other.area_squared);
-        self.load_squared.merge(&other.load_squared);
+        self.stiffness.add_lanes(&lanes.stiffness);
+        self.area_squared.add_lanes(&lanes.area_squared);
+        self.load_squared.add_lanes(&lanes.load_squared);
     }
 
     /// Number of contacts.
@@ -151,6 +193,176 @@ impl Tally {
     /// Standard error of the total load, N; see [`Tally::area_error`].
     pub fn load_error(&self, count: usize) -> f64 {
         sampling_error(self.load_squared.value(), self.load().total(), count)
+    }
+}
+
+struct Merge<'a>(&'a mut Tally, &'a Tally);
+
+impl Work for Merge<'_> {
+    type Output = ();
+
+    #[inline(always)]
+    fn with<N: Real>(self, zero: N) {
+        let Self(all, part) = self;
+        all.contacts.merge(&part.contacts, zero);
+        for regime in 0..3 {
+            all.area[regime].merge(&part.area[regime], zero);
+            all.load[regime].merge(&part.load[regime], zero);
+        }
+        all.stiffness.merge(&part.stiffness, zero);
+        all.area_squared.merge(&part.area_squared, zero);
+        all.load_squared.merge(&part.load_squared, zero);
+    }
+}
+
+/// A tally of contacts side by side.
+pub struct SideBySide<N> {
+    zero: N,
+    /// How many real contacts.
+    count: usize,
+    /// Weights of others.
+    weights: Sums<N>,
+    /// Regimes of which there was a contact.
+    holds: [bool; 3],
+    area: [Sums<N>; 3],
+    load: [Sums<N>; 3],
+    stiffness: Sums<N>,
+    area_squared: Sums<N>,
+    load_squared: Sums<N>,
+}
+
+/// Few contacts, added plainly: a sum of [`FEW`] positive terms is off by three roundings at the most.
+pub struct Handful<N> {
+    zero: N,
+    count: usize,
+    holds: [bool; 3],
+    area: [N; 3],
+    load: [N; 3],
+    stiffness: N,
+    area_squared: N,
+    load_squared: N,
+}
+
+/// How many contacts a lane adds before what its sum loses to rounding is kept.
+pub const FEW: usize = 4;
+
+impl<N: Real> SideBySide<N> {
+    /// Of nothing, with the lanes of `zero`.
+    #[inline(always)]
+    pub fn new(zero: N) -> Self {
+        let sums = Sums::new(zero);
+        Self {
+            zero,
+            count: 0,
+            weights: sums,
+            holds: [false; 3],
+            area: [sums; 3],
+            load: [sums; 3],
+            stiffness: sums,
+            area_squared: sums,
+            load_squared: sums,
+        }
+    }
+
+    /// Adds real contacts of all lanes.
+    #[inline(always)]
+    pub fn add(&mut self, few: &Handful<N>) {
+        self.count += few.count;
+        self.add_few(few);
+    }
+
+    /// Adds the real contacts of some lanes, `count` of them.
+    #[inline(always)]
+    pub fn add_part(&mut self, contact: &Contacts<N>, present: N::Mask, count: usize) {
+        let mut few = Handful::new(self.zero);
+        few.add(&Contacts {
+            area: N::choose(present, contact.area, self.zero),
+            load: N::choose(present, contact.load, self.zero),
+            stiffness: N::choose(present, contact.stiffness, self.zero),
+            elastic: contact.elastic | !present,
+            plastic: contact.plastic & present,
+        });
+        self.count += count;
+        self.add_few(&few);
+    }
+
+    #[inline(always)]
+    fn add_few(&mut self, few: &Handful<N>) {
+        for regime in 0..3 {
+            if few.holds[regime] {
+                self.holds[regime] = true;
+                self.area[regime].add(few.area[regime]);
+                self.load[regime].add(few.load[regime]);
+            }
+        }
+        self.stiffness.add(few.stiffness);
+        self.area_squared.add(few.area_squared);
+        self.load_squared.add(few.load_squared);
+    }
+
+    /// Adds `weights` contacts of each kind (quadrature weights, in the statistical model).
+    #[inline(always)]
+    pub fn weigh(&mut self, contact: Contacts<N>, weights: N) {
+        let mut few = Handful::new(self.zero);
+        few.add(&contact.times(weights));
+        self.weights.add(weights);
+        for regime in 0..3 {
+            if few.holds[regime] {
+                self.holds[regime] = true;
+                self.area[regime].add(few.area[regime]);
+                self.load[regime].add(few.load[regime]);
+            }
+        }
+        self.stiffness.add(few.stiffness);
+    }
+}
+
+impl<N: Real> Handful<N> {
+    /// None, with the lanes of `zero`.
+    #[inline(always)]
+    pub fn new(zero: N) -> Self {
+        Self {
+            zero,
+            count: 0,
+            holds: [false; 3],
+            area: [zero; 3],
+            load: [zero; 3],
+            stiffness: zero,
+            area_squared: zero,
+            load_squared: zero,
+        }
+    }
+
+    /// Adds the contacts of all lanes, up to [`FEW`] times.
+    #[inline(always)]
+    pub fn add(&mut self, contact: &Contacts<N>) {
+        let &Contacts { area, load, stiffness, elastic, plastic } = contact;
+        self.count += N::LANES;
+        self.stiffness = self.stiffness + stiffness;
+        self.area_squared = area.times_plus(area, self.area_squared);
+        self.load_squared = load.times_plus(load, self.load_squared);
+        if elastic.all() {
+            self.add_to(Regime::Elastic, area, load);
+            return;
+        }
+        self.add_some(Regime::Elastic, elastic, area, load);
+        self.add_some(Regime::ElasticPlastic, !(elastic | plastic), area, load);
+        self.add_some(Regime::Plastic, plastic, area, load);
+    }
+
+    #[inline(always)]
+    fn add_some(&mut self, regime: Regime, mask: N::Mask, area: N, load: N) {
+        if mask.any() {
+            self.add_to(regime, N::choose(mask, area, self.zero), N::choose(mask, load, self.zero));
+        }
+    }
+
+    #[inline(always)]
+    fn add_to(&mut self, regime: Regime, area: N, load: N) {
+        let regime = regime as usize;
+        self.holds[regime] = true;
+        self.area[regime] = self.area[regime] + area;
+        self.load[regime] = self.load[regime] + load;
     }
 }
 

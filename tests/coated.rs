@@ -2,7 +2,7 @@
 
 mod common;
 
-use asperity::asperity::{AsperitySet, HeightDensity, Ordered, Population};
+use asperity::asperity::{AsperitySet, HeightDensity, Population};
 use asperity::coating::{Coating, Rule};
 use asperity::interface::{Flat, Layered, MicroContact};
 use asperity::law::{Shape, Zmc};
@@ -88,9 +88,9 @@ fn sums_over_asperities() {
         let members = || asperities.iter().filter(|a| a.text("set") == row.text("set"));
         let heights = members().map(|a| a.number("height")).collect();
         let radii = members().map(|a| a.number("radius")).collect();
-        let set = Ordered::new(&AsperitySet::new(heights, radii, 1.0).unwrap());
+        let set = AsperitySet::new(heights, radii, 1.0).unwrap();
         let d = row.number("separation");
-        let found = Deterministic::new(&*contact, &set, Datum { mean: 0.0, sigma: 1.0 }).tally(d);
+        let found = Deterministic::new(&*contact, set.spheres(), Datum { mean: 0.0, sigma: 1.0 }).tally(d);
         let place = || format!("set {} under {} at {d:e}", row.text("set"), row.text("lead_thickness"));
         assert_eq!(found.contacts(), row.number("contacts"), "{}", place());
         worst.see(found.area().total(), row.number("total_area"), place);

@@ -4,7 +4,7 @@ mod common;
 
 use std::f64::consts::PI;
 
-use asperity::asperity::{AsperitySet, Ellipse, Ellipticity, HeightDensity, Ordered, Population};
+use asperity::asperity::{AsperitySet, Ellipse, Ellipses, Ellipticity, HeightDensity, Ordered, Population};
 use asperity::coating::{Coating, Rule};
 use asperity::contact::Tally;
 use asperity::interface::{Interface, Layered, MicroContact};
@@ -65,8 +65,8 @@ fn set() -> AsperitySet {
 fn a_sum_over_ellipses_is_that_of_hertz() {
     let contact = Interface::bare(Hertz, &body(STEEL), &body(STEEL)).unwrap();
     let (set, modulus) = (set(), contact.reference_modulus());
-    let ordered = Ordered::of_ellipses(&set).unwrap();
-    let sum = Deterministic::new(&contact, &ordered, Datum { mean: 0.0, sigma: 1e-7 });
+    let ellipses = Ellipses::of(&set).unwrap();
+    let sum = Deterministic::new(&contact, ellipses.asperities(), Datum { mean: 0.0, sigma: 1e-7 });
     let mut worst = Worst::default();
     for h in [0.0, 3.3, 11.0] {
         let mut expected = [0.0; 2];
@@ -110,11 +110,11 @@ fn under_a_layer_an_ellipse_feels_the_circle_of_its_area() {
     let coating = Coating::new(&lead, &steel, 5e-8, Rule::Gao).unwrap();
     let contact = Layered::new(Zmc::default(), &steel, &steel, coating.clone()).unwrap();
     let set = set();
-    let all = Ordered::of_ellipses(&set).unwrap();
+    let all = Ordered::new(Ellipses::of(&set).unwrap().asperities());
     let touching = all.above(5e-7);
     let (mut block, mut single) = (Tally::default(), Tally::default());
     contact.press(touching, 5e-7, &mut block);
-    touching.each(|z, shape| {
+    touching.each().for_each(|(z, shape)| {
         let (w, n) = (z - 5e-7, shape.spheres);
         let found = contact.contact(w, shape);
         single.add(&found);
@@ -130,8 +130,10 @@ fn under_a_layer_an_ellipse_feels_the_circle_of_its_area() {
         assert_eq!(found.regime, law.regime);
     });
     assert!(touching.count() > 100 && !touching.count().is_multiple_of(8));
-    assert_eq!(block.load(), single.load());
-    assert_eq!(block.area(), single.area());
+    for k in 0..3 {
+        assert!((block.load().0[k] - single.load().0[k]).abs() <= 4e-15 * single.load().0[k]);
+        assert!((block.area().0[k] - single.area().0[k]).abs() <= 4e-15 * single.area().0[k]);
+    }
     let mut weighed = Tally::default();
     let shape = Shape::ellipse(5e4, 7.0);
     let indentations: Vec<f64> = (1..=19).map(|k| 3e-9 * f64::from(k)).collect();
@@ -149,8 +151,9 @@ fn ellipses_of_ratio_one_are_spheres_to_the_bit() {
     let radii = radii.iter().map(|b| b.recip().recip()).collect();
     let set = AsperitySet::new(heights, radii, 1e-8).unwrap().with_ellipses(ellipses).unwrap();
     let contact = Interface::bare(Zmc::default(), &body(STEEL), &body(STEEL)).unwrap();
-    let [spheres, ellipses] = [Ordered::new(&set), Ordered::of_ellipses(&set).unwrap()];
+    let ellipses = Ellipses::of(&set).unwrap();
     let datum = Datum { mean: 0.0, sigma: 1e-7 };
-    let [one, other] = [&spheres, &ellipses].map(|set| Deterministic::new(&contact, set, datum).respond(0.5));
+    let [one, other] = [set.spheres(), ellipses.asperities()]
+        .map(|set| Deterministic::new(&contact, set, datum).respond(0.5));
     assert_eq!(one, other);
 }

@@ -24,8 +24,8 @@ fn zmc(onset: f64) -> Interface<Zmc> {
     Interface::bare(Zmc::new(onset, 54.0).unwrap(), &steel(), &steel()).unwrap()
 }
 
-fn drawn(population: Population, count: usize) -> Ordered {
-    Ordered::new(&population.set(count, Draw::Random([7; 32])).unwrap())
+fn drawn(population: Population, count: usize) -> AsperitySet {
+    population.set(count, Draw::Random([7; 32])).unwrap()
 }
 
 fn datum(population: Population) -> Datum {
@@ -61,11 +61,12 @@ fn a_sum_over_a_million_asperities_is_exact_to_4_ulp() {
     let law = zmc(Zmc::ONSET);
     let drawn_set = drawn(CASE_2, 1_000_000);
     let equal = AsperitySet::new(vec![1.37e-7; 1_000_000], vec![1.1e-6; 1_000_000], 1.0).unwrap();
-    for set in [drawn_set, Ordered::new(&equal)] {
+    for set in [drawn_set, equal] {
+        let ordered = Ordered::new(set.spheres());
         for d in [-1e-6, 0.0, 1e-7] {
-            let above = set.above(d);
+            let above = ordered.above(d);
             let contacts = || (0..above.count()).map(|i| law.contact(above.heights()[i] - d, above.shape(i)));
-            let found = Deterministic::new(&law, &set, datum(CASE_2)).tally(d);
+            let found = Deterministic::new(&law, set.spheres(), datum(CASE_2)).tally(d);
             let ulp = |exact: f64| exact * f64::EPSILON;
             let (area, load) = (exact_sum(contacts().map(|c| c.area)), exact_sum(contacts().map(|c| c.load)));
             assert!((found.area().total() - area).abs() <= 4.0 * ulp(area));
@@ -81,7 +82,7 @@ fn a_sum_is_the_same_to_the_bit_on_any_number_of_threads() {
         let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
         pool.install(|| {
             let set = drawn(CASE_1, 300_001);
-            let model = Deterministic::new(&law, &set, datum(CASE_1));
+            let model = Deterministic::new(&law, set.spheres(), datum(CASE_1));
             [2.5, 1.0, -0.5].map(|h| format!("{:?}", model.respond(h)))
         })
     };
@@ -97,9 +98,9 @@ fn partial_tallies_merge_into_the_whole() {
     let (heights, radii): (Vec<f64>, Vec<f64>) =
         (0..1000).map(|i| (f64::from(i) * 1e-10, 1e-6 + f64::from(i % 7) * 1e-7)).unzip();
     let set = |range: std::ops::Range<usize>| {
-        Ordered::new(&AsperitySet::new(heights[range.clone()].to_vec(), radii[range].to_vec(), 1.0).unwrap())
+        AsperitySet::new(heights[range.clone()].to_vec(), radii[range].to_vec(), 1.0).unwrap()
     };
-    let tally = |set: &Ordered| Deterministic::new(&law, set, datum(CASE_1)).tally(2e-8);
+    let tally = |set: &AsperitySet| Deterministic::new(&law, set.spheres(), datum(CASE_1)).tally(2e-8);
     let mut parts = tally(&set(0..400));
     parts.merge(&tally(&set(400..1000)));
     let whole = tally(&set(0..1000));
@@ -187,7 +188,7 @@ fn stiffness_is_the_slope_of_the_pressure() {
     const STEP: f64 = 1e-4;
     let law = zmc(Zmc::ONSET);
     let set = drawn(CASE_2, 20_000);
-    let model = Deterministic::new(&law, &set, datum(CASE_2));
+    let model = Deterministic::new(&law, set.spheres(), datum(CASE_2));
     for h in [-3.0, 0.0, 1.0, 2.5] {
         let pressure = |h: f64| model.respond(h).pressure.total();
         let slope = (pressure(h - STEP) - pressure(h + STEP)) / (2.0 * STEP * CASE_2.sigma);
@@ -206,8 +207,8 @@ fn where_the_load_falls_the_first_reach_counts() {
     assert!(within.len() == 1 && within[0].holds(w1) && within[0].high - within[0].low < 1e-12 * w1);
     assert!(zmc(Zmc::ONSET).may_fall(Shape::sphere(2e-5).into()).is_empty());
     assert!(zmc(0.4).may_fall(Shape::sphere(2e-5).into()).is_empty());
-    let set = Ordered::new(&AsperitySet::new(vec![0.0, -1e-6], vec![2e-5, 2e-5], 1.0).unwrap());
-    let model = Deterministic::new(&law, &set, Datum { mean: 0.0, sigma: 1e-8 });
+    let set = AsperitySet::new(vec![0.0, -1e-6], vec![2e-5, 2e-5], 1.0).unwrap();
+    let model = Deterministic::new(&law, set.spheres(), Datum { mean: 0.0, sigma: 1e-8 });
     let w1 = law.breakpoints(Shape::sphere(2e-5))[0];
     let before = law.contact(w1 * (1.0 - 1e-9), Shape::sphere(2e-5)).load;
     let after = law.contact(w1 * (1.0 + 1e-9), Shape::sphere(2e-5)).load;
@@ -234,7 +235,7 @@ fn nothing_is_nan_where_nothing_touches() {
     let law = zmc(Zmc::ONSET);
     let set = drawn(CASE_1, 1000);
     let models: [&dyn Model; 2] =
-        [&Statistical::new(&law, CASE_1), &Deterministic::new(&law, &set, datum(CASE_1))];
+        [&Statistical::new(&law, CASE_1), &Deterministic::new(&law, set.spheres(), datum(CASE_1))];
     for model in models {
         let response = model.respond(1000.0);
         assert_eq!(response.pressure.total(), 0.0);
@@ -247,8 +248,8 @@ fn nothing_is_nan_where_nothing_touches() {
 #[test]
 fn asperities_at_or_below_the_flat_do_not_touch() {
     let law = zmc(Zmc::ONSET);
-    let set = Ordered::new(&AsperitySet::new(vec![3.0, -1.0, 2.0, 1.0, 2.0], vec![1.0; 5], 1.0).unwrap());
-    let model = Deterministic::new(&law, &set, Datum { mean: 0.0, sigma: 1.0 });
+    let set = AsperitySet::new(vec![3.0, -1.0, 2.0, 1.0, 2.0], vec![1.0; 5], 1.0).unwrap();
+    let model = Deterministic::new(&law, set.spheres(), Datum { mean: 0.0, sigma: 1.0 });
     assert_eq!(model.tally(2.0).contacts(), 1.0);
     assert_eq!(model.tally(2f64.next_down()).contacts(), 3.0);
     assert_eq!(model.tally(3.0).contacts(), 0.0);
@@ -260,8 +261,8 @@ fn asperities_at_or_below_the_flat_do_not_touch() {
 fn the_sampling_error_of_a_few_asperities() {
     let law = Interface::bare(Hertz, &steel(), &steel()).unwrap();
     let error = |radii: Vec<f64>, heights: Vec<f64>| {
-        let set = Ordered::new(&AsperitySet::new(heights, radii, 2.0).unwrap());
-        let found = Deterministic::new(&law, &set, Datum { mean: 0.0, sigma: 1e-9 }).respond(0.0);
+        let set = AsperitySet::new(heights, radii, 2.0).unwrap();
+        let found = Deterministic::new(&law, set.spheres(), Datum { mean: 0.0, sigma: 1e-9 }).respond(0.0);
         let sampling = found.sampling.unwrap();
         (sampling.pressure / found.pressure.total(), sampling.area_ratio / found.area_ratio.total())
     };
@@ -280,8 +281,8 @@ fn the_sampling_error_is_the_scatter_of_independent_sets() {
         .map(|k| {
             let mut seed = [0; 32];
             seed[..2].copy_from_slice(&k.to_le_bytes());
-            let set = Ordered::new(&CASE_1.set(2000, Draw::Random(seed)).unwrap());
-            Deterministic::new(&law, &set, datum(CASE_1)).respond(1.0)
+            let set = CASE_1.set(2000, Draw::Random(seed)).unwrap();
+            Deterministic::new(&law, set.spheres(), datum(CASE_1)).respond(1.0)
         })
         .collect();
     let mean = answers.iter().map(|r| r.pressure.total()).sum::<f64>() / 400.0;
@@ -344,8 +345,7 @@ fn an_offset_of_the_heights_makes_no_jumps() {
     let shifted = drawn.heights().iter().map(|z| z + 1e-3).collect();
     let set = AsperitySet::new(shifted, drawn.radii().to_vec(), drawn.nominal_area()).unwrap();
     let datum = Datum::from(&Statistics::of(&set));
-    let set = Ordered::new(&set);
-    let model = Deterministic::new(&law, &set, datum);
+    let model = Deterministic::new(&law, set.spheres(), datum);
     for pressure in [1e-2, 1.0, 1e3, 1e6] {
         assert!(!at_pressure(&model, pressure).unwrap().in_jump, "{pressure}");
     }
@@ -358,9 +358,9 @@ fn surface_heights_are_quoted_alike_by_both_models() {
     let population = Population { sigma: surface.asperity_sigma().unwrap(), ..CASE_2 };
     let datum = Datum { mean: -surface.mean_asperity_height(), sigma: CASE_2.sigma };
     let law = zmc(Zmc::ONSET);
-    let set = Ordered::new(&population.set(200_000, Draw::Quantiles).unwrap());
+    let set = population.set(200_000, Draw::Quantiles).unwrap();
     let statistical = Statistical::new(&law, population).quoted_from(datum);
-    let deterministic = Deterministic::new(&law, &set, datum);
+    let deterministic = Deterministic::new(&law, set.spheres(), datum);
     for h in [0.0, 1.0, 2.0] {
         let (s, d) = (statistical.respond(h), deterministic.respond(h));
         assert!(relative_error(s.pressure.total(), d.pressure.total()) < 2e-4, "h = {h}");

@@ -4,7 +4,7 @@ mod common;
 
 use std::sync::atomic::{AtomicUsize, Ordering};
 
-use asperity::asperity::{AsperitySet, Draw, HeightDensity, Ordered, Population};
+use asperity::asperity::{AsperitySet, Draw, HeightDensity, Population};
 use asperity::coating::{Coating, Rule};
 use asperity::contact::{Contact, Regime};
 use asperity::interface::{Flat, Layered, LoadBounds, MicroContact, Shapes};
@@ -202,8 +202,7 @@ fn where_the_load_falls_the_first_reach_counts() {
         let drawn = population.set(count, Draw::Random([k as u8; 32])).unwrap();
         let radii = drawn.radii().iter().map(|b| b * random.log(0.3, 3.0)).collect();
         let set = AsperitySet::new(drawn.heights().to_vec(), radii, drawn.nominal_area()).unwrap();
-        let set = Ordered::new(&set);
-        let deterministic = Deterministic::new(&contact, &set, Datum { mean: 0.0, sigma });
+        let deterministic = Deterministic::new(&contact, set.spheres(), Datum { mean: 0.0, sigma });
         let statistical = Statistical::new(&contact, population);
         for model in [&statistical as &dyn Model, &deterministic] {
             let pressure = |h: f64| model.respond(h).pressure.total();

@@ -6,6 +6,8 @@ use serde::Deserialize;
 use statrs::distribution::{ContinuousCDF, Exp, Normal};
 use std::f64::consts::{PI, SQRT_2};
 
+use crate::numeric::lanes::Real;
+
 /// How many e-foldings of a density count: exp(-40) = 4e-18 of its largest value.
 const FOLDINGS: f64 = 40.0;
 
@@ -89,11 +91,11 @@ impl HeightDensity {
     }
 
     /// See [`HeightDensity::scale`]; `x` within the window.
-    #[inline]
-    pub fn exponent(self, h: f64, x: f64) -> f64 {
+    #[inline(always)]
+    pub fn exponent<N: Real>(self, h: f64, x: N) -> N {
         match self {
-            Self::Gaussian if h >= 0.0 => x * (h + 0.5 * x),
-            Self::Gaussian => 0.5 * (x + h) * (x + h),
+            Self::Gaussian if h >= 0.0 => x * (x * 0.5 + h),
+            Self::Gaussian => (x + h) * 0.5 * (x + h),
             Self::Exponential if h >= -1.0 => x,
             Self::Exponential => (x + h) + 1.0,
         }

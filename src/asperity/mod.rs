@@ -1,5 +1,6 @@
 //! Asperities: the set, its statistics, populations drawn from three numbers, height densities.
 
+mod arrays;
 mod ellipse;
 mod heights;
 mod nayak;
@@ -8,10 +9,11 @@ mod population;
 mod read;
 mod statistics;
 
+pub use arrays::{Asperities, Ellipses};
 pub use ellipse::{Ellipse, Ellipticity};
 pub use heights::{HeightDensity, gaussian_moment};
 pub use nayak::{NoSuchSurface, SurfaceHeights};
-pub use ordered::{Asperities, Ordered};
+pub use ordered::Ordered;
 pub use population::{Draw, Population};
 pub use read::{AsperityList, Column, ListError, check_list, read_list};
 pub use statistics::Statistics;
@@ -118,6 +120,11 @@ impl AsperitySet {
     /// The ellipses, where they are known.
     pub fn ellipses(&self) -> Option<&[Ellipse]> {
         self.ellipses.as_deref()
+    }
+
+    /// The asperities as spheres.
+    pub fn spheres(&self) -> Asperities<'_> {
+        Asperities::new(&self.heights, &self.radii, None, self.nominal_area)
     }
 
     /// Number of asperities.

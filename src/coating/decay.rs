@@ -2,6 +2,8 @@
 
 use std::sync::LazyLock;
 
+use crate::numeric::lanes::Real;
+
 /// Entries of the table a unit of x.
 const PER_UNIT: f64 = 32.0;
 /// Where the table ends: exp(-x) times the largest ratio of hardnesses is below rounding.
@@ -16,29 +18,18 @@ static TABLE: LazyLock<Vec<[f64; 2]>> = LazyLock::new(|| {
 /// exp(-x) and 1 - exp(-x) for each `x` >= 0, both to rounding: the nearest entry of a table, and a series in what is
 /// left, at most 1/64. From x = 180 on nothing changes.
 #[inline(always)]
-pub(super) fn decay<const LANES: usize>(x: [f64; LANES]) -> ([f64; LANES], [f64; LANES]) {
+pub(super) fn decay<N: Real>(x: N) -> (N, N) {
     /// Coefficients of (1 - exp(-r))/r, the highest power first.
     const SERIES: [f64; 7] = [1.0 / 5040.0, -1.0 / 720.0, 1.0 / 120.0, -1.0 / 24.0, 1.0 / 6.0, -0.5, 1.0];
     let table = &TABLE[..];
-    let (mut left, mut gone, mut rest) = ([0.0; LANES], [0.0; LANES], [0.0; LANES]);
-    for lane in 0..LANES {
-        let x = x[lane].min(LAST);
+    let [left, gone, rest] = x.each(|x| {
+        let x = x.min(LAST);
         let place = ((x * PER_UNIT + 0.5) as usize).min(table.len() - 1);
-        [left[lane], gone[lane]] = table[place];
-        rest[lane] = x - place as f64 * PER_UNIT.recip();
-    }
-    let mut series = [0.0; LANES];
-    for term in SERIES {
-        for lane in 0..LANES {
-            series[lane] = series[lane] * rest[lane] + term;
-        }
-    }
-    for lane in 0..LANES {
-        let step = left[lane] * (rest[lane] * series[lane]);
-        gone[lane] += step;
-        left[lane] -= step;
-    }
-    (left, gone)
+        let [left, gone] = table[place];
+        [left, gone, x - place as f64 * PER_UNIT.recip()]
+    });
+    let step = left * (rest * rest.polynomial(&SERIES));
+    (left - step, gone + step)
 }
 
 #[cfg(test)]
@@ -51,17 +42,17 @@ mod tests {
         const NOTHING: f64 = 1e-78;
         for k in 0..200_000 {
             let x = f64::from(k) * 2.5e-4;
-            let ([left], [gone]) = decay([x]);
+            let (left, gone) = decay(x);
             assert!((left / (-x).exp() - 1.0).abs() < 5e-16, "exp(-{x})");
             assert!(gone == -(-x).exp_m1() || (gone / -(-x).exp_m1() - 1.0).abs() < 7e-16, "1 - exp(-{x})");
         }
         for x in [1e-300, 1e-20, 1e-10, 1e-3, 50.0, 700.0, 800.0, 1e300] {
-            let ([left], [gone]) = decay([x]);
+            let (left, gone) = decay(x);
             assert!(
                 (left - (-x).exp()).abs() <= 4e-16 * (-x).exp() + NOTHING
                     && (gone + (-x).exp_m1()).abs() <= 4e-16 * gone
             );
         }
-        assert_eq!(decay([0.0, 1e300, f64::INFINITY]).1, [0.0, 1.0, 1.0]);
+        assert_eq!([0.0, 1e300, f64::INFINITY].map(|x| decay(x).1), [0.0, 1.0, 1.0]);
     }
 }

@@ -3,6 +3,7 @@
 use super::decay::{LAST, decay};
 use crate::material::Material;
 use crate::numeric::interval::Interval;
+use crate::numeric::lanes::Real;
 
 /// H_eff(w), with x the exponent:
 ///
@@ -45,32 +46,16 @@ impl EffectiveHardness {
     }
 
     /// Hardness, Pa, and d ln H/d ln w at `depth` = w/t.
-    fn at(&self, depth: f64) -> (f64, f64) {
-        let ([hardness], [slope]) = self.lanes([depth]);
-        (hardness, slope)
-    }
-
-    /// The same at each `depth`.
     #[inline(always)]
-    pub(super) fn lanes<const LANES: usize>(&self, depth: [f64; LANES]) -> ([f64; LANES], [f64; LANES]) {
-        let x = depth.map(|depth| {
-            let linear = self.factor * depth;
-            if self.is_softer { linear * depth } else { linear }
-        });
+    pub(super) fn at<N: Real>(&self, depth: N) -> (N, N) {
+        let linear = depth * self.factor;
+        let x = if self.is_softer { linear * depth } else { linear };
         let (left, gone) = decay(x);
         let step = self.layer - self.substrate;
+        // Positive terms only, whichever body is the harder.
+        let hardness = if self.is_softer { gone * -step + self.layer } else { left * step + self.substrate };
         let rate = -step * self.power();
-        let (mut hardness, mut slope) = ([0.0; LANES], [0.0; LANES]);
-        for lane in 0..LANES {
-            // Positive terms only, whichever body is the harder.
-            hardness[lane] = if self.is_softer {
-                self.layer - step * gone[lane]
-            } else {
-                self.substrate + step * left[lane]
-            };
-            slope[lane] = rate * x[lane].min(GONE) * left[lane] / hardness[lane];
-        }
-        (hardness, slope)
+        (hardness, x.lesser(x.splat(GONE)) * rate * left / hardness)
     }
 
     /// All hardnesses over the range `depth` of w/t, and all d ln H/d ln w.

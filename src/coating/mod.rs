@@ -19,6 +19,7 @@ use crate::literature::{self, Paper};
 use crate::material::Material;
 use crate::numeric::interval::Interval;
 use crate::numeric::is_positive;
+use crate::numeric::lanes::Real;
 use hardness::EffectiveHardness;
 use modulus::EffectiveModulus;
 
@@ -46,15 +47,15 @@ const FAR: f64 = 0.3;
 
 /// The flat as one asperity feels it.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Effective {
+pub struct Effective<N = f64> {
     /// (1 - nu_eff^2)/E_eff, 1/Pa.
-    pub compliance: f64,
+    pub compliance: N,
     /// d(compliance)/d ln w, 1/Pa.
-    pub compliance_slope: f64,
+    pub compliance_slope: N,
     /// H_eff (Eq. 16), Pa; infinite where neither body yields.
-    pub hardness: f64,
+    pub hardness: N,
     /// d ln H_eff/d ln w.
-    pub hardness_slope: f64,
+    pub hardness_slope: N,
 }
 
 /// Bounds of the same over a range of indentations and radii.
@@ -111,42 +112,25 @@ impl Coating {
 
     /// 1/xi = a/t with a = (b w)^.5 (Eqs. 19, 20).
     #[inline(always)]
-    fn inverse(&self, w: f64, b: f64) -> f64 {
+    fn inverse<N: Real>(&self, w: N, b: N) -> N {
         (b * w).sqrt() * self.inverse_thickness
     }
 
-    /// The flat as an asperity of radius `b` (m) feels it at indentation `w` (m).
-    #[inline]
-    pub fn at(&self, w: f64, b: f64) -> Effective {
-        let [felt] = self.lanes([w], [b]);
-        felt
+    /// The flat as asperities of radii `b` (m) feel it at indentations `w` (m).
+    #[inline(always)]
+    pub fn at<N: Real>(&self, w: N, b: N) -> Effective<N> {
+        let (compliance, compliance_slope) = self.modulus.compliance(self.inverse(w, b));
+        let (hardness, hardness_slope) = match &self.hardness {
+            Some(hardness) => hardness.at(w * self.inverse_thickness),
+            None => (w.splat(f64::INFINITY), w.splat(0.0)),
+        };
+        Effective { compliance, compliance_slope, hardness, hardness_slope }
     }
 
-    /// The same for asperities side by side: several take little more time than one.
+    /// nu_eff (Eq. 14) as the same asperities feel it, and d nu_eff/d ln w.
     #[inline(always)]
-    pub fn lanes<const LANES: usize>(&self, w: [f64; LANES], b: [f64; LANES]) -> [Effective; LANES] {
-        let inverse: [f64; LANES] = std::array::from_fn(|lane| self.inverse(w[lane], b[lane]));
-        let (compliance, compliance_slope) = self.modulus.compliance(inverse);
-        let never = ([f64::INFINITY; LANES], [0.0; LANES]);
-        let depth = w.map(|w| w * self.inverse_thickness);
-        let (hardness, hardness_slope) =
-            self.hardness.as_ref().map_or(never, |hardness| hardness.lanes(depth));
-        std::array::from_fn(|lane| Effective {
-            compliance: compliance[lane],
-            compliance_slope: compliance_slope[lane],
-            hardness: hardness[lane],
-            hardness_slope: hardness_slope[lane],
-        })
-    }
-
-    /// nu_eff (Eq. 14) as asperities side by side feel it, and d nu_eff/d ln w.
-    #[inline(always)]
-    pub fn poisson_lanes<const LANES: usize>(
-        &self,
-        w: [f64; LANES],
-        b: [f64; LANES],
-    ) -> ([f64; LANES], [f64; LANES]) {
-        self.modulus.poisson_lanes(std::array::from_fn(|lane| self.inverse(w[lane], b[lane])))
+    pub fn poisson<N: Real>(&self, w: N, b: N) -> (N, N) {
+        self.modulus.poisson_and_slope(self.inverse(w, b))
     }
 
     /// nu_eff (Eq. 14) and E_eff (Eq. 15, Pa) as an asperity of radius `b` (m) feels them at indentation `w` (m).

@@ -8,6 +8,7 @@ use serde::Deserialize;
 use super::weights::{LOG_PEAK, POLE_PEAK, SWELL_PEAK, Weights};
 use crate::material::Material;
 use crate::numeric::interval::Interval;
+use crate::numeric::lanes::Real;
 use crate::numeric::table::Table;
 
 /// The octaves of a/t that the tables cover.
@@ -85,35 +86,35 @@ impl EffectiveModulus {
     /// What the flat contributes to 1/E*, (1 - nu_eff^2)/E_eff in 1/Pa, and d/d ln w of it, at each `inverse` =
     /// 1/xi = a/t.
     #[inline(always)]
-    pub(super) fn compliance<const LANES: usize>(
-        &self,
-        inverse: [f64; LANES],
-    ) -> ([f64; LANES], [f64; LANES]) {
-        let (value, slope) = self.table.at(inverse).unwrap_or_else(|| self.outside(inverse));
+    pub(super) fn compliance<N: Real>(&self, inverse: N) -> (N, N) {
+        let (value, slope) = match self.table.at(inverse) {
+            Some(found) => found,
+            None => self.outside(inverse),
+        };
         // a grows as the square root of w.
-        (value, slope.map(|slope| 0.5 * slope))
+        (value, slope * 0.5)
     }
 
-    #[cold]
-    fn outside<const LANES: usize>(&self, inverse: [f64; LANES]) -> ([f64; LANES], [f64; LANES]) {
-        let all = inverse.map(|inverse| self.sides.at(inverse));
-        (all.map(|(value, _)| value), all.map(|(_, slope)| slope))
+    #[inline(always)]
+    fn outside<N: Real>(&self, inverse: N) -> (N, N) {
+        let [value, slope] = inverse.each(|inverse| self.sides.at(inverse).into());
+        (value, slope)
     }
 
     /// nu_eff (Eq. 14) and d/d ln w of it at each `inverse` = 1/xi = a/t.
     #[inline(always)]
-    pub(super) fn poisson_lanes<const LANES: usize>(
-        &self,
-        inverse: [f64; LANES],
-    ) -> ([f64; LANES], [f64; LANES]) {
+    pub(super) fn poisson_and_slope<N: Real>(&self, inverse: N) -> (N, N) {
         let sides = &self.sides;
         let table = self.poisson.get_or_init(|| Table::of(OCTAVES, |x| sides.poisson(&Weights::at(x))));
-        let (value, slope) = table.at(inverse).unwrap_or_else(|| {
-            let all = inverse.map(Weights::at);
-            // ln xi falls as ln a grows.
-            (all.map(|w| sides.poisson(&w)), all.map(|w| -sides.substrate.poisson_step * w.log))
-        });
-        (value, slope.map(|slope| 0.5 * slope))
+        let [value, slope] = match table.at(inverse) {
+            Some(found) => found.into(),
+            None => inverse.each(|inverse| {
+                let weights = Weights::at(inverse);
+                // ln xi falls as ln a grows.
+                [sides.poisson(&weights), -sides.substrate.poisson_step * weights.log]
+            }),
+        };
+        (value, slope * 0.5)
     }
 
     /// Those of layer and substrate, and all between.
@@ -248,7 +249,7 @@ mod tests {
                     let modulus = EffectiveModulus::new(rule, &pair.0, &pair.1);
                     for k in -4000..4000 {
                         let inverse = (f64::from(k) * 4.1e-3).exp();
-                        let ([value], [slope]) = modulus.table.at([inverse]).unwrap();
+                        let (value, slope) = modulus.table.at(inverse).unwrap();
                         let (exact, exact_slope) = modulus.sides.at(inverse);
                         worst.0 = worst.0.max((value / exact - 1.0).abs());
                         worst.1 = worst.1.max((slope - exact_slope).abs() / exact);

@@ -1,7 +1,7 @@
 //! How the deterministic model approaches the statistical one as the number of asperities grows:
 //! equal radii, heights of the density that the integral runs over.
 
-use crate::asperity::{Draw, Ordered, Population, SetError};
+use crate::asperity::{AsperitySet, Draw, Population, SetError};
 use crate::interface::MicroContact;
 use crate::model::{Datum, Deterministic, Model, Response};
 
@@ -152,7 +152,6 @@ pub fn convergence(
         let mut answers = Vec::with_capacity(draws + 1);
         for draw in random.chain([Draw::Quantiles]) {
             let set = population.set(count, draw)?;
-            let set = Ordered::new(&set);
             answers.push(cases.iter().flat_map(|case| press(case, &set, datum)).collect::<Vec<_>>());
             done(count);
         }
@@ -171,7 +170,8 @@ pub fn convergence(
     Ok(points)
 }
 
-fn press(case: &LimitCase, set: &Ordered, datum: Datum) -> Vec<Response> {
-    let model = Deterministic::new(case.contact, set, datum);
-    case.exact.iter().map(|exact| model.respond(exact.statistical.separation_over_sigma)).collect()
+fn press(case: &LimitCase, set: &AsperitySet, datum: Datum) -> Vec<Response> {
+    let separations: Vec<f64> =
+        case.exact.iter().map(|exact| exact.statistical.separation_over_sigma).collect();
+    Deterministic::new(case.contact, set.spheres(), datum).respond_all(&separations)
 }

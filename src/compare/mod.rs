@@ -17,10 +17,9 @@ pub use threshold::threshold;
 
 use std::time::{Duration, Instant};
 
-use rayon::prelude::*;
 use serde::Deserialize;
 
-use crate::model::{Model, Reached, Response, Unreachable, at_pressure};
+use crate::model::{Model, Reached, Response, Unreachable, at_pressures};
 
 /// A way of adding up.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Deserialize)]
@@ -228,31 +227,31 @@ fn run(
 ) -> Result<Vec<CurvePoint>, NotReached> {
     let Some(model) = model else { return Ok(Vec::new()) };
     let start = Instant::now();
-    let asked = |control, values: &[f64]| values.iter().map(|&target| (control, target)).collect::<Vec<_>>();
-    let mut points = asked(Control::Separation, &controls.separations);
-    points.extend(asked(Control::Pressure, &controls.pressures));
-    points.extend(asked(Control::Force, &controls.forces));
-    let curve = points
-        .into_par_iter()
-        .map(|(control, target)| {
-            let asked = match control {
-                Control::Separation => None,
-                Control::Pressure => Some(target),
-                Control::Force => Some(target / area),
-            };
-            let Reached { response, in_jump } = match asked {
-                None => Reached { response: model.respond(target), in_jump: false },
-                Some(pressure) => at_pressure(model, pressure).map_err(|unreachable| NotReached {
-                    kind,
-                    control,
-                    unreachable,
-                })?,
-            };
-            Ok(CurvePoint { kind, control, target, asked, response, in_jump })
-        })
-        .collect();
+    let nominal = |forces: &[f64]| forces.iter().map(|force| force / area).collect::<Vec<_>>();
+    let under = |control| match control {
+        Control::Separation => (&controls.separations, None),
+        Control::Pressure => (&controls.pressures, Some(controls.pressures.clone())),
+        Control::Force => (&controls.forces, Some(nominal(&controls.forces))),
+    };
+    let mut curve = Vec::with_capacity(controls.points());
+    for control in [Control::Separation, Control::Pressure, Control::Force] {
+        let (targets, pressures) = under(control);
+        let answers: Vec<Result<Reached, Unreachable>> = match &pressures {
+            None => {
+                let at = |response| Ok(Reached { response, in_jump: false });
+                model.respond_all(targets).into_iter().map(at).collect()
+            }
+            Some(pressures) => at_pressures(model, pressures),
+        };
+        for (k, answer) in answers.into_iter().enumerate() {
+            let Reached { response, in_jump } =
+                answer.map_err(|unreachable| NotReached { kind, control, unreachable })?;
+            let asked = pressures.as_ref().map(|pressures| pressures[k]);
+            curve.push(CurvePoint { kind, control, target: targets[k], asked, response, in_jump });
+        }
+    }
     *time += start.elapsed();
-    curve
+    Ok(curve)
 }
 
 fn pair(statistical: &CurvePoint, deterministic: &CurvePoint) -> Pair {
@@ -274,7 +273,7 @@ fn pair_at_loads(models: Models, deterministic: &[CurvePoint], result: &mut Comp
         .collect();
     let press = |model: &dyn Model, time: &mut Duration| {
         let start = Instant::now();
-        let answers: Vec<_> = pressures.par_iter().map(|&pressure| at_pressure(model, pressure)).collect();
+        let answers = at_pressures(model, &pressures);
         *time += start.elapsed();
         answers
     };

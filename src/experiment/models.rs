@@ -2,17 +2,17 @@
 
 use super::spec::{LawSpec, Summit};
 use super::surface::Surface;
-use crate::asperity::{Ellipse, Ordered, Population};
+use crate::asperity::{Ellipse, Ellipses, Population};
 use crate::interface::MicroContact;
 use crate::law::Shape;
 use crate::model::{Deterministic, Statistical};
 
-/// A surface with its asperities ordered for the sums that are asked for.
+/// A surface with its asperities as the laws of the sums that are asked for see them.
 pub(super) struct SurfaceModels<'a> {
     surface: &'a Surface,
     population: Population,
-    spheres: Option<Ordered>,
-    ellipses: Option<Ordered>,
+    is_summed: bool,
+    ellipses: Option<Ellipses<'a>>,
 }
 
 impl<'a> SurfaceModels<'a> {
@@ -23,13 +23,9 @@ impl<'a> SurfaceModels<'a> {
         laws: &[LawSpec],
         is_summed: bool,
     ) -> Self {
-        let sees = |summit| is_summed && laws.iter().any(|law| law.summit == summit);
-        Self {
-            surface,
-            population,
-            spheres: sees(Summit::Sphere).then(|| Ordered::new(&surface.set)),
-            ellipses: if sees(Summit::Ellipse) { Ordered::of_ellipses(&surface.set) } else { None },
-        }
+        let sees_ellipses = is_summed && laws.iter().any(|law| law.summit == Summit::Ellipse);
+        let ellipses = if sees_ellipses { Ellipses::of(&surface.set) } else { None };
+        Self { surface, population, is_summed, ellipses }
     }
 
     /// The population that the statistical model stands on.
@@ -75,10 +71,10 @@ impl<'a> SurfaceModels<'a> {
         contact: &'b dyn MicroContact,
         law: &LawSpec,
     ) -> Option<Deterministic<'b, dyn MicroContact + 'b>> {
-        let ordered = match law.summit {
-            Summit::Sphere => &self.spheres,
-            Summit::Ellipse => &self.ellipses,
+        let asperities = match law.summit {
+            Summit::Sphere => self.is_summed.then(|| self.surface.set.spheres()),
+            Summit::Ellipse => self.ellipses.as_ref().map(Ellipses::asperities),
         };
-        ordered.as_ref().map(|ordered| Deterministic::new(contact, ordered, self.surface.datum))
+        asperities.map(|asperities| Deterministic::new(contact, asperities, self.surface.datum))
     }
 }

@@ -97,7 +97,7 @@ fn look(plan: &Plan, surfaces: &[SurfacePlan], progress: &dyn Progress) -> Resul
     Ok(SurfacesResults { head: head(plan, papers, timing), file, words, surfaces: seen })
 }
 
-/// Both models on a surface, its asperities ordered for the sums.
+/// Both models on a surface, its asperities as the laws see them.
 fn models_of<'a>(compare: &ComparePlan, surface: &'a Surface, timing: &mut Timing) -> SurfaceModels<'a> {
     let start = Instant::now();
     let population = surface.population(compare.heights, compare.mean_radius);

@@ -1,12 +1,14 @@
 //! Two homogeneous bodies.
 
+use super::side_by_side::{Answers, press, weigh};
 use super::{JUMP, LoadBounds, MicroContact, Reference, Shapes};
 use crate::asperity::Asperities;
-use crate::contact::{Contact, Tally};
+use crate::contact::{Contact, Contacts, Tally};
 use crate::law::{Inapplicable, Law, Pair, Shape};
 use crate::literature::Paper;
 use crate::material::Material;
 use crate::numeric::interval::Interval;
+use crate::numeric::lanes::Real;
 
 /// A rough and a flat body, both homogeneous, under one law.
 #[derive(Debug, Clone)]
@@ -40,20 +42,25 @@ impl<L: Law> Interface<L> {
     }
 }
 
+impl<L: Law> Answers for Interface<L> {
+    #[inline(always)]
+    fn answers<N: Real>(&self, w: N, radius: N, spheres: N) -> Contacts<N> {
+        self.law.contacts(w, radius, &self.pair.splat(w)).times(spheres)
+    }
+}
+
 impl<L: Law> MicroContact for Interface<L> {
     #[inline]
     fn contact(&self, w: f64, shape: Shape) -> Contact {
-        self.law.contact(w, shape.radius, &self.pair).times(shape.spheres)
+        self.answers(w, shape.radius, shape.spheres).into()
+    }
+
+    fn weigh(&self, indentations: &[f64], weights: &[f64], shape: Shape, tally: &mut Tally) {
+        weigh(self, indentations, weights, shape, tally);
     }
 
     fn press(&self, asperities: Asperities<'_>, separation: f64, tally: &mut Tally) {
-        let (heights, radii) = (asperities.heights(), asperities.radii());
-        let contacts =
-            heights.iter().zip(radii).map(|(z, &b)| self.law.contact(z - separation, b, &self.pair));
-        match asperities.spheres() {
-            None => contacts.for_each(|contact| tally.add(&contact)),
-            Some(spheres) => contacts.zip(spheres).for_each(|(contact, &n)| tally.add(&contact.times(n))),
-        }
+        press(self, asperities, separation, tally);
     }
 
     fn regime_changes(&self, shape: Shape) -> Vec<f64> {

@@ -1,13 +1,15 @@
 //! A rough body on a flat with a layer of finite thickness.
 
+use super::side_by_side::{Answers, press, weigh};
 use super::{JUMP, LoadBounds, MicroContact, Reference, Shapes};
 use crate::asperity::Asperities;
 use crate::coating::{Bounds, Coating};
-use crate::contact::{Contact, Regime, Tally};
+use crate::contact::{Contact, Contacts, Regime, Tally};
 use crate::law::{Inapplicable, Pair, Resistance, Shape, Similar};
 use crate::literature::Paper;
 use crate::material::Material;
 use crate::numeric::interval::Interval;
+use crate::numeric::lanes::Real;
 use crate::numeric::root::sign_changes;
 
 /// A homogeneous rough body on a layered flat under one law: the law sees the pair that each asperity feels at its
@@ -43,19 +45,16 @@ fn unit(strength: f64) -> Pair {
     Pair { reduced_modulus: 1.0, resistance: Resistance { onset: 1.0, strength } }
 }
 
-/// Asperities that are looked at side by side.
-const SIDE_BY_SIDE: usize = 8;
-
 /// The pair that an asperity feels, and how it changes with the indentation.
-#[derive(Debug, Clone, Copy)]
-struct Felt {
-    pair: Pair,
+#[derive(Clone, Copy)]
+struct Felt<N> {
+    pair: Pair<N>,
     /// d ln E*/d ln w.
-    modulus_slope: f64,
+    modulus_slope: N,
     /// d ln onset/d ln w.
-    onset_slope: f64,
+    onset_slope: N,
     /// d ln strength/d ln w.
-    strength_slope: f64,
+    strength_slope: N,
 }
 
 /// The same over a range.
@@ -103,31 +102,30 @@ impl<L: Similar> Layered<L> {
 
     /// Of spheres whose elastic contacts have the radius (b w)^.5.
     #[inline(always)]
-    fn felt<const LANES: usize>(&self, w: [f64; LANES], b: [f64; LANES]) -> [Felt; LANES] {
-        let flat = self.coating.lanes(w, b);
+    fn felt<N: Real>(&self, w: N, b: N) -> Felt<N> {
+        let flat = self.coating.at(w, b);
+        let nothing = w.splat(0.0);
         let (poisson, poisson_slope) =
-            if L::feels_poisson() { self.coating.poisson_lanes(w, b) } else { ([0.0; LANES], [0.0; LANES]) };
-        std::array::from_fn(|lane| {
-            let (flat, rough) = (&flat[lane], &self.rough);
-            let reduced_modulus = (self.rough_compliance + flat.compliance).recip();
-            let of_flat = self.law.of_hardness(flat.hardness, poisson[lane]);
-            let yields_first = of_flat.onset < rough.onset;
-            let onset = if yields_first { of_flat.onset } else { rough.onset };
-            // Where the onset is the strength itself, nothing is compared twice.
-            let (mut strength, mut onset_slope, mut is_weaker) = (onset, flat.hardness_slope, yields_first);
-            if L::feels_poisson() {
-                is_weaker = of_flat.strength < rough.strength;
-                strength = if is_weaker { of_flat.strength } else { rough.strength };
-                onset_slope += L::ONSET.slope / L::ONSET.at(poisson[lane]) * poisson_slope[lane];
-            }
-            let resistance = Resistance { onset, strength };
-            Felt {
-                pair: Pair { reduced_modulus, resistance },
-                modulus_slope: -reduced_modulus * flat.compliance_slope,
-                onset_slope: if yields_first { onset_slope } else { 0.0 },
-                strength_slope: if is_weaker { flat.hardness_slope } else { 0.0 },
-            }
-        })
+            if L::feels_poisson() { self.coating.poisson(w, b) } else { (nothing, nothing) };
+        let reduced_modulus = w.splat(1.0) / (flat.compliance + self.rough_compliance);
+        let of_flat = self.law.of_hardness(flat.hardness, poisson);
+        let rough = w.splat(self.rough.onset);
+        let yields_first = of_flat.onset.below(rough);
+        let onset = N::choose(yields_first, of_flat.onset, rough);
+        // Where the onset is the strength itself, nothing is compared twice.
+        let (mut strength, mut onset_slope, mut is_weaker) = (onset, flat.hardness_slope, yields_first);
+        if L::feels_poisson() {
+            let rough = w.splat(self.rough.strength);
+            is_weaker = of_flat.strength.below(rough);
+            strength = N::choose(is_weaker, of_flat.strength, rough);
+            onset_slope = onset_slope + w.splat(L::ONSET.slope) / L::ONSET.of(poisson) * poisson_slope;
+        }
+        Felt {
+            pair: Pair { reduced_modulus, resistance: Resistance { onset, strength } },
+            modulus_slope: -(reduced_modulus * flat.compliance_slope),
+            onset_slope: N::choose(yields_first, onset_slope, nothing),
+            strength_slope: N::choose(is_weaker, flat.hardness_slope, nothing),
+        }
     }
 
     fn felt_over(&self, w: Interval, b: Interval) -> FeltRange {
@@ -150,31 +148,15 @@ impl<L: Similar> Layered<L> {
     /// With P = E* b^.5 w^1.5 g(u), u = (w/b) (E*/onset)^2, and e = d ln P/d ln w of the fixed pair, the load goes with
     /// the (2e - 2)th power of E* and the (3 - 2e)th of the onset, in a plastic contact of the strength.
     #[inline(always)]
-    fn answer(&self, w: f64, shape: Shape, felt: &Felt) -> Contact {
-        let contact = self.law.contact(w, shape.radius, &felt.pair);
-        let is_plastic = L::feels_poisson() && contact.regime == Regime::Plastic;
-        let slope = if is_plastic { felt.strength_slope } else { felt.onset_slope };
-        let stiffness = contact.stiffness * (1.0 + 2.0 * (felt.modulus_slope - slope))
-            + contact.load / w * (3.0 * slope - 2.0 * felt.modulus_slope);
-        Contact { stiffness, ..contact }.times(shape.spheres)
-    }
-
-    /// A block of asperities, of heights `z`, for each of which `n` spheres of radius `b` stand.
-    #[inline(always)]
-    fn press_block(
-        &self,
-        z: &[f64; SIDE_BY_SIDE],
-        b: &[f64; SIDE_BY_SIDE],
-        n: &[f64; SIDE_BY_SIDE],
-        separation: f64,
-        tally: &mut Tally,
-    ) {
-        let w = z.map(|z| z - separation);
-        let felt = self.felt(w, std::array::from_fn(|lane| n[lane] * b[lane]));
-        for lane in 0..SIDE_BY_SIDE {
-            let shape = Shape { radius: b[lane], spheres: n[lane] };
-            tally.add(&self.answer(w[lane], shape, &felt[lane]));
+    fn answer<N: Real>(&self, w: N, radius: N, felt: &Felt<N>) -> Contacts<N> {
+        let contacts = self.law.contacts(w, radius, &felt.pair);
+        let mut slope = felt.onset_slope;
+        if L::feels_poisson() {
+            slope = N::choose(contacts.plastic, felt.strength_slope, slope);
         }
+        let stiffness = contacts.stiffness * ((felt.modulus_slope - slope) * 2.0 + 1.0)
+            + contacts.load / w * (slope * 3.0 - felt.modulus_slope * 2.0);
+        Contacts { stiffness, ..contacts }
     }
 
     /// (w/b) (E*/onset)^2.
@@ -201,7 +183,7 @@ impl<L: Similar> Layered<L> {
         let low = bound(all.onset.low, all.modulus.high) - 1e-9;
         let high = bound(all.onset.high, all.modulus.low) + 1e-9;
         let value = |v: f64| {
-            let [felt] = self.felt([v.exp()], [b]);
+            let felt = self.felt(v.exp(), b);
             v - 2.0 * (felt.pair.resistance.onset / felt.pair.reduced_modulus).ln() - level
         };
         let over = |from: f64, to: f64| {
@@ -214,7 +196,7 @@ impl<L: Similar> Layered<L> {
     }
 
     fn resistance_of_flat(&self, w: f64, b: f64) -> Resistance {
-        let poisson = if L::feels_poisson() { self.coating.poisson_lanes([w], [b]).0[0] } else { 0.0 };
+        let poisson = if L::feels_poisson() { self.coating.poisson(w, b).0 } else { 0.0 };
         self.law.of_hardness(self.coating.at(w, b).hardness, poisson)
     }
 
@@ -263,39 +245,25 @@ fn weaker(value: Interval, slope: Interval, constant: f64) -> (Interval, Interva
     }
 }
 
+impl<L: Similar> Answers for Layered<L> {
+    #[inline(always)]
+    fn answers<N: Real>(&self, w: N, radius: N, spheres: N) -> Contacts<N> {
+        self.answer(w, radius, &self.felt(w, spheres * radius)).times(spheres)
+    }
+}
+
 impl<L: Similar> MicroContact for Layered<L> {
     #[inline]
     fn contact(&self, w: f64, shape: Shape) -> Contact {
-        let [felt] = self.felt([w], [shape.spheres * shape.radius]);
-        self.answer(w, shape, &felt)
+        self.answers(w, shape.radius, shape.spheres).into()
     }
 
     fn weigh(&self, indentations: &[f64], weights: &[f64], shape: Shape, tally: &mut Tally) {
-        let (blocks, rest) = indentations.as_chunks::<SIDE_BY_SIDE>();
-        let (block_weights, rest_weights) = weights.as_chunks::<SIDE_BY_SIDE>();
-        let b = [shape.spheres * shape.radius; SIDE_BY_SIDE];
-        for (w, weights) in blocks.iter().zip(block_weights) {
-            for (felt, (&w, &weight)) in self.felt(*w, b).iter().zip(w.iter().zip(weights)) {
-                tally.weigh(&self.answer(w, shape, felt), weight);
-            }
-        }
-        for (&w, &weight) in rest.iter().zip(rest_weights) {
-            tally.weigh(&self.contact(w, shape), weight);
-        }
+        weigh(self, indentations, weights, shape, tally);
     }
 
     fn press(&self, asperities: Asperities<'_>, separation: f64, tally: &mut Tally) {
-        let (heights, rest) = asperities.heights().as_chunks();
-        let blocks = heights.iter().zip(asperities.radii().as_chunks().0);
-        match asperities.spheres() {
-            None => blocks.for_each(|(z, b)| self.press_block(z, b, &[1.0; SIDE_BY_SIDE], separation, tally)),
-            Some(spheres) => blocks
-                .zip(spheres.as_chunks().0)
-                .for_each(|((z, b), n)| self.press_block(z, b, n, separation, tally)),
-        }
-        let count = asperities.count();
-        let rest = asperities.part(count - rest.len()..count);
-        rest.each(|z, shape| tally.add(&self.contact(z - separation, shape)));
+        press(self, asperities, separation, tally);
     }
 
     fn regime_changes(&self, shape: Shape) -> Vec<f64> {

@@ -2,6 +2,7 @@
 
 mod bare;
 mod layered;
+mod side_by_side;
 
 pub use bare::Interface;
 pub use layered::Layered;
@@ -230,7 +231,7 @@ pub trait MicroContact: Send + Sync {
     /// Adds the contacts of asperities that all stand above the flat at `separation` (m, in the
     /// frame of their heights) to the tally.
     fn press(&self, asperities: Asperities<'_>, separation: f64, tally: &mut Tally) {
-        asperities.each(|z, shape| tally.add(&self.contact(z - separation, shape)));
+        asperities.each().for_each(|(z, shape)| tally.add(&self.contact(z - separation, shape)));
     }
 }
 

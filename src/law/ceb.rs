@@ -3,10 +3,11 @@
 use std::f64::consts::PI;
 
 use super::{Hertz, Law, OfPoisson, Pair, Property, Resistance, Similar, exponents_passed};
-use crate::contact::{Contact, Regime};
+use crate::contact::Contacts;
 use crate::literature::{self, Paper};
 use crate::material::Material;
 use crate::numeric::interval::Interval;
+use crate::numeric::lanes::{Mask, Real};
 
 /// The elastic-plastic sphere of Chang, Etsion and Bogy (1987):
 ///
@@ -55,20 +56,26 @@ impl Law for Ceb {
         Some(Property::Hardness)
     }
 
-    #[inline]
-    fn contact(&self, w: f64, b: f64, pair: &Pair) -> Contact {
+    #[inline(always)]
+    fn contacts<N: Real>(&self, w: N, b: N, pair: &Pair<N>) -> Contacts<N> {
         let critical = pair.ratio(CRITICAL) * b;
-        if w <= critical {
-            return Hertz::elastic(w, b, pair.reduced_modulus);
+        let elastic = w.at_most(critical);
+        let springing = Hertz::elastic(w, b, pair.reduced_modulus);
+        if elastic.all() {
+            return springing;
         }
-        let area = PI * b * (w + (w - critical));
+        let slope = b * PI;
+        let area = slope * (w + (w - critical));
         let pressure = pair.resistance.onset;
-        Contact {
+        let nowhere = !w.everywhere();
+        let flowing = Contacts {
             area,
             load: pressure * area,
-            stiffness: pressure * (2.0 * PI * b),
-            regime: Regime::ElasticPlastic,
-        }
+            stiffness: pressure * slope * 2.0,
+            elastic: nowhere,
+            plastic: nowhere,
+        };
+        Contacts::choose(elastic, &springing, &flowing)
     }
 
     fn critical_ratios(&self, pair: &Pair) -> Vec<f64> {

@@ -60,8 +60,8 @@ impl Shape {
             return Self::sphere(mean_curvature.recip());
         }
         let [radius, spheres] = &*TABLES;
-        match (radius.at([curvature_ratio]), spheres.at([curvature_ratio])) {
-            (Some(([radius], _)), Some(([spheres], _))) => Self { radius: radius / mean_curvature, spheres },
+        match (radius.at(curvature_ratio), spheres.at(curvature_ratio)) {
+            (Some((radius, _)), Some((spheres, _))) => Self { radius: radius / mean_curvature, spheres },
             _ => Self::solved(mean_curvature, curvature_ratio),
         }
     }

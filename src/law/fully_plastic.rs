@@ -3,10 +3,11 @@
 use std::f64::consts::PI;
 
 use super::{Law, Pair, Property, Resistance, Similar};
-use crate::contact::{Contact, Regime};
+use crate::contact::Contacts;
 use crate::literature::{self, Paper};
 use crate::material::Material;
 use crate::numeric::interval::Interval;
+use crate::numeric::lanes::Real;
 
 /// A sphere that is plastic from the first touch on, on the truncated area of the profile (Abbott and Firestone 1933):
 ///
@@ -18,6 +19,23 @@ use crate::numeric::interval::Interval;
 /// body. No elastic range, no jumps; the modulus is not used.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub struct FullyPlastic;
+
+impl FullyPlastic {
+    /// The section of the sphere in the plane of the flat, at the mean pressure `strength` (Pa).
+    #[inline(always)]
+    pub(super) fn plastic<N: Real>(w: N, b: N, strength: N) -> Contacts<N> {
+        let slope = b * (2.0 * PI);
+        let stiffness = strength * slope;
+        let everywhere = w.everywhere();
+        Contacts {
+            area: slope * w,
+            load: stiffness * w,
+            stiffness,
+            elastic: !everywhere,
+            plastic: everywhere,
+        }
+    }
+}
 
 impl Law for FullyPlastic {
     fn name(&self) -> &'static str {
@@ -41,11 +59,9 @@ impl Law for FullyPlastic {
         Some(Property::Hardness)
     }
 
-    #[inline]
-    fn contact(&self, w: f64, b: f64, pair: &Pair) -> Contact {
-        let slope = 2.0 * PI * b;
-        let stiffness = pair.resistance.strength * slope;
-        Contact { area: slope * w, load: stiffness * w, stiffness, regime: Regime::Plastic }
+    #[inline(always)]
+    fn contacts<N: Real>(&self, w: N, b: N, pair: &Pair<N>) -> Contacts<N> {
+        Self::plastic(w, b, pair.resistance.strength)
     }
 
     fn critical_ratios(&self, _: &Pair) -> Vec<f64> {

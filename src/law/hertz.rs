@@ -3,10 +3,11 @@
 use std::f64::consts::PI;
 
 use super::{Law, Pair, Property, Resistance, Similar};
-use crate::contact::{Contact, Regime};
+use crate::contact::Contacts;
 use crate::literature::{self, Paper};
 use crate::material::Material;
 use crate::numeric::interval::Interval;
+use crate::numeric::lanes::Real;
 
 /// A sphere that stays elastic at any indentation (Greenwood and Williamson 1966):
 ///
@@ -21,11 +22,18 @@ pub struct Hertz;
 
 impl Hertz {
     /// The elastic contact, shared with the laws that begin as Hertz does.
-    #[inline]
-    pub(super) fn elastic(w: f64, b: f64, reduced_modulus: f64) -> Contact {
+    #[inline(always)]
+    pub(super) fn elastic<N: Real>(w: N, b: N, reduced_modulus: N) -> Contacts<N> {
         let radius = (b * w).sqrt();
-        let stiffness = 2.0 * reduced_modulus * radius;
-        Contact { area: PI * b * w, load: stiffness * w * (2.0 / 3.0), stiffness, regime: Regime::Elastic }
+        let stiffness = reduced_modulus * 2.0 * radius;
+        let everywhere = w.everywhere();
+        Contacts {
+            area: b * PI * w,
+            load: stiffness * w * (2.0 / 3.0),
+            stiffness,
+            elastic: everywhere,
+            plastic: !everywhere,
+        }
     }
 }
 
@@ -46,8 +54,8 @@ impl Law for Hertz {
         Ok(Resistance::ENDLESS)
     }
 
-    #[inline]
-    fn contact(&self, w: f64, b: f64, pair: &Pair) -> Contact {
+    #[inline(always)]
+    fn contacts<N: Real>(&self, w: N, b: N, pair: &Pair<N>) -> Contacts<N> {
         Self::elastic(w, b, pair.reduced_modulus)
     }
 

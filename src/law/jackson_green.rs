@@ -5,9 +5,10 @@ use std::sync::Arc;
 
 use super::ceb::CRITICAL;
 use super::{Hertz, Inapplicable, Law, Pair, Property, Resistance};
-use crate::contact::{Contact, Regime};
+use crate::contact::Contacts;
 use crate::literature::{self, Paper};
 use crate::material::Material;
+use crate::numeric::lanes::{Mask, Real};
 use crate::numeric::table::Table;
 
 /// The elastic-plastic sphere of Jackson and Green (2005), with u = w/wc:
@@ -50,10 +51,10 @@ const FITTED: [f64; 2] = [0.001, 0.008];
 
 /// P/Pc, d(P/Pc)/d ln w, and A/(pi b w).
 #[derive(Debug, Clone, Copy)]
-struct Answer {
-    load: f64,
-    load_slope: f64,
-    growth: f64,
+struct Answer<N = f64> {
+    load: N,
+    load_slope: N,
+    growth: N,
 }
 
 /// The answers for one pair.
@@ -78,11 +79,10 @@ impl Tuned {
         }
     }
 
-    #[inline]
-    fn at(&self, u: f64) -> Option<Answer> {
-        let v = [u / ELASTIC];
-        let ([load], [load_slope]) = self.load.at(v)?;
-        let ([growth], _) = self.growth.at(v)?;
+    #[inline(always)]
+    fn at<N: Real>(&self, v: N) -> Option<Answer<N>> {
+        let (load, load_slope) = self.load.at(v)?;
+        let (growth, _) = self.growth.at(v)?;
         Some(Answer { load, load_slope, growth })
     }
 }
@@ -112,6 +112,27 @@ fn answer(u: f64, pair: &Pair) -> Answer {
         load_slope: elastic_slope
             + factor * (hardness * plastic + hardness_slope * plastic + hardness * plastic_slope),
         growth,
+    }
+}
+
+impl JacksonGreen {
+    /// Beyond the elastic range, at `v` = u/1.9.
+    #[inline(always)]
+    fn at<N: Real>(&self, v: N, pair: &Pair<N>) -> Answer<N> {
+        // The law is not one that is asked under a layer: the pair is the same in every lane.
+        let Resistance { onset, strength } = pair.resistance;
+        let resistance = Resistance { onset: onset.first(), strength: strength.first() };
+        let pair = Pair { reduced_modulus: pair.reduced_modulus.first(), resistance };
+        if let Some(tuned) = self.tuned.as_ref().filter(|tuned| tuned.pair == pair)
+            && let Some(answer) = tuned.at(v)
+        {
+            return answer;
+        }
+        let [load, load_slope, growth] = v.each(|v| {
+            let Answer { load, load_slope, growth } = answer(ELASTIC * v, &pair);
+            [load, load_slope, growth]
+        });
+        Answer { load, load_slope, growth }
     }
 }
 
@@ -164,23 +185,31 @@ impl Law for JacksonGreen {
         Self { tuned: Some(Arc::new(Tuned::new(pair))) }
     }
 
-    #[inline]
-    fn contact(&self, w: f64, b: f64, pair: &Pair) -> Contact {
+    #[inline(always)]
+    fn contacts<N: Real>(&self, w: N, b: N, pair: &Pair<N>) -> Contacts<N> {
         let critical = pair.ratio(CRITICAL) * b;
-        let u = w / critical;
         // 0 where the pair never yields.
-        if u < ELASTIC {
+        let u = w / critical;
+        let elastic = u.below(w.splat(ELASTIC));
+        if elastic.all() {
             return Hertz::elastic(w, b, pair.reduced_modulus);
         }
-        let tuned = self.tuned.as_ref().filter(|tuned| tuned.pair == *pair);
-        let answer = tuned.and_then(|tuned| tuned.at(u)).unwrap_or_else(|| answer(u, pair));
-        let critical_load = (2.0 / 3.0) * PI * pair.resistance.onset * b * critical;
-        Contact {
-            area: PI * b * w * answer.growth,
+        let v = N::choose(elastic, w.splat(1.0), u / ELASTIC);
+        let answer = self.at(v, pair);
+        let critical_load = pair.resistance.onset * (2.0 / 3.0 * PI) * b * critical;
+        let nowhere = !w.everywhere();
+        let flowing = Contacts {
+            area: b * PI * w * answer.growth,
             load: critical_load * answer.load,
             stiffness: critical_load * answer.load_slope / w,
-            regime: Regime::ElasticPlastic,
+            elastic: nowhere,
+            plastic: nowhere,
+        };
+        if elastic.any() {
+            let springing = Hertz::elastic(w, b, pair.reduced_modulus);
+            return Contacts::choose(elastic, &springing, &flowing);
         }
+        flowing
     }
 
     fn critical_ratios(&self, pair: &Pair) -> Vec<f64> {

@@ -3,11 +3,12 @@
 use std::f64::consts::PI;
 
 use super::ceb::{CRITICAL, HARDNESS_FACTOR};
-use super::{Hertz, Law, OfPoisson, Pair, Property, Resistance, Similar, exponents_passed};
-use crate::contact::{Contact, Regime};
+use super::{FullyPlastic, Hertz, Law, OfPoisson, Pair, Property, Resistance, Similar, exponents_passed};
+use crate::contact::Contacts;
 use crate::literature::{self, Paper};
 use crate::material::Material;
 use crate::numeric::interval::Interval;
+use crate::numeric::lanes::{Mask, Real};
 
 /// The elastic-plastic sphere of Kogut and Etsion (2002), with u = w/wc:
 ///
@@ -48,6 +49,36 @@ const RANGES: [Range; 2] = [
 /// w/wc from which on all is plastic.
 const PLASTIC: f64 = 110.0;
 
+/// One of two numbers.
+#[inline(always)]
+fn either<N: Real>(is_far: N::Mask, [near, far]: [f64; 2], zero: N) -> N {
+    N::choose(is_far, zero.splat(far), zero.splat(near))
+}
+
+/// A coefficient times a power, of either range.
+#[inline(always)]
+fn power<N: Real>(is_far: N::Mask, [near, far]: [[f64; 2]; 2], ln_u: N) -> N {
+    either(is_far, [near[0], far[0]], ln_u) * (either(is_far, [near[1], far[1]], ln_u) * ln_u).exp()
+}
+
+/// The fitted powers of `u` = w/wc.
+#[inline(always)]
+fn elastic_plastic<N: Real>(w: N, b: N, u: N, critical: N, onset: N) -> Contacts<N> {
+    let [near, far] = &RANGES;
+    let is_far = w.splat(far.from).at_most(u);
+    let ln_u = u.ln();
+    let critical_area = b * PI * critical;
+    let load = onset * (2.0 / 3.0) * critical_area * power(is_far, [near.load, far.load], ln_u);
+    let nowhere = !w.everywhere();
+    Contacts {
+        area: critical_area * power(is_far, [near.area, far.area], ln_u),
+        load,
+        stiffness: either(is_far, [near.load[1], far.load[1]], w) * load / w,
+        elastic: nowhere,
+        plastic: nowhere,
+    }
+}
+
 impl Law for KogutEtsion {
     fn name(&self) -> &'static str {
         "kogut-etsion"
@@ -75,34 +106,25 @@ impl Law for KogutEtsion {
         Some(Property::Hardness)
     }
 
-    #[inline]
-    fn contact(&self, w: f64, b: f64, pair: &Pair) -> Contact {
+    #[inline(always)]
+    fn contacts<N: Real>(&self, w: N, b: N, pair: &Pair<N>) -> Contacts<N> {
         let critical = pair.ratio(CRITICAL) * b;
-        if w < critical {
+        let elastic = w.below(critical);
+        if elastic.all() {
             return Hertz::elastic(w, b, pair.reduced_modulus);
         }
         let u = w / critical;
-        if u >= PLASTIC {
-            let slope = 2.0 * PI * b;
-            let hardness = pair.resistance.strength;
-            return Contact {
-                area: slope * w,
-                load: hardness * slope * w,
-                stiffness: hardness * slope,
-                regime: Regime::Plastic,
-            };
+        let plastic = w.splat(PLASTIC).at_most(u);
+        let mut contacts = elastic_plastic(w, b, u, critical, pair.resistance.onset);
+        if plastic.any() {
+            let flowing = FullyPlastic::plastic(w, b, pair.resistance.strength);
+            contacts = Contacts::choose(plastic, &flowing, &contacts);
         }
-        let range = &RANGES[usize::from(u >= RANGES[1].from)];
-        let ln_u = u.ln();
-        let power = |[coefficient, exponent]: [f64; 2]| coefficient * (exponent * ln_u).exp();
-        let critical_area = PI * b * critical;
-        let load = (2.0 / 3.0) * pair.resistance.onset * critical_area * power(range.load);
-        Contact {
-            area: critical_area * power(range.area),
-            load,
-            stiffness: range.load[1] * load / w,
-            regime: Regime::ElasticPlastic,
+        if elastic.any() {
+            let springing = Hertz::elastic(w, b, pair.reduced_modulus);
+            contacts = Contacts::choose(elastic, &springing, &contacts);
         }
+        contacts
     }
 
     fn critical_ratios(&self, pair: &Pair) -> Vec<f64> {

@@ -29,19 +29,20 @@ pub use jackson_green::JacksonGreen;
 pub use kogut_etsion::KogutEtsion;
 pub use zmc::{Zmc, ZmcError};
 
-use crate::contact::Contact;
+use crate::contact::{Contact, Contacts};
 use crate::literature::Paper;
 use crate::material::{Material, reduced_modulus};
 use crate::numeric::interval::Interval;
+use crate::numeric::lanes::Real;
 
 /// What a body sets against yielding, as a law sees it. Of a pair, the onset is that of the body that yields first, the
 /// strength that of the weaker one.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Resistance {
+pub struct Resistance<N = f64> {
     /// The pressure that sets where yield begins, Pa: H, K(nu) H or C(nu) Y, as the law has it.
-    pub onset: f64,
+    pub onset: N,
     /// What limits the mean pressure of a plastic contact, Pa: H, or Y.
-    pub strength: f64,
+    pub strength: N,
 }
 
 impl Resistance {
@@ -57,11 +58,11 @@ impl Resistance {
 
 /// The pair of bodies as a law sees it.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Pair {
+pub struct Pair<N = f64> {
     /// Reduced modulus E*, Pa (Pasaribu and Schipper 2005, Eq. 3).
-    pub reduced_modulus: f64,
+    pub reduced_modulus: N,
     /// What they set against yielding; infinite where neither body yields.
-    pub resistance: Resistance,
+    pub resistance: Resistance<N>,
 }
 
 impl Pair {
@@ -80,11 +81,21 @@ impl Pair {
         law.check(&pair).map(|()| pair)
     }
 
+    /// The same pair for every lane of a number such as `zero`.
+    #[inline(always)]
+    pub fn splat<N: Real>(&self, zero: N) -> Pair<N> {
+        let Resistance { onset, strength } = self.resistance;
+        let resistance = Resistance { onset: zero.splat(onset), strength: zero.splat(strength) };
+        Pair { reduced_modulus: zero.splat(self.reduced_modulus), resistance }
+    }
+}
+
+impl<N: Real> Pair<N> {
     /// (w/b) (E*/onset)^2 = `u` at the indentation w = ratio b.
     #[inline(always)]
-    pub fn ratio(&self, u: f64) -> f64 {
+    pub fn ratio(&self, u: f64) -> N {
         let strain = self.resistance.onset / self.reduced_modulus;
-        u * strain * strain
+        strain * u * strain
     }
 }
 
@@ -206,8 +217,15 @@ pub trait Law: Clone + Send + Sync + 'static {
         self
     }
 
-    /// Area, load, stiffness and regime at indentation `w` (m) of a sphere of radius `b` (m).
-    fn contact(&self, w: f64, b: f64, pair: &Pair) -> Contact;
+    /// Area, load, stiffness and regime at indentations `w` (m) of spheres of radii `b` (m) side by side. Must be
+    /// `#[inline(always)]`, see [`crate::numeric::lanes`].
+    fn contacts<N: Real>(&self, w: N, b: N, pair: &Pair<N>) -> Contacts<N>;
+
+    /// The same of one sphere.
+    #[inline]
+    fn contact(&self, w: f64, b: f64, pair: &Pair) -> Contact {
+        self.contacts(w, b, pair).into()
+    }
 
     /// The indentations at which one formula gives way to another, as ratios w/b, ascending; each is proportional to
     /// (onset/E*)^2. Empty where the law has one range only.
@@ -253,6 +271,12 @@ impl OfPoisson {
     pub const fn at(self, nu: f64) -> f64 {
         self.constant + self.slope * nu
     }
+
+    /// The same side by side.
+    #[inline(always)]
+    pub fn of<N: Real>(self, nu: N) -> N {
+        nu * self.slope + self.constant
+    }
 }
 
 /// A law whose contacts are similar, so that it can be asked with properties that change with the indentation: under a
@@ -278,8 +302,8 @@ pub trait Similar: Law {
 
     /// What a hardness (Pa) at a Poisson's ratio is to the law.
     #[inline(always)]
-    fn of_hardness(&self, hardness: f64, poisson: f64) -> Resistance {
-        Resistance { onset: Self::ONSET.at(poisson) * hardness, strength: hardness }
+    fn of_hardness<N: Real>(&self, hardness: N, poisson: N) -> Resistance<N> {
+        Resistance { onset: Self::ONSET.of(poisson) * hardness, strength: hardness }
     }
 
     /// [`Law::resistance`] of such a law.

@@ -2,12 +2,13 @@
 
 use std::f64::consts::PI;
 
-use super::{Hertz, Law, Pair, Property, Resistance, Similar};
-use crate::contact::{Contact, Regime};
+use super::{FullyPlastic, Hertz, Law, Pair, Property, Resistance, Similar};
+use crate::contact::Contacts;
 use crate::literature::{self, Paper};
 use crate::material::Material;
 use crate::numeric::interval::Interval;
 use crate::numeric::is_positive;
+use crate::numeric::lanes::{Mask, Real};
 
 /// The elastic - elastic-plastic - plastic sphere of Zhao, Maietta and Chang (2000), in the notation
 /// of Pasaribu and Schipper (2005):
@@ -62,6 +63,27 @@ impl Zmc {
         Ok(Self { onset, transition_ratio, inverse_log_ratio: transition_ratio.ln().recip() })
     }
 
+    /// Eqs. 7 and 11, `u` = w/w1.
+    #[inline(always)]
+    fn elastic_plastic<N: Real>(&self, w: N, b: N, u: N, hardness: N) -> Contacts<N> {
+        let span = self.transition_ratio - 1.0;
+        let x = (u - 1.0) * span.recip();
+        let growth = x * x * (x * -2.0 + 3.0) + 1.0;
+        let slope = b * PI;
+        let area = slope * w * growth;
+        let area_slope = slope * (growth + u * (6.0 / span) * x * (-x + 1.0));
+        let pressure = hardness * (u.ln() * (0.6 * self.inverse_log_ratio) + 0.4);
+        let pressure_slope = hardness * (0.6 * self.inverse_log_ratio) / w;
+        let nowhere = !w.everywhere();
+        Contacts {
+            area,
+            load: pressure * area,
+            stiffness: pressure * area_slope + pressure_slope * area,
+            elastic: nowhere,
+            plastic: nowhere,
+        }
+    }
+
     /// d ln P/d ln w of elastic-plastic contacts over a range of x.
     fn exponents_between(&self, x: Interval) -> Interval {
         let span = self.transition_ratio - 1.0;
@@ -105,37 +127,26 @@ impl Law for Zmc {
         Ok(self.by_hardness(body))
     }
 
-    #[inline]
-    fn contact(&self, w: f64, b: f64, pair: &Pair) -> Contact {
+    #[inline(always)]
+    fn contacts<N: Real>(&self, w: N, b: N, pair: &Pair<N>) -> Contacts<N> {
         // Infinite where neither body yields.
         let w1 = pair.ratio(self.onset) * b;
-        if w <= w1 {
+        let elastic = w.at_most(w1);
+        if elastic.all() {
             return Hertz::elastic(w, b, pair.reduced_modulus);
         }
         let u = w / w1;
-        if u >= self.transition_ratio {
-            let slope = 2.0 * PI * b;
-            return Contact {
-                area: slope * w,
-                load: pair.resistance.strength * slope * w,
-                stiffness: pair.resistance.strength * slope,
-                regime: Regime::Plastic,
-            };
+        let plastic = w.splat(self.transition_ratio).at_most(u);
+        let mut contacts = self.elastic_plastic(w, b, u, pair.resistance.onset);
+        if plastic.any() {
+            let flowing = FullyPlastic::plastic(w, b, pair.resistance.strength);
+            contacts = Contacts::choose(plastic, &flowing, &contacts);
         }
-        let span = self.transition_ratio - 1.0;
-        let x = (u - 1.0) / span;
-        let growth = 1.0 + x * x * (3.0 - 2.0 * x);
-        let area = PI * b * w * growth;
-        let area_slope = PI * b * (growth + u * 6.0 * x * (1.0 - x) / span);
-        let hardness = pair.resistance.onset;
-        let pressure = hardness * (0.4 + 0.6 * u.ln() * self.inverse_log_ratio);
-        let pressure_slope = 0.6 * hardness * self.inverse_log_ratio / w;
-        Contact {
-            area,
-            load: pressure * area,
-            stiffness: pressure * area_slope + pressure_slope * area,
-            regime: Regime::ElasticPlastic,
+        if elastic.any() {
+            let springing = Hertz::elastic(w, b, pair.reduced_modulus);
+            contacts = Contacts::choose(elastic, &springing, &contacts);
         }
+        contacts
     }
 
     fn critical_ratios(&self, pair: &Pair) -> Vec<f64> {

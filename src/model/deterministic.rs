@@ -2,30 +2,39 @@
 
 use std::sync::OnceLock;
 
+use rayon::prelude::*;
+
+use super::block::{Block, Levels};
 use super::load_control::LOWEST_SEPARATION;
 use super::{Datum, Model, Response, SamplingError};
-use crate::asperity::Ordered;
+use crate::asperity::{Asperities, Ordered};
 use crate::contact::Tally;
 use crate::interface::{LoadBounds, MicroContact, Shapes};
 use crate::numeric::Sum;
 use crate::numeric::interval::Interval;
-use crate::numeric::root::{last_reaching, last_reaching_bounded};
+use crate::numeric::root::last_reaching_bounded;
 use crate::numeric::sum::in_chunks;
 
 /// The micro-contact summed over the asperities that stand above the flat.
+///
+/// A curve is summed block by block: each block is brought into the order in which the separations touch its asperities
+/// while it is in the cache, so that what lies below the flat is not looked at again.
 #[derive(Debug, Clone)]
 pub struct Deterministic<'a, C: ?Sized> {
     contact: &'a C,
-    asperities: &'a Ordered,
+    asperities: Asperities<'a>,
     datum: Datum,
+    /// m.
+    highest: f64,
     /// Found when a load is first asked for.
-    falls: OnceLock<Falls>,
+    falls: OnceLock<Option<Falls>>,
 }
 
 /// Where the loads of asperities may fall.
 #[derive(Debug, Clone)]
 struct Falls {
-    /// Of each class of radii, ranges of indentation, m; empty where no load ever falls.
+    ordered: Ordered,
+    /// Of each class of radii, ranges of indentation, m.
     within: Vec<Vec<Interval>>,
     /// The class of each asperity.
     class: Vec<u8>,
@@ -34,12 +43,13 @@ struct Falls {
 }
 
 impl Falls {
-    fn of<C: MicroContact + ?Sized>(contact: &C, asperities: &Ordered) -> Self {
+    /// `None` where no load ever falls.
+    fn of<C: MicroContact + ?Sized>(contact: &C, asperities: Asperities) -> Option<Self> {
         /// Classes of radii at the most, so that one sharp asperity does not speak for all.
         const CLASSES: u8 = 32;
-        let (radii, spheres) = (asperities.radii(), asperities.spheres());
+        let (radii, spheres) = (asperities.radius_range(), asperities.sphere_range());
         if contact.may_fall(Shapes { radii, spheres }).is_empty() {
-            return Self { within: Vec::new(), class: Vec::new(), from: f64::NEG_INFINITY };
+            return None;
         }
         let octaves = (radii.high / radii.low).log2();
         let classes = if octaves > 0.0 { CLASSES } else { 1 };
@@ -51,13 +61,15 @@ impl Falls {
             spheres,
         };
         let within: Vec<Vec<Interval>> = (0..classes).map(|k| contact.may_fall(shapes(k))).collect();
-        let all = asperities.above(f64::NEG_INFINITY);
+        let ordered = Ordered::new(asperities);
+        let all = ordered.above(f64::NEG_INFINITY);
         let place = |&b: &f64| (((b / radii.low).log2() / step) as u8).min(classes - 1);
         let class: Vec<u8> =
             if classes == 1 { vec![0; all.count()] } else { all.radii().iter().map(place).collect() };
         let first = |&k: &u8| within[usize::from(k)].first().map_or(f64::INFINITY, |range| range.low);
-        let firsts = all.heights().iter().zip(&class).map(|(z, k)| z - first(k));
-        Self { from: firsts.fold(f64::NEG_INFINITY, f64::max), within, class }
+        let from =
+            all.heights().iter().zip(&class).map(|(z, k)| z - first(k)).fold(f64::NEG_INFINITY, f64::max);
+        Some(Self { ordered, within, class, from })
     }
 
     /// Whether the load of asperity `index` rises all over `indentations`.
@@ -67,24 +79,69 @@ impl Falls {
     }
 }
 
+/// Blocks that one task adds up, at the most.
+const BLOCKS_PER_TASK: usize = 16;
+
+/// Tasks that a sum is cut into where its blocks are few. Fixed, so that nothing depends on the number of threads.
+const TASKS: usize = 64;
+
 impl<'a, C: MicroContact + ?Sized> Deterministic<'a, C> {
-    /// The model of a set, with separations measured as `datum` says.
-    pub fn new(contact: &'a C, asperities: &'a Ordered, datum: Datum) -> Self {
-        Self { contact, asperities, datum, falls: OnceLock::new() }
+    /// The model of asperities, with separations measured as `datum` says.
+    pub fn new(contact: &'a C, asperities: Asperities<'a>, datum: Datum) -> Self {
+        Self { contact, asperities, datum, highest: asperities.highest(), falls: OnceLock::new() }
     }
 
     /// What the asperities above `separation` (m, in the frame of the set's heights) add up to.
     pub fn tally(&self, separation: f64) -> Tally {
-        let touching = self.asperities.above(separation);
-        in_chunks(
-            touching.count(),
-            |chunk| {
-                let mut tally = Tally::default();
-                self.contact.press(touching.part(chunk), separation, &mut tally);
-                tally
-            },
-            Tally::merge,
-        )
+        self.tallies(&[separation])[0]
+    }
+
+    /// The same at each of many separations.
+    pub fn tallies(&self, separations: &[f64]) -> Vec<Tally> {
+        let mut order: Vec<usize> = (0..separations.len()).collect();
+        order.sort_by(|&a, &b| separations[b].total_cmp(&separations[a]));
+        let mut tallies = vec![Tally::default(); separations.len()];
+        for some in order.chunks(Levels::MOST) {
+            let found = self.descend(some.iter().map(|&k| separations[k]).collect());
+            for (&k, tally) in some.iter().zip(found) {
+                tallies[k] = tally;
+            }
+        }
+        tallies
+    }
+
+    /// The same at few separations, the largest first.
+    fn descend(&self, separations: Vec<f64>) -> Vec<Tally> {
+        let nothing = vec![Tally::default(); separations.len()];
+        if separations.last().is_none_or(|&lowest| lowest >= self.highest) {
+            return nothing;
+        }
+        let levels = Levels::new(separations.clone());
+        let count = self.asperities.count();
+        let blocks = count.div_ceil(Block::MOST);
+        let per_task = Block::MOST * (blocks / TASKS).clamp(1, BLOCKS_PER_TASK);
+        let part = |block: &mut Block, task: usize| {
+            let mut tallies = nothing.clone();
+            let end = count.min((task + 1) * per_task);
+            for start in (task * per_task..end).step_by(Block::MOST) {
+                let asperities = self.asperities.part(start..end.min(start + Block::MOST));
+                block.fill(asperities, &levels);
+                for (level, (&separation, tally)) in separations.iter().zip(&mut tallies).enumerate() {
+                    let touching = block.above(level, &asperities);
+                    if touching.count() > 0 {
+                        self.contact.press(touching, separation, tally);
+                    }
+                }
+            }
+            tallies
+        };
+        let parts: Vec<Vec<Tally>> =
+            (0..count.div_ceil(per_task)).into_par_iter().map_init(Block::default, part).collect();
+        let mut total = nothing;
+        for part in &parts {
+            total.iter_mut().zip(part).for_each(|(total, part)| total.merge(part));
+        }
+        total
     }
 
     /// A separation in the frame of the heights, m.
@@ -96,11 +153,20 @@ impl<'a, C: MicroContact + ?Sized> Deterministic<'a, C> {
         self.respond(h).pressure.total()
     }
 
+    fn response(&self, h: f64, tally: &Tally) -> Response {
+        let (count, per_area) = (self.asperities.count(), self.asperities.nominal_area().recip());
+        let sampling = SamplingError {
+            pressure: tally.load_error(count) * per_area,
+            area_ratio: tally.area_error(count) * per_area,
+        };
+        Response { sampling: Some(sampling), ..Response::new(h, self.datum, tally, per_area) }
+    }
+
     /// The highest pressure that any separation from `low` to `high` could carry, were each asperity at its own
     /// worst, and bounds of the sum of all dP/dd (N/m) over them.
     fn pressure_over(&self, low: f64, high: f64, falls: &Falls) -> (f64, Interval) {
         let (near, far) = (self.absolute(low), self.absolute(high));
-        let touching = self.asperities.above(near);
+        let touching = falls.ordered.above(near);
         let (load, slopes) = in_chunks(
             touching.count(),
             |chunk| {
@@ -136,29 +202,27 @@ impl<C: MicroContact + ?Sized> Model for Deterministic<'_, C> {
         self.datum
     }
 
-    fn respond(&self, h: f64) -> Response {
-        let tally = self.tally(self.absolute(h));
-        let count = self.asperities.count();
-        let sampling = SamplingError {
-            pressure: tally.load_error(count) / self.asperities.nominal_area(),
-            area_ratio: tally.area_error(count) / self.asperities.nominal_area(),
-        };
-        let response = Response::new(h, self.datum, &tally, self.asperities.nominal_area().recip());
-        Response { sampling: Some(sampling), ..response }
+    fn respond_all(&self, separations: &[f64]) -> Vec<Response> {
+        let absolute: Vec<f64> = separations.iter().map(|&h| self.absolute(h)).collect();
+        let tallies = self.tallies(&absolute);
+        separations.iter().zip(&tallies).map(|(&h, tally)| self.response(h, tally)).collect()
     }
 
-    fn separation_at(&self, pressure: f64) -> Option<f64> {
+    fn separations_at(&self, pressures: &[f64]) -> Vec<Option<f64>> {
         let in_sigma = |separation: f64| (separation - self.datum.mean) / self.datum.sigma;
-        let highest = in_sigma(self.asperities.highest()).max(LOWEST_SEPARATION);
+        let highest = in_sigma(self.highest).max(LOWEST_SEPARATION);
         let falls = self.falls.get_or_init(|| Falls::of(self.contact, self.asperities));
-        let falling_from = in_sigma(falls.from).clamp(LOWEST_SEPARATION, highest);
-        let value = |h: f64| self.pressure(h);
-        last_reaching(value, pressure, falling_from, highest).or_else(|| {
-            if falls.within.is_empty() {
-                return None;
-            }
-            let bound = |low, high| self.pressure_over(low, high, falls);
-            last_reaching_bounded(&value, &bound, pressure, LOWEST_SEPARATION, falling_from)
-        })
+        let falling_from = falls.as_ref().map_or(LOWEST_SEPARATION, |falls| in_sigma(falls.from));
+        let falling_from = falling_from.clamp(LOWEST_SEPARATION, highest);
+        let mut found = self.last_reaching(pressures, falling_from, highest);
+        if let Some(falls) = falls {
+            let missing = found.par_iter_mut().zip(pressures).filter(|(found, _)| found.is_none());
+            missing.for_each(|(found, &pressure)| {
+                let value = |h: f64| self.pressure(h);
+                let bound = |low, high| self.pressure_over(low, high, falls);
+                *found = last_reaching_bounded(&value, &bound, pressure, LOWEST_SEPARATION, falling_from);
+            });
+        }
+        found
     }
 }

@@ -32,14 +32,23 @@ pub struct Unreachable {
 /// # Errors
 /// A pressure that is not reached down to [`LOWEST_SEPARATION`], with the largest that is.
 pub fn at_pressure(model: &dyn Model, pressure: f64) -> Result<Reached, Unreachable> {
-    match model.separation_at(pressure) {
-        Some(h) => {
-            let response = model.respond(h);
-            let excess = response.pressure.total() - pressure;
-            Ok(Reached { response, in_jump: excess > rounding(model, &response) })
-        }
-        None => Err(Unreachable { wanted: pressure, largest: largest_pressure(model) }),
-    }
+    at_pressures(model, &[pressure]).remove(0)
+}
+
+/// The same for each of many pressures, which are searched side by side.
+pub fn at_pressures(model: &dyn Model, pressures: &[f64]) -> Vec<Result<Reached, Unreachable>> {
+    let found = model.separations_at(pressures);
+    let reached: Vec<f64> = found.iter().copied().flatten().collect();
+    let mut responses = model.respond_all(&reached).into_iter();
+    let is_reached = found.iter().map(|found| found.and_then(|_| responses.next()));
+    let answers: Vec<Option<Response>> = is_reached.collect();
+    let largest = if answers.contains(&None) { largest_pressure(model) } else { 0.0 };
+    let answer = |(response, &wanted): (Option<Response>, &f64)| {
+        let response = response.ok_or(Unreachable { wanted, largest })?;
+        let excess = response.pressure.total() - wanted;
+        Ok(Reached { response, in_jump: excess > rounding(model, &response) })
+    };
+    answers.into_iter().zip(pressures).map(answer).collect()
 }
 
 /// What the rounding of a separation, in the frame that its heights are in, does to a pressure, Pa.
@@ -57,8 +66,7 @@ fn largest_pressure(model: &dyn Model) -> f64 {
     /// Grid points a sigma.
     const PER_SIGMA: i32 = 16;
     let steps = 2 * PER_SIGMA * LOWEST_SEPARATION.abs() as i32;
-    (0..=steps)
-        .map(|k| LOWEST_SEPARATION + f64::from(k) / f64::from(PER_SIGMA))
-        .map(|h| model.respond(h).pressure.total())
-        .fold(0.0, f64::max)
+    let grid: Vec<f64> =
+        (0..=steps).map(|k| LOWEST_SEPARATION + f64::from(k) / f64::from(PER_SIGMA)).collect();
+    model.respond_all(&grid).iter().map(|response| response.pressure.total()).fold(0.0, f64::max)
 }

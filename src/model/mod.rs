@@ -1,17 +1,19 @@
 //! Two ways of adding up one micro-contact: the integral over a height density and the sum over
 //! real asperities.
 
+mod block;
 mod deterministic;
 mod load_control;
 mod response;
 mod statistical;
 
 pub use deterministic::Deterministic;
-pub use load_control::{LOWEST_SEPARATION, Reached, Unreachable, at_pressure};
+pub use load_control::{LOWEST_SEPARATION, Reached, Unreachable, at_pressure, at_pressures};
 pub use response::{INTERACTION, Response, SamplingError};
 pub use statistical::{MeanRadius, Statistical};
 
 use crate::asperity::Statistics;
+use crate::numeric::levels::{Point, last_reaching_all};
 
 /// Where separations are measured from, and in what unit they are quoted.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -33,10 +35,55 @@ pub trait Model: Sync {
     /// Where separations are measured from.
     fn datum(&self) -> Datum;
 
-    /// Everything at the separation `h` = d/sigma.
-    fn respond(&self, h: f64) -> Response;
+    /// Everything at each of the separations d/sigma: a curve costs less at once than point by point.
+    fn respond_all(&self, separations: &[f64]) -> Vec<Response>;
 
-    /// The largest separation with at least `pressure` (Pa, positive) in
+    /// For each of the pressures (Pa, positive) the largest separation with at least that in
     /// [[`LOWEST_SEPARATION`], infinity), `None` if there is none.
-    fn separation_at(&self, pressure: f64) -> Option<f64>;
+    fn separations_at(&self, pressures: &[f64]) -> Vec<Option<f64>>;
+
+    /// Everything at the separation `h` = d/sigma.
+    fn respond(&self, h: f64) -> Response {
+        self.respond_all(&[h])[0]
+    }
+
+    /// [`Self::separations_at`] of one pressure.
+    fn separation_at(&self, pressure: f64) -> Option<f64> {
+        self.separations_at(&[pressure])[0]
+    }
+
+    /// The largest separations in [`low`, `high`] with at least each of `pressures` (Pa), `None` where it is not reached at
+    /// `low`, of a pressure that nowhere there rises with the separation.
+    fn last_reaching(&self, pressures: &[f64], low: f64, high: f64) -> Vec<Option<f64>> {
+        let sigma = self.datum().sigma;
+        let curve = |separations: &[f64]| -> Vec<Point> {
+            let point = |response: Response| Point {
+                x: response.separation_over_sigma,
+                value: response.pressure.total(),
+                slope: -response.stiffness * sigma,
+            };
+            self.respond_all(separations).into_iter().map(point).collect()
+        };
+        last_reaching_all(curve, pressures, &descent(low, high))
+    }
+}
+
+/// Separations from `high` down to `low`, in steps of a quarter of sigma where contacts begin and of one far out.
+fn descent(low: f64, high: f64) -> Vec<f64> {
+    /// Seldom stands an asperity higher.
+    const FAR: f64 = 6.0;
+    /// Beyond that most densities are gone; what is left is one step.
+    const END: f64 = 48.0;
+    let mut grid = vec![high];
+    let mut next = if high > END { END } else { high.ceil() - 1.0 };
+    while next > low {
+        if next < high {
+            grid.push(next);
+        }
+        next -= if next > FAR { 1.0 } else { 0.25 };
+    }
+    if low < high {
+        grid.push(low);
+    }
+    grid
 }

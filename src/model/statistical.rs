@@ -1,14 +1,16 @@
 //! The statistical model: a height density and one mean radius (Zhao, Maietta and Chang 2000).
 
+use rayon::prelude::*;
 use serde::Deserialize;
 
 use super::load_control::LOWEST_SEPARATION;
 use super::{Datum, Model, Response};
-use crate::asperity::{Population, Statistics};
+use crate::asperity::{HeightDensity, Population, Statistics};
 use crate::contact::Tally;
 use crate::interface::MicroContact;
 use crate::law::Shape;
-use crate::numeric::quadrature::{Variable, panels};
+use crate::numeric::lanes::{Real, Work, run};
+use crate::numeric::quadrature::{NODES, Panel, Variable, panels};
 use crate::numeric::root::last_reaching;
 
 /// E-foldings of the density that one panel resolves to full accuracy.
@@ -128,13 +130,9 @@ impl<'a, C: MicroContact + ?Sized> Statistical<'a, C> {
                 let resolved =
                     if heights.turns(h, low, high) { FOLDINGS_PER_BELL } else { FOLDINGS_PER_PANEL };
                 let count = (heights.foldings(h, low, high) / resolved).ceil().max(1.0) as usize;
-                for panel in panels(low, high, Variable::SquareRoot, count) {
-                    let indentations = panel.points.map(|x| x * sigma);
-                    let mut weights = panel.weights;
-                    for (weight, x) in weights.iter_mut().zip(panel.points) {
-                        *weight *= scale * (-heights.exponent(h, x)).exp();
-                    }
-                    self.contact.weigh(&indentations, &weights, self.shape, &mut tally);
+                for mut panel in panels(low, high, Variable::SquareRoot, count) {
+                    run(WithDensity { panel: &mut panel, heights, h, scale, sigma });
+                    self.contact.weigh(&panel.points, &panel.weights, self.shape, &mut tally);
                 }
             }
             from = to;
@@ -163,6 +161,30 @@ impl<'a, C: MicroContact + ?Sized> Statistical<'a, C> {
     }
 }
 
+/// Makes the points of a panel indentations (m) and its weights those of the density beyond the separation `h`.
+struct WithDensity<'a> {
+    panel: &'a mut Panel,
+    heights: HeightDensity,
+    h: f64,
+    scale: f64,
+    sigma: f64,
+}
+
+impl Work for WithDensity<'_> {
+    type Output = ();
+
+    #[inline(always)]
+    fn with<N: Real>(self, zero: N) {
+        let Self { panel, heights, h, scale, sigma } = self;
+        for k in (0..NODES).step_by(N::LANES) {
+            let (points, weights) = (&mut panel.points[k..], &mut panel.weights[k..]);
+            let x = zero.load(points);
+            (zero.load(weights) * ((-heights.exponent(h, x)).exp() * scale)).store(weights);
+            (x * sigma).store(points);
+        }
+    }
+}
+
 /// [from, to] in pieces whose ends have a bounded ratio, where the answer holds a logarithm of w.
 fn spans(from: f64, to: f64, logarithmic: bool) -> impl Iterator<Item = [f64; 2]> {
     let ratio = to / from;
@@ -180,36 +202,51 @@ impl<C: MicroContact + ?Sized> Model for Statistical<'_, C> {
         self.datum
     }
 
-    fn respond(&self, h: f64) -> Response {
-        Response::new(h, self.datum, &self.tally(self.standardised(h)), self.population.density)
+    fn respond_all(&self, separations: &[f64]) -> Vec<Response> {
+        /// Integrals that are worth a task.
+        const MANY: usize = 64;
+        separations
+            .par_iter()
+            .with_min_len(MANY)
+            .map(|&h| {
+                Response::new(h, self.datum, &self.tally(self.standardised(h)), self.population.density)
+            })
+            .collect()
     }
 
     /// Where the density falls with height, so does the pressure with the separation, whatever the
     /// load does with w: -dp/dd = -int P f' dz. Nearer than the mode a falling load can make it fall.
     /// The density is smooth there on the scale of sigma: within a small step the pressure turns once
     /// at the most, and its slope at both ends tells.
-    fn separation_at(&self, pressure: f64) -> Option<f64> {
-        /// Steps of the walk below the mode, in sigma.
-        const STEP: f64 = 1.0 / 16.0;
+    fn separations_at(&self, pressures: &[f64]) -> Vec<Option<f64>> {
         let density = self.population.heights;
         let highest = self.quoted(density.highest_separation());
-        let search = |low, high| last_reaching(|h| self.pressure(h), pressure, low, high);
         let mode = self.quoted(density.mode()).max(LOWEST_SEPARATION);
-        search(mode, highest).or_else(|| {
-            if self.contact.may_fall(self.shape.into()).is_empty() {
-                return search(LOWEST_SEPARATION, mode);
-            }
-            let steps = ((mode - LOWEST_SEPARATION) / STEP).ceil() as i32;
-            let end = |k: i32| (mode - STEP * f64::from(k)).max(LOWEST_SEPARATION);
-            (0..steps).find_map(|k| {
-                let (low, high) = (end(k + 1), end(k));
-                search(low, high).or_else(|| search(self.peak(low, high)?, high))
-            })
-        })
+        let may_fall = !self.contact.may_fall(self.shape.into()).is_empty();
+        let low = if may_fall { mode } else { LOWEST_SEPARATION };
+        let mut found = self.last_reaching(pressures, low, highest);
+        if may_fall {
+            let missing = found.par_iter_mut().zip(pressures).filter(|(found, _)| found.is_none());
+            missing.for_each(|(found, &pressure)| *found = self.last_reaching_below(mode, pressure));
+        }
+        found
     }
 }
 
 impl<C: MicroContact + ?Sized> Statistical<'_, C> {
+    /// The largest separation with at least `pressure` (Pa) below the mode of the density.
+    fn last_reaching_below(&self, mode: f64, pressure: f64) -> Option<f64> {
+        /// Steps of the walk, in sigma.
+        const STEP: f64 = 1.0 / 16.0;
+        let search = |low, high| last_reaching(|h| self.pressure(h), pressure, low, high);
+        let steps = ((mode - LOWEST_SEPARATION) / STEP).ceil() as i32;
+        let end = |k: i32| (mode - STEP * f64::from(k)).max(LOWEST_SEPARATION);
+        (0..steps).find_map(|k| {
+            let (low, high) = (end(k + 1), end(k));
+            search(low, high).or_else(|| search(self.peak(low, high)?, high))
+        })
+    }
+
     /// The separation between `low` and `high` at which the pressure is highest, if it rises on
     /// approach from `high` and has fallen at `low`.
     fn peak(&self, low: f64, high: f64) -> Option<f64> {

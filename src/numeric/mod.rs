@@ -1,6 +1,8 @@
 //! Numerical tools that know no physics: quadrature, root search, sums in a fixed order, tables of functions.
 
 pub mod interval;
+pub mod lanes;
+pub mod levels;
 pub mod power;
 pub mod quadrature;
 pub mod root;

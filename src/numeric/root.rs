@@ -6,9 +6,10 @@
 use super::interval::Interval;
 
 /// Relative width of the last bracket, a few units of rounding.
-const WIDTH: f64 = 4.0 * f64::EPSILON;
+pub(super) const WIDTH: f64 = 4.0 * f64::EPSILON;
 
-fn closed(low: f64, high: f64) -> bool {
+/// Whether a bracket cannot be closed further.
+pub(super) fn closed(low: f64, high: f64) -> bool {
     high - low <= WIDTH * low.abs().max(high.abs()).max(1.0)
 }
 

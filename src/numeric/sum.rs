@@ -2,6 +2,8 @@
 
 use rayon::prelude::*;
 
+use super::lanes::{MOST, Real};
+
 /// How many terms one task adds. Fixed, so that a result does not depend on the thread count.
 pub const CHUNK: usize = 4096;
 
@@ -35,6 +37,81 @@ impl Sum {
     #[inline]
     pub fn value(&self) -> f64 {
         self.high + self.low
+    }
+}
+
+/// Sums as [`Sum`], side by side.
+#[derive(Debug, Clone, Copy)]
+pub struct Sums<N> {
+    high: N,
+    low: N,
+}
+
+impl<N: Real> Sums<N> {
+    /// Sums of nothing, with the lanes of `zero`.
+    #[inline(always)]
+    pub fn new(zero: N) -> Self {
+        Self { high: zero, low: zero }
+    }
+
+    /// Adds one term in each lane.
+    #[inline(always)]
+    pub fn add(&mut self, term: N) {
+        let sum = self.high + term;
+        let shadow = sum - self.high;
+        self.low = self.low + ((self.high - (sum - shadow)) + (term - shadow));
+        self.high = sum;
+    }
+}
+
+/// One sum in as many parts as any machine has lanes, so that sums side by side are kept as they are: they are added up
+/// when a total is asked for.
+#[derive(Debug, Clone, Copy, Default, PartialEq)]
+pub struct Parted {
+    high: [f64; MOST],
+    low: [f64; MOST],
+}
+
+impl Parted {
+    /// Adds one term.
+    #[inline]
+    pub fn add(&mut self, term: f64) {
+        let mut sum = Sum { high: self.high[0], low: self.low[0] };
+        sum.add(term);
+        (self.high[0], self.low[0]) = (sum.high, sum.low);
+    }
+
+    /// Adds sums side by side, each to a part of its own.
+    #[inline(always)]
+    pub fn add_lanes<N: Real>(&mut self, sums: &Sums<N>) {
+        self.add_at(0, sums);
+    }
+
+    /// Adds the sum of another part, in numbers such as `zero`.
+    #[inline(always)]
+    pub fn merge<N: Real>(&mut self, other: &Self, zero: N) {
+        for part in (0..MOST).step_by(N::LANES) {
+            let (high, low) = (zero.load(&other.high[part..]), zero.load(&other.low[part..]));
+            self.add_at(part, &Sums { high, low });
+        }
+    }
+
+    #[inline(always)]
+    fn add_at<N: Real>(&mut self, part: usize, sums: &Sums<N>) {
+        let (high, low) = (&mut self.high[part..], &mut self.low[part..]);
+        let mut total = Sums { high: sums.high.load(high), low: sums.low.load(low) };
+        total.add(sums.high);
+        (total.low + sums.low).store(low);
+        total.high.store(high);
+    }
+
+    /// The rounded total.
+    pub fn value(&self) -> f64 {
+        let mut total = Sum::default();
+        for (&high, &low) in self.high.iter().zip(&self.low) {
+            total.merge(&Sum { high, low });
+        }
+        total.value()
     }
 }
 

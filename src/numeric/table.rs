@@ -2,6 +2,8 @@
 
 use std::ops::Range;
 
+use super::lanes::Real;
+
 const INTERVALS: usize = 32;
 const TERMS: usize = 8;
 const MANTISSA_BITS: u32 = f64::MANTISSA_DIGITS - 1;
@@ -17,13 +19,9 @@ pub struct Table {
     pieces: Vec<Piece>,
 }
 
+/// The middle, the inverse of the half width, and the coefficients.
 #[derive(Debug, PartialEq)]
-struct Piece {
-    middle: f64,
-    /// Of the half width.
-    inverse: f64,
-    coefficients: [f64; TERMS],
-}
+struct Piece([f64; TERMS + 2]);
 
 /// The interval of `x` among those of all numbers: they follow each other as the bits of numbers do.
 #[inline(always)]
@@ -44,29 +42,25 @@ impl Table {
 
     /// The value at each `x`, and x times the slope there; `None` if one is outside the table.
     #[inline(always)]
-    pub fn at<const LANES: usize>(&self, x: [f64; LANES]) -> Option<([f64; LANES], [f64; LANES])> {
-        // Lanes side by side, a term at a time: one polynomial would wait for itself.
-        let mut coefficients = [[0.0; LANES]; TERMS];
-        let (mut r, mut stretch) = ([0.0; LANES], [0.0; LANES]);
-        for lane in 0..LANES {
-            let piece = self.pieces.get(usize::try_from(place(x[lane]).wrapping_sub(self.first)).ok()?)?;
-            for (term, coefficient) in coefficients.iter_mut().zip(piece.coefficients) {
-                term[lane] = coefficient;
-            }
-            r[lane] = (x[lane] - piece.middle) * piece.inverse;
-            stretch[lane] = x[lane] * piece.inverse;
+    pub fn at<N: Real>(&self, x: N) -> Option<(N, N)> {
+        let mut is_inside = true;
+        let numbers: [N; TERMS + 2] = x.each(|x| {
+            let piece =
+                usize::try_from(place(x).wrapping_sub(self.first)).ok().and_then(|k| self.pieces.get(k));
+            is_inside &= piece.is_some();
+            piece.map_or([0.0; TERMS + 2], |piece| piece.0)
+        });
+        if !is_inside {
+            return None;
         }
-        let (mut value, mut slope) = (coefficients[TERMS - 1], [0.0; LANES]);
-        for term in coefficients[..TERMS - 1].iter().rev() {
-            for lane in 0..LANES {
-                slope[lane] = slope[lane] * r[lane] + value[lane];
-                value[lane] = value[lane] * r[lane] + term[lane];
-            }
+        let [middle, inverse, coefficients @ ..] = numbers;
+        let r = (x - middle) * inverse;
+        let (mut value, mut slope) = (coefficients[TERMS - 1], x.splat(0.0));
+        for &term in coefficients[..TERMS - 1].iter().rev() {
+            slope = slope.times_plus(r, value);
+            value = value.times_plus(r, term);
         }
-        for lane in 0..LANES {
-            slope[lane] *= stretch[lane];
-        }
-        Some((value, slope))
+        Some((value, slope * x * inverse))
     }
 }
 
@@ -95,7 +89,10 @@ impl Piece {
             (before, chebyshev) = (chebyshev, next);
         }
         coefficients[0] += centre;
-        Self { middle, inverse: half.recip(), coefficients }
+        let mut numbers = [0.0; TERMS + 2];
+        [numbers[0], numbers[1]] = [middle, half.recip()];
+        numbers[2..].copy_from_slice(&coefficients);
+        Self(numbers)
     }
 }
 
@@ -108,18 +105,18 @@ mod tests {
         let table = Table::of(-24..24, |x| x.powf(-0.7));
         for k in -100_000..100_000 {
             let x = (f64::from(k) * 1.66e-4).exp();
-            let ([value], [slope]) = table.at([x]).unwrap();
+            let (value, slope) = table.at(x).unwrap();
             assert!((value / x.powf(-0.7) - 1.0).abs() < 2e-15);
             assert!((slope / value + 0.7).abs() < 1e-12);
         }
         for outside in [0.0, 1e-300, 1e-8, 1e8, 1e300, f64::INFINITY, f64::NAN, -1.0] {
-            assert_eq!(table.at([1.0, outside]), None);
+            assert_eq!(table.at(outside), None);
         }
     }
     #[test]
     fn the_ends() {
         let table = Table::of(0..3, |x| 1.0 + x);
-        let value = |x: f64| table.at([x]).map(|([value], _)| value);
+        let value = |x: f64| table.at(x).map(|(value, _)| value);
         assert!((value(1.0).unwrap() - 2.0).abs() < 1e-15);
         assert!((value(8f64.next_down()).unwrap() - 9.0).abs() < 4e-15);
         assert_eq!([value(1f64.next_down()), value(8.0)], [None; 2]);

@@ -1,6 +1,6 @@
 //! One asperity on flats of all kinds: homogeneous, under a layer, all layer.
 
-use asperity::asperity::{AsperitySet, Draw, Ellipse, HeightDensity, Ordered, Population};
+use asperity::asperity::{AsperitySet, Draw, Ellipse, Ellipses, HeightDensity, Ordered, Population};
 use asperity::contact::{Contact, Tally};
 use asperity::interface::{MicroContact, Shapes};
 use asperity::law::{Inapplicable, Shape};
@@ -36,12 +36,16 @@ fn the_law_is_asked_with_what_is_felt() {
         for _ in 0..30 {
             let w = case.scale(entry, random) * random.log(1e-8, 1e8);
             let found = contact.contact(w, case.shape);
-            let exact = entry.law.contact(w, radius, &case.pair(entry, w)).times(spheres);
+            let exact = entry.law.contact(w, radius, &case.pair(entry, w));
             // Next to a boundary rounding may lie on its other side.
             if found.regime == exact.regime {
                 let worst = &mut worst[usize::from(case.coating.is_some())];
-                worst.see(found.area, exact.area, || format!("{} at {w:e} of {case:?}", entry.label));
-                worst.see(found.load, exact.load, || format!("{} at {w:e} of {case:?}", entry.label));
+                worst.see(found.area, spheres * exact.area, || {
+                    format!("{} at {w:e} of {case:?}", entry.label)
+                });
+                worst.see(found.load, spheres * exact.load, || {
+                    format!("{} at {w:e} of {case:?}", entry.label)
+                });
             }
         }
     });
@@ -111,14 +115,16 @@ fn many_answer_as_one_does() {
         let ellipses =
             heights.iter().map(|_| Ellipse::new(case.shape.radius.recip(), random.log(1e-3, 1e9))).collect();
         let spheres = AsperitySet::new(heights, radii, 1.0).unwrap();
-        let of_ellipses = Ordered::of_ellipses(&spheres.clone().with_ellipses(ellipses).unwrap()).unwrap();
-        for set in [Ordered::new(&spheres), of_ellipses] {
+        let ellipses = spheres.clone().with_ellipses(ellipses).unwrap();
+        let ellipses = Ellipses::of(&ellipses).unwrap();
+        for set in [spheres.spheres(), ellipses.asperities()] {
             let separation = 0.3 * scale;
-            let touching = set.above(separation);
+            let ordered = Ordered::new(set);
+            let touching = ordered.above(separation);
             let mut found = Tally::default();
             contact.press(touching, separation, &mut found);
             let mut single = Tally::default();
-            touching.each(|z, shape| single.add(&contact.contact(z - separation, shape)));
+            touching.each().for_each(|(z, shape)| single.add(&contact.contact(z - separation, shape)));
             see(&found, &single, &|| format!("{} of {case:?}", entry.label));
         }
         let indentations: Vec<f64> = (0..29).map(|_| scale * random.log(1e-4, 1e4)).collect();
@@ -233,10 +239,10 @@ fn thin_and_thick_layers_end_in_their_limits() {
         let sigma = 1e-2 * case.shape.radius;
         let population =
             Population { radius: case.shape.radius, sigma, density: 1e10, heights: HeightDensity::Gaussian };
-        let set = Ordered::new(&population.set(50, Draw::Quantiles).unwrap());
+        let set = population.set(50, Draw::Quantiles).unwrap();
         let loads = |thickness: f64| {
             let contact = entry.law.on(&case.flat(thickness), &case.rough).unwrap();
-            let sum = Deterministic::new(&*contact, &set, Datum { mean: 0.0, sigma });
+            let sum = Deterministic::new(&*contact, set.spheres(), Datum { mean: 0.0, sigma });
             [&Statistical::new(&*contact, population) as &dyn Model, &sum]
                 .map(|model| model.respond(1.0).pressure.total())
         };

@@ -1,6 +1,6 @@
 //! Both models.
 
-use asperity::asperity::{AsperitySet, Draw, Ellipse, HeightDensity, Ordered, Population};
+use asperity::asperity::{AsperitySet, Draw, Ellipse, Ellipses, HeightDensity, Population};
 use asperity::interface::MicroContact;
 use asperity::law::Shape;
 use asperity::model::{Datum, Deterministic, Model, Statistical, at_pressure};
@@ -114,10 +114,11 @@ fn the_first_reach_counts() {
             .map(|_| Ellipse::new(random.log(0.3, 3.0) / case.shape.radius, case.shape.radius.recip()))
             .collect();
         let set = AsperitySet::new(drawn.heights().to_vec(), radii, drawn.nominal_area()).unwrap();
-        let of_ellipses = Ordered::of_ellipses(&set.clone().with_ellipses(ellipses).unwrap()).unwrap();
-        let sets = [Ordered::new(&set), of_ellipses];
+        let ellipses = set.clone().with_ellipses(ellipses).unwrap();
+        let ellipses = Ellipses::of(&ellipses).unwrap();
+        let sets = [set.spheres(), ellipses.asperities()];
         let datum = Datum { mean: 0.0, sigma };
-        let sums = sets.each_ref().map(|set| Deterministic::new(contact, set, datum));
+        let sums = sets.map(|set| Deterministic::new(contact, set, datum));
         let integral = Statistical::of_shape(contact, population, case.shape);
         for model in [&integral as &dyn Model, &sums[0], &sums[1]] {
             let pressure = |h: f64| model.respond(h).pressure.total();
@@ -162,7 +163,7 @@ fn a_pressure_in_a_jump_is_said_to_be_in_one() {
     let mut count = 0;
     each(5, 40, |entry, case, contact, _| {
         let shape = Shape::sphere(case.shape.radius);
-        let set = Ordered::new(&AsperitySet::new(vec![0.0], vec![shape.radius], 1.0).unwrap());
+        let set = AsperitySet::new(vec![0.0], vec![shape.radius], 1.0).unwrap();
         let load = |w: f64| contact.contact(w, shape).load;
         let changes = contact.regime_changes(shape);
         for &w in &changes {
@@ -173,7 +174,7 @@ fn a_pressure_in_a_jump_is_said_to_be_in_one() {
             if above < below * (1.0 + 1e-6) {
                 continue;
             }
-            let model = Deterministic::new(contact, &set, Datum { mean: 0.0, sigma: w });
+            let model = Deterministic::new(contact, set.spheres(), Datum { mean: 0.0, sigma: w });
             let reached = at_pressure(&model, 0.5 * (below + above)).unwrap();
             assert!(reached.in_jump, "{}: {reached:?} at {w:e} of {case:?}", entry.label);
             assert!(relative_error(-reached.response.separation, w) < 1e-11, "{}: {case:?}", entry.label);

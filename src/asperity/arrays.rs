@@ -1,0 +1,118 @@
+//! Asperities as a struct of arrays, as the laws see them: spheres, or so many equal spheres for each ellipse.
+
+use std::ops::Range;
+
+use rayon::prelude::*;
+
+use super::AsperitySet;
+use crate::law::Shape;
+use crate::numeric::interval::Interval;
+
+/// Some asperities on a nominal area.
+#[derive(Debug, Clone, Copy)]
+pub struct Asperities<'a> {
+    heights: &'a [f64],
+    radii: &'a [f64],
+    spheres: Option<&'a [f64]>,
+    nominal_area: f64,
+}
+
+impl<'a> Asperities<'a> {
+    /// Spheres, or so many `spheres` for each asperity, of as many `heights` and `radii` (m) on a `nominal_area` (m^2).
+    pub(crate) fn new(
+        heights: &'a [f64],
+        radii: &'a [f64],
+        spheres: Option<&'a [f64]>,
+        nominal_area: f64,
+    ) -> Self {
+        debug_assert!(heights.len() == radii.len() && spheres.is_none_or(|all| all.len() == radii.len()));
+        Self { heights, radii, spheres, nominal_area }
+    }
+
+    /// Number of asperities.
+    pub fn count(&self) -> usize {
+        self.heights.len()
+    }
+
+    /// Nominal area, m^2.
+    pub fn nominal_area(&self) -> f64 {
+        self.nominal_area
+    }
+
+    /// Heights, m.
+    pub fn heights(&self) -> &'a [f64] {
+        self.heights
+    }
+
+    /// Radii, m; of ellipses those of the spheres that stand for them.
+    pub fn radii(&self) -> &'a [f64] {
+        self.radii
+    }
+
+    /// How many spheres stand for each; `None` where each is one.
+    pub fn spheres(&self) -> Option<&'a [f64]> {
+        self.spheres
+    }
+
+    /// Height of the highest asperity, m.
+    pub fn highest(&self) -> f64 {
+        Interval::of(self.heights).high
+    }
+
+    /// The range of the radii, m.
+    pub fn radius_range(&self) -> Interval {
+        Interval::of(self.radii)
+    }
+
+    /// The range of the numbers of spheres.
+    pub fn sphere_range(&self) -> Interval {
+        self.spheres.map_or(Interval::point(1.0), Interval::of)
+    }
+
+    /// The shape of one.
+    #[inline]
+    pub fn shape(&self, index: usize) -> Shape {
+        let spheres = self.spheres.map_or(1.0, |spheres| spheres[index]);
+        Shape { radius: self.radii[index], spheres }
+    }
+
+    /// Those of a range.
+    pub fn part(&self, range: Range<usize>) -> Self {
+        Self {
+            heights: &self.heights[range.clone()],
+            radii: &self.radii[range.clone()],
+            spheres: self.spheres.map(|spheres| &spheres[range]),
+            ..*self
+        }
+    }
+
+    /// Each height (m) and shape.
+    pub fn each(self) -> impl Iterator<Item = (f64, Shape)> + 'a {
+        (0..self.count()).map(move |index| (self.heights[index], self.shape(index)))
+    }
+}
+
+/// The spheres that stand for the ellipses of a set.
+#[derive(Debug, Clone)]
+pub struct Ellipses<'a> {
+    set: &'a AsperitySet,
+    radii: Vec<f64>,
+    spheres: Vec<f64>,
+}
+
+impl<'a> Ellipses<'a> {
+    /// Those of a set; `None` where it does not know its principal curvatures.
+    pub fn of(set: &'a AsperitySet) -> Option<Self> {
+        let (radii, spheres) = set
+            .ellipses()?
+            .par_iter()
+            .map(|ellipse| (ellipse.shape().radius, ellipse.shape().spheres))
+            .unzip();
+        Some(Self { set, radii, spheres })
+    }
+
+    /// The asperities.
+    pub fn asperities(&self) -> Asperities<'_> {
+        Asperities::new(self.set.heights(), &self.radii, Some(&self.spheres), self.set.nominal_area())
+    }
+}

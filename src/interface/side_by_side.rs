@@ -1,0 +1,157 @@
+//! The contacts of many asperities, in the registers of the machine.
+
+use crate::asperity::Asperities;
+use crate::contact::{Contacts, FEW, Handful, SideBySide, Tally};
+use crate::law::Shape;
+use crate::numeric::lanes::{Real, Work, run};
+
+/// What knows the contacts of asperities side by side.
+pub(super) trait Answers {
+    /// The answers of shapes, so many spheres of such radii (m), at indentations `w` (m). Must be `#[inline(always)]`, see
+    /// [`crate::numeric::lanes`].
+    fn answers<N: Real>(&self, w: N, radius: N, spheres: N) -> Contacts<N>;
+}
+
+/// [`super::MicroContact::press`].
+pub(super) fn press<A: Answers>(contact: &A, asperities: Asperities<'_>, separation: f64, tally: &mut Tally) {
+    run(Press { contact, asperities, separation, tally });
+}
+
+/// [`super::MicroContact::weigh`].
+pub(super) fn weigh<A: Answers>(
+    contact: &A,
+    indentations: &[f64],
+    weights: &[f64],
+    shape: Shape,
+    tally: &mut Tally,
+) {
+    run(Weigh { contact, indentations, weights, shape, tally });
+}
+
+struct Press<'a, A> {
+    contact: &'a A,
+    asperities: Asperities<'a>,
+    separation: f64,
+    tally: &'a mut Tally,
+}
+
+impl<A: Answers> Work for Press<'_, A> {
+    type Output = ();
+
+    #[inline(always)]
+    fn with<N: Real>(self, zero: N) {
+        let Self { contact, asperities, separation, tally } = self;
+        let (heights, radii) = (asperities.heights(), asperities.radii());
+        let lanes = match asperities.spheres() {
+            // The compiler leaves out a multiplication by one.
+            None => press_lanes(contact, zero, separation, [heights, radii], zero.splat(1.0)),
+            Some(spheres) => press_lanes(contact, zero, separation, [heights, radii], spheres),
+        };
+        tally.add_lanes(&lanes);
+    }
+}
+
+/// How many spheres stand for each asperity.
+trait Spheres<N> {
+    /// For those from `start` on.
+    fn from(self, start: usize, zero: N) -> N;
+    /// For the last few, from `start` on, and for the last of them beyond.
+    fn rest(self, start: usize, zero: N) -> N;
+}
+
+impl<N: Real> Spheres<N> for N {
+    #[inline(always)]
+    fn from(self, _: usize, _: N) -> N {
+        self
+    }
+
+    #[inline(always)]
+    fn rest(self, _: usize, _: N) -> N {
+        self
+    }
+}
+
+impl<N: Real> Spheres<N> for &[f64] {
+    #[inline(always)]
+    fn from(self, start: usize, zero: N) -> N {
+        zero.load(&self[start..])
+    }
+
+    #[inline(always)]
+    fn rest(self, start: usize, zero: N) -> N {
+        rest(&self[start..], zero).0
+    }
+}
+
+/// The few numbers of `values`, then the last of them again; and where they are.
+#[inline(always)]
+fn rest<N: Real>(values: &[f64], zero: N) -> (N, N::Mask) {
+    let (few, present) = zero.load_part(values);
+    (N::choose(present, few, zero.splat(values[values.len() - 1])), present)
+}
+
+#[inline(always)]
+fn press_lanes<N: Real, A: Answers>(
+    contact: &A,
+    zero: N,
+    separation: f64,
+    [heights, radii]: [&[f64]; 2],
+    spheres: impl Spheres<N> + Copy,
+) -> SideBySide<N> {
+    let count = heights.len();
+    let mut lanes = SideBySide::new(zero);
+    let mut start = 0;
+    while start + N::LANES <= count {
+        let mut few = Handful::new(zero);
+        for _ in 0..FEW {
+            if start + N::LANES <= count {
+                let w = zero.load(&heights[start..]) - separation;
+                few.add(&contact.answers(w, zero.load(&radii[start..]), spheres.from(start, zero)));
+                start += N::LANES;
+            }
+        }
+        lanes.add(&few);
+    }
+    if start < count {
+        // Lanes without an asperity take the last one's place, and do not count.
+        let (z, present) = rest(&heights[start..], zero);
+        let (b, _) = rest(&radii[start..], zero);
+        lanes.add_part(
+            &contact.answers(z - separation, b, spheres.rest(start, zero)),
+            present,
+            count - start,
+        );
+    }
+    lanes
+}
+
+struct Weigh<'a, A> {
+    contact: &'a A,
+    indentations: &'a [f64],
+    weights: &'a [f64],
+    shape: Shape,
+    tally: &'a mut Tally,
+}
+
+impl<A: Answers> Work for Weigh<'_, A> {
+    type Output = ();
+
+    #[inline(always)]
+    fn with<N: Real>(self, zero: N) {
+        let Self { contact, indentations, weights, shape, tally } = self;
+        let (radius, spheres) = (zero.splat(shape.radius), zero.splat(shape.spheres));
+        let mut lanes = SideBySide::new(zero);
+        let mut start = 0;
+        while start + N::LANES <= indentations.len() {
+            let contacts = contact.answers(zero.load(&indentations[start..]), radius, spheres);
+            lanes.weigh(contacts, zero.load(&weights[start..]));
+            start += N::LANES;
+        }
+        if start < indentations.len() {
+            let (w, _) = rest(&indentations[start..], zero);
+            let (weights, _) = zero.load_part(&weights[start..]);
+            lanes.weigh(contact.answers(w, radius, spheres), weights);
+        }
+        tally.add_lanes(&lanes);
+    }
+}
