@@ -90,8 +90,8 @@ def main():
             arrays = sum_numba.sort(heights, radii)
             return sum_numba.sorted_extremes(*arrays, separations, size_of[sum_numba.sorted_extremes])
 
-        # Each with the bound of its ratio on a machine with AVX-512; none where a peer goes further than those that the
-        # bounds were set beside.
+        # Each with the bound of its ratio on a machine with AVX-512; the peers that go further than the law as it is
+        # written down are shown without one.
         peers = [
             ("numba, unsorted", with_numba(sum_numba.branches), 8),
             ("numba, unsorted, a list a regime", with_numba(sum_numba.survivors), None),
