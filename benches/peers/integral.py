@@ -5,8 +5,9 @@
 
 Area and load of both cases of Table 1, steel on steel, bare, at 50 separations from 4 to 0 sigma; one thread. The peer
 integrates over w with the density relative to that at the flat, one call between two breakpoints (`points=` is slower),
-at a relative tolerance of 1e-13; then the elastic load over w^.5, then with a compiled integrand. Errors are against mpmath at 30 digits, and against tests/reference/statistical.csv,
-which reaches from -10 to 35 sigma. Ours and the peers run alternately, 15 times.
+at a relative tolerance of 1e-13; then the elastic load over w^.5, then with a compiled integrand. Errors are against
+mpmath at 30 digits, and against tests/reference/statistical.csv, which reaches from -10 to 35 sigma. Ours and the peers
+run alternately, 15 times.
 """
 
 import beside  # before NumPy

@@ -116,7 +116,8 @@ def main():
             bound = bound if bound is None or wide else bound / 2
             met = "" if bound is None else "met" if ratio >= bound else "**missed**"
             limit = "" if bound is None else f"{bound:g}"
-            rows.append([population.name, name, f"{1e3 * own:.1f}", f"{1e3 * seconds:.1f}", f"{ratio:.1f}", limit, met])
+            cells = [f"{1e3 * own:.1f}", f"{1e3 * seconds:.1f}", f"{ratio:.1f}", limit, met]
+            rows.append([population.name, name, *cells])
             print("  ".join(rows[-1]), flush=True)
 
         counts = floor.contacts(heights, radii, separations)
@@ -128,7 +129,8 @@ def main():
             ("a square root for each elastic contact", counts[0] * root / beside.THREADS),
             ("all instructions of the contacts", instructions),
         ):
-            floors.append([population.name, what, f"{1e3 * mine:.1f}", f"{1e3 * seconds:.2f}", f"{mine / seconds:.1f}", ""])
+            cells = [f"{1e3 * mine:.1f}", f"{1e3 * seconds:.2f}", f"{mine / seconds:.1f}", ""]
+            floors.append([population.name, what, *cells])
         floors[-1][-1] = f"{counts[0]} elastic, {counts[1]} elastic-plastic, {counts[2]} plastic contacts"
 
     lines = beside.table(["task", "peer", "ours [ms]", "peer [ms]", "ratio", "bound", "met"], rows)
