@@ -1,9 +1,18 @@
 //! Our side of the comparisons under `benches/peers`: does what it is told on standard input, one line a task, and
 //! answers each with the seconds it took and its own figures. The script runs it and its peers alternately.
 
+#[allow(dead_code, reason = "laws and layers are for other benches")]
+mod cases;
+
+use std::hint::black_box;
 use std::io::{BufRead, Write};
+use std::path::Path;
 use std::time::Instant;
 
+use asperity::asperity::{AsperitySet, Ordered, Population, read_list};
+use asperity::interface::MicroContact;
+use asperity::law::Zmc;
+use asperity::model::{Datum, Deterministic, Model, Response, Statistical};
 use asperity::surface::HeightMap;
 use asperity::surface::generate::gaussian;
 use asperity::surface::spectrum::{Lay, Shape, Spectrum};
@@ -13,6 +22,7 @@ fn main() -> std::io::Result<()> {
     // `cargo bench` and `cargo test` run every bench: without a script there is nothing to answer.
     let mut out = std::io::stdout();
     let mut surface: Option<HeightMap> = None;
+    let mut asperities: Option<(Population, AsperitySet)> = None;
     for line in std::io::stdin().lock().lines() {
         let line = line?;
         let words: Vec<&str> = line.split_whitespace().collect();
@@ -23,6 +33,14 @@ fn main() -> std::io::Result<()> {
                 surface = None;
                 Some("0".to_owned())
             }
+            ["asperities", case, path] => {
+                asperities = read(case, path);
+                asperities.as_ref().map(|(_, set)| set.count().to_string())
+            }
+            ["sums", ref separations @ ..] => {
+                asperities.as_ref().and_then(|(population, set)| sums(population, set, separations))
+            }
+            ["integral", case, ref separations @ ..] => integral(case, separations),
             _ => None,
         };
         writeln!(out, "{}", answer.unwrap_or_else(|| format!("no task: {line}")))?;
@@ -49,18 +67,86 @@ fn generate(points: &str, spectrum: &str, seed: &str, surface: &mut Option<Heigh
     Some(format!("{seconds} {}", peak_bytes()))
 }
 
-/// Five-point summits with heights and curvatures, their number and the sum of their curvatures. The median of three
-/// runs, as of the peers: threads just woken may share a processor for longer than a run takes.
+/// Five-point summits with heights and curvatures, their number and the sum of their curvatures.
 fn summits(surface: &HeightMap) -> String {
-    let mut answers = [0; 3].map(|_| {
+    let (seconds, found) = median_of_three(|| find(surface, Neighbours::Four, Detail::default()));
+    format!("{seconds} {} {}", found.heights.len(), found.curvatures.iter().sum::<f64>())
+}
+
+/// A list of asperities on the nominal area that the density of a case of Table 1 gives them.
+fn read(case: &str, path: &str) -> Option<(Population, AsperitySet)> {
+    let population = population(case)?;
+    let list = read_list(Path::new(path), false).ok()?;
+    let area = list.count() as f64 / population.density;
+    Some((population, list.set(area).ok()?))
+}
+
+/// Steel on steel: the sums at all separations (in sigma), ordering included.
+fn sums(population: &Population, set: &AsperitySet, separations: &[&str]) -> Option<String> {
+    let separations = numbers(separations)?;
+    let contact = cases::bare(Zmc::default());
+    let (seconds, responses) = median_of_three(|| curve(&*contact, set, population.sigma, &separations));
+    Some(answer(seconds, &responses))
+}
+
+/// The whole of what is timed.
+fn curve(contact: &dyn MicroContact, set: &AsperitySet, sigma: f64, separations: &[f64]) -> Vec<Response> {
+    let ordered = Ordered::new(set);
+    let model = Deterministic::new(contact, &ordered, Datum { mean: 0.0, sigma });
+    separations.iter().map(|&h| model.respond(h)).collect()
+}
+
+/// Steel on steel: the integral, its seconds those of one separation (in sigma) on one thread, the mean of many rounds.
+fn integral(case: &str, separations: &[&str]) -> Option<String> {
+    /// Calls in all.
+    const CALLS: usize = 10_000;
+    let (population, separations) = (population(case)?, numbers(separations)?);
+    let contact = cases::bare(Zmc::default());
+    let model = Statistical::new(&*contact, population);
+    let rounds = CALLS.div_ceil(separations.len().max(1));
+    let start = Instant::now();
+    for _ in 0..rounds {
+        for &h in &separations {
+            black_box(model.respond(black_box(h)));
+        }
+    }
+    let seconds = start.elapsed().as_secs_f64() / (rounds * separations.len()) as f64;
+    let responses: Vec<Response> = separations.iter().map(|&h| model.respond(h)).collect();
+    Some(answer(seconds, &responses))
+}
+
+fn population(case: &str) -> Option<Population> {
+    cases::CASES.get(case.parse::<usize>().ok()?).map(|(_, population)| *population)
+}
+
+fn numbers(words: &[&str]) -> Option<Vec<f64>> {
+    words.iter().map(|word| word.parse().ok()).collect()
+}
+
+/// Of each response contact density, area ratio and pressure by regime, and the standard errors of both where it has
+/// them; numbers that read back to the same f64.
+fn answer(seconds: f64, responses: &[Response]) -> String {
+    let mut words = vec![seconds];
+    for response in responses {
+        words.push(response.contact_density);
+        words.extend(response.area_ratio.0.into_iter().chain(response.pressure.0));
+        words.extend(response.sampling.iter().flat_map(|error| [error.area_ratio, error.pressure]));
+    }
+    words.iter().map(f64::to_string).collect::<Vec<_>>().join(" ")
+}
+
+/// The median of the seconds of three runs, as of the peers, and what the last one found: threads just woken may share a
+/// processor for longer than a run takes.
+fn median_of_three<T>(run: impl Fn() -> T) -> (f64, T) {
+    let timed = || {
         let start = Instant::now();
-        let found = find(surface, Neighbours::Four, Detail::default());
-        let seconds = start.elapsed().as_secs_f64();
-        (seconds, found.heights.len(), found.curvatures.iter().sum::<f64>())
-    });
-    answers.sort_by(|a, b| a.0.total_cmp(&b.0));
-    let (seconds, count, curvatures) = answers[1];
-    format!("{seconds} {count} {curvatures}")
+        let found = run();
+        (start.elapsed().as_secs_f64(), found)
+    };
+    let (first, second, (third, found)) = (timed().0, timed().0, timed());
+    let mut seconds = [first, second, third];
+    seconds.sort_by(f64::total_cmp);
+    (seconds[1], found)
 }
 
 /// The most memory that this process has had, bytes; 0 where the system does not say.

@@ -1,6 +1,6 @@
 """Surfaces beside the peers, in one run: generation (NumPy with scipy.fft, tamaas) and five-point summits (numba).
 
-    pip install numpy scipy numba tamaas
+    pip install -r benches/peers/requirements.txt
     python benches/peers/surfaces.py            # prints a table; --write puts it into docs/performance.md
 
 Ours and the peers run alternately, 15 times each (summits three times in a row), on two threads; medians are
@@ -8,27 +8,14 @@ compared. The peers are tuned: half spectra made on two threads, two FFT workers
 kernels, one that counts first and one that reads the map once, the faster is taken.
 """
 
-import os
-
-os.environ.setdefault("OMP_NUM_THREADS", "2")
-os.environ.setdefault("NUMBA_NUM_THREADS", "2")
-
-import concurrent.futures
-import json
-import pathlib
-import statistics
-import subprocess
-import sys
-import time
+import beside  # before NumPy and numba: it fixes their threads
 
 import numba
 import numpy as np
 import scipy
 import scipy.fft
 
-ROOT = pathlib.Path(__file__).resolve().parents[2]
-ROUNDS = 15
-POOL = concurrent.futures.ThreadPoolExecutor(2)
+from beside import POOL, ROUNDS, Ours, alternately
 
 
 def amplitudes(n, rows=slice(None)):
@@ -138,45 +125,6 @@ def numba_one_pass(z):
     return take(heights), take(curvatures)
 
 
-class Ours:
-    """The release build, told what to do line by line."""
-
-    def __init__(self):
-        build = subprocess.run(
-            ["cargo", "bench", "--bench", "peer", "--no-run", "--message-format=json"],
-            cwd=ROOT, check=True, capture_output=True, text=True,
-        )
-        messages = map(json.loads, build.stdout.splitlines())
-        paths = [m["executable"] for m in messages if m.get("target", {}).get("name") == "peer"]
-        environment = dict(os.environ, RAYON_NUM_THREADS="2")
-        self.process = subprocess.Popen(
-            [paths[-1]], stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True, env=environment
-        )
-
-    def __call__(self, task):
-        self.process.stdin.write(task + "\n")
-        self.process.stdin.flush()
-        answer = self.process.stdout.readline().split()
-        return [float(word) for word in answer]
-
-
-def timed(what, *arguments):
-    start = time.perf_counter()
-    result = what(*arguments)
-    return time.perf_counter() - start, result
-
-
-def alternately(ours, peers, rounds=ROUNDS, repeats=1):
-    """Medians of seconds: ours, then each peer. Of several `repeats` in a row, which ours makes by itself, the median counts:
-    threads just woken may share a processor for longer than a short run takes."""
-    times = [[] for _ in range(1 + len(peers))]
-    for k in range(rounds):
-        times[0].append(ours(k))
-        for list_of, peer in zip(times[1:], peers):
-            list_of.append(statistics.median(timed(peer, k)[0] for _ in range(repeats)))
-    return [statistics.median(list_of) for list_of in times]
-
-
 def main():
     ours = Ours()
     rows = []
@@ -217,18 +165,10 @@ def main():
         )
         row(f"summits of 4096 x 4096, {what}", "numba", medians[0], min(medians[1:]), 0.5)
 
-    model = next(line.split(":")[1].strip() for line in open("/proc/cpuinfo") if line.startswith("model name"))
-    table = ["| task | peer | ours [ms] | peer [ms] | ratio | bound | |", "|---|---|---:|---:|---:|---:|---|"]
-    table += ["| " + " | ".join(cells) + " |" for cells in rows]
-    table += ["", f"Peak memory of a surface of 8192 x 8192: {arrays:.2f} arrays of its size (bound 1.5). {model}, 2 threads, "
-              f"medians of alternate runs; NumPy {np.__version__}, SciPy {scipy.__version__}, numba {numba.__version__}."]
-    text = "\n".join(table)
-    print("\n" + text)
-    if "--write" in sys.argv:
-        page = ROOT / "docs" / "performance.md"
-        begin, end = "<!-- surfaces -->", "<!-- /surfaces -->"
-        before, _, rest = page.read_text().partition(begin)
-        page.write_text(f"{before}{begin}\n{text}\n{end}{rest.partition(end)[2]}")
+    lines = beside.table(["task", "peer", "ours [ms]", "peer [ms]", "ratio", "bound", ""], rows)
+    versions = ("NumPy", np.__version__), ("SciPy", scipy.__version__), ("numba", numba.__version__)
+    lines += ["", f"Peak memory of a surface of 8192 x 8192: {arrays:.2f} arrays of its size (bound 1.5). {beside.machine(*versions)}"]
+    beside.publish("surfaces", lines)
 
 
 if __name__ == "__main__":

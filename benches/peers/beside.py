@@ -1,0 +1,95 @@
+"""What the scripts share: our side, told what to do line by line, runs that alternate, and the tables of
+docs/performance.md. Import it before NumPy and numba: it fixes their threads."""
+
+import os
+
+THREADS = 2
+for variable in ("OMP_NUM_THREADS", "NUMBA_NUM_THREADS", "RAYON_NUM_THREADS"):
+    os.environ[variable] = str(THREADS)
+# Within a thread of ours a dot product must not wake more.
+os.environ["OPENBLAS_NUM_THREADS"] = "1"
+
+import concurrent.futures
+import json
+import pathlib
+import statistics
+import subprocess
+import sys
+import time
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+ROUNDS = 15
+POOL = concurrent.futures.ThreadPoolExecutor(THREADS)
+
+
+class Ours:
+    """The release build, told what to do line by line."""
+
+    def __init__(self):
+        build = subprocess.run(
+            ["cargo", "bench", "--bench", "peer", "--no-run", "--message-format=json"],
+            cwd=ROOT, check=True, capture_output=True, text=True,
+        )
+        messages = map(json.loads, build.stdout.splitlines())
+        paths = [m["executable"] for m in messages if m.get("target", {}).get("name") == "peer"]
+        self.process = subprocess.Popen([paths[-1]], stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True)
+
+    def __call__(self, *task):
+        task = " ".join(map(str, task))
+        self.process.stdin.write(task + "\n")
+        self.process.stdin.flush()
+        answer = self.process.stdout.readline()
+        try:
+            return [float(word) for word in answer.split()]
+        except ValueError:
+            sys.exit(f"our side was asked `{task[:80]}` and answered `{answer.strip()[:80]}`")
+
+
+def timed(what, *arguments):
+    start = time.perf_counter()
+    result = what(*arguments)
+    return time.perf_counter() - start, result
+
+
+def alternately(ours, peers, rounds=ROUNDS, repeats=1):
+    """Medians of seconds: ours, then each peer. Of several `repeats` in a row, which ours makes by itself, the median counts:
+    threads just woken may share a processor for longer than a short run takes."""
+    times = [[] for _ in range(1 + len(peers))]
+    for k in range(rounds):
+        times[0].append(ours(k))
+        for list_of, peer in zip(times[1:], peers):
+            list_of.append(statistics.median(timed(peer, k)[0] for _ in range(repeats)))
+    return [statistics.median(list_of) for list_of in times]
+
+
+def _cpu(key):
+    lines = open("/proc/cpuinfo").read().splitlines()
+    return next(line.split(":")[1].strip() for line in lines if line.startswith(key))
+
+
+def has_avx512():
+    return "avx512f" in _cpu("flags").split()
+
+
+def machine(*modules):
+    """A sentence on the machine, its threads, its vectors and the versions of the peers."""
+    vectors = "AVX-512" if has_avx512() else "AVX2" if "avx2" in _cpu("flags").split() else "no AVX2"
+    versions = ", ".join(f"{name} {version}" for name, version in modules)
+    return f"{_cpu('model name')} with {vectors}, {THREADS} threads, medians of alternate runs; {versions}."
+
+
+def table(head, rows):
+    """Lines of a table: the first two columns and the last to the left, numbers to the right."""
+    rule = "|---|---|" + "---:|" * (len(head) - 3) + "---|"
+    return ["| " + " | ".join(head) + " |", rule] + ["| " + " | ".join(cells) + " |" for cells in rows]
+
+
+def publish(name, lines):
+    """Prints the lines; with --write they go into docs/performance.md, between the markers of that name."""
+    text = "\n".join(lines)
+    print("\n" + text)
+    if "--write" in sys.argv:
+        page = ROOT / "docs" / "performance.md"
+        begin, end = f"<!-- {name} -->", f"<!-- /{name} -->"
+        before, _, rest = page.read_text().partition(begin)
+        page.write_text(f"{before}{begin}\n{text}\n{end}{rest.partition(end)[2]}")
