@@ -9,7 +9,7 @@ use std::io::{BufRead, Write};
 use std::path::Path;
 use std::time::Instant;
 
-use asperity::asperity::{AsperitySet, Ordered, Population, read_list};
+use asperity::asperity::{AsperitySet, Population, read_list};
 use asperity::interface::MicroContact;
 use asperity::law::Zmc;
 use asperity::model::{Datum, Deterministic, Model, Response, Statistical};
@@ -91,9 +91,7 @@ fn sums(population: &Population, set: &AsperitySet, separations: &[&str]) -> Opt
 
 /// The whole of what is timed.
 fn curve(contact: &dyn MicroContact, set: &AsperitySet, sigma: f64, separations: &[f64]) -> Vec<Response> {
-    let ordered = Ordered::new(set);
-    let model = Deterministic::new(contact, &ordered, Datum { mean: 0.0, sigma });
-    separations.iter().map(|&h| model.respond(h)).collect()
+    Deterministic::new(contact, set.spheres(), Datum { mean: 0.0, sigma }).respond_all(separations)
 }
 
 /// Steel on steel: the integral, its seconds those of one separation (in sigma) on one thread, the mean of many rounds.
@@ -106,9 +104,7 @@ fn integral(case: &str, separations: &[&str]) -> Option<String> {
     let rounds = CALLS.div_ceil(separations.len().max(1));
     let start = Instant::now();
     for _ in 0..rounds {
-        for &h in &separations {
-            black_box(model.respond(black_box(h)));
-        }
+        black_box(model.respond_all(black_box(&separations)));
     }
     let seconds = start.elapsed().as_secs_f64() / (rounds * separations.len()) as f64;
     let responses: Vec<Response> = separations.iter().map(|&h| model.respond(h)).collect();
