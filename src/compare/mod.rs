@@ -19,7 +19,7 @@ use std::time::{Duration, Instant};
 
 use serde::Deserialize;
 
-use crate::model::{Model, Reached, Response, Unreachable, at_pressures};
+use crate::model::{Model, Reached, Response, Unreachable, at_pressures, respond_within};
 
 /// A way of adding up.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Deserialize)]
@@ -63,6 +63,25 @@ impl Control {
     }
 }
 
+/// How far the curve of a separation sweep may be off, in parts of the load and of the area; `None` where it is exact.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct Tolerances {
+    /// Of the integral.
+    pub statistical: Option<f64>,
+    /// Of the sum.
+    pub deterministic: Option<f64>,
+}
+
+impl Tolerances {
+    /// Of one model.
+    pub fn of(&self, kind: Kind) -> Option<f64> {
+        match kind {
+            Kind::Statistical => self.statistical,
+            Kind::Deterministic => self.deterministic,
+        }
+    }
+}
+
 /// What a surface is pressed to.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Controls {
@@ -72,6 +91,8 @@ pub struct Controls {
     pub pressures: Vec<f64>,
     /// Forces on the nominal area, N.
     pub forces: Vec<f64>,
+    /// Of the answers at `separations`.
+    pub tolerances: Tolerances,
 }
 
 impl Controls {
@@ -239,7 +260,11 @@ fn run(
         let answers: Vec<Result<Reached, Unreachable>> = match &pressures {
             None => {
                 let at = |response| Ok(Reached { response, in_jump: false });
-                model.respond_all(targets).into_iter().map(at).collect()
+                let answers = match controls.tolerances.of(kind) {
+                    Some(tolerance) => respond_within(model, targets, tolerance).responses,
+                    None => model.respond_all(targets),
+                };
+                answers.into_iter().map(at).collect()
             }
             Some(pressures) => at_pressures(model, pressures),
         };
@@ -265,12 +290,12 @@ fn pair(statistical: &CurvePoint, deterministic: &CurvePoint) -> Pair {
 /// A separation sweep also gives pairs at the deterministic pressures of its points, zeros left out.
 fn pair_at_loads(models: Models, deterministic: &[CurvePoint], result: &mut Comparison) {
     let (Some(statistical), Some(sum)) = (models.statistical, models.deterministic) else { return };
-    let pressures: Vec<f64> = deterministic
+    let points: Vec<Response> = deterministic
         .iter()
-        .filter(|point| point.control == Control::Separation)
-        .map(|point| point.response.pressure.total())
-        .filter(|&pressure| pressure > 0.0)
+        .filter(|point| point.control == Control::Separation && point.response.pressure.total() > 0.0)
+        .map(|point| point.response)
         .collect();
+    let pressures: Vec<f64> = points.iter().map(|response| response.pressure.total()).collect();
     let press = |model: &dyn Model, time: &mut Duration| {
         let start = Instant::now();
         let answers = at_pressures(model, &pressures);
@@ -278,14 +303,20 @@ fn pair_at_loads(models: Models, deterministic: &[CurvePoint], result: &mut Comp
         answers
     };
     let integrals = press(statistical, &mut result.statistical_time);
-    let sums = press(sum, &mut result.deterministic_time);
+    // A load that never falls is carried at no larger separation than that of its own point.
+    let sums: Vec<Result<Response, Unreachable>> = if sum.may_fall() {
+        let reached = press(sum, &mut result.deterministic_time);
+        reached.into_iter().map(|reached| reached.map(|reached| reached.response)).collect()
+    } else {
+        points.into_iter().map(Ok).collect()
+    };
     for (pressure, answers) in pressures.into_iter().zip(integrals.into_iter().zip(sums)) {
         match answers {
-            (Ok(integral), Ok(sum)) => result.pairs.push(Pair {
+            (Ok(integral), Ok(deterministic)) => result.pairs.push(Pair {
                 pairing: Pairing::Load,
                 target: pressure,
                 statistical: integral.response,
-                deterministic: sum.response,
+                deterministic,
             }),
             _ => result.unpaired.push(pressure),
         }

@@ -34,6 +34,21 @@ impl Levels {
         self.separations.len()
     }
 
+    /// How many of `heights` (m) lie above each separation.
+    pub(super) fn count_above(&self, heights: &[f64]) -> Vec<u64> {
+        let mut counts = vec![0; self.count() + 1];
+        for &z in heights {
+            counts[usize::from(self.untouched(z))] += 1;
+        }
+        counts.pop();
+        let mut above = 0;
+        counts.iter_mut().for_each(|count| {
+            above += *count;
+            *count = above;
+        });
+        counts
+    }
+
     fn lowest(&self) -> f64 {
         self.separations[self.count() - 1]
     }

@@ -1,75 +1,189 @@
-//! A curve of many separations from few of them.
+//! A curve of many separations from answers at few of them, to a tolerance that is checked.
 
 use super::{Model, Response, SamplingError};
 use crate::contact::ByRegime;
 
-/// A curve that holds a tolerance.
+/// A curve within a tolerance.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Curve {
     /// The answers, in the order of the separations that were asked for.
     pub responses: Vec<Response>,
-    /// How many separations the model was asked at.
+    /// At how many separations the model itself answered.
     pub asked: usize,
 }
 
-/// What is interpolated of a response: logarithms of what is positive and spans decades, shares as they are.
+/// What is interpolated of a response: the logarithms of what spans decades, and shares.
 const QUANTITIES: usize = 12;
 
-/// The quantities that the tolerance is held for: pressure, area ratio and the shares of both.
+/// The first so many hold the tolerance: pressure and area ratio, and the shares of both.
 const HELD: usize = 8;
 
-type Quantities = [f64; QUANTITIES];
+/// Below so many separations each is asked for.
+const FEWEST: usize = 32;
 
-/// Where the model was asked: the separation and its answer, as what is interpolated.
+/// Intervals to begin with.
+const INTERVALS: usize = 12;
+
+/// Of the tolerance, at the one place of an interval that is checked.
+const SAFETY: f64 = 0.25;
+
+/// The answers at `separations` (in sigma), of which pressure, area ratio and the shares of their regimes (in parts of the
+/// whole) are within `tolerance` of the model's own.
+///
+/// The model is asked at some of the separations, the rest is interpolated: an interval between two answers is asked
+/// in its middle, and halved until the answer there is what its neighbours foretold. What cannot be foretold is asked
+/// everywhere. The number of contacts of a sum is counted, not interpolated.
+pub fn respond_within(model: &dyn Model, separations: &[f64], tolerance: f64) -> Curve {
+    if separations.len() < FEWEST {
+        return Curve { responses: model.respond_all(separations), asked: separations.len() };
+    }
+    let mut order: Vec<usize> = (0..separations.len()).collect();
+    order.sort_by(|&a, &b| separations[a].total_cmp(&separations[b]));
+    let densities = model.count_contacts(separations);
+    let ascending = order.iter().map(|&k| separations[k]).collect();
+    let mut sketch = Sketch::new(ascending, if densities.is_some() { 4 } else { 10 });
+    sketch.settle(model, tolerance);
+    let mut responses = vec![None; separations.len()];
+    for (place, &k) in order.iter().enumerate() {
+        responses[k] = sketch.at(model, place, densities.as_ref().map(|densities| densities[k]));
+    }
+    // Next to where nothing touches there is nothing to interpolate.
+    let missing: Vec<usize> = (0..responses.len()).filter(|&k| responses[k].is_none()).collect();
+    let answers = model.respond_all(&missing.iter().map(|&k| separations[k]).collect::<Vec<_>>());
+    let asked = sketch.known.len() + missing.len();
+    for (k, answer) in missing.into_iter().zip(answers) {
+        responses[k] = Some(answer);
+    }
+    Curve { responses: responses.into_iter().flatten().collect(), asked }
+}
+
+/// Where the model was asked: place and answer, and what is interpolated of it.
 #[derive(Debug, Clone, Copy)]
 struct Node {
-    h: f64,
+    place: usize,
     response: Response,
-    quantities: Quantities,
+    quantities: [f64; QUANTITIES],
 }
 
 impl Node {
-    fn of(response: Response) -> Self {
-        let logarithm = |value: f64| if value > 0.0 { value.ln() } else { f64::NEG_INFINITY };
+    fn new(place: usize, response: Response) -> Self {
         let shares = |parts: &ByRegime| parts.shares().unwrap_or_default();
-        let [of_pressure, of_area] = [&response.pressure, &response.area_ratio].map(shares);
-        let sampling = response.sampling.unwrap_or(SamplingError { pressure: 0.0, area_ratio: 0.0 });
-        let logarithms = [
-            response.pressure.total(),
-            response.area_ratio.total(),
-            response.contact_density,
-            response.stiffness,
-            sampling.pressure,
-            sampling.area_ratio,
-        ]
-        .map(logarithm);
-        let mut quantities = [0.0; QUANTITIES];
-        quantities[..2].copy_from_slice(&logarithms[..2]);
-        quantities[2..5].copy_from_slice(&of_pressure);
-        quantities[5..8].copy_from_slice(&of_area);
-        quantities[HELD..].copy_from_slice(&logarithms[2..]);
-        Self { h: response.separation_over_sigma, response, quantities }
+        let sampling = response.sampling.unwrap_or(SamplingError { pressure: 1.0, area_ratio: 1.0 });
+        let [p1, p2, p3] = shares(&response.pressure);
+        let [a1, a2, a3] = shares(&response.area_ratio);
+        let quantities = [
+            response.pressure.total().ln(),
+            response.area_ratio.total().ln(),
+            p1,
+            p2,
+            p3,
+            a1,
+            a2,
+            a3,
+            response.contact_density.ln(),
+            response.stiffness.ln(),
+            sampling.pressure.ln(),
+            sampling.area_ratio.ln(),
+        ];
+        Self { place, response, quantities }
+    }
+}
+
+/// What is known of a curve.
+struct Sketch {
+    /// Ascending.
+    separations: Vec<f64>,
+    /// Ascending.
+    known: Vec<Node>,
+    /// Nodes that an interpolation goes through: few where the curve has a kink at every asperity.
+    through: usize,
+}
+
+impl Sketch {
+    fn new(separations: Vec<f64>, through: usize) -> Self {
+        Self { separations, known: Vec::new(), through }
     }
 
-    /// The response that interpolated `quantities` are, at the separation `h`, with the contacts of `exact` if they are
-    /// known.
-    fn response(model: &dyn Model, h: f64, quantities: &Quantities, density: Option<f64>) -> Response {
-        let parts = |total: f64, shares: &[f64]| {
-            let shares = [0, 1, 2].map(|k| shares[k].max(0.0));
+    /// Asks the model at `places`, ascending and new.
+    fn ask(&mut self, model: &dyn Model, places: &[usize]) {
+        let separations: Vec<f64> = places.iter().map(|&place| self.separations[place]).collect();
+        let answers = model.respond_all(&separations);
+        self.known.extend(places.iter().zip(answers).map(|(&place, response)| Node::new(place, response)));
+        self.known.sort_unstable_by_key(|node| node.place);
+    }
+
+    /// Asks until every interval between two answers can be interpolated, or holds no place more.
+    fn settle(&mut self, model: &dyn Model, tolerance: f64) {
+        let last = self.separations.len() - 1;
+        let ends: Vec<usize> = (0..=INTERVALS).map(|k| k * last / INTERVALS).collect();
+        self.ask(model, &ends);
+        let mut open: Vec<[usize; 2]> = ends.windows(2).map(|ends| [ends[0], ends[1]]).collect();
+        while !open.is_empty() {
+            open.retain(|[from, to]| to - from > 1);
+            let middles: Vec<usize> = open.iter().map(|[from, to]| (from + to) / 2).collect();
+            let foretold: Vec<[f64; QUANTITIES]> =
+                middles.iter().map(|&place| self.interpolate(place)).collect();
+            self.ask(model, &middles);
+            let is_off = |place: usize, foretold: &[f64; QUANTITIES]| {
+                let Ok(k) = self.known.binary_search_by_key(&place, |node| node.place) else { return true };
+                let found = self.known[k].quantities;
+                !(0..HELD).all(|k| (found[k] - foretold[k]).abs() <= SAFETY * tolerance)
+            };
+            let halves = open.iter().zip(middles).zip(&foretold);
+            open = halves
+                .filter(|((_, middle), foretold)| is_off(*middle, foretold))
+                .flat_map(|((&[from, to], middle), _)| [[from, middle], [middle, to]])
+                .collect();
+        }
+    }
+
+    /// The quantities at a place, by the polynomial through the nearest nodes; no number where one of them is none.
+    fn interpolate(&self, place: usize) -> [f64; QUANTITIES] {
+        let after = self.known.partition_point(|node| node.place < place);
+        let first = after.saturating_sub(self.through / 2).min(self.known.len().saturating_sub(self.through));
+        let nodes = &self.known[first..self.known.len().min(first + self.through)];
+        let h = self.separations[place];
+        let mut quantities = [0.0; QUANTITIES];
+        for node in nodes {
+            let at = self.separations[node.place];
+            let others = nodes.iter().filter(|other| other.place != node.place);
+            let weight: f64 = others
+                .map(|other| self.separations[other.place])
+                .map(|other| (h - other) / (at - other))
+                .product();
+            for (quantity, value) in quantities.iter_mut().zip(node.quantities) {
+                *quantity += weight * value;
+            }
+        }
+        quantities
+    }
+
+    /// The answer at a place, with so many contacts an area if they were counted; `None` where it cannot be interpolated.
+    fn at(&self, model: &dyn Model, place: usize, density: Option<f64>) -> Option<Response> {
+        if let Ok(k) = self.known.binary_search_by_key(&place, |node| node.place) {
+            return Some(self.known[k].response);
+        }
+        let is_sum = self.known.first()?.response.sampling.is_some();
+        let quantities = self.interpolate(place);
+        if !quantities[..HELD].iter().all(|quantity| quantity.is_finite()) {
+            return None;
+        }
+        let [pressure, area, p1, p2, p3, a1, a2, a3, contacts, stiffness, of_pressure, of_area] = quantities;
+        let parts = |total: f64, shares: [f64; 3]| {
+            let shares = shares.map(|share| share.max(0.0));
             let all: f64 = shares.iter().sum();
             ByRegime(shares.map(|share| total.exp() * share / all))
         };
-        let [.., contacts, stiffness, pressure_error, area_error] = quantities.map(f64::exp);
-        Response {
+        let h = self.separations[place];
+        Some(Response {
             separation_over_sigma: h,
             separation: h * model.datum().sigma,
-            contact_density: density.unwrap_or(contacts),
-            area_ratio: parts(quantities[1], &quantities[5..8]),
-            pressure: parts(quantities[0], &quantities[2..5]),
-            stiffness,
-            sampling: model
-                .samples()
-                .then_some(SamplingError { pressure: pressure_error, area_ratio: area_error }),
-        }
+            contact_density: density.unwrap_or(contacts.exp()),
+            area_ratio: parts(area, [a1, a2, a3]),
+            pressure: parts(pressure, [p1, p2, p3]),
+            stiffness: stiffness.exp(),
+            sampling: is_sum
+                .then(|| SamplingError { pressure: of_pressure.exp(), area_ratio: of_area.exp() }),
+        })
     }
 }

@@ -144,6 +144,10 @@ impl<'a, C: MicroContact + ?Sized> Deterministic<'a, C> {
         total
     }
 
+    fn falls(&self) -> Option<&Falls> {
+        self.falls.get_or_init(|| Falls::of(self.contact, self.asperities)).as_ref()
+    }
+
     /// A separation in the frame of the heights, m.
     fn absolute(&self, h: f64) -> f64 {
         self.datum.mean + h * self.datum.sigma
@@ -208,11 +212,36 @@ impl<C: MicroContact + ?Sized> Model for Deterministic<'_, C> {
         separations.iter().zip(&tallies).map(|(&h, tally)| self.response(h, tally)).collect()
     }
 
+    fn count_contacts(&self, separations: &[f64]) -> Option<Vec<f64>> {
+        let mut order: Vec<usize> = (0..separations.len()).collect();
+        order.sort_by(|&a, &b| separations[b].total_cmp(&separations[a]));
+        let mut densities = vec![0.0; separations.len()];
+        for some in order.chunks(Levels::MOST) {
+            let levels = Levels::new(some.iter().map(|&k| self.absolute(separations[k])).collect());
+            let counts = in_chunks(
+                self.asperities.count(),
+                |chunk| levels.count_above(&self.asperities.heights()[chunk]),
+                |total: &mut Vec<u64>, part| {
+                    total.resize(part.len(), 0);
+                    total.iter_mut().zip(part).for_each(|(total, part)| *total += part);
+                },
+            );
+            for (&k, count) in some.iter().zip(counts) {
+                densities[k] = count as f64 / self.asperities.nominal_area();
+            }
+        }
+        Some(densities)
+    }
+
+    fn may_fall(&self) -> bool {
+        self.falls().is_some()
+    }
+
     fn separations_at(&self, pressures: &[f64]) -> Vec<Option<f64>> {
         let in_sigma = |separation: f64| (separation - self.datum.mean) / self.datum.sigma;
         let highest = in_sigma(self.highest).max(LOWEST_SEPARATION);
-        let falls = self.falls.get_or_init(|| Falls::of(self.contact, self.asperities));
-        let falling_from = falls.as_ref().map_or(LOWEST_SEPARATION, |falls| in_sigma(falls.from));
+        let falls = self.falls();
+        let falling_from = falls.map_or(LOWEST_SEPARATION, |falls| in_sigma(falls.from));
         let falling_from = falling_from.clamp(LOWEST_SEPARATION, highest);
         let mut found = self.last_reaching(pressures, falling_from, highest);
         if let Some(falls) = falls {

@@ -2,11 +2,13 @@
 //! real asperities.
 
 mod block;
+mod curve;
 mod deterministic;
 mod load_control;
 mod response;
 mod statistical;
 
+pub use curve::{Curve, respond_within};
 pub use deterministic::Deterministic;
 pub use load_control::{LOWEST_SEPARATION, Reached, Unreachable, at_pressure, at_pressures};
 pub use response::{INTERACTION, Response, SamplingError};
@@ -37,6 +39,14 @@ pub trait Model: Sync {
 
     /// Everything at each of the separations d/sigma: a curve costs less at once than point by point.
     fn respond_all(&self, separations: &[f64]) -> Vec<Response>;
+
+    /// Contacts per nominal area (1/m^2) at each of the separations d/sigma, where they can be counted without the rest.
+    fn count_contacts(&self, _: &[f64]) -> Option<Vec<f64>> {
+        None
+    }
+
+    /// Whether the load of an asperity may fall as the flat comes nearer, so that a pressure may be reached more than once.
+    fn may_fall(&self) -> bool;
 
     /// For each of the pressures (Pa, positive) the largest separation with at least that in
     /// [[`LOWEST_SEPARATION`], infinity), `None` if there is none.

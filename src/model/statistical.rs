@@ -218,11 +218,15 @@ impl<C: MicroContact + ?Sized> Model for Statistical<'_, C> {
     /// load does with w: -dp/dd = -int P f' dz. Nearer than the mode a falling load can make it fall.
     /// The density is smooth there on the scale of sigma: within a small step the pressure turns once
     /// at the most, and its slope at both ends tells.
+    fn may_fall(&self) -> bool {
+        !self.contact.may_fall(self.shape.into()).is_empty()
+    }
+
     fn separations_at(&self, pressures: &[f64]) -> Vec<Option<f64>> {
         let density = self.population.heights;
         let highest = self.quoted(density.highest_separation());
         let mode = self.quoted(density.mode()).max(LOWEST_SEPARATION);
-        let may_fall = !self.contact.may_fall(self.shape.into()).is_empty();
+        let may_fall = self.may_fall();
         let low = if may_fall { mode } else { LOWEST_SEPARATION };
         let mut found = self.last_reaching(pressures, low, highest);
         if may_fall {

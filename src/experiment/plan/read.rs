@@ -139,6 +139,7 @@ impl Reader<'_> {
                 .map(|sweep| sweep.get_ref().values.clone())
                 .unwrap_or_default(),
             forces: words.force.as_ref().map(|sweep| sweep.get_ref().values.clone()).unwrap_or_default(),
+            tolerances: words.tolerance.0,
         };
         if controls.points() == 0 {
             return Err(self.source.refuse(

@@ -6,7 +6,7 @@ use serde::Deserialize;
 use serde::de::{Deserializer, Error, SeqAccess, Visitor};
 use toml::Spanned;
 
-use super::{Laws, LayerSpec, LinearSweep, LogSweep};
+use super::{Laws, LayerSpec, LinearSweep, LogSweep, ToleranceSpec};
 use crate::asperity::HeightDensity;
 use crate::compare::Kind;
 use crate::model::MeanRadius;
@@ -34,6 +34,9 @@ pub struct CompareSpec {
     pub surfaces: Option<Vec<Spanned<String>>>,
     /// d/sigma.
     pub separation: Option<LinearSweep>,
+    /// How far the curves over d/sigma may be off; exact unless told otherwise.
+    #[serde(default)]
+    pub tolerance: ToleranceSpec,
     /// Nominal pressures.
     pub pressure: Option<Spanned<LogSweep<Pressure>>>,
     /// Forces on the nominal area.

@@ -11,6 +11,7 @@ mod layer;
 mod limit;
 mod surface;
 mod sweep;
+mod tolerance;
 
 use std::path::Path;
 
@@ -32,6 +33,7 @@ pub use surface::{
     DrawSpec, FileSpec, FilterSpec, ListSpec, PixelSpec, PopulationHeights, PopulationSpec, SurfaceSpec,
 };
 pub use sweep::{LinearSweep, LogSweep};
+pub use tolerance::ToleranceSpec;
 
 use super::refusal::{Refusal, Source};
 use crate::material::Material;
