@@ -9,6 +9,7 @@ mod law;
 mod laws;
 mod layer;
 mod limit;
+mod stability;
 mod surface;
 mod sweep;
 
@@ -28,6 +29,7 @@ pub use law::{LawSpec, Laws, Summit};
 pub use laws::{AsperitySpec, LawsSpec};
 pub use layer::{LayerSpec, Thicknesses};
 pub use limit::LimitSpec;
+pub use stability::{SpanSpec, StabilitySpec};
 pub use surface::{
     DrawSpec, FileSpec, FilterSpec, ListSpec, PixelSpec, PopulationHeights, PopulationSpec, SurfaceSpec,
 };
@@ -59,6 +61,8 @@ pub struct Spec {
     pub laws: Option<Spanned<LawsSpec>>,
     /// One sphere on a layered flat.
     pub indentation: Option<Spanned<IndentationSpec>>,
+    /// How far `f64` is off.
+    pub stability: Option<Spanned<StabilitySpec>>,
     /// The surfaces by name.
     #[serde(default)]
     pub surface: IndexMap<Spanned<String>, Spanned<SurfaceSpec>>,
