@@ -48,5 +48,6 @@ pub mod model;
 pub mod numeric;
 pub mod report;
 pub mod sphere;
+pub mod stability;
 pub mod surface;
 pub mod units;

@@ -9,6 +9,7 @@ mod refusal;
 pub mod results;
 mod run;
 pub mod spec;
+mod stability;
 mod surface;
 mod threshold;
 mod whole;
@@ -16,6 +17,7 @@ mod whole;
 pub use indentation::{IndentationResults, LARGEST_SLOPE, LawCurves, LayerResults};
 pub use laws::{LawOnOne, LawsResults, SurfaceInfluence};
 pub use refusal::Refusal;
+pub use stability::StabilityResults;
 pub use surface::{GenerationFacts, MapFacts, Surface};
 pub use whole::Whole;
 

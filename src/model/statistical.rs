@@ -107,12 +107,12 @@ impl<'a, C: MicroContact + ?Sized> Statistical<'a, C> {
         self.datum == Datum { mean: 0.0, sigma: self.population.sigma }
     }
 
-    /// The tally at the standardised separation `h`, per asperity.
+    /// The tally at the standardised separation `h`, per asperity, over the density's factor [`HeightDensity::scale`]:
+    /// with it, the part of one asperity is denormal in the far tail though that of all is not.
     fn tally(&self, h: f64) -> Tally {
         let Population { sigma, heights, .. } = self.population;
-        let scale = heights.scale(h);
         let mut tally = Tally::default();
-        if scale == 0.0 {
+        if heights.scale(h) == 0.0 {
             return tally;
         }
         let [start, end] = heights.window(h);
@@ -131,7 +131,7 @@ impl<'a, C: MicroContact + ?Sized> Statistical<'a, C> {
                     if heights.turns(h, low, high) { FOLDINGS_PER_BELL } else { FOLDINGS_PER_PANEL };
                 let count = (heights.foldings(h, low, high) / resolved).ceil().max(1.0) as usize;
                 for mut panel in panels(low, high, Variable::SquareRoot, count) {
-                    run(WithDensity { panel: &mut panel, heights, h, scale, sigma });
+                    run(WithDensity { panel: &mut panel, heights, h, sigma });
                     self.contact.weigh(&panel.points, &panel.weights, self.shape, &mut tally);
                 }
             }
@@ -150,7 +150,7 @@ impl<'a, C: MicroContact + ?Sized> Statistical<'a, C> {
             let step = BESIDE * x * sigma;
             let [below, above] = [-step, step].map(|step| self.contact.contact(x * sigma + step, self.shape));
             let rise = (below.stiffness + above.stiffness) * step;
-            let density = heights.scale(h) * (-heights.exponent(h, x)).exp() / sigma;
+            let density = (-heights.exponent(h, x)).exp() / sigma;
             tally.add_jump((above.load - below.load - rise) * density);
         }
     }
@@ -161,12 +161,11 @@ impl<'a, C: MicroContact + ?Sized> Statistical<'a, C> {
     }
 }
 
-/// Makes the points of a panel indentations (m) and its weights those of the density beyond the separation `h`.
+/// Makes the points of a panel indentations (m) and its weights those of the density beyond the separation `h`, in units of its scale.
 struct WithDensity<'a> {
     panel: &'a mut Panel,
     heights: HeightDensity,
     h: f64,
-    scale: f64,
     sigma: f64,
 }
 
@@ -175,11 +174,11 @@ impl Work for WithDensity<'_> {
 
     #[inline(always)]
     fn with<N: Real>(self, zero: N) {
-        let Self { panel, heights, h, scale, sigma } = self;
+        let Self { panel, heights, h, sigma } = self;
         for k in (0..NODES).step_by(N::LANES) {
             let (points, weights) = (&mut panel.points[k..], &mut panel.weights[k..]);
             let x = zero.load(points);
-            (zero.load(weights) * ((-heights.exponent(h, x)).exp() * scale)).store(weights);
+            (zero.load(weights) * (-heights.exponent(h, x)).exp()).store(weights);
             (x * sigma).store(points);
         }
     }
@@ -205,11 +204,14 @@ impl<C: MicroContact + ?Sized> Model for Statistical<'_, C> {
     fn respond_all(&self, separations: &[f64]) -> Vec<Response> {
         /// Integrals that are worth a task.
         const MANY: usize = 64;
+        let Population { density, heights, .. } = self.population;
         separations
             .par_iter()
             .with_min_len(MANY)
             .map(|&h| {
-                Response::new(h, self.datum, &self.tally(self.standardised(h)), self.population.density)
+                let standardised = self.standardised(h);
+                let per_area = density * heights.scale(standardised);
+                Response::new(h, self.datum, &self.tally(standardised), per_area)
             })
             .collect()
     }

@@ -8,6 +8,7 @@ pub mod quadrature;
 pub mod root;
 pub mod sum;
 pub mod table;
+pub mod wide;
 
 pub use sum::Sum;
 

@@ -4,7 +4,7 @@ use serde::Deserialize;
 use toml::Spanned;
 
 use super::compare::{Models, RoughBody};
-use super::{CompareSpec, Laws, LogSweep, StatisticalSpec};
+use super::{CompareSpec, Laws, LogSweep, StatisticalSpec, ToleranceSpec};
 use crate::units::{Length, Pressure, Pure, Quantity};
 
 /// Two bodies, laws, one asperity, and the loads that surfaces are pressed to.
@@ -56,6 +56,7 @@ impl LawsSpec {
             statistical: self.statistical,
             surfaces: self.surfaces.clone(),
             separation: None,
+            tolerance: ToleranceSpec::default(),
             pressure: Some(self.pressure.clone()),
             force: None,
         }

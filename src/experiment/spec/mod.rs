@@ -9,6 +9,7 @@ mod law;
 mod laws;
 mod layer;
 mod limit;
+mod stability;
 mod surface;
 mod sweep;
 mod tolerance;
@@ -29,6 +30,7 @@ pub use law::{LawSpec, Laws, Summit};
 pub use laws::{AsperitySpec, LawsSpec};
 pub use layer::{LayerSpec, Thicknesses};
 pub use limit::LimitSpec;
+pub use stability::{SpanSpec, StabilitySpec};
 pub use surface::{
     DrawSpec, FileSpec, FilterSpec, ListSpec, PixelSpec, PopulationHeights, PopulationSpec, SurfaceSpec,
 };
@@ -61,6 +63,8 @@ pub struct Spec {
     pub laws: Option<Spanned<LawsSpec>>,
     /// One sphere on a layered flat.
     pub indentation: Option<Spanned<IndentationSpec>>,
+    /// How far `f64` is off.
+    pub stability: Option<Spanned<StabilitySpec>>,
     /// The surfaces by name.
     #[serde(default)]
     pub surface: IndexMap<Spanned<String>, Spanned<SurfaceSpec>>,

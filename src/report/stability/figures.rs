@@ -1,0 +1,59 @@
+//! Error maps.
+
+use crate::report::plot::{Axis, Colour, ColourMap, Dash, Layer, Plot, Raster};
+use crate::stability::Map;
+
+/// log10 of the errors at both ends of the colours: a tenth of a rounding, and a hundred roundings or the worst.
+const COLOURS: (f64, f64) = (-17.0, -14.0);
+
+/// One map.
+pub fn map(map: &Map) -> String {
+    let [columns, rows] = map.cells;
+    // Outer edges of the outermost cells.
+    let edges = |[from, to]: [f64; 2], cells: usize| {
+        let half = 0.5 * (to - from) / (cells - 1) as f64;
+        (from - half, to + half)
+    };
+    let [x, y] = [edges(map.ends[0], columns), edges(map.ends[1], rows)];
+    let axis = |label: &str, (from, to): (f64, f64)| Axis::linear(label).range(from, to);
+    let worst = map.errors.iter().copied().filter(|error| error.is_finite()).fold(0.0, f64::max);
+    let raster = Raster {
+        x,
+        y,
+        columns,
+        rows,
+        values: map.errors.iter().map(|error| error.max(1e-30).log10()).collect(),
+        map: ColourMap::Sequential,
+        limits: Some((COLOURS.0, worst.log10().ceil().max(COLOURS.1))),
+        label: "log₁₀ of the relative error".into(),
+    };
+    let title = format!("Error of the {}", map.of);
+    let mut plot = Plot::new(title, axis(map.axes[0], x), axis(map.axes[1], y)).with(Layer::raster(raster));
+    if map.name == "transition" {
+        let boundary = |place: f64, name: &str| {
+            Layer::line([(place, y.0), (place, y.1)])
+                .coloured(Colour::Neutral)
+                .dashed(Dash::Dashed)
+                .named(name)
+        };
+        plot = plot.with(boundary(0.0, "w₁")).with(boundary(1.0, "w₂ = c w₁"));
+    }
+    plot.svg()
+}
+
+/// What a map shows.
+pub fn caption(map: &Map) -> &'static str {
+    match map.name {
+        "separation" => {
+            "The integral of a bare pair of steels under ZMC. White: an error of less than a tenth of a rounding, or none."
+        }
+        "transition" => {
+            "One contact of that pair for any ratio c = w₂/w₁: elastic left of w₁, plastic right of w₂. Between them the error grows as 1/(c − 1) where c \
+             is near 1: the rounding of w₁ alone moves the area so far."
+        }
+        _ => {
+            "One contact under a layer a tenth as stiff and as hard as the flat: at the left there is next to no layer, at the right nothing but layer. \
+             Stripes: elastic above, where the hardness does not matter, and plastic below, where the modulus does not."
+        }
+    }
+}
