@@ -7,6 +7,7 @@ use indexmap::IndexMap;
 
 use super::indentation::IndentationResults;
 use super::laws::LawsResults;
+use super::precision::PrecisionResults;
 use super::surface::Surface;
 use crate::asperity::{Population, Statistics};
 use crate::coating::Rule;
@@ -102,6 +103,8 @@ pub enum Results {
     Laws(LawsResults),
     /// Of `[limit]`.
     Limit(LimitResults),
+    /// Of `[precision]`.
+    Precision(PrecisionResults),
     /// Of a look at surfaces.
     Surfaces(SurfacesResults),
 }
@@ -114,6 +117,7 @@ impl Results {
             Self::Indentation(results) => &results.head,
             Self::Laws(results) => &results.compare.head,
             Self::Limit(results) => &results.head,
+            Self::Precision(results) => &results.head,
             Self::Surfaces(results) => &results.head,
         }
     }
@@ -125,6 +129,7 @@ impl Results {
             Self::Indentation(results) => results.warnings(),
             Self::Laws(results) => results.compare.warnings(),
             Self::Limit(results) => results.contact.doubts.clone(),
+            Self::Precision(results) => results.contact.doubts.clone(),
             Self::Surfaces(results) => results.warnings(),
         }
     }

@@ -4,12 +4,14 @@ mod generate;
 mod indentation;
 mod laws;
 mod layer;
+mod precision;
 mod read;
 mod surface;
 
 pub use indentation::{IndentationPlan, OverlayPlan};
 pub use laws::{Critical, LawsPlan};
 pub use layer::{LayerPlan, thickness_words};
+pub use precision::PrecisionPlan;
 pub use surface::SurfacePlan;
 
 use std::fmt;
@@ -28,7 +30,7 @@ use indexmap::IndexMap;
 use toml::Spanned;
 
 /// What a spec must hold.
-const ONE_OF_THE_KINDS: &str = "exactly one of [compare], [indentation], [laws], [limit]";
+const ONE_OF_THE_KINDS: &str = "exactly one of [compare], [indentation], [laws], [limit], [precision]";
 
 /// A spec that can be run.
 pub struct Plan {
@@ -58,6 +60,8 @@ pub enum PlanKind {
     Indentation(IndentationPlan),
     /// `[laws]`
     Laws(LawsPlan),
+    /// `[precision]`
+    Precision(PrecisionPlan),
     /// A look at surfaces, whatever the spec's kind.
     Surfaces(Vec<SurfacePlan>),
 }
@@ -126,11 +130,12 @@ impl ComparePlan {
 }
 
 impl Plan {
-    /// Reads a spec and everything about its files that can be known without running it.
+    /// Reads a spec and everything about its files that can be known without running it; what stands behind --full is
+    /// planned only if it is to be run in `full`.
     ///
     /// # Errors
     /// The first thing that keeps it from running.
-    pub fn read(path: &Path) -> Result<Self, Refusal> {
+    pub fn read(path: &Path, full: bool) -> Result<Self, Refusal> {
         let (source, spec) = spec::read(path)?;
         let stem = stem_of(path)?;
         let reader = read::Reader { source: &source, spec: &spec };
@@ -139,6 +144,7 @@ impl Plan {
             spec.indentation.as_ref().map(Spanned::span),
             spec.laws.as_ref().map(Spanned::span),
             spec.limit.as_ref().map(Spanned::span),
+            spec.precision.as_ref().map(Spanned::span),
         ];
         let mut given: Vec<_> = kinds.into_iter().flatten().collect();
         given.sort_unstable_by_key(|span| span.start);
@@ -146,7 +152,7 @@ impl Plan {
             return Err(source
                 .refuse(second, format!("found a second experiment; allowed: {ONE_OF_THE_KINDS} a file")));
         }
-        let uses_none = spec.indentation.is_some() || spec.limit.is_some();
+        let uses_none = spec.indentation.is_some() || spec.limit.is_some() || spec.precision.is_some();
         if let Some((name, _)) = spec.surface.first().filter(|_| uses_none) {
             let message =
                 "found a surface, which only [compare] and [laws] use; allowed: no [surface.NAME] here";
@@ -160,6 +166,8 @@ impl Plan {
             PlanKind::Laws(reader.laws_on_all(laws.get_ref(), laws.span())?)
         } else if let Some(limit) = &spec.limit {
             PlanKind::Limit(reader.limit(limit.get_ref())?)
+        } else if let Some(precision) = &spec.precision {
+            PlanKind::Precision(reader.precision(precision.get_ref(), precision.span(), full)?)
         } else {
             return Err(Refusal::file(path, format!("found no experiment; allowed: {ONE_OF_THE_KINDS}")));
         };
@@ -213,7 +221,7 @@ impl Plan {
         match &self.kind {
             PlanKind::Compare(compare) | PlanKind::Laws(LawsPlan { compare, .. }) => &compare.surfaces,
             PlanKind::Surfaces(surfaces) => surfaces,
-            PlanKind::Indentation(_) | PlanKind::Limit(_) => &[],
+            PlanKind::Indentation(_) | PlanKind::Limit(_) | PlanKind::Precision(_) => &[],
         }
     }
 
@@ -226,6 +234,7 @@ impl Plan {
                 kept + self.surfaces().iter().map(|surface| surface.memory(self.look())).max().unwrap_or(0)
             }
             PlanKind::Indentation(plan) => plan.memory(),
+            PlanKind::Precision(plan) => plan.memory(),
             PlanKind::Limit(limit) => {
                 let largest = limit.counts.iter().copied().max().unwrap_or(0);
                 surface::set_memory(largest as u128)
@@ -251,6 +260,7 @@ impl Plan {
             PlanKind::Compare(compare) => compare.work(),
             PlanKind::Laws(plan) => plan.compare.work() + plan.points(),
             PlanKind::Indentation(plan) => plan.work(),
+            PlanKind::Precision(plan) => plan.work(),
             PlanKind::Limit(limit) => {
                 let asperities: u128 = limit.counts.iter().map(|&count| count as u128).sum();
                 asperities * ((limit.draws + 1) * limit.laws.len() * limit.separations.len()) as u128
@@ -320,6 +330,7 @@ impl fmt::Display for Plan {
             PlanKind::Compare(plan) => write!(f, "{plan}")?,
             PlanKind::Laws(plan) => write!(f, "{}{plan}", plan.compare)?,
             PlanKind::Indentation(plan) => write!(f, "{plan}")?,
+            PlanKind::Precision(plan) => write!(f, "{plan}")?,
             PlanKind::Surfaces(surfaces) => describe(surfaces, f)?,
             PlanKind::Limit(plan) => {
                 writeln!(f, "  {} on {}, law {}", plan.bodies.rough, plan.bodies.flat, laws(&plan.laws))?;

@@ -3,6 +3,7 @@
 mod indentation;
 mod laws;
 mod layer;
+mod precision;
 mod surface;
 
 use std::path::{Path, PathBuf};
@@ -16,6 +17,8 @@ use crate::experiment::results::{CompareResults, ContactHead, Head, LimitResults
 pub use indentation::indentation;
 use laws::LawsSummary;
 use layer::{FallSummary, LayerSummary, Thickness, ThresholdSummary};
+use precision::PrecisionSummary;
+pub use precision::precision;
 use surface::SurfaceSummary;
 
 /// The name by which a report says that this program wrote it.
@@ -47,6 +50,8 @@ struct Summary<'a> {
     layers: Vec<indentation::SphereSummary<'a>>,
     #[serde(skip_serializing_if = "Option::is_none")]
     laws: Option<LawsSummary<'a>>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    precision: Option<PrecisionSummary<'a>>,
     #[serde(skip_serializing_if = "Vec::is_empty")]
     slopes: Vec<SlopeSummary<'a>>,
     papers: Vec<&'static str>,
@@ -99,6 +104,7 @@ impl<'a> Summary<'a> {
             warnings: Vec::new(),
             layers: Vec::new(),
             laws: None,
+            precision: None,
             slopes: Vec::new(),
             papers: head.papers.iter().map(|paper| paper.full).collect(),
             files,
