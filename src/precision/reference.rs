@@ -117,7 +117,7 @@ mod tests {
         let reference = Reference::new(Equations::Hertz, &[steel(), steel()]);
         for h in [-2.0, 0.0, 1.0, 2.0] {
             let [area, load] = reference.integral(&CASE, h).unwrap().map(Wide::hi);
-            let exact = std::f64::PI * 6e10 * 2e-5 * 4.8e-8 * gaussian_moment(1.0, h);
+            let exact = std::f64::consts::PI * 6e10 * 2e-5 * 4.8e-8 * gaussian_moment(1.0, h);
             assert!((area / exact - 1.0).abs() < 1e-11, "{area:e} {exact:e}");
             let modulus = 210e9 / 1.82;
             let exact = 4.0 / 3.0 * 6e10 * modulus * 2e-5f64.sqrt() * 4.8e-8f64.powf(1.5);

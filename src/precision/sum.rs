@@ -24,8 +24,8 @@ pub const SEPARATIONS: [f64; 2] = [4.0, 0.0];
 /// So many separations where the number of asperities or threads is varied.
 pub const POINTS: usize = 10;
 
-/// At most so many asperities where the number of separations is varied.
-pub const MOST: usize = 100_000;
+/// So many asperities where the number of separations is varied.
+pub const ASPERITIES: usize = 30_000;
 
 /// How terms are added.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
@@ -81,11 +81,6 @@ impl Way {
             (Adding::Compensated, true) => "compensated, ordered",
             (Adding::Shipped, _) => "shipped",
         }
-    }
-
-    /// Whether several threads can share the work.
-    pub fn is_parallel(self) -> bool {
-        self.adding != Adding::Naive
     }
 
     /// Area (m^2) and load (N) at each separation, sigma, from the mean height 0.
@@ -248,7 +243,7 @@ impl Sweep {
 pub struct SumTask {
     /// Sizes of the sets, ascending.
     pub counts: Vec<usize>,
-    /// Numbers of separations.
+    /// Numbers of separations; of a set of [`ASPERITIES`].
     pub separations: Vec<usize>,
     /// Numbers of threads; they share the largest set of at most `most_for_threads` asperities.
     pub threads: Vec<usize>,
@@ -289,20 +284,17 @@ pub fn ways_on(
 ) -> Result<Vec<SumPoint>, SumError> {
     let alone = ThreadPoolBuilder::new().num_threads(1).build()?;
     let mut points = Vec::new();
-    let varied = task.counts.iter().copied().filter(|&count| count <= MOST).max();
+    let keeps_digits = |way: &Way| matches!(way.adding, Adding::Compensated | Adding::Shipped);
+    let ways: Vec<Way> = Way::ALL.into_iter().filter(keeps_digits).collect();
+    let problem = Problem::new(contact, population, ASPERITIES, seed(ASPERITIES))?;
+    for &separations in &task.separations {
+        points.extend(alone.install(|| run(&problem, Sweep::Separations, &ways, separations)));
+    }
     let shared = task.counts.iter().copied().filter(|&count| count <= task.most_for_threads).max();
     for &count in &task.counts {
         let problem = Problem::new(contact, population, count, seed(count))?;
         points.extend(alone.install(|| run(&problem, Sweep::Asperities, &Way::ALL, POINTS)));
-        if varied == Some(count) {
-            let is_exact = |way: &Way| matches!(way.adding, Adding::Compensated | Adding::Shipped);
-            let ways: Vec<Way> = Way::ALL.into_iter().filter(is_exact).collect();
-            for &separations in &task.separations {
-                points.extend(alone.install(|| run(&problem, Sweep::Separations, &ways, separations)));
-            }
-        }
         if shared == Some(count) {
-            let ways: Vec<Way> = Way::ALL.into_iter().filter(|way| way.is_parallel()).collect();
             for &threads in &task.threads {
                 let pool = ThreadPoolBuilder::new().num_threads(threads).build()?;
                 points.extend(pool.install(|| run(&problem, Sweep::Threads, &ways, POINTS)));
@@ -368,7 +360,7 @@ mod tests {
             most_for_threads: 5000,
         };
         let points = ways_on(&contact, &case, &task, |_| [5; 32], |_| ()).unwrap();
-        assert_eq!(points.len(), 2 * 7 + 2 * 3 + 5);
+        assert_eq!(points.len(), 2 * 7 + 2 * 3 + 3);
         let at =
             |sweep, way: Way| points.iter().rfind(|point| point.sweep == sweep && point.way == way).unwrap();
         for ordered in [false, true] {

@@ -248,7 +248,8 @@ pub fn surface_work(found: &GridFindings) -> String {
     for (index, per_length) in grids.iter().enumerate() {
         let points = found.points.iter().filter(|point| point.per_length == *per_length);
         let line = points.map(|point| (point.bias[k].hypot(point.scatter[k]), point.seconds)).collect();
-        let name = format!("{per_length} points a length");
+        let unit = if *per_length == 1.0 { "point" } else { "points" };
+        let name = format!("{per_length} {unit} a length");
         let colour = Colour::Ordered { index, of: grids.len() };
         for layer in series(line, &name, colour, Dash::Solid, Marker::Circle) {
             plot = plot.with(layer);

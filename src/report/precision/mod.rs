@@ -20,7 +20,7 @@ use super::head;
 use super::page::{Page, escape};
 use crate::experiment::{CasePrecision, PrecisionResults};
 use crate::precision::integral::{Effort, IntegralPoint, Rule};
-use crate::precision::sum::{POINTS, SEPARATIONS, SumPoint, Sweep, Way};
+use crate::precision::sum::{ASPERITIES, Adding, POINTS, SEPARATIONS, SumPoint, Sweep, Way};
 use winners::{FOUR_ULP, Of, largest_sums, rule_words};
 
 /// The page.
@@ -61,11 +61,15 @@ fn populations(page: &mut Page, results: &PrecisionResults) {
             ]
         }),
     );
-    let threads = match results.threads {
-        1 => "one thread".to_owned(),
-        several => format!("{several} threads"),
-    };
-    page.paragraph(&format!("Law {}; {threads} unless the number is given.", escape(&results.law)));
+    page.paragraph(&format!(
+        "Law {}; {} unless the number is given.",
+        escape(&results.law),
+        thread_count(results.threads)
+    ));
+}
+
+fn thread_count(threads: usize) -> String {
+    if threads == 1 { "one thread".to_owned() } else { format!("{threads} threads") }
 }
 
 /// Seconds as people read short times.
@@ -123,11 +127,8 @@ fn two_digits(ratio: f64) -> f64 {
 /// From how many separations on ordering is paid back.
 fn ordering_words(case: &CasePrecision) -> Option<String> {
     let of = |ordered: bool| {
-        let is_it = move |point: &&SumPoint| {
-            point.sweep == Sweep::Separations
-                && point.way.name().starts_with("compensated")
-                && point.way.ordered == ordered
-        };
+        let way = Way { adding: Adding::Compensated, ordered };
+        let is_it = move |point: &&SumPoint| point.sweep == Sweep::Separations && point.way == way;
         case.sums.iter().filter(is_it)
     };
     let asperities = of(true).next()?.asperities;
@@ -151,12 +152,12 @@ fn thread_words(case: &CasePrecision) -> Option<String> {
     let least = shipped().min_by_key(|point| point.threads)?;
     let most = shipped().max_by_key(|point| point.threads).filter(|most| most.threads > least.threads)?;
     Some(format!(
-        "**Threads, {}**: on {} the shipped sum of {} asperities takes {} of its time on {}.",
+        "**Threads, {}**: the shipped sum of {} asperities is {} times faster on {} than on {}.",
         escape(&case.name),
-        most.threads,
         count(most.asperities),
-        number(two_digits(most.cost.seconds / least.cost.seconds)),
-        least.threads,
+        number(two_digits(least.cost.seconds / most.cost.seconds)),
+        thread_count(most.threads),
+        thread_count(least.threads),
     ))
 }
 
@@ -260,7 +261,10 @@ fn sums(page: &mut Page, results: &PrecisionResults) {
             page.figure(
                 &format!("{}-separations.svg", file(&case.name)),
                 figures::separations(case),
-                "Time of a separation when several are asked for at once: ordering is shared by all of them.",
+                &format!(
+                    "{} asperities: time of a separation when several are asked for at once. Ordering is shared by all of them. One alone is at 2 σ.",
+                    count(ASPERITIES)
+                ),
             );
         }
         let largest = largest_sums(case);
@@ -289,10 +293,10 @@ fn threads(page: &mut Page, case: &CasePrecision) {
     let mut numbers: Vec<usize> = of_sweep().map(|point| point.threads).collect();
     numbers.dedup();
     page.paragraph(&format!("{} asperities on several threads, time a separation:", count(first.asperities)));
-    let head = ["way".to_owned()].into_iter().chain(numbers.iter().map(|n| format!("{n} threads")));
+    let head = ["way".to_owned()].into_iter().chain(numbers.iter().map(|&n| thread_count(n)));
     page.table(
         head,
-        Way::ALL.into_iter().filter(|way| way.is_parallel()).map(|way| {
+        Way::ALL.into_iter().filter(|way| of_sweep().any(|point| point.way == *way)).map(|way| {
             let at = |threads: &usize| {
                 let point = of_sweep().find(|point| point.way == way && point.threads == *threads);
                 point.map_or_else(String::new, |point| time(point.cost.seconds))
