@@ -12,7 +12,7 @@ const SHORTEST: f64 = 1e-3;
 const LONG: f64 = 2e-2;
 
 /// Runs of each candidate, and of those that take long.
-const RUNS: [usize; 2] = [7, 3];
+const RUNS: [usize; 2] = [5, 3];
 
 /// The median time of a call of each candidate, s. All are run in turn, again and again, so that what disturbs
 /// the machine for a while disturbs all alike.

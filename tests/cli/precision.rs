@@ -112,8 +112,7 @@ fn times_and_errors_are_what_they_should_be() {
     assert!(bias(&maps[0]) > 3.0 * bias(&maps[2]) && bias(&maps[2]) > 3.0 * bias(&maps[4]));
 
     let page = fs::read_to_string(report.join("report.md")).unwrap();
-    for words in ["The integral, one \\| two", "the shipped one takes", "√10", "twice the points a length"]
-    {
+    for words in ["The integral, one \\| two", "the shipped one", "√10", "How much surface"] {
         assert!(page.contains(words), "{words}");
     }
     assert!(!page.contains("NaN") && report.join("one---two-rules.svg").is_file());

@@ -152,11 +152,11 @@ fn thread_words(case: &CasePrecision) -> Option<String> {
     let least = shipped().min_by_key(|point| point.threads)?;
     let most = shipped().max_by_key(|point| point.threads).filter(|most| most.threads > least.threads)?;
     Some(format!(
-        "**Threads, {}**: the shipped sum of {} asperities is {} times faster on {} than on {}.",
+        "**Threads, {}**: on {} the shipped sum of {} asperities takes {} of the time that it takes on {}.",
         escape(&case.name),
-        count(most.asperities),
-        number(two_digits(least.cost.seconds / most.cost.seconds)),
         thread_count(most.threads),
+        count(most.asperities),
+        number(two_digits(most.cost.seconds / least.cost.seconds)),
         thread_count(least.threads),
     ))
 }
