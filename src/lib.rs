@@ -49,5 +49,6 @@ pub mod numeric;
 pub mod precision;
 pub mod report;
 pub mod sphere;
+pub mod stability;
 pub mod surface;
 pub mod units;

@@ -10,6 +10,7 @@ mod refusal;
 pub mod results;
 mod run;
 pub mod spec;
+mod stability;
 mod surface;
 mod threshold;
 mod whole;
@@ -18,6 +19,7 @@ pub use indentation::{IndentationResults, LARGEST_SLOPE, LawCurves, LayerResults
 pub use laws::{LawOnOne, LawsResults, SurfaceInfluence};
 pub use precision::{CasePrecision, PrecisionResults};
 pub use refusal::Refusal;
+pub use stability::StabilityResults;
 pub use surface::{GenerationFacts, MapFacts, Surface};
 pub use whole::Whole;
 

@@ -8,6 +8,7 @@ use indexmap::IndexMap;
 use super::indentation::IndentationResults;
 use super::laws::LawsResults;
 use super::precision::PrecisionResults;
+use super::stability::StabilityResults;
 use super::surface::Surface;
 use crate::asperity::{Population, Statistics};
 use crate::coating::Rule;
@@ -105,6 +106,8 @@ pub enum Results {
     Limit(LimitResults),
     /// Of `[precision]`.
     Precision(PrecisionResults),
+    /// Of `[stability]`.
+    Stability(StabilityResults),
     /// Of a look at surfaces.
     Surfaces(SurfacesResults),
 }
@@ -118,6 +121,7 @@ impl Results {
             Self::Laws(results) => &results.compare.head,
             Self::Limit(results) => &results.head,
             Self::Precision(results) => &results.head,
+            Self::Stability(results) => &results.head,
             Self::Surfaces(results) => &results.head,
         }
     }
@@ -130,6 +134,7 @@ impl Results {
             Self::Laws(results) => results.compare.warnings(),
             Self::Limit(results) => results.contact.doubts.clone(),
             Self::Precision(results) => results.contact.doubts.clone(),
+            Self::Stability(results) => results.warnings(),
             Self::Surfaces(results) => results.warnings(),
         }
     }

@@ -12,7 +12,7 @@ use super::results::{
 };
 use super::surface::Surface;
 use super::whole::Look;
-use super::{Refusal, digest, hexadecimal, indentation, laws, precision, stream_seed, threshold};
+use super::{Refusal, digest, hexadecimal, indentation, laws, precision, stability, stream_seed, threshold};
 use crate::asperity::{Population, gaussian_moment};
 use crate::compare::{
     Control, Exact, Gaps, Kind, LimitCase, Models, NotReached, RuleCheck, RuleFindings, compare, convergence,
@@ -30,6 +30,7 @@ pub(super) fn run(plan: &Plan, progress: &dyn Progress) -> Result<Results, Refus
         PlanKind::Laws(several) => laws::run(plan, several, progress).map(Results::Laws),
         PlanKind::Limit(limit) => run_limit(plan, limit, progress).map(Results::Limit),
         PlanKind::Precision(all) => precision::run(plan, all, progress).map(Results::Precision),
+        PlanKind::Stability(scenes) => Ok(Results::Stability(stability::run(plan, scenes, progress))),
         PlanKind::Surfaces(surfaces) => look(plan, surfaces, progress).map(Results::Surfaces),
     }
 }

@@ -105,12 +105,12 @@ impl<'a, C: MicroContact + ?Sized> Statistical<'a, C> {
         self.datum == Datum { mean: 0.0, sigma: self.population.sigma }
     }
 
-    /// The tally at the standardised separation `h`, per asperity.
+    /// The tally at the standardised separation `h`, per asperity, over the density's factor [`HeightDensity::scale`](crate::asperity::HeightDensity::scale):
+    /// with it, the part of one asperity is denormal in the far tail though that of all is not.
     fn tally(&self, h: f64) -> Tally {
         let Population { sigma, heights, .. } = self.population;
-        let scale = heights.scale(h);
         let mut tally = Tally::default();
-        if scale == 0.0 {
+        if heights.scale(h) == 0.0 {
             return tally;
         }
         let [start, end] = heights.window(h);
@@ -132,7 +132,7 @@ impl<'a, C: MicroContact + ?Sized> Statistical<'a, C> {
                     let indentations = panel.points.map(|x| x * sigma);
                     let mut weights = panel.weights;
                     for (weight, x) in weights.iter_mut().zip(panel.points) {
-                        *weight *= scale * (-heights.exponent(h, x)).exp();
+                        *weight *= (-heights.exponent(h, x)).exp();
                     }
                     self.contact.weigh(&indentations, &weights, self.shape, &mut tally);
                 }
@@ -152,7 +152,7 @@ impl<'a, C: MicroContact + ?Sized> Statistical<'a, C> {
             let step = BESIDE * x * sigma;
             let [below, above] = [-step, step].map(|step| self.contact.contact(x * sigma + step, self.shape));
             let rise = (below.stiffness + above.stiffness) * step;
-            let density = heights.scale(h) * (-heights.exponent(h, x)).exp() / sigma;
+            let density = (-heights.exponent(h, x)).exp() / sigma;
             tally.add_jump((above.load - below.load - rise) * density);
         }
     }
@@ -181,7 +181,9 @@ impl<C: MicroContact + ?Sized> Model for Statistical<'_, C> {
     }
 
     fn respond(&self, h: f64) -> Response {
-        Response::new(h, self.datum, &self.tally(self.standardised(h)), self.population.density)
+        let standardised = self.standardised(h);
+        let Population { density, heights, .. } = self.population;
+        Response::new(h, self.datum, &self.tally(standardised), density * heights.scale(standardised))
     }
 
     /// Where the density falls with height, so does the pressure with the separation, whatever the

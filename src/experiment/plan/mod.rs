@@ -6,12 +6,14 @@ mod laws;
 mod layer;
 mod precision;
 mod read;
+mod stability;
 mod surface;
 
 pub use indentation::{IndentationPlan, OverlayPlan};
 pub use laws::{Critical, LawsPlan};
 pub use layer::{LayerPlan, thickness_words};
 pub use precision::PrecisionPlan;
+pub use stability::StabilityPlan;
 pub use surface::SurfacePlan;
 
 use std::fmt;
@@ -30,7 +32,8 @@ use indexmap::IndexMap;
 use toml::Spanned;
 
 /// What a spec must hold.
-const ONE_OF_THE_KINDS: &str = "exactly one of [compare], [indentation], [laws], [limit], [precision]";
+const ONE_OF_THE_KINDS: &str =
+    "exactly one of [compare], [indentation], [laws], [limit], [precision], [stability]";
 
 /// A spec that can be run.
 pub struct Plan {
@@ -62,6 +65,8 @@ pub enum PlanKind {
     Laws(LawsPlan),
     /// `[precision]`
     Precision(PrecisionPlan),
+    /// `[stability]`
+    Stability(StabilityPlan),
     /// A look at surfaces, whatever the spec's kind.
     Surfaces(Vec<SurfacePlan>),
 }
@@ -145,6 +150,7 @@ impl Plan {
             spec.laws.as_ref().map(Spanned::span),
             spec.limit.as_ref().map(Spanned::span),
             spec.precision.as_ref().map(Spanned::span),
+            spec.stability.as_ref().map(Spanned::span),
         ];
         let mut given: Vec<_> = kinds.into_iter().flatten().collect();
         given.sort_unstable_by_key(|span| span.start);
@@ -152,10 +158,21 @@ impl Plan {
             return Err(source
                 .refuse(second, format!("found a second experiment; allowed: {ONE_OF_THE_KINDS} a file")));
         }
-        let uses_none = spec.indentation.is_some() || spec.limit.is_some() || spec.precision.is_some();
+        let uses_none = [
+            spec.indentation.is_some(),
+            spec.limit.is_some(),
+            spec.precision.is_some(),
+            spec.stability.is_some(),
+        ]
+        .contains(&true);
         if let Some((name, _)) = spec.surface.first().filter(|_| uses_none) {
             let message =
                 "found a surface, which only [compare] and [laws] use; allowed: no [surface.NAME] here";
+            return Err(source.refuse(name.span(), message));
+        }
+        if let Some((name, _)) = spec.material.first().filter(|_| spec.stability.is_some()) {
+            let message =
+                "found a material, where [stability] draws its own; allowed: no [material.NAME] here";
             return Err(source.refuse(name.span(), message));
         }
         let kind = if let Some(compare) = &spec.compare {
@@ -168,6 +185,8 @@ impl Plan {
             PlanKind::Limit(reader.limit(limit.get_ref())?)
         } else if let Some(precision) = &spec.precision {
             PlanKind::Precision(reader.precision(precision.get_ref(), precision.span(), full)?)
+        } else if let Some(stability) = &spec.stability {
+            PlanKind::Stability(reader.stability(stability.get_ref())?)
         } else {
             return Err(Refusal::file(path, format!("found no experiment; allowed: {ONE_OF_THE_KINDS}")));
         };
@@ -221,7 +240,10 @@ impl Plan {
         match &self.kind {
             PlanKind::Compare(compare) | PlanKind::Laws(LawsPlan { compare, .. }) => &compare.surfaces,
             PlanKind::Surfaces(surfaces) => surfaces,
-            PlanKind::Indentation(_) | PlanKind::Limit(_) | PlanKind::Precision(_) => &[],
+            PlanKind::Indentation(_)
+            | PlanKind::Limit(_)
+            | PlanKind::Precision(_)
+            | PlanKind::Stability(_) => &[],
         }
     }
 
@@ -235,6 +257,7 @@ impl Plan {
             }
             PlanKind::Indentation(plan) => plan.memory(),
             PlanKind::Precision(plan) => plan.memory(),
+            PlanKind::Stability(plan) => plan.memory(),
             PlanKind::Limit(limit) => {
                 let largest = limit.counts.iter().copied().max().unwrap_or(0);
                 surface::set_memory(largest as u128)
@@ -261,6 +284,7 @@ impl Plan {
             PlanKind::Laws(plan) => plan.compare.work() + plan.points(),
             PlanKind::Indentation(plan) => plan.work(),
             PlanKind::Precision(plan) => plan.work(),
+            PlanKind::Stability(plan) => plan.work(),
             PlanKind::Limit(limit) => {
                 let asperities: u128 = limit.counts.iter().map(|&count| count as u128).sum();
                 asperities * ((limit.draws + 1) * limit.laws.len() * limit.separations.len()) as u128
@@ -331,6 +355,7 @@ impl fmt::Display for Plan {
             PlanKind::Laws(plan) => write!(f, "{}{plan}", plan.compare)?,
             PlanKind::Indentation(plan) => write!(f, "{plan}")?,
             PlanKind::Precision(plan) => write!(f, "{plan}")?,
+            PlanKind::Stability(plan) => write!(f, "{plan}")?,
             PlanKind::Surfaces(surfaces) => describe(surfaces, f)?,
             PlanKind::Limit(plan) => {
                 writeln!(f, "  {} on {}, law {}", plan.bodies.rough, plan.bodies.flat, laws(&plan.laws))?;

@@ -10,6 +10,7 @@ mod laws;
 mod layer;
 mod limit;
 mod precision;
+mod stability;
 mod surface;
 mod sweep;
 
@@ -30,6 +31,7 @@ pub use laws::{AsperitySpec, LawsSpec};
 pub use layer::{LayerSpec, Thicknesses};
 pub use limit::LimitSpec;
 pub use precision::{CaseSpec, GridSpec, IntegralSpec, PrecisionSpec, SamplingSpec, SumSpec};
+pub use stability::{SpanSpec, StabilitySpec};
 pub use surface::{
     DrawSpec, FileSpec, FilterSpec, ListSpec, PixelSpec, PopulationHeights, PopulationSpec, SurfaceSpec,
 };
@@ -63,6 +65,8 @@ pub struct Spec {
     pub precision: Option<Spanned<PrecisionSpec>>,
     /// One sphere on a layered flat.
     pub indentation: Option<Spanned<IndentationSpec>>,
+    /// How far `f64` is off.
+    pub stability: Option<Spanned<StabilitySpec>>,
     /// The surfaces by name.
     #[serde(default)]
     pub surface: IndexMap<Spanned<String>, Spanned<SurfaceSpec>>,

@@ -4,6 +4,7 @@ mod indentation;
 mod laws;
 mod layer;
 mod precision;
+mod stability;
 mod surface;
 
 use std::path::{Path, PathBuf};
@@ -12,13 +13,14 @@ use indexmap::IndexMap;
 use serde::{Deserialize, Serialize};
 
 use super::limit::Slope;
-use crate::experiment::LawsResults;
 use crate::experiment::results::{CompareResults, ContactHead, Head, LimitResults, SurfacesResults};
+use crate::experiment::{LawsResults, StabilityResults};
 pub use indentation::indentation;
 use laws::LawsSummary;
 use layer::{FallSummary, LayerSummary, Thickness, ThresholdSummary};
 use precision::PrecisionSummary;
 pub use precision::precision;
+use stability::StabilitySummary;
 use surface::SurfaceSummary;
 
 /// The name by which a report says that this program wrote it.
@@ -54,6 +56,8 @@ struct Summary<'a> {
     precision: Option<PrecisionSummary<'a>>,
     #[serde(skip_serializing_if = "Vec::is_empty")]
     slopes: Vec<SlopeSummary<'a>>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    stability: Option<StabilitySummary>,
     papers: Vec<&'static str>,
     files: &'a [String],
 }
@@ -106,6 +110,7 @@ impl<'a> Summary<'a> {
             laws: None,
             precision: None,
             slopes: Vec::new(),
+            stability: None,
             papers: head.papers.iter().map(|paper| paper.full).collect(),
             files,
         }
@@ -127,6 +132,17 @@ pub fn compare(results: &CompareResults, files: &[String]) -> serde_json::Result
 pub fn laws(results: &LawsResults, files: &[String]) -> serde_json::Result<Vec<u8>> {
     let mut summary = compared(&results.compare, files);
     summary.laws = Some(laws::summary(results));
+    serde_json::to_vec_pretty(&summary)
+}
+
+/// `summary.json` of stability.
+///
+/// # Errors
+/// None that a result can cause.
+pub fn stability(results: &StabilityResults, files: &[String]) -> serde_json::Result<Vec<u8>> {
+    let mut summary = Summary::new(&results.head, None, files);
+    summary.warnings = results.warnings();
+    summary.stability = Some(stability::summary(results));
     serde_json::to_vec_pretty(&summary)
 }
 

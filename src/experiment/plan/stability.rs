@@ -1,0 +1,103 @@
+//! How many scenes, and what they are drawn from.
+
+use std::fmt;
+
+use toml::Spanned;
+
+use super::read::Reader;
+use crate::experiment::refusal::Refusal;
+use crate::experiment::spec::{SpanSpec, StabilitySpec};
+use crate::stability::{Counts, Family, Ranges};
+use crate::units::{Dimension, Range};
+
+/// Scenes to be judged.
+#[derive(Debug, Clone, Copy)]
+pub struct StabilityPlan {
+    /// Scenes of each family.
+    pub counts: Counts,
+    /// What they are drawn from.
+    pub ranges: Ranges,
+    /// Cells along each side of an error map.
+    pub cells: usize,
+}
+
+impl StabilityPlan {
+    /// An estimate of the micro-contacts that are evaluated, wide ones counted a hundredfold.
+    pub fn work(&self) -> u128 {
+        const OF_AN_INTEGRAL: u64 = 100_000;
+        const OF_A_SUM: u64 = 30_000;
+        let Counts { contacts, sums, integrals, loads, millions } = self.counts;
+        let work = 100 * contacts
+            + OF_A_SUM * sums
+            + OF_AN_INTEGRAL * (integrals + 3 * loads)
+            + 1_000_000 * millions;
+        u128::from(work)
+    }
+
+    /// Bytes of the largest set and its ordered copy.
+    pub fn memory(&self) -> u128 {
+        let largest: u128 = if self.counts.millions > 0 { 1_000_000 } else { 1000 };
+        100 * largest * rayon::current_num_threads() as u128
+    }
+}
+
+impl fmt::Display for StabilityPlan {
+    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        writeln!(f, "  {} scenes in {} families, and error maps", self.counts.total(), Family::ALL.len())
+    }
+}
+
+impl Reader<'_> {
+    pub(super) fn stability(&self, words: &StabilitySpec) -> Result<StabilityPlan, Refusal> {
+        let (counts, ranges) = (Counts::default(), Ranges::default());
+        Ok(StabilityPlan {
+            counts: Counts {
+                contacts: self.within(words.contacts.as_ref(), counts.contacts, [1, 100_000], "scenes")?,
+                sums: self.within(words.sums.as_ref(), counts.sums, [1, 100_000], "scenes")?,
+                integrals: self.within(words.integrals.as_ref(), counts.integrals, [1, 100_000], "scenes")?,
+                loads: self.within(words.loads.as_ref(), counts.loads, [1, 100_000], "scenes")?,
+                millions: self.within(words.millions.as_ref(), counts.millions, [1, 1000], "scenes")?,
+            },
+            ranges: Ranges {
+                separation: self.span(words.separation.as_ref(), ranges.separation)?,
+                radius_over_sigma: self.span(words.radius_over_sigma.as_ref(), ranges.radius_over_sigma)?,
+                hardness_over_modulus: self
+                    .span(words.hardness_over_modulus.as_ref(), ranges.hardness_over_modulus)?,
+                thickness: self.span(words.thickness.as_ref(), ranges.thickness)?,
+            },
+            cells: self.within(words.cells.as_ref(), 48, [8, 400], "cells")? as usize,
+        })
+    }
+
+    fn within(
+        &self,
+        found: Option<&Spanned<u64>>,
+        usual: u64,
+        [least, most]: [u64; 2],
+        what: &str,
+    ) -> Result<u64, Refusal> {
+        let Some(found) = found else { return Ok(usual) };
+        let count = *found.get_ref();
+        if (least..=most).contains(&count) {
+            return Ok(count);
+        }
+        Err(self.source.refuse(found.span(), format!("found {count}; allowed: {least} to {most} {what}")))
+    }
+
+    /// A part of what is judged at most.
+    fn span<D: Dimension, R: Range>(
+        &self,
+        found: Option<&Spanned<SpanSpec<D, R>>>,
+        [least, most]: [f64; 2],
+    ) -> Result<[f64; 2], Refusal> {
+        let Some(found) = found else { return Ok([least, most]) };
+        let [from, to] = found.get_ref().ends();
+        if least <= from && from < to && to <= most {
+            return Ok([from, to]);
+        }
+        let message = format!(
+            "found {from:e} to {to:e}; allowed: from a lower to a higher value within {least:e} to {most:e}"
+        );
+        Err(self.source.refuse(found.span(), message))
+    }
+}

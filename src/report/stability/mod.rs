@@ -1,0 +1,165 @@
+//! The page of stability: how far `f64` is off, and where.
+
+mod figures;
+mod tables;
+
+pub use tables::tables;
+
+use super::format::{count, number};
+use super::head;
+use super::page::{Page, escape};
+use crate::experiment::StabilityResults;
+use crate::stability::{FamilyFindings, Fault, Kind, Worst};
+
+/// An error to two digits: more would differ between machines.
+fn error(value: f64) -> String {
+    if value == 0.0 { "0".to_owned() } else { format!("{value:.0e}") }
+}
+
+/// The worst of all quantities beside its bound, with the family that it is of.
+fn worst<'a>(
+    families: impl IntoIterator<Item = &'a FamilyFindings>,
+) -> Option<(&'a FamilyFindings, &'a Worst)> {
+    let share = |findings: &FamilyFindings, worst: &Worst| worst.judged / worst.bound(findings.family);
+    families
+        .into_iter()
+        .flat_map(|findings| findings.quantities.iter().map(move |worst| (findings, worst)))
+        .max_by(|a, b| share(a.0, a.1).total_cmp(&share(b.0, b.1)))
+}
+
+/// The page.
+pub fn page(results: &StabilityResults) -> Page {
+    let mut page = Page::new(&results.head.title);
+    head::notes(&mut page, &results.head);
+    for warning in results.warnings() {
+        page.warning(&escape(&warning));
+    }
+    page.heading(2, "In short");
+    page.bullets(in_short(results));
+    page.paragraph(
+        "Every number that the models give is held against one of about 32 digits, made from the equations alone: other formulas, no \
+         tables, double-double arithmetic, the tanh-sinh rule for integrals, slopes by differences. Half of the scenes of a family are \
+         not further off than its median.",
+    );
+    families(&mut page, results);
+    page.heading(2, "Where the errors are");
+    for map in &results.maps {
+        page.figure(&format!("{}-errors.svg", map.name), figures::map(map), figures::caption(map));
+    }
+    page.heading(2, "How it is judged");
+    page.bullets(JUDGED);
+    page.heading(2, "The worst scenes");
+    page.paragraph("Of each kind the scene that uses most of its bound; `stability.csv` has that of every quantity of every family.");
+    for kind in Kind::ALL {
+        let of_kind = results.families.iter().filter(|findings| findings.family.kind() == kind);
+        if let Some((findings, worst)) = worst(of_kind) {
+            page.paragraph(&format!(
+                "**{}**: {} of {}, scene {} of \"{}\".",
+                kind.name(),
+                worst.quantity.name(),
+                error(worst.judged),
+                worst.scene.index,
+                findings.family.name(),
+            ));
+            page.code("", &worst.scene.inputs());
+        }
+    }
+    page.paragraph(&head::provenance(&results.head));
+    head::sources(&mut page, &results.head);
+    page
+}
+
+const JUDGED: [&str; 6] = [
+    "An indentation, and d/σ of an integral, go in as they are: nothing is rounded before the first formula.",
+    "Of a sum, the separation d = mean + h σ is rounded once, and w = z − d feels it: by (1 + mean/σ) times as much where heights lie far from \
+     zero. So the answer is right if it lies between the exact answers for d less and more one rounding; \"plain\" errors are from the exact answer to the \
+     unrounded d.",
+    "Within the rounding of a boundary (16 ulp of it bare, 1e-13 under a layer) either side's answer counts: laws that jump there cannot be told apart.",
+    "Where c − 1 is small, the area of ZMC doubles within so narrow a range that the rounding of w₁ alone moves it by 1/(c − 1) roundings: see the map. \
+     Scenes have c from 1.01 on.",
+    "Sampling errors are judged as variances over the mean square: of equal asperities the variance is a difference of equal numbers.",
+    "The slope of a table: stiffnesses under Jackson and Green have a bound of 1e-11.",
+];
+
+fn in_short(results: &StabilityResults) -> Vec<String> {
+    let beyond = results.beyond().count();
+    let faults: usize = results.families.iter().map(|findings| findings.faults.len()).sum();
+    let infinite = results.families.iter().flat_map(|findings| &findings.faults);
+    let infinite = infinite.filter(|(_, fault)| matches!(fault, Fault::NotFinite(_))).count();
+    let mut lines = vec![format!(
+        "**{} scenes** in {} families: {}; {}.",
+        count(results.scenes() as usize),
+        results.families.len(),
+        if beyond == 0 {
+            "every one within its bound".to_owned()
+        } else {
+            format!("{beyond} families beyond their bounds")
+        },
+        match (infinite, faults) {
+            (0, 0) => "no NaN, no infinity, nothing refused and nothing left unjudged".to_owned(),
+            (infinite, faults) =>
+                format!("{infinite} with a NaN or an infinity, {faults} not right or not judged in all"),
+        },
+    )];
+    for kind in Kind::ALL {
+        let of_kind: Vec<&FamilyFindings> =
+            results.families.iter().filter(|findings| findings.family.kind() == kind).collect();
+        let largest = |findings: &&FamilyFindings| {
+            findings.quantities.iter().map(|worst| worst.judged).fold(0.0, f64::max)
+        };
+        let Some((findings, used)) = worst(of_kind.iter().copied()) else { continue };
+        lines.push(format!(
+            "**{}**: relative errors of {} at most; nearest to its bound of {}: {} in \"{}\", {}.",
+            kind.name(),
+            error(of_kind.iter().map(largest).fold(0.0, f64::max)),
+            error(used.bound(findings.family)),
+            used.quantity.name(),
+            findings.family.name(),
+            error(used.judged),
+        ));
+    }
+    lines
+}
+
+/// A table a kind: family by family, quantity by quantity.
+fn families(page: &mut Page, results: &StabilityResults) {
+    for kind in Kind::ALL {
+        page.heading(2, &capital(kind.name()));
+        let of_kind = || results.families.iter().filter(|findings| findings.family.kind() == kind);
+        page.table(
+            ["family", "what", "scenes", "not right"],
+            of_kind().map(|findings| {
+                vec![
+                    findings.family.name().to_owned(),
+                    findings.family.about().to_owned(),
+                    count(findings.scenes as usize),
+                    match findings.faults.len() {
+                        0 => "none".to_owned(),
+                        several => number(several as f64),
+                    },
+                ]
+            }),
+        );
+        page.table(
+            ["family", "quantity", "median", "worst", "bound", "plain", "scene"],
+            of_kind().flat_map(|findings| {
+                findings.quantities.iter().map(|worst| {
+                    vec![
+                        findings.family.name().to_owned(),
+                        worst.quantity.name().to_owned(),
+                        error(worst.median),
+                        error(worst.judged),
+                        error(worst.bound(findings.family)),
+                        error(worst.error),
+                        worst.scene.index.to_string(),
+                    ]
+                })
+            }),
+        );
+    }
+}
+
+fn capital(text: &str) -> String {
+    let mut letters = text.chars();
+    letters.next().map_or_else(String::new, |first| first.to_uppercase().chain(letters).collect())
+}

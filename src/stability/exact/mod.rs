@@ -1,0 +1,224 @@
+//! The same answers in about 32 digits, straight from the equations of docs/theory.md: nothing here is shared with
+//! what the models compute, neither formulas nor tables nor quadrature.
+//!
+//! | file | what lives there |
+//! |---|---|
+//! | `laws` | areas and loads of every law, formula by formula |
+//! | `layer` | the effective properties of a layered flat (Pasaribu and Schipper 2005, Eqs. 14-20) |
+//! | `shape` | elliptic asperities, by the arithmetic-geometric mean |
+//! | `sum` | sums over asperities |
+//! | `integral` | integrals over a height density, by the tanh-sinh rule |
+
+mod integral;
+mod laws;
+mod layer;
+mod shape;
+mod sum;
+
+pub use integral::Integral;
+pub use shape::Shape;
+pub use sum::Total;
+
+use super::bodies::{Bodies, Law};
+use crate::contact::Regime;
+use crate::material::Material;
+use crate::numeric::wide::Wide;
+use layer::Layer;
+
+/// What a body sets against yielding: the onset and the strength of the law, Pa.
+#[derive(Debug, Clone, Copy)]
+struct Resistance {
+    onset: Wide,
+    strength: Wide,
+}
+
+/// The pair that an asperity feels.
+#[derive(Debug, Clone, Copy)]
+struct Felt {
+    modulus: Wide,
+    rough: Option<Resistance>,
+    flat: Option<Resistance>,
+}
+
+/// Which formula holds: the range of the law, and which body yields first and is weaker.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+struct Branch {
+    range: usize,
+    flat_yields_first: bool,
+    flat_is_weaker: bool,
+}
+
+/// One contact.
+#[derive(Debug, Clone, Copy)]
+pub struct Contact {
+    /// m^2.
+    pub area: Wide,
+    /// N.
+    pub load: Wide,
+    /// dP/dw, N/m.
+    pub stiffness: Wide,
+    /// Elastic, elastic-plastic or plastic.
+    pub regime: Regime,
+}
+
+/// A pair of bodies under a law.
+#[derive(Debug, Clone)]
+pub struct Exact {
+    law: Law,
+    rough_compliance: Wide,
+    rough: Option<Resistance>,
+    flat: Flat,
+    boundaries: Vec<Wide>,
+}
+
+#[derive(Debug, Clone)]
+enum Flat {
+    Homogeneous { compliance: Wide, resistance: Option<Resistance> },
+    Layered(Layer),
+}
+
+/// How near to a boundary, relative to the place itself, either side's answer counts: the rounding of the boundary.
+const BESIDE: f64 = 16.0 * f64::EPSILON;
+/// The same under a layer, whose effective properties go into it.
+const BESIDE_LAYERED: f64 = 1e-13;
+
+/// (1 - nu^2)/E, 1/Pa.
+fn compliance(body: &Material) -> Wide {
+    let nu = Wide::new(body.poisson());
+    (Wide::ONE - nu * nu) / body.young()
+}
+
+impl Exact {
+    /// Of a pair.
+    pub fn new(bodies: &Bodies) -> Self {
+        let law = bodies.law;
+        let resistance = |body: &Material| {
+            let wide = |value: Option<f64>| value.map(Wide::new);
+            laws::resistance(
+                law,
+                Wide::new(body.poisson()),
+                wide(body.hardness()),
+                wide(body.yield_strength()),
+            )
+        };
+        let homogeneous = |body: &Material| Flat::Homogeneous {
+            compliance: compliance(body),
+            resistance: resistance(body),
+        };
+        let flat = match &bodies.layer {
+            Some(layer) if layer.thickness == f64::INFINITY => homogeneous(&layer.material),
+            Some(layer) if layer.thickness > 0.0 => Flat::Layered(Layer::new(layer, &bodies.flat)),
+            _ => homogeneous(&bodies.flat),
+        };
+        Self {
+            law,
+            rough_compliance: compliance(&bodies.rough),
+            rough: resistance(&bodies.rough),
+            flat,
+            boundaries: laws::boundaries(law),
+        }
+    }
+
+    /// What an asperity feels at the indentation `w` (m).
+    fn felt(&self, w: Wide, shape: &Shape) -> Felt {
+        let (compliance, flat) = match &self.flat {
+            Flat::Homogeneous { compliance, resistance } => (*compliance, *resistance),
+            Flat::Layered(layer) => {
+                let felt = layer.felt(w, (shape.spheres * shape.radius * w).sqrt());
+                (felt.compliance, laws::resistance(self.law, felt.poisson, felt.hardness, None))
+            }
+        };
+        Felt { modulus: (self.rough_compliance + compliance).recip(), rough: self.rough, flat }
+    }
+
+    fn beside(&self) -> f64 {
+        if matches!(self.flat, Flat::Layered(_)) { BESIDE_LAYERED } else { BESIDE }
+    }
+
+    /// (w/b) (E*/onset)^2; `None` where nothing yields.
+    fn place(w: Wide, shape: &Shape, felt: &Felt, flat_yields_first: bool) -> Option<Wide> {
+        let strain = felt.modulus / felt.body(flat_yields_first)?.onset;
+        Some(w / shape.radius * strain * strain)
+    }
+
+    fn branch(&self, w: Wide, shape: &Shape) -> Branch {
+        let felt = self.felt(w, shape);
+        let flat_yields_first = felt.flat_is_lesser(|resistance| resistance.onset);
+        let range = Self::place(w, shape, &felt, flat_yields_first)
+            .map_or(0, |u| self.boundaries.iter().filter(|&&boundary| u >= boundary).count());
+        Branch { range, flat_yields_first, flat_is_weaker: felt.flat_is_lesser(|r| r.strength) }
+    }
+
+    /// The branch at `w`, and those that lie within the rounding of where one gives way to another.
+    fn branches(&self, w: Wide, shape: &Shape) -> Vec<Branch> {
+        let near = |place: Wide, boundary: Wide| (place - boundary).abs() <= boundary * self.beside();
+        let felt = self.felt(w, shape);
+        let sides = |of: fn(&Resistance) -> Wide| match (&felt.rough, &felt.flat) {
+            (Some(rough), Some(flat)) if near(of(flat), of(rough)) => vec![false, true],
+            _ => vec![felt.flat_is_lesser(|resistance| of(resistance))],
+        };
+        let mut found = Vec::new();
+        for flat_yields_first in sides(|resistance| resistance.onset) {
+            let place = Self::place(w, shape, &felt, flat_yields_first);
+            let ranges: Vec<usize> = place.map_or(vec![0], |u| {
+                let range = self.boundaries.iter().filter(|&&boundary| u >= boundary).count();
+                let before = range > 0 && near(u, self.boundaries[range - 1]);
+                let behind = self.boundaries.get(range).is_some_and(|&boundary| near(u, boundary));
+                [(true, range), (before, range.wrapping_sub(1)), (behind, range + 1)]
+                    .into_iter()
+                    .filter_map(|(is_it, range)| is_it.then_some(range))
+                    .collect()
+            });
+            for flat_is_weaker in sides(|resistance| resistance.strength) {
+                found.extend(ranges.iter().map(|&range| Branch { range, flat_yields_first, flat_is_weaker }));
+            }
+        }
+        found
+    }
+
+    /// Area, load and regime by one formula.
+    fn answer(&self, w: Wide, shape: &Shape, branch: Branch) -> (Wide, Wide, Regime) {
+        let felt = self.felt(w, shape);
+        let resistance = felt
+            .body(branch.flat_yields_first)
+            .zip(felt.body(branch.flat_is_weaker))
+            .map(|(first, weaker)| Resistance { onset: first.onset, strength: weaker.strength });
+        let (area, load, regime) =
+            laws::answer(self.law, branch.range, w, shape.radius, felt.modulus, resistance);
+        (shape.spheres * area, shape.spheres * load, regime)
+    }
+
+    fn contact_by(&self, w: Wide, shape: &Shape, branch: Branch) -> Contact {
+        let (area, load, regime) = self.answer(w, shape, branch);
+        Contact { area, load, stiffness: self.stiffness_by(w, shape, branch), regime }
+    }
+
+    /// dP/dw by central differences of the fourth order, with the formula held: good to 1e-24.
+    fn stiffness_by(&self, w: Wide, shape: &Shape, branch: Branch) -> Wide {
+        const STEP: f64 = 1e-6;
+        let load = |steps: f64| self.answer(w * (Wide::ONE + steps * STEP), shape, branch).1;
+        let (near, far) = (load(1.0) - load(-1.0), load(2.0) - load(-2.0));
+        (near * 8.0 - far) / (w * 12.0 * STEP)
+    }
+
+    /// The contact at `w` (m); next to where a formula gives way to another, both.
+    pub fn contacts(&self, w: f64, shape: &Shape) -> Vec<Contact> {
+        let w = Wide::new(w);
+        self.branches(w, shape).into_iter().map(|branch| self.contact_by(w, shape, branch)).collect()
+    }
+}
+
+impl Felt {
+    fn body(&self, flat: bool) -> Option<Resistance> {
+        if flat { self.flat } else { self.rough }
+    }
+
+    /// Whether the flat has the lesser of something.
+    fn flat_is_lesser(&self, of: impl Fn(&Resistance) -> Wide) -> bool {
+        match (&self.rough, &self.flat) {
+            (Some(rough), Some(flat)) => of(flat) < of(rough),
+            (None, _) => true,
+            (_, None) => false,
+        }
+    }
+}

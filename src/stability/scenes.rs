@@ -1,0 +1,377 @@
+//! Scenes: random ones over the whole representable range, and families that look for trouble.
+
+use rand::{RngExt, SeedableRng};
+use rand_chacha::ChaCha8Rng;
+
+use super::Ranges;
+use super::bodies::{Bodies, Law, Layer};
+use super::family::Family;
+use crate::asperity::{HeightDensity, Population};
+use crate::coating::Rule;
+use crate::law::Shape;
+use crate::material::{Material, reduced_modulus};
+
+/// One question, with every number that goes into it.
+#[derive(Debug, Clone)]
+pub struct Scene {
+    /// Where it belongs.
+    pub family: Family,
+    /// Its number there.
+    pub index: u64,
+    /// Who touches whom.
+    pub bodies: Bodies,
+    /// What is asked.
+    pub asked: Asked,
+}
+
+/// What is asked of the bodies; lengths in m.
+#[derive(Debug, Clone)]
+pub enum Asked {
+    /// One contact of a sphere.
+    Contact {
+        /// Indentation.
+        w: f64,
+        /// Radius.
+        radius: f64,
+    },
+    /// One contact of an elliptic paraboloid.
+    Ellipse {
+        /// Indentation.
+        w: f64,
+        /// (kmax + kmin)/2, 1/m.
+        mean_curvature: f64,
+        /// kmax/kmin.
+        ratio: f64,
+    },
+    /// A sum at one separation.
+    Sum(SetWords, f64),
+    /// An integral at one separation.
+    Integral(Population, f64),
+    /// The pressure of an integral at a separation, to be reached again.
+    LoadOfIntegral(Population, f64),
+    /// The pressure of a sum at a separation, to be reached again.
+    LoadOfSum(SetWords, f64),
+}
+
+/// How the heights of a set lie.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Heights {
+    /// Gaussian, about the mean.
+    Gaussian,
+    /// Evenly spaced from -3 to 3 sigma about the mean.
+    Line,
+    /// All the same: the mean.
+    Equal,
+    /// So near to the flat that its own rounding decides which touch.
+    Touching,
+}
+
+/// A set by a few numbers; its heights and radii are drawn from `seed`.
+#[derive(Debug, Clone, Copy)]
+pub struct SetWords {
+    /// How the heights lie.
+    pub heights: Heights,
+    /// Asperities.
+    pub count: usize,
+    /// Of the heights, m.
+    pub mean: f64,
+    /// What separations are in, m.
+    pub sigma: f64,
+    /// Radii lie from a half to the double of this, m; all equal for equal heights.
+    pub radius: f64,
+    /// Of the set.
+    pub seed: u64,
+}
+
+impl SetWords {
+    /// Heights and radii, m, for the separation `h`.
+    pub fn asperities(&self, h: f64) -> Vec<(f64, f64)> {
+        let mut dice = Dice(ChaCha8Rng::seed_from_u64(self.seed));
+        let flat = self.mean + h * self.sigma;
+        (0..self.count)
+            .map(|k| {
+                let height = match self.heights {
+                    Heights::Gaussian => self.mean + self.sigma * dice.normal(),
+                    Heights::Line => {
+                        self.mean + self.sigma * (6.0 * k as f64 / (self.count - 1).max(1) as f64 - 3.0)
+                    }
+                    Heights::Equal => self.mean,
+                    // The first stands well above.
+                    Heights::Touching if k == 0 => flat + self.sigma,
+                    Heights::Touching => flat + (dice.below(9) as f64 - 4.0) * f64::EPSILON * flat.abs(),
+                };
+                let radius = match self.heights {
+                    Heights::Equal => self.radius,
+                    _ => self.radius * dice.between(-1.0, 1.0).exp2(),
+                };
+                (height, radius)
+            })
+            .collect()
+    }
+}
+
+/// Numbers at random.
+struct Dice(ChaCha8Rng);
+
+impl Dice {
+    fn between(&mut self, from: f64, to: f64) -> f64 {
+        from + (to - from) * self.0.random::<f64>()
+    }
+
+    fn ratio(&mut self, [from, to]: [f64; 2]) -> f64 {
+        self.between(from.ln(), to.ln()).exp().clamp(from, to)
+    }
+
+    fn below(&mut self, count: usize) -> usize {
+        ((self.0.random::<f64>() * count as f64) as usize).min(count - 1)
+    }
+
+    fn chance(&mut self, probability: f64) -> bool {
+        self.0.random::<f64>() < probability
+    }
+
+    /// Box and Muller.
+    fn normal(&mut self) -> f64 {
+        let radius = (-2.0 * (1.0 - self.0.random::<f64>()).ln()).sqrt();
+        radius * self.between(0.0, std::f64::consts::TAU).cos()
+    }
+}
+
+/// The scenes of one seed.
+pub(super) struct Maker<'a> {
+    pub(super) seed: [u8; 32],
+    pub(super) ranges: &'a Ranges,
+}
+
+const YOUNG: [f64; 2] = [1e6, 1e13];
+const SIGMA: [f64; 2] = [1e-9, 1e-5];
+/// density * radius * sigma.
+const CROWDING: f64 = 0.03;
+/// Most asperities of a set that is judged asperity by asperity.
+const FEW: [f64; 2] = [1.0, 300.0];
+/// Y/E* that Jackson and Green's law takes.
+const STRONGEST: f64 = 0.06;
+
+impl Maker<'_> {
+    /// The scene `index` of a family: it depends on the seed, the family and the index alone.
+    pub(super) fn scene(&self, family: Family, index: u64) -> Scene {
+        let mut seed = self.seed;
+        for (byte, of) in seed.iter_mut().zip(family.name().bytes()) {
+            *byte ^= of;
+        }
+        let mut rng = ChaCha8Rng::from_seed(seed);
+        rng.set_stream(index);
+        let mut dice = Dice(rng);
+        let bodies = self.bodies(&mut dice, family);
+        let asked = self.asked(&mut dice, family, &bodies);
+        let (bodies, asked) = meet(&mut dice, family, bodies, asked);
+        Scene { family, index, bodies, asked }
+    }
+
+    fn bodies(&self, dice: &mut Dice, family: Family) -> Bodies {
+        let layered = family.is_layered();
+        let law = if family == Family::Ellipses {
+            [Law::Hertz, self.zmc(dice)][dice.below(2)]
+        } else {
+            match dice.below(if layered { 6 } else { 7 }) {
+                0 => Law::Hertz,
+                1 => Law::Ceb,
+                2 => Law::KogutEtsion,
+                3 => Law::FullyPlastic,
+                6 => Law::JacksonGreen,
+                _ => self.zmc(dice),
+            }
+        };
+        let young = dice.ratio(YOUNG);
+        let body = |dice: &mut Dice| {
+            let young = (young * dice.ratio([1e-3, 1e3])).clamp(YOUNG[0], YOUNG[1]);
+            unyielding(young, dice.between(0.0, 0.4999))
+        };
+        let (rough, flat, layer) = (body(dice), body(dice), body(dice));
+        let modulus = reduced_modulus(&rough, &flat);
+        let hardness = modulus * dice.ratio(self.ranges.hardness_over_modulus);
+        let harden = |dice: &mut Dice, body: Material| {
+            let hardness = (hardness * dice.ratio([1e-2, 1e2])).clamp(
+                modulus * self.ranges.hardness_over_modulus[0],
+                modulus * self.ranges.hardness_over_modulus[1],
+            );
+            let strength = match law {
+                Law::JacksonGreen => Some((hardness / 2.8).min(STRONGEST * modulus)),
+                _ => dice.chance(0.5).then(|| hardness / dice.between(2.0, 4.0)),
+            };
+            Material::new(body.young(), body.poisson(), Some(hardness), strength).unwrap_or(body)
+        };
+        let alone = dice.below(8);
+        let rough = if alone == 0 { rough } else { harden(dice, rough) };
+        let (flat, layer) =
+            if alone == 1 { (flat, layer) } else { (harden(dice, flat), harden(dice, layer)) };
+        let layer = layered.then(|| Layer {
+            material: layer,
+            thickness: dice.ratio(self.ranges.thickness),
+            rule: Rule::ALL[dice.below(2)],
+        });
+        Bodies { law, rough, flat, layer }
+    }
+
+    fn zmc(&self, dice: &mut Dice) -> Law {
+        let onset = dice.chance(0.2).then(|| dice.between(0.5, 2.0));
+        let transition_ratio = if dice.chance(0.5) { 54.0 } else { dice.ratio([1.01, 1e6]) };
+        Law::Zmc { onset, transition_ratio }
+    }
+
+    fn asked(&self, dice: &mut Dice, family: Family, bodies: &Bodies) -> Asked {
+        let sigma = dice.ratio(SIGMA);
+        let radius = sigma * dice.ratio(self.ranges.radius_over_sigma);
+        let heights =
+            if family == Family::Exponential { HeightDensity::Exponential } else { HeightDensity::Gaussian };
+        let population = Population { radius, sigma, density: CROWDING / (radius * sigma), heights };
+        let [nearest, furthest] = self.ranges.separation;
+        let within = |dice: &mut Dice, from: f64, to: f64| {
+            dice.between(from.clamp(nearest, furthest), to.clamp(nearest, furthest))
+        };
+        let set = |dice: &mut Dice, heights: Heights| SetWords {
+            heights,
+            count: dice.ratio(FEW).round() as usize,
+            mean: 0.0,
+            sigma,
+            radius,
+            seed: dice.0.random::<u64>(),
+        };
+        match family {
+            Family::Contacts | Family::LayeredContacts | Family::Boundaries | Family::LayeredBoundaries => {
+                Asked::Contact { w: self.indentation(dice, bodies, radius), radius }
+            }
+            Family::Scales => Asked::Contact { w: radius * dice.ratio([1e-12, 1.0]), radius },
+            Family::Ellipses => Asked::Ellipse {
+                w: radius * dice.ratio([1e-12, 1.0]),
+                mean_curvature: radius.recip(),
+                ratio: if dice.chance(0.1) {
+                    1.0 + dice.ratio([1e-15, 1e-3])
+                } else {
+                    dice.ratio([1.0, 1e12])
+                },
+            },
+            Family::Denormals => {
+                let w = if dice.chance(0.2) {
+                    f64::from_bits(dice.below(20) as u64 + 1)
+                } else {
+                    f64::MIN_POSITIVE * dice.ratio([1e-15, 1e15])
+                };
+                Asked::Contact { w, radius }
+            }
+            Family::Sums | Family::LayeredSums => {
+                Asked::Sum(set(dice, Heights::Gaussian), within(dice, -3.0, 3.0))
+            }
+            Family::OneAsperity => {
+                Asked::Sum(SetWords { count: 1, ..set(dice, Heights::Equal) }, -dice.ratio([1e-12, 20.0]))
+            }
+            Family::Offset => {
+                let sign = if dice.chance(0.5) { 1.0 } else { -1.0 };
+                let mean = sign * sigma * dice.ratio([1.0, 1e6]);
+                Asked::Sum(SetWords { mean, ..set(dice, Heights::Gaussian) }, within(dice, -3.0, 2.0))
+            }
+            Family::Line => Asked::Sum(set(dice, Heights::Line), within(dice, -4.0, 3.0)),
+            Family::Touching => Asked::Sum(set(dice, Heights::Touching), within(dice, -4.0, 4.0)),
+            Family::Equal => Asked::Sum(set(dice, Heights::Equal), -dice.ratio([1e-6, 20.0])),
+            Family::MillionEqual => Asked::Sum(
+                SetWords { count: 1_000_000, ..set(dice, Heights::Equal) },
+                -dice.ratio([1e-3, 20.0]),
+            ),
+            Family::MillionLine => {
+                Asked::Sum(SetWords { count: 1_000_000, ..set(dice, Heights::Line) }, within(dice, -4.0, 3.0))
+            }
+            Family::Integrals | Family::LayeredIntegrals | Family::Exponential => {
+                Asked::Integral(population, within(dice, -10.0, 20.0))
+            }
+            Family::Deep => Asked::Integral(population, within(dice, -20.0, -10.0)),
+            Family::Tail => Asked::Integral(population, within(dice, 20.0, 35.0)),
+            Family::Last => Asked::Integral(population, within(dice, 35.0, 37.0)),
+            Family::Vanishing => Asked::Integral(population, dice.between(37.0, 40.0)),
+            Family::LoadsOfIntegrals => Asked::LoadOfIntegral(population, within(dice, -8.0, 20.0)),
+            Family::LoadsOfSums => Asked::LoadOfSum(set(dice, Heights::Gaussian), within(dice, -4.0, 2.0)),
+        }
+    }
+
+    /// From far below to far above where the pair of `bodies` begins to yield.
+    fn indentation(&self, dice: &mut Dice, bodies: &Bodies, radius: f64) -> f64 {
+        let modulus = reduced_modulus(&bodies.rough, &bodies.flat);
+        let hardness =
+            [bodies.rough, bodies.flat].iter().filter_map(Material::hardness).fold(f64::INFINITY, f64::min);
+        if hardness.is_finite() && dice.chance(0.7) {
+            let strain = hardness / modulus;
+            radius * strain * strain * dice.ratio([1e-3, 1e6])
+        } else {
+            radius * dice.ratio([1e-15, 10.0])
+        }
+    }
+}
+
+/// A body of properties that are within their ranges.
+fn unyielding(young: f64, poisson: f64) -> Material {
+    match Material::new(young, poisson, None, None) {
+        Ok(body) => body,
+        Err(_) => unreachable!("both are within their ranges"),
+    }
+}
+
+/// Moves an indentation to within 1e-15 of a boundary, or a thickness to where the weights turn.
+fn meet(dice: &mut Dice, family: Family, mut bodies: Bodies, mut asked: Asked) -> (Bodies, Asked) {
+    let Asked::Contact { w, radius } = &mut asked else { return (bodies, asked) };
+    match family {
+        Family::Boundaries | Family::LayeredBoundaries => {
+            let boundaries = bodies
+                .contact()
+                .map(|contact| contact.regime_changes(Shape::sphere(*radius)))
+                .unwrap_or_default();
+            if !boundaries.is_empty() {
+                let step = [0.0, 1e-16, 2.3e-16, 4.5e-16, 1e-15][dice.below(5)];
+                let sign = if dice.chance(0.5) { 1.0 } else { -1.0 };
+                *w = boundaries[dice.below(boundaries.len())] * (1.0 + sign * step);
+            }
+        }
+        Family::Scales => {
+            if let Some(layer) = &mut bodies.layer {
+                let contact = (*radius * *w).sqrt();
+                layer.thickness = match dice.below(4) {
+                    0 => contact,
+                    1 => contact * (1.0 + dice.between(-1e-15, 1e-15)),
+                    2 => contact * dice.ratio([1e-15, 1e15]),
+                    _ => *w * dice.ratio([1e-3, 1e3]),
+                }
+                .clamp(1e-30, 1e30);
+            }
+        }
+        _ => {}
+    }
+    (bodies, asked)
+}
+
+impl Scene {
+    /// Every number that goes in, so that it reads back to the same `f64`.
+    pub fn inputs(&self) -> String {
+        let set = |set: &SetWords, h: f64| {
+            format!(
+                "{} heights {:?}, mean = {:e}, sigma = {:e}, radius = {:e}, seed {}; d/sigma = {h:e}",
+                set.count, set.heights, set.mean, set.sigma, set.radius, set.seed
+            )
+        };
+        let population = |of: &Population, h: f64| {
+            format!(
+                "{} heights, radius = {:e}, sigma = {:e}, density = {:e}; d/sigma = {h:e}",
+                of.heights.name(),
+                of.radius,
+                of.sigma,
+                of.density
+            )
+        };
+        let asked = match &self.asked {
+            Asked::Contact { w, radius } => format!("w = {w:e}, radius = {radius:e}"),
+            Asked::Ellipse { w, mean_curvature, ratio } => {
+                format!("w = {w:e}, mean curvature = {mean_curvature:e}, curvature-ratio = {ratio:e}")
+            }
+            Asked::Sum(of, h) | Asked::LoadOfSum(of, h) => set(of, *h),
+            Asked::Integral(of, h) | Asked::LoadOfIntegral(of, h) => population(of, *h),
+        };
+        format!("{}; {asked}", self.bodies)
+    }
+}
