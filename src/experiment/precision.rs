@@ -14,6 +14,7 @@ use crate::precision::grid::{GridFindings, maps_of};
 use crate::precision::integral::{IntegralFindings, rules_on};
 use crate::precision::sampling::{SamplingFindings, sets_of};
 use crate::precision::sum::{SumPoint, ways_on};
+use crate::stability::exact::Exact;
 
 /// What integrals, sums and surfaces cost, and how exact they are.
 #[derive(Debug)]
@@ -106,8 +107,8 @@ fn case(
     let start = Instant::now();
     let mut integral = None;
     if !all.separations.is_empty() {
-        let bodies = (all.equations, &all.pair);
-        let found = rules_on(contact, bodies, population, &all.separations);
+        let exact = Exact::new(&all.exact);
+        let found = rules_on(contact, &exact, population, &all.separations);
         integral = Some(found.ok_or_else(|| {
             refuse(&"the reference integral does not settle in 32 digits; allowed: numbers nearer to those of real surfaces")
         })?);

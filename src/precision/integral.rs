@@ -9,16 +9,15 @@ use std::num::NonZeroUsize;
 use quad_rs::{Integrable, IntegratorConfig, integrate_real};
 use realfft::num_complex::Complex;
 
-use super::reference::{Equations, Reference};
 use super::rules::{self, Node};
 use super::timing::{Candidate, medians};
 use super::{Cost, LEVELS, fastest};
 use crate::asperity::Population;
 use crate::interface::MicroContact;
 use crate::law::Shape;
-use crate::material::Material;
 use crate::model::{Model, Statistical};
 use crate::numeric::wide::{Wide, relative_error};
+use crate::stability::exact::{self, Exact, Integral};
 
 pub use super::rules::Family;
 
@@ -298,18 +297,21 @@ impl Integrable for Above<'_> {
     }
 }
 
-/// Runs every rule on a population of Gaussian heights at `separations` (d/sigma, at least one); `None` where the
-/// reference does not settle. `bodies` and `equations` say what `contact` is.
+/// Runs every rule on a population at `separations` (d/sigma, at least one); `None` where the reference does not settle.
+/// `exact` is what `contact` should be.
 pub fn rules_on(
     contact: &dyn MicroContact,
-    (equations, bodies): (Equations, &[Material; 2]),
+    exact: &Exact,
     population: &Population,
     separations: &[f64],
 ) -> Option<IntegralFindings> {
-    let reference = Reference::new(equations, bodies);
-    let exact: Option<Vec<[Wide; 2]>> =
-        separations.iter().map(|&h| reference.integral(population, h)).collect();
-    let exact = exact?;
+    let Population { radius, sigma, density, heights } = *population;
+    let reference = |&separation: &f64| {
+        let integral = Integral { sigma, density, heights, separation };
+        let total = exact.integral(&integral, &exact::Shape::sphere(radius))?;
+        Some([total.whole_area(), total.whole_load()])
+    };
+    let exact: Vec<[Wide; 2]> = separations.iter().map(reference).collect::<Option<_>>()?;
     let problem = Problem::new(contact, population);
     let shipped = Statistical::new(contact, *population);
     let rules: Vec<Prepared> = rules().into_iter().map(Prepared::new).collect();
@@ -364,14 +366,17 @@ mod tests {
     use crate::asperity::HeightDensity;
     use crate::interface::Interface;
     use crate::law::Zmc;
+    use crate::material::Material;
+    use crate::stability::Bodies;
 
     fn findings() -> IntegralFindings {
         let steel = Material::new(210e9, 0.3, Some(7.6e9), None).unwrap();
         let contact = Interface::bare(Zmc::default(), &steel, &steel).unwrap();
         let case =
             Population { radius: 2e-5, sigma: 4.8e-8, density: 6e10, heights: HeightDensity::Gaussian };
-        let equations = Equations::Zmc { onset: None, transition_ratio: 54.0 };
-        rules_on(&contact, (equations, &[steel, steel]), &case, &[-1.0, 0.0, 2.0]).unwrap()
+        let law = crate::stability::Law::Zmc { onset: None, transition_ratio: 54.0 };
+        let exact = Exact::new(&Bodies { law, rough: steel, flat: steel, layer: None });
+        rules_on(&contact, &exact, &case, &[-1.0, 0.0, 2.0]).unwrap()
     }
 
     #[test]

@@ -1,8 +1,8 @@
 //! Run time against error: what an integral, a sum and a random surface cost, and how exact they are for it.
 //!
 //! Times are medians of runs made in alternation (`timing`); errors are against evaluations in about 32
-//! digits that share neither the rule nor the code with what they judge (`reference`, and the exact sums
-//! of [`sum`]).
+//! digits that share neither the rule nor the code with what they judge
+//! ([`exact`](crate::stability::exact), and the exact sums of [`sum`]).
 //!
 //! | module | what is measured |
 //! |---|---|
@@ -13,13 +13,10 @@
 
 pub mod grid;
 pub mod integral;
-mod reference;
 mod rules;
 pub mod sampling;
 pub mod sum;
 mod timing;
-
-pub use reference::Equations;
 
 /// How exact answers should be: the levels at which a winner is named.
 pub const LEVELS: [f64; 3] = [1e-4, 1e-8, 1e-12];

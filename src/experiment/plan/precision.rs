@@ -11,25 +11,22 @@ use super::surface::set_memory;
 use crate::asperity::{HeightDensity, Population};
 use crate::experiment::refusal::Refusal;
 use crate::experiment::results::Bodies;
-use crate::experiment::spec::{self, LawSpec, PrecisionSpec, Summit};
+use crate::experiment::spec::{self, LawSpec, PrecisionSpec};
 use crate::interface::Flat;
 use crate::law::Zmc;
-use crate::material::Material;
-use crate::precision::Equations;
 use crate::precision::grid::{GridTask, side};
 use crate::precision::sampling::SamplingTask;
 use crate::precision::sum::{POINTS, SumTask};
+use crate::stability;
 
 /// Run time against error of integrals, sums and surfaces.
 pub struct PrecisionPlan {
     /// Who touches whom.
     pub bodies: Bodies,
-    /// The rough body and the flat.
-    pub pair: [Material; 2],
     /// The law.
     pub law: LawPlan,
-    /// The same for the reference.
-    pub equations: Equations,
+    /// Law and bodies for the reference.
+    pub exact: stability::Bodies,
     /// Populations by name.
     pub cases: Vec<(String, Population)>,
     /// d/sigma of the integrals; empty if none is asked for.
@@ -127,7 +124,7 @@ impl Reader<'_> {
     ) -> Result<PrecisionPlan, Refusal> {
         let (rough, flat) = (words.rough.get_ref(), words.flat.get_ref());
         let pair = [self.body(rough, words.rough.span())?, self.body(flat, words.flat.span())?];
-        let (spec, equations) = self.known_law(words)?;
+        let (spec, law) = self.one_law(words)?;
         self.check_laws(&words.law, (rough, &pair[0]), &[(flat, &pair[1])])?;
         let contact = spec
             .interface(&pair[0], &Flat::Bare(pair[1]))
@@ -148,9 +145,8 @@ impl Reader<'_> {
         };
         let plan = PrecisionPlan {
             bodies: Bodies { rough: rough.clone(), flat: flat.clone() },
-            pair,
+            exact: stability::Bodies { law, rough: pair[0], flat: pair[1], layer: None },
             law: LawPlan { label: spec.label(), thickness: None, contact, spec },
-            equations,
             cases: words.case.get_ref().iter().map(case).collect(),
             separations: words
                 .integral
@@ -171,29 +167,26 @@ impl Reader<'_> {
         Ok(plan)
     }
 
-    /// The one law, in the words of the reference.
-    fn known_law(&self, words: &PrecisionSpec) -> Result<(LawSpec, Equations), Refusal> {
-        let laws = &words.law.get_ref().0;
-        let known = |law: &LawSpec| match law.equations {
-            _ if law.summit == Summit::Ellipse => None,
-            spec::Equations::Hertz => Some(Equations::Hertz),
-            spec::Equations::Zmc { onset, transition_ratio, .. } => Some(Equations::Zmc {
+    /// The one law, and the same for the reference.
+    fn one_law(&self, words: &PrecisionSpec) -> Result<(LawSpec, stability::Law), Refusal> {
+        use spec::Equations;
+        let [law] = words.law.get_ref().0[..] else {
+            let message = format!("found {} laws; allowed: one", words.law.get_ref().0.len());
+            return Err(self.source.refuse(words.law.span(), message));
+        };
+        self.spheres_only(&words.law, "the asperities of [precision] are spheres of one radius")?;
+        let reference = match law.equations {
+            Equations::Hertz => stability::Law::Hertz,
+            Equations::Zmc { onset, transition_ratio, .. } => stability::Law::Zmc {
                 onset,
                 transition_ratio: transition_ratio.unwrap_or(Zmc::TRANSITION_RATIO),
-            }),
-            _ => None,
-        };
-        let message = match &laws[..] {
-            [law] => match known(law) {
-                Some(equations) => return Ok((*law, equations)),
-                None => format!("found \"{}\"", law.label()),
             },
-            several => format!("found {} laws", several.len()),
+            Equations::Ceb => stability::Law::Ceb,
+            Equations::KogutEtsion => stability::Law::KogutEtsion,
+            Equations::JacksonGreen => stability::Law::JacksonGreen,
+            Equations::FullyPlastic => stability::Law::FullyPlastic,
         };
-        let message = format!(
-            "{message}; allowed: one of \"hertz\" and \"zmc\", whose equations the reference holds in 32 digits"
-        );
-        Err(self.source.refuse(words.law.span(), message))
+        Ok((law, reference))
     }
 
     fn separations(&self, words: &spec::IntegralSpec) -> Result<Vec<f64>, Refusal> {

@@ -15,7 +15,7 @@ pub struct PrecisionSpec {
     pub rough: Spanned<String>,
     /// Name of the flat body's material.
     pub flat: Spanned<String>,
-    /// One law that the reference knows: hertz or zmc.
+    /// One law for spheres.
     pub law: Spanned<Laws>,
     /// Populations of Gaussian heights, by name.
     pub case: Spanned<IndexMap<Spanned<String>, CaseSpec>>,
