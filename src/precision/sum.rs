@@ -307,22 +307,24 @@ pub fn ways_on(
 
 /// Runs some ways at so many separations, on the threads of the pool that it runs in.
 fn run(problem: &Problem, sweep: Sweep, ways: &[Way], separations: usize) -> Vec<SumPoint> {
-    let checked = spread(separations.min(POINTS));
-    let exact: Vec<[Wide; 2]> = checked.iter().map(|&h| problem.exact(h)).collect();
     let separations = spread(separations);
+    // Of many separations, some are checked.
+    let step = separations.len().div_ceil(POINTS);
+    let exact: Vec<[Wide; 2]> = separations.iter().step_by(step).map(|&h| problem.exact(h)).collect();
+    let mut answers = vec![Vec::new(); ways.len()];
     let mut candidates: Vec<Candidate> = ways
         .iter()
-        .map(|way| -> Candidate {
-            Box::new(|| {
-                black_box(way.answer(problem, black_box(&separations)));
-            })
+        .zip(&mut answers)
+        .map(|(way, answer)| -> Candidate {
+            Box::new(|| *answer = way.answer(problem, black_box(&separations)))
         })
         .collect();
     let seconds = medians(&mut candidates);
-    let points = ways.iter().zip(seconds).map(|(way, seconds)| {
-        let answers = way.answer(problem, &checked);
+    drop(candidates);
+    let points = ways.iter().zip(answers).zip(seconds).map(|((way, answer), seconds)| {
         let [area_error, load_error] = [0, 1].map(|which| {
-            let pairs = answers.iter().zip(&exact).filter(|(_, exact)| exact[which] > Wide::ZERO);
+            let pairs =
+                answer.iter().step_by(step).zip(&exact).filter(|(_, exact)| exact[which] > Wide::ZERO);
             pairs.map(|(found, exact)| relative_error(found[which], exact[which])).fold(0.0, f64::max)
         });
         SumPoint {

@@ -8,11 +8,11 @@ pub type Candidate<'a> = Box<dyn FnMut() + 'a>;
 /// One measurement takes at least so long, s: a clock and a loop around a call are then nothing beside it.
 const SHORTEST: f64 = 1e-3;
 
-/// What takes longer is run fewer times, s.
-const LONG: f64 = 2e-2;
+/// What takes longer is run fewer times, and what takes longer still once, s.
+const LONG: [f64; 2] = [2e-2, 2.0];
 
-/// Runs of each candidate, and of those that take long.
-const RUNS: [usize; 2] = [5, 3];
+/// Runs of each candidate, of those that take long, and of those that take longer still.
+const RUNS: [usize; 3] = [5, 3, 1];
 
 /// The median time of a call of each candidate, s. All are run in turn, again and again, so that what disturbs
 /// the machine for a while disturbs all alike.
@@ -22,9 +22,9 @@ pub fn medians(candidates: &mut [Candidate]) -> Vec<f64> {
     let mut calls = Vec::new();
     for (candidate, times) in candidates.iter_mut().zip(&mut times) {
         let first = seconds(candidate, 1);
-        if first > LONG {
+        if first > LONG[0] {
             times.push(first);
-            calls.push((1, RUNS[1] - 1));
+            calls.push((1, RUNS[1 + usize::from(first > LONG[1])] - 1));
         } else {
             let once = seconds(candidate, 1);
             calls.push(((SHORTEST / once.max(1e-9)).ceil().max(1.0) as usize, RUNS[0]));
