@@ -68,7 +68,7 @@ pub fn integral<const N: usize>(
     let mut add = |sums: &mut [Wide; N], x: Wide, weight: Wide| {
         let values = f(x);
         for (sum, value) in sums.iter_mut().zip(values) {
-            *sum = *sum + weight * value;
+            *sum += weight * value;
         }
     };
     add(&mut sums, from + length * 0.5, PI * 0.25);

@@ -6,8 +6,9 @@ use super::Ranges;
 use super::bodies::{Bodies, Law, Layer};
 use super::exact::{Exact, Integral, Shape};
 use crate::asperity::{HeightDensity, Population};
-use crate::coating::Rule;
-use crate::law;
+use crate::coating::{Coating, Rule};
+use crate::interface::{Layered, MicroContact};
+use crate::law::{self, Zmc};
 use crate::material::{Material, reduced_modulus};
 use crate::model::{Model, Statistical};
 use crate::numeric::wide::relative_error;
@@ -30,27 +31,30 @@ pub struct Map {
 }
 
 impl Map {
-    fn of(
+    /// Row by row: `row` makes of y what all its cells share, `error` of that and x the error.
+    fn of<R: Sync>(
         name: &'static str,
         of: &'static str,
         axes: [&'static str; 2],
         ends: [[f64; 2]; 2],
         cells: [usize; 2],
-        error: impl Fn(f64, f64) -> f64 + Sync,
+        row: impl Fn(f64) -> R + Sync,
+        error: impl Fn(&R, f64) -> f64 + Sync,
     ) -> Self {
         let place = |k: usize, axis: usize| {
             let [from, to] = ends[axis];
             from + (to - from) * k as f64 / (cells[axis] - 1) as f64
         };
-        let errors = (0..cells[0] * cells[1])
-            .into_par_iter()
-            .map(|k| error(place(k % cells[0], 0), place(k / cells[0], 1)))
-            .collect();
-        Self { name, of, axes, ends, cells, errors }
+        let line = |k: usize| {
+            let row = row(place(k, 1));
+            (0..cells[0]).map(|column| error(&row, place(column, 0))).collect::<Vec<f64>>()
+        };
+        let rows: Vec<Vec<f64>> = (0..cells[1]).into_par_iter().map(line).collect();
+        Self { name, of, axes, ends, cells, errors: rows.concat() }
     }
 }
 
-/// Steel of the paper.
+/// Steel of the paper, of any hardness.
 fn body(young: f64, hardness: f64) -> Material {
     match Material::new(young, 0.3, Some(hardness), None) {
         Ok(body) => body,
@@ -60,84 +64,97 @@ fn body(young: f64, hardness: f64) -> Material {
 
 const ZMC: Law = Law::Zmc { onset: None, transition_ratio: 54.0 };
 const YOUNG: f64 = 210e9;
+const HARDNESS: f64 = 7.6e9;
+const RADIUS: f64 = 2e-5;
 
-/// All maps; `resolution` columns each.
-pub(super) fn maps(ranges: &Ranges, resolution: usize) -> Vec<Map> {
-    vec![separations(ranges, resolution), transitions(resolution), layers(ranges, resolution)]
+/// All maps, with `cells` cells along the longer side.
+pub(super) fn maps(ranges: &Ranges, cells: usize) -> Vec<Map> {
+    vec![separations(ranges, cells), transitions(cells), layers(ranges, cells)]
 }
 
 /// d/sigma and radius/sigma: the integral of a bare pair.
-fn separations(ranges: &Ranges, resolution: usize) -> Map {
+fn separations(ranges: &Ranges, cells: usize) -> Map {
     const SIGMA: f64 = 1e-7;
-    let steel = body(YOUNG, 7.6e9);
+    let steel = body(YOUNG, HARDNESS);
     let bodies = Bodies { law: ZMC, rough: steel, flat: steel, layer: None };
     let (exact, contact) = (Exact::new(&bodies), bodies.contact());
+    let heights = HeightDensity::Gaussian;
     Map::of(
         "separation",
         "nominal pressure of the integral",
         ["d/σ", "log₁₀ R/σ"],
         [ranges.separation, ranges.radius_over_sigma.map(f64::log10)],
-        [resolution, resolution / 2],
-        |h, ratio| {
+        [cells, cells / 2],
+        |ratio| {
             let radius = SIGMA * 10f64.powf(ratio);
-            let heights = HeightDensity::Gaussian;
-            let population = Population { radius, sigma: SIGMA, density: 0.03 / (radius * SIGMA), heights };
+            Population { radius, sigma: SIGMA, density: 0.03 / (radius * SIGMA), heights }
+        },
+        |population, h| {
             let Ok(contact) = &contact else { return f64::NAN };
-            let found = Statistical::new(&**contact, population).respond(h).pressure.total();
+            let found = Statistical::new(&**contact, *population).respond(h).pressure.total();
             let of = Integral { sigma: SIGMA, density: population.density, heights, separation: h };
-            let of = exact.integral(&of, &Shape::sphere(radius));
+            let of = exact.integral(&of, &Shape::sphere(population.radius));
             of.map_or(f64::NAN, |of| relative_error(found, of.whole_load()))
         },
     )
 }
 
-/// w/w1 and c - 1: one contact of a bare pair.
-fn transitions(resolution: usize) -> Map {
-    const RADIUS: f64 = 2e-5;
-    let steel = body(YOUNG, 7.6e9);
-    let strain = 7.6e9 / reduced_modulus(&steel, &steel);
-    let onset = 0.09 * std::f64::consts::PI.powi(2) * RADIUS * strain * strain;
+/// ln(w/w1)/ln c and c - 1: one contact of that pair.
+fn transitions(cells: usize) -> Map {
+    let steel = body(YOUNG, HARDNESS);
+    let strain = HARDNESS / reduced_modulus(&steel, &steel);
+    let onset = Zmc::ONSET * RADIUS * strain * strain;
     Map::of(
         "transition",
         "load of a contact under ZMC",
-        ["log₁₀ w/w₁", "log₁₀ (c − 1)"],
-        [[-2.0, 7.0], [-6.0, 6.0]],
-        [2 * resolution, resolution],
-        |place, width| {
-            let law = Law::Zmc { onset: None, transition_ratio: 1.0 + 10f64.powf(width) };
+        ["ln(w/w₁) / ln c", "log₁₀ (c − 1)"],
+        [[-0.5, 1.5], [-8.0, 6.0]],
+        [cells, cells],
+        |width| {
+            let ratio = 1.0 + 10f64.powf(width);
+            let law = Law::Zmc { onset: None, transition_ratio: ratio };
             let bodies = Bodies { law, rough: steel, flat: steel, layer: None };
-            contact_error(&bodies, onset * 10f64.powf(place), RADIUS)
+            (ratio, bodies.contact(), Exact::new(&bodies))
+        },
+        |(ratio, contact, exact), place| {
+            let Ok(contact) = contact else { return f64::NAN };
+            contact_error(&**contact, exact, onset * ratio.powf(place))
         },
     )
 }
 
 /// t/a and H/E*: one contact under a layer, a tenth as stiff and as hard as the flat.
-fn layers(ranges: &Ranges, resolution: usize) -> Map {
-    const RADIUS: f64 = 2e-5;
+fn layers(ranges: &Ranges, cells: usize) -> Map {
     const DEPTH: f64 = 2e-8;
-    let contact = (RADIUS * DEPTH).sqrt();
+    let wide = (RADIUS * DEPTH).sqrt();
     let modulus = reduced_modulus(&body(YOUNG, 1.0), &body(YOUNG, 1.0));
-    let ends = ranges.thickness.map(|thickness| (thickness / contact).log10());
     Map::of(
         "layer",
         "load of a contact under a layer",
         ["log₁₀ t/a", "log₁₀ H/E*"],
-        [ends, ranges.hardness_over_modulus.map(f64::log10)],
-        [2 * resolution, resolution],
-        |thickness, strain| {
+        [ranges.thickness.map(|t| (t / wide).log10()), ranges.hardness_over_modulus.map(f64::log10)],
+        [cells, cells],
+        |strain| {
             let hardness = modulus * 10f64.powf(strain);
-            let flat = body(YOUNG, hardness);
-            let material = body(0.1 * YOUNG, 0.1 * hardness);
-            let layer = Layer { material, thickness: contact * 10f64.powf(thickness), rule: Rule::Gao };
-            contact_error(&Bodies { law: ZMC, rough: flat, flat, layer: Some(layer) }, DEPTH, RADIUS)
+            let (flat, material) = (body(YOUNG, hardness), body(0.1 * YOUNG, 0.1 * hardness));
+            let layer = Layer { material, thickness: wide, rule: Rule::Gao };
+            (flat, layer, Coating::new(&material, &flat, wide, Rule::Gao))
+        },
+        |(flat, layer, coating), ratio| {
+            let layer = Layer { thickness: wide * 10f64.powf(ratio), ..*layer };
+            // The tables of a pair serve every thickness.
+            let coating =
+                coating.as_ref().ok().and_then(|coating| coating.with_thickness(layer.thickness).ok());
+            let contact = coating.and_then(|coating| Layered::new(Zmc::default(), flat, flat, coating).ok());
+            let bodies = Bodies { law: ZMC, rough: *flat, flat: *flat, layer: Some(layer) };
+            contact.map_or(f64::NAN, |contact| contact_error(&contact, &Exact::new(&bodies), DEPTH))
         },
     )
 }
 
-/// Of the load; the least over the sides of a boundary.
-fn contact_error(bodies: &Bodies, w: f64, radius: f64) -> f64 {
-    let Ok(contact) = bodies.contact() else { return f64::NAN };
-    let found = contact.contact(w, law::Shape::sphere(radius)).load;
-    let exact = Exact::new(bodies).contacts(w, &Shape::sphere(radius));
-    exact.iter().map(|side| relative_error(found, side.load)).fold(f64::INFINITY, f64::min)
+/// Of the load at indentation `w` (m); the least over the sides of a boundary.
+fn contact_error(contact: &dyn MicroContact, exact: &Exact, w: f64) -> f64 {
+    let found = contact.contact(w, law::Shape::sphere(RADIUS)).load;
+    let sides = exact.contacts(w, &Shape::sphere(RADIUS));
+    sides.iter().map(|side| relative_error(found, side.load)).fold(f64::INFINITY, f64::min)
 }

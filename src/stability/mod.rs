@@ -53,7 +53,7 @@ impl Default for Ranges {
 /// Scenes of each family, by what they ask for.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Counts {
-    /// Of each family of single contacts.
+    /// Of each family of single contacts; a quarter of it under a layer.
     pub contacts: u64,
     /// Of each family of sums.
     pub sums: u64,
@@ -67,7 +67,7 @@ pub struct Counts {
 
 impl Default for Counts {
     fn default() -> Self {
-        Self { contacts: 2000, sums: 200, integrals: 250, loads: 50, millions: 3 }
+        Self { contacts: 1000, sums: 200, integrals: 250, loads: 50, millions: 3 }
     }
 }
 
@@ -76,6 +76,8 @@ impl Counts {
     pub fn of(&self, family: Family) -> u64 {
         match family.kind() {
             _ if family.is_large() => self.millions,
+            // The tables of a layer cost as much as hundreds of contacts.
+            Kind::Contact if family.is_layered() => self.contacts.div_ceil(4),
             Kind::Contact => self.contacts,
             Kind::Sum => self.sums,
             Kind::Integral => self.integrals,

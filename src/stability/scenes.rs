@@ -173,12 +173,12 @@ impl Maker<'_> {
         let law = if family == Family::Ellipses {
             [Law::Hertz, self.zmc(dice)][dice.below(2)]
         } else {
-            match dice.below(if layered { 6 } else { 7 }) {
-                0 => Law::Hertz,
-                1 => Law::Ceb,
-                2 => Law::KogutEtsion,
-                3 => Law::FullyPlastic,
-                6 => Law::JacksonGreen,
+            match dice.below(12) {
+                0 | 1 => Law::Hertz,
+                2 | 3 => Law::Ceb,
+                4 | 5 => Law::KogutEtsion,
+                6 | 7 => Law::FullyPlastic,
+                8 if !layered => Law::JacksonGreen,
                 _ => self.zmc(dice),
             }
         };

@@ -3,8 +3,8 @@
 use crate::report::plot::{Axis, Colour, ColourMap, Dash, Layer, Plot, Raster};
 use crate::stability::Map;
 
-/// log10 of the errors at both ends of the colours: a tenth of a rounding, and a thousand roundings.
-const COLOURS: (f64, f64) = (-17.0, -13.0);
+/// log10 of the errors at both ends of the colours: a tenth of a rounding, and a hundred roundings or the worst.
+const COLOURS: (f64, f64) = (-17.0, -14.0);
 
 /// One map.
 pub fn map(map: &Map) -> String {
@@ -16,6 +16,7 @@ pub fn map(map: &Map) -> String {
     };
     let [x, y] = [edges(map.ends[0], columns), edges(map.ends[1], rows)];
     let axis = |label: &str, (from, to): (f64, f64)| Axis::linear(label).range(from, to);
+    let worst = map.errors.iter().copied().filter(|error| error.is_finite()).fold(0.0, f64::max);
     let raster = Raster {
         x,
         y,
@@ -23,21 +24,19 @@ pub fn map(map: &Map) -> String {
         rows,
         values: map.errors.iter().map(|error| error.max(1e-30).log10()).collect(),
         map: ColourMap::Sequential,
-        limits: Some(COLOURS),
+        limits: Some((COLOURS.0, worst.log10().ceil().max(COLOURS.1))),
         label: "log₁₀ of the relative error".into(),
     };
     let title = format!("Error of the {}", map.of);
     let mut plot = Plot::new(title, axis(map.axes[0], x), axis(map.axes[1], y)).with(Layer::raster(raster));
     if map.name == "transition" {
-        let line = |points: Vec<(f64, f64)>, name: &str| {
-            Layer::line(points).coloured(Colour::Neutral).dashed(Dash::Dashed).named(name)
+        let boundary = |place: f64, name: &str| {
+            Layer::line([(place, y.0), (place, y.1)])
+                .coloured(Colour::Neutral)
+                .dashed(Dash::Dashed)
+                .named(name)
         };
-        let end = |y: f64| (10f64.powf(y) + 1.0).log10();
-        let (from, to) = y;
-        let place = |k: i32| from + (to - from) * f64::from(k) / 200.0;
-        plot = plot
-            .with(line(vec![(0.0, from), (0.0, to)], "w₁"))
-            .with(line((0..=200).map(place).map(|y| (end(y), y)).collect(), "w₂"));
+        plot = plot.with(boundary(0.0, "w₁")).with(boundary(1.0, "w₂ = c w₁"));
     }
     plot.svg()
 }
@@ -46,15 +45,15 @@ pub fn map(map: &Map) -> String {
 pub fn caption(map: &Map) -> &'static str {
     match map.name {
         "separation" => {
-            "The integral of a bare pair of steels under ZMC. White: no error, or less than a tenth of a rounding; the darkest blue stands for 1e-13 and more."
+            "The integral of a bare pair of steels under ZMC. White: an error of less than a tenth of a rounding, or none."
         }
         "transition" => {
-            "One contact of that pair for any ratio c = w₂/w₁. Between w₁ and w₂ the error grows as 1/(c − 1) where c is near 1: the rounding of w₁ \
-             itself moves the area so far. Further right the contact is plastic, further left elastic."
+            "One contact of that pair for any ratio c = w₂/w₁: elastic left of w₁, plastic right of w₂. Between them the error grows as 1/(c − 1) where c \
+             is near 1: the rounding of w₁ alone moves the area so far."
         }
         _ => {
-            "One contact under a layer a tenth as stiff and as hard as the flat; at the left there is next to no layer, at the right nothing but \
-             layer. Steps: regimes."
+            "One contact under a layer a tenth as stiff and as hard as the flat: at the left there is next to no layer, at the right nothing but layer. \
+             Stripes: elastic above, where the hardness does not matter, and plastic below, where the modulus does not."
         }
     }
 }

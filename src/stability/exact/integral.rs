@@ -115,18 +115,18 @@ impl Exact {
                 };
                 [density, density * area, density * load, density * load * steepness]
             })?;
-            total.contacts = total.contacts + contacts;
-            total.area[regime] = total.area[regime] + area;
-            total.load[regime] = total.load[regime] + load;
-            total.stiffness = total.stiffness + slope;
+            total.contacts += contacts;
+            total.area[regime] += area;
+            total.load[regime] += load;
+            total.stiffness += slope;
             from = to;
         }
         // An exponential density begins with a step, at which its slope has no bound.
         if of.heights == HeightDensity::Exponential && start > Wide::ZERO {
             let w = (Wide::new(-1.0) - h) * of.sigma;
-            total.stiffness = total.stiffness - self.answer(w, shape, self.branch(w, shape)).1;
+            total.stiffness -= self.answer(w, shape, self.branch(w, shape)).1;
         }
-        total.stiffness = total.stiffness / of.sigma;
+        total.stiffness /= of.sigma;
         Some(total.times(Wide::new(of.density)).times(of.scale()).times(of.scale()))
     }
 

@@ -155,7 +155,7 @@ impl Exact {
         let felt = self.felt(w, shape);
         let sides = |of: fn(&Resistance) -> Wide| match (&felt.rough, &felt.flat) {
             (Some(rough), Some(flat)) if near(of(flat), of(rough)) => vec![false, true],
-            _ => vec![felt.flat_is_lesser(|resistance| of(resistance))],
+            _ => vec![felt.flat_is_lesser(of)],
         };
         let mut found = Vec::new();
         for flat_yields_first in sides(|resistance| resistance.onset) {

@@ -58,8 +58,8 @@ fn complete(minor: Wide) -> [Wide; 2] {
     for _ in 0..60 {
         let difference = (arithmetic - geometric) * 0.5;
         (arithmetic, geometric) = ((arithmetic + geometric) * 0.5, (arithmetic * geometric).sqrt());
-        power = power * 2.0;
-        sum = sum + power * difference * difference;
+        power *= 2.0;
+        sum += power * difference * difference;
         if difference.abs() < Wide::new(1e-17) * arithmetic {
             break;
         }

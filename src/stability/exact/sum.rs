@@ -52,11 +52,11 @@ impl Total {
 
     pub(super) fn plus(mut self, other: &Self) -> Self {
         for regime in 0..3 {
-            self.area[regime] = self.area[regime] + other.area[regime];
-            self.load[regime] = self.load[regime] + other.load[regime];
+            self.area[regime] += other.area[regime];
+            self.load[regime] += other.load[regime];
         }
         for k in 0..2 {
-            self.squares[k] = self.squares[k] + other.squares[k];
+            self.squares[k] += other.squares[k];
         }
         Self { contacts: self.contacts + other.contacts, stiffness: self.stiffness + other.stiffness, ..self }
     }
@@ -79,12 +79,12 @@ impl Exact {
                     let branch = self.branch(w, &shape);
                     let (area, load, regime) = self.answer(w, &shape, branch);
                     let regime = regime as usize;
-                    total.contacts = total.contacts + 1.0;
-                    total.area[regime] = total.area[regime] + area;
-                    total.load[regime] = total.load[regime] + load;
+                    total.contacts += 1.0;
+                    total.area[regime] += area;
+                    total.load[regime] += load;
                     total.squares = [total.squares[0] + area * area, total.squares[1] + load * load];
                     if stiff {
-                        total.stiffness = total.stiffness + self.stiffness_by(w, &shape, branch);
+                        total.stiffness += self.stiffness_by(w, &shape, branch);
                     }
                 }
                 total
