@@ -115,7 +115,7 @@ impl From<Words> for FileWords {
 /// How much of a spec is run.
 #[derive(Args)]
 struct Extent {
-    /// Run also what takes minutes and gigabytes: the largest sizes of [precision]
+    /// Run also what takes minutes and gigabytes: the largest sets of a precision experiment
     #[arg(long)]
     full: bool,
 }
