@@ -205,6 +205,16 @@ fn values(response: &Response) -> [(Quantity, f64); 4] {
     ]
 }
 
+/// What reports make of a response in which something touches.
+fn derived(response: &Response, sigma: f64) -> Vec<(Quantity, f64)> {
+    let shares = [response.area_ratio, response.pressure].into_iter().filter_map(|of| of.shares()).flatten();
+    let mut found: Vec<(Quantity, f64)> = shares.map(|share| (Quantity::Shares, share)).collect();
+    found.extend(response.mean_real_pressure().map(|pressure| (Quantity::Load, pressure)));
+    let error = response.separation_error(sigma).filter(|_| response.contact_density > 0.0);
+    found.extend(error.map(|error| (Quantity::Sampling, error)));
+    found
+}
+
 fn exact_values(total: &Total) -> [Wide; 4] {
     [total.whole_area(), total.whole_load(), total.stiffness, total.contacts]
 }
@@ -250,6 +260,7 @@ fn of_integral(
     let response = Statistical::new(contact, *population).respond(h);
     let values = values(&response);
     finite(&values)?;
+    finite(&derived(&response, population.sigma))?;
     let exact = Exact::new(&scene.bodies);
     let shape = Shape::sphere(population.radius);
     let at = |separation: f64| exact.integral(&integral_of(population, separation), &shape);
@@ -297,6 +308,7 @@ fn of_sum(
     let response = with_sum(contact, set, &asperities, |model| Ok(model.respond(h)))?;
     let values = values(&response);
     finite(&values)?;
+    finite(&derived(&response, set.sigma))?;
     let sampling = response.sampling.map_or([0.0; 2], |sampling| [sampling.area_ratio, sampling.pressure]);
     finite(&sampling.map(|value| (Quantity::Sampling, value)))?;
     let exact = Exact::new(bodies);
