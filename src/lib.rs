@@ -46,6 +46,7 @@ pub mod material;
 mod memory;
 pub mod model;
 pub mod numeric;
+pub mod precision;
 pub mod report;
 pub mod sphere;
 pub mod stability;

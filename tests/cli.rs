@@ -6,6 +6,8 @@ use std::process::{Command, Output};
 
 #[path = "cli/laws.rs"]
 mod laws;
+#[path = "cli/precision.rs"]
+mod precision;
 #[path = "cli/sphere.rs"]
 mod sphere;
 #[path = "cli/surface.rs"]

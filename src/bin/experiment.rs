@@ -25,6 +25,8 @@ struct Cli {
     #[command(subcommand)]
     command: Option<Command>,
     #[command(flatten)]
+    extent: Extent,
+    #[command(flatten)]
     options: RunOptions,
 }
 
@@ -35,6 +37,8 @@ enum Command {
         /// Spec files
         #[arg(required = true)]
         files: Vec<PathBuf>,
+        #[command(flatten)]
+        extent: Extent,
         #[command(flatten)]
         options: RunOptions,
     },
@@ -49,6 +53,8 @@ enum Command {
         /// Spec files
         #[arg(required = true)]
         files: Vec<PathBuf>,
+        #[command(flatten)]
+        extent: Extent,
     },
     /// Write a commented spec that runs as it stands
     New {
@@ -106,6 +112,14 @@ impl From<Words> for FileWords {
     }
 }
 
+/// How much of a spec is run.
+#[derive(Args)]
+struct Extent {
+    /// Run also what takes minutes and gigabytes: the largest sets of a precision experiment
+    #[arg(long)]
+    full: bool,
+}
+
 #[derive(Args)]
 struct RunOptions {
     /// Folder to write reports to
@@ -154,10 +168,10 @@ impl From<ReportError> for Failure {
 fn main() -> ExitCode {
     let cli = Cli::parse();
     let outcome = match cli.command {
-        None => specs_in(Path::new(SPECS)).and_then(|files| run(&files, &cli.options)),
-        Some(Command::Run { files, options }) => run(&files, &options),
+        None => specs_in(Path::new(SPECS)).and_then(|files| run(&files, &cli.extent, &cli.options)),
+        Some(Command::Run { files, extent, options }) => run(&files, &extent, &options),
         Some(Command::List { out }) => list(&out),
-        Some(Command::Check { files }) => check(&files),
+        Some(Command::Check { files, extent }) => check(&files, &extent),
         Some(Command::New { name }) => new(&name),
         Some(Command::Surface { file, words, name, options }) => {
             surface(&file, words.into(), name.as_deref(), &options)
@@ -209,11 +223,12 @@ fn specs_in(folder: &Path) -> Result<Vec<PathBuf>, Failure> {
 }
 
 /// Reads every spec before anything runs: a wrong one keeps all from running.
-fn read_all(files: &[PathBuf]) -> Result<Vec<Experiment>, Failure> {
+fn read_all(files: &[PathBuf], extent: &Extent) -> Result<Vec<Experiment>, Failure> {
     let mut experiments: Vec<Experiment> = Vec::new();
     let mut wrong = Vec::new();
     for file in files {
-        match Experiment::read(file) {
+        let read = if extent.full { Experiment::read_in_full } else { Experiment::read };
+        match read(file) {
             Ok(experiment) if experiments.iter().any(|other| other.stem() == experiment.stem()) => {
                 wrong.push(format!(
                     "{}: another file of this run is called {} too, and both would write the same report; \
@@ -229,9 +244,9 @@ fn read_all(files: &[PathBuf]) -> Result<Vec<Experiment>, Failure> {
     if wrong.is_empty() { Ok(experiments) } else { Err(Failure::Input(wrong.join("\nerror: "))) }
 }
 
-fn run(files: &[PathBuf], options: &RunOptions) -> Result<(), Failure> {
+fn run(files: &[PathBuf], extent: &Extent, options: &RunOptions) -> Result<(), Failure> {
     set_threads(options)?;
-    let experiments = read_all(files)?;
+    let experiments = read_all(files, extent)?;
     let mut store = open_store(options)?;
     let mut failures: Vec<Failure> =
         experiments.iter().filter_map(|experiment| run_one(experiment, &mut store, options).err()).collect();
@@ -399,8 +414,8 @@ fn list(out: &Path) -> Result<(), Failure> {
     Ok(())
 }
 
-fn check(files: &[PathBuf]) -> Result<(), Failure> {
-    for experiment in read_all(files)? {
+fn check(files: &[PathBuf], extent: &Extent) -> Result<(), Failure> {
+    for experiment in read_all(files, extent)? {
         print(format_args!("{}", experiment.plan().to_string().trim_end()));
     }
     Ok(())

@@ -4,6 +4,7 @@ mod indentation;
 mod laws;
 mod models;
 pub mod plan;
+mod precision;
 pub mod progress;
 mod refusal;
 pub mod results;
@@ -16,6 +17,7 @@ mod whole;
 
 pub use indentation::{IndentationResults, LARGEST_SLOPE, LawCurves, LayerResults};
 pub use laws::{LawOnOne, LawsResults, SurfaceInfluence};
+pub use precision::{CasePrecision, PrecisionResults};
 pub use refusal::Refusal;
 pub use stability::StabilityResults;
 pub use surface::{GenerationFacts, MapFacts, Surface};
@@ -47,7 +49,15 @@ impl Experiment {
     /// # Errors
     /// What keeps it from running, with file, line and key.
     pub fn read(path: &Path) -> Result<Self, Refusal> {
-        Ok(Self { plan: Plan::read(path)? })
+        Ok(Self { plan: Plan::read(path, false)? })
+    }
+
+    /// The same, to run also what takes minutes and gigabytes, where the spec has such a thing.
+    ///
+    /// # Errors
+    /// As [`Self::read`].
+    pub fn read_in_full(path: &Path) -> Result<Self, Refusal> {
+        Ok(Self { plan: Plan::read(path, true)? })
     }
 
     /// Looks at the surfaces of a spec, or at a measured file in the words of a spec:
@@ -95,8 +105,8 @@ impl Experiment {
         &self.plan
     }
 
-    /// What its report depends on: its name, the spec, its input files and the program's own sources, as a
-    /// hexadecimal SHA-256.
+    /// What its report depends on: its name, the spec, whether it is run in full, its input files and the program's own
+    /// sources, as a hexadecimal SHA-256.
     ///
     /// # Errors
     /// An input file that cannot be read.
@@ -105,6 +115,9 @@ impl Experiment {
         hash.update(SOURCES);
         hash.update(digest(self.plan.stem.as_bytes()));
         hash.update(digest(self.plan.source.text.as_bytes()));
+        if matches!(&self.plan.kind, PlanKind::Precision(plan) if plan.full) {
+            hash.update("full");
+        }
         for path in self.plan.inputs() {
             let content = digest_file(&path)
                 .map_err(|error| Refusal::file(&path, format!("cannot be read: {error}")))?;

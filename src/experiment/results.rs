@@ -7,6 +7,7 @@ use indexmap::IndexMap;
 
 use super::indentation::IndentationResults;
 use super::laws::LawsResults;
+use super::precision::PrecisionResults;
 use super::stability::StabilityResults;
 use super::surface::Surface;
 use crate::asperity::{Population, Statistics};
@@ -103,6 +104,8 @@ pub enum Results {
     Laws(LawsResults),
     /// Of `[limit]`.
     Limit(LimitResults),
+    /// Of `[precision]`.
+    Precision(PrecisionResults),
     /// Of `[stability]`.
     Stability(StabilityResults),
     /// Of a look at surfaces.
@@ -117,6 +120,7 @@ impl Results {
             Self::Indentation(results) => &results.head,
             Self::Laws(results) => &results.compare.head,
             Self::Limit(results) => &results.head,
+            Self::Precision(results) => &results.head,
             Self::Stability(results) => &results.head,
             Self::Surfaces(results) => &results.head,
         }
@@ -129,6 +133,7 @@ impl Results {
             Self::Indentation(results) => results.warnings(),
             Self::Laws(results) => results.compare.warnings(),
             Self::Limit(results) => results.contact.doubts.clone(),
+            Self::Precision(results) => results.contact.doubts.clone(),
             Self::Stability(results) => results.warnings(),
             Self::Surfaces(results) => results.warnings(),
         }

@@ -12,7 +12,7 @@ use super::results::{
 };
 use super::surface::Surface;
 use super::whole::Look;
-use super::{Refusal, digest, hexadecimal, indentation, laws, stability, stream_seed, threshold};
+use super::{Refusal, digest, hexadecimal, indentation, laws, precision, stability, stream_seed, threshold};
 use crate::asperity::{Population, gaussian_moment};
 use crate::compare::{
     Control, Exact, Gaps, Kind, LimitCase, Models, NotReached, RuleCheck, RuleFindings, compare, convergence,
@@ -29,6 +29,7 @@ pub(super) fn run(plan: &Plan, progress: &dyn Progress) -> Result<Results, Refus
         PlanKind::Indentation(sphere) => indentation::run(plan, sphere, progress).map(Results::Indentation),
         PlanKind::Laws(several) => laws::run(plan, several, progress).map(Results::Laws),
         PlanKind::Limit(limit) => run_limit(plan, limit, progress).map(Results::Limit),
+        PlanKind::Precision(all) => precision::run(plan, all, progress).map(Results::Precision),
         PlanKind::Stability(scenes) => Ok(Results::Stability(stability::run(plan, scenes, progress))),
         PlanKind::Surfaces(surfaces) => look(plan, surfaces, progress).map(Results::Surfaces),
     }
@@ -280,7 +281,7 @@ fn exact(law: &LawPlan, population: Population, h: f64) -> Exact {
     }
 }
 
-fn papers_of(laws: &[LawPlan]) -> Vec<Paper> {
+pub(super) fn papers_of(laws: &[LawPlan]) -> Vec<Paper> {
     let models = [literature::PASARIBU_SCHIPPER_2005, literature::ZHAO_MAIETTA_CHANG_2000];
     laws.iter().flat_map(papers_of_law).chain(models).collect()
 }
@@ -341,7 +342,12 @@ fn apart_in_strength(
     names.into_iter().flatten().filter_map(doubt).collect()
 }
 
-fn contact_head(plan: &Plan, laws: &[LawPlan], bodies: &Bodies, layer: Option<LayerHead>) -> ContactHead {
+pub(super) fn contact_head(
+    plan: &Plan,
+    laws: &[LawPlan],
+    bodies: &Bodies,
+    layer: Option<LayerHead>,
+) -> ContactHead {
     // Every law of an experiment stands on the same two bodies.
     let contact = &laws[0].contact;
     let mut doubts: Vec<String> = laws.iter().filter_map(|law| law.contact.doubt()).collect();

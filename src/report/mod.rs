@@ -7,7 +7,7 @@
 //! | [`plot`] | a figure described by its layers, drawn to SVG text |
 //! | [`page`] | one content in two forms, Markdown and self-contained HTML |
 //! | [`mod@format`] | numbers and quantities as people read them |
-//! | `compare`, `indentation`, `laws`, `limit`, `stability` | the page of each kind of experiment, on `head` and `figures` |
+//! | `compare`, `indentation`, `laws`, `limit`, `precision`, `stability` | the page of each kind of experiment, on `head` and `figures` |
 //! | `layer`, `falls` | a comparison under a layer in several thicknesses; where area or load falls |
 //! | [`surface`] | what a surface is, in a comparison, on a page of its own, in the terminal |
 //! | `tables`, `summary` | CSV and JSON, for machines |
@@ -27,6 +27,7 @@ mod layer;
 mod limit;
 pub mod page;
 pub mod plot;
+mod precision;
 mod stability;
 pub mod store;
 mod summary;
@@ -70,6 +71,7 @@ pub fn folder(results: &Results, key: &str) -> Result<Folder, ReportError> {
         }
         Results::Indentation(results) => (indentation::page(results), indentation::tables(results)?),
         Results::Laws(results) => (laws::page(results), laws::tables(results)?),
+        Results::Precision(results) => (precision::page(results), precision::tables(results)?),
         Results::Stability(results) => (stability::page(results), stability::tables(results)?),
         Results::Surfaces(results) => (surface::page(results), Vec::new()),
         Results::Limit(results) => {
@@ -97,6 +99,7 @@ pub fn folder(results: &Results, key: &str) -> Result<Folder, ReportError> {
         Results::Indentation(results) => summary::indentation(results, &names)?,
         Results::Laws(results) => summary::laws(results, &names)?,
         Results::Limit(results) => summary::limit(results, &limit::slopes(results), &names)?,
+        Results::Precision(results) => summary::precision(results, &names)?,
         Results::Stability(results) => summary::stability(results, &names)?,
         Results::Surfaces(results) => summary::surfaces(results, &names)?,
     };

@@ -1,6 +1,6 @@
 //! Do freshly made reports say the same as the committed ones? Structure and counts exactly, numbers
-//! to 1e-9, timings for their shape only, errors of the size of a rounding and where they occur not at all (the
-//! summary says whether they are within their bounds), pictures and pages neither.
+//! to 1e-9, timings and reports on them for their shape only, errors of the size of a rounding and where they occur
+//! not at all (the summary says whether they are within their bounds), pictures and pages neither.
 
 use std::collections::BTreeSet;
 use std::fs;
@@ -17,6 +17,9 @@ const ERROR_SCALE: f64 = 1e-3;
 
 /// Scale of what several laws are told apart by: separations in sigma, ratios, jumps of a law, all of answers near 1.
 const LAW_SCALE: f64 = 1.0;
+
+/// The key of a summary by which a report is known to be one on times and errors (`[precision]`).
+const ON_TIMES: &str = "precision";
 
 /// What differs between the reports in `fresh` and those in `committed`, one line each; empty if
 /// nothing does.
@@ -55,20 +58,29 @@ fn compare_folders(fresh: &Path, committed: &Path, name: &str, found: &mut Vec<S
     };
     let (new, old) = (files(fresh)?, files(committed)?);
     found.extend(new.symmetric_difference(&old).map(|file| format!("{name}/{file}: in one of them only")));
+    let read_json = |path: &Path| -> io::Result<Value> { Ok(serde_json::from_slice(&fs::read(path)?)?) };
+    // Of a report on times and errors, one line may name another way as the fastest on another machine.
+    let is_on_times = read_json(&committed.join("summary.json"))?.get(ON_TIMES).is_some();
     for file in new.intersection(&old) {
         let place = format!("{name}/{file}");
         let (new, old) = (fresh.join(file), committed.join(file));
         if file.ends_with(".csv") {
-            compare_tables(&new, &old, &place, found)?;
+            compare_tables(&new, &old, is_on_times, &place, found)?;
         } else if file.ends_with(".json") {
-            let read = |path: &Path| -> io::Result<Value> { Ok(serde_json::from_slice(&fs::read(path)?)?) };
-            compare_values(&read(&new)?, &read(&old)?, file == "timing.json", &place, found);
+            let [new, old] = [read_json(&new)?, read_json(&old)?];
+            compare_values(&new, &old, file == "timing.json", &place, found);
         }
     }
     Ok(())
 }
 
-fn compare_tables(new: &Path, old: &Path, place: &str, found: &mut Vec<String>) -> io::Result<()> {
+fn compare_tables(
+    new: &Path,
+    old: &Path,
+    shape_only: bool,
+    place: &str,
+    found: &mut Vec<String>,
+) -> io::Result<()> {
     let read = |path: &Path| -> io::Result<Vec<csv::StringRecord>> {
         let mut reader = csv::ReaderBuilder::new().has_headers(false).flexible(true).from_path(path)?;
         Ok(reader.records().collect::<Result<_, _>>()?)
@@ -78,6 +90,9 @@ fn compare_tables(new: &Path, old: &Path, place: &str, found: &mut Vec<String>) 
         found.push(format!("{place}: another header or number of rows"));
         return Ok(());
     };
+    if shape_only {
+        return Ok(());
+    }
     for (line, (a, b)) in new.iter().zip(&old).enumerate().skip(1) {
         for (k, column) in header.iter().enumerate() {
             // A difference of two answers is as exact as they are, not as itself.
@@ -134,6 +149,7 @@ fn compare_values(new: &Value, old: &Value, shape_only: bool, place: &str, found
     match (new, old) {
         (Value::Object(a), Value::Object(b)) if a.keys().eq(b.keys()) => {
             for (key, value) in a {
+                let shape_only = shape_only || key == ON_TIMES;
                 compare_values(value, &b[key], shape_only, &format!("{place}, {key}"), found);
             }
         }
@@ -158,6 +174,11 @@ fn compare_values(new: &Value, old: &Value, shape_only: bool, place: &str, found
             }
         }
         _ if new == old => {}
+        // Another way may be the fastest, or none good enough.
+        (
+            Value::String(_) | Value::Number(_) | Value::Null,
+            Value::String(_) | Value::Number(_) | Value::Null,
+        ) if shape_only => {}
         _ => found.push(format!("{place}: now {new}, committed {old}")),
     }
 }
@@ -192,6 +213,22 @@ mod tests {
         assert_eq!(count("n,difference_x,y\n12,1e-17,3.5\n", same), 1);
         assert_eq!(count("n,difference_x,statistical_x\n12,1e-17,3.5\n", "{\"sigma_m\": 6.7001e-9}"), 1);
         assert_eq!(count("n,difference_x,statistical_x\n12,1e-17,3.5\n", "{\"sigma\": 6.7e-9}"), 1);
+    }
+
+    #[test]
+    fn a_report_on_times_has_its_shape_compared() {
+        let summary = |rows: &str| format!("{{\"seed\": 1, \"precision\": {{\"winners\": [{rows}]}}}}");
+        let row = "{\"fastest\": \"simpson\", \"error\": 1e-9}";
+        let committed = reports_with("n,s\n1,2e-6\n", &summary(row));
+        let count = |table: &str, summary: &str| {
+            differences(reports_with(table, summary).path(), committed.path()).unwrap().len()
+        };
+        let other = "{\"fastest\": null, \"error\": null}";
+        assert_eq!(count("n,s\n1,3e-6\n", &summary(other)), 0);
+        assert_eq!(count("n,t\n1,2e-6\n", &summary(row)), 1);
+        assert_eq!(count("n,s\n1,2e-6\n2,2e-6\n", &summary(row)), 1);
+        assert_eq!(count("n,s\n1,2e-6\n", &summary(&format!("{row}, {row}"))), 1);
+        assert_eq!(count("n,s\n1,2e-6\n", &summary(row).replace("\"seed\": 1", "\"seed\": 2")), 1);
     }
 
     #[test]

@@ -4,6 +4,7 @@ mod generate;
 mod indentation;
 mod laws;
 mod layer;
+mod precision;
 mod read;
 mod stability;
 mod surface;
@@ -11,6 +12,7 @@ mod surface;
 pub use indentation::{IndentationPlan, OverlayPlan};
 pub use laws::{Critical, LawsPlan};
 pub use layer::{LayerPlan, thickness_words};
+pub use precision::PrecisionPlan;
 pub use stability::StabilityPlan;
 pub use surface::SurfacePlan;
 
@@ -30,7 +32,8 @@ use indexmap::IndexMap;
 use toml::Spanned;
 
 /// What a spec must hold.
-const ONE_OF_THE_KINDS: &str = "exactly one of [compare], [indentation], [laws], [limit], [stability]";
+const ONE_OF_THE_KINDS: &str =
+    "exactly one of [compare], [indentation], [laws], [limit], [precision], [stability]";
 
 /// A spec that can be run.
 pub struct Plan {
@@ -60,6 +63,8 @@ pub enum PlanKind {
     Indentation(IndentationPlan),
     /// `[laws]`
     Laws(LawsPlan),
+    /// `[precision]`
+    Precision(PrecisionPlan),
     /// `[stability]`
     Stability(StabilityPlan),
     /// A look at surfaces, whatever the spec's kind.
@@ -130,11 +135,12 @@ impl ComparePlan {
 }
 
 impl Plan {
-    /// Reads a spec and everything about its files that can be known without running it.
+    /// Reads a spec and everything about its files that can be known without running it; what stands behind --full is
+    /// planned only if it is to be run in `full`.
     ///
     /// # Errors
     /// The first thing that keeps it from running.
-    pub fn read(path: &Path) -> Result<Self, Refusal> {
+    pub fn read(path: &Path, full: bool) -> Result<Self, Refusal> {
         let (source, spec) = spec::read(path)?;
         let stem = stem_of(path)?;
         let reader = read::Reader { source: &source, spec: &spec };
@@ -143,6 +149,7 @@ impl Plan {
             spec.indentation.as_ref().map(Spanned::span),
             spec.laws.as_ref().map(Spanned::span),
             spec.limit.as_ref().map(Spanned::span),
+            spec.precision.as_ref().map(Spanned::span),
             spec.stability.as_ref().map(Spanned::span),
         ];
         let mut given: Vec<_> = kinds.into_iter().flatten().collect();
@@ -151,7 +158,13 @@ impl Plan {
             return Err(source
                 .refuse(second, format!("found a second experiment; allowed: {ONE_OF_THE_KINDS} a file")));
         }
-        let uses_none = spec.indentation.is_some() || spec.limit.is_some() || spec.stability.is_some();
+        let uses_none = [
+            spec.indentation.is_some(),
+            spec.limit.is_some(),
+            spec.precision.is_some(),
+            spec.stability.is_some(),
+        ]
+        .contains(&true);
         if let Some((name, _)) = spec.surface.first().filter(|_| uses_none) {
             let message =
                 "found a surface, which only [compare] and [laws] use; allowed: no [surface.NAME] here";
@@ -170,6 +183,8 @@ impl Plan {
             PlanKind::Laws(reader.laws_on_all(laws.get_ref(), laws.span())?)
         } else if let Some(limit) = &spec.limit {
             PlanKind::Limit(reader.limit(limit.get_ref())?)
+        } else if let Some(precision) = &spec.precision {
+            PlanKind::Precision(reader.precision(precision.get_ref(), precision.span(), full)?)
         } else if let Some(stability) = &spec.stability {
             PlanKind::Stability(reader.stability(stability.get_ref())?)
         } else {
@@ -225,7 +240,10 @@ impl Plan {
         match &self.kind {
             PlanKind::Compare(compare) | PlanKind::Laws(LawsPlan { compare, .. }) => &compare.surfaces,
             PlanKind::Surfaces(surfaces) => surfaces,
-            PlanKind::Indentation(_) | PlanKind::Limit(_) | PlanKind::Stability(_) => &[],
+            PlanKind::Indentation(_)
+            | PlanKind::Limit(_)
+            | PlanKind::Precision(_)
+            | PlanKind::Stability(_) => &[],
         }
     }
 
@@ -238,6 +256,7 @@ impl Plan {
                 kept + self.surfaces().iter().map(|surface| surface.memory(self.look())).max().unwrap_or(0)
             }
             PlanKind::Indentation(plan) => plan.memory(),
+            PlanKind::Precision(plan) => plan.memory(),
             PlanKind::Stability(plan) => plan.memory(),
             PlanKind::Limit(limit) => {
                 let largest = limit.counts.iter().copied().max().unwrap_or(0);
@@ -264,6 +283,7 @@ impl Plan {
             PlanKind::Compare(compare) => compare.work(),
             PlanKind::Laws(plan) => plan.compare.work() + plan.points(),
             PlanKind::Indentation(plan) => plan.work(),
+            PlanKind::Precision(plan) => plan.work(),
             PlanKind::Stability(plan) => plan.work(),
             PlanKind::Limit(limit) => {
                 let asperities: u128 = limit.counts.iter().map(|&count| count as u128).sum();
@@ -334,6 +354,7 @@ impl fmt::Display for Plan {
             PlanKind::Compare(plan) => write!(f, "{plan}")?,
             PlanKind::Laws(plan) => write!(f, "{}{plan}", plan.compare)?,
             PlanKind::Indentation(plan) => write!(f, "{plan}")?,
+            PlanKind::Precision(plan) => write!(f, "{plan}")?,
             PlanKind::Stability(plan) => write!(f, "{plan}")?,
             PlanKind::Surfaces(surfaces) => describe(surfaces, f)?,
             PlanKind::Limit(plan) => {

@@ -9,10 +9,11 @@ use crate::asperity::{HeightDensity, Population};
 use crate::compare::Controls;
 use crate::experiment::refusal::{Refusal, Source};
 use crate::experiment::results::Bodies;
-use crate::experiment::spec::{CompareSpec, LawSpec, Laws, LimitSpec, Spec, Summit};
+use crate::experiment::spec::{CompareSpec, LawSpec, Laws, LimitSpec, LogSweep, Spec, Summit};
 use crate::interface::Flat;
 use crate::law::{Body, Inapplicable, Property};
 use crate::material::Material;
+use crate::units::Pure;
 
 /// Two materials as a refusal names them, or one that both bodies are of.
 pub(super) fn materials(rough: &str, flat: &str) -> String {
@@ -225,26 +226,47 @@ impl Reader<'_> {
         Ok(surfaces)
     }
 
-    pub(super) fn limit(&self, words: &LimitSpec) -> Result<LimitPlan, Refusal> {
+    /// Sizes of sets.
+    pub(super) fn counts(&self, words: &Spanned<LogSweep<Pure>>) -> Result<Vec<usize>, Refusal> {
         /// Beyond this, counts are no longer exact as f64, and no memory holds them.
         const LARGEST_COUNT: f64 = 1e12;
+        self.whole(words, "a count of", LARGEST_COUNT)
+    }
+
+    /// A sweep of whole numbers from 1 to `most`. Close ones may round to one: it stands once.
+    pub(super) fn whole(
+        &self,
+        words: &Spanned<LogSweep<Pure>>,
+        what: &str,
+        most: f64,
+    ) -> Result<Vec<usize>, Refusal> {
+        let values = &words.get_ref().values;
+        if let Some(value) = values.iter().find(|value| !(1.0..=most).contains(*value)) {
+            return Err(self
+                .source
+                .refuse(words.span(), format!("found {what} {value:e}; allowed: 1 to {most:e}")));
+        }
+        let mut whole: Vec<usize> = values.iter().map(|value| value.round() as usize).collect();
+        whole.dedup();
+        Ok(whole)
+    }
+
+    /// How many random ones of a kind.
+    pub(super) fn several(&self, words: &Spanned<u64>, what: &str) -> Result<usize, Refusal> {
+        let count = *words.get_ref();
+        if !(2..=1000).contains(&count) {
+            return Err(self
+                .source
+                .refuse(words.span(), format!("found {count}; allowed: 2 to 1000 {what}")));
+        }
+        Ok(count as usize)
+    }
+
+    pub(super) fn limit(&self, words: &LimitSpec) -> Result<LimitPlan, Refusal> {
         let rough = self.body(words.rough.get_ref(), words.rough.span())?;
         let flat = self.body(words.flat.get_ref(), words.flat.span())?;
-        let mut counts = Vec::new();
-        for &count in &words.count.get_ref().values {
-            if !(1.0..=LARGEST_COUNT).contains(&count) {
-                let message = format!("found a count of {count:e}; allowed: 1 to {LARGEST_COUNT:e}");
-                return Err(self.source.refuse(words.count.span(), message));
-            }
-            counts.push(count.round() as usize);
-        }
-        // Close counts may round to one: a size is drawn once.
-        counts.dedup();
-        let draws = *words.draws.get_ref();
-        if !(2..=1000).contains(&draws) {
-            let message = format!("found {draws}; allowed: 2 to 1000 random sets of each size");
-            return Err(self.source.refuse(words.draws.span(), message));
-        }
+        let counts = self.counts(&words.count)?;
+        let draws = self.several(&words.draws, "random sets of each size")?;
         self.spheres_only(&words.law, "the sets of [limit] are spheres of one radius")?;
         let (rough_name, flat_name) = (words.rough.get_ref(), words.flat.get_ref());
         self.check_laws(&words.law, (rough_name, &rough), &[(flat_name, &flat)])?;
@@ -260,7 +282,7 @@ impl Reader<'_> {
             },
             separations: words.separation.0.clone(),
             counts,
-            draws: draws as usize,
+            draws,
         })
     }
 }

@@ -9,6 +9,7 @@ mod law;
 mod laws;
 mod layer;
 mod limit;
+mod precision;
 mod stability;
 mod surface;
 mod sweep;
@@ -26,10 +27,11 @@ pub use generate::{
     TargetSpec,
 };
 pub use indentation::{IndentationSpec, Layers, Show};
-pub use law::{LawSpec, Laws, Summit};
+pub use law::{Equations, LawSpec, Laws, Summit};
 pub use laws::{AsperitySpec, LawsSpec};
 pub use layer::{LayerSpec, Thicknesses};
 pub use limit::LimitSpec;
+pub use precision::{CaseSpec, GridSpec, IntegralSpec, PrecisionSpec, SamplingSpec, SumSpec};
 pub use stability::{SpanSpec, StabilitySpec};
 pub use surface::{
     DrawSpec, FileSpec, FilterSpec, ListSpec, PixelSpec, PopulationHeights, PopulationSpec, SurfaceSpec,
@@ -61,6 +63,8 @@ pub struct Spec {
     pub limit: Option<Spanned<LimitSpec>>,
     /// Several laws on one asperity and on given surfaces.
     pub laws: Option<Spanned<LawsSpec>>,
+    /// Run time against error.
+    pub precision: Option<Spanned<PrecisionSpec>>,
     /// One sphere on a layered flat.
     pub indentation: Option<Spanned<IndentationSpec>>,
     /// How far `f64` is off.

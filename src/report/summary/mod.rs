@@ -3,6 +3,7 @@
 mod indentation;
 mod laws;
 mod layer;
+mod precision;
 mod stability;
 mod surface;
 
@@ -17,6 +18,8 @@ use crate::experiment::{LawsResults, StabilityResults};
 pub use indentation::indentation;
 use laws::LawsSummary;
 use layer::{FallSummary, LayerSummary, Thickness, ThresholdSummary};
+use precision::PrecisionSummary;
+pub use precision::precision;
 use stability::StabilitySummary;
 use surface::SurfaceSummary;
 
@@ -49,6 +52,8 @@ struct Summary<'a> {
     layers: Vec<indentation::SphereSummary<'a>>,
     #[serde(skip_serializing_if = "Option::is_none")]
     laws: Option<LawsSummary<'a>>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    precision: Option<PrecisionSummary<'a>>,
     #[serde(skip_serializing_if = "Vec::is_empty")]
     slopes: Vec<SlopeSummary<'a>>,
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -103,6 +108,7 @@ impl<'a> Summary<'a> {
             warnings: Vec::new(),
             layers: Vec::new(),
             laws: None,
+            precision: None,
             slopes: Vec::new(),
             stability: None,
             papers: head.papers.iter().map(|paper| paper.full).collect(),

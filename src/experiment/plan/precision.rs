@@ -1,0 +1,266 @@
+//! Run time against error: names resolved, sizes checked.
+
+use std::fmt;
+use std::ops::Range;
+
+use toml::Spanned;
+
+use super::LawPlan;
+use super::read::Reader;
+use super::surface::set_memory;
+use crate::asperity::{HeightDensity, Population};
+use crate::experiment::refusal::Refusal;
+use crate::experiment::results::Bodies;
+use crate::experiment::spec::{self, LawSpec, PrecisionSpec};
+use crate::interface::Flat;
+use crate::law::Zmc;
+use crate::precision::grid::{GridTask, side};
+use crate::precision::sampling::SamplingTask;
+use crate::precision::sum::{POINTS, SumTask};
+use crate::stability;
+
+/// Run time against error of integrals, sums and surfaces.
+pub struct PrecisionPlan {
+    /// Who touches whom.
+    pub bodies: Bodies,
+    /// The law.
+    pub law: LawPlan,
+    /// Law and bodies for the reference.
+    pub exact: stability::Bodies,
+    /// Populations by name.
+    pub cases: Vec<(String, Population)>,
+    /// d/sigma of the integrals; empty if none is asked for.
+    pub separations: Vec<f64>,
+    /// The sums.
+    pub sum: Option<SumTask>,
+    /// Random sets.
+    pub sampling: Option<SamplingTask>,
+    /// Random maps.
+    pub grid: Option<GridTask>,
+    /// Whether the largest sizes are asked for.
+    pub full: bool,
+}
+
+impl PrecisionPlan {
+    /// Bytes at the peak.
+    pub fn memory(&self) -> u128 {
+        /// The map, its half spectrum, and what finding summits takes.
+        const BYTES_PER_POINT: u128 = 32;
+        let sets =
+            [&self.sum.as_ref().map(|task| &task.counts), &self.sampling.as_ref().map(|task| &task.counts)];
+        let asperities =
+            sets.into_iter().flatten().flat_map(|counts| counts.iter()).max().copied().unwrap_or(0);
+        let points = self.grid.iter().flat_map(maps).max().unwrap_or(0);
+        set_memory(asperities as u128).max(points * BYTES_PER_POINT)
+    }
+
+    /// Contacts evaluated in one pass over everything.
+    pub fn work(&self) -> u128 {
+        let sums = self.sum.iter().map(|task| task.counts.iter().sum::<usize>() * POINTS);
+        let sets = self
+            .sampling
+            .iter()
+            .map(|task| task.counts.iter().sum::<usize>() * task.separations.len() * task.draws);
+        sums.chain(sets).map(|contacts| (contacts * self.cases.len()) as u128).sum()
+    }
+
+    /// Steps of its progress: pieces of work of very different size.
+    pub fn steps(&self) -> u64 {
+        let of_case = u64::from(!self.separations.is_empty())
+            + self.sum.as_ref().map_or(0, |task| task.counts.len() as u64)
+            + self.sampling.as_ref().map_or(0, |task| (task.counts.len() * (task.draws + 1)) as u64);
+        let maps = self.grid.as_ref().map_or(0, |task| maps(task).count() * task.realisations);
+        of_case * self.cases.len() as u64 + maps as u64
+    }
+}
+
+/// Points of each kind of map.
+fn maps(task: &GridTask) -> impl Iterator<Item = u128> {
+    let sides = task.per_length.iter().flat_map(|&p| task.lengths.iter().map(move |&l| side(p, l) as u128));
+    sides.map(|side| side * side)
+}
+
+impl fmt::Display for PrecisionPlan {
+    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        let names: Vec<&str> = self.cases.iter().map(|(name, _)| name.as_str()).collect();
+        writeln!(
+            f,
+            "  {} on {}, law {}, {}",
+            self.bodies.rough,
+            self.bodies.flat,
+            self.law.label,
+            names.join(", ")
+        )?;
+        if !self.separations.is_empty() {
+            writeln!(f, "  rules of quadrature at {} separations", self.separations.len())?;
+        }
+        if let Some(task) = &self.sum {
+            writeln!(
+                f,
+                "  sums of {:?} asperities, at {:?} separations, on {:?} threads",
+                task.counts, task.separations, task.threads
+            )?;
+        }
+        if let Some(task) = &self.sampling {
+            writeln!(f, "  {} random sets of each of {:?} asperities", task.draws, task.counts)?;
+        }
+        if let Some(task) = &self.grid {
+            writeln!(
+                f,
+                "  {} maps of each of {:?} points a correlation length, {:?} lengths a side",
+                task.realisations, task.per_length, task.lengths
+            )?;
+        }
+        Ok(())
+    }
+}
+
+impl Reader<'_> {
+    pub(super) fn precision(
+        &self,
+        words: &PrecisionSpec,
+        span: Range<usize>,
+        full: bool,
+    ) -> Result<PrecisionPlan, Refusal> {
+        let (rough, flat) = (words.rough.get_ref(), words.flat.get_ref());
+        let pair = [self.body(rough, words.rough.span())?, self.body(flat, words.flat.span())?];
+        let (spec, law) = self.one_law(words)?;
+        self.check_laws(&words.law, (rough, &pair[0]), &[(flat, &pair[1])])?;
+        let contact = spec
+            .interface(&pair[0], &Flat::Bare(pair[1]))
+            .map_err(|error| self.inapplicable(&words.law, &error, rough, flat))?;
+        if words.case.get_ref().is_empty() {
+            let message =
+                "found no case; allowed: at least one [precision.case.NAME] with radius, sigma and density";
+            return Err(self.source.refuse(words.case.span(), message));
+        }
+        let case = |(name, words): (&Spanned<String>, &spec::CaseSpec)| {
+            let population = Population {
+                radius: words.radius.value(),
+                sigma: words.sigma.value(),
+                density: words.density.value(),
+                heights: HeightDensity::Gaussian,
+            };
+            (name.get_ref().clone(), population)
+        };
+        let plan = PrecisionPlan {
+            bodies: Bodies { rough: rough.clone(), flat: flat.clone() },
+            exact: stability::Bodies { law, rough: pair[0], flat: pair[1], layer: None },
+            law: LawPlan { label: spec.label(), thickness: None, contact, spec },
+            cases: words.case.get_ref().iter().map(case).collect(),
+            separations: words
+                .integral
+                .as_ref()
+                .map(|words| self.separations(words))
+                .transpose()?
+                .unwrap_or_default(),
+            sum: words.sum.as_ref().map(|words| self.sum(words, full)).transpose()?,
+            sampling: words.sampling.as_ref().map(|words| self.sampling(words)).transpose()?,
+            grid: words.grid.as_ref().map(|words| self.grid(words)).transpose()?,
+            full,
+        };
+        if plan.steps() == 0 {
+            let message = "found nothing to measure; allowed: at least one of [precision.integral], [precision.sum], \
+                           [precision.sampling], [precision.grid]";
+            return Err(self.source.refuse(span, message));
+        }
+        Ok(plan)
+    }
+
+    /// The one law, and the same for the reference.
+    fn one_law(&self, words: &PrecisionSpec) -> Result<(LawSpec, stability::Law), Refusal> {
+        use spec::Equations;
+        let [law] = words.law.get_ref().0[..] else {
+            let message = format!("found {} laws; allowed: one", words.law.get_ref().0.len());
+            return Err(self.source.refuse(words.law.span(), message));
+        };
+        self.spheres_only(&words.law, "the asperities of [precision] are spheres of one radius")?;
+        let reference = match law.equations {
+            Equations::Hertz => stability::Law::Hertz,
+            Equations::Zmc { onset, transition_ratio, .. } => stability::Law::Zmc {
+                onset,
+                transition_ratio: transition_ratio.unwrap_or(Zmc::TRANSITION_RATIO),
+            },
+            Equations::Ceb => stability::Law::Ceb,
+            Equations::KogutEtsion => stability::Law::KogutEtsion,
+            Equations::JacksonGreen => stability::Law::JacksonGreen,
+            Equations::FullyPlastic => stability::Law::FullyPlastic,
+        };
+        Ok((law, reference))
+    }
+
+    fn separations(&self, words: &spec::IntegralSpec) -> Result<Vec<f64>, Refusal> {
+        /// Of d/sigma: within them rules and reference keep their digits.
+        const WITHIN: [f64; 2] = [-10.0, 35.0];
+        let separations = &words.separation.get_ref().0;
+        match separations.iter().find(|h| !(WITHIN[0]..=WITHIN[1]).contains(*h)) {
+            Some(h) => {
+                let message =
+                    format!("found {h}; allowed: separations of {} to {} sigma", WITHIN[0], WITHIN[1]);
+                Err(self.source.refuse(words.separation.span(), message))
+            }
+            None => Ok(separations.clone()),
+        }
+    }
+
+    fn sum(&self, words: &spec::SumSpec, full: bool) -> Result<SumTask, Refusal> {
+        const MOST_SEPARATIONS: f64 = 1e5;
+        const MOST_THREADS: f64 = 1024.0;
+        let mut counts = self.counts(&words.count)?;
+        let most_for_threads = counts.iter().copied().max().unwrap_or(0);
+        if let Some(more) = words.full_count.as_ref() {
+            let more = self.counts(more)?;
+            if full {
+                counts.extend(more);
+            }
+        }
+        counts.sort_unstable();
+        counts.dedup();
+        Ok(SumTask {
+            counts,
+            separations: self.whole(&words.separations, "separations", MOST_SEPARATIONS)?,
+            threads: self.whole(&words.threads, "threads", MOST_THREADS)?,
+            most_for_threads,
+        })
+    }
+
+    fn sampling(&self, words: &spec::SamplingSpec) -> Result<SamplingTask, Refusal> {
+        let mut counts = self.counts(&words.count)?;
+        counts.sort_unstable();
+        Ok(SamplingTask {
+            counts,
+            separations: words.separation.0.clone(),
+            draws: self.several(&words.draws, "random sets of each size")?,
+        })
+    }
+
+    fn grid(&self, words: &spec::GridSpec) -> Result<GridTask, Refusal> {
+        /// Points along a side.
+        const MOST: usize = 1 << 14;
+        let sorted = |sweep: &Spanned<spec::LogSweep<_>>| {
+            let mut values = sweep.get_ref().values.clone();
+            values.sort_by(f64::total_cmp);
+            values
+        };
+        let (per_length, lengths) = (sorted(&words.points_per_length), sorted(&words.lengths));
+        if per_length[0] < 1.0 {
+            let message =
+                format!("found {}; allowed: at least one point a correlation length", per_length[0]);
+            return Err(self.source.refuse(words.points_per_length.span(), message));
+        }
+        if lengths[0] < 10.0 {
+            let message = format!("found {}; allowed: sides of at least 10 correlation lengths", lengths[0]);
+            return Err(self.source.refuse(words.lengths.span(), message));
+        }
+        let largest = side(per_length[per_length.len() - 1], lengths[lengths.len() - 1]);
+        if largest > MOST {
+            let message = format!(
+                "found maps of up to {largest} x {largest} points; allowed: at most {MOST} points along a side, which is lengths \
+                 times points-per-length"
+            );
+            return Err(self.source.refuse(words.lengths.span(), message));
+        }
+        let realisations = self.several(&words.realisations, "maps of each kind")?;
+        Ok(GridTask { per_length, lengths, realisations })
+    }
+}

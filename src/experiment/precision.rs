@@ -1,0 +1,138 @@
+//! Running `[precision]`: run time against error.
+
+use std::time::Instant;
+
+use super::plan::{Plan, PrecisionPlan};
+use super::progress::Progress;
+use super::results::{ContactHead, Head, Timing};
+use super::run::{contact_head, head, papers_of};
+use super::{Refusal, stream_seed};
+use crate::asperity::Population;
+use crate::interface::plasticity_index;
+use crate::literature;
+use crate::precision::grid::{GridFindings, maps_of};
+use crate::precision::integral::{IntegralFindings, rules_on};
+use crate::precision::sampling::{SamplingFindings, sets_of};
+use crate::precision::sum::{SumPoint, ways_on};
+use crate::stability::exact::Exact;
+
+/// What integrals, sums and surfaces cost, and how exact they are.
+#[derive(Debug)]
+pub struct PrecisionResults {
+    /// What every experiment has.
+    pub head: Head,
+    /// The bodies.
+    pub contact: ContactHead,
+    /// The law, as tables name it.
+    pub law: String,
+    /// d/sigma of the integrals.
+    pub separations: Vec<f64>,
+    /// Random sets of each size.
+    pub draws: usize,
+    /// Population by population.
+    pub cases: Vec<CasePrecision>,
+    /// Random maps, where they were asked for.
+    pub grid: Option<GridFindings>,
+    /// Whether the largest sizes were run.
+    pub full: bool,
+    /// Threads that the program uses unless told otherwise.
+    pub threads: usize,
+}
+
+/// One population.
+#[derive(Debug)]
+pub struct CasePrecision {
+    /// Its name in the spec.
+    pub name: String,
+    /// Its numbers.
+    pub population: Population,
+    /// Greenwood and Williamson's plasticity index; `None` where nothing yields.
+    pub plasticity_index: Option<f64>,
+    /// Rules of quadrature, where they were asked for.
+    pub integral: Option<IntegralFindings>,
+    /// Ways to add up; empty where none was asked for.
+    pub sums: Vec<SumPoint>,
+    /// Random sets, where they were asked for.
+    pub sampling: Option<SamplingFindings>,
+}
+
+pub(super) fn run(
+    plan: &Plan,
+    all: &PrecisionPlan,
+    progress: &dyn Progress,
+) -> Result<PrecisionResults, Refusal> {
+    let start = Instant::now();
+    let mut timing = Timing::default();
+    progress.stage(&plan.title, all.steps());
+    let mut cases = Vec::new();
+    for (name, population) in &all.cases {
+        cases.push(case(plan, all, name, population, progress, &mut timing)?);
+    }
+    let maps = Instant::now();
+    let refuse = |error: &dyn std::fmt::Display| Refusal::file(&plan.source.path, error);
+    let seed = |i, j, k| stream_seed(plan.seed, &format!("grid {i} {j} {k}"));
+    let grid = all.grid.as_ref().map(|task| maps_of(task, seed, |_| progress.advance(1)));
+    let grid = grid.transpose().map_err(|error| refuse(&error))?;
+    timing.generate = maps.elapsed();
+    timing.total = start.elapsed();
+    let laws = std::slice::from_ref(&all.law);
+    let mut papers = papers_of(laws);
+    if grid.is_some() {
+        papers.extend([literature::GREENWOOD_1984, literature::NAYAK_1971]);
+    }
+    Ok(PrecisionResults {
+        head: head(plan, papers, timing),
+        contact: contact_head(plan, laws, &all.bodies, None),
+        law: all.law.label.clone(),
+        separations: all.separations.clone(),
+        draws: all.sampling.as_ref().map_or(0, |task| task.draws),
+        cases,
+        grid,
+        full: all.full,
+        threads: rayon::current_num_threads(),
+    })
+}
+
+fn case(
+    plan: &Plan,
+    all: &PrecisionPlan,
+    name: &str,
+    population: &Population,
+    progress: &dyn Progress,
+    timing: &mut Timing,
+) -> Result<CasePrecision, Refusal> {
+    let contact = &*all.law.contact;
+    let refuse =
+        |error: &dyn std::fmt::Display| Refusal::file(&plan.source.path, format!("case {name}: {error}"));
+    let start = Instant::now();
+    let mut integral = None;
+    if !all.separations.is_empty() {
+        let exact = Exact::new(&all.exact);
+        let found = rules_on(contact, &exact, population, &all.separations);
+        integral = Some(found.ok_or_else(|| {
+            refuse(&"the reference integral does not settle in 32 digits; allowed: numbers nearer to those of real surfaces")
+        })?);
+        progress.advance(1);
+    }
+    timing.statistical += start.elapsed();
+    let start = Instant::now();
+    let mut sums = Vec::new();
+    if let Some(task) = &all.sum {
+        let seed = |count| stream_seed(plan.seed, &format!("sum {name} {count}"));
+        sums = ways_on(contact, population, task, seed, |_| progress.advance(1))
+            .map_err(|error| refuse(&error))?;
+    }
+    let seed = |count, draw| stream_seed(plan.seed, &format!("sampling {name} {count} {draw}"));
+    let sets =
+        all.sampling.as_ref().map(|task| sets_of(contact, population, task, seed, |_| progress.advance(1)));
+    let sampling = sets.transpose().map_err(|error| refuse(&error))?;
+    timing.deterministic += start.elapsed();
+    Ok(CasePrecision {
+        name: name.to_owned(),
+        population: *population,
+        plasticity_index: plasticity_index(contact, population.sigma, population.radius),
+        integral,
+        sums,
+        sampling,
+    })
+}

@@ -1,0 +1,52 @@
+//! Run time against error: what an integral, a sum and a random surface cost, and how exact they are for it.
+//!
+//! Times are medians of runs made in alternation (`timing`); errors are against evaluations in about 32
+//! digits that share neither the rule nor the code with what they judge
+//! ([`exact`](crate::stability::exact), and the exact sums of [`sum`]).
+//!
+//! | module | what is measured |
+//! |---|---|
+//! | [`integral`] | rules of quadrature, by order or tolerance |
+//! | [`sum`] | ways to add up asperities, by their number, that of the separations, and threads |
+//! | [`sampling`] | how far a random set is from its population, by the number of asperities |
+//! | [`grid`] | how far the summits of a random map are from those of an endless one on a fine grid |
+
+pub mod grid;
+pub mod integral;
+mod rules;
+pub mod sampling;
+pub mod sum;
+mod timing;
+
+/// How exact answers should be: the levels at which a winner is named.
+pub const LEVELS: [f64; 3] = [1e-4, 1e-8, 1e-12];
+
+/// What a way to an answer costs and how far it is off.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Cost {
+    /// Seconds a separation.
+    pub seconds: f64,
+    /// The larger of the relative errors of area and load, at the separation where it is largest.
+    pub error: f64,
+}
+
+/// The fastest of several ways whose error is at most `level`, by its place.
+pub fn fastest<'a>(ways: impl IntoIterator<Item = &'a Cost>, level: f64) -> Option<usize> {
+    let good = ways.into_iter().enumerate().filter(|(_, cost)| cost.error <= level);
+    good.min_by(|a, b| a.1.seconds.total_cmp(&b.1.seconds)).map(|(place, _)| place)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_fastest_is_the_first_that_is_good_enough() {
+        let cost = |seconds, error| Cost { seconds, error };
+        let ways = [cost(3.0, 1e-15), cost(1.0, 1e-3), cost(2.0, 1e-9), cost(0.1, f64::NAN)];
+        assert_eq!(fastest(&ways, 1e-2), Some(1));
+        assert_eq!(fastest(&ways, 1e-8), Some(2));
+        assert_eq!(fastest(&ways, 1e-12), Some(0));
+        assert_eq!(fastest(&ways, 1e-16), None);
+    }
+}

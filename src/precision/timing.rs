@@ -1,0 +1,73 @@
+//! Seconds, as medians of runs made in alternation.
+
+use std::time::Instant;
+
+/// A way to an answer, ready to run.
+pub type Candidate<'a> = Box<dyn FnMut() + 'a>;
+
+/// One measurement takes at least so long, s: a clock and a loop around a call are then nothing beside it.
+const SHORTEST: f64 = 1e-3;
+
+/// What takes longer is run fewer times, and what takes longer still once, s.
+const LONG: [f64; 2] = [2e-2, 2.0];
+
+/// Runs of each candidate, of those that take long, and of those that take longer still.
+const RUNS: [usize; 3] = [5, 3, 1];
+
+/// The median time of a call of each candidate, s. All are run in turn, again and again, so that what disturbs
+/// the machine for a while disturbs all alike.
+pub fn medians(candidates: &mut [Candidate]) -> Vec<f64> {
+    let mut times = vec![Vec::new(); candidates.len()];
+    // The first call of a short one fetches code and data; the second tells how many make a measurement.
+    let mut calls = Vec::new();
+    for (candidate, times) in candidates.iter_mut().zip(&mut times) {
+        let first = seconds(candidate, 1);
+        if first > LONG[0] {
+            times.push(first);
+            calls.push((1, RUNS[1 + usize::from(first > LONG[1])] - 1));
+        } else {
+            let once = seconds(candidate, 1);
+            calls.push(((SHORTEST / once.max(1e-9)).ceil().max(1.0) as usize, RUNS[0]));
+        }
+    }
+    for run in 0..RUNS[0] {
+        for ((candidate, &(calls, runs)), times) in candidates.iter_mut().zip(&calls).zip(&mut times) {
+            if run < runs {
+                times.push(seconds(candidate, calls));
+            }
+        }
+    }
+    times.into_iter().map(median).collect()
+}
+
+/// Seconds a call, of so many.
+fn seconds(candidate: &mut Candidate, calls: usize) -> f64 {
+    let start = Instant::now();
+    for _ in 0..calls {
+        candidate();
+    }
+    start.elapsed().as_secs_f64() / calls as f64
+}
+
+/// The middle one of an odd number of values.
+fn median(mut values: Vec<f64>) -> f64 {
+    values.sort_unstable_by(f64::total_cmp);
+    values[values.len() / 2]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::hint::black_box;
+
+    #[test]
+    fn more_work_takes_more_time() {
+        let work = |terms: u64| -> Candidate {
+            Box::new(move || {
+                black_box((0..black_box(terms)).fold(0.0, |sum: f64, k| (sum + k as f64).sqrt()));
+            })
+        };
+        let found = medians(&mut [work(1_000), work(30_000)]);
+        assert!(found[1] > 5.0 * found[0] && found[0] > 0.0, "{found:?}");
+    }
+}

@@ -1,0 +1,92 @@
+//! What a summary says of run times and errors.
+
+use serde::Serialize;
+
+use super::super::precision::{Winner, winners};
+use super::Summary;
+use crate::experiment::PrecisionResults;
+use crate::precision::grid::{GridFindings, Statistic};
+
+/// Run time against error. Reports are compared here for their shape only.
+#[derive(Serialize)]
+pub(super) struct PrecisionSummary<'a> {
+    full: bool,
+    threads: usize,
+    winners: Vec<WinnerSummary<'a>>,
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    tenfold_asperities: Vec<TenfoldSummary<'a>>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    surface: Option<SurfaceSummary>,
+}
+
+#[derive(Serialize)]
+struct WinnerSummary<'a> {
+    case: &'a str,
+    of: &'static str,
+    largest_error: f64,
+    fastest: Option<String>,
+    error: Option<f64>,
+    seconds_per_separation: Option<f64>,
+    shipped_over_fastest: Option<f64>,
+}
+
+/// What ten times the asperities do.
+#[derive(Serialize)]
+struct TenfoldSummary<'a> {
+    case: &'a str,
+    time: Option<f64>,
+    error: Option<f64>,
+}
+
+/// Powers by which errors and time follow points a length, summits and points.
+#[derive(Serialize)]
+struct SurfaceSummary {
+    radius_bias_slope: Option<f64>,
+    density_scatter_slope: Option<f64>,
+    time_slope: Option<f64>,
+}
+
+/// `summary.json` of run times and errors.
+///
+/// # Errors
+/// None that a result can cause.
+pub fn precision(results: &PrecisionResults, files: &[String]) -> serde_json::Result<Vec<u8>> {
+    let mut summary = Summary::new(&results.head, Some(&results.contact), files);
+    summary.warnings = results.contact.doubts.clone();
+    let tenfold = results.cases.iter().filter_map(|case| {
+        let found = case.sampling.as_ref()?.tenfold();
+        Some(TenfoldSummary {
+            case: &case.name,
+            time: found.map(|tenfold| tenfold.time),
+            error: found.map(|tenfold| tenfold.error),
+        })
+    });
+    summary.precision = Some(PrecisionSummary {
+        full: results.full,
+        threads: results.threads,
+        winners: results.cases.iter().flat_map(winners).map(winner).collect(),
+        tenfold_asperities: tenfold.collect(),
+        surface: results.grid.as_ref().map(surface),
+    });
+    serde_json::to_vec_pretty(&summary)
+}
+
+fn winner(winner: Winner) -> WinnerSummary {
+    WinnerSummary {
+        case: winner.case,
+        of: winner.of.name(),
+        largest_error: winner.level,
+        error: winner.fastest.as_ref().map(|(_, cost)| cost.error),
+        seconds_per_separation: winner.fastest.as_ref().map(|(_, cost)| cost.seconds),
+        fastest: winner.fastest.map(|(name, _)| name),
+        shipped_over_fastest: winner.shipped_over_fastest,
+    }
+}
+
+fn surface(found: &GridFindings) -> SurfaceSummary {
+    SurfaceSummary {
+        radius_bias_slope: found.bias_slope(Statistic::Radius),
+        density_scatter_slope: found.scatter_slope(Statistic::Density),
+        time_slope: found.time_slope(),
+    }
+}

@@ -1,0 +1,152 @@
+//! Run time against error, as a user meets it.
+
+use std::collections::HashMap;
+use std::fs;
+use std::path::Path;
+
+use super::{experiment, run, summary, text};
+
+const SMALL: &str = r#"
+title = "small"
+[material.steel]
+young = "210 GPa"
+poisson = 0.3
+hardness = "7.6 GPa"
+[precision]
+rough = "steel"
+flat = "steel"
+law = "zmc"
+[precision.case."one | two"]
+radius = "20 um"
+sigma = "48 nm"
+density = "6e10 /m^2"
+[precision.integral]
+separation = { values = [0, 2] }
+[precision.sum]
+count = { values = [1e3, 5e4] }
+full-count = { values = [6e4] }
+separations = { values = [1, 20] }
+threads = { values = [1, 2] }
+[precision.sampling]
+separation = { values = [0] }
+count = { values = [100, 1e3, 1e4, 2e4, 4e4] }
+draws = 4
+[precision.grid]
+points-per-length = { values = [2, 4, 8] }
+lengths = { values = [10, 20] }
+realisations = 2
+"#;
+
+type Row = HashMap<String, String>;
+
+fn table(folder: &Path, name: &str) -> Vec<Row> {
+    csv::Reader::from_path(folder.join(name)).unwrap().deserialize().map(Result::unwrap).collect()
+}
+
+fn number(row: &Row, column: &str) -> f64 {
+    row[column].parse().unwrap_or_else(|_| panic!("{column} of {row:?}"))
+}
+
+fn written(more: &[&str]) -> (tempfile::TempDir, std::path::PathBuf) {
+    let folder = tempfile::tempdir().unwrap();
+    let spec = folder.path().join("small.toml");
+    fs::write(&spec, SMALL).unwrap();
+    let out = folder.path().join("reports");
+    let output = run(&spec, &out, more);
+    assert!(output.status.success(), "{}", text(&output.stderr));
+    (folder, out)
+}
+
+#[test]
+fn times_and_errors_are_what_they_should_be() {
+    let (_folder, out) = written(&[]);
+    let report = out.join("small");
+
+    let rules = table(&report, "integral.csv");
+    let error = |rule: &str, split: &str, substituted: &str, order: &str| {
+        let is_it = |row: &&Row| {
+            [&row["rule"], &row["split"], &row["substituted"], &row["order"]]
+                == [rule, split, substituted, order]
+        };
+        let row = rules.iter().find(is_it).unwrap_or_else(|| panic!("no {rule} of order {order}"));
+        number(row, "area_error").max(number(row, "load_error"))
+    };
+    let legendre = |order: &str| error("gauss-legendre", "true", "true", order);
+    assert!(legendre("4") > 3.0 * legendre("8") && legendre("8") > 30.0 * legendre("16"));
+    assert!(legendre("16") > 30.0 * legendre("48") && legendre("64") < 1e-13);
+    assert!(error("gauss-legendre", "false", "true", "64") > 1e3 * legendre("64"));
+    assert!(error("gauss-legendre", "true", "false", "64") > 1e2 * legendre("64"));
+    assert!(error("shipped", "true", "true", "") < 1e-13);
+    assert!(rules.iter().all(|row| number(row, "seconds_per_separation") > 0.0));
+    let names: std::collections::HashSet<&String> = rules.iter().map(|row| &row["rule"]).collect();
+    assert_eq!(names.len(), 12, "{names:?}");
+
+    let sums = table(&report, "sum.csv");
+    assert_eq!(sums.len(), 2 * 7 + 2 * 3 + 2 * 3);
+    let of_largest = |way: &str| {
+        let is_it =
+            |row: &&Row| row["varied"] == "asperities" && row["way"] == way && row["asperities"] == "50000";
+        let row = sums.iter().find(is_it).unwrap();
+        number(row, "area_error").max(number(row, "load_error"))
+    };
+    for order in ["", ", ordered"] {
+        let compensated = of_largest(&format!("compensated{order}"));
+        assert!(compensated < 3e-16 && of_largest(&format!("naive{order}")) > 2.0 * compensated);
+    }
+
+    let winners = table(&report, "winners.csv");
+    assert_eq!(winners.len(), 3 + 4);
+    for row in winners.iter().filter(|row| !row["fastest"].is_empty()) {
+        assert!(number(row, "error") <= number(row, "largest_error"), "{row:?}");
+        assert!(row["shipped_over_fastest"].is_empty() || number(row, "shipped_over_fastest") >= 1.0);
+    }
+
+    let sets = table(&report, "sampling.csv");
+    assert_eq!(sets.len(), 5);
+    let [first, last] = [&sets[0], &sets[4]].map(|row| number(row, "load_stated_error"));
+    assert!((first / last / 20.0 - 1.0).abs() < 0.5, "{first} {last}");
+
+    let maps = table(&report, "grid.csv");
+    assert_eq!(maps.len(), 3 * 2);
+    let bias = |row: &Row| number(row, "radius_bias").abs();
+    assert!(bias(&maps[0]) > 3.0 * bias(&maps[2]) && bias(&maps[2]) > 3.0 * bias(&maps[4]));
+
+    let page = fs::read_to_string(report.join("report.md")).unwrap();
+    for words in ["The integral, one \\| two", "the shipped one", "√10", "How much surface"] {
+        assert!(page.contains(words), "{words}");
+    }
+    assert!(!page.contains("NaN") && report.join("one---two-rules.svg").is_file());
+    assert_eq!(summary(&out, "small")["precision"]["full"], false);
+}
+
+#[test]
+fn the_largest_sets_are_run_only_in_full() {
+    let (folder, out) = written(&["--full", "--quiet"]);
+    let sums = table(&out.join("small"), "sum.csv");
+    assert_eq!(sums.len(), 3 * 7 + 2 * 3 + 2 * 3);
+    assert!(sums.iter().any(|row| row["asperities"] == "60000" && row["varied"] == "asperities"));
+    assert!(sums.iter().all(|row| row["asperities"] != "60000" || row["varied"] != "threads"));
+    assert_eq!(summary(&out, "small")["precision"]["full"], true);
+    // In full it is another experiment.
+    let again = |more: &[&str]| text(&run(&folder.path().join("small.toml"), &out, more).stdout);
+    assert!(again(&["--full"]).contains("unchanged"));
+    let check = |more: &[&str]| {
+        let mut arguments = vec!["check", "small.toml"];
+        arguments.extend(more);
+        text(&experiment(&arguments, folder.path()).stdout)
+    };
+    assert!(!check(&[]).contains("60000") && check(&["--full"]).contains("60000"));
+}
+
+/// A report on times is never the same twice: only its shape is compared.
+#[test]
+fn verify_compares_times_by_their_shape() {
+    let (folder, _) = written(&["--quiet"]);
+    let spec = folder.path().join("small.toml");
+    assert!(run(&spec, &folder.path().join("fresh"), &["--quiet"]).status.success());
+    let verify = || experiment(&["verify", "fresh", "--out", "reports"], folder.path());
+    assert!(verify().status.success(), "{}", text(&verify().stderr));
+    let sums = folder.path().join("reports/small/sum.csv");
+    fs::write(&sums, fs::read_to_string(&sums).unwrap() + "\n1,2\n").unwrap();
+    assert_eq!(verify().status.code(), Some(1));
+}
