@@ -42,25 +42,34 @@ impl<L: Law> Interface<L> {
     }
 }
 
-impl<L: Law> Answers for Interface<L> {
+/// A law and the pair it is asked for. Kept apart, by value, so that compilers keep what both give in registers.
+struct Kept<L>(L, Pair);
+
+impl<L: Law> Answers for Kept<L> {
     #[inline(always)]
     fn answers<N: Real>(&self, w: N, radius: N, spheres: N) -> Contacts<N> {
-        self.law.contacts(w, radius, &self.pair.splat(w)).times(spheres)
+        self.0.contacts(w, radius, &self.1.splat(w)).times(spheres)
+    }
+}
+
+impl<L: Law> Interface<L> {
+    fn kept(&self) -> Kept<L> {
+        Kept(self.law.clone(), self.pair)
     }
 }
 
 impl<L: Law> MicroContact for Interface<L> {
     #[inline]
     fn contact(&self, w: f64, shape: Shape) -> Contact {
-        self.answers(w, shape.radius, shape.spheres).into()
+        self.law.contacts(w, shape.radius, &self.pair).times(shape.spheres).into()
     }
 
     fn weigh(&self, indentations: &[f64], weights: &[f64], shape: Shape, tally: &mut Tally) {
-        weigh(self, indentations, weights, shape, tally);
+        weigh(self.kept(), indentations, weights, shape, tally);
     }
 
     fn press(&self, asperities: Asperities<'_>, separation: f64, tally: &mut Tally) {
-        press(self, asperities, separation, tally);
+        press(self.kept(), asperities, separation, tally);
     }
 
     fn regime_changes(&self, shape: Shape) -> Vec<f64> {

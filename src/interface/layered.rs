@@ -245,7 +245,7 @@ fn weaker(value: Interval, slope: Interval, constant: f64) -> (Interval, Interva
     }
 }
 
-impl<L: Similar> Answers for Layered<L> {
+impl<L: Similar> Answers for &Layered<L> {
     #[inline(always)]
     fn answers<N: Real>(&self, w: N, radius: N, spheres: N) -> Contacts<N> {
         self.answer(w, radius, &self.felt(w, spheres * radius)).times(spheres)
@@ -255,7 +255,7 @@ impl<L: Similar> Answers for Layered<L> {
 impl<L: Similar> MicroContact for Layered<L> {
     #[inline]
     fn contact(&self, w: f64, shape: Shape) -> Contact {
-        self.answers(w, shape.radius, shape.spheres).into()
+        (&self).answers(w, shape.radius, shape.spheres).into()
     }
 
     fn weigh(&self, indentations: &[f64], weights: &[f64], shape: Shape, tally: &mut Tally) {

@@ -13,13 +13,13 @@ pub(super) trait Answers {
 }
 
 /// [`super::MicroContact::press`].
-pub(super) fn press<A: Answers>(contact: &A, asperities: Asperities<'_>, separation: f64, tally: &mut Tally) {
+pub(super) fn press<A: Answers>(contact: A, asperities: Asperities<'_>, separation: f64, tally: &mut Tally) {
     run(Press { contact, asperities, separation, tally });
 }
 
 /// [`super::MicroContact::weigh`].
 pub(super) fn weigh<A: Answers>(
-    contact: &A,
+    contact: A,
     indentations: &[f64],
     weights: &[f64],
     shape: Shape,
@@ -29,7 +29,7 @@ pub(super) fn weigh<A: Answers>(
 }
 
 struct Press<'a, A> {
-    contact: &'a A,
+    contact: A,
     asperities: Asperities<'a>,
     separation: f64,
     tally: &'a mut Tally,
@@ -92,7 +92,7 @@ fn rest<N: Real>(values: &[f64], zero: N) -> (N, N::Mask) {
 
 #[inline(always)]
 fn press_lanes<N: Real, A: Answers>(
-    contact: &A,
+    contact: A,
     zero: N,
     separation: f64,
     [heights, radii]: [&[f64]; 2],
@@ -126,7 +126,7 @@ fn press_lanes<N: Real, A: Answers>(
 }
 
 struct Weigh<'a, A> {
-    contact: &'a A,
+    contact: A,
     indentations: &'a [f64],
     weights: &'a [f64],
     shape: Shape,

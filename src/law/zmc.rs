@@ -70,15 +70,18 @@ impl Zmc {
         let x = (u - 1.0) * span.recip();
         let growth = x * x * (x * -2.0 + 3.0) + 1.0;
         let slope = b * PI;
-        let area = slope * w * growth;
-        let area_slope = slope * (growth + u * (6.0 / span) * x * (-x + 1.0));
-        let pressure = hardness * (u.ln() * (0.6 * self.inverse_log_ratio) + 0.4);
-        let pressure_slope = hardness * (0.6 * self.inverse_log_ratio) / w;
+        // A/w, and dA/dw.
+        let width = slope * growth;
+        let area_slope = width + slope * (u * (6.0 / span) * x * (-x + 1.0));
+        let steepness = 0.6 * self.inverse_log_ratio;
+        let pressure = hardness * (u.ln() * steepness + 0.4);
+        let area = width * w;
         let nowhere = !w.everywhere();
         Contacts {
             area,
             load: pressure * area,
-            stiffness: pressure * area_slope + pressure_slope * area,
+            // The pressure grows as steepness H/w.
+            stiffness: pressure * area_slope + hardness * steepness * width,
             elastic: nowhere,
             plastic: nowhere,
         }

@@ -4,7 +4,10 @@ use crate::asperity::Asperities;
 
 /// The separations of a curve, m, largest first.
 pub(super) struct Levels {
+    /// With one below all heights at the end.
     separations: Vec<f64>,
+    /// m.
+    lowest: f64,
     /// Of each cell of a grid over the separations, how many lie in cells above it.
     above: Vec<u16>,
     cells_per_metre: f64,
@@ -20,25 +23,28 @@ impl Levels {
     /// From 1 to [`Self::MOST`] separations, largest first.
     pub(super) fn new(separations: Vec<f64>) -> Self {
         let count = CELLS * separations.len();
-        let span = separations[0] - separations[separations.len() - 1];
+        let (highest, lowest) = (separations[0], separations[separations.len() - 1]);
+        let span = highest - lowest;
         let cells_per_metre = if span > 0.0 { (count - 1) as f64 / span } else { 0.0 };
-        let mut levels = Self { separations, above: vec![0; count], cells_per_metre };
+        let mut levels = Self { separations, lowest, above: vec![0; count], cells_per_metre };
         for k in 0..levels.count() {
             let cell = levels.cell(levels.separations[k]);
-            levels.above[..cell].iter_mut().for_each(|above| *above += 1);
+            levels.above[..usize::from(cell)].iter_mut().for_each(|above| *above += 1);
         }
+        // Below every height.
+        levels.separations.push(f64::NEG_INFINITY);
         levels
     }
 
     fn count(&self) -> usize {
-        self.separations.len()
+        self.above.len() / CELLS
     }
 
     /// How many of `heights` (m) lie above each separation.
     pub(super) fn count_above(&self, heights: &[f64]) -> Vec<u64> {
         let mut counts = vec![0; self.count() + 1];
-        for &z in heights {
-            counts[usize::from(self.untouched(z))] += 1;
+        for &z in heights.iter().filter(|&&z| z > self.lowest) {
+            counts[usize::from(self.untouched(z, self.cell(z)))] += 1;
         }
         counts.pop();
         let mut above = 0;
@@ -49,22 +55,20 @@ impl Levels {
         counts
     }
 
-    fn lowest(&self) -> f64 {
-        self.separations[self.count() - 1]
+    /// The cell of a height (m) above the lowest separation, which grows with it.
+    #[inline(always)]
+    fn cell(&self, height: f64) -> u16 {
+        /// Added to a small number, the last bits of the sum are the whole number next to it.
+        const WHOLES: f64 = 4_503_599_627_370_496.0;
+        let last = (self.above.len() - 1) as f64;
+        (((height - self.lowest) * self.cells_per_metre).min(last) + WHOLES).to_bits() as u16
     }
 
-    /// The cell of a height (m), which grows with it.
+    /// How many separations an asperity in `cell` is not touched at; all that lie in cells above its own are among them.
     #[inline(always)]
-    fn cell(&self, height: f64) -> usize {
-        // What lies below is in the first cell.
-        (((height - self.lowest()) * self.cells_per_metre) as usize).min(self.above.len() - 1)
-    }
-
-    /// How many separations an asperity is not touched at; all that lie in cells above its own are among them.
-    #[inline(always)]
-    fn untouched(&self, height: f64) -> u16 {
-        let mut place = self.above[self.cell(height)];
-        while self.separations.get(usize::from(place)).is_some_and(|&separation| separation >= height) {
+    fn untouched(&self, height: f64, cell: u16) -> u16 {
+        let mut place = self.above[usize::from(cell)];
+        while self.separations[usize::from(place)] >= height {
             place += 1;
         }
         place
@@ -77,8 +81,10 @@ pub(super) struct Block {
     heights: Vec<f64>,
     radii: Vec<f64>,
     spheres: Vec<f64>,
-    /// At how many separations each of the touched asperities is not, and which it is.
-    places: Vec<(u16, u16)>,
+    /// Those that are touched: which they are, their heights, and at how many separations each is not touched.
+    touched: Vec<u16>,
+    touched_heights: Vec<f64>,
+    places: Vec<u16>,
     /// How many are touched at each separation.
     ends: Vec<usize>,
 }
@@ -89,49 +95,65 @@ impl Block {
 
     /// Takes in up to [`Self::MOST`] asperities.
     pub(super) fn fill(&mut self, asperities: Asperities<'_>, levels: &Levels) {
-        let (heights, lowest) = (asperities.heights(), levels.lowest());
-        self.places.resize(heights.len(), (0, 0));
-        self.ends.clear();
-        self.ends.resize(levels.count() + 1, 0);
-        let mut count = 0;
-        for (index, &z) in heights.iter().enumerate() {
-            self.places[count].1 = index as u16;
-            count += usize::from(z > lowest);
-        }
-        self.places.truncate(count);
-        for (place, index) in &mut self.places {
-            *place = levels.untouched(heights[usize::from(*index)]);
-            self.ends[usize::from(*place) + 1] += 1;
-        }
-        // Where those of each place begin; each start moves on to become an end.
-        for k in 1..self.ends.len() {
-            self.ends[k] += self.ends[k - 1];
-        }
-        let radii = asperities.radii();
+        let count = self.touch(asperities.heights(), levels.lowest);
+        self.find_places(levels);
         self.heights.resize(count, 0.0);
         self.radii.resize(count, 0.0);
+        let Self { heights, radii, spheres, touched, touched_heights, places, ends } = self;
+        let order = places.iter().zip(&*touched).map(|(&place, &index)| {
+            let end = &mut ends[usize::from(place)];
+            let to = *end;
+            *end += 1;
+            (to, usize::from(index))
+        });
+        let from = asperities.radii();
         match asperities.spheres() {
-            None => self.place(|block, to, from| {
-                (block.heights[to], block.radii[to]) = (heights[from], radii[from]);
+            None => order.zip(&*touched_heights).for_each(|((to, index), &z)| {
+                (heights[to], radii[to]) = (z, from[index]);
             }),
-            Some(spheres) => {
-                self.spheres.resize(count, 0.0);
-                self.place(|block, to, from| {
-                    (block.heights[to], block.radii[to]) = (heights[from], radii[from]);
-                    block.spheres[to] = spheres[from];
+            Some(counts) => {
+                spheres.resize(count, 0.0);
+                order.zip(&*touched_heights).for_each(|((to, index), &z)| {
+                    (heights[to], radii[to], spheres[to]) = (z, from[index], counts[index]);
                 });
             }
         }
     }
 
-    #[inline(always)]
-    fn place(&mut self, put: impl Fn(&mut Self, usize, usize)) {
-        for k in 0..self.places.len() {
-            let (place, index) = self.places[k];
-            let end = &mut self.ends[usize::from(place)];
-            let to = *end;
-            *end += 1;
-            put(self, to, usize::from(index));
+    /// Collects those above `lowest` (m), and says how many.
+    fn touch(&mut self, heights: &[f64], lowest: f64) -> usize {
+        self.touched.resize(heights.len(), 0);
+        self.touched_heights.resize(heights.len(), 0.0);
+        let (touched, touched_heights) = (&mut self.touched[..], &mut self.touched_heights[..]);
+        let mut count = 0;
+        for (index, &z) in heights.iter().enumerate() {
+            (touched[count], touched_heights[count]) = (index as u16, z);
+            count += usize::from(z > lowest);
+        }
+        self.touched.truncate(count);
+        self.touched_heights.truncate(count);
+        count
+    }
+
+    /// Finds at how many separations each is not touched, and where those of each place begin: each start moves on to
+    /// become an end while they are put there.
+    fn find_places(&mut self, levels: &Levels) {
+        self.ends.clear();
+        self.ends.resize(levels.count() + 2, 0);
+        self.places.resize(self.touched.len(), 0);
+        let Self { touched_heights, places, ends, .. } = self;
+        // In a pass of its own, which compilers make one of many heights at a time.
+        for (place, &z) in places.iter_mut().zip(&*touched_heights) {
+            *place = levels.cell(z);
+        }
+        for (place, &z) in places.iter_mut().zip(&*touched_heights) {
+            *place = levels.untouched(z, *place);
+            ends[usize::from(*place) + 1] += 1;
+        }
+        let mut start = 0;
+        for end in ends {
+            start += *end;
+            *end = start;
         }
     }
 

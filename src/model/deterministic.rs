@@ -83,7 +83,7 @@ impl Falls {
 const BLOCKS_PER_TASK: usize = 16;
 
 /// Tasks that a sum is cut into where its blocks are few. Fixed, so that nothing depends on the number of threads.
-const TASKS: usize = 64;
+const TASKS: usize = 32;
 
 impl<'a, C: MicroContact + ?Sized> Deterministic<'a, C> {
     /// The model of asperities, with separations measured as `datum` says.
