@@ -12,6 +12,8 @@ mod precision;
 mod sphere;
 #[path = "cli/surface.rs"]
 mod surface;
+#[path = "cli/tolerance.rs"]
+mod tolerance;
 
 fn experiment(arguments: &[&str], folder: &Path) -> Output {
     Command::new(env!("CARGO_BIN_EXE_experiment")).args(arguments).current_dir(folder).output().unwrap()

@@ -12,7 +12,7 @@ use super::stability::StabilityResults;
 use super::surface::Surface;
 use crate::asperity::{Population, Statistics};
 use crate::coating::Rule;
-use crate::compare::{Comparison, Gaps, Kind, LimitPoint, RuleFindings};
+use crate::compare::{Comparison, Gaps, Kind, LimitPoint, RuleFindings, Tolerances};
 use crate::literature::Paper;
 use crate::material::Material;
 use crate::sphere::Fall;
@@ -175,6 +175,8 @@ pub struct CompareResults {
     pub head: Head,
     /// The bodies.
     pub contact: ContactHead,
+    /// How far the curves over d/sigma may be off.
+    pub tolerances: Tolerances,
     /// Surface by surface, in file order.
     pub surfaces: Vec<SurfaceResults>,
 }

@@ -79,7 +79,8 @@ pub(super) fn run_compare(
         });
     }
     let contact = contact_head(plan, &compare.laws, &compare.bodies, layer_head);
-    Ok(CompareResults { head: head(plan, papers, timing), contact, surfaces })
+    let tolerances = compare.controls.tolerances;
+    Ok(CompareResults { head: head(plan, papers, timing), contact, tolerances, surfaces })
 }
 
 /// Looks at surfaces as closely as can be.

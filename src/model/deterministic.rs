@@ -6,7 +6,7 @@ use rayon::prelude::*;
 
 use super::block::{Block, Levels};
 use super::load_control::LOWEST_SEPARATION;
-use super::{Datum, Model, Response, SamplingError};
+use super::{Counted, Datum, Model, Response, SamplingError};
 use crate::asperity::{Asperities, Ordered};
 use crate::contact::Tally;
 use crate::interface::{LoadBounds, MicroContact, Shapes};
@@ -212,10 +212,10 @@ impl<C: MicroContact + ?Sized> Model for Deterministic<'_, C> {
         separations.iter().zip(&tallies).map(|(&h, tally)| self.response(h, tally)).collect()
     }
 
-    fn count_contacts(&self, separations: &[f64]) -> Option<Vec<f64>> {
+    fn count_contacts(&self, separations: &[f64]) -> Option<Counted> {
         let mut order: Vec<usize> = (0..separations.len()).collect();
         order.sort_by(|&a, &b| separations[b].total_cmp(&separations[a]));
-        let mut densities = vec![0.0; separations.len()];
+        let mut contacts = vec![0.0; separations.len()];
         for some in order.chunks(Levels::MOST) {
             let levels = Levels::new(some.iter().map(|&k| self.absolute(separations[k])).collect());
             let counts = in_chunks(
@@ -227,10 +227,10 @@ impl<C: MicroContact + ?Sized> Model for Deterministic<'_, C> {
                 },
             );
             for (&k, count) in some.iter().zip(counts) {
-                densities[k] = count as f64 / self.asperities.nominal_area();
+                contacts[k] = count as f64;
             }
         }
-        Some(densities)
+        Some(Counted { contacts, per_area: self.asperities.nominal_area().recip() })
     }
 
     fn may_fall(&self) -> bool {

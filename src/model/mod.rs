@@ -32,6 +32,15 @@ impl From<&Statistics> for Datum {
     }
 }
 
+/// Contacts that were counted.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Counted {
+    /// At each separation.
+    pub contacts: Vec<f64>,
+    /// One over the nominal area, 1/m^2.
+    pub per_area: f64,
+}
+
 /// A way of adding up. Separations are d/sigma, from the datum's mean height.
 pub trait Model: Sync {
     /// Where separations are measured from.
@@ -40,8 +49,8 @@ pub trait Model: Sync {
     /// Everything at each of the separations d/sigma: a curve costs less at once than point by point.
     fn respond_all(&self, separations: &[f64]) -> Vec<Response>;
 
-    /// Contacts per nominal area (1/m^2) at each of the separations d/sigma, where they can be counted without the rest.
-    fn count_contacts(&self, _: &[f64]) -> Option<Vec<f64>> {
+    /// The contacts at each of the separations d/sigma, where they can be counted without the rest.
+    fn count_contacts(&self, _: &[f64]) -> Option<Counted> {
         None
     }
 

@@ -304,7 +304,7 @@ impl<S: Simd> Register<S> {
 }
 
 /// ln 2 in two parts, the first of few digits, so that a whole number times it is exact.
-const LN_2: [f64; 2] = [6.931_471_803_691_238_16e-1, 1.908_214_929_270_587_70e-10];
+const LN_2: [f64; 2] = [0.693_147_180_369_123_8, 1.908_214_929_270_587_7e-10];
 
 /// Bits of the exponent of a number.
 const EXPONENT: u64 = 0x7ff0_0000_0000_0000;
@@ -323,13 +323,13 @@ const TWO_TO_32: f64 = 4_294_967_296.0;
 /// Coefficients of (ln((1 + s)/(1 - s)) - 2s)/s in s^2, the highest power first, for |s| < 0.1716 (minimax, of
 /// the freely distributable fdlibm, Sun Microsystems 1993).
 const LOGARITHM: [f64; 7] = [
-    1.479_819_860_511_658_591e-1,
-    1.531_383_769_920_937_332e-1,
-    1.818_357_216_161_805_012e-1,
-    2.222_219_843_214_978_396e-1,
-    2.857_142_874_366_239_149e-1,
-    3.999_999_999_940_941_908e-1,
-    6.666_666_666_666_735_130e-1,
+    0.147_981_986_051_165_86,
+    0.153_138_376_992_093_73,
+    0.181_835_721_616_180_5,
+    0.222_221_984_321_497_84,
+    0.285_714_287_436_623_9,
+    0.399_999_999_994_094_2,
+    0.666_666_666_666_673_5,
 ];
 
 /// Coefficients of exp(r), the highest power first: the series ends below rounding for |r| < 0.35.

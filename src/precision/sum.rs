@@ -366,7 +366,7 @@ mod tests {
             most_for_threads: 5000,
         };
         let points = ways_on(&contact, &case, &task, |_| [5; 32], |_| ()).unwrap();
-        assert_eq!(points.len(), 2 * 7 + 2 * 3 + 3);
+        assert_eq!(points.len(), 2 * 8 + 2 * 4 + 4);
         let at =
             |sweep, way: Way| points.iter().rfind(|point| point.sweep == sweep && point.way == way).unwrap();
         for ordered in [false, true] {

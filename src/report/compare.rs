@@ -402,8 +402,25 @@ fn limits(page: &mut Page, results: &CompareResults) {
             limits_of(&mut lines, &subject(results, found, law), found, &cases);
         }
     }
+    lines.extend(tolerance(results));
     lines.extend(assumptions(results));
     page.bullets(lines);
+}
+
+/// How far curves are off that were not asked everywhere.
+fn tolerance(results: &CompareResults) -> Option<String> {
+    let of = |kind: Kind| {
+        let tolerance = results.tolerances.of(kind)?;
+        Some(format!("of the {} model within {tolerance:e} of its own answer", kind.name()))
+    };
+    let held: Vec<String> = [Kind::Statistical, Kind::Deterministic].into_iter().filter_map(of).collect();
+    (!held.is_empty()).then(|| {
+        format!(
+            "Over d/σ the models were asked at some of the points, the rest is interpolated and checked: load and area are \
+             {}; shares of the regimes, stiffness and sampling errors are interpolated alike.",
+            held.join(", ")
+        )
+    })
 }
 
 /// What all answers take for granted.

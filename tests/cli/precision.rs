@@ -82,7 +82,7 @@ fn times_and_errors_are_what_they_should_be() {
     assert_eq!(names.len(), 12, "{names:?}");
 
     let sums = table(&report, "sum.csv");
-    assert_eq!(sums.len(), 2 * 7 + 2 * 3 + 2 * 3);
+    assert_eq!(sums.len(), 2 * 8 + 2 * 4 + 2 * 4);
     let of_largest = |way: &str| {
         let is_it =
             |row: &&Row| row["varied"] == "asperities" && row["way"] == way && row["asperities"] == "50000";
@@ -123,7 +123,7 @@ fn times_and_errors_are_what_they_should_be() {
 fn the_largest_sets_are_run_only_in_full() {
     let (folder, out) = written(&["--full", "--quiet"]);
     let sums = table(&out.join("small"), "sum.csv");
-    assert_eq!(sums.len(), 3 * 7 + 2 * 3 + 2 * 3);
+    assert_eq!(sums.len(), 3 * 8 + 2 * 4 + 2 * 4);
     assert!(sums.iter().any(|row| row["asperities"] == "60000" && row["varied"] == "asperities"));
     assert!(sums.iter().all(|row| row["asperities"] != "60000" || row["varied"] != "threads"));
     assert_eq!(summary(&out, "small")["precision"]["full"], true);

@@ -13,6 +13,7 @@ use indexmap::IndexMap;
 use serde::{Deserialize, Serialize};
 
 use super::limit::Slope;
+use crate::compare::Tolerances;
 use crate::experiment::results::{CompareResults, ContactHead, Head, LimitResults, SurfacesResults};
 use crate::experiment::{LawsResults, StabilityResults};
 pub use indentation::indentation;
@@ -41,6 +42,8 @@ struct Summary<'a> {
     hardness_pa: Option<f64>,
     #[serde(skip_serializing_if = "Option::is_none")]
     layer: Option<LayerSummary<'a>>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    tolerance: Option<ToleranceSummary>,
     surfaces: IndexMap<&'a str, SurfaceSummary<'a>>,
     largest_gaps: Vec<GapSummary<'a>>,
     #[serde(skip_serializing_if = "Vec::is_empty")]
@@ -60,6 +63,13 @@ struct Summary<'a> {
     stability: Option<StabilitySummary>,
     papers: Vec<&'static str>,
     files: &'a [String],
+}
+
+/// Of the curves over d/sigma; `None` where they are exact.
+#[derive(Serialize)]
+struct ToleranceSummary {
+    statistical: Option<f64>,
+    deterministic: Option<f64>,
 }
 
 #[derive(Serialize)]
@@ -100,6 +110,7 @@ impl<'a> Summary<'a> {
             looked_at: None,
             reduced_modulus_pa: contact.map(|contact| contact.reduced_modulus),
             hardness_pa: contact.and_then(|contact| contact.hardness),
+            tolerance: None,
             surfaces: IndexMap::new(),
             layer: contact.and_then(|contact| contact.layer.as_ref()).map(layer::summary),
             largest_gaps: Vec::new(),
@@ -149,6 +160,9 @@ pub fn stability(results: &StabilityResults, files: &[String]) -> serde_json::Re
 fn compared<'a>(results: &'a CompareResults, files: &'a [String]) -> Summary<'a> {
     let mut summary = Summary::new(&results.head, Some(&results.contact), files);
     summary.warnings = results.warnings();
+    let Tolerances { statistical, deterministic } = results.tolerances;
+    summary.tolerance =
+        statistical.or(deterministic).map(|_| ToleranceSummary { statistical, deterministic });
     for found in &results.surfaces {
         summary.surfaces.insert(&found.surface.name, surface::compared(found));
         summary.layer_thresholds.extend(layer::thresholds(found));

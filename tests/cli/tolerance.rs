@@ -1,0 +1,61 @@
+//! `tolerance` in `[compare]`.
+
+use super::*;
+
+const SPEC: &str = r#"
+title = "a fine curve"
+seed = 3
+[material.steel]
+young = "210 GPa"
+poisson = 0.3
+hardness = "7.6 GPa"
+[compare]
+rough = "steel"
+flat = "steel"
+law = "zmc"
+separation = { from = 4, to = 0, points = 401 }
+[surface.drawn.population]
+radius = "20 um"
+sigma = "48 nm"
+density = "6e10 /m^2"
+count = 50000
+"#;
+
+#[test]
+fn a_curve_within_a_tolerance_says_so_and_holds_it() {
+    let folder = tempfile::tempdir().unwrap();
+    let out = folder.path().join("reports");
+    let mut curves = Vec::new();
+    for (name, tolerance) in
+        [("exact", ""), ("near", "tolerance = { statistical = 1e-8, deterministic = 1e-3 }\nseparation = {")]
+    {
+        let spec = folder.path().join(format!("{name}.toml"));
+        let words =
+            if tolerance.is_empty() { SPEC.to_owned() } else { SPEC.replace("separation = {", tolerance) };
+        fs::write(&spec, words).unwrap();
+        let output = run(&spec, &out, &[]);
+        assert!(output.status.success(), "{}", text(&output.stderr));
+        let mut reader = csv::Reader::from_path(out.join(name).join("curves.csv")).unwrap();
+        let rows: Vec<csv::StringRecord> = reader.records().map(Result::unwrap).collect();
+        assert_eq!(rows.len(), 2 * 401);
+        curves.push(rows);
+    }
+    let mut differing = 0;
+    for (exact, near) in curves[0].iter().zip(&curves[1]) {
+        let within = if &exact[4] == "statistical" { 1e-8 } else { 1e-3 };
+        // Pressure and area ratio.
+        for column in [9, 11] {
+            let [exact, near] = [exact, near].map(|row| row[column].parse::<f64>().unwrap());
+            assert!((near - exact).abs() <= within * exact, "{near} for {exact}");
+            differing += usize::from(near != exact);
+        }
+    }
+    assert!(differing > 400, "{differing}");
+    let read = |name: &str, file: &str| fs::read_to_string(out.join(name).join(file)).unwrap();
+    assert!(read("near", "report.md").contains("of the deterministic model within 1e-3 of its own answer"));
+    assert!(!read("exact", "report.md").contains("of its own answer"));
+    let summary: serde_json::Value = serde_json::from_str(&read("near", "summary.json")).unwrap();
+    assert_eq!(summary["tolerance"]["statistical"], 1e-8);
+    let summary: serde_json::Value = serde_json::from_str(&read("exact", "summary.json")).unwrap();
+    assert!(summary.get("tolerance").is_none());
+}

@@ -1,0 +1,105 @@
+//! Curves within a tolerance: how far they are off, and what they cost.
+
+use asperity::asperity::{Draw, HeightDensity, Population};
+use asperity::interface::{Interface, MicroContact};
+use asperity::law::{Ceb, Hertz, Law, Zmc};
+use asperity::material::Material;
+use asperity::model::{Datum, Deterministic, Model, Response, Statistical, respond_within};
+
+const CASES: [Population; 2] = [
+    Population { radius: 2e-5, sigma: 4.8e-8, density: 6e10, heights: HeightDensity::Gaussian },
+    Population { radius: 1.6e-6, sigma: 2.6e-7, density: 9e10, heights: HeightDensity::Gaussian },
+];
+
+fn steel() -> Material {
+    Material::new(210e9, 0.3, Some(7.6e9), None).unwrap()
+}
+
+fn bare(law: impl Law) -> impl MicroContact {
+    Interface::bare(law, &steel(), &steel()).unwrap()
+}
+
+fn sweep(points: usize) -> Vec<f64> {
+    (0..points).map(|k| 4.0 - 4.0 * k as f64 / (points - 1) as f64).collect()
+}
+
+/// The largest relative error of load and area, and the largest error of the shares of their regimes.
+fn errors(found: &[Response], exact: &[Response]) -> [f64; 2] {
+    let relative = |a: f64, b: f64| if a == b { 0.0 } else { (a / b - 1.0).abs() };
+    let mut worst = [0.0f64; 2];
+    for (found, exact) in found.iter().zip(exact) {
+        assert_eq!(found.separation_over_sigma, exact.separation_over_sigma);
+        assert_eq!(found.separation, exact.separation);
+        for (found, exact) in [(found.pressure, exact.pressure), (found.area_ratio, exact.area_ratio)] {
+            worst[0] = worst[0].max(relative(found.total(), exact.total()));
+            let (found, exact) = (found.shares().unwrap_or_default(), exact.shares().unwrap_or_default());
+            worst[1] = found.iter().zip(exact).map(|(a, b)| (a - b).abs()).fold(worst[1], f64::max);
+        }
+    }
+    worst
+}
+
+/// The contacts that are pressed for answers at so many separations, per area.
+fn work(model: &dyn Model, separations: &[f64]) -> f64 {
+    model.count_contacts(separations).unwrap().contacts.iter().sum()
+}
+
+#[test]
+fn a_thousand_integrals_from_fewer_than_a_hundred() {
+    let (zmc, hertz, ceb) = (bare(Zmc::default()), bare(Hertz), bare(Ceb));
+    for population in CASES {
+        for contact in [&zmc as &dyn MicroContact, &hertz, &ceb] {
+            let model = Statistical::new(contact, population);
+            let curve = respond_within(&model, &sweep(1000), 1e-8);
+            let off = errors(&curve.responses, &model.respond_all(&sweep(1000)));
+            assert!(off.iter().all(|off| *off <= 1e-8), "{off:?}");
+            assert!(curve.asked.len() <= 100, "{} of 1000", curve.asked.len());
+        }
+    }
+}
+
+#[test]
+fn a_thousand_sums_for_no_more_than_twice_the_contacts_of_fifty() {
+    let zmc = bare(Zmc::default());
+    for (population, seed) in CASES.into_iter().zip([1, 2]) {
+        let set = population.set(1_000_000, Draw::Random([seed; 32])).unwrap();
+        let model = Deterministic::new(&zmc, set.spheres(), Datum { mean: 0.0, sigma: population.sigma });
+        let curve = respond_within(&model, &sweep(1000), 1e-4);
+        let exact = model.respond_all(&sweep(1000));
+        let [off, shares] = errors(&curve.responses, &exact);
+        let cost = work(&model, &curve.asked) / work(&model, &sweep(50));
+        println!(
+            "{} asked, {cost:.2} times the contacts of 50, off by {off:.1e}, shares by {shares:.1e}",
+            curve.asked.len()
+        );
+        assert!(off <= 1e-4 && cost <= 1.5, "{off:e} {cost}");
+        assert!(shares <= 1e-2, "{shares:e}");
+        // Contacts are counted.
+        assert!(curve.responses.iter().zip(&exact).all(|(a, b)| a.contact_density == b.contact_density));
+    }
+}
+
+/// Few asperities, and a law whose load jumps: every point is asked for, and exact.
+#[test]
+fn what_cannot_be_foretold_is_asked() {
+    let ceb = bare(Ceb);
+    let set = CASES[1].set(30, Draw::Random([3; 32])).unwrap();
+    let model = Deterministic::new(&ceb, set.spheres(), Datum { mean: 0.0, sigma: CASES[1].sigma });
+    let curve = respond_within(&model, &sweep(300), 1e-6);
+    assert!(errors(&curve.responses, &model.respond_all(&sweep(300)))[0] <= 1e-6);
+    assert!(curve.asked.len() > 100);
+}
+
+/// Whatever the order of the separations, also twice the same, beyond the highest asperity, or few of them.
+#[test]
+fn any_list_of_separations() {
+    let zmc = bare(Zmc::default());
+    let set = CASES[0].set(20_000, Draw::Quantiles).unwrap();
+    let model = Deterministic::new(&zmc, set.spheres(), Datum { mean: 0.0, sigma: CASES[0].sigma });
+    let mixed: Vec<f64> = (0..400).map(|k| f64::from((k * 37) % 200) * 0.05 - 2.0).collect();
+    for separations in [&mixed[..], &mixed[..5], &[9.0; 40], &[]] {
+        let curve = respond_within(&model, separations, 1e-3);
+        assert_eq!(curve.responses.len(), separations.len());
+        assert!(errors(&curve.responses, &model.respond_all(separations))[0] <= 1e-3);
+    }
+}
