@@ -25,7 +25,8 @@ impl Levels {
         let count = CELLS * separations.len();
         let (highest, lowest) = (separations[0], separations[separations.len() - 1]);
         let span = highest - lowest;
-        let cells_per_metre = if span > 0.0 { (count - 1) as f64 / span } else { 0.0 };
+        // Finite also where separations are next to each other.
+        let cells_per_metre = if span > 0.0 { ((count - 1) as f64 / span).min(f64::MAX) } else { 0.0 };
         let mut levels = Self { separations, lowest, above: vec![0; count], cells_per_metre };
         for k in 0..levels.count() {
             let cell = levels.cell(levels.separations[k]);
@@ -162,5 +163,44 @@ impl Block {
         let count = self.ends[level];
         let spheres = asperities.spheres().map(|_| &self.spheres[..count]);
         Asperities::new(&self.heights[..count], &self.radii[..count], spheres, asperities.nominal_area())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Separations far apart, equal, and next to each other; heights on them, beside them and far away.
+    #[test]
+    fn at_each_separation_those_above_it_are_a_prefix() {
+        let tiny = f64::MIN_POSITIVE;
+        let lists: [&[f64]; 6] = [
+            &[4.0, 3.0, 2.5, 1.0, 0.0],
+            &[1e30, 1.0, 1.0, -1e30],
+            &[2.0 * tiny, tiny, 0.0],
+            &[1.0, 1f64.next_down()],
+            &[0.5],
+            &[7.0, 7.0, 7.0],
+        ];
+        let mut heights: Vec<f64> = (0..400).map(|k| f64::from((k * 37) % 101) * 0.07 - 2.0).collect();
+        for separations in lists {
+            heights.extend(separations.iter().flat_map(|&z| [z, z.next_up(), z.next_down(), -z]));
+        }
+        let radii: Vec<f64> = (1..=heights.len()).map(|k| k as f64).collect();
+        let all = Asperities::new(&heights, &radii, Some(&radii), 1.0);
+        let mut block = Block::default();
+        for separations in lists {
+            let levels = Levels::new(separations.to_vec());
+            block.fill(all, &levels);
+            let counts = levels.count_above(&heights);
+            for (level, &separation) in separations.iter().enumerate() {
+                let mut found: Vec<_> =
+                    block.above(level, &all).each().map(|(z, shape)| (shape.radius as usize, z)).collect();
+                found.sort_by_key(|(index, _)| *index);
+                let exact = (1..).zip(heights.iter().copied()).filter(|(_, z)| *z > separation);
+                assert_eq!(found, exact.collect::<Vec<_>>(), "{separation} of {separations:?}");
+                assert_eq!(counts[level], found.len() as u64);
+            }
+        }
     }
 }

@@ -30,7 +30,7 @@ const INTERVALS: usize = 8;
 ///
 /// The model is asked at some of the separations, the rest is interpolated: an interval between two answers is asked
 /// in its middle and halved, until the answer there is what its neighbours foretold, and of a sum until the asperities
-/// between two answers are too few to matter ([`Kinks`]). What cannot be foretold is asked everywhere. The number of contacts of a sum is counted, not interpolated.
+/// between two answers are too few to matter (`Kinks`). What cannot be foretold is asked everywhere. The number of contacts of a sum is counted, not interpolated.
 pub fn respond_within(model: &dyn Model, separations: &[f64], tolerance: f64) -> Curve {
     if separations.len() < FEWEST {
         return Curve { responses: model.respond_all(separations), asked: separations.to_vec() };
