@@ -288,6 +288,14 @@ impl<N: Real> SideBySide<N> {
 
     #[inline(always)]
     fn add_few(&mut self, few: &Handful<N>) {
+        self.add_plain(few);
+        self.area_squared.add(few.area_squared);
+        self.load_squared.add(few.load_squared);
+    }
+
+    /// All but the squares.
+    #[inline(always)]
+    fn add_plain(&mut self, few: &Handful<N>) {
         for regime in 0..3 {
             if few.holds[regime] {
                 self.holds[regime] = true;
@@ -296,8 +304,6 @@ impl<N: Real> SideBySide<N> {
             }
         }
         self.stiffness.add(few.stiffness);
-        self.area_squared.add(few.area_squared);
-        self.load_squared.add(few.load_squared);
     }
 
     /// Adds `weights` contacts of each kind (quadrature weights, in the statistical model).
@@ -306,14 +312,7 @@ impl<N: Real> SideBySide<N> {
         let mut few = Handful::new(self.zero);
         few.add(&contact.times(weights));
         self.weights.add(weights);
-        for regime in 0..3 {
-            if few.holds[regime] {
-                self.holds[regime] = true;
-                self.area[regime].add(few.area[regime]);
-                self.load[regime].add(few.load[regime]);
-            }
-        }
-        self.stiffness.add(few.stiffness);
+        self.add_plain(&few);
     }
 }
 

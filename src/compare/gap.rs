@@ -41,13 +41,15 @@ impl Gap {
 pub struct Gaps {
     /// Number of pairs that count.
     pub pairs: usize,
-    /// One for each quantity.
+    /// One for each quantity that differs by more than rounding, whose largest place would be chance.
     pub largest: Vec<Gap>,
 }
 
 impl Gaps {
     /// The largest gaps of `pairs` on the nominal area `area` (m^2), separations in units of `sigma` (m).
     pub fn of(pairs: &[Pair], area: f64, sigma: f64) -> Self {
+        /// In sigma, or in parts of the quantity: more than load control leaves.
+        const ROUNDING: f64 = 1e-10;
         let trusted = |pair: &&Pair| {
             !pair.is_beyond_model() && pair.deterministic.contact_density * area >= FEWEST_CONTACTS
         };
@@ -57,6 +59,7 @@ impl Gaps {
                 .iter()
                 .filter(|pair| pair.pairing == pairing)
                 .map(|pair| gap_of(pair))
+                .filter(|gap| size(gap) > ROUNDING)
                 .max_by(|a, b| size(a).total_cmp(&size(b)))
         };
         let by_ratio: fn(&Gap) -> f64 = |gap| gap.ratio().ln().abs();
@@ -150,5 +153,21 @@ mod tests {
             (area.ratio() - 0.3).abs() < 1e-15 && (area.over_sampling_error.unwrap() - 70.0).abs() < 1e-9
         );
         assert_eq!((pressure.ratio(), pressure.over_sampling_error), (1.5, Some(5.0)));
+    }
+
+    #[test]
+    fn what_is_equal_but_for_rounding_is_no_gap() {
+        let one = response(3.0, 1e-3, 100.0, 50.0);
+        let other = response(3.0 + 1e-14, 1e-3 * (1.0 + 1e-13), 101.0, 50.0);
+        let pairs = [Pairing::Load, Pairing::Separation].map(|pairing| Pair {
+            pairing,
+            target: 1.0,
+            statistical: one,
+            deterministic: other,
+        });
+        let gaps = Gaps::of(&pairs, 1.0, 1e-8);
+        assert_eq!(gaps.pairs, 2);
+        let quantities: Vec<&str> = gaps.largest.iter().map(|gap| gap.quantity).collect();
+        assert_eq!(quantities, ["pressure_pa"]);
     }
 }

@@ -30,6 +30,18 @@ pub struct Exact {
     pub pressure: f64,
 }
 
+impl Exact {
+    /// Where the integral itself is the limit, `density` asperities a nominal area (1/m^2).
+    pub fn of_integral(statistical: Response, density: f64) -> Self {
+        Self {
+            statistical,
+            contact_fraction: statistical.contact_density / density,
+            area_ratio: statistical.area_ratio.total(),
+            pressure: statistical.pressure.total(),
+        }
+    }
+}
+
 /// Sets of one size at one separation under one law.
 #[derive(Debug, Clone, PartialEq)]
 pub struct LimitPoint {

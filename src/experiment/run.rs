@@ -265,20 +265,15 @@ fn reference(law: &LawPlan) -> &'static str {
 fn exact(law: &LawPlan, population: Population, h: f64) -> Exact {
     let Population { radius, sigma, density, .. } = population;
     let integral = Statistical::new(&*law.contact, population).respond(h);
-    let (area_ratio, pressure) = if law.spec.is_greenwood_williamson() {
-        let modulus = law.contact.reference_modulus();
-        (
-            std::f64::consts::PI * density * radius * sigma * gaussian_moment(1.0, h),
-            4.0 / 3.0 * density * modulus * radius.sqrt() * sigma.powf(1.5) * gaussian_moment(1.5, h),
-        )
-    } else {
-        (integral.area_ratio.total(), integral.pressure.total())
-    };
+    let limit = Exact::of_integral(integral, density);
+    if !law.spec.is_greenwood_williamson() {
+        return limit;
+    }
+    let modulus = law.contact.reference_modulus();
     Exact {
-        statistical: integral,
-        contact_fraction: integral.contact_density / density,
-        area_ratio,
-        pressure,
+        area_ratio: std::f64::consts::PI * density * radius * sigma * gaussian_moment(1.0, h),
+        pressure: 4.0 / 3.0 * density * modulus * radius.sqrt() * sigma.powf(1.5) * gaussian_moment(1.5, h),
+        ..limit
     }
 }
 

@@ -43,43 +43,10 @@ impl<A: Answers> Work for Press<'_, A> {
         let Self { contact, asperities, separation, tally } = self;
         let (heights, radii) = (asperities.heights(), asperities.radii());
         let lanes = match asperities.spheres() {
-            // The compiler leaves out a multiplication by one.
-            None => press_lanes(contact, zero, separation, [heights, radii], zero.splat(1.0)),
-            Some(spheres) => press_lanes(contact, zero, separation, [heights, radii], spheres),
+            None => press_lanes::<N, A, false>(contact, zero, separation, [heights, radii, radii]),
+            Some(spheres) => press_lanes::<N, A, true>(contact, zero, separation, [heights, radii, spheres]),
         };
         tally.add_lanes(&lanes);
-    }
-}
-
-/// How many spheres stand for each asperity.
-trait Spheres<N> {
-    /// For those from `start` on.
-    fn from(self, start: usize, zero: N) -> N;
-    /// For the last few, from `start` on, and for the last of them beyond.
-    fn rest(self, start: usize, zero: N) -> N;
-}
-
-impl<N: Real> Spheres<N> for N {
-    #[inline(always)]
-    fn from(self, _: usize, _: N) -> N {
-        self
-    }
-
-    #[inline(always)]
-    fn rest(self, _: usize, _: N) -> N {
-        self
-    }
-}
-
-impl<N: Real> Spheres<N> for &[f64] {
-    #[inline(always)]
-    fn from(self, start: usize, zero: N) -> N {
-        zero.load(&self[start..])
-    }
-
-    #[inline(always)]
-    fn rest(self, start: usize, zero: N) -> N {
-        rest(&self[start..], zero).0
     }
 }
 
@@ -90,13 +57,13 @@ fn rest<N: Real>(values: &[f64], zero: N) -> (N, N::Mask) {
     (N::choose(present, few, zero.splat(values[values.len() - 1])), present)
 }
 
+/// Presses asperities of some heights and radii, for each of which one sphere stands or, of ellipses, so many.
 #[inline(always)]
-fn press_lanes<N: Real, A: Answers>(
+fn press_lanes<N: Real, A: Answers, const ELLIPSES: bool>(
     contact: A,
     zero: N,
     separation: f64,
-    [heights, radii]: [&[f64]; 2],
-    spheres: impl Spheres<N> + Copy,
+    [heights, radii, spheres]: [&[f64]; 3],
 ) -> SideBySide<N> {
     let count = heights.len();
     let mut lanes = SideBySide::new(zero);
@@ -106,7 +73,9 @@ fn press_lanes<N: Real, A: Answers>(
         for _ in 0..FEW {
             if start + N::LANES <= count {
                 let w = zero.load(&heights[start..]) - separation;
-                few.add(&contact.answers(w, zero.load(&radii[start..]), spheres.from(start, zero)));
+                // The compiler leaves out a multiplication by one.
+                let n = if ELLIPSES { zero.load(&spheres[start..]) } else { zero.splat(1.0) };
+                few.add(&contact.answers(w, zero.load(&radii[start..]), n));
                 start += N::LANES;
             }
         }
@@ -116,11 +85,8 @@ fn press_lanes<N: Real, A: Answers>(
         // Lanes without an asperity take the last one's place, and do not count.
         let (z, present) = rest(&heights[start..], zero);
         let (b, _) = rest(&radii[start..], zero);
-        lanes.add_part(
-            &contact.answers(z - separation, b, spheres.rest(start, zero)),
-            present,
-            count - start,
-        );
+        let n = if ELLIPSES { rest(&spheres[start..], zero).0 } else { zero.splat(1.0) };
+        lanes.add_part(&contact.answers(z - separation, b, n), present, count - start);
     }
     lanes
 }

@@ -3,7 +3,7 @@
 use std::f64::consts::PI;
 
 use super::ceb::{CRITICAL, HARDNESS_FACTOR};
-use super::{FullyPlastic, Hertz, Law, OfPoisson, Pair, Property, Resistance, Similar, exponents_passed};
+use super::{Hertz, Law, OfPoisson, Pair, Property, Resistance, Similar, exponents_passed, in_range};
 use crate::contact::Contacts;
 use crate::literature::{self, Paper};
 use crate::material::Material;
@@ -115,16 +115,8 @@ impl Law for KogutEtsion {
         }
         let u = w / critical;
         let plastic = w.splat(PLASTIC).at_most(u);
-        let mut contacts = elastic_plastic(w, b, u, critical, pair.resistance.onset);
-        if plastic.any() {
-            let flowing = FullyPlastic::plastic(w, b, pair.resistance.strength);
-            contacts = Contacts::choose(plastic, &flowing, &contacts);
-        }
-        if elastic.any() {
-            let springing = Hertz::elastic(w, b, pair.reduced_modulus);
-            contacts = Contacts::choose(elastic, &springing, &contacts);
-        }
-        contacts
+        let flowing = elastic_plastic(w, b, u, critical, pair.resistance.onset);
+        in_range(w, b, pair, [elastic, plastic], flowing)
     }
 
     fn critical_ratios(&self, pair: &Pair) -> Vec<f64> {

@@ -33,7 +33,7 @@ use crate::contact::{Contact, Contacts};
 use crate::literature::Paper;
 use crate::material::{Material, reduced_modulus};
 use crate::numeric::interval::Interval;
-use crate::numeric::lanes::Real;
+use crate::numeric::lanes::{Mask, Real};
 
 /// What a body sets against yielding, as a law sees it. Of a pair, the onset is that of the body that yields first, the
 /// strength that of the weaker one.
@@ -310,6 +310,26 @@ pub trait Similar: Law {
     fn by_hardness(&self, body: &Material) -> Resistance {
         body.hardness().map_or(Resistance::ENDLESS, |hardness| self.of_hardness(hardness, body.poisson()))
     }
+}
+
+/// Hertz where contacts are `elastic`, Abbott and Firestone where they are `plastic`, `flowing` between.
+#[inline(always)]
+fn in_range<N: Real>(
+    w: N,
+    b: N,
+    pair: &Pair<N>,
+    [elastic, plastic]: [N::Mask; 2],
+    flowing: Contacts<N>,
+) -> Contacts<N> {
+    let mut contacts = flowing;
+    if plastic.any() {
+        contacts =
+            Contacts::choose(plastic, &FullyPlastic::plastic(w, b, pair.resistance.strength), &contacts);
+    }
+    if elastic.any() {
+        contacts = Contacts::choose(elastic, &Hertz::elastic(w, b, pair.reduced_modulus), &contacts);
+    }
+    contacts
 }
 
 /// The hull of `exponents` (each from its u on, ascending, the first from 0) over the ranges that `u` passes.

@@ -2,7 +2,7 @@
 
 use std::f64::consts::PI;
 
-use super::{FullyPlastic, Hertz, Law, Pair, Property, Resistance, Similar};
+use super::{Hertz, Law, Pair, Property, Resistance, Similar, in_range};
 use crate::contact::Contacts;
 use crate::literature::{self, Paper};
 use crate::material::Material;
@@ -140,16 +140,8 @@ impl Law for Zmc {
         }
         let u = w / w1;
         let plastic = w.splat(self.transition_ratio).at_most(u);
-        let mut contacts = self.elastic_plastic(w, b, u, pair.resistance.onset);
-        if plastic.any() {
-            let flowing = FullyPlastic::plastic(w, b, pair.resistance.strength);
-            contacts = Contacts::choose(plastic, &flowing, &contacts);
-        }
-        if elastic.any() {
-            let springing = Hertz::elastic(w, b, pair.reduced_modulus);
-            contacts = Contacts::choose(elastic, &springing, &contacts);
-        }
-        contacts
+        let flowing = self.elastic_plastic(w, b, u, pair.resistance.onset);
+        in_range(w, b, pair, [elastic, plastic], flowing)
     }
 
     fn critical_ratios(&self, pair: &Pair) -> Vec<f64> {

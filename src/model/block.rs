@@ -1,6 +1,7 @@
 //! Some asperities in the order in which an approaching flat touches them.
 
 use crate::asperity::Asperities;
+use crate::numeric::WHOLES;
 
 /// The separations of a curve, m, largest first.
 pub(super) struct Levels {
@@ -41,6 +42,11 @@ impl Levels {
         self.above.len() / CELLS
     }
 
+    /// The separations, m, largest first.
+    pub(super) fn separations(&self) -> &[f64] {
+        &self.separations[..self.count()]
+    }
+
     /// How many of `heights` (m) lie above each separation.
     pub(super) fn count_above(&self, heights: &[f64]) -> Vec<u64> {
         let mut counts = vec![0; self.count() + 1];
@@ -59,9 +65,8 @@ impl Levels {
     /// The cell of a height (m) above the lowest separation, which grows with it.
     #[inline(always)]
     fn cell(&self, height: f64) -> u16 {
-        /// Added to a small number, the last bits of the sum are the whole number next to it.
-        const WHOLES: f64 = 4_503_599_627_370_496.0;
         let last = (self.above.len() - 1) as f64;
+        // Its last bits are the whole number next to what is added.
         (((height - self.lowest) * self.cells_per_metre).min(last) + WHOLES).to_bits() as u16
     }
 

@@ -111,7 +111,6 @@ impl Interval {
 /// With n of them at random over an interval of length l, sum(z - d) over those in contact, which the area follows,
 /// differs from a smooth curve through both ends by some n^.5 l/7; it is the integral of the number of contacts.
 struct Kinks {
-    separations: Vec<f64>,
     contacts: Vec<f64>,
     /// Of the contacts, from each separation to the last.
     integral: Vec<f64>,
@@ -125,15 +124,14 @@ impl Kinks {
             let step = separations[k] - separations[k - 1];
             integral[k - 1] = integral[k] + 0.5 * step * (contacts[k - 1] + contacts[k]);
         }
-        Self { separations: separations.to_vec(), contacts, integral }
+        Self { contacts, integral }
     }
 
-    /// Whether they may be worth `tolerance` of the area in either half of an interval.
-    fn matter(&self, &Interval([from, to]): &Interval, tolerance: f64) -> bool {
+    /// Whether they may be worth `tolerance` of the area in either half of an interval of `length`.
+    fn matter(&self, &Interval([from, to]): &Interval, length: f64, tolerance: f64) -> bool {
         /// Deviations that count, of 1/7 each.
         const DEVIATIONS: f64 = 3.0 / 7.0;
-        let halves = (0.5 * (self.contacts[from] - self.contacts[to])).sqrt()
-            * (0.5 * (self.separations[to] - self.separations[from]));
+        let halves = (0.5 * (self.contacts[from] - self.contacts[to])).sqrt() * (0.5 * length);
         let is_safe = DEVIATIONS * halves <= tolerance * self.integral[to];
         !is_safe
     }
@@ -186,7 +184,10 @@ impl Sketch {
             };
             let mut next = Vec::new();
             for (interval, foretold) in open.iter().zip(&foretold) {
-                let is_rough = self.kinks.as_ref().is_some_and(|kinks| kinks.matter(interval, tolerance));
+                let Interval([from, to]) = *interval;
+                let length = self.separations[to] - self.separations[from];
+                let is_rough =
+                    self.kinks.as_ref().is_some_and(|kinks| kinks.matter(interval, length, tolerance));
                 if is_rough || is_off(interval.middle(), foretold) {
                     next.extend(interval.halves());
                 }

@@ -24,8 +24,6 @@ pub struct Deterministic<'a, C: ?Sized> {
     contact: &'a C,
     asperities: Asperities<'a>,
     datum: Datum,
-    /// m.
-    highest: f64,
     /// Found when a load is first asked for.
     falls: OnceLock<Option<Falls>>,
 }
@@ -79,6 +77,21 @@ impl Falls {
     }
 }
 
+/// Asks `of` for an answer at each of `separations` (m), few of them at a time and the largest first; the answers stand in
+/// the order of `separations`.
+fn on_levels<T: Clone + Default>(separations: &[f64], of: impl Fn(&Levels) -> Vec<T>) -> Vec<T> {
+    let mut order: Vec<usize> = (0..separations.len()).collect();
+    order.sort_by(|&a, &b| separations[b].total_cmp(&separations[a]));
+    let mut answers = vec![T::default(); separations.len()];
+    for some in order.chunks(Levels::MOST) {
+        let found = of(&Levels::new(some.iter().map(|&k| separations[k]).collect()));
+        for (&k, answer) in some.iter().zip(found) {
+            answers[k] = answer;
+        }
+    }
+    answers
+}
+
 /// Blocks that one task adds up, at the most.
 const BLOCKS_PER_TASK: usize = 16;
 
@@ -88,7 +101,7 @@ const TASKS: usize = 32;
 impl<'a, C: MicroContact + ?Sized> Deterministic<'a, C> {
     /// The model of asperities, with separations measured as `datum` says.
     pub fn new(contact: &'a C, asperities: Asperities<'a>, datum: Datum) -> Self {
-        Self { contact, asperities, datum, highest: asperities.highest(), falls: OnceLock::new() }
+        Self { contact, asperities, datum, falls: OnceLock::new() }
     }
 
     /// What the asperities above `separation` (m, in the frame of the set's heights) add up to.
@@ -98,25 +111,12 @@ impl<'a, C: MicroContact + ?Sized> Deterministic<'a, C> {
 
     /// The same at each of many separations.
     pub fn tallies(&self, separations: &[f64]) -> Vec<Tally> {
-        let mut order: Vec<usize> = (0..separations.len()).collect();
-        order.sort_by(|&a, &b| separations[b].total_cmp(&separations[a]));
-        let mut tallies = vec![Tally::default(); separations.len()];
-        for some in order.chunks(Levels::MOST) {
-            let found = self.descend(some.iter().map(|&k| separations[k]).collect());
-            for (&k, tally) in some.iter().zip(found) {
-                tallies[k] = tally;
-            }
-        }
-        tallies
+        on_levels(separations, |levels| self.descend(levels))
     }
 
-    /// The same at few separations, the largest first.
-    fn descend(&self, separations: Vec<f64>) -> Vec<Tally> {
-        let nothing = vec![Tally::default(); separations.len()];
-        if separations.last().is_none_or(|&lowest| lowest >= self.highest) {
-            return nothing;
-        }
-        let levels = Levels::new(separations.clone());
+    /// The same on the way down through few separations.
+    fn descend(&self, levels: &Levels) -> Vec<Tally> {
+        let nothing = vec![Tally::default(); levels.separations().len()];
         let count = self.asperities.count();
         let blocks = count.div_ceil(Block::MOST);
         let per_task = Block::MOST * (blocks / TASKS).clamp(1, BLOCKS_PER_TASK);
@@ -125,8 +125,9 @@ impl<'a, C: MicroContact + ?Sized> Deterministic<'a, C> {
             let end = count.min((task + 1) * per_task);
             for start in (task * per_task..end).step_by(Block::MOST) {
                 let asperities = self.asperities.part(start..end.min(start + Block::MOST));
-                block.fill(asperities, &levels);
-                for (level, (&separation, tally)) in separations.iter().zip(&mut tallies).enumerate() {
+                block.fill(asperities, levels);
+                let each = levels.separations().iter().zip(&mut tallies);
+                for (level, (&separation, tally)) in each.enumerate() {
                     let touching = block.above(level, &asperities);
                     if touching.count() > 0 {
                         self.contact.press(touching, separation, tally);
@@ -213,23 +214,19 @@ impl<C: MicroContact + ?Sized> Model for Deterministic<'_, C> {
     }
 
     fn count_contacts(&self, separations: &[f64]) -> Option<Counted> {
-        let mut order: Vec<usize> = (0..separations.len()).collect();
-        order.sort_by(|&a, &b| separations[b].total_cmp(&separations[a]));
-        let mut contacts = vec![0.0; separations.len()];
-        for some in order.chunks(Levels::MOST) {
-            let levels = Levels::new(some.iter().map(|&k| self.absolute(separations[k])).collect());
-            let counts = in_chunks(
-                self.asperities.count(),
-                |chunk| levels.count_above(&self.asperities.heights()[chunk]),
+        let heights = self.asperities.heights();
+        let absolute: Vec<f64> = separations.iter().map(|&h| self.absolute(h)).collect();
+        let counts = on_levels(&absolute, |levels| {
+            in_chunks(
+                heights.len(),
+                |chunk| levels.count_above(&heights[chunk]),
                 |total: &mut Vec<u64>, part| {
                     total.resize(part.len(), 0);
                     total.iter_mut().zip(part).for_each(|(total, part)| *total += part);
                 },
-            );
-            for (&k, count) in some.iter().zip(counts) {
-                contacts[k] = count as f64;
-            }
-        }
+            )
+        });
+        let contacts = counts.into_iter().map(|count| count as f64).collect();
         Some(Counted { contacts, per_area: self.asperities.nominal_area().recip() })
     }
 
@@ -239,7 +236,7 @@ impl<C: MicroContact + ?Sized> Model for Deterministic<'_, C> {
 
     fn separations_at(&self, pressures: &[f64]) -> Vec<Option<f64>> {
         let in_sigma = |separation: f64| (separation - self.datum.mean) / self.datum.sigma;
-        let highest = in_sigma(self.highest).max(LOWEST_SEPARATION);
+        let highest = in_sigma(self.asperities.highest()).max(LOWEST_SEPARATION);
         let falls = self.falls();
         let falling_from = falls.map_or(LOWEST_SEPARATION, |falls| in_sigma(falls.from));
         let falling_from = falling_from.clamp(LOWEST_SEPARATION, highest);

@@ -88,16 +88,9 @@ pub fn sets_of(
     done: impl Fn(usize),
 ) -> Result<SamplingFindings, SetError> {
     let limit = Statistical::new(contact, *population);
-    let exact = |&h: &f64| {
-        let statistical = limit.respond(h);
-        Exact {
-            statistical,
-            contact_fraction: statistical.contact_density / population.density,
-            area_ratio: statistical.area_ratio.total(),
-            pressure: statistical.pressure.total(),
-        }
-    };
-    let case = LimitCase { law: String::new(), contact, exact: task.separations.iter().map(exact).collect() };
+    let responses = limit.respond_all(&task.separations);
+    let exact = responses.into_iter().map(|response| Exact::of_integral(response, population.density));
+    let case = LimitCase { law: String::new(), contact, exact: exact.collect() };
     let points = convergence(&[case], population, &task.counts, task.draws, &seed, done)?;
     let datum = Datum { mean: 0.0, sigma: population.sigma };
     let mut candidates: Vec<Candidate> = task

@@ -247,9 +247,9 @@ fn sums(page: &mut Page, results: &PrecisionResults) {
         "*Naive*: one term after the other. *Chunks*: 4,096 terms at a time, then the chunks, so that threads can share the work and the order is fixed. \
          *Compensated*: the same with the rounding error of every addition kept. All ask the law asperity by asperity.",
         "*Ordered*: asperities are sorted by height first, so that those below the flat are never touched; otherwise each separation looks at all.",
-        "**Shipped**: the deterministic model as it is: compensated sums in the registers of the machine, with regimes, contacts, \
-         stiffness and sampling errors besides. Blocks of asperities are ordered by the separation that first touches them. *Vectorised*: \
-         the same, each separation by itself.",
+        "*Vectorised*: the deterministic model, compensated sums in the registers of the machine, each separation by itself. **Shipped**: the same with all \
+         separations at once, blocks of asperities ordered by the separation that first touches them. Both answer regimes, contacts, stiffness and sampling \
+         errors besides.",
     ]);
     for case in results.cases.iter().filter(|case| !case.sums.is_empty()) {
         page.heading(3, &case.name);
