@@ -51,4 +51,5 @@ pub mod report;
 pub mod sphere;
 pub mod stability;
 pub mod surface;
+pub mod tally;
 pub mod units;

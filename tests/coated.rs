@@ -90,7 +90,7 @@ fn sums_over_asperities() {
         let radii = members().map(|a| a.number("radius")).collect();
         let set = AsperitySet::new(heights, radii, 1.0).unwrap();
         let d = row.number("separation");
-        let found = Deterministic::new(&*contact, set.spheres(), Datum { mean: 0.0, sigma: 1.0 }).tally(d);
+        let found = Deterministic::new(&*contact, set.spheres(), Datum { mean: 0.0, sigma: 1.0 }).total(d);
         let place = || format!("set {} under {} at {d:e}", row.text("set"), row.text("lead_thickness"));
         assert_eq!(found.contacts(), row.number("contacts"), "{}", place());
         worst.see(found.area().total(), row.number("total_area"), place);

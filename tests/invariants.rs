@@ -66,7 +66,7 @@ fn a_sum_over_a_million_asperities_is_exact_to_4_ulp() {
         for d in [-1e-6, 0.0, 1e-7] {
             let above = ordered.above(d);
             let contacts = || (0..above.count()).map(|i| law.contact(above.heights()[i] - d, above.shape(i)));
-            let found = Deterministic::new(&law, set.spheres(), datum(CASE_2)).tally(d);
+            let found = Deterministic::new(&law, set.spheres(), datum(CASE_2)).total(d);
             let ulp = |exact: f64| exact * f64::EPSILON;
             let (area, load) = (exact_sum(contacts().map(|c| c.area)), exact_sum(contacts().map(|c| c.load)));
             assert!((found.area().total() - area).abs() <= 4.0 * ulp(area));
@@ -93,17 +93,17 @@ fn a_sum_is_the_same_to_the_bit_on_any_number_of_threads() {
 }
 
 #[test]
-fn partial_tallies_merge_into_the_whole() {
+fn partial_totals_merge_into_the_whole() {
     let law = zmc(Zmc::ONSET);
     let (heights, radii): (Vec<f64>, Vec<f64>) =
         (0..1000).map(|i| (f64::from(i) * 1e-10, 1e-6 + f64::from(i % 7) * 1e-7)).unzip();
     let set = |range: std::ops::Range<usize>| {
         AsperitySet::new(heights[range.clone()].to_vec(), radii[range].to_vec(), 1.0).unwrap()
     };
-    let tally = |set: &AsperitySet| Deterministic::new(&law, set.spheres(), datum(CASE_1)).tally(2e-8);
-    let mut parts = tally(&set(0..400));
-    parts.merge(&tally(&set(400..1000)));
-    let whole = tally(&set(0..1000));
+    let total = |set: &AsperitySet| Deterministic::new(&law, set.spheres(), datum(CASE_1)).total(2e-8);
+    let mut parts = total(&set(0..400));
+    parts.merge(&total(&set(400..1000)));
+    let whole = total(&set(0..1000));
     assert_eq!(parts.contacts(), whole.contacts());
     assert!(relative_error(parts.load().total(), whole.load().total()) < 4e-16);
     assert!(relative_error(parts.load_error(1000), whole.load_error(1000)) < 1e-14);
@@ -250,9 +250,9 @@ fn asperities_at_or_below_the_flat_do_not_touch() {
     let law = zmc(Zmc::ONSET);
     let set = AsperitySet::new(vec![3.0, -1.0, 2.0, 1.0, 2.0], vec![1.0; 5], 1.0).unwrap();
     let model = Deterministic::new(&law, set.spheres(), Datum { mean: 0.0, sigma: 1.0 });
-    assert_eq!(model.tally(2.0).contacts(), 1.0);
-    assert_eq!(model.tally(2f64.next_down()).contacts(), 3.0);
-    assert_eq!(model.tally(3.0).contacts(), 0.0);
+    assert_eq!(model.total(2.0).contacts(), 1.0);
+    assert_eq!(model.total(2f64.next_down()).contacts(), 3.0);
+    assert_eq!(model.total(3.0).contacts(), 0.0);
 }
 
 /// Two contacts of loads P and 2P among three asperities: P^2 + 4P^2 - 9P^2/3 = 2P^2. Equal ones do

@@ -9,12 +9,20 @@ for variable in ("OMP_NUM_THREADS", "NUMBA_NUM_THREADS", "RAYON_NUM_THREADS"):
 # Within a thread of ours a dot product must not wake more.
 os.environ["OPENBLAS_NUM_THREADS"] = "1"
 
+import sys
+
+AVX2 = "--avx2" in sys.argv
+if AVX2:
+    # As on a machine without AVX-512, for all sides.
+    os.environ["ASPERITY_LANES"] = "4"
+    os.environ["NUMBA_CPU_NAME"], os.environ["NUMBA_CPU_FEATURES"] = "znver3", ""
+    os.environ["NPY_DISABLE_CPU_FEATURES"] = "X86_V4 AVX512_ICL"
+
 import concurrent.futures
 import json
 import pathlib
 import statistics
 import subprocess
-import sys
 import time
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
@@ -68,7 +76,7 @@ def _cpu(key):
 
 
 def has_avx512():
-    return "avx512f" in _cpu("flags").split()
+    return not AVX2 and "avx512f" in _cpu("flags").split()
 
 
 def machine(*modules):
@@ -85,7 +93,9 @@ def table(head, rows):
 
 
 def publish(name, lines):
-    """Prints the lines; with --write they go into docs/performance.md, between the markers of that name."""
+    """Prints the lines; with --write they go into docs/performance.md, between the markers of that name; those of --avx2
+    have markers of their own."""
+    name += "-avx2" if AVX2 else ""
     text = "\n".join(lines)
     print("\n" + text)
     if "--write" in sys.argv:

@@ -1,7 +1,8 @@
 """The sum beside the peers, in one run: NumPy and numba.
 
     pip install -r benches/peers/requirements.txt
-    python benches/peers/sums.py            # prints a table; --write puts it into docs/performance.md
+    python benches/peers/sums.py            # prints a table; --write puts it into docs/performance.md;
+                                            # --avx2 leaves AVX-512 out, on all sides
 
 A million asperities of each case of Table 1, steel on steel, bare, 50 separations from 4 to 0 sigma: contacts, area and
 load by regime and their sampling errors together, ordering included where the table does not say otherwise. Ours and

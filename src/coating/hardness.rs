@@ -1,6 +1,5 @@
 //! The effective hardness of a layered flat (Pasaribu and Schipper 2005, Eq. 16; Bhattacharya and Nix 1988).
 
-use super::decay::{LAST, decay};
 use crate::material::Material;
 use crate::numeric::interval::Interval;
 use crate::numeric::lanes::Real;
@@ -23,7 +22,7 @@ pub(super) struct EffectiveHardness {
 }
 
 /// Beyond this exponent nothing is left of the layer, however hard it is.
-const GONE: f64 = LAST;
+const GONE: f64 = 180.0;
 
 impl EffectiveHardness {
     /// `None` where neither body has a hardness.
@@ -50,10 +49,11 @@ impl EffectiveHardness {
     pub(super) fn at<N: Real>(&self, depth: N) -> (N, N) {
         let linear = depth * self.factor;
         let x = if self.is_softer { linear * depth } else { linear };
-        let (left, gone) = decay(x);
+        // How much of the layer is left, and the change of that.
+        let (left, lost) = (-x).exp_and_exp_m1();
         let step = self.layer - self.substrate;
         // Positive terms only, whichever body is the harder.
-        let hardness = if self.is_softer { gone * -step + self.layer } else { left * step + self.substrate };
+        let hardness = if self.is_softer { lost * step + self.layer } else { left * step + self.substrate };
         let rate = -step * self.power();
         (hardness, x.lesser(x.splat(GONE)) * rate * left / hardness)
     }

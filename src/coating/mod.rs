@@ -6,9 +6,7 @@
 //! | `weights` | the functions of xi = t/a that say how much layer an asperity feels (Eqs. 17, 18) |
 //! | `modulus` | nu_eff and E_eff by the paper's rule or in series (Eqs. 14, 15) |
 //! | `hardness` | H_eff (Eq. 16) |
-//! | `decay` | exp(-x) and 1 - exp(-x) together |
 
-mod decay;
 mod hardness;
 mod modulus;
 mod weights;

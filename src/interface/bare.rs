@@ -3,12 +3,13 @@
 use super::side_by_side::{Answers, press, weigh};
 use super::{JUMP, LoadBounds, MicroContact, Reference, Shapes};
 use crate::asperity::Asperities;
-use crate::contact::{Contact, Contacts, Tally};
+use crate::contact::{Contact, Contacts};
 use crate::law::{Inapplicable, Law, Pair, Shape};
 use crate::literature::Paper;
 use crate::material::Material;
 use crate::numeric::interval::Interval;
 use crate::numeric::lanes::Real;
+use crate::tally::Tally;
 
 /// A rough and a flat body, both homogeneous, under one law.
 #[derive(Debug, Clone)]

@@ -4,13 +4,14 @@ use super::side_by_side::{Answers, press, weigh};
 use super::{JUMP, LoadBounds, MicroContact, Reference, Shapes};
 use crate::asperity::Asperities;
 use crate::coating::{Bounds, Coating};
-use crate::contact::{Contact, Contacts, Regime, Tally};
+use crate::contact::{Contact, Contacts, Regime};
 use crate::law::{Inapplicable, Pair, Resistance, Shape, Similar};
 use crate::literature::Paper;
 use crate::material::Material;
 use crate::numeric::interval::Interval;
 use crate::numeric::lanes::Real;
 use crate::numeric::root::sign_changes;
+use crate::tally::Tally;
 
 /// A homogeneous rough body on a layered flat under one law: the law sees the pair that each asperity feels at its
 /// own indentation (Pasaribu and Schipper 2005, Eqs. 5, 9 with E_eff, nu_eff, H_eff).

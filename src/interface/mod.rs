@@ -9,11 +9,12 @@ pub use layered::Layered;
 
 use crate::asperity::Asperities;
 use crate::coating::{Coating, CoatingError, Rule};
-use crate::contact::{Contact, Tally};
+use crate::contact::Contact;
 use crate::law::{Inapplicable, Law, Shape, Similar};
 use crate::literature::Paper;
 use crate::material::{Material, reduced_modulus, softer_hardness};
 use crate::numeric::interval::Interval;
+use crate::tally::Tally;
 
 /// The pair that load ratios and the plasticity index refer to: without a layer, whatever the law.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -1,9 +1,10 @@
 //! The contacts of many asperities, in the registers of the machine.
 
 use crate::asperity::Asperities;
-use crate::contact::{Contacts, FEW, Handful, SideBySide, Tally};
+use crate::contact::Contacts;
 use crate::law::Shape;
 use crate::numeric::lanes::{Real, Work, run};
+use crate::tally::{FEW, Handful, SideBySide, Tally};
 
 /// What knows the contacts of asperities side by side.
 pub(super) trait Answers {

@@ -24,11 +24,12 @@ impl Hertz {
     /// The elastic contact, shared with the laws that begin as Hertz does.
     #[inline(always)]
     pub(super) fn elastic<N: Real>(w: N, b: N, reduced_modulus: N) -> Contacts<N> {
-        let radius = (b * w).sqrt();
+        let square = b * w;
+        let radius = square.sqrt();
         let stiffness = reduced_modulus * 2.0 * radius;
         let everywhere = w.everywhere();
         Contacts {
-            area: b * PI * w,
+            area: square * PI,
             load: stiffness * w * (2.0 / 3.0),
             stiffness,
             elastic: everywhere,

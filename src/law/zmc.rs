@@ -67,21 +67,22 @@ impl Zmc {
     #[inline(always)]
     fn elastic_plastic<N: Real>(&self, w: N, b: N, u: N, hardness: N) -> Contacts<N> {
         let span = self.transition_ratio - 1.0;
+        let one = w.splat(1.0);
         let x = (u - 1.0) * span.recip();
-        let growth = x * x * (x * -2.0 + 3.0) + 1.0;
+        let growth = (x * x).times_plus(x.times_plus(w.splat(-2.0), w.splat(3.0)), one);
         let slope = b * PI;
         // A/w, and dA/dw.
         let width = slope * growth;
-        let area_slope = width + slope * (u * (6.0 / span) * x * (-x + 1.0));
+        let area_slope = slope.times_plus(u * (6.0 / span) * x * (one - x), width);
         let steepness = 0.6 * self.inverse_log_ratio;
-        let pressure = hardness * (u.ln() * steepness + 0.4);
+        let pressure = hardness * u.ln().times_plus(w.splat(steepness), w.splat(0.4));
         let area = width * w;
         let nowhere = !w.everywhere();
         Contacts {
             area,
             load: pressure * area,
             // The pressure grows as steepness H/w.
-            stiffness: pressure * area_slope + hardness * steepness * width,
+            stiffness: pressure.times_plus(area_slope, hardness * steepness * width),
             elastic: nowhere,
             plastic: nowhere,
         }

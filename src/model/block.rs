@@ -2,58 +2,68 @@
 
 use crate::asperity::Asperities;
 use crate::numeric::WHOLES;
+use crate::numeric::lanes::{Real, Work, run};
 
 /// The separations of a curve, m, largest first.
 pub(super) struct Levels {
-    /// With one below all heights at the end.
-    separations: Vec<f64>,
+    count: usize,
+    /// Below all heights from the end on.
+    separations: Box<[f64; PLACES]>,
     /// m.
     lowest: f64,
     /// Of each cell of a grid over the separations, how many lie in cells above it.
-    above: Vec<u16>,
+    above: Box<[u8; CELLS]>,
     cells_per_metre: f64,
+    last_cell: f64,
 }
 
-/// Cells of the grid a separation: most hold none, so that a height is seldom compared twice.
-const CELLS: usize = 16;
+/// Numbers of separations that a byte can tell, so that no place needs to be checked.
+const PLACES: usize = 256;
+
+/// The same of cells, of which there are fewer.
+const CELLS: usize = 4096;
+
+/// Cells a separation: most hold none, so that a height is seldom compared twice.
+const CELLS_PER_LEVEL: usize = 16;
 
 impl Levels {
     /// How many separations there may be at the most.
     pub(super) const MOST: usize = 128;
 
     /// From 1 to [`Self::MOST`] separations, largest first.
-    pub(super) fn new(separations: Vec<f64>) -> Self {
-        let count = CELLS * separations.len();
-        let (highest, lowest) = (separations[0], separations[separations.len() - 1]);
-        let span = highest - lowest;
+    pub(super) fn new(separations: &[f64]) -> Self {
+        let count = separations.len();
+        let last_cell = (CELLS_PER_LEVEL * count) as f64;
+        let span = separations[0] - separations[count - 1];
         // Finite also where separations are next to each other.
-        let cells_per_metre = if span > 0.0 { ((count - 1) as f64 / span).min(f64::MAX) } else { 0.0 };
-        let mut levels = Self { separations, lowest, above: vec![0; count], cells_per_metre };
-        for k in 0..levels.count() {
-            let cell = levels.cell(levels.separations[k]);
+        let cells_per_metre = if span > 0.0 { ((last_cell - 1.0) / span).min(f64::MAX) } else { 0.0 };
+        let mut levels = Self {
+            count,
+            separations: Box::new([f64::NEG_INFINITY; PLACES]),
+            lowest: separations[count - 1],
+            above: Box::new([0; CELLS]),
+            cells_per_metre,
+            last_cell,
+        };
+        levels.separations[..count].copy_from_slice(separations);
+        for &separation in separations {
+            let cell = levels.cell_above(separation);
             levels.above[..usize::from(cell)].iter_mut().for_each(|above| *above += 1);
         }
-        // Below every height.
-        levels.separations.push(f64::NEG_INFINITY);
         levels
-    }
-
-    fn count(&self) -> usize {
-        self.above.len() / CELLS
     }
 
     /// The separations, m, largest first.
     pub(super) fn separations(&self) -> &[f64] {
-        &self.separations[..self.count()]
+        &self.separations[..self.count]
     }
 
     /// How many of `heights` (m) lie above each separation.
     pub(super) fn count_above(&self, heights: &[f64]) -> Vec<u64> {
-        let mut counts = vec![0; self.count() + 1];
+        let mut counts = vec![0; self.count];
         for &z in heights.iter().filter(|&&z| z > self.lowest) {
             counts[usize::from(self.untouched(z, self.cell(z)))] += 1;
         }
-        counts.pop();
         let mut above = 0;
         counts.iter_mut().for_each(|count| {
             above += *count;
@@ -62,18 +72,26 @@ impl Levels {
         counts
     }
 
-    /// The cell of a height (m) above the lowest separation, which grows with it.
+    /// The cell of a height (m): 0 up to the lowest separation, from there on the higher the greater.
     #[inline(always)]
     fn cell(&self, height: f64) -> u16 {
-        let last = (self.above.len() - 1) as f64;
+        let cell = self.cell_above(height);
+        if height > self.lowest { cell } else { 0 }
+    }
+
+    #[inline(always)]
+    fn cell_above(&self, height: f64) -> u16 {
+        let cell = ((height - self.lowest) * self.cells_per_metre + 1.0).min(self.last_cell);
         // Its last bits are the whole number next to what is added.
-        (((height - self.lowest) * self.cells_per_metre).min(last) + WHOLES).to_bits() as u16
+        (cell + WHOLES).to_bits() as u16
     }
 
     /// How many separations an asperity in `cell` is not touched at; all that lie in cells above its own are among them.
     #[inline(always)]
-    fn untouched(&self, height: f64, cell: u16) -> u16 {
-        let mut place = self.above[usize::from(cell)];
+    fn untouched(&self, height: f64, cell: u16) -> u8 {
+        let mut place = self.above[usize::from(cell) % CELLS];
+        // Without a branch, since one cannot be foreseen.
+        place += u8::from(self.separations[usize::from(place)] >= height);
         while self.separations[usize::from(place)] >= height {
             place += 1;
         }
@@ -81,18 +99,55 @@ impl Levels {
     }
 }
 
-/// A block of asperities, those that the first separation touches first: at each they are a prefix.
-#[derive(Default)]
+/// A block of asperities, those that the first separation touches first: at each they are a prefix. Arrays are as long as
+/// can be, and indices taken modulo that, so that none is checked.
 pub(super) struct Block {
-    heights: Vec<f64>,
-    radii: Vec<f64>,
-    spheres: Vec<f64>,
-    /// Those that are touched: which they are, their heights, and at how many separations each is not touched.
-    touched: Vec<u16>,
-    touched_heights: Vec<f64>,
-    places: Vec<u16>,
+    heights: Box<[f64; Self::MOST]>,
+    radii: Box<[f64; Self::MOST]>,
+    spheres: Box<[f64; Self::MOST]>,
+    /// The cell of each asperity.
+    cells: Box<[u16; Self::MOST]>,
+    /// Which are touched, and at how many separations each of them is not.
+    touched: Box<[u16; Self::MOST]>,
+    places: Box<[u8; Self::MOST]>,
     /// How many are touched at each separation.
-    ends: Vec<usize>,
+    ends: [usize; PLACES],
+}
+
+impl Default for Block {
+    fn default() -> Self {
+        Self {
+            heights: room(),
+            radii: room(),
+            spheres: room(),
+            cells: room(),
+            touched: room(),
+            places: room(),
+            ends: [0; PLACES],
+        }
+    }
+}
+
+fn room<T: Default + Copy>() -> Box<[T; Block::MOST]> {
+    Box::new([T::default(); Block::MOST])
+}
+
+/// Finds the cells of heights, in the registers of the machine.
+struct FindCells<'a> {
+    levels: &'a Levels,
+    heights: &'a [f64],
+    cells: &'a mut [u16],
+}
+
+impl Work for FindCells<'_> {
+    type Output = ();
+
+    #[inline(always)]
+    fn with<N: Real>(self, _: N) {
+        for (cell, &z) in self.cells.iter_mut().zip(self.heights) {
+            *cell = self.levels.cell(z);
+        }
+    }
 }
 
 impl Block {
@@ -101,65 +156,41 @@ impl Block {
 
     /// Takes in up to [`Self::MOST`] asperities.
     pub(super) fn fill(&mut self, asperities: Asperities<'_>, levels: &Levels) {
-        let count = self.touch(asperities.heights(), levels.lowest);
-        self.find_places(levels);
-        self.heights.resize(count, 0.0);
-        self.radii.resize(count, 0.0);
-        let Self { heights, radii, spheres, touched, touched_heights, places, ends } = self;
-        let order = places.iter().zip(&*touched).map(|(&place, &index)| {
+        let all = asperities.count();
+        let (z, b) = (&asperities.heights()[..all], &asperities.radii()[..all]);
+        let Self { heights, radii, spheres, cells, touched, places, ends } = self;
+        run(FindCells { levels, heights: z, cells: &mut cells[..] });
+
+        let mut count = 0;
+        for (index, &cell) in cells[..all].iter().enumerate() {
+            touched[count % Self::MOST] = index as u16;
+            count += usize::from(cell > 0);
+        }
+        let touched = &touched[..count];
+
+        ends.fill(0);
+        for (place, &index) in places.iter_mut().zip(touched) {
+            let index = usize::from(index);
+            *place = levels.untouched(z[index], cells[index % Self::MOST]);
+            ends[usize::from(*place)] += 1;
+        }
+        let mut start = 0;
+        for end in ends.iter_mut() {
+            (*end, start) = (start, start + *end);
+        }
+
+        // Each start moves on to become an end.
+        let order = places.iter().zip(touched).map(|(&place, &index)| {
             let end = &mut ends[usize::from(place)];
-            let to = *end;
+            let to = *end % Self::MOST;
             *end += 1;
             (to, usize::from(index))
         });
-        let from = asperities.radii();
         match asperities.spheres() {
-            None => order.zip(&*touched_heights).for_each(|((to, index), &z)| {
-                (heights[to], radii[to]) = (z, from[index]);
+            None => order.for_each(|(to, index)| (heights[to], radii[to]) = (z[index], b[index])),
+            Some(n) => order.for_each(|(to, index)| {
+                (heights[to], radii[to], spheres[to]) = (z[index], b[index], n[index]);
             }),
-            Some(counts) => {
-                spheres.resize(count, 0.0);
-                order.zip(&*touched_heights).for_each(|((to, index), &z)| {
-                    (heights[to], radii[to], spheres[to]) = (z, from[index], counts[index]);
-                });
-            }
-        }
-    }
-
-    /// Collects those above `lowest` (m), and says how many.
-    fn touch(&mut self, heights: &[f64], lowest: f64) -> usize {
-        self.touched.resize(heights.len(), 0);
-        self.touched_heights.resize(heights.len(), 0.0);
-        let (touched, touched_heights) = (&mut self.touched[..], &mut self.touched_heights[..]);
-        let mut count = 0;
-        for (index, &z) in heights.iter().enumerate() {
-            (touched[count], touched_heights[count]) = (index as u16, z);
-            count += usize::from(z > lowest);
-        }
-        self.touched.truncate(count);
-        self.touched_heights.truncate(count);
-        count
-    }
-
-    /// Finds at how many separations each is not touched, and where those of each place begin: each start moves on to
-    /// become an end while they are put there.
-    fn find_places(&mut self, levels: &Levels) {
-        self.ends.clear();
-        self.ends.resize(levels.count() + 2, 0);
-        self.places.resize(self.touched.len(), 0);
-        let Self { touched_heights, places, ends, .. } = self;
-        // In a pass of its own, which compilers make one of many heights at a time.
-        for (place, &z) in places.iter_mut().zip(&*touched_heights) {
-            *place = levels.cell(z);
-        }
-        for (place, &z) in places.iter_mut().zip(&*touched_heights) {
-            *place = levels.untouched(z, *place);
-            ends[usize::from(*place) + 1] += 1;
-        }
-        let mut start = 0;
-        for end in ends {
-            start += *end;
-            *end = start;
         }
     }
 
@@ -195,7 +226,7 @@ mod tests {
         let all = Asperities::new(&heights, &radii, Some(&radii), 1.0);
         let mut block = Block::default();
         for separations in lists {
-            let levels = Levels::new(separations.to_vec());
+            let levels = Levels::new(separations);
             block.fill(all, &levels);
             let counts = levels.count_above(&heights);
             for (level, &separation) in separations.iter().enumerate() {

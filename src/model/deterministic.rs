@@ -8,12 +8,12 @@ use super::block::{Block, Levels};
 use super::load_control::LOWEST_SEPARATION;
 use super::{Counted, Datum, Model, Response, SamplingError};
 use crate::asperity::{Asperities, Ordered};
-use crate::contact::Tally;
 use crate::interface::{LoadBounds, MicroContact, Shapes};
 use crate::numeric::Sum;
 use crate::numeric::interval::Interval;
 use crate::numeric::root::last_reaching_bounded;
 use crate::numeric::sum::in_chunks;
+use crate::tally::{Tally, Total};
 
 /// The micro-contact summed over the asperities that stand above the flat.
 ///
@@ -84,7 +84,8 @@ fn on_levels<T: Clone + Default>(separations: &[f64], of: impl Fn(&Levels) -> Ve
     order.sort_by(|&a, &b| separations[b].total_cmp(&separations[a]));
     let mut answers = vec![T::default(); separations.len()];
     for some in order.chunks(Levels::MOST) {
-        let found = of(&Levels::new(some.iter().map(|&k| separations[k]).collect()));
+        let some_separations: Vec<f64> = some.iter().map(|&k| separations[k]).collect();
+        let found = of(&Levels::new(&some_separations));
         for (&k, answer) in some.iter().zip(found) {
             answers[k] = answer;
         }
@@ -105,28 +106,28 @@ impl<'a, C: MicroContact + ?Sized> Deterministic<'a, C> {
     }
 
     /// What the asperities above `separation` (m, in the frame of the set's heights) add up to.
-    pub fn tally(&self, separation: f64) -> Tally {
-        self.tallies(&[separation])[0]
+    pub fn total(&self, separation: f64) -> Total {
+        self.totals(&[separation])[0]
     }
 
     /// The same at each of many separations.
-    pub fn tallies(&self, separations: &[f64]) -> Vec<Tally> {
+    pub fn totals(&self, separations: &[f64]) -> Vec<Total> {
         on_levels(separations, |levels| self.descend(levels))
     }
 
     /// The same on the way down through few separations.
-    fn descend(&self, levels: &Levels) -> Vec<Tally> {
-        let nothing = vec![Tally::default(); levels.separations().len()];
+    fn descend(&self, levels: &Levels) -> Vec<Total> {
         let count = self.asperities.count();
         let blocks = count.div_ceil(Block::MOST);
         let per_task = Block::MOST * (blocks / TASKS).clamp(1, BLOCKS_PER_TASK);
-        let part = |block: &mut Block, task: usize| {
-            let mut tallies = nothing.clone();
+        let part = |(block, tallies): &mut (Block, Vec<Tally>), task: usize| -> Vec<Total> {
+            tallies.clear();
+            tallies.resize(levels.separations().len(), Tally::default());
             let end = count.min((task + 1) * per_task);
             for start in (task * per_task..end).step_by(Block::MOST) {
                 let asperities = self.asperities.part(start..end.min(start + Block::MOST));
                 block.fill(asperities, levels);
-                let each = levels.separations().iter().zip(&mut tallies);
+                let each = levels.separations().iter().zip(&mut *tallies);
                 for (level, (&separation, tally)) in each.enumerate() {
                     let touching = block.above(level, &asperities);
                     if touching.count() > 0 {
@@ -134,15 +135,15 @@ impl<'a, C: MicroContact + ?Sized> Deterministic<'a, C> {
                     }
                 }
             }
-            tallies
+            tallies.iter().map(Tally::total).collect()
         };
-        let parts: Vec<Vec<Tally>> =
-            (0..count.div_ceil(per_task)).into_par_iter().map_init(Block::default, part).collect();
-        let mut total = nothing;
+        let parts: Vec<Vec<Total>> =
+            (0..count.div_ceil(per_task)).into_par_iter().map_init(Default::default, part).collect();
+        let mut totals = vec![Total::default(); levels.separations().len()];
         for part in &parts {
-            total.iter_mut().zip(part).for_each(|(total, part)| total.merge(part));
+            totals.iter_mut().zip(part).for_each(|(total, part)| total.merge(part));
         }
-        total
+        totals
     }
 
     fn falls(&self) -> Option<&Falls> {
@@ -158,13 +159,13 @@ impl<'a, C: MicroContact + ?Sized> Deterministic<'a, C> {
         self.respond(h).pressure.total()
     }
 
-    fn response(&self, h: f64, tally: &Tally) -> Response {
+    fn response(&self, h: f64, total: &Total) -> Response {
         let (count, per_area) = (self.asperities.count(), self.asperities.nominal_area().recip());
         let sampling = SamplingError {
-            pressure: tally.load_error(count) * per_area,
-            area_ratio: tally.area_error(count) * per_area,
+            pressure: total.load_error(count) * per_area,
+            area_ratio: total.area_error(count) * per_area,
         };
-        Response { sampling: Some(sampling), ..Response::new(h, self.datum, tally, per_area) }
+        Response { sampling: Some(sampling), ..Response::new(h, self.datum, total, per_area) }
     }
 
     /// The highest pressure that any separation from `low` to `high` could carry, were each asperity at its own
@@ -209,8 +210,8 @@ impl<C: MicroContact + ?Sized> Model for Deterministic<'_, C> {
 
     fn respond_all(&self, separations: &[f64]) -> Vec<Response> {
         let absolute: Vec<f64> = separations.iter().map(|&h| self.absolute(h)).collect();
-        let tallies = self.tallies(&absolute);
-        separations.iter().zip(&tallies).map(|(&h, tally)| self.response(h, tally)).collect()
+        let totals = self.totals(&absolute);
+        separations.iter().zip(&totals).map(|(&h, total)| self.response(h, total)).collect()
     }
 
     fn count_contacts(&self, separations: &[f64]) -> Option<Counted> {

@@ -1,7 +1,8 @@
 //! What a model answers at one separation.
 
 use super::Datum;
-use crate::contact::{ByRegime, Tally};
+use crate::contact::ByRegime;
+use crate::tally::Total;
 
 /// The response of a rough surface at one separation, per nominal area.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -43,14 +44,14 @@ impl Response {
     }
 
     /// The response that `tally`, times `per_area` (1/m^2), is at separation `h` = d/sigma.
-    pub(super) fn new(h: f64, datum: Datum, tally: &Tally, per_area: f64) -> Self {
+    pub(super) fn new(h: f64, datum: Datum, total: &Total, per_area: f64) -> Self {
         Self {
             separation_over_sigma: h,
             separation: h * datum.sigma,
-            contact_density: tally.contacts() * per_area,
-            area_ratio: ByRegime(tally.area().0.map(|area| area * per_area)),
-            pressure: ByRegime(tally.load().0.map(|load| load * per_area)),
-            stiffness: tally.stiffness() * per_area,
+            contact_density: total.contacts() * per_area,
+            area_ratio: ByRegime(total.area().0.map(|area| area * per_area)),
+            pressure: ByRegime(total.load().0.map(|load| load * per_area)),
+            stiffness: total.stiffness() * per_area,
             sampling: None,
         }
     }

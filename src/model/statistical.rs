@@ -6,12 +6,12 @@ use serde::Deserialize;
 use super::load_control::LOWEST_SEPARATION;
 use super::{Datum, Model, Response};
 use crate::asperity::{HeightDensity, Population, Statistics};
-use crate::contact::Tally;
 use crate::interface::MicroContact;
 use crate::law::Shape;
 use crate::numeric::lanes::{Real, Work, run};
 use crate::numeric::quadrature::{NODES, Panel, Variable, panels};
 use crate::numeric::root::last_reaching;
+use crate::tally::{Tally, Total};
 
 /// E-foldings of the density that one panel resolves to full accuracy.
 const FOLDINGS_PER_PANEL: f64 = 20.0;
@@ -107,13 +107,13 @@ impl<'a, C: MicroContact + ?Sized> Statistical<'a, C> {
         self.datum == Datum { mean: 0.0, sigma: self.population.sigma }
     }
 
-    /// The tally at the standardised separation `h`, per asperity, over the density's factor [`HeightDensity::scale`]:
+    /// The total at the standardised separation `h`, per asperity, over the density's factor [`HeightDensity::scale`]:
     /// with it, the part of one asperity is denormal in the far tail though that of all is not.
-    fn tally(&self, h: f64) -> Tally {
+    fn total(&self, h: f64) -> Total {
         let Population { sigma, heights, .. } = self.population;
         let mut tally = Tally::default();
         if heights.scale(h) == 0.0 {
-            return tally;
+            return tally.total();
         }
         let [start, end] = heights.window(h);
         // What lies nearer to zero than this carries nothing, and would take panels without end.
@@ -138,7 +138,7 @@ impl<'a, C: MicroContact + ?Sized> Statistical<'a, C> {
             from = to;
         }
         self.add_jumps(h, breakpoints, [start, end], &mut tally);
-        tally
+        tally.total()
     }
 
     /// dp/dd has a contribution of its own where the load jumps.
@@ -211,7 +211,7 @@ impl<C: MicroContact + ?Sized> Model for Statistical<'_, C> {
             .map(|&h| {
                 let standardised = self.standardised(h);
                 let per_area = density * heights.scale(standardised);
-                Response::new(h, self.datum, &self.tally(standardised), per_area)
+                Response::new(h, self.datum, &self.total(standardised), per_area)
             })
             .collect()
     }

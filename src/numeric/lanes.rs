@@ -65,7 +65,13 @@ pub trait Real:
     fn ln(self) -> Self;
 
     /// e to the power of a number from -700 to 700, within 1 ulp; below that next to 0.
-    fn exp(self) -> Self;
+    #[inline(always)]
+    fn exp(self) -> Self {
+        self.exp_and_exp_m1().0
+    }
+
+    /// The same, and what it is less 1, within 2 ulp.
+    fn exp_and_exp_m1(self) -> (Self, Self);
 
     /// self * factor + term, rounded once where the machine can.
     fn times_plus(self, factor: Self, term: Self) -> Self;
@@ -91,17 +97,17 @@ pub trait Real:
     fn each<const K: usize>(self, mut of: impl FnMut(f64) -> [f64; K]) -> [Self; K] {
         let mut lanes = [0.0; MOST];
         self.store(&mut lanes);
-        let mut found = [[0.0; MOST]; K];
-        for (lane, &x) in lanes[..Self::LANES].iter().enumerate() {
-            for (found, value) in found.iter_mut().zip(of(x)) {
-                found[lane] = value;
-            }
+        let mut rows = [[0.0; K]; MOST];
+        for (row, &x) in rows.iter_mut().zip(&lanes[..Self::LANES]) {
+            *row = of(x);
         }
-        let mut all = [self; K];
-        for (all, values) in all.iter_mut().zip(&found) {
-            *all = self.load(values);
+        // Written out, compilers put a column together in a register.
+        let [a, b, c, d, e, f, g, h] = &rows;
+        let mut columns = [self; K];
+        for (k, column) in columns.iter_mut().enumerate() {
+            *column = self.load(&[a[k], b[k], c[k], d[k], e[k], f[k], g[k], h[k]]);
         }
-        all
+        columns
     }
 
     /// The first lane.
@@ -121,8 +127,8 @@ pub trait Real:
     /// A polynomial, its coefficients from the highest power down.
     #[inline(always)]
     fn polynomial(self, coefficients: &[f64]) -> Self {
-        let mut sum = self.splat(0.0);
-        for &coefficient in coefficients {
+        let mut sum = self.splat(coefficients[0]);
+        for &coefficient in &coefficients[1..] {
             sum = sum.times_plus(self, self.splat(coefficient));
         }
         sum
@@ -172,8 +178,8 @@ impl Real for f64 {
     }
 
     #[inline(always)]
-    fn exp(self) -> Self {
-        self.exp()
+    fn exp_and_exp_m1(self) -> (Self, Self) {
+        (self.exp(), self.exp_m1())
     }
 
     #[inline(always)]
@@ -318,6 +324,9 @@ const UPPER_MANTISSA: i32 = 20;
 /// [`WHOLES`] with room for negative ones; those in the upper half are worth 2^32 each.
 const SIGNED_WHOLES: f64 = 1.5 * WHOLES;
 
+/// The bits of 2^-.5: what lies so far above them has the exponent of its nearest power of two.
+const ROOT_HALF: u64 = std::f64::consts::FRAC_1_SQRT_2.to_bits();
+
 const TWO_TO_32: f64 = 4_294_967_296.0;
 
 /// Coefficients of (ln((1 + s)/(1 - s)) - 2s)/s in s^2, the highest power first, for |s| < 0.1716 (minimax, of
@@ -332,8 +341,8 @@ const LOGARITHM: [f64; 7] = [
     0.666_666_666_666_673_5,
 ];
 
-/// Coefficients of exp(r), the highest power first: the series ends below rounding for |r| < 0.35.
-const EXPONENTIAL: [f64; 14] = [
+/// Coefficients of (exp(r) - 1)/r, the highest power first: the series ends below rounding for |r| < 0.35.
+const EXPONENTIAL: [f64; 13] = [
     1.0 / 6_227_020_800.0,
     1.0 / 479_001_600.0,
     1.0 / 39_916_800.0,
@@ -346,7 +355,6 @@ const EXPONENTIAL: [f64; 14] = [
     1.0 / 24.0,
     1.0 / 6.0,
     0.5,
-    1.0,
     1.0,
 ];
 
@@ -384,31 +392,29 @@ impl<S: Simd> Real for Register<S> {
         Self { lanes: self.simd.sqrt_f64s(self.lanes), ..self }
     }
 
-    /// As fdlibm: x = 2^k (1 + f) with 1 + f next to 1, s = f/(2 + f), ln(1 + f) = f - f^2/2 + s (f^2/2 + R(s^2)).
+    /// As fdlibm: x = 2^k (1 + f) with 1 + f from 2^-.5 to 2^.5, s = f/(2 + f), ln(1 + f) = f - f^2/2 + s (f^2/2 + R(s^2)).
     #[inline(always)]
     fn ln(self) -> Self {
         let simd = self.simd;
-        let bits = self.bits();
+        let bits = simd.add_u64s(self.bits(), simd.splat_u64s(1f64.to_bits() - ROOT_HALF));
         let exponents =
             self.shift_upper::<{ -UPPER_MANTISSA }>(simd.and_u64s(bits, simd.splat_u64s(EXPONENT)));
-        let exponents = simd.or_u64s(exponents, simd.splat_u64s(WHOLES.to_bits()));
+        let exponents = self.of_bits(simd.or_u64s(exponents, simd.splat_u64s(WHOLES.to_bits())));
+        // k 2^32, exactly.
+        let k = exponents - (WHOLES + 1023.0 * TWO_TO_32);
         let mantissas = simd.and_u64s(bits, simd.splat_u64s(!EXPONENT));
-        let mantissa = self.of_bits(simd.or_u64s(mantissas, simd.splat_u64s(1f64.to_bits())));
-        let is_large = self.splat(std::f64::consts::SQRT_2).below(mantissa);
-        let k = (self.of_bits(exponents) - WHOLES) * TWO_TO_32.recip() - 1023.0;
-        let k = Self::choose(is_large, k + 1.0, k);
-        let f = Self::choose(is_large, mantissa * 0.5, mantissa) - 1.0;
+        let f = self.of_bits(simd.add_u64s(mantissas, simd.splat_u64s(ROOT_HALF))) - 1.0;
         let s = f / (f + 2.0);
         let square = s * s;
-        let half = f * f * 0.5;
-        let rest = square * square.polynomial(&LOGARITHM);
-        let low = s.times_plus(half + rest, k * LN_2[1]) - half;
-        k * LN_2[0] + (f + low)
+        let half = f * 0.5 * f;
+        let rest = square.times_plus(square.polynomial(&LOGARITHM), half);
+        let low = s.times_plus(rest, k * (LN_2[1] / TWO_TO_32)) - half;
+        k.times_plus(self.splat(LN_2[0] / TWO_TO_32), f + low)
     }
 
     /// 2^k exp(r), k the whole number nearest to x/ln 2.
     #[inline(always)]
-    fn exp(self) -> Self {
+    fn exp_and_exp_m1(self) -> (Self, Self) {
         let simd = self.simd;
         let magic = self.splat(SIGNED_WHOLES);
         let nearest = self * std::f64::consts::LOG2_E + SIGNED_WHOLES;
@@ -419,8 +425,11 @@ impl<S: Simd> Real for Register<S> {
         let wholes = simd.sub_u64s(wholes, simd.splat_u64s(SIGNED_WHOLES.to_bits()));
         let power =
             simd.add_u64s(self.shift_upper::<UPPER_MANTISSA>(wholes), simd.splat_u64s(1f64.to_bits()));
-        let value = r.polynomial(&EXPONENTIAL) * self.of_bits(power);
-        Self::choose(self.below(self.splat(-700.0)), self.splat(0.0), value)
+        let power = self.of_bits(power);
+        let rest = r * r.polynomial(&EXPONENTIAL);
+        let (one, is_gone) = (self.splat(1.0), self.below(self.splat(-700.0)));
+        let exp = Self::choose(is_gone, self.splat(0.0), power.times_plus(rest, power));
+        (exp, Self::choose(is_gone, -one, power.times_plus(rest, power - one)))
     }
 
     #[inline(always)]
@@ -536,6 +545,14 @@ mod tests {
         }
     }
 
+    struct ExpM1;
+    impl Function for ExpM1 {
+        #[inline(always)]
+        fn of<N: Real>(&self, x: N) -> N {
+            x.exp_and_exp_m1().1
+        }
+    }
+
     /// Of rounding to nearest, half an ulp, the largest is 2^-53.
     const HALF_ULP: f64 = 0.5 * f64::EPSILON;
 
@@ -565,5 +582,19 @@ mod tests {
         // Below the range what is left does not matter.
         let far = run(Each(&[-701.0, -1e5, -1e300, 0.0, 0.0, 0.0, 0.0, 0.0], Exp));
         assert!(far[..3].iter().all(|value| (0.0..1e-304).contains(value)) && far[3] == 1.0);
+    }
+
+    #[test]
+    fn exponentials_less_one() {
+        let mut x: Vec<f64> = (0..80_000).map(|k| f64::from(k - 60_000) * 1.13e-3).collect();
+        x.extend((0..8000).flat_map(|k| [1.0, -1.0].map(|sign| sign * 0.99f64.powi(k))));
+        for (x, found) in x.iter().zip(run(Each(&x, ExpM1))) {
+            let exact = x.exp_m1();
+            assert!((found - exact).abs() <= 4.0 * HALF_ULP * exact.abs(), "exp({x}) - 1 = {found}");
+        }
+        assert_eq!(
+            run(Each(&[0.0, -800.0, -1e300, f64::NEG_INFINITY, 0.0, 0.0, 0.0, 0.0], ExpM1))[..4],
+            [0.0, -1.0, -1.0, -1.0]
+        );
     }
 }

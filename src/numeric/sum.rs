@@ -64,8 +64,8 @@ impl<N: Real> Sums<N> {
     }
 }
 
-/// One sum in as many parts as any machine has lanes, so that sums side by side are kept as they are: they are added up
-/// when a total is asked for.
+/// One sum in as many parts as any machine has lanes, so that sums side by side need not be added up before a total is
+/// asked for.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub struct Parted {
     high: [f64; MOST],
@@ -84,34 +84,19 @@ impl Parted {
     /// Adds sums side by side, each to a part of its own.
     #[inline(always)]
     pub fn add_lanes<N: Real>(&mut self, sums: &Sums<N>) {
-        self.add_at(0, sums);
-    }
-
-    /// Adds the sum of another part, in numbers such as `zero`.
-    #[inline(always)]
-    pub fn merge<N: Real>(&mut self, other: &Self, zero: N) {
-        for part in (0..MOST).step_by(N::LANES) {
-            let (high, low) = (zero.load(&other.high[part..]), zero.load(&other.low[part..]));
-            self.add_at(part, &Sums { high, low });
-        }
-    }
-
-    #[inline(always)]
-    fn add_at<N: Real>(&mut self, part: usize, sums: &Sums<N>) {
-        let (high, low) = (&mut self.high[part..], &mut self.low[part..]);
-        let mut total = Sums { high: sums.high.load(high), low: sums.low.load(low) };
+        let mut total = Sums { high: sums.high.load(&self.high), low: sums.low.load(&self.low) };
         total.add(sums.high);
-        (total.low + sums.low).store(low);
-        total.high.store(high);
+        (total.low + sums.low).store(&mut self.low);
+        total.high.store(&mut self.high);
     }
 
-    /// The rounded total.
-    pub fn value(&self) -> f64 {
+    /// The sum of all parts.
+    pub fn total(&self) -> Sum {
         let mut total = Sum::default();
         for (&high, &low) in self.high.iter().zip(&self.low) {
             total.merge(&Sum { high, low });
         }
-        total.value()
+        total
     }
 }
 

@@ -1,12 +1,13 @@
 //! One asperity on flats of all kinds: homogeneous, under a layer, all layer.
 
 use asperity::asperity::{AsperitySet, Draw, Ellipse, Ellipses, HeightDensity, Ordered, Population};
-use asperity::contact::{Contact, Tally};
+use asperity::contact::Contact;
 use asperity::interface::{MicroContact, Shapes};
 use asperity::law::{Inapplicable, Shape};
 use asperity::material::Material;
 use asperity::model::{Datum, Deterministic, Model, Statistical};
 use asperity::numeric::interval::Interval;
+use asperity::tally::{Tally, Total};
 
 use crate::case::Case;
 use crate::common::{Random, Worst, slope};
@@ -102,10 +103,10 @@ fn stiffness_is_the_slope_of_the_load() {
 #[test]
 fn many_answer_as_one_does() {
     let mut worst = Worst::default();
-    let mut see = |found: &Tally, single: &Tally, place: &dyn Fn() -> String| {
+    let mut see = |found: Total, single: Total, place: &dyn Fn() -> String| {
         assert_eq!(found.contacts(), single.contacts());
         worst.see(found.stiffness(), single.stiffness(), place);
-        let parts = |tally: &Tally| [tally.area().0, tally.load().0].concat();
+        let parts = |total: Total| [total.area().0, total.load().0].concat();
         parts(found).into_iter().zip(parts(single)).for_each(|(a, b)| worst.see(a, b, place));
     };
     each(4, 10, |entry, case, contact, random| {
@@ -125,13 +126,13 @@ fn many_answer_as_one_does() {
             contact.press(touching, separation, &mut found);
             let mut single = Tally::default();
             touching.each().for_each(|(z, shape)| single.add(&contact.contact(z - separation, shape)));
-            see(&found, &single, &|| format!("{} of {case:?}", entry.label));
+            see(found.total(), single.total(), &|| format!("{} of {case:?}", entry.label));
         }
         let indentations: Vec<f64> = (0..29).map(|_| scale * random.log(1e-4, 1e4)).collect();
         let (mut found, mut single) = (Tally::default(), Tally::default());
         contact.weigh(&indentations, &indentations, case.shape, &mut found);
         indentations.iter().for_each(|&w| single.weigh(&contact.contact(w, case.shape), w));
-        see(&found, &single, &|| format!("{} of {case:?}", entry.label));
+        see(found.total(), single.total(), &|| format!("{} of {case:?}", entry.label));
     });
     worst.assert_within(1e-13, 1000);
 }
