@@ -52,3 +52,4 @@ pub mod sphere;
 pub mod stability;
 pub mod surface;
 pub mod units;
+pub mod work;

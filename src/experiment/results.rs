@@ -17,6 +17,7 @@ use crate::literature::Paper;
 use crate::material::Material;
 use crate::sphere::Fall;
 use crate::surface::Moments;
+use crate::work::Work;
 
 /// The two bodies, by name.
 #[derive(Debug, Clone)]
@@ -44,6 +45,8 @@ pub struct Head {
     pub papers: Vec<Paper>,
     /// Where the time went.
     pub timing: Timing,
+    /// What was done; `None` where that depends on the clock, or is the experiment itself.
+    pub work: Option<Work>,
 }
 
 /// What lies on the flat.
