@@ -63,7 +63,8 @@ impl Counter {
 
     /// All that was counted so far.
     pub fn work(&self) -> Work {
-        let total = |item: Item| self.0.iter().map(|part| part.0[item as usize].load(Ordering::Relaxed)).sum();
+        let total =
+            |item: Item| self.0.iter().map(|part| part.0[item as usize].load(Ordering::Relaxed)).sum();
         Work {
             asperities_touched: total(Item::Asperities),
             nodes: total(Item::Nodes),

@@ -29,7 +29,7 @@ pub(super) fn run(plan: &Plan, progress: &dyn Progress) -> Result<Results, Refus
     match &plan.kind {
         PlanKind::Compare(compare) => {
             run_compare(plan, compare, &Counter::default(), progress).map(Results::Compare)
-        },
+        }
         PlanKind::Indentation(sphere) => indentation::run(plan, sphere, progress).map(Results::Indentation),
         PlanKind::Laws(several) => laws::run(plan, several, progress).map(Results::Laws),
         PlanKind::Limit(limit) => run_limit(plan, limit, progress).map(Results::Limit),
@@ -74,9 +74,13 @@ pub(super) fn run_compare(
     timing.total = start.elapsed();
     let mut layer_head = None;
     if let Some(layer) = &compare.layer {
-        let (check, rules) =
-            rule_check(compare, layer).map_err(|error| Refusal::file(&plan.source.path, error))?;
-        papers.extend(rules);
+        let mut check = None;
+        if compare.uses_rule(layer) {
+            let (findings, rules) =
+                rule_check(compare, layer).map_err(|error| Refusal::file(&plan.source.path, error))?;
+            papers.extend(rules);
+            check = Some(findings);
+        }
         layer_head = Some(LayerHead {
             name: layer.name.clone(),
             rule: layer.rule,

@@ -9,7 +9,7 @@ use super::spec::LawSpec;
 use super::surface::Surface;
 use crate::compare::{Kind, of_each_decade, threshold};
 use crate::interface::Counted;
-use crate::model::{Model, at_pressure};
+use crate::model::{Model, reached_at};
 use crate::work::Counter;
 
 /// A layer matters where it changes the real area by more than this part.
@@ -99,7 +99,7 @@ impl Question<'_> {
         let flat = self.layer.flat(thickness).ok()?;
         let contact = self.law.interface(&self.plan.pair[0], &flat).ok()?;
         let contact = &Counted::new(&*contact, self.counter);
-        let press = |model: &dyn Model| at_pressure(model, self.pressure).ok();
+        let press = |model: &dyn Model| reached_at(model, &[self.pressure])[0];
         let reached = match self.kind {
             Kind::Statistical => press(&self.models.statistical(contact, self.law)),
             Kind::Deterministic => press(&self.models.deterministic(contact, self.law)?),
