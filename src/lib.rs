@@ -53,3 +53,4 @@ pub mod stability;
 pub mod surface;
 pub mod tally;
 pub mod units;
+pub mod work;

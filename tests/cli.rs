@@ -14,6 +14,8 @@ mod sphere;
 mod surface;
 #[path = "cli/tolerance.rs"]
 mod tolerance;
+#[path = "cli/work.rs"]
+mod work;
 
 fn experiment(arguments: &[&str], folder: &Path) -> Output {
     Command::new(env!("CARGO_BIN_EXE_experiment")).args(arguments).current_dir(folder).output().unwrap()

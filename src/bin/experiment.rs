@@ -287,7 +287,7 @@ fn surface(file: &Path, words: FileWords, name: Option<&str>, options: &RunOptio
     let mut store = open_store(options)?;
     store.check(experiment.stem())?;
     check_same_file(&experiment, &options.out.join(experiment.stem()))?;
-    let results = run_and_write(&experiment, &mut store, options)?;
+    let results = run_and_write(&experiment, &experiment.key()?, &mut store, options)?;
     if let Results::Surfaces(found) = &results {
         for surface in &found.surfaces {
             say(options, &format!("\n{}", report::surface::for_terminal(surface).trim_end()));
@@ -336,17 +336,17 @@ fn run_one(experiment: &Experiment, store: &mut Store, options: &RunOptions) -> 
         return Ok(());
     }
     store.check(experiment.stem())?;
-    run_and_write(experiment, store, options).map(|_| ())
+    run_and_write(experiment, &key, store, options).map(|_| ())
 }
 
-/// Runs an experiment and writes its report.
+/// Runs an experiment, which had `key` before, and writes its report.
 fn run_and_write(
     experiment: &Experiment,
+    key: &str,
     store: &mut Store,
     options: &RunOptions,
 ) -> Result<Results, Failure> {
     let start = Instant::now();
-    let key = experiment.key()?;
     let folder = options.out.join(experiment.stem());
     let results = if options.quiet {
         experiment.run(&Silent)?
@@ -362,7 +362,7 @@ fn run_and_write(
             experiment.stem()
         )));
     }
-    let report = report::folder(&results, &key)?;
+    let report = report::folder(&results, key)?;
     store.write(&report)?;
     if !options.quiet {
         for warning in results.warnings() {

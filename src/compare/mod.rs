@@ -19,7 +19,7 @@ use std::time::{Duration, Instant};
 
 use serde::Deserialize;
 
-use crate::model::{Model, Reached, Response, Unreachable, at_pressures, respond_within};
+use crate::model::{Model, Reached, Response, Unreachable, at_pressures, reached_at, respond_within};
 
 /// A way of adding up.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Deserialize)]
@@ -248,32 +248,28 @@ fn run(
 ) -> Result<Vec<CurvePoint>, NotReached> {
     let Some(model) = model else { return Ok(Vec::new()) };
     let start = Instant::now();
-    let nominal = |forces: &[f64]| forces.iter().map(|force| force / area).collect::<Vec<_>>();
-    let under = |control| match control {
-        Control::Separation => (&controls.separations, None),
-        Control::Pressure => (&controls.pressures, Some(controls.pressures.clone())),
-        Control::Force => (&controls.forces, Some(nominal(&controls.forces))),
-    };
     let mut curve = Vec::with_capacity(controls.points());
-    for control in [Control::Separation, Control::Pressure, Control::Force] {
-        let (targets, pressures) = under(control);
-        let answers: Vec<Result<Reached, Unreachable>> = match &pressures {
-            None => {
-                let at = |response| Ok(Reached { response, in_jump: false });
-                let answers = match controls.tolerances.of(kind) {
-                    Some(tolerance) => respond_within(model, targets, tolerance).responses,
-                    None => model.respond_all(targets),
-                };
-                answers.into_iter().map(at).collect()
-            }
-            Some(pressures) => at_pressures(model, pressures),
-        };
-        for (k, answer) in answers.into_iter().enumerate() {
-            let Reached { response, in_jump } =
-                answer.map_err(|unreachable| NotReached { kind, control, unreachable })?;
-            let asked = pressures.as_ref().map(|pressures| pressures[k]);
-            curve.push(CurvePoint { kind, control, target: targets[k], asked, response, in_jump });
-        }
+    let answers = match controls.tolerances.of(kind) {
+        Some(tolerance) => respond_within(model, &controls.separations, tolerance).responses,
+        None => model.respond_all(&controls.separations),
+    };
+    curve.extend(controls.separations.iter().zip(answers).map(|(&target, response)| CurvePoint {
+        kind,
+        control: Control::Separation,
+        target,
+        asked: None,
+        response,
+        in_jump: false,
+    }));
+    // Pressures and forces are searched together.
+    let pressures = controls.pressures.iter().map(|&pressure| (Control::Pressure, pressure, pressure));
+    let forces = controls.forces.iter().map(|&force| (Control::Force, force, force / area));
+    let loads: Vec<(Control, f64, f64)> = pressures.chain(forces).collect();
+    let asked: Vec<f64> = loads.iter().map(|&(_, _, pressure)| pressure).collect();
+    for ((control, target, pressure), answer) in loads.into_iter().zip(at_pressures(model, &asked)) {
+        let Reached { response, in_jump } =
+            answer.map_err(|unreachable| NotReached { kind, control, unreachable })?;
+        curve.push(CurvePoint { kind, control, target, asked: Some(pressure), response, in_jump });
     }
     *time += start.elapsed();
     Ok(curve)
@@ -298,21 +294,21 @@ fn pair_at_loads(models: Models, deterministic: &[CurvePoint], result: &mut Comp
     let pressures: Vec<f64> = points.iter().map(|response| response.pressure.total()).collect();
     let press = |model: &dyn Model, time: &mut Duration| {
         let start = Instant::now();
-        let answers = at_pressures(model, &pressures);
+        let answers = reached_at(model, &pressures);
         *time += start.elapsed();
         answers
     };
     let integrals = press(statistical, &mut result.statistical_time);
     // A load that never falls is carried at no larger separation than that of its own point.
-    let sums: Vec<Result<Response, Unreachable>> = if sum.may_fall() {
+    let sums: Vec<Option<Response>> = if sum.may_fall() {
         let reached = press(sum, &mut result.deterministic_time);
         reached.into_iter().map(|reached| reached.map(|reached| reached.response)).collect()
     } else {
-        points.into_iter().map(Ok).collect()
+        points.into_iter().map(Some).collect()
     };
     for (pressure, answers) in pressures.into_iter().zip(integrals.into_iter().zip(sums)) {
         match answers {
-            (Ok(integral), Ok(deterministic)) => result.pairs.push(Pair {
+            (Some(integral), Some(deterministic)) => result.pairs.push(Pair {
                 pairing: Pairing::Load,
                 target: pressure,
                 statistical: integral.response,

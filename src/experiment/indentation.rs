@@ -10,15 +10,16 @@ use super::plan::{IndentationPlan, LayerPlan, Plan, thickness_words};
 use super::progress::Progress;
 use super::results::{Head, Timing};
 use super::run::head;
-use super::spec::Show;
+use super::spec::{LawSpec, Show};
 use crate::coating::Rule;
 use crate::compare::{RuleCheck, RuleError, RuleFindings, apart};
 use crate::exact_sphere::{ElasticContact, LayeredSphere};
-use crate::interface::{ContactError, Flat};
+use crate::interface::{ContactError, Counted, Flat, MicroContact};
 use crate::law::Shape;
 use crate::literature::{self, Paper};
 use crate::material::{Material, reduced_modulus};
 use crate::sphere::Curve;
+use crate::work::{Counter, Item};
 
 /// a/R beyond which the sphere is no paraboloid and strains are not small.
 pub const LARGEST_SLOPE: f64 = 0.3;
@@ -119,19 +120,30 @@ pub(super) fn run(
 ) -> Result<IndentationResults, Refusal> {
     let start = Instant::now();
     progress.stage(&plan.title, indentation.cases() as u64);
+    let counter = Counter::default();
     let mut papers = vec![literature::PASARIBU_SCHIPPER_2005];
     let mut layers = Vec::new();
+    let refuse = |error: ContactError| Refusal::file(&plan.source.path, error);
+    let uncoated = curves(indentation, &Flat::Bare(indentation.flat.1), &counter).map_err(refuse)?;
     for layer in &indentation.layers {
+        let alone = Alone::of(indentation, layer, uncoated.clone(), &counter).map_err(refuse)?;
+        papers.extend(alone.check.papers());
         for &thickness in &layer.thicknesses {
-            let found = on_layer(indentation, layer, thickness, &mut papers)
-                .map_err(|error| Refusal::file(&plan.source.path, error))?;
+            let found =
+                on_layer(indentation, layer, thickness, &alone, &mut papers, &counter).map_err(refuse)?;
             layers.push(found);
             progress.advance(1);
         }
     }
     let overlay = &indentation.overlay;
+    counter.add(Item::Files, overlay.iter().len());
     Ok(IndentationResults {
-        head: head(plan, papers, Timing { total: start.elapsed(), ..Timing::default() }),
+        head: head(
+            plan,
+            papers,
+            Timing { total: start.elapsed(), ..Timing::default() },
+            Some(counter.work()),
+        ),
         materials: plan.materials.clone(),
         ball: indentation.ball.0.clone(),
         radius: indentation.radius,
@@ -144,41 +156,73 @@ pub(super) fn run(
     })
 }
 
+/// What does not depend on the thickness of a layer.
+struct Alone {
+    /// Without it, law by law.
+    uncoated: Vec<Curve>,
+    /// The flat all of it, law by law.
+    all_layer: Vec<Curve>,
+    check: RuleCheck,
+}
+
+impl Alone {
+    fn of(
+        plan: &IndentationPlan,
+        layer: &LayerPlan,
+        uncoated: Vec<Curve>,
+        counter: &Counter,
+    ) -> Result<Self, ContactError> {
+        let (ball, substrate) = (&plan.ball.1, &plan.flat.1);
+        let all_layer = Flat::AllLayer { substrate: *substrate, layer: layer.material };
+        Ok(Self {
+            uncoated,
+            all_layer: curves(plan, &all_layer, counter)?,
+            check: RuleCheck::new(ball, &layer.material, substrate)?,
+        })
+    }
+}
+
+/// The ball on a flat, law by law.
+fn curves(plan: &IndentationPlan, flat: &Flat, counter: &Counter) -> Result<Vec<Curve>, ContactError> {
+    let curve = |law: &LawSpec| {
+        let contact = law.interface(&plan.ball.1, flat)?;
+        Ok(Curve::of(&Counted::new(&*contact, counter), Shape::sphere(plan.radius), &plan.indentations))
+    };
+    plan.laws.iter().map(curve).collect()
+}
+
 fn on_layer(
     plan: &IndentationPlan,
     layer: &LayerPlan,
     thickness: f64,
+    alone: &Alone,
     papers: &mut Vec<Paper>,
+    counter: &Counter,
 ) -> Result<LayerResults, ContactError> {
     let (ball, substrate) = (&plan.ball.1, &plan.flat.1);
     let coated = layer.flat(thickness)?;
-    let all_layer = Flat::AllLayer { substrate: *substrate, layer: layer.material };
     let measured = plan.overlay.iter().flat_map(|overlay| &overlay.points);
+    let shape = Shape::sphere(plan.radius);
     let mut laws = Vec::new();
-    for law in &plan.laws {
-        let shape = Shape::sphere(plan.radius);
-        let curve = |flat: &Flat| {
-            law.interface(ball, flat).map(|contact| Curve::of(&*contact, shape, &plan.indentations))
-        };
+    for (k, law) in plan.laws.iter().enumerate() {
         let contact = law.interface(ball, &coated)?;
         papers.extend(contact.papers());
+        let contact = Counted::new(&*contact, counter);
         laws.push(LawCurves {
             law: law.label(),
-            coated: curve(&coated)?,
-            uncoated: curve(&Flat::Bare(*substrate))?,
-            all_layer: curve(&all_layer)?,
+            coated: Curve::of(&contact, shape, &plan.indentations),
+            uncoated: alone.uncoated[k].clone(),
+            all_layer: alone.all_layer[k].clone(),
             at_overlay: measured.clone().map(|(w, _)| contact.contact(*w, shape).load).collect(),
         });
     }
     let sphere = LayeredSphere::new(Some(ball), plan.radius, &layer.material, substrate, thickness);
-    let check = RuleCheck::new(ball, &layer.material, substrate)?;
-    papers.extend(check.papers());
     let exact = |&w: &f64| {
         let found = sphere.at_indentation(w)?;
         Some(ElasticContact { indentation: w, ..found })
     };
     let exact: Vec<Option<ElasticContact>> = plan.indentations.par_iter().map(exact).collect();
-    let beside = |contact| check.beside(contact, plan.radius, thickness);
+    let beside = |contact| alone.check.beside(contact, plan.radius, thickness);
     let errors = apart(exact.iter().flatten().map(beside));
     let [from, to] = match &errors[0][..] {
         [first, .., last] => [first.contact_ratio, last.contact_ratio],
@@ -191,7 +235,7 @@ fn on_layer(
         rule: layer.rule,
         laws,
         exact,
-        check: check.findings(from, to),
+        check: alone.check.findings(from, to),
         errors,
     })
 }

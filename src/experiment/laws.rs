@@ -6,8 +6,10 @@ use super::progress::Progress;
 use super::results::{CompareResults, RealisationResults};
 use super::run::{papers_of_law, run_compare};
 use crate::compare::{Influence, UnderLaw};
+use crate::interface::Counted;
 use crate::literature::Paper;
 use crate::sphere::{Boundary, Curve, boundaries};
+use crate::work::Counter;
 
 /// Several laws on one asperity and on surfaces.
 #[derive(Debug)]
@@ -59,7 +61,8 @@ pub(super) fn run(
     laws_plan: &LawsPlan,
     progress: &dyn Progress,
 ) -> Result<LawsResults, Refusal> {
-    let compare = run_compare(plan, &laws_plan.compare, progress)?;
+    let counter = Counter::default();
+    let mut compare = run_compare(plan, &laws_plan.compare, &counter, progress)?;
     let mut influences = Vec::new();
     for found in &compare.surfaces {
         influences.extend(found.realisations().map(|(realisation, answered)| SurfaceInfluence {
@@ -68,17 +71,20 @@ pub(super) fn run(
             influence: influence(&laws_plan.compare.laws, answered),
         }));
     }
+    let laws = laws_plan.compare.laws.iter().map(|law| on_one(laws_plan, law, &counter)).collect();
+    compare.head.work = Some(counter.work());
     Ok(LawsResults {
         compare,
         radius: laws_plan.radius,
         curvature_ratio: laws_plan.curvature_ratio,
         critical: laws_plan.critical,
-        laws: laws_plan.compare.laws.iter().map(|law| on_one(laws_plan, law)).collect(),
+        laws,
         influences,
     })
 }
 
-fn on_one(plan: &LawsPlan, law: &LawPlan) -> LawOnOne {
+fn on_one(plan: &LawsPlan, law: &LawPlan, counter: &Counter) -> LawOnOne {
+    let contact = Counted::new(&*law.contact, counter);
     let shape = plan.shape(&law.spec);
     let indentations: Vec<f64> = plan.ratios.iter().map(|ratio| ratio * plan.critical.indentation).collect();
     LawOnOne {
@@ -86,8 +92,8 @@ fn on_one(plan: &LawsPlan, law: &LawPlan) -> LawOnOne {
         about: law.spec.about(),
         papers: papers_of_law(law),
         passes_regimes: law.spec.passes_regimes(),
-        curve: Curve::of(&*law.contact, shape, &indentations),
-        boundaries: boundaries(&*law.contact, shape),
+        curve: Curve::of(&contact, shape, &indentations),
+        boundaries: boundaries(&contact, shape),
     }
 }
 

@@ -1,5 +1,6 @@
 //! From a spec file to results: read, plan, run. Nothing here knows a terminal or writes a file.
 
+mod files;
 mod indentation;
 mod laws;
 mod models;

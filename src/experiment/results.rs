@@ -17,6 +17,7 @@ use crate::literature::Paper;
 use crate::material::Material;
 use crate::sphere::Fall;
 use crate::surface::Moments;
+use crate::work::Work;
 
 /// The two bodies, by name.
 #[derive(Debug, Clone)]
@@ -44,6 +45,8 @@ pub struct Head {
     pub papers: Vec<Paper>,
     /// Where the time went.
     pub timing: Timing,
+    /// What was done; `None` where that depends on the clock, or is the experiment itself.
+    pub work: Option<Work>,
 }
 
 /// What lies on the flat.
@@ -55,8 +58,8 @@ pub struct LayerHead {
     pub rule: Rule,
     /// Thicknesses, m, ascending; 0 and infinity among them.
     pub thicknesses: Vec<f64>,
-    /// How good the rules are for these materials, over a/t from 0.1 to 10.
-    pub check: RuleFindings,
+    /// How good the rules are for these materials, over a/t from 0.1 to 10; `None` where no thickness asks for one.
+    pub check: Option<RuleFindings>,
 }
 
 /// The two bodies of a contact.
@@ -187,7 +190,10 @@ impl CompareResults {
         let mut lines = warnings(self.surfaces.iter().map(|found| &found.surface));
         lines.extend(self.contact.doubts.iter().cloned());
         lines.extend(
-            self.contact.layer.as_ref().and_then(|layer| layer.check.warning(&layer.name, layer.rule)),
+            self.contact
+                .layer
+                .as_ref()
+                .and_then(|layer| layer.check.as_ref()?.warning(&layer.name, layer.rule)),
         );
         lines
     }

@@ -2,6 +2,7 @@
 
 use std::time::Instant;
 
+use super::files::Files;
 use super::models::SurfaceModels;
 use super::plan::thickness_words;
 use super::plan::{ComparePlan, LawPlan, LayerPlan, LimitPlan, Plan, PlanKind, SurfacePlan};
@@ -17,15 +18,18 @@ use crate::asperity::{Population, gaussian_moment};
 use crate::compare::{
     Control, Exact, Gaps, Kind, LimitCase, Models, NotReached, RuleCheck, RuleFindings, compare, convergence,
 };
-use crate::interface::{ContactError, plasticity_index};
+use crate::interface::{ContactError, Counted, MicroContact, plasticity_index};
 use crate::law::Property;
 use crate::literature::{self, Paper};
 use crate::model::{Model, Statistical};
 use crate::sphere::Curve;
+use crate::work::{Counter, Item, Work};
 
 pub(super) fn run(plan: &Plan, progress: &dyn Progress) -> Result<Results, Refusal> {
     match &plan.kind {
-        PlanKind::Compare(compare) => run_compare(plan, compare, progress).map(Results::Compare),
+        PlanKind::Compare(compare) => {
+            run_compare(plan, compare, &Counter::default(), progress).map(Results::Compare)
+        }
         PlanKind::Indentation(sphere) => indentation::run(plan, sphere, progress).map(Results::Indentation),
         PlanKind::Laws(several) => laws::run(plan, several, progress).map(Results::Laws),
         PlanKind::Limit(limit) => run_limit(plan, limit, progress).map(Results::Limit),
@@ -38,6 +42,7 @@ pub(super) fn run(plan: &Plan, progress: &dyn Progress) -> Result<Results, Refus
 pub(super) fn run_compare(
     plan: &Plan,
     compare: &ComparePlan,
+    counter: &Counter,
     progress: &dyn Progress,
 ) -> Result<CompareResults, Refusal> {
     let start = Instant::now();
@@ -45,21 +50,22 @@ pub(super) fn run_compare(
     let mut papers = papers_of(&compare.laws);
     let realisations = compare.surfaces.iter().map(|surface| surface.realisations as u64);
     progress.stage(&plan.title, realisations.sum());
+    let mut files = files_of(&compare.surfaces, counter);
     let mut surfaces = Vec::new();
     for surface in &compare.surfaces {
-        let mut maker = surface.maker(&plan.source, plan.seed);
-        let first_surface = maker.make(1, Look::Spectrum, &mut timing)?;
+        let mut maker = surface.maker(&plan.source, plan.seed, counter);
+        let first_surface = maker.make(1, Look::Spectrum, &mut files, &mut timing)?;
         let models = models_of(compare, &first_surface, &mut timing);
-        let first = run_surface(plan, compare, &first_surface, &models, &mut timing)?;
-        let thresholds = threshold::thresholds(compare, &first_surface, &models, &first);
-        let falls = falls(compare, &first_surface, &models, &first);
+        let first = run_surface(plan, compare, &first_surface, &models, counter, &mut timing)?;
+        let thresholds = threshold::thresholds(compare, &first_surface, &models, &first, counter);
+        let falls = falls(compare, &first_surface, &models, &first, counter);
         drop(models);
         progress.advance(1);
         let mut others = Vec::new();
         for realisation in 2..=surface.realisations {
-            let surface = maker.make(realisation, Look::Asperities, &mut timing)?;
+            let surface = maker.make(realisation, Look::Asperities, &mut files, &mut timing)?;
             let models = models_of(compare, &surface, &mut timing);
-            others.push(run_surface(plan, compare, &surface, &models, &mut timing)?);
+            others.push(run_surface(plan, compare, &surface, &models, counter, &mut timing)?);
             progress.advance(1);
         }
         papers.extend(first_surface.papers());
@@ -68,9 +74,13 @@ pub(super) fn run_compare(
     timing.total = start.elapsed();
     let mut layer_head = None;
     if let Some(layer) = &compare.layer {
-        let (check, rules) =
-            rule_check(compare, layer).map_err(|error| Refusal::file(&plan.source.path, error))?;
-        papers.extend(rules);
+        let mut check = None;
+        if compare.uses_rule(layer) {
+            let (findings, rules) =
+                rule_check(compare, layer).map_err(|error| Refusal::file(&plan.source.path, error))?;
+            papers.extend(rules);
+            check = Some(findings);
+        }
         layer_head = Some(LayerHead {
             name: layer.name.clone(),
             rule: layer.rule,
@@ -80,7 +90,8 @@ pub(super) fn run_compare(
     }
     let contact = contact_head(plan, &compare.laws, &compare.bodies, layer_head);
     let tolerances = compare.controls.tolerances;
-    Ok(CompareResults { head: head(plan, papers, timing), contact, tolerances, surfaces })
+    let head = head(plan, papers, timing, Some(counter.work()));
+    Ok(CompareResults { head, contact, tolerances, surfaces })
 }
 
 /// Looks at surfaces as closely as can be.
@@ -88,16 +99,25 @@ fn look(plan: &Plan, surfaces: &[SurfacePlan], progress: &dyn Progress) -> Resul
     let start = Instant::now();
     let mut timing = Timing::default();
     progress.stage(&plan.title, surfaces.len() as u64);
+    let counter = Counter::default();
+    let mut files = files_of(surfaces, &counter);
     let mut seen = Vec::new();
     for surface in surfaces {
-        seen.push(surface.maker(&plan.source, plan.seed).make(1, Look::Everything, &mut timing)?);
+        let mut maker = surface.maker(&plan.source, plan.seed, &counter);
+        seen.push(maker.make(1, Look::Everything, &mut files, &mut timing)?);
         progress.advance(1);
     }
     timing.total = start.elapsed();
     let papers = seen.iter().flat_map(Surface::papers).collect();
     let words = plan.source.is_command_line().then(|| plan.source.text.clone());
     let file = plan.looked_at(surfaces);
-    Ok(SurfacesResults { head: head(plan, papers, timing), file, words, surfaces: seen })
+    let head = head(plan, papers, timing, Some(counter.work()));
+    Ok(SurfacesResults { head, file, words, surfaces: seen })
+}
+
+/// The files of surfaces that are made one after the other.
+fn files_of<'a>(surfaces: &[SurfacePlan], counter: &'a Counter) -> Files<'a> {
+    Files::new(surfaces.iter().filter_map(SurfacePlan::reading).collect(), counter)
 }
 
 /// Both models on a surface, its asperities as the laws see them.
@@ -115,6 +135,7 @@ fn run_surface(
     compare_plan: &ComparePlan,
     surface: &Surface,
     models: &SurfaceModels,
+    counter: &Counter,
     timing: &mut Timing,
 ) -> Result<RealisationResults, Refusal> {
     let asked = |kind| compare_plan.models.contains(&kind);
@@ -122,11 +143,11 @@ fn run_surface(
     let area = surface.set.nominal_area();
     let mut cases = Vec::new();
     for law in &compare_plan.laws {
-        let contact = &*law.contact;
-        let statistical = models.statistical(contact, &law.spec);
+        let contact = &Counted::new(&*law.contact, counter);
+        let statistical = asked(Kind::Statistical).then(|| models.statistical(contact, &law.spec));
         let deterministic = models.deterministic(contact, &law.spec);
         let models = Models {
-            statistical: asked(Kind::Statistical).then_some(&statistical as &dyn Model),
+            statistical: statistical.as_ref().map(|model| model as &dyn Model),
             deterministic: deterministic.as_ref().map(|model| model as &dyn Model),
         };
         let comparison = compare(models, &compare_plan.controls, area)
@@ -159,6 +180,7 @@ fn falls(
     surface: &Surface,
     models: &SurfaceModels,
     answered: &RealisationResults,
+    counter: &Counter,
 ) -> Vec<FallResults> {
     /// The first indentation that is looked at, of the deepest.
     const SHALLOWEST: f64 = 1e-4;
@@ -168,23 +190,29 @@ fn falls(
     };
     let highest = extremes(surface.set.heights()).1 - surface.datum.mean;
     let mut found = Vec::new();
-    for (law, case) in plan.laws.iter().zip(&answered.cases) {
-        let separations = case.comparison.curves.iter().map(|point| point.response.separation);
-        let deepest = highest - separations.fold(f64::INFINITY, f64::min);
-        if !(deepest > 0.0 && deepest.is_finite()) {
-            continue;
-        }
-        let [sharpest, bluntest] = models.extreme_shapes(&law.spec);
-        let mut shapes = vec![sharpest, models.mean_shape(&law.spec), bluntest];
+    let cases: Vec<_> = plan.laws.iter().zip(&answered.cases).collect();
+    // Laws that see the same asperities, whatever the layer.
+    for alike in cases.chunk_by(|a, b| a.0.spec.summit == b.0.spec.summit) {
+        let spec = &alike[0].0.spec;
+        let [sharpest, bluntest] = models.extreme_shapes(spec);
+        let mut shapes = vec![sharpest, models.mean_shape(spec), bluntest];
         shapes.dedup();
-        for shape in shapes {
-            let falls = Curve::of(&*law.contact, shape, &[SHALLOWEST * deepest, deepest]).falls;
-            found.extend(falls.into_iter().map(|fall| FallResults {
-                law: case.law.clone(),
-                thickness: case.thickness,
-                radius: shape.radius,
-                fall,
-            }));
+        for (law, case) in alike {
+            let separations = case.comparison.curves.iter().map(|point| point.response.separation);
+            let deepest = highest - separations.fold(f64::INFINITY, f64::min);
+            if !(deepest > 0.0 && deepest.is_finite()) {
+                continue;
+            }
+            let contact = Counted::new(&*law.contact, counter);
+            for &shape in &shapes {
+                let falls = Curve::of(&contact, shape, &[SHALLOWEST * deepest, deepest]).falls;
+                found.extend(falls.into_iter().map(|fall| FallResults {
+                    law: case.law.clone(),
+                    thickness: case.thickness,
+                    radius: shape.radius,
+                    fall,
+                }));
+            }
         }
     }
     found
@@ -215,14 +243,15 @@ fn refuse_load(
 fn run_limit(plan: &Plan, limit: &LimitPlan, progress: &dyn Progress) -> Result<LimitResults, Refusal> {
     let start = Instant::now();
     let mut timing = Timing::default();
+    let counter = Counter::default();
+    let contacts: Vec<Counted> = limit.laws.iter().map(|law| Counted::new(&*law.contact, &counter)).collect();
     let integrals = Instant::now();
-    let cases: Vec<LimitCase> = limit
-        .laws
-        .iter()
-        .map(|law| LimitCase {
+    let laws = limit.laws.iter().zip(&contacts);
+    let cases: Vec<LimitCase> = laws
+        .map(|(law, contact)| LimitCase {
             law: law.label.clone(),
-            contact: &*law.contact,
-            exact: limit.separations.iter().map(|&h| exact(law, limit.population, h)).collect(),
+            contact,
+            exact: limit.separations.iter().map(|&h| exact(law, contact, limit.population, h)).collect(),
         })
         .collect();
     timing.statistical = integrals.elapsed();
@@ -232,13 +261,14 @@ fn run_limit(plan: &Plan, limit: &LimitPlan, progress: &dyn Progress) -> Result<
     let sums = Instant::now();
     let seed = |count, draw| stream_seed(plan.seed, &format!("limit {count} {draw}"));
     let points = convergence(&cases, &limit.population, &limit.counts, limit.draws, seed, |count| {
+        counter.add(Item::Surfaces, 1);
         progress.advance(count as u64);
     })
     .map_err(|error| Refusal::file(&plan.source.path, error))?;
     timing.deterministic = sums.elapsed();
     timing.total = start.elapsed();
     Ok(LimitResults {
-        head: head(plan, papers_of(&limit.laws), timing),
+        head: head(plan, papers_of(&limit.laws), timing, Some(counter.work())),
         contact: contact_head(plan, &limit.laws, &limit.bodies, None),
         population: limit.population,
         plasticity_index: plasticity_index(
@@ -262,14 +292,14 @@ fn reference(law: &LawPlan) -> &'static str {
 }
 
 /// The limit at d/sigma = `h`: Greenwood and Williamson's closed form for Hertz, else the integral.
-fn exact(law: &LawPlan, population: Population, h: f64) -> Exact {
+fn exact(law: &LawPlan, contact: &dyn MicroContact, population: Population, h: f64) -> Exact {
     let Population { radius, sigma, density, .. } = population;
-    let integral = Statistical::new(&*law.contact, population).respond(h);
+    let integral = Statistical::new(contact, population).respond(h);
     let limit = Exact::of_integral(integral, density);
     if !law.spec.is_greenwood_williamson() {
         return limit;
     }
-    let modulus = law.contact.reference_modulus();
+    let modulus = contact.reference_modulus();
     Exact {
         area_ratio: std::f64::consts::PI * density * radius * sigma * gaussian_moment(1.0, h),
         pressure: 4.0 / 3.0 * density * modulus * radius.sqrt() * sigma.powf(1.5) * gaussian_moment(1.5, h),
@@ -287,7 +317,7 @@ pub(super) fn papers_of_law(law: &LawPlan) -> Vec<Paper> {
     law.contact.papers().into_iter().chain(law.spec.papers().iter().copied()).collect()
 }
 
-pub(super) fn head(plan: &Plan, mut papers: Vec<Paper>, timing: Timing) -> Head {
+pub(super) fn head(plan: &Plan, mut papers: Vec<Paper>, timing: Timing, work: Option<Work>) -> Head {
     papers.sort_by_key(|paper| paper.short);
     papers.dedup();
     Head {
@@ -298,6 +328,7 @@ pub(super) fn head(plan: &Plan, mut papers: Vec<Paper>, timing: Timing) -> Head 
         seed: plan.seed,
         papers,
         timing,
+        work,
     }
 }
 

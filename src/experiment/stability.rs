@@ -84,5 +84,5 @@ pub(super) fn run(plan: &Plan, stability: &StabilityPlan, progress: &dyn Progres
     let maps = maps(&stability.ranges, stability.cells);
     progress.advance(1);
     let timing = Timing { total: start.elapsed(), ..Timing::default() };
-    StabilityResults { head: head(plan, PAPERS.to_vec(), timing), plan: *stability, families, maps }
+    StabilityResults { head: head(plan, PAPERS.to_vec(), timing, None), plan: *stability, families, maps }
 }

@@ -138,7 +138,9 @@ impl Finding {
         if character.moments.sq <= levelled.form.magnitude() * raw.precision().max(f64::EPSILON) {
             return Err(NoAsperities::Flat);
         }
-        let summits = find(map, self.neighbours, Detail { positions: false, ..Detail::ALL });
+        // Only steps of an instrument are told by the drops.
+        let detail = Detail { positions: false, principal: true, drops: self.generation.is_none() };
+        let summits = find(map, self.neighbours, detail);
         if summits.heights.is_empty() {
             return Err(NoAsperities::NoSummit { tested: summits.tested });
         }

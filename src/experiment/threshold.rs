@@ -8,8 +8,9 @@ use super::results::{RealisationResults, Threshold};
 use super::spec::LawSpec;
 use super::surface::Surface;
 use crate::compare::{Kind, of_each_decade, threshold};
-use crate::interface::MicroContact;
-use crate::model::{Model, at_pressure};
+use crate::interface::Counted;
+use crate::model::{Model, reached_at};
+use crate::work::Counter;
 
 /// A layer matters where it changes the real area by more than this part.
 const PART: f64 = 0.05;
@@ -20,6 +21,7 @@ pub(super) fn thresholds(
     surface: &Surface,
     models: &SurfaceModels,
     answered: &RealisationResults,
+    counter: &Counter,
 ) -> Vec<Threshold> {
     let Some(layer) = &plan.layer else { return Vec::new() };
     let area = surface.set.nominal_area();
@@ -39,7 +41,7 @@ pub(super) fn thresholds(
         }
     }
     let one = |&(law, pressure, kind): &(&LawSpec, f64, Kind)| {
-        let question = Question { plan, layer, models, answered, law, pressure, kind };
+        let question = Question { plan, layer, models, answered, counter, law, pressure, kind };
         question.threshold()
     };
     asked.par_iter().filter_map(one).collect()
@@ -62,6 +64,7 @@ struct Question<'a> {
     layer: &'a LayerPlan,
     models: &'a SurfaceModels<'a>,
     answered: &'a RealisationResults,
+    counter: &'a Counter,
     law: &'a LawSpec,
     pressure: f64,
     kind: Kind,
@@ -94,8 +97,9 @@ impl Question<'_> {
     /// The area ratio under a layer of any thickness (m).
     fn area(&self, thickness: f64) -> Option<f64> {
         let flat = self.layer.flat(thickness).ok()?;
-        let contact: &dyn MicroContact = &*self.law.interface(&self.plan.pair[0], &flat).ok()?;
-        let press = |model: &dyn Model| at_pressure(model, self.pressure).ok();
+        let contact = self.law.interface(&self.plan.pair[0], &flat).ok()?;
+        let contact = &Counted::new(&*contact, self.counter);
+        let press = |model: &dyn Model| reached_at(model, &[self.pressure])[0];
         let reached = match self.kind {
             Kind::Statistical => press(&self.models.statistical(contact, self.law)),
             Kind::Deterministic => press(&self.models.deterministic(contact, self.law)?),

@@ -267,6 +267,10 @@ impl<L: Similar> MicroContact for Layered<L> {
         press(self, asperities, separation, tally);
     }
 
+    fn is_layered(&self) -> bool {
+        true
+    }
+
     fn regime_changes(&self, shape: Shape) -> Vec<f64> {
         let ratios = if self.yields() { self.law.critical_ratios(&unit(1.0)) } else { Vec::new() };
         let mut changes: Vec<f64> =

@@ -1,10 +1,12 @@
 //! Materials, coating and law together: the micro-contact that both models add up.
 
 mod bare;
+mod counted;
 mod layered;
 mod side_by_side;
 
 pub use bare::Interface;
+pub use counted::Counted;
 pub use layered::Layered;
 
 use crate::asperity::Asperities;
@@ -220,6 +222,11 @@ pub trait MicroContact: Send + Sync {
     /// What makes its answers doubtful though there are some; see [`Law::doubt`].
     fn doubt(&self) -> Option<String> {
         None
+    }
+
+    /// Whether each answer asks what a layer of finite thickness does at its indentation.
+    fn is_layered(&self) -> bool {
+        false
     }
 
     /// Adds `weights[i]` contacts of one shape at `indentations[i]` to the tally.

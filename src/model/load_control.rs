@@ -37,18 +37,26 @@ pub fn at_pressure(model: &dyn Model, pressure: f64) -> Result<Reached, Unreacha
 
 /// The same for each of many pressures, which are searched side by side.
 pub fn at_pressures(model: &dyn Model, pressures: &[f64]) -> Vec<Result<Reached, Unreachable>> {
+    let found = reached_at(model, pressures);
+    let largest = if found.contains(&None) { largest_pressure(model) } else { 0.0 };
+    let answer = |(found, &wanted): (Option<Reached>, &f64)| found.ok_or(Unreachable { wanted, largest });
+    found.into_iter().zip(pressures).map(answer).collect()
+}
+
+/// The same; `None` for a pressure that is not reached, without a search for the largest that is.
+pub fn reached_at(model: &dyn Model, pressures: &[f64]) -> Vec<Option<Reached>> {
+    if pressures.is_empty() {
+        return Vec::new();
+    }
     let found = model.separations_at(pressures);
     let reached: Vec<f64> = found.iter().copied().flatten().collect();
     let mut responses = model.respond_all(&reached).into_iter();
-    let is_reached = found.iter().map(|found| found.and_then(|_| responses.next()));
-    let answers: Vec<Option<Response>> = is_reached.collect();
-    let largest = if answers.contains(&None) { largest_pressure(model) } else { 0.0 };
-    let answer = |(response, &wanted): (Option<Response>, &f64)| {
-        let response = response.ok_or(Unreachable { wanted, largest })?;
+    let answer = |(found, wanted): (&Option<f64>, &f64)| {
+        let response = found.and_then(|_| responses.next())?;
         let excess = response.pressure.total() - wanted;
-        Ok(Reached { response, in_jump: excess > rounding(model, &response) })
+        Some(Reached { response, in_jump: excess > rounding(model, &response) })
     };
-    answers.into_iter().zip(pressures).map(answer).collect()
+    found.iter().zip(pressures).map(answer).collect()
 }
 
 /// What the rounding of a separation, in the frame that its heights are in, does to a pressure, Pa.

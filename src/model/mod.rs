@@ -10,7 +10,7 @@ mod statistical;
 
 pub use curve::{Curve, respond_within};
 pub use deterministic::Deterministic;
-pub use load_control::{LOWEST_SEPARATION, Reached, Unreachable, at_pressure, at_pressures};
+pub use load_control::{LOWEST_SEPARATION, Reached, Unreachable, at_pressure, at_pressures, reached_at};
 pub use response::{INTERACTION, Response, SamplingError};
 pub use statistical::{MeanRadius, Statistical};
 

@@ -30,6 +30,9 @@ pub fn last_reaching_all(
     levels: &[f64],
     grid: &[f64],
 ) -> Vec<Option<f64>> {
+    if levels.is_empty() {
+        return Vec::new();
+    }
     let highest = levels.iter().copied().fold(0.0, f64::max);
     let mut known: Vec<Point> = Vec::new();
     for wave in grid.chunks(WAVE) {
@@ -162,6 +165,7 @@ mod tests {
         let curve = curve(|x: f64| [5.0 - x, -1.0]);
         assert_eq!(last_reaching_all(&curve, &[1.0, 1.5], &[4.0]), [Some(4.0), None]);
         assert_eq!(last_reaching_all(&curve, &[0.5], &[4.0, 3.0]), [Some(4.0)]);
-        assert_eq!(last_reaching_all(&curve, &[], &[4.0, 3.0]), []);
+        let never = |_: &[f64]| panic!("no level, no place");
+        assert_eq!(last_reaching_all(never, &[], &[4.0, 3.0]), []);
     }
 }

@@ -49,9 +49,9 @@ pub fn listed(names: &[String]) -> String {
     }
 }
 
-/// How good the rules are, beside the exact solution.
+/// How good the rules are, beside the exact solution; nothing where no contact asks for one.
 pub fn rule_section(page: &mut Page, layer: &LayerHead) {
-    let check = &layer.check;
+    let Some(check) = &layer.check else { return };
     page.heading(2, "How good is the rule?");
     let place = if check.is_good() { "within" } else { "outside" };
     page.paragraph(&format!(

@@ -1,6 +1,8 @@
 //! Do freshly made reports say the same as the committed ones? Structure and counts exactly, numbers
 //! to 1e-9, timings and reports on them for their shape only, errors of the size of a rounding and where they occur
-//! not at all (the summary says whether they are within their bounds), pictures and pages neither.
+//! not at all (the summary says whether they are within their bounds), pictures and pages neither. Of contacts that were
+//! counted only whether there were any: the rounds of a search for a load end by the last digits, which machines with
+//! other registers do not share. Files and surfaces are counted exactly.
 
 use std::collections::BTreeSet;
 use std::fs;
@@ -145,6 +147,12 @@ fn same_number(a: f64, b: f64, scale: f64) -> bool {
     (a - b).abs() <= TOLERANCE * a.abs().max(b.abs()).max(scale.abs())
 }
 
+/// Whether a number of a summary counts contacts.
+fn is_of_contacts(place: &str) -> bool {
+    let items = ["asperities_touched", "nodes", "single_contacts", "coating_calls"];
+    place.rsplit_once(", work, ").is_some_and(|(_, item)| items.contains(&item))
+}
+
 fn compare_values(new: &Value, old: &Value, shape_only: bool, place: &str, found: &mut Vec<String>) {
     match (new, old) {
         (Value::Object(a), Value::Object(b)) if a.keys().eq(b.keys()) => {
@@ -169,7 +177,8 @@ fn compare_values(new: &Value, old: &Value, shape_only: bool, place: &str, found
                 _ => false,
             };
             let is_of_rounding = place.contains(", stability, ") && place.ends_with(", worst_error");
-            if !(same || shape_only || is_of_rounding) {
+            let is_same_work = is_of_contacts(place) && (a.as_u64() == Some(0)) == (b.as_u64() == Some(0));
+            if !(same || shape_only || is_of_rounding || is_same_work) {
                 found.push(format!("{place}: now {a}, committed {b}"));
             }
         }
@@ -270,6 +279,23 @@ mod tests {
             found.len()
         };
         assert_eq!([count(&of(3e-16, true)), count(&of(1e-16, false))], [0, 1]);
+    }
+
+    #[test]
+    fn of_contacts_only_whether_there_are_any_is_compared() {
+        let work = |item: &str, count: u64| serde_json::json!({ "work": { item: count } });
+        let differs = |item: &str, now: u64, before: u64| {
+            let mut found = Vec::new();
+            compare_values(&work(item, now), &work(item, before), false, "one/summary.json", &mut found);
+            !found.is_empty()
+        };
+        for item in ["asperities_touched", "nodes", "single_contacts", "coating_calls"] {
+            assert!(
+                !differs(item, 7, 8) && !differs(item, 0, 0) && differs(item, 0, 8) && differs(item, 7, 0)
+            );
+        }
+        assert!(differs("files_read", 1, 2) && differs("surfaces_made", 7, 8));
+        assert!(!differs("files_read", 2, 2));
     }
 
     #[test]

@@ -126,6 +126,13 @@ pub struct LimitPlan {
 }
 
 impl ComparePlan {
+    /// Whether some contact is under a layer of finite thickness: of a listed one, or of one at which the layer begins to
+    /// matter, which is looked for at given loads.
+    pub fn uses_rule(&self, layer: &LayerPlan) -> bool {
+        let has_loads = !(self.controls.pressures.is_empty() && self.controls.forces.is_empty());
+        layer.thicknesses.iter().any(|&t| t > 0.0 && (t.is_finite() || has_loads))
+    }
+
     /// An estimate of the asperities and nodes that are evaluated.
     fn work(&self) -> u128 {
         let all = |surface: &SurfacePlan| surface.most_asperities() * surface.realisations as u128;
@@ -227,11 +234,19 @@ impl Plan {
         Ok(plan)
     }
 
-    /// The measured files that it reads.
+    /// The measured files that it reads, each once.
     pub fn inputs(&self) -> Vec<PathBuf> {
         match &self.kind {
             PlanKind::Indentation(plan) => plan.overlay.iter().map(|overlay| overlay.path.clone()).collect(),
-            _ => self.surfaces().iter().filter_map(SurfacePlan::input).collect(),
+            _ => {
+                let mut paths: Vec<PathBuf> = Vec::new();
+                for path in self.surfaces().iter().filter_map(SurfacePlan::input) {
+                    if !paths.contains(&path) {
+                        paths.push(path);
+                    }
+                }
+                paths
+            }
         }
     }
 
@@ -251,8 +266,13 @@ impl Plan {
     pub fn memory(&self) -> u128 {
         match &self.kind {
             PlanKind::Compare(_) | PlanKind::Laws(_) | PlanKind::Surfaces(_) => {
-                // The asperities of every surface are kept for the report, one map at a time.
-                let kept: u128 = self.surfaces().iter().map(SurfacePlan::kept).sum();
+                // The asperities of every surface are kept for the report, one map at a time and those that are needed again.
+                let readings: Vec<_> = self.surfaces().iter().map(SurfacePlan::reading).collect();
+                let again = |k: usize| readings[k].is_some() && readings[k + 1..].contains(&readings[k]);
+                let kept = self.surfaces().iter().enumerate();
+                let kept =
+                    kept.map(|(k, surface)| surface.kept() + if again(k) { surface.kept_file() } else { 0 });
+                let kept: u128 = kept.sum();
                 kept + self.surfaces().iter().map(|surface| surface.memory(self.look())).max().unwrap_or(0)
             }
             PlanKind::Indentation(plan) => plan.memory(),

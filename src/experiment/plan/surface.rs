@@ -8,8 +8,9 @@ use toml::Spanned;
 
 use super::generate::Generation;
 use crate::asperity::{
-    Draw, Ellipse, Ellipticity, HeightDensity, Population, Statistics, SurfaceHeights, check_list, read_list,
+    Draw, Ellipse, Ellipticity, HeightDensity, Population, Statistics, SurfaceHeights, check_list,
 };
+use crate::experiment::files::{Files, Reading};
 use crate::experiment::refusal::{Refusal, Source};
 use crate::experiment::results::Timing;
 use crate::experiment::spec::{DrawSpec, FileSpec, ListSpec, PopulationHeights, PopulationSpec, SurfaceSpec};
@@ -23,6 +24,7 @@ use crate::surface::read::{self, Given, GivenError};
 use crate::surface::summits::Neighbours;
 use crate::surface::{MapError, Rows};
 use crate::units::{Length, Pure, Quantity};
+use crate::work::{Counter, Item};
 
 /// A surface that can be made.
 #[derive(Debug)]
@@ -197,6 +199,26 @@ impl SurfacePlan {
         }
     }
 
+    /// What it is found in, if that is a file.
+    pub(in crate::experiment) fn reading(&self) -> Option<Reading> {
+        match &self.origin {
+            Origin::List { path, .. } => Some(Reading::list(path, self.as_ellipses)),
+            Origin::Map(map) => Some(Reading::map(&map.path, map.given)),
+            Origin::Population { .. } | Origin::Generated(_) => None,
+        }
+    }
+
+    /// What its file takes as long as another surface needs it too, bytes.
+    pub fn kept_file(&self) -> u128 {
+        const BYTES_PER_POINT: u128 = 8;
+        const BYTES_PER_ROW: u128 = 32;
+        match &self.origin {
+            Origin::List { .. } => self.most_asperities() * BYTES_PER_ROW,
+            Origin::Map(MapPlan { points, is_on_disk: false, .. }) => *points as u128 * BYTES_PER_POINT,
+            _ => 0,
+        }
+    }
+
     /// What it is, for a plan that a person reads.
     pub fn describe(&self) -> String {
         let what = match &self.origin {
@@ -286,8 +308,13 @@ impl SurfacePlan {
     }
 
     /// A maker of its realisations, one after the other.
-    pub fn maker<'a>(&'a self, source: &'a Source, seed: u64) -> Maker<'a> {
-        Maker { plan: self, source, seed, bandwidth: None }
+    pub(in crate::experiment) fn maker<'a>(
+        &'a self,
+        source: &'a Source,
+        seed: u64,
+        counter: &'a Counter,
+    ) -> Maker<'a> {
+        Maker { plan: self, source, seed, counter, bandwidth: None }
     }
 }
 
@@ -296,6 +323,7 @@ pub struct Maker<'a> {
     plan: &'a SurfacePlan,
     source: &'a Source,
     seed: u64,
+    counter: &'a Counter,
     /// That met a target before.
     bandwidth: Option<f64>,
 }
@@ -305,19 +333,33 @@ impl Maker<'_> {
     ///
     /// # Errors
     /// A file that cannot be read, a map without a summit, heights that are all equal, a target that is not reached.
-    pub fn make(&mut self, realisation: usize, look: Look, timing: &mut Timing) -> Result<Surface, Refusal> {
-        let surface = self.one(realisation, look, timing)?;
+    pub(in crate::experiment) fn make(
+        &mut self,
+        realisation: usize,
+        look: Look,
+        files: &mut Files,
+        timing: &mut Timing,
+    ) -> Result<Surface, Refusal> {
+        let surface = self.one(realisation, look, files, timing)?;
+        self.counter.add(Item::Surfaces, 1);
         Ok(Surface { realisations: self.plan.realisations, ..surface })
     }
 
-    fn one(&mut self, realisation: usize, look: Look, timing: &mut Timing) -> Result<Surface, Refusal> {
+    fn one(
+        &mut self,
+        realisation: usize,
+        look: Look,
+        files: &mut Files,
+        timing: &mut Timing,
+    ) -> Result<Surface, Refusal> {
         let (name, source) = (&self.plan.name, self.source);
         let key = &self.plan.size_key;
         let refuse = |error: &dyn std::fmt::Display| source.refuse(key.clone(), error);
         let start = Instant::now();
         match &self.plan.origin {
             Origin::List { path, nominal_area, .. } => {
-                let list = read_list(path, self.plan.as_ellipses)
+                let list = files
+                    .list(path, self.plan.as_ellipses)
                     .map_err(|error| refuse(&format!("{} {error}", path.display())))?;
                 timing.read += start.elapsed();
                 let (contradictions, count) = (list.contradictions(), list.count());
@@ -383,7 +425,7 @@ impl Maker<'_> {
             Origin::Map(map) => {
                 let refuse =
                     |error: &dyn std::fmt::Display| refuse(&format!("{} {error}", map.path.display()));
-                let rows = read::rows(&map.path, map.given).map_err(|error| refuse(&error))?;
+                let rows = files.map(&map.path, map.given).map_err(|error| refuse(&error))?;
                 timing.read += start.elapsed();
                 let finding = Finding {
                     level: map.level,

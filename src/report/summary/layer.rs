@@ -21,7 +21,8 @@ pub(super) struct LayerSummary<'a> {
     material: &'a str,
     rule: &'static str,
     thicknesses_m: Vec<Thickness>,
-    modulus_ratio: f64,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    modulus_ratio: Option<f64>,
     rule_errors: Vec<RuleErrorSummary>,
 }
 
@@ -63,13 +64,13 @@ pub(super) fn summary(layer: &LayerHead) -> LayerSummary<'_> {
         contact_radius_over_thickness: error.contact_ratio,
         load_over_exact: error.ratio,
     };
-    let told = Rule::ALL.into_iter().zip(&layer.check.told);
+    let told = layer.check.iter().flat_map(|check| Rule::ALL.into_iter().zip(&check.told));
     let errors = told.flat_map(|(rule, errors)| errors.iter().map(move |error| (rule, error)));
     LayerSummary {
         material: &layer.name,
         rule: layer.rule.name(),
         thicknesses_m: layer.thicknesses.iter().copied().map(Thickness).collect(),
-        modulus_ratio: layer.check.modulus_ratio,
+        modulus_ratio: layer.check.as_ref().map(|check| check.modulus_ratio),
         rule_errors: errors.map(error).collect(),
     }
 }

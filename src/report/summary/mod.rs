@@ -16,6 +16,7 @@ use super::limit::Slope;
 use crate::compare::Tolerances;
 use crate::experiment::results::{CompareResults, ContactHead, Head, LimitResults, SurfacesResults};
 use crate::experiment::{LawsResults, StabilityResults};
+use crate::work::Work;
 pub use indentation::indentation;
 use laws::LawsSummary;
 use layer::{FallSummary, LayerSummary, Thickness, ThresholdSummary};
@@ -61,6 +62,8 @@ struct Summary<'a> {
     slopes: Vec<SlopeSummary<'a>>,
     #[serde(skip_serializing_if = "Option::is_none")]
     stability: Option<StabilitySummary>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    work: Option<Work>,
     papers: Vec<&'static str>,
     files: &'a [String],
 }
@@ -122,6 +125,7 @@ impl<'a> Summary<'a> {
             precision: None,
             slopes: Vec::new(),
             stability: None,
+            work: head.work,
             papers: head.papers.iter().map(|paper| paper.full).collect(),
             files,
         }
