@@ -6,13 +6,14 @@ use std::fs;
 
 use asperity::asperity::{Draw, HeightDensity, Population};
 use asperity::coating::Rule;
-use asperity::contact::Tally;
+
 use asperity::experiment::progress::Silent;
 use asperity::experiment::results::{CompareResults, Results, SurfaceResults};
 use asperity::experiment::{Experiment, FileWords};
 use asperity::interface::{Counted, Flat, MicroContact};
 use asperity::law::{Shape, Zmc};
 use asperity::model::{Datum, Deterministic, Model, Statistical};
+use asperity::tally::Tally;
 use asperity::work::{Counter, Work};
 use common::{Random, bodies};
 
