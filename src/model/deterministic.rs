@@ -77,13 +77,17 @@ impl Falls {
     }
 }
 
-/// Asks `of` for an answer at each of `separations` (m), few of them at a time and the largest first; the answers stand in
-/// the order of `separations`.
-fn on_levels<T: Clone + Default>(separations: &[f64], of: impl Fn(&Levels) -> Vec<T>) -> Vec<T> {
+/// Asks `of` for an answer at each of `separations` (m), at most so many of them at a time and the largest first; the answers
+/// stand in the order of `separations`.
+fn on_levels<T: Clone + Default>(
+    separations: &[f64],
+    at_a_time: usize,
+    of: impl Fn(&Levels) -> Vec<T>,
+) -> Vec<T> {
     let mut order: Vec<usize> = (0..separations.len()).collect();
     order.sort_by(|&a, &b| separations[b].total_cmp(&separations[a]));
     let mut answers = vec![T::default(); separations.len()];
-    for some in order.chunks(Levels::MOST) {
+    for some in order.chunks(at_a_time) {
         let found = of(&Levels::new(some.iter().map(|&k| separations[k]).collect()));
         for (&k, answer) in some.iter().zip(found) {
             answers[k] = answer;
@@ -111,7 +115,7 @@ impl<'a, C: MicroContact + ?Sized> Deterministic<'a, C> {
 
     /// The same at each of many separations.
     pub fn tallies(&self, separations: &[f64]) -> Vec<Tally> {
-        on_levels(separations, |levels| self.descend(levels))
+        on_levels(separations, Levels::MOST, |levels| self.descend(levels))
     }
 
     /// The same on the way down through few separations.
@@ -214,17 +218,29 @@ impl<C: MicroContact + ?Sized> Model for Deterministic<'_, C> {
     }
 
     fn count_contacts(&self, separations: &[f64]) -> Option<Counted> {
-        let heights = self.asperities.heights();
+        /// Separations that heights are compared with at a time: those that [`Levels`] tells apart.
+        const AT_A_TIME: usize = 2048;
+        /// Heights that one task counts.
+        const HEIGHTS: usize = 1 << 14;
         let absolute: Vec<f64> = separations.iter().map(|&h| self.absolute(h)).collect();
-        let counts = on_levels(&absolute, |levels| {
-            in_chunks(
-                heights.len(),
-                |chunk| levels.count_above(&heights[chunk]),
-                |total: &mut Vec<u64>, part| {
-                    total.resize(part.len(), 0);
-                    total.iter_mut().zip(part).for_each(|(total, part)| *total += part);
-                },
-            )
+        let counts = on_levels(&absolute, AT_A_TIME, |levels| {
+            let lowest = levels.separations().last().copied().unwrap_or_default();
+            let count = |touched: &mut Vec<f64>, heights: &[f64]| {
+                // Without a branch that half of the heights take.
+                touched.resize(heights.len(), 0.0);
+                let mut end = 0;
+                for &z in heights {
+                    touched[end] = z;
+                    end += usize::from(z > lowest);
+                }
+                levels.count_above(&touched[..end])
+            };
+            let parts = self.asperities.heights().par_chunks(HEIGHTS).map_init(Vec::new, count);
+            let add = |mut total: Vec<u64>, part: Vec<u64>| {
+                total.iter_mut().zip(part).for_each(|(total, part)| *total += part);
+                total
+            };
+            parts.reduce(|| vec![0; levels.separations().len()], add)
         });
         let contacts = counts.into_iter().map(|count| count as f64).collect();
         Some(Counted { contacts, per_area: self.asperities.nominal_area().recip() })
