@@ -118,7 +118,11 @@ struct Node {
 
 impl Node {
     fn new(place: usize, response: Response) -> Self {
-        let shares = |parts: &ByRegime| parts.shares().unwrap_or_default();
+        /// Shares below this are none: their differences would be denormal, which is slow.
+        const NEGLIGIBLE: f64 = 1e-100;
+        let shares = |parts: &ByRegime| {
+            parts.shares().unwrap_or_default().map(|share| if share < NEGLIGIBLE { 0.0 } else { share })
+        };
         let sampling = response.sampling.unwrap_or(SamplingError { pressure: 1.0, area_ratio: 1.0 });
         let [p1, p2, p3] = shares(&response.pressure);
         let [a1, a2, a3] = shares(&response.area_ratio);
@@ -314,15 +318,19 @@ impl<F: FnMut(usize, &[f64; QUANTITIES])> Work for Interpolation<'_, F> {
                 divide_differences(&nodes[..count], &mut differences[..count], zero);
             }
             let h = separations[place];
-            for k in (0..QUANTITIES).step_by(N::LANES) {
-                let mut value = zero;
-                for (node, difference) in nodes[..count].iter().zip(&differences[..count]).rev() {
-                    value = value.times_plus(zero.splat(h - node), zero.load(&difference[k..]));
+            // All registers at once: each waits for itself only.
+            let mut values = [zero; QUANTITIES];
+            let values = &mut values[..QUANTITIES / N::LANES];
+            for (node, difference) in nodes[..count].iter().zip(&differences[..count]).rev() {
+                let step = zero.splat(h - node);
+                for (k, value) in values.iter_mut().enumerate() {
+                    *value = value.times_plus(step, zero.load(&difference[k * N::LANES..]));
                 }
-                if scale == Scale::Plain && k < LOGARITHMS {
-                    value = exponential(value);
-                }
-                value.store(&mut quantities[k..]);
+            }
+            for (k, value) in values.iter().enumerate() {
+                let is_logarithm = k * N::LANES < LOGARITHMS;
+                let value = if scale == Scale::Plain && is_logarithm { exponential(*value) } else { *value };
+                value.store(&mut quantities[k * N::LANES..]);
             }
             take(place, &quantities);
         }

@@ -5,6 +5,7 @@ use std::sync::OnceLock;
 use rayon::prelude::*;
 
 use super::block::{Block, Levels};
+use super::few::Few;
 use super::load_control::LOWEST_SEPARATION;
 use super::{Counted, Datum, Model, Response, SamplingError};
 use crate::asperity::{Asperities, Ordered};
@@ -115,7 +116,14 @@ impl<'a, C: MicroContact + ?Sized> Deterministic<'a, C> {
 
     /// The same at each of many separations.
     pub fn tallies(&self, separations: &[f64]) -> Vec<Tally> {
-        on_levels(separations, Levels::MOST, |levels| self.descend(levels))
+        on_levels(separations, Levels::MOST, |levels| {
+            let lowest = levels.separations()[levels.separations().len() - 1];
+            match Few::above(lowest, &self.asperities) {
+                // Blocks that hold next to nothing are not gone through separation by separation.
+                Some(few) => Deterministic::new(self.contact, few.asperities(), self.datum).descend(levels),
+                None => self.descend(levels),
+            }
+        })
     }
 
     /// The same on the way down through few separations.

@@ -153,10 +153,14 @@ pub fn curves(found: &CurveFindings) -> String {
     let plot = |kind: Kind, title: &str| {
         let milliseconds = |point: &CurvePoint| 1e3 * point.seconds;
         let of_kind = || found.points.iter().filter(move |point| point.kind == kind);
+        let [least, most] = of_kind()
+            .map(milliseconds)
+            .fold([f64::INFINITY, 0.0], |[least, most], time| [time.min(least), time.max(most)]);
         let mut plot = Plot::new(
             title,
             Axis::log("relative error (the larger of area and load)").range(FLOOR / 1.5, 0.1),
-            Axis::log("time of the curve (ms)"),
+            // Around the horizontal lines too.
+            Axis::log("time of the curve (ms)").range(0.6 * least, 1.6 * most),
         );
         let within = || of_kind().filter_map(|point| Some((point.tolerance?, point)));
         let asked: Vec<_> = within().map(|(tolerance, point)| (tolerance, milliseconds(point))).collect();
@@ -190,13 +194,13 @@ pub fn lists(points: &[ListPoint]) -> String {
         points.iter().map(|point| (size(point), 1e9 * seconds(point) / size(point))).collect()
     };
     let separations = points.first().map_or(0, |point| point.separations);
-    let mut plot = Plot::new(
-        "Time an asperity of a list",
-        Axis::log("number of asperities"),
-        Axis::log("time an asperity (ns)"),
-    );
     let read = each(|point| point.read_seconds);
     let sum = each(|point| point.sum_seconds);
+    let times = || read.iter().chain(&sum).map(|(_, time)| *time);
+    let [least, most] = [times().fold(f64::INFINITY, f64::min), times().fold(0.0, f64::max)];
+    // With room on both sides, so that what is nearly level looks so.
+    let axis = Axis::log("time an asperity (ns)").range(0.3 * least, 2.0 * most);
+    let mut plot = Plot::new("Time an asperity of a list", Axis::log("number of asperities"), axis);
     let adding = format!("adding up at {separations} separations");
     for (k, (line, name)) in [(read, "reading the file"), (sum, &adding)].into_iter().enumerate() {
         for layer in series(line, name, Colour::Series(k), Dash::Solid, Marker::Circle) {

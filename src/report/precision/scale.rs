@@ -177,7 +177,7 @@ pub fn lists(page: &mut Page, results: &PrecisionResults) {
             case.lists.iter().map(|point| {
                 let of_each = |value: f64| value / point.asperities as f64;
                 let bytes = |bytes: Option<f64>| {
-                    bytes.map_or_else(|| "-".to_owned(), |bytes| quantity(two_digits(bytes), "B"))
+                    bytes.map_or_else(String::new, |bytes| quantity(two_digits(bytes), "B"))
                 };
                 let taken = point.added_bytes.map(|bytes| bytes as f64);
                 vec![
