@@ -1,8 +1,8 @@
 //! Curves within a tolerance: how far they are off, and what they cost.
 
-use asperity::asperity::{Draw, HeightDensity, Population};
+use asperity::asperity::{AsperitySet, Draw, HeightDensity, Population};
 use asperity::interface::{Interface, MicroContact};
-use asperity::law::{Ceb, Hertz, Law, Zmc};
+use asperity::law::{Ceb, Hertz, Law, Shape, Zmc};
 use asperity::material::Material;
 use asperity::model::{Datum, Deterministic, Model, Response, Statistical, respond_within};
 
@@ -76,6 +76,46 @@ fn a_thousand_sums_for_no_more_than_twice_the_contacts_of_fifty() {
         assert!(shares <= 1e-2, "{shares:e}");
         // Contacts are counted.
         assert!(curve.responses.iter().zip(&exact).all(|(a, b)| a.contact_density == b.contact_density));
+    }
+}
+
+/// A far flat touches few: what it finds is what those alone carry.
+#[test]
+fn far_separations_are_those_of_the_asperities_that_stand_out() {
+    let zmc = bare(Zmc::default());
+    let set = CASES[0].set(300_000, Draw::Random([4; 32])).unwrap();
+    let datum = Datum { mean: 0.0, sigma: CASES[0].sigma };
+    let highest = |z: &f64| *z > 2.5 * datum.sigma;
+    let heights: Vec<f64> = set.heights().iter().copied().filter(highest).collect();
+    let radii = vec![CASES[0].radius; heights.len()];
+    let few = AsperitySet::new(heights, radii, set.nominal_area()).unwrap();
+    let [all, few] = [&set, &few].map(|set| Deterministic::new(&zmc, set.spheres(), datum));
+    let far: Vec<f64> = (0..40).map(|k| 2.6 + 0.05 * f64::from(k)).collect();
+    let (found, expected) = (all.respond_all(&far), few.respond_all(&far));
+    assert!(errors(&found, &expected)[0] < 1e-14);
+    for (found, expected) in found.iter().zip(&expected) {
+        assert_eq!(found.contact_density, expected.contact_density);
+        // Those that touch nothing count.
+        let touching = set.heights().iter().map(|z| z - found.separation).filter(|w| *w > 0.0);
+        let loads: Vec<f64> = touching.map(|w| zmc.contact(w, Shape::sphere(CASES[0].radius)).load).collect();
+        let [sum, squares] = [1, 2].map(|power| loads.iter().map(|load| load.powi(power)).sum::<f64>());
+        let error = (squares - sum * sum / set.count() as f64).sqrt() / set.nominal_area();
+        assert!((found.sampling.unwrap().pressure / error - 1.0).abs() < 1e-5);
+    }
+}
+
+/// Contacts are counted at thousands of separations at once.
+#[test]
+fn contacts_are_counted_at_any_number_of_separations() {
+    let zmc = bare(Zmc::default());
+    let set = CASES[0].set(3000, Draw::Random([6; 32])).unwrap();
+    let datum = Datum { mean: 0.0, sigma: CASES[0].sigma };
+    let model = Deterministic::new(&zmc, set.spheres(), datum);
+    let separations: Vec<f64> = (0..5000).map(|k| 5.0 - f64::from((k * 7919) % 5000) * 0.002).collect();
+    let counted = model.count_contacts(&separations).unwrap();
+    for (h, contacts) in separations.iter().zip(&counted.contacts) {
+        let above = set.heights().iter().filter(|z| **z > h * datum.sigma).count();
+        assert_eq!(*contacts, above as f64, "{h}");
     }
 }
 

@@ -179,6 +179,34 @@ fn a_list_may_be_an_array_of_two_columns() {
     assert!(matches!(read_list(&path, false), Err(ListError::Shape { rows: 4, columns: 1, .. })));
 }
 
+/// Either memory order and byte order, more rows than are read at a time; the first bad value is named.
+#[test]
+fn a_long_array_is_read_in_pieces() {
+    const ROWS: usize = 20_000;
+    let (z, b) = (|row: usize| row as f64 * 1e-12 - 1e-9, |row: usize| 1e-6 + row as f64 * 1e-12);
+    let by_rows: Vec<f64> = (0..ROWS).flat_map(|row| [z(row), b(row)]).collect();
+    let by_columns: Vec<f64> = (0..ROWS).map(z).chain((0..ROWS).map(b)).collect();
+    let bytes = |values: &[f64], big: bool| -> Vec<u8> {
+        values.iter().flat_map(|v| if big { v.to_be_bytes() } else { v.to_le_bytes() }).collect()
+    };
+    let shape = format!("({ROWS}, 2)");
+    for (dtype, fortran, data) in [
+        ("<f8", false, bytes(&by_rows, false)),
+        (">f8", false, bytes(&by_rows, true)),
+        ("<f8", true, bytes(&by_columns, false)),
+    ] {
+        let (_folder, path) = file("long.npy", &array(dtype, fortran, &shape, &data));
+        let (heights, radii) = spheres(&path);
+        assert!(heights.into_iter().eq((0..ROWS).map(z)), "{dtype} {fortran}");
+        assert!(radii.into_iter().eq((0..ROWS).map(b)), "{dtype} {fortran}");
+    }
+    let mut bad = by_rows.clone();
+    (bad[2 * 19_000 + 1], bad[2 * 9_000], bad[2 * 9_000 + 1]) = (0.0, f64::NAN, -1.0);
+    let (_folder, path) = file("bad.npy", &array("<f8", false, &shape, &bytes(&bad, false)));
+    let error = read_list(&path, false).unwrap_err().to_string();
+    assert!(error.contains("row 9001 of 20000, column `height`: found NaN"), "{error}");
+}
+
 /// Columns in any order, or four of an array; they are heights, radii and the principal curvatures.
 #[test]
 fn a_list_of_ellipses_has_two_curvatures_more() {

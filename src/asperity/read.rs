@@ -4,9 +4,12 @@
 use std::fs::File;
 use std::path::Path;
 
+use rayon::prelude::*;
+
 use super::{AsperitySet, Ellipse, SetError};
+use crate::memory::zeros;
 use crate::numeric::{LARGEST, is_positive};
-use crate::surface::read::{self, ReadError, npy};
+use crate::surface::read::{ReadError, npy};
 
 /// Why a file gives no list of asperities.
 #[derive(Debug, thiserror::Error)]
@@ -112,14 +115,16 @@ impl Column {
     }
 }
 
-/// The values of one asperity in the order of the columns; 0 where one was not asked for.
-type Row = [f64; Column::ALL.len()];
+/// The values of [`Column::ALL`], asperity by asperity; none of one that was not asked for.
+type Columns = [Vec<f64>; Column::ALL.len()];
 
-/// What a list holds, a row an asperity.
+/// What a list holds.
 #[derive(Debug, Clone, PartialEq)]
 pub struct AsperityList {
-    rows: Vec<Row>,
-    has_ellipses: bool,
+    heights: Vec<f64>,
+    radii: Vec<f64>,
+    /// kx and ky.
+    curvatures: Option<[Vec<f64>; 2]>,
 }
 
 impl AsperityList {
@@ -128,15 +133,16 @@ impl AsperityList {
     pub fn contradictions(&self) -> usize {
         /// The rounding of a radius in a file.
         const ROUNDING: f64 = 1e-3;
-        let contradicts = |[_, radius, kx, ky]: &Row| {
-            radius * kx.max(*ky) < 1.0 - ROUNDING || radius * kx.min(*ky) > 1.0 + ROUNDING
+        let Some([kx, ky]) = &self.curvatures else { return 0 };
+        let contradicts = |(radius, (kx, ky)): &(&f64, (&f64, &f64))| {
+            *radius * kx.max(**ky) < 1.0 - ROUNDING || *radius * kx.min(**ky) > 1.0 + ROUNDING
         };
-        if self.has_ellipses { self.rows.iter().filter(|row| contradicts(row)).count() } else { 0 }
+        self.radii.iter().zip(kx.iter().zip(ky)).filter(contradicts).count()
     }
 
     /// Number of rows.
     pub fn count(&self) -> usize {
-        self.rows.len()
+        self.heights.len()
     }
 
     /// The asperities on a nominal area (m^2).
@@ -144,26 +150,28 @@ impl AsperityList {
     /// # Errors
     /// See [`SetError`].
     pub fn set(self, nominal_area: f64) -> Result<AsperitySet, SetError> {
-        let column = |index: usize| self.rows.iter().map(|row| row[index]).collect();
-        let set = AsperitySet::new(column(0), column(1), nominal_area)?;
-        if !self.has_ellipses {
-            return Ok(set);
-        }
-        set.with_ellipses(self.rows.iter().map(|row| Ellipse::new(row[2], row[3])).collect())
+        let set = AsperitySet::new(self.heights, self.radii, nominal_area)?;
+        let Some([kx, ky]) = self.curvatures else { return Ok(set) };
+        set.with_ellipses(kx.iter().zip(&ky).map(|(&kx, &ky)| Ellipse::new(kx, ky)).collect())
     }
 }
 
-/// Checks that a file has the columns that [`read_list`] needs, without reading the rows.
+/// Checks that a file has the columns that [`read_list`] needs, without reading the rows, and says how many rows it has at
+/// the most.
 ///
 /// # Errors
 /// See [`ListError`].
-pub fn check_list(path: &Path, as_ellipses: bool) -> Result<(), ListError> {
+pub fn check_list(path: &Path, as_ellipses: bool) -> Result<usize, ListError> {
+    /// The shortest row of a CSV: "0,1" and a line end.
+    const BYTES_PER_ROW: u64 = 4;
     let needed = needed(as_ellipses);
     if npy::is_npy(path).map_err(ReadError::from)? {
         let npy::Head { rows, columns, .. } = npy::Head::read(path)?;
-        return check_shape(rows, columns, needed);
+        return check_shape(rows, columns, needed).map(|()| rows);
     }
-    places(&mut csv_reader(path)?, needed).map(|_| ())
+    places(&mut csv_reader(path)?, needed)?;
+    let bytes = std::fs::metadata(path).map_err(ReadError::from)?.len();
+    Ok(usize::try_from(bytes / BYTES_PER_ROW).unwrap_or(usize::MAX))
 }
 
 fn needed(as_ellipses: bool) -> &'static [Column] {
@@ -172,35 +180,43 @@ fn needed(as_ellipses: bool) -> &'static [Column] {
 
 /// Reads heights and radii (m), and where `as_ellipses` principal curvatures kx and ky (1/m), from a CSV file or an `.npy`
 /// with these columns, told apart by their first bytes. Lines of a CSV that begin with `#` are comments; further columns
-/// are passed over.
+/// are passed over. An `.npy` is mapped: no memory is taken but for the values that are needed.
 ///
 /// # Errors
 /// See [`ListError`]; a bad value is named with its row.
 pub fn read_list(path: &Path, as_ellipses: bool) -> Result<AsperityList, ListError> {
     let needed = needed(as_ellipses);
     let is_npy = npy::is_npy(path).map_err(ReadError::from)?;
-    let rows = if is_npy { read_npy(path, needed)? } else { read_csv(path, needed)? };
-    if rows.is_empty() {
+    let [heights, radii, kx, ky] = if is_npy { read_npy(path, needed)? } else { read_csv(path, needed)? };
+    if heights.is_empty() {
         return Err(ListError::Empty);
     }
-    Ok(AsperityList { rows, has_ellipses: as_ellipses })
+    Ok(AsperityList { heights, radii, curvatures: as_ellipses.then_some([kx, ky]) })
 }
 
-fn read_npy(path: &Path, needed: &'static [Column]) -> Result<Vec<Row>, ListError> {
-    let read::Matrix { rows, columns, values, .. } = npy::matrix(path)?;
+fn read_npy(path: &Path, needed: &'static [Column]) -> Result<Columns, ListError> {
+    /// Rows that are read at a time: they stay in the cache.
+    const ROWS: usize = 8192;
+    let array = npy::Mapped::in_either_order(path)?;
+    let [rows, columns] = array.points();
     check_shape(rows, columns, needed)?;
-    let asperity = |(row, found): (usize, &[f64])| {
-        let mut asperity = Row::default();
-        for ((&column, &value), place) in needed.iter().zip(found).zip(&mut asperity) {
-            if !column.allows(value) {
-                let place = format!("row {} of {rows}", row + 1);
-                return Err(ListError::Cell { place, column, found: value.to_string() });
-            }
-            *place = value;
-        }
-        Ok(asperity)
-    };
-    values.chunks_exact(columns).enumerate().map(asperity).collect()
+    let mut found = Columns::default();
+    let mut pieces: Vec<Vec<&mut [f64]>> = (0..rows.div_ceil(ROWS)).map(|_| Vec::new()).collect();
+    for (column, _) in found.iter_mut().zip(needed) {
+        *column = zeros(rows);
+        pieces.iter_mut().zip(column.chunks_mut(ROWS)).for_each(|(pieces, piece)| pieces.push(piece));
+    }
+    let bad = pieces.par_iter_mut().enumerate().find_map_first(|(k, pieces)| {
+        array.columns(k * ROWS, pieces);
+        let bad = needed.iter().zip(&*pieces).filter_map(|(&column, piece)| {
+            let row = piece.iter().position(|&value| !column.allows(value))?;
+            Some((row, column, piece[row]))
+        });
+        let (row, column, value) = bad.min_by_key(|(row, ..)| *row)?;
+        let place = format!("row {} of {rows}", k * ROWS + row + 1);
+        Some(ListError::Cell { place, column, found: value.to_string() })
+    });
+    bad.map_or(Ok(found), Err)
 }
 
 /// An array of ellipses is one of spheres too.
@@ -232,20 +248,22 @@ fn places(reader: &mut csv::Reader<File>, needed: &'static [Column]) -> Result<V
     needed.iter().map(place_of).collect()
 }
 
-fn read_csv(path: &Path, needed: &'static [Column]) -> Result<Vec<Row>, ListError> {
+fn read_csv(path: &Path, needed: &'static [Column]) -> Result<Columns, ListError> {
     let mut reader = csv_reader(path)?;
     let places = places(&mut reader, needed)?;
-    let asperity = |record: Result<csv::StringRecord, csv::Error>| {
+    let mut found = Columns::default();
+    for record in reader.records() {
         let record = record?;
         let line = record.position().map_or(0, csv::Position::line);
-        let mut asperity = Row::default();
-        for ((&column, &index), place) in needed.iter().zip(&places).zip(&mut asperity) {
+        for ((&column, &index), values) in needed.iter().zip(&places).zip(&mut found) {
             let text = &record[index];
-            *place = text.parse().ok().filter(|&value| column.allows(value)).ok_or_else(|| {
-                ListError::Cell { place: format!("line {line}"), column, found: format!("`{text}`") }
-            })?;
+            let value = text.parse().ok().filter(|&value| column.allows(value));
+            values.push(value.ok_or_else(|| ListError::Cell {
+                place: format!("line {line}"),
+                column,
+                found: format!("`{text}`"),
+            })?);
         }
-        Ok(asperity)
-    };
-    reader.records().map(asperity).collect()
+    }
+    Ok(found)
 }

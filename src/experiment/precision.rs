@@ -10,8 +10,10 @@ use super::{Refusal, stream_seed};
 use crate::asperity::Population;
 use crate::interface::plasticity_index;
 use crate::literature;
+use crate::precision::curve::{CurveFindings, curves_of};
 use crate::precision::grid::{GridFindings, maps_of};
 use crate::precision::integral::{IntegralFindings, rules_on};
+use crate::precision::list::{ListPoint, lists_of};
 use crate::precision::sampling::{SamplingFindings, sets_of};
 use crate::precision::sum::{SumPoint, ways_on};
 use crate::stability::exact::Exact;
@@ -52,6 +54,10 @@ pub struct CasePrecision {
     pub integral: Option<IntegralFindings>,
     /// Ways to add up; empty where none was asked for.
     pub sums: Vec<SumPoint>,
+    /// Curves within a tolerance, where they were asked for.
+    pub curve: Option<CurveFindings>,
+    /// Lists in files, shortest first; empty where none was asked for.
+    pub lists: Vec<ListPoint>,
     /// Random sets, where they were asked for.
     pub sampling: Option<SamplingFindings>,
 }
@@ -123,6 +129,16 @@ fn case(
         sums = ways_on(contact, population, task, seed, |_| progress.advance(1))
             .map_err(|error| refuse(&error))?;
     }
+    let seed = stream_seed(plan.seed, &format!("curve {name}"));
+    let curve = all.curve.as_ref().map(|task| curves_of(contact, population, task, seed));
+    let curve = curve.transpose().map_err(|error| refuse(&error))?;
+    if curve.is_some() {
+        progress.advance(1);
+    }
+    let seed = |count| stream_seed(plan.seed, &format!("list {name} {count}"));
+    let lists =
+        all.list.as_ref().map(|task| lists_of(contact, population, task, seed, |_| progress.advance(1)));
+    let lists = lists.transpose().map_err(|error| refuse(&error))?.unwrap_or_default();
     let seed = |count, draw| stream_seed(plan.seed, &format!("sampling {name} {count} {draw}"));
     let sets =
         all.sampling.as_ref().map(|task| sets_of(contact, population, task, seed, |_| progress.advance(1)));
@@ -134,6 +150,8 @@ fn case(
         plasticity_index: plasticity_index(contact, population.sigma, population.radius),
         integral,
         sums,
+        curve,
+        lists,
         sampling,
     })
 }

@@ -4,35 +4,41 @@ use crate::asperity::Asperities;
 use crate::numeric::WHOLES;
 use crate::numeric::lanes::{Real, Work, run};
 
-/// The separations of a curve, m, largest first.
-pub(super) struct Levels {
+/// The separations of a curve, m, largest first, with room for `PLACES` of them and for `CELLS` of a grid over them: powers
+/// of two, so that what is taken modulo them needs no check.
+pub(super) struct Levels<const PLACES: usize, const CELLS: usize> {
     count: usize,
     /// Below all heights from the end on.
     separations: Box<[f64; PLACES]>,
     /// m.
     lowest: f64,
-    /// Of each cell of a grid over the separations, how many lie in cells above it.
-    above: Box<[u8; CELLS]>,
+    /// Of each cell, how many separations lie in cells above it.
+    above: Box<[u16; CELLS]>,
     cells_per_metre: f64,
     last_cell: f64,
 }
 
-/// Numbers of separations that a byte can tell, so that no place needs to be checked.
-const PLACES: usize = 256;
+/// Those that the blocks of a sum are ordered by.
+pub(super) type LevelsOfBlock = Levels<256, 4096>;
 
-/// The same of cells, of which there are fewer.
-const CELLS: usize = 4096;
+/// As many as contacts are counted at.
+pub(super) type ManyLevels = Levels<4096, 65_536>;
 
 /// Cells a separation: most hold none, so that a height is seldom compared twice.
 const CELLS_PER_LEVEL: usize = 16;
 
-impl Levels {
+impl<const PLACES: usize, const CELLS: usize> Levels<PLACES, CELLS> {
     /// How many separations there may be at the most.
-    pub(super) const MOST: usize = 128;
+    pub(super) const MOST: usize = {
+        assert!(PLACES.is_power_of_two() && CELLS.is_power_of_two() && CELLS <= 1 << 16);
+        // One place and one cell more are needed than there are separations, and cells for them.
+        if PLACES < CELLS / CELLS_PER_LEVEL { PLACES / 2 } else { CELLS / CELLS_PER_LEVEL / 2 }
+    };
 
     /// From 1 to [`Self::MOST`] separations, largest first.
     pub(super) fn new(separations: &[f64]) -> Self {
         let count = separations.len();
+        assert!((1..=Self::MOST).contains(&count), "{count} separations");
         let last_cell = (CELLS_PER_LEVEL * count) as f64;
         let span = separations[0] - separations[count - 1];
         // Finite also where separations are next to each other.
@@ -88,11 +94,11 @@ impl Levels {
 
     /// How many separations an asperity in `cell` is not touched at; all that lie in cells above its own are among them.
     #[inline(always)]
-    fn untouched(&self, height: f64, cell: u16) -> u8 {
+    fn untouched(&self, height: f64, cell: u16) -> u16 {
         let mut place = self.above[usize::from(cell) % CELLS];
         // Without a branch, since one cannot be foreseen.
-        place += u8::from(self.separations[usize::from(place)] >= height);
-        while self.separations[usize::from(place)] >= height {
+        place += u16::from(self.separations[usize::from(place) % PLACES] >= height);
+        while self.separations[usize::from(place) % PLACES] >= height {
             place += 1;
         }
         place
@@ -109,9 +115,9 @@ pub(super) struct Block {
     cells: Box<[u16; Self::MOST]>,
     /// Which are touched, and at how many separations each of them is not.
     touched: Box<[u16; Self::MOST]>,
-    places: Box<[u8; Self::MOST]>,
+    places: Box<[u16; Self::MOST]>,
     /// How many are touched at each separation.
-    ends: [usize; PLACES],
+    ends: [usize; Self::PLACES],
 }
 
 impl Default for Block {
@@ -123,7 +129,7 @@ impl Default for Block {
             cells: room(),
             touched: room(),
             places: room(),
-            ends: [0; PLACES],
+            ends: [0; Self::PLACES],
         }
     }
 }
@@ -134,7 +140,7 @@ fn room<T: Default + Copy>() -> Box<[T; Block::MOST]> {
 
 /// Finds the cells of heights, in the registers of the machine.
 struct FindCells<'a> {
-    levels: &'a Levels,
+    levels: &'a LevelsOfBlock,
     heights: &'a [f64],
     cells: &'a mut [u16],
 }
@@ -154,8 +160,11 @@ impl Block {
     /// How many asperities there may be at the most: they stay in the cache from one separation to the next.
     pub(super) const MOST: usize = 8192;
 
+    /// As many as [`LevelsOfBlock`] has.
+    const PLACES: usize = 256;
+
     /// Takes in up to [`Self::MOST`] asperities.
-    pub(super) fn fill(&mut self, asperities: Asperities<'_>, levels: &Levels) {
+    pub(super) fn fill(&mut self, asperities: Asperities<'_>, levels: &LevelsOfBlock) {
         let all = asperities.count();
         let (z, b) = (&asperities.heights()[..all], &asperities.radii()[..all]);
         let Self { heights, radii, spheres, cells, touched, places, ends } = self;
@@ -172,7 +181,7 @@ impl Block {
         for (place, &index) in places.iter_mut().zip(touched) {
             let index = usize::from(index);
             *place = levels.untouched(z[index], cells[index % Self::MOST]);
-            ends[usize::from(*place)] += 1;
+            ends[usize::from(*place) % Self::PLACES] += 1;
         }
         let mut start = 0;
         for end in ends.iter_mut() {
@@ -181,7 +190,7 @@ impl Block {
 
         // Each start moves on to become an end.
         let order = places.iter().zip(touched).map(|(&place, &index)| {
-            let end = &mut ends[usize::from(place)];
+            let end = &mut ends[usize::from(place) % Self::PLACES];
             let to = *end % Self::MOST;
             *end += 1;
             (to, usize::from(index))
@@ -226,9 +235,10 @@ mod tests {
         let all = Asperities::new(&heights, &radii, Some(&radii), 1.0);
         let mut block = Block::default();
         for separations in lists {
-            let levels = Levels::new(separations);
+            let levels = LevelsOfBlock::new(separations);
             block.fill(all, &levels);
             let counts = levels.count_above(&heights);
+            assert_eq!(ManyLevels::new(separations).count_above(&heights), counts);
             for (level, &separation) in separations.iter().enumerate() {
                 let mut found: Vec<_> =
                     block.above(level, &all).each().map(|(z, shape)| (shape.radius as usize, z)).collect();

@@ -2,6 +2,7 @@
 
 use super::{Model, Response, SamplingError};
 use crate::contact::ByRegime;
+use crate::numeric::lanes::{Mask, Real, Work, run};
 
 /// A curve within a tolerance.
 #[derive(Debug, Clone, PartialEq)]
@@ -12,12 +13,18 @@ pub struct Curve {
     pub asked: Vec<f64>,
 }
 
-/// What is interpolated of a response: the logarithms of what spans decades, and shares.
-const QUANTITIES: usize = 12;
+/// What is interpolated of a response: the logarithms of what spans decades, then shares. Both fill whole registers.
+const QUANTITIES: usize = 2 * LOGARITHMS;
 
-/// The first so many hold the tolerance: pressure and area ratio; of an integral the shares of both too. Those of a sum jump
-/// at each asperity that changes its regime.
-const HELD: [usize; 2] = [2, 8];
+/// Pressure, area ratio, contacts, stiffness and sampling errors, and two places that are free.
+const LOGARITHMS: usize = 8;
+
+/// Places of the quantities that hold the tolerance: the logarithms of pressure and area ratio.
+const TOTALS: std::ops::Range<usize> = 0..2;
+
+/// Those of an integral that hold it besides: the shares of both. Those of a sum jump at each asperity that changes its
+/// regime.
+const SHARES: std::ops::Range<usize> = LOGARITHMS..LOGARITHMS + 6;
 
 /// Below so many separations each is asked for.
 const FEWEST: usize = 32;
@@ -45,10 +52,16 @@ pub fn respond_within(model: &dyn Model, separations: &[f64], tolerance: f64) ->
     let mut sketch = Sketch::new(ascending, kinks);
     sketch.settle(model, tolerance);
     let mut responses = vec![None; separations.len()];
-    for (place, &k) in order.iter().enumerate() {
-        responses[k] =
-            sketch.at(model, place, counted.as_ref().map(|counted| counted.contacts[k] * counted.per_area));
+    for node in &sketch.known {
+        responses[order[node.place]] = Some(node.response);
     }
+    let between: Vec<usize> = (0..order.len()).filter(|&place| responses[order[place]].is_none()).collect();
+    let sigma = model.datum().sigma;
+    sketch.interpolate(&between, Scale::Plain, |place, quantities| {
+        let k = order[place];
+        let density = counted.as_ref().map(|counted| counted.contacts[k] * counted.per_area);
+        responses[k] = response(separations[k], sigma, quantities, density);
+    });
     // Next to where nothing touches there is nothing to interpolate.
     let missing: Vec<usize> = (0..responses.len()).filter(|&k| responses[k].is_none()).collect();
     let missing_separations: Vec<f64> = missing.iter().map(|&k| separations[k]).collect();
@@ -58,7 +71,41 @@ pub fn respond_within(model: &dyn Model, separations: &[f64], tolerance: f64) ->
     for (k, answer) in missing.into_iter().zip(answers) {
         responses[k] = Some(answer);
     }
-    Curve { responses: responses.into_iter().flatten().collect(), asked }
+    // None is missing now: they stay where they are.
+    Curve { responses: responses.into_iter().collect::<Option<_>>().unwrap_or_default(), asked }
+}
+
+/// The response at `h`, in units of `sigma` (m), that has these quantities, with so many contacts an area if they were counted;
+/// `None` where they are none.
+fn response(
+    h: f64,
+    sigma: f64,
+    quantities: &[f64; QUANTITIES],
+    counted_density: Option<f64>,
+) -> Option<Response> {
+    let [pressure, area, contacts, stiffness, of_pressure, of_area, _, _, p1, p2, p3, a1, a2, a3, ..] =
+        *quantities;
+    let is_positive = |value: &f64| *value > 0.0 && *value < f64::INFINITY;
+    if !(quantities[TOTALS].iter().all(is_positive)
+        && quantities[SHARES].iter().all(|share| share.is_finite()))
+    {
+        return None;
+    }
+    let parts = |total: f64, shares: [f64; 3]| {
+        let shares = shares.map(|share| share.max(0.0));
+        let part = total / (shares[0] + shares[1] + shares[2]);
+        ByRegime(shares.map(|share| share * part))
+    };
+    Some(Response {
+        separation_over_sigma: h,
+        separation: h * sigma,
+        contact_density: counted_density.unwrap_or(contacts),
+        area_ratio: parts(area, [a1, a2, a3]),
+        pressure: parts(pressure, [p1, p2, p3]),
+        stiffness,
+        // Only a sum has its contacts counted.
+        sampling: counted_density.map(|_| SamplingError { pressure: of_pressure, area_ratio: of_area }),
+    })
 }
 
 /// Where the model was asked: place and answer, and what is interpolated of it.
@@ -71,24 +118,26 @@ struct Node {
 
 impl Node {
     fn new(place: usize, response: Response) -> Self {
-        let shares = |parts: &ByRegime| parts.shares().unwrap_or_default();
+        /// Shares below this are none: their differences would be denormal, which is slow.
+        const NEGLIGIBLE: f64 = 1e-100;
+        let shares = |parts: &ByRegime| {
+            parts.shares().unwrap_or_default().map(|share| if share < NEGLIGIBLE { 0.0 } else { share })
+        };
         let sampling = response.sampling.unwrap_or(SamplingError { pressure: 1.0, area_ratio: 1.0 });
         let [p1, p2, p3] = shares(&response.pressure);
         let [a1, a2, a3] = shares(&response.area_ratio);
-        let quantities = [
-            response.pressure.total().ln(),
-            response.area_ratio.total().ln(),
-            p1,
-            p2,
-            p3,
-            a1,
-            a2,
-            a3,
-            response.contact_density.ln(),
-            response.stiffness.ln(),
-            sampling.pressure.ln(),
-            sampling.area_ratio.ln(),
-        ];
+        let ln = [
+            response.pressure.total(),
+            response.area_ratio.total(),
+            response.contact_density,
+            response.stiffness,
+            sampling.pressure,
+            sampling.area_ratio,
+        ]
+        .map(f64::ln);
+        let mut quantities = [0.0; QUANTITIES];
+        quantities[..ln.len()].copy_from_slice(&ln);
+        quantities[SHARES].copy_from_slice(&[p1, p2, p3, a1, a2, a3]);
         Self { place, response, quantities }
     }
 }
@@ -99,6 +148,11 @@ struct Interval([usize; 2]);
 impl Interval {
     fn middle(&self) -> usize {
         (self.0[0] + self.0[1]) / 2
+    }
+
+    /// Whether one lies between its ends.
+    fn holds_a_place(&self) -> bool {
+        self.0[1] - self.0[0] > 1
     }
 
     fn halves(&self) -> [Self; 2] {
@@ -147,103 +201,165 @@ struct Sketch {
     kinks: Option<Kinks>,
     /// Nodes that an interpolation goes through: few where the curve has a kink at every asperity.
     through: usize,
-    /// How many quantities hold the tolerance.
-    held: usize,
 }
+
+/// Nodes that any interpolation goes through at the most.
+const MOST_THROUGH: usize = 10;
 
 impl Sketch {
     fn new(separations: Vec<f64>, kinks: Option<Kinks>) -> Self {
-        let (through, held) = if kinks.is_some() { (4, HELD[0]) } else { (10, HELD[1]) };
-        Self { separations, known: Vec::new(), kinks, through, held }
+        let through = if kinks.is_some() { 4 } else { MOST_THROUGH };
+        Self { separations, known: Vec::new(), kinks, through }
     }
 
-    /// Asks the model at `places`, ascending and new.
-    fn ask(&mut self, model: &dyn Model, places: &[usize]) {
+    fn ask(&self, model: &dyn Model, places: &[usize]) -> Vec<Node> {
         let separations: Vec<f64> = places.iter().map(|&place| self.separations[place]).collect();
         let answers = model.respond_all(&separations);
-        self.known.extend(places.iter().zip(answers).map(|(&place, response)| Node::new(place, response)));
+        places.iter().zip(answers).map(|(&place, response)| Node::new(place, response)).collect()
+    }
+
+    fn learn(&mut self, nodes: Vec<Node>) {
+        self.known.extend(nodes);
         self.known.sort_unstable_by_key(|node| node.place);
+    }
+
+    /// Intervals, ascending, that are no longer than an eighth of the curve nor than the kinks allow.
+    fn intervals(&self, tolerance: f64) -> Vec<Interval> {
+        let last = self.separations.len() - 1;
+        let end = |k: usize| k * last / INTERVALS;
+        let mut rough: Vec<Interval> = (0..INTERVALS).rev().map(|k| Interval([end(k), end(k + 1)])).collect();
+        let mut all = Vec::new();
+        while let Some(interval) = rough.pop() {
+            let Interval([from, to]) = interval;
+            let length = self.separations[to] - self.separations[from];
+            let matters = |kinks: &Kinks| kinks.matter(&interval, length, tolerance);
+            if interval.holds_a_place() && self.kinks.as_ref().is_some_and(matters) {
+                let [below, above] = interval.halves();
+                rough.extend([above, below]);
+            } else {
+                all.push(interval);
+            }
+        }
+        all
     }
 
     /// Asks until every interval between two answers can be interpolated, or holds no place more.
     fn settle(&mut self, model: &dyn Model, tolerance: f64) {
-        let last = self.separations.len() - 1;
-        let ends: Vec<usize> = (0..=INTERVALS).map(|k| k * last / INTERVALS).collect();
-        self.ask(model, &ends);
-        let mut open: Vec<Interval> = ends.windows(2).map(|ends| Interval([ends[0], ends[1]])).collect();
+        let mut open = self.intervals(tolerance);
+        let mut ends: Vec<usize> = open.iter().map(|Interval([from, _])| *from).collect();
+        ends.push(self.separations.len() - 1);
+        open.retain(Interval::holds_a_place);
+        // What the kinks ask for is asked at once: a sum looks at all asperities each time.
+        let middles = open.iter().map(Interval::middle);
+        let mut nodes = self.ask(model, &ends.iter().copied().chain(middles).collect::<Vec<_>>());
+        let mut found = nodes.split_off(ends.len());
+        self.learn(nodes);
         while !open.is_empty() {
-            open.retain(|Interval([from, to])| to - from > 1);
             let middles: Vec<usize> = open.iter().map(Interval::middle).collect();
-            let foretold: Vec<[f64; QUANTITIES]> =
-                middles.iter().map(|&place| self.interpolate(place)).collect();
-            self.ask(model, &middles);
-            let is_off = |place: usize, foretold: &[f64; QUANTITIES]| {
-                let Ok(k) = self.known.binary_search_by_key(&place, |node| node.place) else { return true };
-                let found = self.known[k].quantities;
-                !(0..self.held).all(|k| (found[k] - foretold[k]).abs() <= tolerance)
+            let mut foretold = Vec::new();
+            self.interpolate(&middles, Scale::Logarithms, |_, quantities| foretold.push(*quantities));
+            let is_within = |(found, foretold): (&Node, &[f64; QUANTITIES])| {
+                let holds = |k: usize| (found.quantities[k] - foretold[k]).abs() <= tolerance;
+                TOTALS.into_iter().all(holds) && (self.kinks.is_some() || SHARES.into_iter().all(holds))
             };
-            let mut next = Vec::new();
-            for (interval, foretold) in open.iter().zip(&foretold) {
-                let Interval([from, to]) = *interval;
-                let length = self.separations[to] - self.separations[from];
-                let is_rough =
-                    self.kinks.as_ref().is_some_and(|kinks| kinks.matter(interval, length, tolerance));
-                if is_rough || is_off(interval.middle(), foretold) {
-                    next.extend(interval.halves());
+            let is_off: Vec<bool> = found.iter().zip(&foretold).map(|pair| !is_within(pair)).collect();
+            self.learn(found);
+            let off = open.iter().zip(is_off).filter(|(_, is_off)| *is_off);
+            open = off.flat_map(|(interval, _)| interval.halves()).filter(Interval::holds_a_place).collect();
+            found = self.ask(model, &open.iter().map(Interval::middle).collect::<Vec<_>>());
+        }
+    }
+
+    /// Hands on each of the ascending `places` with the quantities there, by the polynomial through the nearest nodes; no number
+    /// where one of them is none.
+    fn interpolate(&self, places: &[usize], scale: Scale, take: impl FnMut(usize, &[f64; QUANTITIES])) {
+        run(Interpolation { sketch: self, places, scale, take });
+    }
+}
+
+/// How logarithms are answered.
+#[derive(Clone, Copy, PartialEq)]
+enum Scale {
+    /// As they are.
+    Logarithms,
+    /// As what they are the logarithms of.
+    Plain,
+}
+
+/// Newton's polynomials through the nearest nodes (DLMF 3.3.38), of all quantities side by side.
+struct Interpolation<'a, F> {
+    sketch: &'a Sketch,
+    places: &'a [usize],
+    scale: Scale,
+    take: F,
+}
+
+impl<F: FnMut(usize, &[f64; QUANTITIES])> Work for Interpolation<'_, F> {
+    type Output = ();
+
+    #[inline(always)]
+    fn with<N: Real>(self, zero: N) {
+        let Self { sketch: Sketch { separations, known, through, .. }, places, scale, mut take } = self;
+        let count = known.len().min(*through);
+        let mut nodes = [0.0; MOST_THROUGH];
+        let mut differences = [[0.0; QUANTITIES]; MOST_THROUGH];
+        let mut quantities = [0.0; QUANTITIES];
+        let (mut after, mut begin) = (0, usize::MAX);
+        for &place in places {
+            while known.get(after).is_some_and(|node| node.place < place) {
+                after += 1;
+            }
+            let first = after.saturating_sub(through / 2).min(known.len() - count);
+            if first != begin {
+                begin = first;
+                for (k, node) in known[first..first + count].iter().enumerate() {
+                    (nodes[k], differences[k]) = (separations[node.place], node.quantities);
+                }
+                divide_differences(&nodes[..count], &mut differences[..count], zero);
+            }
+            let h = separations[place];
+            // All registers at once: each waits for itself only.
+            let mut values = [zero; QUANTITIES];
+            let values = &mut values[..QUANTITIES / N::LANES];
+            for (node, difference) in nodes[..count].iter().zip(&differences[..count]).rev() {
+                let step = zero.splat(h - node);
+                for (k, value) in values.iter_mut().enumerate() {
+                    *value = value.times_plus(step, zero.load(&difference[k * N::LANES..]));
                 }
             }
-            open = next;
+            for (k, value) in values.iter().enumerate() {
+                let is_logarithm = k * N::LANES < LOGARITHMS;
+                let value = if scale == Scale::Plain && is_logarithm { exponential(*value) } else { *value };
+                value.store(&mut quantities[k * N::LANES..]);
+            }
+            take(place, &quantities);
         }
     }
+}
 
-    /// The quantities at a place, by the polynomial through the nearest nodes; no number where one of them is none.
-    fn interpolate(&self, place: usize) -> [f64; QUANTITIES] {
-        let after = self.known.partition_point(|node| node.place < place);
-        let first = after.saturating_sub(self.through / 2).min(self.known.len().saturating_sub(self.through));
-        let nodes = &self.known[first..self.known.len().min(first + self.through)];
-        let h = self.separations[place];
-        let mut quantities = [0.0; QUANTITIES];
-        for node in nodes {
-            let at = self.separations[node.place];
-            let others = nodes.iter().filter(|other| other.place != node.place);
-            let weight: f64 = others
-                .map(|other| self.separations[other.place])
-                .map(|other| (h - other) / (at - other))
-                .product();
-            for (quantity, value) in quantities.iter_mut().zip(node.quantities) {
-                *quantity += weight * value;
+/// Makes the values at `nodes` the divided differences of a polynomial through them.
+#[inline(always)]
+fn divide_differences<N: Real>(nodes: &[f64], values: &mut [[f64; QUANTITIES]], zero: N) {
+    for order in 1..nodes.len() {
+        for j in (order..nodes.len()).rev() {
+            let per_length = (nodes[j] - nodes[j - order]).recip();
+            for k in (0..QUANTITIES).step_by(N::LANES) {
+                let difference = zero.load(&values[j][k..]) - zero.load(&values[j - 1][k..]);
+                (difference * per_length).store(&mut values[j][k..]);
             }
         }
-        quantities
     }
+}
 
-    /// The answer at a place, with so many contacts an area if they were counted; `None` where it cannot be interpolated.
-    fn at(&self, model: &dyn Model, place: usize, density: Option<f64>) -> Option<Response> {
-        if let Ok(k) = self.known.binary_search_by_key(&place, |node| node.place) {
-            return Some(self.known[k].response);
-        }
-        let is_sum = self.known.first()?.response.sampling.is_some();
-        let quantities = self.interpolate(place);
-        // One asperity has no sampling error, and ln 0 none either.
-        if !quantities[..HELD[1]].iter().all(|quantity| quantity.is_finite()) {
-            return None;
-        }
-        let [pressure, area, p1, p2, p3, a1, a2, a3, contacts, stiffness, of_pressure, of_area] = quantities;
-        let parts = |total: f64, shares: [f64; 3]| {
-            let shares = shares.map(|share| share.max(0.0));
-            let all: f64 = shares.iter().sum();
-            ByRegime(shares.map(|share| total.exp() * share / all))
-        };
-        let h = self.separations[place];
-        Some(Response {
-            separation_over_sigma: h,
-            separation: h * model.datum().sigma,
-            contact_density: density.unwrap_or(contacts.exp()),
-            area_ratio: parts(area, [a1, a2, a3]),
-            pressure: parts(pressure, [p1, p2, p3]),
-            stiffness: stiffness.exp(),
-            sampling: is_sum
-                .then(|| SamplingError { pressure: of_pressure.exp(), area_ratio: of_area.exp() }),
-        })
+/// e to the power of any number.
+#[inline(always)]
+fn exponential<N: Real>(x: N) -> N {
+    /// That of lanes is good up to here.
+    const LARGEST: f64 = 700.0;
+    let largest = x.splat(LARGEST);
+    if (x.at_most(largest) & (-largest).at_most(x)).all() {
+        return x.exp();
     }
+    let [powers] = x.each(|x| [x.exp()]);
+    powers
 }

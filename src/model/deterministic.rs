@@ -4,7 +4,8 @@ use std::sync::OnceLock;
 
 use rayon::prelude::*;
 
-use super::block::{Block, Levels};
+use super::block::{Block, Levels, LevelsOfBlock, ManyLevels};
+use super::few::Few;
 use super::load_control::LOWEST_SEPARATION;
 use super::{Counted, Datum, Model, Response, SamplingError};
 use crate::asperity::{Asperities, Ordered};
@@ -79,13 +80,16 @@ impl Falls {
 
 /// Asks `of` for an answer at each of `separations` (m), few of them at a time and the largest first; the answers stand in
 /// the order of `separations`.
-fn on_levels<T: Clone + Default>(separations: &[f64], of: impl Fn(&Levels) -> Vec<T>) -> Vec<T> {
+fn on_levels<T: Clone + Default, const PLACES: usize, const CELLS: usize>(
+    separations: &[f64],
+    of: impl Fn(&Levels<PLACES, CELLS>) -> Vec<T>,
+) -> Vec<T> {
     let mut order: Vec<usize> = (0..separations.len()).collect();
     order.sort_by(|&a, &b| separations[b].total_cmp(&separations[a]));
     let mut answers = vec![T::default(); separations.len()];
-    for some in order.chunks(Levels::MOST) {
-        let some_separations: Vec<f64> = some.iter().map(|&k| separations[k]).collect();
-        let found = of(&Levels::new(&some_separations));
+    for some in order.chunks(Levels::<PLACES, CELLS>::MOST) {
+        let asked: Vec<f64> = some.iter().map(|&k| separations[k]).collect();
+        let found = of(&Levels::new(&asked));
         for (&k, answer) in some.iter().zip(found) {
             answers[k] = answer;
         }
@@ -112,11 +116,18 @@ impl<'a, C: MicroContact + ?Sized> Deterministic<'a, C> {
 
     /// The same at each of many separations.
     pub fn totals(&self, separations: &[f64]) -> Vec<Total> {
-        on_levels(separations, |levels| self.descend(levels))
+        on_levels(separations, |levels| {
+            let lowest = levels.separations()[levels.separations().len() - 1];
+            match Few::above(lowest, &self.asperities) {
+                // Blocks that hold next to nothing are not gone through separation by separation.
+                Some(few) => Deterministic::new(self.contact, few.asperities(), self.datum).descend(levels),
+                None => self.descend(levels),
+            }
+        })
     }
 
     /// The same on the way down through few separations.
-    fn descend(&self, levels: &Levels) -> Vec<Total> {
+    fn descend(&self, levels: &LevelsOfBlock) -> Vec<Total> {
         let count = self.asperities.count();
         let blocks = count.div_ceil(Block::MOST);
         let per_task = Block::MOST * (blocks / TASKS).clamp(1, BLOCKS_PER_TASK);
@@ -215,17 +226,27 @@ impl<C: MicroContact + ?Sized> Model for Deterministic<'_, C> {
     }
 
     fn count_contacts(&self, separations: &[f64]) -> Option<Counted> {
-        let heights = self.asperities.heights();
+        /// Heights that one task counts.
+        const HEIGHTS: usize = 1 << 14;
         let absolute: Vec<f64> = separations.iter().map(|&h| self.absolute(h)).collect();
-        let counts = on_levels(&absolute, |levels| {
-            in_chunks(
-                heights.len(),
-                |chunk| levels.count_above(&heights[chunk]),
-                |total: &mut Vec<u64>, part| {
-                    total.resize(part.len(), 0);
-                    total.iter_mut().zip(part).for_each(|(total, part)| *total += part);
-                },
-            )
+        let counts = on_levels(&absolute, |levels: &ManyLevels| {
+            let lowest = levels.separations().last().copied().unwrap_or_default();
+            let count = |touched: &mut Vec<f64>, heights: &[f64]| {
+                // Without a branch that half of the heights take.
+                touched.resize(heights.len(), 0.0);
+                let mut end = 0;
+                for &z in heights {
+                    touched[end] = z;
+                    end += usize::from(z > lowest);
+                }
+                levels.count_above(&touched[..end])
+            };
+            let parts = self.asperities.heights().par_chunks(HEIGHTS).map_init(Vec::new, count);
+            let add = |mut total: Vec<u64>, part: Vec<u64>| {
+                total.iter_mut().zip(part).for_each(|(total, part)| *total += part);
+                total
+            };
+            parts.reduce(|| vec![0; levels.separations().len()], add)
         });
         let contacts = counts.into_iter().map(|count| count as f64).collect();
         Some(Counted { contacts, per_area: self.asperities.nominal_area().recip() })

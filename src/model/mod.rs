@@ -4,6 +4,7 @@
 mod block;
 mod curve;
 mod deterministic;
+mod few;
 mod load_control;
 mod response;
 mod statistical;

@@ -8,11 +8,15 @@
 //! |---|---|
 //! | [`integral`] | rules of quadrature, by order or tolerance |
 //! | [`sum`] | ways to add up asperities, by their number, that of the separations, and threads |
+//! | [`curve`] | curves of many separations, by their tolerance |
+//! | [`list`] | lists of asperities read from a file, by their length |
 //! | [`sampling`] | how far a random set is from its population, by the number of asperities |
 //! | [`grid`] | how far the summits of a random map are from those of an endless one on a fine grid |
 
+pub mod curve;
 pub mod grid;
 pub mod integral;
+pub mod list;
 mod rules;
 pub mod sampling;
 pub mod sum;

@@ -267,7 +267,7 @@ pub enum SumError {
 }
 
 /// `count` separations, d/sigma, over the range; one alone is its middle.
-fn spread(count: usize) -> Vec<f64> {
+pub(super) fn spread(count: usize) -> Vec<f64> {
     let [from, to] = SEPARATIONS;
     match count {
         1 => vec![0.5 * (from + to)],

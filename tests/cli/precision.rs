@@ -27,6 +27,15 @@ count = { values = [1e3, 5e4] }
 full-count = { values = [6e4] }
 separations = { values = [1, 20] }
 threads = { values = [1, 2] }
+[precision.curve]
+asperities = 300_000
+separations = 500
+beside = 25
+tolerance = { values = [1e-2, 1e-4, 1e-8] }
+[precision.list]
+count = { values = [1e3, 2e6] }
+full-count = { values = [3e6] }
+separations = 4
 [precision.sampling]
 separation = { values = [0] }
 count = { values = [100, 1e3, 1e4, 2e4, 4e4] }
@@ -94,6 +103,31 @@ fn times_and_errors_are_what_they_should_be() {
         assert!(compensated < 3e-16 && of_largest(&format!("naive{order}")) > 2.0 * compensated);
     }
 
+    let curves = table(&report, "curve.csv");
+    assert_eq!(curves.len(), 2 * (2 + 3));
+    for model in ["statistical", "deterministic"] {
+        let of_model: Vec<&Row> = curves.iter().filter(|row| row["model"] == model).collect();
+        let [few, all, within @ ..] = &of_model[..] else { panic!("{curves:?}") };
+        assert_eq!((&*few["separations"], &*all["separations"]), ("25", "500"));
+        assert!(few["tolerance"].is_empty() && all["tolerance"].is_empty());
+        for row in within {
+            let error = number(row, "area_error").max(number(row, "load_error"));
+            assert!(error > 0.0 && error <= number(row, "tolerance"), "{row:?}");
+            assert!(number(row, "asked") <= number(row, "separations") && row["separations"] == "500");
+        }
+        assert!(number(within[2], "asked") < number(within[0], "asked"), "{within:?}");
+    }
+
+    let lists = table(&report, "list.csv");
+    assert_eq!(lists.len(), 2);
+    assert!(number(&lists[1], "seconds_to_read") > number(&lists[0], "seconds_to_read"));
+    assert!(number(&lists[1], "seconds_to_sum") > number(&lists[0], "seconds_to_sum"));
+    if cfg!(target_os = "linux") {
+        // The file and its columns, 16 bytes each, and no copy beside.
+        let each = number(&lists[1], "added_bytes") / 2e6;
+        assert!((16.0..40.0).contains(&each), "{each} bytes an asperity");
+    }
+
     let winners = table(&report, "winners.csv");
     assert_eq!(winners.len(), 3 + 4);
     for row in winners.iter().filter(|row| !row["fastest"].is_empty()) {
@@ -112,11 +146,23 @@ fn times_and_errors_are_what_they_should_be() {
     assert!(bias(&maps[0]) > 3.0 * bias(&maps[2]) && bias(&maps[2]) > 3.0 * bias(&maps[4]));
 
     let page = fs::read_to_string(report.join("report.md")).unwrap();
-    for words in ["The integral, one \\| two", "the shipped one", "√10", "How much surface"] {
+    for words in [
+        "The integral, one \\| two",
+        "the shipped one",
+        "√10",
+        "How much surface",
+        "500 separations of the integral within 1e-8",
+        "25 exact ones",
+    ] {
         assert!(page.contains(words), "{words}");
     }
     assert!(!page.contains("NaN") && report.join("one---two-rules.svg").is_file());
-    assert_eq!(summary(&out, "small")["precision"]["full"], false);
+    let precision = &summary(&out, "small")["precision"];
+    assert_eq!(precision["full"], false);
+    assert_eq!(precision["lists"][0]["asperities"], 2_000_000);
+    let times = precision["curves"][0]["time_over_exact"].as_f64().unwrap();
+    let seconds = |row: &Row| number(row, "seconds_per_curve");
+    assert_eq!(times, seconds(&curves[2]) / seconds(&curves[0]));
 }
 
 #[test]
@@ -127,6 +173,7 @@ fn the_largest_sets_are_run_only_in_full() {
     assert!(sums.iter().any(|row| row["asperities"] == "60000" && row["varied"] == "asperities"));
     assert!(sums.iter().all(|row| row["asperities"] != "60000" || row["varied"] != "threads"));
     assert_eq!(summary(&out, "small")["precision"]["full"], true);
+    assert_eq!(summary(&out, "small")["precision"]["lists"][0]["asperities"], 3_000_000);
     // In full it is another experiment.
     let again = |more: &[&str]| text(&run(&folder.path().join("small.toml"), &out, more).stdout);
     assert!(again(&["--full"]).contains("unchanged"));
@@ -136,6 +183,83 @@ fn the_largest_sets_are_run_only_in_full() {
         text(&experiment(&arguments, folder.path()).stdout)
     };
     assert!(!check(&[]).contains("60000") && check(&["--full"]).contains("60000"));
+}
+
+/// A list is not left behind, whether it could be written or not.
+#[test]
+fn lists_are_removed() {
+    let folder = tempfile::tempdir().unwrap();
+    let temporary = folder.path().join("temporary");
+    fs::create_dir(&temporary).unwrap();
+    let spec = folder.path().join("small.toml");
+    let begin = SMALL.split("[precision.integral]").next().unwrap();
+    fs::write(
+        &spec,
+        format!("{begin}[precision.list]\ncount = {{ values = [1e3, 1e5] }}\nseparations = 2\n"),
+    )
+    .unwrap();
+    let run_there = |temporary: &Path| {
+        std::process::Command::new(env!("CARGO_BIN_EXE_experiment"))
+            .args(["run", "small.toml", "--out", "reports", "--force", "--quiet"])
+            .env("TMPDIR", temporary)
+            .current_dir(folder.path())
+            .output()
+            .unwrap()
+    };
+    let output = run_there(&temporary);
+    assert!(output.status.success(), "{}", text(&output.stderr));
+    assert!(folder.path().join("reports/small/list.csv").is_file());
+    assert_eq!(fs::read_dir(&temporary).unwrap().count(), 0);
+    let output = run_there(&temporary.join("none"));
+    assert!(!output.status.success());
+    let message = text(&output.stderr);
+    assert!(message.contains("case one | two: a list of 1000 asperities cannot be written"), "{message}");
+    assert!(message.contains("with room for 16000 bytes"), "{message}");
+}
+
+/// What a list needs follows from the rows that its head tells: 56 bytes each, and 16 that are kept.
+#[test]
+fn a_long_list_is_no_more_than_its_asperities() {
+    const ROWS: u64 = 10_000_000;
+    let folder = tempfile::tempdir().unwrap();
+    let head = format!("{{'descr': '<f8', 'fortran_order': False, 'shape': ({ROWS}, 2), }}");
+    let mut bytes = b"\x93NUMPY\x01\x00\x76\x00".to_vec();
+    bytes.extend(format!("{head:<117}\n").bytes());
+    let list = fs::File::create(folder.path().join("long.npy")).unwrap();
+    std::io::Write::write_all(&mut &list, &bytes).unwrap();
+    // A hole, which takes no room on the disk.
+    list.set_len(128 + ROWS * 16).unwrap();
+    let spec = "title = \"long\"\n[material.steel]\nyoung = \"210 GPa\"\npoisson = 0.3\nhardness = \"7.6 GPa\"\n\
+                [compare]\nrough = \"steel\"\nflat = \"steel\"\nlaw = \"zmc\"\nmodels = [\"deterministic\"]\n\
+                separation = { from = 4, to = 0, points = 50 }\n\
+                [surface.long.asperities]\nfile = \"long.npy\"\nnominal-area = \"1 mm^2\"\n";
+    fs::write(folder.path().join("long.toml"), spec).unwrap();
+    let output = experiment(&["check", "long.toml"], folder.path());
+    assert!(output.status.success(), "{}", text(&output.stderr));
+    assert!(text(&output.stdout).contains("memory: at most 720.0 MB;"), "{}", text(&output.stdout));
+}
+
+/// What a curve or a list cannot be is refused with its place.
+#[test]
+fn curves_and_lists_have_their_limits() {
+    let folder = tempfile::tempdir().unwrap();
+    for (from, to, words) in [
+        (
+            "tolerance = { values = [1e-2, 1e-4, 1e-8] }",
+            "tolerance = { values = [1e-2, 1e-13] }",
+            "found the tolerance 1e-13; allowed: 1e-12 to 0.01",
+        ),
+        ("beside = 25", "beside = 1", "found 1; allowed: 2 to 100000 separations"),
+        ("asperities = 300_000", "asperities = 0", "found 0; allowed: 1 to 1000000000000 asperities"),
+        ("separations = 4\n", "separations = 0\n", "found 0; allowed: 1 to 100000 separations"),
+    ] {
+        assert!(SMALL.contains(from));
+        let spec = folder.path().join("bad.toml");
+        fs::write(&spec, SMALL.replace(from, to)).unwrap();
+        let output = run(&spec, &folder.path().join("reports"), &[]);
+        assert_eq!(output.status.code(), Some(2));
+        assert!(text(&output.stderr).contains(words), "{}", text(&output.stderr));
+    }
 }
 
 /// A report on times is never the same twice: only its shape is compared.

@@ -64,7 +64,7 @@ pub enum PlanKind {
     /// `[laws]`
     Laws(LawsPlan),
     /// `[precision]`
-    Precision(PrecisionPlan),
+    Precision(Box<PrecisionPlan>),
     /// `[stability]`
     Stability(StabilityPlan),
     /// A look at surfaces, whatever the spec's kind.
@@ -191,7 +191,7 @@ impl Plan {
         } else if let Some(limit) = &spec.limit {
             PlanKind::Limit(reader.limit(limit.get_ref())?)
         } else if let Some(precision) = &spec.precision {
-            PlanKind::Precision(reader.precision(precision.get_ref(), precision.span(), full)?)
+            PlanKind::Precision(Box::new(reader.precision(precision.get_ref(), precision.span(), full)?))
         } else if let Some(stability) = &spec.stability {
             PlanKind::Stability(reader.stability(stability.get_ref())?)
         } else {

@@ -14,10 +14,19 @@ use crate::experiment::results::Bodies;
 use crate::experiment::spec::{self, LawSpec, PrecisionSpec};
 use crate::interface::Flat;
 use crate::law::Zmc;
+use crate::precision::curve::CurveTask;
 use crate::precision::grid::{GridTask, side};
+use crate::precision::list::ListTask;
 use crate::precision::sampling::SamplingTask;
 use crate::precision::sum::{POINTS, SumTask};
 use crate::stability;
+use crate::units::Pure;
+
+/// Of one curve.
+const MOST_SEPARATIONS: u64 = 100_000;
+
+/// Of one set: what memory holds is looked at besides.
+const MOST_ASPERITIES: u64 = 1_000_000_000_000;
 
 /// Run time against error of integrals, sums and surfaces.
 pub struct PrecisionPlan {
@@ -33,6 +42,10 @@ pub struct PrecisionPlan {
     pub separations: Vec<f64>,
     /// The sums.
     pub sum: Option<SumTask>,
+    /// Curves within a tolerance.
+    pub curve: Option<CurveTask>,
+    /// Lists in files.
+    pub list: Option<ListTask>,
     /// Random sets.
     pub sampling: Option<SamplingTask>,
     /// Random maps.
@@ -46,10 +59,14 @@ impl PrecisionPlan {
     pub fn memory(&self) -> u128 {
         /// The map, its half spectrum, and what finding summits takes.
         const BYTES_PER_POINT: u128 = 32;
-        let sets =
-            [&self.sum.as_ref().map(|task| &task.counts), &self.sampling.as_ref().map(|task| &task.counts)];
-        let asperities =
-            sets.into_iter().flatten().flat_map(|counts| counts.iter()).max().copied().unwrap_or(0);
+        let sets = [
+            self.sum.as_ref().map(|task| &task.counts),
+            self.list.as_ref().map(|task| &task.counts),
+            self.sampling.as_ref().map(|task| &task.counts),
+        ];
+        let asperities = sets.into_iter().flatten().flatten();
+        let curve = self.curve.iter().map(|task| &task.asperities);
+        let asperities = asperities.chain(curve).max().copied().unwrap_or(0);
         let points = self.grid.iter().flat_map(maps).max().unwrap_or(0);
         set_memory(asperities as u128).max(points * BYTES_PER_POINT)
     }
@@ -61,13 +78,24 @@ impl PrecisionPlan {
             .sampling
             .iter()
             .map(|task| task.counts.iter().sum::<usize>() * task.separations.len() * task.draws);
-        sums.chain(sets).map(|contacts| (contacts * self.cases.len()) as u128).sum()
+        let lists = self.list.iter().map(|task| task.counts.iter().sum::<usize>() * task.separations);
+        let curves = self
+            .curve
+            .iter()
+            .map(|task| task.asperities * (task.beside + task.separations * (1 + task.tolerances.len())));
+        sums.chain(curves)
+            .chain(lists)
+            .chain(sets)
+            .map(|contacts| (contacts * self.cases.len()) as u128)
+            .sum()
     }
 
     /// Steps of its progress: pieces of work of very different size.
     pub fn steps(&self) -> u64 {
         let of_case = u64::from(!self.separations.is_empty())
             + self.sum.as_ref().map_or(0, |task| task.counts.len() as u64)
+            + u64::from(self.curve.is_some())
+            + self.list.as_ref().map_or(0, |task| task.counts.len() as u64)
             + self.sampling.as_ref().map_or(0, |task| (task.counts.len() * (task.draws + 1)) as u64);
         let maps = self.grid.as_ref().map_or(0, |task| maps(task).count() * task.realisations);
         of_case * self.cases.len() as u64 + maps as u64
@@ -99,6 +127,25 @@ impl fmt::Display for PrecisionPlan {
                 f,
                 "  sums of {:?} asperities, at {:?} separations, on {:?} threads",
                 task.counts, task.separations, task.threads
+            )?;
+        }
+        if let Some(task) = &self.curve {
+            writeln!(
+                f,
+                "  curves of {} separations, the sum of {} asperities, within {} tolerances, beside {} separations",
+                task.separations,
+                task.asperities,
+                task.tolerances.len(),
+                task.beside
+            )?;
+        }
+        if let Some(task) = &self.list {
+            writeln!(
+                f,
+                "  lists of {:?} asperities, written to {} and read, at {} separations",
+                task.counts,
+                std::env::temp_dir().display(),
+                task.separations
             )?;
         }
         if let Some(task) = &self.sampling {
@@ -155,13 +202,15 @@ impl Reader<'_> {
                 .transpose()?
                 .unwrap_or_default(),
             sum: words.sum.as_ref().map(|words| self.sum(words, full)).transpose()?,
+            curve: words.curve.as_ref().map(|words| self.curve(words)).transpose()?,
+            list: words.list.as_ref().map(|words| self.lists(words, full)).transpose()?,
             sampling: words.sampling.as_ref().map(|words| self.sampling(words)).transpose()?,
             grid: words.grid.as_ref().map(|words| self.grid(words)).transpose()?,
             full,
         };
         if plan.steps() == 0 {
             let message = "found nothing to measure; allowed: at least one of [precision.integral], [precision.sum], \
-                           [precision.sampling], [precision.grid]";
+                           [precision.curve], [precision.list], [precision.sampling], [precision.grid]";
             return Err(self.source.refuse(span, message));
         }
         Ok(plan)
@@ -203,12 +252,15 @@ impl Reader<'_> {
         }
     }
 
-    fn sum(&self, words: &spec::SumSpec, full: bool) -> Result<SumTask, Refusal> {
-        const MOST_SEPARATIONS: f64 = 1e5;
-        const MOST_THREADS: f64 = 1024.0;
-        let mut counts = self.counts(&words.count)?;
-        let most_for_threads = counts.iter().copied().max().unwrap_or(0);
-        if let Some(more) = words.full_count.as_ref() {
+    /// Sizes, ascending: the largest only in full.
+    fn sizes(
+        &self,
+        always: &Spanned<spec::LogSweep<Pure>>,
+        in_full: Option<&Spanned<spec::LogSweep<Pure>>>,
+        full: bool,
+    ) -> Result<Vec<usize>, Refusal> {
+        let mut counts = self.counts(always)?;
+        if let Some(more) = in_full {
             let more = self.counts(more)?;
             if full {
                 counts.extend(more);
@@ -216,9 +268,49 @@ impl Reader<'_> {
         }
         counts.sort_unstable();
         counts.dedup();
+        Ok(counts)
+    }
+
+    /// One whole number from `least` to `most`.
+    fn one_of(&self, words: &Spanned<u64>, what: &str, [least, most]: [u64; 2]) -> Result<usize, Refusal> {
+        let value = *words.get_ref();
+        let is_allowed = (least..=most).contains(&value);
+        let value = usize::try_from(value).ok().filter(|_| is_allowed);
+        value.ok_or_else(|| {
+            let message = format!("found {}; allowed: {least} to {most} {what}", words.get_ref());
+            self.source.refuse(words.span(), message)
+        })
+    }
+
+    fn curve(&self, words: &spec::CurveSpec) -> Result<CurveTask, Refusal> {
+        let mut tolerances = words.tolerance.get_ref().values.clone();
+        tolerances.sort_by(f64::total_cmp);
+        let [least, most] = spec::TOLERANCES;
+        if let Some(tolerance) = tolerances.iter().find(|tolerance| !(least..=most).contains(*tolerance)) {
+            let message = format!("found the tolerance {tolerance:e}; allowed: {least:e} to {most}");
+            return Err(self.source.refuse(words.tolerance.span(), message));
+        }
+        Ok(CurveTask {
+            asperities: self.one_of(&words.asperities, "asperities", [1, MOST_ASPERITIES])?,
+            separations: self.one_of(&words.separations, "separations", [2, MOST_SEPARATIONS])?,
+            beside: self.one_of(&words.beside, "separations", [2, MOST_SEPARATIONS])?,
+            tolerances,
+        })
+    }
+
+    fn lists(&self, words: &spec::ListsSpec, full: bool) -> Result<ListTask, Refusal> {
+        Ok(ListTask {
+            counts: self.sizes(&words.count, words.full_count.as_ref(), full)?,
+            separations: self.one_of(&words.separations, "separations", [1, MOST_SEPARATIONS])?,
+        })
+    }
+
+    fn sum(&self, words: &spec::SumSpec, full: bool) -> Result<SumTask, Refusal> {
+        const MOST_THREADS: f64 = 1024.0;
+        let most_for_threads = self.counts(&words.count)?.into_iter().max().unwrap_or(0);
         Ok(SumTask {
-            counts,
-            separations: self.whole(&words.separations, "separations", MOST_SEPARATIONS)?,
+            counts: self.sizes(&words.count, words.full_count.as_ref(), full)?,
+            separations: self.whole(&words.separations, "separations", MOST_SEPARATIONS as f64)?,
             threads: self.whole(&words.threads, "threads", MOST_THREADS)?,
             most_for_threads,
         })

@@ -42,7 +42,7 @@ pub struct SurfacePlan {
 
 #[derive(Debug)]
 enum Origin {
-    List { path: PathBuf, bytes: u64, nominal_area: f64 },
+    List { path: PathBuf, most_rows: usize, nominal_area: f64 },
     Population { population: Population, ratio: Option<f64>, count: usize, draw: DrawSpec, datum: Datum },
     Generated(Box<Generation>),
     Map(MapPlan),
@@ -64,10 +64,14 @@ struct MapPlan {
 /// More are a study of their own.
 const MOST_REALISATIONS: u64 = 1000;
 
-/// Bytes that a set of `count` asperities and its ordered copies need at their peak.
+/// Bytes that a set of `count` asperities needs at its peak, which is where its ordered copy is made. A sum makes none unless
+/// the load of an asperity may fall.
 pub fn set_memory(count: u128) -> u128 {
-    const BYTES_PER_ASPERITY: u128 = 48;
-    count * BYTES_PER_ASPERITY
+    /// Height and radius.
+    const BYTES_OF_SET: u128 = 16;
+    /// Height and shape while they are sorted, then in columns.
+    const BYTES_OF_COPY: u128 = 24 + 16;
+    count * (BYTES_OF_SET + BYTES_OF_COPY)
 }
 
 impl SurfacePlan {
@@ -118,10 +122,9 @@ impl SurfacePlan {
 
     fn list(source: &Source, words: &ListSpec, as_ellipses: bool) -> Result<Origin, Refusal> {
         let path = beside(source, &words.file)?;
-        check_list(&path, as_ellipses)
+        let most_rows = check_list(&path, as_ellipses)
             .map_err(|error| source.refuse(words.file.span(), format!("{} {error}", path.display())))?;
-        let bytes = std::fs::metadata(&path).map_or(0, |metadata| metadata.len());
-        Ok(Origin::List { path, bytes, nominal_area: words.nominal_area.value() })
+        Ok(Origin::List { path, most_rows, nominal_area: words.nominal_area.value() })
     }
 
     fn population(
@@ -232,12 +235,10 @@ impl SurfacePlan {
 
     /// The most asperities that it can have.
     pub fn most_asperities(&self) -> u128 {
-        /// The shortest row of a list: "0,1" and a line end.
-        const BYTES_PER_ROW: u128 = 4;
         /// Four neighbours cannot all be summits.
         const POINTS_PER_SUMMIT: u128 = 2;
         match &self.origin {
-            Origin::List { bytes, .. } => u128::from(*bytes) / BYTES_PER_ROW,
+            Origin::List { most_rows, .. } => *most_rows as u128,
             Origin::Population { count, .. } => *count as u128,
             Origin::Generated(generation) => area(generation.points()) / POINTS_PER_SUMMIT,
             Origin::Map(MapPlan { points, .. }) => *points as u128 / POINTS_PER_SUMMIT,
@@ -281,10 +282,7 @@ impl SurfacePlan {
             }
             _ => {
                 let ellipses = if self.as_ellipses { BYTES_PER_ELLIPSE } else { 0 };
-                // A row of a list while it is read.
-                const BYTES_PER_ROW: u128 = 64;
-                let rows = if matches!(self.origin, Origin::List { .. }) { BYTES_PER_ROW } else { 0 };
-                set_memory(self.most_asperities()) + self.most_asperities() * (ellipses + rows)
+                set_memory(self.most_asperities()) + self.most_asperities() * ellipses
             }
         }
     }

@@ -31,13 +31,15 @@ pub use law::{Equations, LawSpec, Laws, Summit};
 pub use laws::{AsperitySpec, LawsSpec};
 pub use layer::{LayerSpec, Thicknesses};
 pub use limit::LimitSpec;
-pub use precision::{CaseSpec, GridSpec, IntegralSpec, PrecisionSpec, SamplingSpec, SumSpec};
+pub use precision::{
+    CaseSpec, CurveSpec, GridSpec, IntegralSpec, ListsSpec, PrecisionSpec, SamplingSpec, SumSpec,
+};
 pub use stability::{SpanSpec, StabilitySpec};
 pub use surface::{
     DrawSpec, FileSpec, FilterSpec, ListSpec, PixelSpec, PopulationHeights, PopulationSpec, SurfaceSpec,
 };
 pub use sweep::{LinearSweep, LogSweep};
-pub use tolerance::ToleranceSpec;
+pub use tolerance::{TOLERANCES, ToleranceSpec};
 
 use super::refusal::{Refusal, Source};
 use crate::material::Material;

@@ -23,6 +23,10 @@ pub struct PrecisionSpec {
     pub integral: Option<IntegralSpec>,
     /// Ways to add up.
     pub sum: Option<SumSpec>,
+    /// Curves of many separations.
+    pub curve: Option<CurveSpec>,
+    /// Lists of asperities in files.
+    pub list: Option<ListsSpec>,
     /// Random sets of growing size.
     pub sampling: Option<SamplingSpec>,
     /// Random maps of growing size and fineness.
@@ -65,6 +69,36 @@ pub struct SumSpec {
     pub separations: Spanned<LogSweep<Pure>>,
     /// Numbers of threads.
     pub threads: Spanned<LogSweep<Pure>>,
+}
+
+/// Curves within a tolerance.
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields, expecting = "a table { asperities, separations, beside, tolerance }")]
+pub struct CurveSpec {
+    /// Asperities in the set that is summed.
+    pub asperities: Spanned<u64>,
+    /// Separations of the curve.
+    pub separations: Spanned<u64>,
+    /// Separations of the exact curve that it is held against.
+    pub beside: Spanned<u64>,
+    /// Tolerances.
+    pub tolerance: Spanned<LogSweep<Pure>>,
+}
+
+/// Lists of asperities.
+#[derive(Debug, Deserialize)]
+#[serde(
+    deny_unknown_fields,
+    rename_all = "kebab-case",
+    expecting = "a table { count, full-count, separations }"
+)]
+pub struct ListsSpec {
+    /// Lengths of the lists.
+    pub count: Spanned<LogSweep<Pure>>,
+    /// Lengths that stand in the report only where it is made with --full.
+    pub full_count: Option<Spanned<LogSweep<Pure>>>,
+    /// Separations at which each is summed.
+    pub separations: Spanned<u64>,
 }
 
 /// Random sets.

@@ -13,10 +13,10 @@ use crate::compare::Tolerances;
 pub struct ToleranceSpec(pub Tolerances);
 
 /// The tolerances that mean anything: a sum of a million asperities has a sampling error of 1e-3, rounding is 1e-15.
-const ALLOWED: [f64; 2] = [1e-12, 0.01];
+pub const TOLERANCES: [f64; 2] = [1e-12, 0.01];
 
 fn check<E: Error>(tolerance: f64) -> Result<f64, E> {
-    let [least, most] = ALLOWED;
+    let [least, most] = TOLERANCES;
     if (least..=most).contains(&tolerance) {
         Ok(tolerance)
     } else {

@@ -1,10 +1,12 @@
 //! The pictures: the error along x, the time along y.
 
 use super::super::plot::{Axis, Colour, Dash, Figure, Layer, Marker, Plot};
-use crate::compare::{LimitPoint, Quantity};
+use crate::compare::{Kind, LimitPoint, Quantity};
 use crate::experiment::CasePrecision;
+use crate::precision::curve::{CurveFindings, CurvePoint};
 use crate::precision::grid::{GridFindings, GridPoint, Statistic};
 use crate::precision::integral::{Family, IntegralFindings, Rule};
+use crate::precision::list::ListPoint;
 use crate::precision::sampling::{SamplingFindings, separation, stated};
 use crate::precision::sum::{SumPoint, Sweep, Way};
 use crate::precision::{Cost, LEVELS};
@@ -144,6 +146,68 @@ pub fn separations(case: &CasePrecision) -> String {
         Axis::log("time a separation (µs), ordering included"),
     );
     with_ways(plot, &points, |p| (p.separations as f64, 1e6 * p.cost.seconds)).svg()
+}
+
+/// Curves within a tolerance: what they cost by their tolerance and by their error.
+pub fn curves(found: &CurveFindings) -> String {
+    let plot = |kind: Kind, title: &str| {
+        let milliseconds = |point: &CurvePoint| 1e3 * point.seconds;
+        let of_kind = || found.points.iter().filter(move |point| point.kind == kind);
+        let [least, most] = of_kind()
+            .map(milliseconds)
+            .fold([f64::INFINITY, 0.0], |[least, most], time| [time.min(least), time.max(most)]);
+        let mut plot = Plot::new(
+            title,
+            Axis::log("relative error (the larger of area and load)").range(FLOOR / 1.5, 0.1),
+            // Around the horizontal lines too.
+            Axis::log("time of the curve (ms)").range(0.6 * least, 1.6 * most),
+        );
+        let within = || of_kind().filter_map(|point| Some((point.tolerance?, point)));
+        let asked: Vec<_> = within().map(|(tolerance, point)| (tolerance, milliseconds(point))).collect();
+        for layer in series(asked, "tolerance", Colour::Series(0), Dash::Solid, Marker::Circle) {
+            plot = plot.with(layer);
+        }
+        let off = within().map(|(_, point)| (point.error().max(FLOOR), milliseconds(point)));
+        plot = plot.with(
+            Layer::points(off.collect::<Vec<_>>(), Marker::Cross)
+                .coloured(SHIPPED)
+                .named("error that is found"),
+        );
+        let mut exact = of_kind().filter(|point| point.tolerance.is_none());
+        if let Some((few, all)) = exact.next().zip(exact.next()) {
+            let exactly = |separations: usize| format!("{separations} exactly");
+            plot = plot
+                .with(Layer::at_y(milliseconds(few), exactly(few.separations)).dashed(Dash::Dashed))
+                .with(Layer::at_y(2.0 * milliseconds(few), "twice that").dashed(Dash::Dotted))
+                .with(Layer::at_y(milliseconds(all), exactly(all.separations)).dashed(Dash::Dashed));
+        }
+        plot
+    };
+    let plots = vec![plot(Kind::Statistical, "the integral"), plot(Kind::Deterministic, "the sum")];
+    Figure::row("Curves within a tolerance", plots).svg()
+}
+
+/// What an asperity of a list costs, by the length of the list.
+pub fn lists(points: &[ListPoint]) -> String {
+    let each = |seconds: fn(&ListPoint) -> f64| -> Vec<(f64, f64)> {
+        let size = |point: &ListPoint| point.asperities as f64;
+        points.iter().map(|point| (size(point), 1e9 * seconds(point) / size(point))).collect()
+    };
+    let separations = points.first().map_or(0, |point| point.separations);
+    let read = each(|point| point.read_seconds);
+    let sum = each(|point| point.sum_seconds);
+    let times = || read.iter().chain(&sum).map(|(_, time)| *time);
+    let [least, most] = [times().fold(f64::INFINITY, f64::min), times().fold(0.0, f64::max)];
+    // With room on both sides, so that what is nearly level looks so.
+    let axis = Axis::log("time an asperity (ns)").range(0.3 * least, 2.0 * most);
+    let mut plot = Plot::new("Time an asperity of a list", Axis::log("number of asperities"), axis);
+    let adding = format!("adding up at {separations} separations");
+    for (k, (line, name)) in [(read, "reading the file"), (sum, &adding)].into_iter().enumerate() {
+        for layer in series(line, name, Colour::Series(k), Dash::Solid, Marker::Circle) {
+            plot = plot.with(layer);
+        }
+    }
+    plot.svg()
 }
 
 /// Scatter of random sets, and what they say of it themselves; then what it costs.

@@ -5,10 +5,12 @@
 //! | `winners` | the fastest way at each error, and how far the shipped one is off |
 //! | `figures` | time against error |
 //! | `tables` | every time and every error, for machines |
+//! | `scale` | curves of many separations, lists of many asperities |
 //! | `physics` | what one buys with more asperities, points, surface |
 
 mod figures;
 mod physics;
+mod scale;
 mod tables;
 mod winners;
 
@@ -43,6 +45,8 @@ pub fn page(results: &PrecisionResults) -> Page {
     if results.cases.iter().any(|case| !case.sums.is_empty()) {
         sums(&mut page, results);
     }
+    scale::curves(&mut page, results);
+    scale::lists(&mut page, results);
     physics::sections(&mut page, results);
     head::sources(&mut page, &results.head);
     page
@@ -96,6 +100,7 @@ fn in_short(case: &CasePrecision) -> Vec<String> {
     }
     lines.extend(ordering_words(case));
     lines.extend(thread_words(case));
+    lines.extend(scale::in_short(case));
     lines
 }
 

@@ -1,8 +1,9 @@
 //! Every time and every error, for machines.
 
 use super::winners::{Winner, winners};
-use crate::compare::Quantity;
+use crate::compare::{Kind, Quantity};
 use crate::experiment::PrecisionResults;
+use crate::precision::curve::CurvePoint;
 use crate::precision::integral::{Effort, IntegralPoint};
 use crate::precision::sampling;
 use crate::report::tables::{Table, TableError, row};
@@ -34,6 +35,32 @@ struct SumRow {
     area_error: f64,
     load_error: f64,
     seconds_per_separation: f64,
+}
+}
+
+row! {
+struct CurveRow {
+    case: String,
+    model: &'static str,
+    asperities: Option<usize>,
+    tolerance: Option<f64>,
+    separations: usize,
+    asked: usize,
+    area_error: f64,
+    load_error: f64,
+    seconds_per_curve: f64,
+}
+}
+
+row! {
+struct ListRow {
+    case: String,
+    asperities: usize,
+    separations: usize,
+    seconds_to_read: f64,
+    seconds_to_sum: f64,
+    peak_bytes: Option<u64>,
+    added_bytes: Option<u64>,
 }
 }
 
@@ -80,7 +107,7 @@ struct WinnerRow {
 }
 }
 
-/// `integral.csv`, `sum.csv`, `sampling.csv`, `grid.csv`, of what was asked for, and `winners.csv`.
+/// `integral.csv`, `sum.csv`, `curve.csv`, `list.csv`, `sampling.csv`, `grid.csv`, of what was asked for, and `winners.csv`.
 ///
 /// # Errors
 /// See [`TableError`].
@@ -94,6 +121,12 @@ pub fn tables(results: &PrecisionResults) -> Result<Vec<(&'static str, Vec<u8>)>
     }
     if !all.is_empty() {
         all.push(("winners.csv", best(results)?));
+    }
+    if results.cases.iter().any(|case| case.curve.is_some()) {
+        all.push(("curve.csv", curves(results)?));
+    }
+    if results.cases.iter().any(|case| !case.lists.is_empty()) {
+        all.push(("list.csv", lists(results)?));
     }
     if results.cases.iter().any(|case| case.sampling.is_some()) {
         all.push(("sampling.csv", sets(results)?));
@@ -145,6 +178,46 @@ fn sums(results: &PrecisionResults) -> Result<Vec<u8>, TableError> {
                 area_error: point.area_error,
                 load_error: point.load_error,
                 seconds_per_separation: point.cost.seconds,
+            })?;
+        }
+    }
+    table.bytes()
+}
+
+fn curves(results: &PrecisionResults) -> Result<Vec<u8>, TableError> {
+    let mut table = Table::new(&[CurveRow::COLUMNS])?;
+    for case in &results.cases {
+        let Some(found) = &case.curve else { continue };
+        for point in &found.points {
+            let CurvePoint { kind, tolerance, separations, asked, area_error, load_error, seconds } = *point;
+            table.row(CurveRow {
+                case: case.name.clone(),
+                model: kind.name(),
+                asperities: (kind == Kind::Deterministic).then_some(found.asperities),
+                tolerance,
+                separations,
+                asked,
+                area_error,
+                load_error,
+                seconds_per_curve: seconds,
+            })?;
+        }
+    }
+    table.bytes()
+}
+
+fn lists(results: &PrecisionResults) -> Result<Vec<u8>, TableError> {
+    let mut table = Table::new(&[ListRow::COLUMNS])?;
+    for case in &results.cases {
+        for point in &case.lists {
+            table.row(ListRow {
+                case: case.name.clone(),
+                asperities: point.asperities,
+                separations: point.separations,
+                seconds_to_read: point.read_seconds,
+                seconds_to_sum: point.sum_seconds,
+                peak_bytes: point.peak_bytes,
+                added_bytes: point.added_bytes,
             })?;
         }
     }

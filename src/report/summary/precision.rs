@@ -4,7 +4,7 @@ use serde::Serialize;
 
 use super::super::precision::{Winner, winners};
 use super::Summary;
-use crate::experiment::PrecisionResults;
+use crate::experiment::{CasePrecision, PrecisionResults};
 use crate::precision::grid::{GridFindings, Statistic};
 
 /// Run time against error. Reports are compared here for their shape only.
@@ -13,6 +13,10 @@ pub(super) struct PrecisionSummary<'a> {
     full: bool,
     threads: usize,
     winners: Vec<WinnerSummary<'a>>,
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    curves: Vec<CurveSummary<'a>>,
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    lists: Vec<ListSummary<'a>>,
     #[serde(skip_serializing_if = "Vec::is_empty")]
     tenfold_asperities: Vec<TenfoldSummary<'a>>,
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -28,6 +32,30 @@ struct WinnerSummary<'a> {
     error: Option<f64>,
     seconds_per_separation: Option<f64>,
     shipped_over_fastest: Option<f64>,
+}
+
+/// A curve within a tolerance beside few separations, exactly.
+#[derive(Serialize)]
+struct CurveSummary<'a> {
+    case: &'a str,
+    model: &'static str,
+    tolerance: f64,
+    separations: usize,
+    asked: usize,
+    error: f64,
+    exact_separations: usize,
+    time_over_exact: f64,
+}
+
+/// The longest list from a file.
+#[derive(Serialize)]
+struct ListSummary<'a> {
+    case: &'a str,
+    asperities: usize,
+    separations: usize,
+    read_s: f64,
+    sum_s: f64,
+    peak_bytes: Option<u64>,
 }
 
 /// What ten times the asperities do.
@@ -65,6 +93,8 @@ pub fn precision(results: &PrecisionResults, files: &[String]) -> serde_json::Re
         full: results.full,
         threads: results.threads,
         winners: results.cases.iter().flat_map(winners).map(winner).collect(),
+        curves: results.cases.iter().flat_map(curves).collect(),
+        lists: results.cases.iter().filter_map(longest_list).collect(),
         tenfold_asperities: tenfold.collect(),
         surface: results.grid.as_ref().map(surface),
     });
@@ -81,6 +111,35 @@ fn winner(winner: Winner) -> WinnerSummary {
         fastest: winner.fastest.map(|(name, _)| name),
         shipped_over_fastest: winner.shipped_over_fastest,
     }
+}
+
+fn curves(case: &CasePrecision) -> impl Iterator<Item = CurveSummary<'_>> {
+    case.curve.iter().flat_map(|found| {
+        found.points.iter().filter_map(|point| {
+            Some(CurveSummary {
+                case: &case.name,
+                model: point.kind.name(),
+                tolerance: point.tolerance?,
+                separations: point.separations,
+                asked: point.asked,
+                error: point.error(),
+                exact_separations: found.yardstick(point.kind)?.separations,
+                time_over_exact: found.times(point),
+            })
+        })
+    })
+}
+
+fn longest_list(case: &CasePrecision) -> Option<ListSummary<'_>> {
+    let longest = case.lists.last()?;
+    Some(ListSummary {
+        case: &case.name,
+        asperities: longest.asperities,
+        separations: longest.separations,
+        read_s: longest.read_seconds,
+        sum_s: longest.sum_seconds,
+        peak_bytes: longest.peak_bytes,
+    })
 }
 
 fn surface(found: &GridFindings) -> SurfaceSummary {

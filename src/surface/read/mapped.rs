@@ -1,4 +1,4 @@
-//! The rows of a `.npy` map that is too large to be read as a whole, taken from a memory map.
+//! Rows and columns of a `.npy` array that is too large to be read as a whole, taken from a memory map.
 //!
 //! Mapping is unsafe: the compiler cannot know that no other process cuts the file while it is mapped.
 //! Here the bytes are only ever copied out and any bytes make a number, so that another process that
@@ -6,6 +6,7 @@
 //! program with a bus error, as any reader of a map.
 
 use std::fs::File;
+use std::ops::Range;
 use std::path::Path;
 
 use memmap2::Mmap;
@@ -54,10 +55,11 @@ impl Rows for MappedMap {
     }
 }
 
-/// A two-dimensional array in C order, opened once; its rows may be taken from any thread.
+/// A two-dimensional array, opened once; its rows may be taken from any thread.
 #[derive(Debug)]
 pub struct Mapped {
     points: [usize; 2],
+    order: Order,
     stored: Stored,
     big_endian: bool,
     begin: usize,
@@ -65,15 +67,24 @@ pub struct Mapped {
 }
 
 impl Mapped {
-    /// Opens a `.npy` file.
+    /// Opens a `.npy` file, to take its rows.
     ///
     /// # Errors
     /// See [`ReadError`]; an array in Fortran order is unsupported, its rows being scattered.
     pub fn open(path: &Path) -> Result<Self, ReadError> {
-        let Head { rows, columns, stored, order, big_endian, head_length, .. } = Head::read(path)?;
-        if order == Order::Fortran {
+        let array = Self::in_either_order(path)?;
+        if array.order == Order::Fortran {
             return Err(ReadError::Unsupported("is in Fortran order; allowed here: C order".to_owned()));
         }
+        Ok(array)
+    }
+
+    /// Opens a `.npy` file in C or Fortran order, to take its columns.
+    ///
+    /// # Errors
+    /// See [`ReadError`].
+    pub fn in_either_order(path: &Path) -> Result<Self, ReadError> {
+        let Head { rows, columns, stored, order, big_endian, head_length, .. } = Head::read(path)?;
         let file = File::open(path)?;
         // SAFETY: the map is read only and private to this value, see the head of this module.
         #[allow(unsafe_code)]
@@ -84,7 +95,7 @@ impl Mapped {
         if length.and_then(|length| begin.checked_add(length)).is_none_or(|end| end > map.len()) {
             return Err(ReadError::Corrupt("is truncated: it became shorter while it was opened".to_owned()));
         }
-        Ok(Self { points: [rows, columns], stored, big_endian, begin, map })
+        Ok(Self { points: [rows, columns], order, stored, big_endian, begin, map })
     }
 
     /// Points along x, which is the first index, and y.
@@ -105,12 +116,41 @@ impl Mapped {
     pub fn row(&self, ix: usize, out: &mut [f64]) {
         let [rows, columns] = self.points;
         assert!(ix < rows && out.len() == columns, "row {ix} of {rows}, {} of {columns} points", out.len());
-        let length = columns * self.stored.bytes() as usize;
-        // `open` has checked that all rows are there.
-        let bytes = &self.map[self.begin + ix * length..][..length];
-        self.stored.decode(bytes, self.big_endian, out);
+        self.decode(ix * columns..(ix + 1) * columns, out);
         for z in out.iter_mut().filter(|z| z.abs() > LARGEST) {
             *z = f64::NAN;
         }
+    }
+
+    /// Copies a piece of each of the first columns to `out`, from the row `first` on, as they are in the file.
+    ///
+    /// # Panics
+    /// If there are fewer rows or columns.
+    pub fn columns(&self, first: usize, out: &mut [&mut [f64]]) {
+        let [rows, columns] = self.points;
+        let count = out.first().map_or(0, |piece| piece.len());
+        assert!(first + count <= rows && out.len() <= columns, "{count} rows from {first} of {rows}");
+        match self.order {
+            Order::Fortran => {
+                for (column, piece) in out.iter_mut().enumerate() {
+                    self.decode(column * rows + first..column * rows + first + count, piece);
+                }
+            }
+            Order::C => {
+                let mut values = vec![0.0; count * columns];
+                self.decode(first * columns..(first + count) * columns, &mut values);
+                for (row, values) in values.chunks_exact(columns).enumerate() {
+                    out.iter_mut().zip(values).for_each(|(piece, value)| piece[row] = *value);
+                }
+            }
+        }
+    }
+
+    /// Copies the numbers at `places` in the file.
+    fn decode(&self, places: Range<usize>, out: &mut [f64]) {
+        let size = self.stored.bytes() as usize;
+        // All are there, since the file was opened.
+        let bytes = &self.map[self.begin + places.start * size..self.begin + places.end * size];
+        self.stored.decode(bytes, self.big_endian, out);
     }
 }

@@ -1,0 +1,74 @@
+//! The few asperities that a far flat touches, moved together.
+
+use rayon::prelude::*;
+
+use crate::asperity::Asperities;
+
+/// Asperities in columns of their own.
+pub(super) struct Few {
+    heights: Vec<f64>,
+    radii: Vec<f64>,
+    spheres: Option<Vec<f64>>,
+    nominal_area: f64,
+}
+
+impl Few {
+    /// Those of `all` above `lowest` (m), in their order; `None` where they are not few, or `all` are not many. Whether they are
+    /// does not depend on threads.
+    pub(super) fn above(lowest: f64, all: &Asperities<'_>) -> Option<Self> {
+        /// Few are less than one in so many.
+        const FEW: usize = 64;
+        /// Heights that are looked at before all are.
+        const SAMPLE: usize = 4096;
+        /// Asperities that one task looks at.
+        const TASK: usize = 1 << 16;
+        let heights = all.heights();
+        let step = heights.len() / SAMPLE;
+        let is_touched = |z: &&f64| **z > lowest;
+        if step == 0 || FEW * heights.iter().step_by(step).filter(is_touched).count() > SAMPLE {
+            return None;
+        }
+        let touched = |(task, part): (usize, &[f64])| -> Vec<usize> {
+            let places = part.iter().enumerate().filter(|(_, z)| is_touched(z));
+            places.map(|(place, _)| task * TASK + place).collect()
+        };
+        let parts: Vec<Vec<usize>> = heights.par_chunks(TASK).enumerate().map(touched).collect();
+        let column = |values: &[f64]| parts.iter().flatten().map(|&place| values[place]).collect();
+        Some(Self {
+            heights: column(heights),
+            radii: column(all.radii()),
+            spheres: all.spheres().map(column),
+            nominal_area: all.nominal_area(),
+        })
+    }
+
+    /// All of them.
+    pub(super) fn asperities(&self) -> Asperities<'_> {
+        Asperities::new(&self.heights, &self.radii, self.spheres.as_deref(), self.nominal_area)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn few_stand_in_their_order_with_their_shapes() {
+        let heights: Vec<f64> = (0..200_000).map(|k| f64::from((k * 7919) % 200_000)).collect();
+        let radii: Vec<f64> = heights.iter().map(|z| z + 0.5).collect();
+        let spheres: Vec<f64> = heights.iter().map(|z| z + 0.25).collect();
+        let all = Asperities::new(&heights, &radii, Some(&spheres), 3.0);
+        let few = Few::above(199_000.0, &all).unwrap();
+        let found: Vec<_> = few.asperities().each().collect();
+        let expected: Vec<_> = all.each().filter(|(z, _)| *z > 199_000.0).collect();
+        assert_eq!((found.len(), few.asperities().nominal_area()), (999, 3.0));
+        assert_eq!(found, expected);
+        // Sorted or not, many are not few.
+        assert!(Few::above(150_000.0, &all).is_none());
+        let mut sorted = heights.clone();
+        sorted.sort_by(f64::total_cmp);
+        assert!(Few::above(150_000.0, &Asperities::new(&sorted, &radii, None, 3.0)).is_none());
+        assert!(Few::above(0.0, &all.part(0..4000)).is_none());
+        assert_eq!(Few::above(1e6, &all).unwrap().asperities().count(), 0);
+    }
+}

@@ -1,0 +1,175 @@
+//! What a curve of many separations costs within a tolerance, beside all of them exact and beside few of them exact.
+
+use std::hint::black_box;
+
+use super::sum::spread;
+use super::timing::{Candidate, medians};
+use crate::asperity::{Draw, Population, SetError};
+use crate::compare::Kind;
+use crate::interface::MicroContact;
+use crate::model::{Curve, Datum, Deterministic, Model, Response, Statistical, respond_within};
+
+/// The tolerances at which a curve of a thousand separations is to cost no more than twice one of fifty: a sum has a kink
+/// at every asperity, an integral has none.
+pub const EASY: [(Kind, f64); 2] = [(Kind::Statistical, 1e-8), (Kind::Deterministic, 1e-4)];
+
+/// What is asked of a curve.
+#[derive(Debug, Clone, PartialEq)]
+pub struct CurveTask {
+    /// Asperities in the set that is summed.
+    pub asperities: usize,
+    /// Separations of the curve.
+    pub separations: usize,
+    /// Separations of the exact curve that it is held against.
+    pub beside: usize,
+    /// Tolerances, ascending.
+    pub tolerances: Vec<f64>,
+}
+
+/// One curve of one model.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct CurvePoint {
+    /// The model.
+    pub kind: Kind,
+    /// The tolerance; `None` of an exact curve.
+    pub tolerance: Option<f64>,
+    /// Separations.
+    pub separations: usize,
+    /// Separations at which the model itself answered.
+    pub asked: usize,
+    /// The largest relative error of the area against the exact curve.
+    pub area_error: f64,
+    /// The same of the load.
+    pub load_error: f64,
+    /// Seconds for the whole curve.
+    pub seconds: f64,
+}
+
+impl CurvePoint {
+    /// The larger of both errors.
+    pub fn error(&self) -> f64 {
+        self.area_error.max(self.load_error)
+    }
+}
+
+/// The curves of both models.
+#[derive(Debug, Clone, PartialEq)]
+pub struct CurveFindings {
+    /// Asperities in the set that was summed.
+    pub asperities: usize,
+    /// Model by model: few separations exactly, all of them exactly, then by tolerance.
+    pub points: Vec<CurvePoint>,
+}
+
+impl CurveFindings {
+    /// Few separations, exactly: what the other curves of a model are held against.
+    pub fn yardstick(&self, kind: Kind) -> Option<&CurvePoint> {
+        self.points.iter().find(|point| point.kind == kind)
+    }
+
+    /// The time of a curve over that of its yardstick.
+    pub fn times(&self, point: &CurvePoint) -> f64 {
+        self.yardstick(point.kind).map_or(f64::NAN, |yardstick| point.seconds / yardstick.seconds)
+    }
+}
+
+/// Curves of the integral and of a random set of a population, which `seed` decides.
+///
+/// # Errors
+/// A population or count that makes no set.
+pub fn curves_of(
+    contact: &dyn MicroContact,
+    population: &Population,
+    task: &CurveTask,
+    seed: [u8; 32],
+) -> Result<CurveFindings, SetError> {
+    let set = population.set(task.asperities, Draw::Random(seed))?;
+    let datum = Datum { mean: 0.0, sigma: population.sigma };
+    let mut points = curves(Kind::Statistical, &Statistical::new(contact, *population), task);
+    points.extend(curves(Kind::Deterministic, &Deterministic::new(contact, set.spheres(), datum), task));
+    Ok(CurveFindings { asperities: task.asperities, points })
+}
+
+/// Few separations exactly, all exactly, and all within each tolerance.
+fn curves(kind: Kind, model: &dyn Model, task: &CurveTask) -> Vec<CurvePoint> {
+    let (few, all) = (spread(task.beside), spread(task.separations));
+    let exactly = |separations: &[f64]| Curve {
+        responses: model.respond_all(black_box(separations)),
+        asked: separations.to_vec(),
+    };
+    let tolerances = || [None, None].into_iter().chain(task.tolerances.iter().copied().map(Some));
+    let mut found: Vec<Option<Curve>> = tolerances().map(|_| None).collect();
+    let mut candidates: Vec<Candidate> = Vec::new();
+    for (place, (tolerance, found)) in tolerances().zip(&mut found).enumerate() {
+        let separations = if place == 0 { &few } else { &all };
+        candidates.push(Box::new(move || {
+            *found = Some(match tolerance {
+                Some(tolerance) => respond_within(model, black_box(separations), tolerance),
+                None => exactly(separations),
+            });
+        }));
+    }
+    let seconds = medians(&mut candidates);
+    drop(candidates);
+    let found: Vec<Curve> = found.into_iter().flatten().collect();
+    let point = |(place, ((curve, seconds), tolerance)): (usize, ((&Curve, f64), Option<f64>))| {
+        let exact = &found[place.min(1)].responses;
+        let error = |of: fn(&Response) -> f64| largest_error(&curve.responses, exact, of);
+        CurvePoint {
+            kind,
+            tolerance,
+            separations: curve.responses.len(),
+            asked: curve.asked.len(),
+            area_error: error(|response| response.area_ratio.total()),
+            load_error: error(|response| response.pressure.total()),
+            seconds,
+        }
+    };
+    found.iter().zip(seconds).zip(tolerances()).enumerate().map(point).collect()
+}
+
+fn largest_error(found: &[Response], exact: &[Response], of: fn(&Response) -> f64) -> f64 {
+    let relative =
+        |(found, exact): (f64, f64)| if found == exact { 0.0 } else { (found / exact - 1.0).abs() };
+    found.iter().map(of).zip(exact.iter().map(of)).map(relative).fold(0.0, f64::max)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::asperity::HeightDensity;
+    use crate::interface::Interface;
+    use crate::law::Zmc;
+    use crate::material::Material;
+
+    #[test]
+    fn a_looser_tolerance_asks_for_fewer_answers_and_is_held() {
+        let steel = Material::new(210e9, 0.3, Some(7.6e9), None).unwrap();
+        let contact = Interface::bare(Zmc::default(), &steel, &steel).unwrap();
+        let case =
+            Population { radius: 2e-5, sigma: 4.8e-8, density: 6e10, heights: HeightDensity::Gaussian };
+        let task = CurveTask {
+            asperities: 200_000,
+            separations: 400,
+            beside: 20,
+            tolerances: vec![1e-9, 1e-5, 1e-2],
+        };
+        let found = curves_of(&contact, &case, &task, [5; 32]).unwrap();
+        assert_eq!(found.points.len(), 2 * 5);
+        for curves in found.points.chunks(5) {
+            let [few, all, within @ ..] = curves else { unreachable!() };
+            assert_eq!((few.separations, few.asked, few.error()), (20, 20, 0.0));
+            assert_eq!((all.separations, all.asked, all.error()), (400, 400, 0.0));
+            assert_eq!(found.times(few), 1.0);
+            assert!(found.times(all) > 3.0, "{}", found.times(all));
+            for point in within {
+                let tolerance = point.tolerance.unwrap();
+                assert!(point.error() <= tolerance, "{point:?}");
+                assert!(point.separations == 400 && point.seconds > 0.0);
+            }
+            assert!(within[0].asked > within[2].asked, "{within:?}");
+            // What is interpolated is not exact.
+            assert!(within[2].area_error > 0.0 && within[2].load_error > 0.0);
+        }
+    }
+}
