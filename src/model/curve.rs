@@ -29,9 +29,6 @@ const SHARES: std::ops::Range<usize> = LOGARITHMS..LOGARITHMS + 6;
 /// Below so many separations each is asked for.
 const FEWEST: usize = 32;
 
-/// Intervals to begin with.
-const INTERVALS: usize = 8;
-
 /// The answers at `separations` (in sigma), of which pressure and area ratio, of an integral also the shares of their regimes
 /// (in parts of the whole), are within `tolerance` of the model's own.
 ///
@@ -199,17 +196,19 @@ struct Sketch {
     known: Vec<Node>,
     /// Of a sum.
     kinks: Option<Kinks>,
+    /// Intervals to begin with.
+    coarsest: usize,
     /// Nodes that an interpolation goes through: few where the curve has a kink at every asperity.
     through: usize,
 }
 
 /// Nodes that any interpolation goes through at the most.
-const MOST_THROUGH: usize = 10;
+const MOST_THROUGH: usize = 12;
 
 impl Sketch {
     fn new(separations: Vec<f64>, kinks: Option<Kinks>) -> Self {
-        let through = if kinks.is_some() { 4 } else { MOST_THROUGH };
-        Self { separations, known: Vec::new(), kinks, through }
+        let (coarsest, through) = if kinks.is_some() { (8, 4) } else { (6, MOST_THROUGH) };
+        Self { separations, known: Vec::new(), kinks, coarsest, through }
     }
 
     fn ask(&self, model: &dyn Model, places: &[usize]) -> Vec<Node> {
@@ -223,11 +222,12 @@ impl Sketch {
         self.known.sort_unstable_by_key(|node| node.place);
     }
 
-    /// Intervals, ascending, that are no longer than an eighth of the curve nor than the kinks allow.
+    /// Intervals, ascending, that are no longer than the kinks allow.
     fn intervals(&self, tolerance: f64) -> Vec<Interval> {
         let last = self.separations.len() - 1;
-        let end = |k: usize| k * last / INTERVALS;
-        let mut rough: Vec<Interval> = (0..INTERVALS).rev().map(|k| Interval([end(k), end(k + 1)])).collect();
+        let end = |k: usize| k * last / self.coarsest;
+        let mut rough: Vec<Interval> =
+            (0..self.coarsest).rev().map(|k| Interval([end(k), end(k + 1)])).collect();
         let mut all = Vec::new();
         while let Some(interval) = rough.pop() {
             let Interval([from, to]) = interval;
@@ -299,14 +299,17 @@ impl<F: FnMut(usize, &[f64; QUANTITIES])> Work for Interpolation<'_, F> {
 
     #[inline(always)]
     fn with<N: Real>(self, zero: N) {
+        /// Places that are worked on together, so that no sum waits for another.
+        const TOGETHER: usize = 32;
         let Self { sketch: Sketch { separations, known, through, .. }, places, scale, mut take } = self;
         let count = known.len().min(*through);
         let mut nodes = [0.0; MOST_THROUGH];
         let mut differences = [[0.0; QUANTITIES]; MOST_THROUGH];
-        let mut quantities = [0.0; QUANTITIES];
+        let mut found = [[0.0; QUANTITIES]; TOGETHER];
         let (mut after, mut begin) = (0, usize::MAX);
-        for &place in places {
-            while known.get(after).is_some_and(|node| node.place < place) {
+        let mut rest = places;
+        while let [place, ..] = rest {
+            while known.get(after).is_some_and(|node| node.place < *place) {
                 after += 1;
             }
             let first = after.saturating_sub(through / 2).min(known.len() - count);
@@ -317,22 +320,29 @@ impl<F: FnMut(usize, &[f64; QUANTITIES])> Work for Interpolation<'_, F> {
                 }
                 divide_differences(&nodes[..count], &mut differences[..count], zero);
             }
-            let h = separations[place];
-            // All registers at once: each waits for itself only.
-            let mut values = [zero; QUANTITIES];
-            let values = &mut values[..QUANTITIES / N::LANES];
-            for (node, difference) in nodes[..count].iter().zip(&differences[..count]).rev() {
-                let step = zero.splat(h - node);
-                for (k, value) in values.iter_mut().enumerate() {
-                    *value = value.times_plus(step, zero.load(&difference[k * N::LANES..]));
+            // As far as the next node all go through the same ones.
+            let end = known.get(after).map_or(usize::MAX, |node| node.place);
+            let together = rest.iter().take(TOGETHER).take_while(|&&place| place < end).count().max(1);
+            let (these, others) = rest.split_at(together);
+            for (&place, quantities) in these.iter().zip(&mut found) {
+                let h = separations[place];
+                for k in (0..QUANTITIES).step_by(N::LANES) {
+                    let mut value = zero;
+                    for (node, difference) in nodes[..count].iter().zip(&differences[..count]).rev() {
+                        value = value.times_plus(zero.splat(h - node), zero.load(&difference[k..]));
+                    }
+                    value.store(&mut quantities[k..]);
                 }
             }
-            for (k, value) in values.iter().enumerate() {
-                let is_logarithm = k * N::LANES < LOGARITHMS;
-                let value = if scale == Scale::Plain && is_logarithm { exponential(*value) } else { *value };
-                value.store(&mut quantities[k * N::LANES..]);
+            if scale == Scale::Plain {
+                for quantities in &mut found[..together] {
+                    for k in (0..LOGARITHMS).step_by(N::LANES) {
+                        exponential(zero.load(&quantities[k..])).store(&mut quantities[k..]);
+                    }
+                }
             }
-            take(place, &quantities);
+            these.iter().zip(&found).for_each(|(&place, quantities)| take(place, quantities));
+            rest = others;
         }
     }
 }
