@@ -38,6 +38,24 @@ fn advise<T>(list: &Vec<T>) {
 #[cfg(not(target_os = "linux"))]
 fn advise<T>(_: &Vec<T>) {}
 
+/// Asks the processor to bring values nearer that will be needed soon. Where it cannot be asked it does nothing.
+#[inline]
+pub fn ask_for(values: &[f64]) {
+    /// Values of a line of the cache.
+    const LINE: usize = 8;
+    #[cfg(target_arch = "x86_64")]
+    for line in values.chunks(LINE) {
+        use std::arch::x86_64::{_MM_HINT_T1, _mm_prefetch};
+        // SAFETY: this reads nothing; it may be asked of any address, and this one is that of a value.
+        #[allow(unsafe_code)]
+        unsafe {
+            _mm_prefetch::<_MM_HINT_T1>(line.as_ptr().cast());
+        }
+    }
+    #[cfg(not(target_arch = "x86_64"))]
+    let _ = (values, LINE);
+}
+
 /// Memory of this process while some work was done, bytes.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Peak {

@@ -6,6 +6,7 @@ use rayon::prelude::*;
 
 use super::AsperitySet;
 use crate::law::Shape;
+use crate::memory::ask_for;
 use crate::numeric::interval::Interval;
 
 /// Some asperities on a nominal area.
@@ -83,6 +84,14 @@ impl<'a> Asperities<'a> {
             radii: &self.radii[range.clone()],
             spheres: self.spheres.map(|spheres| &spheres[range]),
             ..*self
+        }
+    }
+
+    /// Asks the processor for those of a range, as far as there are any, before they are needed.
+    pub(crate) fn ask_for(&self, range: Range<usize>) {
+        let range = range.start.min(self.count())..range.end.min(self.count());
+        for values in [Some(self.heights), Some(self.radii), self.spheres].into_iter().flatten() {
+            ask_for(&values[range.clone()]);
         }
     }
 

@@ -136,10 +136,15 @@ impl<'a, C: MicroContact + ?Sized> Deterministic<'a, C> {
             tallies.resize(levels.separations().len(), Tally::default());
             let end = count.min((task + 1) * per_task);
             for start in (task * per_task..end).step_by(Block::MOST) {
-                let asperities = self.asperities.part(start..end.min(start + Block::MOST));
+                let next = end.min(start + Block::MOST);
+                let asperities = self.asperities.part(start..next);
+                // The next block, a piece at each separation.
+                let ahead = self.asperities.part(next..end.min(next + Block::MOST));
+                let piece = ahead.count().div_ceil(levels.separations().len());
                 block.fill(asperities, levels);
                 let each = levels.separations().iter().zip(&mut *tallies);
                 for (level, (&separation, tally)) in each.enumerate() {
+                    ahead.ask_for(level * piece..(level + 1) * piece);
                     let touching = block.above(level, &asperities);
                     if touching.count() > 0 {
                         self.contact.press(touching, separation, tally);

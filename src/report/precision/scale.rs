@@ -66,15 +66,15 @@ fn list_words(lists: &[ListPoint]) -> Option<String> {
     let memory = last.peak_bytes.map_or_else(String::new, |bytes| {
         format!(", with {} of memory at the most", quantity(two_digits(bytes as f64), "B"))
     });
+    let [least, most] = [least, most].map(|each| time(two_digits(each)));
+    let spread = if least == most { most } else { format!("{least} to {most}") };
     let range = if first.asperities == last.asperities {
-        format!("an asperity of {} takes {}", count(first.asperities), time(most))
+        format!("an asperity of {} takes {spread}", count(first.asperities))
     } else {
         format!(
-            "from {} to {} asperities each takes {} to {}",
+            "from {} to {} asperities each takes {spread}",
             count(first.asperities),
-            count(last.asperities),
-            time(two_digits(least)),
-            time(two_digits(most))
+            count(last.asperities)
         )
     };
     Some(format!(
