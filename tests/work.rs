@@ -6,7 +6,6 @@ use std::fs;
 
 use asperity::asperity::{Draw, HeightDensity, Population};
 use asperity::coating::Rule;
-
 use asperity::experiment::progress::Silent;
 use asperity::experiment::results::{CompareResults, Results, SurfaceResults};
 use asperity::experiment::{Experiment, FileWords};

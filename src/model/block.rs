@@ -18,21 +18,24 @@ pub(super) struct Levels<const PLACES: usize, const CELLS: usize> {
     last_cell: f64,
 }
 
-/// Those that the blocks of a sum are ordered by.
-pub(super) type LevelsOfBlock = Levels<256, 4096>;
-
-/// As many as contacts are counted at.
-pub(super) type ManyLevels = Levels<4096, 65_536>;
-
 /// Cells a separation: most hold none, so that a height is seldom compared twice.
 const CELLS_PER_LEVEL: usize = 16;
+
+/// Places of the separations that the blocks of a sum are ordered by.
+const PLACES_OF_BLOCK: usize = 256;
+
+/// Those separations.
+pub(super) type LevelsOfBlock = Levels<PLACES_OF_BLOCK, { CELLS_PER_LEVEL * PLACES_OF_BLOCK }>;
+
+/// As many as contacts are counted at: their cells are still told in 16 bits.
+pub(super) type ManyLevels = Levels<4096, { CELLS_PER_LEVEL * 4096 }>;
 
 impl<const PLACES: usize, const CELLS: usize> Levels<PLACES, CELLS> {
     /// How many separations there may be at the most.
     pub(super) const MOST: usize = {
-        assert!(PLACES.is_power_of_two() && CELLS.is_power_of_two() && CELLS <= 1 << 16);
+        assert!(PLACES.is_power_of_two() && CELLS == CELLS_PER_LEVEL * PLACES && CELLS <= 1 << 16);
         // One place and one cell more are needed than there are separations, and cells for them.
-        if PLACES < CELLS / CELLS_PER_LEVEL { PLACES / 2 } else { CELLS / CELLS_PER_LEVEL / 2 }
+        PLACES / 2
     };
 
     /// From 1 to [`Self::MOST`] separations, largest first.
@@ -66,10 +69,12 @@ impl<const PLACES: usize, const CELLS: usize> Levels<PLACES, CELLS> {
 
     /// How many of `heights` (m) lie above each separation.
     pub(super) fn count_above(&self, heights: &[f64]) -> Vec<u64> {
-        let mut counts = vec![0; self.count];
-        for &z in heights.iter().filter(|&&z| z > self.lowest) {
+        let mut counts = vec![0; self.count + 1];
+        for &z in heights {
             counts[usize::from(self.untouched(z, self.cell(z)))] += 1;
         }
+        // Those that no separation touches.
+        counts.pop();
         let mut above = 0;
         counts.iter_mut().for_each(|count| {
             above += *count;
@@ -117,7 +122,7 @@ pub(super) struct Block {
     touched: Box<[u16; Self::MOST]>,
     places: Box<[u16; Self::MOST]>,
     /// How many are touched at each separation.
-    ends: [usize; Self::PLACES],
+    ends: [usize; PLACES_OF_BLOCK],
 }
 
 impl Default for Block {
@@ -129,7 +134,7 @@ impl Default for Block {
             cells: room(),
             touched: room(),
             places: room(),
-            ends: [0; Self::PLACES],
+            ends: [0; PLACES_OF_BLOCK],
         }
     }
 }
@@ -160,9 +165,6 @@ impl Block {
     /// How many asperities there may be at the most: they stay in the cache from one separation to the next.
     pub(super) const MOST: usize = 8192;
 
-    /// As many as [`LevelsOfBlock`] has.
-    const PLACES: usize = 256;
-
     /// Takes in up to [`Self::MOST`] asperities.
     pub(super) fn fill(&mut self, asperities: Asperities<'_>, levels: &LevelsOfBlock) {
         let all = asperities.count();
@@ -181,7 +183,7 @@ impl Block {
         for (place, &index) in places.iter_mut().zip(touched) {
             let index = usize::from(index);
             *place = levels.untouched(z[index], cells[index % Self::MOST]);
-            ends[usize::from(*place) % Self::PLACES] += 1;
+            ends[usize::from(*place) % PLACES_OF_BLOCK] += 1;
         }
         let mut start = 0;
         for end in ends.iter_mut() {
@@ -190,7 +192,7 @@ impl Block {
 
         // Each start moves on to become an end.
         let order = places.iter().zip(touched).map(|(&place, &index)| {
-            let end = &mut ends[usize::from(place) % Self::PLACES];
+            let end = &mut ends[usize::from(place) % PLACES_OF_BLOCK];
             let to = *end % Self::MOST;
             *end += 1;
             (to, usize::from(index))

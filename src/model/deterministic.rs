@@ -235,18 +235,7 @@ impl<C: MicroContact + ?Sized> Model for Deterministic<'_, C> {
         const HEIGHTS: usize = 1 << 14;
         let absolute: Vec<f64> = separations.iter().map(|&h| self.absolute(h)).collect();
         let counts = on_levels(&absolute, |levels: &ManyLevels| {
-            let lowest = levels.separations().last().copied().unwrap_or_default();
-            let count = |touched: &mut Vec<f64>, heights: &[f64]| {
-                // Without a branch that half of the heights take.
-                touched.resize(heights.len(), 0.0);
-                let mut end = 0;
-                for &z in heights {
-                    touched[end] = z;
-                    end += usize::from(z > lowest);
-                }
-                levels.count_above(&touched[..end])
-            };
-            let parts = self.asperities.heights().par_chunks(HEIGHTS).map_init(Vec::new, count);
+            let parts = self.asperities.heights().par_chunks(HEIGHTS).map(|some| levels.count_above(some));
             let add = |mut total: Vec<u64>, part: Vec<u64>| {
                 total.iter_mut().zip(part).for_each(|(total, part)| *total += part);
                 total

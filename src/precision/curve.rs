@@ -160,8 +160,9 @@ mod tests {
             let [few, all, within @ ..] = curves else { unreachable!() };
             assert_eq!((few.separations, few.asked, few.error()), (20, 20, 0.0));
             assert_eq!((all.separations, all.asked, all.error()), (400, 400, 0.0));
-            assert_eq!(found.times(few), 1.0);
-            assert!(found.times(all) > 3.0, "{}", found.times(all));
+            let timed = [(few, 2.0), (all, 7.0)].map(|(point, seconds)| CurvePoint { seconds, ..*point });
+            let timed = CurveFindings { asperities: 1, points: timed.to_vec() };
+            assert_eq!(timed.times(&timed.points[1]), 3.5);
             for point in within {
                 let tolerance = point.tolerance.unwrap();
                 assert!(point.error() <= tolerance, "{point:?}");

@@ -140,7 +140,10 @@ mod tests {
                 assert!((0.7..1.4).contains(&ratio), "{ratio}");
             }
         }
-        let tenfold = found.tenfold().unwrap();
-        assert!((2.2..4.5).contains(&tenfold.error) && tenfold.time > 0.0, "{tenfold:?}");
+        let seconds = vec![(1000, 9.0), (10_000, 1.0), (30_000, 2.0), (90_000, 4.0)];
+        let tenfold = SamplingFindings { seconds, ..found }.tenfold().unwrap();
+        // Twice the time for three times as many, from 10^4 on.
+        assert!((tenfold.time / 10f64.powf(2f64.log(3.0)) - 1.0).abs() < 1e-12, "{tenfold:?}");
+        assert!((2.2..4.5).contains(&tenfold.error), "{tenfold:?}");
     }
 }
