@@ -254,12 +254,18 @@ impl<N: Real> Handful<N> {
         self.stiffness = self.stiffness + stiffness;
         self.area_squared = area.times_plus(area, self.area_squared);
         self.load_squared = load.times_plus(load, self.load_squared);
+        // Most often all are of one regime.
         if elastic.all() {
             self.add_to(Regime::Elastic, area, load);
             return;
         }
+        let flowing = !(elastic | plastic);
+        if flowing.all() {
+            self.add_to(Regime::ElasticPlastic, area, load);
+            return;
+        }
         self.add_some(Regime::Elastic, elastic, area, load);
-        self.add_some(Regime::ElasticPlastic, !(elastic | plastic), area, load);
+        self.add_some(Regime::ElasticPlastic, flowing, area, load);
         self.add_some(Regime::Plastic, plastic, area, load);
     }
 

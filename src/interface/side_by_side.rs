@@ -3,7 +3,7 @@
 use crate::asperity::Asperities;
 use crate::contact::Contacts;
 use crate::law::Shape;
-use crate::numeric::lanes::{Real, Work, run};
+use crate::numeric::lanes::{MOST, Real, Work, run};
 use crate::tally::{FEW, Handful, SideBySide, Tally};
 
 /// What knows the contacts of asperities side by side.
@@ -51,11 +51,15 @@ impl<A: Answers> Work for Press<'_, A> {
     }
 }
 
-/// The few numbers of `values`, then the last of them again; and where they are.
+/// The last numbers of `values`, as many as there are lanes, the first of them again where there are not so many.
 #[inline(always)]
-fn rest<N: Real>(values: &[f64], zero: N) -> (N, N::Mask) {
-    let (few, present) = zero.load_part(values);
-    (N::choose(present, few, zero.splat(values[values.len() - 1])), present)
+fn last<N: Real>(values: &[f64], zero: N) -> N {
+    if let Some(first) = values.len().checked_sub(N::LANES) {
+        return zero.load(&values[first..]);
+    }
+    let mut lanes = [values[0]; MOST];
+    lanes[N::LANES - values.len()..N::LANES].copy_from_slice(values);
+    zero.load(&lanes)
 }
 
 /// Presses asperities of some heights and radii, for each of which one sphere stands or, of ellipses, so many.
@@ -83,11 +87,11 @@ fn press_lanes<N: Real, A: Answers, const ELLIPSES: bool>(
         lanes.add(&few);
     }
     if start < count {
-        // Lanes without an asperity take the last one's place, and do not count.
-        let (z, present) = rest(&heights[start..], zero);
-        let (b, _) = rest(&radii[start..], zero);
-        let n = if ELLIPSES { rest(&spheres[start..], zero).0 } else { zero.splat(1.0) };
-        lanes.add_part(&contact.answers(z - separation, b, n), present, count - start);
+        // Lanes before the rest are of asperities that were added already, and do not count.
+        let rest = zero.lanes_from(N::LANES - (count - start));
+        let n = if ELLIPSES { last(spheres, zero) } else { zero.splat(1.0) };
+        let contacts = contact.answers(last(heights, zero) - separation, last(radii, zero), n);
+        lanes.add_part(&contacts, rest, count - start);
     }
     lanes
 }
@@ -115,9 +119,9 @@ impl<A: Answers> Work for Weigh<'_, A> {
             start += N::LANES;
         }
         if start < indentations.len() {
-            let (w, _) = rest(&indentations[start..], zero);
-            let (weights, _) = zero.load_part(&weights[start..]);
-            lanes.weigh(contact.answers(w, radius, spheres), weights);
+            let rest = zero.lanes_from(N::LANES - (indentations.len() - start));
+            let contacts = contact.answers(last(indentations, zero), radius, spheres);
+            lanes.weigh(contacts, N::choose(rest, last(weights, zero), zero));
         }
         tally.add_lanes(&lanes);
     }

@@ -73,9 +73,9 @@ impl Zmc {
         let slope = b * PI;
         // A/w, and dA/dw.
         let width = slope * growth;
-        let area_slope = slope.times_plus(u * (6.0 / span) * x * (one - x), width);
+        let area_slope = slope.times_plus(u * (6.0 / span) * (x - x * x), width);
         let steepness = 0.6 * self.inverse_log_ratio;
-        let pressure = hardness * u.ln().times_plus(w.splat(steepness), w.splat(0.4));
+        let pressure = u.ln().times_plus(hardness * steepness, hardness * 0.4);
         let area = width * w;
         let nowhere = !w.everywhere();
         Contacts {

@@ -14,6 +14,8 @@ pub(super) struct Levels<const PLACES: usize, const CELLS: usize> {
     lowest: f64,
     /// Of each cell, how many separations lie in cells above it.
     above: Box<[u16; CELLS]>,
+    /// Whether a cell holds more than one.
+    is_crowded: bool,
     cells_per_metre: f64,
     last_cell: f64,
 }
@@ -51,6 +53,7 @@ impl<const PLACES: usize, const CELLS: usize> Levels<PLACES, CELLS> {
             separations: Box::new([f64::NEG_INFINITY; PLACES]),
             lowest: separations[count - 1],
             above: Box::new([0; CELLS]),
+            is_crowded: false,
             cells_per_metre,
             last_cell,
         };
@@ -59,6 +62,7 @@ impl<const PLACES: usize, const CELLS: usize> Levels<PLACES, CELLS> {
             let cell = levels.cell_above(separation);
             levels.above[..usize::from(cell)].iter_mut().for_each(|above| *above += 1);
         }
+        levels.is_crowded = levels.above.windows(2).any(|cells| cells[0] > cells[1] + 1);
         levels
     }
 
@@ -71,7 +75,7 @@ impl<const PLACES: usize, const CELLS: usize> Levels<PLACES, CELLS> {
     pub(super) fn count_above(&self, heights: &[f64]) -> Vec<u64> {
         let mut counts = vec![0; self.count + 1];
         for &z in heights {
-            counts[usize::from(self.untouched(z, self.cell(z)))] += 1;
+            counts[usize::from(self.untouched::<true>(z, self.cell(z)))] += 1;
         }
         // Those that no separation touches.
         counts.pop();
@@ -97,13 +101,14 @@ impl<const PLACES: usize, const CELLS: usize> Levels<PLACES, CELLS> {
         (cell + WHOLES).to_bits() as u16
     }
 
-    /// How many separations an asperity in `cell` is not touched at; all that lie in cells above its own are among them.
+    /// How many separations an asperity in `cell` is not touched at; all that lie in cells above its own are among them,
+    /// and where cells are `CROWDED` perhaps several within it.
     #[inline(always)]
-    fn untouched(&self, height: f64, cell: u16) -> u16 {
+    fn untouched<const CROWDED: bool>(&self, height: f64, cell: u16) -> u16 {
         let mut place = self.above[usize::from(cell) % CELLS];
         // Without a branch, since one cannot be foreseen.
         place += u16::from(self.separations[usize::from(place) % PLACES] >= height);
-        while self.separations[usize::from(place) % PLACES] >= height {
+        while CROWDED && self.separations[usize::from(place) % PLACES] >= height {
             place += 1;
         }
         place
@@ -167,6 +172,14 @@ impl Block {
 
     /// Takes in up to [`Self::MOST`] asperities.
     pub(super) fn fill(&mut self, asperities: Asperities<'_>, levels: &LevelsOfBlock) {
+        if levels.is_crowded {
+            self.fill_by::<true>(asperities, levels);
+        } else {
+            self.fill_by::<false>(asperities, levels);
+        }
+    }
+
+    fn fill_by<const CROWDED: bool>(&mut self, asperities: Asperities<'_>, levels: &LevelsOfBlock) {
         let all = asperities.count();
         let (z, b) = (&asperities.heights()[..all], &asperities.radii()[..all]);
         let Self { heights, radii, spheres, cells, touched, places, ends } = self;
@@ -182,7 +195,7 @@ impl Block {
         ends.fill(0);
         for (place, &index) in places.iter_mut().zip(touched) {
             let index = usize::from(index);
-            *place = levels.untouched(z[index], cells[index % Self::MOST]);
+            *place = levels.untouched::<CROWDED>(z[index], cells[index % Self::MOST]);
             ends[usize::from(*place) % PLACES_OF_BLOCK] += 1;
         }
         let mut start = 0;

@@ -52,8 +52,8 @@ pub trait Real:
     /// The first numbers of `values`, which holds as many as there are lanes at least.
     fn load(self, values: &[f64]) -> Self;
 
-    /// All of `values`, of which there are fewer than lanes, with zeros in the others; and where they are.
-    fn load_part(self, values: &[f64]) -> (Self, Self::Mask);
+    /// The lanes from `lane` on, which there is.
+    fn lanes_from(self, lane: usize) -> Self::Mask;
 
     /// Writes all lanes to the first places of `values`.
     fn store(self, values: &mut [f64]);
@@ -61,7 +61,7 @@ pub trait Real:
     /// The square root.
     fn sqrt(self) -> Self;
 
-    /// The natural logarithm of a positive, normal number, within 1 ulp.
+    /// The natural logarithm of a positive, normal number, within 2 ulp.
     fn ln(self) -> Self;
 
     /// e to the power of a number from -700 to 700, within 1 ulp; below that next to 0.
@@ -158,8 +158,8 @@ impl Real for f64 {
     }
 
     #[inline(always)]
-    fn load_part(self, _: &[f64]) -> (Self, bool) {
-        (0.0, false)
+    fn lanes_from(self, _: usize) -> bool {
+        true
     }
 
     #[inline(always)]
@@ -375,10 +375,9 @@ impl<S: Simd> Real for Register<S> {
     }
 
     #[inline(always)]
-    fn load_part(self, values: &[f64]) -> (Self, RegisterMask<S>) {
-        let present = self.simd.mask_between_m64s(0, values.len() as u64).mask();
-        let lanes = self.simd.partial_load_f64s(values);
-        (Self { lanes, ..self }, RegisterMask { simd: self.simd, lanes: present })
+    fn lanes_from(self, lane: usize) -> RegisterMask<S> {
+        let lanes = self.simd.mask_between_m64s(lane as u64, Self::LANES as u64).mask();
+        RegisterMask { simd: self.simd, lanes }
     }
 
     #[inline(always)]
@@ -392,7 +391,7 @@ impl<S: Simd> Real for Register<S> {
         Self { lanes: self.simd.sqrt_f64s(self.lanes), ..self }
     }
 
-    /// As fdlibm: x = 2^k (1 + f) with 1 + f from 2^-.5 to 2^.5, s = f/(2 + f), ln(1 + f) = f - f^2/2 + s (f^2/2 + R(s^2)).
+    /// x = 2^k (1 + f) with 1 + f from 2^-.5 to 2^.5, s = f/(2 + f), ln(1 + f) = s (2 + R(s^2)).
     #[inline(always)]
     fn ln(self) -> Self {
         let simd = self.simd;
@@ -406,10 +405,8 @@ impl<S: Simd> Real for Register<S> {
         let f = self.of_bits(simd.add_u64s(mantissas, simd.splat_u64s(ROOT_HALF))) - 1.0;
         let s = f / (f + 2.0);
         let square = s * s;
-        let half = f * 0.5 * f;
-        let rest = square.times_plus(square.polynomial(&LOGARITHM), half);
-        let low = s.times_plus(rest, k * (LN_2[1] / TWO_TO_32)) - half;
-        k.times_plus(self.splat(LN_2[0] / TWO_TO_32), f + low)
+        let rest = square.times_plus(square.polynomial(&LOGARITHM), self.splat(2.0));
+        s.times_plus(rest, k * (std::f64::consts::LN_2 / TWO_TO_32))
     }
 
     /// 2^k exp(r), k the whole number nearest to x/ln 2.
@@ -565,7 +562,7 @@ mod tests {
         let x: Vec<f64> = (0..80_000).map(|k| 1.000_9f64.powi(k - 40_000) * 1.000_1).collect();
         let found = run(Each(&x, Ln));
         let worst = worst(&found, x.iter().map(|&x| Wide::new(x).ln()));
-        assert!(worst <= 2.0 * HALF_ULP, "{} half ulp", worst / HALF_ULP);
+        assert!(worst <= 4.0 * HALF_ULP, "{} half ulp", worst / HALF_ULP);
     }
 
     #[test]
