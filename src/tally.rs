@@ -145,7 +145,7 @@ pub struct SideBySide<N> {
     load_squared: Sums<N>,
 }
 
-/// Few contacts, added plainly: a sum of [`FEW`] positive terms is off by seven roundings at the most.
+/// Few contacts, added plainly: a sum of [`FEW`] positive terms is off by 15 roundings at the most.
 pub struct Handful<N> {
     zero: N,
     count: usize,
@@ -158,7 +158,7 @@ pub struct Handful<N> {
 }
 
 /// How many contacts a lane adds before what its sum loses to rounding is kept.
-pub const FEW: usize = 8;
+pub const FEW: usize = 16;
 
 impl<N: Real> SideBySide<N> {
     /// Of nothing, with the lanes of `zero`.
@@ -254,19 +254,25 @@ impl<N: Real> Handful<N> {
         self.stiffness = self.stiffness + stiffness;
         self.area_squared = area.times_plus(area, self.area_squared);
         self.load_squared = load.times_plus(load, self.load_squared);
-        // Most often all are of one regime.
-        if elastic.all() {
-            self.add_to(Regime::Elastic, area, load);
-            return;
-        }
         let flowing = !(elastic | plastic);
-        if flowing.all() {
-            self.add_to(Regime::ElasticPlastic, area, load);
-            return;
+        // Most often all are of one regime.
+        let of_one = self.add_if_all(Regime::Elastic, elastic, area, load)
+            || self.add_if_all(Regime::ElasticPlastic, flowing, area, load)
+            || self.add_if_all(Regime::Plastic, plastic, area, load);
+        if !of_one {
+            self.add_some(Regime::Elastic, elastic, area, load);
+            self.add_some(Regime::ElasticPlastic, flowing, area, load);
+            self.add_some(Regime::Plastic, plastic, area, load);
         }
-        self.add_some(Regime::Elastic, elastic, area, load);
-        self.add_some(Regime::ElasticPlastic, flowing, area, load);
-        self.add_some(Regime::Plastic, plastic, area, load);
+    }
+
+    #[inline(always)]
+    fn add_if_all(&mut self, regime: Regime, mask: N::Mask, area: N, load: N) -> bool {
+        let all = mask.all();
+        if all {
+            self.add_to(regime, area, load);
+        }
+        all
     }
 
     #[inline(always)]
