@@ -1,5 +1,6 @@
 //! The deterministic model: a sum over the real asperities (Pasaribu and Schipper 2005, Eqs. 1, 13).
 
+use std::cell::Cell;
 use std::sync::OnceLock;
 
 use rayon::prelude::*;
@@ -97,6 +98,18 @@ fn on_levels<T: Clone + Default, const PLACES: usize, const CELLS: usize>(
     answers
 }
 
+/// What a task works in.
+#[derive(Default)]
+struct Room {
+    block: Block,
+    tallies: Vec<Tally>,
+}
+
+thread_local! {
+    /// Kept from one sum to the next: to be given fresh memory takes a tenth of the time of a million asperities.
+    static ROOM: Cell<Option<Box<Room>>> = const { Cell::new(None) };
+}
+
 /// Blocks that one task adds up, at the most.
 const BLOCKS_PER_TASK: usize = 16;
 
@@ -130,8 +143,10 @@ impl<'a, C: MicroContact + ?Sized> Deterministic<'a, C> {
     fn descend(&self, levels: &LevelsOfBlock) -> Vec<Total> {
         let count = self.asperities.count();
         let blocks = count.div_ceil(Block::MOST);
-        let per_task = Block::MOST * (blocks / TASKS).clamp(1, BLOCKS_PER_TASK);
-        let part = |(block, tallies): &mut (Block, Vec<Tally>), task: usize| -> Vec<Total> {
+        let per_task = Block::MOST * blocks.div_ceil(TASKS).clamp(1, BLOCKS_PER_TASK);
+        let part = |task: usize| -> Vec<Total> {
+            let mut room = ROOM.take().unwrap_or_default();
+            let Room { block, tallies } = &mut *room;
             tallies.clear();
             tallies.resize(levels.separations().len(), Tally::default());
             let end = count.min((task + 1) * per_task);
@@ -151,10 +166,11 @@ impl<'a, C: MicroContact + ?Sized> Deterministic<'a, C> {
                     }
                 }
             }
-            tallies.iter().map(Tally::total).collect()
+            let totals = tallies.iter().map(Tally::total).collect();
+            ROOM.set(Some(room));
+            totals
         };
-        let parts: Vec<Vec<Total>> =
-            (0..count.div_ceil(per_task)).into_par_iter().map_init(Default::default, part).collect();
+        let parts: Vec<Vec<Total>> = (0..count.div_ceil(per_task)).into_par_iter().map(part).collect();
         let mut totals = vec![Total::default(); levels.separations().len()];
         for part in &parts {
             totals.iter_mut().zip(part).for_each(|(total, part)| total.merge(part));
