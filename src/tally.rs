@@ -149,6 +149,7 @@ pub struct SideBySide<N> {
 pub struct Handful<N> {
     zero: N,
     count: usize,
+    weights: N,
     holds: [bool; 3],
     area: [N; 3],
     load: [N; 3],
@@ -220,13 +221,11 @@ impl<N: Real> SideBySide<N> {
         self.stiffness.add(few.stiffness);
     }
 
-    /// Adds `weights` contacts of each kind (quadrature weights, in the statistical model).
+    /// Adds weighed contacts of all lanes.
     #[inline(always)]
-    pub fn weigh(&mut self, contact: Contacts<N>, weights: N) {
-        let mut few = Handful::new(self.zero);
-        few.add(&contact.times(weights));
-        self.weights.add(weights);
-        self.add_plain(&few);
+    pub fn add_weighed(&mut self, few: &Handful<N>) {
+        self.weights.add(few.weights);
+        self.add_plain(few);
     }
 }
 
@@ -237,6 +236,7 @@ impl<N: Real> Handful<N> {
         Self {
             zero,
             count: 0,
+            weights: zero,
             holds: [false; 3],
             area: [zero; 3],
             load: [zero; 3],
@@ -249,8 +249,20 @@ impl<N: Real> Handful<N> {
     /// Adds the contacts of all lanes, up to [`FEW`] times.
     #[inline(always)]
     pub fn add(&mut self, contact: &Contacts<N>) {
-        let &Contacts { area, load, stiffness, elastic, plastic } = contact;
         self.count += N::LANES;
+        self.add_contacts(contact);
+    }
+
+    /// Adds `weights` contacts of each kind (quadrature weights, in the statistical model), up to [`FEW`] times.
+    #[inline(always)]
+    pub fn weigh(&mut self, contact: &Contacts<N>, weights: N) {
+        self.weights = self.weights + weights;
+        self.add_contacts(&contact.times(weights));
+    }
+
+    #[inline(always)]
+    fn add_contacts(&mut self, contact: &Contacts<N>) {
+        let &Contacts { area, load, stiffness, elastic, plastic } = contact;
         self.stiffness = self.stiffness + stiffness;
         self.area_squared = area.times_plus(area, self.area_squared);
         self.load_squared = load.times_plus(load, self.load_squared);

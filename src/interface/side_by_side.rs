@@ -114,14 +114,22 @@ impl<A: Answers> Work for Weigh<'_, A> {
         let mut lanes = SideBySide::new(zero);
         let mut start = 0;
         while start + N::LANES <= indentations.len() {
-            let contacts = contact.answers(zero.load(&indentations[start..]), radius, spheres);
-            lanes.weigh(contacts, zero.load(&weights[start..]));
-            start += N::LANES;
+            let mut few = Handful::new(zero);
+            for _ in 0..FEW {
+                if start + N::LANES <= indentations.len() {
+                    let w = zero.load(&indentations[start..]);
+                    few.weigh(&contact.answers(w, radius, spheres), zero.load(&weights[start..]));
+                    start += N::LANES;
+                }
+            }
+            lanes.add_weighed(&few);
         }
         if start < indentations.len() {
             let rest = zero.lanes_from(N::LANES - (indentations.len() - start));
             let contacts = contact.answers(last(indentations, zero), radius, spheres);
-            lanes.weigh(contacts, N::choose(rest, last(weights, zero), zero));
+            let mut few = Handful::new(zero);
+            few.weigh(&contacts, N::choose(rest, last(weights, zero), zero));
+            lanes.add_weighed(&few);
         }
         tally.add_lanes(&lanes);
     }

@@ -9,7 +9,7 @@ use crate::asperity::{HeightDensity, Population, Statistics};
 use crate::interface::MicroContact;
 use crate::law::Shape;
 use crate::numeric::lanes::{Real, Work, run};
-use crate::numeric::quadrature::{NODES, Panel, Variable, panels};
+use crate::numeric::quadrature::{NODES, Piece, Variable, pieces};
 use crate::numeric::root::last_reaching;
 use crate::tally::{Tally, Total};
 
@@ -63,6 +63,8 @@ pub struct Statistical<'a, C: ?Sized> {
     datum: Datum,
     /// Of the contact of one asperity, in units of sigma.
     breakpoints: Vec<f64>,
+    /// Those at which the load jumps, and by how much, N.
+    jumps: Vec<(f64, f64)>,
 }
 
 impl<'a, C: MicroContact + ?Sized> Statistical<'a, C> {
@@ -74,8 +76,10 @@ impl<'a, C: MicroContact + ?Sized> Statistical<'a, C> {
     /// The model of a population of another shape than spheres of its radius.
     pub fn of_shape(contact: &'a C, population: Population, shape: Shape) -> Self {
         let sigma = population.sigma;
-        let breakpoints = contact.breakpoints(shape).into_iter().map(|w| w / sigma).collect();
-        Self { contact, population, shape, datum: Datum { mean: 0.0, sigma }, breakpoints }
+        let breakpoints: Vec<f64> = contact.breakpoints(shape).into_iter().map(|w| w / sigma).collect();
+        let jump = |&x: &f64| Some((x, jump(contact, shape, x * sigma)?));
+        let jumps = breakpoints.iter().filter_map(jump).collect();
+        Self { contact, population, shape, datum: Datum { mean: 0.0, sigma }, breakpoints, jumps }
     }
 
     /// The same model with separations measured as `datum` says, its mean relative to the mean
@@ -120,6 +124,7 @@ impl<'a, C: MicroContact + ?Sized> Statistical<'a, C> {
         let nearest = NEGLIGIBLE * end;
         let breakpoints = &self.breakpoints[self.breakpoints.partition_point(|&x| x <= nearest)..];
         let ends = breakpoints.iter().copied().chain([end]);
+        let mut samples = Samples::default();
         let mut from = start;
         for (segment, to) in ends.enumerate() {
             let to = to.min(end);
@@ -130,29 +135,27 @@ impl<'a, C: MicroContact + ?Sized> Statistical<'a, C> {
                 let resolved =
                     if heights.turns(h, low, high) { FOLDINGS_PER_BELL } else { FOLDINGS_PER_PANEL };
                 let count = (heights.foldings(h, low, high) / resolved).ceil().max(1.0) as usize;
-                for mut panel in panels(low, high, Variable::SquareRoot, count) {
-                    run(WithDensity { panel: &mut panel, heights, h, sigma });
-                    self.contact.weigh(&panel.points, &panel.weights, self.shape, &mut tally);
+                for piece in pieces(low, high, Variable::SquareRoot, count) {
+                    if samples.count == Samples::MOST {
+                        self.weigh(&mut samples, &mut tally);
+                    }
+                    run(WithDensity { piece, samples: &mut samples, heights, h, sigma });
                 }
             }
             from = to;
         }
-        self.add_jumps(h, breakpoints, [start, end], &mut tally);
+        self.weigh(&mut samples, &mut tally);
+        // dp/dd has a contribution of its own where the load jumps.
+        for &(x, load) in self.jumps.iter().filter(|(x, _)| *x > nearest && (start..end).contains(x)) {
+            tally.add_jump(load * (-heights.exponent(h, x)).exp() / sigma);
+        }
         tally.total()
     }
 
-    /// dp/dd has a contribution of its own where the load jumps.
-    fn add_jumps(&self, h: f64, breakpoints: &[f64], window: [f64; 2], tally: &mut Tally) {
-        /// This part of a breakpoint lies to either side of it: more than the rounding of where a load jumps.
-        const BESIDE: f64 = 1e-12;
-        let Population { sigma, heights, .. } = self.population;
-        for &x in breakpoints.iter().filter(|x| (window[0]..window[1]).contains(x)) {
-            let step = BESIDE * x * sigma;
-            let [below, above] = [-step, step].map(|step| self.contact.contact(x * sigma + step, self.shape));
-            let rise = (below.stiffness + above.stiffness) * step;
-            let density = (-heights.exponent(h, x)).exp() / sigma;
-            tally.add_jump((above.load - below.load - rise) * density);
-        }
+    fn weigh(&self, samples: &mut Samples, tally: &mut Tally) {
+        let Samples { points, weights, count } = samples;
+        self.contact.weigh(&points[..*count], &weights[..*count], self.shape, tally);
+        *count = 0;
     }
 
     /// Nominal pressure at the quoted separation `h`, Pa.
@@ -161,9 +164,41 @@ impl<'a, C: MicroContact + ?Sized> Statistical<'a, C> {
     }
 }
 
-/// Makes the points of a panel indentations (m) and its weights those of the density beyond the separation `h`, in units of its scale.
+/// By how much the load jumps at the indentation `w` (m), N; `None` where it does not.
+fn jump<C: MicroContact + ?Sized>(contact: &C, shape: Shape, w: f64) -> Option<f64> {
+    /// This part of a breakpoint lies to either side of it: more than the rounding of where a load jumps.
+    const BESIDE: f64 = 1e-12;
+    /// Loads differ by so much of them through rounding.
+    const ROUNDING: f64 = 32.0 * f64::EPSILON;
+    let step = BESIDE * w;
+    let [below, above] = [-step, step].map(|step| contact.contact(w + step, shape));
+    let jump = above.load - below.load - (below.stiffness + above.stiffness) * step;
+    (jump.abs() > ROUNDING * above.load).then_some(jump)
+}
+
+/// Nodes of some panels, for which contacts are asked at once.
+struct Samples {
+    /// Indentations, m.
+    points: [f64; Self::MOST],
+    weights: [f64; Self::MOST],
+    count: usize,
+}
+
+impl Samples {
+    /// Those of four panels: most integrals have not more.
+    const MOST: usize = 4 * NODES;
+}
+
+impl Default for Samples {
+    fn default() -> Self {
+        Self { points: [0.0; Self::MOST], weights: [0.0; Self::MOST], count: 0 }
+    }
+}
+
+/// Adds the nodes of a piece: indentations, and weights with the density beyond the separation `h`, in units of its scale.
 struct WithDensity<'a> {
-    panel: &'a mut Panel,
+    piece: Piece,
+    samples: &'a mut Samples,
     heights: HeightDensity,
     h: f64,
     sigma: f64,
@@ -174,13 +209,15 @@ impl Work for WithDensity<'_> {
 
     #[inline(always)]
     fn with<N: Real>(self, zero: N) {
-        let Self { panel, heights, h, sigma } = self;
+        let Self { piece, samples, heights, h, sigma } = self;
+        let points = &mut samples.points[samples.count..][..NODES];
+        let weights = &mut samples.weights[samples.count..][..NODES];
         for k in (0..NODES).step_by(N::LANES) {
-            let (points, weights) = (&mut panel.points[k..], &mut panel.weights[k..]);
-            let x = zero.load(points);
-            (zero.load(weights) * (-heights.exponent(h, x)).exp()).store(weights);
-            (x * sigma).store(points);
+            let [x, weight] = piece.sample(k, zero);
+            (weight * (-heights.exponent(h, x)).exp()).store(&mut weights[k..]);
+            (x * sigma).store(&mut points[k..]);
         }
+        samples.count += NODES;
     }
 }
 

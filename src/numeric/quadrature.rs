@@ -5,6 +5,8 @@ use std::sync::LazyLock;
 
 use gauss_quad::GaussLegendre;
 
+use super::lanes::Real;
+
 /// Nodes of one panel.
 pub const NODES: usize = 24;
 
@@ -29,7 +31,7 @@ pub enum Variable {
 
 /// The abscissae and weights of one panel: the integral of f over it is the sum of
 /// `weights[k] * f(points[k])`.
-#[derive(Debug, Clone, Copy)]
+#[derive(Debug, Clone, Copy, Default)]
 pub struct Panel {
     /// Abscissae.
     pub points: [f64; NODES],
@@ -37,26 +39,50 @@ pub struct Panel {
     pub weights: [f64; NODES],
 }
 
-/// Cuts [from, to], 0 <= from < to, into `count` panels of equal length in `variable`.
-pub fn panels(from: f64, to: f64, variable: Variable, count: usize) -> impl Iterator<Item = Panel> {
-    let (nodes, weights) = &*LEGENDRE;
+/// What one panel covers, of its variable.
+#[derive(Debug, Clone, Copy)]
+pub struct Piece {
+    variable: Variable,
+    centre: f64,
+    half: f64,
+}
+
+impl Piece {
+    /// Abscissae and weights side by side, from the `k`th on.
+    #[inline(always)]
+    pub fn sample<N: Real>(&self, k: usize, zero: N) -> [N; 2] {
+        let (nodes, weights) = &*LEGENDRE;
+        let s = zero.load(&nodes[k..]) * self.half + self.centre;
+        let weight = zero.load(&weights[k..]) * self.half;
+        match self.variable {
+            Variable::Linear => [s, weight],
+            Variable::SquareRoot => [s * s, s * 2.0 * weight],
+        }
+    }
+
+    /// All of them.
+    pub fn panel(&self) -> Panel {
+        let mut panel = Panel::default();
+        for k in 0..NODES {
+            [panel.points[k], panel.weights[k]] = self.sample(k, 0.0);
+        }
+        panel
+    }
+}
+
+/// Cuts [from, to], 0 <= from < to, into `count` pieces of equal length in `variable`.
+pub fn pieces(from: f64, to: f64, variable: Variable, count: usize) -> impl Iterator<Item = Piece> {
     let (start, end) = match variable {
         Variable::Linear => (from, to),
         Variable::SquareRoot => (from.sqrt(), to.sqrt()),
     };
     let half = 0.5 * (end - start) / count as f64;
-    (0..count).map(move |k| {
-        let centre = start + half * (2 * k + 1) as f64;
-        let mut panel = Panel { points: [0.0; NODES], weights: [0.0; NODES] };
-        for i in 0..NODES {
-            let s = centre + half * nodes[i];
-            (panel.points[i], panel.weights[i]) = match variable {
-                Variable::Linear => (s, half * weights[i]),
-                Variable::SquareRoot => (s * s, 2.0 * s * half * weights[i]),
-            };
-        }
-        panel
-    })
+    (0..count).map(move |k| Piece { variable, centre: start + half * (2 * k + 1) as f64, half })
+}
+
+/// The same, as panels.
+pub fn panels(from: f64, to: f64, variable: Variable, count: usize) -> impl Iterator<Item = Panel> {
+    pieces(from, to, variable, count).map(|piece| piece.panel())
 }
 
 #[cfg(test)]

@@ -92,11 +92,18 @@ impl Parted {
 
     /// The sum of all parts.
     pub fn total(&self) -> Sum {
-        let mut total = Sum::default();
-        for (&high, &low) in self.high.iter().zip(&self.low) {
-            total.merge(&Sum { high, low });
+        let mut parts = *self;
+        let mut count = MOST;
+        while count > 1 {
+            // In halves, so that no addition waits for the one before.
+            count /= 2;
+            for k in 0..count {
+                let mut sum = Sum { high: parts.high[k], low: parts.low[k] };
+                sum.merge(&Sum { high: parts.high[k + count], low: parts.low[k + count] });
+                (parts.high[k], parts.low[k]) = (sum.high, sum.low);
+            }
         }
-        total
+        Sum { high: parts.high[0], low: parts.low[0] }
     }
 }
 
