@@ -73,17 +73,30 @@ impl<const PLACES: usize, const CELLS: usize> Levels<PLACES, CELLS> {
 
     /// How many of `heights` (m) lie above each separation.
     pub(super) fn count_above(&self, heights: &[f64]) -> Vec<u64> {
-        let mut counts = vec![0; self.count + 1];
-        for &z in heights {
-            counts[usize::from(self.untouched::<true>(z, self.cell(z)))] += 1;
-        }
-        // Those that no separation touches.
-        counts.pop();
+        let mut counts =
+            if self.is_crowded { self.count_by::<true>(heights) } else { self.count_by::<false>(heights) };
         let mut above = 0;
         counts.iter_mut().for_each(|count| {
             above += *count;
             *count = above;
         });
+        counts
+    }
+
+    /// How many of `heights` (m) lie between each separation and the next larger one.
+    fn count_by<const CROWDED: bool>(&self, heights: &[f64]) -> Vec<u64> {
+        /// Heights at a time, which stay in the cache.
+        const TOGETHER: usize = 1024;
+        let mut counts = vec![0; self.count];
+        let (mut cells, mut touched) = ([0; TOGETHER], [0; TOGETHER]);
+        for heights in heights.chunks(TOGETHER) {
+            run(FindCells { levels: self, heights, cells: &mut cells });
+            let end = keep_touched(&cells[..heights.len()], &mut touched);
+            for &index in &touched[..end] {
+                let index = usize::from(index);
+                counts[usize::from(self.untouched::<CROWDED>(heights[index], cells[index]))] += 1;
+            }
+        }
         counts
     }
 
@@ -149,13 +162,13 @@ fn room<T: Default + Copy>() -> Box<[T; Block::MOST]> {
 }
 
 /// Finds the cells of heights, in the registers of the machine.
-struct FindCells<'a> {
-    levels: &'a LevelsOfBlock,
+struct FindCells<'a, const PLACES: usize, const CELLS: usize> {
+    levels: &'a Levels<PLACES, CELLS>,
     heights: &'a [f64],
     cells: &'a mut [u16],
 }
 
-impl Work for FindCells<'_> {
+impl<const PLACES: usize, const CELLS: usize> Work for FindCells<'_, PLACES, CELLS> {
     type Output = ();
 
     #[inline(always)]
@@ -164,6 +177,17 @@ impl Work for FindCells<'_> {
             *cell = self.levels.cell(z);
         }
     }
+}
+
+/// Keeps the places of those of `cells` whose asperities are touched, without a branch, and tells how many they are.
+#[inline(always)]
+fn keep_touched<const MOST: usize>(cells: &[u16], touched: &mut [u16; MOST]) -> usize {
+    let mut count = 0;
+    for (index, &cell) in cells.iter().enumerate() {
+        touched[count % MOST] = index as u16;
+        count += usize::from(cell > 0);
+    }
+    count
 }
 
 impl Block {
@@ -185,11 +209,7 @@ impl Block {
         let Self { heights, radii, spheres, cells, touched, places, ends } = self;
         run(FindCells { levels, heights: z, cells: &mut cells[..] });
 
-        let mut count = 0;
-        for (index, &cell) in cells[..all].iter().enumerate() {
-            touched[count % Self::MOST] = index as u16;
-            count += usize::from(cell > 0);
-        }
+        let count = keep_touched(&cells[..all], touched);
         let touched = &touched[..count];
 
         ends.fill(0);
