@@ -149,7 +149,6 @@ pub struct SideBySide<N> {
 pub struct Handful<N> {
     zero: N,
     count: usize,
-    weights: N,
     holds: [bool; 3],
     area: [N; 3],
     load: [N; 3],
@@ -203,14 +202,14 @@ impl<N: Real> SideBySide<N> {
 
     #[inline(always)]
     fn add_few(&mut self, few: &Handful<N>) {
-        self.add_plain(few);
+        self.add_weighed(few);
         self.area_squared.add(few.area_squared);
         self.load_squared.add(few.load_squared);
     }
 
-    /// All but the squares.
+    /// Adds all but the squares, of which weighed contacts have none.
     #[inline(always)]
-    fn add_plain(&mut self, few: &Handful<N>) {
+    pub fn add_weighed(&mut self, few: &Handful<N>) {
         for regime in 0..3 {
             if few.holds[regime] {
                 self.holds[regime] = true;
@@ -221,11 +220,12 @@ impl<N: Real> SideBySide<N> {
         self.stiffness.add(few.stiffness);
     }
 
-    /// Adds weighed contacts of all lanes.
+    /// Adds to `few` `weights` contacts of each kind (quadrature weights, in the statistical model); the weights themselves
+    /// are kept here, each to its last digit.
     #[inline(always)]
-    pub fn add_weighed(&mut self, few: &Handful<N>) {
-        self.weights.add(few.weights);
-        self.add_plain(few);
+    pub fn weigh(&mut self, few: &mut Handful<N>, contact: &Contacts<N>, weights: N) {
+        self.weights.add(weights);
+        few.add_contacts(&contact.times(weights));
     }
 }
 
@@ -236,7 +236,6 @@ impl<N: Real> Handful<N> {
         Self {
             zero,
             count: 0,
-            weights: zero,
             holds: [false; 3],
             area: [zero; 3],
             load: [zero; 3],
@@ -251,13 +250,6 @@ impl<N: Real> Handful<N> {
     pub fn add(&mut self, contact: &Contacts<N>) {
         self.count += N::LANES;
         self.add_contacts(contact);
-    }
-
-    /// Adds `weights` contacts of each kind (quadrature weights, in the statistical model), up to [`FEW`] times.
-    #[inline(always)]
-    pub fn weigh(&mut self, contact: &Contacts<N>, weights: N) {
-        self.weights = self.weights + weights;
-        self.add_contacts(&contact.times(weights));
     }
 
     #[inline(always)]

@@ -118,7 +118,7 @@ impl<A: Answers> Work for Weigh<'_, A> {
             for _ in 0..FEW {
                 if start + N::LANES <= indentations.len() {
                     let w = zero.load(&indentations[start..]);
-                    few.weigh(&contact.answers(w, radius, spheres), zero.load(&weights[start..]));
+                    lanes.weigh(&mut few, &contact.answers(w, radius, spheres), zero.load(&weights[start..]));
                     start += N::LANES;
                 }
             }
@@ -128,7 +128,7 @@ impl<A: Answers> Work for Weigh<'_, A> {
             let rest = zero.lanes_from(N::LANES - (indentations.len() - start));
             let contacts = contact.answers(last(indentations, zero), radius, spheres);
             let mut few = Handful::new(zero);
-            few.weigh(&contacts, N::choose(rest, last(weights, zero), zero));
+            lanes.weigh(&mut few, &contacts, N::choose(rest, last(weights, zero), zero));
             lanes.add_weighed(&few);
         }
         tally.add_lanes(&lanes);
