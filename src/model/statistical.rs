@@ -185,7 +185,7 @@ struct Samples {
 }
 
 impl Samples {
-    /// Those of four panels: most integrals have not more.
+    /// Those of four panels. Beyond them contacts are asked for in turns.
     const MOST: usize = 4 * NODES;
 }
 
