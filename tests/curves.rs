@@ -1,6 +1,7 @@
 //! Curves within a tolerance: how far they are off, and what they cost.
 
 use asperity::asperity::{AsperitySet, Draw, HeightDensity, Population};
+use asperity::contact::ByRegime;
 use asperity::interface::{Interface, MicroContact};
 use asperity::law::{Ceb, Hertz, Law, Shape, Zmc};
 use asperity::material::Material;
@@ -138,6 +139,49 @@ fn what_cannot_be_foretold_is_asked() {
     let curve = respond_within(&model, &sweep(300), 1e-6);
     assert!(errors(&curve.responses, &model.respond_all(&sweep(300)))[0] <= 1e-6);
     assert!(curve.asked.len() > 100);
+}
+
+/// A smooth pressure that rises and falls.
+struct Wave;
+
+impl Model for Wave {
+    fn datum(&self) -> Datum {
+        Datum { mean: 0.0, sigma: 1.0 }
+    }
+
+    fn respond_all(&self, separations: &[f64]) -> Vec<Response> {
+        let at = |&h: &f64| Response {
+            separation_over_sigma: h,
+            separation: h,
+            contact_density: 1.0,
+            area_ratio: ByRegime([0.01, 0.0, 0.0]),
+            pressure: ByRegime([2.0 + (3.0 * h).cos(), 0.0, 0.0]),
+            stiffness: 3.0 * (3.0 * h).sin(),
+            sampling: None,
+        };
+        separations.iter().map(at).collect()
+    }
+
+    fn may_fall(&self) -> bool {
+        true
+    }
+
+    fn separations_at(&self, pressures: &[f64]) -> Vec<Option<f64>> {
+        vec![None; pressures.len()]
+    }
+}
+
+/// A stiffness is negative where a load falls.
+#[test]
+fn a_pressure_that_rises_and_falls() {
+    let curve = respond_within(&Wave, &sweep(1000), 1e-8);
+    let exact = Wave.respond_all(&sweep(1000));
+    assert!(errors(&curve.responses, &exact)[0] <= 1e-8);
+    for (found, exact) in curve.responses.iter().zip(&exact) {
+        let off = (found.stiffness - exact.stiffness).abs();
+        assert!(off <= 1e-7, "{} {} {}", found.separation, found.stiffness, exact.stiffness);
+    }
+    assert!(curve.asked.len() < 200, "{}", curve.asked.len());
 }
 
 /// Whatever the order of the separations, also twice the same, beyond the highest asperity, or few of them.

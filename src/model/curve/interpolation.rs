@@ -1,0 +1,184 @@
+//! What lies between a model's answers: polynomials of logarithms and shares.
+
+use std::ops::Range;
+
+use super::quantities::Quantities;
+use crate::model::Response;
+use crate::numeric::lanes::{Mask, Real, Work};
+
+/// Where the model was asked: place and answer, and what is interpolated of it.
+#[derive(Debug, Clone, Copy)]
+pub struct Node {
+    /// Of all separations, ascending.
+    pub place: usize,
+    /// What the model answered.
+    pub response: Response,
+    /// What is interpolated of that.
+    pub quantities: Quantities,
+}
+
+impl Node {
+    /// The answer of a place.
+    pub fn new(place: usize, response: Response) -> Self {
+        Self { place, response, quantities: Quantities::of(&response) }
+    }
+
+    /// Its separation.
+    fn x(&self) -> f64 {
+        self.response.separation_over_sigma
+    }
+}
+
+/// How logarithms are answered.
+#[derive(Clone, Copy, PartialEq)]
+pub enum Scale {
+    /// As they are.
+    Logarithms,
+    /// As what they are the logarithms of.
+    Plain,
+}
+
+/// Newton's polynomials through the nearest nodes (DLMF 3.3.38), of all quantities side by side.
+pub struct Interpolation<'a, G, F> {
+    /// Ascending, one at the least.
+    pub known: &'a [Node],
+    /// Nodes that each polynomial goes through, of those and at most [`MOST_THROUGH`].
+    pub through: usize,
+    /// How many of the first there are: as many as fill one register of the widest, or two.
+    pub quantities: usize,
+    /// Of all places, ascending.
+    pub separations: &'a [f64],
+    /// Places between two nodes, ascending.
+    pub gaps: G,
+    /// How logarithms are answered.
+    pub scale: Scale,
+    /// Takes each place of the gaps with the quantities there.
+    pub take: F,
+}
+
+impl<G: Iterator<Item = Range<usize>>, F: FnMut(usize, &Quantities)> Work for Interpolation<'_, G, F> {
+    type Output = ();
+
+    #[inline(always)]
+    fn with<N: Real>(self, zero: N) {
+        /// Places that are worked on together, so that none waits for another.
+        const TOGETHER: usize = 48;
+        const LOGARITHMS: usize = Quantities::LOGARITHMS;
+        let Self { known, through, quantities, separations, gaps, scale, mut take } = self;
+        let mut newton = Newton::new(known, through, quantities);
+        let mut found = [Quantities::ZERO; TOGETHER];
+        let mut logarithms = [0.0; LOGARITHMS * TOGETHER];
+        let mut after = 0;
+        for gap in gaps {
+            while known.get(after).is_some_and(|node| node.place < gap.start) {
+                after += 1;
+            }
+            newton.go_to(after, zero);
+            for start in gap.clone().step_by(TOGETHER) {
+                let these = start..gap.end.min(start + TOGETHER);
+                newton.evaluate(&separations[these.clone()], &mut found, zero);
+                if scale == Scale::Plain {
+                    for (quantities, logarithms) in found.iter().zip(logarithms.chunks_exact_mut(LOGARITHMS))
+                    {
+                        logarithms.copy_from_slice(&quantities.0[..LOGARITHMS]);
+                    }
+                    for lane in (0..LOGARITHMS * these.len()).step_by(N::LANES) {
+                        exponential(zero.load(&logarithms[lane..])).store(&mut logarithms[lane..]);
+                    }
+                    for (quantities, plain) in found.iter_mut().zip(logarithms.chunks_exact(LOGARITHMS)) {
+                        quantities.0[..LOGARITHMS].copy_from_slice(plain);
+                    }
+                }
+                these.zip(&found).for_each(|(place, quantities)| take(place, quantities));
+            }
+        }
+    }
+}
+
+/// Nodes that a polynomial goes through at the most.
+pub const MOST_THROUGH: usize = 12;
+
+/// Newton's polynomial through some nodes in a row, from the last of them on.
+struct Newton<'a> {
+    known: &'a [Node],
+    /// How many of them it goes through.
+    through: usize,
+    /// How many of the first quantities there are.
+    quantities: usize,
+    /// The node after its last.
+    end: usize,
+    /// Its nodes, from the last on.
+    nodes: [f64; MOST_THROUGH],
+    /// The divided differences over so many of them.
+    differences: [Quantities; MOST_THROUGH],
+}
+
+impl<'a> Newton<'a> {
+    fn new(known: &'a [Node], through: usize, quantities: usize) -> Self {
+        let differences = [Quantities::ZERO; MOST_THROUGH];
+        Self { known, through, quantities, end: 0, nodes: [0.0; MOST_THROUGH], differences }
+    }
+
+    /// Makes it the one around the gap below the node `after`, which is not below the last one.
+    #[inline(always)]
+    fn go_to<N: Real>(&mut self, after: usize, zero: N) {
+        let end = (after + self.through.div_ceil(2)).clamp(self.through, self.known.len());
+        while self.end < end {
+            let node = &self.known[self.end];
+            for lane in (0..self.quantities).step_by(N::LANES) {
+                let mut difference = zero.load(&node.quantities.0[lane..]);
+                for order in 0..self.through.min(self.end + 1) {
+                    let shorter = zero.load(&self.differences[order].0[lane..]);
+                    difference.store(&mut self.differences[order].0[lane..]);
+                    difference = (difference - shorter) * (node.x() - self.nodes[order]).recip();
+                }
+            }
+            self.nodes.copy_within(..MOST_THROUGH - 1, 1);
+            self.nodes[0] = node.x();
+            self.end += 1;
+        }
+    }
+
+    /// The quantities at `separations`.
+    #[inline(always)]
+    fn evaluate<N: Real>(&self, separations: &[f64], quantities: &mut [Quantities], zero: N) {
+        let (h, rest) = separations.as_chunks::<4>();
+        let (of_h, of_rest) = quantities[..separations.len()].as_chunks_mut::<4>();
+        for (h, quantities) in h.iter().zip(of_h) {
+            self.evaluate_at(h, quantities, zero);
+        }
+        for (&h, quantities) in rest.iter().zip(of_rest) {
+            self.evaluate_at(&[h], std::array::from_mut(quantities), zero);
+        }
+    }
+
+    /// The same at `K` separations, side by side.
+    #[inline(always)]
+    fn evaluate_at<N: Real, const K: usize>(&self, h: &[f64; K], quantities: &mut [Quantities; K], zero: N) {
+        for lane in (0..self.quantities).step_by(N::LANES) {
+            let mut values = [zero; K];
+            for (node, difference) in self.nodes.iter().zip(&self.differences).take(self.through).rev() {
+                let difference = zero.load(&difference.0[lane..]);
+                for (value, h) in values.iter_mut().zip(h) {
+                    *value = value.times_plus(zero.splat(h - node), difference);
+                }
+            }
+            for (value, quantities) in values.into_iter().zip(&mut *quantities) {
+                value.store(&mut quantities.0[lane..]);
+            }
+        }
+    }
+}
+
+/// e to the power of any number.
+#[inline(always)]
+fn exponential<N: Real>(x: N) -> N {
+    /// That of lanes is good up to here.
+    const LARGEST: f64 = 700.0;
+    let largest = x.splat(LARGEST);
+    if (x.at_most(largest) & (-largest).at_most(x)).all() {
+        return x.exp();
+    }
+    let [powers] = x.each(|x| [x.exp()]);
+    powers
+}

@@ -1,0 +1,75 @@
+//! A curve of many separations from answers at few of them, to a tolerance that is checked.
+//!
+//! | module | what it holds |
+//! |---|---|
+//! | `sketch` | where the model is asked, and until when |
+//! | `interpolation` | what lies between its answers |
+//! | `quantities` | of what |
+
+mod interpolation;
+mod quantities;
+mod sketch;
+
+use interpolation::Scale;
+use sketch::{Kinks, Sketch};
+
+use super::{Model, Response};
+
+/// A curve within a tolerance.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Curve {
+    /// The answers, in the order of the separations that were asked for.
+    pub responses: Vec<Response>,
+    /// The separations at which the model itself answered.
+    pub asked: Vec<f64>,
+}
+
+/// Below so many separations each is asked for.
+const FEWEST: usize = 32;
+
+/// The answers at `separations` (in sigma), of which pressure and area ratio, of an integral also the shares of their regimes
+/// (in parts of the whole), are within `tolerance` of the model's own.
+///
+/// The model is asked at some of the separations, the rest is interpolated: an interval between two answers is asked
+/// in its middle and halved, until the answer there is what its neighbours foretold, and of a sum until the asperities
+/// between two answers are too few to matter (`Kinks`). What cannot be foretold is asked everywhere. The number of
+/// contacts of a sum is counted, not interpolated.
+pub fn respond_within(model: &dyn Model, separations: &[f64], tolerance: f64) -> Curve {
+    if separations.len() < FEWEST {
+        return Curve { responses: model.respond_all(separations), asked: separations.to_vec() };
+    }
+    let mut order: Vec<usize> = (0..separations.len()).collect();
+    order.sort_by(|&a, &b| separations[a].total_cmp(&separations[b]));
+    let counted = model.count_contacts(separations);
+    let ascending: Vec<f64> = order.iter().map(|&k| separations[k]).collect();
+    let kinks = counted
+        .as_ref()
+        .map(|counted| Kinks::new(&ascending, order.iter().map(|&k| counted.contacts[k]).collect()));
+    let mut sketch = Sketch::new(ascending, kinks, tolerance);
+    sketch.settle(model, tolerance);
+    let known = &sketch.known;
+    let mut asked: Vec<f64> = known.iter().map(|node| node.response.separation_over_sigma).collect();
+    // All other places come by.
+    let mut responses = vec![known[0].response; separations.len()];
+    for node in known {
+        responses[order[node.place]] = node.response;
+    }
+    let sigma = model.datum().sigma;
+    // Next to where nothing touches there is nothing to interpolate.
+    let mut missing = Vec::new();
+    let gaps = known.windows(2).map(|pair| pair[0].place + 1..pair[1].place);
+    sketch.interpolate(gaps, Scale::Plain, |place, quantities| {
+        let k = order[place];
+        let density = counted.as_ref().map(|counted| counted.contacts[k] * counted.per_area);
+        match quantities.response(separations[k], sigma, density) {
+            Some(response) => responses[k] = response,
+            None => missing.push(k),
+        }
+    });
+    let missing_separations: Vec<f64> = missing.iter().map(|&k| separations[k]).collect();
+    for (k, answer) in missing.into_iter().zip(model.respond_all(&missing_separations)) {
+        responses[k] = answer;
+    }
+    asked.extend(missing_separations);
+    Curve { responses, asked }
+}

@@ -1,0 +1,170 @@
+//! Where the model is asked for a curve, until all that lies between can be foretold.
+
+use std::f64::consts::PI;
+use std::ops::Range;
+
+use super::interpolation::{Interpolation, MOST_THROUGH, Node, Scale};
+use super::quantities::Quantities;
+use crate::model::Model;
+use crate::numeric::lanes::run;
+
+/// What lies between two places that were asked.
+struct Interval([usize; 2]);
+
+impl Interval {
+    fn middle(&self) -> usize {
+        (self.0[0] + self.0[1]) / 2
+    }
+
+    /// Whether one lies between its ends.
+    fn holds_a_place(&self) -> bool {
+        self.0[1] - self.0[0] > 1
+    }
+
+    fn halves(&self) -> [Self; 2] {
+        [Self([self.0[0], self.middle()]), Self([self.middle(), self.0[1]])]
+    }
+}
+
+/// How much the asperities that come into contact between two separations keep a sum from being foretold.
+///
+/// With n of them at random over an interval of length l, sum(z - d) over those in contact, which the area follows,
+/// differs from a smooth curve through both ends by some n^.5 l/7; it is the integral of the number of contacts.
+pub struct Kinks {
+    contacts: Vec<f64>,
+    /// Of the contacts, from each separation to the last.
+    integral: Vec<f64>,
+}
+
+impl Kinks {
+    /// Of ascending separations.
+    pub fn new(separations: &[f64], contacts: Vec<f64>) -> Self {
+        let mut integral = vec![0.0; contacts.len()];
+        for k in (1..contacts.len()).rev() {
+            let step = separations[k] - separations[k - 1];
+            integral[k - 1] = integral[k] + 0.5 * step * (contacts[k - 1] + contacts[k]);
+        }
+        Self { contacts, integral }
+    }
+
+    /// Whether they may be worth `tolerance` of the area in either half of an interval of `length`.
+    fn matter(&self, &Interval([from, to]): &Interval, length: f64, tolerance: f64) -> bool {
+        /// Deviations that count, of 1/7 each.
+        const DEVIATIONS: f64 = 3.0 / 7.0;
+        let halves = (0.5 * (self.contacts[from] - self.contacts[to])).sqrt() * (0.5 * length);
+        let is_safe = DEVIATIONS * halves <= tolerance * self.integral[to];
+        !is_safe
+    }
+}
+
+/// What is known of a curve.
+pub struct Sketch {
+    /// Ascending.
+    separations: Vec<f64>,
+    /// Ascending.
+    pub known: Vec<Node>,
+    /// Of a sum.
+    kinks: Option<Kinks>,
+    /// Intervals to begin with.
+    coarsest: usize,
+    /// Nodes that an interpolation goes through: few where the curve has a kink at every asperity.
+    through: usize,
+}
+
+impl Sketch {
+    pub fn new(separations: Vec<f64>, kinks: Option<Kinks>, tolerance: f64) -> Self {
+        /// Below this an integral seldom needs fewer intervals than the more.
+        const TIGHT: f64 = 1e-6;
+        let (coarsest, through) = match kinks {
+            Some(_) => (8, 4),
+            None if tolerance < TIGHT => (12, MOST_THROUGH),
+            None => (6, MOST_THROUGH),
+        };
+        Self { separations, known: Vec::new(), kinks, coarsest, through }
+    }
+
+    fn ask(&self, model: &dyn Model, places: &[usize]) -> Vec<Node> {
+        let separations: Vec<f64> = places.iter().map(|&place| self.separations[place]).collect();
+        let answers = model.respond_all(&separations);
+        places.iter().zip(answers).map(|(&place, response)| Node::new(place, response)).collect()
+    }
+
+    fn learn(&mut self, nodes: Vec<Node>) {
+        self.known.extend(nodes);
+        self.known.sort_unstable_by_key(|node| node.place);
+    }
+
+    /// Intervals, ascending, that are no longer than the kinks allow.
+    fn intervals(&self, tolerance: f64) -> Vec<Interval> {
+        let last = self.separations.len() - 1;
+        // Half way between equal intervals and Chebyshev's, which are shorter where an interpolation has nodes to one side.
+        let end = |k: usize| {
+            let equal = k as f64 / self.coarsest as f64;
+            let chebyshev = 0.5 * (1.0 - (PI * equal).cos());
+            (0.5 * (equal + chebyshev) * last as f64).round() as usize
+        };
+        let mut rough: Vec<Interval> =
+            (0..self.coarsest).rev().map(|k| Interval([end(k), end(k + 1)])).collect();
+        let mut all = Vec::new();
+        while let Some(interval) = rough.pop() {
+            let Interval([from, to]) = interval;
+            let length = self.separations[to] - self.separations[from];
+            let matters = |kinks: &Kinks| kinks.matter(&interval, length, tolerance);
+            if interval.holds_a_place() && self.kinks.as_ref().is_some_and(matters) {
+                let [below, above] = interval.halves();
+                rough.extend([above, below]);
+            } else {
+                all.push(interval);
+            }
+        }
+        all
+    }
+
+    /// Asks until every interval between two answers can be interpolated, or holds no place more.
+    pub fn settle(&mut self, model: &dyn Model, tolerance: f64) {
+        let mut open = self.intervals(tolerance);
+        let mut ends: Vec<usize> = open.iter().map(|Interval([from, _])| *from).collect();
+        ends.push(self.separations.len() - 1);
+        open.retain(Interval::holds_a_place);
+        // What the kinks ask for is asked at once: a sum looks at all asperities each time.
+        let middles = open.iter().map(Interval::middle);
+        let mut nodes = self.ask(model, &ends.iter().copied().chain(middles).collect::<Vec<_>>());
+        let mut found = nodes.split_off(ends.len());
+        self.learn(nodes);
+        while !open.is_empty() {
+            let mut foretold = Vec::new();
+            let gaps = open.iter().map(|interval| interval.middle()..interval.middle() + 1);
+            self.interpolate(gaps, Scale::Logarithms, |_, quantities| foretold.push(*quantities));
+            // The shares of a sum jump at each asperity that changes its regime.
+            let is_within = |(found, foretold): (&Node, &Quantities)| {
+                let off = |k: usize| found.quantities.0[k] - foretold.0[k];
+                let holds = |off: f64| off.abs() <= tolerance;
+                let share_holds = |[second, third]: [usize; 2]| {
+                    let (second, third) = (off(second), off(third));
+                    holds(second) && holds(third) && holds(second + third)
+                };
+                Quantities::TOTALS.map(off).all(holds)
+                    && (self.kinks.is_some() || Quantities::SHARES.into_iter().all(share_holds))
+            };
+            let is_off: Vec<bool> = found.iter().zip(&foretold).map(|pair| !is_within(pair)).collect();
+            self.learn(found);
+            let off = open.iter().zip(is_off).filter(|(_, is_off)| *is_off);
+            open = off.flat_map(|(interval, _)| interval.halves()).filter(Interval::holds_a_place).collect();
+            found = self.ask(model, &open.iter().map(Interval::middle).collect::<Vec<_>>());
+        }
+    }
+
+    /// Hands on each place of the ascending `gaps` between nodes with the quantities there, by the polynomial through the
+    /// nearest nodes; no number where one of them is none.
+    pub fn interpolate(
+        &self,
+        gaps: impl Iterator<Item = Range<usize>>,
+        scale: Scale,
+        take: impl FnMut(usize, &Quantities),
+    ) {
+        let of_it = if self.kinks.is_some() { Quantities::OF_A_SUM } else { Quantities::OF_AN_INTEGRAL };
+        let through = self.through.min(self.known.len());
+        let (known, separations) = (&*self.known, &*self.separations);
+        run(Interpolation { known, through, quantities: of_it, separations, gaps, scale, take });
+    }
+}
