@@ -141,7 +141,7 @@ fn what_cannot_be_foretold_is_asked() {
     assert!(curve.asked.len() > 100);
 }
 
-/// A smooth pressure that rises and falls.
+/// A smooth pressure that rises and falls, of which the regimes change faster.
 struct Wave;
 
 impl Model for Wave {
@@ -150,14 +150,18 @@ impl Model for Wave {
     }
 
     fn respond_all(&self, separations: &[f64]) -> Vec<Response> {
-        let at = |&h: &f64| Response {
-            separation_over_sigma: h,
-            separation: h,
-            contact_density: 1.0,
-            area_ratio: ByRegime([0.01, 0.0, 0.0]),
-            pressure: ByRegime([2.0 + (3.0 * h).cos(), 0.0, 0.0]),
-            stiffness: 3.0 * (3.0 * h).sin(),
-            sampling: None,
+        let at = |&h: &f64| {
+            let pressure = 2.0 + (3.0 * h).cos();
+            let share = 0.5 + 0.5 * (20.0 * (h - 1.3)).tanh();
+            Response {
+                separation_over_sigma: h,
+                separation: h,
+                contact_density: 1.0,
+                area_ratio: ByRegime([0.01, 0.0, 0.0]),
+                pressure: ByRegime([pressure * (1.0 - share), 0.0, pressure * share]),
+                stiffness: 3.0 * (3.0 * h).sin(),
+                sampling: None,
+            }
         };
         separations.iter().map(at).collect()
     }
@@ -176,12 +180,13 @@ impl Model for Wave {
 fn a_pressure_that_rises_and_falls() {
     let curve = respond_within(&Wave, &sweep(1000), 1e-8);
     let exact = Wave.respond_all(&sweep(1000));
-    assert!(errors(&curve.responses, &exact)[0] <= 1e-8);
+    let off = errors(&curve.responses, &exact);
+    assert!(off.iter().all(|off| *off <= 1e-8), "{off:?}");
     for (found, exact) in curve.responses.iter().zip(&exact) {
         let off = (found.stiffness - exact.stiffness).abs();
         assert!(off <= 1e-7, "{} {} {}", found.separation, found.stiffness, exact.stiffness);
     }
-    assert!(curve.asked.len() < 200, "{}", curve.asked.len());
+    assert!(curve.asked.len() < 400, "{}", curve.asked.len());
 }
 
 /// Whatever the order of the separations, also twice the same, beyond the highest asperity, or few of them.

@@ -76,20 +76,23 @@ impl<G: Iterator<Item = Range<usize>>, F: FnMut(usize, &Quantities)> Work for In
             newton.go_to(after, zero);
             for start in gap.clone().step_by(TOGETHER) {
                 let these = start..gap.end.min(start + TOGETHER);
-                newton.evaluate(&separations[these.clone()], &mut found, zero);
+                let found = &mut found[..these.len()];
+                newton.evaluate(&separations[these.clone()], found, zero);
                 if scale == Scale::Plain {
-                    for (quantities, logarithms) in found.iter().zip(logarithms.chunks_exact_mut(LOGARITHMS))
-                    {
+                    let (used, unused) = logarithms.split_at_mut(LOGARITHMS * found.len());
+                    for (quantities, logarithms) in found.iter().zip(used.chunks_exact_mut(LOGARITHMS)) {
                         logarithms.copy_from_slice(&quantities.0[..LOGARITHMS]);
                     }
-                    for lane in (0..LOGARITHMS * these.len()).step_by(N::LANES) {
+                    // What the last register holds besides, is not to be out of its exponential's range.
+                    unused.fill(0.0);
+                    for lane in (0..LOGARITHMS * found.len()).step_by(N::LANES) {
                         exponential(zero.load(&logarithms[lane..])).store(&mut logarithms[lane..]);
                     }
                     for (quantities, plain) in found.iter_mut().zip(logarithms.chunks_exact(LOGARITHMS)) {
                         quantities.0[..LOGARITHMS].copy_from_slice(plain);
                     }
                 }
-                these.zip(&found).for_each(|(place, quantities)| take(place, quantities));
+                these.zip(&*found).for_each(|(place, quantities)| take(place, quantities));
             }
         }
     }

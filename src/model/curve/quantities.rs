@@ -65,6 +65,7 @@ impl Quantities {
     pub fn response(&self, h: f64, sigma: f64, counted_density: Option<f64>) -> Option<Response> {
         let [pressure, area, contacts, per_pressure, p2, p3, a2, a3, of_pressure, of_area, ..] = self.0;
         let is_positive = |value: f64| value > 0.0 && value < f64::INFINITY;
+        // No number where one of them is none.
         let others = contacts + per_pressure + p2 + p3 + a2 + a3 + of_pressure + of_area;
         if !(is_positive(pressure) && is_positive(area) && others.is_finite()) {
             return None;
