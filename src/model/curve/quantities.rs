@@ -64,10 +64,9 @@ impl Quantities {
     /// logarithms of, with so many contacts an area if they were counted; `None` where they are none.
     pub fn response(&self, h: f64, sigma: f64, counted_density: Option<f64>) -> Option<Response> {
         let [pressure, area, contacts, per_pressure, p2, p3, a2, a3, of_pressure, of_area, ..] = self.0;
-        let is_positive = |value: f64| value > 0.0 && value < f64::INFINITY;
         // No number where one of them is none.
-        let others = contacts + per_pressure + p2 + p3 + a2 + a3 + of_pressure + of_area;
-        if !(is_positive(pressure) && is_positive(area) && others.is_finite()) {
+        let sum = pressure + area + contacts + per_pressure + p2 + p3 + a2 + a3 + of_pressure + of_area;
+        if !(pressure > 0.0 && area > 0.0 && sum.is_finite()) {
             return None;
         }
         let parts = |total: f64, second: f64, third: f64| {
