@@ -45,7 +45,7 @@ pub fn respond_within(model: &dyn Model, separations: &[f64], tolerance: f64) ->
     let kinks = counted
         .as_ref()
         .map(|counted| Kinks::new(&ascending, order.iter().map(|&k| counted.contacts[k]).collect()));
-    let mut sketch = Sketch::new(ascending, kinks, tolerance);
+    let mut sketch = Sketch::new(ascending, kinks);
     sketch.settle(model, tolerance);
     let known = &sketch.known;
     let mut asked: Vec<f64> = known.iter().map(|node| node.response.separation_over_sigma).collect();

@@ -65,22 +65,12 @@ pub struct Sketch {
     pub known: Vec<Node>,
     /// Of a sum.
     kinks: Option<Kinks>,
-    /// Intervals to begin with.
-    coarsest: usize,
-    /// Nodes that an interpolation goes through: few where the curve has a kink at every asperity.
-    through: usize,
 }
 
 impl Sketch {
-    pub fn new(separations: Vec<f64>, kinks: Option<Kinks>, tolerance: f64) -> Self {
-        /// Below this an integral seldom needs fewer intervals than the more.
-        const TIGHT: f64 = 1e-6;
-        let (coarsest, through) = match kinks {
-            Some(_) => (8, 4),
-            None if tolerance < TIGHT => (12, MOST_THROUGH),
-            None => (6, MOST_THROUGH),
-        };
-        Self { separations, known: Vec::new(), kinks, coarsest, through }
+    /// Of which nothing is known yet.
+    pub fn new(separations: Vec<f64>, kinks: Option<Kinks>) -> Self {
+        Self { separations, known: Vec::new(), kinks }
     }
 
     fn ask(&self, model: &dyn Model, places: &[usize]) -> Vec<Node> {
@@ -96,15 +86,21 @@ impl Sketch {
 
     /// Intervals, ascending, that are no longer than the kinks allow.
     fn intervals(&self, tolerance: f64) -> Vec<Interval> {
+        /// Below this an integral needs the more intervals in the end.
+        const TIGHT: f64 = 1e-6;
+        let coarsest = match self.kinks {
+            Some(_) => 8,
+            None if tolerance < TIGHT => 12,
+            None => 6,
+        };
         let last = self.separations.len() - 1;
         // Half way between equal intervals and Chebyshev's, which are shorter where an interpolation has nodes to one side.
         let end = |k: usize| {
-            let equal = k as f64 / self.coarsest as f64;
+            let equal = k as f64 / coarsest as f64;
             let chebyshev = 0.5 * (1.0 - (PI * equal).cos());
             (0.5 * (equal + chebyshev) * last as f64).round() as usize
         };
-        let mut rough: Vec<Interval> =
-            (0..self.coarsest).rev().map(|k| Interval([end(k), end(k + 1)])).collect();
+        let mut rough: Vec<Interval> = (0..coarsest).rev().map(|k| Interval([end(k), end(k + 1)])).collect();
         let mut all = Vec::new();
         while let Some(interval) = rough.pop() {
             let Interval([from, to]) = interval;
@@ -162,9 +158,13 @@ impl Sketch {
         scale: Scale,
         take: impl FnMut(usize, &Quantities),
     ) {
-        let of_it = if self.kinks.is_some() { Quantities::OF_A_SUM } else { Quantities::OF_AN_INTEGRAL };
-        let through = self.through.min(self.known.len());
+        // A sum has a kink at every asperity: few nodes.
+        let (through, quantities) = match self.kinks {
+            Some(_) => (4, Quantities::OF_A_SUM),
+            None => (MOST_THROUGH, Quantities::OF_AN_INTEGRAL),
+        };
+        let through = through.min(self.known.len());
         let (known, separations) = (&*self.known, &*self.separations);
-        run(Interpolation { known, through, quantities: of_it, separations, gaps, scale, take });
+        run(Interpolation { known, through, quantities, separations, gaps, scale, take });
     }
 }

@@ -4,6 +4,7 @@ use serde::Serialize;
 
 use super::super::tables::{Table, TableError, row};
 use crate::experiment::StabilityResults;
+use crate::stability::Law;
 
 row! {
 struct WorstRow {
@@ -16,6 +17,7 @@ struct WorstRow {
     worst_error: f64,
     bound: f64,
     plain_error: f64,
+    worst_bound: f64,
     worst_scene: u64,
     worst_inputs: String,
 }
@@ -50,8 +52,9 @@ fn worst(results: &StabilityResults) -> Result<Vec<u8>, TableError> {
                 faults: findings.faults.len(),
                 median_error: worst.median,
                 worst_error: worst.judged,
-                bound: worst.bound(findings.family),
+                bound: findings.family.bound(worst.quantity, Law::Hertz),
                 plain_error: worst.error,
+                worst_bound: worst.bound(findings.family),
                 worst_scene: worst.scene.index,
                 worst_inputs: worst.scene.inputs(),
             })?;
