@@ -5,9 +5,14 @@ use std::path::{Path, PathBuf};
 
 use sha2::{Digest, Sha256};
 
+/// What a report depends on; tests and examples it does not.
+const FOLDERS: [&str; 3] = ["src", "crates/asperity/src", "crates/asperity-plot/src"];
+
 fn main() {
     let mut files = vec![PathBuf::from("Cargo.toml"), PathBuf::from("Cargo.lock"), PathBuf::from("build.rs")];
-    collect(Path::new("src"), &mut files);
+    for folder in FOLDERS {
+        collect(Path::new(folder), &mut files);
+    }
     files.sort();
     let mut hash = Sha256::new();
     for file in files.iter().filter(|file| file.is_file()) {
@@ -18,7 +23,7 @@ fn main() {
     }
     let hex: String = hash.finalize().iter().map(|byte| format!("{byte:02x}")).collect();
     println!("cargo:rustc-env=ASPERITY_SOURCES={hex}");
-    for watched in ["src", "Cargo.toml", "Cargo.lock", "build.rs"] {
+    for watched in FOLDERS.into_iter().chain(["Cargo.toml", "Cargo.lock", "build.rs"]) {
         println!("cargo:rerun-if-changed={watched}");
     }
 }

@@ -13,10 +13,10 @@ use asperity::asperity::{AsperitySet, Population, read_list};
 use asperity::interface::MicroContact;
 use asperity::law::Zmc;
 use asperity::model::{Datum, Deterministic, Model, Response, Statistical};
-use asperity::surface::HeightMap;
-use asperity::surface::generate::gaussian;
-use asperity::surface::spectrum::{Lay, Shape, Spectrum};
-use asperity::surface::summits::{Detail, Neighbours, find};
+use asperity::topography::HeightMap;
+use asperity::topography::generate::gaussian;
+use asperity::topography::spectrum::{Lay, Shape, Spectrum};
+use asperity::topography::summits::{Detail, Neighbours, find};
 
 fn main() -> std::io::Result<()> {
     // `cargo bench` and `cargo test` run every bench: without a script there is nothing to answer.

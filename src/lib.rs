@@ -1,56 +1,9 @@
-//! Rough-surface contact two ways: the statistical integral and the sum over the real asperities.
-//!
-//! One idea carries the crate: **one micro-contact, two ways of adding it up.** A
-//! [`MicroContact`](interface::MicroContact) answers "indentation w, radius b: what area, what load,
-//! which regime?". The [statistical](model::Statistical) model integrates that answer over a height
-//! density, the [deterministic](model::Deterministic) one sums it over asperities. Neither knows
-//! which law it holds, so a difference between the two can come only from the adding-up.
-//!
-//! ```text
-//! spec --> surface --> asperities --\
-//!   \                                +--> model --> response --> compare --> report
-//!    \--> materials, coating, law (interface) /
-//! ```
-//!
-//! Data flows one way: `report` sees results only, `model` never sees a file, `law` never sees a
-//! model. Everything inside is SI in `f64`.
-//!
-//! ```
-//! use asperity::asperity::{HeightDensity, Population};
-//! use asperity::interface::Interface;
-//! use asperity::law::Zmc;
-//! use asperity::material::Material;
-//! use asperity::model::{Statistical, at_pressure};
-//!
-//! let steel = Material::new(210e9, 0.3, Some(7.6e9), None)?;
-//! let contact = Interface::bare(Zmc::default(), &steel, &steel)?;
-//! let population =
-//!     Population { radius: 20e-6, sigma: 48e-9, density: 6e10, heights: HeightDensity::Gaussian };
-//! let reached = at_pressure(&Statistical::new(&contact, population), 1e6)?;
-//! assert!(reached.response.area_ratio.total() < 1e-3);
-//! # Ok::<(), Box<dyn std::error::Error>>(())
-//! ```
+//! The experiment program: from a spec file to a report.
 #![deny(unsafe_code)]
 #![warn(missing_docs)]
 
-pub mod asperity;
-pub mod coating;
-pub mod compare;
-pub mod contact;
-pub mod exact_sphere;
 pub mod experiment;
-pub mod interface;
-pub mod law;
-pub mod literature;
-pub mod material;
-mod memory;
-pub mod model;
-pub mod numeric;
 pub mod precision;
 pub mod report;
-pub mod sphere;
 pub mod stability;
-pub mod surface;
-pub mod tally;
 pub mod units;
-pub mod work;

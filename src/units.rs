@@ -8,7 +8,7 @@ use std::marker::PhantomData;
 
 use serde::de::{Deserialize, Deserializer, Error, Visitor};
 
-use crate::numeric::is_positive;
+use asperity::numeric::is_positive;
 
 /// A kind of quantity that a spec may hold.
 pub trait Dimension {
@@ -89,7 +89,7 @@ pub enum Finite {}
 impl Range for Finite {
     const WORDS: &'static str = "a finite";
     fn holds(value: f64) -> bool {
-        value.abs() <= crate::numeric::LARGEST
+        value.abs() <= asperity::numeric::LARGEST
     }
 }
 

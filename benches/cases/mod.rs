@@ -1,9 +1,9 @@
 //! What the benches run on: the paper's two surfaces, every law, layers on steel.
 
 use asperity::asperity::{HeightDensity, Population};
-use asperity::coating::Rule;
 use asperity::interface::{Flat, Interface, MicroContact};
 use asperity::law::{Ceb, FullyPlastic, Hertz, JacksonGreen, KogutEtsion, Law, Zmc};
+use asperity::layer::Rule;
 use asperity::material::Material;
 
 /// Table 1 of Pasaribu and Schipper (2005).

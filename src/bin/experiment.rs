@@ -5,11 +5,11 @@ use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 use std::time::Instant;
 
-use asperity::experiment::progress::{Progress, Silent};
-use asperity::experiment::results::Results;
-use asperity::experiment::{Experiment, FileWords, Refusal, TEMPLATE};
-use asperity::report::store::{Store, StoreError};
-use asperity::report::{self, Index, MARK, ReportError};
+use asperity_experiment::experiment::progress::{Progress, Silent};
+use asperity_experiment::experiment::results::Results;
+use asperity_experiment::experiment::{Experiment, FileWords, Refusal, TEMPLATE};
+use asperity_experiment::report::store::{Store, StoreError};
+use asperity_experiment::report::{self, Index, MARK, ReportError};
 use clap::{Args, Parser, Subcommand};
 use indicatif::{ProgressBar, ProgressStyle};
 

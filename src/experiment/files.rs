@@ -3,10 +3,10 @@
 use std::path::{Path, PathBuf};
 use std::rc::Rc;
 
-use crate::asperity::{AsperityList, ListError, read_list};
-use crate::surface::Rows;
-use crate::surface::read::{self, Given, ReadError};
-use crate::work::{Counter, Item};
+use asperity::asperity::{AsperityList, ListError, read_list};
+use asperity::topography::Rows;
+use asperity::topography::read::{self, Given, ReadError};
+use asperity::work::{Counter, Item};
 
 /// What a surface is found in.
 #[derive(Debug, Clone, PartialEq)]

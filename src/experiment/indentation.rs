@@ -11,15 +11,15 @@ use super::progress::Progress;
 use super::results::{Head, Timing};
 use super::run::head;
 use super::spec::{LawSpec, Show};
-use crate::coating::Rule;
-use crate::compare::{RuleCheck, RuleError, RuleFindings, apart};
-use crate::exact_sphere::{ElasticContact, LayeredSphere};
-use crate::interface::{ContactError, Counted, Flat, MicroContact};
-use crate::law::Shape;
-use crate::literature::{self, Paper};
-use crate::material::{Material, reduced_modulus};
-use crate::sphere::Curve;
-use crate::work::{Counter, Item};
+use asperity::compare::{RuleCheck, RuleError, RuleFindings, apart};
+use asperity::interface::{ContactError, Counted, Flat, MicroContact};
+use asperity::law::Shape;
+use asperity::layer::Rule;
+use asperity::layer::exact_sphere::{ElasticContact, LayeredSphere};
+use asperity::literature::{self, Paper};
+use asperity::material::{Material, reduced_modulus};
+use asperity::sphere::Curve;
+use asperity::work::{Counter, Item};
 
 /// a/R beyond which the sphere is no paraboloid and strains are not small.
 pub const LARGEST_SLOPE: f64 = 0.3;

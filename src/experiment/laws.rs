@@ -5,11 +5,11 @@ use super::plan::{Critical, LawPlan, LawsPlan, Plan};
 use super::progress::Progress;
 use super::results::{CompareResults, RealisationResults};
 use super::run::{papers_of_law, run_compare};
-use crate::compare::{Influence, UnderLaw};
-use crate::interface::Counted;
-use crate::literature::Paper;
-use crate::sphere::{Boundary, Curve, boundaries};
-use crate::work::Counter;
+use asperity::compare::{Influence, UnderLaw};
+use asperity::interface::Counted;
+use asperity::literature::Paper;
+use asperity::sphere::{Boundary, Curve, boundaries};
+use asperity::work::Counter;
 
 /// Several laws on one asperity and on surfaces.
 #[derive(Debug)]

@@ -2,10 +2,10 @@
 
 use super::spec::{LawSpec, Summit};
 use super::surface::Surface;
-use crate::asperity::{Ellipse, Ellipses, Population};
-use crate::interface::MicroContact;
-use crate::law::Shape;
-use crate::model::{Deterministic, Statistical};
+use asperity::asperity::{Ellipse, Ellipses, Population};
+use asperity::interface::MicroContact;
+use asperity::law::Shape;
+use asperity::model::{Deterministic, Statistical};
 
 /// A surface with its asperities as the laws of the sums that are asked for see them.
 pub(super) struct SurfaceModels<'a> {

@@ -7,9 +7,6 @@ use super::progress::Progress;
 use super::results::{ContactHead, Head, Timing};
 use super::run::{contact_head, head, papers_of};
 use super::{Refusal, stream_seed};
-use crate::asperity::Population;
-use crate::interface::plasticity_index;
-use crate::literature;
 use crate::precision::curve::{CurveFindings, curves_of};
 use crate::precision::grid::{GridFindings, maps_of};
 use crate::precision::integral::{IntegralFindings, rules_on};
@@ -17,6 +14,9 @@ use crate::precision::list::{ListPoint, lists_of};
 use crate::precision::sampling::{SamplingFindings, sets_of};
 use crate::precision::sum::{SumPoint, ways_on};
 use crate::stability::exact::Exact;
+use asperity::asperity::Population;
+use asperity::interface::plasticity_index;
+use asperity::literature;
 
 /// What integrals, sums and surfaces cost, and how exact they are.
 #[derive(Debug)]

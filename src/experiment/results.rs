@@ -10,14 +10,14 @@ use super::laws::LawsResults;
 use super::precision::PrecisionResults;
 use super::stability::StabilityResults;
 use super::surface::Surface;
-use crate::asperity::{Population, Statistics};
-use crate::coating::Rule;
-use crate::compare::{Comparison, Gaps, Kind, LimitPoint, RuleFindings, Tolerances};
-use crate::literature::Paper;
-use crate::material::Material;
-use crate::sphere::Fall;
-use crate::surface::Moments;
-use crate::work::Work;
+use asperity::asperity::{Population, Statistics};
+use asperity::compare::{Comparison, Gaps, Kind, LimitPoint, RuleFindings, Tolerances};
+use asperity::layer::Rule;
+use asperity::literature::Paper;
+use asperity::material::Material;
+use asperity::sphere::Fall;
+use asperity::topography::Moments;
+use asperity::work::Work;
 
 /// The two bodies, by name.
 #[derive(Debug, Clone)]

@@ -14,16 +14,16 @@ use super::results::{
 use super::surface::Surface;
 use super::whole::Look;
 use super::{Refusal, digest, hexadecimal, indentation, laws, precision, stability, stream_seed, threshold};
-use crate::asperity::{Population, gaussian_moment};
-use crate::compare::{
+use asperity::asperity::{Population, gaussian_moment};
+use asperity::compare::{
     Control, Exact, Gaps, Kind, LimitCase, Models, NotReached, RuleCheck, RuleFindings, compare, convergence,
 };
-use crate::interface::{ContactError, Counted, MicroContact, plasticity_index};
-use crate::law::Property;
-use crate::literature::{self, Paper};
-use crate::model::{Model, Statistical};
-use crate::sphere::Curve;
-use crate::work::{Counter, Item, Work};
+use asperity::interface::{ContactError, Counted, MicroContact, plasticity_index};
+use asperity::law::Property;
+use asperity::literature::{self, Paper};
+use asperity::model::{Model, Statistical};
+use asperity::sphere::Curve;
+use asperity::work::{Counter, Item, Work};
 
 pub(super) fn run(plan: &Plan, progress: &dyn Progress) -> Result<Results, Refusal> {
     match &plan.kind {

@@ -7,8 +7,8 @@ use super::progress::Progress;
 use super::results::{Head, Timing};
 use super::run::head;
 use super::stream_seed;
-use crate::literature::{self, Paper};
 use crate::stability::{Family, FamilyFindings, Map, family, maps};
+use asperity::literature::{self, Paper};
 
 /// What became of the scenes.
 #[derive(Debug)]

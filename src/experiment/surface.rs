@@ -1,18 +1,20 @@
 //! A surface as the models and the report see it: its asperities and what is known of them.
 
 use super::whole::{Look, Whole};
-use crate::asperity::{AsperitySet, Ellipse, Ellipticity, HeightDensity, Population, SetError, Statistics};
-use crate::literature::{self, Paper};
-use crate::model::{Datum, MeanRadius};
-use crate::surface::character::Character;
-use crate::surface::filter::{Filter, FilterError};
-use crate::surface::generate::{Recipe, Target};
-use crate::surface::level::{Level, Levelled, Undetermined};
-use crate::surface::marginal::Marginal;
-use crate::surface::quantisation::Quantisation;
-use crate::surface::summits::{Detail, Neighbours, Summits, find};
-use crate::surface::theory::{self, Expected};
-use crate::surface::{HeightMap, Rows};
+use asperity::asperity::{
+    AsperitySet, Ellipse, Ellipticity, HeightDensity, Population, SetError, Statistics,
+};
+use asperity::literature::{self, Paper};
+use asperity::model::{Datum, MeanRadius};
+use asperity::topography::character::Character;
+use asperity::topography::filter::{Filter, FilterError};
+use asperity::topography::generate::{Recipe, Target};
+use asperity::topography::level::{Level, Levelled, Undetermined};
+use asperity::topography::marginal::Marginal;
+use asperity::topography::quantisation::Quantisation;
+use asperity::topography::summits::{Detail, Neighbours, Summits, find};
+use asperity::topography::theory::{self, Expected};
+use asperity::topography::{HeightMap, Rows};
 
 /// Asperities with their statistics and origin.
 #[derive(Debug)]
@@ -325,8 +327,8 @@ impl Surface {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::surface::generate::{Plateau, Process, Seeds, SpectrumOf};
-    use crate::surface::spectrum::{Lay, Shape, Spectrum};
+    use asperity::topography::generate::{Plateau, Process, Seeds, SpectrumOf};
+    use asperity::topography::spectrum::{Lay, Shape, Spectrum};
 
     fn map(points: [usize; 2], height: impl Fn(usize) -> f64) -> HeightMap {
         HeightMap::new(points, [1.0, 2.0], (0..points[0] * points[1]).map(height).collect(), 0.0).unwrap()

@@ -7,10 +7,10 @@ use super::plan::{ComparePlan, LayerPlan};
 use super::results::{RealisationResults, Threshold};
 use super::spec::LawSpec;
 use super::surface::Surface;
-use crate::compare::{Kind, of_each_decade, threshold};
-use crate::interface::Counted;
-use crate::model::{Model, reached_at};
-use crate::work::Counter;
+use asperity::compare::{Kind, of_each_decade, threshold};
+use asperity::interface::Counted;
+use asperity::model::{Model, reached_at};
+use asperity::work::Counter;
 
 /// A layer matters where it changes the real area by more than this part.
 const PART: f64 = 0.05;

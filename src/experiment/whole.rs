@@ -1,11 +1,11 @@
 //! A look at a map as a whole: spectrum, autocorrelation, picture.
 
-use crate::surface::character::Character;
-use crate::surface::correlation::{Autocorrelation, RadialSpectrum};
-use crate::surface::generate::{Recipe, SpectrumOf};
-use crate::surface::marginal::Marginal;
-use crate::surface::rows::{Strip, strips};
-use crate::surface::{Boundary, HeightMap, Rows};
+use asperity::topography::character::Character;
+use asperity::topography::correlation::{Autocorrelation, RadialSpectrum};
+use asperity::topography::generate::{Recipe, SpectrumOf};
+use asperity::topography::marginal::Marginal;
+use asperity::topography::rows::{Strip, strips};
+use asperity::topography::{Boundary, HeightMap, Rows};
 
 /// How closely a map is looked at, beyond its asperities.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
@@ -137,7 +137,7 @@ impl Rows for Blocks<'_> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::surface::character::Moments;
+    use asperity::topography::character::Moments;
 
     fn map(points: [usize; 2], height: impl Fn(usize) -> f64) -> HeightMap {
         HeightMap::new(points, [1.0, 2.0], (0..points[0] * points[1]).map(height).collect(), 0.0).unwrap()

@@ -4,10 +4,10 @@ use std::hint::black_box;
 
 use super::sum::spread;
 use super::timing::{Candidate, medians};
-use crate::asperity::{Draw, Population, SetError};
-use crate::compare::Kind;
-use crate::interface::MicroContact;
-use crate::model::{Curve, Datum, Deterministic, Model, Response, Statistical, respond_within};
+use asperity::asperity::{Draw, Population, SetError};
+use asperity::compare::Kind;
+use asperity::interface::MicroContact;
+use asperity::model::{Curve, Datum, Deterministic, Model, Response, Statistical, respond_within};
 
 /// The tolerances at which a curve of a thousand separations is to cost no more than twice one of fifty: a sum has a kink
 /// at every asperity, an integral has none.
@@ -137,10 +137,10 @@ fn largest_error(found: &[Response], exact: &[Response], of: fn(&Response) -> f6
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::asperity::HeightDensity;
-    use crate::interface::Interface;
-    use crate::law::Zmc;
-    use crate::material::Material;
+    use asperity::asperity::HeightDensity;
+    use asperity::interface::Interface;
+    use asperity::law::Zmc;
+    use asperity::material::Material;
 
     #[test]
     fn a_looser_tolerance_asks_for_fewer_answers_and_is_held() {

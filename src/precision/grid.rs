@@ -5,15 +5,15 @@
 
 use std::time::Instant;
 
-use crate::compare::SlopeFit;
-use crate::numeric::Sum;
-use crate::surface::MapError;
-use crate::surface::character::Drops;
-use crate::surface::generate::{Process, Recipe, Seeds, SpectrumOf};
-use crate::surface::marginal::Marginal;
-use crate::surface::spectrum::{Lay, Shape, Spectrum, SpectrumError};
-use crate::surface::summits::{Detail, Neighbours, Summits, find};
-use crate::surface::theory::{Expected, five_point};
+use asperity::compare::SlopeFit;
+use asperity::numeric::Sum;
+use asperity::topography::MapError;
+use asperity::topography::character::Drops;
+use asperity::topography::generate::{Process, Recipe, Seeds, SpectrumOf};
+use asperity::topography::marginal::Marginal;
+use asperity::topography::spectrum::{Lay, Shape, Spectrum, SpectrumError};
+use asperity::topography::summits::{Detail, Neighbours, Summits, find};
+use asperity::topography::theory::{Expected, five_point};
 
 /// Points a correlation length that stand for a fine grid: so many change the answers by 1e-4 at the most.
 const FINE: f64 = 200.0;

@@ -12,12 +12,12 @@ use realfft::num_complex::Complex;
 use super::rules::{self, Node};
 use super::timing::{Candidate, medians};
 use super::{Cost, LEVELS, fastest};
-use crate::asperity::Population;
-use crate::interface::MicroContact;
-use crate::law::Shape;
-use crate::model::{Model, Statistical};
-use crate::numeric::wide::{Wide, relative_error};
 use crate::stability::exact::{self, Exact, Integral};
+use crate::stability::wide::{Wide, relative_error};
+use asperity::asperity::Population;
+use asperity::interface::MicroContact;
+use asperity::law::Shape;
+use asperity::model::{Model, Statistical};
 
 pub use super::rules::Family;
 
@@ -363,11 +363,11 @@ pub fn rules_on(
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::asperity::HeightDensity;
-    use crate::interface::Interface;
-    use crate::law::Zmc;
-    use crate::material::Material;
     use crate::stability::Bodies;
+    use asperity::asperity::HeightDensity;
+    use asperity::interface::Interface;
+    use asperity::law::Zmc;
+    use asperity::material::Material;
 
     fn findings() -> IntegralFindings {
         let steel = Material::new(210e9, 0.3, Some(7.6e9), None).unwrap();

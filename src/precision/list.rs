@@ -10,10 +10,10 @@ use tempfile::NamedTempFile;
 
 use super::sum::spread;
 use super::timing::{Candidate, medians};
-use crate::asperity::{AsperitySet, Draw, ListError, Population, SetError, read_list};
-use crate::interface::MicroContact;
-use crate::memory::peak_of;
-use crate::model::{Datum, Deterministic, Model, Response};
+use asperity::asperity::{AsperitySet, Draw, ListError, Population, SetError, read_list};
+use asperity::interface::MicroContact;
+use asperity::memory::peak_of;
+use asperity::model::{Datum, Deterministic, Model, Response};
 
 /// What is asked of lists.
 #[derive(Debug, Clone, PartialEq)]
@@ -166,10 +166,10 @@ fn sums(
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::asperity::HeightDensity;
-    use crate::interface::Interface;
-    use crate::law::Zmc;
-    use crate::material::Material;
+    use asperity::asperity::HeightDensity;
+    use asperity::interface::Interface;
+    use asperity::law::Zmc;
+    use asperity::material::Material;
 
     const CASE: Population =
         Population { radius: 2e-5, sigma: 4.8e-8, density: 6e10, heights: HeightDensity::Gaussian };

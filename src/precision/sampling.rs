@@ -3,10 +3,10 @@
 use std::hint::black_box;
 
 use super::timing::{Candidate, medians};
-use crate::asperity::{Draw, Population, SetError};
-use crate::compare::{Exact, LimitCase, LimitPoint, Quantity, SlopeFit, convergence};
-use crate::interface::MicroContact;
-use crate::model::{Datum, Deterministic, Model, Response, Statistical};
+use asperity::asperity::{Draw, Population, SetError};
+use asperity::compare::{Exact, LimitCase, LimitPoint, Quantity, SlopeFit, convergence};
+use asperity::interface::MicroContact;
+use asperity::model::{Datum, Deterministic, Model, Response, Statistical};
 
 /// What is asked.
 #[derive(Debug, Clone, PartialEq)]
@@ -113,10 +113,10 @@ pub fn sets_of(
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::asperity::HeightDensity;
-    use crate::interface::Interface;
-    use crate::law::Hertz;
-    use crate::material::Material;
+    use asperity::asperity::HeightDensity;
+    use asperity::interface::Interface;
+    use asperity::law::Hertz;
+    use asperity::material::Material;
 
     #[test]
     fn sets_scatter_as_their_sums_say() {

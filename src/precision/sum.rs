@@ -10,13 +10,13 @@ use rayon::ThreadPoolBuilder;
 
 use super::Cost;
 use super::timing::{Candidate, medians};
-use crate::asperity::{Asperities, AsperitySet, Draw, Ordered, Population, SetError};
-use crate::interface::MicroContact;
-use crate::law::Shape;
-use crate::model::{Datum, Deterministic, Model, Response};
-use crate::numeric::Sum;
-use crate::numeric::sum::in_chunks;
-use crate::numeric::wide::{Wide, relative_error};
+use crate::stability::wide::{Wide, relative_error};
+use asperity::asperity::{Asperities, AsperitySet, Draw, Ordered, Population, SetError};
+use asperity::interface::MicroContact;
+use asperity::law::Shape;
+use asperity::model::{Datum, Deterministic, Model, Response};
+use asperity::numeric::Sum;
+use asperity::numeric::sum::in_chunks;
 
 /// Separations are spread evenly from the first to the last of these, d/sigma.
 pub const SEPARATIONS: [f64; 2] = [4.0, 0.0];
@@ -348,10 +348,10 @@ fn run(problem: &Problem, sweep: Sweep, ways: &[Way], separations: usize) -> Vec
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::asperity::HeightDensity;
-    use crate::interface::Interface;
-    use crate::law::Zmc;
-    use crate::material::Material;
+    use asperity::asperity::HeightDensity;
+    use asperity::interface::Interface;
+    use asperity::law::Zmc;
+    use asperity::material::Material;
 
     #[test]
     fn what_loses_digits_and_what_does_not() {

@@ -8,10 +8,10 @@ use super::layer;
 use super::page::Page;
 use super::page::escape;
 use super::surface::section as surface_section;
-use crate::compare::{
+use crate::experiment::results::{CaseResults, CompareResults, SurfaceResults};
+use asperity::compare::{
     Comparison, Control, Gap, Kind, Pair, Realisation, Scatter, Spread, of_each_decade, spread,
 };
-use crate::experiment::results::{CaseResults, CompareResults, SurfaceResults};
 
 /// A gap of fewer standard errors than this may be chance.
 const SIGNIFICANT: f64 = 3.0;
@@ -450,7 +450,7 @@ pub fn limits_of(lines: &mut Vec<String>, subject: &str, found: &SurfaceResults,
     let sum = || curves().filter(|point| point.kind == Kind::Deterministic);
     let few = sum().filter(|point| {
         let contacts = point.response.contact_density * found.surface.set.nominal_area();
-        contacts > 0.0 && contacts < crate::compare::FEWEST_CONTACTS
+        contacts > 0.0 && contacts < asperity::compare::FEWEST_CONTACTS
     });
     let few = few.count();
     let pressed = || curves().filter(|point| point.control != Control::Separation);

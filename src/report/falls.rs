@@ -4,7 +4,7 @@ use super::format::{percent, quantity};
 use super::layer::{listed, thickness, under};
 use super::page::escape;
 use crate::experiment::results::{FallResults, LayerHead, SurfaceResults};
-use crate::sphere::Falling;
+use asperity::sphere::Falling;
 
 /// A stretch this narrow, of its beginning, is a jump of the law.
 const NARROW: f64 = 1e-9;

@@ -1,9 +1,9 @@
 //! The pictures of a comparison.
 
-use super::plot::{Axis, Colour, Dash, Figure, Layer, Plot};
-use crate::compare::{Comparison, CurvePoint, Kind, Pair, Pairing};
-use crate::contact::Regime;
-use crate::model::INTERACTION;
+use asperity::compare::{Comparison, CurvePoint, Kind, Pair, Pairing};
+use asperity::contact::Regime;
+use asperity::model::INTERACTION;
+use asperity_plot::{Axis, Colour, Dash, Figure, Layer, Plot};
 
 /// How many standard errors a band shows: 95 % of all draws lie within.
 const BAND: f64 = 1.96;

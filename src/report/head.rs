@@ -5,7 +5,7 @@ use indexmap::IndexMap;
 use super::format::{number, quantity};
 use super::page::{Page, escape};
 use crate::experiment::results::{ContactHead, Head};
-use crate::material::Material;
+use asperity::material::Material;
 
 /// What the spec's author says of it.
 pub fn notes(page: &mut Page, head: &Head) {

@@ -4,11 +4,11 @@ use super::compare::{CONDITION, is_significant, verdict};
 use super::figures::{curve, shares_of_load};
 use super::format::{number, percent, quantity};
 use super::page::{Page, escape};
-use super::plot::{Axis, Colour, Dash, Figure, Layer, Marker, Plot};
-use crate::compare::{GOOD_RATIO, Gap, Kind};
-use crate::contact::Regime;
 use crate::experiment::results::{CaseResults, CompareResults, LayerHead, SurfaceResults, Threshold};
-use crate::model::{INTERACTION, Response};
+use asperity::compare::{GOOD_RATIO, Gap, Kind};
+use asperity::contact::Regime;
+use asperity::model::{INTERACTION, Response};
+use asperity_plot::{Axis, Colour, Dash, Figure, Layer, Marker, Plot};
 
 /// One surface under one law: a case for each thickness.
 pub struct Series<'a> {

@@ -3,9 +3,9 @@
 use super::format::{number, quantity};
 use super::head;
 use super::page::Page;
-use super::plot::{Axis, Colour, Dash, Figure, Layer, Marker, Plot};
-use crate::compare::{FEWEST_CONTACTS, LimitPoint, Quantity, SlopeFit};
 use crate::experiment::results::LimitResults;
+use asperity::compare::{FEWEST_CONTACTS, LimitPoint, Quantity, SlopeFit};
+use asperity_plot::{Axis, Colour, Dash, Figure, Layer, Marker, Plot};
 
 /// How the heights of a set are taken, with the slope that theory expects of its error.
 #[derive(Clone, Copy, PartialEq, Eq)]

@@ -26,7 +26,6 @@ mod laws;
 mod layer;
 mod limit;
 pub mod page;
-pub mod plot;
 mod precision;
 mod stability;
 pub mod store;

@@ -2,9 +2,9 @@
 
 use serde::Serialize;
 
-use crate::compare::{Control, CurvePoint, Kind, LimitPoint, Pair, Pairing, Quantity};
 use crate::experiment::results::{CaseResults, CompareResults, LimitResults};
-use crate::model::Response;
+use asperity::compare::{Control, CurvePoint, Kind, LimitPoint, Pair, Pairing, Quantity};
+use asperity::model::Response;
 
 /// A table that cannot be written: a value that CSV cannot hold.
 pub type TableError = csv::Error;

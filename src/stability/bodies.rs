@@ -2,10 +2,10 @@
 
 use std::fmt;
 
-use crate::coating::Rule;
-use crate::interface::{ContactError, Flat, MicroContact};
-use crate::law::{Ceb, FullyPlastic, Hertz, JacksonGreen, KogutEtsion, Zmc};
-use crate::material::Material;
+use asperity::interface::{ContactError, Flat, MicroContact};
+use asperity::law::{Ceb, FullyPlastic, Hertz, JacksonGreen, KogutEtsion, Zmc};
+use asperity::layer::Rule;
+use asperity::material::Material;
 
 /// A law and its options.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -6,11 +6,11 @@ use super::bodies::Bodies;
 use super::exact::{Contact, Exact, Integral, Shape, Total};
 use super::family::Family;
 use super::scenes::{Asked, Scene, SetWords};
-use crate::asperity::{AsperitySet, Population};
-use crate::interface::MicroContact;
-use crate::law;
-use crate::model::{Datum, Deterministic, Model, Response, Statistical, at_pressure};
-use crate::numeric::wide::{Wide, relative_error};
+use crate::stability::wide::{Wide, relative_error};
+use asperity::asperity::{AsperitySet, Population};
+use asperity::interface::MicroContact;
+use asperity::law;
+use asperity::model::{Datum, Deterministic, Model, Response, Statistical, at_pressure};
 
 /// What is measured.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
@@ -135,7 +135,7 @@ fn of(scene: &Scene, contact: &dyn MicroContact) -> Result<Vec<Deviation>, Fault
 }
 
 /// Within the rounding of a boundary whichever side is nearer.
-fn of_contact(found: &crate::contact::Contact, exact: &[Contact]) -> Result<Vec<Deviation>, Fault> {
+fn of_contact(found: &asperity::contact::Contact, exact: &[Contact]) -> Result<Vec<Deviation>, Fault> {
     let values =
         [(Quantity::Area, found.area), (Quantity::Load, found.load), (Quantity::Stiffness, found.stiffness)];
     finite(&values)?;

@@ -5,13 +5,13 @@ use rayon::prelude::*;
 use super::Ranges;
 use super::bodies::{Bodies, Law, Layer};
 use super::exact::{Exact, Integral, Shape};
-use crate::asperity::{HeightDensity, Population};
-use crate::coating::{Coating, Rule};
-use crate::interface::{Layered, MicroContact};
-use crate::law::{self, Zmc};
-use crate::material::{Material, reduced_modulus};
-use crate::model::{Model, Statistical};
-use crate::numeric::wide::relative_error;
+use crate::stability::wide::relative_error;
+use asperity::asperity::{HeightDensity, Population};
+use asperity::interface::{Layered, MicroContact};
+use asperity::law::{self, Zmc};
+use asperity::layer::{Coating, Rule};
+use asperity::material::{Material, reduced_modulus};
+use asperity::model::{Model, Statistical};
 
 /// Errors on a regular grid.
 #[derive(Debug, Clone)]

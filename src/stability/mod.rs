@@ -16,6 +16,7 @@ mod family;
 mod judge;
 mod maps;
 mod scenes;
+pub mod wide;
 
 pub use bodies::{Bodies, Law, Layer};
 pub use family::{Family, Kind};

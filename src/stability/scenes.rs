@@ -6,10 +6,10 @@ use rand_chacha::ChaCha8Rng;
 use super::Ranges;
 use super::bodies::{Bodies, Law, Layer};
 use super::family::Family;
-use crate::asperity::{HeightDensity, Population};
-use crate::coating::Rule;
-use crate::law::Shape;
-use crate::material::{Material, reduced_modulus};
+use asperity::asperity::{HeightDensity, Population};
+use asperity::law::Shape;
+use asperity::layer::Rule;
+use asperity::material::{Material, reduced_modulus};
 
 /// One question, with every number that goes into it.
 #[derive(Debug, Clone)]

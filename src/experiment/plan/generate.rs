@@ -11,14 +11,14 @@ use crate::experiment::spec::{
 };
 use crate::experiment::stream_seed;
 use crate::experiment::surface::GenerationFacts;
-use crate::surface::HeightMap;
-use crate::surface::generate::{
+use crate::units::{Angle, Finite, Quantity};
+use asperity::topography::HeightMap;
+use asperity::topography::generate::{
     Plateau, Process, Recipe, Seeds, SpectrumOf, Target, TargetRecipe, Unreachable,
 };
-use crate::surface::marginal::{Johnson, Marginal, Weibull};
-use crate::surface::spectrum::{Lay, Shape, Spectrum};
-use crate::surface::summits::Neighbours;
-use crate::units::{Angle, Finite, Quantity};
+use asperity::topography::marginal::{Johnson, Marginal, Weibull};
+use asperity::topography::spectrum::{Lay, Shape, Spectrum};
+use asperity::topography::summits::Neighbours;
 
 /// How a random surface is made.
 #[derive(Debug, Clone)]

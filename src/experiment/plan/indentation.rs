@@ -10,9 +10,9 @@ use super::read::Reader;
 use super::surface::beside;
 use crate::experiment::refusal::{Refusal, Source};
 use crate::experiment::spec::{IndentationSpec, LawSpec, LogSweep, Show};
-use crate::law::Inapplicable;
-use crate::material::Material;
-use crate::numeric::is_positive;
+use asperity::law::Inapplicable;
+use asperity::material::Material;
+use asperity::numeric::is_positive;
 
 /// One sphere on layered flats.
 pub struct IndentationPlan {

@@ -8,7 +8,7 @@ use super::read::{Reader, materials};
 use super::surface::curvature_ratio;
 use crate::experiment::refusal::Refusal;
 use crate::experiment::spec::{LawSpec, LawsSpec, Summit};
-use crate::law::{Hertz, Law, Pair, Shape, Zmc};
+use asperity::law::{Hertz, Law, Pair, Shape, Zmc};
 
 /// Several laws on one asperity and on given surfaces.
 pub struct LawsPlan {

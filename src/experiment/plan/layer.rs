@@ -2,11 +2,11 @@
 
 use std::fmt;
 
-use crate::coating::{Coating, CoatingError, Rule};
 use crate::experiment::refusal::Refusal;
 use crate::experiment::spec::LayerSpec;
-use crate::interface::Flat;
-use crate::material::Material;
+use asperity::interface::Flat;
+use asperity::layer::{Coating, CoatingError, Rule};
+use asperity::material::Material;
 
 use super::read::Reader;
 

@@ -23,11 +23,11 @@ use super::refusal::{Refusal, Source};
 use super::results::Bodies;
 use super::spec::{self, LawSpec, Spec};
 use super::whole::Look;
-use crate::asperity::{HeightDensity, Population};
-use crate::compare::{Controls, Kind};
-use crate::interface::MicroContact;
-use crate::material::Material;
-use crate::model::MeanRadius;
+use asperity::asperity::{HeightDensity, Population};
+use asperity::compare::{Controls, Kind};
+use asperity::interface::MicroContact;
+use asperity::material::Material;
+use asperity::model::MeanRadius;
 use indexmap::IndexMap;
 use toml::Spanned;
 
@@ -228,7 +228,7 @@ impl Plan {
 
     fn checked(source: Source, stem: String, spec: Spec, kind: PlanKind) -> Result<Self, Refusal> {
         let Spec { title, notes, seed, material, .. } = spec;
-        let materials = material.into_iter().map(|(name, body)| (name.into_inner(), body)).collect();
+        let materials = material.into_iter().map(|(name, body)| (name.into_inner(), body.0)).collect();
         let plan = Self { source, stem, title, notes, seed, materials, kind };
         plan.check_memory()?;
         Ok(plan)

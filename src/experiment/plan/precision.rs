@@ -8,12 +8,9 @@ use toml::Spanned;
 use super::LawPlan;
 use super::read::Reader;
 use super::surface::set_memory;
-use crate::asperity::{HeightDensity, Population};
 use crate::experiment::refusal::Refusal;
 use crate::experiment::results::Bodies;
 use crate::experiment::spec::{self, LawSpec, PrecisionSpec};
-use crate::interface::Flat;
-use crate::law::Zmc;
 use crate::precision::curve::CurveTask;
 use crate::precision::grid::{GridTask, side};
 use crate::precision::list::ListTask;
@@ -21,6 +18,9 @@ use crate::precision::sampling::SamplingTask;
 use crate::precision::sum::{POINTS, SumTask};
 use crate::stability;
 use crate::units::Pure;
+use asperity::asperity::{HeightDensity, Population};
+use asperity::interface::Flat;
+use asperity::law::Zmc;
 
 /// Of one curve.
 const MOST_SEPARATIONS: u64 = 100_000;

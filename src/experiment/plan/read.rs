@@ -5,15 +5,15 @@ use std::ops::Range;
 use toml::Spanned;
 
 use super::{ComparePlan, LawPlan, LimitPlan, SurfacePlan};
-use crate::asperity::{HeightDensity, Population};
-use crate::compare::Controls;
 use crate::experiment::refusal::{Refusal, Source};
 use crate::experiment::results::Bodies;
 use crate::experiment::spec::{CompareSpec, LawSpec, Laws, LimitSpec, LogSweep, Spec, Summit};
-use crate::interface::Flat;
-use crate::law::{Body, Inapplicable, Property};
-use crate::material::Material;
 use crate::units::Pure;
+use asperity::asperity::{HeightDensity, Population};
+use asperity::compare::Controls;
+use asperity::interface::Flat;
+use asperity::law::{Body, Inapplicable, Property};
+use asperity::material::Material;
 
 /// Two materials as a refusal names them, or one that both bodies are of.
 pub(super) fn materials(rough: &str, flat: &str) -> String {
@@ -33,7 +33,7 @@ pub(super) struct Reader<'a> {
 impl Reader<'_> {
     pub(super) fn body(&self, name: &str, span: Range<usize>) -> Result<Material, Refusal> {
         let found = self.spec.material.iter().find(|(defined, _)| defined.get_ref() == name);
-        found.map(|(_, material)| *material).ok_or_else(|| {
+        found.map(|(_, material)| material.0).ok_or_else(|| {
             let defined: Vec<&str> = self.spec.material.keys().map(|name| name.get_ref().as_str()).collect();
             let allowed = if defined.is_empty() {
                 "a material defined in this file as [material.NAME]; none is".to_owned()

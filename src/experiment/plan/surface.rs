@@ -7,9 +7,6 @@ use std::time::Instant;
 use toml::Spanned;
 
 use super::generate::Generation;
-use crate::asperity::{
-    Draw, Ellipse, Ellipticity, HeightDensity, Population, Statistics, SurfaceHeights, check_list,
-};
 use crate::experiment::files::{Files, Reading};
 use crate::experiment::refusal::{Refusal, Source};
 use crate::experiment::results::Timing;
@@ -17,14 +14,17 @@ use crate::experiment::spec::{DrawSpec, FileSpec, ListSpec, PopulationHeights, P
 use crate::experiment::stream_seed;
 use crate::experiment::surface::{Finding, NoAsperities, Surface};
 use crate::experiment::whole::{Look, MOST_POINTS_LOOKED_AT};
-use crate::model::Datum;
-use crate::surface::filter::Filter;
-use crate::surface::level::Level;
-use crate::surface::read::{self, Given, GivenError};
-use crate::surface::summits::Neighbours;
-use crate::surface::{MapError, Rows};
 use crate::units::{Length, Pure, Quantity};
-use crate::work::{Counter, Item};
+use asperity::asperity::{
+    Draw, Ellipse, Ellipticity, HeightDensity, Population, Statistics, SurfaceHeights, check_list,
+};
+use asperity::model::Datum;
+use asperity::topography::filter::Filter;
+use asperity::topography::level::Level;
+use asperity::topography::read::{self, Given, GivenError};
+use asperity::topography::summits::Neighbours;
+use asperity::topography::{MapError, Rows};
+use asperity::work::{Counter, Item};
 
 /// A surface that can be made.
 #[derive(Debug)]

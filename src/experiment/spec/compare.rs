@@ -7,10 +7,10 @@ use serde::de::{Deserializer, Error, SeqAccess, Visitor};
 use toml::Spanned;
 
 use super::{Laws, LayerSpec, LinearSweep, LogSweep, ToleranceSpec};
-use crate::asperity::HeightDensity;
-use crate::compare::Kind;
-use crate::model::MeanRadius;
 use crate::units::{Force, Pressure};
+use asperity::asperity::HeightDensity;
+use asperity::compare::Kind;
+use asperity::model::MeanRadius;
 
 /// Two bodies, laws, models and controls.
 #[derive(Debug, Deserialize)]

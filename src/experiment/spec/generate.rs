@@ -6,9 +6,9 @@ use serde::de::{Deserializer, Error, MapAccess, SeqAccess, Visitor};
 use toml::Spanned;
 
 use super::surface::PixelSpec;
-use crate::surface::generate::SpectrumOf;
-use crate::surface::summits::Neighbours;
 use crate::units::{Angle, ArealNumberDensity, Finite, Length, Pure, Quantity};
+use asperity::topography::generate::SpectrumOf;
+use asperity::topography::summits::Neighbours;
 
 /// A random rough surface: either pixel, sigma and the lengths of its spectrum, or what its summits shall be.
 #[derive(Debug, Deserialize)]

@@ -6,13 +6,13 @@ use serde::Deserialize;
 use serde::de::value::{MapAccessDeserializer, StrDeserializer};
 use serde::de::{DeserializeSeed, Deserializer, Error, MapAccess, SeqAccess, Visitor};
 
-use crate::interface::{Flat, MicroContact};
-use crate::law::{
+use crate::units::{Finite, Pure, Quantity};
+use asperity::interface::{Flat, MicroContact};
+use asperity::law::{
     Ceb, FullyPlastic, Hertz, Inapplicable, JacksonGreen, KogutEtsion, Law, Pair, Property, Zmc, ZmcError,
 };
-use crate::literature::{self, Paper};
-use crate::material::Material;
-use crate::units::{Finite, Pure, Quantity};
+use asperity::literature::{self, Paper};
+use asperity::material::Material;
 
 /// A law as a spec names it, with its options checked.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -7,8 +7,8 @@ use serde::de::value::{F64Deserializer, StrDeserializer};
 use serde::de::{Deserializer, Error, IntoDeserializer, SeqAccess, Visitor};
 use toml::Spanned;
 
-use crate::coating::Rule;
 use crate::units::{Length, NotNegative, Quantity};
+use asperity::layer::Rule;
 
 /// A layer on the flat, in one thickness or several.
 #[derive(Debug, Deserialize)]

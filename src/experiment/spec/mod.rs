@@ -9,6 +9,7 @@ mod law;
 mod laws;
 mod layer;
 mod limit;
+mod material;
 mod precision;
 mod stability;
 mod surface;
@@ -31,6 +32,7 @@ pub use law::{Equations, LawSpec, Laws, Summit};
 pub use laws::{AsperitySpec, LawsSpec};
 pub use layer::{LayerSpec, Thicknesses};
 pub use limit::LimitSpec;
+pub use material::MaterialSpec;
 pub use precision::{
     CaseSpec, CurveSpec, GridSpec, IntegralSpec, ListsSpec, PrecisionSpec, SamplingSpec, SumSpec,
 };
@@ -42,7 +44,6 @@ pub use sweep::{LinearSweep, LogSweep};
 pub use tolerance::{TOLERANCES, ToleranceSpec};
 
 use super::refusal::{Refusal, Source};
-use crate::material::Material;
 
 /// The whole file.
 #[derive(Debug, Deserialize)]
@@ -58,7 +59,7 @@ pub struct Spec {
     pub seed: u64,
     /// The bodies by name.
     #[serde(default)]
-    pub material: IndexMap<Spanned<String>, Material>,
+    pub material: IndexMap<Spanned<String>, MaterialSpec>,
     /// Both models on given surfaces.
     pub compare: Option<Spanned<CompareSpec>>,
     /// The deterministic model against the statistical limit.

@@ -6,10 +6,10 @@ use serde::Deserialize;
 use toml::Spanned;
 
 use super::generate::GenerateSpec;
-use crate::surface::level::Level;
-use crate::surface::read::{ALLOWED_UNITS, length_unit};
-use crate::surface::summits::Neighbours;
 use crate::units::{Area, ArealNumberDensity, Length, Pure, Quantity};
+use asperity::topography::level::Level;
+use asperity::topography::read::{ALLOWED_UNITS, length_unit};
+use asperity::topography::summits::Neighbours;
 
 /// One surface: exactly one kind a name.
 #[derive(Debug, Deserialize)]

@@ -6,7 +6,7 @@ use serde::Deserialize;
 use serde::de::value::MapAccessDeserializer;
 use serde::de::{Deserializer, Error, MapAccess, Visitor};
 
-use crate::compare::Tolerances;
+use asperity::compare::Tolerances;
 
 /// One number for both models, or one for each.
 #[derive(Debug, Clone, Copy, Default)]

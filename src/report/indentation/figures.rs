@@ -4,12 +4,12 @@ use std::f64::consts::PI;
 
 use super::super::figures::regime_colour;
 use super::super::format::number;
-use super::super::plot::{Axis, Colour, Dash, Figure, Layer, Legend, Marker, Plot};
 use super::Shown;
-use crate::coating::Rule;
-use crate::compare::{GOOD_RATIO, RuleError};
 use crate::experiment::spec::Show;
 use crate::experiment::{IndentationResults, LawCurves, LayerResults};
+use asperity::compare::{GOOD_RATIO, RuleError};
+use asperity::layer::Rule;
+use asperity_plot::{Axis, Colour, Dash, Figure, Layer, Legend, Marker, Plot};
 
 /// Micrometres in a metre: what indentations are drawn in.
 const MICRO: f64 = 1e6;
@@ -26,7 +26,7 @@ fn lines(
     let mut plot = plot;
     for (shown, curve) in Shown::of(law) {
         let place =
-            |point: &crate::sphere::Point| turn(point.indentation, point.contact.load, point.contact.area);
+            |point: &asperity::sphere::Point| turn(point.indentation, point.contact.load, point.contact.area);
         if shown == Shown::Coated {
             continue;
         }

@@ -9,10 +9,10 @@ pub use tables::tables;
 use super::format::{count, number, quantity};
 use super::head;
 use super::page::{Page, escape};
-use super::plot::{Colour, Dash};
-use crate::exact_sphere::LARGEST_RATIO;
 use crate::experiment::{IndentationResults, LARGEST_SLOPE, LawCurves, LayerResults};
-use crate::sphere::{Curve, Fall, Falling, RegimeChange};
+use asperity::layer::exact_sphere::LARGEST_RATIO;
+use asperity::sphere::{Curve, Fall, Falling, RegimeChange};
+use asperity_plot::{Colour, Dash};
 
 /// The curves that stand beside each other.
 #[derive(Clone, Copy, PartialEq, Eq)]

@@ -3,9 +3,9 @@
 use super::super::format::number;
 use super::super::page::Page;
 use super::{figures, subject};
-use crate::coating::Rule;
-use crate::compare::{GOOD_RATIO, RuleError};
 use crate::experiment::{IndentationResults, LayerResults};
+use asperity::compare::{GOOD_RATIO, RuleError};
+use asperity::layer::Rule;
 
 /// Modulus ratio, and the largest error of each rule.
 pub fn sentence(found: &LayerResults) -> String {

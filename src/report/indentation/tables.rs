@@ -6,10 +6,10 @@ use serde::Serialize;
 
 use super::super::tables::{Table, TableError, row};
 use super::Shown;
-use crate::coating::Rule;
-use crate::exact_sphere::ElasticContact;
 use crate::experiment::{IndentationResults, LawCurves, LayerResults};
-use crate::sphere::Point;
+use asperity::layer::Rule;
+use asperity::layer::exact_sphere::ElasticContact;
+use asperity::sphere::Point;
 
 /// What a row belongs to.
 #[derive(Clone, Serialize)]

@@ -2,10 +2,10 @@
 
 use std::f64::consts::PI;
 
-use super::super::plot::{Axis, Colour, Dash, Figure, Layer, Legend, Marker, Plot};
-use crate::compare::{AtLoad, Influence, Kind, Measure};
-use crate::contact::Contact;
 use crate::experiment::{LARGEST_SLOPE, LawOnOne, LawsResults};
+use asperity::compare::{AtLoad, Influence, Kind, Measure};
+use asperity::contact::Contact;
+use asperity_plot::{Axis, Colour, Dash, Figure, Layer, Legend, Marker, Plot};
 
 /// How many standard errors a band shows: 95 % of all draws lie within.
 const BAND: f64 = 1.96;

@@ -1,13 +1,13 @@
 //! How much the law matters beside the way of adding up, in words and tables: the numbers are those of
-//! [`crate::compare::Influence`].
+//! [`asperity::compare::Influence`].
 
 use super::super::format::{number, percent, quantity};
 use super::super::layer::listed;
 use super::super::page::{Page, escape};
 use super::{figures, subject};
-use crate::compare::{AtLoad, Group, Influence, Kind, Measure, Weight, of_each_decade};
 use crate::experiment::LawsResults;
 use crate::experiment::results::SurfaceResults;
+use asperity::compare::{AtLoad, Group, Influence, Kind, Measure, Weight, of_each_decade};
 
 /// A gap of fewer standard errors than this may be chance.
 const SIGNIFICANT: f64 = 3.0;
@@ -313,7 +313,7 @@ fn load_row(at: &AtLoad, measure: Measure) -> Vec<String> {
 fn remark(at: &AtLoad) -> &'static str {
     if at.counts {
         ""
-    } else if at.fewest_contacts.round() < crate::compare::FEWEST_CONTACTS {
+    } else if at.fewest_contacts.round() < asperity::compare::FEWEST_CONTACTS {
         " (few)"
     } else {
         " (interact)"

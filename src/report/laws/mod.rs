@@ -14,10 +14,10 @@ use super::format::{number, percent, quantity};
 use super::head;
 use super::layer::listed;
 use super::page::{Page, escape};
-use crate::contact::Contact;
 use crate::experiment::results::{CaseResults, SurfaceResults};
 use crate::experiment::{LARGEST_SLOPE, LawOnOne, LawsResults};
-use crate::sphere::Boundary;
+use asperity::contact::Contact;
+use asperity::sphere::Boundary;
 
 /// Whether load or area jumps at a boundary.
 fn is_jump(boundary: &Boundary) -> bool {

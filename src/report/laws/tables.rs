@@ -4,9 +4,9 @@ use serde::Serialize;
 
 use super::super::tables::{self, Table, TableError, row};
 use super::slope;
-use crate::compare::{AtLoad, Group, Influence, Kind, Measure};
 use crate::experiment::{LARGEST_SLOPE, LawsResults, SurfaceInfluence};
-use crate::sphere::{Boundary, Point};
+use asperity::compare::{AtLoad, Group, Influence, Kind, Measure};
+use asperity::sphere::{Boundary, Point};
 
 row! {
 struct CurveRow {

@@ -1,7 +1,5 @@
 //! The pictures: the error along x, the time along y.
 
-use super::super::plot::{Axis, Colour, Dash, Figure, Layer, Marker, Plot};
-use crate::compare::{Kind, LimitPoint, Quantity};
 use crate::experiment::CasePrecision;
 use crate::precision::curve::{CurveFindings, CurvePoint};
 use crate::precision::grid::{GridFindings, GridPoint, Statistic};
@@ -10,6 +8,8 @@ use crate::precision::list::ListPoint;
 use crate::precision::sampling::{SamplingFindings, separation, stated};
 use crate::precision::sum::{SumPoint, Sweep, Way};
 use crate::precision::{Cost, LEVELS};
+use asperity::compare::{Kind, LimitPoint, Quantity};
+use asperity_plot::{Axis, Colour, Dash, Figure, Layer, Marker, Plot};
 
 /// What is more exact stands here: no `f64` shows it.
 const FLOOR: f64 = 3e-17;

@@ -3,10 +3,10 @@
 use super::super::format::{count, number, percent};
 use super::super::page::{Page, escape};
 use super::{figures, file, time, two_digits};
-use crate::compare::{FEWEST_CONTACTS, Quantity};
 use crate::experiment::{CasePrecision, PrecisionResults};
 use crate::precision::grid::{GridFindings, GridPoint, Statistic};
 use crate::precision::sampling::{SamplingFindings, separation, stated};
+use asperity::compare::{FEWEST_CONTACTS, Quantity};
 
 /// What one buys, in words.
 pub fn in_short(results: &PrecisionResults) -> Vec<String> {

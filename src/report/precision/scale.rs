@@ -3,11 +3,11 @@
 use super::super::format::{count, number, quantity};
 use super::super::page::{Page, escape};
 use super::{figures, file, thread_count, time, two_digits};
-use crate::compare::Kind;
 use crate::experiment::{CasePrecision, PrecisionResults};
 use crate::precision::curve::{CurveFindings, CurvePoint, EASY};
 use crate::precision::list::ListPoint;
 use crate::precision::sum::SEPARATIONS;
+use asperity::compare::Kind;
 
 /// From so many asperities on, a list costs what its asperities cost: what every run costs is little beside it.
 pub const LONG: usize = 100_000;

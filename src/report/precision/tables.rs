@@ -1,12 +1,12 @@
 //! Every time and every error, for machines.
 
 use super::winners::{Winner, winners};
-use crate::compare::{Kind, Quantity};
 use crate::experiment::PrecisionResults;
 use crate::precision::curve::CurvePoint;
 use crate::precision::integral::{Effort, IntegralPoint};
 use crate::precision::sampling;
 use crate::report::tables::{Table, TableError, row};
+use asperity::compare::{Kind, Quantity};
 use serde::Serialize;
 
 row! {

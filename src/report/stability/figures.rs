@@ -1,7 +1,7 @@
 //! Error maps.
 
-use crate::report::plot::{Axis, Colour, ColourMap, Dash, Layer, Plot, Raster};
 use crate::stability::Map;
+use asperity_plot::{Axis, Colour, ColourMap, Dash, Layer, Plot, Raster};
 
 /// log10 of the errors at both ends of the colours: a tenth of a rounding, and a hundred roundings or the worst.
 const COLOURS: (f64, f64) = (-17.0, -14.0);

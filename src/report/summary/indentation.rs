@@ -3,11 +3,11 @@
 use serde::Serialize;
 
 use super::Summary;
-use crate::coating::Rule;
-use crate::compare::RuleError;
 use crate::experiment::{IndentationResults, LayerResults};
+use asperity::compare::RuleError;
+use asperity::layer::Rule;
 
-use crate::sphere::{Curve, Fall, RegimeChange};
+use asperity::sphere::{Curve, Fall, RegimeChange};
 
 /// One layer in one thickness.
 #[derive(Serialize)]

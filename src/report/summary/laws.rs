@@ -2,10 +2,10 @@
 
 use serde::Serialize;
 
-use crate::compare::{Group, Kind, Measure, Weight};
 use crate::experiment::plan::Critical;
 use crate::experiment::{LawsResults, SurfaceInfluence};
-use crate::sphere::Boundary;
+use asperity::compare::{Group, Kind, Measure, Weight};
+use asperity::sphere::Boundary;
 
 /// Several laws on one asperity and on surfaces.
 #[derive(Serialize)]

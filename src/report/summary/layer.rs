@@ -2,9 +2,9 @@
 
 use serde::{Serialize, Serializer};
 
-use crate::coating::Rule;
-use crate::compare::RuleError;
 use crate::experiment::results::{LayerHead, SurfaceResults};
+use asperity::compare::RuleError;
+use asperity::layer::Rule;
 
 /// A thickness, m. JSON has no infinity: it is the word "inf", as in a spec.
 #[derive(Debug, Clone, Copy)]

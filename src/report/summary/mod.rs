@@ -13,10 +13,10 @@ use indexmap::IndexMap;
 use serde::{Deserialize, Serialize};
 
 use super::limit::Slope;
-use crate::compare::Tolerances;
 use crate::experiment::results::{CompareResults, ContactHead, Head, LimitResults, SurfacesResults};
 use crate::experiment::{LawsResults, StabilityResults};
-use crate::work::Work;
+use asperity::compare::Tolerances;
+use asperity::work::Work;
 pub use indentation::indentation;
 use laws::LawsSummary;
 use layer::{FallSummary, LayerSummary, Thickness, ThresholdSummary};

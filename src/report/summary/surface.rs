@@ -2,12 +2,12 @@
 
 use serde::Serialize;
 
-use crate::asperity::{Ellipticity, Population, Statistics};
 use crate::experiment::results::{RealisationResults, SurfaceResults};
 use crate::experiment::{GenerationFacts, MapFacts, Surface};
-use crate::surface::generate::Process;
-use crate::surface::spectrum::Shape;
-use crate::surface::theory::Expected;
+use asperity::asperity::{Ellipticity, Population, Statistics};
+use asperity::topography::generate::Process;
+use asperity::topography::spectrum::Shape;
+use asperity::topography::theory::Expected;
 
 /// One surface.
 #[derive(Serialize)]

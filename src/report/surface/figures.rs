@@ -1,10 +1,10 @@
 //! Pictures of a surface.
 
-use crate::asperity::{HeightDensity, Population};
 use crate::experiment::{Surface, Whole};
-use crate::report::plot::{Axis, Colour, ColourMap, Dash, Figure, Layer, Marker, Plot, Raster};
-use crate::surface::HeightMap;
-use crate::surface::correlation::{Autocorrelation, RadialSpectrum};
+use asperity::asperity::{HeightDensity, Population};
+use asperity::topography::HeightMap;
+use asperity::topography::correlation::{Autocorrelation, RadialSpectrum};
+use asperity_plot::{Axis, Colour, ColourMap, Dash, Figure, Layer, Marker, Plot, Raster};
 
 /// Normalised heights that are shown.
 const HEIGHTS: (f64, f64) = (-5.0, 5.0);

@@ -4,9 +4,9 @@ use super::words::or_dash;
 use crate::experiment::{GenerationFacts, MapFacts, Surface};
 use crate::report::format::{number, percent, quantity};
 use crate::report::page::Page;
-use crate::surface::generate::{Process, Recipe, SpectrumOf};
-use crate::surface::marginal::Marginal;
-use crate::surface::spectrum::Shape;
+use asperity::topography::generate::{Process, Recipe, SpectrumOf};
+use asperity::topography::marginal::Marginal;
+use asperity::topography::spectrum::Shape;
 
 /// Says how a surface was made, and how far it is from what was asked for.
 pub fn section(page: &mut Page, surface: &Surface, map: &MapFacts, made: &GenerationFacts) {

@@ -10,11 +10,11 @@ pub use page::page;
 use super::format::{number, percent};
 use super::page::Page;
 use crate::experiment::{MapFacts, Surface};
-use crate::surface::theory::Expected;
+use asperity::topography::theory::Expected;
 use words::{columns, properties, table};
 
 /// Adds tables and pictures of a surface to a page.
-pub fn section(page: &mut Page, surface: &Surface, assumed: Option<&crate::asperity::Population>) {
+pub fn section(page: &mut Page, surface: &Surface, assumed: Option<&asperity::asperity::Population>) {
     page.table(["property", "value"], properties(surface).into_iter().map(Vec::from));
     if let Some(map) = &surface.map {
         if let Some(made) = &map.generation {

@@ -2,7 +2,7 @@
 
 use crate::experiment::{MapFacts, Surface};
 use crate::report::format::{count, number, quantity};
-use crate::surface::quantisation::Quantisation;
+use asperity::topography::quantisation::Quantisation;
 
 /// A property and its value.
 pub type Row = [String; 2];

@@ -4,8 +4,8 @@
 //! a law is.
 
 use super::{Branch, Exact, Flat, Shape, Total};
-use crate::asperity::HeightDensity;
-use crate::numeric::wide::{PI, Wide, integral};
+use crate::stability::wide::{PI, Wide, integral};
+use asperity::asperity::HeightDensity;
 
 /// A population that an integral is taken over; lengths in m.
 #[derive(Debug, Clone, Copy)]

@@ -1,9 +1,9 @@
 //! Areas and loads of every law (docs/theory.md, section 1).
 
 use super::Resistance;
-use crate::contact::Regime;
-use crate::numeric::wide::{PI, Wide};
 use crate::stability::bodies::Law;
+use crate::stability::wide::{PI, Wide};
+use asperity::contact::Regime;
 
 /// `numerator`/`denominator`: a decimal to all digits.
 fn decimal(numerator: f64, denominator: f64) -> Wide {

@@ -1,9 +1,9 @@
 //! The effective properties of a layered flat (DESIGN section 3; Pasaribu and Schipper 2005, Eqs. 14-20).
 
-use crate::coating::Rule;
-use crate::material::Material;
-use crate::numeric::wide::{PI, Wide};
 use crate::stability::bodies;
+use crate::stability::wide::{PI, Wide};
+use asperity::layer::Rule;
+use asperity::material::Material;
 
 /// A layer on a substrate.
 #[derive(Debug, Clone)]

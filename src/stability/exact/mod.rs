@@ -20,9 +20,9 @@ pub use shape::Shape;
 pub use sum::Total;
 
 use super::bodies::{Bodies, Law};
-use crate::contact::Regime;
-use crate::material::Material;
-use crate::numeric::wide::Wide;
+use crate::stability::wide::Wide;
+use asperity::contact::Regime;
+use asperity::material::Material;
 use layer::Layer;
 
 /// What a body sets against yielding: the onset and the strength of the law, Pa.

@@ -1,6 +1,6 @@
 //! Elliptic asperities: the equal spheres that they are to every law (docs/theory.md, section 1).
 
-use crate::numeric::wide::{PI, Wide};
+use crate::stability::wide::{PI, Wide};
 
 /// So many equal spheres side by side.
 #[derive(Debug, Clone, Copy)]

@@ -3,7 +3,7 @@
 use rayon::prelude::*;
 
 use super::{Exact, Shape};
-use crate::numeric::wide::Wide;
+use crate::stability::wide::Wide;
 
 /// What asperities add up to.
 #[derive(Debug, Clone, Copy)]

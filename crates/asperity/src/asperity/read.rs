@@ -1,0 +1,269 @@
+//! Reading a list of asperities: CSV with the columns `height` and `radius`, or an n x 2 `.npy`; of ellipses with `kx`
+//! and `ky` behind them.
+
+use std::fs::File;
+use std::path::Path;
+
+use rayon::prelude::*;
+
+use super::{AsperitySet, Ellipse, SetError};
+use crate::memory::zeros;
+use crate::numeric::{LARGEST, is_positive};
+use crate::topography::read::{ReadError, npy};
+
+/// Why a file gives no list of asperities.
+#[derive(Debug, thiserror::Error)]
+pub enum ListError {
+    /// The file could not be read, or its array is not a table of numbers.
+    #[error(transparent)]
+    File(#[from] ReadError),
+    /// The `.npy` array has other columns than those that are needed.
+    #[error("holds an array of shape {rows} x {columns}; allowed: n x {}, with the columns {}", needed.len(), Column::names(needed))]
+    Shape {
+        /// Rows found.
+        rows: usize,
+        /// Columns found.
+        columns: usize,
+        /// The columns that are needed.
+        needed: &'static [Column],
+    },
+    /// A column is not there.
+    #[error(
+        "has no column `{}` (found: {found}); allowed: a header line with the columns {}",
+        column.name(),
+        Column::names(needed)
+    )]
+    Column {
+        /// The column that is missing.
+        column: Column,
+        /// The header that was found.
+        found: String,
+        /// The columns that are needed.
+        needed: &'static [Column],
+    },
+    /// A line is not CSV.
+    #[error("{0}")]
+    Csv(#[from] csv::Error),
+    /// A cell holds no number that is allowed there.
+    #[error("{place}, column `{}`: found {found}; allowed: {}", column.name(), column.allowed())]
+    Cell {
+        /// The row, as its reader finds it.
+        place: String,
+        /// The column.
+        column: Column,
+        /// What stands there.
+        found: String,
+    },
+    /// The list has no row.
+    #[error("has no asperity: the list has no rows")]
+    Empty,
+}
+
+/// A column of a list.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Column {
+    /// Height, m.
+    Height,
+    /// Radius, m.
+    Radius,
+    /// One principal curvature, 1/m.
+    Kx,
+    /// The other one, 1/m.
+    Ky,
+}
+
+impl Column {
+    /// Those of spheres, then those of ellipses too, in the order of an array.
+    const ALL: &'static [Self] = &[Self::Height, Self::Radius, Self::Kx, Self::Ky];
+
+    /// The name in a header.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Height => "height",
+            Self::Radius => "radius",
+            Self::Kx => "kx",
+            Self::Ky => "ky",
+        }
+    }
+
+    const fn unit(self) -> &'static str {
+        match self {
+            Self::Height | Self::Radius => "m",
+            Self::Kx | Self::Ky => "1/m",
+        }
+    }
+
+    fn names(columns: &[Self]) -> String {
+        let named: Vec<String> =
+            columns.iter().map(|column| format!("{} [{}]", column.name(), column.unit())).collect();
+        named.join(", ")
+    }
+
+    fn allows(self, value: f64) -> bool {
+        match self {
+            Self::Height => value.abs() <= LARGEST,
+            Self::Radius | Self::Kx | Self::Ky => is_positive(value),
+        }
+    }
+
+    const fn allowed(self) -> &'static str {
+        match self {
+            Self::Height => "a finite number of metres",
+            Self::Radius => "a positive finite number of metres",
+            Self::Kx | Self::Ky => "a positive finite number of 1/m",
+        }
+    }
+}
+
+/// The values of [`Column::ALL`], asperity by asperity; none of one that was not asked for.
+type Columns = [Vec<f64>; Column::ALL.len()];
+
+/// What a list holds.
+#[derive(Debug, Clone, PartialEq)]
+pub struct AsperityList {
+    heights: Vec<f64>,
+    radii: Vec<f64>,
+    /// kx and ky.
+    curvatures: Option<[Vec<f64>; 2]>,
+}
+
+impl AsperityList {
+    /// How many radii lie beyond both principal radii of curvature, 1/kx and 1/ky: spheres and ellipses of such a row are
+    /// different asperities.
+    pub fn contradictions(&self) -> usize {
+        /// The rounding of a radius in a file.
+        const ROUNDING: f64 = 1e-3;
+        let Some([kx, ky]) = &self.curvatures else { return 0 };
+        let contradicts = |(radius, (kx, ky)): &(&f64, (&f64, &f64))| {
+            *radius * kx.max(**ky) < 1.0 - ROUNDING || *radius * kx.min(**ky) > 1.0 + ROUNDING
+        };
+        self.radii.iter().zip(kx.iter().zip(ky)).filter(contradicts).count()
+    }
+
+    /// Number of rows.
+    pub fn count(&self) -> usize {
+        self.heights.len()
+    }
+
+    /// The asperities on a nominal area (m^2).
+    ///
+    /// # Errors
+    /// See [`SetError`].
+    pub fn set(self, nominal_area: f64) -> Result<AsperitySet, SetError> {
+        let set = AsperitySet::new(self.heights, self.radii, nominal_area)?;
+        let Some([kx, ky]) = self.curvatures else { return Ok(set) };
+        set.with_ellipses(kx.iter().zip(&ky).map(|(&kx, &ky)| Ellipse::new(kx, ky)).collect())
+    }
+}
+
+/// Checks that a file has the columns that [`read_list`] needs, without reading the rows, and says how many rows it has at
+/// the most.
+///
+/// # Errors
+/// See [`ListError`].
+pub fn check_list(path: &Path, as_ellipses: bool) -> Result<usize, ListError> {
+    /// The shortest row of a CSV: "0,1" and a line end.
+    const BYTES_PER_ROW: u64 = 4;
+    let needed = needed(as_ellipses);
+    if npy::is_npy(path).map_err(ReadError::from)? {
+        let npy::Head { rows, columns, .. } = npy::Head::read(path)?;
+        return check_shape(rows, columns, needed).map(|()| rows);
+    }
+    places(&mut csv_reader(path)?, needed)?;
+    let bytes = std::fs::metadata(path).map_err(ReadError::from)?.len();
+    Ok(usize::try_from(bytes / BYTES_PER_ROW).unwrap_or(usize::MAX))
+}
+
+fn needed(as_ellipses: bool) -> &'static [Column] {
+    &Column::ALL[..if as_ellipses { 4 } else { 2 }]
+}
+
+/// Reads heights and radii (m), and where `as_ellipses` principal curvatures kx and ky (1/m), from a CSV file or an `.npy`
+/// with these columns, told apart by their first bytes. Lines of a CSV that begin with `#` are comments; further columns
+/// are passed over. An `.npy` is mapped: no memory is taken but for the values that are needed.
+///
+/// # Errors
+/// See [`ListError`]; a bad value is named with its row.
+pub fn read_list(path: &Path, as_ellipses: bool) -> Result<AsperityList, ListError> {
+    let needed = needed(as_ellipses);
+    let is_npy = npy::is_npy(path).map_err(ReadError::from)?;
+    let [heights, radii, kx, ky] = if is_npy { read_npy(path, needed)? } else { read_csv(path, needed)? };
+    if heights.is_empty() {
+        return Err(ListError::Empty);
+    }
+    Ok(AsperityList { heights, radii, curvatures: as_ellipses.then_some([kx, ky]) })
+}
+
+fn read_npy(path: &Path, needed: &'static [Column]) -> Result<Columns, ListError> {
+    /// Rows that are read at a time: they stay in the cache.
+    const ROWS: usize = 8192;
+    let array = npy::Mapped::in_either_order(path)?;
+    let [rows, columns] = array.points();
+    check_shape(rows, columns, needed)?;
+    let mut found = Columns::default();
+    let mut pieces: Vec<Vec<&mut [f64]>> = (0..rows.div_ceil(ROWS)).map(|_| Vec::new()).collect();
+    for (column, _) in found.iter_mut().zip(needed) {
+        *column = zeros(rows);
+        pieces.iter_mut().zip(column.chunks_mut(ROWS)).for_each(|(pieces, piece)| pieces.push(piece));
+    }
+    let bad = pieces.par_iter_mut().enumerate().find_map_first(|(k, pieces)| {
+        array.columns(k * ROWS, pieces);
+        let bad = needed.iter().zip(&*pieces).filter_map(|(&column, piece)| {
+            let row = piece.iter().position(|&value| !column.allows(value))?;
+            Some((row, column, piece[row]))
+        });
+        let (row, column, value) = bad.min_by_key(|(row, ..)| *row)?;
+        let place = format!("row {} of {rows}", k * ROWS + row + 1);
+        Some(ListError::Cell { place, column, found: value.to_string() })
+    });
+    bad.map_or(Ok(found), Err)
+}
+
+/// An array of ellipses is one of spheres too.
+fn check_shape(rows: usize, columns: usize, needed: &'static [Column]) -> Result<(), ListError> {
+    if columns == needed.len() || columns == Column::ALL.len() {
+        return Ok(());
+    }
+    Err(ListError::Shape { rows, columns, needed })
+}
+
+fn csv_reader(path: &Path) -> Result<csv::Reader<File>, csv::Error> {
+    csv::ReaderBuilder::new().comment(Some(b'#')).trim(csv::Trim::All).from_path(path)
+}
+
+/// Where the needed columns are.
+fn places(reader: &mut csv::Reader<File>, needed: &'static [Column]) -> Result<Vec<usize>, ListError> {
+    let header = reader.headers()?.clone();
+    let place_of = |&column: &Column| {
+        header.iter().position(|found| found == column.name()).ok_or_else(|| ListError::Column {
+            column,
+            needed,
+            found: if header.is_empty() {
+                "an empty file".into()
+            } else {
+                header.iter().collect::<Vec<_>>().join(", ")
+            },
+        })
+    };
+    needed.iter().map(place_of).collect()
+}
+
+fn read_csv(path: &Path, needed: &'static [Column]) -> Result<Columns, ListError> {
+    let mut reader = csv_reader(path)?;
+    let places = places(&mut reader, needed)?;
+    let mut found = Columns::default();
+    for record in reader.records() {
+        let record = record?;
+        let line = record.position().map_or(0, csv::Position::line);
+        for ((&column, &index), values) in needed.iter().zip(&places).zip(&mut found) {
+            let text = &record[index];
+            let value = text.parse().ok().filter(|&value| column.allows(value));
+            values.push(value.ok_or_else(|| ListError::Cell {
+                place: format!("line {line}"),
+                column,
+                found: format!("`{text}`"),
+            })?);
+        }
+    }
+    Ok(found)
+}

@@ -1,0 +1,319 @@
+//! Both models on one surface under one law: their curves, paired at equal load and at equal
+//! separation, and how far apart they are.
+
+mod gap;
+mod influence;
+mod limit;
+mod rule;
+mod spread;
+mod threshold;
+
+pub use gap::{FEWEST_CONTACTS, Gap, Gaps};
+pub use influence::{AtLoad, Group, Influence, Measure, UnderLaw, Weight};
+pub use limit::{Exact, LimitCase, LimitPoint, Quantity, SlopeFit, convergence};
+pub use rule::{GOOD_RATIO, RuleCheck, RuleError, RuleFindings, apart};
+pub use spread::{Realisation, Scatter, Spread, spread};
+pub use threshold::threshold;
+
+use std::time::{Duration, Instant};
+
+use crate::model::{Model, Reached, Response, Unreachable, at_pressures, reached_at, respond_within};
+
+/// A way of adding up.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Deserialize))]
+#[cfg_attr(feature = "serde", serde(rename_all = "kebab-case"))]
+pub enum Kind {
+    /// The integral over a height density.
+    Statistical,
+    /// The sum over the asperities.
+    Deterministic,
+}
+
+impl Kind {
+    /// As the tables name it.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Statistical => "statistical",
+            Self::Deterministic => "deterministic",
+        }
+    }
+}
+
+/// What a point of a curve was asked by.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum Control {
+    /// d/sigma.
+    Separation,
+    /// Nominal pressure, Pa.
+    Pressure,
+    /// Force on the nominal area, N.
+    Force,
+}
+
+impl Control {
+    /// As the tables name it.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Separation => "separation",
+            Self::Pressure => "pressure",
+            Self::Force => "force",
+        }
+    }
+}
+
+/// How far the curve of a separation sweep may be off, in parts of the load and of the area; `None` where it is exact.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct Tolerances {
+    /// Of the integral.
+    pub statistical: Option<f64>,
+    /// Of the sum.
+    pub deterministic: Option<f64>,
+}
+
+impl Tolerances {
+    /// Of one model.
+    pub fn of(&self, kind: Kind) -> Option<f64> {
+        match kind {
+            Kind::Statistical => self.statistical,
+            Kind::Deterministic => self.deterministic,
+        }
+    }
+}
+
+/// What a surface is pressed to.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Controls {
+    /// d/sigma.
+    pub separations: Vec<f64>,
+    /// Nominal pressures, Pa.
+    pub pressures: Vec<f64>,
+    /// Forces on the nominal area, N.
+    pub forces: Vec<f64>,
+    /// Of the answers at `separations`.
+    pub tolerances: Tolerances,
+}
+
+impl Controls {
+    /// Number of points that each model is asked for.
+    pub fn points(&self) -> usize {
+        self.separations.len() + self.pressures.len() + self.forces.len()
+    }
+}
+
+/// One point of a model's curve.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct CurvePoint {
+    /// Which model.
+    pub kind: Kind,
+    /// What was asked.
+    pub control: Control,
+    /// Its value, in sigma, Pa or N.
+    pub target: f64,
+    /// The nominal pressure that was asked for, Pa; `None` under separation control.
+    pub asked: Option<f64>,
+    /// The answer.
+    pub response: Response,
+    /// Whether the load lies in a jump of the law; see [`Reached::in_jump`].
+    pub in_jump: bool,
+}
+
+/// What the two models have in common in a pair.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum Pairing {
+    /// The nominal pressure, Pa.
+    Load,
+    /// d/sigma.
+    Separation,
+}
+
+impl Pairing {
+    /// As the tables name it.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Load => "load",
+            Self::Separation => "separation",
+        }
+    }
+}
+
+/// Both models at equal load or at equal separation.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Pair {
+    /// What they have in common.
+    pub pairing: Pairing,
+    /// Its value, Pa or in sigma.
+    pub target: f64,
+    /// The statistical model's answer.
+    pub statistical: Response,
+    /// The deterministic model's answer.
+    pub deterministic: Response,
+}
+
+impl Pair {
+    /// Whether either model is where asperities interact.
+    pub fn is_beyond_model(&self) -> bool {
+        self.statistical.is_beyond_model() || self.deterministic.is_beyond_model()
+    }
+}
+
+/// A model that does not reach a pressure it was asked for.
+#[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
+#[error("{} model: {unreachable}", kind.name())]
+pub struct NotReached {
+    /// Which model.
+    pub kind: Kind,
+    /// Whether it was asked by a pressure or a force.
+    pub control: Control,
+    /// What was asked and what can be reached.
+    pub unreachable: Unreachable,
+}
+
+/// The models to run on one surface; a model that is not asked for is not there.
+#[derive(Clone, Copy)]
+pub struct Models<'a> {
+    /// The integral.
+    pub statistical: Option<&'a dyn Model>,
+    /// The sum.
+    pub deterministic: Option<&'a dyn Model>,
+}
+
+/// The answers on one surface under one law.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Comparison {
+    /// Curve by curve, in the order of the controls.
+    pub curves: Vec<CurvePoint>,
+    /// Pairs at equal separation, then at equal load.
+    pub pairs: Vec<Pair>,
+    /// Deterministic pressures of a separation sweep that one of the models does not reach at the
+    /// separations that are searched, Pa: they have no pair.
+    pub unpaired: Vec<f64>,
+    /// Time spent in the statistical model.
+    pub statistical_time: Duration,
+    /// Time spent in the deterministic sums.
+    pub deterministic_time: Duration,
+}
+
+/// Of items whose loads grow, those whose loads are nearest to the `steps` equal steps of each decade.
+pub fn of_each_decade<T>(items: impl IntoIterator<Item = T>, load: impl Fn(&T) -> f64, steps: f64) -> Vec<T> {
+    let step = |item: &T| (steps * load(item).log10()).round();
+    let away = |item: &T| (steps * load(item).log10() - step(item)).abs();
+    let mut chosen: Vec<T> = Vec::new();
+    for item in items {
+        match chosen.last_mut() {
+            Some(last) if step(last) == step(&item) => {
+                if away(&item) < away(last) {
+                    *last = item;
+                }
+            }
+            _ => chosen.push(item),
+        }
+    }
+    chosen
+}
+
+impl Comparison {
+    /// The answer of a model to the nominal pressure `asked` (Pa), where that was asked for.
+    pub fn at_load(&self, kind: Kind, asked: f64) -> Option<&CurvePoint> {
+        self.curves.iter().find(|point| point.kind == kind && point.asked == Some(asked))
+    }
+}
+
+/// Runs `models` through `controls` on the nominal area `area` (m^2) and pairs their answers.
+///
+/// # Errors
+/// A pressure or force that one of the models does not reach.
+pub fn compare(models: Models, controls: &Controls, area: f64) -> Result<Comparison, NotReached> {
+    let mut result = Comparison::default();
+    let statistical =
+        run(Kind::Statistical, models.statistical, controls, area, &mut result.statistical_time)?;
+    let deterministic =
+        run(Kind::Deterministic, models.deterministic, controls, area, &mut result.deterministic_time)?;
+    if models.statistical.is_some() && models.deterministic.is_some() {
+        result.pairs = statistical.iter().zip(&deterministic).map(|(s, d)| pair(s, d)).collect();
+        pair_at_loads(models, &deterministic, &mut result);
+    }
+    result.curves = statistical;
+    result.curves.extend(deterministic);
+    Ok(result)
+}
+
+fn run(
+    kind: Kind,
+    model: Option<&dyn Model>,
+    controls: &Controls,
+    area: f64,
+    time: &mut Duration,
+) -> Result<Vec<CurvePoint>, NotReached> {
+    let Some(model) = model else { return Ok(Vec::new()) };
+    let start = Instant::now();
+    let mut curve = Vec::with_capacity(controls.points());
+    let answers = match controls.tolerances.of(kind) {
+        Some(tolerance) => respond_within(model, &controls.separations, tolerance).responses,
+        None => model.respond_all(&controls.separations),
+    };
+    curve.extend(controls.separations.iter().zip(answers).map(|(&target, response)| CurvePoint {
+        kind,
+        control: Control::Separation,
+        target,
+        asked: None,
+        response,
+        in_jump: false,
+    }));
+    // Pressures and forces are searched together.
+    let pressures = controls.pressures.iter().map(|&pressure| (Control::Pressure, pressure, pressure));
+    let forces = controls.forces.iter().map(|&force| (Control::Force, force, force / area));
+    let loads: Vec<(Control, f64, f64)> = pressures.chain(forces).collect();
+    let asked: Vec<f64> = loads.iter().map(|&(_, _, pressure)| pressure).collect();
+    for ((control, target, pressure), answer) in loads.into_iter().zip(at_pressures(model, &asked)) {
+        let Reached { response, in_jump } =
+            answer.map_err(|unreachable| NotReached { kind, control, unreachable })?;
+        curve.push(CurvePoint { kind, control, target, asked: Some(pressure), response, in_jump });
+    }
+    *time += start.elapsed();
+    Ok(curve)
+}
+
+fn pair(statistical: &CurvePoint, deterministic: &CurvePoint) -> Pair {
+    let (pairing, target) = match statistical.asked {
+        None => (Pairing::Separation, statistical.target),
+        Some(pressure) => (Pairing::Load, pressure),
+    };
+    Pair { pairing, target, statistical: statistical.response, deterministic: deterministic.response }
+}
+
+/// A separation sweep also gives pairs at the deterministic pressures of its points, zeros left out.
+fn pair_at_loads(models: Models, deterministic: &[CurvePoint], result: &mut Comparison) {
+    let (Some(statistical), Some(sum)) = (models.statistical, models.deterministic) else { return };
+    let points: Vec<Response> = deterministic
+        .iter()
+        .filter(|point| point.control == Control::Separation && point.response.pressure.total() > 0.0)
+        .map(|point| point.response)
+        .collect();
+    let pressures: Vec<f64> = points.iter().map(|response| response.pressure.total()).collect();
+    let press = |model: &dyn Model, time: &mut Duration| {
+        let start = Instant::now();
+        let answers = reached_at(model, &pressures);
+        *time += start.elapsed();
+        answers
+    };
+    let integrals = press(statistical, &mut result.statistical_time);
+    // A load that never falls is carried at no larger separation than that of its own point.
+    let sums: Vec<Option<Response>> = if sum.may_fall() {
+        let reached = press(sum, &mut result.deterministic_time);
+        reached.into_iter().map(|reached| reached.map(|reached| reached.response)).collect()
+    } else {
+        points.into_iter().map(Some).collect()
+    };
+    for (pressure, answers) in pressures.into_iter().zip(integrals.into_iter().zip(sums)) {
+        match answers {
+            (Some(integral), Some(deterministic)) => result.pairs.push(Pair {
+                pairing: Pairing::Load,
+                target: pressure,
+                statistical: integral.response,
+                deterministic,
+            }),
+            _ => result.unpaired.push(pressure),
+        }
+    }
+}

@@ -1,0 +1,219 @@
+//! How good the rule for a layered flat's modulus is: its elastic load over the exact one.
+//!
+//! Without yielding a sphere on a layered flat is known exactly. The ratio of the loads depends on the materials and
+//! on a/t alone: neither on the radius of the sphere nor on the thickness of the layer.
+
+use crate::interface::{ContactError, Layered, MicroContact};
+use crate::law::{Hertz, Shape};
+use crate::layer::exact_sphere::{ElasticContact, LARGEST_RATIO, LayeredSphere};
+use crate::layer::{Coating, Rule};
+use crate::literature::Paper;
+use crate::material::Material;
+
+/// E_l/E_s within which the first-order weights of the paper's rule are good (Perriot and Barthel 2004).
+pub const GOOD_RATIO: [f64; 2] = [0.5, 2.0];
+
+/// Both rules beside the exact solution, for one ball, layer and substrate.
+pub struct RuleCheck {
+    /// Radius and thickness 1 m.
+    exact: LayeredSphere,
+    /// As in [`Rule::ALL`].
+    by_rule: [Layered<Hertz>; 2],
+    modulus_ratio: f64,
+}
+
+/// Where the errors of the rules are told, a/t.
+const TOLD: [f64; 12] = [0.05, 0.1, 0.2, 0.5, 1.0, 2.0, 5.0, 10.0, 20.0, 50.0, 100.0, 200.0];
+
+/// How wrong each of [`Rule::ALL`] is for a layer, over a range of a/t.
+#[derive(Debug, Clone)]
+pub struct RuleFindings {
+    /// E_l/E_s.
+    pub modulus_ratio: f64,
+    /// a/t, from and to.
+    pub range: [f64; 2],
+    /// At round a/t within them.
+    pub told: [Vec<RuleError>; 2],
+    /// The largest within them.
+    pub worst: [Option<RuleError>; 2],
+}
+
+impl RuleFindings {
+    /// Whether E_l/E_s lies where the paper's rule is good.
+    pub fn is_good(&self) -> bool {
+        (GOOD_RATIO[0]..=GOOD_RATIO[1]).contains(&self.modulus_ratio)
+    }
+
+    /// The largest error of `rule`.
+    pub fn worst_of(&self, rule: Rule) -> Option<&RuleError> {
+        Rule::ALL.into_iter().zip(&self.worst).find(|(of, _)| *of == rule)?.1.as_ref()
+    }
+
+    /// What makes `rule` doubtful for the layer called `layer`; `None` where the moduli are near enough.
+    pub fn warning(&self, layer: &str, rule: Rule) -> Option<String> {
+        let size = self.worst_of(rule).map_or_else(String::new, |worst| {
+            let direction = if worst.ratio > 1.0 { "stiff" } else { "compliant" };
+            format!(
+                ". Without yielding, rule \"{}\" is up to {:.2} times too {direction} (load at equal indentation beside the \
+                 exact solution, a/t from {} to {}; most at a/t = {})",
+                rule.name(),
+                worst.factor(),
+                short(self.range[0]),
+                short(self.range[1]),
+                short(worst.contact_ratio),
+            )
+        });
+        let [from, to] = GOOD_RATIO;
+        (!self.is_good()).then(|| {
+            format!(
+                "layer {layer}: its modulus is {} times the substrate's, outside the {from} to {to} where the paper's rule is good{size}",
+                short(self.modulus_ratio)
+            )
+        })
+    }
+}
+
+/// Rule by rule what stands error by error.
+pub fn apart(errors: impl Iterator<Item = [RuleError; 2]>) -> [Vec<RuleError>; 2] {
+    let (gao, series) = errors.map(|[gao, series]| (gao, series)).unzip();
+    [gao, series]
+}
+
+/// To three digits.
+fn short(value: f64) -> String {
+    format!("{value:.2e}").parse::<f64>().unwrap_or(value).to_string()
+}
+
+/// A rule's elastic load beside the exact one at equal indentation.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct RuleError {
+    /// a/t of the exact contact.
+    pub contact_ratio: f64,
+    /// w R/t^2.
+    pub indentation_ratio: f64,
+    /// Load by the rule over the exact one.
+    pub ratio: f64,
+}
+
+impl RuleError {
+    /// The factor, at least 1, by which the rule is wrong in one direction or the other.
+    pub fn factor(&self) -> f64 {
+        self.ratio.max(self.ratio.recip())
+    }
+}
+
+impl RuleCheck {
+    /// A ball of material `rough` on `layer` on `substrate`; whether they yield does not count.
+    ///
+    /// # Errors
+    /// None that materials can cause.
+    pub fn new(rough: &Material, layer: &Material, substrate: &Material) -> Result<Self, ContactError> {
+        let [rough, layer, substrate] = [rough, layer, substrate].map(Material::without_yielding);
+        let by = |rule| {
+            let coating = Coating::new(&layer, &substrate, 1.0, rule)?;
+            Ok::<_, ContactError>(Layered::new(Hertz, &rough, &substrate, coating)?)
+        };
+        Ok(Self {
+            exact: LayeredSphere::new(Some(&rough), 1.0, &layer, &substrate, 1.0),
+            by_rule: [by(Rule::Gao)?, by(Rule::Series)?],
+            modulus_ratio: layer.young() / substrate.young(),
+        })
+    }
+
+    /// The errors of both, as in [`Rule::ALL`], where the exact contact has the radius `contact_ratio` times the
+    /// thickness; `None` unless that is positive and at most [`LARGEST_RATIO`].
+    pub fn at(&self, contact_ratio: f64) -> Option<[RuleError; 2]> {
+        self.exact.at_contact_radius(contact_ratio).map(|exact| self.beside(&exact, 1.0, 1.0))
+    }
+
+    /// The errors of both, as in [`Rule::ALL`], beside an exact contact of the ball of `radius` (m) on the layer of
+    /// `thickness` (m).
+    pub fn beside(&self, exact: &ElasticContact, radius: f64, thickness: f64) -> [RuleError; 2] {
+        let scale = radius / thickness;
+        let indentation_ratio = exact.indentation / thickness * scale;
+        let load_ratio = exact.load / thickness / thickness * scale;
+        self.by_rule.each_ref().map(|contact| RuleError {
+            contact_ratio: exact.contact_radius / thickness,
+            indentation_ratio,
+            ratio: contact.contact(indentation_ratio, Shape::sphere(1.0)).load / load_ratio,
+        })
+    }
+
+    /// The largest error of each over a/t from `from` to `to`, ends included, among points that divide the range evenly in
+    /// ln(a/t), at least 20 a decade; `None` of a range beyond [`LARGEST_RATIO`] or an empty one.
+    pub fn worst(&self, from: f64, to: f64) -> [Option<RuleError>; 2] {
+        const A_DECADE: f64 = 20.0;
+        /// Errors closer than this are equal: the first is the worst, whatever their rounding.
+        const ROUNDING: f64 = 1e-9;
+        let to = to.min(LARGEST_RATIO);
+        if !(from > 0.0 && from <= to) {
+            return [None; 2];
+        }
+        let steps = ((to / from).log10() * A_DECADE).ceil();
+        let place = |k: i32| match f64::from(k) {
+            0.0 => from,
+            k if k == steps => to,
+            k => from * (to / from).powf(k / steps),
+        };
+        let errors = (0..=steps as i32).filter_map(|k| self.at(place(k)));
+        let worse = |worst: RuleError, next: RuleError| {
+            if next.factor() > worst.factor() + ROUNDING { next } else { worst }
+        };
+        apart(errors).map(|errors| errors.into_iter().reduce(worse))
+    }
+
+    /// Both rules over a/t from `from` to `to`; nothing told where the range is empty.
+    pub fn findings(&self, from: f64, to: f64) -> RuleFindings {
+        let told = TOLD.into_iter().filter(|told| (from..=to).contains(told));
+        RuleFindings {
+            modulus_ratio: self.modulus_ratio,
+            range: [from, to],
+            told: apart(told.filter_map(|told| self.at(told))),
+            worst: self.worst(from, to),
+        }
+    }
+
+    /// The papers behind both rules and the exact solution.
+    pub fn papers(&self) -> Vec<Paper> {
+        let rules = self.by_rule.iter().flat_map(MicroContact::papers);
+        rules.chain(LayeredSphere::papers().iter().copied()).collect()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn body(young: f64, poisson: f64) -> Material {
+        Material::new(young, poisson, None, None).unwrap()
+    }
+
+    #[test]
+    fn the_papers_rule_is_far_too_stiff_for_lead_on_steel() {
+        let rigid = body(1e20, 0.3);
+        let check = RuleCheck::new(&rigid, &body(18e9, 0.35), &body(210e9, 0.3)).unwrap();
+        assert!(!check.findings(0.1, 10.0).is_good());
+        let [gao, _] = check.at(1.0).unwrap();
+        assert!((gao.ratio - 2.8).abs() < 0.05, "{gao:?}");
+        // w R/t^2 of the exact table.
+        assert!((gao.indentation_ratio - 0.67683676).abs() < 1e-8);
+        // The same in any size.
+        let sphere = LayeredSphere::new(Some(&rigid), 3e-6, &body(18e9, 0.35), &body(210e9, 0.3), 2e-8);
+        let [same, _] = check.beside(&sphere.at_contact_radius(2e-8).unwrap(), 3e-6, 2e-8);
+        assert!((same.ratio / gao.ratio - 1.0).abs() < 1e-12 && (same.contact_ratio - 1.0).abs() < 1e-15);
+        let [worst, of_series] = check.worst(0.1, 10.0).map(|worst| worst.unwrap().factor());
+        assert!(worst >= gao.factor() && of_series < worst);
+    }
+
+    #[test]
+    fn without_a_difference_there_is_no_error() {
+        let steel = body(210e9, 0.3);
+        let check = RuleCheck::new(&steel, &steel, &steel).unwrap();
+        let found = check.findings(0.1, 10.0);
+        let worst = found.worst_of(Rule::Gao).unwrap();
+        assert!((worst.ratio - 1.0).abs() < 1e-12 && worst.contact_ratio == 0.1 && found.is_good());
+        assert_eq!(check.worst(0.0, 1.0), [None; 2]);
+        assert_eq!(check.worst(2e3, 3e3), [None; 2]);
+        assert_eq!(check.worst(2.0, 2.0).map(|at| at.map(|at| at.contact_ratio)), [Some(2.0); 2]);
+    }
+}

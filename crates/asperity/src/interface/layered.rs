@@ -1,0 +1,346 @@
+//! A rough body on a flat with a layer of finite thickness.
+
+use super::side_by_side::{Answers, press, weigh};
+use super::{JUMP, LoadBounds, MicroContact, Reference, Shapes};
+use crate::asperity::Asperities;
+use crate::contact::{Contact, Contacts, Regime};
+use crate::law::{Inapplicable, Pair, Resistance, Shape, Similar};
+use crate::layer::{Bounds, Coating};
+use crate::literature::Paper;
+use crate::material::Material;
+use crate::numeric::interval::Interval;
+use crate::numeric::lanes::Real;
+use crate::numeric::root::sign_changes;
+use crate::tally::Tally;
+
+/// A homogeneous rough body on a layered flat under one law: the law sees the pair that each asperity feels at its
+/// own indentation (Pasaribu and Schipper 2005, Eqs. 5, 9 with E_eff, nu_eff, H_eff).
+///
+/// An elliptic asperity feels the layer as a sphere does whose contact has the same area while it is elastic.
+#[derive(Debug, Clone)]
+pub struct Layered<L> {
+    law: L,
+    coating: Coating,
+    /// (1 - nu^2)/E of the rough body, 1/Pa.
+    rough_compliance: f64,
+    /// Of the rough body.
+    rough: Resistance,
+    reference: Reference,
+    /// Where the load of the law jumps.
+    jumps: Vec<Jump>,
+    /// Strength over onset of one of the bodies; see [`Self::highest_load`].
+    strength_over_onset: f64,
+}
+
+/// A boundary of the law at which its load jumps.
+#[derive(Debug, Clone, Copy)]
+struct Jump {
+    /// (w/b) (E*/onset)^2.
+    place: f64,
+    /// By what factor, whichever body yields.
+    factor: Interval,
+}
+
+/// Critical ratios stand with (onset/E*)^2: of such a pair they are the factors before it.
+fn unit(strength: f64) -> Pair {
+    Pair { reduced_modulus: 1.0, resistance: Resistance { onset: 1.0, strength } }
+}
+
+/// The pair that an asperity feels, and how it changes with the indentation.
+#[derive(Clone, Copy)]
+struct Felt<N> {
+    pair: Pair<N>,
+    /// d ln E*/d ln w.
+    modulus_slope: N,
+    /// d ln onset/d ln w.
+    onset_slope: N,
+    /// d ln strength/d ln w.
+    strength_slope: N,
+}
+
+/// The same over a range.
+struct FeltRange {
+    modulus: Interval,
+    modulus_slope: Interval,
+    onset: Interval,
+    onset_slope: Interval,
+    strength_slope: Interval,
+}
+
+impl<L: Similar> Layered<L> {
+    /// The contact of a rough body with `substrate` under `coating`.
+    ///
+    /// # Errors
+    /// Bodies that the law says nothing of.
+    pub fn new(
+        law: L,
+        rough: &Material,
+        substrate: &Material,
+        coating: Coating,
+    ) -> Result<Self, Inapplicable> {
+        Pair::between(&law, rough, substrate)?;
+        let poisson = coating.poisson_range().hull(Interval::point(rough.poisson()));
+        let [low, high] = [poisson.low, poisson.high].map(|nu| unit(L::ONSET.at(nu).recip()));
+        let factors = law.jumps(&low).into_iter().zip(law.jumps(&high)).map(|(a, b)| Interval::between(a, b));
+        let jumps = law.critical_ratios(&low).into_iter().zip(factors);
+        let jumps = jumps.map(|(place, factor)| Jump { place, factor });
+        let reference = Reference::of(rough, substrate);
+        let is_jump = |jump: &Jump| jump.factor.low < 1.0 - JUMP || jump.factor.high > 1.0 + JUMP;
+        Ok(Self {
+            rough_compliance: rough.plane_compliance(),
+            rough: law.by_hardness(rough),
+            jumps: jumps.filter(|jump| reference.hardness.is_finite() && is_jump(jump)).collect(),
+            strength_over_onset: low.resistance.strength,
+            law,
+            coating,
+            reference,
+        })
+    }
+
+    fn yields(&self) -> bool {
+        self.rough.onset.is_finite() || self.coating.hardness_range().high.is_finite()
+    }
+
+    /// Of spheres whose elastic contacts have the radius (b w)^.5.
+    #[inline(always)]
+    fn felt<N: Real>(&self, w: N, b: N) -> Felt<N> {
+        let flat = self.coating.at(w, b);
+        let nothing = w.splat(0.0);
+        let (poisson, poisson_slope) =
+            if L::feels_poisson() { self.coating.poisson(w, b) } else { (nothing, nothing) };
+        let reduced_modulus = w.splat(1.0) / (flat.compliance + self.rough_compliance);
+        let of_flat = self.law.of_hardness(flat.hardness, poisson);
+        let rough = w.splat(self.rough.onset);
+        let yields_first = of_flat.onset.below(rough);
+        let onset = N::choose(yields_first, of_flat.onset, rough);
+        // Where the onset is the strength itself, nothing is compared twice.
+        let (mut strength, mut onset_slope, mut is_weaker) = (onset, flat.hardness_slope, yields_first);
+        if L::feels_poisson() {
+            let rough = w.splat(self.rough.strength);
+            is_weaker = of_flat.strength.below(rough);
+            strength = N::choose(is_weaker, of_flat.strength, rough);
+            onset_slope = onset_slope + w.splat(L::ONSET.slope) / L::ONSET.of(poisson) * poisson_slope;
+        }
+        Felt {
+            pair: Pair { reduced_modulus, resistance: Resistance { onset, strength } },
+            modulus_slope: -(reduced_modulus * flat.compliance_slope),
+            onset_slope: N::choose(yields_first, onset_slope, nothing),
+            strength_slope: N::choose(is_weaker, flat.hardness_slope, nothing),
+        }
+    }
+
+    fn felt_over(&self, w: Interval, b: Interval) -> FeltRange {
+        let of_flat = self.coating.over(w, b);
+        let modulus = (of_flat.compliance + self.rough_compliance).recip();
+        let (onset, onset_slope) = Self::flat_onset(&of_flat);
+        let (onset, onset_slope) = weaker(onset, onset_slope, self.rough.onset);
+        let (_, strength_slope) = weaker(of_flat.hardness, of_flat.hardness_slope, self.rough.strength);
+        let modulus_slope = -(modulus * of_flat.compliance_slope);
+        FeltRange { modulus, modulus_slope, onset, onset_slope, strength_slope }
+    }
+
+    /// The onset of the flat, Pa, and d/d ln w of its logarithm.
+    fn flat_onset(of_flat: &Bounds) -> (Interval, Interval) {
+        let Bounds { hardness, hardness_slope, poisson, poisson_slope, .. } = *of_flat;
+        let factor = Interval { low: L::ONSET.at(poisson.low), high: L::ONSET.at(poisson.high) };
+        (hardness * factor, hardness_slope + poisson_slope * factor.recip() * L::ONSET.slope)
+    }
+
+    /// With P = E* b^.5 w^1.5 g(u), u = (w/b) (E*/onset)^2, and e = d ln P/d ln w of the fixed pair, the load goes with
+    /// the (2e - 2)th power of E* and the (3 - 2e)th of the onset, in a plastic contact of the strength.
+    #[inline(always)]
+    fn answer<N: Real>(&self, w: N, radius: N, felt: &Felt<N>) -> Contacts<N> {
+        let contacts = self.law.contacts(w, radius, &felt.pair);
+        let mut slope = felt.onset_slope;
+        if L::feels_poisson() {
+            slope = N::choose(contacts.plastic, felt.strength_slope, slope);
+        }
+        let stiffness = contacts.stiffness * ((felt.modulus_slope - slope) * 2.0 + 1.0)
+            + contacts.load / w * (slope * 3.0 - felt.modulus_slope * 2.0);
+        Contacts { stiffness, ..contacts }
+    }
+
+    /// (w/b) (E*/onset)^2.
+    fn place(w: Interval, b: Interval, felt: &FeltRange) -> Interval {
+        let strain = felt.modulus * felt.onset.recip();
+        w * strain * strain * b.recip()
+    }
+
+    /// d ln P/d ln w = e + (2e - 2) d ln E*/d ln w + (3 - 2e) d ln(onset or strength)/d ln w (see [`Self::answer`]) is
+    /// linear in each of the three: it is least and greatest at corners of their ranges.
+    fn exponents(e: Interval, felt: &FeltRange) -> Interval {
+        let slope = felt.onset_slope.hull(felt.strength_slope);
+        let at = |e: f64| felt.modulus_slope * (2.0 * e - 2.0) + slope * (3.0 - 2.0 * e) + e;
+        at(e.low).hull(at(e.high))
+    }
+
+    /// Where w = `ratio` b (onset/E*)^2: every root, by the sign of ln w - 2 ln onset + 2 ln E* - ln(ratio b) over ln w.
+    fn crossings(&self, ratio: f64, shape: Shape) -> Vec<f64> {
+        let level = (ratio * shape.radius).ln();
+        let b = shape.spheres * shape.radius;
+        let radius = Interval::point(b);
+        let all = self.felt_over(Interval { low: 0.0, high: f64::MAX.sqrt() / b.max(1.0) }, radius);
+        let bound = |onset: f64, modulus: f64| level + 2.0 * (onset / modulus).ln();
+        let low = bound(all.onset.low, all.modulus.high) - 1e-9;
+        let high = bound(all.onset.high, all.modulus.low) + 1e-9;
+        let value = |v: f64| {
+            let felt = self.felt(v.exp(), b);
+            v - 2.0 * (felt.pair.resistance.onset / felt.pair.reduced_modulus).ln() - level
+        };
+        let over = |from: f64, to: f64| {
+            let felt = self.felt_over(Interval { low: from.exp(), high: to.exp() }, radius);
+            let values =
+                Interval { low: from, high: to } + (felt.modulus.ln() - felt.onset.ln()) * 2.0 + -level;
+            [values, (felt.modulus_slope - felt.onset_slope) * 2.0 + 1.0]
+        };
+        sign_changes(&value, &over, low, high).into_iter().map(f64::exp).collect()
+    }
+
+    fn resistance_of_flat(&self, w: f64, b: f64) -> Resistance {
+        let poisson = if L::feels_poisson() { self.coating.poisson(w, b).0 } else { 0.0 };
+        self.law.of_hardness(self.coating.at(w, b).hardness, poisson)
+    }
+
+    /// Where the other body begins to yield first.
+    fn onset_switches(&self, b: f64) -> Vec<f64> {
+        /// Of ln w, w in m.
+        const RANGE: [f64; 2] = [-100.0, 50.0];
+        if !(L::feels_poisson() && self.rough.onset.is_finite()) {
+            return Vec::new();
+        }
+        let level = self.rough.onset.ln();
+        let value = |v: f64| self.resistance_of_flat(v.exp(), b).onset.ln() - level;
+        let over = |from: f64, to: f64| {
+            let w = Interval { low: from.exp(), high: to.exp() };
+            let (onset, slope) = Self::flat_onset(&self.coating.over(w, Interval::point(b)));
+            [onset.ln() + -level, slope]
+        };
+        sign_changes(&value, &over, RANGE[0], RANGE[1]).into_iter().map(f64::exp).collect()
+    }
+
+    /// An upper bound of the load at indentations from `from` to `to` (m), the pair being any that `felt` holds. Of the
+    /// same strength over the onset, a load over the onset falls as that grows, but for drops at boundaries; of another
+    /// strength it differs by no more than the jumps do.
+    fn highest_load(&self, from: f64, to: f64, shape: Shape, felt: &FeltRange) -> f64 {
+        let w = Interval { low: from, high: to };
+        let u = Self::place(w, Interval::point(shape.radius), felt);
+        let possible = || self.jumps.iter().filter(|jump| u.holds(jump.place));
+        let drops: f64 = possible().map(|jump| jump.factor.low.min(1.0)).product();
+        let spread: f64 = self.jumps.iter().map(|jump| jump.factor.high / jump.factor.low).product();
+        let strength = self.strength_over_onset * felt.onset.low;
+        let resistance = Resistance { onset: felt.onset.low, strength };
+        let most = Pair { reduced_modulus: felt.modulus.high, resistance };
+        let growth = if felt.onset.high > felt.onset.low { felt.onset.high / felt.onset.low } else { 1.0 };
+        shape.spheres * self.law.highest_load(from, to, shape.radius, &most) * growth * spread / drops
+    }
+}
+
+/// The lesser of `value`, with d ln value/d ln w `slope`, and a constant.
+fn weaker(value: Interval, slope: Interval, constant: f64) -> (Interval, Interval) {
+    if value.high < constant {
+        (value, slope)
+    } else if value.low >= constant {
+        (Interval::point(constant), Interval::point(0.0))
+    } else {
+        (Interval { low: value.low, high: constant }, slope.hull(Interval::point(0.0)))
+    }
+}
+
+impl<L: Similar> Answers for &Layered<L> {
+    #[inline(always)]
+    fn answers<N: Real>(&self, w: N, radius: N, spheres: N) -> Contacts<N> {
+        self.answer(w, radius, &self.felt(w, spheres * radius)).times(spheres)
+    }
+}
+
+impl<L: Similar> MicroContact for Layered<L> {
+    #[inline]
+    fn contact(&self, w: f64, shape: Shape) -> Contact {
+        (&self).answers(w, shape.radius, shape.spheres).into()
+    }
+
+    fn weigh(&self, indentations: &[f64], weights: &[f64], shape: Shape, tally: &mut Tally) {
+        weigh(self, indentations, weights, shape, tally);
+    }
+
+    fn press(&self, asperities: Asperities<'_>, separation: f64, tally: &mut Tally) {
+        press(self, asperities, separation, tally);
+    }
+
+    fn is_layered(&self) -> bool {
+        true
+    }
+
+    fn regime_changes(&self, shape: Shape) -> Vec<f64> {
+        let ratios = if self.yields() { self.law.critical_ratios(&unit(1.0)) } else { Vec::new() };
+        let mut changes: Vec<f64> =
+            ratios.into_iter().flat_map(|ratio| self.crossings(ratio, shape)).collect();
+        changes.sort_unstable_by(f64::total_cmp);
+        changes
+    }
+
+    fn breakpoints(&self, shape: Shape) -> Vec<f64> {
+        let mut points = self.regime_changes(shape);
+        let b = shape.spheres * shape.radius;
+        // An elastic contact does not feel the hardness, nor a plastic one the modulus.
+        let regime = |w: f64| self.contact(w, shape).regime;
+        let modulus = self.coating.modulus_scales(b, self.rough_compliance);
+        points.extend(modulus.filter(|&w| regime(w) != Regime::Plastic));
+        let yields = |w: f64| {
+            let flat = self.resistance_of_flat(w, b);
+            flat.onset < self.rough.onset || flat.strength < self.rough.strength
+        };
+        let hardness = self.coating.hardness_scales().into_iter();
+        points.extend(hardness.filter(|&w| regime(w) != Regime::Elastic && yields(w)));
+        points.extend(self.coating.indentation_of_hardness(self.rough.strength));
+        points.extend(self.onset_switches(b));
+        points.sort_unstable_by(f64::total_cmp);
+        points
+    }
+
+    fn may_fall(&self, shapes: Shapes) -> Vec<Interval> {
+        /// Pieces of the depth on which the hardness changes.
+        const PIECES: i32 = 400;
+        let end = self.coating.depth();
+        let wide = shapes.radii * shapes.spheres;
+        // From a depth at which next to nothing of the layer is gone, to any.
+        let place = |k: i32| match k {
+            0 => 0.0,
+            k if k > PIECES => 1e200,
+            k => end * 1e-12f64.powf(1.0 - f64::from(k) / f64::from(PIECES)),
+        };
+        let may_fall = |w: &Interval| {
+            let felt = self.felt_over(*w, wide);
+            let u = Self::place(*w, shapes.radii, &felt);
+            // Back over a boundary, a rise of the load is a fall.
+            let turns_back = (felt.modulus_slope - felt.onset_slope).low <= -0.5;
+            let drops = |jump: &Jump| u.holds(jump.place) && (jump.factor.low < 1.0 || turns_back);
+            Self::exponents(self.law.load_exponents(u), &felt).low <= 0.0 || self.jumps.iter().any(drops)
+        };
+        let pieces = (0..=PIECES).map(|k| Interval { low: place(k), high: place(k + 1) });
+        Interval::joined(pieces.filter(may_fall))
+    }
+
+    fn load_over(&self, from: f64, to: f64, shape: Shape) -> LoadBounds {
+        let w = Interval { low: from, high: to };
+        let felt = self.felt_over(w, Interval::point(shape.spheres * shape.radius));
+        let u = Self::place(w, Interval::point(shape.radius), &felt);
+        let exponents = Self::exponents(self.law.load_exponents(u), &felt);
+        if self.jumps.iter().any(|jump| u.holds(jump.place)) || (from == 0.0 && exponents.low < 0.0) {
+            return LoadBounds::any(self.highest_load(from, to, shape, &felt));
+        }
+        LoadBounds::between(w, [from, to].map(|w| self.contact(w, shape).load), exponents)
+    }
+
+    fn reference_modulus(&self) -> f64 {
+        self.reference.modulus
+    }
+
+    fn reference_hardness(&self) -> f64 {
+        self.reference.hardness
+    }
+
+    fn papers(&self) -> Vec<Paper> {
+        self.law.papers().iter().copied().chain(self.coating.papers()).collect()
+    }
+}

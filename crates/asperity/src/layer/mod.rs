@@ -1,0 +1,198 @@
+//! The layered flat: a solid whose modulus, Poisson's ratio and hardness change with the indentation of each
+//! asperity (Pasaribu and Schipper 2005, Eqs. 14-20).
+//!
+//! | file | what lives there |
+//! |---|---|
+//! | `weights` | the functions of xi = t/a that say how much layer an asperity feels (Eqs. 17, 18) |
+//! | `modulus` | nu_eff and E_eff by the paper's rule or in series (Eqs. 14, 15) |
+//! | `hardness` | H_eff (Eq. 16) |
+
+pub mod exact_sphere;
+mod hardness;
+mod modulus;
+mod weights;
+
+pub use modulus::Rule;
+
+use crate::literature::{self, Paper};
+use crate::material::Material;
+use crate::numeric::interval::Interval;
+use crate::numeric::is_positive;
+use crate::numeric::lanes::Real;
+use hardness::EffectiveHardness;
+use modulus::EffectiveModulus;
+
+/// A layer of finite thickness on a substrate.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Coating {
+    inverse_thickness: f64,
+    modulus: EffectiveModulus,
+    hardness: Option<EffectiveHardness>,
+}
+
+/// A layered flat that has no effective properties.
+#[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
+pub enum CoatingError {
+    /// The thickness must be positive and finite; without a layer, and all layer, the flat is homogeneous.
+    #[error("thickness {0} m; allowed: positive and finite")]
+    Thickness(f64),
+    /// Both bodies must have a hardness, or neither.
+    #[error("only one of layer and substrate has a hardness; allowed: both, or neither")]
+    OneHardness,
+}
+
+/// From this part of the distance to +-i on, a panel to there resolves a pole beyond 0 as well.
+const FAR: f64 = 0.3;
+
+/// The flat as one asperity feels it.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Effective<N = f64> {
+    /// (1 - nu_eff^2)/E_eff, 1/Pa.
+    pub compliance: N,
+    /// d(compliance)/d ln w, 1/Pa.
+    pub compliance_slope: N,
+    /// H_eff (Eq. 16), Pa; infinite where neither body yields.
+    pub hardness: N,
+    /// d ln H_eff/d ln w.
+    pub hardness_slope: N,
+}
+
+/// Bounds of the same over a range of indentations and radii.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Bounds {
+    /// Of the compliance, 1/Pa.
+    pub compliance: Interval,
+    /// Of d(compliance)/d ln w, 1/Pa.
+    pub compliance_slope: Interval,
+    /// Of nu_eff.
+    pub poisson: Interval,
+    /// Of d nu_eff/d ln w.
+    pub poisson_slope: Interval,
+    /// Of H_eff, Pa.
+    pub hardness: Interval,
+    /// Of d ln H_eff/d ln w.
+    pub hardness_slope: Interval,
+}
+
+impl Coating {
+    /// A layer of `thickness` (m) on a substrate.
+    ///
+    /// # Errors
+    /// A thickness that is not positive and finite; a hardness of one body alone.
+    pub fn new(
+        layer: &Material,
+        substrate: &Material,
+        thickness: f64,
+        rule: Rule,
+    ) -> Result<Self, CoatingError> {
+        if !is_positive(thickness) {
+            return Err(CoatingError::Thickness(thickness));
+        }
+        if layer.hardness().is_some() != substrate.hardness().is_some() {
+            return Err(CoatingError::OneHardness);
+        }
+        Ok(Self {
+            inverse_thickness: thickness.recip(),
+            modulus: EffectiveModulus::new(rule, layer, substrate),
+            hardness: EffectiveHardness::new(layer, substrate),
+        })
+    }
+
+    /// The papers that its rules are from.
+    pub fn papers(&self) -> Vec<Paper> {
+        let mut papers = vec![literature::PASARIBU_SCHIPPER_2005, literature::GAO_CHIU_LEE_1992];
+        papers.push(match self.modulus.rule() {
+            Rule::Gao => literature::SWAIN_MENCIK_1994,
+            Rule::Series => literature::SONG_PHARR_1999,
+        });
+        papers.extend(self.hardness.map(|_| literature::BHATTACHARYA_NIX_1988));
+        papers
+    }
+
+    /// 1/xi = a/t with a = (b w)^.5 (Eqs. 19, 20).
+    #[inline(always)]
+    fn inverse<N: Real>(&self, w: N, b: N) -> N {
+        (b * w).sqrt() * self.inverse_thickness
+    }
+
+    /// The flat as asperities of radii `b` (m) feel it at indentations `w` (m).
+    #[inline(always)]
+    pub fn at<N: Real>(&self, w: N, b: N) -> Effective<N> {
+        let (compliance, compliance_slope) = self.modulus.compliance(self.inverse(w, b));
+        let (hardness, hardness_slope) = match &self.hardness {
+            Some(hardness) => hardness.at(w * self.inverse_thickness),
+            None => (w.splat(f64::INFINITY), w.splat(0.0)),
+        };
+        Effective { compliance, compliance_slope, hardness, hardness_slope }
+    }
+
+    /// nu_eff (Eq. 14) as the same asperities feel it, and d nu_eff/d ln w.
+    #[inline(always)]
+    pub fn poisson<N: Real>(&self, w: N, b: N) -> (N, N) {
+        self.modulus.poisson_and_slope(self.inverse(w, b))
+    }
+
+    /// nu_eff (Eq. 14) and E_eff (Eq. 15, Pa) as an asperity of radius `b` (m) feels them at indentation `w` (m).
+    pub fn elasticity(&self, w: f64, b: f64) -> (f64, f64) {
+        let poisson = self.modulus.poisson(self.inverse(w, b));
+        (poisson, (1.0 - poisson) * (1.0 + poisson) / self.at(w, b).compliance)
+    }
+
+    /// The same layer in another thickness (m).
+    ///
+    /// # Errors
+    /// A thickness that is not positive and finite.
+    pub fn with_thickness(&self, thickness: f64) -> Result<Self, CoatingError> {
+        if !is_positive(thickness) {
+            return Err(CoatingError::Thickness(thickness));
+        }
+        Ok(Self { inverse_thickness: thickness.recip(), ..self.clone() })
+    }
+
+    /// The flat as asperities of radii `b` feel it at indentations `w`.
+    pub fn over(&self, w: Interval, b: Interval) -> Bounds {
+        let inverse = Interval { low: self.inverse(w.low, b.low), high: self.inverse(w.high, b.high) };
+        let [(compliance, compliance_slope), (poisson, poisson_slope)] = self.modulus.over(inverse);
+        let never = (Interval::point(f64::INFINITY), Interval::point(0.0));
+        let depth = w * self.inverse_thickness;
+        let (hardness, hardness_slope) =
+            self.hardness.as_ref().map_or(never, |hardness| hardness.over(depth));
+        Bounds { compliance, compliance_slope, poisson, poisson_slope, hardness, hardness_slope }
+    }
+
+    /// Hardnesses at any indentation, Pa.
+    pub fn hardness_range(&self) -> Interval {
+        self.hardness.as_ref().map_or(Interval::point(f64::INFINITY), EffectiveHardness::range)
+    }
+
+    /// Poisson's ratios at any indentation.
+    pub fn poisson_range(&self) -> Interval {
+        self.modulus.poisson_range()
+    }
+
+    /// The indentation (m) at which the flat is as hard as `hardness` (Pa); `None` if it nowhere is.
+    pub fn indentation_of_hardness(&self, hardness: f64) -> Option<f64> {
+        Some(self.hardness.as_ref()?.reaching(hardness)? / self.inverse_thickness)
+    }
+
+    /// The indentation (m) beyond which the hardness is that of the substrate; 0 where nothing yields.
+    pub fn depth(&self) -> f64 {
+        self.hardness.as_ref().map_or(0.0, EffectiveHardness::end) / self.inverse_thickness
+    }
+
+    /// Indentations (m) that part ranges over which the modulus that an asperity of radius `b` (m) feels changes
+    /// smoothly, with `beside` (1/Pa) the compliance of the other body: in w^.5 it has its singularities at a = +-i t,
+    /// and a pole beyond a = 0 where the two compliances are opposite.
+    pub fn modulus_scales(&self, b: f64, beside: f64) -> impl Iterator<Item = f64> {
+        let pole = self.modulus.pole(beside).min(1.0);
+        let thickness = self.inverse_thickness.recip();
+        let scales = [pole, 1.0].into_iter().skip(usize::from(pole > FAR));
+        scales.map(move |inverse| (inverse * thickness).powi(2) / b)
+    }
+
+    /// The same for the hardness: those of 1/H_eff.
+    pub fn hardness_scales(&self) -> Vec<f64> {
+        let depths = self.hardness.as_ref().map(EffectiveHardness::scales).unwrap_or_default();
+        depths.into_iter().map(|depth| depth / self.inverse_thickness).collect()
+    }
+}

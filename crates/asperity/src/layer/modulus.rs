@@ -1,0 +1,261 @@
+//! The effective modulus and Poisson's ratio of a layered flat (Pasaribu and Schipper 2005, Eqs. 14, 15, 17-19).
+
+use std::ops::Range;
+use std::sync::{Arc, OnceLock};
+
+use super::weights::{LOG_PEAK, POLE_PEAK, SWELL_PEAK, Weights};
+use crate::material::Material;
+use crate::numeric::interval::Interval;
+use crate::numeric::lanes::Real;
+use crate::numeric::table::Table;
+
+/// The octaves of a/t that the tables cover.
+const OCTAVES: Range<i32> = -24..24;
+
+/// How the moduli of layer and substrate are put together.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
+#[cfg_attr(feature = "serde", derive(serde::Deserialize))]
+#[cfg_attr(feature = "serde", serde(rename_all = "kebab-case"))]
+pub enum Rule {
+    /// E_eff = E_s + (E_l - E_s) I0 (Eq. 15; Gao, Chiu and Lee 1992, Swain and Mencik 1994): exact to first order
+    /// in the mismatch, good for E_l/E_s of 0.5 to 2.
+    #[default]
+    Gao,
+    /// 1/mu = (1 - I0)/mu_s + I0/mu_l, mu the shear modulus (Song and Pharr 1999): the same weights in series.
+    Series,
+}
+
+impl Rule {
+    /// Both.
+    pub const ALL: [Self; 2] = [Self::Gao, Self::Series];
+
+    /// The name that specs and tables use.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Gao => "gao",
+            Self::Series => "series",
+        }
+    }
+}
+
+/// One of the two bodies, and the way from it to the other.
+#[derive(Debug, Clone, Copy, PartialEq)]
+struct Side {
+    poisson: f64,
+    poisson_step: f64,
+    /// E under Gao's rule, 1/mu in series.
+    modulus: f64,
+    modulus_step: f64,
+}
+
+/// What a pair of materials is by one rule, whatever the thickness of the layer: a function of a/t.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct EffectiveModulus {
+    sides: Sides,
+    /// The compliance. It is analytic but at 0, at +-i, and where E_eff vanishes, which is never nearer to the positive
+    /// axis than to 0. One polynomial takes the place of an arctangent, a logarithm and ten divisions.
+    table: Arc<Table>,
+    /// Of nu_eff; made when a law first asks for it.
+    poisson: Arc<OnceLock<Table>>,
+}
+
+#[derive(Debug, Clone, Copy, PartialEq)]
+struct Sides {
+    rule: Rule,
+    layer: Side,
+    substrate: Side,
+}
+
+impl EffectiveModulus {
+    pub(super) fn new(rule: Rule, layer: &Material, substrate: &Material) -> Self {
+        let sides = Sides::new(rule, layer, substrate);
+        let table = Table::of(OCTAVES, |inverse| sides.at(inverse).0);
+        Self { sides, table: Arc::new(table), poisson: Arc::default() }
+    }
+
+    pub(super) fn rule(&self) -> Rule {
+        self.sides.rule
+    }
+
+    /// nu_eff (Eq. 14) at `inverse` = 1/xi = a/t.
+    pub(super) fn poisson(&self, inverse: f64) -> f64 {
+        self.sides.poisson(&Weights::at(inverse))
+    }
+
+    /// What the flat contributes to 1/E*, (1 - nu_eff^2)/E_eff in 1/Pa, and d/d ln w of it, at each `inverse` =
+    /// 1/xi = a/t.
+    #[inline(always)]
+    pub(super) fn compliance<N: Real>(&self, inverse: N) -> (N, N) {
+        let (value, slope) = match self.table.at(inverse) {
+            Some(found) => found,
+            None => self.outside(inverse),
+        };
+        // a grows as the square root of w.
+        (value, slope * 0.5)
+    }
+
+    #[inline(always)]
+    fn outside<N: Real>(&self, inverse: N) -> (N, N) {
+        let [value, slope] = inverse.each(|inverse| self.sides.at(inverse).into());
+        (value, slope)
+    }
+
+    /// nu_eff (Eq. 14) and d/d ln w of it at each `inverse` = 1/xi = a/t.
+    #[inline(always)]
+    pub(super) fn poisson_and_slope<N: Real>(&self, inverse: N) -> (N, N) {
+        let sides = &self.sides;
+        let table = self.poisson.get_or_init(|| Table::of(OCTAVES, |x| sides.poisson(&Weights::at(x))));
+        let [value, slope] = match table.at(inverse) {
+            Some(found) => found.into(),
+            None => inverse.each(|inverse| {
+                let weights = Weights::at(inverse);
+                // ln xi falls as ln a grows.
+                [sides.poisson(&weights), -sides.substrate.poisson_step * weights.log]
+            }),
+        };
+        (value, slope * 0.5)
+    }
+
+    /// Those of layer and substrate, and all between.
+    pub(super) fn poisson_range(&self) -> Interval {
+        Interval::between(self.sides.layer.poisson, self.sides.substrate.poisson)
+    }
+
+    /// How far beyond 0 the compliance is -`beside` (1/Pa), in a/t: E_eff, or 1/mu_eff in series, grows linearly from
+    /// that of the layer. Infinite where it falls instead.
+    pub(super) fn pole(&self, beside: f64) -> f64 {
+        /// Where what is not linear is below rounding.
+        const NEAR: f64 = 1e-9;
+        let (value, slope) = self.sides.at(NEAR);
+        let growth = slope / (value * NEAR);
+        let pole = match self.sides.rule {
+            Rule::Gao => (1.0 + value / beside) / -growth,
+            Rule::Series => (1.0 + beside / value) / growth,
+        };
+        if pole > 0.0 { pole } else { f64::INFINITY }
+    }
+
+    /// All compliances and nu_eff at the 1/xi of `inverse`, each with all its d/d ln w.
+    pub(super) fn over(&self, inverse: Interval) -> [(Interval, Interval); 2] {
+        self.sides.over(inverse).map(|(value, slope)| (value, slope * 0.5))
+    }
+}
+
+impl Sides {
+    fn new(rule: Rule, layer: &Material, substrate: &Material) -> Self {
+        let modulus = |body: &Material| match rule {
+            Rule::Gao => body.young(),
+            Rule::Series => 2.0 * (1.0 + body.poisson()) / body.young(),
+        };
+        let side = |from: &Material, to: &Material| Side {
+            poisson: from.poisson(),
+            poisson_step: to.poisson() - from.poisson(),
+            modulus: modulus(from),
+            modulus_step: modulus(to) - modulus(from),
+        };
+        Self { rule, layer: side(layer, substrate), substrate: side(substrate, layer) }
+    }
+
+    /// The body that weighs more.
+    #[inline]
+    fn side(&self, weights: &Weights) -> &Side {
+        if weights.in_layer { &self.layer } else { &self.substrate }
+    }
+
+    /// nu_eff (Eq. 14).
+    #[inline]
+    fn poisson(&self, weights: &Weights) -> f64 {
+        let side = self.side(weights);
+        side.poisson + side.poisson_step * weights.of_poisson()
+    }
+
+    /// E_eff (Eq. 15), or 1/mu_eff.
+    #[inline]
+    fn modulus(&self, weights: &Weights, poisson: f64) -> f64 {
+        let side = self.side(weights);
+        side.modulus + side.modulus_step * weights.of_modulus(poisson)
+    }
+
+    /// The compliance at `inverse` = 1/xi, and its d/d ln(1/xi).
+    fn at(&self, inverse: f64) -> (f64, f64) {
+        let weights = Weights::at(inverse);
+        let poisson = self.poisson(&weights);
+        let modulus = self.modulus(&weights, poisson);
+        // Derivatives in ln xi: of nu, of I0 at fixed nu and through nu, of E or 1/mu.
+        let poisson_slope = self.substrate.poisson_step * weights.log;
+        let rest = (1.0 - poisson).recip();
+        let weight_slope = weights.slope_of_modulus(poisson)
+            - 0.5 * (weights.log + weights.pole) * rest * rest * poisson_slope;
+        let modulus_slope = self.substrate.modulus_step * weight_slope / modulus;
+        let (value, slope) = match self.rule {
+            Rule::Gao => (
+                (1.0 - poisson) * (1.0 + poisson) / modulus,
+                -2.0 * poisson * rest / (1.0 + poisson) * poisson_slope - modulus_slope,
+            ),
+            Rule::Series => (0.5 * (1.0 - poisson) * modulus, modulus_slope - rest * poisson_slope),
+        };
+        (value, -value * slope)
+    }
+
+    /// All values of [`Self::at`], and of nu_eff and its d/d ln(1/xi): nu_eff follows I1, which grows with xi; I0 grows
+    /// with xi and falls with nu. The three humps in the slope are bounded by their ends and peaks.
+    fn over(&self, inverse: Interval) -> [(Interval, Interval); 2] {
+        let (thick, thin) = (Weights::at(inverse.low), Weights::at(inverse.high));
+        let poisson = Interval::between(self.poisson(&thick), self.poisson(&thin));
+        let modulus = Interval::between(self.modulus(&thick, poisson.low), self.modulus(&thin, poisson.high));
+        let hump = |value: fn(&Weights) -> f64, peak: f64| {
+            let ends = Interval::between(value(&thick), value(&thin));
+            if inverse.holds(peak) { ends.hull(Interval::point(value(&Weights::at(peak)))) } else { ends }
+        };
+        let log = hump(|weights| weights.log, LOG_PEAK);
+        let pole = hump(|weights| weights.pole, POLE_PEAK);
+        let swell = hump(Weights::swell, SWELL_PEAK);
+
+        let rest = (-poisson + 1.0).recip();
+        let poisson_slope = log * self.substrate.poisson_step;
+        let weight_slope = (swell + (poisson * -2.0 + 1.0) * log) * rest * 0.5
+            - (log + pole) * rest * rest * poisson_slope * 0.5;
+        let modulus_slope = weight_slope * modulus.recip() * self.substrate.modulus_step;
+        let (value, slope) = match self.rule {
+            Rule::Gao => {
+                let plane = Interval::between(
+                    (1.0 - poisson.low) * (1.0 + poisson.low),
+                    (1.0 - poisson.high) * (1.0 + poisson.high),
+                );
+                let share = poisson * rest * (poisson + 1.0).recip();
+                (plane * modulus.recip(), -(share * poisson_slope * 2.0) - modulus_slope)
+            }
+            Rule::Series => ((-poisson + 1.0) * modulus * 0.5, modulus_slope - rest * poisson_slope),
+        };
+        // ln xi falls as ln(1/xi) grows.
+        [(value, -(value * slope)), (poisson, -poisson_slope)]
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// However far the moduli lie apart: no zero of E_eff comes near the axis.
+    #[test]
+    fn the_table_is_the_formula() {
+        let mut worst = (0.0f64, 0.0f64);
+        for rule in Rule::ALL {
+            for ratio in [1e-6, 1e-3, 0.1, 0.9, 1.1, 10.0, 1e3, 1e6] {
+                for (nu_layer, nu_substrate) in [(0.0, 0.499), (0.499, 0.0), (0.3, 0.3)] {
+                    let body = |young, nu| Material::new(young, nu, None, None).unwrap();
+                    let pair = (body(ratio * 1e11, nu_layer), body(1e11, nu_substrate));
+                    let modulus = EffectiveModulus::new(rule, &pair.0, &pair.1);
+                    for k in -4000..4000 {
+                        let inverse = (f64::from(k) * 4.1e-3).exp();
+                        let (value, slope) = modulus.table.at(inverse).unwrap();
+                        let (exact, exact_slope) = modulus.sides.at(inverse);
+                        worst.0 = worst.0.max((value / exact - 1.0).abs());
+                        worst.1 = worst.1.max((slope - exact_slope).abs() / exact);
+                    }
+                }
+            }
+        }
+        assert!(worst.0 < 5e-15 && worst.1 < 5e-12, "{worst:?}");
+    }
+}

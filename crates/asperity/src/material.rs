@@ -1,0 +1,134 @@
+//! Bodies and what a pair of them is to a micro-contact.
+
+use crate::numeric::is_positive;
+
+/// One body. Build it with [`Material::new`]: a value of this type is always usable.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Material {
+    young: f64,
+    poisson: f64,
+    hardness: Option<f64>,
+    yield_strength: Option<f64>,
+}
+
+/// A property that no body can have.
+#[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
+pub enum MaterialError {
+    /// Young's modulus must be positive and finite.
+    #[error("Young's modulus {0} Pa; allowed: positive and finite")]
+    Young(f64),
+    /// Poisson's ratio must lie in [0, 0.5).
+    #[error("Poisson's ratio {0}; allowed: at least 0 and below 0.5")]
+    Poisson(f64),
+    /// Hardness must be positive and finite; a body that never yields has none.
+    #[error("hardness {0} Pa; allowed: positive and finite, or left out for a body that never yields")]
+    Hardness(f64),
+    /// Yield strength must be positive and finite.
+    #[error("yield strength {0} Pa; allowed: positive and finite, or left out")]
+    YieldStrength(f64),
+}
+
+impl Material {
+    /// A body of Young's modulus (Pa), Poisson's ratio in [0, 0.5), and hardness and yield
+    /// strength (Pa) where they are known. Without a hardness it never yields.
+    ///
+    /// # Errors
+    /// The first property that is out of range.
+    pub fn new(
+        young: f64,
+        poisson: f64,
+        hardness: Option<f64>,
+        yield_strength: Option<f64>,
+    ) -> Result<Self, MaterialError> {
+        let unusable = |value: Option<f64>| value.filter(|&v| !is_positive(v));
+        if !is_positive(young) {
+            return Err(MaterialError::Young(young));
+        }
+        if !(0.0..0.5).contains(&poisson) {
+            return Err(MaterialError::Poisson(poisson));
+        }
+        if let Some(value) = unusable(hardness) {
+            return Err(MaterialError::Hardness(value));
+        }
+        if let Some(value) = unusable(yield_strength) {
+            return Err(MaterialError::YieldStrength(value));
+        }
+        Ok(Self { young, poisson, hardness, yield_strength })
+    }
+
+    /// Young's modulus, Pa.
+    pub fn young(&self) -> f64 {
+        self.young
+    }
+
+    /// Poisson's ratio.
+    pub fn poisson(&self) -> f64 {
+        self.poisson
+    }
+
+    /// Hardness, Pa; `None` for a body that never yields.
+    pub fn hardness(&self) -> Option<f64> {
+        self.hardness
+    }
+
+    /// Yield strength, Pa, where it is known.
+    pub fn yield_strength(&self) -> Option<f64> {
+        self.yield_strength
+    }
+
+    /// The same body if it never yielded.
+    pub fn without_yielding(&self) -> Self {
+        Self { hardness: None, yield_strength: None, ..*self }
+    }
+
+    /// What the body contributes to 1/E*: (1 - nu^2)/E, 1/Pa.
+    pub fn plane_compliance(&self) -> f64 {
+        (1.0 - self.poisson) * (1.0 + self.poisson) / self.young
+    }
+}
+
+/// Reduced modulus of two bodies, Pa (Pasaribu and Schipper 2005, Eq. 3):
+/// 1/E* = (1 - nu1^2)/E1 + (1 - nu2^2)/E2.
+pub fn reduced_modulus(one: &Material, other: &Material) -> f64 {
+    (one.plane_compliance() + other.plane_compliance()).recip()
+}
+
+/// Hardness of the softer body, Pa; infinite where neither yields.
+pub fn softer_hardness(one: &Material, other: &Material) -> f64 {
+    let hardness = |body: &Material| body.hardness.unwrap_or(f64::INFINITY);
+    hardness(one).min(hardness(other))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn steel() -> Material {
+        Material::new(210e9, 0.3, Some(7.6e9), None).unwrap()
+    }
+
+    #[test]
+    fn reduced_modulus_of_equal_bodies_is_half_the_plane_strain_modulus() {
+        let plane_strain = 210e9 / 0.91;
+        assert!((reduced_modulus(&steel(), &steel()) / (plane_strain / 2.0) - 1.0).abs() < 1e-15);
+    }
+
+    #[test]
+    fn the_softer_body_sets_the_hardness_and_a_missing_one_never_yields() {
+        let rigid = Material::new(1e12, 0.1, None, None).unwrap();
+        assert_eq!(softer_hardness(&steel(), &rigid), 7.6e9);
+        assert_eq!(softer_hardness(&rigid, &rigid), f64::INFINITY);
+    }
+
+    #[test]
+    fn impossible_bodies_are_refused() {
+        for young in [0.0, -1.0, f64::NAN, f64::INFINITY] {
+            assert!(matches!(Material::new(young, 0.3, None, None), Err(MaterialError::Young(_))));
+        }
+        for poisson in [-0.1, 0.5, f64::NAN] {
+            assert!(matches!(Material::new(1e9, poisson, None, None), Err(MaterialError::Poisson(_))));
+        }
+        assert!(Material::new(1e9, 0.0, Some(0.0), None).is_err());
+        assert!(Material::new(1e9, 0.0, None, Some(f64::NAN)).is_err());
+    }
+}

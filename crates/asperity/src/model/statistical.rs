@@ -1,0 +1,313 @@
+//! The statistical model: a height density and one mean radius (Zhao, Maietta and Chang 2000).
+
+use rayon::prelude::*;
+
+use super::load_control::LOWEST_SEPARATION;
+use super::{Datum, Model, Response};
+use crate::asperity::{HeightDensity, Population, Statistics};
+use crate::interface::MicroContact;
+use crate::law::Shape;
+use crate::numeric::lanes::{Real, Work, run};
+use crate::numeric::quadrature::{NODES, Piece, Variable, pieces};
+use crate::numeric::root::last_reaching;
+use crate::tally::{Tally, Total};
+
+/// E-foldings of the density that one panel resolves to full accuracy.
+const FOLDINGS_PER_PANEL: f64 = 20.0;
+
+/// The same where the density rises and falls again within the panel's segment.
+const FOLDINGS_PER_BELL: f64 = 8.0;
+
+/// Breakpoints below this part of the window are left out.
+const NEGLIGIBLE: f64 = 1e-40;
+
+/// Ratio of a panel's ends up to which it resolves a logarithm in w to full accuracy.
+const RATIO_PER_PANEL: f64 = 56.0;
+
+/// Which mean stands for all radii.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
+#[cfg_attr(feature = "serde", derive(serde::Deserialize))]
+#[cfg_attr(feature = "serde", serde(rename_all = "kebab-case"))]
+pub enum MeanRadius {
+    /// The arithmetic mean (Pasaribu and Schipper 2005, Table 1).
+    #[default]
+    Arithmetic,
+    /// 1/(mean curvature).
+    InverseMeanCurvature,
+}
+
+impl MeanRadius {
+    /// The radius that stands for the set with these statistics, m.
+    pub fn of(self, statistics: &Statistics) -> f64 {
+        match self {
+            Self::Arithmetic => statistics.mean_radius,
+            Self::InverseMeanCurvature => statistics.radius_of_mean_curvature,
+        }
+    }
+}
+
+/// The micro-contact integrated over a height density:
+///
+/// ```text
+/// A/A_nom = eta int A(z - d) f(z) dz,   p = eta int P(z - d) f(z) dz,   z from d
+/// ```
+///
+/// by Gauss-Legendre panels between the breakpoints of the micro-contact, in w with the density
+/// relative to its value at d: the far tail keeps full relative accuracy.
+#[derive(Debug, Clone)]
+pub struct Statistical<'a, C: ?Sized> {
+    contact: &'a C,
+    population: Population,
+    /// Of every asperity.
+    shape: Shape,
+    datum: Datum,
+    /// Of the contact of one asperity, in units of sigma.
+    breakpoints: Vec<f64>,
+    /// Those at which the load jumps, and by how much, N.
+    jumps: Vec<(f64, f64)>,
+}
+
+impl<'a, C: MicroContact + ?Sized> Statistical<'a, C> {
+    /// The model of a population, with separations from its mean asperity height in its sigma.
+    pub fn new(contact: &'a C, population: Population) -> Self {
+        Self::of_shape(contact, population, Shape::sphere(population.radius))
+    }
+
+    /// The model of a population of another shape than spheres of its radius.
+    pub fn of_shape(contact: &'a C, population: Population, shape: Shape) -> Self {
+        let sigma = population.sigma;
+        let breakpoints: Vec<f64> = contact.breakpoints(shape).into_iter().map(|w| w / sigma).collect();
+        let jump = |&x: &f64| Some((x, jump(contact, shape, x * sigma)?));
+        let jumps = breakpoints.iter().filter_map(jump).collect();
+        Self { contact, population, shape, datum: Datum { mean: 0.0, sigma }, breakpoints, jumps }
+    }
+
+    /// The same model with separations measured as `datum` says, its mean relative to the mean
+    /// asperity height.
+    pub fn quoted_from(self, datum: Datum) -> Self {
+        Self { datum, ..self }
+    }
+
+    /// A quoted separation as the standardised one that the density knows.
+    fn standardised(&self, h: f64) -> f64 {
+        if self.is_quoted_as_it_is() {
+            h
+        } else {
+            (self.datum.mean + h * self.datum.sigma) / self.population.sigma
+        }
+    }
+
+    /// The inverse of [`Statistical::standardised`].
+    fn quoted(&self, h: f64) -> f64 {
+        if self.is_quoted_as_it_is() {
+            h
+        } else {
+            (h * self.population.sigma - self.datum.mean) / self.datum.sigma
+        }
+    }
+
+    /// Then d/sigma goes through unrounded, which the far tail needs.
+    fn is_quoted_as_it_is(&self) -> bool {
+        self.datum == Datum { mean: 0.0, sigma: self.population.sigma }
+    }
+
+    /// The total at the standardised separation `h`, per asperity, over the density's factor [`HeightDensity::scale`]:
+    /// with it, the part of one asperity is denormal in the far tail though that of all is not.
+    fn total(&self, h: f64) -> Total {
+        let Population { sigma, heights, .. } = self.population;
+        let mut tally = Tally::default();
+        if heights.scale(h) == 0.0 {
+            return tally.total();
+        }
+        let [start, end] = heights.window(h);
+        // What lies nearer to zero than this carries nothing, and would take panels without end.
+        let nearest = NEGLIGIBLE * end;
+        let breakpoints = &self.breakpoints[self.breakpoints.partition_point(|&x| x <= nearest)..];
+        let ends = breakpoints.iter().copied().chain([end]);
+        let mut samples = Samples::default();
+        let mut from = start;
+        for (segment, to) in ends.enumerate() {
+            let to = to.min(end);
+            if to <= from {
+                continue;
+            }
+            for [low, high] in spans(from, to, segment > 0) {
+                let resolved =
+                    if heights.turns(h, low, high) { FOLDINGS_PER_BELL } else { FOLDINGS_PER_PANEL };
+                let count = (heights.foldings(h, low, high) / resolved).ceil().max(1.0) as usize;
+                for piece in pieces(low, high, Variable::SquareRoot, count) {
+                    if samples.count == Samples::MOST {
+                        self.weigh(&mut samples, &mut tally);
+                    }
+                    run(WithDensity { piece, samples: &mut samples, heights, h, sigma });
+                }
+            }
+            from = to;
+        }
+        self.weigh(&mut samples, &mut tally);
+        // dp/dd has a contribution of its own where the load jumps.
+        for &(x, load) in self.jumps.iter().filter(|(x, _)| *x > nearest && (start..end).contains(x)) {
+            tally.add_jump(load * (-heights.exponent(h, x)).exp() / sigma);
+        }
+        tally.total()
+    }
+
+    fn weigh(&self, samples: &mut Samples, tally: &mut Tally) {
+        let Samples { points, weights, count } = samples;
+        self.contact.weigh(&points[..*count], &weights[..*count], self.shape, tally);
+        *count = 0;
+    }
+
+    /// Nominal pressure at the quoted separation `h`, Pa.
+    fn pressure(&self, h: f64) -> f64 {
+        self.respond(h).pressure.total()
+    }
+}
+
+/// By how much the load jumps at the indentation `w` (m), N; `None` where it does not.
+fn jump<C: MicroContact + ?Sized>(contact: &C, shape: Shape, w: f64) -> Option<f64> {
+    /// This part of a breakpoint lies to either side of it: more than the rounding of where a load jumps.
+    const BESIDE: f64 = 1e-12;
+    /// Loads differ by so much of them through rounding.
+    const ROUNDING: f64 = 32.0 * f64::EPSILON;
+    let step = BESIDE * w;
+    let [below, above] = [-step, step].map(|step| contact.contact(w + step, shape));
+    let jump = above.load - below.load - (below.stiffness + above.stiffness) * step;
+    (jump.abs() > ROUNDING * above.load).then_some(jump)
+}
+
+/// Nodes of some panels, for which contacts are asked at once.
+struct Samples {
+    /// Indentations, m.
+    points: [f64; Self::MOST],
+    weights: [f64; Self::MOST],
+    count: usize,
+}
+
+impl Samples {
+    /// Those of four panels. Beyond them contacts are asked for in turns.
+    const MOST: usize = 4 * NODES;
+}
+
+impl Default for Samples {
+    fn default() -> Self {
+        Self { points: [0.0; Self::MOST], weights: [0.0; Self::MOST], count: 0 }
+    }
+}
+
+/// Adds the nodes of a piece: indentations, and weights with the density beyond the separation `h`, in units of its scale.
+struct WithDensity<'a> {
+    piece: Piece,
+    samples: &'a mut Samples,
+    heights: HeightDensity,
+    h: f64,
+    sigma: f64,
+}
+
+impl Work for WithDensity<'_> {
+    type Output = ();
+
+    #[inline(always)]
+    fn with<N: Real>(self, zero: N) {
+        let Self { piece, samples, heights, h, sigma } = self;
+        let points = &mut samples.points[samples.count..][..NODES];
+        let weights = &mut samples.weights[samples.count..][..NODES];
+        for k in (0..NODES).step_by(N::LANES) {
+            let [x, weight] = piece.sample(k, zero);
+            (weight * (-heights.exponent(h, x)).exp()).store(&mut weights[k..]);
+            (x * sigma).store(&mut points[k..]);
+        }
+        samples.count += NODES;
+    }
+}
+
+/// [from, to] in pieces whose ends have a bounded ratio, where the answer holds a logarithm of w.
+fn spans(from: f64, to: f64, logarithmic: bool) -> impl Iterator<Item = [f64; 2]> {
+    let ratio = to / from;
+    let count = if logarithmic { (ratio.ln() / RATIO_PER_PANEL.ln()).ceil().max(1.0) as i32 } else { 1 };
+    let end = move |k: i32| match k {
+        0 => from,
+        k if k == count => to,
+        k => from * ratio.powf(f64::from(k) / f64::from(count)),
+    };
+    (0..count).map(move |k| [end(k), end(k + 1)])
+}
+
+impl<C: MicroContact + ?Sized> Model for Statistical<'_, C> {
+    fn datum(&self) -> Datum {
+        self.datum
+    }
+
+    fn respond_all(&self, separations: &[f64]) -> Vec<Response> {
+        /// Integrals that are worth a task.
+        const MANY: usize = 64;
+        let Population { density, heights, .. } = self.population;
+        separations
+            .par_iter()
+            .with_min_len(MANY)
+            .map(|&h| {
+                let standardised = self.standardised(h);
+                let per_area = density * heights.scale(standardised);
+                Response::new(h, self.datum, &self.total(standardised), per_area)
+            })
+            .collect()
+    }
+
+    /// Where the density falls with height, so does the pressure with the separation, whatever the
+    /// load does with w: -dp/dd = -int P f' dz. Nearer than the mode a falling load can make it fall.
+    /// The density is smooth there on the scale of sigma: within a small step the pressure turns once
+    /// at the most, and its slope at both ends tells.
+    fn may_fall(&self) -> bool {
+        !self.contact.may_fall(self.shape.into()).is_empty()
+    }
+
+    fn separations_at(&self, pressures: &[f64]) -> Vec<Option<f64>> {
+        let density = self.population.heights;
+        let highest = self.quoted(density.highest_separation());
+        let mode = self.quoted(density.mode()).max(LOWEST_SEPARATION);
+        let may_fall = self.may_fall();
+        let low = if may_fall { mode } else { LOWEST_SEPARATION };
+        let mut found = self.last_reaching(pressures, low, highest);
+        if may_fall {
+            let missing = found.par_iter_mut().zip(pressures).filter(|(found, _)| found.is_none());
+            missing.for_each(|(found, &pressure)| *found = self.last_reaching_below(mode, pressure));
+        }
+        found
+    }
+}
+
+impl<C: MicroContact + ?Sized> Statistical<'_, C> {
+    /// The largest separation with at least `pressure` (Pa) below the mode of the density.
+    fn last_reaching_below(&self, mode: f64, pressure: f64) -> Option<f64> {
+        /// Steps of the walk, in sigma.
+        const STEP: f64 = 1.0 / 16.0;
+        let search = |low, high| last_reaching(|h| self.pressure(h), pressure, low, high);
+        let steps = ((mode - LOWEST_SEPARATION) / STEP).ceil() as i32;
+        let end = |k: i32| (mode - STEP * f64::from(k)).max(LOWEST_SEPARATION);
+        (0..steps).find_map(|k| {
+            let (low, high) = (end(k + 1), end(k));
+            search(low, high).or_else(|| search(self.peak(low, high)?, high))
+        })
+    }
+
+    /// The separation between `low` and `high` at which the pressure is highest, if it rises on
+    /// approach from `high` and has fallen at `low`.
+    fn peak(&self, low: f64, high: f64) -> Option<f64> {
+        /// Halvings of a step, down to rounding.
+        const HALVINGS: usize = 50;
+        let rises = |h: f64| self.respond(h).stiffness > 0.0;
+        if rises(low) || !rises(high) {
+            return None;
+        }
+        let (mut fallen, mut rising) = (low, high);
+        for _ in 0..HALVINGS {
+            let middle = 0.5 * (fallen + rising);
+            if rises(middle) {
+                rising = middle;
+            } else {
+                fallen = middle;
+            }
+        }
+        Some(rising)
+    }
+}

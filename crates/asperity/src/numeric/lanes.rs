@@ -1,0 +1,598 @@
+//! Real numbers side by side: a formula is written once, for one number or for as many as a register of the machine
+//! holds.
+//!
+//! [`run`] chooses the widest registers that the machine has, whatever machine the program was built for. Everything
+//! below it must be `#[inline(always)]`: only what is inlined is compiled for those registers. A closure cannot be told to
+//! be, so none takes or gives lanes.
+
+use std::ops::{Add, BitAnd, BitOr, Div, Mul, Neg, Not, Sub};
+use std::sync::LazyLock;
+
+use pulp::{Arch, Simd, WithSimd};
+
+use super::WHOLES;
+
+/// The most lanes that any machine has here.
+pub const MOST: usize = 8;
+
+/// Which of some numbers side by side.
+pub trait Mask: Copy + BitAnd<Output = Self> + BitOr<Output = Self> + Not<Output = Self> {
+    /// Whether one at least.
+    fn any(self) -> bool;
+
+    /// Whether every one.
+    #[inline(always)]
+    fn all(self) -> bool {
+        !(!self).any()
+    }
+}
+
+/// One real number, or several side by side.
+pub trait Real:
+    Copy
+    + Add<Output = Self>
+    + Sub<Output = Self>
+    + Mul<Output = Self>
+    + Div<Output = Self>
+    + Neg<Output = Self>
+    + Add<f64, Output = Self>
+    + Sub<f64, Output = Self>
+    + Mul<f64, Output = Self>
+    + Div<f64, Output = Self>
+{
+    /// Some of the lanes.
+    type Mask: Mask;
+
+    /// How many there are side by side, at most [`MOST`].
+    const LANES: usize;
+
+    /// `value` in every lane of a number such as `self`.
+    fn splat(self, value: f64) -> Self;
+
+    /// The first numbers of `values`, which holds as many as there are lanes at least.
+    fn load(self, values: &[f64]) -> Self;
+
+    /// The lanes from `lane` on, which there is.
+    fn lanes_from(self, lane: usize) -> Self::Mask;
+
+    /// Writes all lanes to the first places of `values`.
+    fn store(self, values: &mut [f64]);
+
+    /// The square root.
+    fn sqrt(self) -> Self;
+
+    /// The natural logarithm of a positive, normal number, within 1 ulp.
+    fn ln(self) -> Self;
+
+    /// e to the power of a number from -700 to 700, within 1 ulp; below that next to 0.
+    #[inline(always)]
+    fn exp(self) -> Self {
+        self.exp_and_exp_m1().0
+    }
+
+    /// The same, and what it is less 1, within 2 ulp.
+    fn exp_and_exp_m1(self) -> (Self, Self);
+
+    /// self * factor + term, rounded once where the machine can.
+    fn times_plus(self, factor: Self, term: Self) -> Self;
+
+    /// Where it is below `other`.
+    fn below(self, other: Self) -> Self::Mask;
+
+    /// Where it is below `other` or equal.
+    fn at_most(self, other: Self) -> Self::Mask;
+
+    /// The numbers of `yes` where `mask` is, those of `no` elsewhere.
+    fn choose(mask: Self::Mask, yes: Self, no: Self) -> Self;
+
+    /// All lanes.
+    #[inline(always)]
+    fn everywhere(self) -> Self::Mask {
+        let zero = self.splat(0.0);
+        zero.at_most(zero)
+    }
+
+    /// `of` each lane by itself: for what has no formula side by side.
+    #[inline(always)]
+    fn each<const K: usize>(self, mut of: impl FnMut(f64) -> [f64; K]) -> [Self; K] {
+        let mut lanes = [0.0; MOST];
+        self.store(&mut lanes);
+        let mut rows = [[0.0; K]; MOST];
+        for (row, &x) in rows.iter_mut().zip(&lanes[..Self::LANES]) {
+            *row = of(x);
+        }
+        // Written out, compilers put a column together in a register.
+        let [a, b, c, d, e, f, g, h] = &rows;
+        let mut columns = [self; K];
+        for (k, column) in columns.iter_mut().enumerate() {
+            *column = self.load(&[a[k], b[k], c[k], d[k], e[k], f[k], g[k], h[k]]);
+        }
+        columns
+    }
+
+    /// The first lane.
+    #[inline(always)]
+    fn first(self) -> f64 {
+        let mut lanes = [0.0; MOST];
+        self.store(&mut lanes);
+        lanes[0]
+    }
+
+    /// The smaller of both.
+    #[inline(always)]
+    fn lesser(self, other: Self) -> Self {
+        Self::choose(other.below(self), other, self)
+    }
+
+    /// A polynomial, its coefficients from the highest power down.
+    #[inline(always)]
+    fn polynomial(self, coefficients: &[f64]) -> Self {
+        let mut sum = self.splat(coefficients[0]);
+        for &coefficient in &coefficients[1..] {
+            sum = sum.times_plus(self, self.splat(coefficient));
+        }
+        sum
+    }
+}
+
+impl Mask for bool {
+    #[inline(always)]
+    fn any(self) -> bool {
+        self
+    }
+}
+
+impl Real for f64 {
+    type Mask = bool;
+
+    const LANES: usize = 1;
+
+    #[inline(always)]
+    fn splat(self, value: f64) -> Self {
+        value
+    }
+
+    #[inline(always)]
+    fn load(self, values: &[f64]) -> Self {
+        values[0]
+    }
+
+    #[inline(always)]
+    fn lanes_from(self, _: usize) -> bool {
+        true
+    }
+
+    #[inline(always)]
+    fn store(self, values: &mut [f64]) {
+        values[0] = self;
+    }
+
+    #[inline(always)]
+    fn sqrt(self) -> Self {
+        self.sqrt()
+    }
+
+    #[inline(always)]
+    fn ln(self) -> Self {
+        self.ln()
+    }
+
+    #[inline(always)]
+    fn exp_and_exp_m1(self) -> (Self, Self) {
+        (self.exp(), self.exp_m1())
+    }
+
+    #[inline(always)]
+    fn times_plus(self, factor: Self, term: Self) -> Self {
+        self * factor + term
+    }
+
+    #[inline(always)]
+    fn below(self, other: Self) -> bool {
+        self < other
+    }
+
+    #[inline(always)]
+    fn at_most(self, other: Self) -> bool {
+        self <= other
+    }
+
+    #[inline(always)]
+    fn choose(mask: bool, yes: Self, no: Self) -> Self {
+        if mask { yes } else { no }
+    }
+}
+
+/// As many numbers as a register holds.
+#[derive(Clone, Copy)]
+pub struct Register<S: Simd> {
+    simd: S,
+    lanes: S::f64s,
+}
+
+/// Some lanes of a register.
+#[derive(Clone, Copy)]
+pub struct RegisterMask<S: Simd> {
+    simd: S,
+    lanes: S::m64s,
+}
+
+impl<S: Simd> Mask for RegisterMask<S> {
+    #[inline(always)]
+    fn any(self) -> bool {
+        self.simd.first_true_m64s(self.lanes) < S::F64_LANES
+    }
+}
+
+impl<S: Simd> BitAnd for RegisterMask<S> {
+    type Output = Self;
+
+    #[inline(always)]
+    fn bitand(self, other: Self) -> Self {
+        Self { lanes: self.simd.and_m64s(self.lanes, other.lanes), ..self }
+    }
+}
+
+impl<S: Simd> BitOr for RegisterMask<S> {
+    type Output = Self;
+
+    #[inline(always)]
+    fn bitor(self, other: Self) -> Self {
+        Self { lanes: self.simd.or_m64s(self.lanes, other.lanes), ..self }
+    }
+}
+
+impl<S: Simd> Not for RegisterMask<S> {
+    type Output = Self;
+
+    #[inline(always)]
+    fn not(self) -> Self {
+        Self { lanes: self.simd.not_m64s(self.lanes), ..self }
+    }
+}
+
+/// An operation on two registers, and on a register and one number.
+macro_rules! operation {
+    ($trait:ident, $method:ident, $on_lanes:ident) => {
+        impl<S: Simd> $trait for Register<S> {
+            type Output = Self;
+
+            #[inline(always)]
+            fn $method(self, other: Self) -> Self {
+                Self { lanes: self.simd.$on_lanes(self.lanes, other.lanes), ..self }
+            }
+        }
+
+        impl<S: Simd> $trait<f64> for Register<S> {
+            type Output = Self;
+
+            #[inline(always)]
+            fn $method(self, other: f64) -> Self {
+                self.$method(self.splat(other))
+            }
+        }
+    };
+}
+
+operation!(Add, add, add_f64s);
+operation!(Sub, sub, sub_f64s);
+operation!(Mul, mul, mul_f64s);
+operation!(Div, div, div_f64s);
+
+impl<S: Simd> Neg for Register<S> {
+    type Output = Self;
+
+    #[inline(always)]
+    fn neg(self) -> Self {
+        Self { lanes: self.simd.neg_f64s(self.lanes), ..self }
+    }
+}
+
+impl<S: Simd> Register<S> {
+    #[inline(always)]
+    fn bits(self) -> S::u64s {
+        self.simd.transmute_u64s_f64s(self.lanes)
+    }
+
+    #[inline(always)]
+    fn of_bits(self, bits: S::u64s) -> Self {
+        Self { lanes: self.simd.transmute_f64s_u64s(bits), ..self }
+    }
+
+    /// The upper halves of all lanes shifted by `SHIFT` bits to the left, or to the right where that is negative.
+    #[inline(always)]
+    fn shift_upper<const SHIFT: i32>(self, bits: S::u64s) -> S::u64s {
+        let halves: S::u32s = bytemuck::cast(bits);
+        let amount = self.simd.splat_u32s(SHIFT.unsigned_abs());
+        bytemuck::cast(if SHIFT > 0 {
+            self.simd.wrapping_dyn_shl_u32s(halves, amount)
+        } else {
+            self.simd.wrapping_dyn_shr_u32s(halves, amount)
+        })
+    }
+}
+
+/// ln 2 in two parts, the first of few digits, so that a whole number times it is exact.
+const LN_2: [f64; 2] = [0.693_147_180_369_123_8, 1.908_214_929_270_587_7e-10];
+
+/// Bits of the exponent of a number.
+const EXPONENT: u64 = 0x7ff0_0000_0000_0000;
+
+/// Bits of the exponent in the upper half of a number stand after so many bits.
+const UPPER_MANTISSA: i32 = 20;
+
+/// [`WHOLES`] with room for negative ones; those in the upper half are worth 2^32 each.
+const SIGNED_WHOLES: f64 = 1.5 * WHOLES;
+
+/// The bits of 2^-.5: what lies so far above them has the exponent of its nearest power of two.
+const ROOT_HALF: u64 = std::f64::consts::FRAC_1_SQRT_2.to_bits();
+
+const TWO_TO_32: f64 = 4_294_967_296.0;
+
+/// Coefficients of (ln((1 + s)/(1 - s)) - 2s)/s in s^2, the highest power first, for |s| < 0.1716 (minimax, of
+/// the freely distributable fdlibm, Sun Microsystems 1993).
+const LOGARITHM: [f64; 7] = [
+    0.147_981_986_051_165_86,
+    0.153_138_376_992_093_73,
+    0.181_835_721_616_180_5,
+    0.222_221_984_321_497_84,
+    0.285_714_287_436_623_9,
+    0.399_999_999_994_094_2,
+    0.666_666_666_666_673_5,
+];
+
+/// Coefficients of (exp(r) - 1)/r, the highest power first: the series ends below rounding for |r| < 0.35.
+const EXPONENTIAL: [f64; 13] = [
+    1.0 / 6_227_020_800.0,
+    1.0 / 479_001_600.0,
+    1.0 / 39_916_800.0,
+    1.0 / 3_628_800.0,
+    1.0 / 362_880.0,
+    1.0 / 40_320.0,
+    1.0 / 5_040.0,
+    1.0 / 720.0,
+    1.0 / 120.0,
+    1.0 / 24.0,
+    1.0 / 6.0,
+    0.5,
+    1.0,
+];
+
+impl<S: Simd> Real for Register<S> {
+    type Mask = RegisterMask<S>;
+
+    const LANES: usize = S::F64_LANES;
+
+    #[inline(always)]
+    fn splat(self, value: f64) -> Self {
+        Self { lanes: self.simd.splat_f64s(value), ..self }
+    }
+
+    #[inline(always)]
+    fn load(self, values: &[f64]) -> Self {
+        let (whole, _) = S::as_simd_f64s(values);
+        Self { lanes: whole[0], ..self }
+    }
+
+    #[inline(always)]
+    fn lanes_from(self, lane: usize) -> RegisterMask<S> {
+        let lanes = self.simd.mask_between_m64s(lane as u64, Self::LANES as u64).mask();
+        RegisterMask { simd: self.simd, lanes }
+    }
+
+    #[inline(always)]
+    fn store(self, values: &mut [f64]) {
+        let (whole, _) = S::as_mut_simd_f64s(values);
+        whole[0] = self.lanes;
+    }
+
+    #[inline(always)]
+    fn sqrt(self) -> Self {
+        Self { lanes: self.simd.sqrt_f64s(self.lanes), ..self }
+    }
+
+    /// x = 2^k (1 + f) with 1 + f from 2^-.5 to 2^.5, s = f/(2 + f), ln(1 + f) = f - s (f - R(s^2)).
+    #[inline(always)]
+    fn ln(self) -> Self {
+        let simd = self.simd;
+        let bits = simd.add_u64s(self.bits(), simd.splat_u64s(1f64.to_bits() - ROOT_HALF));
+        let exponents =
+            self.shift_upper::<{ -UPPER_MANTISSA }>(simd.and_u64s(bits, simd.splat_u64s(EXPONENT)));
+        let exponents = self.of_bits(simd.or_u64s(exponents, simd.splat_u64s(WHOLES.to_bits())));
+        // k 2^32, exactly.
+        let k = exponents - (WHOLES + 1023.0 * TWO_TO_32);
+        let mantissas = simd.and_u64s(bits, simd.splat_u64s(!EXPONENT));
+        let f = self.of_bits(simd.add_u64s(mantissas, simd.splat_u64s(ROOT_HALF))) - 1.0;
+        let s = f / (f + 2.0);
+        let square = s * s;
+        let rest = (-square).times_plus(square.polynomial(&LOGARITHM), f);
+        k.times_plus(self.splat(std::f64::consts::LN_2 / TWO_TO_32), (-s).times_plus(rest, f))
+    }
+
+    /// 2^k exp(r), k the whole number nearest to x/ln 2.
+    #[inline(always)]
+    fn exp_and_exp_m1(self) -> (Self, Self) {
+        let simd = self.simd;
+        let magic = self.splat(SIGNED_WHOLES);
+        let nearest = self * std::f64::consts::LOG2_E + SIGNED_WHOLES;
+        let k = nearest - magic;
+        let r = (-k).times_plus(self.splat(LN_2[0]), self);
+        let r = (-k).times_plus(self.splat(LN_2[1]), r);
+        let wholes = (k * TWO_TO_32 + magic).bits();
+        let wholes = simd.sub_u64s(wholes, simd.splat_u64s(SIGNED_WHOLES.to_bits()));
+        let power =
+            simd.add_u64s(self.shift_upper::<UPPER_MANTISSA>(wholes), simd.splat_u64s(1f64.to_bits()));
+        let power = self.of_bits(power);
+        let rest = r * r.polynomial(&EXPONENTIAL);
+        let (one, is_gone) = (self.splat(1.0), self.below(self.splat(-700.0)));
+        let exp = Self::choose(is_gone, self.splat(0.0), power.times_plus(rest, power));
+        (exp, Self::choose(is_gone, -one, power.times_plus(rest, power - one)))
+    }
+
+    #[inline(always)]
+    fn times_plus(self, factor: Self, term: Self) -> Self {
+        Self { lanes: self.simd.mul_add_e_f64s(self.lanes, factor.lanes, term.lanes), ..self }
+    }
+
+    #[inline(always)]
+    fn below(self, other: Self) -> RegisterMask<S> {
+        RegisterMask { simd: self.simd, lanes: self.simd.less_than_f64s(self.lanes, other.lanes) }
+    }
+
+    #[inline(always)]
+    fn at_most(self, other: Self) -> RegisterMask<S> {
+        RegisterMask { simd: self.simd, lanes: self.simd.less_than_or_equal_f64s(self.lanes, other.lanes) }
+    }
+
+    #[inline(always)]
+    fn choose(mask: RegisterMask<S>, yes: Self, no: Self) -> Self {
+        Self { lanes: no.simd.select_f64s(mask.lanes, yes.lanes, no.lanes), ..no }
+    }
+}
+
+/// Work on numbers side by side.
+pub trait Work {
+    /// What it gives.
+    type Output;
+
+    /// Does it with numbers such as `zero`.
+    fn with<N: Real>(self, zero: N) -> Self::Output;
+}
+
+struct OfWork<W>(W);
+
+impl<W: Work> WithSimd for OfWork<W> {
+    type Output = W::Output;
+
+    #[inline(always)]
+    fn with_simd<S: Simd>(self, simd: S) -> W::Output {
+        if S::F64_LANES == 1 {
+            self.0.with(0.0)
+        } else {
+            self.0.with(Register { simd, lanes: simd.splat_f64s(0.0) })
+        }
+    }
+}
+
+/// The widest registers of this machine, or narrower ones where the environment asks for them.
+static REGISTERS: LazyLock<Arch> = LazyLock::new(|| match std::env::var(NARROWER).as_deref() {
+    Ok("1") => Arch::Scalar,
+    Ok("4") => four().unwrap_or_default(),
+    _ => Arch::new(),
+});
+
+/// Says how many lanes, 1 or 4, on a machine that has more: to measure what they are worth, and to see the last digits
+/// that another machine gives.
+const NARROWER: &str = "ASPERITY_LANES";
+
+#[cfg(target_arch = "x86_64")]
+fn four() -> Option<Arch> {
+    pulp::x86::V3::try_new().map(Arch::V3)
+}
+
+#[cfg(not(target_arch = "x86_64"))]
+fn four() -> Option<Arch> {
+    None
+}
+
+/// Does `work` in the widest registers of this machine.
+#[inline(always)]
+pub fn run<W: Work>(work: W) -> W::Output {
+    REGISTERS.dispatch(OfWork(work))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use xprec::Df64 as Wide;
+
+    /// A function of each of some numbers.
+    struct Each<'a, F>(&'a [f64], F);
+
+    trait Function {
+        fn of<N: Real>(&self, x: N) -> N;
+    }
+
+    impl<F: Function> Work for Each<'_, F> {
+        type Output = Vec<f64>;
+
+        #[inline(always)]
+        fn with<N: Real>(self, zero: N) -> Vec<f64> {
+            let mut answers = vec![0.0; self.0.len()];
+            for (values, answers) in self.0.chunks_exact(N::LANES).zip(answers.chunks_exact_mut(N::LANES)) {
+                self.1.of(zero.load(values)).store(answers);
+            }
+            answers
+        }
+    }
+
+    struct Ln;
+    impl Function for Ln {
+        #[inline(always)]
+        fn of<N: Real>(&self, x: N) -> N {
+            x.ln()
+        }
+    }
+
+    struct Exp;
+    impl Function for Exp {
+        #[inline(always)]
+        fn of<N: Real>(&self, x: N) -> N {
+            x.exp()
+        }
+    }
+
+    struct ExpM1;
+    impl Function for ExpM1 {
+        #[inline(always)]
+        fn of<N: Real>(&self, x: N) -> N {
+            x.exp_and_exp_m1().1
+        }
+    }
+
+    /// Of rounding to nearest, half an ulp, the largest is 2^-53.
+    const HALF_ULP: f64 = 0.5 * f64::EPSILON;
+
+    fn worst(found: &[f64], exact: impl Iterator<Item = Wide>) -> f64 {
+        let error = |(&found, exact): (&f64, Wide)| ((exact - found) / exact).abs().hi();
+        found.iter().zip(exact).map(error).fold(0.0, f64::max)
+    }
+
+    #[test]
+    fn logarithms() {
+        let x: Vec<f64> = (0..80_000).map(|k| 1.000_9f64.powi(k - 40_000) * 1.000_1).collect();
+        let found = run(Each(&x, Ln));
+        let worst = worst(&found, x.iter().map(|&x| Wide::new(x).ln()));
+        assert!(worst <= 2.0 * HALF_ULP, "{} half ulp", worst / HALF_ULP);
+    }
+
+    #[test]
+    fn exponentials() {
+        // Within the range of 32 digits.
+        let x: Vec<f64> = (0..80_000).map(|k| f64::from(k - 40_000) * 0.0155).collect();
+        let found = run(Each(&x, Exp));
+        let worst = worst(&found, x.iter().map(|&x| Wide::new(x).exp()));
+        assert!(worst <= 2.0 * HALF_ULP, "{} half ulp", worst / HALF_ULP);
+        let all: Vec<f64> = (0..80_000).map(|k| f64::from(k - 40_000) * 0.017_499).collect();
+        for (x, found) in all.iter().zip(run(Each(&all, Exp))) {
+            assert!((found / x.exp() - 1.0).abs() <= 4.0 * HALF_ULP, "exp {x} = {found}");
+        }
+        // Below the range what is left does not matter.
+        let far = run(Each(&[-701.0, -1e5, -1e300, 0.0, 0.0, 0.0, 0.0, 0.0], Exp));
+        assert!(far[..3].iter().all(|value| (0.0..1e-304).contains(value)) && far[3] == 1.0);
+    }
+
+    #[test]
+    fn exponentials_less_one() {
+        let mut x: Vec<f64> = (0..80_000).map(|k| f64::from(k - 60_000) * 1.13e-3).collect();
+        x.extend((0..8000).flat_map(|k| [1.0, -1.0].map(|sign| sign * 0.99f64.powi(k))));
+        for (x, found) in x.iter().zip(run(Each(&x, ExpM1))) {
+            let exact = x.exp_m1();
+            assert!((found - exact).abs() <= 4.0 * HALF_ULP * exact.abs(), "exp({x}) - 1 = {found}");
+        }
+        assert_eq!(
+            run(Each(&[0.0, -800.0, -1e300, f64::NEG_INFINITY, 0.0, 0.0, 0.0, 0.0], ExpM1))[..4],
+            [0.0, -1.0, -1.0, -1.0]
+        );
+    }
+}

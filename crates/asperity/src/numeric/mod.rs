@@ -1,0 +1,24 @@
+//! Numerical tools that know no physics: quadrature, root search, sums in a fixed order, tables of functions.
+
+pub mod interval;
+pub mod lanes;
+pub mod levels;
+pub mod power;
+pub mod quadrature;
+pub mod root;
+pub mod sum;
+pub mod table;
+
+pub use sum::Sum;
+
+/// The largest magnitude that the program takes from anyone: loads of such numbers, their squares
+/// and sums neither overflow nor vanish.
+pub const LARGEST: f64 = 1e30;
+
+/// 2^52: what is added to it leaves its whole number in the last bits.
+pub(crate) const WHOLES: f64 = 4_503_599_627_370_496.0;
+
+/// Whether `value` is positive and within a range in which no product overflows or vanishes.
+pub fn is_positive(value: f64) -> bool {
+    (1.0 / LARGEST..=LARGEST).contains(&value)
+}

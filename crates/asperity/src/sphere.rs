@@ -1,0 +1,334 @@
+//! One sphere pressed into a flat: its curve, where its regime changes, where its area or its load falls.
+
+use crate::contact::{Contact, Regime};
+use crate::interface::MicroContact;
+use crate::law::Shape;
+
+/// Points of the trace between two places at which a curve bends.
+const PER_PIECE: usize = 160;
+
+/// On both sides of a boundary, where a law may jump.
+const BESIDE: f64 = 1e-12;
+
+/// A fall, or a jump, is more than the rounding of an answer.
+const ROUNDING: f64 = 1e-9;
+
+/// The answer at one indentation.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Point {
+    /// w, m.
+    pub indentation: f64,
+    /// Area, load, stiffness, regime.
+    pub contact: Contact,
+}
+
+/// Where the regime changes.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct RegimeChange {
+    /// w, m.
+    pub indentation: f64,
+    /// P just below it, N.
+    pub load: f64,
+    /// A just below it, m^2.
+    pub area: f64,
+    /// Below it.
+    pub from: Regime,
+    /// Above it.
+    pub to: Regime,
+}
+
+/// Where one formula gives way to another, with or without a change of the regime; a law may jump there.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Boundary {
+    /// w, m.
+    pub indentation: f64,
+    /// Just below it.
+    pub below: Contact,
+    /// Just above it.
+    pub above: Contact,
+}
+
+impl Boundary {
+    /// How much larger the load is above than below, of the load below; 0 where it does not jump.
+    pub fn load_jump(&self) -> f64 {
+        jump(self.below.load, self.above.load)
+    }
+
+    /// The same of the area.
+    pub fn area_jump(&self) -> f64 {
+        jump(self.below.area, self.above.area)
+    }
+}
+
+/// What is less than the rounding of an answer is the way from one side to the other.
+fn jump(below: f64, above: f64) -> f64 {
+    let jump = above / below - 1.0;
+    if jump.abs() > ROUNDING { jump } else { 0.0 }
+}
+
+/// All boundaries of an asperity, ascending.
+pub fn boundaries(contact: &dyn MicroContact, shape: Shape) -> Vec<Boundary> {
+    let mut at = contact.regime_changes(shape);
+    at.dedup();
+    let side = |w: f64| contact.contact(w, shape);
+    let boundary = |w: f64| Boundary {
+        indentation: w,
+        below: side(w * (1.0 - BESIDE)),
+        above: side(w * (1.0 + BESIDE)),
+    };
+    at.into_iter().map(boundary).collect()
+}
+
+/// A stretch on which area or load falls as the indentation grows.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Fall {
+    /// `area` or `load`.
+    pub of: Falling,
+    /// Where it begins.
+    pub from: Point,
+    /// Where it ends.
+    pub to: Point,
+}
+
+/// What falls.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Falling {
+    /// Real contact area.
+    Area,
+    /// Load.
+    Load,
+}
+
+impl Falling {
+    /// Both.
+    pub const ALL: [Self; 2] = [Self::Area, Self::Load];
+
+    /// As reports name it.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Area => "area",
+            Self::Load => "load",
+        }
+    }
+
+    /// Its value, m^2 or N.
+    pub fn of(self, contact: &Contact) -> f64 {
+        match self {
+            Self::Area => contact.area,
+            Self::Load => contact.load,
+        }
+    }
+}
+
+/// One sphere on one flat under one law.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Curve {
+    /// At the indentations that were asked for.
+    pub points: Vec<Point>,
+    /// From the first of them to the last, close together; each place where the curve bends is one of them.
+    pub trace: Vec<Point>,
+    /// All changes of the regime, beyond the indentations that were asked for too; ascending.
+    pub changes: Vec<RegimeChange>,
+    /// Where area or load falls along the trace.
+    pub falls: Vec<Fall>,
+}
+
+impl Curve {
+    /// An asperity at `indentations` (m), which ascend.
+    pub fn of(contact: &dyn MicroContact, shape: Shape, indentations: &[f64]) -> Self {
+        let at = |w: f64| Point { indentation: w, contact: contact.contact(w, shape) };
+        let trace: Vec<Point> = match indentations {
+            [] => Vec::new(),
+            [first, .., last] => places(contact, shape, *first, *last).into_iter().map(at).collect(),
+            [only] => vec![at(*only)],
+        };
+        Self {
+            points: indentations.iter().copied().map(at).collect(),
+            changes: changes(contact, shape),
+            falls: Falling::ALL.into_iter().flat_map(|of| falls(&trace, of)).collect(),
+            trace,
+        }
+    }
+
+    /// The trace regime by regime; neighbours share the point between them.
+    pub fn stretches(&self) -> Vec<(Regime, &[Point])> {
+        let is_change = |point: &Point| self.changes.iter().any(|at| at.indentation == point.indentation);
+        let inner = 1..self.trace.len().saturating_sub(1);
+        let mut ends = vec![0];
+        ends.extend(inner.filter(|&k| is_change(&self.trace[k])));
+        ends.push(self.trace.len().saturating_sub(1));
+        let stretch = |pair: &[usize]| {
+            let points = &self.trace[pair[0]..=pair[1]];
+            // The ends may answer for either side.
+            points.get(points.len() / 2).map(|middle| (middle.contact.regime, points))
+        };
+        ends.windows(2).filter(|pair| pair[1] > pair[0]).filter_map(stretch).collect()
+    }
+
+    /// The changes within the indentations that were asked for.
+    pub fn changes_within(&self) -> impl Iterator<Item = &RegimeChange> {
+        self.changes.iter().filter(|change| self.is_within(change))
+    }
+
+    /// Whether a change lies within the indentations that were asked for.
+    pub fn is_within(&self, change: &RegimeChange) -> bool {
+        match &self.points[..] {
+            [first, .., last] => (first.indentation..=last.indentation).contains(&change.indentation),
+            _ => false,
+        }
+    }
+
+    /// The regimes that the whole curve passes from w = 0 on.
+    pub fn sequence(&self) -> Vec<Regime> {
+        let first = self.changes.first().map(|change| change.from);
+        let first = first.or_else(|| self.points.first().map(|point| point.contact.regime));
+        first.into_iter().chain(self.changes.iter().map(|change| change.to)).collect()
+    }
+}
+
+/// From `first` to `last`, evenly in ln w between the places at which the curve bends, which are among them.
+fn places(contact: &dyn MicroContact, shape: Shape, first: f64, last: f64) -> Vec<f64> {
+    let bends = contact.breakpoints(shape).into_iter();
+    let sides =
+        contact.regime_changes(shape).into_iter().flat_map(|w| [w * (1.0 - BESIDE), w * (1.0 + BESIDE)]);
+    let bends = bends.chain(sides).filter(|&w| w > first && w < last);
+    let mut ends: Vec<f64> = [first, last].into_iter().chain(bends).collect();
+    ends.sort_unstable_by(f64::total_cmp);
+    ends.dedup();
+    let piece = |pair: &[f64]| {
+        let [from, ratio] = [pair[0], pair[1] / pair[0]];
+        let count = if ratio < 1.0 + 4.0 * BESIDE { 1 } else { PER_PIECE };
+        (0..count).map(move |k| from * ratio.powf(k as f64 / PER_PIECE as f64))
+    };
+    let mut places: Vec<f64> = ends.windows(2).flat_map(piece).chain([last]).collect();
+    // A piece as short as the rounding of its ends may not grow.
+    places.dedup_by(|next, previous| *next <= *previous);
+    places
+}
+
+fn changes(contact: &dyn MicroContact, shape: Shape) -> Vec<RegimeChange> {
+    let mut at = contact.regime_changes(shape);
+    at.dedup();
+    let regime = |w: f64| contact.contact(w, shape).regime;
+    let between = |k: usize| match (k.checked_sub(1).map(|k| at[k]), at.get(k)) {
+        (Some(low), Some(&high)) => (low * high).sqrt(),
+        (None, Some(&high)) => 0.5 * high,
+        (Some(low), None) => 2.0 * low,
+        (None, None) => shape.radius,
+    };
+    let change = |(k, &w): (usize, &f64)| {
+        let Contact { load, area, .. } = contact.contact(w * (1.0 - BESIDE), shape);
+        RegimeChange { indentation: w, load, area, from: regime(between(k)), to: regime(between(k + 1)) }
+    };
+    at.iter().enumerate().map(change).filter(|change| change.from != change.to).collect()
+}
+
+fn falls(trace: &[Point], of: Falling) -> Vec<Fall> {
+    let value = |point: &Point| of.of(&point.contact);
+    let mut falls: Vec<Fall> = Vec::new();
+    for pair in trace.windows(2) {
+        let [from, to] = [pair[0], pair[1]];
+        if value(&to) >= value(&from) * (1.0 - ROUNDING) {
+            continue;
+        }
+        match falls.last_mut() {
+            Some(fall) if fall.to.indentation == from.indentation => fall.to = to,
+            _ => falls.push(Fall { of, from, to }),
+        }
+    }
+    falls
+}
+
+impl Fall {
+    /// The part of area or load that is lost.
+    pub fn loss(&self) -> f64 {
+        1.0 - self.of.of(&self.to.contact) / self.of.of(&self.from.contact)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::interface::Flat;
+    use crate::law::{Ceb, Hertz, KogutEtsion, Zmc};
+    use crate::layer::Rule;
+    use crate::material::Material;
+
+    fn steel() -> Material {
+        Material::new(210e9, 0.3, Some(7.6e9), None).unwrap()
+    }
+
+    fn under_lead(thickness: f64) -> Box<dyn MicroContact> {
+        let lead = Material::new(18e9, 0.35, Some(0.17e9), None).unwrap();
+        Flat::with_layer(&lead, &steel(), thickness, Rule::Gao)
+            .unwrap()
+            .under(Zmc::default(), &steel())
+            .unwrap()
+    }
+
+    #[test]
+    fn a_stretch_begins_where_another_ends_and_has_one_regime() {
+        let curve = Curve::of(&*under_lead(100e-9), Shape::sphere(20e-6), &[1e-10, 1e-8, 1e-6]);
+        let names: String = curve.sequence().iter().map(|regime| (*regime as u8).to_string()).collect();
+        assert_eq!(names, "01212");
+        let stretches = curve.stretches();
+        assert_eq!(stretches.len(), curve.changes_within().count() + 1);
+        for pair in stretches.windows(2) {
+            assert_eq!(pair[0].1.last(), pair[1].1.first());
+            assert_ne!(pair[0].0, pair[1].0);
+        }
+        for (regime, points) in stretches {
+            assert!(points[1..points.len() - 1].iter().all(|point| point.contact.regime == regime));
+        }
+    }
+
+    #[test]
+    fn area_falls_where_the_contact_turns_from_plastic_to_elastic_plastic() {
+        let curve = Curve::of(&*under_lead(100e-9), Shape::sphere(20e-6), &[1e-10, 1e-6]);
+        let [fall] = curve.falls[..] else { panic!("{:?}", curve.falls) };
+        assert_eq!(fall.of, Falling::Area);
+        assert!(
+            fall.from.contact.area > fall.to.contact.area && fall.from.contact.load < fall.to.contact.load
+        );
+    }
+
+    /// The rounded onset of yield leaves a fall of 0.0976 %, whether there is a layer or not.
+    #[test]
+    fn a_fall_at_a_jump_is_seen() {
+        let lead = Material::new(18e9, 0.35, Some(0.17e9), None).unwrap();
+        for thickness in [0.0, 1e-9, f64::INFINITY] {
+            let flat = Flat::with_layer(&lead, &steel(), thickness, Rule::Gao).unwrap();
+            let contact = flat.under(Zmc::new(0.89, 54.0).unwrap(), &steel()).unwrap();
+            let curve = Curve::of(&*contact, Shape::sphere(20e-6), &[1e-12, 1e-6]);
+            let of_load = |fall: &&Fall| fall.of == Falling::Load && (fall.loss() - 9.76e-4).abs() < 1e-6;
+            assert!(curve.falls.iter().any(|fall| of_load(&fall)), "{thickness}: {:?}", curve.falls);
+        }
+    }
+
+    #[test]
+    fn boundaries_have_both_sides_and_need_no_change_of_regime() {
+        let of = |flat: Result<Box<dyn MicroContact>, _>| boundaries(&*flat.unwrap(), Shape::sphere(1e-5));
+        let flat = Flat::Bare(steel());
+        let ceb = of(flat.under(Ceb, &steel()));
+        let [at] = &ceb[..] else { panic!("one boundary") };
+        assert!((at.load_jump() - 0.5).abs() < 1e-9 && at.area_jump().abs() < 1e-9);
+        assert_eq!((at.below.regime, at.above.regime), (Regime::Elastic, Regime::ElasticPlastic));
+        let kogut_etsion = of(flat.under(KogutEtsion, &steel()));
+        let [first, inner, last] = &kogut_etsion[..] else { panic!("three boundaries") };
+        assert_eq!(inner.below.regime, inner.above.regime);
+        assert!((inner.indentation / first.indentation - 6.0).abs() < 1e-12);
+        assert!((first.area_jump() + 0.07).abs() < 1e-9 && (last.load_jump() - 0.0788).abs() < 1e-4);
+        let smooth = of(flat.under(Zmc::default(), &steel()));
+        assert!(smooth.iter().all(|at| at.load_jump().abs() < 1e-9 && at.area_jump().abs() < 1e-9));
+        assert_eq!(of(flat.under(Hertz, &steel())), []);
+    }
+
+    #[test]
+    fn a_curve_of_one_regime() {
+        let contact = Flat::Bare(steel()).under(Hertz, &steel()).unwrap();
+        let curve = Curve::of(&*contact, Shape::sphere(1e-5), &[1e-9, 1e-8]);
+        assert!(curve.changes.is_empty() && curve.falls.is_empty());
+        assert_eq!((curve.sequence(), curve.stretches().len()), (vec![Regime::Elastic], 1));
+        assert_eq!(Curve::of(&*contact, Shape::sphere(1e-5), &[1e-9]).stretches().len(), 0);
+    }
+}

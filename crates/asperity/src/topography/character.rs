@@ -1,0 +1,319 @@
+//! What a surface is: height parameters, spectral moments, the autocorrelation at neighbours.
+
+use super::rows::{Rows, Strip, count_missing, first_present, strips};
+use crate::numeric::sum::Sum;
+
+/// Height parameters of a map (ISO 25178-2), about its mean, divided by the number of points.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Moments {
+    /// Mean height, m.
+    pub mean: f64,
+    /// Mean absolute deviation Sa, m.
+    pub sa: f64,
+    /// Standard deviation Sq, m.
+    pub sq: f64,
+    /// Skewness Ssk; `None` on a flat map.
+    pub ssk: Option<f64>,
+    /// Kurtosis Sku (3 if Gaussian); `None` on a flat map.
+    pub sku: Option<f64>,
+}
+
+/// What a surface is, found in two readings of its rows. Every difference is taken where both heights
+/// are there, around the border of a periodic map.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Character {
+    /// Missing points.
+    pub missing: usize,
+    /// Height parameters.
+    pub moments: Moments,
+    /// Mean square of the slope along x and along y, by first differences: the profiles' second spectral moment.
+    pub m2: [f64; 2],
+    /// Mean square of the curvature along x and along y, by second differences, 1/m^2: the profiles' fourth
+    /// spectral moment.
+    pub m4: [f64; 2],
+    /// How heights drop from a point to its neighbours.
+    pub drops: Drops,
+}
+
+/// Mean squares of differences between neighbouring heights, m^2: what a Gaussian surface's five-point summits
+/// depend on. Taken as they are, and not from an autocorrelation near 1, they lose no digits on a fine grid.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Drops {
+    /// First differences along x, along y.
+    pub first: [f64; 2],
+    /// Second differences along x, along y.
+    pub second: [f64; 2],
+    /// Mixed differences, of four points in a square: the difference along y of that along x.
+    pub mixed: f64,
+    /// Along the diagonal on which x and y rise together, less that along the other: positive where heights change
+    /// more along the first.
+    pub skew: f64,
+}
+
+impl Drops {
+    /// Those of a surface of unit variance by its autocorrelation at a lag of (i, j) points.
+    pub fn of(correlation: impl Fn(f64, f64) -> f64) -> Self {
+        let rho = correlation;
+        let structure = |i: f64, j: f64| 2.0 * (1.0 - rho(i, j));
+        let first = [structure(1.0, 0.0), structure(0.0, 1.0)];
+        let two = [structure(2.0, 0.0), structure(0.0, 2.0)];
+        let diagonals = [structure(1.0, 1.0), structure(1.0, -1.0)];
+        Self {
+            first,
+            second: [0, 1].map(|axis| 4.0 * first[axis] - two[axis]),
+            mixed: 2.0 * (first[0] + first[1]) - diagonals[0] - diagonals[1],
+            skew: diagonals[0] - diagonals[1],
+        }
+    }
+
+    /// Mean squares of the differences over two points along x and along y, and the mean of their product, but for its
+    /// sign: those of the gradient times two pixels.
+    pub fn over_two(&self) -> [f64; 3] {
+        let [x, y] = [0, 1].map(|axis| 4.0 * self.first[axis] - self.second[axis]);
+        [x, y, self.skew]
+    }
+
+    /// How closely slopes along x and along y correlate, from 0 to 1: the lay then lies at an angle to both. 0 on a map
+    /// without slopes.
+    pub fn slope_correlation(&self) -> f64 {
+        let [x, y, product] = self.over_two();
+        let scale = (x * y).sqrt();
+        if scale > 0.0 { (product / scale).abs() } else { 0.0 }
+    }
+}
+
+impl Moments {
+    /// Moments of the points that are there, the same to the bit on any number of threads.
+    pub fn of(map: &dyn Rows) -> Self {
+        Character::of(map).moments
+    }
+}
+
+impl Character {
+    /// Looks at a map, the same to the bit on any number of threads.
+    pub fn of(map: &dyn Rows) -> Self {
+        let points = map.points();
+        // About a height of the map: a large offset costs nothing.
+        let origin = first_present(map);
+        let (mut total, mut present) = (Sum::default(), 0);
+        for (sum, count) in strips(map, 0, |strip| row_sums(&strip, origin)).into_iter().flatten() {
+            total.add(sum);
+            present += count;
+        }
+        let count = present as f64;
+        let mean = origin + total.value() / count;
+
+        let mut sums = Sums::default();
+        for part in strips(map, 2, |strip| Sums::of(&strip, mean, points)) {
+            sums.merge(&part);
+        }
+        let [sa, square, cube, fourth] = sums.powers.map(|sum| sum.value() / count);
+        let sq = square.sqrt();
+        let standardised = |moment: f64, power: i32| (sq > 0.0).then(|| moment / sq.powi(power));
+        let moments = Moments { mean, sa, sq, ssk: standardised(cube, 3), sku: standardised(fourth, 4) };
+        let mean_square = |lag: Lag| sums.lags[lag as usize].mean();
+        let pixel = map.pixel();
+        Self {
+            missing: points[0] * points[1] - present,
+            moments,
+            m2: [mean_square(Lag::X) / pixel[0].powi(2), mean_square(Lag::Y) / pixel[1].powi(2)],
+            m4: [mean_square(Lag::BendX) / pixel[0].powi(4), mean_square(Lag::BendY) / pixel[1].powi(4)],
+            drops: Drops {
+                first: [mean_square(Lag::X), mean_square(Lag::Y)],
+                second: [mean_square(Lag::BendX), mean_square(Lag::BendY)],
+                mixed: mean_square(Lag::Mixed),
+                skew: mean_square(Lag::Rising) - mean_square(Lag::Falling),
+            },
+        }
+    }
+
+    /// Spectral moments m0 (m^2), m2, m4 (1/m^2): the means of those along x and y.
+    pub fn spectral_moments(&self) -> [f64; 3] {
+        [self.moments.sq.powi(2), 0.5 * (self.m2[0] + self.m2[1]), 0.5 * (self.m4[0] + self.m4[1])]
+    }
+
+    /// Nayak's bandwidth parameter alpha = m0 m4/m2^2; `None` on a flat map.
+    pub fn alpha(&self) -> Option<f64> {
+        let [m0, m2, m4] = self.spectral_moments();
+        (m2 > 0.0).then(|| m0 * m4 / (m2 * m2))
+    }
+
+    /// Root mean square of the gradient.
+    pub fn rms_slope(&self) -> f64 {
+        (self.m2[0] + self.m2[1]).sqrt()
+    }
+}
+
+/// What is differenced.
+#[derive(Clone, Copy)]
+enum Lag {
+    X,
+    Y,
+    Rising,
+    Falling,
+    Mixed,
+    BendX,
+    BendY,
+}
+
+const LAGS: usize = 7;
+
+/// A sum of squares and the number of its terms.
+#[derive(Clone, Copy, Default)]
+struct MeanSquare {
+    sum: Sum,
+    count: usize,
+}
+
+impl MeanSquare {
+    fn add(&mut self, differences: impl Iterator<Item = f64>) {
+        let (mut sum, mut count) = (0.0, 0);
+        for difference in differences {
+            let is_there = !difference.is_nan();
+            sum += if is_there { difference * difference } else { 0.0 };
+            count += usize::from(is_there);
+        }
+        self.sum.add(sum);
+        self.count += count;
+    }
+
+    fn mean(&self) -> f64 {
+        if self.count == 0 { 0.0 } else { self.sum.value() / self.count as f64 }
+    }
+}
+
+#[derive(Default)]
+struct Sums {
+    /// Absolute values, second, third, fourth powers about the mean.
+    powers: [Sum; 4],
+    lags: [MeanSquare; LAGS],
+}
+
+impl Sums {
+    fn of(strip: &Strip, mean: f64, points: [usize; 2]) -> Self {
+        let mut sums = Self::default();
+        for k in 0..strip.count as isize {
+            let Some(row) = strip.row(k) else { continue };
+            let mut powers = [0.0; 4];
+            for z in row.iter().filter(|z| !z.is_nan()) {
+                let z = z - mean;
+                let square = z * z;
+                for (sum, term) in powers.iter_mut().zip([z.abs(), square, square * z, square * square]) {
+                    *sum += term;
+                }
+            }
+            for (sum, part) in sums.powers.iter_mut().zip(powers) {
+                sum.add(part);
+            }
+            let ny = points[1];
+            let mut add = |lag: Lag, differences: &mut dyn Iterator<Item = f64>| {
+                sums.lags[lag as usize].add(differences);
+            };
+            add(Lag::Y, &mut row.windows(2).map(|z| z[1] - z[0]));
+            add(Lag::BendY, &mut row.windows(3).map(|z| z[2] - 2.0 * z[1] + z[0]));
+            if strip.is_periodic() {
+                let at = |iy: usize| row[iy % ny];
+                add(Lag::Y, &mut [ny - 1].into_iter().map(|iy| at(iy + 1) - at(iy)));
+                let bend = |iy| at(iy + 2) - 2.0 * at(iy + 1) + at(iy);
+                add(Lag::BendY, &mut [ny - 2, ny - 1].into_iter().map(bend));
+            }
+            let Some(next) = strip.row(k + 1) else { continue };
+            add(Lag::X, &mut next.iter().zip(row).map(|(a, b)| a - b));
+            add(Lag::Rising, &mut next[1..].iter().zip(row).map(|(a, b)| a - b));
+            add(Lag::Falling, &mut next.iter().zip(&row[1..]).map(|(a, b)| a - b));
+            let squares = next.windows(2).zip(row.windows(2));
+            add(Lag::Mixed, &mut squares.map(|(a, b)| (a[1] - b[1]) - (a[0] - b[0])));
+            if strip.is_periodic() {
+                add(Lag::Rising, &mut [next[0] - row[ny - 1]].into_iter());
+                add(Lag::Falling, &mut [next[ny - 1] - row[0]].into_iter());
+                add(Lag::Mixed, &mut [(next[0] - row[0]) - (next[ny - 1] - row[ny - 1])].into_iter());
+            }
+            let Some(second) = strip.row(k + 2) else { continue };
+            let bends = second.iter().zip(next).zip(row).map(|((a, b), c)| a - 2.0 * b + c);
+            add(Lag::BendX, &mut { bends });
+        }
+        sums
+    }
+
+    fn merge(&mut self, other: &Self) {
+        for (sum, part) in self.powers.iter_mut().zip(&other.powers) {
+            sum.merge(part);
+        }
+        for (lag, part) in self.lags.iter_mut().zip(&other.lags) {
+            lag.sum.merge(&part.sum);
+            lag.count += part.count;
+        }
+    }
+}
+
+/// For each row the sum of its heights over `origin` and how many there are.
+fn row_sums(strip: &Strip, origin: f64) -> Vec<(f64, usize)> {
+    let sum = |row: &[f64]| {
+        let heights = row.iter().map(|&z| if z.is_nan() { 0.0 } else { z - origin });
+        (heights.sum(), row.len() - count_missing(row))
+    };
+    (0..strip.count as isize).filter_map(|k| strip.row(k).map(sum)).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::topography::{Boundary, HeightMap};
+
+    /// Over more than two strips, with holes.
+    fn map() -> HeightMap {
+        let height = |k: usize| if k % 41 == 7 { f64::NAN } else { 5.0 + ((k * k) % 89) as f64 };
+        HeightMap::new([70, 9], [0.5, 2.0], (0..70 * 9).map(height).collect(), 0.0).unwrap()
+    }
+
+    #[test]
+    fn differences_are_those_of_the_definition() {
+        for map in [map(), map().periodic()] {
+            let is_periodic = map.boundary() == Boundary::Periodic;
+            let z = |i: isize, j: isize| {
+                let is_inside = (0..70).contains(&i) && (0..9).contains(&j);
+                if !is_inside && !is_periodic {
+                    return f64::NAN;
+                }
+                map.heights()[(i.rem_euclid(70) * 9 + j.rem_euclid(9)) as usize]
+            };
+            let mean_square = |difference: &dyn Fn(isize, isize) -> f64| {
+                let all = (0..70).flat_map(|i| (0..9).map(move |j| (i, j)));
+                let there: Vec<f64> = all.map(|(i, j)| difference(i, j)).filter(|d| !d.is_nan()).collect();
+                there.iter().map(|d| d * d).sum::<f64>() / there.len() as f64
+            };
+            let first =
+                [mean_square(&|i, j| z(i + 1, j) - z(i, j)), mean_square(&|i, j| z(i, j + 1) - z(i, j))];
+            let second = [
+                mean_square(&|i, j| z(i + 2, j) - 2.0 * z(i + 1, j) + z(i, j)),
+                mean_square(&|i, j| z(i, j + 2) - 2.0 * z(i, j + 1) + z(i, j)),
+            ];
+            let mixed = mean_square(&|i, j| z(i + 1, j + 1) - z(i, j + 1) - z(i + 1, j) + z(i, j));
+            let skew = mean_square(&|i, j| z(i + 1, j + 1) - z(i, j))
+                - mean_square(&|i, j| z(i + 1, j) - z(i, j + 1));
+            let close = |found: f64, exact: f64| {
+                assert!((found - exact).abs() < 1e-12 * exact.abs(), "{is_periodic}: {found} for {exact}");
+            };
+            let found = Character::of(&map);
+            for axis in 0..2 {
+                let pixel: f64 = map.pixel()[axis];
+                close(found.drops.first[axis], first[axis]);
+                close(found.drops.second[axis], second[axis]);
+                close(found.m2[axis], first[axis] / pixel.powi(2));
+                close(found.m4[axis], second[axis] / pixel.powi(4));
+            }
+            close(found.drops.mixed, mixed);
+            assert!((found.drops.skew - skew).abs() < 1e-12 * mixed, "{} for {skew}", found.drops.skew);
+        }
+    }
+
+    #[test]
+    fn spectral_moments_are_means_over_both_axes() {
+        let found = Character::of(&map());
+        let [m0, m2, m4] = found.spectral_moments();
+        assert_eq!(m0, found.moments.sq.powi(2));
+        assert_eq!([2.0 * m2, 2.0 * m4], [found.m2, found.m4].map(|m| m[0] + m[1]));
+        assert_eq!(found.alpha(), Some(m0 * m4 / (m2 * m2)));
+        assert_eq!(found.rms_slope(), (2.0 * m2).sqrt());
+    }
+}

@@ -1,0 +1,379 @@
+//! The waves of a whole map: radial power spectrum and autocorrelation.
+
+use std::f64::consts::{PI, TAU};
+
+use rayon::prelude::*;
+use realfft::num_complex::Complex;
+
+use super::fourier::{analyse, columns, synthesise, weight};
+use super::spectrum::GridSpectrum;
+use super::{Boundary, HeightMap, Rows};
+
+/// Power spectral density C over rings of wave numbers q, such that the integral of C over the plane of wave
+/// vectors is the variance of the heights.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct RadialSpectrum {
+    /// Wave number, rad/m, and density, m^4, of each ring that holds waves.
+    pub rings: Vec<(f64, f64)>,
+}
+
+/// Rings of equal width in the logarithm of the wave number, from the longest wave to two pixels.
+struct Rings {
+    points: [usize; 2],
+    /// Wave numbers of the longest waves along x and y, rad/m.
+    step: [f64; 2],
+    first: f64,
+    ratio: f64,
+    count: usize,
+}
+
+impl Rings {
+    fn new(points: [usize; 2], pixel: [f64; 2]) -> Self {
+        const PER_DECADE: f64 = 20.0;
+        let step = [0, 1].map(|axis| TAU / (points[axis] as f64 * pixel[axis]));
+        let first = step[0].min(step[1]) * 0.999;
+        let last = PI / pixel[0].max(pixel[1]);
+        let count = ((last / first).log10() * PER_DECADE).ceil().max(1.0);
+        Self { points, step, first, ratio: count / (last / first).ln(), count: count as usize }
+    }
+
+    /// Sums of wave numbers and variances of column `j`, and numbers of waves, by ring. `variance` is told the
+    /// wave number along x by its index.
+    fn column(&self, j: usize, variance: impl Fn(usize) -> f64) -> Vec<[f64; 3]> {
+        let mut sums = vec![[0.0; 3]; self.count];
+        let y = self.step[1] * j as f64;
+        let times = weight(self.points, j);
+        for i in 0..self.points[0] {
+            let x = self.step[0] * i.min(self.points[0] - i) as f64;
+            let q = x.hypot(y);
+            let place = ((q / self.first).ln() * self.ratio).floor();
+            if (0.0..self.count as f64).contains(&place) {
+                let ring = &mut sums[place as usize];
+                ring[0] += times * q;
+                ring[1] += times * variance(i);
+                ring[2] += times;
+            }
+        }
+        sums
+    }
+
+    fn spectrum(&self, columns: Vec<Vec<[f64; 3]>>) -> RadialSpectrum {
+        let mut sums = vec![[0.0; 3]; self.count];
+        for column in columns {
+            for (sum, part) in sums.as_flattened_mut().iter_mut().zip(column.as_flattened()) {
+                *sum += part;
+            }
+        }
+        let cell = self.step[0] * self.step[1];
+        let held = sums.into_iter().filter(|[_, _, waves]| *waves > 0.0);
+        RadialSpectrum { rings: held.map(|[q, p, waves]| (q / waves, p / waves / cell)).collect() }
+    }
+}
+
+impl RadialSpectrum {
+    /// The spectrum of a map, which is used up, about its `mean` (m). An open map is seen through a Hann window, so that its borders do
+    /// not show; missing points are taken at the mean.
+    pub fn of(map: HeightMap, mean: f64) -> Self {
+        let points = map.points();
+        let rings = Rings::new(points, map.pixel());
+        let window = [0, 1].map(|axis| match map.boundary() {
+            Boundary::Periodic => vec![1.0; points[axis]],
+            Boundary::Open => hann(points[axis]),
+        });
+        let mut heights = map.into_heights();
+        heights.par_chunks_mut(points[1]).zip(&window[0]).for_each(|(row, wx)| {
+            for (z, wy) in row.iter_mut().zip(&window[1]) {
+                *z = if z.is_nan() { 0.0 } else { (*z - mean) * wx * wy };
+            }
+        });
+        let count = (points[0] * points[1]) as f64;
+        let power = window.map(|w| w.iter().map(|w| w * w).sum::<f64>() / w.len() as f64);
+        let unit = count * count * power[0] * power[1];
+        let columns = analyse(heights, points, |j, waves| rings.column(j, |i| waves[i].norm_sqr() / unit));
+        rings.spectrum(columns)
+    }
+
+    /// The spectrum that a Gaussian surface of standard deviation `sigma` (m) is drawn from.
+    pub fn asked(spectrum: &GridSpectrum, pixel: [f64; 2], sigma: f64) -> Self {
+        let points = spectrum.points();
+        let rings = Rings::new(points, pixel);
+        let columns: Vec<(Vec<[f64; 3]>, f64)> = (0..columns(points))
+            .into_par_iter()
+            .map(|j| {
+                let mut deviations = vec![0.0; points[0]];
+                spectrum.column(j, &mut deviations);
+                let total = deviations.iter().map(|d| d * d).sum::<f64>() * weight(points, j);
+                (rings.column(j, |i| deviations[i] * deviations[i]), total)
+            })
+            .collect();
+        let total = spectrum.mean_variance() + columns.iter().map(|column| column.1).sum::<f64>();
+        let mut asked = rings.spectrum(columns.into_iter().map(|column| column.0).collect());
+        for ring in &mut asked.rings {
+            ring.1 *= sigma * sigma / total;
+        }
+        asked
+    }
+
+    /// Quartiles of the ratio of another spectrum to this one, over the rings whose density is at least a thousandth of
+    /// the largest one.
+    pub fn quartiles_of(&self, other: &Self) -> [f64; 2] {
+        const NEGLIGIBLE: f64 = 1e-3;
+        let largest = self.rings.iter().fold(0.0f64, |a, ring| a.max(ring.1));
+        let pairs = self.rings.iter().zip(&other.rings).filter(|(asked, _)| asked.1 > NEGLIGIBLE * largest);
+        let mut ratios: Vec<f64> = pairs.map(|(asked, found)| found.1 / asked.1).collect();
+        ratios.sort_unstable_by(f64::total_cmp);
+        [1, 3].map(|quarter| ratios.get(quarter * ratios.len() / 4).copied().unwrap_or(f64::NAN))
+    }
+}
+
+/// The Hann window, at the middles of the points.
+fn hann(count: usize) -> Vec<f64> {
+    (0..count).map(|k| (PI * (k as f64 + 0.5) / count as f64).sin().powi(2)).collect()
+}
+
+/// The autocorrelation of a map.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Autocorrelation {
+    /// Lag (m) and autocorrelation along x, up to half of the side.
+    pub along_x: Vec<(f64, f64)>,
+    /// The same along y.
+    pub along_y: Vec<(f64, f64)>,
+    /// Autocorrelation length Sal (ISO 25178-2, s = 0.2): the shortest distance at which it has fallen to
+    /// 0.2, m; `None` where it does not fall so far within half of the map.
+    pub length: Option<f64>,
+    /// Texture aspect ratio Str: the shortest such distance over the longest; `None` where in some direction it
+    /// does not fall so far.
+    pub aspect: Option<f64>,
+}
+
+impl Autocorrelation {
+    /// The autocorrelation of the points that are there, about their `mean` (m). Beyond an open border nothing is known:
+    /// only pairs of points within the map count. `None` on a flat map.
+    pub fn of(map: &HeightMap, mean: f64) -> Option<Self> {
+        let points = map.points();
+        let padded = match map.boundary() {
+            Boundary::Periodic => points,
+            // Lags up to half of the side do not meet around the border.
+            Boundary::Open => points.map(|count| (count + count / 2 + 1).next_multiple_of(8)),
+        };
+        let products = pairs(map.embedded(padded, |z| z - mean), padded);
+        let is_whole = map.boundary() == Boundary::Periodic && !map.heights().iter().any(|z| z.is_nan());
+        let counts = (!is_whole).then(|| pairs(map.embedded(padded, |_| 1.0), padded));
+        let at = |i: usize, j: usize| {
+            let place = i * padded[1] + j;
+            match &counts {
+                Some(counts) => products[place] / counts[place].round().max(1.0),
+                None => products[place] / (points[0] * points[1]) as f64,
+            }
+        };
+        let variance = at(0, 0);
+        if variance.is_nan() || variance <= 0.0 {
+            return None;
+        }
+        let pixel = map.pixel();
+        let half = points.map(|count| count / 2);
+        let rho = |i: isize, j: isize| {
+            at(i.rem_euclid(padded[0] as isize) as usize, j.rem_euclid(padded[1] as isize) as usize)
+                / variance
+        };
+        let decays = decay(&rho, half, pixel);
+        let shortest = decays.iter().flatten().copied().fold(f64::INFINITY, f64::min);
+        let longest = decays.iter().copied().collect::<Option<Vec<f64>>>();
+        let longest = longest.map(|all| all.into_iter().fold(0.0, f64::max));
+        Some(Self {
+            along_x: (0..=half[0]).map(|i| (i as f64 * pixel[0], rho(i as isize, 0))).collect(),
+            along_y: (0..=half[1]).map(|j| (j as f64 * pixel[1], rho(0, j as isize))).collect(),
+            length: shortest.is_finite().then_some(shortest),
+            aspect: longest.map(|longest| shortest / longest),
+        })
+    }
+}
+
+/// Sums over all pairs of points of the products of their values, by lag around the border.
+fn pairs(field: Vec<f64>, points: [usize; 2]) -> Vec<f64> {
+    let powers = analyse(field, points, |_, waves| waves.iter().map(|w| w.norm_sqr()).collect::<Vec<f64>>());
+    let count = (points[0] * points[1]) as f64;
+    let fill = |j: usize, waves: &mut [Complex<f64>]| {
+        for (wave, power) in waves.iter_mut().zip(&powers[j]) {
+            *wave = Complex::new(*power, 0.0);
+        }
+    };
+    synthesise(points, fill, |_| count.recip())
+}
+
+/// The distance (m) at which the autocorrelation first falls to 0.2, in each of 180 directions over the half plane.
+fn decay(rho: &impl Fn(isize, isize) -> f64, half: [usize; 2], pixel: [f64; 2]) -> Vec<Option<f64>> {
+    const FALLEN: f64 = 0.2;
+    const DIRECTIONS: u32 = 180;
+    let stride = 0.5 * pixel[0].min(pixel[1]);
+    let along = |direction: u32| {
+        let (sin, cos) = (PI * f64::from(direction) / f64::from(DIRECTIONS)).sin_cos();
+        let value = |r: f64| {
+            let place = [r * cos / pixel[0], r * sin / pixel[1]];
+            let inside = place.iter().zip(half).all(|(p, half)| p.abs() + 1.0 < half as f64);
+            inside.then(|| bilinear(rho, place))
+        };
+        let mut before = 1.0;
+        for step in 1.. {
+            let now = value(stride * f64::from(step))?;
+            if now <= FALLEN {
+                let part = (before - FALLEN) / (before - now);
+                return Some(stride * (f64::from(step) - 1.0 + part));
+            }
+            before = now;
+        }
+        None
+    };
+    (0..DIRECTIONS).map(along).collect()
+}
+
+fn bilinear(rho: &impl Fn(isize, isize) -> f64, place: [f64; 2]) -> f64 {
+    let corner = place.map(|p| p.floor() as isize);
+    let [u, v] = [place[0] - corner[0] as f64, place[1] - corner[1] as f64];
+    let at = |i, j| rho(corner[0] + i, corner[1] + j);
+    (1.0 - u) * ((1.0 - v) * at(0, 0) + v * at(0, 1)) + u * ((1.0 - v) * at(1, 0) + v * at(1, 1))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::topography::Moments;
+    use crate::topography::generate::gaussian;
+    use crate::topography::spectrum::{Lay, Shape, Spectrum};
+
+    const POINTS: [usize; 2] = [256, 200];
+    const PIXEL: [f64; 2] = [0.5, 0.8];
+
+    fn surface(shape: Shape, lay: Lay, seed: u8) -> (HeightMap, GridSpectrum) {
+        let spectrum = Spectrum::new(shape, lay).unwrap().on_grid(POINTS, PIXEL);
+        let heights = gaussian(&spectrum, 3.0, [seed; 32]);
+        (HeightMap::new(POINTS, PIXEL, heights, 0.0).unwrap().periodic(), spectrum)
+    }
+
+    #[test]
+    fn the_spectrum_adds_up_to_the_variance_and_is_the_one_asked_for() {
+        let (hurst, roll_off, cut_off) = (0.7, 20.0, 2.0);
+        let shape = Shape::SelfAffine { hurst, roll_off, cut_off };
+        let (_, grid) = surface(shape, Lay::default(), 1);
+        let asked = RadialSpectrum::asked(&grid, PIXEL, 3.0);
+        let mut reached = vec![0.0; asked.rings.len()];
+        for seed in 0..20 {
+            let map = surface(shape, Lay::default(), seed).0;
+            for (sum, ring) in reached.iter_mut().zip(RadialSpectrum::of(map, 0.0).rings) {
+                *sum += ring.1 / 20.0;
+            }
+        }
+        let plateau: Vec<f64> = asked.rings.iter().map(|ring| ring.1).filter(|&c| c > 0.0).collect();
+        assert!((plateau[0] / plateau[3] - 1.0).abs() < 1e-12, "constant up to the roll-off");
+        for ((q, asked), reached) in asked.rings.iter().zip(&reached) {
+            // A ring of few waves scatters: 4 sigma of 20 maps with at least 2 independent waves each.
+            let waves = (q / (TAU / 128.0)).max(1.0) * 20.0;
+            assert!((reached - asked).abs() <= 4.0 * asked / waves.sqrt() + 1e-25, "{q}: {asked} {reached}");
+        }
+        // The integral of the density over the plane of wave vectors, with the level C0 up to the roll-off.
+        let q: f64 = TAU / roll_off;
+        let falling = (1.0 - (roll_off / cut_off).powf(-2.0 * hurst)) / hurst;
+        let level = 9.0 / (PI * q * q * (1.0 + falling));
+        assert!((plateau[0] / level - 1.0).abs() < 0.01, "{} {level}", plateau[0]);
+    }
+
+    #[test]
+    fn autocorrelations_are_those_asked_for() {
+        for (shape, exact) in [
+            (Shape::Gaussian(4.0), (|r: f64| (-(r / 4.0).powi(2)).exp()) as fn(f64) -> f64),
+            (Shape::Exponential(4.0), |r: f64| (-r / 4.0).exp()),
+        ] {
+            let mut mean = [0.0; 12];
+            for seed in 0..30 {
+                let found = Autocorrelation::of(&surface(shape, Lay::default(), seed).0, 0.0).unwrap();
+                for (sum, (_, rho)) in mean.iter_mut().zip(&found.along_x) {
+                    *sum += rho / 30.0;
+                }
+            }
+            for (k, rho) in mean.iter().enumerate() {
+                assert!((rho - exact(0.5 * k as f64)).abs() < 0.02, "{shape:?} {k}: {rho}");
+            }
+        }
+    }
+
+    #[test]
+    fn lay_and_length_are_found() {
+        let lay = Lay { elongation: 4.0, angle: 0.5 };
+        let mut found = [0.0; 2];
+        for seed in 0..20 {
+            let of = Autocorrelation::of(&surface(Shape::Gaussian(3.0), lay, seed).0, 0.0).unwrap();
+            found[0] += of.length.unwrap() / 20.0;
+            found[1] += of.aspect.unwrap() / 20.0;
+        }
+        let exact = 3.0 * 5f64.ln().sqrt();
+        assert!((found[0] / exact - 1.0).abs() < 0.03, "{} {exact}", found[0]);
+        assert!((found[1] / 0.25 - 1.0).abs() < 0.1, "{}", found[1]);
+    }
+
+    /// On an open map with holes pairs are counted one by one.
+    #[test]
+    fn pairs_of_an_open_map_with_missing_points() {
+        let (map, _) = surface(Shape::Exponential(3.0), Lay::default(), 3);
+        let mut heights = map.into_heights();
+        heights.iter_mut().step_by(17).for_each(|z| *z = f64::NAN);
+        let map = HeightMap::new(POINTS, PIXEL, heights, 0.0).unwrap();
+        let mean = Moments::of(&map).mean;
+        let z = |i: usize, j: usize| map.heights()[i * POINTS[1] + j] - mean;
+        let covariance = |lag: usize| {
+            let (mut sum, mut count) = (0.0, 0.0);
+            for i in 0..POINTS[0] - lag {
+                for j in 0..POINTS[1] {
+                    let product = z(i, j) * z(i + lag, j);
+                    if !product.is_nan() {
+                        sum += product;
+                        count += 1.0;
+                    }
+                }
+            }
+            sum / count
+        };
+        let found = Autocorrelation::of(&map, mean).unwrap();
+        for lag in [1, 5, 40, 128] {
+            let exact = covariance(lag) / covariance(0);
+            assert!((found.along_x[lag].1 - exact).abs() < 1e-12, "{lag}");
+        }
+    }
+
+    /// sigma^2 over all wave vectors that the grid has.
+    #[test]
+    fn white_noise_has_its_density_within_open_borders_too() {
+        let mut found = [0.0; 2];
+        for seed in 0..8 {
+            let map = surface(Shape::Gaussian(0.05), Lay::default(), seed).0;
+            let open = HeightMap::new(POINTS, PIXEL, map.heights().to_vec(), 0.0).unwrap();
+            for (found, map) in found.iter_mut().zip([map, open]) {
+                let mean = Moments::of(&map).mean;
+                let rings = RadialSpectrum::of(map, mean).rings;
+                *found += rings[rings.len() - 10..].iter().map(|ring| ring.1 / 80.0).sum::<f64>();
+            }
+        }
+        let exact = 9.0 * PIXEL[0] * PIXEL[1] / TAU.powi(2);
+        // Four standard errors of the open maps.
+        assert!(found.iter().all(|found| (found / exact - 1.0).abs() < 0.03), "{found:?} for {exact}");
+    }
+
+    /// C(q) = sigma^2 l^2/(4 pi) exp(-(q l/2)^2); the longest wave is alone in its ring.
+    #[test]
+    fn the_spectrum_asked_for_is_that_of_an_endless_surface() {
+        let spectrum = Spectrum::new(Shape::Gaussian(10.0), Lay::default()).unwrap();
+        let (q, density) = RadialSpectrum::asked(&spectrum.on_grid(POINTS, PIXEL), PIXEL, 3.0).rings[0];
+        assert!((q / (TAU / 160.0) - 1.0).abs() < 1e-12);
+        let exact = 9.0 * 100.0 / (4.0 * PI) * (-(5.0 * q).powi(2)).exp();
+        assert!((density / exact - 1.0).abs() < 1e-6, "{density} for {exact}");
+    }
+
+    #[test]
+    fn quartiles_are_those_of_found_over_asked() {
+        let of = |density: &dyn Fn(usize) -> f64| RadialSpectrum {
+            rings: (0..8).map(|k| (1.0 + k as f64, density(k))).collect(),
+        };
+        assert_eq!(of(&|_| 2.0).quartiles_of(&of(&|k| 2.0 * k as f64)), [2.0, 6.0]);
+        let negligible = of(&|k| if k < 4 { 1.0 } else { 1e-4 });
+        assert_eq!(negligible.quartiles_of(&of(&|k| if k < 4 { 3.0 } else { 9.0 })), [3.0, 3.0]);
+    }
+}

@@ -1,0 +1,245 @@
+//! Areal Gaussian filters (ISO 16610-61): an S filter takes out what is shorter than its nesting
+//! index, an L filter what is longer.
+
+use std::fmt;
+
+use realfft::num_complex::Complex;
+use rustfft::FftPlanner;
+
+use super::fourier::{analyse, synthesise};
+use super::{Boundary, HeightMap, Rows};
+
+/// An S and an L filter, either or both.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Filter {
+    s: Option<f64>,
+    l: Option<f64>,
+}
+
+/// Nesting indices that make no filter.
+#[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
+pub enum FilterError {
+    /// There is an index.
+    #[error("found no nesting index; allowed: s, l, or both")]
+    Missing,
+    /// Short comes before long.
+    #[error("found s = {s:.4e} m and l = {l:.4e} m; allowed: s below l")]
+    Order {
+        /// The S index, m.
+        s: f64,
+        /// The L index, m.
+        l: f64,
+    },
+    /// The map is larger than what is taken out.
+    #[error("found a nesting index of {index:.4e} m on a map of {:.4e} x {:.4e} m; allowed: at most its shorter side", size[0], size[1])]
+    TooLarge {
+        /// The index, m.
+        index: f64,
+        /// Size of the map, m.
+        size: [f64; 2],
+    },
+}
+
+impl Filter {
+    /// Filters with nesting indices in m, positive.
+    ///
+    /// # Errors
+    /// No index at all, or an S index that is not below the L index.
+    pub fn new(s: Option<f64>, l: Option<f64>) -> Result<Self, FilterError> {
+        match (s, l) {
+            (None, None) => Err(FilterError::Missing),
+            (Some(s), Some(l)) if s >= l => Err(FilterError::Order { s, l }),
+            _ => Ok(Self { s, l }),
+        }
+    }
+
+    /// Whether it suits a map of `points` that are `pixel` (m) apart.
+    ///
+    /// # Errors
+    /// An index larger than the map.
+    pub fn check(&self, points: [usize; 2], pixel: [f64; 2]) -> Result<(), FilterError> {
+        let size = [0, 1].map(|axis| points[axis] as f64 * pixel[axis]);
+        let too_large = |&index: &f64| index > size[0].min(size[1]);
+        match [self.s, self.l].into_iter().flatten().find(too_large) {
+            Some(index) => Err(FilterError::TooLarge { index, size }),
+            None => Ok(()),
+        }
+    }
+
+    /// The filtered map; missing points stay missing and do not count. The same to the bit on any
+    /// number of threads.
+    ///
+    /// # Errors
+    /// An index larger than the map.
+    pub fn apply(&self, map: HeightMap) -> Result<HeightMap, FilterError> {
+        self.check(map.points(), map.pixel())?;
+        let short = match self.s {
+            Some(s) => low_pass(&map, s),
+            None => map,
+        };
+        Ok(match self.l {
+            Some(l) => {
+                let long = low_pass(&short, l);
+                let rest = short.heights().iter().zip(long.heights()).map(|(z, form)| z - form).collect();
+                short.with_heights(rest)
+            }
+            None => short,
+        })
+    }
+}
+
+impl fmt::Display for Filter {
+    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        let part = |name, index: Option<f64>| index.map(|index| format!("{name} = {} um", index * 1e6));
+        let parts: Vec<String> = [part("S", self.s), part("L", self.l)].into_iter().flatten().collect();
+        f.write_str(&parts.join(", "))
+    }
+}
+
+/// The Gaussian mean of a map: weights exp(-pi (x/(alpha index))^2) along x and y (ISO 16610-61,
+/// Eq. 1; a Gaussian separates), normalised by the weights of the points that are there.
+fn low_pass(map: &HeightMap, index: f64) -> HeightMap {
+    let weights = map.pixel().map(|pixel| weights(index / pixel));
+    let smoothed = |of: &(dyn Fn(f64) -> f64 + Sync)| smoothed(map, &weights, of);
+    // Heights and presence go the same way; their quotient is the mean.
+    let sums = smoothed(&|z| z);
+    let presence = smoothed(&|_| 1.0);
+    let means = sums.iter().zip(&presence).map(|(sum, weight)| sum / weight);
+    let heights = map.heights().iter().zip(means).map(|(&z, mean)| if z.is_nan() { z } else { mean });
+    map.with_heights(heights.collect())
+}
+
+/// Weighted sums over the neighbourhood of each point of what `of` makes of the heights that are there: a
+/// product of transforms, so that the cost does not grow with the nesting index.
+fn smoothed(map: &HeightMap, weights: &[Vec<f64>; 2], of: &(dyn Fn(f64) -> f64 + Sync)) -> Vec<f64> {
+    let [nx, ny] = map.points();
+    // Beyond an open border there is nothing: as much room as the weights reach keeps the borders apart.
+    let points = [0, 1].map(|axis| match map.boundary() {
+        Boundary::Periodic => map.points()[axis],
+        Boundary::Open => (map.points()[axis] + weights[axis].len()).next_multiple_of(16),
+    });
+    let [along_x, along_y] = [0, 1].map(|axis| wrapped(&weights[axis], points[axis]));
+    let count = (points[0] * points[1]) as f64;
+    let waves = analyse(map.embedded(points, of), points, |j, waves| {
+        waves.iter().zip(&along_x).map(|(wave, x)| wave * (x * along_y[j])).collect::<Vec<_>>()
+    });
+    let fill = |j: usize, column: &mut [Complex<f64>]| column.copy_from_slice(&waves[j]);
+    let sums = synthesise(points, fill, |_| count.recip());
+    sums.chunks(points[1]).take(nx).flat_map(|row| &row[..ny]).copied().collect()
+}
+
+/// The transform of weights on both sides of a point, around a border of `count` points.
+fn wrapped(weights: &[f64], count: usize) -> Vec<f64> {
+    let mut both = vec![Complex::default(); count];
+    for (k, &weight) in weights.iter().enumerate() {
+        both[k % count].re += weight;
+        if k > 0 {
+            both[(count - k % count) % count].re += weight;
+        }
+    }
+    FftPlanner::new().plan_fft_forward(count).process(&mut both);
+    both.into_iter().map(|wave| wave.re).collect()
+}
+
+/// Weights at 0, 1, 2, ... pixels, up to where they fall below 1e-12 of the first. The index is in
+/// pixels.
+fn weights(index: f64) -> Vec<f64> {
+    /// alpha = (ln 2/pi)^.5: a wave of the cut-off length is halved.
+    const ALPHA_SQUARED: f64 = std::f64::consts::LN_2 / std::f64::consts::PI;
+    const NEGLIGIBLE: f64 = 1e-12;
+    (0..)
+        .map(|k| (-std::f64::consts::PI * f64::from(k).powi(2) / (ALPHA_SQUARED * index * index)).exp())
+        .take_while(|&weight| weight > NEGLIGIBLE)
+        .collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::topography::character::Character;
+
+    const POINTS: [usize; 2] = [120, 80];
+    const PIXEL: [f64; 2] = [0.5, 0.8];
+
+    fn map(height: impl Fn(f64, f64) -> f64) -> HeightMap {
+        let at = |k: usize| height((k / 80) as f64 * PIXEL[0], (k % 80) as f64 * PIXEL[1]);
+        HeightMap::new(POINTS, PIXEL, (0..120 * 80).map(at).collect(), f64::EPSILON).unwrap()
+    }
+
+    fn centre(map: &HeightMap) -> f64 {
+        map.heights()[60 * 80 + 40]
+    }
+
+    fn filtered(map: &HeightMap, s: Option<f64>, l: Option<f64>) -> HeightMap {
+        Filter::new(s, l).unwrap().apply(map.clone()).unwrap()
+    }
+
+    /// exp(-pi (alpha index/length)^2) of a wave passes.
+    #[test]
+    fn waves_pass_as_the_standard_says() {
+        for length in [6.0, 8.0, 16.0] {
+            let turn = std::f64::consts::TAU / length;
+            let along_x = map(|x, _| (turn * (x - 30.0)).cos());
+            let along_y = map(|_, y| (turn * (y - 32.0)).cos());
+            let passes = 0.5f64.powf((8.0 / length).powi(2));
+            for wave in [along_x, along_y] {
+                assert!((centre(&filtered(&wave, Some(8.0), None)) - passes).abs() < 1e-6, "{length}");
+                assert!((centre(&filtered(&wave, None, Some(8.0))) - (1.0 - passes)).abs() < 1e-6);
+            }
+        }
+    }
+
+    #[test]
+    fn a_flat_map_stays_flat_to_its_borders_and_around_holes() {
+        let holed = map(|x, y| if (x - 30.0).abs() + (y - 20.0).abs() < 5.0 { f64::NAN } else { 7.0 });
+        let flat = filtered(&holed, Some(8.0), None);
+        assert_eq!(Character::of(&flat).missing, Character::of(&holed).missing);
+        assert!(flat.heights().iter().all(|z| z.is_nan() || (z - 7.0).abs() < 1e-13));
+        let nothing = filtered(&holed, Some(2.0), Some(8.0));
+        assert!(nothing.heights().iter().all(|z| z.is_nan() || z.abs() < 1e-13));
+    }
+
+    #[test]
+    fn indices_that_make_no_filter_are_refused() {
+        assert_eq!(Filter::new(None, None), Err(FilterError::Missing));
+        assert!(matches!(Filter::new(Some(2.0), Some(2.0)), Err(FilterError::Order { .. })));
+        let small = map(|x, _| x);
+        assert!(matches!(
+            Filter::new(Some(61.0), None).unwrap().apply(small),
+            Err(FilterError::TooLarge { .. })
+        ));
+    }
+
+    /// The definition, point by point.
+    #[test]
+    fn the_same_as_by_the_definition() {
+        let (points, pixel, index) = ([40, 37], [1e-6, 1.5e-6], 7e-6);
+        let height = |k: usize| if k % 29 == 3 { f64::NAN } else { ((k * k) % 97) as f64 * 1e-9 };
+        let open = HeightMap::new(points, pixel, (0..40 * 37).map(height).collect(), 0.0).unwrap();
+        for map in [open.clone(), open.periodic()] {
+            let found = low_pass(&map, index);
+            let half = map.points().map(|count| count as isize);
+            for k in (0..40 * 37).step_by(13).filter(|k| !height(*k).is_nan()) {
+                let (mut sum, mut total) = (0.0, 0.0);
+                for other in (0..40 * 37).filter(|other| !height(*other).is_nan()) {
+                    let steps = [other / 37, other % 37].into_iter().zip([k / 37, k % 37]);
+                    let distance: Vec<isize> = steps.map(|(a, b)| a as isize - b as isize).collect();
+                    // Two images each way: the weights end within them.
+                    let reach = if map.boundary() == Boundary::Periodic { 2 } else { 0 };
+                    for i in -reach..=reach {
+                        for j in -reach..=reach {
+                            let x = (distance[0] + i * half[0]) as f64 * pixel[0];
+                            let y = (distance[1] + j * half[1]) as f64 * pixel[1];
+                            let alpha2 = std::f64::consts::LN_2 / std::f64::consts::PI;
+                            let weight =
+                                (-std::f64::consts::PI * (x * x + y * y) / (alpha2 * index * index)).exp();
+                            sum += weight * height(other);
+                            total += weight;
+                        }
+                    }
+                }
+                assert!((found.heights()[k] / (sum / total) - 1.0).abs() < 1e-11, "{k}");
+            }
+        }
+    }
+}

@@ -1,0 +1,307 @@
+//! A surface whose found summits have a given mean radius, standard deviation of heights and density.
+//!
+//! Their product density * radius * sigma changes neither with the scale of heights nor with that of lengths: it
+//! depends on the bandwidth of the spectrum alone, which is searched for; then heights are scaled to
+//! sigma and lengths to the density.
+
+use super::field;
+use crate::asperity::{AsperitySet, SetError, Statistics};
+use crate::topography::marginal::Marginal;
+use crate::topography::spectrum::{Lay, Shape, Spectrum, SpectrumError};
+use crate::topography::summits::{Detail, Neighbours, find};
+use crate::topography::{HeightMap, MapError};
+
+/// What the found summits shall be.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Target {
+    /// Arithmetic mean of the radii, m.
+    pub radius: f64,
+    /// Standard deviation of the summit heights, m.
+    pub sigma: f64,
+    /// Summits per area, 1/m^2.
+    pub density: f64,
+}
+
+impl Target {
+    /// density * radius * sigma.
+    pub fn product(&self) -> f64 {
+        self.density * self.radius * self.sigma
+    }
+}
+
+/// A self-affine surface whose scales and bandwidth are left to the target.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct TargetRecipe {
+    /// Points along x and y.
+    pub points: [usize; 2],
+    /// Hurst exponent.
+    pub hurst: f64,
+    /// Shortest wavelength, in pixels.
+    pub cut_off: f64,
+    /// The lay.
+    pub lay: Lay,
+    /// Distribution of the heights.
+    pub heights: Marginal,
+    /// What a summit is.
+    pub neighbours: Neighbours,
+}
+
+/// A surface that meets its target.
+#[derive(Debug, Clone)]
+pub struct Reached {
+    /// The surface.
+    pub map: HeightMap,
+    /// Roll-off wavelength over cut-off wavelength.
+    pub bandwidth: f64,
+    /// Roll-off wavelength, m.
+    pub roll_off: f64,
+    /// Cut-off wavelength, m.
+    pub cut_off: f64,
+    /// Standard deviation of the surface heights over all surfaces of the process, m.
+    pub sigma: f64,
+    /// Surfaces that were made to find it.
+    pub tried: usize,
+}
+
+/// A target that no surface of the recipe meets.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+pub enum Unreachable {
+    /// The product is out of reach.
+    #[error(
+        "density * radius * sigma = {product:.5} is not reached: with this grid, these heights and Hurst exponent it goes from \
+         {least:.5} (a ratio of roll-off to cut-off of {from:.3}) to {most:.5} (of {to:.3}); allowed: a product in this range, or \
+         other heights, another Hurst exponent, another cut-off-pixels or more points"
+    )]
+    Product {
+        /// What was asked for.
+        product: f64,
+        /// The least that was found.
+        least: f64,
+        /// The bandwidth where.
+        from: f64,
+        /// The most that was found.
+        most: f64,
+        /// The bandwidth where.
+        to: f64,
+    },
+    /// The product jumps over what was asked for.
+    #[error(
+        "density * radius * sigma = {product:.5} lies in a jump, from {below:.5} to {above:.5}: the map holds too few summits; \
+         allowed: more points"
+    )]
+    Jump {
+        /// What was asked for.
+        product: f64,
+        /// The nearest below.
+        below: f64,
+        /// The nearest above.
+        above: f64,
+    },
+    /// The longest wave is the shortest.
+    #[error(
+        "found {} x {} points; allowed with summits: more than {least} along each axis, so that four waves of the cut-off, and longer \
+         ones, fit (fewer with a smaller cut-off-pixels or elongation)",
+        points[0], points[1]
+    )]
+    NoRoom {
+        /// Points along x and y.
+        points: [usize; 2],
+        /// Too few.
+        least: usize,
+    },
+    /// A spectrum that the grid cannot show.
+    #[error(transparent)]
+    Spectrum(#[from] SpectrumError),
+    /// A grid that makes no map.
+    #[error(transparent)]
+    Map(#[from] MapError),
+    /// No summits.
+    #[error(transparent)]
+    Set(#[from] SetError),
+}
+
+/// One surface of unit pixel and unit deviation.
+struct Trial {
+    log_bandwidth: f64,
+    map: HeightMap,
+    statistics: Statistics,
+    density: f64,
+}
+
+impl Trial {
+    fn product(&self) -> f64 {
+        self.density * self.statistics.mean_radius * self.statistics.sigma
+    }
+}
+
+/// How close the product must come: the radius is off by as much.
+const TOLERANCE: f64 = 5e-5;
+/// What is still a surface of the target where the product jumps.
+const MET: f64 = 1e-3;
+
+impl TargetRecipe {
+    /// Whether the grid can show its spectra.
+    ///
+    /// # Errors
+    /// A cut-off below two pixels, numbers that make no spectrum, or a map without room for longer waves.
+    pub fn check(&self) -> Result<(), Unreachable> {
+        self.spectrum(1.0, 1.0)?.check(self.points, [1.0; 2])?;
+        if self.widest() > 1.0 {
+            return Ok(());
+        }
+        let least = (self.points[0].min(self.points[1]) as f64 / self.widest()).round() as usize;
+        Err(Unreachable::NoRoom { points: self.points, least })
+    }
+
+    /// The largest bandwidth: four of the longest waves fit into the shorter side.
+    fn widest(&self) -> f64 {
+        let side = self.points[0].min(self.points[1]) as f64;
+        side / (4.0 * self.cut_off * self.lay.elongation.max(1.0))
+    }
+
+    fn spectrum(&self, bandwidth: f64, pixel: f64) -> Result<Spectrum, SpectrumError> {
+        let cut_off = self.cut_off * pixel;
+        let shape = Shape::SelfAffine { hurst: self.hurst, roll_off: bandwidth * cut_off, cut_off };
+        Spectrum::new(shape, self.lay)
+    }
+
+    fn trial(&self, log_bandwidth: f64, seed: [u8; 32]) -> Result<Trial, Unreachable> {
+        let spectrum = self.spectrum(log_bandwidth.exp(), 1.0)?;
+        spectrum.check(self.points, [1.0; 2])?;
+        let heights = field(&spectrum.on_grid(self.points, [1.0; 2]), self.heights, 1.0, seed);
+        let map = HeightMap::new(self.points, [1.0; 2], heights, f64::EPSILON)?.periodic();
+        let summits = find(&map, self.neighbours, Detail::default());
+        let radii = summits.curvatures.iter().map(|curvature| curvature.recip()).collect();
+        let set = AsperitySet::new(summits.heights, radii, summits.tested as f64)?;
+        Ok(Trial { log_bandwidth, map, statistics: Statistics::of(&set), density: set.density() })
+    }
+
+    /// The surface of a seed that meets the target. All trials share their random numbers, so that the product is a
+    /// function of the bandwidth alone; it is searched for from narrow to wide, `first` (a bandwidth that met the
+    /// target of another seed) being tried before.
+    ///
+    /// # Errors
+    /// See [`Unreachable`].
+    pub fn surface(
+        &self,
+        target: &Target,
+        seed: [u8; 32],
+        first: Option<f64>,
+    ) -> Result<Reached, Unreachable> {
+        let mut tried = 0;
+        let mut trial = |log_bandwidth: f64| {
+            tried += 1;
+            self.trial(log_bandwidth, seed)
+        };
+        let [below, above] = match self.near(target, first, &mut trial)? {
+            Some(bracket) => bracket,
+            None => self.bracket(target, &mut trial)?,
+        };
+        let found = refine(target, below, above, &mut trial)?;
+        self.scaled(found, target, tried)
+    }
+
+    /// A bracket about a bandwidth that met the target of another seed.
+    fn near(
+        &self,
+        target: &Target,
+        first: Option<f64>,
+        trial: &mut impl FnMut(f64) -> Result<Trial, Unreachable>,
+    ) -> Result<Option<[Trial; 2]>, Unreachable> {
+        /// Seeds differ by some percent in bandwidth.
+        const NEAR: f64 = 0.1;
+        let Some(first) = first.map(f64::ln) else { return Ok(None) };
+        let low = trial((first - NEAR).max(0.0))?;
+        let high = trial((first + NEAR).min(self.widest().ln()))?;
+        let holds = low.product() <= target.product() && target.product() <= high.product();
+        Ok(holds.then_some([low, high]))
+    }
+
+    /// The first two bandwidths, from narrow to wide, between which the product passes the target.
+    fn bracket(
+        &self,
+        target: &Target,
+        trial: &mut impl FnMut(f64) -> Result<Trial, Unreachable>,
+    ) -> Result<[Trial; 2], Unreachable> {
+        /// Step of the scan in the logarithm of the bandwidth.
+        const STEP: f64 = 0.4;
+        let product = target.product();
+        let last = self.widest().ln();
+        let mut before = trial(0.0)?;
+        let mut least = (before.product(), 1.0);
+        let mut most = least;
+        while before.log_bandwidth < last {
+            let next = trial((before.log_bandwidth + STEP).min(last))?;
+            if (before.product() <= product) != (next.product() <= product) {
+                let rises = before.product() <= product;
+                return Ok(if rises { [before, next] } else { [next, before] });
+            }
+            let found = (next.product(), next.log_bandwidth.exp());
+            if found.0 < least.0 {
+                least = found;
+            }
+            if found.0 > most.0 {
+                most = found;
+            }
+            before = next;
+        }
+        Err(Unreachable::Product { product, least: least.0, from: least.1, most: most.0, to: most.1 })
+    }
+
+    /// Scales a trial to the target.
+    fn scaled(&self, trial: Trial, target: &Target, tried: usize) -> Result<Reached, Unreachable> {
+        let pixel = (trial.density / target.density).sqrt();
+        let scale = target.sigma / trial.statistics.sigma;
+        let mut heights = trial.map.into_heights();
+        heights.iter_mut().for_each(|z| *z *= scale);
+        let bandwidth = trial.log_bandwidth.exp();
+        Ok(Reached {
+            map: HeightMap::new(self.points, [pixel; 2], heights, f64::EPSILON)?.periodic(),
+            bandwidth,
+            roll_off: bandwidth * self.cut_off * pixel,
+            cut_off: self.cut_off * pixel,
+            sigma: scale,
+            tried,
+        })
+    }
+}
+
+/// Closes a bracket, whose first product is not above the target's and whose second is not below it, by
+/// regula falsi with the Illinois weights (Dowell and Jarratt 1971).
+fn refine(
+    target: &Target,
+    mut below: Trial,
+    mut above: Trial,
+    trial: &mut impl FnMut(f64) -> Result<Trial, Unreachable>,
+) -> Result<Trial, Unreachable> {
+    /// The product is a step function on the scale of single summits.
+    const CLOSEST: f64 = 1e-7;
+    let off = |trial: &Trial| trial.product() / target.product() - 1.0;
+    let (mut low, mut high) = (off(&below), off(&above));
+    let mut last = None;
+    loop {
+        let nearest = if off(&below).abs() < off(&above).abs() { &below } else { &above };
+        let is_closed = (above.log_bandwidth - below.log_bandwidth).abs() < CLOSEST;
+        if off(nearest).abs() < TOLERANCE || (is_closed && off(nearest).abs() < MET) {
+            return Ok(if off(&below).abs() < off(&above).abs() { below } else { above });
+        }
+        if is_closed {
+            let product = target.product();
+            return Err(Unreachable::Jump { product, below: below.product(), above: above.product() });
+        }
+        let secant = (below.log_bandwidth * high - above.log_bandwidth * low) / (high - low);
+        let next = trial(secant)?;
+        let found = off(&next);
+        let is_below = found <= 0.0;
+        // An end that stays twice counts half.
+        let stays = if last == Some(is_below) { 0.5 } else { 1.0 };
+        if is_below {
+            (below, low) = (next, found);
+            high *= stays;
+        } else {
+            (above, high) = (next, found);
+            low *= stays;
+        }
+        last = Some(is_below);
+    }
+}

@@ -1,0 +1,262 @@
+//! Taking the form out of a map by least squares.
+
+use nalgebra::{DMatrix, DVector};
+
+use super::HeightMap;
+use super::rows::{Boundary, Rows, Strip, first_present, strips};
+
+/// The form that is taken out.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
+#[cfg_attr(feature = "serde", derive(serde::Deserialize))]
+#[cfg_attr(feature = "serde", serde(rename_all = "kebab-case"))]
+pub enum Level {
+    /// Nothing.
+    None,
+    /// The mean.
+    Mean,
+    /// The least-squares plane.
+    #[default]
+    Plane,
+    /// The least-squares polynomial of second degree.
+    Quadratic,
+}
+
+/// Too few points, or points on a line, determine no such form.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, thiserror::Error)]
+#[error("cannot be levelled by a {}: its present points determine none; allowed: more points, or level = \"mean\"", .0.name())]
+pub struct Undetermined(Level);
+
+/// Number of terms of the largest form.
+const TERMS: usize = 6;
+
+impl Level {
+    /// As specs and reports name it.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::None => "none",
+            Self::Mean => "mean",
+            Self::Plane => "plane",
+            Self::Quadratic => "quadratic",
+        }
+    }
+
+    const fn terms(self) -> usize {
+        match self {
+            Self::None => 0,
+            Self::Mean => 1,
+            Self::Plane => 3,
+            Self::Quadratic => 6,
+        }
+    }
+
+    /// The least-squares form of a map; the same to the bit on any number of threads.
+    ///
+    /// # Errors
+    /// Points that determine no such form.
+    pub fn form(self, map: &dyn Rows) -> Result<Form, Undetermined> {
+        let terms = self.terms();
+        let mut form = Form {
+            origin: 0.0,
+            // Coordinates from -1 to 1 and heights about one of them keep the equations well conditioned.
+            centre: map.points().map(|count| 0.5 * (count - 1) as f64),
+            coefficients: [0.0; TERMS],
+            terms,
+        };
+        if terms == 0 {
+            return Ok(form);
+        }
+        form.origin = first_present(map);
+        let mut normal = Normal::default();
+        for part in strips(map, 0, |strip| form.normal(&strip)) {
+            normal.merge(&part);
+        }
+        let matrix = DMatrix::from_fn(terms, terms, |i, j| normal.matrix[i][j]);
+        let right = DVector::from_fn(terms, |i, _| normal.right[i]);
+        let found = determined(matrix).and_then(|factors| factors.solve(&right)).ok_or(Undetermined(self))?;
+        form.coefficients[..terms].copy_from_slice(found.as_slice());
+        Ok(form)
+    }
+
+    /// The map without its form, in memory.
+    ///
+    /// # Errors
+    /// Points that determine no such form.
+    pub fn apply(self, map: &HeightMap) -> Result<HeightMap, Undetermined> {
+        Ok(HeightMap::of(&Levelled { map, form: self.form(map)? }))
+    }
+}
+
+/// A polynomial over a map.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Form {
+    /// A height that is taken off before, m.
+    origin: f64,
+    centre: [f64; 2],
+    coefficients: [f64; TERMS],
+    terms: usize,
+}
+
+impl Form {
+    /// The largest height that was taken off, m: differences below its rounding mean nothing.
+    pub fn magnitude(&self) -> f64 {
+        self.origin.abs() + self.coefficients.iter().map(|c| c.abs()).sum::<f64>()
+    }
+
+    fn coordinate(&self, index: usize, axis: usize) -> f64 {
+        index as f64 / self.centre[axis] - 1.0
+    }
+
+    fn normal(&self, strip: &Strip) -> Normal {
+        let mut sums = Normal::default();
+        for k in 0..strip.count {
+            let u = self.coordinate(strip.first + k, 0);
+            let row = strip.row(k as isize).unwrap_or_default();
+            // In a row only v varies: its powers are added, those of u multiplied in at the end.
+            let (mut powers, mut heights) = ([0.0; 5], [0.0; 3]);
+            for (iy, z) in row.iter().enumerate().filter(|(_, z)| !z.is_nan()) {
+                let v = self.coordinate(iy, 1);
+                let (z, v2) = (z - self.origin, v * v);
+                for (sum, term) in powers.iter_mut().zip([1.0, v, v2, v2 * v, v2 * v2]) {
+                    *sum += term;
+                }
+                for (sum, term) in heights.iter_mut().zip([z, z * v, z * v2]) {
+                    *sum += term;
+                }
+            }
+            sums.add(u, powers, heights);
+        }
+        sums
+    }
+
+    /// Takes the form off a row of heights (m) at the x index `ix`.
+    pub fn take_off(&self, ix: usize, row: &mut [f64]) {
+        if self.terms == 0 {
+            return;
+        }
+        let u = self.coordinate(ix, 0);
+        let [c, cu, cv, cuu, cuv, cvv] = self.coefficients;
+        let (start, slope) = (c + cu * u + cuu * u * u, cv + cuv * u);
+        for (iy, z) in row.iter_mut().enumerate() {
+            let v = self.coordinate(iy, 1);
+            *z = (*z - self.origin) - (start + v * (slope + cvv * v));
+        }
+    }
+}
+
+/// A map without its form, taken off row by row.
+pub struct Levelled<'a> {
+    /// The map.
+    pub map: &'a dyn Rows,
+    /// Its form.
+    pub form: Form,
+}
+
+impl Rows for Levelled<'_> {
+    fn points(&self) -> [usize; 2] {
+        self.map.points()
+    }
+
+    fn pixel(&self) -> [f64; 2] {
+        self.map.pixel()
+    }
+
+    fn precision(&self) -> f64 {
+        self.map.precision()
+    }
+
+    fn boundary(&self) -> Boundary {
+        self.map.boundary()
+    }
+
+    fn read(&self, ix: usize, row: &mut [f64]) {
+        self.map.read(ix, row);
+        self.form.take_off(ix, row);
+    }
+
+    fn block(&self, rows: std::ops::Range<usize>) -> Option<&[f64]> {
+        if self.form.terms == 0 { self.map.block(rows) } else { None }
+    }
+}
+
+/// The factors of normal equations that are not singular to rounding.
+fn determined(
+    matrix: DMatrix<f64>,
+) -> Option<nalgebra::linalg::FullPivLU<f64, nalgebra::Dyn, nalgebra::Dyn>> {
+    /// Smaller pivots than this, relative to the largest, are rounding.
+    const SINGULAR: f64 = 1e-12;
+    let factors = matrix.full_piv_lu();
+    let pivots = factors.u().diagonal().map(f64::abs);
+    (pivots.min() > SINGULAR * pivots.max()).then_some(factors)
+}
+
+/// The normal equations of a least-squares form.
+#[derive(Default)]
+struct Normal {
+    matrix: [[f64; TERMS]; TERMS],
+    right: [f64; TERMS],
+}
+
+/// Powers of u and v in the terms 1, u, v, u^2, u v, v^2.
+const POWERS: [(i32, usize); TERMS] = [(0, 0), (1, 0), (0, 1), (2, 0), (1, 1), (0, 2)];
+
+impl Normal {
+    /// Adds a row at `u`, from its sums of powers of v and of heights times powers of v.
+    fn add(&mut self, u: f64, powers: [f64; 5], heights: [f64; 3]) {
+        for (i, (ui, vi)) in POWERS.into_iter().enumerate() {
+            for (j, (uj, vj)) in POWERS.into_iter().enumerate() {
+                self.matrix[i][j] += u.powi(ui + uj) * powers[vi + vj];
+            }
+            self.right[i] += u.powi(ui) * heights[vi];
+        }
+    }
+
+    fn merge(&mut self, other: &Self) {
+        for (sum, part) in self.matrix.iter_mut().flatten().zip(other.matrix.iter().flatten()) {
+            *sum += part;
+        }
+        for (sum, part) in self.right.iter_mut().zip(other.right) {
+            *sum += part;
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::topography::character::Character;
+
+    fn map(height: impl Fn(f64, f64) -> f64) -> HeightMap {
+        let heights = (0..40 * 30).map(|k| height((k / 30) as f64, (k % 30) as f64)).collect();
+        HeightMap::new([40, 30], [1e-6, 2e-6], heights, f64::EPSILON).unwrap()
+    }
+
+    fn largest(map: &HeightMap) -> f64 {
+        map.heights().iter().filter(|z| !z.is_nan()).fold(0.0, |a, z| a.max(z.abs()))
+    }
+
+    #[test]
+    fn each_form_is_taken_out_and_no_more() {
+        let plane = map(|x, y| 5.0 + 0.3 * x - 0.7 * y);
+        let bowl = map(|x, y| 5.0 + 0.3 * x - 0.7 * y + 0.01 * x * x - 0.02 * x * y + 0.05 * y * y);
+        assert!(largest(&Level::Plane.apply(&plane).unwrap()) < 1e-12);
+        assert!(largest(&Level::Quadratic.apply(&bowl).unwrap()) < 1e-12);
+        assert!(largest(&Level::Plane.apply(&bowl).unwrap()) > 1.0);
+        assert!(largest(&Level::Mean.apply(&plane).unwrap()) > 1.0);
+        assert_eq!(Level::None.apply(&bowl).unwrap(), bowl);
+    }
+
+    #[test]
+    fn missing_points_stay_missing_and_do_not_count() {
+        let holed = map(|x, y| if x > 20.0 && y < 9.0 { f64::NAN } else { 1e6 + 0.3 * x - 0.7 * y });
+        let levelled = Level::Plane.apply(&holed).unwrap();
+        assert_eq!(Character::of(&levelled).missing, Character::of(&holed).missing);
+        assert!(largest(&levelled) < 1e-9);
+    }
+
+    #[test]
+    fn points_on_a_line_determine_no_plane() {
+        let line = map(|x, _| if x == 3.0 { 1.0 } else { f64::NAN });
+        assert_eq!(Level::Plane.apply(&line), Err(Undetermined(Level::Plane)));
+        assert!(Level::Mean.apply(&line).is_ok());
+    }
+}

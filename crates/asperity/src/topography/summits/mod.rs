@@ -1,0 +1,367 @@
+//! Summits of a map: five-point (Greenwood 1984), or higher than all eight neighbours.
+
+use pulp::{Arch, Simd, WithSimd};
+
+mod plateau;
+#[cfg(test)]
+mod tests;
+
+use plateau::LevelPoint;
+
+use super::rows::{Boundary, Rows, Strip, count_missing, strips_in_turn};
+use crate::memory::make_room;
+
+/// Which neighbours a summit is higher than.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+#[cfg_attr(feature = "serde", derive(serde::Deserialize))]
+#[cfg_attr(feature = "serde", serde(rename_all = "kebab-case"))]
+pub enum Neighbours {
+    /// The four beside it along x and y: five-point summits (Greenwood 1984).
+    #[default]
+    Four,
+    /// The diagonal ones too.
+    Eight,
+}
+
+impl Neighbours {
+    /// As reports name the summits.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Four => "five-point",
+            Self::Eight => "eight-neighbour",
+        }
+    }
+
+    const fn steps(self) -> &'static [[isize; 2]] {
+        match self {
+            Self::Four => STEPS.split_at(4).0,
+            Self::Eight => &STEPS,
+        }
+    }
+}
+
+/// Steps to the neighbours along x and y, the four nearest first.
+const STEPS: [[isize; 2]; 8] = [[-1, 0], [1, 0], [0, -1], [0, 1], [-1, -1], [-1, 1], [1, -1], [1, 1]];
+
+/// What is found besides height and curvature.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub struct Detail {
+    /// Where the summits are.
+    pub positions: bool,
+    /// Both principal curvatures.
+    pub principal: bool,
+    /// Drops to the four nearest neighbours.
+    pub drops: bool,
+}
+
+impl Detail {
+    /// Everything.
+    pub const ALL: Self = Self { positions: true, principal: true, drops: true };
+}
+
+/// The summits of a map, in file order.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Summits {
+    /// Index of each summit, the y index running fastest; of a plateau its first point. Empty unless asked for.
+    pub positions: Vec<usize>,
+    /// Heights, m.
+    pub heights: Vec<f64>,
+    /// Curvatures, 1/m, positive: the mean of those along x and y.
+    pub curvatures: Vec<f64>,
+    /// Principal curvatures, 1/m, the larger first; empty unless asked for. The smaller one is not
+    /// positive where four lower neighbours hide a saddle between them.
+    pub principal: Vec<[f64; 2]>,
+    /// Drops from the summits to each of their lower neighbours, m; empty unless asked for.
+    pub drops: Vec<f64>,
+    /// Number of points that were tested: those that are present, inside an open border, and have all
+    /// neighbours. The nominal area is this many pixels.
+    pub tested: usize,
+    /// Plateaus of equal heights among the summits, dropped ones included.
+    pub plateaus: usize,
+    /// Plateaus left out because their mean curvature is not positive.
+    pub dropped: usize,
+}
+
+/// Second derivatives at a point with the sign of a curvature, 1/m: along x, along y, mixed.
+#[derive(Debug, Clone, Copy, Default)]
+struct Bend([f64; 3]);
+
+impl Bend {
+    fn curvature(self) -> f64 {
+        0.5 * (self.0[0] + self.0[1])
+    }
+
+    /// Eigenvalues, the larger first.
+    fn principal(self) -> [f64; 2] {
+        let [x, y, mixed] = self.0;
+        let half = (0.5 * (x - y)).hypot(mixed);
+        [self.curvature() + half, self.curvature() - half]
+    }
+}
+
+/// What one strip of rows holds, or all strips so far.
+#[derive(Default)]
+struct Part {
+    summits: Summits,
+    level: Vec<LevelPoint>,
+}
+
+impl Part {
+    /// Moves the next strip's summits to the end; then the share `done` of the map has been searched.
+    fn append(&mut self, part: &mut Self, done: f64) {
+        let (summits, more) = (&mut self.summits, &mut part.summits);
+        // A plateau's place is after the summits that the strips before it hold too.
+        let before = summits.heights.len();
+        self.level
+            .extend(part.level.drain(..).map(|point| LevelPoint { rank: before + point.rank, ..point }));
+        append(&mut summits.positions, &mut more.positions, done);
+        append(&mut summits.heights, &mut more.heights, done);
+        append(&mut summits.curvatures, &mut more.curvatures, done);
+        append(&mut summits.principal, &mut more.principal, done);
+        append(&mut summits.drops, &mut more.drops, done);
+        summits.tested += std::mem::take(&mut more.tested);
+    }
+}
+
+/// The first strips tell how much room the whole map will need, if they are like the others: lists are seldom moved.
+fn append<T>(list: &mut Vec<T>, more: &mut Vec<T>, done: f64) {
+    let count = list.len() + more.len();
+    if count > list.capacity() {
+        let expected = 1.2 * count as f64 / done;
+        make_room(list, (expected as usize).min(16 * count));
+    }
+    list.append(more);
+}
+
+/// Five-point summits with everything known of them.
+pub fn five_point(map: &dyn Rows) -> Summits {
+    find(map, Neighbours::Four, Detail::ALL)
+}
+
+/// Finds the points that are strictly higher than their neighbours. Equal heights form a plateau: if
+/// all points around it are lower, it counts once, at its first point in file order, with the mean of
+/// its points' curvatures; where that is not positive it is dropped.
+///
+/// The curvature of a point is the mean of (2 z0 - zW - zE)/dx^2 and (2 z0 - zS - zN)/dy^2. Principal curvatures
+/// take the mixed derivative from the diagonal neighbours, (zNW + zSE - zNE - zSW)/(4 dx dy); where some
+/// of these are missing, from the quadrants that are whole.
+///
+/// Rows are read once, strip by strip; the same on any number of threads.
+pub fn find(map: &dyn Rows, neighbours: Neighbours, detail: Detail) -> Summits {
+    let finder = Finder {
+        points: map.points(),
+        pixel: map.pixel(),
+        is_periodic: map.boundary() == Boundary::Periodic,
+        neighbours,
+        detail,
+    };
+    let arch = Arch::new();
+    let mut all = Part::default();
+    strips_in_turn(
+        map,
+        1,
+        |strip, part| finder.strip(arch, &strip, part),
+        |part, done| all.append(part, done),
+    );
+    let Part { mut summits, level } = all;
+    if !level.is_empty() {
+        finder.add_plateaus(&level, &mut summits);
+    }
+    summits
+}
+
+struct Finder {
+    points: [usize; 2],
+    pixel: [f64; 2],
+    is_periodic: bool,
+    neighbours: Neighbours,
+    detail: Detail,
+}
+
+/// A row and the two beside it.
+#[derive(Clone, Copy)]
+struct Window<'a>([&'a [f64]; 3]);
+
+impl Window<'_> {
+    /// The height `step` away from the point `iy` of the middle row; around the border on a periodic map,
+    /// beyond which nobody asks on an open one.
+    fn at(&self, iy: usize, [dx, dy]: [isize; 2]) -> f64 {
+        let row = self.0[(1 + dx) as usize];
+        let place = iy.wrapping_add_signed(dy);
+        // Beyond the last point comes the first, before the first (which wraps to a huge index) the last.
+        row[if place < row.len() {
+            place
+        } else if dy > 0 {
+            0
+        } else {
+            row.len() - 1
+        }]
+    }
+}
+
+impl Finder {
+    fn strip(&self, arch: Arch, strip: &Strip, part: &mut Part) {
+        let mut flags = vec![false; self.points[1]];
+        let is_whole = |row: &[f64]| arch.dispatch(IsWhole(row));
+        let mut whole = [strip.row(-1).is_some_and(is_whole), strip.row(0).is_some_and(is_whole), false];
+        for k in 0..strip.count as isize {
+            whole[2] = strip.row(k + 1).is_some_and(is_whole);
+            // An open map ends where there is no next row.
+            if let (Some(before), Some(row), Some(after)) = (strip.row(k - 1), strip.row(k), strip.row(k + 1))
+            {
+                let window = Window([before, row, after]);
+                part.summits.tested += self.tested(window, whole == [true; 3]);
+                arch.dispatch(Mark { window, neighbours: self.neighbours, flags: &mut flags });
+                self.row(window, (strip.first + k as usize) * self.points[1], &mut flags, part);
+            }
+            whole.rotate_left(1);
+        }
+    }
+
+    /// How many points of the middle row can be tested.
+    fn tested(&self, window: Window, is_whole: bool) -> usize {
+        let inside = if self.is_periodic { 0..self.points[1] } else { 1..self.points[1] - 1 };
+        if is_whole {
+            return inside.len();
+        }
+        let is_there = |&iy: &usize| {
+            let mut around = self.neighbours.steps().iter().map(|&step| window.at(iy, step));
+            !window.0[1][iy].is_nan() && around.all(|z| !z.is_nan())
+        };
+        inside.filter(is_there).count()
+    }
+
+    /// Keeps the points of one row that are flagged, and the first and the last of a periodic map where they
+    /// should be. The row's first point has the position `start`.
+    fn row(&self, window: Window, start: usize, flags: &mut [bool], part: &mut Part) {
+        let count = self.points[1];
+        let steps = self.neighbours.steps();
+        if self.is_periodic {
+            for iy in [0, count - 1] {
+                flags[iy] = steps.iter().all(|&step| window.0[1][iy] >= window.at(iy, step));
+            }
+        }
+        for (block, some) in flags.chunks(u64::BITS as usize).enumerate() {
+            let mut marked = bits(some);
+            while marked != 0 {
+                self.keep(window, start, block * u64::BITS as usize + marked.trailing_zeros() as usize, part);
+                marked &= marked - 1;
+            }
+        }
+    }
+
+    /// Keeps a point that is lower than none of its neighbours.
+    #[inline]
+    fn keep(&self, window: Window, start: usize, iy: usize, part: &mut Part) {
+        let steps = self.neighbours.steps();
+        let z = window.0[1][iy];
+        let nearest = [0, 1, 2, 3].map(|k| window.at(iy, STEPS[k]));
+        let is_level = nearest.contains(&z) || steps[4..].iter().any(|&step| window.at(iy, step) == z);
+        let mut bend = self.bend(z, nearest);
+        if self.detail.principal {
+            bend.0[2] = mixed(window, iy) / (self.pixel[0] * self.pixel[1]);
+        }
+        let drops = nearest.map(|other| z - other);
+        let position = start + iy;
+        if is_level {
+            let equal = (0..)
+                .zip(steps)
+                .fold(0, |equal, (bit, &step)| equal | u8::from(window.at(iy, step) == z) << bit);
+            let rank = part.summits.heights.len();
+            part.level.push(LevelPoint { position, rank, height: z, bend, equal, drops });
+            return;
+        }
+        let summits = &mut part.summits;
+        if self.detail.positions {
+            summits.positions.push(position);
+        }
+        summits.heights.push(z);
+        summits.curvatures.push(bend.curvature());
+        if self.detail.principal {
+            summits.principal.push(bend.principal());
+        }
+        if self.detail.drops {
+            summits.drops.extend(drops);
+        }
+    }
+
+    /// Second derivatives along x and y, of a height and those west, east, south and north of it.
+    #[inline]
+    fn bend(&self, z: f64, [west, east, south, north]: [f64; 4]) -> Bend {
+        let [dx, dy] = self.pixel;
+        Bend([(2.0 * z - west - east) / (dx * dx), (2.0 * z - south - north) / (dy * dy), 0.0])
+    }
+}
+
+/// A bit for each of up to 64 flags.
+fn bits(flags: &[bool]) -> u64 {
+    /// Gathers the low bits of eight bytes in the highest byte, the first lowest.
+    const GATHER: u64 = 0x0102_0408_1020_4080;
+    let (bytes, rest) = flags.as_chunks::<8>();
+    let eight = |flags: &[bool; 8]| u64::from_le_bytes(flags.map(u8::from)).wrapping_mul(GATHER) >> 56;
+    let whole = bytes.iter().enumerate().fold(0, |all, (k, flags)| all | eight(flags) << (8 * k));
+    rest.iter().zip(8 * bytes.len()..).fold(whole, |all, (&flag, k)| all | u64::from(flag) << k)
+}
+
+/// Marks the inner points of the middle row that are lower than none of their neighbours. Written so that
+/// compilers make it comparisons of many points at a time, as wide as the machine has them.
+struct Mark<'a> {
+    window: Window<'a>,
+    neighbours: Neighbours,
+    flags: &'a mut [bool],
+}
+
+impl WithSimd for Mark<'_> {
+    type Output = ();
+
+    #[inline(always)]
+    fn with_simd<S: Simd>(self, _: S) {
+        let Self { window: Window([before, row, after]), neighbours, flags } = self;
+        let inner = row.len() - 2;
+        (flags[0], flags[inner + 1]) = (false, false);
+        let flags = &mut flags[1..=inner];
+        let z = &row[1..=inner];
+        let beside = [&before[1..=inner], &after[1..=inner], &row[..inner], &row[2..inner + 2]];
+        for i in 0..inner {
+            let z = z[i];
+            flags[i] = (z >= beside[0][i]) & (z >= beside[1][i]) & (z >= beside[2][i]) & (z >= beside[3][i]);
+        }
+        if neighbours == Neighbours::Eight {
+            let beside = [&before[..inner], &before[2..inner + 2], &after[..inner], &after[2..inner + 2]];
+            for i in 0..inner {
+                let z = z[i];
+                flags[i] &=
+                    (z >= beside[0][i]) & (z >= beside[1][i]) & (z >= beside[2][i]) & (z >= beside[3][i]);
+            }
+        }
+    }
+}
+
+/// Whether a row has no missing point.
+struct IsWhole<'a>(&'a [f64]);
+
+impl WithSimd for IsWhole<'_> {
+    type Output = bool;
+
+    #[inline(always)]
+    fn with_simd<S: Simd>(self, _: S) -> bool {
+        count_missing(self.0) == 0
+    }
+}
+
+/// The mixed second difference with the sign of a curvature: the mean over the quadrants whose corner is
+/// there; 0 if none is.
+fn mixed(window: Window, iy: usize) -> f64 {
+    let z = window.0[1][iy];
+    let quadrant = |&[dx, dy]: &[isize; 2]| {
+        let corner = window.at(iy, [dx, dy]);
+        let twist = corner - window.at(iy, [dx, 0]) - window.at(iy, [0, dy]) + z;
+        (!corner.is_nan()).then_some(-((dx * dy) as f64) * twist)
+    };
+    let (mut sum, mut count) = (0.0, 0.0);
+    for twist in STEPS[4..].iter().filter_map(quadrant) {
+        sum += twist;
+        count += 1.0;
+    }
+    if count > 0.0 { sum / count } else { 0.0 }
+}

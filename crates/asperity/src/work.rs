@@ -1,0 +1,76 @@
+//! How much was done: contacts that were asked for, files that were read, surfaces that were made.
+
+use std::sync::atomic::{AtomicU64, Ordering};
+
+/// How much a run has done.
+///
+/// A contact stands in one of `asperities_touched`, `nodes` and `single_contacts`. What a layer looks up for itself, where
+/// its own properties turn, stands in none.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+pub struct Work {
+    /// Contacts of asperities that sums added up: each asperity above the flat at each separation.
+    pub asperities_touched: u64,
+    /// Contacts at the points of quadrature of integrals.
+    pub nodes: u64,
+    /// Contacts asked for one by one: the curve of one asperity, both sides of a jump, bounds of a load that may fall.
+    pub single_contacts: u64,
+    /// How many of all these were under a layer of finite thickness.
+    pub coating_calls: u64,
+    /// Files whose data were read.
+    pub files_read: u64,
+    /// Sets of asperities that were drawn, listed or found on a map, each realisation by itself.
+    pub surfaces_made: u64,
+}
+
+/// What is counted; see [`Work`].
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Item {
+    /// [`Work::asperities_touched`]
+    Asperities,
+    /// [`Work::nodes`]
+    Nodes,
+    /// [`Work::single_contacts`]
+    SingleContacts,
+    /// [`Work::coating_calls`]
+    CoatingCalls,
+    /// [`Work::files_read`]
+    Files,
+    /// [`Work::surfaces_made`]
+    Surfaces,
+}
+
+/// Counts the work of one run on all its threads.
+#[derive(Debug, Default)]
+pub struct Counter([Part; PARTS]);
+
+/// Threads that do not wait for each other.
+const PARTS: usize = 16;
+
+/// What one thread has counted, apart from what others write to.
+#[derive(Debug, Default)]
+#[repr(align(128))]
+struct Part([AtomicU64; 6]);
+
+impl Counter {
+    /// Adds `count` of an item.
+    #[inline]
+    pub fn add(&self, item: Item, count: usize) {
+        let part = rayon::current_thread_index().unwrap_or(0) % PARTS;
+        self.0[part].0[item as usize].fetch_add(count as u64, Ordering::Relaxed);
+    }
+
+    /// All that was counted so far.
+    pub fn work(&self) -> Work {
+        let total =
+            |item: Item| self.0.iter().map(|part| part.0[item as usize].load(Ordering::Relaxed)).sum();
+        Work {
+            asperities_touched: total(Item::Asperities),
+            nodes: total(Item::Nodes),
+            single_contacts: total(Item::SingleContacts),
+            coating_calls: total(Item::CoatingCalls),
+            files_read: total(Item::Files),
+            surfaces_made: total(Item::Surfaces),
+        }
+    }
+}

@@ -1,0 +1,296 @@
+//! Reading `.npy` arrays and lists of asperities.
+
+use std::path::{Path, PathBuf};
+
+use asperity::asperity::{Column, Ellipse, ListError, read_list};
+use asperity::topography::Rows;
+use asperity::topography::character::Character;
+use asperity::topography::read::{Given, ReadError, head, height_map, npy, rows};
+
+/// A `.npy` of version 1 with the given type, order and bytes.
+fn array(descr: &str, fortran: bool, shape: &str, data: &[u8]) -> Vec<u8> {
+    let fortran = if fortran { "True" } else { "False" };
+    let mut head = format!("{{'descr': '{descr}', 'fortran_order': {fortran}, 'shape': {shape}, }}");
+    while (10 + head.len()) % 64 != 63 {
+        head.push(' ');
+    }
+    head.push('\n');
+    let mut bytes = b"\x93NUMPY\x01\x00".to_vec();
+    bytes.extend((head.len() as u16).to_le_bytes());
+    bytes.extend(head.bytes());
+    bytes.extend(data);
+    bytes
+}
+
+fn file(name: &str, bytes: &[u8]) -> (tempfile::TempDir, PathBuf) {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join(name);
+    std::fs::write(&path, bytes).unwrap();
+    (folder, path)
+}
+
+fn read(bytes: &[u8]) -> Vec<f64> {
+    let (_folder, path) = file("a.npy", bytes);
+    let matrix = npy::matrix(&path).unwrap();
+    assert_eq!((matrix.rows, matrix.columns), (2, 3));
+    matrix.values
+}
+
+const VALUES: [i8; 6] = [0, 1, 2, -10, 11, 12];
+
+#[test]
+fn every_type_in_both_byte_orders() {
+    macro_rules! check {
+        ($kind:ty, $code:literal) => {
+            let little: Vec<u8> = VALUES.iter().flat_map(|&v| (v as $kind).to_le_bytes()).collect();
+            let big: Vec<u8> = VALUES.iter().flat_map(|&v| (v as $kind).to_be_bytes()).collect();
+            let wanted = VALUES.map(|v| v as $kind as f64);
+            assert_eq!(read(&array(concat!("<", $code), false, "(2, 3)", &little)), wanted);
+            assert_eq!(read(&array(concat!(">", $code), false, "(2, 3)", &big)), wanted);
+        };
+    }
+    check!(f32, "f4");
+    check!(f64, "f8");
+    check!(i16, "i2");
+    check!(i32, "i4");
+    check!(i64, "i8");
+    check!(u16, "u2");
+    check!(u32, "u4");
+    let bytes: Vec<u8> = VALUES.iter().map(|&v| v as u8).collect();
+    assert_eq!(read(&array("|i1", false, "(2, 3)", &bytes)), VALUES.map(f64::from));
+}
+
+#[test]
+fn mapped_rows_are_those_of_the_array() {
+    macro_rules! check {
+        ($($kind:ty, $code:literal;)*) => {$(
+            for (order, big) in [("<", false), (">", true)] {
+                let bytes = |v: i8| {
+                    let value = v as $kind;
+                    if big { value.to_be_bytes() } else { value.to_le_bytes() }
+                };
+                let data: Vec<u8> = VALUES.iter().flat_map(|&v| bytes(v)).collect();
+                let (_folder, path) = file("a.npy", &array(&format!("{order}{}", $code), false, "(2, 3)", &data));
+                let matrix = npy::matrix(&path).unwrap();
+                let mapped = npy::Mapped::open(&path).unwrap();
+                assert_eq!((mapped.points(), mapped.precision()), ([2, 3], matrix.precision));
+                let mut row = [0.0; 3];
+                for ix in 0..2 {
+                    mapped.row(ix, &mut row);
+                    assert_eq!(row, matrix.values[3 * ix..][..3]);
+                }
+            }
+        )*};
+    }
+    check! {
+        f32, "f4"; f64, "f8"; i8, "i1"; i16, "i2"; i32, "i4"; i64, "i8"; u8, "u1"; u16, "u2"; u32, "u4"; u64, "u8";
+    }
+    let data: Vec<u8> = [1.0, f64::NAN, 1e31f64].iter().flat_map(|v| v.to_le_bytes()).collect();
+    let (_folder, path) = file("a.npy", &array("<f8", false, "(1, 3)", &data));
+    let mut row = [0.0; 3];
+    npy::Mapped::open(&path).unwrap().row(0, &mut row);
+    assert!(row[0] == 1.0 && row[1].is_nan() && row[2].is_nan());
+    let (_folder, path) = file("a.npy", &array("<f8", true, "(1, 3)", &data));
+    assert!(matches!(npy::Mapped::open(&path), Err(ReadError::Unsupported(_))));
+    let (_folder, path) = file("a.npy", &array("<f8", false, "(1, 3)", &data[..23]));
+    assert!(matches!(npy::Mapped::open(&path), Err(ReadError::Corrupt(_))));
+}
+
+#[test]
+fn what_is_given_beside_an_array_is_its_pixel_and_its_unit() {
+    let data: Vec<u8> = [20.0f32; 12].iter().flat_map(|v| v.to_le_bytes()).collect();
+    let (_folder, path) = file("map.npy", &array("<f4", false, "(3, 4)", &data));
+    let pixel = Some([1e-6, 2e-6]);
+    let map = height_map(&path, Given { pixel, unit: Some(1e-9) }).unwrap();
+    assert!(map.pixel() == [1e-6, 2e-6] && map.heights().iter().all(|z| (z / 20e-9 - 1.0).abs() < 1e-15));
+    let refused = |given| height_map(&path, given).unwrap_err().to_string();
+    assert!(refused(Given { pixel: None, unit: None }).contains("holds no pixel size"));
+    // Twenty metres: micrometres that nobody named.
+    assert!(refused(Given { pixel, unit: None }).contains("holds a height of 2e1 m; allowed: at most 10 m"));
+}
+
+#[test]
+fn fortran_order_is_turned_so_that_the_first_index_is_x() {
+    // Columns first: (0, -10), (1, 11), (2, 12).
+    let columns: Vec<u8> =
+        [0.0f64, -10.0, 1.0, 11.0, 2.0, 12.0].iter().flat_map(|v| v.to_le_bytes()).collect();
+    assert_eq!(read(&array("<f8", true, "(2, 3)", &columns)), VALUES.map(f64::from));
+}
+
+#[test]
+fn a_map_has_its_pixel_and_its_missing_points() {
+    let mut heights = [1.0f32; 12];
+    (heights[5], heights[6]) = (f32::NAN, f32::INFINITY);
+    let data: Vec<u8> = heights.iter().flat_map(|v| v.to_le_bytes()).collect();
+    let (_folder, path) = file("map.npy", &array("<f4", false, "(3, 4)", &data));
+    assert_eq!(head(&path).unwrap().points, [3, 4]);
+    let map = height_map(&path, Given { pixel: Some([1e-6, 2e-6]), unit: None }).unwrap();
+    assert_eq!((map.points(), map.pixel(), Character::of(&map).missing), ([3, 4], [1e-6, 2e-6], 2));
+}
+
+#[test]
+fn what_is_no_array_is_told_apart() {
+    let refused = |bytes: &[u8]| {
+        let (_folder, path) = file("a.npy", bytes);
+        npy::matrix(&path).unwrap_err()
+    };
+    let whole = array("<f8", false, "(2, 3)", &[0; 48]);
+    assert!(matches!(refused(b"height,radius\n"), ReadError::Mismatch(_)));
+    assert!(matches!(refused(&array("<c16", false, "(2, 3)", &[0; 96])), ReadError::Unsupported(_)));
+    assert!(matches!(refused(&array("<f8", false, "(6,)", &[0; 48])), ReadError::Unsupported(_)));
+    // Cut anywhere, also within its head, it is corrupt; never a panic.
+    for length in [0, 6, 9, 11, 40, 127, whole.len() - 1] {
+        let error = refused(&whole[..length]);
+        assert!(matches!(error, ReadError::Corrupt(_) | ReadError::Mismatch(_)), "{length}: {error}");
+    }
+    for shape in ["(1000000, 1000000)", "(9223372036854775807, 9223372036854775807)"] {
+        let error = refused(&array("<f8", false, shape, &[0; 8]));
+        assert!(!matches!(error, ReadError::Io(_)), "{shape}: {error}");
+    }
+    // A head that claims four gigabytes for itself.
+    let mut long = b"\x93NUMPY\x02\x00".to_vec();
+    long.extend(u32::MAX.to_le_bytes());
+    assert!(matches!(refused(&long), ReadError::Corrupt(_)));
+}
+
+/// Heights and radii of a list.
+fn spheres(path: &Path) -> (Vec<f64>, Vec<f64>) {
+    let set = read_list(path, false).unwrap().set(1.0).unwrap();
+    (set.heights().to_vec(), set.radii().to_vec())
+}
+
+#[test]
+fn a_list_may_have_comments_other_columns_and_windows_line_ends() {
+    let text = "\u{feff}# made by hand\r\nname, radius, height\r\na, 1e-6, 2e-9\r\nb, 2e-6, -3e-9\r\n";
+    let (_folder, path) = file("list.csv", text.trim_start_matches('\u{feff}').as_bytes());
+    assert_eq!(spheres(&path), (vec![2e-9, -3e-9], vec![1e-6, 2e-6]));
+    let (_folder, path) = file("bom.csv", "\u{feff}height,radius\n1e-9,1e-6\n".as_bytes());
+    assert_eq!(spheres(&path), (vec![1e-9], vec![1e-6]));
+}
+
+#[test]
+fn a_list_may_be_an_array_of_two_columns() {
+    let data: Vec<u8> = [2e-9, 1e-6, -3e-9, 2e-6f64].iter().flat_map(|v| v.to_le_bytes()).collect();
+    let (_folder, path) = file("list.npy", &array("<f8", false, "(2, 2)", &data));
+    assert_eq!(spheres(&path), (vec![2e-9, -3e-9], vec![1e-6, 2e-6]));
+    let (_folder, path) = file("wide.npy", &array("<f8", false, "(1, 4)", &data));
+    assert_eq!(spheres(&path), (vec![2e-9], vec![1e-6]));
+    let (_folder, path) = file("long.npy", &array("<f8", false, "(4, 1)", &data));
+    assert!(matches!(read_list(&path, false), Err(ListError::Shape { rows: 4, columns: 1, .. })));
+}
+
+/// Either memory order and byte order, more rows than are read at a time; the first bad value is named.
+#[test]
+fn a_long_array_is_read_in_pieces() {
+    const ROWS: usize = 20_000;
+    let (z, b) = (|row: usize| row as f64 * 1e-12 - 1e-9, |row: usize| 1e-6 + row as f64 * 1e-12);
+    let by_rows: Vec<f64> = (0..ROWS).flat_map(|row| [z(row), b(row)]).collect();
+    let by_columns: Vec<f64> = (0..ROWS).map(z).chain((0..ROWS).map(b)).collect();
+    let bytes = |values: &[f64], big: bool| -> Vec<u8> {
+        values.iter().flat_map(|v| if big { v.to_be_bytes() } else { v.to_le_bytes() }).collect()
+    };
+    let shape = format!("({ROWS}, 2)");
+    for (dtype, fortran, data) in [
+        ("<f8", false, bytes(&by_rows, false)),
+        (">f8", false, bytes(&by_rows, true)),
+        ("<f8", true, bytes(&by_columns, false)),
+    ] {
+        let (_folder, path) = file("long.npy", &array(dtype, fortran, &shape, &data));
+        let (heights, radii) = spheres(&path);
+        assert!(heights.into_iter().eq((0..ROWS).map(z)), "{dtype} {fortran}");
+        assert!(radii.into_iter().eq((0..ROWS).map(b)), "{dtype} {fortran}");
+    }
+    let mut bad = by_rows.clone();
+    (bad[2 * 19_000 + 1], bad[2 * 9_000], bad[2 * 9_000 + 1]) = (0.0, f64::NAN, -1.0);
+    let (_folder, path) = file("bad.npy", &array("<f8", false, &shape, &bytes(&bad, false)));
+    let error = read_list(&path, false).unwrap_err().to_string();
+    assert!(error.contains("row 9001 of 20000, column `height`: found NaN"), "{error}");
+}
+
+/// Columns in any order, or four of an array; they are heights, radii and the principal curvatures.
+#[test]
+fn a_list_of_ellipses_has_two_curvatures_more() {
+    let text = "kx,height,ky,name,radius\n1e6,2e-9,4e6,a,1e-6\n5e5,-3e-9,5e5,b,2e-6\n";
+    let data: Vec<u8> = [2e-9, 1e-6, 1e6, 4e6, -3e-9, 2e-6, 5e5, 5e5f64].map(f64::to_le_bytes).concat();
+    for (_folder, path) in
+        [file("list.csv", text.as_bytes()), file("list.npy", &array("<f8", false, "(2, 4)", &data))]
+    {
+        let set = read_list(&path, true).unwrap().set(1.0).unwrap();
+        assert_eq!(set.ellipses(), Some(&[Ellipse::new(1e6, 4e6), Ellipse::new(5e5, 5e5)][..]));
+        assert_eq!((set.heights(), set.radii()), (&[2e-9, -3e-9][..], &[1e-6, 2e-6][..]));
+        // As spheres they have no use for them.
+        assert_eq!(spheres(&path), (vec![2e-9, -3e-9], vec![1e-6, 2e-6]));
+        assert_eq!(read_list(&path, false).unwrap().set(1.0).unwrap().ellipses(), None);
+    }
+    assert_eq!((Ellipse::new(1e6, 4e6).mean_curvature, Ellipse::new(4e6, 1e6).curvature_ratio), (2.5e6, 4.0));
+}
+
+#[test]
+fn curvatures_that_are_missing_or_none_are_refused() {
+    let refused = |name: &str, bytes: &[u8]| {
+        let (_folder, path) = file(name, bytes);
+        read_list(&path, true).unwrap_err()
+    };
+    for (header, missing) in
+        [("height,radius", Column::Kx), ("height,radius,ky", Column::Kx), ("radius,height,kx", Column::Ky)]
+    {
+        let error = refused("list.csv", format!("{header}\n").as_bytes());
+        assert!(matches!(error, ListError::Column { column, .. } if column == missing), "{error}");
+        let words = format!("no column `{}` (found: {})", missing.name(), header.replace(',', ", "));
+        assert!(error.to_string().contains(&words), "{error}");
+        assert!(error.to_string().contains("kx [1/m], ky [1/m]"), "{error}");
+    }
+    let two: Vec<u8> = [1.0f64; 4].map(f64::to_le_bytes).concat();
+    let error = refused("list.npy", &array("<f8", false, "(2, 2)", &two));
+    assert!(matches!(error, ListError::Shape { rows: 2, columns: 2, .. }), "{error}");
+    assert!(error.to_string().contains("n x 4") && error.to_string().contains("kx [1/m]"), "{error}");
+    for bad in ["0", "-1e5", "inf", "NaN", "1e31", "flat"] {
+        let text = format!("height,radius,kx,ky\n1e-9,1e-6,1e6,1e6\n1e-9,1e-6,1e6,{bad}\n");
+        let error = refused("list.csv", text.as_bytes()).to_string();
+        assert!(error.contains("line 3, column `ky`") && error.contains(&format!("`{bad}`")), "{error}");
+        assert!(error.contains("a positive finite number of 1/m"), "{error}");
+        let Ok(value) = bad.parse::<f64>() else { continue };
+        let data: Vec<u8> = [1e-9, 1e-6, 1e6, 1e6, 1e-9, 1e-6, value, 1e6].map(f64::to_le_bytes).concat();
+        let error = refused("list.npy", &array("<f8", false, "(2, 4)", &data)).to_string();
+        assert!(error.contains("row 2 of 2, column `kx`"), "{error}");
+    }
+}
+
+/// Versions 2 and 3 say the length of the head in four bytes.
+#[test]
+fn later_versions_have_a_longer_head() {
+    let data: Vec<u8> = VALUES.iter().flat_map(|&v| f64::from(v).to_le_bytes()).collect();
+    for version in [2, 3] {
+        let mut bytes = array("<f8", false, "(2, 3)", &data);
+        bytes[6] = version;
+        bytes.splice(10..10, [0, 0]);
+        assert_eq!(read(&bytes), VALUES.map(f64::from));
+        let (_folder, path) = file("a.npy", &bytes);
+        let mut row = [0.0; 3];
+        npy::Mapped::open(&path).unwrap().row(1, &mut row);
+        assert_eq!(row, [-10.0, 11.0, 12.0]);
+    }
+}
+
+#[test]
+fn a_map_is_the_same_row_by_row_and_as_a_whole() {
+    let data: Vec<u8> = (0..12i16).flat_map(|v| (v * v).to_le_bytes()).collect();
+    let pixel = Some([1e-6, 2e-6]);
+    for fortran in [false, true] {
+        let (_folder, path) = file("map.npy", &array("<i2", fortran, "(3, 4)", &data));
+        let in_metres = Given { pixel, unit: None };
+        for error in [height_map(&path, in_metres).err(), rows(&path, in_metres).err()] {
+            assert!(error.unwrap().to_string().contains("holds a height of 1.21e2 m"));
+        }
+        let given = Given { pixel, unit: Some(1e-9) };
+        let (whole, rows) = (height_map(&path, given).unwrap(), rows(&path, given).unwrap());
+        assert_eq!((whole.points(), whole.pixel()), (rows.points(), rows.pixel()));
+        // Whole numbers are exact, scaled ones are rounded.
+        assert_eq!((whole.precision(), rows.precision()), (f64::EPSILON, f64::EPSILON));
+        let mut row = [0.0; 4];
+        for ix in 0..3 {
+            rows.read(ix, &mut row);
+            assert_eq!(row, whole.heights()[4 * ix..][..4]);
+        }
+    }
+}

@@ -1,0 +1,148 @@
+//! Measured height maps in every format: known values, round trips, bad input of each kind.
+
+use asperity::topography::character::Character;
+use std::path::{Path, PathBuf};
+
+use asperity::topography::level::Level;
+use asperity::topography::read::{Given, GivenError, Head, ReadError, head, height_map};
+use asperity::topography::summits::five_point;
+use asperity::topography::{HeightMap, Moments, Rows};
+
+/// Asserts that bytes are refused with this kind of error and these words.
+macro_rules! assert_refused {
+    ($kind:ident, $words:expr, $bytes:expr) => {
+        let error = $crate::formats::refused($bytes);
+        assert!(matches!(error, asperity::topography::read::ReadError::$kind(_)), "{error:?}");
+        let text = error.to_string();
+        assert!(text.contains($words), "{text}");
+    };
+}
+
+mod sdf;
+mod text;
+mod x3p;
+
+const NX: usize = 5;
+const NY: usize = 4;
+/// How often each sample is damaged.
+const DAMAGES: usize = 300;
+
+/// Heights of the map that is written in every format, by its indices; one point is missing.
+fn z(ix: usize, iy: usize) -> f64 {
+    if (ix, iy) == (3, 1) { f64::NAN } else { [0.0, 1.25, -7.5, 3.0, 11.0][ix] - 2.0 * iy as f64 }
+}
+
+fn file(bytes: impl AsRef<[u8]>) -> (tempfile::TempDir, PathBuf) {
+    let folder = tempfile::tempdir().unwrap();
+    // The name says nothing: formats are told apart by what is in them.
+    let path = folder.path().join("map.dat");
+    std::fs::write(&path, bytes).unwrap();
+    (folder, path)
+}
+
+fn refused(bytes: impl AsRef<[u8]>) -> ReadError {
+    let (_folder, path) = file(bytes);
+    let given = Given { pixel: Some([1e-6; 2]), unit: None };
+    let from_head = head(&path).and_then(|head| Ok(head.pixel(&Given::default()).or(head.pixel(&given))?));
+    from_head.and_then(|_| height_map(&path, Given::default())).unwrap_err()
+}
+
+/// Asserts that `bytes` hold the map above, its heights in units of `unit` and its pixel as given.
+fn assert_map(bytes: impl AsRef<[u8]>, given: Given, unit: f64, pixel: [f64; 2]) -> Head {
+    let (_folder, path) = file(&bytes);
+    let head = head(&path).unwrap();
+    let map = height_map(&path, given).unwrap();
+    assert_eq!((head.points, map.points()), ([NX, NY], [NX, NY]));
+    let close = |a: f64, b: f64| (a - b).abs() <= 1e-14 * b.abs();
+    let [x, y] = map.pixel();
+    assert!(close(x, pixel[0]) && close(y, pixel[1]), "{x} {y}");
+    for (k, &found) in map.heights().iter().enumerate() {
+        let wanted = z(k / NY, k % NY) * unit;
+        assert!(close(found, wanted) || found.is_nan() && wanted.is_nan(), "{k}: {found} {wanted}");
+    }
+    head
+}
+
+/// The map as lines of text, x running along a line.
+fn lines(separator: &str, missing: &str) -> String {
+    let word = |ix, iy| if z(ix, iy).is_nan() { missing.to_owned() } else { z(ix, iy).to_string() };
+    let line = |iy| (0..NX).map(|ix| word(ix, iy)).collect::<Vec<_>>().join(separator) + "\n";
+    (0..NY).map(line).collect()
+}
+
+const PIXEL: [f64; 2] = [2e-6, 3e-6];
+const IN_NM: Given = Given { pixel: Some(PIXEL), unit: Some(1e-9) };
+
+/// Heights in lines along x, as SDF and X3P store them.
+fn in_lines() -> impl Iterator<Item = f64> {
+    (0..NX * NY).map(|k| z(k % NX, k / NX))
+}
+
+fn sample(name: &str) -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/library/formats").join(name)
+}
+
+fn opd() -> HeightMap {
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../experiments/surfaces/opd-1.npy");
+    height_map(&path, Given { pixel: Some([1.9673303177114576e-7; 2]), unit: None }).unwrap()
+}
+
+/// Asserts that a file gives the heights of opd-1 to the relative precision of its largest height.
+fn assert_opd(bytes: impl AsRef<[u8]>, given: Given, precision: f64) {
+    let (_folder, path) = file(bytes);
+    let (opd, map) = (opd(), height_map(&path, given).unwrap());
+    assert_eq!((opd.points(), Character::of(&opd).missing), (map.points(), Character::of(&map).missing));
+    assert!(map.pixel().iter().all(|size| (size / opd.pixel()[0] - 1.0).abs() < 1e-9), "{:?}", map.pixel());
+    let largest = opd.heights().iter().fold(0.0f64, |largest, z| largest.max(z.abs()));
+    let far = |(a, b): (&f64, &f64)| (a - b).abs() > precision * largest;
+    assert_eq!(opd.heights().iter().zip(map.heights()).filter(|&pair| far(pair)).count(), 0);
+    let levelled = Level::Plane.apply(&map).unwrap();
+    let moments = Moments::of(&levelled);
+    let found = [moments.sq * 1e9, moments.ssk.unwrap(), moments.sku.unwrap()];
+    for (found, exact) in found.into_iter().zip([6.711, -0.367, 4.538]) {
+        assert!((found - exact).abs() <= 5e-4, "{found} for {exact}");
+    }
+    assert_eq!(five_point(&levelled).heights.len(), 24714);
+}
+
+#[test]
+fn no_damage_to_a_file_is_a_panic() {
+    let numbers: Vec<u8> = in_lines().flat_map(f64::to_le_bytes).collect();
+    let header = "# Width: 10 um\n# Height: 12 um\n# Value units: nm\n";
+    let samples = [
+        format!("{header}{}", lines("\t", "NaN")).into_bytes(),
+        lines(";", "").into_bytes(),
+        text::points([0.5, 0.25], |x| x).into_bytes(),
+        sdf::Sdf::of("ISO-1.0", 7).text(&lines(" ", "BAD")).into_bytes(),
+        sdf::Sdf::of("ISO-2.0", 7).binary(&numbers),
+        x3p::X3p::linked("D", "1e-9", numbers.clone()).bytes(),
+    ];
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("map.dat");
+    let mut state = 1u64;
+    let mut random = |below: usize| {
+        state = state.wrapping_mul(6364136223846793005).wrapping_add(1442695040888963407);
+        (state >> 33) as usize % below
+    };
+    for sample in &samples {
+        for _ in 0..DAMAGES {
+            let mut bytes = sample.clone();
+            for _ in 0..=random(3) {
+                let place = random(bytes.len());
+                match random(4) {
+                    0 => bytes[place] = random(256) as u8,
+                    1 => bytes[place] = b"0;,.-eE9 \n\t*#"[random(13)],
+                    2 => bytes.truncate(place + 1),
+                    _ => drop(bytes.splice(place..place, [bytes[place], b'9'])),
+                }
+            }
+            std::fs::write(&path, &bytes).unwrap();
+            let given = Given { pixel: None, unit: None };
+            let (head, map) = (head(&path), height_map(&path, given));
+            // What has been read is as large as its head said.
+            if let (Ok(head), Ok(map)) = (head, map) {
+                assert_eq!(head.points, map.points());
+            }
+        }
+    }
+}

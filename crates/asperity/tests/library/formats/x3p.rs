@@ -1,0 +1,272 @@
+//! X3P.
+
+use asperity::topography::character::Character;
+use std::f64::consts::TAU;
+use std::io::Write;
+
+use super::*;
+
+#[test]
+fn x3p_of_an_instrument_has_its_known_statistics() {
+    let path = sample("x3p-2.x3p");
+    assert_eq!(head(&path).unwrap().points, [650, 650]);
+    let map = height_map(&path, Given::default()).unwrap();
+    assert_eq!((map.points(), Character::of(&map).missing), ([650, 650], 0));
+    let pixel = map.pixel().map(|size| (size * 1e10).round() / 10.0);
+    assert_eq!(pixel, [127.7, 314.6]);
+    let levelled = Level::Plane.apply(&map).unwrap();
+    let moments = Moments::of(&levelled);
+    let found = [moments.sq * 1e9, moments.ssk.unwrap(), moments.sku.unwrap()];
+    for (found, (exact, digit)) in found.into_iter().zip([(77.19, 5e-3), (-0.379, 5e-4), (2.985, 5e-4)]) {
+        assert!((found - exact).abs() <= digit, "{found} for {exact}");
+    }
+    assert_eq!(five_point(&levelled).heights.len(), 2916);
+}
+
+#[test]
+fn x3p_samples_hold_the_heights_they_were_made_of() {
+    let wave = |x: f64, y: f64| {
+        1e-6 * ((TAU * x / 24e-6).cos() * (TAU * y / 16e-6).cos() + 0.3 * (TAU * x / 9e-6).sin())
+    };
+    let none = (0..0, 0..0);
+    let hole = (70..85, 40..52);
+    for (name, points, missing, offset, digit) in [
+        ("surface_binary", [200, 150], hole.clone(), 0.0, 2e-11),
+        ("surface_binary_2017", [200, 150], hole.clone(), 0.0, 2e-11),
+        ("surface_xml", [200, 150], hole, 0.0, 2e-11),
+        ("surface_int32_binary", [120, 90], (40..50, 30..36), 0.0, 3e-16),
+        ("surface_int32_xml", [120, 90], (40..50, 30..36), 0.0, 3e-16),
+        ("surface_placed_binary", [120, 90], none.clone(), 1.0, 2e-16),
+        ("surface_extensions_binary", [100, 80], none, 0.0, 1e-13),
+    ] {
+        let path = sample(&format!("{name}.x3p"));
+        assert_eq!(head(&path).unwrap().points, points);
+        let map = height_map(&path, Given::default()).unwrap();
+        assert_eq!((map.points(), map.pixel()), (points, [1e-6; 2]));
+        assert_eq!(Character::of(&map).missing, missing.0.len() * missing.1.len(), "{name}");
+        for (k, found) in map.heights().iter().enumerate() {
+            let (ix, iy) = (k / points[1], k % points[1]);
+            if missing.0.contains(&ix) && missing.1.contains(&iy) {
+                assert!(found.is_nan(), "{name} {ix} {iy}");
+            } else {
+                let wanted = offset + wave(ix as f64 * 1e-6, iy as f64 * 1e-6);
+                assert!((found - wanted).abs() <= digit, "{name} {ix} {iy}: {found} {wanted}");
+            }
+        }
+    }
+    for (name, words) in [("profile_int16_binary", "FeatureType = PRF"), ("point_cloud_int16_binary", "PCL")]
+    {
+        let error = head(&sample(&format!("{name}.x3p"))).unwrap_err();
+        assert!(matches!(&error, ReadError::Unsupported(text) if text.contains(words)), "{error}");
+    }
+}
+
+/// An X3P file that is written by hand; `axes` are increments and offset of z.
+pub struct X3p {
+    data_type: &'static str,
+    increment: &'static str,
+    offset: &'static str,
+    size: [u64; 3],
+    record3: String,
+    files: Vec<(&'static str, Vec<u8>)>,
+}
+
+impl X3p {
+    pub fn linked(data_type: &'static str, increment: &'static str, bytes: Vec<u8>) -> Self {
+        let record3 = "<DataLink><PointDataLink>bindata/data.bin</PointDataLink></DataLink>".to_owned();
+        let files = vec![("bindata/data.bin", bytes)];
+        Self { data_type, increment, offset: "", size: [NX as u64, NY as u64, 1], record3, files }
+    }
+
+    fn xml(&self) -> String {
+        let Self { data_type, increment, offset, size: [nx, ny, nz], record3, .. } = self;
+        format!(
+            "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<p:ISO5436_2 xmlns:p=\"http://www.opengps.eu/2008/ISO5436_2\">\
+             <Record1><Revision>ISO5436 - 2000</Revision><FeatureType>SUR</FeatureType><Axes>\
+             <CX><AxisType>I</AxisType><DataType>D</DataType><Increment>2e-6</Increment><Offset>7</Offset></CX>\
+             <CY><AxisType>I</AxisType><DataType>D</DataType><Increment>3e-6</Increment><Offset>7</Offset></CY>\
+             <CZ><AxisType>A</AxisType><DataType>{data_type}</DataType><!-- none may be there -->\
+             <Increment>{increment}</Increment><Offset>{offset}</Offset></CZ></Axes></Record1><Record3>\
+             <MatrixDimension><SizeX>{nx}</SizeX><SizeY>{ny}</SizeY><SizeZ>{nz}</SizeZ></MatrixDimension>\
+             {record3}</Record3></p:ISO5436_2>"
+        )
+    }
+
+    pub fn bytes(&self) -> Vec<u8> {
+        zipped(&[&[("main.xml", self.xml().into_bytes())], &self.files[..]].concat())
+    }
+}
+
+fn zipped(files: &[(&str, Vec<u8>)]) -> Vec<u8> {
+    let mut archive = zip::ZipWriter::new(std::io::Cursor::new(Vec::new()));
+    for (name, content) in files {
+        archive.start_file(*name, zip::write::SimpleFileOptions::default()).unwrap();
+        archive.write_all(content).unwrap();
+    }
+    archive.finish().unwrap().into_inner()
+}
+
+#[test]
+fn x3p_of_every_data_type_scaled_and_moved() {
+    // Eighths of a nanometre below 2 um.
+    macro_rules! check {
+        ($($kind:ty, $code:literal;)*) => {$(
+            let stored = |z: f64| (8.0 * z) as $kind;
+            let numbers: Vec<u8> = in_lines().flat_map(|z| stored(z).to_le_bytes()).collect();
+            let mut x3p = X3p::linked($code, "1.25e-10", numbers);
+            x3p.offset = "-2e-6";
+            x3p.record3 = x3p.record3.replace("</DataLink>", "<ValidPointsLink>./bindata\\valid.bin</ValidPointsLink></DataLink>");
+            // One bit a point, the lowest first; the point (3, 1) is number 8.
+            x3p.files.push(("bindata/valid.bin", vec![0xff, 0xfe, 0x0f]));
+            let (_folder, path) = file(x3p.bytes());
+            let map = height_map(&path, Given::default()).unwrap();
+            assert_eq!((map.points(), map.pixel(), Character::of(&map).missing), ([NX, NY], PIXEL, 1));
+            for (k, found) in map.heights().iter().enumerate() {
+                let wanted = z(k / NY, k % NY);
+                let near = (found + 2e-6 - wanted * 1e-9).abs() <= 1e-21;
+                assert!(near || wanted.is_nan() && found.is_nan(), "{k}: {found}");
+            }
+        )*};
+    }
+    check! { i16, "I"; i32, "L"; f32, "F"; f64, "D"; }
+    // NaN and the marks that instruments write; no increment is one metre.
+    let numbers: Vec<u8> = in_lines().flat_map(|z| (z * 1e-9).to_le_bytes()).collect();
+    assert_map(X3p::linked("D", "", numbers).bytes(), Given::default(), 1e-9, PIXEL);
+    let marked: Vec<u8> =
+        in_lines().map(|z| if z.is_nan() { 1e10 } else { z * 1e-9 }).flat_map(f64::to_le_bytes).collect();
+    assert_map(X3p::linked("D", "1", marked).bytes(), Given::default(), 1e-9, PIXEL);
+    let mut listed = X3p::linked("D", "1e-9", Vec::new());
+    listed.record3 = in_lines()
+        .map(|z| if z.is_nan() { "<Datum/>\n".to_owned() } else { format!("<Datum> {z} </Datum>\n") })
+        .collect();
+    listed.record3 = format!("<DataList>{}</DataList>", listed.record3);
+    let head = assert_map(listed.bytes(), Given::default(), 1e-9, PIXEL);
+    assert!(head.has_unit);
+    // In another encoding than it says, behind a byte order mark.
+    let bom = zipped(&[("main.xml", format!("\u{feff}{}", listed.xml()).into_bytes())]);
+    assert_map(bom, Given::default(), 1e-9, PIXEL);
+    let mut latin = listed.xml().into_bytes();
+    latin.extend(b"<!-- \xb5m -->");
+    assert_map(zipped(&[("main.xml", latin)]), Given::default(), 1e-9, PIXEL);
+}
+
+#[test]
+fn bad_x3p_is_refused() {
+    let numbers: Vec<u8> = in_lines().flat_map(|z| (z * 1e-9).to_le_bytes()).collect();
+    let whole = X3p::linked("D", "1", numbers.clone());
+    let changed = |from: &str, to: &str| {
+        assert!(whole.xml().contains(from));
+        zipped(&[
+            ("main.xml", whole.xml().replace(from, to).into_bytes()),
+            ("bindata/data.bin", numbers.clone()),
+        ])
+    };
+    assert_refused!(
+        Mismatch,
+        "without main.xml, no X3P file; found: word/document.xml",
+        zipped(&[("word/document.xml", vec![])])
+    );
+    assert_refused!(Mismatch, "its main.xml is of html", zipped(&[("main.xml", b"<html/>".to_vec())]));
+    assert_refused!(Unsupported, "FeatureType = PRF; allowed: SUR", changed("SUR", "PRF"));
+    assert_refused!(Unsupported, "Axes/CX/AxisType = A; allowed: I", changed("<AxisType>I", "<AxisType>A"));
+    assert_refused!(Unsupported, "DataType = Q; allowed: I, L, F, D", X3p::linked("Q", "1", vec![]).bytes());
+    assert_refused!(Unsupported, "holds 2 layers", changed("<SizeZ>1", "<SizeZ>2"));
+    assert_refused!(
+        Unsupported,
+        "holds a height of 1.35e1 m",
+        X3p::linked("D", "1e9", numbers.clone()).bytes()
+    );
+    assert_refused!(Corrupt, "is no XML", changed("</Record3>", ""));
+    assert_refused!(
+        Corrupt,
+        "is no XML",
+        changed("<p:ISO5436_2", "<!DOCTYPE a [<!ENTITY b \"c\">]><p:ISO5436_2")
+    );
+    assert_refused!(Corrupt, "has no FeatureType", changed("<FeatureType>SUR</FeatureType>", ""));
+    assert_refused!(Corrupt, "has no Axes/CX/Increment", changed("<Increment>2e-6</Increment>", ""));
+    assert_refused!(Corrupt, "Axes/CX/Increment = \"wide\"", changed("2e-6", "wide"));
+    assert_refused!(Corrupt, "Axes/CY/Increment = -3e-6", changed("3e-6", "-3e-6"));
+    assert_refused!(Corrupt, "SizeX = \"-5\"", changed("<SizeX>5", "<SizeX>-5"));
+    assert_refused!(Corrupt, "links to none.bin, which is not", changed("bindata/data.bin", "none.bin"));
+    let md5 = "</PointDataLink><MD5ChecksumPointData>0123</MD5ChecksumPointData>";
+    assert_refused!(
+        Corrupt,
+        "is damaged: bindata/data.bin has the MD5 sum",
+        changed("</PointDataLink>", md5)
+    );
+    assert_refused!(
+        Corrupt,
+        "is damaged: main.xml",
+        zipped(&[
+            ("main.xml", whole.xml().into_bytes()),
+            ("md5checksum.hex", b"00 *main.xml".to_vec()),
+            ("bindata/data.bin", numbers.clone()),
+        ])
+    );
+    assert_refused!(
+        Corrupt,
+        "is truncated: bindata/data.bin holds 160 bytes; allowed: 200",
+        changed("<SizeY>4", "<SizeY>5")
+    );
+    assert_refused!(Corrupt, "is inconsistent", changed("<SizeY>4", "<SizeY>3"));
+    let huge = changed("<SizeX>5", "<SizeX>1000000000").to_vec();
+    assert_refused!(Corrupt, "is truncated", huge);
+    assert_refused!(
+        Corrupt,
+        "more numbers than any file",
+        changed("<SizeX>5", "<SizeX>10000000000000000000")
+    );
+    let list = "<DataList><Datum>1</Datum></DataList>";
+    let link = &whole.record3;
+    assert_refused!(Corrupt, "its DataList holds 1 heights; allowed: 20", changed(link, list));
+    assert_refused!(Corrupt, "Datum 1: found \"1;2\"", changed(link, &list.replace('1', "1;2")));
+    // A main.xml that unpacks to far more than the archive: forty megabytes of blanks.
+    let bomb = zipped(&[("main.xml", vec![b' '; 40 << 20])]);
+    assert!(bomb.len() < 100_000);
+    assert_refused!(Unsupported, "holds a file of more than 33554432 bytes", bomb);
+    let bytes = whole.bytes();
+    for length in (4..bytes.len()).step_by(7) {
+        let error = refused(&bytes[..length]);
+        assert!(matches!(error, ReadError::Corrupt(_)), "{length}: {error:?}");
+    }
+    // Each byte changed is refused or read, never a panic.
+    for place in 4..bytes.len() {
+        let mut damaged = bytes.clone();
+        damaged[place] ^= 0x55;
+        let (_folder, path) = file(&damaged);
+        let _ = head(&path).and_then(|_| height_map(&path, Given::default()));
+    }
+}
+
+#[test]
+fn the_file_of_valid_points_is_checked_as_the_heights_are() {
+    let numbers: Vec<u8> = in_lines().flat_map(|z| (z * 1e-9).to_le_bytes()).collect();
+    let mut x3p = X3p::linked("D", "1", numbers);
+    let valid =
+        "<ValidPointsLink>valid.bin</ValidPointsLink><MD5ChecksumValidPoints>0123</MD5ChecksumValidPoints>";
+    x3p.record3 = x3p.record3.replace("</DataLink>", &format!("{valid}</DataLink>"));
+    x3p.files.push(("valid.bin", vec![0xff; 3]));
+    assert_refused!(Corrupt, "is damaged: valid.bin has the MD5 sum", x3p.bytes());
+    x3p.files[1].1.pop();
+    let (_folder, path) = file(x3p.bytes());
+    let error = head(&path).unwrap_err().to_string();
+    assert!(error.contains("is truncated: valid.bin holds 2 bytes; allowed: 3"), "{error}");
+}
+
+#[test]
+fn an_archive_that_is_packed_otherwise_is_not_called_damaged() {
+    let numbers: Vec<u8> = in_lines().flat_map(|z| (z * 1e-9).to_le_bytes()).collect();
+    let whole = X3p::linked("D", "1", numbers).bytes();
+    // In the header of each entry and in the directory: bzip2 as its method, or the flag of an encrypted one.
+    for (offset, value) in [(8, 12), (6, 1)] {
+        let mut bytes = whole.clone();
+        for place in 0..bytes.len() {
+            match &bytes[place..] {
+                [b'P', b'K', 3, 4, ..] => bytes[place + offset] = value,
+                [b'P', b'K', 1, 2, ..] => bytes[place + offset + 2] = value,
+                _ => {}
+            }
+        }
+        assert_refused!(Unsupported, "is packed otherwise", bytes);
+    }
+}

@@ -1,0 +1,331 @@
+//! What must hold for any surface, whatever the numbers, beyond what every law must hold (`tests/conformance.rs`).
+
+use crate::common::{Worst, dense, relative_error, rows};
+use asperity::asperity::{
+    AsperitySet, Draw, HeightDensity, Ordered, Population, Statistics, SurfaceHeights, gaussian_moment,
+};
+use asperity::interface::{Interface, MicroContact};
+use asperity::law::{Hertz, Shape, Zmc};
+use asperity::material::Material;
+use asperity::model::{Datum, Deterministic, Model, Statistical, at_pressure};
+
+const CASE_1: Population =
+    Population { radius: 2e-5, sigma: 4.8e-8, density: 6e10, heights: HeightDensity::Gaussian };
+const CASE_2: Population =
+    Population { radius: 1.6e-6, sigma: 2.6e-7, density: 9e10, heights: HeightDensity::Gaussian };
+
+fn steel() -> Material {
+    Material::new(210e9, 0.3, Some(7.6e9), None).unwrap()
+}
+
+fn zmc(onset: f64) -> Interface<Zmc> {
+    Interface::bare(Zmc::new(onset, 54.0).unwrap(), &steel(), &steel()).unwrap()
+}
+
+fn drawn(population: Population, count: usize) -> AsperitySet {
+    population.set(count, Draw::Random([7; 32])).unwrap()
+}
+
+fn datum(population: Population) -> Datum {
+    Datum { mean: 0.0, sigma: population.sigma }
+}
+
+/// The exact sum of doubles, rounded once (Shewchuk 1997, as in Python's fsum).
+fn exact_sum(terms: impl Iterator<Item = f64>) -> f64 {
+    let mut partials: Vec<f64> = Vec::new();
+    for mut x in terms {
+        let mut kept = 0;
+        for i in 0..partials.len() {
+            let mut y = partials[i];
+            if x.abs() < y.abs() {
+                (x, y) = (y, x);
+            }
+            let high = x + y;
+            let low = y - (high - x);
+            if low != 0.0 {
+                partials[kept] = low;
+                kept += 1;
+            }
+            x = high;
+        }
+        partials.truncate(kept);
+        partials.push(x);
+    }
+    partials.iter().sum()
+}
+
+#[test]
+fn a_sum_over_a_million_asperities_is_exact_to_4_ulp() {
+    let law = zmc(Zmc::ONSET);
+    let drawn_set = drawn(CASE_2, 1_000_000);
+    let equal = AsperitySet::new(vec![1.37e-7; 1_000_000], vec![1.1e-6; 1_000_000], 1.0).unwrap();
+    for set in [drawn_set, equal] {
+        let ordered = Ordered::new(set.spheres());
+        for d in [-1e-6, 0.0, 1e-7] {
+            let above = ordered.above(d);
+            let contacts = || (0..above.count()).map(|i| law.contact(above.heights()[i] - d, above.shape(i)));
+            let found = Deterministic::new(&law, set.spheres(), datum(CASE_2)).total(d);
+            let ulp = |exact: f64| exact * f64::EPSILON;
+            let (area, load) = (exact_sum(contacts().map(|c| c.area)), exact_sum(contacts().map(|c| c.load)));
+            assert!((found.area().total() - area).abs() <= 4.0 * ulp(area));
+            assert!((found.load().total() - load).abs() <= 4.0 * ulp(load));
+        }
+    }
+}
+
+#[test]
+fn a_sum_is_the_same_to_the_bit_on_any_number_of_threads() {
+    let law = zmc(Zmc::ONSET);
+    let on = |threads: usize| {
+        let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
+        pool.install(|| {
+            let set = drawn(CASE_1, 300_001);
+            let model = Deterministic::new(&law, set.spheres(), datum(CASE_1));
+            [2.5, 1.0, -0.5].map(|h| format!("{:?}", model.respond(h)))
+        })
+    };
+    let one = on(1);
+    for threads in 2..=8 {
+        assert_eq!(on(threads), one);
+    }
+}
+
+#[test]
+fn partial_totals_merge_into_the_whole() {
+    let law = zmc(Zmc::ONSET);
+    let (heights, radii): (Vec<f64>, Vec<f64>) =
+        (0..1000).map(|i| (f64::from(i) * 1e-10, 1e-6 + f64::from(i % 7) * 1e-7)).unzip();
+    let set = |range: std::ops::Range<usize>| {
+        AsperitySet::new(heights[range.clone()].to_vec(), radii[range].to_vec(), 1.0).unwrap()
+    };
+    let total = |set: &AsperitySet| Deterministic::new(&law, set.spheres(), datum(CASE_1)).total(2e-8);
+    let mut parts = total(&set(0..400));
+    parts.merge(&total(&set(400..1000)));
+    let whole = total(&set(0..1000));
+    assert_eq!(parts.contacts(), whole.contacts());
+    assert!(relative_error(parts.load().total(), whole.load().total()) < 4e-16);
+    assert!(relative_error(parts.load_error(1000), whole.load_error(1000)) < 1e-14);
+}
+
+#[test]
+fn exponential_moments_are_gamma_functions() {
+    let body = Material::new(2.0, 0.0, None, None).unwrap();
+    let hertz = Interface::bare(Hertz, &body, &body).unwrap();
+    let unit = Population { radius: 1.0, sigma: 1.0, density: 1.0, heights: HeightDensity::Exponential };
+    for h in [-1.0, 0.0, 3.0, 100.0] {
+        let found = Statistical::new(&hertz, unit).respond(h);
+        let tail = (-(h + 1.0f64)).exp();
+        let pi = std::f64::consts::PI;
+        assert!(relative_error(found.contact_density, tail) < 1e-14);
+        assert!(relative_error(found.area_ratio.total(), pi * tail) < 1e-14);
+        assert!(relative_error(found.pressure.total(), 4.0 / 3.0 * 0.75 * pi.sqrt() * tail) < 1e-14);
+    }
+    // Everything in contact: the mean indentation is the mean height above the flat.
+    let deep = Statistical::new(&hertz, unit).respond(-6.0);
+    assert!(relative_error(deep.area_ratio.total(), 6.0 * std::f64::consts::PI) < 1e-14);
+    assert!(relative_error(deep.contact_density, 1.0) < 1e-14);
+}
+
+#[test]
+fn the_closed_form_of_greenwood_and_williamson() {
+    let mut worst = Worst::default();
+    for row in rows("gw_integrals") {
+        let (n, h) = (row.number("n"), row.number("h"));
+        if n <= 1.5 && h.abs() <= 3.0 {
+            worst.see(gaussian_moment(n, h), row.number("F_n"), || format!("n = {n}, h = {h}"));
+        }
+    }
+    worst.assert_within(3e-11, 20);
+}
+
+#[test]
+fn stiffness_is_the_slope_of_the_pressure() {
+    const STEP: f64 = 1e-4;
+    let law = zmc(Zmc::ONSET);
+    let set = drawn(CASE_2, 20_000);
+    let model = Deterministic::new(&law, set.spheres(), datum(CASE_2));
+    for h in [-3.0, 0.0, 1.0, 2.5] {
+        let pressure = |h: f64| model.respond(h).pressure.total();
+        let slope = (pressure(h - STEP) - pressure(h + STEP)) / (2.0 * STEP * CASE_2.sigma);
+        let found = model.respond(h).stiffness;
+        assert!(relative_error(found, slope) < 1e-3, "h = {h}: {found:e} {slope:e}");
+    }
+}
+
+/// With the rounded onset each asperity's load falls by 0.1 % as it begins to yield. Where only few
+/// carry the load it is then reached more than once, and the first counts.
+#[test]
+fn where_the_load_falls_the_first_reach_counts() {
+    let law = zmc(0.89);
+    let w1 = law.breakpoints(Shape::sphere(2e-5))[0];
+    let within = law.may_fall(Shape::sphere(2e-5).into());
+    assert!(within.len() == 1 && within[0].holds(w1) && within[0].high - within[0].low < 1e-12 * w1);
+    assert!(zmc(Zmc::ONSET).may_fall(Shape::sphere(2e-5).into()).is_empty());
+    assert!(zmc(0.4).may_fall(Shape::sphere(2e-5).into()).is_empty());
+    let set = AsperitySet::new(vec![0.0, -1e-6], vec![2e-5, 2e-5], 1.0).unwrap();
+    let model = Deterministic::new(&law, set.spheres(), Datum { mean: 0.0, sigma: 1e-8 });
+    let w1 = law.breakpoints(Shape::sphere(2e-5))[0];
+    let before = law.contact(w1 * (1.0 - 1e-9), Shape::sphere(2e-5)).load;
+    let after = law.contact(w1 * (1.0 + 1e-9), Shape::sphere(2e-5)).load;
+    assert!(after < before);
+    // Reached just before yield, lost, and reached again beyond it.
+    let pressure = 0.5 * (before + after);
+    let h = model.separation_at(pressure).unwrap();
+    assert!(-h * 1e-8 < w1, "{} is behind the fall at {w1}", -h * 1e-8);
+    assert!((1..200).all(|k| model.respond(h + 1e-4 * f64::from(k)).pressure.total() < pressure));
+}
+
+#[test]
+fn a_pressure_out_of_reach_says_what_can_be_reached() {
+    let law = zmc(Zmc::ONSET);
+    let model = Statistical::new(&law, CASE_1);
+    let error = at_pressure(&model, 1e15).unwrap_err();
+    assert_eq!(error.largest, model.respond(-10.0).pressure.total());
+    assert!(error.to_string().contains("-10 sigma"), "{error}");
+    assert!(at_pressure(&model, error.largest).is_ok());
+}
+
+#[test]
+fn nothing_is_nan_where_nothing_touches() {
+    let law = zmc(Zmc::ONSET);
+    let set = drawn(CASE_1, 1000);
+    let models: [&dyn Model; 2] =
+        [&Statistical::new(&law, CASE_1), &Deterministic::new(&law, set.spheres(), datum(CASE_1))];
+    for model in models {
+        let response = model.respond(1000.0);
+        assert_eq!(response.pressure.total(), 0.0);
+        assert_eq!(response.area_ratio.total(), 0.0);
+        assert_eq!((response.mean_real_pressure(), response.pressure.shares()), (None, None));
+    }
+}
+
+/// Contacts are exactly those above the flat; the flat itself touches nobody.
+#[test]
+fn asperities_at_or_below_the_flat_do_not_touch() {
+    let law = zmc(Zmc::ONSET);
+    let set = AsperitySet::new(vec![3.0, -1.0, 2.0, 1.0, 2.0], vec![1.0; 5], 1.0).unwrap();
+    let model = Deterministic::new(&law, set.spheres(), Datum { mean: 0.0, sigma: 1.0 });
+    assert_eq!(model.total(2.0).contacts(), 1.0);
+    assert_eq!(model.total(2f64.next_down()).contacts(), 3.0);
+    assert_eq!(model.total(3.0).contacts(), 0.0);
+}
+
+/// Two contacts of loads P and 2P among three asperities: P^2 + 4P^2 - 9P^2/3 = 2P^2. Equal ones do
+/// not scatter.
+#[test]
+fn the_sampling_error_of_a_few_asperities() {
+    let law = Interface::bare(Hertz, &steel(), &steel()).unwrap();
+    let error = |radii: Vec<f64>, heights: Vec<f64>| {
+        let set = AsperitySet::new(heights, radii, 2.0).unwrap();
+        let found = Deterministic::new(&law, set.spheres(), Datum { mean: 0.0, sigma: 1e-9 }).respond(0.0);
+        let sampling = found.sampling.unwrap();
+        (sampling.pressure / found.pressure.total(), sampling.area_ratio / found.area_ratio.total())
+    };
+    let (load, _) = error(vec![1e-6, 4e-6, 1e-6], vec![1e-9, 1e-9, -1e-9]);
+    assert!((load - 2f64.sqrt() / 3.0).abs() < 1e-15);
+    let (_, area) = error(vec![1e-6, 2e-6, 1e-6], vec![1e-9, 1e-9, -1e-9]);
+    assert!((area - 2f64.sqrt() / 3.0).abs() < 1e-15);
+    let (load, area) = error(vec![1e-6; 5000], vec![1e-9; 5000]);
+    assert!(load < 1e-9 && area < 1e-9);
+}
+
+#[test]
+fn the_sampling_error_is_the_scatter_of_independent_sets() {
+    let law = zmc(Zmc::ONSET);
+    let answers: Vec<_> = (0..400u16)
+        .map(|k| {
+            let mut seed = [0; 32];
+            seed[..2].copy_from_slice(&k.to_le_bytes());
+            let set = CASE_1.set(2000, Draw::Random(seed)).unwrap();
+            Deterministic::new(&law, set.spheres(), datum(CASE_1)).respond(1.0)
+        })
+        .collect();
+    let mean = answers.iter().map(|r| r.pressure.total()).sum::<f64>() / 400.0;
+    let scatter = (answers.iter().map(|r| (r.pressure.total() - mean).powi(2)).sum::<f64>() / 399.0).sqrt();
+    let claimed = answers.iter().map(|r| r.sampling.unwrap().pressure).sum::<f64>() / 400.0;
+    // 400 draws know a deviation to 3.5 %.
+    assert!((scatter / claimed - 1.0).abs() < 0.15, "{scatter:e} {claimed:e}");
+}
+
+#[test]
+fn deep_below_the_mean_a_wide_transition_is_resolved_too() {
+    for ratio in [2.0, 54.0, 110.0, 1e4, 1e10] {
+        let law = Interface::bare(Zmc::new(Zmc::ONSET, ratio).unwrap(), &steel(), &steel()).unwrap();
+        for h in [-10.0, -8.0, -5.0, -3.0, -1.0] {
+            for radius in [1.6e-6, 1e-4, 1e-2] {
+                let population = Population { radius, ..CASE_2 };
+                let found = Statistical::new(&law, population).respond(h).pressure.total();
+                let shape = Shape::sphere(radius);
+                let [_, exact, _] = dense(&law, shape, &law.regime_changes(shape), &population, h);
+                let error = relative_error(found, exact);
+                assert!(error < 3e-14, "c = {ratio}, h = {h}, R = {radius}: {error:e}");
+            }
+        }
+    }
+}
+
+#[test]
+fn breakpoints_next_to_nothing_cost_nothing() {
+    let soft = Material::new(1e30, 0.3, Some(1e-30), None).unwrap();
+    let law = Interface::bare(Zmc::default(), &soft, &soft).unwrap();
+    let population = Population { radius: 1e-30, sigma: 1e30, ..CASE_1 };
+    let found = Statistical::new(&law, population).respond(1.0);
+    assert!(found.area_ratio.0[2] > 0.0 && found.area_ratio.total().is_finite());
+}
+
+/// A law whose load falls a lot: the pressure rises to a peak below the mean, and falls again.
+#[test]
+fn a_peak_within_a_step_of_the_search_is_found() {
+    let law = zmc(100.0);
+    let sigma = law.breakpoints(Shape::sphere(2e-5))[0] / 2.0;
+    let model = Statistical::new(&law, Population { sigma, ..CASE_1 });
+    let pressure = |h: f64| model.respond(h).pressure.total();
+    let peak = (0..4000).map(|k| pressure(-1e-3 * f64::from(k))).take_while(|&p| p > 0.0);
+    let (mut highest, mut at) = (0.0, 0.0);
+    for (k, p) in peak.enumerate() {
+        if p > highest {
+            (highest, at) = (p, -1e-3 * k as f64);
+        }
+    }
+    assert!(at < -0.1 && pressure(at - 0.5) < highest, "no peak to be found at {at}");
+    let h = model.separation_at(0.99999 * highest).unwrap();
+    assert!((h - at).abs() < 0.05, "{h} for a peak at {at}");
+}
+
+/// Rounding of a separation far from zero is no jump.
+#[test]
+fn an_offset_of_the_heights_makes_no_jumps() {
+    let law = Interface::bare(Hertz, &steel(), &steel()).unwrap();
+    let drawn = CASE_1.set(5000, Draw::Random([9; 32])).unwrap();
+    let shifted = drawn.heights().iter().map(|z| z + 1e-3).collect();
+    let set = AsperitySet::new(shifted, drawn.radii().to_vec(), drawn.nominal_area()).unwrap();
+    let datum = Datum::from(&Statistics::of(&set));
+    let model = Deterministic::new(&law, set.spheres(), datum);
+    for pressure in [1e-2, 1.0, 1e3, 1e6] {
+        assert!(!at_pressure(&model, pressure).unwrap().in_jump, "{pressure}");
+    }
+}
+
+/// A population whose sigma is the surface's: both models quote separations from the mean plane.
+#[test]
+fn surface_heights_are_quoted_alike_by_both_models() {
+    let surface = SurfaceHeights { radius: CASE_2.radius, sigma: CASE_2.sigma, density: CASE_2.density };
+    let population = Population { sigma: surface.asperity_sigma().unwrap(), ..CASE_2 };
+    let datum = Datum { mean: -surface.mean_asperity_height(), sigma: CASE_2.sigma };
+    let law = zmc(Zmc::ONSET);
+    let set = population.set(200_000, Draw::Quantiles).unwrap();
+    let statistical = Statistical::new(&law, population).quoted_from(datum);
+    let deterministic = Deterministic::new(&law, set.spheres(), datum);
+    for h in [0.0, 1.0, 2.0] {
+        let (s, d) = (statistical.respond(h), deterministic.respond(h));
+        assert!(relative_error(s.pressure.total(), d.pressure.total()) < 2e-4, "h = {h}");
+        assert_eq!((s.separation, d.separation), (h * CASE_2.sigma, h * CASE_2.sigma));
+        // Seen from the asperities the flat is nearer by the height of their mean.
+        let own = (h * CASE_2.sigma - surface.mean_asperity_height()) / population.sigma;
+        let same = Statistical::new(&law, population).respond(own).pressure.total();
+        assert!(relative_error(s.pressure.total(), same) < 1e-13);
+        let reached = at_pressure(&statistical, s.pressure.total()).unwrap().response;
+        assert!(reached.pressure.total() >= s.pressure.total());
+        assert!((reached.separation_over_sigma - h).abs() < 1e-13);
+    }
+}

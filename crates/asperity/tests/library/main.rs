@@ -1,0 +1,15 @@
+//! Tests of the library against reference vectors, closed forms and itself. One program, so that it is linked once.
+
+mod coated;
+mod common;
+mod conformance;
+mod curves;
+mod ellipses;
+mod exact_sphere;
+mod files;
+mod formats;
+mod invariants;
+mod layered_flat;
+mod measured;
+mod reference;
+mod surfaces;

@@ -1,0 +1,239 @@
+//! The models against vectors computed at 40 digits from the published equations alone
+//! (`tests/reference/README.md`). Every published claim of accuracy is one of these tests.
+
+use crate::common::{Worst, rows};
+use asperity::asperity::{HeightDensity, Population};
+use asperity::contact::{Contact, Regime};
+use asperity::interface::{Interface, LoadBounds, MicroContact, Shapes};
+use asperity::law::{Ceb, Hertz, JacksonGreen, KogutEtsion, Law, Pair, Resistance, Shape, Similar, Zmc};
+use asperity::literature::Paper;
+use asperity::material::Material;
+use asperity::model::{Model, Statistical};
+use asperity::numeric::interval::Interval;
+
+/// The worst error of a law over zmc.csv, given how it is made from a row's transition ratio.
+fn zmc_error(law: impl Fn(f64) -> Zmc) -> Worst {
+    let mut worst = Worst::default();
+    for (k, row) in rows("zmc").iter().enumerate() {
+        let law = law(row.number("transition_ratio"));
+        let resistance = law.of_hardness(row.number("hardness"), 0.3);
+        let pair = Pair { reduced_modulus: row.number("reduced_modulus"), resistance };
+        let found = law.contact(row.number("indentation"), row.number("radius"), &pair);
+        worst.see(found.area, row.number("area"), || format!("area of row {k}"));
+        worst.see(found.load, row.number("load"), || format!("load of row {k}"));
+    }
+    worst
+}
+
+#[test]
+fn zmc_contact() {
+    zmc_error(|ratio| Zmc::new(Zmc::ONSET, ratio).unwrap()).assert_within(1e-14, 480);
+}
+
+#[test]
+fn zmc_regimes() {
+    for (k, row) in rows("zmc").iter().enumerate() {
+        let law = Zmc::new(Zmc::ONSET, row.number("transition_ratio")).unwrap();
+        let resistance = law.of_hardness(row.number("hardness"), 0.3);
+        let pair = Pair { reduced_modulus: row.number("reduced_modulus"), resistance };
+        let ratio = row.number("indentation") / row.number("radius");
+        // Away from a boundary by more than its rounding the regime is exact too.
+        if law.critical_ratios(&pair).iter().all(|c| (ratio / c - 1.0).abs() > 1e-15) {
+            let found = law.contact(row.number("indentation"), row.number("radius"), &pair);
+            assert_eq!(found.regime.name(), row.text("regime"), "row {k}");
+        }
+    }
+}
+
+/// The worst error of one law over its rows of laws.csv, given what it makes of a pair and what a row's body sets against
+/// yielding.
+fn law_error<L: Law>(
+    law: impl Fn(&Pair) -> L,
+    name: &str,
+    resistance: impl Fn(&Material) -> Resistance,
+) -> Worst {
+    let mut worst = Worst::default();
+    for (k, row) in rows("laws").iter().enumerate().filter(|(_, row)| row.text("law") == name) {
+        let known = |column: &str| (!row.text(column).is_empty()).then(|| row.number(column));
+        let poisson = row.number("poisson");
+        let body = Material::new(1e11, poisson, known("hardness"), known("yield_strength")).unwrap();
+        let pair = Pair { reduced_modulus: row.number("reduced_modulus"), resistance: resistance(&body) };
+        let found = law(&pair).contact(row.number("indentation"), row.number("radius"), &pair);
+        worst.see(found.area, row.number("area"), || format!("area of row {k}"));
+        worst.see(found.load, row.number("load"), || format!("load of row {k}"));
+    }
+    worst
+}
+
+#[test]
+fn other_laws() {
+    let jackson_green = JacksonGreen::default;
+    let of_strength = |body: &Material| jackson_green().resistance(body).unwrap();
+    law_error(|_| Ceb, "ceb", |body| Ceb.by_hardness(body)).assert_within(1e-13, 480);
+    law_error(|_| KogutEtsion, "kogut_etsion", |body| KogutEtsion.by_hardness(body))
+        .assert_within(1e-13, 480);
+    law_error(|_| jackson_green(), "jackson_green", of_strength).assert_within(1e-13, 350);
+    law_error(|pair| jackson_green().tuned(pair), "jackson_green", of_strength).assert_within(1e-13, 350);
+}
+
+/// A micro-contact whose area is w^n: the integrator alone.
+struct Power(f64);
+
+impl MicroContact for Power {
+    fn contact(&self, w: f64, _: Shape) -> Contact {
+        Contact { area: w.powf(self.0), load: 0.0, stiffness: 0.0, regime: Regime::Elastic }
+    }
+    fn regime_changes(&self, _: Shape) -> Vec<f64> {
+        Vec::new()
+    }
+    fn breakpoints(&self, _: Shape) -> Vec<f64> {
+        Vec::new()
+    }
+    fn may_fall(&self, _: Shapes) -> Vec<Interval> {
+        Vec::new()
+    }
+    fn load_over(&self, _: f64, _: f64, _: Shape) -> LoadBounds {
+        LoadBounds { highest: 0.0, slopes: Interval::point(0.0) }
+    }
+    fn reference_modulus(&self) -> f64 {
+        1.0
+    }
+    fn reference_hardness(&self) -> f64 {
+        f64::INFINITY
+    }
+    fn papers(&self) -> Vec<Paper> {
+        Vec::new()
+    }
+}
+
+const UNIT: Population =
+    Population { radius: 1.0, sigma: 1.0, density: 1.0, heights: HeightDensity::Gaussian };
+
+#[test]
+fn moments_of_the_gaussian_tail() {
+    // E* = 1: two bodies of E = 2, nu = 0.
+    let body = Material::new(2.0, 0.0, None, None).unwrap();
+    let hertz = Interface::bare(Hertz, &body, &body).unwrap();
+    let model = Statistical::new(&hertz, UNIT);
+    let mut worst = Worst::default();
+    for row in rows("gw_integrals") {
+        let (n, h) = (row.number("n"), row.number("h"));
+        let found = match n {
+            0.0 => model.respond(h).contact_density,
+            1.0 => model.respond(h).area_ratio.total() / std::f64::consts::PI,
+            1.5 => model.respond(h).pressure.total() * 0.75,
+            _ => Statistical::new(&Power(n), UNIT).respond(h).area_ratio.total(),
+        };
+        worst.see(found, row.number("F_n"), || format!("n = {n}, h = {h}"));
+    }
+    worst.assert_within(1e-13, 150);
+}
+
+/// The worst errors of the model over statistical.csv, up to 20 sigma and beyond, given how the
+/// micro-contact is made of two equal bodies.
+fn statistical_error<C: MicroContact>(contact: impl Fn(&Material) -> C) -> [Worst; 2] {
+    let mut worst = [Worst::default(), Worst::default()];
+    for row in rows("statistical") {
+        let hardness = Some(row.number("hardness"));
+        let body = Material::new(row.number("young"), row.number("poisson"), hardness, None).unwrap();
+        let contact = contact(&body);
+        let population = Population {
+            radius: row.number("radius"),
+            sigma: row.number("sigma"),
+            density: row.number("density"),
+            heights: HeightDensity::Gaussian,
+        };
+        let h = row.number("separation_over_sigma");
+        let found = Statistical::new(&contact, population).respond(h);
+        let worst = &mut worst[usize::from(h > 20.0)];
+        worst.see(found.area_ratio.total(), row.number("area_ratio"), || format!("area at h = {h}"));
+        worst.see(found.pressure.total(), row.number("pressure"), || format!("pressure at h = {h}"));
+    }
+    worst
+}
+
+fn bare(law: Zmc) -> impl Fn(&Material) -> Interface<Zmc> {
+    move |body| Interface::bare(law, body, body).unwrap()
+}
+
+#[test]
+fn statistical_zmc() {
+    let [near, far] = statistical_error(bare(Zmc::default()));
+    near.assert_within(1e-13, 192);
+    far.assert_within(2e-13, 16);
+}
+
+/// A micro-contact that keeps one of its breakpoints to itself.
+struct Forgetful {
+    contact: Interface<Zmc>,
+    forgotten: usize,
+}
+
+impl MicroContact for Forgetful {
+    fn contact(&self, w: f64, shape: Shape) -> Contact {
+        self.contact.contact(w, shape)
+    }
+    fn breakpoints(&self, shape: Shape) -> Vec<f64> {
+        let mut all = self.contact.breakpoints(shape);
+        all.remove(self.forgotten);
+        all
+    }
+    fn regime_changes(&self, shape: Shape) -> Vec<f64> {
+        self.contact.regime_changes(shape)
+    }
+    fn may_fall(&self, shapes: Shapes) -> Vec<Interval> {
+        self.contact.may_fall(shapes)
+    }
+    fn load_over(&self, from: f64, to: f64, shape: Shape) -> LoadBounds {
+        self.contact.load_over(from, to, shape)
+    }
+    fn reference_modulus(&self) -> f64 {
+        self.contact.reference_modulus()
+    }
+    fn reference_hardness(&self) -> f64 {
+        self.contact.reference_hardness()
+    }
+    fn papers(&self) -> Vec<Paper> {
+        self.contact.papers()
+    }
+}
+
+/// Each slip that the program could make is far outside the bounds above: they would not let it
+/// pass. (Deviations divided by n - 1 are caught by the statistics' own tests, which are exact.)
+#[test]
+fn the_references_bite() {
+    let rounded = |ratio| Zmc::new(0.89, ratio).unwrap();
+    let early = |ratio: f64| Zmc::new(Zmc::ONSET, ratio * 53.0 / 54.0).unwrap();
+    for mutant in [zmc_error(rounded), zmc_error(early)] {
+        assert!(mutant.error() > 1e-10, "{:e}", mutant.error());
+    }
+    for mutant in [Zmc::new(0.89, 54.0).unwrap(), Zmc::new(Zmc::ONSET, 53.0).unwrap()] {
+        let [near, far] = statistical_error(bare(mutant));
+        assert!(near.error() > 1e-10 && far.error() > 1e-10);
+    }
+    let nearly = |onset: f64, strength: f64| Resistance { onset, strength };
+    let of_hardness = |body: &Material| {
+        let hardness = body.hardness().unwrap();
+        nearly((0.454 + 0.4101 * body.poisson()) * hardness, hardness)
+    };
+    let of_strength = |body: &Material| {
+        let strength = body.yield_strength().unwrap();
+        nearly(1.2951 * (0.736 * body.poisson()).exp() * strength, strength)
+    };
+    let mutants = [
+        law_error(|_| Ceb, "ceb", of_hardness),
+        law_error(|_| KogutEtsion, "kogut_etsion", of_hardness),
+        law_error(|_| JacksonGreen::default(), "jackson_green", of_strength),
+    ];
+    for mutant in mutants {
+        assert!(mutant.error() > 1e-6, "{:e}", mutant.error());
+    }
+    for forgotten in [0, 1] {
+        let contact = |body: &Material| Forgetful {
+            contact: Interface::bare(Zmc::default(), body, body).unwrap(),
+            forgotten,
+        };
+        let [near, _] = statistical_error(contact);
+        assert!(near.error() > 1e-10, "breakpoint {forgotten}: {:e}", near.error());
+    }
+}

@@ -1,0 +1,453 @@
+//! The program as a user meets it: exit codes, messages, what is written and what is left alone.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::process::{Command, Output};
+
+mod laws;
+mod precision;
+mod sphere;
+mod surface;
+mod tolerance;
+mod work;
+
+fn experiment(arguments: &[&str], folder: &Path) -> Output {
+    Command::new(env!("CARGO_BIN_EXE_experiment")).args(arguments).current_dir(folder).output().unwrap()
+}
+
+fn run(spec: &Path, out: &Path, more: &[&str]) -> Output {
+    let mut arguments = vec!["run", spec.to_str().unwrap(), "--out", out.to_str().unwrap()];
+    arguments.extend(more);
+    experiment(&arguments, out.parent().unwrap())
+}
+
+fn text(bytes: &[u8]) -> String {
+    String::from_utf8(bytes.to_vec()).unwrap()
+}
+
+fn specs(kind: &str) -> Vec<PathBuf> {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/specs").join(kind);
+    let mut files: Vec<PathBuf> = fs::read_dir(folder)
+        .unwrap()
+        .map(|entry| entry.unwrap().path())
+        .filter(|path| path.extension().is_some_and(|ending| ending == "toml"))
+        .collect();
+    files.sort();
+    files
+}
+
+/// Each bad spec begins with comments that say what its error must say.
+#[test]
+fn every_bad_spec_is_refused_with_its_reason_and_writes_nothing() {
+    let folder = tempfile::tempdir().unwrap();
+    let out = folder.path().join("reports");
+    let files = specs("bad");
+    assert!(files.len() > 70);
+    let mut wrong = Vec::new();
+    for file in files {
+        let spec = fs::read_to_string(&file).unwrap();
+        let wanted = spec.lines().filter_map(|line| line.strip_prefix("# error: "));
+        let output = run(&file, &out, &[]);
+        let message = text(&output.stderr);
+        let name = file.file_name().unwrap().to_str().unwrap().to_owned();
+        let mut missing: Vec<&str> = wanted.filter(|words| !message.contains(words)).collect();
+        if !message.contains(&name) {
+            missing.push("the file's name");
+        }
+        if output.status.code() != Some(2) || !missing.is_empty() || message.contains("panicked") {
+            wrong.push(format!("{name}: exit {:?}, without {missing:?}:\n{message}", output.status.code()));
+        }
+        assert!(!out.exists(), "{name} has written something");
+    }
+    assert!(wrong.is_empty(), "{}", wrong.join("\n"));
+}
+
+#[test]
+fn a_new_spec_runs_as_it_stands_and_is_not_written_over() {
+    let folder = tempfile::tempdir().unwrap();
+    assert!(experiment(&["new", "mine"], folder.path()).status.success());
+    let output = experiment(&["run", "mine.toml"], folder.path());
+    assert!(output.status.success(), "{}", text(&output.stderr));
+    assert!(text(&output.stdout).starts_with("reports/mine written: "));
+    for file in ["report.md", "report.html", "curves.csv", "comparison.csv", "summary.json", "timing.json"] {
+        assert!(folder.path().join("reports/mine").join(file).is_file(), "{file}");
+    }
+    for page in ["README.md", "index.html"] {
+        assert!(
+            fs::read_to_string(folder.path().join("reports").join(page)).unwrap().contains("mine/report")
+        );
+    }
+    assert_eq!(experiment(&["new", "mine"], folder.path()).status.code(), Some(2));
+}
+
+const SMALL: &str = r#"
+title = "small"
+[material.steel]
+young = "210 GPa"
+poisson = 0.3
+hardness = "7.6 GPa"
+[compare]
+rough = "steel"
+flat = "steel"
+law = ["hertz", { zmc = { onset = 0.89, transition-ratio = 110 } }]
+separation = { values = [3, 0] }
+pressure = { values = ["1 MPa"] }
+force = { values = ["1 mN"] }
+[surface.list.asperities]
+file = "list.csv"
+nominal-area = "1e-8 m^2"
+[surface.drawn.population]
+radius = "20 um"
+sigma = "48 nm"
+density = "6e10 /m^2"
+count = 2000
+"#;
+
+/// A folder with a small spec that reads a file.
+fn small() -> (tempfile::TempDir, PathBuf, PathBuf) {
+    let folder = tempfile::tempdir().unwrap();
+    let spec = folder.path().join("small.toml");
+    fs::write(&spec, SMALL).unwrap();
+    let rows: String = (0..500).map(|i| format!("{:e},{:e}\n", f64::from(i % 97) * 1e-9, 1e-6)).collect();
+    fs::write(folder.path().join("list.csv"), format!("# made\nheight, radius\n{rows}")).unwrap();
+    let out = folder.path().join("reports");
+    (folder, spec, out)
+}
+
+#[test]
+fn an_unchanged_experiment_is_not_run_again() {
+    let (folder, spec, out) = small();
+    let said = |more: &[&str]| {
+        let output = run(&spec, &out, more);
+        assert!(output.status.success(), "{}", text(&output.stderr));
+        text(&output.stdout)
+    };
+    assert!(said(&[]).contains("written"));
+    assert!(said(&[]).contains("unchanged"));
+    assert!(said(&["--force"]).contains("written"));
+    assert!(said(&[]).contains("unchanged"));
+
+    fs::write(out.join("small/curves.csv"), "spoilt").unwrap();
+    assert!(said(&[]).contains("written"));
+    fs::remove_file(out.join("small/report.html")).unwrap();
+    assert!(said(&[]).contains("written"));
+    let list = folder.path().join("list.csv");
+    fs::write(&list, fs::read_to_string(&list).unwrap() + "1e-9,1e-6\n").unwrap();
+    assert!(said(&[]).contains("written"));
+    fs::write(&spec, SMALL.replace("\"small\"", "\"other\"")).unwrap();
+    assert!(said(&[]).contains("written"));
+    assert!(said(&[]).contains("unchanged"));
+}
+
+#[test]
+fn the_tables_have_the_columns_and_rows_of_the_contract() {
+    let (_folder, spec, out) = small();
+    assert!(run(&spec, &out, &["--quiet"]).stdout.is_empty());
+    let table = |name: &str| {
+        let mut reader = csv::Reader::from_path(out.join("small").join(name)).unwrap();
+        let header: Vec<String> = reader.headers().unwrap().iter().map(str::to_owned).collect();
+        (header, reader.records().map(Result::unwrap).collect::<Vec<_>>())
+    };
+    let (header, rows) = table("curves.csv");
+    assert_eq!(
+        header.join(","),
+        "surface,realisation,law,layer_thickness_m,model,control,target,separation_m,separation_over_sigma,\
+         pressure_pa,load_ratio,area_ratio,contact_density_per_m2,mean_real_pressure_pa,stiffness_pa_per_m,\
+         elastic_load_share,elastic_plastic_load_share,plastic_load_share,elastic_area_share,\
+         elastic_plastic_area_share,plastic_area_share,pressure_standard_error_pa,area_ratio_standard_error,\
+         beyond_model"
+    );
+    // 2 surfaces, 2 laws, 2 models, 4 control points.
+    assert_eq!(rows.len(), 2 * 2 * 2 * 4);
+    let column = |name: &str| header.iter().position(|column| column == name).unwrap();
+    for row in &rows {
+        assert!(!row.iter().any(|cell| cell.contains("NaN") || cell.contains("inf")), "{row:?}");
+        let number = |name| row[column(name)].parse::<f64>().unwrap();
+        if &row[column("control")] == "pressure" {
+            assert!((number("pressure_pa") / 1e6 - 1.0).abs() < 2e-3);
+        }
+        assert_eq!(
+            row[column("pressure_standard_error_pa")].is_empty(),
+            &row[column("model")] == "statistical"
+        );
+        assert_eq!(number("area_ratio") > 0.05, &row[column("beyond_model")] == "true");
+    }
+    assert_eq!(&rows[4][column("law")], "hertz");
+    assert_eq!(&rows[8][column("law")], "zmc(onset=0.89 transition-ratio=110)");
+
+    let (header, rows) = table("comparison.csv");
+    let column = |name: &str| header.iter().position(|column| column == name).unwrap();
+    let (pairing, target) = (column("pairing"), column("target"));
+    for rows in rows.chunk_by(|a, b| a[0] == b[0] && a[2] == b[2]) {
+        // Two separations, one pressure, one force, and the two separations' pressures unless zero.
+        let at = |pairing_name: &str| rows.iter().filter(|row| &row[pairing] == pairing_name).count();
+        assert_eq!(at("separation"), 2);
+        assert!((3..=4).contains(&at("load")));
+        let area = if &rows[0][0] == "list" { 1e-8 } else { 2000.0 / 6e10 };
+        let targets = rows.iter().filter(|row| &row[pairing] == "load").map(|row| row[target].parse::<f64>());
+        let targets: Vec<f64> = targets.map(Result::unwrap).collect();
+        assert!((targets[0] / 1e6 - 1.0).abs() < 1e-14 && (targets[1] / (1e-3 / area) - 1.0).abs() < 1e-14);
+        for row in rows {
+            let number = |name: &str| row[column(name)].parse::<f64>().unwrap();
+            let (s, d) = (number("statistical_area_ratio"), number("deterministic_area_ratio"));
+            assert_eq!(number("difference_area_ratio"), s - d);
+            if &row[pairing] == "load" {
+                let target: f64 = row[target].parse().unwrap();
+                assert!(number("statistical_pressure_pa") >= target);
+                assert!(number("deterministic_pressure_pa") >= target);
+            }
+        }
+    }
+}
+
+#[test]
+fn what_no_run_wrote_is_not_destroyed() {
+    let (_folder, spec, out) = small();
+    fs::create_dir_all(out.join("small")).unwrap();
+    fs::write(out.join("small/thesis.txt"), "years of work").unwrap();
+    let output = run(&spec, &out, &["--force"]);
+    assert_eq!(output.status.code(), Some(1));
+    assert!(text(&output.stderr).contains("thesis.txt"), "{}", text(&output.stderr));
+    assert_eq!(fs::read_to_string(out.join("small/thesis.txt")).unwrap(), "years of work");
+}
+
+#[test]
+fn a_report_is_the_same_on_any_number_of_threads() {
+    let (folder, spec, _) = small();
+    let outs = ["1", "2", "5"].map(|threads| {
+        let out = folder.path().join(threads);
+        assert!(run(&spec, &out, &["--threads", threads]).status.success());
+        out.join("small")
+    });
+    for entry in fs::read_dir(&outs[0]).unwrap() {
+        let name = entry.unwrap().file_name();
+        if name == "timing.json" || name == "manifest.json" {
+            continue;
+        }
+        let bytes = outs.each_ref().map(|out| fs::read(out.join(&name)).unwrap());
+        assert!(bytes[0] == bytes[1] && bytes[0] == bytes[2], "{name:?} differs");
+    }
+}
+
+#[test]
+fn two_files_of_one_stem_are_refused() {
+    let (folder, spec, out) = small();
+    let other = folder.path().join("other");
+    fs::create_dir(&other).unwrap();
+    let twin = other.join("small.toml");
+    fs::copy(&spec, &twin).unwrap();
+    let output = run(&spec, &out, &[twin.to_str().unwrap()]);
+    assert_eq!(output.status.code(), Some(2));
+    assert!(text(&output.stderr).contains("small"), "{}", text(&output.stderr));
+    assert!(!out.exists());
+}
+
+#[test]
+fn check_runs_nothing_and_list_says_what_is_up_to_date() {
+    let (folder, spec, out) = small();
+    let output = experiment(&["check", spec.to_str().unwrap()], folder.path());
+    assert!(output.status.success());
+    for words in ["small", "zmc(onset=0.89", "2000 asperities", "memory"] {
+        assert!(text(&output.stdout).contains(words), "{words}: {}", text(&output.stdout));
+    }
+    assert!(!out.exists());
+
+    let specs = folder.path().join("experiments");
+    fs::create_dir(&specs).unwrap();
+    for file in ["small.toml", "list.csv"] {
+        fs::copy(folder.path().join(file), specs.join(file)).unwrap();
+    }
+    let listed = || text(&experiment(&["list"], folder.path()).stdout);
+    assert!(listed().contains("to run"));
+    // Without a command, all of experiments/ is run.
+    assert!(experiment(&[], folder.path()).status.success());
+    assert!(out.join("small/report.md").is_file());
+    assert!(listed().contains("up to date"));
+}
+
+#[test]
+fn verify_tells_a_report_that_no_longer_matches() {
+    let (folder, spec, out) = small();
+    let fresh = folder.path().join("fresh");
+    assert!(run(&spec, &out, &[]).status.success());
+    assert!(run(&spec, &fresh, &[]).status.success());
+    let verify = || experiment(&["verify", "fresh", "--out", "reports"], folder.path());
+    assert!(verify().status.success(), "{}", text(&verify().stderr));
+    let curves = out.join("small/curves.csv");
+    let changed = fs::read_to_string(&curves).unwrap().replacen("hertz", "hurtz", 1);
+    fs::write(&curves, changed).unwrap();
+    assert_eq!(verify().status.code(), Some(1));
+    assert!(text(&verify().stderr).contains("small/curves.csv, line 2, law"), "{}", text(&verify().stderr));
+}
+
+fn summary(out: &Path, stem: &str) -> serde_json::Value {
+    serde_json::from_slice(&fs::read(out.join(stem).join("summary.json")).unwrap()).unwrap()
+}
+
+/// A draw depends on the seed and on the surface's own name, not on what else the spec holds.
+/// The cells of the first row of a report that begins with these words.
+fn row(report: &str, name: &str) -> Vec<String> {
+    let line = report.lines().find(|line| line.starts_with(&format!("| {name} |")));
+    let line = line.unwrap_or_else(|| panic!("no row {name}"));
+    line.trim_matches(['|', ' ']).split(" | ").map(|cell| cell.trim().to_owned()).collect()
+}
+
+fn close(found: f64, exact: f64, within: f64) {
+    assert!((found / exact - 1.0).abs() < within, "{found} for {exact}");
+}
+
+#[test]
+fn each_surface_has_random_numbers_of_its_own() {
+    let (folder, spec, out) = small();
+    assert!(run(&spec, &out, &[]).status.success());
+    let population = SMALL.split("[surface.drawn.population]").nth(1).unwrap();
+    let rough = "\n[surface.rough.generate]\npoints = 64\npixel = \"1 um\"\nsigma = \"0.2 um\"\n\
+                 spectrum.gaussian.correlation-length = \"3 um\"\n";
+    let more = format!("{SMALL}\n[surface.other.population]{population}{rough}");
+    let (more_spec, seed_spec) = (folder.path().join("more.toml"), folder.path().join("seed.toml"));
+    fs::write(&more_spec, more).unwrap();
+    let seeded = SMALL.replace("title = \"small\"", "title = \"small\"\nseed = 7");
+    fs::write(&seed_spec, seeded + rough).unwrap();
+    assert!(run(&more_spec, &out, &[seed_spec.to_str().unwrap()]).status.success());
+    let drawn = &summary(&out, "small")["surfaces"]["drawn"]["sigma_m"];
+    assert_eq!(drawn, &summary(&out, "more")["surfaces"]["drawn"]["sigma_m"]);
+    assert_ne!(drawn, &summary(&out, "more")["surfaces"]["other"]["sigma_m"]);
+    assert_ne!(drawn, &summary(&out, "seed")["surfaces"]["drawn"]["sigma_m"]);
+    let rough = |stem: &str| summary(&out, stem)["surfaces"]["rough"]["sigma_m"].take();
+    assert_ne!(rough("more"), rough("seed"));
+}
+
+#[test]
+fn the_measured_surfaces_end_to_end() {
+    let folder = tempfile::tempdir().unwrap();
+    let out = folder.path().join("reports");
+    let specs = Path::new(env!("CARGO_MANIFEST_DIR")).join("experiments");
+    let ground = specs.join("quantised-ground.toml");
+    let output = run(&specs.join("measured-fine-finish.toml"), &out, &[ground.to_str().unwrap()]);
+    assert!(output.status.success(), "{}", text(&output.stderr));
+
+    let fine = &summary(&out, "measured-fine-finish")["surfaces"]["fine-finish"];
+    let pixel = 196.73303177114576e-9;
+    let number = |key: &str| fine[key].as_f64().unwrap();
+    assert_eq!(fine["asperities"], 24714);
+    assert!((number("nominal_area_m2") / (304_784.0 * pixel * pixel) - 1.0).abs() < 1e-14);
+    assert!((number("density_per_m2") * number("nominal_area_m2") / 24714.0 - 1.0).abs() < 1e-14);
+    assert_eq!(fine["height_map"]["missing_points"], 116);
+    assert_eq!(fine["warnings"].as_array().unwrap().len(), 0);
+
+    // The instrument's step is said in the terminal, the summary and the report.
+    assert!(text(&output.stderr).contains("height step of 3.9062 nm"), "{}", text(&output.stderr));
+    let report = fs::read_to_string(out.join("quantised-ground/report.md")).unwrap();
+    assert!(
+        report.contains("> [!WARNING]")
+            && report.contains("set by the instrument's height step of 3.9062 nm")
+    );
+    let warnings = &summary(&out, "quantised-ground")["surfaces"]["ground"]["warnings"];
+    assert!(warnings[0].as_str().unwrap().contains("20 distinct curvatures"));
+
+    let mut reader = csv::Reader::from_path(out.join("measured-fine-finish/curves.csv")).unwrap();
+    let header = reader.headers().unwrap().clone();
+    let column = |name: &str| header.iter().position(|column| column == name).unwrap();
+    let mut near_the_limit = 0;
+    for row in reader.records().map(Result::unwrap) {
+        let area: f64 = row[column("area_ratio")].parse().unwrap();
+        assert_eq!(&row[column("beyond_model")] == "true", area > 0.05, "{area}");
+        near_the_limit += usize::from((0.05..0.06).contains(&area));
+    }
+    assert!(near_the_limit > 0);
+}
+
+/// Two realisations of a random surface and of a population in one report.
+#[test]
+fn realisations_stand_in_every_table_and_differ() {
+    let folder = tempfile::tempdir().unwrap();
+    let (spec, out) = (folder.path().join("several.toml"), folder.path().join("reports"));
+    let words = format!(
+        "{}
+[surface.random.generate]
+points = [96, 64]
+pixel = [\"1 um\", \"0.8 um\"]
+sigma = \"0.2 um\"
+spectrum.exponential = {{ correlation-length = [\"8 um\", \"3 um\"], angle = \"30 deg\" }}
+heights.johnson = {{ skewness = -1, kurtosis = 4.5 }}
+realisations = 3
+",
+        SMALL
+            .replace("count = 2000", "count = 2000\nrealisations = 2")
+            .replace("[\"1 MPa\"]", "[\"1 MPa\", \"3 MPa\", \"9 MPa\", \"30 MPa\"]")
+    );
+    fs::write(&spec, words).unwrap();
+    let rows: String = (0..500).map(|i| format!("{:e},1e-6\n", f64::from(i % 97) * 1e-9)).collect();
+    fs::write(folder.path().join("list.csv"), format!("height,radius\n{rows}")).unwrap();
+    let output = run(&spec, &out, &[]);
+    assert!(output.status.success(), "{}", text(&output.stderr));
+    let mut pressures: std::collections::BTreeMap<(String, String), Vec<String>> = Default::default();
+    let mut reader = csv::Reader::from_path(out.join("several/curves.csv")).unwrap();
+    let columns = reader.headers().unwrap().clone();
+    let place = |name: &str| columns.iter().position(|column| column == name).unwrap();
+    let [surface, realisation, model, control, area] =
+        ["surface", "realisation", "model", "control", "area_ratio"].map(place);
+    for row in reader.records().map(Result::unwrap) {
+        if &row[model] == "deterministic" && &row[control] == "pressure" {
+            let key = (row[surface].to_owned(), row[realisation].to_owned());
+            pressures.entry(key).or_default().push(row[area].to_owned());
+        }
+    }
+    let of = |surface: &str| -> Vec<&Vec<String>> {
+        pressures.iter().filter(|(key, _)| key.0 == surface).map(|(_, areas)| areas).collect()
+    };
+    assert_eq!(of("random").len(), 3);
+    for areas in of("random") {
+        assert_eq!(areas.len(), 8, "four pressures, two laws");
+    }
+    assert!(of("random")[0] != of("random")[1] && of("random")[1] != of("random")[2]);
+    let report = fs::read_to_string(out.join("several/report.md")).unwrap();
+    assert!(report.contains("over 3 realisations"));
+    let random = &summary(&out, "several")["surfaces"]["random"];
+    assert_eq!(random["realisations"].as_array().unwrap().len(), 3);
+    for key in ["sq_m", "ssk", "sku"] {
+        assert_eq!(random["realisations"][0][key], random["height_map"][key], "{key}");
+    }
+    // What the report says over all realisations is what the pairs in the other table say.
+    let mut reader = csv::Reader::from_path(out.join("several/comparison.csv")).unwrap();
+    let columns = reader.headers().unwrap().clone();
+    let place = |name: &str| columns.iter().position(|column| column == name).unwrap();
+    let [pairing, target, difference] = ["pairing", "target", "difference_separation_over_sigma"].map(place);
+    let pairs: Vec<csv::StringRecord> = reader.records().map(Result::unwrap).collect();
+    let at_9_mpa = pairs.iter().filter(|row| {
+        [&row[0], &row[2], &row[pairing]] == ["random", "hertz", "load"]
+            && (row[target].parse::<f64>().unwrap() / 9e6 - 1.0).abs() < 1e-9
+    });
+    let found: Vec<f64> = at_9_mpa.map(|row| row[difference].parse().unwrap()).collect();
+    assert_eq!(found.len(), 3);
+    let mean = found.iter().sum::<f64>() / 3.0;
+    let deviation = (found.iter().map(|d| (d - mean).powi(2)).sum::<f64>() / 2.0).sqrt();
+    let finding = report.lines().find(|line| line.starts_with("- **random, law hertz**, over 3")).unwrap();
+    let between = |from: &str, to: &str| finding.split_once(from).unwrap().1.split_once(to).unwrap().0;
+    assert_eq!(between(" realisation) at ", ","), "9 MPa");
+    let errors: f64 = between("9 MPa, ", " standard errors").parse().unwrap();
+    close(errors, mean / (deviation / 3f64.sqrt()), 1e-3);
+    let answers = report.split_once("random, law hertz: the answers").unwrap().1;
+    let cells = row(answers.split_once("stated error").unwrap().1, "9 MPa");
+    for shown in [&cells[4], between("up to ", " σ")] {
+        let (shown, scatter) = shown.split_once(" ± ").unwrap();
+        close(shown.parse().unwrap(), mean, 1e-3);
+        close(scatter.parse().unwrap(), deviation, 1e-3);
+    }
+    assert_eq!(random["generation"]["process"]["skewness"], -1.0);
+    assert!(random["height_map"]["five_point_theory"]["density_per_m2"].as_f64().unwrap() > 0.0);
+}
+
+/// As `head` does it: the reader leaves before all is said.
+#[test]
+fn a_reader_may_leave() {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
+    let mut child = Command::new(env!("CARGO_BIN_EXE_experiment"))
+        .args(["list", "--out", "nowhere"])
+        .current_dir(root)
+        .stdout(std::process::Stdio::piped())
+        .spawn()
+        .unwrap();
+    drop(child.stdout.take());
+    assert_eq!(child.wait().unwrap().code(), Some(0));
+}

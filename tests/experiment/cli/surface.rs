@@ -1,0 +1,223 @@
+//! `experiment surface`.
+
+use super::*;
+
+#[test]
+fn a_look_at_a_surface() {
+    let folder = tempfile::tempdir().unwrap();
+    let out = folder.path().join("reports");
+    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
+    let look = |arguments: &[&str]| {
+        let all = [&["surface"], arguments, &["--out", out.to_str().unwrap()]].concat();
+        experiment(&all, folder.path())
+    };
+    let opd = root.join("experiments/surfaces/opd-1.npy");
+    let opd = opd.to_str().unwrap();
+
+    let output = look(&[opd, "--pixel", "196.73303177114576 nm"]);
+    assert!(output.status.success(), "{}", text(&output.stderr));
+    let said = text(&output.stdout);
+    for words in ["24,714 of 304,784", "6.711 nm", "-0.3667, 4.538", "autocorrelation length Sal"] {
+        assert!(said.contains(words), "{words}: {said}");
+    }
+    for file in
+        ["opd-1-heights.svg", "opd-1-spectrum.svg", "opd-1-autocorrelation.svg", "opd-1-asperities.svg"]
+    {
+        assert!(out.join("surface-opd-1").join(file).exists(), "{file}");
+    }
+    let map = &summary(&out, "surface-opd-1")["surfaces"]["opd-1"]["height_map"];
+    assert_eq!(map["summits"], 24714);
+    // Sal from the definition in numpy: unbiased pairs about the mean, least distance to 0.2 over all directions.
+    assert!((map["autocorrelation_length_m"].as_f64().unwrap() / 3.64e-6 - 1.0).abs() < 0.01);
+
+    let x3p = look(&[root.join("crates/asperity/tests/library/formats/x3p-2.x3p").to_str().unwrap()]);
+    assert!(text(&x3p.stdout).contains("2,916"), "{}", text(&x3p.stderr));
+    let spec = look(&[root.join("experiments/heights-of-one-spectrum.toml").to_str().unwrap(), "--quiet"]);
+    assert!(spec.status.success() && text(&spec.stdout).is_empty());
+    assert!(out.join("heights-of-one-spectrum-surfaces/honed-heights.svg").exists());
+
+    // Another file of that name does not take its place, the same one does.
+    let copy = folder.path().join("opd-1.npy");
+    fs::copy(opd, &copy).unwrap();
+    let other = look(&[copy.to_str().unwrap(), "--pixel", "0.2 um"]);
+    assert_eq!(other.status.code(), Some(2));
+    assert!(text(&other.stderr).contains("allowed: --name NAME"), "{}", text(&other.stderr));
+    assert!(look(&[copy.to_str().unwrap(), "--pixel", "0.2 um", "--name", "copy"]).status.success());
+    assert!(look(&[opd, "--pixel", "2e-7"]).status.success());
+
+    for (arguments, words) in [
+        (&[opd][..], "holds no pixel size"),
+        (&[opd, "--pixel", "0.2 um", "--level", "cubic"], "cubic"),
+        (&[opd, "--pixel", "0.2 um", "--s", "3 um", "--l", "2 um"], "s below l"),
+        (&[opd, "--pixel", "0.2 um", "--name", ""], "found the name \"\" for its report"),
+        (&[opd, "--pixel", "0.2 um", "--name", "../up"], "found the name \"../up\" for its report"),
+        (&["nowhere.npy"], "nowhere.npy"),
+        (&[root.join("Cargo.lock").to_str().unwrap()], "Cargo.lock"),
+    ] {
+        let output = look(arguments);
+        let said = text(&output.stderr);
+        assert_eq!(output.status.code(), Some(2), "{arguments:?}: {said}");
+        assert!(said.contains(words), "{arguments:?}: {said}");
+    }
+    let both = look(&[root.join("experiments/gw-zmc-limit.toml").to_str().unwrap(), "--pixel", "1 um"]);
+    assert_eq!(both.status.code(), Some(2));
+    assert!(text(&both.stderr).contains("is a spec"), "{}", text(&both.stderr));
+}
+
+/// A look at surfaces in these words, and how it ends; `map.txt` holds these heights.
+fn looked_at(words: &str, heights: &str) -> (tempfile::TempDir, Output) {
+    let folder = tempfile::tempdir().unwrap();
+    let bodies = SMALL.split("[surface.list").next().unwrap();
+    fs::write(folder.path().join("look.toml"), format!("{bodies}{words}")).unwrap();
+    fs::write(folder.path().join("map.txt"), heights).unwrap();
+    let output = experiment(&["surface", "look.toml"], folder.path());
+    (folder, output)
+}
+
+/// The summary and the report of a look that succeeds.
+fn look(words: &str, heights: &str) -> (serde_json::Value, String) {
+    let (folder, output) = looked_at(words, heights);
+    assert!(output.status.success(), "{}", text(&output.stderr));
+    let out = folder.path().join("reports");
+    let report = fs::read_to_string(out.join("look-surfaces/report.md")).unwrap();
+    (summary(&out, "look-surfaces")["surfaces"].take(), report)
+}
+
+#[test]
+fn a_random_surface_is_made_as_its_words_say() {
+    let grid = "points = [128, 96]\npixel = [\"1 um\", \"0.8 um\"]\nsigma = \"0.2 um\"\n";
+    let lay = "spectrum.gaussian = { correlation-length = [\"8 um\", \"3 um\"], angle = \"30 deg\" }";
+    let (surfaces, report) = look(
+        &format!(
+            "[surface.one.generate]\n{grid}{lay}\n[surface.two.generate]\n{grid}{lay}\nneighbours = \"eight\"
+[surface.honed.generate]\n{grid}spectrum.exponential.correlation-length = \"4 um\"
+plateau = {{ height = \"-50 nm\", sigma = \"20 nm\", spectrum.exponential.correlation-length = \"2 um\" }}
+[surface.mapped.generate]\n{grid}{lay}\nheights.weibull.shape = 2\nspectrum-of = \"gaussian\"\n"
+        ),
+        "",
+    );
+    let process = &surfaces["one"]["generation"]["process"];
+    let number = |value: &serde_json::Value| value.as_f64().unwrap();
+    assert_eq!((&process["spectrum"], &process["cut_off_m"]), (&"gaussian".into(), &serde_json::Value::Null));
+    close(number(&process["correlation_length_m"]), 3e-6, 1e-12);
+    close(number(&process["elongation"]), 8.0 / 3.0, 1e-12);
+    close(number(&process["angle_rad"]), 30f64.to_radians(), 1e-12);
+    assert_ne!(
+        surfaces["one"]["height_map"]["sq_m"], surfaces["two"]["height_map"]["sq_m"],
+        "of its own name"
+    );
+    close(number(&surfaces["honed"]["generation"]["plateau_height_m"]), -5e-8, 1e-12);
+    assert!(report.contains("the one asked for is that of the Gaussian field before"));
+
+    assert_eq!(surfaces["one"]["height_map"]["summit_definition"], "five-point");
+    assert_eq!(surfaces["two"]["height_map"]["summit_definition"], "eight-neighbour");
+    assert!(surfaces["one"]["height_map"]["five_point_theory"].is_object());
+    assert!(surfaces["two"]["height_map"]["five_point_theory"].is_null(), "none for other summits");
+}
+
+#[test]
+fn tables_of_a_surface_say_what_its_summary_says() {
+    let (surfaces, report) = look(
+        "[surface.met.generate]
+points = 512
+spectrum.self-affine.hurst = 0.8
+summits = { radius = \"20 um\", sigma = \"48 nm\", density = \"6e10 /m^2\" }
+",
+        "",
+    );
+    let (met, map) = (&surfaces["met"], &surfaces["met"]["height_map"]);
+    let number = |value: &serde_json::Value| value.as_f64().unwrap();
+    for name in ["σ of the summit heights", "density of the summits"] {
+        let cells = row(&report, name);
+        assert_eq!(cells[1], cells[2], "{name}");
+    }
+    let along: Vec<f64> =
+        row(&report, "m2 along x, y")[1].split(", ").map(|number| number.parse().unwrap()).collect();
+    for (axis, along) in along.into_iter().enumerate() {
+        close(along, number(&map["m2_along_x_y"][axis]), 1e-3);
+    }
+    close(
+        2.0 * number(&map["m4_per_m2"]),
+        (0..2).map(|k| number(&map["m4_along_x_y_per_m2"][k])).sum(),
+        1e-12,
+    );
+    let cells = row(&report, "density \\[1/m²\\]");
+    let [found, theory, over_theory, nayak, over_nayak] =
+        [1, 2, 3, 4, 5].map(|k| cells[k].parse::<f64>().unwrap());
+    close(found, number(&met["density_per_m2"]), 1e-3);
+    close(theory, number(&map["five_point_theory"]["density_per_m2"]), 1e-3);
+    close(nayak, number(&map["nayak_theory"]["density_per_m2"]), 1e-3);
+    close(over_theory, found / theory, 2e-3);
+    close(over_nayak, found / nayak, 2e-3);
+    let saddles = &row(&report, "summits whose smaller principal curvature is not positive")[1];
+    assert_eq!(saddles.replace(',', ""), map["summits_with_a_saddle"].to_string());
+    assert!(number(&met["offset_to_mean_plane_m"]) > 0.0, "summits are above the mean plane");
+}
+
+/// Rough heights (nm) about 500 nm, a line for each y.
+fn rough() -> String {
+    let mut state = 1u64;
+    let mut height = || {
+        state = state.wrapping_mul(6364136223846793005).wrapping_add(1442695040888963407);
+        format!("{:.3}", 500.0 + (state >> 40) as f64 / 2e5)
+    };
+    (0..40).map(|_| (0..50).map(|_| height()).collect::<Vec<_>>().join(" ") + "\n").collect()
+}
+
+#[test]
+fn a_measured_map_is_treated_as_its_words_say() {
+    let file = "path = \"map.txt\"\npixel = \"1 um\"\nunit = \"nm\"\n";
+    let (surfaces, report) = look(
+        &format!(
+            "[surface.raw.file]\n{file}level = \"none\"\n[surface.level.file]\n{file}
+[surface.bowl.file]\n{file}level = \"quadratic\"\nneighbours = \"eight\"\nfilter = {{ s = \"3 um\" }}\n"
+        ),
+        &rough(),
+    );
+    let number = |name: &str, key: &str| surfaces[name][key].as_f64().unwrap();
+    let map = |name: &str| &surfaces[name]["height_map"];
+    let level = |name: &str| map(name)["level"].as_str().unwrap().to_owned();
+    assert_eq!(["raw", "level", "bowl"].map(level), ["none", "plane", "quadratic"]);
+    assert!(number("raw", "mean_height_m") > 5e-7 && number("level", "mean_height_m") < 1e-7);
+    close(number("raw", "offset_to_mean_plane_m"), number("level", "offset_to_mean_plane_m"), 0.05);
+    let sq = map("raw")["sq_m"].as_f64().unwrap();
+    let found: f64 = row(&report, "mean height above the mean plane / Sq")[1].parse().unwrap();
+    close(found, number("raw", "offset_to_mean_plane_m") / sq, 1e-3);
+    assert_eq!(map("bowl")["summit_definition"], "eight-neighbour");
+    assert!(map("bowl")["filter"].as_str().unwrap().starts_with("S = 3"));
+    assert!(map("bowl")["sq_m"].as_f64().unwrap() < 0.7 * map("level")["sq_m"].as_f64().unwrap());
+}
+
+#[test]
+fn maps_of_doubtful_numbers_are_told() {
+    let words = |unit: &str| {
+        format!(
+            "[surface.a.file]\npath = \"map.txt\"\npixel = \"1 um\"\nlevel = \"none\"\nunit = \"{unit}\"\n"
+        )
+    };
+    let warned = |unit: &str, heights: &str| {
+        let (surfaces, _) = look(&words(unit), heights);
+        surfaces["a"]["warnings"]
+            .as_array()
+            .unwrap()
+            .iter()
+            .map(|w| w.to_string())
+            .collect::<Vec<_>>()
+            .join(" ")
+    };
+    assert!(!warned("nm", &rough()).contains("r.m.s. slope"));
+    assert!(warned("um", &rough()).contains("the r.m.s. slope is "));
+    // Tops of one and of two nanometres, and one that is all but flat.
+    let tops = |flat: &str| {
+        let line = |top: &str| format!("0 0 0 0 0 0 0\n0 1.0 0 {top} 0 2.0 0\n");
+        line("1.5") + &line(flat) + &line("1.7") + "0 0 0 0 0 0 0\n"
+    };
+    assert!(!warned("nm", &tops("0.9")).contains("nearly flat tops"));
+    assert!(warned("nm", &tops("0.001")).contains("a few nearly flat tops set it"));
+    let (_folder, output) = looked_at(
+        &words("nm"),
+        &tops("1.5").replace("2.0", "1.5").replace("1.0", "1.5").replace("1.7", "1.5"),
+    );
+    assert_eq!(output.status.code(), Some(2));
+    assert!(text(&output.stderr).contains("has 9 summits that are equally high"), "{}", text(&output.stderr));
+}

@@ -1,0 +1,59 @@
+//! What a run warns of though it has an answer: laws beyond their range, bodies and asperities that contradict themselves.
+
+use asperity_experiment::experiment::Experiment;
+use asperity_experiment::experiment::progress::Silent;
+
+/// The warnings of a spec whose steel has the given hardness and yield strength.
+fn warnings(hardness: &str, strength: &str, kind: &str, list: &str) -> Vec<String> {
+    let folder = tempfile::tempdir().unwrap();
+    std::fs::write(folder.path().join("list.csv"), list).unwrap();
+    let path = folder.path().join("doubts.toml");
+    let spec = format!(
+        "title = \"t\"\n[material.steel]\nyoung = \"210 GPa\"\npoisson = 0.3\nhardness = \"{hardness}\"\n\
+         yield-strength = \"{strength}\"\n{kind}"
+    );
+    std::fs::write(&path, spec).unwrap();
+    Experiment::read(&path).unwrap().run(&Silent).unwrap().warnings()
+}
+
+fn compare(law: &str) -> String {
+    format!(
+        "[compare]\nrough = \"steel\"\nflat = \"steel\"\nlaw = {law}\nseparation = {{ values = [1] }}\n\
+         [surface.a.asperities]\nfile = \"list.csv\"\nnominal-area = \"1e-8 m^2\"\n"
+    )
+}
+
+const SPHERES: &str = "height,radius,kx,ky\n0,1e-5,5e4,2e5\n1e-8,1e-5,1e5,1e5\n";
+
+#[test]
+fn hardness_and_yield_strength_of_different_bodies() {
+    let both = compare("[\"zmc\", \"jackson-green\"]");
+    assert_eq!(warnings("2.8 GPa", "0.9 GPa", &both, SPHERES), [""; 0]);
+    let [warning] = &warnings("7.6 GPa", "0.9 GPa", &both, SPHERES)[..] else { panic!("one warning") };
+    assert!(warning.starts_with("steel: the hardness is 8.44 times the yield strength"), "{warning}");
+    // Laws that all take the same property agree, whatever the other is.
+    assert_eq!(warnings("7.6 GPa", "0.9 GPa", &compare("[\"zmc\", \"ceb\"]"), SPHERES), [""; 0]);
+    assert_eq!(warnings("7.6 GPa", "0.9 GPa", &compare("[\"hertz\", \"jackson-green\"]"), SPHERES), [""; 0]);
+}
+
+#[test]
+fn a_law_beyond_what_it_was_fitted_for() {
+    let limit = "[limit]\nrough = \"steel\"\nflat = \"steel\"\nlaw = \"jackson-green\"\nradius = \"20 um\"\n\
+                 sigma = \"48 nm\"\ndensity = \"6e10 /m^2\"\nseparation = { values = [1] }\n\
+                 count = { values = [100, 1000] }\ndraws = 2\n";
+    for kind in [compare("\"jackson-green\""), limit.to_owned()] {
+        let [warning] = &warnings("7.6 GPa", "2.7 GPa", &kind, SPHERES)[..] else { panic!("one warning") };
+        assert!(warning.contains("law jackson-green: Y/E* = 0.0234"), "{warning}");
+    }
+}
+
+#[test]
+fn radii_beyond_both_principal_radii_of_curvature() {
+    let elliptic = compare("\"elliptic-zmc\"");
+    assert_eq!(warnings("7.6 GPa", "2.7 GPa", &elliptic, SPHERES), [""; 0]);
+    let wrong = "height,radius,kx,ky\n0,1e-5,5e4,2e5\n1e-8,1e-5,1e8,2e8\n2e-8,1e-5,1e4,2e4\n";
+    let [warning] = &warnings("7.6 GPa", "2.7 GPa", &elliptic, wrong)[..] else { panic!("one warning") };
+    assert!(warning.contains("2 of 3 radii lie beyond both 1/kx and 1/ky"), "{warning}");
+    // Laws for spheres do not see the curvatures.
+    assert_eq!(warnings("7.6 GPa", "2.7 GPa", &compare("\"zmc\""), wrong), [""; 0]);
+}

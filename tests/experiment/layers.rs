@@ -1,0 +1,252 @@
+//! Comparisons under a layer, from a spec to the report.
+
+use asperity::compare::Kind;
+use asperity::sphere::Falling;
+use asperity_experiment::experiment::Experiment;
+use asperity_experiment::experiment::progress::Silent;
+use asperity_experiment::experiment::results::{CompareResults, Results, Threshold};
+use asperity_experiment::report::store::Store;
+
+/// A steel population on a flat, with the words of the flat.
+fn spec(flat: &str) -> String {
+    // Under a film the rough body never yields, and is pressed deep.
+    let (rough, nearest) = if flat.contains("film") { ("hard", -9.0) } else { ("steel", 1.0) };
+    format!(
+        r#"
+title = "t"
+seed = 3
+[material.steel]
+young = "210 GPa"
+poisson = 0.3
+hardness = "7.6 GPa"
+[material.lead]
+young = "18 GPa"
+poisson = 0.35
+hardness = "0.17 GPa"
+[material.titanium]
+young = "120 GPa"
+poisson = 0.33
+hardness = "3 GPa"
+[material.film]
+young = "200 GPa"
+poisson = 0.3
+hardness = "2 GPa"
+[material.soft]
+young = "200 GPa"
+poisson = 0.3
+hardness = "0.1 GPa"
+[material.hard]
+young = "600 GPa"
+poisson = 0.2
+[compare]
+rough = "{rough}"
+{flat}
+law = ["zmc", "hertz"]
+separation = {{ values = [3, {nearest}] }}
+pressure = {{ values = ["1 MPa", "10 MPa"] }}
+[surface.a.population]
+radius = "20 um"
+sigma = "48 nm"
+density = "6e10 /m^2"
+count = 5000
+"#
+    )
+}
+
+fn results(flat: &str) -> Results {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("layers.toml");
+    std::fs::write(&path, spec(flat)).unwrap();
+    Experiment::read(&path).unwrap().run(&Silent).unwrap()
+}
+
+fn compared(flat: &str) -> CompareResults {
+    match results(flat) {
+        Results::Compare(results) => results,
+        _ => panic!("a comparison"),
+    }
+}
+
+/// The files of a report by name.
+fn written(results: &Results, names: &[&str]) -> Vec<String> {
+    let out = tempfile::tempdir().unwrap();
+    let folder = asperity_experiment::report::folder(results, "key").unwrap();
+    Store::new(out.path()).write(&folder).unwrap();
+    names.iter().map(|name| std::fs::read_to_string(out.path().join("layers").join(name)).unwrap()).collect()
+}
+
+const LAYERS: &str = r#"flat = "steel"
+layer = { material = "lead", thickness = [0, 2e-8, 5e-8, "inf"] }"#;
+
+/// The contract's rows: surface, realisation, law, thickness.
+#[test]
+fn every_law_runs_under_every_thickness_in_file_order() {
+    let found = compared(LAYERS);
+    let cases: Vec<(&str, Option<f64>)> =
+        found.surfaces[0].first.cases.iter().map(|case| (case.law.as_str(), case.thickness)).collect();
+    let thicknesses = [0.0, 20e-9, 50e-9, f64::INFINITY];
+    let expected: Vec<(&str, Option<f64>)> =
+        ["zmc", "hertz"].into_iter().flat_map(|law| thicknesses.map(|t| (law, Some(t)))).collect();
+    assert_eq!(cases, expected);
+    for table in written(&results(LAYERS), &["curves.csv", "comparison.csv"]) {
+        let mut reader = csv::Reader::from_reader(table.as_bytes());
+        let column = reader.headers().unwrap().iter().position(|name| name == "layer_thickness_m").unwrap();
+        let mut read: Vec<f64> = reader.records().map(|row| row.unwrap()[column].parse().unwrap()).collect();
+        read.dedup();
+        assert_eq!(read, [thicknesses, thicknesses].concat());
+    }
+}
+
+#[test]
+fn no_layer_is_the_substrate_and_all_layer_the_layer_to_the_bit() {
+    let layered = compared(LAYERS);
+    let [steel, lead] = ["steel", "lead"].map(|flat| compared(&format!("flat = \"{flat}\"")));
+    let curves = |results: &CompareResults, thickness| {
+        let cases = results.surfaces[0].first.cases.iter();
+        let of = cases.filter(|case| case.thickness == thickness);
+        of.map(|case| case.comparison.curves.clone()).collect::<Vec<_>>()
+    };
+    assert_eq!(curves(&layered, Some(0.0)), curves(&steel, None));
+    assert_eq!(curves(&layered, Some(f64::INFINITY)), curves(&lead, None));
+    assert_ne!(curves(&layered, Some(20e-9)), curves(&steel, None));
+    // Load ratios refer to the pair without the layer.
+    assert_eq!(layered.contact.reduced_modulus, steel.contact.reduced_modulus);
+}
+
+/// A report of one model speaks of that model alone, and tells how wide its contacts are.
+#[test]
+fn a_report_of_one_model_shows_one_model() {
+    let of = |models: &str| {
+        let found = compared(&format!("{LAYERS}\nmodels = {models}"));
+        let case = &found.surfaces[0].first.cases[1];
+        let point = &case.comparison.curves.iter().rfind(|point| point.asked == Some(1e6)).unwrap().response;
+        let mean = point.area_ratio.total() / point.contact_density;
+        let ratio = (mean / std::f64::consts::PI).sqrt() / 2e-8;
+        let page = written(&Results::Compare(found), &["report.md"]).remove(0);
+        let row = page.lines().find(|line| line.starts_with("| 1 MPa | 20 nm |")).unwrap().to_owned();
+        assert!(
+            row.contains(&format!("| {} |", asperity_experiment::report::format::number(ratio))),
+            "{row}: {ratio}"
+        );
+        (page, row.matches('|').count())
+    };
+    let (integral, one) = of("[\"statistical\"]");
+    assert!(integral.contains("Lines: the statistical integral.") && !integral.contains("dashed"));
+    assert!(!integral.contains("det. |"), "columns of a model that did not run");
+    let (sum, same) = of("[\"deterministic\"]");
+    assert!(sum.contains("Lines: the deterministic sum.") && !sum.contains("dashed"));
+    let (both, more) = of("[\"statistical\", \"deterministic\"]");
+    assert!(both.contains("Solid: the deterministic sum"));
+    assert_eq!((one, same, more), (8, 8, 12));
+}
+
+/// Just below the threshold the area is within 5 %, just above it is not.
+#[test]
+fn a_threshold_is_where_the_area_has_changed_by_5_percent() {
+    let thresholds = compared(LAYERS).surfaces.remove(0).thresholds;
+    assert_eq!(thresholds.len(), 8, "2 laws, 2 loads, 2 models");
+    let first: &Threshold = &thresholds[0];
+    assert_eq!((first.law.as_str(), first.kind, first.pressure), ("zmc", Kind::Statistical, 1e6));
+    for threshold in &thresholds {
+        let t = threshold.thickness.unwrap();
+        let flat = format!(
+            "flat = \"steel\"\nlayer = {{ material = \"lead\", thickness = [0, {:e}, {:e}] }}",
+            t * 0.99,
+            t * 1.01
+        );
+        let around = compared(&flat);
+        let cases = around.surfaces[0].first.cases.iter().filter(|case| case.law == threshold.law);
+        let areas: Vec<f64> = cases
+            .map(|case| {
+                case.comparison
+                    .at_load(threshold.kind, threshold.pressure)
+                    .unwrap()
+                    .response
+                    .area_ratio
+                    .total()
+            })
+            .collect();
+        let change = |k: usize| (areas[k] / areas[0] - 1.0).abs();
+        assert!(change(1) < 0.05 && change(2) > 0.05, "{threshold:?}: {} {}", change(1), change(2));
+    }
+}
+
+/// Jackson and Green's law says nothing of a layer of finite thickness, and so nothing of where one begins to matter.
+#[test]
+fn a_law_without_layers_has_no_threshold() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("limits.toml");
+    let words = spec("flat = \"steel\"\nlayer = { material = \"lead\", thickness = [0, \"inf\"] }")
+        .replace("hardness = \"7.6 GPa\"", "hardness = \"7.6 GPa\"\nyield-strength = \"2.7 GPa\"")
+        .replace("hardness = \"0.17 GPa\"", "hardness = \"0.17 GPa\"\nyield-strength = \"0.06 GPa\"")
+        .replace("\"hertz\"", "\"jackson-green\"");
+    std::fs::write(&path, words).unwrap();
+    let Results::Compare(found) = Experiment::read(&path).unwrap().run(&Silent).unwrap() else {
+        panic!("a comparison")
+    };
+    let of = |law: &str| found.surfaces[0].thresholds.iter().filter(|found| found.law == law).count();
+    assert_eq!((of("zmc"), of("jackson-green")), (4, 0));
+    assert_eq!(found.surfaces[0].first.cases.len(), 4);
+}
+
+#[test]
+fn a_rule_outside_its_range_is_said_with_its_error() {
+    let layer = |name: &str, rule: &str| {
+        let flat = format!(
+            "flat = \"steel\"\nlayer = {{ material = \"{name}\", thickness = \"50 nm\", rule = \"{rule}\" }}"
+        );
+        compared(&flat).warnings()
+    };
+    let [gao] = &layer("lead", "gao")[..] else { panic!("one warning") };
+    assert!(gao.contains("its modulus is 0.0857 times the substrate's") && gao.contains("0.5 to 2"), "{gao}");
+    assert!(gao.contains("rule \"gao\" is up to 2.35 times too stiff"), "{gao}");
+    let [series] = &layer("lead", "series")[..] else { panic!("one warning") };
+    assert!(series.contains("\"series\" is up to 1.3") && series.contains("too compliant"), "{series}");
+    assert_eq!(layer("titanium", "gao"), Vec::<String>::new());
+}
+
+/// One thin layer alone that does not matter says where a thicker one would.
+#[test]
+fn a_threshold_is_sought_beyond_the_list() {
+    let of = |list: &str| {
+        let flat = format!("flat = \"steel\"\nlayer = {{ material = \"lead\", thickness = {list} }}");
+        let found = compared(&flat).surfaces.remove(0).thresholds;
+        found.into_iter().map(|threshold| threshold.thickness).collect::<Vec<_>>()
+    };
+    let known = of("[0, 2e-8, 5e-8, \"inf\"]");
+    for list in ["[0, \"1 nm\"]", "\"inf\"", "[\"1 um\", \"2 um\"]"] {
+        for (found, known) in of(list).into_iter().zip(&known) {
+            assert!((found.unwrap() / known.unwrap() - 1.0).abs() < 0.02, "{list}: {found:?} {known:?}");
+        }
+    }
+    assert_eq!(of("0"), []);
+}
+
+/// A plastic film 20 times as hard as its substrate.
+#[test]
+fn where_a_load_falls_the_report_says_so() {
+    let flat = "flat = \"soft\"\nlayer = { material = \"film\", thickness = \"150 nm\" }";
+    let found = compared(flat);
+    let falls = &found.surfaces[0].falls;
+    assert!(falls.iter().any(|one| one.fall.of == Falling::Load && one.fall.loss() > 0.01), "{falls:?}");
+    let page = &written(&Results::Compare(found), &["report.md"])[0];
+    assert!(
+        page.contains("the load of an asperity can fall as it is pressed deeper, with film of 150 nm"),
+        "{page}"
+    );
+    assert!(page.contains("the answers are the first"));
+}
+
+#[test]
+fn the_summary_holds_the_layer() {
+    let written = written(&results(LAYERS), &["summary.json"]);
+    let summary: serde_json::Value = serde_json::from_str(&written[0]).unwrap();
+    assert_eq!(summary["layer"]["thicknesses_m"], serde_json::json!([0.0, 2e-8, 5e-8, "inf"]));
+    assert_eq!(summary["layer"]["material"], "lead");
+    assert_eq!(summary["layer"]["rule_errors"].as_array().unwrap().len(), 14);
+    assert_eq!(summary["layer_thresholds"].as_array().unwrap().len(), 8);
+    // PHYSICS: under 50 nm of lead the area of an asperity of 20 um falls somewhere.
+    let falls = summary["falls"].as_array().unwrap();
+    assert!(falls.iter().any(|fall| fall["of"] == "area" && fall["layer_thickness_m"] == 50e-9), "{falls:?}");
+    assert!(falls.iter().all(|fall| fall["of"] == "area"), "no load falls under lead");
+}

@@ -1,0 +1,11 @@
+//! Tests of the program: specs in, reports out, and the command line. One program, so that it is linked once.
+
+mod adaptive;
+mod cli;
+#[path = "../../crates/asperity/tests/library/common.rs"]
+mod common;
+mod doubts;
+mod indentation;
+mod layers;
+mod stability;
+mod work;

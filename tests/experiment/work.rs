@@ -1,0 +1,311 @@
+//! What a run does, and what it leaves undone.
+
+use std::fs;
+
+use crate::common::{Random, bodies};
+use asperity::asperity::{Draw, HeightDensity, Population};
+use asperity::interface::{Counted, Flat, MicroContact};
+use asperity::law::{Shape, Zmc};
+use asperity::layer::Rule;
+use asperity::model::{Datum, Deterministic, Model, Statistical};
+use asperity::tally::Tally;
+use asperity::work::{Counter, Work};
+use asperity_experiment::experiment::progress::Silent;
+use asperity_experiment::experiment::results::{CompareResults, Results, SurfaceResults};
+use asperity_experiment::experiment::{Experiment, FileWords};
+
+const MATERIALS: &str = r#"
+title = "work"
+seed = 5
+[material.steel]
+young = "210 GPa"
+poisson = 0.3
+hardness = "7.6 GPa"
+[material.lead]
+young = "18 GPa"
+poisson = 0.35
+hardness = "0.17 GPa"
+"#;
+
+const DRAWN: &str = r#"
+[surface.drawn.population]
+radius = "20 um"
+sigma = "48 nm"
+density = "6e10 /m^2"
+count = 3000
+"#;
+
+const BODIES: &str = "[compare]\nrough = \"steel\"\nflat = \"steel\"\n";
+
+/// Runs a spec in a folder with two lists of asperities and a map.
+fn run(spec: &str) -> Results {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("work.toml");
+    fs::write(&path, format!("{MATERIALS}{spec}")).unwrap();
+    for (name, count) in [("list.csv", 400), ("other.csv", 300)] {
+        let rows: String =
+            (0..count).map(|i| format!("{:e},{:e}\n", f64::from(i * i % 97) * 1e-9, 2e-5)).collect();
+        fs::write(folder.path().join(name), format!("height,radius\n{rows}")).unwrap();
+    }
+    let height = |ix: u32, iy: u32| format!("{:e}", f64::from((ix * 37 + iy * 91) % 53) * 1e-9);
+    let rows = (0..40).map(|iy| (0..50).map(|ix| height(ix, iy)).collect::<Vec<_>>().join(" "));
+    fs::write(folder.path().join("map.txt"), rows.collect::<Vec<_>>().join("\n")).unwrap();
+    fs::write(folder.path().join("points.csv"), "indentation,load\n1e-8,1e-4\n3e-8,6e-4\n").unwrap();
+    Experiment::read(&path).unwrap().run(&Silent).unwrap()
+}
+
+fn work_of(spec: &str) -> Work {
+    run(spec).head().work.unwrap()
+}
+
+/// What `[compare]` of steel on steel finds.
+fn compare(words: &str, surfaces: &str) -> (Work, CompareResults) {
+    match run(&format!("{BODIES}{words}\n{surfaces}")) {
+        Results::Compare(results) => (results.head.work.unwrap(), results),
+        other => panic!("{other:?}"),
+    }
+}
+
+/// How many asperities of all surfaces stand above the flat, separation by separation.
+fn above(results: &CompareResults, separations: &[f64]) -> u64 {
+    let mut count = 0;
+    for found in &results.surfaces {
+        let (surface, datum) = (&found.surface, found.surface.datum);
+        for h in separations {
+            let flat = datum.mean + h * datum.sigma;
+            count += surface.set.heights().iter().filter(|z| **z > flat).count() as u64;
+        }
+    }
+    count
+}
+
+#[test]
+fn a_sum_touches_each_asperity_above_the_flat_once_and_nothing_below() {
+    let separations = [3.0, 1.5, 0.0, -1.0];
+    let list = "[surface.list.asperities]\nfile = \"list.csv\"\nnominal-area = \"1e-8 m^2\"";
+    // A law whose load never falls is not searched for the loads of its own points.
+    for models in ["[\"deterministic\"]", "[\"statistical\", \"deterministic\"]"] {
+        let words = format!(
+            "law = [\"hertz\", \"kogut-etsion\", \"zmc\"]\nmodels = {models}\nseparation = {{ values = [3, 1.5, 0, -1] }}"
+        );
+        let (work, results) = compare(&words, &format!("{DRAWN}{list}"));
+        let touched = above(&results, &separations);
+        assert!(touched > 4000);
+        assert_eq!(work.asperities_touched, 3 * touched, "{models}");
+        assert_eq!((work.coating_calls, work.surfaces_made, work.files_read), (0, 2, 1));
+    }
+}
+
+#[test]
+fn a_flat_above_all_asperities_touches_none() {
+    let (work, _) = compare(
+        "law = [\"hertz\", \"zmc\"]\nmodels = [\"deterministic\"]\nseparation = { values = [50, 9] }",
+        DRAWN,
+    );
+    assert_eq!(work, Work { surfaces_made: 1, ..Work::default() });
+}
+
+#[test]
+fn no_model_works_that_is_not_asked() {
+    let words = |model: &str| {
+        format!(
+            "law = [\"hertz\", \"zmc\"]\nmodels = [\"{model}\"]\nseparation = {{ values = [3, 0] }}\npressure = {{ values = [\"1 MPa\"] }}"
+        )
+    };
+    let (integral, _) = compare(&words("statistical"), DRAWN);
+    assert!(integral.asperities_touched == 0 && integral.nodes > 0, "{integral:?}");
+    let (sum, _) = compare(&words("deterministic"), DRAWN);
+    assert!(sum.nodes == 0 && sum.asperities_touched > 0, "{sum:?}");
+    let (both, _) = compare(&words("statistical\", \"deterministic"), DRAWN);
+    assert_eq!(both.asperities_touched, sum.asperities_touched);
+    // Besides, the integral is pressed to the loads of the sum.
+    assert!(both.nodes > integral.nodes);
+}
+
+/// Separation by separation, no load is searched.
+#[test]
+fn no_load_is_searched_that_is_not_asked() {
+    let words = |separations: &str, more: &str| {
+        format!(
+            "law = \"zmc\"\nmodels = [\"statistical\"]\nseparation = {{ values = {separations} }}\n{more}"
+        )
+    };
+    let nodes = |separations: &str, more: &str| compare(&words(separations, more), DRAWN).0.nodes;
+    let each = [nodes("[3]", ""), nodes("[1]", ""), nodes("[-2]", "")];
+    assert_eq!(nodes("[3, 1, -2]", ""), each.iter().sum::<u64>());
+    assert!(nodes("[3, 1, -2]", "force = { values = [\"1 mN\"] }") > nodes("[3, 1, -2]", ""));
+    // Pressures and forces share the way down to the first.
+    let load = |more: &str| nodes("[3]", more) - each[0];
+    let (pressure, force) =
+        (load("pressure = { values = [\"1 MPa\"] }"), load("force = { values = [\"1 mN\"] }"));
+    let both = load("pressure = { values = [\"1 MPa\"] }\nforce = { values = [\"1 mN\"] }");
+    assert!(both < pressure + force && both > pressure.max(force), "{both} of {pressure} and {force}");
+}
+
+#[test]
+fn a_bare_flat_has_no_coating_call() {
+    let words = |thickness: &str| {
+        format!(
+            "layer = {{ material = \"lead\", thickness = {thickness} }}\nlaw = [\"hertz\", \"zmc\"]\nseparation = {{ values = [3, 1] }}"
+        )
+    };
+    let work = |thickness: &str| compare(&words(thickness), DRAWN).0;
+    let [none, thin, all] = ["0", "\"50 nm\"", "\"inf\""].map(work);
+    for bare in [none, all, compare("law = \"zmc\"\nseparation = { values = [3, 1] }", DRAWN).0] {
+        assert_eq!(bare.coating_calls, 0);
+        assert!(bare.asperities_touched > 0 && bare.nodes > 0 && bare.single_contacts > 0);
+    }
+    assert!(thin.asperities_touched > 0 && thin.nodes > 0 && thin.single_contacts > 0);
+    assert_eq!(thin.coating_calls, thin.asperities_touched + thin.nodes + thin.single_contacts);
+    let listed = work("[0, \"50 nm\", \"inf\"]");
+    assert_eq!(listed.coating_calls, thin.coating_calls);
+    assert_eq!(listed.nodes, none.nodes + thin.nodes + all.nodes);
+    assert_eq!(
+        listed.asperities_touched,
+        none.asperities_touched + thin.asperities_touched + all.asperities_touched
+    );
+    // What is said of a rule is found with it.
+    let rule = |words: &str| compare(words, DRAWN).1.contact.layer.unwrap().check;
+    assert!(rule(&words("[0, \"inf\"]")).is_none() && rule(&words("[0, \"50 nm\"]")).is_some());
+    // Up to which thickness a layer does not matter is looked for under layers.
+    let searched = words("[0, \"inf\"]") + "\npressure = { values = [\"1 MPa\"] }";
+    assert!(rule(&searched).is_some() && compare(&searched, DRAWN).0.coating_calls > 0);
+    let bare = words("0") + "\npressure = { values = [\"1 MPa\"] }";
+    assert!(rule(&bare).is_none() && compare(&bare, DRAWN).0.coating_calls == 0);
+}
+
+#[test]
+fn a_layer_is_made_only_where_there_is_one() {
+    let [rough, layer, substrate] = bodies(&mut Random::new(1));
+    for thickness in [0.0, f64::INFINITY] {
+        let flat = Flat::in_thickness(&layer, &substrate, thickness, || panic!("no layer")).unwrap();
+        assert!(!flat.under(Zmc::default(), &rough).unwrap().is_layered());
+    }
+    let flat = Flat::with_layer(&layer, &substrate, 1e-7, Rule::Gao).unwrap();
+    assert!(flat.under(Zmc::default(), &rough).unwrap().is_layered());
+}
+
+#[test]
+fn a_surface_is_made_once_for_all_laws_layers_and_models() {
+    let words = "layer = { material = \"lead\", thickness = [0, \"50 nm\", \"inf\"] }\nlaw = [\"hertz\", \"zmc\"]\n\
+                 separation = { values = [2] }\npressure = { values = [\"1 MPa\"] }";
+    let random = "[surface.random.generate]\npoints = [80, 80]\npixel = \"1 um\"\nsigma = \"0.1 um\"\n\
+                  spectrum.gaussian = { correlation-length = \"6 um\" }\nrealisations = 2";
+    let (work, results) = compare(words, &format!("{DRAWN}realisations = 3\n{random}"));
+    assert_eq!(results.surfaces.iter().map(|found| found.realisations().count()).sum::<usize>(), 5);
+    assert_eq!((work.surfaces_made, work.files_read), (5, 0));
+    // Of each size some random sets, and one at the quantiles, for all laws.
+    let limit = work_of(
+        "[limit]\nrough = \"steel\"\nflat = \"steel\"\nlaw = [\"hertz\", \"zmc\"]\nradius = \"20 um\"\nsigma = \"48 nm\"\n\
+         density = \"6e10 /m^2\"\nseparation = { values = [1, 0] }\ncount = { values = [100, 1000] }\ndraws = 4",
+    );
+    assert_eq!((limit.surfaces_made, limit.coating_calls), (2 * 5, 0));
+    assert!(limit.nodes > 0 && limit.asperities_touched > 0);
+}
+
+#[test]
+fn a_file_is_read_once_by_all_surfaces_found_in_it() {
+    let list = |name: &str, file: &str, area: f64| {
+        format!("[surface.{name}.asperities]\nfile = \"{file}\"\nnominal-area = \"{area:e} m^2\"\n")
+    };
+    let map = |name: &str, level: &str, pixel: &str| {
+        format!("[surface.{name}.file]\npath = \"map.txt\"\npixel = \"{pixel}\"\nlevel = \"{level}\"\n")
+    };
+    let words = "law = \"hertz\"\nseparation = { values = [2, 0] }";
+    let files = |surfaces: &[String]| {
+        let (work, results) = compare(words, &surfaces.concat());
+        assert_eq!(work.surfaces_made, surfaces.len() as u64);
+        let numbers = |found: &SurfaceResults| {
+            (found.surface.set.clone(), found.first.cases[0].comparison.curves.clone())
+        };
+        (work.files_read, results.surfaces.iter().map(numbers).collect::<Vec<_>>())
+    };
+    let all = [
+        list("a", "list.csv", 1e-8),
+        map("b", "mean", "1 um"),
+        list("c", "./list.csv", 2e-8),
+        list("d", "other.csv", 1e-8),
+        map("e", "plane", "1 um"),
+        list("f", "list.csv", 1e-8),
+        map("g", "mean", "2 um"),
+    ];
+    // Two lists, and a map with two pixels.
+    let (read, found) = files(&all);
+    assert_eq!(read, 4);
+    for (surface, found) in all.into_iter().zip(found) {
+        assert_eq!(files(&[surface]), (1, vec![found]));
+    }
+}
+
+#[test]
+fn a_ball_is_pressed_once_into_the_flat_without_a_layer_and_all_of_it() {
+    let work = |thickness: &str, more: &str| {
+        work_of(&format!(
+            "[indentation]\nball = \"steel\"\nradius = \"1 mm\"\nflat = \"steel\"\nlaw = [\"hertz\", \"zmc\"]\n\
+             layer = {{ material = \"lead\", thickness = {thickness} }}\n\
+             indentation = {{ from = \"1 nm\", to = \"100 nm\", points = 3 }}\n{more}"
+        ))
+    };
+    let [one, other, both] = ["\"1 um\"", "\"2 um\"", "[\"1 um\", \"2 um\"]"].map(|t| work(t, ""));
+    assert_eq!(one.files_read, 0);
+    assert_eq!(both.coating_calls, one.coating_calls + other.coating_calls);
+    let bare = |work: &Work| work.single_contacts - work.coating_calls;
+    assert!(bare(&one) > 0 && bare(&one) == bare(&other) && bare(&both) == bare(&one));
+    let measured = work("\"1 um\"", "overlay = \"points.csv\"");
+    assert_eq!((measured.files_read, measured.coating_calls), (1, one.coating_calls + 2 * 2));
+}
+
+#[test]
+fn a_look_touches_nothing() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("map.txt");
+    let height = |ix: u32, iy: u32| format!("{:e}", f64::from((ix * 37 + iy * 91) % 53) * 1e-9);
+    let rows = (0..40).map(|iy| (0..50).map(|ix| height(ix, iy)).collect::<Vec<_>>().join(" "));
+    fs::write(&path, rows.collect::<Vec<_>>().join("\n")).unwrap();
+    let words = FileWords { pixel: Some("1 um".to_owned()), ..FileWords::default() };
+    let found = Experiment::look(&path, &words, None).unwrap().run(&Silent).unwrap();
+    assert_eq!(found.head().work, Some(Work { files_read: 1, surfaces_made: 1, ..Work::default() }));
+}
+
+/// Counting changes no bit of an answer.
+#[test]
+fn a_contact_that_is_counted_answers_the_same() {
+    let mut random = Random::new(7);
+    let [rough, layer, substrate] = bodies(&mut random);
+    for thickness in [0.0, 3e-8, f64::INFINITY] {
+        let flat = Flat::with_layer(&layer, &substrate, thickness, Rule::Gao).unwrap();
+        let contact = flat.under(Zmc::default(), &rough).unwrap();
+        let counter = Counter::default();
+        let counted = Counted::new(&*contact, &counter);
+        let population =
+            Population { radius: 2e-5, sigma: 5e-8, density: 6e10, heights: HeightDensity::Gaussian };
+        let set = population.set(20_000, Draw::Random([3; 32])).unwrap();
+        let datum = Datum { mean: 0.0, sigma: population.sigma };
+        let separations = [2.5, 1.0, 0.0];
+        let sum = |contact| Deterministic::new(contact, set.spheres(), datum).respond_all(&separations);
+        let integral = |contact| Statistical::new(contact, population).respond_all(&separations);
+        assert_eq!(sum(&counted as &dyn MicroContact), sum(&*contact));
+        assert_eq!(integral(&counted as &dyn MicroContact), integral(&*contact));
+        let shape = Shape::sphere(2e-5);
+        assert_eq!(counted.contact(1e-8, shape), contact.contact(1e-8, shape));
+        assert_eq!(counted.load_over(1e-9, 1e-8, shape), contact.load_over(1e-9, 1e-8, shape));
+        assert_eq!(counted.breakpoints(shape), contact.breakpoints(shape));
+        assert_eq!(counted.regime_changes(shape), contact.regime_changes(shape));
+        assert_eq!(counted.may_fall(shape.into()), contact.may_fall(shape.into()));
+        assert_eq!(counted.reference_modulus(), contact.reference_modulus());
+        assert_eq!(counted.reference_hardness(), contact.reference_hardness());
+        assert_eq!((counted.papers(), counted.doubt()), (contact.papers(), contact.doubt()));
+        assert_eq!(counted.is_layered(), thickness == 3e-8);
+
+        let before = counter.work();
+        counted.weigh(&[1e-9, 2e-9, 3e-9], &[1.0; 3], shape, &mut Tally::default());
+        counted.contact(1e-8, shape);
+        counted.press(set.spheres(), -1.0, &mut Tally::default());
+        let work = counter.work();
+        assert_eq!(work.nodes - before.nodes, 3);
+        assert_eq!(work.single_contacts - before.single_contacts, 1);
+        assert_eq!(work.asperities_touched - before.asperities_touched, 20_000);
+        let layered = if thickness == 3e-8 { 20_004 } else { 0 };
+        assert_eq!(work.coating_calls - before.coating_calls, layered);
+    }
+}
