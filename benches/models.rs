@@ -7,7 +7,7 @@ use std::hint::black_box;
 
 use asperity::asperity::Draw;
 use asperity::law::{Shape, Zmc};
-use asperity::model::{Datum, Deterministic, Model, Statistical, at_pressure};
+use asperity::model::{Deterministic, Model, ReferencePlane, Statistical, at_pressure};
 use cases::{CASES, bare, flats, laws};
 use criterion::{BenchmarkId, Criterion, Throughput, criterion_group, criterion_main};
 
@@ -71,8 +71,11 @@ fn sum(c: &mut Criterion) {
     for (case, population) in CASES {
         let set = population.set(1_000_000, Draw::Random([1; 32])).expect("a million asperities");
         for (law, contact) in laws() {
-            let model =
-                Deterministic::new(&*contact, set.spheres(), Datum { mean: 0.0, sigma: population.sigma });
+            let model = Deterministic::new(
+                &*contact,
+                set.spheres(),
+                ReferencePlane { mean: 0.0, sigma: population.sigma },
+            );
             group.bench_function(BenchmarkId::new(law, case), |b| {
                 b.iter(|| model.respond_all(&separations));
             });

@@ -12,7 +12,7 @@ use std::time::Instant;
 use asperity::asperity::{AsperitySet, Population, read_list};
 use asperity::interface::MicroContact;
 use asperity::law::Zmc;
-use asperity::model::{Datum, Deterministic, Model, Response, Statistical};
+use asperity::model::{Deterministic, Model, ReferencePlane, Response, Statistical};
 use asperity::topography::HeightMap;
 use asperity::topography::generate::gaussian;
 use asperity::topography::spectrum::{Lay, Shape, Spectrum};
@@ -91,7 +91,7 @@ fn sums(population: &Population, set: &AsperitySet, separations: &[&str]) -> Opt
 
 /// The whole of what is timed.
 fn curve(contact: &dyn MicroContact, set: &AsperitySet, sigma: f64, separations: &[f64]) -> Vec<Response> {
-    Deterministic::new(contact, set.spheres(), Datum { mean: 0.0, sigma }).respond_all(separations)
+    Deterministic::new(contact, set.spheres(), ReferencePlane { mean: 0.0, sigma }).respond_all(separations)
 }
 
 /// Steel on steel: the integral, its seconds those of one separation (in sigma) on one thread, the mean of many rounds.

@@ -8,7 +8,7 @@ use std::time::Instant;
 
 use asperity::asperity::{Asperities, Draw, Ellipse, Ellipses};
 use asperity::interface::MicroContact;
-use asperity::model::{Datum, Deterministic, Model};
+use asperity::model::{Deterministic, Model, ReferencePlane};
 use cases::{CASES, flats, laws};
 
 const ROUNDS: usize = 15;
@@ -53,7 +53,8 @@ fn alternate(case: &str, sigma: f64, all: &[Sums]) {
     let mut times = vec![Vec::new(); all.len()];
     for _ in 0..ROUNDS {
         for (sums, times) in all.iter().zip(&mut times) {
-            let model = Deterministic::new(sums.contact, sums.asperities, Datum { mean: 0.0, sigma });
+            let model =
+                Deterministic::new(sums.contact, sums.asperities, ReferencePlane { mean: 0.0, sigma });
             let start = Instant::now();
             black_box(model.respond_all(&separations));
             times.push(start.elapsed().as_secs_f64());

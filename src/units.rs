@@ -140,17 +140,17 @@ impl<D: Dimension, R: Range> Quantity<D, R> {
     }
 
     fn checked(value: f64, found: &dyn fmt::Display) -> Result<Self, String> {
-        if R::holds(value) { Ok(Self { value, kind: PhantomData }) } else { Err(Self::refusal(found)) }
+        if R::holds(value) { Ok(Self { value, kind: PhantomData }) } else { Err(Self::error(found)) }
     }
 
-    fn refusal(found: &dyn fmt::Display) -> String {
+    fn error(found: &dyn fmt::Display) -> String {
         format!("found {found}; allowed: {} {} {}", R::WORDS, D::NAME, D::ALLOWED)
     }
 
     fn parse(text: &str) -> Result<Self, String> {
         let found = format!("\"{text}\"");
         let value = in_uoms_spelling(text).and_then(|spelt| Some(in_tens(&spelt, D::si(&spelt)?)));
-        value.map_or_else(|| Err(Self::refusal(&found)), |value| Self::checked(value, &found))
+        value.map_or_else(|| Err(Self::error(&found)), |value| Self::checked(value, &found))
     }
 }
 

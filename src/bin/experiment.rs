@@ -7,7 +7,7 @@ use std::time::Instant;
 
 use asperity_experiment::experiment::progress::{Progress, Silent};
 use asperity_experiment::experiment::results::Results;
-use asperity_experiment::experiment::{Experiment, FileWords, Refusal, TEMPLATE};
+use asperity_experiment::experiment::{Experiment, FileWords, InputError, TEMPLATE};
 use asperity_experiment::report::store::{Store, StoreError};
 use asperity_experiment::report::{self, Index, MARK, ReportError};
 use clap::{Args, Parser, Subcommand};
@@ -147,9 +147,9 @@ enum Failure {
     Run(String),
 }
 
-impl From<Refusal> for Failure {
-    fn from(refusal: Refusal) -> Self {
-        Self::Input(refusal.to_string())
+impl From<InputError> for Failure {
+    fn from(error: InputError) -> Self {
+        Self::Input(error.to_string())
     }
 }
 
@@ -238,7 +238,7 @@ fn read_all(files: &[PathBuf], extent: &Extent) -> Result<Vec<Experiment>, Failu
                 ));
             }
             Ok(experiment) => experiments.push(experiment),
-            Err(refusal) => wrong.push(refusal.to_string()),
+            Err(error) => wrong.push(error.to_string()),
         }
     }
     if wrong.is_empty() { Ok(experiments) } else { Err(Failure::Input(wrong.join("\nerror: "))) }
@@ -408,7 +408,7 @@ fn list(out: &Path) -> Result<(), Failure> {
                 };
                 print(format_args!("{:<28} {state:<11} {}", experiment.stem(), experiment.plan().title));
             }
-            Err(refusal) => print(format_args!("{:<28} refused     {refusal}", file.display())),
+            Err(error) => print(format_args!("{:<28} refused     {error}", file.display())),
         }
     }
     Ok(())

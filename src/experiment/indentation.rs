@@ -5,11 +5,11 @@ use std::time::Instant;
 use indexmap::IndexMap;
 use rayon::prelude::*;
 
-use super::Refusal;
+use super::InputError;
 use super::plan::{IndentationPlan, LayerPlan, Plan, thickness_words};
 use super::progress::Progress;
-use super::results::{Head, Timing};
-use super::run::head;
+use super::results::{Metadata, Timing};
+use super::run::metadata;
 use super::spec::{LawSpec, Show};
 use asperity::compare::{RuleCheck, RuleError, RuleFindings, apart};
 use asperity::interface::{ContactError, Counted, Flat, MicroContact};
@@ -28,7 +28,7 @@ pub const LARGEST_SLOPE: f64 = 0.3;
 #[derive(Debug)]
 pub struct IndentationResults {
     /// What every experiment has.
-    pub head: Head,
+    pub metadata: Metadata,
     /// The bodies of the spec.
     pub materials: IndexMap<String, Material>,
     /// The ball's material.
@@ -117,13 +117,13 @@ pub(super) fn run(
     plan: &Plan,
     indentation: &IndentationPlan,
     progress: &dyn Progress,
-) -> Result<IndentationResults, Refusal> {
+) -> Result<IndentationResults, InputError> {
     let start = Instant::now();
     progress.stage(&plan.title, indentation.cases() as u64);
     let counter = Counter::default();
     let mut papers = vec![literature::PASARIBU_SCHIPPER_2005];
     let mut layers = Vec::new();
-    let refuse = |error: ContactError| Refusal::file(&plan.source.path, error);
+    let refuse = |error: ContactError| InputError::file(&plan.source.path, error);
     let uncoated = curves(indentation, &Flat::Bare(indentation.flat.1), &counter).map_err(refuse)?;
     for layer in &indentation.layers {
         let alone = Alone::of(indentation, layer, uncoated.clone(), &counter).map_err(refuse)?;
@@ -138,7 +138,7 @@ pub(super) fn run(
     let overlay = &indentation.overlay;
     counter.add(Item::Files, overlay.iter().len());
     Ok(IndentationResults {
-        head: head(
+        metadata: metadata(
             plan,
             papers,
             Timing { total: start.elapsed(), ..Timing::default() },

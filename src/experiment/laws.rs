@@ -1,6 +1,6 @@
 //! Running `[laws]`: several laws on one asperity, and on surfaces under both models.
 
-use super::Refusal;
+use super::InputError;
 use super::plan::{Critical, LawPlan, LawsPlan, Plan};
 use super::progress::Progress;
 use super::results::{CompareResults, RealisationResults};
@@ -60,7 +60,7 @@ pub(super) fn run(
     plan: &Plan,
     laws_plan: &LawsPlan,
     progress: &dyn Progress,
-) -> Result<LawsResults, Refusal> {
+) -> Result<LawsResults, InputError> {
     let counter = Counter::default();
     let mut compare = run_compare(plan, &laws_plan.compare, &counter, progress)?;
     let mut influences = Vec::new();
@@ -72,7 +72,7 @@ pub(super) fn run(
         }));
     }
     let laws = laws_plan.compare.laws.iter().map(|law| on_one(laws_plan, law, &counter)).collect();
-    compare.head.work = Some(counter.work());
+    compare.metadata.work = Some(counter.work());
     Ok(LawsResults {
         compare,
         radius: laws_plan.radius,

@@ -2,27 +2,27 @@
 
 mod files;
 mod indentation;
+mod input_error;
 mod laws;
 mod models;
+mod overview;
 pub mod plan;
 mod precision;
 pub mod progress;
-mod refusal;
 pub mod results;
 mod run;
 pub mod spec;
 mod stability;
 mod surface;
 mod threshold;
-mod whole;
 
 pub use indentation::{IndentationResults, LARGEST_SLOPE, LawCurves, LayerResults};
+pub use input_error::InputError;
 pub use laws::{LawOnOne, LawsResults, SurfaceInfluence};
+pub use overview::MapOverview;
 pub use precision::{CasePrecision, PrecisionResults};
-pub use refusal::Refusal;
 pub use stability::StabilityResults;
 pub use surface::{GenerationFacts, MapFacts, Surface};
-pub use whole::Whole;
 
 use std::io::Read;
 use std::path::{Path, PathBuf};
@@ -49,7 +49,7 @@ impl Experiment {
     ///
     /// # Errors
     /// What keeps it from running, with file, line and key.
-    pub fn read(path: &Path) -> Result<Self, Refusal> {
+    pub fn read(path: &Path) -> Result<Self, InputError> {
         Ok(Self { plan: Plan::read(path, false)? })
     }
 
@@ -57,7 +57,7 @@ impl Experiment {
     ///
     /// # Errors
     /// As [`Self::read`].
-    pub fn read_in_full(path: &Path) -> Result<Self, Refusal> {
+    pub fn read_in_full(path: &Path) -> Result<Self, InputError> {
         Ok(Self { plan: Plan::read(path, true)? })
     }
 
@@ -66,10 +66,10 @@ impl Experiment {
     ///
     /// # Errors
     /// As [`Self::read`].
-    pub fn look(path: &Path, words: &FileWords, name: Option<&str>) -> Result<Self, Refusal> {
+    pub fn look(path: &Path, words: &FileWords, name: Option<&str>) -> Result<Self, InputError> {
         let is_spec = path.extension().is_some_and(|ending| ending == "toml");
         if is_spec && *words != FileWords::default() {
-            return Err(Refusal::file(
+            return Err(InputError::file(
                 path,
                 "is a spec, which says everything of its surfaces itself; allowed with a spec: no pixel, unit, level, \
                  filter or neighbours beside it",
@@ -81,7 +81,7 @@ impl Experiment {
             if name.is_empty() || Path::new(name).file_name() != Some(name.as_ref()) {
                 let message =
                     format!("found the name \"{name}\" for its report; allowed: one such as my-surface");
-                return Err(Refusal::file(path, message));
+                return Err(InputError::file(path, message));
             }
             plan.stem = plan::stem_of(Path::new(&format!("{name}.toml")))?;
         }
@@ -111,7 +111,7 @@ impl Experiment {
     ///
     /// # Errors
     /// An input file that cannot be read.
-    pub fn key(&self) -> Result<String, Refusal> {
+    pub fn key(&self) -> Result<String, InputError> {
         let mut hash = Sha256::new();
         hash.update(SOURCES);
         hash.update(digest(self.plan.stem.as_bytes()));
@@ -121,7 +121,7 @@ impl Experiment {
         }
         for path in self.plan.inputs() {
             let content = digest_file(&path)
-                .map_err(|error| Refusal::file(&path, format!("cannot be read: {error}")))?;
+                .map_err(|error| InputError::file(&path, format!("cannot be read: {error}")))?;
             hash.update(content);
         }
         Ok(hexadecimal(&hash.finalize()))
@@ -131,7 +131,7 @@ impl Experiment {
     ///
     /// # Errors
     /// What only a run can find: a map without a summit, a pressure that is not reached.
-    pub fn run(&self, progress: &dyn Progress) -> Result<Results, Refusal> {
+    pub fn run(&self, progress: &dyn Progress) -> Result<Results, InputError> {
         run::run(&self.plan, progress)
     }
 }

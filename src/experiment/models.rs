@@ -62,7 +62,7 @@ impl<'a> SurfaceModels<'a> {
         law: &LawSpec,
     ) -> Statistical<'b, dyn MicroContact + 'b> {
         Statistical::of_shape(contact, self.population, self.mean_shape(law))
-            .quoted_from(self.surface.quoting_datum())
+            .reported_from(self.surface.reporting_plane())
     }
 
     /// The sum of one contact of a law; `None` where no sum was asked for.
@@ -75,6 +75,6 @@ impl<'a> SurfaceModels<'a> {
             Summit::Sphere => self.is_summed.then(|| self.surface.set.spheres()),
             Summit::Ellipse => self.ellipses.as_ref().map(Ellipses::asperities),
         };
-        asperities.map(|asperities| Deterministic::new(contact, asperities, self.surface.datum))
+        asperities.map(|asperities| Deterministic::new(contact, asperities, self.surface.plane))
     }
 }

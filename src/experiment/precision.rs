@@ -4,9 +4,9 @@ use std::time::Instant;
 
 use super::plan::{Plan, PrecisionPlan};
 use super::progress::Progress;
-use super::results::{ContactHead, Head, Timing};
-use super::run::{contact_head, head, papers_of};
-use super::{Refusal, stream_seed};
+use super::results::{ContactMetadata, Metadata, Timing};
+use super::run::{contact_metadata, metadata, papers_of};
+use super::{InputError, stream_seed};
 use crate::precision::curve::{CurveFindings, curves_of};
 use crate::precision::grid::{GridFindings, maps_of};
 use crate::precision::integral::{IntegralFindings, rules_on};
@@ -22,9 +22,9 @@ use asperity::literature;
 #[derive(Debug)]
 pub struct PrecisionResults {
     /// What every experiment has.
-    pub head: Head,
+    pub metadata: Metadata,
     /// The bodies.
-    pub contact: ContactHead,
+    pub contact: ContactMetadata,
     /// The law, as tables name it.
     pub law: String,
     /// d/sigma of the integrals.
@@ -66,7 +66,7 @@ pub(super) fn run(
     plan: &Plan,
     all: &PrecisionPlan,
     progress: &dyn Progress,
-) -> Result<PrecisionResults, Refusal> {
+) -> Result<PrecisionResults, InputError> {
     let start = Instant::now();
     let mut timing = Timing::default();
     progress.stage(&plan.title, all.steps());
@@ -75,7 +75,7 @@ pub(super) fn run(
         cases.push(case(plan, all, name, population, progress, &mut timing)?);
     }
     let maps = Instant::now();
-    let refuse = |error: &dyn std::fmt::Display| Refusal::file(&plan.source.path, error);
+    let refuse = |error: &dyn std::fmt::Display| InputError::file(&plan.source.path, error);
     let seed = |i, j, k| stream_seed(plan.seed, &format!("grid {i} {j} {k}"));
     let grid = all.grid.as_ref().map(|task| maps_of(task, seed, |_| progress.advance(1)));
     let grid = grid.transpose().map_err(|error| refuse(&error))?;
@@ -88,8 +88,8 @@ pub(super) fn run(
     }
     Ok(PrecisionResults {
         // What is timed is repeated until the clock is content: a count would differ from run to run.
-        head: head(plan, papers, timing, None),
-        contact: contact_head(plan, laws, &all.bodies, None),
+        metadata: metadata(plan, papers, timing, None),
+        contact: contact_metadata(plan, laws, &all.bodies, None),
         law: all.law.label.clone(),
         separations: all.separations.clone(),
         draws: all.sampling.as_ref().map_or(0, |task| task.draws),
@@ -107,10 +107,10 @@ fn case(
     population: &Population,
     progress: &dyn Progress,
     timing: &mut Timing,
-) -> Result<CasePrecision, Refusal> {
+) -> Result<CasePrecision, InputError> {
     let contact = &*all.law.contact;
     let refuse =
-        |error: &dyn std::fmt::Display| Refusal::file(&plan.source.path, format!("case {name}: {error}"));
+        |error: &dyn std::fmt::Display| InputError::file(&plan.source.path, format!("case {name}: {error}"));
     let start = Instant::now();
     let mut integral = None;
     if !all.separations.is_empty() {

@@ -30,7 +30,7 @@ pub struct Bodies {
 
 /// What every experiment has.
 #[derive(Debug, Clone)]
-pub struct Head {
+pub struct Metadata {
     /// What the report is called.
     pub title: String,
     /// Name of the spec's file, without its ending.
@@ -51,7 +51,7 @@ pub struct Head {
 
 /// What lies on the flat.
 #[derive(Debug, Clone)]
-pub struct LayerHead {
+pub struct LayerMetadata {
     /// Name of its material.
     pub name: String,
     /// How its modulus and that of the substrate are put together.
@@ -64,7 +64,7 @@ pub struct LayerHead {
 
 /// The two bodies of a contact.
 #[derive(Debug, Clone)]
-pub struct ContactHead {
+pub struct ContactMetadata {
     /// The bodies of the spec.
     pub materials: IndexMap<String, Material>,
     /// Who touches whom.
@@ -74,9 +74,9 @@ pub struct ContactHead {
     /// Hardness of the softer body, Pa.
     pub hardness: Option<f64>,
     /// What lies on the flat.
-    pub layer: Option<LayerHead>,
+    pub layer: Option<LayerMetadata>,
     /// Laws that are asked beyond what they were made for, a line each.
-    pub doubts: Vec<String>,
+    pub caveats: Vec<String>,
 }
 
 /// Where the time went.
@@ -117,15 +117,15 @@ pub enum Results {
 
 impl Results {
     /// What every experiment has.
-    pub fn head(&self) -> &Head {
+    pub fn metadata(&self) -> &Metadata {
         match self {
-            Self::Compare(results) => &results.head,
-            Self::Indentation(results) => &results.head,
-            Self::Laws(results) => &results.compare.head,
-            Self::Limit(results) => &results.head,
-            Self::Precision(results) => &results.head,
-            Self::Stability(results) => &results.head,
-            Self::Surfaces(results) => &results.head,
+            Self::Compare(results) => &results.metadata,
+            Self::Indentation(results) => &results.metadata,
+            Self::Laws(results) => &results.compare.metadata,
+            Self::Limit(results) => &results.metadata,
+            Self::Precision(results) => &results.metadata,
+            Self::Stability(results) => &results.metadata,
+            Self::Surfaces(results) => &results.metadata,
         }
     }
 
@@ -135,8 +135,8 @@ impl Results {
             Self::Compare(results) => results.warnings(),
             Self::Indentation(results) => results.warnings(),
             Self::Laws(results) => results.compare.warnings(),
-            Self::Limit(results) => results.contact.doubts.clone(),
-            Self::Precision(results) => results.contact.doubts.clone(),
+            Self::Limit(results) => results.contact.caveats.clone(),
+            Self::Precision(results) => results.contact.caveats.clone(),
             Self::Stability(results) => results.warnings(),
             Self::Surfaces(results) => results.warnings(),
         }
@@ -155,7 +155,7 @@ fn warnings<'a>(surfaces: impl IntoIterator<Item = &'a Surface>) -> Vec<String> 
 #[derive(Debug)]
 pub struct SurfacesResults {
     /// What every experiment has.
-    pub head: Head,
+    pub metadata: Metadata,
     /// The file that was looked at: a measured one, or a spec.
     pub file: PathBuf,
     /// The words of a spec that the command line made, for a measured file.
@@ -175,9 +175,9 @@ impl SurfacesResults {
 #[derive(Debug)]
 pub struct CompareResults {
     /// What every experiment has.
-    pub head: Head,
+    pub metadata: Metadata,
     /// The bodies.
-    pub contact: ContactHead,
+    pub contact: ContactMetadata,
     /// How far the curves over d/sigma may be off.
     pub tolerances: Tolerances,
     /// Surface by surface, in file order.
@@ -188,7 +188,7 @@ impl CompareResults {
     /// What makes the answers doubtful, a line each.
     pub fn warnings(&self) -> Vec<String> {
         let mut lines = warnings(self.surfaces.iter().map(|found| &found.surface));
-        lines.extend(self.contact.doubts.iter().cloned());
+        lines.extend(self.contact.caveats.iter().cloned());
         lines.extend(
             self.contact
                 .layer
@@ -286,9 +286,9 @@ pub struct CaseResults {
 #[derive(Debug)]
 pub struct LimitResults {
     /// What every experiment has.
-    pub head: Head,
+    pub metadata: Metadata,
     /// The bodies.
-    pub contact: ContactHead,
+    pub contact: ContactMetadata,
     /// What the sets were drawn from.
     pub population: Population,
     /// The laws, and what each one's limit was taken from.

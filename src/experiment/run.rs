@@ -4,16 +4,18 @@ use std::time::Instant;
 
 use super::files::Files;
 use super::models::SurfaceModels;
+use super::overview::AnalysisDepth;
 use super::plan::thickness_words;
 use super::plan::{ComparePlan, LawPlan, LayerPlan, LimitPlan, Plan, PlanKind, SurfacePlan};
 use super::progress::Progress;
 use super::results::{
-    Bodies, CaseResults, CompareResults, ContactHead, FallResults, Head, LayerHead, LimitResults,
+    Bodies, CaseResults, CompareResults, ContactMetadata, FallResults, LayerMetadata, LimitResults, Metadata,
     RealisationResults, Results, SurfaceResults, SurfacesResults, Timing,
 };
 use super::surface::Surface;
-use super::whole::Look;
-use super::{Refusal, digest, hexadecimal, indentation, laws, precision, stability, stream_seed, threshold};
+use super::{
+    InputError, digest, hexadecimal, indentation, laws, precision, stability, stream_seed, threshold,
+};
 use asperity::asperity::{Population, gaussian_moment};
 use asperity::compare::{
     Control, Exact, Gaps, Kind, LimitCase, Models, NotReached, RuleCheck, RuleFindings, compare, convergence,
@@ -25,7 +27,7 @@ use asperity::model::{Model, Statistical};
 use asperity::sphere::Curve;
 use asperity::work::{Counter, Item, Work};
 
-pub(super) fn run(plan: &Plan, progress: &dyn Progress) -> Result<Results, Refusal> {
+pub(super) fn run(plan: &Plan, progress: &dyn Progress) -> Result<Results, InputError> {
     match &plan.kind {
         PlanKind::Compare(compare) => {
             run_compare(plan, compare, &Counter::default(), progress).map(Results::Compare)
@@ -44,7 +46,7 @@ pub(super) fn run_compare(
     compare: &ComparePlan,
     counter: &Counter,
     progress: &dyn Progress,
-) -> Result<CompareResults, Refusal> {
+) -> Result<CompareResults, InputError> {
     let start = Instant::now();
     let mut timing = Timing::default();
     let mut papers = papers_of(&compare.laws);
@@ -53,8 +55,8 @@ pub(super) fn run_compare(
     let mut files = files_of(&compare.surfaces, counter);
     let mut surfaces = Vec::new();
     for surface in &compare.surfaces {
-        let mut maker = surface.maker(&plan.source, plan.seed, counter);
-        let first_surface = maker.make(1, Look::Spectrum, &mut files, &mut timing)?;
+        let mut factory = surface.factory(&plan.source, plan.seed, counter);
+        let first_surface = factory.make(1, AnalysisDepth::Spectrum, &mut files, &mut timing)?;
         let models = models_of(compare, &first_surface, &mut timing);
         let first = run_surface(plan, compare, &first_surface, &models, counter, &mut timing)?;
         let thresholds = threshold::thresholds(compare, &first_surface, &models, &first, counter);
@@ -63,7 +65,7 @@ pub(super) fn run_compare(
         progress.advance(1);
         let mut others = Vec::new();
         for realisation in 2..=surface.realisations {
-            let surface = maker.make(realisation, Look::Asperities, &mut files, &mut timing)?;
+            let surface = factory.make(realisation, AnalysisDepth::Asperities, &mut files, &mut timing)?;
             let models = models_of(compare, &surface, &mut timing);
             others.push(run_surface(plan, compare, &surface, &models, counter, &mut timing)?);
             progress.advance(1);
@@ -72,30 +74,34 @@ pub(super) fn run_compare(
         surfaces.push(SurfaceResults { surface: first_surface, first, others, thresholds, falls });
     }
     timing.total = start.elapsed();
-    let mut layer_head = None;
+    let mut layer_metadata = None;
     if let Some(layer) = &compare.layer {
         let mut check = None;
         if compare.uses_rule(layer) {
             let (findings, rules) =
-                rule_check(compare, layer).map_err(|error| Refusal::file(&plan.source.path, error))?;
+                rule_check(compare, layer).map_err(|error| InputError::file(&plan.source.path, error))?;
             papers.extend(rules);
             check = Some(findings);
         }
-        layer_head = Some(LayerHead {
+        layer_metadata = Some(LayerMetadata {
             name: layer.name.clone(),
             rule: layer.rule,
             thicknesses: layer.thicknesses.clone(),
             check,
         });
     }
-    let contact = contact_head(plan, &compare.laws, &compare.bodies, layer_head);
+    let contact = contact_metadata(plan, &compare.laws, &compare.bodies, layer_metadata);
     let tolerances = compare.controls.tolerances;
-    let head = head(plan, papers, timing, Some(counter.work()));
-    Ok(CompareResults { head, contact, tolerances, surfaces })
+    let metadata = metadata(plan, papers, timing, Some(counter.work()));
+    Ok(CompareResults { metadata, contact, tolerances, surfaces })
 }
 
 /// Looks at surfaces as closely as can be.
-fn look(plan: &Plan, surfaces: &[SurfacePlan], progress: &dyn Progress) -> Result<SurfacesResults, Refusal> {
+fn look(
+    plan: &Plan,
+    surfaces: &[SurfacePlan],
+    progress: &dyn Progress,
+) -> Result<SurfacesResults, InputError> {
     let start = Instant::now();
     let mut timing = Timing::default();
     progress.stage(&plan.title, surfaces.len() as u64);
@@ -103,16 +109,16 @@ fn look(plan: &Plan, surfaces: &[SurfacePlan], progress: &dyn Progress) -> Resul
     let mut files = files_of(surfaces, &counter);
     let mut seen = Vec::new();
     for surface in surfaces {
-        let mut maker = surface.maker(&plan.source, plan.seed, &counter);
-        seen.push(maker.make(1, Look::Everything, &mut files, &mut timing)?);
+        let mut factory = surface.factory(&plan.source, plan.seed, &counter);
+        seen.push(factory.make(1, AnalysisDepth::Everything, &mut files, &mut timing)?);
         progress.advance(1);
     }
     timing.total = start.elapsed();
     let papers = seen.iter().flat_map(Surface::papers).collect();
     let words = plan.source.is_command_line().then(|| plan.source.text.clone());
     let file = plan.looked_at(surfaces);
-    let head = head(plan, papers, timing, Some(counter.work()));
-    Ok(SurfacesResults { head, file, words, surfaces: seen })
+    let metadata = metadata(plan, papers, timing, Some(counter.work()));
+    Ok(SurfacesResults { metadata, file, words, surfaces: seen })
 }
 
 /// The files of surfaces that are made one after the other.
@@ -137,7 +143,7 @@ fn run_surface(
     models: &SurfaceModels,
     counter: &Counter,
     timing: &mut Timing,
-) -> Result<RealisationResults, Refusal> {
+) -> Result<RealisationResults, InputError> {
     let asked = |kind| compare_plan.models.contains(&kind);
     let population = models.population();
     let area = surface.set.nominal_area();
@@ -151,14 +157,14 @@ fn run_surface(
             deterministic: deterministic.as_ref().map(|model| model as &dyn Model),
         };
         let comparison = compare(models, &compare_plan.controls, area)
-            .map_err(|error| refuse_load(plan, compare_plan, &surface.name, law, &error))?;
+            .map_err(|error| unreachable_load(plan, compare_plan, &surface.name, law, &error))?;
         timing.statistical += comparison.statistical_time;
         timing.deterministic += comparison.deterministic_time;
         cases.push(CaseResults {
             law: law.label.clone(),
             thickness: law.thickness,
             plasticity_index: plasticity_index(contact, population.sigma, population.radius),
-            gaps: Gaps::of(&comparison.pairs, area, surface.datum.sigma),
+            gaps: Gaps::of(&comparison.pairs, area, surface.plane.sigma),
             comparison,
         });
     }
@@ -166,7 +172,7 @@ fn run_surface(
         asperities: surface.set.count(),
         nominal_area: area,
         statistics: surface.statistics,
-        sigma: surface.datum.sigma,
+        sigma: surface.plane.sigma,
         moments: surface.map.as_ref().map(|map| map.character.moments),
         population,
         cases,
@@ -188,7 +194,7 @@ fn falls(
         let ends = (f64::INFINITY, f64::NEG_INFINITY);
         values.iter().fold(ends, |(low, high), &value| (low.min(value), high.max(value)))
     };
-    let highest = extremes(surface.set.heights()).1 - surface.datum.mean;
+    let highest = extremes(surface.set.heights()).1 - surface.plane.mean;
     let mut found = Vec::new();
     let cases: Vec<_> = plan.laws.iter().zip(&answered.cases).collect();
     // Laws that see the same asperities, whatever the layer.
@@ -219,13 +225,13 @@ fn falls(
 }
 
 /// Points at the sweep that asks for more than a model reaches.
-fn refuse_load(
+fn unreachable_load(
     plan: &Plan,
     compare: &ComparePlan,
     surface: &str,
     law: &LawPlan,
     error: &NotReached,
-) -> Refusal {
+) -> InputError {
     let layer =
         law.thickness.map_or_else(String::new, |t| format!(", layer of thickness {}", thickness_words(t)));
     let message = format!("surface {surface}, law {}{layer}: {error}", law.label);
@@ -235,12 +241,12 @@ fn refuse_load(
         Control::Separation => None,
     };
     match span {
-        Some(span) => plan.source.refuse(span, message),
-        None => Refusal::file(&plan.source.path, message),
+        Some(span) => plan.source.error_at(span, message),
+        None => InputError::file(&plan.source.path, message),
     }
 }
 
-fn run_limit(plan: &Plan, limit: &LimitPlan, progress: &dyn Progress) -> Result<LimitResults, Refusal> {
+fn run_limit(plan: &Plan, limit: &LimitPlan, progress: &dyn Progress) -> Result<LimitResults, InputError> {
     let start = Instant::now();
     let mut timing = Timing::default();
     let counter = Counter::default();
@@ -264,12 +270,12 @@ fn run_limit(plan: &Plan, limit: &LimitPlan, progress: &dyn Progress) -> Result<
         counter.add(Item::Surfaces, 1);
         progress.advance(count as u64);
     })
-    .map_err(|error| Refusal::file(&plan.source.path, error))?;
+    .map_err(|error| InputError::file(&plan.source.path, error))?;
     timing.deterministic = sums.elapsed();
     timing.total = start.elapsed();
     Ok(LimitResults {
-        head: head(plan, papers_of(&limit.laws), timing, Some(counter.work())),
-        contact: contact_head(plan, &limit.laws, &limit.bodies, None),
+        metadata: metadata(plan, papers_of(&limit.laws), timing, Some(counter.work())),
+        contact: contact_metadata(plan, &limit.laws, &limit.bodies, None),
         population: limit.population,
         plasticity_index: plasticity_index(
             &*limit.laws[0].contact,
@@ -317,10 +323,10 @@ pub(super) fn papers_of_law(law: &LawPlan) -> Vec<Paper> {
     law.contact.papers().into_iter().chain(law.spec.papers().iter().copied()).collect()
 }
 
-pub(super) fn head(plan: &Plan, mut papers: Vec<Paper>, timing: Timing, work: Option<Work>) -> Head {
+pub(super) fn metadata(plan: &Plan, mut papers: Vec<Paper>, timing: Timing, work: Option<Work>) -> Metadata {
     papers.sort_by_key(|paper| paper.short);
     papers.dedup();
-    Head {
+    Metadata {
         title: plan.title.clone(),
         stem: plan.stem.clone(),
         notes: plan.notes.clone(),
@@ -346,7 +352,7 @@ fn apart_in_strength(
     plan: &Plan,
     laws: &[LawPlan],
     bodies: &Bodies,
-    layer: Option<&LayerHead>,
+    layer: Option<&LayerMetadata>,
 ) -> Vec<String> {
     /// H/Y of metals; Chang, Etsion and Bogy (1987) take 2.8.
     const METALS: [f64; 2] = [2.0, 4.0];
@@ -355,7 +361,7 @@ fn apart_in_strength(
         return Vec::new();
     }
     let names = [Some(&bodies.rough), Some(&bodies.flat), layer.map(|layer| &layer.name)];
-    let doubt = |name: &String| {
+    let caveat = |name: &String| {
         let body = plan.materials.get(name)?;
         let ratio = body.hardness()? / body.yield_strength()?;
         let [from, to] = METALS;
@@ -366,27 +372,27 @@ fn apart_in_strength(
             )
         })
     };
-    names.into_iter().flatten().filter_map(doubt).collect()
+    names.into_iter().flatten().filter_map(caveat).collect()
 }
 
-pub(super) fn contact_head(
+pub(super) fn contact_metadata(
     plan: &Plan,
     laws: &[LawPlan],
     bodies: &Bodies,
-    layer: Option<LayerHead>,
-) -> ContactHead {
+    layer: Option<LayerMetadata>,
+) -> ContactMetadata {
     // Every law of an experiment stands on the same two bodies.
     let contact = &laws[0].contact;
-    let mut doubts: Vec<String> = laws.iter().filter_map(|law| law.contact.doubt()).collect();
-    doubts.extend(apart_in_strength(plan, laws, bodies, layer.as_ref()));
-    doubts.sort_unstable();
-    doubts.dedup();
-    ContactHead {
+    let mut caveats: Vec<String> = laws.iter().filter_map(|law| law.contact.caveat()).collect();
+    caveats.extend(apart_in_strength(plan, laws, bodies, layer.as_ref()));
+    caveats.sort_unstable();
+    caveats.dedup();
+    ContactMetadata {
         materials: plan.materials.clone(),
         bodies: bodies.clone(),
         reduced_modulus: contact.reference_modulus(),
         hardness: Some(contact.reference_hardness()).filter(|hardness| hardness.is_finite()),
         layer,
-        doubts,
+        caveats,
     }
 }

@@ -1,57 +1,57 @@
-//! Running `[stability]`: scenes judged by an evaluation of about 32 digits.
+//! Running `[stability]`: cases checked by an evaluation of about 32 digits.
 
 use std::time::Instant;
 
 use super::plan::{Plan, StabilityPlan};
 use super::progress::Progress;
-use super::results::{Head, Timing};
-use super::run::head;
+use super::results::{Metadata, Timing};
+use super::run::metadata;
 use super::stream_seed;
-use crate::stability::{Family, FamilyFindings, Map, family, maps};
+use crate::stability::{Group, GroupFindings, Map, group, maps};
 use asperity::literature::{self, Paper};
 
-/// What became of the scenes.
+/// What became of the cases.
 #[derive(Debug)]
 pub struct StabilityResults {
     /// What every experiment has.
-    pub head: Head,
-    /// What was judged.
+    pub metadata: Metadata,
+    /// What was checked.
     pub plan: StabilityPlan,
-    /// Family by family.
-    pub families: Vec<FamilyFindings>,
+    /// Group by group.
+    pub groups: Vec<GroupFindings>,
     /// Errors over planes.
     pub maps: Vec<Map>,
 }
 
 impl StabilityResults {
-    /// Scenes that were judged.
-    pub fn scenes(&self) -> u64 {
-        self.families.iter().map(|findings| findings.scenes).sum()
+    /// Scenes that were checked.
+    pub fn cases(&self) -> u64 {
+        self.groups.iter().map(|findings| findings.cases).sum()
     }
 
     /// Families with a quantity beyond its bound.
-    pub fn beyond(&self) -> impl Iterator<Item = &FamilyFindings> {
-        self.families.iter().filter(|findings| !findings.holds())
+    pub fn beyond(&self) -> impl Iterator<Item = &GroupFindings> {
+        self.groups.iter().filter(|findings| !findings.holds())
     }
 
     /// What went wrong, a line each.
     pub fn warnings(&self) -> Vec<String> {
         let beyond = self.beyond().map(|findings| {
-            format!("{} ({}): beyond its bound", findings.family.name(), findings.family.kind().name())
+            format!("{} ({}): beyond its bound", findings.group.name(), findings.group.kind().name())
         });
-        let faults = self.families.iter().flat_map(|findings| {
-            let told = findings.faults.first();
-            told.map(|(scene, fault)| {
-                let others = findings.faults.len() - 1;
+        let failures = self.groups.iter().flat_map(|findings| {
+            let told = findings.failures.first();
+            told.map(|(case, failure)| {
+                let others = findings.failures.len() - 1;
                 format!(
-                    "{}, scene {}: {fault}{}",
-                    findings.family.name(),
-                    scene.index,
+                    "{}, case {}: {failure}{}",
+                    findings.group.name(),
+                    case.index,
                     if others > 0 { format!(", and {others} more") } else { String::new() }
                 )
             })
         });
-        beyond.chain(faults).collect()
+        beyond.chain(failures).collect()
     }
 }
 
@@ -73,16 +73,21 @@ const PAPERS: [Paper; 12] = [
 
 pub(super) fn run(plan: &Plan, stability: &StabilityPlan, progress: &dyn Progress) -> StabilityResults {
     let start = Instant::now();
-    progress.stage(&plan.title, Family::ALL.len() as u64 + 1);
+    progress.stage(&plan.title, Group::ALL.len() as u64 + 1);
     let seed = stream_seed(plan.seed, "stability");
-    let judge = |of: Family| {
-        let findings = family(of, stability.counts.of(of), seed, &stability.ranges);
+    let judge = |of: Group| {
+        let findings = group(of, stability.counts.of(of), seed, &stability.ranges);
         progress.advance(1);
         findings
     };
-    let families = Family::ALL.map(judge).to_vec();
+    let groups = Group::ALL.map(judge).to_vec();
     let maps = maps(&stability.ranges, stability.cells);
     progress.advance(1);
     let timing = Timing { total: start.elapsed(), ..Timing::default() };
-    StabilityResults { head: head(plan, PAPERS.to_vec(), timing, None), plan: *stability, families, maps }
+    StabilityResults {
+        metadata: metadata(plan, PAPERS.to_vec(), timing, None),
+        plan: *stability,
+        groups,
+        maps,
+    }
 }

@@ -1,11 +1,11 @@
 //! A surface as the models and the report see it: its asperities and what is known of them.
 
-use super::whole::{Look, Whole};
+use super::overview::{AnalysisDepth, MapOverview};
 use asperity::asperity::{
     AsperitySet, Ellipse, Ellipticity, HeightDensity, Population, SetError, Statistics,
 };
 use asperity::literature::{self, Paper};
-use asperity::model::{Datum, MeanRadius};
+use asperity::model::{MeanRadius, ReferencePlane};
 use asperity::topography::character::Character;
 use asperity::topography::filter::{Filter, FilterError};
 use asperity::topography::generate::{Recipe, Target};
@@ -26,7 +26,7 @@ pub struct Surface {
     /// Their statistics.
     pub statistics: Statistics,
     /// Where separations are measured from, in the frame of the set's heights.
-    pub datum: Datum,
+    pub plane: ReferencePlane,
     /// Height of the mean plane of the surface in the frame of the set's heights, m, where it is known.
     pub mean_plane: Option<f64>,
     /// The population that it was drawn from: the statistical model then stands on its numbers.
@@ -75,8 +75,8 @@ pub struct MapFacts {
     pub quantisation: Option<Quantisation>,
     /// Of a random surface, what it was made by.
     pub generation: Option<GenerationFacts>,
-    /// What only a look at the whole map tells, where it was asked for.
-    pub whole: Whole,
+    /// What only a depth at the whole map tells, where it was asked for.
+    pub whole: MapOverview,
 }
 
 /// What a random surface was made by.
@@ -123,11 +123,11 @@ pub(super) struct Finding {
     /// What the map was made by, if it was made.
     pub(super) generation: Option<GenerationFacts>,
     /// How closely it is looked at.
-    pub(super) look: Look,
+    pub(super) depth: AnalysisDepth,
 }
 
 impl Finding {
-    /// Levels and filters a map and finds its summits, row by row: only a filter and the closest look need
+    /// Levels and filters a map and finds its summits, row by row: only a filter and the closest depth need
     /// the map in memory.
     pub(super) fn asperities(&self, raw: &dyn Rows) -> Result<(AsperitySet, MapFacts), NoAsperities> {
         let levelled = Levelled { map: raw, form: self.level.form(raw)? };
@@ -175,7 +175,12 @@ impl Finding {
             nayak: theory::nayak(character.spectral_moments()),
             quantisation: self.generation.is_none().then(|| Quantisation::of(raw, summits)),
             generation: self.generation,
-            whole: Whole::of(map, &character, self.generation.as_ref().map(|made| &made.recipe), self.look),
+            whole: MapOverview::of(
+                map,
+                &character,
+                self.generation.as_ref().map(|made| &made.recipe),
+                self.depth,
+            ),
             character,
         }
     }
@@ -273,7 +278,7 @@ impl Surface {
         Self {
             name: name.to_owned(),
             set,
-            datum: Datum::from(&statistics),
+            plane: ReferencePlane::from(&statistics),
             statistics,
             mean_plane: None,
             nominal: None,
@@ -297,10 +302,10 @@ impl Surface {
         Population { heights: heights.unwrap_or(population.heights), ..population }
     }
 
-    /// The datum relative to the mean height of the statistical model's population.
-    pub fn quoting_datum(&self) -> Datum {
-        let mean = if self.nominal.is_some() { self.datum.mean } else { 0.0 };
-        Datum { mean, sigma: self.datum.sigma }
+    /// The plane relative to the mean height of the statistical model's population.
+    pub fn reporting_plane(&self) -> ReferencePlane {
+        let mean = if self.nominal.is_some() { self.plane.mean } else { 0.0 };
+        ReferencePlane { mean, sigma: self.plane.sigma }
     }
 
     /// How far the mean asperity stands above the mean plane of the surface, m, where that is known.
@@ -344,7 +349,7 @@ mod tests {
             neighbours,
             generation,
             as_ellipses: false,
-            look: Look::Everything,
+            depth: AnalysisDepth::Everything,
         };
         let facts = finding.asperities(&map).unwrap().1;
         (map, facts)
@@ -387,7 +392,7 @@ mod tests {
                 neighbours,
                 generation: None,
                 as_ellipses: false,
-                look: Look::Asperities,
+                depth: AnalysisDepth::Asperities,
             }
             .asperities(&map)
         };

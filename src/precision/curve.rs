@@ -7,7 +7,7 @@ use super::timing::{Candidate, medians};
 use asperity::asperity::{Draw, Population, SetError};
 use asperity::compare::Kind;
 use asperity::interface::MicroContact;
-use asperity::model::{Curve, Datum, Deterministic, Model, Response, Statistical, respond_within};
+use asperity::model::{Curve, Deterministic, Model, ReferencePlane, Response, Statistical, respond_within};
 
 /// The tolerances at which a curve of a thousand separations is to cost no more than twice one of fifty: a sum has a kink
 /// at every asperity, an integral has none.
@@ -84,9 +84,9 @@ pub fn curves_of(
     seed: [u8; 32],
 ) -> Result<CurveFindings, SetError> {
     let set = population.set(task.asperities, Draw::Random(seed))?;
-    let datum = Datum { mean: 0.0, sigma: population.sigma };
+    let plane = ReferencePlane { mean: 0.0, sigma: population.sigma };
     let mut points = curves(Kind::Statistical, &Statistical::new(contact, *population), task);
-    points.extend(curves(Kind::Deterministic, &Deterministic::new(contact, set.spheres(), datum), task));
+    points.extend(curves(Kind::Deterministic, &Deterministic::new(contact, set.spheres(), plane), task));
     Ok(CurveFindings { asperities: task.asperities, points })
 }
 

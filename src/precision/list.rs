@@ -13,7 +13,7 @@ use super::timing::{Candidate, medians};
 use asperity::asperity::{AsperitySet, Draw, ListError, Population, SetError, read_list};
 use asperity::interface::MicroContact;
 use asperity::memory::peak_of;
-use asperity::model::{Datum, Deterministic, Model, Response};
+use asperity::model::{Deterministic, Model, ReferencePlane, Response};
 
 /// What is asked of lists.
 #[derive(Debug, Clone, PartialEq)]
@@ -159,8 +159,8 @@ fn sums(
     population: &Population,
     separations: &[f64],
 ) -> Vec<Response> {
-    let datum = Datum { mean: 0.0, sigma: population.sigma };
-    Deterministic::new(contact, set.spheres(), datum).respond_all(separations)
+    let plane = ReferencePlane { mean: 0.0, sigma: population.sigma };
+    Deterministic::new(contact, set.spheres(), plane).respond_all(separations)
 }
 
 #[cfg(test)]

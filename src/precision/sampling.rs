@@ -6,7 +6,7 @@ use super::timing::{Candidate, medians};
 use asperity::asperity::{Draw, Population, SetError};
 use asperity::compare::{Exact, LimitCase, LimitPoint, Quantity, SlopeFit, convergence};
 use asperity::interface::MicroContact;
-use asperity::model::{Datum, Deterministic, Model, Response, Statistical};
+use asperity::model::{Deterministic, Model, ReferencePlane, Response, Statistical};
 
 /// What is asked.
 #[derive(Debug, Clone, PartialEq)]
@@ -92,7 +92,7 @@ pub fn sets_of(
     let exact = responses.into_iter().map(|response| Exact::of_integral(response, population.density));
     let case = LimitCase { law: String::new(), contact, exact: exact.collect() };
     let points = convergence(&[case], population, &task.counts, task.draws, &seed, done)?;
-    let datum = Datum { mean: 0.0, sigma: population.sigma };
+    let plane = ReferencePlane { mean: 0.0, sigma: population.sigma };
     let mut candidates: Vec<Candidate> = task
         .counts
         .iter()
@@ -101,7 +101,7 @@ pub fn sets_of(
             Box::new(move || {
                 // A size that makes no set was refused above.
                 let Ok(set) = population.set(count, Draw::Random(seed)) else { return };
-                let model = Deterministic::new(contact, set.spheres(), datum);
+                let model = Deterministic::new(contact, set.spheres(), plane);
                 black_box(model.respond_all(&task.separations));
             })
         })

@@ -14,7 +14,7 @@ use crate::stability::wide::{Wide, relative_error};
 use asperity::asperity::{Asperities, AsperitySet, Draw, Ordered, Population, SetError};
 use asperity::interface::MicroContact;
 use asperity::law::Shape;
-use asperity::model::{Datum, Deterministic, Model, Response};
+use asperity::model::{Deterministic, Model, ReferencePlane, Response};
 use asperity::numeric::Sum;
 use asperity::numeric::sum::in_chunks;
 
@@ -88,9 +88,9 @@ impl Way {
 
     /// Area (m^2) and load (N) at each separation, sigma, from the mean height 0.
     fn answer(self, problem: &Problem, separations: &[f64]) -> Vec<[f64; 2]> {
-        let Problem { contact, set, datum } = problem;
+        let Problem { contact, set, plane } = problem;
         if self.adding == Adding::Model {
-            let model = Deterministic::new(*contact, set.spheres(), *datum);
+            let model = Deterministic::new(*contact, set.spheres(), *plane);
             let area = set.nominal_area();
             let values =
                 |response: Response| [response.area_ratio.total() * area, response.pressure.total() * area];
@@ -104,7 +104,7 @@ impl Way {
             let asperities = Ordered::new(set.spheres());
             return separations
                 .iter()
-                .map(|h| self.add_up(problem, *h, Some(asperities.above(h * datum.sigma))))
+                .map(|h| self.add_up(problem, *h, Some(asperities.above(h * plane.sigma))))
                 .collect();
         }
         separations.iter().map(|h| self.add_up(problem, *h, None)).collect()
@@ -114,7 +114,7 @@ impl Way {
     fn add_up(self, problem: &Problem, h: f64, touching: Option<Asperities>) -> [f64; 2] {
         let set = (problem.set.heights(), problem.set.radii());
         let (heights, radii) = touching.map_or(set, |touching| (touching.heights(), touching.radii()));
-        let separation = h * problem.datum.sigma;
+        let separation = h * problem.plane.sigma;
         let plain = |range: Range<usize>| {
             let mut sums = [0.0; 2];
             problem.each(&heights[range.clone()], &radii[range], separation, |terms| {
@@ -149,7 +149,7 @@ impl Way {
 struct Problem<'a> {
     contact: &'a dyn MicroContact,
     set: AsperitySet,
-    datum: Datum,
+    plane: ReferencePlane,
 }
 
 impl<'a> Problem<'a> {
@@ -160,7 +160,7 @@ impl<'a> Problem<'a> {
         seed: [u8; 32],
     ) -> Result<Self, SetError> {
         let set = population.set(count, Draw::Random(seed))?;
-        Ok(Self { contact, set, datum: Datum { mean: 0.0, sigma: population.sigma } })
+        Ok(Self { contact, set, plane: ReferencePlane { mean: 0.0, sigma: population.sigma } })
     }
 
     /// Hands over area and load of each asperity above the flat at `separation` (m).
@@ -187,7 +187,7 @@ impl<'a> Problem<'a> {
         let part = |range: Range<usize>| {
             let mut sums = [Wide::ZERO; 2];
             let (heights, radii) = (&self.set.heights()[range.clone()], &self.set.radii()[range]);
-            self.each(heights, radii, h * self.datum.sigma, |[area, load]| {
+            self.each(heights, radii, h * self.plane.sigma, |[area, load]| {
                 sums = [sums[0] + area, sums[1] + load];
             });
             Exact(sums)

@@ -3,10 +3,10 @@
 use super::falls;
 use super::figures;
 use super::format::{count, number, quantity};
-use super::head;
 use super::layer;
 use super::page::Page;
 use super::page::escape;
+use super::sections;
 use super::surface::section as surface_section;
 use crate::experiment::results::{CaseResults, CompareResults, SurfaceResults};
 use asperity::compare::{
@@ -18,8 +18,8 @@ const SIGNIFICANT: f64 = 3.0;
 
 /// The page.
 pub fn page(results: &CompareResults) -> Page {
-    let mut page = Page::new(&results.head.title);
-    head::notes(&mut page, &results.head);
+    let mut page = Page::new(&results.metadata.title);
+    sections::notes(&mut page, &results.metadata);
     for warning in results.warnings() {
         page.warning(&escape(&warning));
     }
@@ -49,7 +49,7 @@ pub fn page(results: &CompareResults) -> Page {
             "An experiment of the kind `[laws]` sets laws beside each other, and against the adding-up.",
         );
     }
-    head::what_was_run(&mut page, &results.head, &results.contact);
+    sections::what_was_run(&mut page, &results.metadata, &results.contact);
     if let Some(layer) = &results.contact.layer {
         layer::rule_section(&mut page, layer);
     }
@@ -63,7 +63,7 @@ pub fn page(results: &CompareResults) -> Page {
         }
     }
     limits(&mut page, results);
-    head::sources(&mut page, &results.head);
+    sections::sources(&mut page, &results.metadata);
     page
 }
 
@@ -285,7 +285,7 @@ fn answers(page: &mut Page, results: &CompareResults, found: &SurfaceResults, in
         "separation",
         "Separation against load ratio, and the difference at equal load. Bands: 95 % of other samples of the same \
          surface would lie within, if asperities were independent draws.",
-        figures::separation(comparison, &others, modulus, found.surface.datum.sigma),
+        figures::separation(comparison, &others, modulus, found.surface.plane.sigma),
     );
     figure("area", "Real contact area against load ratio.", figures::area(comparison, modulus));
     figure("regimes", "How the load is shared by the regimes.", figures::regimes(comparison, modulus));

@@ -3,14 +3,14 @@
 use super::format::{percent, quantity};
 use super::layer::{listed, thickness, under};
 use super::page::escape;
-use crate::experiment::results::{FallResults, LayerHead, SurfaceResults};
+use crate::experiment::results::{FallResults, LayerMetadata, SurfaceResults};
 use asperity::sphere::Falling;
 
 /// A stretch this narrow, of its beginning, is a jump of the law.
 const NARROW: f64 = 1e-9;
 
 /// A line for the area and one for the load of one surface under one law, where they fall.
-pub fn lines(subject: &str, found: &SurfaceResults, law: &str, layer: Option<&LayerHead>) -> Vec<String> {
+pub fn lines(subject: &str, found: &SurfaceResults, law: &str, layer: Option<&LayerMetadata>) -> Vec<String> {
     Falling::ALL.into_iter().filter_map(|of| line(subject, found, law, layer, of)).collect()
 }
 
@@ -18,7 +18,7 @@ fn line(
     subject: &str,
     found: &SurfaceResults,
     law: &str,
-    layer: Option<&LayerHead>,
+    layer: Option<&LayerMetadata>,
     of: Falling,
 ) -> Option<String> {
     let falling = || found.falls.iter().filter(|found| found.law == law && found.fall.of == of);

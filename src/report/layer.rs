@@ -4,7 +4,7 @@ use super::compare::{CONDITION, is_significant, verdict};
 use super::figures::{curve, shares_of_load};
 use super::format::{number, percent, quantity};
 use super::page::{Page, escape};
-use crate::experiment::results::{CaseResults, CompareResults, LayerHead, SurfaceResults, Threshold};
+use crate::experiment::results::{CaseResults, CompareResults, LayerMetadata, SurfaceResults, Threshold};
 use asperity::compare::{GOOD_RATIO, Gap, Kind};
 use asperity::contact::Regime;
 use asperity::model::{INTERACTION, Response};
@@ -12,7 +12,7 @@ use asperity_plot::{Axis, Colour, Dash, Figure, Layer, Marker, Plot};
 
 /// One surface under one law: a case for each thickness.
 pub struct Series<'a> {
-    layer: &'a LayerHead,
+    layer: &'a LayerMetadata,
     found: &'a SurfaceResults,
     subject: String,
     stem: String,
@@ -31,7 +31,7 @@ pub fn thickness(value: f64) -> String {
 }
 
 /// "under 50 nm of lead".
-pub fn under(layer: &LayerHead, t: f64) -> String {
+pub fn under(layer: &LayerMetadata, t: f64) -> String {
     let name = escape(&layer.name);
     match t {
         0.0 => "without a layer".to_owned(),
@@ -50,7 +50,7 @@ pub fn listed(names: &[String]) -> String {
 }
 
 /// How good the rules are, beside the exact solution; nothing where no contact asks for one.
-pub fn rule_section(page: &mut Page, layer: &LayerHead) {
+pub fn rule_section(page: &mut Page, layer: &LayerMetadata) {
     let Some(check) = &layer.check else { return };
     page.heading(2, "How good is the rule?");
     let place = if check.is_good() { "within" } else { "outside" };

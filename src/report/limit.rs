@@ -1,8 +1,8 @@
 //! The page of a limit: does the sum approach the integral, and how fast?
 
 use super::format::{number, quantity};
-use super::head;
 use super::page::Page;
+use super::sections;
 use crate::experiment::results::LimitResults;
 use asperity::compare::{FEWEST_CONTACTS, LimitPoint, Quantity, SlopeFit};
 use asperity_plot::{Axis, Colour, Dash, Figure, Layer, Marker, Plot};
@@ -89,8 +89,8 @@ fn series<'a>(
 
 /// The page.
 pub fn page(results: &LimitResults) -> Page {
-    let mut page = Page::new(&results.head.title);
-    head::notes(&mut page, &results.head);
+    let mut page = Page::new(&results.metadata.title);
+    sections::notes(&mut page, &results.metadata);
     let slopes = slopes(results);
     page.heading(2, "In short");
     page.bullets(Heights::ALL.into_iter().filter_map(|heights| finding(&slopes, heights)));
@@ -100,7 +100,7 @@ pub fn page(results: &LimitResults) -> Page {
          fitted by least squares to the logarithms where more than {FEWEST_CONTACTS} contacts are expected.",
         results.laws.iter().map(|(law, reference)| format!("for {law}, {reference}")).collect::<Vec<_>>().join("; "),
     ));
-    head::what_was_run(&mut page, &results.head, &results.contact);
+    sections::what_was_run(&mut page, &results.metadata, &results.contact);
     page.paragraph(&format!(
         "Radius {}, σ = {}, η = {} /m²; {} random sets of each size, each from a seed of its own.",
         quantity(results.population.radius, "m"),
@@ -159,7 +159,7 @@ pub fn page(results: &LimitResults) -> Page {
             }),
         );
     }
-    head::sources(&mut page, &results.head);
+    sections::sources(&mut page, &results.metadata);
     page
 }
 

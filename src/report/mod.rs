@@ -7,7 +7,7 @@
 //! | [`plot`] | a figure described by its layers, drawn to SVG text |
 //! | [`page`] | one content in two forms, Markdown and self-contained HTML |
 //! | [`mod@format`] | numbers and quantities as people read them |
-//! | `compare`, `indentation`, `laws`, `limit`, `precision`, `stability` | the page of each kind of experiment, on `head` and `figures` |
+//! | `compare`, `indentation`, `laws`, `limit`, `precision`, `stability` | the page of each kind of experiment, on `sections` and `figures` |
 //! | `layer`, `falls` | a comparison under a layer in several thicknesses; where area or load falls |
 //! | [`surface`] | what a surface is, in a comparison, on a page of its own, in the terminal |
 //! | `tables`, `summary` | CSV and JSON, for machines |
@@ -19,7 +19,6 @@ mod compare;
 mod falls;
 mod figures;
 pub mod format;
-mod head;
 mod indentation;
 mod index;
 mod laws;
@@ -27,6 +26,7 @@ mod layer;
 mod limit;
 pub mod page;
 mod precision;
+mod sections;
 mod stability;
 pub mod store;
 mod summary;
@@ -82,7 +82,7 @@ pub fn folder(results: &Results, key: &str) -> Result<Folder, ReportError> {
             (limit::page(results), tables)
         }
     };
-    let mut folder = Folder::new(&results.head().stem, key);
+    let mut folder = Folder::new(&results.metadata().stem, key);
     folder.file("report.md", page.markdown()).file("report.html", page.html());
     for (name, svg) in page.figures() {
         folder.file(name, svg);
@@ -103,6 +103,6 @@ pub fn folder(results: &Results, key: &str) -> Result<Folder, ReportError> {
         Results::Surfaces(results) => summary::surfaces(results, &names)?,
     };
     folder.file("summary.json", summary);
-    folder.file("timing.json", summary::timing(results.head(), start.elapsed())?);
+    folder.file("timing.json", summary::timing(results.metadata(), start.elapsed())?);
     Ok(folder)
 }

@@ -1,4 +1,4 @@
-//! The bodies and the law of a scene: every number that goes in, an exact `f64`.
+//! The bodies and the law of a case: every number that goes in, an exact `f64`.
 
 use std::fmt;
 

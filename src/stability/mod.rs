@@ -1,28 +1,28 @@
-//! How far `f64` is off: thousands of scenes, random ones and such as look for trouble, each judged by an evaluation of
+//! How far `f64` is off: thousands of cases, random ones and such as look for trouble, each checked by an evaluation of
 //! about 32 digits that shares nothing with the models.
 //!
 //! | file | what lives there |
 //! |---|---|
-//! | `family` | the families of scenes, and how far each may be off |
-//! | `bodies` | bodies and law of a scene |
-//! | `scenes` | the scenes themselves, each from the seed, its family and its number |
+//! | `group` | the groups of cases, and how far each may be off |
+//! | `bodies` | bodies and law of a case |
+//! | `cases` | the cases themselves, each from the seed, its group and its number |
 //! | [`exact`] | the same answers in about 32 digits |
-//! | `judge` | how far an answer is off |
+//! | `check` | how far an answer is off |
 //! | `maps` | errors over a plane |
 
 mod bodies;
+mod cases;
+mod check;
 pub mod exact;
-mod family;
-mod judge;
+mod group;
 mod maps;
-mod scenes;
 pub mod wide;
 
 pub use bodies::{Bodies, Law, Layer};
-pub use family::{Family, Kind};
-pub use judge::{Deviation, Fault, Judgement, Quantity};
+pub use cases::{Asked, Case, Heights, SetWords};
+pub use check::{CheckedCase, Deviation, Failure, Quantity};
+pub use group::{Group, Kind};
 pub use maps::Map;
-pub use scenes::{Asked, Heights, Scene, SetWords};
 
 use rayon::prelude::*;
 
@@ -51,18 +51,18 @@ impl Default for Ranges {
     }
 }
 
-/// Scenes of each family, by what they ask for.
+/// Scenes of each group, by what they ask for.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Counts {
-    /// Of each family of single contacts; a quarter of it under a layer.
+    /// Of each group of single contacts; a quarter of it under a layer.
     pub contacts: u64,
-    /// Of each family of sums.
+    /// Of each group of sums.
     pub sums: u64,
-    /// Of each family of integrals.
+    /// Of each group of integrals.
     pub integrals: u64,
-    /// Of each family of load control.
+    /// Of each group of load control.
     pub loads: u64,
-    /// Of each family of a million asperities.
+    /// Of each group of a million asperities.
     pub millions: u64,
 }
 
@@ -73,12 +73,12 @@ impl Default for Counts {
 }
 
 impl Counts {
-    /// Scenes of a family.
-    pub fn of(&self, family: Family) -> u64 {
-        match family.kind() {
-            _ if family.is_large() => self.millions,
+    /// Scenes of a group.
+    pub fn of(&self, group: Group) -> u64 {
+        match group.kind() {
+            _ if group.is_large() => self.millions,
             // The tables of a layer cost as much as hundreds of contacts.
-            Kind::Contact if family.is_layered() => self.contacts.div_ceil(4),
+            Kind::Contact if group.is_layered() => self.contacts.div_ceil(4),
             Kind::Contact => self.contacts,
             Kind::Sum => self.sums,
             Kind::Integral => self.integrals,
@@ -86,36 +86,37 @@ impl Counts {
         }
     }
 
-    /// Scenes of all families.
+    /// Scenes of all groups.
     pub fn total(&self) -> u64 {
-        Family::ALL.into_iter().map(|family| self.of(family)).sum()
+        Group::ALL.into_iter().map(|group| self.of(group)).sum()
     }
 }
 
-/// What came of the scenes of a family.
+/// What came of the cases of a group.
 #[derive(Debug, Clone)]
-pub struct FamilyFindings {
+pub struct GroupFindings {
     /// Which.
-    pub family: Family,
-    /// How many scenes were judged.
-    pub scenes: u64,
+    pub group: Group,
+    /// How many cases were checked.
+    pub cases: u64,
     /// Quantity by quantity.
     pub quantities: Vec<Worst>,
-    /// Scenes that could not be judged as right, and why.
-    pub faults: Vec<(Scene, Fault)>,
+    /// Scenes that could not be checked as right, and why.
+    pub failures: Vec<(Case, Failure)>,
 }
 
-impl FamilyFindings {
-    /// Whether every quantity of every scene is within its bound.
+impl GroupFindings {
+    /// Whether every quantity of every case is within its bound.
     pub fn holds(&self) -> bool {
-        self.faults.is_empty() && self.quantities.iter().all(|worst| worst.judged <= worst.bound(self.family))
+        self.failures.is_empty()
+            && self.quantities.iter().all(|worst| worst.checked <= worst.bound(self.group))
     }
 }
 
 impl Worst {
-    /// How far the quantity may be off in its scene.
-    pub fn bound(&self, family: Family) -> f64 {
-        family.bound(self.quantity, self.scene.bodies.law)
+    /// How far the quantity may be off in its case.
+    pub fn bound(&self, group: Group) -> f64 {
+        group.bound(self.quantity, self.case.bodies.law)
     }
 }
 
@@ -124,43 +125,43 @@ impl Worst {
 pub struct Worst {
     /// Which.
     pub quantity: Quantity,
-    /// Half of the scenes are not further off than this, as judged.
+    /// Half of the cases are not further off than this, as checked.
     pub median: f64,
-    /// The worst, as judged.
-    pub judged: f64,
-    /// The scene of that.
-    pub scene: Scene,
+    /// The worst, as checked.
+    pub checked: f64,
+    /// The case of that.
+    pub case: Case,
     /// The largest plain error, separations within their rounding not counted as right.
     pub error: f64,
 }
 
-/// Judges `count` scenes of one family.
-pub fn family(family: Family, count: u64, seed: [u8; 32], ranges: &Ranges) -> FamilyFindings {
-    let maker = scenes::Maker { seed, ranges };
-    let judged: Vec<Judgement> =
-        (0..count).into_par_iter().map(|index| judge::judge(maker.scene(family, index))).collect();
-    let mut findings = FamilyFindings { family, scenes: count, quantities: Vec::new(), faults: Vec::new() };
+/// Judges `count` cases of one group.
+pub fn group(group: Group, count: u64, seed: [u8; 32], ranges: &Ranges) -> GroupFindings {
+    let maker = cases::CaseFactory { seed, ranges };
+    let checked: Vec<CheckedCase> =
+        (0..count).into_par_iter().map(|index| check::check(maker.case(group, index))).collect();
+    let mut findings = GroupFindings { group, cases: count, quantities: Vec::new(), failures: Vec::new() };
     for quantity in Quantity::ALL {
-        let mut all: Vec<(f64, &Scene)> = Vec::new();
+        let mut all: Vec<(f64, &Case)> = Vec::new();
         let mut error = 0.0f64;
-        for Judgement { scene, outcome } in &judged {
+        for CheckedCase { case, outcome } in &checked {
             let of = outcome.iter().flatten().filter(|deviation| deviation.quantity == quantity);
             for deviation in of {
-                all.push((deviation.judged, scene));
+                all.push((deviation.checked, case));
                 error = error.max(deviation.error);
             }
         }
         all.sort_by(|a, b| a.0.total_cmp(&b.0));
-        // Bounds are those of a scene's law.
-        let share = |(judged, scene): &(f64, &Scene)| judged / family.bound(quantity, scene.bodies.law);
-        if let Some((judged, scene)) = all.iter().max_by(|a, b| share(a).total_cmp(&share(b))) {
+        // Bounds are those of a case's law.
+        let share = |(checked, case): &(f64, &Case)| checked / group.bound(quantity, case.bodies.law);
+        if let Some((checked, case)) = all.iter().max_by(|a, b| share(a).total_cmp(&share(b))) {
             let median = all[all.len() / 2].0;
-            let (judged, scene) = (*judged, (*scene).clone());
-            findings.quantities.push(Worst { quantity, median, judged, scene, error });
+            let (checked, case) = (*checked, (*case).clone());
+            findings.quantities.push(Worst { quantity, median, checked, case, error });
         }
     }
-    let faults = judged.into_iter().filter_map(|judged| Some((judged.scene, judged.outcome.err()?)));
-    findings.faults.extend(faults);
+    let failures = checked.into_iter().filter_map(|checked| Some((checked.case, checked.outcome.err()?)));
+    findings.failures.extend(failures);
     findings
 }
 

@@ -1,4 +1,4 @@
-//! Arithmetic of about 32 digits, to judge what `f64` gives.
+//! Arithmetic of about 32 digits, to check what `f64` gives.
 //!
 //! The numbers are xprec's double-doubles (Joldes, Muller, Popescu 2017): against mpmath at 60 digits,
 //! over 2000 arguments each, +, -, *, /, the square root, exp, ln, ln_1p and atan are within 6e-32.

@@ -1,41 +1,41 @@
-//! Thousands of scenes against about 32 digits, and those digits against the reference vectors.
+//! Thousands of cases against about 32 digits, and those digits against the reference vectors.
 
 use crate::common::{Row, Worst, rows};
 use asperity::asperity::{AsperitySet, HeightDensity};
 use asperity::layer::Rule;
 use asperity::material::Material;
-use asperity::model::{Datum, Deterministic, Model};
+use asperity::model::{Deterministic, Model, ReferencePlane};
 use asperity_experiment::stability::exact::{Exact, Integral, Shape};
 use asperity_experiment::stability::wide::{Wide, relative_error};
-use asperity_experiment::stability::{Bodies, Counts, Family, Heights, Law, Layer, Ranges, SetWords, family};
+use asperity_experiment::stability::{Bodies, Counts, Group, Heights, Law, Layer, Ranges, SetWords, group};
 
 const SEED: [u8; 32] = [17; 32];
 const ZMC: Law = Law::Zmc { onset: None, transition_ratio: 54.0 };
 
-/// A few thousand scenes.
+/// A few thousand cases.
 const COUNTS: Counts = Counts { contacts: 1000, sums: 60, integrals: 150, loads: 20, millions: 3 };
 
 #[test]
 fn every_family_holds_its_bound() {
     let mut broken = Vec::new();
-    for of in Family::ALL {
-        let findings = family(of, COUNTS.of(of), SEED, &Ranges::default());
-        println!("{} ({} scenes)", of.name(), findings.scenes);
-        for (scene, fault) in &findings.faults {
-            broken.push(format!("{} {}: {fault:?}: {}", of.name(), scene.index, scene.inputs()));
+    for of in Group::ALL {
+        let findings = group(of, COUNTS.of(of), SEED, &Ranges::default());
+        println!("{} ({} cases)", of.name(), findings.cases);
+        for (case, failure) in &findings.failures {
+            broken.push(format!("{} {}: {failure:?}: {}", of.name(), case.index, case.inputs()));
         }
         for worst in &findings.quantities {
             println!(
                 "    {}: median {:.1e}, worst {:.2e} ({:.1e}) at {}",
                 worst.quantity.name(),
                 worst.median,
-                worst.judged,
+                worst.checked,
                 worst.error,
-                worst.scene.index
+                worst.case.index
             );
-            let inputs = worst.scene.inputs();
-            let line = format!("{} {}: {:e}: {inputs}", of.name(), worst.quantity.name(), worst.judged);
-            if worst.judged > worst.bound(of) || worst.judged.is_nan() {
+            let inputs = worst.case.inputs();
+            let line = format!("{} {}: {:e}: {inputs}", of.name(), worst.quantity.name(), worst.checked);
+            if worst.checked > worst.bound(of) || worst.checked.is_nan() {
                 broken.push(line);
             }
         }
@@ -61,7 +61,8 @@ fn the_error_of_offset_heights_grows_as_the_offset() {
             let asperities = set.asperities(0.5);
             let (heights, radii) = asperities.iter().copied().unzip();
             let set = AsperitySet::new(heights, radii, 1.0).unwrap();
-            let found = Deterministic::new(&*contact, set.spheres(), Datum { mean, sigma }).respond(0.5);
+            let found =
+                Deterministic::new(&*contact, set.spheres(), ReferencePlane { mean, sigma }).respond(0.5);
             let total = exact.total(&asperities, Wide::new(0.5) * sigma + mean, false);
             let bound = 4.0 * f64::EPSILON * (1.0 + ratio.abs());
             assert!(relative_error(found.pressure.total(), total.whole_load()) <= bound, "{ratio}");

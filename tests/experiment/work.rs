@@ -3,12 +3,12 @@
 use std::fs;
 
 use crate::common::{Random, bodies};
+use asperity::accumulator::Accumulator;
 use asperity::asperity::{Draw, HeightDensity, Population};
 use asperity::interface::{Counted, Flat, MicroContact};
 use asperity::law::{Shape, Zmc};
 use asperity::layer::Rule;
-use asperity::model::{Datum, Deterministic, Model, Statistical};
-use asperity::tally::Tally;
+use asperity::model::{Deterministic, Model, ReferencePlane, Statistical};
 use asperity::work::{Counter, Work};
 use asperity_experiment::experiment::progress::Silent;
 use asperity_experiment::experiment::results::{CompareResults, Results, SurfaceResults};
@@ -55,13 +55,13 @@ fn run(spec: &str) -> Results {
 }
 
 fn work_of(spec: &str) -> Work {
-    run(spec).head().work.unwrap()
+    run(spec).metadata().work.unwrap()
 }
 
 /// What `[compare]` of steel on steel finds.
 fn compare(words: &str, surfaces: &str) -> (Work, CompareResults) {
     match run(&format!("{BODIES}{words}\n{surfaces}")) {
-        Results::Compare(results) => (results.head.work.unwrap(), results),
+        Results::Compare(results) => (results.metadata.work.unwrap(), results),
         other => panic!("{other:?}"),
     }
 }
@@ -70,9 +70,9 @@ fn compare(words: &str, surfaces: &str) -> (Work, CompareResults) {
 fn above(results: &CompareResults, separations: &[f64]) -> u64 {
     let mut count = 0;
     for found in &results.surfaces {
-        let (surface, datum) = (&found.surface, found.surface.datum);
+        let (surface, plane) = (&found.surface, found.surface.plane);
         for h in separations {
-            let flat = datum.mean + h * datum.sigma;
+            let flat = plane.mean + h * plane.sigma;
             count += surface.set.heights().iter().filter(|z| **z > flat).count() as u64;
         }
     }
@@ -264,7 +264,7 @@ fn a_look_touches_nothing() {
     fs::write(&path, rows.collect::<Vec<_>>().join("\n")).unwrap();
     let words = FileWords { pixel: Some("1 um".to_owned()), ..FileWords::default() };
     let found = Experiment::look(&path, &words, None).unwrap().run(&Silent).unwrap();
-    assert_eq!(found.head().work, Some(Work { files_read: 1, surfaces_made: 1, ..Work::default() }));
+    assert_eq!(found.metadata().work, Some(Work { files_read: 1, surfaces_made: 1, ..Work::default() }));
 }
 
 /// Counting changes no bit of an answer.
@@ -280,9 +280,9 @@ fn a_contact_that_is_counted_answers_the_same() {
         let population =
             Population { radius: 2e-5, sigma: 5e-8, density: 6e10, heights: HeightDensity::Gaussian };
         let set = population.set(20_000, Draw::Random([3; 32])).unwrap();
-        let datum = Datum { mean: 0.0, sigma: population.sigma };
+        let plane = ReferencePlane { mean: 0.0, sigma: population.sigma };
         let separations = [2.5, 1.0, 0.0];
-        let sum = |contact| Deterministic::new(contact, set.spheres(), datum).respond_all(&separations);
+        let sum = |contact| Deterministic::new(contact, set.spheres(), plane).respond_all(&separations);
         let integral = |contact| Statistical::new(contact, population).respond_all(&separations);
         assert_eq!(sum(&counted as &dyn MicroContact), sum(&*contact));
         assert_eq!(integral(&counted as &dyn MicroContact), integral(&*contact));
@@ -291,16 +291,16 @@ fn a_contact_that_is_counted_answers_the_same() {
         assert_eq!(counted.load_over(1e-9, 1e-8, shape), contact.load_over(1e-9, 1e-8, shape));
         assert_eq!(counted.breakpoints(shape), contact.breakpoints(shape));
         assert_eq!(counted.regime_changes(shape), contact.regime_changes(shape));
-        assert_eq!(counted.may_fall(shape.into()), contact.may_fall(shape.into()));
+        assert_eq!(counted.may_decrease(shape.into()), contact.may_decrease(shape.into()));
         assert_eq!(counted.reference_modulus(), contact.reference_modulus());
         assert_eq!(counted.reference_hardness(), contact.reference_hardness());
-        assert_eq!((counted.papers(), counted.doubt()), (contact.papers(), contact.doubt()));
+        assert_eq!((counted.papers(), counted.caveat()), (contact.papers(), contact.caveat()));
         assert_eq!(counted.is_layered(), thickness == 3e-8);
 
         let before = counter.work();
-        counted.weigh(&[1e-9, 2e-9, 3e-9], &[1.0; 3], shape, &mut Tally::default());
+        counted.accumulate_weighted(&[1e-9, 2e-9, 3e-9], &[1.0; 3], shape, &mut Accumulator::default());
         counted.contact(1e-8, shape);
-        counted.press(set.spheres(), -1.0, &mut Tally::default());
+        counted.accumulate(set.spheres(), -1.0, &mut Accumulator::default());
         let work = counter.work();
         assert_eq!(work.nodes - before.nodes, 3);
         assert_eq!(work.single_contacts - before.single_contacts, 1);

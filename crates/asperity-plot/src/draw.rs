@@ -2,7 +2,7 @@
 
 use super::canvas::Canvas;
 use super::joint;
-use super::sketch::{Sketch, WIDTH};
+use super::layout::{Layout, WIDTH};
 use super::{Arrangement, Plot};
 
 pub(super) fn figure(title: &str, plots: &[&Plot], arrangement: Arrangement) -> String {
@@ -10,20 +10,20 @@ pub(super) fn figure(title: &str, plots: &[&Plot], arrangement: Arrangement) -> 
     let (mut width, mut height) = (WIDTH, 0.0_f64);
     match arrangement {
         Arrangement::Column => {
-            let sketches: Vec<Sketch<'_>> = plots.iter().map(|plot| Sketch::new(plot, WIDTH)).collect();
-            let left = sketches.iter().map(|sketch| sketch.margins.0).fold(0.0, f64::max);
-            let right = sketches.iter().map(|sketch| sketch.margins.1).fold(0.0, f64::max);
-            for sketch in &sketches {
-                height = sketch.draw(&mut canvas, (0.0, height), (left, right), sketch.head());
+            let sketches: Vec<Layout<'_>> = plots.iter().map(|plot| Layout::new(plot, WIDTH)).collect();
+            let left = sketches.iter().map(|layout| layout.margins.0).fold(0.0, f64::max);
+            let right = sketches.iter().map(|layout| layout.margins.1).fold(0.0, f64::max);
+            for layout in &sketches {
+                height = layout.draw(&mut canvas, (0.0, height), (left, right), layout.head());
             }
         }
         Arrangement::Row => {
             width = 1.5 * WIDTH;
             let each = width / plots.len().max(1) as f64;
-            let sketches: Vec<Sketch<'_>> = plots.iter().map(|plot| Sketch::new(plot, each)).collect();
-            let head = sketches.iter().map(Sketch::head).fold(0.0, f64::max);
-            for (k, sketch) in sketches.iter().enumerate() {
-                height = height.max(sketch.draw(&mut canvas, (each * k as f64, 0.0), sketch.margins, head));
+            let sketches: Vec<Layout<'_>> = plots.iter().map(|plot| Layout::new(plot, each)).collect();
+            let head = sketches.iter().map(Layout::head).fold(0.0, f64::max);
+            for (k, layout) in sketches.iter().enumerate() {
+                height = height.max(layout.draw(&mut canvas, (each * k as f64, 0.0), layout.margins, head));
             }
         }
         Arrangement::Joint => {

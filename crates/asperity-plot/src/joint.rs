@@ -4,7 +4,7 @@ use super::axes::{self, FOOT, Frame, LABEL, TICK};
 use super::bar::Bar;
 use super::canvas::{Canvas, Rect};
 use super::layer::Layer;
-use super::sketch::{Sketch, WIDTH};
+use super::layout::{Layout, WIDTH};
 use super::ticks::Tick;
 use super::{Plot, text};
 
@@ -17,8 +17,8 @@ const LABELS: usize = 4;
 /// Draws the main plot, one above that shares its x axis and one at its right that shares its y axis,
 /// lying on its side already; returns the y of the lower end.
 pub(super) fn draw(canvas: &mut Canvas, main: &Plot, top: &Plot, right: &Plot) -> f64 {
-    let main = Sketch::new(main, WIDTH);
-    let (mut top, mut right) = (Sketch::new(top, WIDTH), Sketch::new(right, WIDTH));
+    let main = Layout::new(main, WIDTH);
+    let (mut top, mut right) = (Layout::new(top, WIDTH), Layout::new(right, WIDTH));
     (top.x, right.y) = (main.x, main.y);
     let top_ticks = axes::y_ticks_up_to(LABELS, &top.y, MARGINAL);
     let right_ticks = axes::x_ticks_up_to(LABELS, &right.x, MARGINAL);

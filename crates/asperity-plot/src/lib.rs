@@ -23,7 +23,7 @@
 //! | `place` | where labels and legend stand clear of the data |
 //! | `legend` | names of the layers |
 //! | `label` | texts beside references, in regions and at points |
-//! | `sketch` | one plot: its scales and margins, then its place and its marks |
+//! | `layout` | one plot: its scales and margins, then its place and its marks |
 //! | `joint` | a plot with the distributions of its two quantities |
 //! | `draw` | puts a figure together |
 
@@ -36,13 +36,13 @@ mod draw;
 mod joint;
 mod label;
 mod layer;
+mod layout;
 mod legend;
 mod marks;
 mod place;
 mod png;
 mod raster;
 mod scale;
-mod sketch;
 mod text;
 mod thin;
 mod ticks;

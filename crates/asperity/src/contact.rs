@@ -58,11 +58,11 @@ pub struct Contacts<N: Real> {
 impl<N: Real> Contacts<N> {
     /// Those of `yes` where `mask` is, those of `no` elsewhere.
     #[inline(always)]
-    pub fn choose(mask: N::Mask, yes: &Self, no: &Self) -> Self {
+    pub fn select(mask: N::Mask, yes: &Self, no: &Self) -> Self {
         Self {
-            area: N::choose(mask, yes.area, no.area),
-            load: N::choose(mask, yes.load, no.load),
-            stiffness: N::choose(mask, yes.stiffness, no.stiffness),
+            area: N::select(mask, yes.area, no.area),
+            load: N::select(mask, yes.load, no.load),
+            stiffness: N::select(mask, yes.stiffness, no.stiffness),
             elastic: (mask & yes.elastic) | (!mask & no.elastic),
             plastic: (mask & yes.plastic) | (!mask & no.plastic),
         }

@@ -26,6 +26,7 @@
 #![deny(unsafe_code)]
 #![warn(missing_docs)]
 
+pub mod accumulator;
 pub mod asperity;
 pub mod compare;
 pub mod contact;
@@ -38,6 +39,5 @@ pub mod memory;
 pub mod model;
 pub mod numeric;
 pub mod sphere;
-pub mod tally;
 pub mod topography;
 pub mod work;

@@ -5,7 +5,7 @@ use std::ops::Range;
 
 use toml::Spanned;
 
-use crate::experiment::refusal::{Refusal, Source};
+use crate::experiment::input_error::{InputError, Source};
 use crate::experiment::spec::{
     CorrelationSpec, GenerateSpec, HeightsSpec, PlateauSpec, SelfAffineSpec, SpectrumSpec,
 };
@@ -65,7 +65,7 @@ impl Generation {
     ///
     /// # Errors
     /// The first that makes no surface.
-    pub fn new(source: &Source, span: Range<usize>, words: &GenerateSpec) -> Result<Self, Refusal> {
+    pub fn new(source: &Source, span: Range<usize>, words: &GenerateSpec) -> Result<Self, InputError> {
         let (points, heights) = (points(source, words)?, heights(source, words)?);
         let way = match &words.summits {
             Some(summits) => {
@@ -165,7 +165,7 @@ impl Generation {
     }
 }
 
-fn points(source: &Source, words: &GenerateSpec) -> Result<[usize; 2], Refusal> {
+fn points(source: &Source, words: &GenerateSpec) -> Result<[usize; 2], InputError> {
     let counts = words.points.get_ref().0;
     if counts.iter().all(|count| (FEWEST_POINTS..=MOST_POINTS).contains(count)) {
         return Ok(counts.map(|count| count as usize));
@@ -174,10 +174,10 @@ fn points(source: &Source, words: &GenerateSpec) -> Result<[usize; 2], Refusal> 
         "found {} x {} points; allowed: {FEWEST_POINTS} to {MOST_POINTS} along x and y",
         counts[0], counts[1]
     );
-    Err(source.refuse(words.points.span(), message))
+    Err(source.error_at(words.points.span(), message))
 }
 
-fn heights(source: &Source, words: &GenerateSpec) -> Result<Marginal, Refusal> {
+fn heights(source: &Source, words: &GenerateSpec) -> Result<Marginal, InputError> {
     let Some(heights) = &words.heights else { return Ok(Marginal::Gaussian) };
     let made = match *heights.get_ref() {
         HeightsSpec::Gaussian => Ok(Marginal::Gaussian),
@@ -186,7 +186,7 @@ fn heights(source: &Source, words: &GenerateSpec) -> Result<Marginal, Refusal> {
         }
         HeightsSpec::Weibull { shape } => Weibull::new(shape).map(Marginal::Weibull),
     };
-    made.map_err(|error| source.refuse(heights.span(), error))
+    made.map_err(|error| source.error_at(heights.span(), error))
 }
 
 fn recipe(
@@ -195,9 +195,9 @@ fn recipe(
     words: &GenerateSpec,
     points: [usize; 2],
     heights: Marginal,
-) -> Result<Recipe, Refusal> {
+) -> Result<Recipe, InputError> {
     let missing = |key: &str| {
-        source.refuse(
+        source.error_at(
             span.clone(),
             format!("found no {key}; allowed: pixel and sigma, or summits = {{ radius, sigma, density }}"),
         )
@@ -222,8 +222,8 @@ fn spectrum(
     words: &Spanned<SpectrumSpec>,
     points: [usize; 2],
     pixel: [f64; 2],
-) -> Result<Spectrum, Refusal> {
-    let refuse = |message: &dyn std::fmt::Display| source.refuse(words.span(), message);
+) -> Result<Spectrum, InputError> {
+    let refuse = |message: &dyn std::fmt::Display| source.error_at(words.span(), message);
     let made = match words.get_ref() {
         SpectrumSpec::SelfAffine(self_affine) => {
             let SelfAffineSpec { hurst, roll_off, cut_off, cut_off_pixels, .. } = self_affine;
@@ -278,11 +278,11 @@ fn target_recipe(
     words: &GenerateSpec,
     points: [usize; 2],
     heights: Marginal,
-) -> Result<TargetRecipe, Refusal> {
+) -> Result<TargetRecipe, InputError> {
     /// A quarter of the Nyquist wave number: summits are well resolved.
     const CUT_OFF: f64 = 8.0;
     let with_summits = |span: Range<usize>, key: &str| {
-        source.refuse(span, format!("found {key} beside summits, which decide it; allowed: one of the two"))
+        source.error_at(span, format!("found {key} beside summits, which decide it; allowed: one of the two"))
     };
     if let Some(pixel) = &words.pixel {
         return Err(with_summits(pixel.span(), "pixel"));
@@ -294,12 +294,12 @@ fn target_recipe(
         return Err(with_summits(of.span(), "spectrum-of"));
     }
     if let Some(plateau) = &words.plateau {
-        return Err(source.refuse(
+        return Err(source.error_at(
             plateau.span(),
             "found plateau beside summits, which are searched for on the surfaces of one process; allowed: one of the two",
         ));
     }
-    let refuse = |message: &dyn std::fmt::Display| source.refuse(words.spectrum.span(), message);
+    let refuse = |message: &dyn std::fmt::Display| source.error_at(words.spectrum.span(), message);
     let SpectrumSpec::SelfAffine(self_affine) = words.spectrum.get_ref() else {
         return Err(refuse(
             &"found a spectrum whose bandwidth is fixed; allowed with summits: self-affine, whose bandwidth is searched for",

@@ -6,9 +6,9 @@ use std::path::{Path, PathBuf};
 use toml::Spanned;
 
 use super::layer::LayerPlan;
-use super::read::Reader;
+use super::resolver::Resolver;
 use super::surface::beside;
-use crate::experiment::refusal::{Refusal, Source};
+use crate::experiment::input_error::{InputError, Source};
 use crate::experiment::spec::{IndentationSpec, LawSpec, LogSweep, Show};
 use asperity::law::Inapplicable;
 use asperity::material::Material;
@@ -96,8 +96,8 @@ impl fmt::Display for IndentationPlan {
     }
 }
 
-impl Reader<'_> {
-    pub(super) fn indentation(&self, words: &IndentationSpec) -> Result<IndentationPlan, Refusal> {
+impl Resolver<'_> {
+    pub(super) fn indentation(&self, words: &IndentationSpec) -> Result<IndentationPlan, InputError> {
         let body =
             |name: &Spanned<String>| Ok((name.get_ref().clone(), self.body(name.get_ref(), name.span())?));
         let (ball, flat) = (body(&words.ball)?, body(&words.flat)?);
@@ -110,7 +110,7 @@ impl Reader<'_> {
         if last > radius {
             let message =
                 format!("found an indentation of {last:e} m; allowed: at most the radius, {radius:e} m");
-            return Err(self.source.refuse(words.indentation.span(), message));
+            return Err(self.source.error_at(words.indentation.span(), message));
         }
         self.spheres_only(&words.law, "a ball is a sphere")?;
         let met = layers.iter().map(|layer| (layer.name.as_str(), &layer.material));
@@ -118,7 +118,7 @@ impl Reader<'_> {
         self.check_laws(&words.law, (&ball.0, &ball.1), &met)?;
         // Each layer is of finite thickness.
         let coated = layers[0].flat(layers[0].thicknesses[0]);
-        let coated = coated.map_err(|error| Refusal::file(&self.source.path, error))?;
+        let coated = coated.map_err(|error| InputError::file(&self.source.path, error))?;
         for law in &words.law.get_ref().0 {
             law.interface(&ball.1, &coated).map_err(|error| match error {
                 Inapplicable::Layer { law } => {
@@ -126,7 +126,7 @@ impl Reader<'_> {
                         "found law {law}, which says nothing of a layer; allowed: a law that does, for [indentation] is about layers \
                          of finite thickness ([laws] shows one asperity without a layer)"
                     );
-                    self.source.refuse(words.law.span(), message)
+                    self.source.error_at(words.law.span(), message)
                 }
                 _ => self.inapplicable(&words.law, &error, &ball.0, &flat.0),
             })?;
@@ -148,33 +148,33 @@ impl Reader<'_> {
                 let message = format!(
                     "found a measured indentation of {deepest:e} m; allowed: at most the radius, {radius:e} m (the columns are in m and N)"
                 );
-                Err(self.source.refuse(file.span(), message))
+                Err(self.source.error_at(file.span(), message))
             }
             Some(file) if plan.cases() > 1 => {
                 let message = format!(
                     "found measured points beside {} layers; allowed: one layer in one thickness with them",
                     plan.cases()
                 );
-                Err(self.source.refuse(file.span(), message))
+                Err(self.source.error_at(file.span(), message))
             }
             _ => Ok(plan),
         }
     }
 
     /// Indentations, at least two, the smallest first.
-    pub(super) fn growing<D>(&self, words: &Spanned<LogSweep<D>>) -> Result<Vec<f64>, Refusal> {
+    pub(super) fn growing<D>(&self, words: &Spanned<LogSweep<D>>) -> Result<Vec<f64>, InputError> {
         let indentations = &words.get_ref().values;
         if indentations.len() < 2 || indentations.windows(2).any(|pair| pair[0] >= pair[1]) {
             let message =
                 "found indentations that do not grow, or one alone; allowed: two or more, the smallest first";
-            return Err(self.source.refuse(words.span(), message));
+            return Err(self.source.error_at(words.span(), message));
         }
         Ok(indentations.clone())
     }
 
     /// The limits of no layer and nothing but the layer stand beside every layer by themselves.
-    fn check_layers(&self, words: &IndentationSpec, layers: &[LayerPlan]) -> Result<(), Refusal> {
-        let refuse = |message: String| Err(self.source.refuse(words.layer.span(), message));
+    fn check_layers(&self, words: &IndentationSpec, layers: &[LayerPlan]) -> Result<(), InputError> {
+        let refuse = |message: String| Err(self.source.error_at(words.layer.span(), message));
         for (k, layer) in layers.iter().enumerate() {
             if let Some(t) = layer.thicknesses.iter().find(|t| !is_positive(**t)) {
                 return refuse(format!(
@@ -196,10 +196,10 @@ impl Reader<'_> {
 }
 
 /// Reads measured points beside the spec.
-fn overlay(source: &Source, file: &Spanned<PathBuf>) -> Result<OverlayPlan, Refusal> {
+fn overlay(source: &Source, file: &Spanned<PathBuf>) -> Result<OverlayPlan, InputError> {
     let path = beside(source, file)?;
     let points = read_points(&path)
-        .map_err(|message| source.refuse(file.span(), format!("{}: {message}", path.display())))?;
+        .map_err(|message| source.error_at(file.span(), format!("{}: {message}", path.display())))?;
     Ok(OverlayPlan { name: file.get_ref().to_string_lossy().into_owned(), path, points })
 }
 

@@ -4,9 +4,9 @@ use std::fmt;
 use std::ops::Range;
 
 use super::ComparePlan;
-use super::read::{Reader, materials};
+use super::resolver::{Resolver, materials};
 use super::surface::curvature_ratio;
-use crate::experiment::refusal::Refusal;
+use crate::experiment::input_error::InputError;
 use crate::experiment::spec::{LawSpec, LawsSpec, Summit};
 use asperity::law::{Hertz, Law, Pair, Shape, Zmc};
 
@@ -74,20 +74,20 @@ impl fmt::Display for LawsPlan {
     }
 }
 
-impl Reader<'_> {
-    pub(super) fn laws_on_all(&self, words: &LawsSpec, span: Range<usize>) -> Result<LawsPlan, Refusal> {
+impl Resolver<'_> {
+    pub(super) fn laws_on_all(&self, words: &LawsSpec, span: Range<usize>) -> Result<LawsPlan, InputError> {
         let laws = &words.law.get_ref().0;
         if let [only] = &laws[..] {
             let message = format!(
                 "found \"{}\" alone; allowed: a list of at least two laws, the first of which the others are compared with",
                 only.label()
             );
-            return Err(self.source.refuse(words.law.span(), message));
+            return Err(self.source.error_at(words.law.span(), message));
         }
         let compare = self.compare(&words.compared(), span)?;
         let [rough, flat] = &compare.pair;
         let zmc = Zmc::default();
-        let pair = Pair::between(&zmc, rough, flat).ok().filter(|pair| pair.resistance.onset.is_finite());
+        let pair = Pair::between(&zmc, rough, flat).ok().filter(|pair| pair.yield_limits.onset.is_finite());
         let Some(pair) = pair else {
             let message = format!(
                 "found no `hardness` in {}, which [laws] needs of one body at least, since it measures indentations by the \
@@ -95,7 +95,7 @@ impl Reader<'_> {
                 materials(&compare.bodies.rough, &compare.bodies.flat)
             );
             let at = self.material_at(&compare.bodies.rough).unwrap_or_else(|| words.rough.span());
-            return Err(self.source.refuse(at, message));
+            return Err(self.source.error_at(at, message));
         };
         let asperity = words.asperity.get_ref();
         let sees_ellipses = laws.iter().any(|law| law.summit == Summit::Ellipse);

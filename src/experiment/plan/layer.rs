@@ -2,13 +2,13 @@
 
 use std::fmt;
 
-use crate::experiment::refusal::Refusal;
+use crate::experiment::input_error::InputError;
 use crate::experiment::spec::LayerSpec;
 use asperity::interface::Flat;
 use asperity::layer::{Coating, CoatingError, Rule};
 use asperity::material::Material;
 
-use super::read::Reader;
+use super::resolver::Resolver;
 
 /// A layer in one thickness or several.
 #[derive(Debug, Clone)]
@@ -56,13 +56,13 @@ impl fmt::Display for LayerPlan {
     }
 }
 
-impl Reader<'_> {
+impl Resolver<'_> {
     /// Resolves a layer on `substrate`.
-    pub(super) fn layer(&self, words: &LayerSpec, substrate: &Material) -> Result<LayerPlan, Refusal> {
+    pub(super) fn layer(&self, words: &LayerSpec, substrate: &Material) -> Result<LayerPlan, InputError> {
         let name = words.material.get_ref().clone();
         let material = self.body(&name, words.material.span())?;
         let coating = Coating::new(&material, substrate, 1.0, words.rule).map_err(|error| {
-            self.source.refuse(words.material.span(), format!("found \"{name}\": {error}"))
+            self.source.error_at(words.material.span(), format!("found \"{name}\": {error}"))
         })?;
         let thicknesses = words.thickness.0.clone();
         Ok(LayerPlan { name, material, rule: words.rule, thicknesses, coating, substrate: *substrate })

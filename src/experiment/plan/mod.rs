@@ -5,7 +5,7 @@ mod indentation;
 mod laws;
 mod layer;
 mod precision;
-mod read;
+mod resolver;
 mod stability;
 mod surface;
 
@@ -19,10 +19,10 @@ pub use surface::SurfacePlan;
 use std::fmt;
 use std::path::{Path, PathBuf};
 
-use super::refusal::{Refusal, Source};
+use super::input_error::{InputError, Source};
+use super::overview::AnalysisDepth;
 use super::results::Bodies;
 use super::spec::{self, LawSpec, Spec};
-use super::whole::Look;
 use asperity::asperity::{HeightDensity, Population};
 use asperity::compare::{Controls, Kind};
 use asperity::interface::MicroContact;
@@ -147,10 +147,10 @@ impl Plan {
     ///
     /// # Errors
     /// The first thing that keeps it from running.
-    pub fn read(path: &Path, full: bool) -> Result<Self, Refusal> {
+    pub fn read(path: &Path, full: bool) -> Result<Self, InputError> {
         let (source, spec) = spec::read(path)?;
         let stem = stem_of(path)?;
-        let reader = read::Reader { source: &source, spec: &spec };
+        let resolver = resolver::Resolver { source: &source, spec: &spec };
         let kinds = [
             spec.compare.as_ref().map(Spanned::span),
             spec.indentation.as_ref().map(Spanned::span),
@@ -163,7 +163,7 @@ impl Plan {
         given.sort_unstable_by_key(|span| span.start);
         if let Some(second) = given.into_iter().nth(1) {
             return Err(source
-                .refuse(second, format!("found a second experiment; allowed: {ONE_OF_THE_KINDS} a file")));
+                .error_at(second, format!("found a second experiment; allowed: {ONE_OF_THE_KINDS} a file")));
         }
         let uses_none = [
             spec.indentation.is_some(),
@@ -175,27 +175,27 @@ impl Plan {
         if let Some((name, _)) = spec.surface.first().filter(|_| uses_none) {
             let message =
                 "found a surface, which only [compare] and [laws] use; allowed: no [surface.NAME] here";
-            return Err(source.refuse(name.span(), message));
+            return Err(source.error_at(name.span(), message));
         }
         if let Some((name, _)) = spec.material.first().filter(|_| spec.stability.is_some()) {
             let message =
                 "found a material, where [stability] draws its own; allowed: no [material.NAME] here";
-            return Err(source.refuse(name.span(), message));
+            return Err(source.error_at(name.span(), message));
         }
         let kind = if let Some(compare) = &spec.compare {
-            PlanKind::Compare(reader.compare(compare.get_ref(), compare.span())?)
+            PlanKind::Compare(resolver.compare(compare.get_ref(), compare.span())?)
         } else if let Some(indentation) = &spec.indentation {
-            PlanKind::Indentation(reader.indentation(indentation.get_ref())?)
+            PlanKind::Indentation(resolver.indentation(indentation.get_ref())?)
         } else if let Some(laws) = &spec.laws {
-            PlanKind::Laws(reader.laws_on_all(laws.get_ref(), laws.span())?)
+            PlanKind::Laws(resolver.laws_on_all(laws.get_ref(), laws.span())?)
         } else if let Some(limit) = &spec.limit {
-            PlanKind::Limit(reader.limit(limit.get_ref())?)
+            PlanKind::Limit(resolver.limit(limit.get_ref())?)
         } else if let Some(precision) = &spec.precision {
-            PlanKind::Precision(Box::new(reader.precision(precision.get_ref(), precision.span(), full)?))
+            PlanKind::Precision(Box::new(resolver.precision(precision.get_ref(), precision.span(), full)?))
         } else if let Some(stability) = &spec.stability {
-            PlanKind::Stability(reader.stability(stability.get_ref())?)
+            PlanKind::Stability(resolver.stability(stability.get_ref())?)
         } else {
-            return Err(Refusal::file(path, format!("found no experiment; allowed: {ONE_OF_THE_KINDS}")));
+            return Err(InputError::file(path, format!("found no experiment; allowed: {ONE_OF_THE_KINDS}")));
         };
         Self::checked(source, stem, spec, kind)
     }
@@ -204,7 +204,7 @@ impl Plan {
     ///
     /// # Errors
     /// As [`Self::read`].
-    pub fn look_at_spec(path: &Path) -> Result<Self, Refusal> {
+    pub fn look_at_spec(path: &Path) -> Result<Self, InputError> {
         let (source, spec) = spec::read(path)?;
         let stem = format!("{}-surfaces", stem_of(path)?);
         Self::surfaces_of(source, stem, spec)
@@ -214,19 +214,19 @@ impl Plan {
     ///
     /// # Errors
     /// As [`Self::read`].
-    pub fn look_at_file(words: String, path: &Path) -> Result<Self, Refusal> {
+    pub fn look_at_file(words: String, path: &Path) -> Result<Self, InputError> {
         let (source, spec) = spec::from_command_line(words)?;
         let stem = format!("surface-{}", stem_of(path)?);
         Self::surfaces_of(source, stem, spec)
     }
 
-    fn surfaces_of(source: Source, stem: String, spec: Spec) -> Result<Self, Refusal> {
-        let reader = read::Reader { source: &source, spec: &spec };
-        let surfaces = reader.surfaces(None, 0..0, false)?;
+    fn surfaces_of(source: Source, stem: String, spec: Spec) -> Result<Self, InputError> {
+        let resolver = resolver::Resolver { source: &source, spec: &spec };
+        let surfaces = resolver.surfaces(None, 0..0, false)?;
         Self::checked(source, stem, spec, PlanKind::Surfaces(surfaces))
     }
 
-    fn checked(source: Source, stem: String, spec: Spec, kind: PlanKind) -> Result<Self, Refusal> {
+    fn checked(source: Source, stem: String, spec: Spec, kind: PlanKind) -> Result<Self, InputError> {
         let Spec { title, notes, seed, material, .. } = spec;
         let materials = material.into_iter().map(|(name, body)| (name.into_inner(), body.0)).collect();
         let plan = Self { source, stem, title, notes, seed, materials, kind };
@@ -293,8 +293,12 @@ impl Plan {
     }
 
     /// How closely it looks at its surfaces.
-    fn look(&self) -> Look {
-        if matches!(self.kind, PlanKind::Surfaces(_)) { Look::Everything } else { Look::Spectrum }
+    fn look(&self) -> AnalysisDepth {
+        if matches!(self.kind, PlanKind::Surfaces(_)) {
+            AnalysisDepth::Everything
+        } else {
+            AnalysisDepth::Spectrum
+        }
     }
 
     /// An estimate of the work: asperities or nodes evaluated.
@@ -314,7 +318,7 @@ impl Plan {
     }
 
     /// Refuses what memory cannot hold, before anything is allocated.
-    fn check_memory(&self) -> Result<(), Refusal> {
+    fn check_memory(&self) -> Result<(), InputError> {
         let mut system = sysinfo::System::new();
         system.refresh_memory();
         let available = u128::from(system.available_memory());
@@ -330,8 +334,8 @@ impl Plan {
         );
         let largest = self.surfaces().iter().max_by_key(|surface| surface.memory(self.look()));
         Err(match largest {
-            Some(surface) => self.source.refuse(surface.size_key.clone(), message),
-            None => Refusal::file(&self.source.path, message),
+            Some(surface) => self.source.error_at(surface.size_key.clone(), message),
+            None => InputError::file(&self.source.path, message),
         })
     }
 }
@@ -341,10 +345,13 @@ fn describe(surfaces: &[SurfacePlan], f: &mut fmt::Formatter) -> fmt::Result {
 }
 
 /// Stem of a file, by which its report is called.
-pub(super) fn stem_of(path: &Path) -> Result<String, Refusal> {
+pub(super) fn stem_of(path: &Path) -> Result<String, InputError> {
     let stem = path.file_stem().and_then(|stem| stem.to_str()).filter(|stem| !stem.starts_with('.'));
     stem.map(str::to_owned).ok_or_else(|| {
-        Refusal::file(path, "has no name to call the report by; allowed: a file name such as my-surface.toml")
+        InputError::file(
+            path,
+            "has no name to call the report by; allowed: a file name such as my-surface.toml",
+        )
     })
 }
 

@@ -6,9 +6,9 @@ use std::ops::Range;
 use toml::Spanned;
 
 use super::LawPlan;
-use super::read::Reader;
+use super::resolver::Resolver;
 use super::surface::set_memory;
-use crate::experiment::refusal::Refusal;
+use crate::experiment::input_error::InputError;
 use crate::experiment::results::Bodies;
 use crate::experiment::spec::{self, LawSpec, PrecisionSpec};
 use crate::precision::curve::CurveTask;
@@ -162,13 +162,13 @@ impl fmt::Display for PrecisionPlan {
     }
 }
 
-impl Reader<'_> {
+impl Resolver<'_> {
     pub(super) fn precision(
         &self,
         words: &PrecisionSpec,
         span: Range<usize>,
         full: bool,
-    ) -> Result<PrecisionPlan, Refusal> {
+    ) -> Result<PrecisionPlan, InputError> {
         let (rough, flat) = (words.rough.get_ref(), words.flat.get_ref());
         let pair = [self.body(rough, words.rough.span())?, self.body(flat, words.flat.span())?];
         let (spec, law) = self.one_law(words)?;
@@ -179,7 +179,7 @@ impl Reader<'_> {
         if words.case.get_ref().is_empty() {
             let message =
                 "found no case; allowed: at least one [precision.case.NAME] with radius, sigma and density";
-            return Err(self.source.refuse(words.case.span(), message));
+            return Err(self.source.error_at(words.case.span(), message));
         }
         let case = |(name, words): (&Spanned<String>, &spec::CaseSpec)| {
             let population = Population {
@@ -211,17 +211,17 @@ impl Reader<'_> {
         if plan.steps() == 0 {
             let message = "found nothing to measure; allowed: at least one of [precision.integral], [precision.sum], \
                            [precision.curve], [precision.list], [precision.sampling], [precision.grid]";
-            return Err(self.source.refuse(span, message));
+            return Err(self.source.error_at(span, message));
         }
         Ok(plan)
     }
 
     /// The one law, and the same for the reference.
-    fn one_law(&self, words: &PrecisionSpec) -> Result<(LawSpec, stability::Law), Refusal> {
+    fn one_law(&self, words: &PrecisionSpec) -> Result<(LawSpec, stability::Law), InputError> {
         use spec::Equations;
         let [law] = words.law.get_ref().0[..] else {
             let message = format!("found {} laws; allowed: one", words.law.get_ref().0.len());
-            return Err(self.source.refuse(words.law.span(), message));
+            return Err(self.source.error_at(words.law.span(), message));
         };
         self.spheres_only(&words.law, "the asperities of [precision] are spheres of one radius")?;
         let reference = match law.equations {
@@ -238,7 +238,7 @@ impl Reader<'_> {
         Ok((law, reference))
     }
 
-    fn separations(&self, words: &spec::IntegralSpec) -> Result<Vec<f64>, Refusal> {
+    fn separations(&self, words: &spec::IntegralSpec) -> Result<Vec<f64>, InputError> {
         /// Of d/sigma: within them rules and reference keep their digits.
         const WITHIN: [f64; 2] = [-10.0, 35.0];
         let separations = &words.separation.get_ref().0;
@@ -246,7 +246,7 @@ impl Reader<'_> {
             Some(h) => {
                 let message =
                     format!("found {h}; allowed: separations of {} to {} sigma", WITHIN[0], WITHIN[1]);
-                Err(self.source.refuse(words.separation.span(), message))
+                Err(self.source.error_at(words.separation.span(), message))
             }
             None => Ok(separations.clone()),
         }
@@ -258,7 +258,7 @@ impl Reader<'_> {
         always: &Spanned<spec::LogSweep<Pure>>,
         in_full: Option<&Spanned<spec::LogSweep<Pure>>>,
         full: bool,
-    ) -> Result<Vec<usize>, Refusal> {
+    ) -> Result<Vec<usize>, InputError> {
         let mut counts = self.counts(always)?;
         if let Some(more) = in_full {
             let more = self.counts(more)?;
@@ -272,23 +272,23 @@ impl Reader<'_> {
     }
 
     /// One whole number from `least` to `most`.
-    fn one_of(&self, words: &Spanned<u64>, what: &str, [least, most]: [u64; 2]) -> Result<usize, Refusal> {
+    fn one_of(&self, words: &Spanned<u64>, what: &str, [least, most]: [u64; 2]) -> Result<usize, InputError> {
         let value = *words.get_ref();
         let is_allowed = (least..=most).contains(&value);
         let value = usize::try_from(value).ok().filter(|_| is_allowed);
         value.ok_or_else(|| {
             let message = format!("found {}; allowed: {least} to {most} {what}", words.get_ref());
-            self.source.refuse(words.span(), message)
+            self.source.error_at(words.span(), message)
         })
     }
 
-    fn curve(&self, words: &spec::CurveSpec) -> Result<CurveTask, Refusal> {
+    fn curve(&self, words: &spec::CurveSpec) -> Result<CurveTask, InputError> {
         let mut tolerances = words.tolerance.get_ref().values.clone();
         tolerances.sort_by(f64::total_cmp);
         let [least, most] = spec::TOLERANCES;
         if let Some(tolerance) = tolerances.iter().find(|tolerance| !(least..=most).contains(*tolerance)) {
             let message = format!("found the tolerance {tolerance:e}; allowed: {least:e} to {most}");
-            return Err(self.source.refuse(words.tolerance.span(), message));
+            return Err(self.source.error_at(words.tolerance.span(), message));
         }
         Ok(CurveTask {
             asperities: self.one_of(&words.asperities, "asperities", [1, MOST_ASPERITIES])?,
@@ -298,14 +298,14 @@ impl Reader<'_> {
         })
     }
 
-    fn lists(&self, words: &spec::ListsSpec, full: bool) -> Result<ListTask, Refusal> {
+    fn lists(&self, words: &spec::ListsSpec, full: bool) -> Result<ListTask, InputError> {
         Ok(ListTask {
             counts: self.sizes(&words.count, words.full_count.as_ref(), full)?,
             separations: self.one_of(&words.separations, "separations", [1, MOST_SEPARATIONS])?,
         })
     }
 
-    fn sum(&self, words: &spec::SumSpec, full: bool) -> Result<SumTask, Refusal> {
+    fn sum(&self, words: &spec::SumSpec, full: bool) -> Result<SumTask, InputError> {
         const MOST_THREADS: f64 = 1024.0;
         let most_for_threads = self.counts(&words.count)?.into_iter().max().unwrap_or(0);
         Ok(SumTask {
@@ -316,7 +316,7 @@ impl Reader<'_> {
         })
     }
 
-    fn sampling(&self, words: &spec::SamplingSpec) -> Result<SamplingTask, Refusal> {
+    fn sampling(&self, words: &spec::SamplingSpec) -> Result<SamplingTask, InputError> {
         let mut counts = self.counts(&words.count)?;
         counts.sort_unstable();
         Ok(SamplingTask {
@@ -326,7 +326,7 @@ impl Reader<'_> {
         })
     }
 
-    fn grid(&self, words: &spec::GridSpec) -> Result<GridTask, Refusal> {
+    fn grid(&self, words: &spec::GridSpec) -> Result<GridTask, InputError> {
         /// Points along a side.
         const MOST: usize = 1 << 14;
         let sorted = |sweep: &Spanned<spec::LogSweep<_>>| {
@@ -338,11 +338,11 @@ impl Reader<'_> {
         if per_length[0] < 1.0 {
             let message =
                 format!("found {}; allowed: at least one point a correlation length", per_length[0]);
-            return Err(self.source.refuse(words.points_per_length.span(), message));
+            return Err(self.source.error_at(words.points_per_length.span(), message));
         }
         if lengths[0] < 10.0 {
             let message = format!("found {}; allowed: sides of at least 10 correlation lengths", lengths[0]);
-            return Err(self.source.refuse(words.lengths.span(), message));
+            return Err(self.source.error_at(words.lengths.span(), message));
         }
         let largest = side(per_length[per_length.len() - 1], lengths[lengths.len() - 1]);
         if largest > MOST {
@@ -350,7 +350,7 @@ impl Reader<'_> {
                 "found maps of up to {largest} x {largest} points; allowed: at most {MOST} points along a side, which is lengths \
                  times points-per-length"
             );
-            return Err(self.source.refuse(words.lengths.span(), message));
+            return Err(self.source.error_at(words.lengths.span(), message));
         }
         let realisations = self.several(&words.realisations, "maps of each kind")?;
         Ok(GridTask { per_length, lengths, realisations })

@@ -1,19 +1,19 @@
-//! How many scenes, and what they are drawn from.
+//! How many cases, and what they are drawn from.
 
 use std::fmt;
 
 use toml::Spanned;
 
-use super::read::Reader;
-use crate::experiment::refusal::Refusal;
+use super::resolver::Resolver;
+use crate::experiment::input_error::InputError;
 use crate::experiment::spec::{SpanSpec, StabilitySpec};
-use crate::stability::{Counts, Family, Ranges};
+use crate::stability::{Counts, Group, Ranges};
 use crate::units::{Dimension, Range};
 
-/// Scenes to be judged.
+/// Scenes to be checked.
 #[derive(Debug, Clone, Copy)]
 pub struct StabilityPlan {
-    /// Scenes of each family.
+    /// Scenes of each group.
     pub counts: Counts,
     /// What they are drawn from.
     pub ranges: Ranges,
@@ -43,20 +43,20 @@ impl StabilityPlan {
 
 impl fmt::Display for StabilityPlan {
     fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
-        writeln!(f, "  {} scenes in {} families, and error maps", self.counts.total(), Family::ALL.len())
+        writeln!(f, "  {} cases in {} groups, and error maps", self.counts.total(), Group::ALL.len())
     }
 }
 
-impl Reader<'_> {
-    pub(super) fn stability(&self, words: &StabilitySpec) -> Result<StabilityPlan, Refusal> {
+impl Resolver<'_> {
+    pub(super) fn stability(&self, words: &StabilitySpec) -> Result<StabilityPlan, InputError> {
         let (counts, ranges) = (Counts::default(), Ranges::default());
         Ok(StabilityPlan {
             counts: Counts {
-                contacts: self.within(words.contacts.as_ref(), counts.contacts, [1, 100_000], "scenes")?,
-                sums: self.within(words.sums.as_ref(), counts.sums, [1, 100_000], "scenes")?,
-                integrals: self.within(words.integrals.as_ref(), counts.integrals, [1, 100_000], "scenes")?,
-                loads: self.within(words.loads.as_ref(), counts.loads, [1, 100_000], "scenes")?,
-                millions: self.within(words.millions.as_ref(), counts.millions, [1, 1000], "scenes")?,
+                contacts: self.within(words.contacts.as_ref(), counts.contacts, [1, 100_000], "cases")?,
+                sums: self.within(words.sums.as_ref(), counts.sums, [1, 100_000], "cases")?,
+                integrals: self.within(words.integrals.as_ref(), counts.integrals, [1, 100_000], "cases")?,
+                loads: self.within(words.loads.as_ref(), counts.loads, [1, 100_000], "cases")?,
+                millions: self.within(words.millions.as_ref(), counts.millions, [1, 1000], "cases")?,
             },
             ranges: Ranges {
                 separation: self.span(words.separation.as_ref(), ranges.separation)?,
@@ -75,21 +75,21 @@ impl Reader<'_> {
         usual: u64,
         [least, most]: [u64; 2],
         what: &str,
-    ) -> Result<u64, Refusal> {
+    ) -> Result<u64, InputError> {
         let Some(found) = found else { return Ok(usual) };
         let count = *found.get_ref();
         if (least..=most).contains(&count) {
             return Ok(count);
         }
-        Err(self.source.refuse(found.span(), format!("found {count}; allowed: {least} to {most} {what}")))
+        Err(self.source.error_at(found.span(), format!("found {count}; allowed: {least} to {most} {what}")))
     }
 
-    /// A part of what is judged at most.
+    /// A part of what is checked at most.
     fn span<D: Dimension, R: Range>(
         &self,
         found: Option<&Spanned<SpanSpec<D, R>>>,
         [least, most]: [f64; 2],
-    ) -> Result<[f64; 2], Refusal> {
+    ) -> Result<[f64; 2], InputError> {
         let Some(found) = found else { return Ok([least, most]) };
         let [from, to] = found.get_ref().ends();
         if least <= from && from < to && to <= most {
@@ -98,6 +98,6 @@ impl Reader<'_> {
         let message = format!(
             "found {from:e} to {to:e}; allowed: from a lower to a higher value within {least:e} to {most:e}"
         );
-        Err(self.source.refuse(found.span(), message))
+        Err(self.source.error_at(found.span(), message))
     }
 }

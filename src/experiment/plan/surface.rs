@@ -8,17 +8,17 @@ use toml::Spanned;
 
 use super::generate::Generation;
 use crate::experiment::files::{Files, Reading};
-use crate::experiment::refusal::{Refusal, Source};
+use crate::experiment::input_error::{InputError, Source};
+use crate::experiment::overview::{AnalysisDepth, MOST_POINTS_LOOKED_AT};
 use crate::experiment::results::Timing;
 use crate::experiment::spec::{DrawSpec, FileSpec, ListSpec, PopulationHeights, PopulationSpec, SurfaceSpec};
 use crate::experiment::stream_seed;
 use crate::experiment::surface::{Finding, NoAsperities, Surface};
-use crate::experiment::whole::{Look, MOST_POINTS_LOOKED_AT};
 use crate::units::{Length, Pure, Quantity};
 use asperity::asperity::{
     Draw, Ellipse, Ellipticity, HeightDensity, Population, Statistics, SurfaceHeights, check_list,
 };
-use asperity::model::Datum;
+use asperity::model::ReferencePlane;
 use asperity::topography::filter::Filter;
 use asperity::topography::level::Level;
 use asperity::topography::read::{self, Given, GivenError};
@@ -42,8 +42,18 @@ pub struct SurfacePlan {
 
 #[derive(Debug)]
 enum Origin {
-    List { path: PathBuf, most_rows: usize, nominal_area: f64 },
-    Population { population: Population, ratio: Option<f64>, count: usize, draw: DrawSpec, datum: Datum },
+    List {
+        path: PathBuf,
+        most_rows: usize,
+        nominal_area: f64,
+    },
+    Population {
+        population: Population,
+        ratio: Option<f64>,
+        count: usize,
+        draw: DrawSpec,
+        plane: ReferencePlane,
+    },
     Generated(Box<Generation>),
     Map(MapPlan),
 }
@@ -84,13 +94,13 @@ impl SurfacePlan {
         name: &Spanned<String>,
         words: &Spanned<SurfaceSpec>,
         as_ellipses: bool,
-    ) -> Result<Self, Refusal> {
+    ) -> Result<Self, InputError> {
         // The name becomes part of file names.
         let is_plain = |name: &str| {
             !name.is_empty() && name.chars().all(|c| c.is_alphanumeric() || c == '-' || c == '_')
         };
         if !is_plain(name.get_ref()) {
-            return Err(source.refuse(
+            return Err(source.error_at(
                 name.span(),
                 format!("found the surface name \"{}\"; allowed: letters, digits, - and _", name.get_ref()),
             ));
@@ -114,16 +124,16 @@ impl SurfacePlan {
             Some(count) if (1..=MOST_REALISATIONS).contains(count.get_ref()) => *count.get_ref() as usize,
             Some(count) => {
                 let message = format!("found {}; allowed: 1 to {MOST_REALISATIONS}", count.get_ref());
-                return Err(source.refuse(count.span(), message));
+                return Err(source.error_at(count.span(), message));
             }
         };
         Ok(Self { name: name.get_ref().clone(), size_key, realisations, as_ellipses, origin })
     }
 
-    fn list(source: &Source, words: &ListSpec, as_ellipses: bool) -> Result<Origin, Refusal> {
+    fn list(source: &Source, words: &ListSpec, as_ellipses: bool) -> Result<Origin, InputError> {
         let path = beside(source, &words.file)?;
         let most_rows = check_list(&path, as_ellipses)
-            .map_err(|error| source.refuse(words.file.span(), format!("{} {error}", path.display())))?;
+            .map_err(|error| source.error_at(words.file.span(), format!("{} {error}", path.display())))?;
         Ok(Origin::List { path, most_rows, nominal_area: words.nominal_area.value() })
     }
 
@@ -132,34 +142,34 @@ impl SurfacePlan {
         span: Range<usize>,
         words: &PopulationSpec,
         as_ellipses: bool,
-    ) -> Result<Origin, Refusal> {
+    ) -> Result<Origin, InputError> {
         let ratio = curvature_ratio(source, &span, words.curvature_ratio.as_ref(), as_ellipses)?;
         let count = *words.count.get_ref();
         let count = usize::try_from(count).ok().filter(|&count| count > 0).ok_or_else(|| {
-            source.refuse(words.count.span(), format!("found {count}; allowed: at least one asperity"))
+            source.error_at(words.count.span(), format!("found {count}; allowed: at least one asperity"))
         })?;
         let (radius, sigma, density) = (words.radius.value(), words.sigma.value(), words.density.value());
         let mut population = Population { radius, sigma, density, heights: HeightDensity::Gaussian };
-        let mut datum = Datum { mean: 0.0, sigma };
+        let mut plane = ReferencePlane { mean: 0.0, sigma };
         match words.heights {
             PopulationHeights::Gaussian => {}
             PopulationHeights::Exponential => population.heights = HeightDensity::Exponential,
             PopulationHeights::Surface => {
                 let surface = SurfaceHeights { radius, sigma, density };
-                population.sigma = surface.asperity_sigma().map_err(|error| source.refuse(span, error))?;
-                datum.mean = -surface.mean_asperity_height();
+                population.sigma = surface.asperity_sigma().map_err(|error| source.error_at(span, error))?;
+                plane.mean = -surface.mean_asperity_height();
             }
         }
-        Ok(Origin::Population { population, ratio, count, draw: words.draw, datum })
+        Ok(Origin::Population { population, ratio, count, draw: words.draw, plane })
     }
 
-    fn map(source: &Source, words: &FileSpec) -> Result<Origin, Refusal> {
+    fn map(source: &Source, words: &FileSpec) -> Result<Origin, InputError> {
         let path = beside(source, &words.path)?;
         let refuse = |error: &dyn std::fmt::Display| {
-            source.refuse(words.path.span(), format!("{} {error}", path.display()))
+            source.error_at(words.path.span(), format!("{} {error}", path.display()))
         };
-        let head = read::head(&path).map_err(|error| refuse(&error))?;
-        let points = head.points;
+        let metadata = read::head(&path).map_err(|error| refuse(&error))?;
+        let points = metadata.points;
         if points.iter().any(|&count| count < 3) {
             return Err(refuse(&MapError::TooSmall(points)));
         }
@@ -167,13 +177,13 @@ impl SurfacePlan {
             pixel: words.pixel.as_ref().map(|pixel| pixel.get_ref().0),
             unit: words.unit.as_ref().map(|unit| unit.get_ref().0),
         };
-        let pixel = head.pixel(&given).map_err(|error| {
+        let pixel = metadata.pixel(&given).map_err(|error| {
             let key = match error {
                 GivenError::PixelHeld { .. } => words.pixel.as_ref().map(Spanned::span),
                 GivenError::UnitHeld { .. } => words.unit.as_ref().map(Spanned::span),
                 GivenError::NoPixel => None,
             };
-            source.refuse(key.unwrap_or_else(|| words.path.span()), format!("{} {error}", path.display()))
+            source.error_at(key.unwrap_or_else(|| words.path.span()), format!("{} {error}", path.display()))
         })?;
         let filter = match &words.filter {
             None => None,
@@ -184,7 +194,7 @@ impl SurfacePlan {
                     made.check(points, pixel)?;
                     Ok(made)
                 });
-                Some(made.map_err(|error| source.refuse(filter.span(), error))?)
+                Some(made.map_err(|error| source.error_at(filter.span(), error))?)
             }
         };
         // The head of a file has been checked against its length: the product fits.
@@ -247,7 +257,7 @@ impl SurfacePlan {
 
     /// An estimate of the memory that it needs at its peak, bytes, with as many summits as a rough surface has: on
     /// noise there are twice as many.
-    pub fn memory(&self, look: Look) -> u128 {
+    pub fn memory(&self, depth: AnalysisDepth) -> u128 {
         /// A map that is read as a whole, and turned.
         const BYTES_PER_POINT: u128 = 32;
         /// The transforms of an autocorrelation, over one and a half times the side of an open map.
@@ -269,16 +279,16 @@ impl SurfacePlan {
                     (None, false) => BYTES_PER_POINT,
                     (None, true) => 0,
                 };
-                let looked_at = look == Look::Everything && *points <= MOST_POINTS_LOOKED_AT;
+                let looked_at = depth == AnalysisDepth::Everything && *points <= MOST_POINTS_LOOKED_AT;
                 let bytes = bytes + if looked_at { BYTES_PER_POINT_LOOKED_AT } else { 0 };
                 *points as u128 * bytes + found
             }
             Origin::Generated(generation) => {
-                let look = match look {
-                    Look::Everything => BYTES_PER_POINT_LOOKED_AT,
+                let depth = match depth {
+                    AnalysisDepth::Everything => BYTES_PER_POINT_LOOKED_AT,
                     _ => BYTES_PER_POINT_OF_SPECTRUM,
                 };
-                area(generation.points()) * (BYTES_PER_HEIGHT * generation.arrays() + look) + found
+                area(generation.points()) * (BYTES_PER_HEIGHT * generation.arrays() + depth) + found
             }
             _ => {
                 let ellipses = if self.as_ellipses { BYTES_PER_ELLIPSE } else { 0 };
@@ -305,19 +315,19 @@ impl SurfacePlan {
         }
     }
 
-    /// A maker of its realisations, one after the other.
-    pub(in crate::experiment) fn maker<'a>(
+    /// A factory of its realisations, one after the other.
+    pub(in crate::experiment) fn factory<'a>(
         &'a self,
         source: &'a Source,
         seed: u64,
         counter: &'a Counter,
-    ) -> Maker<'a> {
-        Maker { plan: self, source, seed, counter, bandwidth: None }
+    ) -> SurfaceFactory<'a> {
+        SurfaceFactory { plan: self, source, seed, counter, bandwidth: None }
     }
 }
 
 /// Makes or reads the realisations of a surface.
-pub struct Maker<'a> {
+pub struct SurfaceFactory<'a> {
     plan: &'a SurfacePlan,
     source: &'a Source,
     seed: u64,
@@ -326,7 +336,7 @@ pub struct Maker<'a> {
     bandwidth: Option<f64>,
 }
 
-impl Maker<'_> {
+impl SurfaceFactory<'_> {
     /// Makes or reads realisation `realisation` (from 1).
     ///
     /// # Errors
@@ -334,11 +344,11 @@ impl Maker<'_> {
     pub(in crate::experiment) fn make(
         &mut self,
         realisation: usize,
-        look: Look,
+        depth: AnalysisDepth,
         files: &mut Files,
         timing: &mut Timing,
-    ) -> Result<Surface, Refusal> {
-        let surface = self.one(realisation, look, files, timing)?;
+    ) -> Result<Surface, InputError> {
+        let surface = self.one(realisation, depth, files, timing)?;
         self.counter.add(Item::Surfaces, 1);
         Ok(Surface { realisations: self.plan.realisations, ..surface })
     }
@@ -346,13 +356,13 @@ impl Maker<'_> {
     fn one(
         &mut self,
         realisation: usize,
-        look: Look,
+        depth: AnalysisDepth,
         files: &mut Files,
         timing: &mut Timing,
-    ) -> Result<Surface, Refusal> {
+    ) -> Result<Surface, InputError> {
         let (name, source) = (&self.plan.name, self.source);
         let key = &self.plan.size_key;
-        let refuse = |error: &dyn std::fmt::Display| source.refuse(key.clone(), error);
+        let refuse = |error: &dyn std::fmt::Display| source.error_at(key.clone(), error);
         let start = Instant::now();
         match &self.plan.origin {
             Origin::List { path, nominal_area, .. } => {
@@ -379,7 +389,7 @@ impl Maker<'_> {
                 }
                 Ok(surface)
             }
-            Origin::Population { population, ratio, count, draw, datum } => {
+            Origin::Population { population, ratio, count, draw, plane } => {
                 let draw = match draw {
                     DrawSpec::Random => Draw::Random(stream_seed(
                         self.seed,
@@ -399,15 +409,15 @@ impl Maker<'_> {
                 let mut surface = Surface::new(name, set, statistics);
                 surface.ellipticity =
                     ratio.map(|ratio| Ellipticity { mean_curvature, mean_ratio: ratio.recip() });
-                surface.datum = *datum;
-                surface.mean_plane = Some(datum.mean).filter(|&mean| mean != 0.0);
+                surface.plane = *plane;
+                surface.mean_plane = Some(plane.mean).filter(|&mean| mean != 0.0);
                 surface.nominal = Some(*population);
                 Ok(surface)
             }
             Origin::Generated(generation) => {
                 let made = generation
                     .make(self.seed, name, realisation, self.bandwidth)
-                    .map_err(|error| source.refuse(generation.key.clone(), error))?;
+                    .map_err(|error| source.error_at(generation.key.clone(), error))?;
                 timing.generate += start.elapsed();
                 self.bandwidth = made.bandwidth;
                 let finding = Finding {
@@ -416,7 +426,7 @@ impl Maker<'_> {
                     neighbours: generation.neighbours,
                     generation: Some(made.facts),
                     as_ellipses: self.plan.as_ellipses,
-                    look,
+                    depth,
                 };
                 found(name, &finding, &made.map, timing).map_err(|error| refuse(&error))
             }
@@ -431,7 +441,7 @@ impl Maker<'_> {
                     neighbours: map.neighbours,
                     generation: None,
                     as_ellipses: self.plan.as_ellipses,
-                    look,
+                    depth,
                 };
                 found(name, &finding, &*rows, timing).map_err(|error| refuse(&error))
             }
@@ -480,19 +490,19 @@ pub(super) fn curvature_ratio(
     span: &Range<usize>,
     words: Option<&Spanned<Quantity<Pure>>>,
     is_needed: bool,
-) -> Result<Option<f64>, Refusal> {
+) -> Result<Option<f64>, InputError> {
     /// Beyond this an asperity is a ridge.
     const LONGEST: f64 = 1e6;
     let Some(words) = words else {
         let message = "found no `curvature-ratio`, which a law for ellipses needs; allowed: curvature-ratio = 1 or \
                        above, the larger principal curvature of an asperity over the smaller one";
-        return if is_needed { Err(source.refuse(span.clone(), message)) } else { Ok(None) };
+        return if is_needed { Err(source.error_at(span.clone(), message)) } else { Ok(None) };
     };
     let ratio = words.get_ref().value();
     if (1.0..=LONGEST).contains(&ratio) {
         return Ok(Some(ratio));
     }
-    Err(source.refuse(words.span(), format!("found {ratio}; allowed: 1 to {LONGEST:e}")))
+    Err(source.error_at(words.span(), format!("found {ratio}; allowed: 1 to {LONGEST:e}")))
 }
 
 fn area([nx, ny]: [usize; 2]) -> u128 {
@@ -500,10 +510,10 @@ fn area([nx, ny]: [usize; 2]) -> u128 {
 }
 
 /// A file named relative to the spec, there and not empty.
-pub(super) fn beside(source: &Source, words: &Spanned<PathBuf>) -> Result<PathBuf, Refusal> {
+pub(super) fn beside(source: &Source, words: &Spanned<PathBuf>) -> Result<PathBuf, InputError> {
     let folder = source.path.parent().unwrap_or_else(|| std::path::Path::new(""));
     let path = folder.join(words.get_ref());
     read::existing(&path)
-        .map_err(|error| source.refuse(words.span(), format!("{} {error}", path.display())))?;
+        .map_err(|error| source.error_at(words.span(), format!("{} {error}", path.display())))?;
     Ok(path)
 }

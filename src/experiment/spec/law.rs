@@ -282,7 +282,7 @@ impl TryFrom<Options> for LawSpec {
     }
 }
 
-/// The names of all laws, for a refusal.
+/// The names of all laws, for a error.
 fn allowed() -> String {
     LawSpec::all().map(|law| format!("\"{}\"", law.label())).join(", ")
 }

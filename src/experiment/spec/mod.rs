@@ -43,7 +43,7 @@ pub use surface::{
 pub use sweep::{LinearSweep, LogSweep};
 pub use tolerance::{TOLERANCES, ToleranceSpec};
 
-use super::refusal::{Refusal, Source};
+use super::input_error::{InputError, Source};
 
 /// The whole file.
 #[derive(Debug, Deserialize)]
@@ -81,11 +81,11 @@ pub struct Spec {
 ///
 /// # Errors
 /// A file that cannot be read, is no TOML, or says what no spec may say.
-pub fn read(path: &Path) -> Result<(Source, Spec), Refusal> {
+pub fn read(path: &Path) -> Result<(Source, Spec), InputError> {
     let bytes =
-        std::fs::read(path).map_err(|error| Refusal::file(path, format!("cannot be read: {error}")))?;
+        std::fs::read(path).map_err(|error| InputError::file(path, format!("cannot be read: {error}")))?;
     let text = String::from_utf8(bytes).map_err(|error| {
-        Refusal::file(path, format!("is no UTF-8 text (byte {})", error.utf8_error().valid_up_to()))
+        InputError::file(path, format!("is no UTF-8 text (byte {})", error.utf8_error().valid_up_to()))
     })?;
     parse(Source { path: path.to_owned(), text })
 }
@@ -94,11 +94,11 @@ pub fn read(path: &Path) -> Result<(Source, Spec), Refusal> {
 ///
 /// # Errors
 /// As [`read`].
-pub fn from_command_line(text: String) -> Result<(Source, Spec), Refusal> {
+pub fn from_command_line(text: String) -> Result<(Source, Spec), InputError> {
     parse(Source::command_line(text))
 }
 
-fn parse(source: Source) -> Result<(Source, Spec), Refusal> {
-    let spec: Spec = toml::from_str(&source.text).map_err(|error| source.refuse_as(&error))?;
+fn parse(source: Source) -> Result<(Source, Spec), InputError> {
+    let spec: Spec = toml::from_str(&source.text).map_err(|error| source.parse_error(&error))?;
     Ok((source, spec))
 }

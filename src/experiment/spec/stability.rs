@@ -5,7 +5,7 @@ use toml::Spanned;
 
 use crate::units::{Dimension, Length, Positive, Pure, Quantity, Range, SeparationRange};
 
-/// How many scenes are judged, and what they are drawn from; everything has a default.
+/// How many cases are checked, and what they are drawn from; everything has a default.
 #[derive(Debug, Deserialize)]
 #[serde(deny_unknown_fields, rename_all = "kebab-case")]
 pub struct StabilitySpec {

@@ -7,8 +7,8 @@ mod tables;
 pub use tables::tables;
 
 use super::format::{count, number, quantity};
-use super::head;
 use super::page::{Page, escape};
+use super::sections;
 use crate::experiment::{IndentationResults, LARGEST_SLOPE, LawCurves, LayerResults};
 use asperity::layer::exact_sphere::LARGEST_RATIO;
 use asperity::sphere::{Curve, Fall, Falling, RegimeChange};
@@ -72,8 +72,8 @@ fn subject(results: &IndentationResults, found: &LayerResults) -> String {
 
 /// The page.
 pub fn page(results: &IndentationResults) -> Page {
-    let mut page = Page::new(&results.head.title);
-    head::notes(&mut page, &results.head);
+    let mut page = Page::new(&results.metadata.title);
+    sections::notes(&mut page, &results.metadata);
     for warning in results.warnings() {
         page.warning(&escape(&warning));
     }
@@ -99,7 +99,7 @@ pub fn page(results: &IndentationResults) -> Page {
         rule::section(&mut page, found, &name("", "rule"));
     }
     limits(&mut page, results);
-    head::sources(&mut page, &results.head);
+    sections::sources(&mut page, &results.metadata);
     page
 }
 
@@ -153,7 +153,7 @@ fn what_was_run(page: &mut Page, results: &IndentationResults) {
         let roles: Vec<&str> = roles.into_iter().filter(|role| role.1).map(|role| role.0).collect();
         if roles.is_empty() { "not used".to_owned() } else { roles.join(", ") }
     };
-    head::materials(page, &results.materials, role);
+    sections::materials(page, &results.materials, role);
     let thickness = |found: &LayerResults| {
         format!("{} {} (rule {})", escape(&found.name), quantity(found.thickness, "m"), found.rule.name())
     };
@@ -168,7 +168,7 @@ fn what_was_run(page: &mut Page, results: &IndentationResults) {
         count(results.indentations.len()),
         quantity(from, "m"),
         quantity(to, "m"),
-        head::provenance(&results.head),
+        sections::provenance(&results.metadata),
     ));
 }
 

@@ -265,7 +265,7 @@ fn load_by_load(page: &mut Page, influence: &Influence, measure: Measure) {
              over A/A_nom. Last: the ratio of the logarithms."
             .to_owned(),
     });
-    let head = [
+    let metadata = [
         "p",
         "all laws, integral",
         "all laws, sum",
@@ -277,7 +277,7 @@ fn load_by_load(page: &mut Page, influence: &Influence, measure: Measure) {
         "law / adding-up",
     ];
     let rows = of_each_decade(&influence.loads, |at| at.pressure, 1.0);
-    page.table(head, rows.into_iter().map(|at| load_row(at, measure)));
+    page.table(metadata, rows.into_iter().map(|at| load_row(at, measure)));
 }
 
 fn load_row(at: &AtLoad, measure: Measure) -> Vec<String> {

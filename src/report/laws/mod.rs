@@ -11,9 +11,9 @@ use std::f64::consts::PI;
 
 use super::compare;
 use super::format::{number, percent, quantity};
-use super::head;
 use super::layer::listed;
 use super::page::{Page, escape};
+use super::sections;
 use crate::experiment::results::{CaseResults, SurfaceResults};
 use crate::experiment::{LARGEST_SLOPE, LawOnOne, LawsResults};
 use asperity::contact::Contact;
@@ -42,8 +42,8 @@ fn steep_from(results: &LawsResults) -> Option<(f64, &LawOnOne)> {
 /// The page.
 pub fn page(results: &LawsResults) -> Page {
     let compared = &results.compare;
-    let mut page = Page::new(&compared.head.title);
-    head::notes(&mut page, &compared.head);
+    let mut page = Page::new(&compared.metadata.title);
+    sections::notes(&mut page, &compared.metadata);
     for warning in compared.warnings() {
         page.warning(&escape(&warning));
     }
@@ -57,7 +57,7 @@ pub fn page(results: &LawsResults) -> Page {
     }
     page.bullets(on_one_in_short(results));
     page.paragraph(compare::CONDITION);
-    head::what_was_run(&mut page, &compared.head, &compared.contact);
+    sections::what_was_run(&mut page, &compared.metadata, &compared.contact);
     laws(&mut page, results);
     one_asperity(&mut page, results);
     for found in &compared.surfaces {
@@ -65,7 +65,7 @@ pub fn page(results: &LawsResults) -> Page {
         influence::section(&mut page, results, found);
     }
     limits(&mut page, results);
-    head::sources(&mut page, &compared.head);
+    sections::sources(&mut page, &compared.metadata);
     page
 }
 

@@ -18,8 +18,8 @@ pub use tables::tables;
 pub use winners::{Winner, winners};
 
 use super::format::{count, number, quantity};
-use super::head;
 use super::page::{Page, escape};
+use super::sections;
 use crate::experiment::{CasePrecision, PrecisionResults};
 use crate::precision::integral::{Effort, IntegralPoint, Rule};
 use crate::precision::sum::{ASPERITIES, Adding, POINTS, SEPARATIONS, SumPoint, Sweep, Way};
@@ -27,8 +27,8 @@ use winners::{FOUR_ULP, Of, largest_sums, rule_words};
 
 /// The page.
 pub fn page(results: &PrecisionResults) -> Page {
-    let mut page = Page::new(&results.head.title);
-    head::notes(&mut page, &results.head);
+    let mut page = Page::new(&results.metadata.title);
+    sections::notes(&mut page, &results.metadata);
     page.heading(2, "In short");
     let mut short: Vec<String> = results.cases.iter().flat_map(in_short).collect();
     short.extend(physics::in_short(results));
@@ -37,7 +37,7 @@ pub fn page(results: &PrecisionResults) -> Page {
         "Times are of this program on the machine that wrote this report, each the median of runs in which all candidates took turns; \
          a measurement lasts 1 ms at the least. They differ from machine to machine and from run to run: trust ratios beyond some 10 %.",
     );
-    head::what_was_run(&mut page, &results.head, &results.contact);
+    sections::what_was_run(&mut page, &results.metadata, &results.contact);
     populations(&mut page, results);
     if results.cases.iter().any(|case| case.integral.is_some()) {
         integrals(&mut page, results);
@@ -48,7 +48,7 @@ pub fn page(results: &PrecisionResults) -> Page {
     scale::curves(&mut page, results);
     scale::lists(&mut page, results);
     physics::sections(&mut page, results);
-    head::sources(&mut page, &results.head);
+    sections::sources(&mut page, &results.metadata);
     page
 }
 
@@ -300,9 +300,9 @@ fn threads(page: &mut Page, case: &CasePrecision) {
     let mut numbers: Vec<usize> = of_sweep().map(|point| point.threads).collect();
     numbers.dedup();
     page.paragraph(&format!("{} asperities on several threads, time a separation:", count(first.asperities)));
-    let head = ["way".to_owned()].into_iter().chain(numbers.iter().map(|&n| thread_count(n)));
+    let metadata = ["way".to_owned()].into_iter().chain(numbers.iter().map(|&n| thread_count(n)));
     page.table(
-        head,
+        metadata,
         Way::ALL.into_iter().filter(|way| of_sweep().any(|point| point.way == *way)).map(|way| {
             let at = |threads: &usize| {
                 let point = of_sweep().find(|point| point.way == way && point.threads == *threads);

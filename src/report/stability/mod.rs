@@ -6,22 +6,20 @@ mod tables;
 pub use tables::tables;
 
 use super::format::{count, number};
-use super::head;
 use super::page::{Page, escape};
+use super::sections;
 use crate::experiment::StabilityResults;
-use crate::stability::{FamilyFindings, Fault, Kind, Law, Quantity, Worst};
+use crate::stability::{Failure, GroupFindings, Kind, Law, Quantity, Worst};
 
 /// An error to two digits: more would differ between machines.
 fn error(value: f64) -> String {
     if value == 0.0 { "0".to_owned() } else { format!("{value:.0e}") }
 }
 
-/// The worst of all quantities beside its bound, with the family that it is of.
-fn worst<'a>(
-    families: impl IntoIterator<Item = &'a FamilyFindings>,
-) -> Option<(&'a FamilyFindings, &'a Worst)> {
-    let share = |findings: &FamilyFindings, worst: &Worst| worst.judged / worst.bound(findings.family);
-    families
+/// The worst of all quantities beside its bound, with the group that it is of.
+fn worst<'a>(groups: impl IntoIterator<Item = &'a GroupFindings>) -> Option<(&'a GroupFindings, &'a Worst)> {
+    let share = |findings: &GroupFindings, worst: &Worst| worst.checked / worst.bound(findings.group);
+    groups
         .into_iter()
         .flat_map(|findings| findings.quantities.iter().map(move |worst| (findings, worst)))
         .max_by(|a, b| share(a.0, a.1).total_cmp(&share(b.0, b.1)))
@@ -29,8 +27,8 @@ fn worst<'a>(
 
 /// The page.
 pub fn page(results: &StabilityResults) -> Page {
-    let mut page = Page::new(&results.head.title);
-    head::notes(&mut page, &results.head);
+    let mut page = Page::new(&results.metadata.title);
+    sections::notes(&mut page, &results.metadata);
     for warning in results.warnings() {
         page.warning(&escape(&warning));
     }
@@ -40,31 +38,31 @@ pub fn page(results: &StabilityResults) -> Page {
         "Every number that the models give is held against one of about 32 digits, made from the equations alone: other formulas, no \
          tables, double-double arithmetic, the tanh-sinh rule for integrals, slopes by differences. Half an ulp is 1.1e-16 at most.",
     );
-    families(&mut page, results);
+    groups(&mut page, results);
     page.heading(2, "Where the errors are");
     for map in &results.maps {
         page.figure(&format!("{}-errors.svg", map.name), figures::map(map), figures::caption(map));
     }
-    page.heading(2, "How it is judged");
+    page.heading(2, "How it is checked");
     page.bullets(JUDGED);
-    page.heading(2, "The worst scenes");
-    page.paragraph("Of each kind the scene that uses most of its bound; `stability.csv` has that of every quantity of every family, and the medians.");
+    page.heading(2, "The worst cases");
+    page.paragraph("Of each kind the case that uses most of its bound; `stability.csv` has that of every quantity of every group, and the medians.");
     for kind in Kind::ALL {
-        let of_kind = results.families.iter().filter(|findings| findings.family.kind() == kind);
+        let of_kind = results.groups.iter().filter(|findings| findings.group.kind() == kind);
         if let Some((findings, worst)) = worst(of_kind) {
             page.paragraph(&format!(
-                "**{}**: {} of {}, scene {} of \"{}\".",
+                "**{}**: {} of {}, case {} of \"{}\".",
                 kind.name(),
                 worst.quantity.name(),
-                error(worst.judged),
-                worst.scene.index,
-                findings.family.name(),
+                error(worst.checked),
+                worst.case.index,
+                findings.group.name(),
             ));
-            page.code("", &worst.scene.inputs());
+            page.code("", &worst.case.inputs());
         }
     }
-    page.paragraph(&head::provenance(&results.head));
-    head::sources(&mut page, &results.head);
+    page.paragraph(&sections::provenance(&results.metadata));
+    sections::sources(&mut page, &results.metadata);
     page
 }
 
@@ -75,65 +73,65 @@ const JUDGED: [&str; 6] = [
      unrounded d.",
     "Within the rounding of a boundary (16 ulp of it bare, 1e-13 under a layer) either side's answer counts: laws that jump there cannot be told apart.",
     "Where c − 1 is small, the area of ZMC doubles within so narrow a range that the rounding of w₁ alone moves it by 1/(c − 1) roundings: see the map. \
-     The bounds grow by c/(c − 1), and scenes have c from 1.01 on.",
-    "Sampling errors are judged as variances over the mean square: of equal asperities the variance is a difference of equal numbers.",
+     The bounds grow by c/(c − 1), and cases have c from 1.01 on.",
+    "Sampling errors are checked as variances over the mean square: of equal asperities the variance is a difference of equal numbers.",
     "Stiffnesses under a layer and under Jackson and Green are slopes of tables: their bound is 1e-11.",
 ];
 
 fn in_short(results: &StabilityResults) -> Vec<String> {
     let beyond = results.beyond().count();
-    let faults: usize = results.families.iter().map(|findings| findings.faults.len()).sum();
-    let infinite = results.families.iter().flat_map(|findings| &findings.faults);
-    let infinite = infinite.filter(|(_, fault)| matches!(fault, Fault::NotFinite(_))).count();
+    let failures: usize = results.groups.iter().map(|findings| findings.failures.len()).sum();
+    let infinite = results.groups.iter().flat_map(|findings| &findings.failures);
+    let infinite = infinite.filter(|(_, failure)| matches!(failure, Failure::NotFinite(_))).count();
     let mut lines = vec![format!(
-        "**{} scenes** in {} families: {}; {}.",
-        count(results.scenes() as usize),
-        results.families.len(),
+        "**{} cases** in {} groups: {}; {}.",
+        count(results.cases() as usize),
+        results.groups.len(),
         if beyond == 0 {
             "every one within its bound".to_owned()
         } else {
             format!("{beyond} of them beyond their bounds")
         },
-        match (infinite, faults) {
+        match (infinite, failures) {
             (0, 0) => "no NaN, no infinity, nothing refused and nothing left unjudged".to_owned(),
-            (infinite, faults) =>
-                format!("{infinite} with a NaN or an infinity, {faults} not right or not judged in all"),
+            (infinite, failures) =>
+                format!("{infinite} with a NaN or an infinity, {failures} not right or not checked in all"),
         },
     )];
     for kind in Kind::ALL {
-        let of_kind: Vec<&FamilyFindings> =
-            results.families.iter().filter(|findings| findings.family.kind() == kind).collect();
-        let largest = |findings: &&FamilyFindings| {
-            findings.quantities.iter().map(|worst| worst.judged).fold(0.0, f64::max)
+        let of_kind: Vec<&GroupFindings> =
+            results.groups.iter().filter(|findings| findings.group.kind() == kind).collect();
+        let largest = |findings: &&GroupFindings| {
+            findings.quantities.iter().map(|worst| worst.checked).fold(0.0, f64::max)
         };
         let Some((findings, used)) = worst(of_kind.iter().copied()) else { continue };
         lines.push(format!(
             "**{}**: relative errors of {} at most; nearest to its bound of {}: {} in \"{}\", {}.",
             kind.name(),
             error(of_kind.iter().map(largest).fold(0.0, f64::max)),
-            error(used.bound(findings.family)),
+            error(used.bound(findings.group)),
             used.quantity.name(),
-            findings.family.name(),
-            error(used.judged),
+            findings.group.name(),
+            error(used.checked),
         ));
     }
     lines
 }
 
-/// Two tables a kind: what the families are, and their worst errors.
-fn families(page: &mut Page, results: &StabilityResults) {
+/// Two tables a kind: what the groups are, and their worst errors.
+fn groups(page: &mut Page, results: &StabilityResults) {
     for kind in Kind::ALL {
         page.heading(2, &capital(kind.name()));
-        let of_kind: Vec<&FamilyFindings> =
-            results.families.iter().filter(|findings| findings.family.kind() == kind).collect();
+        let of_kind: Vec<&GroupFindings> =
+            results.groups.iter().filter(|findings| findings.group.kind() == kind).collect();
         page.table(
-            ["family", "what", "scenes", "not right"],
+            ["group", "what", "cases", "not right"],
             of_kind.iter().map(|findings| {
                 vec![
-                    findings.family.name().to_owned(),
-                    findings.family.about().to_owned(),
-                    count(findings.scenes as usize),
-                    match findings.faults.len() {
+                    findings.group.name().to_owned(),
+                    findings.group.about().to_owned(),
+                    count(findings.cases as usize),
+                    match findings.failures.len() {
                         0 => "none".to_owned(),
                         several => number(several as f64),
                     },
@@ -141,7 +139,7 @@ fn families(page: &mut Page, results: &StabilityResults) {
             }),
         );
         page.paragraph("The worst errors:");
-        errors(page, &of_kind, true, |worst| worst.judged);
+        errors(page, &of_kind, true, |worst| worst.checked);
         if kind == Kind::Sum {
             page.paragraph("Plain errors, the rounding of the separation not counted as right:");
             errors(page, &of_kind, false, |worst| worst.error);
@@ -150,24 +148,24 @@ fn families(page: &mut Page, results: &StabilityResults) {
 }
 
 /// Families by quantities.
-fn errors(page: &mut Page, families: &[&FamilyFindings], bounded: bool, of: impl Fn(&Worst) -> f64) {
+fn errors(page: &mut Page, groups: &[&GroupFindings], bounded: bool, of: impl Fn(&Worst) -> f64) {
     let is_there = |quantity: &Quantity| {
-        families.iter().any(|findings| findings.quantities.iter().any(|worst| worst.quantity == *quantity))
+        groups.iter().any(|findings| findings.quantities.iter().any(|worst| worst.quantity == *quantity))
     };
     let quantities: Vec<Quantity> = Quantity::ALL.into_iter().filter(is_there).collect();
-    let mut head = vec!["family"];
-    head.extend(bounded.then_some("bound"));
-    head.extend(quantities.iter().map(|quantity| quantity.name()));
-    let row = |findings: &&FamilyFindings| {
-        let mut row = vec![findings.family.name().to_owned()];
-        row.extend(bounded.then(|| error(findings.family.bound(Quantity::Load, Law::Hertz))));
+    let mut header = vec!["group"];
+    header.extend(bounded.then_some("bound"));
+    header.extend(quantities.iter().map(|quantity| quantity.name()));
+    let row = |findings: &&GroupFindings| {
+        let mut row = vec![findings.group.name().to_owned()];
+        row.extend(bounded.then(|| error(findings.group.bound(Quantity::Load, Law::Hertz))));
         row.extend(quantities.iter().map(|quantity| {
             let found = findings.quantities.iter().find(|worst| worst.quantity == *quantity);
             found.map_or_else(String::new, |worst| error(of(worst)))
         }));
         row
     };
-    page.table(head, families.iter().map(row));
+    page.table(header, groups.iter().map(row));
 }
 
 fn capital(text: &str) -> String {

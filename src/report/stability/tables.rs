@@ -9,10 +9,10 @@ use crate::stability::Law;
 row! {
 struct WorstRow {
     kind: &'static str,
-    family: &'static str,
+    group: &'static str,
     quantity: &'static str,
-    scenes: u64,
-    faults: usize,
+    cases: u64,
+    failures: usize,
     median_error: f64,
     worst_error: f64,
     bound: f64,
@@ -42,21 +42,21 @@ pub fn tables(results: &StabilityResults) -> Result<Vec<(&'static str, Vec<u8>)>
 
 fn worst(results: &StabilityResults) -> Result<Vec<u8>, TableError> {
     let mut table = Table::new(&[WorstRow::COLUMNS])?;
-    for findings in &results.families {
+    for findings in &results.groups {
         for worst in &findings.quantities {
             table.row(WorstRow {
-                kind: findings.family.kind().name(),
-                family: findings.family.name(),
+                kind: findings.group.kind().name(),
+                group: findings.group.name(),
                 quantity: worst.quantity.name(),
-                scenes: findings.scenes,
-                faults: findings.faults.len(),
+                cases: findings.cases,
+                failures: findings.failures.len(),
                 median_error: worst.median,
-                worst_error: worst.judged,
-                bound: findings.family.bound(worst.quantity, Law::Hertz),
+                worst_error: worst.checked,
+                bound: findings.group.bound(worst.quantity, Law::Hertz),
                 plain_error: worst.error,
-                worst_bound: worst.bound(findings.family),
-                worst_scene: worst.scene.index,
-                worst_inputs: worst.scene.inputs(),
+                worst_bound: worst.bound(findings.group),
+                worst_scene: worst.case.index,
+                worst_inputs: worst.case.inputs(),
             })?;
         }
     }

@@ -62,7 +62,7 @@ struct FallSummary {
 /// # Errors
 /// None that a result can cause.
 pub fn indentation(results: &IndentationResults, files: &[String]) -> serde_json::Result<Vec<u8>> {
-    let mut summary = Summary::new(&results.head, None, files);
+    let mut summary = Summary::new(&results.metadata, None, files);
     summary.warnings = results.warnings();
     summary.layers = results.layers.iter().map(|found| layer(found, results.radius)).collect();
     serde_json::to_vec_pretty(&summary)

@@ -2,7 +2,7 @@
 
 use serde::{Serialize, Serializer};
 
-use crate::experiment::results::{LayerHead, SurfaceResults};
+use crate::experiment::results::{LayerMetadata, SurfaceResults};
 use asperity::compare::RuleError;
 use asperity::layer::Rule;
 
@@ -58,7 +58,7 @@ pub(super) struct FallSummary<'a> {
     loss: f64,
 }
 
-pub(super) fn summary(layer: &LayerHead) -> LayerSummary<'_> {
+pub(super) fn summary(layer: &LayerMetadata) -> LayerSummary<'_> {
     let error = |(rule, error): (Rule, &RuleError)| RuleErrorSummary {
         rule: rule.name(),
         contact_radius_over_thickness: error.contact_ratio,

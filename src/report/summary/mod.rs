@@ -13,7 +13,7 @@ use indexmap::IndexMap;
 use serde::{Deserialize, Serialize};
 
 use super::limit::Slope;
-use crate::experiment::results::{CompareResults, ContactHead, Head, LimitResults, SurfacesResults};
+use crate::experiment::results::{CompareResults, ContactMetadata, LimitResults, Metadata, SurfacesResults};
 use crate::experiment::{LawsResults, StabilityResults};
 use asperity::compare::Tolerances;
 use asperity::work::Work;
@@ -103,13 +103,13 @@ struct SlopeSummary<'a> {
 }
 
 impl<'a> Summary<'a> {
-    fn new(head: &'a Head, contact: Option<&'a ContactHead>, files: &'a [String]) -> Self {
+    fn new(metadata: &'a Metadata, contact: Option<&'a ContactMetadata>, files: &'a [String]) -> Self {
         Self {
             program: PROGRAM,
             version: env!("CARGO_PKG_VERSION"),
-            title: &head.title,
-            spec_sha256: &head.spec_sha256,
-            seed: head.seed,
+            title: &metadata.title,
+            spec_sha256: &metadata.spec_sha256,
+            seed: metadata.seed,
             looked_at: None,
             reduced_modulus_pa: contact.map(|contact| contact.reduced_modulus),
             hardness_pa: contact.and_then(|contact| contact.hardness),
@@ -125,8 +125,8 @@ impl<'a> Summary<'a> {
             precision: None,
             slopes: Vec::new(),
             stability: None,
-            work: head.work,
-            papers: head.papers.iter().map(|paper| paper.full).collect(),
+            work: metadata.work,
+            papers: metadata.papers.iter().map(|paper| paper.full).collect(),
             files,
         }
     }
@@ -155,14 +155,14 @@ pub fn laws(results: &LawsResults, files: &[String]) -> serde_json::Result<Vec<u
 /// # Errors
 /// None that a result can cause.
 pub fn stability(results: &StabilityResults, files: &[String]) -> serde_json::Result<Vec<u8>> {
-    let mut summary = Summary::new(&results.head, None, files);
+    let mut summary = Summary::new(&results.metadata, None, files);
     summary.warnings = results.warnings();
     summary.stability = Some(stability::summary(results));
     serde_json::to_vec_pretty(&summary)
 }
 
 fn compared<'a>(results: &'a CompareResults, files: &'a [String]) -> Summary<'a> {
-    let mut summary = Summary::new(&results.head, Some(&results.contact), files);
+    let mut summary = Summary::new(&results.metadata, Some(&results.contact), files);
     summary.warnings = results.warnings();
     let Tolerances { statistical, deterministic } = results.tolerances;
     summary.tolerance =
@@ -197,7 +197,7 @@ fn compared<'a>(results: &'a CompareResults, files: &'a [String]) -> Summary<'a>
 /// # Errors
 /// None that a result can cause.
 pub fn surfaces(results: &SurfacesResults, files: &[String]) -> serde_json::Result<Vec<u8>> {
-    let mut summary = Summary::new(&results.head, None, files);
+    let mut summary = Summary::new(&results.metadata, None, files);
     summary.looked_at = Some(&results.file);
     summary.warnings = results.warnings();
     for surface in &results.surfaces {
@@ -209,11 +209,11 @@ pub fn surfaces(results: &SurfacesResults, files: &[String]) -> serde_json::Resu
 /// The file that the report in `folder` looked at; `None` if there is no such report.
 pub fn looked_at(folder: &Path) -> Option<PathBuf> {
     #[derive(Deserialize)]
-    struct Look {
+    struct AnalysisDepth {
         looked_at: PathBuf,
     }
     let summary = std::fs::read(folder.join("summary.json")).ok()?;
-    serde_json::from_slice::<Look>(&summary).ok().map(|look| look.looked_at)
+    serde_json::from_slice::<AnalysisDepth>(&summary).ok().map(|look| look.looked_at)
 }
 
 /// `summary.json` of a limit.
@@ -221,7 +221,7 @@ pub fn looked_at(folder: &Path) -> Option<PathBuf> {
 /// # Errors
 /// None that a result can cause.
 pub fn limit(results: &LimitResults, slopes: &[Slope], files: &[String]) -> serde_json::Result<Vec<u8>> {
-    let mut summary = Summary::new(&results.head, Some(&results.contact), files);
+    let mut summary = Summary::new(&results.metadata, Some(&results.contact), files);
     summary.slopes = slopes
         .iter()
         .map(|slope| SlopeSummary {
@@ -252,8 +252,8 @@ struct Times {
 ///
 /// # Errors
 /// None that a result can cause.
-pub fn timing(head: &Head, report: std::time::Duration) -> serde_json::Result<Vec<u8>> {
-    let timing = &head.timing;
+pub fn timing(metadata: &Metadata, report: std::time::Duration) -> serde_json::Result<Vec<u8>> {
+    let timing = &metadata.timing;
     serde_json::to_vec_pretty(&Times {
         read_s: timing.read.as_secs_f64(),
         generate_s: timing.generate.as_secs_f64(),

@@ -79,8 +79,8 @@ struct SurfaceSummary {
 /// # Errors
 /// None that a result can cause.
 pub fn precision(results: &PrecisionResults, files: &[String]) -> serde_json::Result<Vec<u8>> {
-    let mut summary = Summary::new(&results.head, Some(&results.contact), files);
-    summary.warnings = results.contact.doubts.clone();
+    let mut summary = Summary::new(&results.metadata, Some(&results.contact), files);
+    summary.warnings = results.contact.caveats.clone();
     let tenfold = results.cases.iter().filter_map(|case| {
         let found = case.sampling.as_ref()?.tenfold();
         Some(TenfoldSummary {

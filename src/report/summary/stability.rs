@@ -4,19 +4,19 @@ use serde::Serialize;
 
 use crate::experiment::StabilityResults;
 
-/// Family by family.
+/// Group by group.
 #[derive(Serialize)]
 pub(super) struct StabilitySummary {
-    scenes: u64,
-    families: Vec<FamilySummary>,
+    cases: u64,
+    groups: Vec<FamilySummary>,
 }
 
 #[derive(Serialize)]
 struct FamilySummary {
-    family: &'static str,
+    group: &'static str,
     kind: &'static str,
-    scenes: u64,
-    faults: usize,
+    cases: u64,
+    failures: usize,
     within_bounds: bool,
     quantities: Vec<QuantitySummary>,
 }
@@ -28,17 +28,17 @@ struct QuantitySummary {
 }
 
 pub(super) fn summary(results: &StabilityResults) -> StabilitySummary {
-    let families = results.families.iter().map(|findings| FamilySummary {
-        family: findings.family.name(),
-        kind: findings.family.kind().name(),
-        scenes: findings.scenes,
-        faults: findings.faults.len(),
+    let groups = results.groups.iter().map(|findings| FamilySummary {
+        group: findings.group.name(),
+        kind: findings.group.kind().name(),
+        cases: findings.cases,
+        failures: findings.failures.len(),
         within_bounds: findings.holds(),
         quantities: findings
             .quantities
             .iter()
-            .map(|worst| QuantitySummary { quantity: worst.quantity.name(), worst_error: worst.judged })
+            .map(|worst| QuantitySummary { quantity: worst.quantity.name(), worst_error: worst.checked })
             .collect(),
     });
-    StabilitySummary { scenes: results.scenes(), families: families.collect() }
+    StabilitySummary { cases: results.cases(), groups: groups.collect() }
 }

@@ -1,6 +1,6 @@
 //! Pictures of a surface.
 
-use crate::experiment::{Surface, Whole};
+use crate::experiment::{MapOverview, Surface};
 use asperity::asperity::{HeightDensity, Population};
 use asperity::topography::HeightMap;
 use asperity::topography::correlation::{Autocorrelation, RadialSpectrum};
@@ -143,7 +143,7 @@ pub fn distribution(counts: &[usize]) -> String {
 }
 
 /// The radial spectrum, asked for and found; `None` where none was looked at.
-pub fn spectrum(whole: &Whole) -> Option<String> {
+pub fn spectrum(whole: &MapOverview) -> Option<String> {
     let found = whole.spectrum.as_ref()?;
     let line = |spectrum: &RadialSpectrum| {
         // What is left of rounding beyond a cut-off is no spectrum.

@@ -84,14 +84,14 @@ pub fn section(page: &mut Page, surface: &Surface, assumed: Option<&asperity::as
     page.figure(&format!("{}-asperities.svg", surface.name), svg, &caption);
 }
 
-/// Found summits and those that theory expects of a Gaussian surface: a head and its rows. `None` where there is no theory.
+/// Found summits and those that theory expects of a Gaussian surface: a header and its rows. `None` where there is no theory.
 fn theory_table(surface: &Surface, map: &MapFacts) -> Option<(Vec<&'static str>, Vec<Vec<String>>)> {
     let expected = [
         (map.expected.as_ref(), ["five-point theory", "found / theory"]),
         (map.nayak.as_ref(), ["Nayak", "found / Nayak"]),
     ];
     let expected: Vec<(&Expected, [&str; 2])> =
-        expected.into_iter().filter_map(|(theory, head)| theory.map(|theory| (theory, head))).collect();
+        expected.into_iter().filter_map(|(theory, header)| theory.map(|theory| (theory, header))).collect();
     if expected.is_empty() {
         return None;
     }
@@ -113,7 +113,8 @@ fn theory_table(surface: &Surface, map: &MapFacts) -> Option<(Vec<&'static str>,
         "mean height above the mean plane / Sq",
         "variance of heights / Sq²",
     ];
-    let head = ["summits", "found"].into_iter().chain(expected.iter().flat_map(|(_, head)| *head)).collect();
+    let header =
+        ["summits", "found"].into_iter().chain(expected.iter().flat_map(|(_, header)| *header)).collect();
     let row = |k: usize| {
         let mut row = vec![names[k].to_owned(), number(found[k])];
         for (theory, _) in &expected {
@@ -121,17 +122,17 @@ fn theory_table(surface: &Surface, map: &MapFacts) -> Option<(Vec<&'static str>,
         }
         row
     };
-    Some((head, (0..names.len()).map(row).collect()))
+    Some((header, (0..names.len()).map(row).collect()))
 }
 
 /// How far the found summits are from what theory expects of a Gaussian surface.
 fn theory(page: &mut Page, surface: &Surface, map: &MapFacts) {
-    let Some((head, rows)) = theory_table(surface, map) else { return };
+    let Some((header, rows)) = theory_table(surface, map) else { return };
     page.paragraph(&format!(
         "The {} summits that were found, and those of a Gaussian surface:",
         map.neighbours.name()
     ));
-    page.table(head, rows);
+    page.table(header, rows);
     let five_point = "Five-point theory: a Gaussian surface with the autocorrelation of this one at neighbouring points, on the same grid. ";
     page.paragraph(&format!(
         "{}Nayak: a continuous isotropic Gaussian surface with its m0, m2 and m4; on a fine grid five points count 1.306 times as \
@@ -147,18 +148,18 @@ pub fn for_terminal(surface: &Surface) -> String {
         count => format!(", the first of {count} realisations"),
     };
     let mut tables = format!("surface {}{which}\n{}", surface.name, table(properties(surface)));
-    let mut add = |head: &[&str], rows: Vec<Vec<String>>| {
+    let mut add = |header: &[&str], rows: Vec<Vec<String>>| {
         if !rows.is_empty() {
             tables.push('\n');
-            tables.push_str(&columns(head, &rows));
+            tables.push_str(&columns(header, &rows));
         }
     };
     if let Some(map) = &surface.map {
         if let Some(made) = &map.generation {
             add(&generation::HEAD, generation::rows(surface, map, made));
         }
-        if let Some((head, rows)) = theory_table(surface, map) {
-            add(&head, rows);
+        if let Some((header, rows)) = theory_table(surface, map) {
+            add(&header, rows);
         }
     }
     tables

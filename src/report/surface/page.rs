@@ -1,14 +1,14 @@
 //! The page of a look at surfaces.
 
 use super::section;
-use crate::experiment::results::{Head, SurfacesResults};
-use crate::report::head;
+use crate::experiment::results::{Metadata, SurfacesResults};
 use crate::report::page::{Page, escape};
+use crate::report::sections;
 
 /// The page.
 pub fn page(results: &SurfacesResults) -> Page {
-    let mut page = Page::new(&results.head.title);
-    head::notes(&mut page, &results.head);
+    let mut page = Page::new(&results.metadata.title);
+    sections::notes(&mut page, &results.metadata);
     for warning in results.warnings() {
         page.warning(&escape(&warning));
     }
@@ -25,7 +25,7 @@ pub fn page(results: &SurfacesResults) -> Page {
         }
     }
     page.heading(2, "How it was made");
-    let Head { stem, seed, spec_sha256, .. } = &results.head;
+    let Metadata { stem, seed, spec_sha256, .. } = &results.metadata;
     let version = env!("CARGO_PKG_VERSION");
     match &results.words {
         Some(words) => {
@@ -38,6 +38,6 @@ pub fn page(results: &SurfacesResults) -> Page {
             ));
         }
     }
-    head::sources(&mut page, &results.head);
+    sections::sources(&mut page, &results.metadata);
     page
 }

@@ -99,12 +99,12 @@ impl Rows {
     }
 }
 
-/// Rows of a table with a head as lines: the first column at its left, the others at their right.
-pub fn columns(head: &[&str], rows: &[Vec<String>]) -> String {
+/// Rows of a table with a header as lines: the first column at its left, the others at their right.
+pub fn columns(header: &[&str], rows: &[Vec<String>]) -> String {
     let length = |cell: &str| cell.chars().count();
     let width = |k: usize| {
         let cells = rows.iter().filter_map(|row| row.get(k)).map(|cell| length(cell));
-        cells.chain([length(head[k])]).max().unwrap_or(0)
+        cells.chain([length(header[k])]).max().unwrap_or(0)
     };
     let line = |cells: &[&str]| {
         let cells = cells.iter().enumerate().map(|(k, cell)| {
@@ -114,7 +114,7 @@ pub fn columns(head: &[&str], rows: &[Vec<String>]) -> String {
         cells.collect::<String>().trim_end().to_owned() + "\n"
     };
     let rows = rows.iter().map(|row| line(&row.iter().map(String::as_str).collect::<Vec<_>>()));
-    line(head) + &rows.collect::<String>()
+    line(header) + &rows.collect::<String>()
 }
 
 /// Rows as lines, their values below each other.

@@ -136,7 +136,7 @@ impl Exact {
         if let Flat::Homogeneous { .. } = self.flat {
             let w = Wide::new(end * of.sigma);
             let felt = self.felt(w, shape);
-            let first = felt.flat_is_lesser(|resistance| resistance.onset);
+            let first = felt.flat_is_lesser(|yield_limits| yield_limits.onset);
             let Some(u) = Self::place(w, shape, &felt, first) else { return Vec::new() };
             return self.boundaries.iter().map(|boundary| *boundary / u * end).collect();
         }

@@ -1,6 +1,6 @@
 //! Areas and loads of every law (docs/theory.md, section 1).
 
-use super::Resistance;
+use super::YieldLimits;
 use crate::stability::bodies::Law;
 use crate::stability::wide::{PI, Wide};
 use asperity::contact::Regime;
@@ -30,12 +30,12 @@ pub(super) fn boundaries(law: Law) -> Vec<Wide> {
 }
 
 /// What a body of Poisson's ratio `nu`, hardness and yield strength (Pa) sets against yielding.
-pub(super) fn resistance(
+pub(super) fn yield_limits(
     law: Law,
     nu: Wide,
     hardness: Option<Wide>,
     strength: Option<Wide>,
-) -> Option<Resistance> {
+) -> Option<YieldLimits> {
     let factor = match law {
         Law::Hertz => return None,
         Law::Zmc { .. } | Law::FullyPlastic => Wide::ONE,
@@ -43,7 +43,7 @@ pub(super) fn resistance(
         Law::JacksonGreen => decimal(1295.0, 1000.0) * (decimal(736.0, 1000.0) * nu).exp(),
     };
     let limit = if law == Law::JacksonGreen { strength } else { hardness };
-    limit.map(|strength| Resistance { onset: factor * strength, strength })
+    limit.map(|strength| YieldLimits { onset: factor * strength, strength })
 }
 
 /// Area, load and regime of a sphere of radius `b` at indentation `w` in the range of the law that begins at its
@@ -54,14 +54,14 @@ pub(super) fn answer(
     w: Wide,
     b: Wide,
     modulus: Wide,
-    resistance: Option<Resistance>,
+    yield_limits: Option<YieldLimits>,
 ) -> (Wide, Wide, Regime) {
     let elastic_area = PI * b * w;
     let elastic = || {
         let load = modulus * (b * w).sqrt() * w * 4.0 / 3.0;
         (elastic_area, load, Regime::Elastic)
     };
-    let Some(Resistance { onset, strength }) = resistance else { return elastic() };
+    let Some(YieldLimits { onset, strength }) = yield_limits else { return elastic() };
     let plastic = || (elastic_area * 2.0, strength * elastic_area * 2.0, Regime::Plastic);
     let strain = onset / modulus;
     let critical = PI * PI / 4.0 * b * strain * strain;

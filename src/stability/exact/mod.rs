@@ -27,7 +27,7 @@ use layer::Layer;
 
 /// What a body sets against yielding: the onset and the strength of the law, Pa.
 #[derive(Debug, Clone, Copy)]
-struct Resistance {
+struct YieldLimits {
     onset: Wide,
     strength: Wide,
 }
@@ -36,8 +36,8 @@ struct Resistance {
 #[derive(Debug, Clone, Copy)]
 struct Felt {
     modulus: Wide,
-    rough: Option<Resistance>,
-    flat: Option<Resistance>,
+    rough: Option<YieldLimits>,
+    flat: Option<YieldLimits>,
 }
 
 /// Which formula holds: the range of the law, and which body yields first and is weaker.
@@ -66,14 +66,14 @@ pub struct Contact {
 pub struct Exact {
     law: Law,
     rough_compliance: Wide,
-    rough: Option<Resistance>,
+    rough: Option<YieldLimits>,
     flat: Flat,
     boundaries: Vec<Wide>,
 }
 
 #[derive(Debug, Clone)]
 enum Flat {
-    Homogeneous { compliance: Wide, resistance: Option<Resistance> },
+    Homogeneous { compliance: Wide, yield_limits: Option<YieldLimits> },
     Layered(Layer),
 }
 
@@ -92,9 +92,9 @@ impl Exact {
     /// Of a pair.
     pub fn new(bodies: &Bodies) -> Self {
         let law = bodies.law;
-        let resistance = |body: &Material| {
+        let yield_limits = |body: &Material| {
             let wide = |value: Option<f64>| value.map(Wide::new);
-            laws::resistance(
+            laws::yield_limits(
                 law,
                 Wide::new(body.poisson()),
                 wide(body.hardness()),
@@ -103,7 +103,7 @@ impl Exact {
         };
         let homogeneous = |body: &Material| Flat::Homogeneous {
             compliance: compliance(body),
-            resistance: resistance(body),
+            yield_limits: yield_limits(body),
         };
         let flat = match &bodies.layer {
             Some(layer) if layer.thickness == f64::INFINITY => homogeneous(&layer.material),
@@ -113,7 +113,7 @@ impl Exact {
         Self {
             law,
             rough_compliance: compliance(&bodies.rough),
-            rough: resistance(&bodies.rough),
+            rough: yield_limits(&bodies.rough),
             flat,
             boundaries: laws::boundaries(law),
         }
@@ -122,10 +122,10 @@ impl Exact {
     /// What an asperity feels at the indentation `w` (m).
     fn felt(&self, w: Wide, shape: &Shape) -> Felt {
         let (compliance, flat) = match &self.flat {
-            Flat::Homogeneous { compliance, resistance } => (*compliance, *resistance),
+            Flat::Homogeneous { compliance, yield_limits } => (*compliance, *yield_limits),
             Flat::Layered(layer) => {
                 let felt = layer.felt(w, (shape.spheres * shape.radius * w).sqrt());
-                (felt.compliance, laws::resistance(self.law, felt.poisson, felt.hardness, None))
+                (felt.compliance, laws::yield_limits(self.law, felt.poisson, felt.hardness, None))
             }
         };
         Felt { modulus: (self.rough_compliance + compliance).recip(), rough: self.rough, flat }
@@ -143,7 +143,7 @@ impl Exact {
 
     fn branch(&self, w: Wide, shape: &Shape) -> Branch {
         let felt = self.felt(w, shape);
-        let flat_yields_first = felt.flat_is_lesser(|resistance| resistance.onset);
+        let flat_yields_first = felt.flat_is_lesser(|yield_limits| yield_limits.onset);
         let range = Self::place(w, shape, &felt, flat_yields_first)
             .map_or(0, |u| self.boundaries.iter().filter(|&&boundary| u >= boundary).count());
         Branch { range, flat_yields_first, flat_is_weaker: felt.flat_is_lesser(|r| r.strength) }
@@ -153,12 +153,12 @@ impl Exact {
     fn branches(&self, w: Wide, shape: &Shape) -> Vec<Branch> {
         let near = |place: Wide, boundary: Wide| (place - boundary).abs() <= boundary * self.beside();
         let felt = self.felt(w, shape);
-        let sides = |of: fn(&Resistance) -> Wide| match (&felt.rough, &felt.flat) {
+        let sides = |of: fn(&YieldLimits) -> Wide| match (&felt.rough, &felt.flat) {
             (Some(rough), Some(flat)) if near(of(flat), of(rough)) => vec![false, true],
             _ => vec![felt.flat_is_lesser(of)],
         };
         let mut found = Vec::new();
-        for flat_yields_first in sides(|resistance| resistance.onset) {
+        for flat_yields_first in sides(|yield_limits| yield_limits.onset) {
             let place = Self::place(w, shape, &felt, flat_yields_first);
             let ranges: Vec<usize> = place.map_or(vec![0], |u| {
                 let range = self.boundaries.iter().filter(|&&boundary| u >= boundary).count();
@@ -169,7 +169,7 @@ impl Exact {
                     .filter_map(|(is_it, range)| is_it.then_some(range))
                     .collect()
             });
-            for flat_is_weaker in sides(|resistance| resistance.strength) {
+            for flat_is_weaker in sides(|yield_limits| yield_limits.strength) {
                 found.extend(ranges.iter().map(|&range| Branch { range, flat_yields_first, flat_is_weaker }));
             }
         }
@@ -179,12 +179,12 @@ impl Exact {
     /// Area, load and regime by one formula.
     fn answer(&self, w: Wide, shape: &Shape, branch: Branch) -> (Wide, Wide, Regime) {
         let felt = self.felt(w, shape);
-        let resistance = felt
+        let yield_limits = felt
             .body(branch.flat_yields_first)
             .zip(felt.body(branch.flat_is_weaker))
-            .map(|(first, weaker)| Resistance { onset: first.onset, strength: weaker.strength });
+            .map(|(first, weaker)| YieldLimits { onset: first.onset, strength: weaker.strength });
         let (area, load, regime) =
-            laws::answer(self.law, branch.range, w, shape.radius, felt.modulus, resistance);
+            laws::answer(self.law, branch.range, w, shape.radius, felt.modulus, yield_limits);
         (shape.spheres * area, shape.spheres * load, regime)
     }
 
@@ -209,12 +209,12 @@ impl Exact {
 }
 
 impl Felt {
-    fn body(&self, flat: bool) -> Option<Resistance> {
+    fn body(&self, flat: bool) -> Option<YieldLimits> {
         if flat { self.flat } else { self.rough }
     }
 
     /// Whether the flat has the lesser of something.
-    fn flat_is_lesser(&self, of: impl Fn(&Resistance) -> Wide) -> bool {
+    fn flat_is_lesser(&self, of: impl Fn(&YieldLimits) -> Wide) -> bool {
         match (&self.rough, &self.flat) {
             (Some(rough), Some(flat)) => of(flat) < of(rough),
             (None, _) => true,

@@ -3,7 +3,7 @@
 
 use crate::asperity::{AsperitySet, Draw, Population, SetError};
 use crate::interface::MicroContact;
-use crate::model::{Datum, Deterministic, Model, Response};
+use crate::model::{Deterministic, Model, ReferencePlane, Response};
 
 use super::gap::FEWEST_CONTACTS;
 
@@ -156,7 +156,7 @@ pub fn convergence(
     seed: impl Fn(usize, usize) -> [u8; 32],
     done: impl Fn(usize),
 ) -> Result<Vec<LimitPoint>, SetError> {
-    let datum = Datum { mean: 0.0, sigma: population.sigma };
+    let plane = ReferencePlane { mean: 0.0, sigma: population.sigma };
     let mut points = Vec::new();
     for &count in counts {
         let random = (0..draws).map(|k| Draw::Random(seed(count, k)));
@@ -164,7 +164,7 @@ pub fn convergence(
         let mut answers = Vec::with_capacity(draws + 1);
         for draw in random.chain([Draw::Quantiles]) {
             let set = population.set(count, draw)?;
-            answers.push(cases.iter().flat_map(|case| press(case, &set, datum)).collect::<Vec<_>>());
+            answers.push(cases.iter().flat_map(|case| respond_to_set(case, &set, plane)).collect::<Vec<_>>());
             done(count);
         }
         let Some(quantiles) = answers.pop() else { continue };
@@ -182,8 +182,8 @@ pub fn convergence(
     Ok(points)
 }
 
-fn press(case: &LimitCase, set: &AsperitySet, datum: Datum) -> Vec<Response> {
+fn respond_to_set(case: &LimitCase, set: &AsperitySet, plane: ReferencePlane) -> Vec<Response> {
     let separations: Vec<f64> =
         case.exact.iter().map(|exact| exact.statistical.separation_over_sigma).collect();
-    Deterministic::new(case.contact, set.spheres(), datum).respond_all(&separations)
+    Deterministic::new(case.contact, set.spheres(), plane).respond_all(&separations)
 }

@@ -299,7 +299,7 @@ fn pair_at_loads(models: Models, deterministic: &[CurvePoint], result: &mut Comp
     };
     let integrals = press(statistical, &mut result.statistical_time);
     // A load that never falls is carried at no larger separation than that of its own point.
-    let sums: Vec<Option<Response>> = if sum.may_fall() {
+    let sums: Vec<Option<Response>> = if sum.may_decrease() {
         let reached = press(sum, &mut result.deterministic_time);
         reached.into_iter().map(|reached| reached.map(|reached| reached.response)).collect()
     } else {

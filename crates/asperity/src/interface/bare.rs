@@ -1,7 +1,8 @@
 //! Two homogeneous bodies.
 
-use super::side_by_side::{Answers, press, weigh};
+use super::batch::{Answers, accumulate, accumulate_weighted};
 use super::{JUMP, LoadBounds, MicroContact, Reference, Shapes};
+use crate::accumulator::Accumulator;
 use crate::asperity::Asperities;
 use crate::contact::{Contact, Contacts};
 use crate::law::{Inapplicable, Law, Pair, Shape};
@@ -9,7 +10,6 @@ use crate::literature::Paper;
 use crate::material::Material;
 use crate::numeric::interval::Interval;
 use crate::numeric::lanes::Real;
-use crate::tally::Tally;
 
 /// A rough and a flat body, both homogeneous, under one law.
 #[derive(Debug, Clone)]
@@ -65,12 +65,18 @@ impl<L: Law> MicroContact for Interface<L> {
         self.law.contacts(w, shape.radius, &self.pair).times(shape.spheres).into()
     }
 
-    fn weigh(&self, indentations: &[f64], weights: &[f64], shape: Shape, tally: &mut Tally) {
-        weigh(self.kept(), indentations, weights, shape, tally);
+    fn accumulate_weighted(
+        &self,
+        indentations: &[f64],
+        weights: &[f64],
+        shape: Shape,
+        accumulator: &mut Accumulator,
+    ) {
+        accumulate_weighted(self.kept(), indentations, weights, shape, accumulator);
     }
 
-    fn press(&self, asperities: Asperities<'_>, separation: f64, tally: &mut Tally) {
-        press(self.kept(), asperities, separation, tally);
+    fn accumulate(&self, asperities: Asperities<'_>, separation: f64, accumulator: &mut Accumulator) {
+        accumulate(self.kept(), asperities, separation, accumulator);
     }
 
     fn regime_changes(&self, shape: Shape) -> Vec<f64> {
@@ -82,7 +88,7 @@ impl<L: Law> MicroContact for Interface<L> {
     }
 
     /// Within a range no law falls, so only at boundaries where the load drops.
-    fn may_fall(&self, shapes: Shapes) -> Vec<Interval> {
+    fn may_decrease(&self, shapes: Shapes) -> Vec<Interval> {
         /// Of a critical indentation, and of the jump that is measured beside it.
         const ROUNDING: f64 = 1e-14;
         let boundaries = self.law.critical_ratios(&self.pair).into_iter().zip(self.law.jumps(&self.pair));
@@ -114,7 +120,7 @@ impl<L: Law> MicroContact for Interface<L> {
         self.law.papers().to_vec()
     }
 
-    fn doubt(&self) -> Option<String> {
-        self.law.doubt(&self.pair)
+    fn caveat(&self) -> Option<String> {
+        self.law.caveat(&self.pair)
     }
 }

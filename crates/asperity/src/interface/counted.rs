@@ -1,12 +1,12 @@
 //! A contact that says how often it was asked.
 
 use super::{LoadBounds, MicroContact, Shapes};
+use crate::accumulator::Accumulator;
 use crate::asperity::Asperities;
 use crate::contact::Contact;
 use crate::law::Shape;
 use crate::literature::Paper;
 use crate::numeric::interval::Interval;
-use crate::tally::Tally;
 use crate::work::{Counter, Item};
 
 /// A contact whose answers are counted, those to a block of asperities or nodes at once.
@@ -41,14 +41,20 @@ impl MicroContact for Counted<'_> {
         self.contact.load_over(from, to, shape)
     }
 
-    fn weigh(&self, indentations: &[f64], weights: &[f64], shape: Shape, tally: &mut Tally) {
+    fn accumulate_weighted(
+        &self,
+        indentations: &[f64],
+        weights: &[f64],
+        shape: Shape,
+        accumulator: &mut Accumulator,
+    ) {
         self.count(Item::Nodes, indentations.len());
-        self.contact.weigh(indentations, weights, shape, tally);
+        self.contact.accumulate_weighted(indentations, weights, shape, accumulator);
     }
 
-    fn press(&self, asperities: Asperities<'_>, separation: f64, tally: &mut Tally) {
+    fn accumulate(&self, asperities: Asperities<'_>, separation: f64, accumulator: &mut Accumulator) {
         self.count(Item::Asperities, asperities.count());
-        self.contact.press(asperities, separation, tally);
+        self.contact.accumulate(asperities, separation, accumulator);
     }
 
     fn is_layered(&self) -> bool {
@@ -63,8 +69,8 @@ impl MicroContact for Counted<'_> {
         self.contact.breakpoints(shape)
     }
 
-    fn may_fall(&self, shapes: Shapes) -> Vec<Interval> {
-        self.contact.may_fall(shapes)
+    fn may_decrease(&self, shapes: Shapes) -> Vec<Interval> {
+        self.contact.may_decrease(shapes)
     }
 
     fn reference_modulus(&self) -> f64 {
@@ -79,7 +85,7 @@ impl MicroContact for Counted<'_> {
         self.contact.papers()
     }
 
-    fn doubt(&self) -> Option<String> {
-        self.contact.doubt()
+    fn caveat(&self) -> Option<String> {
+        self.contact.caveat()
     }
 }

@@ -1,17 +1,17 @@
 //! A rough body on a flat with a layer of finite thickness.
 
-use super::side_by_side::{Answers, press, weigh};
+use super::batch::{Answers, accumulate, accumulate_weighted};
 use super::{JUMP, LoadBounds, MicroContact, Reference, Shapes};
+use crate::accumulator::Accumulator;
 use crate::asperity::Asperities;
 use crate::contact::{Contact, Contacts, Regime};
-use crate::law::{Inapplicable, Pair, Resistance, Shape, Similar};
+use crate::law::{Inapplicable, Pair, ScalableLaw, Shape, YieldLimits};
 use crate::layer::{Bounds, Coating};
 use crate::literature::Paper;
 use crate::material::Material;
 use crate::numeric::interval::Interval;
 use crate::numeric::lanes::Real;
 use crate::numeric::root::sign_changes;
-use crate::tally::Tally;
 
 /// A homogeneous rough body on a layered flat under one law: the law sees the pair that each asperity feels at its
 /// own indentation (Pasaribu and Schipper 2005, Eqs. 5, 9 with E_eff, nu_eff, H_eff).
@@ -24,7 +24,7 @@ pub struct Layered<L> {
     /// (1 - nu^2)/E of the rough body, 1/Pa.
     rough_compliance: f64,
     /// Of the rough body.
-    rough: Resistance,
+    rough: YieldLimits,
     reference: Reference,
     /// Where the load of the law jumps.
     jumps: Vec<Jump>,
@@ -43,7 +43,7 @@ struct Jump {
 
 /// Critical ratios stand with (onset/E*)^2: of such a pair they are the factors before it.
 fn unit(strength: f64) -> Pair {
-    Pair { reduced_modulus: 1.0, resistance: Resistance { onset: 1.0, strength } }
+    Pair { reduced_modulus: 1.0, yield_limits: YieldLimits { onset: 1.0, strength } }
 }
 
 /// The pair that an asperity feels, and how it changes with the indentation.
@@ -67,7 +67,7 @@ struct FeltRange {
     strength_slope: Interval,
 }
 
-impl<L: Similar> Layered<L> {
+impl<L: ScalableLaw> Layered<L> {
     /// The contact of a rough body with `substrate` under `coating`.
     ///
     /// # Errors
@@ -88,9 +88,9 @@ impl<L: Similar> Layered<L> {
         let is_jump = |jump: &Jump| jump.factor.low < 1.0 - JUMP || jump.factor.high > 1.0 + JUMP;
         Ok(Self {
             rough_compliance: rough.plane_compliance(),
-            rough: law.by_hardness(rough),
+            rough: law.yield_limits_by_hardness(rough),
             jumps: jumps.filter(|jump| reference.hardness.is_finite() && is_jump(jump)).collect(),
-            strength_over_onset: low.resistance.strength,
+            strength_over_onset: low.yield_limits.strength,
             law,
             coating,
             reference,
@@ -109,23 +109,23 @@ impl<L: Similar> Layered<L> {
         let (poisson, poisson_slope) =
             if L::feels_poisson() { self.coating.poisson(w, b) } else { (nothing, nothing) };
         let reduced_modulus = w.splat(1.0) / (flat.compliance + self.rough_compliance);
-        let of_flat = self.law.of_hardness(flat.hardness, poisson);
+        let of_flat = self.law.limits_at(flat.hardness, poisson);
         let rough = w.splat(self.rough.onset);
-        let yields_first = of_flat.onset.below(rough);
-        let onset = N::choose(yields_first, of_flat.onset, rough);
+        let yields_first = of_flat.onset.lt(rough);
+        let onset = N::select(yields_first, of_flat.onset, rough);
         // Where the onset is the strength itself, nothing is compared twice.
         let (mut strength, mut onset_slope, mut is_weaker) = (onset, flat.hardness_slope, yields_first);
         if L::feels_poisson() {
             let rough = w.splat(self.rough.strength);
-            is_weaker = of_flat.strength.below(rough);
-            strength = N::choose(is_weaker, of_flat.strength, rough);
+            is_weaker = of_flat.strength.lt(rough);
+            strength = N::select(is_weaker, of_flat.strength, rough);
             onset_slope = onset_slope + w.splat(L::ONSET.slope) / L::ONSET.of(poisson) * poisson_slope;
         }
         Felt {
-            pair: Pair { reduced_modulus, resistance: Resistance { onset, strength } },
+            pair: Pair { reduced_modulus, yield_limits: YieldLimits { onset, strength } },
             modulus_slope: -(reduced_modulus * flat.compliance_slope),
-            onset_slope: N::choose(yields_first, onset_slope, nothing),
-            strength_slope: N::choose(is_weaker, flat.hardness_slope, nothing),
+            onset_slope: N::select(yields_first, onset_slope, nothing),
+            strength_slope: N::select(is_weaker, flat.hardness_slope, nothing),
         }
     }
 
@@ -153,7 +153,7 @@ impl<L: Similar> Layered<L> {
         let contacts = self.law.contacts(w, radius, &felt.pair);
         let mut slope = felt.onset_slope;
         if L::feels_poisson() {
-            slope = N::choose(contacts.plastic, felt.strength_slope, slope);
+            slope = N::select(contacts.plastic, felt.strength_slope, slope);
         }
         let stiffness = contacts.stiffness * ((felt.modulus_slope - slope) * 2.0 + 1.0)
             + contacts.load / w * (slope * 3.0 - felt.modulus_slope * 2.0);
@@ -185,7 +185,7 @@ impl<L: Similar> Layered<L> {
         let high = bound(all.onset.high, all.modulus.low) + 1e-9;
         let value = |v: f64| {
             let felt = self.felt(v.exp(), b);
-            v - 2.0 * (felt.pair.resistance.onset / felt.pair.reduced_modulus).ln() - level
+            v - 2.0 * (felt.pair.yield_limits.onset / felt.pair.reduced_modulus).ln() - level
         };
         let over = |from: f64, to: f64| {
             let felt = self.felt_over(Interval { low: from.exp(), high: to.exp() }, radius);
@@ -196,9 +196,9 @@ impl<L: Similar> Layered<L> {
         sign_changes(&value, &over, low, high).into_iter().map(f64::exp).collect()
     }
 
-    fn resistance_of_flat(&self, w: f64, b: f64) -> Resistance {
+    fn resistance_of_flat(&self, w: f64, b: f64) -> YieldLimits {
         let poisson = if L::feels_poisson() { self.coating.poisson(w, b).0 } else { 0.0 };
-        self.law.of_hardness(self.coating.at(w, b).hardness, poisson)
+        self.law.limits_at(self.coating.at(w, b).hardness, poisson)
     }
 
     /// Where the other body begins to yield first.
@@ -228,14 +228,14 @@ impl<L: Similar> Layered<L> {
         let drops: f64 = possible().map(|jump| jump.factor.low.min(1.0)).product();
         let spread: f64 = self.jumps.iter().map(|jump| jump.factor.high / jump.factor.low).product();
         let strength = self.strength_over_onset * felt.onset.low;
-        let resistance = Resistance { onset: felt.onset.low, strength };
-        let most = Pair { reduced_modulus: felt.modulus.high, resistance };
+        let yield_limits = YieldLimits { onset: felt.onset.low, strength };
+        let most = Pair { reduced_modulus: felt.modulus.high, yield_limits };
         let growth = if felt.onset.high > felt.onset.low { felt.onset.high / felt.onset.low } else { 1.0 };
         shape.spheres * self.law.highest_load(from, to, shape.radius, &most) * growth * spread / drops
     }
 }
 
-/// The lesser of `value`, with d ln value/d ln w `slope`, and a constant.
+/// The min of `value`, with d ln value/d ln w `slope`, and a constant.
 fn weaker(value: Interval, slope: Interval, constant: f64) -> (Interval, Interval) {
     if value.high < constant {
         (value, slope)
@@ -246,25 +246,31 @@ fn weaker(value: Interval, slope: Interval, constant: f64) -> (Interval, Interva
     }
 }
 
-impl<L: Similar> Answers for &Layered<L> {
+impl<L: ScalableLaw> Answers for &Layered<L> {
     #[inline(always)]
     fn answers<N: Real>(&self, w: N, radius: N, spheres: N) -> Contacts<N> {
         self.answer(w, radius, &self.felt(w, spheres * radius)).times(spheres)
     }
 }
 
-impl<L: Similar> MicroContact for Layered<L> {
+impl<L: ScalableLaw> MicroContact for Layered<L> {
     #[inline]
     fn contact(&self, w: f64, shape: Shape) -> Contact {
         (&self).answers(w, shape.radius, shape.spheres).into()
     }
 
-    fn weigh(&self, indentations: &[f64], weights: &[f64], shape: Shape, tally: &mut Tally) {
-        weigh(self, indentations, weights, shape, tally);
+    fn accumulate_weighted(
+        &self,
+        indentations: &[f64],
+        weights: &[f64],
+        shape: Shape,
+        accumulator: &mut Accumulator,
+    ) {
+        accumulate_weighted(self, indentations, weights, shape, accumulator);
     }
 
-    fn press(&self, asperities: Asperities<'_>, separation: f64, tally: &mut Tally) {
-        press(self, asperities, separation, tally);
+    fn accumulate(&self, asperities: Asperities<'_>, separation: f64, accumulator: &mut Accumulator) {
+        accumulate(self, asperities, separation, accumulator);
     }
 
     fn is_layered(&self) -> bool {
@@ -298,7 +304,7 @@ impl<L: Similar> MicroContact for Layered<L> {
         points
     }
 
-    fn may_fall(&self, shapes: Shapes) -> Vec<Interval> {
+    fn may_decrease(&self, shapes: Shapes) -> Vec<Interval> {
         /// Pieces of the depth on which the hardness changes.
         const PIECES: i32 = 400;
         let end = self.coating.depth();
@@ -309,7 +315,7 @@ impl<L: Similar> MicroContact for Layered<L> {
             k if k > PIECES => 1e200,
             k => end * 1e-12f64.powf(1.0 - f64::from(k) / f64::from(PIECES)),
         };
-        let may_fall = |w: &Interval| {
+        let may_decrease = |w: &Interval| {
             let felt = self.felt_over(*w, wide);
             let u = Self::place(*w, shapes.radii, &felt);
             // Back over a boundary, a rise of the load is a fall.
@@ -318,7 +324,7 @@ impl<L: Similar> MicroContact for Layered<L> {
             Self::exponents(self.law.load_exponents(u), &felt).low <= 0.0 || self.jumps.iter().any(drops)
         };
         let pieces = (0..=PIECES).map(|k| Interval { low: place(k), high: place(k + 1) });
-        Interval::joined(pieces.filter(may_fall))
+        Interval::joined(pieces.filter(may_decrease))
     }
 
     fn load_over(&self, from: f64, to: f64, shape: Shape) -> LoadBounds {

@@ -1,22 +1,22 @@
 //! Materials, coating and law together: the micro-contact that both models add up.
 
 mod bare;
+mod batch;
 mod counted;
 mod layered;
-mod side_by_side;
 
 pub use bare::Interface;
 pub use counted::Counted;
 pub use layered::Layered;
 
+use crate::accumulator::Accumulator;
 use crate::asperity::Asperities;
 use crate::contact::Contact;
-use crate::law::{Inapplicable, Law, Shape, Similar};
+use crate::law::{Inapplicable, Law, ScalableLaw, Shape};
 use crate::layer::{Coating, CoatingError, Rule};
 use crate::literature::Paper;
 use crate::material::{Material, reduced_modulus, softer_hardness};
 use crate::numeric::interval::Interval;
-use crate::tally::Tally;
 
 /// The pair that load ratios and the plasticity index refer to: without a layer, whatever the law.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -116,7 +116,11 @@ impl Flat {
     ///
     /// # Errors
     /// Bodies that the law says nothing of.
-    pub fn under<L: Similar>(&self, law: L, rough: &Material) -> Result<Box<dyn MicroContact>, Inapplicable> {
+    pub fn under<L: ScalableLaw>(
+        &self,
+        law: L,
+        rough: &Material,
+    ) -> Result<Box<dyn MicroContact>, Inapplicable> {
         match self {
             Self::Coated { substrate, coating } => {
                 Ok(Box::new(Layered::new(law, rough, substrate, coating.clone())?))
@@ -204,7 +208,7 @@ pub trait MicroContact: Send + Sync {
     /// The ranges of indentation (m), ascending and apart, within which the load of an asperity may fall as the
     /// indentation grows, of asperities whose shapes lie within `shapes`. Where there is one, a pressure may be reached
     /// more than once on approach.
-    fn may_fall(&self, shapes: Shapes) -> Vec<Interval>;
+    fn may_decrease(&self, shapes: Shapes) -> Vec<Interval>;
 
     /// Bounds of the load at indentations from `from` to `to`, `from < to` (m), that close with the range.
     fn load_over(&self, from: f64, to: f64, shape: Shape) -> LoadBounds;
@@ -219,8 +223,8 @@ pub trait MicroContact: Send + Sync {
     /// The papers behind the answers.
     fn papers(&self) -> Vec<Paper>;
 
-    /// What makes its answers doubtful though there are some; see [`Law::doubt`].
-    fn doubt(&self) -> Option<String> {
+    /// What makes its answers doubtful though there are some; see [`Law::caveat`].
+    fn caveat(&self) -> Option<String> {
         None
     }
 
@@ -229,17 +233,23 @@ pub trait MicroContact: Send + Sync {
         false
     }
 
-    /// Adds `weights[i]` contacts of one shape at `indentations[i]` to the tally.
-    fn weigh(&self, indentations: &[f64], weights: &[f64], shape: Shape, tally: &mut Tally) {
+    /// Adds `weights[i]` contacts of one shape at `indentations[i]` to the accumulator.
+    fn accumulate_weighted(
+        &self,
+        indentations: &[f64],
+        weights: &[f64],
+        shape: Shape,
+        accumulator: &mut Accumulator,
+    ) {
         for (&w, &weight) in indentations.iter().zip(weights) {
-            tally.weigh(&self.contact(w, shape), weight);
+            accumulator.accumulate_weighted(&self.contact(w, shape), weight);
         }
     }
 
     /// Adds the contacts of asperities that all stand above the flat at `separation` (m, in the
-    /// frame of their heights) to the tally.
-    fn press(&self, asperities: Asperities<'_>, separation: f64, tally: &mut Tally) {
-        asperities.each().for_each(|(z, shape)| tally.add(&self.contact(z - separation, shape)));
+    /// frame of their heights) to the accumulator.
+    fn accumulate(&self, asperities: Asperities<'_>, separation: f64, accumulator: &mut Accumulator) {
+        asperities.each().for_each(|(z, shape)| accumulator.add(&self.contact(z - separation, shape)));
     }
 }
 

@@ -2,7 +2,7 @@
 
 use std::f64::consts::PI;
 
-use super::{Hertz, Law, OfPoisson, Pair, Property, Resistance, Similar, exponents_passed};
+use super::{Hertz, Law, OfPoisson, Pair, Property, ScalableLaw, YieldLimits, exponents_passed};
 use crate::contact::Contacts;
 use crate::literature::{self, Paper};
 use crate::material::Material;
@@ -48,8 +48,8 @@ impl Law for Ceb {
         &[literature::CHANG_ETSION_BOGY_1987]
     }
 
-    fn resistance(&self, body: &Material) -> Result<Resistance, Property> {
-        Ok(self.by_hardness(body))
+    fn yield_limits(&self, body: &Material) -> Result<YieldLimits, Property> {
+        Ok(self.yield_limits_by_hardness(body))
     }
 
     fn needs(&self) -> Option<Property> {
@@ -59,15 +59,15 @@ impl Law for Ceb {
     #[inline(always)]
     fn contacts<N: Real>(&self, w: N, b: N, pair: &Pair<N>) -> Contacts<N> {
         let critical = pair.ratio(CRITICAL) * b;
-        let elastic = w.at_most(critical);
+        let elastic = w.le(critical);
         let springing = Hertz::elastic(w, b, pair.reduced_modulus);
         if elastic.all() {
             return springing;
         }
         let slope = b * PI;
         let area = slope * (w + (w - critical));
-        let pressure = pair.resistance.onset;
-        let nowhere = !w.everywhere();
+        let pressure = pair.yield_limits.onset;
+        let nowhere = !w.all_true();
         let flowing = Contacts {
             area,
             load: pressure * area,
@@ -75,7 +75,7 @@ impl Law for Ceb {
             elastic: nowhere,
             plastic: nowhere,
         };
-        Contacts::choose(elastic, &springing, &flowing)
+        Contacts::select(elastic, &springing, &flowing)
     }
 
     fn critical_ratios(&self, pair: &Pair) -> Vec<f64> {
@@ -84,7 +84,7 @@ impl Law for Ceb {
     }
 }
 
-impl Similar for Ceb {
+impl ScalableLaw for Ceb {
     const ONSET: OfPoisson = HARDNESS_FACTOR;
 
     /// 1.5, then 2 u/(2 u - 1) with u = w/wc: from 2 down to 1.

@@ -129,9 +129,10 @@ mod tests {
 
     use super::*;
     use crate::contact::Regime;
-    use crate::law::{Law, Pair, Resistance, Zmc};
+    use crate::law::{Law, Pair, YieldLimits, Zmc};
 
-    const PAIR: Pair = Pair { reduced_modulus: 1e11, resistance: Resistance { onset: 2e9, strength: 2e9 } };
+    const PAIR: Pair =
+        Pair { reduced_modulus: 1e11, yield_limits: YieldLimits { onset: 2e9, strength: 2e9 } };
 
     /// kmax/kmin, b km and n, from 160 digits (mpmath), rounded once.
     const EXACT: [[f64; 3]; 17] = [
@@ -214,7 +215,7 @@ mod tests {
         let (q, first, second) = (0.1197153679538844f64, 2.493743994668252, 1.1205197240849323);
         let curvature = 2e4;
         let shape = Shape::solved(curvature, 5.0);
-        let strain = PAIR.resistance.onset / PAIR.reduced_modulus;
+        let strain = PAIR.yield_limits.onset / PAIR.reduced_modulus;
         let w1 = (0.6 * strain).powi(2) * first * second / curvature;
         for w in [1e-3 * w1, 0.5 * w1, w1 * (1.0 - 1e-14)] {
             let sphere = Zmc::default().contact(w, shape.radius, &PAIR);

@@ -2,7 +2,7 @@
 
 use std::f64::consts::PI;
 
-use super::{Law, Pair, Property, Resistance, Similar};
+use super::{Law, Pair, Property, ScalableLaw, YieldLimits};
 use crate::contact::Contacts;
 use crate::literature::{self, Paper};
 use crate::material::Material;
@@ -26,7 +26,7 @@ impl FullyPlastic {
     pub(super) fn plastic<N: Real>(w: N, b: N, strength: N) -> Contacts<N> {
         let slope = b * (2.0 * PI);
         let stiffness = strength * slope;
-        let everywhere = w.everywhere();
+        let everywhere = w.all_true();
         Contacts {
             area: slope * w,
             load: stiffness * w,
@@ -51,8 +51,8 @@ impl Law for FullyPlastic {
         &[literature::ABBOTT_FIRESTONE_1933]
     }
 
-    fn resistance(&self, body: &Material) -> Result<Resistance, Property> {
-        Ok(self.by_hardness(body))
+    fn yield_limits(&self, body: &Material) -> Result<YieldLimits, Property> {
+        Ok(self.yield_limits_by_hardness(body))
     }
 
     fn needs(&self) -> Option<Property> {
@@ -61,7 +61,7 @@ impl Law for FullyPlastic {
 
     #[inline(always)]
     fn contacts<N: Real>(&self, w: N, b: N, pair: &Pair<N>) -> Contacts<N> {
-        Self::plastic(w, b, pair.resistance.strength)
+        Self::plastic(w, b, pair.yield_limits.strength)
     }
 
     fn critical_ratios(&self, _: &Pair) -> Vec<f64> {
@@ -69,7 +69,7 @@ impl Law for FullyPlastic {
     }
 }
 
-impl Similar for FullyPlastic {
+impl ScalableLaw for FullyPlastic {
     fn load_exponents(&self, _: Interval) -> Interval {
         Interval::point(1.0)
     }

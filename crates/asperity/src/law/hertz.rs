@@ -2,7 +2,7 @@
 
 use std::f64::consts::PI;
 
-use super::{Law, Pair, Property, Resistance, Similar};
+use super::{Law, Pair, Property, ScalableLaw, YieldLimits};
 use crate::contact::Contacts;
 use crate::literature::{self, Paper};
 use crate::material::Material;
@@ -27,7 +27,7 @@ impl Hertz {
         let square = b * w;
         let radius = square.sqrt();
         let stiffness = reduced_modulus * 2.0 * radius;
-        let everywhere = w.everywhere();
+        let everywhere = w.all_true();
         Contacts {
             area: square * PI,
             load: stiffness * w * (2.0 / 3.0),
@@ -51,8 +51,8 @@ impl Law for Hertz {
         &[literature::GREENWOOD_WILLIAMSON_1966]
     }
 
-    fn resistance(&self, _: &Material) -> Result<Resistance, Property> {
-        Ok(Resistance::ENDLESS)
+    fn yield_limits(&self, _: &Material) -> Result<YieldLimits, Property> {
+        Ok(YieldLimits::NEVER_YIELDS)
     }
 
     #[inline(always)]
@@ -65,7 +65,7 @@ impl Law for Hertz {
     }
 }
 
-impl Similar for Hertz {
+impl ScalableLaw for Hertz {
     fn load_exponents(&self, _: Interval) -> Interval {
         Interval::point(1.5)
     }

@@ -4,7 +4,7 @@ use std::f64::consts::PI;
 use std::sync::Arc;
 
 use super::ceb::CRITICAL;
-use super::{Hertz, Inapplicable, Law, Pair, Property, Resistance};
+use super::{Hertz, Inapplicable, Law, Pair, Property, YieldLimits};
 use crate::contact::Contacts;
 use crate::literature::{self, Paper};
 use crate::material::Material;
@@ -89,7 +89,7 @@ impl Tuned {
 
 /// The law itself at `u` >= 1.9.
 fn answer(u: f64, pair: &Pair) -> Answer {
-    let Resistance { onset, strength } = pair.resistance;
+    let YieldLimits { onset, strength } = pair.yield_limits;
     let exponent = 0.14 * (23.0 * strength / pair.reduced_modulus).exp();
     let growth = (u / ELASTIC).powf(exponent);
     let elastic = (-0.25 * u.powf(5.0 / 12.0)).exp() * u.powf(1.5);
@@ -120,9 +120,9 @@ impl JacksonGreen {
     #[inline(always)]
     fn at<N: Real>(&self, v: N, pair: &Pair<N>) -> Answer<N> {
         // The law is not one that is asked under a layer: the pair is the same in every lane.
-        let Resistance { onset, strength } = pair.resistance;
-        let resistance = Resistance { onset: onset.first(), strength: strength.first() };
-        let pair = Pair { reduced_modulus: pair.reduced_modulus.first(), resistance };
+        let YieldLimits { onset, strength } = pair.yield_limits;
+        let yield_limits = YieldLimits { onset: onset.first(), strength: strength.first() };
+        let pair = Pair { reduced_modulus: pair.reduced_modulus.first(), yield_limits };
         if let Some(tuned) = self.tuned.as_ref().filter(|tuned| tuned.pair == pair)
             && let Some(answer) = tuned.at(v)
         {
@@ -151,13 +151,13 @@ impl Law for JacksonGreen {
         &[literature::JACKSON_GREEN_2005]
     }
 
-    fn resistance(&self, body: &Material) -> Result<Resistance, Property> {
+    fn yield_limits(&self, body: &Material) -> Result<YieldLimits, Property> {
         match (body.yield_strength(), body.hardness()) {
             (Some(strength), _) => {
-                Ok(Resistance { onset: 1.295 * (0.736 * body.poisson()).exp() * strength, strength })
+                Ok(YieldLimits { onset: 1.295 * (0.736 * body.poisson()).exp() * strength, strength })
             }
             (None, Some(_)) => Err(Property::YieldStrength),
-            (None, None) => Ok(Resistance::ENDLESS),
+            (None, None) => Ok(YieldLimits::NEVER_YIELDS),
         }
     }
 
@@ -166,7 +166,7 @@ impl Law for JacksonGreen {
     }
 
     fn check(&self, pair: &Pair) -> Result<(), Inapplicable> {
-        let ratio = pair.resistance.strength / pair.reduced_modulus;
+        let ratio = pair.yield_limits.strength / pair.reduced_modulus;
         if ratio <= STRONGEST {
             Ok(())
         } else {
@@ -174,8 +174,8 @@ impl Law for JacksonGreen {
         }
     }
 
-    fn doubt(&self, pair: &Pair) -> Option<String> {
-        let ratio = pair.resistance.strength / pair.reduced_modulus;
+    fn caveat(&self, pair: &Pair) -> Option<String> {
+        let ratio = pair.yield_limits.strength / pair.reduced_modulus;
         let [from, to] = FITTED;
         (!(from..=to).contains(&ratio))
             .then(|| format!("law {}: Y/E* = {ratio:.4}; it was fitted for {from} to {to}", self.name()))
@@ -190,14 +190,14 @@ impl Law for JacksonGreen {
         let critical = pair.ratio(CRITICAL) * b;
         // 0 where the pair never yields.
         let u = w / critical;
-        let elastic = u.below(w.splat(ELASTIC));
+        let elastic = u.lt(w.splat(ELASTIC));
         if elastic.all() {
             return Hertz::elastic(w, b, pair.reduced_modulus);
         }
-        let v = N::choose(elastic, w.splat(1.0), u / ELASTIC);
+        let v = N::select(elastic, w.splat(1.0), u / ELASTIC);
         let answer = self.at(v, pair);
-        let critical_load = pair.resistance.onset * (2.0 / 3.0 * PI) * b * critical;
-        let nowhere = !w.everywhere();
+        let critical_load = pair.yield_limits.onset * (2.0 / 3.0 * PI) * b * critical;
+        let nowhere = !w.all_true();
         let flowing = Contacts {
             area: b * PI * w * answer.growth,
             load: critical_load * answer.load,
@@ -207,7 +207,7 @@ impl Law for JacksonGreen {
         };
         if elastic.any() {
             let springing = Hertz::elastic(w, b, pair.reduced_modulus);
-            return Contacts::choose(elastic, &springing, &flowing);
+            return Contacts::select(elastic, &springing, &flowing);
         }
         flowing
     }
@@ -226,7 +226,7 @@ mod tests {
     fn least_exponent(ratio: f64, poisson: f64) -> f64 {
         let (modulus, strength) = (1e11, ratio * 1e11);
         let onset = 1.295 * f64::exp(0.736 * poisson) * strength;
-        let pair = Pair { reduced_modulus: modulus, resistance: Resistance { onset, strength } };
+        let pair = Pair { reduced_modulus: modulus, yield_limits: YieldLimits { onset, strength } };
         let exponent = |k: i32| {
             let found = answer(ELASTIC * 1.003f64.powi(k), &pair);
             found.load_slope / found.load

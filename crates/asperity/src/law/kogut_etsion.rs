@@ -3,7 +3,7 @@
 use std::f64::consts::PI;
 
 use super::ceb::{CRITICAL, HARDNESS_FACTOR};
-use super::{Hertz, Law, OfPoisson, Pair, Property, Resistance, Similar, exponents_passed, in_range};
+use super::{Hertz, Law, OfPoisson, Pair, Property, ScalableLaw, YieldLimits, exponents_passed, in_range};
 use crate::contact::Contacts;
 use crate::literature::{self, Paper};
 use crate::material::Material;
@@ -21,7 +21,7 @@ use crate::numeric::lanes::{Mask, Real};
 /// u >= 110:       A = 2 pi b w,             P = H A        (Abbott and Firestone)
 /// ```
 ///
-/// The loads and limits are as published; the coefficients of the areas are those commonly quoted, not seen in the
+/// The loads and limits are as published; the coefficients of the areas are those commonly reported, not seen in the
 /// original, and agree with the published mean pressures. K H is that of the body that yields first (the smaller K H),
 /// H that of the softer one.
 ///
@@ -52,7 +52,7 @@ const PLASTIC: f64 = 110.0;
 /// One of two numbers.
 #[inline(always)]
 fn either<N: Real>(is_far: N::Mask, [near, far]: [f64; 2], zero: N) -> N {
-    N::choose(is_far, zero.splat(far), zero.splat(near))
+    N::select(is_far, zero.splat(far), zero.splat(near))
 }
 
 /// A coefficient times a power, of either range.
@@ -65,11 +65,11 @@ fn power<N: Real>(is_far: N::Mask, [near, far]: [[f64; 2]; 2], ln_u: N) -> N {
 #[inline(always)]
 fn elastic_plastic<N: Real>(w: N, b: N, u: N, critical: N, onset: N) -> Contacts<N> {
     let [near, far] = &RANGES;
-    let is_far = w.splat(far.from).at_most(u);
+    let is_far = w.splat(far.from).le(u);
     let ln_u = u.ln();
     let critical_area = b * PI * critical;
     let load = onset * (2.0 / 3.0) * critical_area * power(is_far, [near.load, far.load], ln_u);
-    let nowhere = !w.everywhere();
+    let nowhere = !w.all_true();
     Contacts {
         area: critical_area * power(is_far, [near.area, far.area], ln_u),
         load,
@@ -98,8 +98,8 @@ impl Law for KogutEtsion {
         ]
     }
 
-    fn resistance(&self, body: &Material) -> Result<Resistance, Property> {
-        Ok(self.by_hardness(body))
+    fn yield_limits(&self, body: &Material) -> Result<YieldLimits, Property> {
+        Ok(self.yield_limits_by_hardness(body))
     }
 
     fn needs(&self) -> Option<Property> {
@@ -109,13 +109,13 @@ impl Law for KogutEtsion {
     #[inline(always)]
     fn contacts<N: Real>(&self, w: N, b: N, pair: &Pair<N>) -> Contacts<N> {
         let critical = pair.ratio(CRITICAL) * b;
-        let elastic = w.below(critical);
+        let elastic = w.lt(critical);
         if elastic.all() {
             return Hertz::elastic(w, b, pair.reduced_modulus);
         }
         let u = w / critical;
-        let plastic = w.splat(PLASTIC).at_most(u);
-        let flowing = elastic_plastic(w, b, u, critical, pair.resistance.onset);
+        let plastic = w.splat(PLASTIC).le(u);
+        let flowing = elastic_plastic(w, b, u, critical, pair.yield_limits.onset);
         in_range(w, b, pair, [elastic, plastic], flowing)
     }
 
@@ -126,7 +126,7 @@ impl Law for KogutEtsion {
     }
 }
 
-impl Similar for KogutEtsion {
+impl ScalableLaw for KogutEtsion {
     const ONSET: OfPoisson = HARDNESS_FACTOR;
 
     fn load_exponents(&self, u: Interval) -> Interval {

@@ -38,16 +38,16 @@ use crate::numeric::lanes::{Mask, Real};
 /// What a body sets against yielding, as a law sees it. Of a pair, the onset is that of the body that yields first, the
 /// strength that of the weaker one.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Resistance<N = f64> {
+pub struct YieldLimits<N = f64> {
     /// The pressure that sets where yield begins, Pa: H, K(nu) H or C(nu) Y, as the law has it.
     pub onset: N,
     /// What limits the mean pressure of a plastic contact, Pa: H, or Y.
     pub strength: N,
 }
 
-impl Resistance {
+impl YieldLimits {
     /// Of a body that never yields.
-    pub const ENDLESS: Self = Self { onset: f64::INFINITY, strength: f64::INFINITY };
+    pub const NEVER_YIELDS: Self = Self { onset: f64::INFINITY, strength: f64::INFINITY };
 
     /// Of two bodies in contact.
     #[inline(always)]
@@ -62,7 +62,7 @@ pub struct Pair<N = f64> {
     /// Reduced modulus E*, Pa (Pasaribu and Schipper 2005, Eq. 3).
     pub reduced_modulus: N,
     /// What they set against yielding; infinite where neither body yields.
-    pub resistance: Resistance<N>,
+    pub yield_limits: YieldLimits<N>,
 }
 
 impl Pair {
@@ -71,22 +71,22 @@ impl Pair {
     /// # Errors
     /// See [`Inapplicable`].
     pub fn between(law: &impl Law, rough: &Material, flat: &Material) -> Result<Self, Inapplicable> {
-        let of = |material, body| law.resistance(material).map_err(|key| law.lacks(key, Some(body)));
+        let of = |material, body| law.yield_limits(material).map_err(|key| law.lacks(key, Some(body)));
         let (rough_resistance, flat_resistance) = (of(rough, Body::Rough)?, of(flat, Body::Flat)?);
-        let resistance = rough_resistance.with(flat_resistance);
-        if let Some(key) = law.needs().filter(|_| resistance == Resistance::ENDLESS) {
+        let yield_limits = rough_resistance.with(flat_resistance);
+        if let Some(key) = law.needs().filter(|_| yield_limits == YieldLimits::NEVER_YIELDS) {
             return Err(law.lacks(key, None));
         }
-        let pair = Self { reduced_modulus: reduced_modulus(rough, flat), resistance };
+        let pair = Self { reduced_modulus: reduced_modulus(rough, flat), yield_limits };
         law.check(&pair).map(|()| pair)
     }
 
     /// The same pair for every lane of a number such as `zero`.
     #[inline(always)]
     pub fn splat<N: Real>(&self, zero: N) -> Pair<N> {
-        let Resistance { onset, strength } = self.resistance;
-        let resistance = Resistance { onset: zero.splat(onset), strength: zero.splat(strength) };
-        Pair { reduced_modulus: zero.splat(self.reduced_modulus), resistance }
+        let YieldLimits { onset, strength } = self.yield_limits;
+        let yield_limits = YieldLimits { onset: zero.splat(onset), strength: zero.splat(strength) };
+        Pair { reduced_modulus: zero.splat(self.reduced_modulus), yield_limits }
     }
 }
 
@@ -94,7 +94,7 @@ impl<N: Real> Pair<N> {
     /// (w/b) (E*/onset)^2 = `u` at the indentation w = ratio b.
     #[inline(always)]
     pub fn ratio(&self, u: f64) -> N {
-        let strain = self.resistance.onset / self.reduced_modulus;
+        let strain = self.yield_limits.onset / self.reduced_modulus;
         strain * u * strain
     }
 }
@@ -173,7 +173,7 @@ pub enum Inapplicable {
 /// # Contract
 /// For `w > 0`, `b > 0` every answer is finite and non-negative, and within a range between critical indentations
 /// neither area nor load decreases with `w`. A jump at a boundary is stated in the law's own documentation. Lengths
-/// scale: with w and b both doubled, area and load are four times as large; with E* and the resistance doubled, the load
+/// scale: with w and b both doubled, area and load are four times as large; with E* and the yield_limits doubled, the load
 /// is.
 ///
 /// `tests/conformance.rs` holds every law to it.
@@ -185,18 +185,18 @@ pub trait Law: Clone + Send + Sync + 'static {
     fn about(&self) -> &'static str;
 
     /// What makes answers for a pair doubtful though the law gives them: beyond what it was fitted for.
-    fn doubt(&self, _: &Pair) -> Option<String> {
+    fn caveat(&self, _: &Pair) -> Option<String> {
         None
     }
 
     /// The papers that the law's equations are from.
     fn papers(&self) -> &'static [Paper];
 
-    /// What one body sets against yielding; [`Resistance::ENDLESS`] if it never yields.
+    /// What one body sets against yielding; [`YieldLimits::NEVER_YIELDS`] if it never yields.
     ///
     /// # Errors
     /// The property that is needed to tell.
-    fn resistance(&self, body: &Material) -> Result<Resistance, Property>;
+    fn yield_limits(&self, body: &Material) -> Result<YieldLimits, Property>;
 
     /// The property that one of the two bodies must have at least; `None` where the law also says what bodies do that
     /// never yield.
@@ -285,9 +285,9 @@ impl OfPoisson {
 /// # Contract
 /// A = b w f(u) and P = E* b^.5 w^1.5 g(u), where u = (w/b) (E*/onset)^2 is where w stands among the critical
 /// indentations. An elastic contact depends on E* alone, an elastic-plastic one on E* and the onset, a plastic one on
-/// the strength alone. So at a fixed w the load grows as E* does, but for drops at boundaries, and P over the resistance
+/// the strength alone. So at a fixed w the load grows as E* does, but for drops at boundaries, and P over the yield_limits
 /// falls as that grows. The strength is the hardness, the onset a factor of it.
-pub trait Similar: Law {
+pub trait ScalableLaw: Law {
     /// The onset over the hardness.
     const ONSET: OfPoisson = OfPoisson::ONE;
 
@@ -302,13 +302,13 @@ pub trait Similar: Law {
 
     /// What a hardness (Pa) at a Poisson's ratio is to the law.
     #[inline(always)]
-    fn of_hardness<N: Real>(&self, hardness: N, poisson: N) -> Resistance<N> {
-        Resistance { onset: Self::ONSET.of(poisson) * hardness, strength: hardness }
+    fn limits_at<N: Real>(&self, hardness: N, poisson: N) -> YieldLimits<N> {
+        YieldLimits { onset: Self::ONSET.of(poisson) * hardness, strength: hardness }
     }
 
-    /// [`Law::resistance`] of such a law.
-    fn by_hardness(&self, body: &Material) -> Resistance {
-        body.hardness().map_or(Resistance::ENDLESS, |hardness| self.of_hardness(hardness, body.poisson()))
+    /// [`Law::yield_limits`] of such a law.
+    fn yield_limits_by_hardness(&self, body: &Material) -> YieldLimits {
+        body.hardness().map_or(YieldLimits::NEVER_YIELDS, |hardness| self.limits_at(hardness, body.poisson()))
     }
 }
 
@@ -324,10 +324,10 @@ fn in_range<N: Real>(
     let mut contacts = flowing;
     if plastic.any() {
         contacts =
-            Contacts::choose(plastic, &FullyPlastic::plastic(w, b, pair.resistance.strength), &contacts);
+            Contacts::select(plastic, &FullyPlastic::plastic(w, b, pair.yield_limits.strength), &contacts);
     }
     if elastic.any() {
-        contacts = Contacts::choose(elastic, &Hertz::elastic(w, b, pair.reduced_modulus), &contacts);
+        contacts = Contacts::select(elastic, &Hertz::elastic(w, b, pair.reduced_modulus), &contacts);
     }
     contacts
 }

@@ -2,7 +2,7 @@
 
 use std::f64::consts::PI;
 
-use super::{Hertz, Law, Pair, Property, Resistance, Similar, in_range};
+use super::{Hertz, Law, Pair, Property, ScalableLaw, YieldLimits, in_range};
 use crate::contact::Contacts;
 use crate::literature::{self, Paper};
 use crate::material::Material;
@@ -69,20 +69,20 @@ impl Zmc {
         let span = self.transition_ratio - 1.0;
         let one = w.splat(1.0);
         let x = (u - 1.0) * span.recip();
-        let growth = (x * x).times_plus(x.times_plus(w.splat(-2.0), w.splat(3.0)), one);
+        let growth = (x * x).mul_add(x.mul_add(w.splat(-2.0), w.splat(3.0)), one);
         let slope = b * PI;
         // A/w, and dA/dw.
         let width = slope * growth;
-        let area_slope = slope.times_plus(u * (6.0 / span) * (x - x * x), width);
+        let area_slope = slope.mul_add(u * (6.0 / span) * (x - x * x), width);
         let steepness = 0.6 * self.inverse_log_ratio;
-        let pressure = u.ln().times_plus(hardness * steepness, hardness * 0.4);
+        let pressure = u.ln().mul_add(hardness * steepness, hardness * 0.4);
         let area = width * w;
-        let nowhere = !w.everywhere();
+        let nowhere = !w.all_true();
         Contacts {
             area,
             load: pressure * area,
             // The pressure grows as steepness H/w.
-            stiffness: pressure.times_plus(area_slope, hardness * steepness * width),
+            stiffness: pressure.mul_add(area_slope, hardness * steepness * width),
             elastic: nowhere,
             plastic: nowhere,
         }
@@ -127,21 +127,21 @@ impl Law for Zmc {
         &[literature::ZHAO_MAIETTA_CHANG_2000, literature::PASARIBU_SCHIPPER_2005]
     }
 
-    fn resistance(&self, body: &Material) -> Result<Resistance, Property> {
-        Ok(self.by_hardness(body))
+    fn yield_limits(&self, body: &Material) -> Result<YieldLimits, Property> {
+        Ok(self.yield_limits_by_hardness(body))
     }
 
     #[inline(always)]
     fn contacts<N: Real>(&self, w: N, b: N, pair: &Pair<N>) -> Contacts<N> {
         // Infinite where neither body yields.
         let w1 = pair.ratio(self.onset) * b;
-        let elastic = w.at_most(w1);
+        let elastic = w.le(w1);
         if elastic.all() {
             return Hertz::elastic(w, b, pair.reduced_modulus);
         }
         let u = w / w1;
-        let plastic = w.splat(self.transition_ratio).at_most(u);
-        let flowing = self.elastic_plastic(w, b, u, pair.resistance.onset);
+        let plastic = w.splat(self.transition_ratio).le(u);
+        let flowing = self.elastic_plastic(w, b, u, pair.yield_limits.onset);
         in_range(w, b, pair, [elastic, plastic], flowing)
     }
 
@@ -151,7 +151,7 @@ impl Law for Zmc {
     }
 }
 
-impl Similar for Zmc {
+impl ScalableLaw for Zmc {
     /// 1.5 where nothing is plastic, 1 where all is. Between, mean pressure and area add to 1: bounded on pieces of
     /// x, on each by the terms' own least and greatest values.
     fn load_exponents(&self, u: Interval) -> Interval {

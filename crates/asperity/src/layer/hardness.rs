@@ -55,7 +55,7 @@ impl EffectiveHardness {
         // Positive terms only, whichever body is the harder.
         let hardness = if self.is_softer { lost * step + self.layer } else { left * step + self.substrate };
         let rate = -step * self.power();
-        (hardness, x.lesser(x.splat(GONE)) * rate * left / hardness)
+        (hardness, x.min(x.splat(GONE)) * rate * left / hardness)
     }
 
     /// All hardnesses over the range `depth` of w/t, and all d ln H/d ln w.

@@ -6,16 +6,16 @@ use std::sync::OnceLock;
 use rayon::prelude::*;
 
 use super::block::{Block, Levels, LevelsOfBlock, ManyLevels};
-use super::few::Few;
 use super::load_control::LOWEST_SEPARATION;
-use super::{Counted, Datum, Model, Response, SamplingError};
+use super::sparse::SparseSubset;
+use super::{Counted, Model, ReferencePlane, Response, SamplingError};
+use crate::accumulator::{Accumulator, Total};
 use crate::asperity::{Asperities, Ordered};
 use crate::interface::{LoadBounds, MicroContact, Shapes};
 use crate::numeric::Sum;
 use crate::numeric::interval::Interval;
 use crate::numeric::root::last_reaching_bounded;
 use crate::numeric::sum::in_chunks;
-use crate::tally::{Tally, Total};
 
 /// The micro-contact summed over the asperities that stand above the flat.
 ///
@@ -25,14 +25,14 @@ use crate::tally::{Tally, Total};
 pub struct Deterministic<'a, C: ?Sized> {
     contact: &'a C,
     asperities: Asperities<'a>,
-    datum: Datum,
+    plane: ReferencePlane,
     /// Found when a load is first asked for.
-    falls: OnceLock<Option<Falls>>,
+    falls: OnceLock<Option<DecreasingLoads>>,
 }
 
 /// Where the loads of asperities may fall.
 #[derive(Debug, Clone)]
-struct Falls {
+struct DecreasingLoads {
     ordered: Ordered,
     /// Of each class of radii, ranges of indentation, m.
     within: Vec<Vec<Interval>>,
@@ -42,13 +42,13 @@ struct Falls {
     from: f64,
 }
 
-impl Falls {
+impl DecreasingLoads {
     /// `None` where no load ever falls.
     fn of<C: MicroContact + ?Sized>(contact: &C, asperities: Asperities) -> Option<Self> {
         /// Classes of radii at the most, so that one sharp asperity does not speak for all.
         const CLASSES: u8 = 32;
         let (radii, spheres) = (asperities.radius_range(), asperities.sphere_range());
-        if contact.may_fall(Shapes { radii, spheres }).is_empty() {
+        if contact.may_decrease(Shapes { radii, spheres }).is_empty() {
             return None;
         }
         let octaves = (radii.high / radii.low).log2();
@@ -60,7 +60,7 @@ impl Falls {
             radii: Interval { low: end(k) * (1.0 - 1e-9), high: end(k + 1) * (1.0 + 1e-9) },
             spheres,
         };
-        let within: Vec<Vec<Interval>> = (0..classes).map(|k| contact.may_fall(shapes(k))).collect();
+        let within: Vec<Vec<Interval>> = (0..classes).map(|k| contact.may_decrease(shapes(k))).collect();
         let ordered = Ordered::new(asperities);
         let all = ordered.above(f64::NEG_INFINITY);
         let place = |&b: &f64| (((b / radii.low).log2() / step) as u8).min(classes - 1);
@@ -73,7 +73,7 @@ impl Falls {
     }
 
     /// Whether the load of asperity `index` rises all over `indentations`.
-    fn spare(&self, index: usize, indentations: Interval) -> bool {
+    fn is_monotonic(&self, index: usize, indentations: Interval) -> bool {
         let within = &self.within[usize::from(self.class[index])];
         !within.iter().any(|range| range.meets(indentations))
     }
@@ -100,14 +100,14 @@ fn on_levels<T: Clone + Default, const PLACES: usize, const CELLS: usize>(
 
 /// What a task works in.
 #[derive(Default)]
-struct Room {
+struct Workspace {
     block: Block,
-    tallies: Vec<Tally>,
+    accumulators: Vec<Accumulator>,
 }
 
 thread_local! {
     /// Kept from one sum to the next: to be given fresh memory takes a tenth of the time of a million asperities.
-    static ROOM: Cell<Option<Box<Room>>> = const { Cell::new(None) };
+    static ROOM: Cell<Option<Box<Workspace>>> = const { Cell::new(None) };
 }
 
 /// Blocks that one task adds up, at the most.
@@ -117,9 +117,9 @@ const BLOCKS_PER_TASK: usize = 16;
 const TASKS: usize = 32;
 
 impl<'a, C: MicroContact + ?Sized> Deterministic<'a, C> {
-    /// The model of asperities, with separations measured as `datum` says.
-    pub fn new(contact: &'a C, asperities: Asperities<'a>, datum: Datum) -> Self {
-        Self { contact, asperities, datum, falls: OnceLock::new() }
+    /// The model of asperities, with separations measured as `plane` says.
+    pub fn new(contact: &'a C, asperities: Asperities<'a>, plane: ReferencePlane) -> Self {
+        Self { contact, asperities, plane, falls: OnceLock::new() }
     }
 
     /// What the asperities above `separation` (m, in the frame of the set's heights) add up to.
@@ -131,9 +131,9 @@ impl<'a, C: MicroContact + ?Sized> Deterministic<'a, C> {
     pub fn totals(&self, separations: &[f64]) -> Vec<Total> {
         on_levels(separations, |levels| {
             let lowest = levels.separations()[levels.separations().len() - 1];
-            match Few::above(lowest, &self.asperities) {
+            match SparseSubset::above(lowest, &self.asperities) {
                 // Blocks that hold next to nothing are not gone through separation by separation.
-                Some(few) => Deterministic::new(self.contact, few.asperities(), self.datum).descend(levels),
+                Some(few) => Deterministic::new(self.contact, few.asperities(), self.plane).descend(levels),
                 None => self.descend(levels),
             }
         })
@@ -146,9 +146,9 @@ impl<'a, C: MicroContact + ?Sized> Deterministic<'a, C> {
         let per_task = Block::MOST * blocks.div_ceil(TASKS).clamp(1, BLOCKS_PER_TASK);
         let part = |task: usize| -> Vec<Total> {
             let mut room = ROOM.take().unwrap_or_default();
-            let Room { block, tallies } = &mut *room;
-            tallies.clear();
-            tallies.resize(levels.separations().len(), Tally::default());
+            let Workspace { block, accumulators } = &mut *room;
+            accumulators.clear();
+            accumulators.resize(levels.separations().len(), Accumulator::default());
             let end = count.min((task + 1) * per_task);
             for start in (task * per_task..end).step_by(Block::MOST) {
                 let next = end.min(start + Block::MOST);
@@ -157,16 +157,16 @@ impl<'a, C: MicroContact + ?Sized> Deterministic<'a, C> {
                 let ahead = self.asperities.part(next..end.min(next + Block::MOST));
                 let piece = ahead.count().div_ceil(levels.separations().len());
                 block.fill(asperities, levels);
-                let each = levels.separations().iter().zip(&mut *tallies);
-                for (level, (&separation, tally)) in each.enumerate() {
+                let each = levels.separations().iter().zip(&mut *accumulators);
+                for (level, (&separation, accumulator)) in each.enumerate() {
                     ahead.ask_for(level * piece..(level + 1) * piece);
                     let touching = block.above(level, &asperities);
                     if touching.count() > 0 {
-                        self.contact.press(touching, separation, tally);
+                        self.contact.accumulate(touching, separation, accumulator);
                     }
                 }
             }
-            let totals = tallies.iter().map(Tally::total).collect();
+            let totals = accumulators.iter().map(Accumulator::total).collect();
             ROOM.set(Some(room));
             totals
         };
@@ -178,13 +178,13 @@ impl<'a, C: MicroContact + ?Sized> Deterministic<'a, C> {
         totals
     }
 
-    fn falls(&self) -> Option<&Falls> {
-        self.falls.get_or_init(|| Falls::of(self.contact, self.asperities)).as_ref()
+    fn decreasing_loads(&self) -> Option<&DecreasingLoads> {
+        self.falls.get_or_init(|| DecreasingLoads::of(self.contact, self.asperities)).as_ref()
     }
 
     /// A separation in the frame of the heights, m.
     fn absolute(&self, h: f64) -> f64 {
-        self.datum.mean + h * self.datum.sigma
+        self.plane.mean + h * self.plane.sigma
     }
 
     fn pressure(&self, h: f64) -> f64 {
@@ -197,12 +197,12 @@ impl<'a, C: MicroContact + ?Sized> Deterministic<'a, C> {
             pressure: total.load_error(count) * per_area,
             area_ratio: total.area_error(count) * per_area,
         };
-        Response { sampling: Some(sampling), ..Response::new(h, self.datum, total, per_area) }
+        Response { sampling: Some(sampling), ..Response::new(h, self.plane, total, per_area) }
     }
 
     /// The highest pressure that any separation from `low` to `high` could carry, were each asperity at its own
     /// worst, and bounds of the sum of all dP/dd (N/m) over them.
-    fn pressure_over(&self, low: f64, high: f64, falls: &Falls) -> (f64, Interval) {
+    fn pressure_over(&self, low: f64, high: f64, falls: &DecreasingLoads) -> (f64, Interval) {
         let (near, far) = (self.absolute(low), self.absolute(high));
         let touching = falls.ordered.above(near);
         let (load, slopes) = in_chunks(
@@ -213,7 +213,7 @@ impl<'a, C: MicroContact + ?Sized> Deterministic<'a, C> {
                     let (z, shape) = (touching.heights()[i], touching.shape(i));
                     let indentations = Interval { low: (z - far).max(0.0), high: z - near };
                     // Where the load rises it is highest at the end, and no slope is below zero.
-                    let bounds = if falls.spare(i, indentations) {
+                    let bounds = if falls.is_monotonic(i, indentations) {
                         LoadBounds {
                             highest: self.contact.contact(z - near, shape).load,
                             slopes: Interval { low: 0.0, high: f64::INFINITY },
@@ -236,8 +236,8 @@ impl<'a, C: MicroContact + ?Sized> Deterministic<'a, C> {
 }
 
 impl<C: MicroContact + ?Sized> Model for Deterministic<'_, C> {
-    fn datum(&self) -> Datum {
-        self.datum
+    fn plane(&self) -> ReferencePlane {
+        self.plane
     }
 
     fn respond_all(&self, separations: &[f64]) -> Vec<Response> {
@@ -262,14 +262,14 @@ impl<C: MicroContact + ?Sized> Model for Deterministic<'_, C> {
         Some(Counted { contacts, per_area: self.asperities.nominal_area().recip() })
     }
 
-    fn may_fall(&self) -> bool {
-        self.falls().is_some()
+    fn may_decrease(&self) -> bool {
+        self.decreasing_loads().is_some()
     }
 
     fn separations_at(&self, pressures: &[f64]) -> Vec<Option<f64>> {
-        let in_sigma = |separation: f64| (separation - self.datum.mean) / self.datum.sigma;
+        let in_sigma = |separation: f64| (separation - self.plane.mean) / self.plane.sigma;
         let highest = in_sigma(self.asperities.highest()).max(LOWEST_SEPARATION);
-        let falls = self.falls();
+        let falls = self.decreasing_loads();
         let falling_from = falls.map_or(LOWEST_SEPARATION, |falls| in_sigma(falls.from));
         let falling_from = falling_from.clamp(LOWEST_SEPARATION, highest);
         let mut found = self.last_reaching(pressures, falling_from, highest);

@@ -63,8 +63,8 @@ pub fn reached_at(model: &dyn Model, pressures: &[f64]) -> Vec<Option<Reached>> 
 fn rounding(model: &dyn Model, response: &Response) -> f64 {
     /// Rounding of a pressure at a given separation, far in the tail.
     const RELATIVE: f64 = 1e-11;
-    let datum = model.datum();
-    let step = 8.0 * f64::EPSILON * (response.separation.abs() + datum.mean.abs() + datum.sigma);
+    let plane = model.plane();
+    let step = 8.0 * f64::EPSILON * (response.separation.abs() + plane.mean.abs() + plane.sigma);
     response.stiffness * step + RELATIVE * response.pressure.total()
 }
 

@@ -4,9 +4,9 @@
 mod block;
 mod curve;
 mod deterministic;
-mod few;
 mod load_control;
 mod response;
+mod sparse;
 mod statistical;
 
 pub use curve::{Curve, respond_within};
@@ -18,16 +18,16 @@ pub use statistical::{MeanRadius, Statistical};
 use crate::asperity::Statistics;
 use crate::numeric::levels::{Point, last_reaching_all};
 
-/// Where separations are measured from, and in what unit they are quoted.
+/// Where separations are measured from, and in what unit they are reported.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Datum {
+pub struct ReferencePlane {
     /// The height that separation 0 means, m: the mean asperity height.
     pub mean: f64,
     /// Standard deviation of the asperity heights, m.
     pub sigma: f64,
 }
 
-impl From<&Statistics> for Datum {
+impl From<&Statistics> for ReferencePlane {
     fn from(statistics: &Statistics) -> Self {
         Self { mean: statistics.mean_height, sigma: statistics.sigma }
     }
@@ -42,10 +42,10 @@ pub struct Counted {
     pub per_area: f64,
 }
 
-/// A way of adding up. Separations are d/sigma, from the datum's mean height.
+/// A way of adding up. Separations are d/sigma, from the plane's mean height.
 pub trait Model: Sync {
     /// Where separations are measured from.
-    fn datum(&self) -> Datum;
+    fn plane(&self) -> ReferencePlane;
 
     /// Everything at each of the separations d/sigma: a curve costs less at once than point by point.
     fn respond_all(&self, separations: &[f64]) -> Vec<Response>;
@@ -56,7 +56,7 @@ pub trait Model: Sync {
     }
 
     /// Whether the load of an asperity may fall as the flat comes nearer, so that a pressure may be reached more than once.
-    fn may_fall(&self) -> bool;
+    fn may_decrease(&self) -> bool;
 
     /// For each of the pressures (Pa, positive) the largest separation with at least that in
     /// [[`LOWEST_SEPARATION`], infinity), `None` if there is none.
@@ -75,7 +75,7 @@ pub trait Model: Sync {
     /// The largest separations in [`low`, `high`] with at least each of `pressures` (Pa), `None` where it is not reached at
     /// `low`, of a pressure that nowhere there rises with the separation.
     fn last_reaching(&self, pressures: &[f64], low: f64, high: f64) -> Vec<Option<f64>> {
-        let sigma = self.datum().sigma;
+        let sigma = self.plane().sigma;
         let curve = |separations: &[f64]| -> Vec<Point> {
             let point = |response: Response| Point {
                 x: response.separation_over_sigma,

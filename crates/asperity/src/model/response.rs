@@ -1,8 +1,8 @@
 //! What a model answers at one separation.
 
-use super::Datum;
+use super::ReferencePlane;
+use crate::accumulator::Total;
 use crate::contact::ByRegime;
-use crate::tally::Total;
 
 /// The response of a rough surface at one separation, per nominal area.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -43,11 +43,11 @@ impl Response {
         self.sampling.map(|error| error.pressure / (self.stiffness * sigma))
     }
 
-    /// The response that `tally`, times `per_area` (1/m^2), is at separation `h` = d/sigma.
-    pub(super) fn new(h: f64, datum: Datum, total: &Total, per_area: f64) -> Self {
+    /// The response that `accumulator`, times `per_area` (1/m^2), is at separation `h` = d/sigma.
+    pub(super) fn new(h: f64, plane: ReferencePlane, total: &Total, per_area: f64) -> Self {
         Self {
             separation_over_sigma: h,
-            separation: h * datum.sigma,
+            separation: h * plane.sigma,
             contact_density: total.contacts() * per_area,
             area_ratio: ByRegime(total.area().0.map(|area| area * per_area)),
             pressure: ByRegime(total.load().0.map(|load| load * per_area)),

@@ -3,14 +3,14 @@
 use rayon::prelude::*;
 
 use super::load_control::LOWEST_SEPARATION;
-use super::{Datum, Model, Response};
+use super::{Model, ReferencePlane, Response};
+use crate::accumulator::{Accumulator, Total};
 use crate::asperity::{HeightDensity, Population, Statistics};
 use crate::interface::MicroContact;
 use crate::law::Shape;
 use crate::numeric::lanes::{Real, Work, run};
 use crate::numeric::quadrature::{NODES, Piece, Variable, pieces};
 use crate::numeric::root::last_reaching;
-use crate::tally::{Tally, Total};
 
 /// E-foldings of the density that one panel resolves to full accuracy.
 const FOLDINGS_PER_PANEL: f64 = 20.0;
@@ -60,7 +60,7 @@ pub struct Statistical<'a, C: ?Sized> {
     population: Population,
     /// Of every asperity.
     shape: Shape,
-    datum: Datum,
+    plane: ReferencePlane,
     /// Of the contact of one asperity, in units of sigma.
     breakpoints: Vec<f64>,
     /// Those at which the load jumps, and by how much, N.
@@ -79,45 +79,45 @@ impl<'a, C: MicroContact + ?Sized> Statistical<'a, C> {
         let breakpoints: Vec<f64> = contact.breakpoints(shape).into_iter().map(|w| w / sigma).collect();
         let jump = |&x: &f64| Some((x, jump(contact, shape, x * sigma)?));
         let jumps = breakpoints.iter().filter_map(jump).collect();
-        Self { contact, population, shape, datum: Datum { mean: 0.0, sigma }, breakpoints, jumps }
+        Self { contact, population, shape, plane: ReferencePlane { mean: 0.0, sigma }, breakpoints, jumps }
     }
 
-    /// The same model with separations measured as `datum` says, its mean relative to the mean
+    /// The same model with separations measured as `plane` says, its mean relative to the mean
     /// asperity height.
-    pub fn quoted_from(self, datum: Datum) -> Self {
-        Self { datum, ..self }
+    pub fn reported_from(self, plane: ReferencePlane) -> Self {
+        Self { plane, ..self }
     }
 
-    /// A quoted separation as the standardised one that the density knows.
+    /// A reported separation as the standardised one that the density knows.
     fn standardised(&self, h: f64) -> f64 {
         if self.is_quoted_as_it_is() {
             h
         } else {
-            (self.datum.mean + h * self.datum.sigma) / self.population.sigma
+            (self.plane.mean + h * self.plane.sigma) / self.population.sigma
         }
     }
 
     /// The inverse of [`Statistical::standardised`].
-    fn quoted(&self, h: f64) -> f64 {
+    fn reported(&self, h: f64) -> f64 {
         if self.is_quoted_as_it_is() {
             h
         } else {
-            (h * self.population.sigma - self.datum.mean) / self.datum.sigma
+            (h * self.population.sigma - self.plane.mean) / self.plane.sigma
         }
     }
 
     /// Then d/sigma goes through unrounded, which the far tail needs.
     fn is_quoted_as_it_is(&self) -> bool {
-        self.datum == Datum { mean: 0.0, sigma: self.population.sigma }
+        self.plane == ReferencePlane { mean: 0.0, sigma: self.population.sigma }
     }
 
     /// The total at the standardised separation `h`, per asperity, over the density's factor [`HeightDensity::scale`]:
     /// with it, the part of one asperity is denormal in the far tail though that of all is not.
     fn total(&self, h: f64) -> Total {
         let Population { sigma, heights, .. } = self.population;
-        let mut tally = Tally::default();
+        let mut accumulator = Accumulator::default();
         if heights.scale(h) == 0.0 {
-            return tally.total();
+            return accumulator.total();
         }
         let [start, end] = heights.window(h);
         // What lies nearer to zero than this carries nothing, and would take panels without end.
@@ -137,28 +137,28 @@ impl<'a, C: MicroContact + ?Sized> Statistical<'a, C> {
                 let count = (heights.foldings(h, low, high) / resolved).ceil().max(1.0) as usize;
                 for piece in pieces(low, high, Variable::SquareRoot, count) {
                     if samples.count == Samples::MOST {
-                        self.weigh(&mut samples, &mut tally);
+                        self.accumulate_weighted(&mut samples, &mut accumulator);
                     }
                     run(WithDensity { piece, samples: &mut samples, heights, h, sigma });
                 }
             }
             from = to;
         }
-        self.weigh(&mut samples, &mut tally);
+        self.accumulate_weighted(&mut samples, &mut accumulator);
         // dp/dd has a contribution of its own where the load jumps.
         for &(x, load) in self.jumps.iter().filter(|(x, _)| *x > nearest && (start..end).contains(x)) {
-            tally.add_jump(load * (-heights.exponent(h, x)).exp() / sigma);
+            accumulator.add_jump(load * (-heights.exponent(h, x)).exp() / sigma);
         }
-        tally.total()
+        accumulator.total()
     }
 
-    fn weigh(&self, samples: &mut Samples, tally: &mut Tally) {
+    fn accumulate_weighted(&self, samples: &mut Samples, accumulator: &mut Accumulator) {
         let Samples { points, weights, count } = samples;
-        self.contact.weigh(&points[..*count], &weights[..*count], self.shape, tally);
+        self.contact.accumulate_weighted(&points[..*count], &weights[..*count], self.shape, accumulator);
         *count = 0;
     }
 
-    /// Nominal pressure at the quoted separation `h`, Pa.
+    /// Nominal pressure at the reported separation `h`, Pa.
     fn pressure(&self, h: f64) -> f64 {
         self.respond(h).pressure.total()
     }
@@ -234,8 +234,8 @@ fn spans(from: f64, to: f64, logarithmic: bool) -> impl Iterator<Item = [f64; 2]
 }
 
 impl<C: MicroContact + ?Sized> Model for Statistical<'_, C> {
-    fn datum(&self) -> Datum {
-        self.datum
+    fn plane(&self) -> ReferencePlane {
+        self.plane
     }
 
     fn respond_all(&self, separations: &[f64]) -> Vec<Response> {
@@ -248,7 +248,7 @@ impl<C: MicroContact + ?Sized> Model for Statistical<'_, C> {
             .map(|&h| {
                 let standardised = self.standardised(h);
                 let per_area = density * heights.scale(standardised);
-                Response::new(h, self.datum, &self.total(standardised), per_area)
+                Response::new(h, self.plane, &self.total(standardised), per_area)
             })
             .collect()
     }
@@ -257,18 +257,18 @@ impl<C: MicroContact + ?Sized> Model for Statistical<'_, C> {
     /// load does with w: -dp/dd = -int P f' dz. Nearer than the mode a falling load can make it fall.
     /// The density is smooth there on the scale of sigma: within a small step the pressure turns once
     /// at the most, and its slope at both ends tells.
-    fn may_fall(&self) -> bool {
-        !self.contact.may_fall(self.shape.into()).is_empty()
+    fn may_decrease(&self) -> bool {
+        !self.contact.may_decrease(self.shape.into()).is_empty()
     }
 
     fn separations_at(&self, pressures: &[f64]) -> Vec<Option<f64>> {
         let density = self.population.heights;
-        let highest = self.quoted(density.highest_separation());
-        let mode = self.quoted(density.mode()).max(LOWEST_SEPARATION);
-        let may_fall = self.may_fall();
-        let low = if may_fall { mode } else { LOWEST_SEPARATION };
+        let highest = self.reported(density.highest_separation());
+        let mode = self.reported(density.mode()).max(LOWEST_SEPARATION);
+        let may_decrease = self.may_decrease();
+        let low = if may_decrease { mode } else { LOWEST_SEPARATION };
         let mut found = self.last_reaching(pressures, low, highest);
-        if may_fall {
+        if may_decrease {
             let missing = found.par_iter_mut().zip(pressures).filter(|(found, _)| found.is_none());
             missing.for_each(|(found, &pressure)| *found = self.last_reaching_below(mode, pressure));
         }

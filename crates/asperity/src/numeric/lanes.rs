@@ -74,22 +74,22 @@ pub trait Real:
     fn exp_and_exp_m1(self) -> (Self, Self);
 
     /// self * factor + term, rounded once where the machine can.
-    fn times_plus(self, factor: Self, term: Self) -> Self;
+    fn mul_add(self, factor: Self, term: Self) -> Self;
 
     /// Where it is below `other`.
-    fn below(self, other: Self) -> Self::Mask;
+    fn lt(self, other: Self) -> Self::Mask;
 
     /// Where it is below `other` or equal.
-    fn at_most(self, other: Self) -> Self::Mask;
+    fn le(self, other: Self) -> Self::Mask;
 
     /// The numbers of `yes` where `mask` is, those of `no` elsewhere.
-    fn choose(mask: Self::Mask, yes: Self, no: Self) -> Self;
+    fn select(mask: Self::Mask, yes: Self, no: Self) -> Self;
 
     /// All lanes.
     #[inline(always)]
-    fn everywhere(self) -> Self::Mask {
+    fn all_true(self) -> Self::Mask {
         let zero = self.splat(0.0);
-        zero.at_most(zero)
+        zero.le(zero)
     }
 
     /// `of` each lane by itself: for what has no formula side by side.
@@ -120,8 +120,8 @@ pub trait Real:
 
     /// The smaller of both.
     #[inline(always)]
-    fn lesser(self, other: Self) -> Self {
-        Self::choose(other.below(self), other, self)
+    fn min(self, other: Self) -> Self {
+        Self::select(other.lt(self), other, self)
     }
 
     /// A polynomial, its coefficients from the highest power down.
@@ -129,7 +129,7 @@ pub trait Real:
     fn polynomial(self, coefficients: &[f64]) -> Self {
         let mut sum = self.splat(coefficients[0]);
         for &coefficient in &coefficients[1..] {
-            sum = sum.times_plus(self, self.splat(coefficient));
+            sum = sum.mul_add(self, self.splat(coefficient));
         }
         sum
     }
@@ -183,22 +183,22 @@ impl Real for f64 {
     }
 
     #[inline(always)]
-    fn times_plus(self, factor: Self, term: Self) -> Self {
+    fn mul_add(self, factor: Self, term: Self) -> Self {
         self * factor + term
     }
 
     #[inline(always)]
-    fn below(self, other: Self) -> bool {
+    fn lt(self, other: Self) -> bool {
         self < other
     }
 
     #[inline(always)]
-    fn at_most(self, other: Self) -> bool {
+    fn le(self, other: Self) -> bool {
         self <= other
     }
 
     #[inline(always)]
-    fn choose(mask: bool, yes: Self, no: Self) -> Self {
+    fn select(mask: bool, yes: Self, no: Self) -> Self {
         if mask { yes } else { no }
     }
 }
@@ -405,8 +405,8 @@ impl<S: Simd> Real for Register<S> {
         let f = self.of_bits(simd.add_u64s(mantissas, simd.splat_u64s(ROOT_HALF))) - 1.0;
         let s = f / (f + 2.0);
         let square = s * s;
-        let rest = (-square).times_plus(square.polynomial(&LOGARITHM), f);
-        k.times_plus(self.splat(std::f64::consts::LN_2 / TWO_TO_32), (-s).times_plus(rest, f))
+        let rest = (-square).mul_add(square.polynomial(&LOGARITHM), f);
+        k.mul_add(self.splat(std::f64::consts::LN_2 / TWO_TO_32), (-s).mul_add(rest, f))
     }
 
     /// 2^k exp(r), k the whole number nearest to x/ln 2.
@@ -416,36 +416,36 @@ impl<S: Simd> Real for Register<S> {
         let magic = self.splat(SIGNED_WHOLES);
         let nearest = self * std::f64::consts::LOG2_E + SIGNED_WHOLES;
         let k = nearest - magic;
-        let r = (-k).times_plus(self.splat(LN_2[0]), self);
-        let r = (-k).times_plus(self.splat(LN_2[1]), r);
+        let r = (-k).mul_add(self.splat(LN_2[0]), self);
+        let r = (-k).mul_add(self.splat(LN_2[1]), r);
         let wholes = (k * TWO_TO_32 + magic).bits();
         let wholes = simd.sub_u64s(wholes, simd.splat_u64s(SIGNED_WHOLES.to_bits()));
         let power =
             simd.add_u64s(self.shift_upper::<UPPER_MANTISSA>(wholes), simd.splat_u64s(1f64.to_bits()));
         let power = self.of_bits(power);
         let rest = r * r.polynomial(&EXPONENTIAL);
-        let (one, is_gone) = (self.splat(1.0), self.below(self.splat(-700.0)));
-        let exp = Self::choose(is_gone, self.splat(0.0), power.times_plus(rest, power));
-        (exp, Self::choose(is_gone, -one, power.times_plus(rest, power - one)))
+        let (one, is_gone) = (self.splat(1.0), self.lt(self.splat(-700.0)));
+        let exp = Self::select(is_gone, self.splat(0.0), power.mul_add(rest, power));
+        (exp, Self::select(is_gone, -one, power.mul_add(rest, power - one)))
     }
 
     #[inline(always)]
-    fn times_plus(self, factor: Self, term: Self) -> Self {
+    fn mul_add(self, factor: Self, term: Self) -> Self {
         Self { lanes: self.simd.mul_add_e_f64s(self.lanes, factor.lanes, term.lanes), ..self }
     }
 
     #[inline(always)]
-    fn below(self, other: Self) -> RegisterMask<S> {
+    fn lt(self, other: Self) -> RegisterMask<S> {
         RegisterMask { simd: self.simd, lanes: self.simd.less_than_f64s(self.lanes, other.lanes) }
     }
 
     #[inline(always)]
-    fn at_most(self, other: Self) -> RegisterMask<S> {
+    fn le(self, other: Self) -> RegisterMask<S> {
         RegisterMask { simd: self.simd, lanes: self.simd.less_than_or_equal_f64s(self.lanes, other.lanes) }
     }
 
     #[inline(always)]
-    fn choose(mask: RegisterMask<S>, yes: Self, no: Self) -> Self {
+    fn select(mask: RegisterMask<S>, yes: Self, no: Self) -> Self {
         Self { lanes: no.simd.select_f64s(mask.lanes, yes.lanes, no.lanes), ..no }
     }
 }

@@ -67,12 +67,12 @@ impl<N: Real> Sums<N> {
 /// One sum in as many parts as any machine has lanes, so that sums side by side need not be added up before a total is
 /// asked for.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
-pub struct Parted {
+pub struct LaneSum {
     high: [f64; MOST],
     low: [f64; MOST],
 }
 
-impl Parted {
+impl LaneSum {
     /// Adds one term.
     #[inline]
     pub fn add(&mut self, term: f64) {

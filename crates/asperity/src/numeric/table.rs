@@ -57,8 +57,8 @@ impl Table {
         let r = (x - middle) * inverse;
         let (mut value, mut slope) = (coefficients[TERMS - 1], x.splat(0.0));
         for &term in coefficients[..TERMS - 1].iter().rev() {
-            slope = slope.times_plus(r, value);
-            value = value.times_plus(r, term);
+            slope = slope.mul_add(r, value);
+            value = value.mul_add(r, term);
         }
         Some((value, slope * x * inverse))
     }

@@ -6,7 +6,7 @@ use asperity::interface::{Flat, Layered, MicroContact};
 use asperity::law::{Shape, Zmc};
 use asperity::layer::{Coating, Rule};
 use asperity::material::Material;
-use asperity::model::{Datum, Deterministic, Model, Statistical};
+use asperity::model::{Deterministic, Model, ReferencePlane, Statistical};
 
 fn steel() -> Material {
     Material::new(210e9, 0.3, Some(7.6e9), None).unwrap()
@@ -88,7 +88,8 @@ fn sums_over_asperities() {
         let radii = members().map(|a| a.number("radius")).collect();
         let set = AsperitySet::new(heights, radii, 1.0).unwrap();
         let d = row.number("separation");
-        let found = Deterministic::new(&*contact, set.spheres(), Datum { mean: 0.0, sigma: 1.0 }).total(d);
+        let found =
+            Deterministic::new(&*contact, set.spheres(), ReferencePlane { mean: 0.0, sigma: 1.0 }).total(d);
         let place = || format!("set {} under {} at {d:e}", row.text("set"), row.text("lead_thickness"));
         assert_eq!(found.contacts(), row.number("contacts"), "{}", place());
         worst.see(found.area().total(), row.number("total_area"), place);

@@ -5,7 +5,7 @@ use asperity::contact::ByRegime;
 use asperity::interface::{Interface, MicroContact};
 use asperity::law::{Ceb, Hertz, Law, Shape, Zmc};
 use asperity::material::Material;
-use asperity::model::{Datum, Deterministic, Model, Response, Statistical, respond_within};
+use asperity::model::{Deterministic, Model, ReferencePlane, Response, Statistical, respond_within};
 
 const CASES: [Population; 2] = [
     Population { radius: 2e-5, sigma: 4.8e-8, density: 6e10, heights: HeightDensity::Gaussian },
@@ -64,7 +64,8 @@ fn a_thousand_sums_for_no_more_than_twice_the_contacts_of_fifty() {
     let zmc = bare(Zmc::default());
     for (population, seed) in CASES.into_iter().zip([1, 2]) {
         let set = population.set(1_000_000, Draw::Random([seed; 32])).unwrap();
-        let model = Deterministic::new(&zmc, set.spheres(), Datum { mean: 0.0, sigma: population.sigma });
+        let model =
+            Deterministic::new(&zmc, set.spheres(), ReferencePlane { mean: 0.0, sigma: population.sigma });
         let curve = respond_within(&model, &sweep(1000), 1e-4);
         let exact = model.respond_all(&sweep(1000));
         let [off, shares] = errors(&curve.responses, &exact);
@@ -94,12 +95,12 @@ fn a_thousand_sums_for_no_more_than_twice_the_contacts_of_fifty() {
 fn far_separations_are_those_of_the_asperities_that_stand_out() {
     let zmc = bare(Zmc::default());
     let set = CASES[0].set(300_000, Draw::Random([4; 32])).unwrap();
-    let datum = Datum { mean: 0.0, sigma: CASES[0].sigma };
-    let highest = |z: &f64| *z > 2.5 * datum.sigma;
+    let plane = ReferencePlane { mean: 0.0, sigma: CASES[0].sigma };
+    let highest = |z: &f64| *z > 2.5 * plane.sigma;
     let heights: Vec<f64> = set.heights().iter().copied().filter(highest).collect();
     let radii = vec![CASES[0].radius; heights.len()];
     let few = AsperitySet::new(heights, radii, set.nominal_area()).unwrap();
-    let [all, few] = [&set, &few].map(|set| Deterministic::new(&zmc, set.spheres(), datum));
+    let [all, few] = [&set, &few].map(|set| Deterministic::new(&zmc, set.spheres(), plane));
     let far: Vec<f64> = (0..40).map(|k| 2.6 + 0.05 * f64::from(k)).collect();
     let (found, expected) = (all.respond_all(&far), few.respond_all(&far));
     assert!(errors(&found, &expected)[0] < 1e-14);
@@ -120,12 +121,12 @@ fn far_separations_are_those_of_the_asperities_that_stand_out() {
 fn contacts_are_counted_at_any_number_of_separations() {
     let zmc = bare(Zmc::default());
     let set = CASES[0].set(3000, Draw::Random([6; 32])).unwrap();
-    let datum = Datum { mean: 0.0, sigma: CASES[0].sigma };
-    let model = Deterministic::new(&zmc, set.spheres(), datum);
+    let plane = ReferencePlane { mean: 0.0, sigma: CASES[0].sigma };
+    let model = Deterministic::new(&zmc, set.spheres(), plane);
     let separations: Vec<f64> = (0..5000).map(|k| 5.0 - f64::from((k * 7919) % 5000) * 0.002).collect();
     let counted = model.count_contacts(&separations).unwrap();
     for (h, contacts) in separations.iter().zip(&counted.contacts) {
-        let above = set.heights().iter().filter(|z| **z > h * datum.sigma).count();
+        let above = set.heights().iter().filter(|z| **z > h * plane.sigma).count();
         assert_eq!(*contacts, above as f64, "{h}");
     }
 }
@@ -135,7 +136,7 @@ fn contacts_are_counted_at_any_number_of_separations() {
 fn what_cannot_be_foretold_is_asked() {
     let ceb = bare(Ceb);
     let set = CASES[1].set(30, Draw::Random([3; 32])).unwrap();
-    let model = Deterministic::new(&ceb, set.spheres(), Datum { mean: 0.0, sigma: CASES[1].sigma });
+    let model = Deterministic::new(&ceb, set.spheres(), ReferencePlane { mean: 0.0, sigma: CASES[1].sigma });
     let curve = respond_within(&model, &sweep(300), 1e-6);
     assert!(errors(&curve.responses, &model.respond_all(&sweep(300)))[0] <= 1e-6);
     assert!(curve.asked.len() > 100);
@@ -145,8 +146,8 @@ fn what_cannot_be_foretold_is_asked() {
 struct Wave;
 
 impl Model for Wave {
-    fn datum(&self) -> Datum {
-        Datum { mean: 0.0, sigma: 1.0 }
+    fn plane(&self) -> ReferencePlane {
+        ReferencePlane { mean: 0.0, sigma: 1.0 }
     }
 
     fn respond_all(&self, separations: &[f64]) -> Vec<Response> {
@@ -166,7 +167,7 @@ impl Model for Wave {
         separations.iter().map(at).collect()
     }
 
-    fn may_fall(&self) -> bool {
+    fn may_decrease(&self) -> bool {
         true
     }
 
@@ -194,7 +195,7 @@ fn a_pressure_that_rises_and_falls() {
 fn any_list_of_separations() {
     let zmc = bare(Zmc::default());
     let set = CASES[0].set(20_000, Draw::Quantiles).unwrap();
-    let model = Deterministic::new(&zmc, set.spheres(), Datum { mean: 0.0, sigma: CASES[0].sigma });
+    let model = Deterministic::new(&zmc, set.spheres(), ReferencePlane { mean: 0.0, sigma: CASES[0].sigma });
     let mixed: Vec<f64> = (0..400).map(|k| f64::from((k * 37) % 200) * 0.05 - 2.0).collect();
     for separations in [&mixed[..], &mixed[..5], &[9.0; 40], &[]] {
         let curve = respond_within(&model, separations, 1e-3);

@@ -3,13 +3,13 @@
 use std::f64::consts::PI;
 
 use crate::common::Worst;
+use asperity::accumulator::Accumulator;
 use asperity::asperity::{AsperitySet, Ellipse, Ellipses, Ellipticity, HeightDensity, Ordered, Population};
 use asperity::interface::{Interface, Layered, MicroContact};
-use asperity::law::{Hertz, Law, Pair, Resistance, Shape, Zmc};
+use asperity::law::{Hertz, Law, Pair, Shape, YieldLimits, Zmc};
 use asperity::layer::{Coating, Rule};
 use asperity::material::Material;
-use asperity::model::{Datum, Deterministic, Model, Statistical};
-use asperity::tally::Tally;
+use asperity::model::{Deterministic, Model, ReferencePlane, Statistical};
 
 const STEEL: [f64; 3] = [210e9, 0.3, 7.6e9];
 
@@ -64,7 +64,7 @@ fn a_sum_over_ellipses_is_that_of_hertz() {
     let contact = Interface::bare(Hertz, &body(STEEL), &body(STEEL)).unwrap();
     let (set, modulus) = (set(), contact.reference_modulus());
     let ellipses = Ellipses::of(&set).unwrap();
-    let sum = Deterministic::new(&contact, ellipses.asperities(), Datum { mean: 0.0, sigma: 1e-7 });
+    let sum = Deterministic::new(&contact, ellipses.asperities(), ReferencePlane { mean: 0.0, sigma: 1e-7 });
     let mut worst = Worst::default();
     for h in [0.0, 3.3, 11.0] {
         let mut expected = [0.0; 2];
@@ -110,8 +110,8 @@ fn under_a_layer_an_ellipse_feels_the_circle_of_its_area() {
     let set = set();
     let all = Ordered::new(Ellipses::of(&set).unwrap().asperities());
     let touching = all.above(5e-7);
-    let (mut block, mut single) = (Tally::default(), Tally::default());
-    contact.press(touching, 5e-7, &mut block);
+    let (mut block, mut single) = (Accumulator::default(), Accumulator::default());
+    contact.accumulate(touching, 5e-7, &mut block);
     touching.each().for_each(|(z, shape)| {
         let (w, n) = (z - 5e-7, shape.spheres);
         let found = contact.contact(w, shape);
@@ -120,7 +120,7 @@ fn under_a_layer_an_ellipse_feels_the_circle_of_its_area() {
         let hardness = flat.hardness.min(7.6e9);
         let pair = Pair {
             reduced_modulus: (steel.plane_compliance() + flat.compliance).recip(),
-            resistance: Resistance { onset: hardness, strength: hardness },
+            yield_limits: YieldLimits { onset: hardness, strength: hardness },
         };
         let law = Zmc::default().contact(w, shape.radius, &pair);
         assert!((found.load / (n * law.load) - 1.0).abs() < 1e-14);
@@ -133,10 +133,10 @@ fn under_a_layer_an_ellipse_feels_the_circle_of_its_area() {
         assert!((block.load().0[k] - single.load().0[k]).abs() <= 4e-15 * single.load().0[k]);
         assert!((block.area().0[k] - single.area().0[k]).abs() <= 4e-15 * single.area().0[k]);
     }
-    let mut weighed = Tally::default();
+    let mut weighed = Accumulator::default();
     let shape = Shape::ellipse(5e4, 7.0);
     let indentations: Vec<f64> = (1..=19).map(|k| 3e-9 * f64::from(k)).collect();
-    contact.weigh(&indentations, &[2.0; 19], shape, &mut weighed);
+    contact.accumulate_weighted(&indentations, &[2.0; 19], shape, &mut weighed);
     let loads = indentations.iter().map(|&w| 2.0 * contact.contact(w, shape).load);
     assert!((weighed.total().load().total() / loads.sum::<f64>() - 1.0).abs() < 1e-14);
 }
@@ -151,8 +151,8 @@ fn ellipses_of_ratio_one_are_spheres_to_the_bit() {
     let set = AsperitySet::new(heights, radii, 1e-8).unwrap().with_ellipses(ellipses).unwrap();
     let contact = Interface::bare(Zmc::default(), &body(STEEL), &body(STEEL)).unwrap();
     let ellipses = Ellipses::of(&set).unwrap();
-    let datum = Datum { mean: 0.0, sigma: 1e-7 };
+    let plane = ReferencePlane { mean: 0.0, sigma: 1e-7 };
     let [one, other] = [set.spheres(), ellipses.asperities()]
-        .map(|set| Deterministic::new(&contact, set, datum).respond(0.5));
+        .map(|set| Deterministic::new(&contact, set, plane).respond(0.5));
     assert_eq!(one, other);
 }

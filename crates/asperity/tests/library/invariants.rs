@@ -7,7 +7,7 @@ use asperity::asperity::{
 use asperity::interface::{Interface, MicroContact};
 use asperity::law::{Hertz, Shape, Zmc};
 use asperity::material::Material;
-use asperity::model::{Datum, Deterministic, Model, Statistical, at_pressure};
+use asperity::model::{Deterministic, Model, ReferencePlane, Statistical, at_pressure};
 
 const CASE_1: Population =
     Population { radius: 2e-5, sigma: 4.8e-8, density: 6e10, heights: HeightDensity::Gaussian };
@@ -26,8 +26,8 @@ fn drawn(population: Population, count: usize) -> AsperitySet {
     population.set(count, Draw::Random([7; 32])).unwrap()
 }
 
-fn datum(population: Population) -> Datum {
-    Datum { mean: 0.0, sigma: population.sigma }
+fn plane(population: Population) -> ReferencePlane {
+    ReferencePlane { mean: 0.0, sigma: population.sigma }
 }
 
 /// The exact sum of doubles, rounded once (Shewchuk 1997, as in Python's fsum).
@@ -64,7 +64,7 @@ fn a_sum_over_a_million_asperities_is_exact_to_4_ulp() {
         for d in [-1e-6, 0.0, 1e-7] {
             let above = ordered.above(d);
             let contacts = || (0..above.count()).map(|i| law.contact(above.heights()[i] - d, above.shape(i)));
-            let found = Deterministic::new(&law, set.spheres(), datum(CASE_2)).total(d);
+            let found = Deterministic::new(&law, set.spheres(), plane(CASE_2)).total(d);
             let ulp = |exact: f64| exact * f64::EPSILON;
             let (area, load) = (exact_sum(contacts().map(|c| c.area)), exact_sum(contacts().map(|c| c.load)));
             assert!((found.area().total() - area).abs() <= 4.0 * ulp(area));
@@ -80,7 +80,7 @@ fn a_sum_is_the_same_to_the_bit_on_any_number_of_threads() {
         let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
         pool.install(|| {
             let set = drawn(CASE_1, 300_001);
-            let model = Deterministic::new(&law, set.spheres(), datum(CASE_1));
+            let model = Deterministic::new(&law, set.spheres(), plane(CASE_1));
             [2.5, 1.0, -0.5].map(|h| format!("{:?}", model.respond(h)))
         })
     };
@@ -98,7 +98,7 @@ fn partial_totals_merge_into_the_whole() {
     let set = |range: std::ops::Range<usize>| {
         AsperitySet::new(heights[range.clone()].to_vec(), radii[range].to_vec(), 1.0).unwrap()
     };
-    let total = |set: &AsperitySet| Deterministic::new(&law, set.spheres(), datum(CASE_1)).total(2e-8);
+    let total = |set: &AsperitySet| Deterministic::new(&law, set.spheres(), plane(CASE_1)).total(2e-8);
     let mut parts = total(&set(0..400));
     parts.merge(&total(&set(400..1000)));
     let whole = total(&set(0..1000));
@@ -143,7 +143,7 @@ fn stiffness_is_the_slope_of_the_pressure() {
     const STEP: f64 = 1e-4;
     let law = zmc(Zmc::ONSET);
     let set = drawn(CASE_2, 20_000);
-    let model = Deterministic::new(&law, set.spheres(), datum(CASE_2));
+    let model = Deterministic::new(&law, set.spheres(), plane(CASE_2));
     for h in [-3.0, 0.0, 1.0, 2.5] {
         let pressure = |h: f64| model.respond(h).pressure.total();
         let slope = (pressure(h - STEP) - pressure(h + STEP)) / (2.0 * STEP * CASE_2.sigma);
@@ -158,12 +158,12 @@ fn stiffness_is_the_slope_of_the_pressure() {
 fn where_the_load_falls_the_first_reach_counts() {
     let law = zmc(0.89);
     let w1 = law.breakpoints(Shape::sphere(2e-5))[0];
-    let within = law.may_fall(Shape::sphere(2e-5).into());
+    let within = law.may_decrease(Shape::sphere(2e-5).into());
     assert!(within.len() == 1 && within[0].holds(w1) && within[0].high - within[0].low < 1e-12 * w1);
-    assert!(zmc(Zmc::ONSET).may_fall(Shape::sphere(2e-5).into()).is_empty());
-    assert!(zmc(0.4).may_fall(Shape::sphere(2e-5).into()).is_empty());
+    assert!(zmc(Zmc::ONSET).may_decrease(Shape::sphere(2e-5).into()).is_empty());
+    assert!(zmc(0.4).may_decrease(Shape::sphere(2e-5).into()).is_empty());
     let set = AsperitySet::new(vec![0.0, -1e-6], vec![2e-5, 2e-5], 1.0).unwrap();
-    let model = Deterministic::new(&law, set.spheres(), Datum { mean: 0.0, sigma: 1e-8 });
+    let model = Deterministic::new(&law, set.spheres(), ReferencePlane { mean: 0.0, sigma: 1e-8 });
     let w1 = law.breakpoints(Shape::sphere(2e-5))[0];
     let before = law.contact(w1 * (1.0 - 1e-9), Shape::sphere(2e-5)).load;
     let after = law.contact(w1 * (1.0 + 1e-9), Shape::sphere(2e-5)).load;
@@ -190,7 +190,7 @@ fn nothing_is_nan_where_nothing_touches() {
     let law = zmc(Zmc::ONSET);
     let set = drawn(CASE_1, 1000);
     let models: [&dyn Model; 2] =
-        [&Statistical::new(&law, CASE_1), &Deterministic::new(&law, set.spheres(), datum(CASE_1))];
+        [&Statistical::new(&law, CASE_1), &Deterministic::new(&law, set.spheres(), plane(CASE_1))];
     for model in models {
         let response = model.respond(1000.0);
         assert_eq!(response.pressure.total(), 0.0);
@@ -204,7 +204,7 @@ fn nothing_is_nan_where_nothing_touches() {
 fn asperities_at_or_below_the_flat_do_not_touch() {
     let law = zmc(Zmc::ONSET);
     let set = AsperitySet::new(vec![3.0, -1.0, 2.0, 1.0, 2.0], vec![1.0; 5], 1.0).unwrap();
-    let model = Deterministic::new(&law, set.spheres(), Datum { mean: 0.0, sigma: 1.0 });
+    let model = Deterministic::new(&law, set.spheres(), ReferencePlane { mean: 0.0, sigma: 1.0 });
     assert_eq!(model.total(2.0).contacts(), 1.0);
     assert_eq!(model.total(2f64.next_down()).contacts(), 3.0);
     assert_eq!(model.total(3.0).contacts(), 0.0);
@@ -217,7 +217,8 @@ fn the_sampling_error_of_a_few_asperities() {
     let law = Interface::bare(Hertz, &steel(), &steel()).unwrap();
     let error = |radii: Vec<f64>, heights: Vec<f64>| {
         let set = AsperitySet::new(heights, radii, 2.0).unwrap();
-        let found = Deterministic::new(&law, set.spheres(), Datum { mean: 0.0, sigma: 1e-9 }).respond(0.0);
+        let found =
+            Deterministic::new(&law, set.spheres(), ReferencePlane { mean: 0.0, sigma: 1e-9 }).respond(0.0);
         let sampling = found.sampling.unwrap();
         (sampling.pressure / found.pressure.total(), sampling.area_ratio / found.area_ratio.total())
     };
@@ -237,7 +238,7 @@ fn the_sampling_error_is_the_scatter_of_independent_sets() {
             let mut seed = [0; 32];
             seed[..2].copy_from_slice(&k.to_le_bytes());
             let set = CASE_1.set(2000, Draw::Random(seed)).unwrap();
-            Deterministic::new(&law, set.spheres(), datum(CASE_1)).respond(1.0)
+            Deterministic::new(&law, set.spheres(), plane(CASE_1)).respond(1.0)
         })
         .collect();
     let mean = answers.iter().map(|r| r.pressure.total()).sum::<f64>() / 400.0;
@@ -299,8 +300,8 @@ fn an_offset_of_the_heights_makes_no_jumps() {
     let drawn = CASE_1.set(5000, Draw::Random([9; 32])).unwrap();
     let shifted = drawn.heights().iter().map(|z| z + 1e-3).collect();
     let set = AsperitySet::new(shifted, drawn.radii().to_vec(), drawn.nominal_area()).unwrap();
-    let datum = Datum::from(&Statistics::of(&set));
-    let model = Deterministic::new(&law, set.spheres(), datum);
+    let plane = ReferencePlane::from(&Statistics::of(&set));
+    let model = Deterministic::new(&law, set.spheres(), plane);
     for pressure in [1e-2, 1.0, 1e3, 1e6] {
         assert!(!at_pressure(&model, pressure).unwrap().in_jump, "{pressure}");
     }
@@ -311,11 +312,11 @@ fn an_offset_of_the_heights_makes_no_jumps() {
 fn surface_heights_are_quoted_alike_by_both_models() {
     let surface = SurfaceHeights { radius: CASE_2.radius, sigma: CASE_2.sigma, density: CASE_2.density };
     let population = Population { sigma: surface.asperity_sigma().unwrap(), ..CASE_2 };
-    let datum = Datum { mean: -surface.mean_asperity_height(), sigma: CASE_2.sigma };
+    let plane = ReferencePlane { mean: -surface.mean_asperity_height(), sigma: CASE_2.sigma };
     let law = zmc(Zmc::ONSET);
     let set = population.set(200_000, Draw::Quantiles).unwrap();
-    let statistical = Statistical::new(&law, population).quoted_from(datum);
-    let deterministic = Deterministic::new(&law, set.spheres(), datum);
+    let statistical = Statistical::new(&law, population).reported_from(plane);
+    let deterministic = Deterministic::new(&law, set.spheres(), plane);
     for h in [0.0, 1.0, 2.0] {
         let (s, d) = (statistical.respond(h), deterministic.respond(h));
         assert!(relative_error(s.pressure.total(), d.pressure.total()) < 2e-4, "h = {h}");

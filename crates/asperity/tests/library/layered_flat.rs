@@ -10,7 +10,7 @@ use asperity::law::{Ceb, KogutEtsion, Shape, Zmc};
 use asperity::layer::{Coating, Rule};
 use asperity::literature::Paper;
 use asperity::material::Material;
-use asperity::model::{Datum, Deterministic, Model, Statistical};
+use asperity::model::{Deterministic, Model, ReferencePlane, Statistical};
 use asperity::numeric::interval::Interval;
 
 fn steel() -> Material {
@@ -135,7 +135,7 @@ fn a_jump_that_is_passed_backwards_is_a_fall() {
     let back = contact.regime_changes(Shape::sphere(2e-5))[1];
     let load = |w: f64| contact.contact(w, Shape::sphere(2e-5)).load;
     assert!(load(back * (1.0 + 1e-9)) < 0.7 * load(back * (1.0 - 1e-9)));
-    assert!(contact.may_fall(Shape::sphere(2e-5).into()).iter().any(|range| range.holds(back)));
+    assert!(contact.may_decrease(Shape::sphere(2e-5).into()).iter().any(|range| range.holds(back)));
 }
 
 /// Counts the bounds that a search asks for.
@@ -151,8 +151,8 @@ impl MicroContact for Counted<'_> {
     fn breakpoints(&self, shape: Shape) -> Vec<f64> {
         self.0.breakpoints(shape)
     }
-    fn may_fall(&self, shapes: Shapes) -> Vec<Interval> {
-        self.0.may_fall(shapes)
+    fn may_decrease(&self, shapes: Shapes) -> Vec<Interval> {
+        self.0.may_decrease(shapes)
     }
     fn load_over(&self, from: f64, to: f64, shape: Shape) -> LoadBounds {
         self.1.fetch_add(1, Ordering::Relaxed);
@@ -200,7 +200,7 @@ fn where_the_load_falls_the_first_reach_counts() {
         let drawn = population.set(count, Draw::Random([k as u8; 32])).unwrap();
         let radii = drawn.radii().iter().map(|b| b * random.log(0.3, 3.0)).collect();
         let set = AsperitySet::new(drawn.heights().to_vec(), radii, drawn.nominal_area()).unwrap();
-        let deterministic = Deterministic::new(&contact, set.spheres(), Datum { mean: 0.0, sigma });
+        let deterministic = Deterministic::new(&contact, set.spheres(), ReferencePlane { mean: 0.0, sigma });
         let statistical = Statistical::new(&contact, population);
         for model in [&statistical as &dyn Model, &deterministic] {
             let pressure = |h: f64| model.respond(h).pressure.total();

@@ -5,7 +5,7 @@ use crate::common::{Worst, rows};
 use asperity::asperity::{HeightDensity, Population};
 use asperity::contact::{Contact, Regime};
 use asperity::interface::{Interface, LoadBounds, MicroContact, Shapes};
-use asperity::law::{Ceb, Hertz, JacksonGreen, KogutEtsion, Law, Pair, Resistance, Shape, Similar, Zmc};
+use asperity::law::{Ceb, Hertz, JacksonGreen, KogutEtsion, Law, Pair, ScalableLaw, Shape, YieldLimits, Zmc};
 use asperity::literature::Paper;
 use asperity::material::Material;
 use asperity::model::{Model, Statistical};
@@ -16,8 +16,8 @@ fn zmc_error(law: impl Fn(f64) -> Zmc) -> Worst {
     let mut worst = Worst::default();
     for (k, row) in rows("zmc").iter().enumerate() {
         let law = law(row.number("transition_ratio"));
-        let resistance = law.of_hardness(row.number("hardness"), 0.3);
-        let pair = Pair { reduced_modulus: row.number("reduced_modulus"), resistance };
+        let yield_limits = law.limits_at(row.number("hardness"), 0.3);
+        let pair = Pair { reduced_modulus: row.number("reduced_modulus"), yield_limits };
         let found = law.contact(row.number("indentation"), row.number("radius"), &pair);
         worst.see(found.area, row.number("area"), || format!("area of row {k}"));
         worst.see(found.load, row.number("load"), || format!("load of row {k}"));
@@ -34,8 +34,8 @@ fn zmc_contact() {
 fn zmc_regimes() {
     for (k, row) in rows("zmc").iter().enumerate() {
         let law = Zmc::new(Zmc::ONSET, row.number("transition_ratio")).unwrap();
-        let resistance = law.of_hardness(row.number("hardness"), 0.3);
-        let pair = Pair { reduced_modulus: row.number("reduced_modulus"), resistance };
+        let yield_limits = law.limits_at(row.number("hardness"), 0.3);
+        let pair = Pair { reduced_modulus: row.number("reduced_modulus"), yield_limits };
         let ratio = row.number("indentation") / row.number("radius");
         // Away from a boundary by more than its rounding the regime is exact too.
         if law.critical_ratios(&pair).iter().all(|c| (ratio / c - 1.0).abs() > 1e-15) {
@@ -50,14 +50,14 @@ fn zmc_regimes() {
 fn law_error<L: Law>(
     law: impl Fn(&Pair) -> L,
     name: &str,
-    resistance: impl Fn(&Material) -> Resistance,
+    yield_limits: impl Fn(&Material) -> YieldLimits,
 ) -> Worst {
     let mut worst = Worst::default();
     for (k, row) in rows("laws").iter().enumerate().filter(|(_, row)| row.text("law") == name) {
         let known = |column: &str| (!row.text(column).is_empty()).then(|| row.number(column));
         let poisson = row.number("poisson");
         let body = Material::new(1e11, poisson, known("hardness"), known("yield_strength")).unwrap();
-        let pair = Pair { reduced_modulus: row.number("reduced_modulus"), resistance: resistance(&body) };
+        let pair = Pair { reduced_modulus: row.number("reduced_modulus"), yield_limits: yield_limits(&body) };
         let found = law(&pair).contact(row.number("indentation"), row.number("radius"), &pair);
         worst.see(found.area, row.number("area"), || format!("area of row {k}"));
         worst.see(found.load, row.number("load"), || format!("load of row {k}"));
@@ -68,9 +68,9 @@ fn law_error<L: Law>(
 #[test]
 fn other_laws() {
     let jackson_green = JacksonGreen::default;
-    let of_strength = |body: &Material| jackson_green().resistance(body).unwrap();
-    law_error(|_| Ceb, "ceb", |body| Ceb.by_hardness(body)).assert_within(1e-13, 480);
-    law_error(|_| KogutEtsion, "kogut_etsion", |body| KogutEtsion.by_hardness(body))
+    let of_strength = |body: &Material| jackson_green().yield_limits(body).unwrap();
+    law_error(|_| Ceb, "ceb", |body| Ceb.yield_limits_by_hardness(body)).assert_within(1e-13, 480);
+    law_error(|_| KogutEtsion, "kogut_etsion", |body| KogutEtsion.yield_limits_by_hardness(body))
         .assert_within(1e-13, 480);
     law_error(|_| jackson_green(), "jackson_green", of_strength).assert_within(1e-13, 350);
     law_error(|pair| jackson_green().tuned(pair), "jackson_green", of_strength).assert_within(1e-13, 350);
@@ -89,7 +89,7 @@ impl MicroContact for Power {
     fn breakpoints(&self, _: Shape) -> Vec<f64> {
         Vec::new()
     }
-    fn may_fall(&self, _: Shapes) -> Vec<Interval> {
+    fn may_decrease(&self, _: Shapes) -> Vec<Interval> {
         Vec::new()
     }
     fn load_over(&self, _: f64, _: f64, _: Shape) -> LoadBounds {
@@ -181,8 +181,8 @@ impl MicroContact for Forgetful {
     fn regime_changes(&self, shape: Shape) -> Vec<f64> {
         self.contact.regime_changes(shape)
     }
-    fn may_fall(&self, shapes: Shapes) -> Vec<Interval> {
-        self.contact.may_fall(shapes)
+    fn may_decrease(&self, shapes: Shapes) -> Vec<Interval> {
+        self.contact.may_decrease(shapes)
     }
     fn load_over(&self, from: f64, to: f64, shape: Shape) -> LoadBounds {
         self.contact.load_over(from, to, shape)
@@ -211,8 +211,8 @@ fn the_references_bite() {
         let [near, far] = statistical_error(bare(mutant));
         assert!(near.error() > 1e-10 && far.error() > 1e-10);
     }
-    let nearly = |onset: f64, strength: f64| Resistance { onset, strength };
-    let of_hardness = |body: &Material| {
+    let nearly = |onset: f64, strength: f64| YieldLimits { onset, strength };
+    let limits_at = |body: &Material| {
         let hardness = body.hardness().unwrap();
         nearly((0.454 + 0.4101 * body.poisson()) * hardness, hardness)
     };
@@ -221,8 +221,8 @@ fn the_references_bite() {
         nearly(1.2951 * (0.736 * body.poisson()).exp() * strength, strength)
     };
     let mutants = [
-        law_error(|_| Ceb, "ceb", of_hardness),
-        law_error(|_| KogutEtsion, "kogut_etsion", of_hardness),
+        law_error(|_| Ceb, "ceb", limits_at),
+        law_error(|_| KogutEtsion, "kogut_etsion", limits_at),
         law_error(|_| JacksonGreen::default(), "jackson_green", of_strength),
     ];
     for mutant in mutants {

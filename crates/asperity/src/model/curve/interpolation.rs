@@ -163,7 +163,7 @@ impl<'a> Newton<'a> {
             for (node, difference) in self.nodes.iter().zip(&self.differences).take(self.through).rev() {
                 let difference = zero.load(&difference.0[lane..]);
                 for (value, h) in values.iter_mut().zip(h) {
-                    *value = value.times_plus(zero.splat(h - node), difference);
+                    *value = value.mul_add(zero.splat(h - node), difference);
                 }
             }
             for (value, quantities) in values.into_iter().zip(&mut *quantities) {
@@ -179,7 +179,7 @@ fn exponential<N: Real>(x: N) -> N {
     /// That of lanes is good up to here.
     const LARGEST: f64 = 700.0;
     let largest = x.splat(LARGEST);
-    if (x.at_most(largest) & (-largest).at_most(x)).all() {
+    if (x.le(largest) & (-largest).le(x)).all() {
         return x.exp();
     }
     let [powers] = x.each(|x| [x.exp()]);

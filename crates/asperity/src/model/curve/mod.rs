@@ -2,16 +2,16 @@
 //!
 //! | module | what it holds |
 //! |---|---|
-//! | `sketch` | where the model is asked, and until when |
+//! | `sampler` | where the model is asked, and until when |
 //! | `interpolation` | what lies between its answers |
 //! | `quantities` | of what |
 
 mod interpolation;
 mod quantities;
-mod sketch;
+mod sampler;
 
 use interpolation::Scale;
-use sketch::{Kinks, Sketch};
+use sampler::{AdaptiveSampler, DiscretisationBound};
 
 use super::{Model, Response};
 
@@ -31,8 +31,8 @@ const FEWEST: usize = 32;
 /// (in parts of the whole), are within `tolerance` of the model's own.
 ///
 /// The model is asked at some of the separations, the rest is interpolated: an interval between two answers is asked
-/// in its middle and halved, until the answer there is what its neighbours foretold, and of a sum until the asperities
-/// between two answers are too few to matter (`Kinks`). What cannot be foretold is asked everywhere. The number of
+/// in its middle and halved, until the answer there is what its neighbours predicted, and of a sum until the asperities
+/// between two answers are too few to matter (`DiscretisationBound`). What cannot be predicted is asked everywhere. The number of
 /// contacts of a sum is counted, not interpolated.
 pub fn respond_within(model: &dyn Model, separations: &[f64], tolerance: f64) -> Curve {
     if separations.len() < FEWEST {
@@ -42,23 +42,23 @@ pub fn respond_within(model: &dyn Model, separations: &[f64], tolerance: f64) ->
     order.sort_by(|&a, &b| separations[a].total_cmp(&separations[b]));
     let counted = model.count_contacts(separations);
     let ascending: Vec<f64> = order.iter().map(|&k| separations[k]).collect();
-    let kinks = counted
-        .as_ref()
-        .map(|counted| Kinks::new(&ascending, order.iter().map(|&k| counted.contacts[k]).collect()));
-    let mut sketch = Sketch::new(ascending, kinks);
-    sketch.settle(model, tolerance);
-    let known = &sketch.known;
+    let bound = counted.as_ref().map(|counted| {
+        DiscretisationBound::new(&ascending, order.iter().map(|&k| counted.contacts[k]).collect())
+    });
+    let mut sampler = AdaptiveSampler::new(ascending, bound);
+    sampler.refine(model, tolerance);
+    let known = &sampler.known;
     let mut asked: Vec<f64> = known.iter().map(|node| node.response.separation_over_sigma).collect();
     // All other places come by.
     let mut responses = vec![known[0].response; separations.len()];
     for node in known {
         responses[order[node.place]] = node.response;
     }
-    let sigma = model.datum().sigma;
+    let sigma = model.plane().sigma;
     // Next to where nothing touches there is nothing to interpolate.
     let mut missing = Vec::new();
     let gaps = known.windows(2).map(|pair| pair[0].place + 1..pair[1].place);
-    sketch.interpolate(gaps, Scale::Plain, |place, quantities| {
+    sampler.interpolate(gaps, Scale::Plain, |place, quantities| {
         let k = order[place];
         let density = counted.as_ref().map(|counted| counted.contacts[k] * counted.per_area);
         match quantities.response(separations[k], sigma, density) {

@@ -1,7 +1,7 @@
 //! One asperity and one pair of bodies.
 
 use asperity::contact::{Contact, Regime};
-use asperity::law::{Body, Hertz, Inapplicable, Law, Pair, Resistance};
+use asperity::law::{Body, Hertz, Inapplicable, Law, Pair, YieldLimits};
 use asperity::material::{Material, reduced_modulus};
 use asperity::numeric::LARGEST;
 
@@ -32,7 +32,7 @@ impl Sample {
         });
         let pair = entry.law.between(&rough, &flat).unwrap();
         let radius = random.log(1e-9, 1e-1);
-        let unit = if pair.resistance.onset.is_finite() { pair.ratio(1.0) * radius } else { radius };
+        let unit = if pair.yield_limits.onset.is_finite() { pair.ratio(1.0) * radius } else { radius };
         let places: Vec<f64> = entry.boundaries.iter().map(|boundary| boundary.place).collect();
         let ends = [places.first(), places.last()].map(|place| place.copied().unwrap_or(1.0));
         let all = [1e-12 * ends[0]].into_iter().chain(places).chain([1e8 * ends[1]]);
@@ -154,9 +154,9 @@ fn answers_scale() {
         let found = sample.contact(&*entry.law, w);
         let larger = entry.law.contact(2.0 * w, 2.0 * radius, pair);
         assert_eq!(values(&larger), [4.0 * found.area, 4.0 * found.load, 2.0 * found.stiffness]);
-        let Resistance { onset, strength } = pair.resistance;
-        let resistance = Resistance { onset: 2.0 * onset, strength: 2.0 * strength };
-        let stiffer = Pair { reduced_modulus: 2.0 * pair.reduced_modulus, resistance };
+        let YieldLimits { onset, strength } = pair.yield_limits;
+        let yield_limits = YieldLimits { onset: 2.0 * onset, strength: 2.0 * strength };
+        let stiffer = Pair { reduced_modulus: 2.0 * pair.reduced_modulus, yield_limits };
         let stiffer = entry.law.contact(w, *radius, &stiffer);
         assert_eq!(values(&stiffer), [found.area, 2.0 * found.load, 2.0 * found.stiffness]);
         assert_eq!([larger.regime, stiffer.regime], [found.regime; 2]);
@@ -260,10 +260,10 @@ fn regimes_come_in_order_and_know_their_properties() {
             if !entry.stands_under_layers {
                 continue;
             }
-            let Pair { reduced_modulus, resistance: Resistance { onset, strength } } = sample.pair;
+            let Pair { reduced_modulus, yield_limits: YieldLimits { onset, strength } } = sample.pair;
             let pair = |reduced_modulus, onset, strength| Pair {
                 reduced_modulus,
-                resistance: Resistance { onset, strength },
+                yield_limits: YieldLimits { onset, strength },
             };
             // Within the range that a change of the onset or of E* by 1e-4 leaves in its place.
             let same = match regime {

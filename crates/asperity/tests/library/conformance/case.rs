@@ -1,7 +1,7 @@
 //! Random bodies, layers and asperities.
 
 use asperity::interface::{Flat, MicroContact};
-use asperity::law::{Inapplicable, Pair, Resistance, Shape};
+use asperity::law::{Inapplicable, Pair, Shape, YieldLimits};
 use asperity::layer::{Coating, Rule};
 use asperity::material::Material;
 
@@ -88,10 +88,11 @@ impl Case {
 
     /// Which formula holds at `w`, and whether the rough body is the one that yields first, and the weaker one.
     pub fn state(&self, entry: &Entry, w: f64) -> (usize, bool, bool) {
-        let resistance = |body: &Material| entry.law.resistance(body).unwrap_or(Resistance::ENDLESS);
-        let (rough, flat) = (resistance(&self.rough), resistance(&self.felt(w)));
+        let yield_limits =
+            |body: &Material| entry.law.yield_limits(body).unwrap_or(YieldLimits::NEVER_YIELDS);
+        let (rough, flat) = (yield_limits(&self.rough), yield_limits(&self.felt(w)));
         let pair = self.pair(entry, w);
-        let u = w / self.shape.radius * (pair.reduced_modulus / pair.resistance.onset).powi(2);
+        let u = w / self.shape.radius * (pair.reduced_modulus / pair.yield_limits.onset).powi(2);
         (entry.formula(u), rough.onset < flat.onset, rough.strength < flat.strength)
     }
 
@@ -133,6 +134,6 @@ impl Case {
 
 /// The indentation (m) about which formulas change on a homogeneous flat; the radius where none does.
 fn critical(entry: &Entry, rough: &Material, flat: &Material, radius: f64) -> f64 {
-    let pair = entry.law.between(rough, flat).ok().filter(|pair| pair.resistance.onset.is_finite());
+    let pair = entry.law.between(rough, flat).ok().filter(|pair| pair.yield_limits.onset.is_finite());
     pair.map_or(radius, |pair| pair.ratio(1.0) * radius)
 }

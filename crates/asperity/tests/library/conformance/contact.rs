@@ -1,13 +1,13 @@
 //! One asperity on flats of all kinds: homogeneous, under a layer, all layer.
 
+use asperity::accumulator::{Accumulator, Total};
 use asperity::asperity::{AsperitySet, Draw, Ellipse, Ellipses, HeightDensity, Ordered, Population};
 use asperity::contact::Contact;
 use asperity::interface::{MicroContact, Shapes};
 use asperity::law::{Inapplicable, Shape};
 use asperity::material::Material;
-use asperity::model::{Datum, Deterministic, Model, Statistical};
+use asperity::model::{Deterministic, Model, ReferencePlane, Statistical};
 use asperity::numeric::interval::Interval;
-use asperity::tally::{Tally, Total};
 
 use super::case::Case;
 use super::laws::{Entry, all};
@@ -122,16 +122,16 @@ fn many_answer_as_one_does() {
             let separation = 0.3 * scale;
             let ordered = Ordered::new(set);
             let touching = ordered.above(separation);
-            let mut found = Tally::default();
-            contact.press(touching, separation, &mut found);
-            let mut single = Tally::default();
+            let mut found = Accumulator::default();
+            contact.accumulate(touching, separation, &mut found);
+            let mut single = Accumulator::default();
             touching.each().for_each(|(z, shape)| single.add(&contact.contact(z - separation, shape)));
             see(found.total(), single.total(), &|| format!("{} of {case:?}", entry.label));
         }
         let indentations: Vec<f64> = (0..29).map(|_| scale * random.log(1e-4, 1e4)).collect();
-        let (mut found, mut single) = (Tally::default(), Tally::default());
-        contact.weigh(&indentations, &indentations, case.shape, &mut found);
-        indentations.iter().for_each(|&w| single.weigh(&contact.contact(w, case.shape), w));
+        let (mut found, mut single) = (Accumulator::default(), Accumulator::default());
+        contact.accumulate_weighted(&indentations, &indentations, case.shape, &mut found);
+        indentations.iter().for_each(|&w| single.accumulate_weighted(&contact.contact(w, case.shape), w));
         see(found.total(), single.total(), &|| format!("{} of {case:?}", entry.label));
     });
     worst.assert_within(1e-13, 1000);
@@ -185,7 +185,7 @@ fn no_load_falls_but_where_it_is_said_to() {
         let Shape { radius, spheres } = case.shape;
         let radii = Interval { low: radius, high: radius * random.one_of(&[1.0, 1.5]) };
         let numbers = Interval { low: spheres, high: spheres * random.one_of(&[1.0, 1.2]) };
-        let within = contact.may_fall(Shapes { radii, spheres: numbers });
+        let within = contact.may_decrease(Shapes { radii, spheres: numbers });
         assert!(within.windows(2).all(|pair| pair[0].high < pair[1].low));
         free += usize::from(within.is_empty());
         for shape in [case.shape, Shape { radius: radii.high, spheres: numbers.high }] {
@@ -243,7 +243,7 @@ fn thin_and_thick_layers_end_in_their_limits() {
         let set = population.set(50, Draw::Quantiles).unwrap();
         let loads = |thickness: f64| {
             let contact = entry.law.on(&case.flat(thickness), &case.rough).unwrap();
-            let sum = Deterministic::new(&*contact, set.spheres(), Datum { mean: 0.0, sigma });
+            let sum = Deterministic::new(&*contact, set.spheres(), ReferencePlane { mean: 0.0, sigma });
             [&Statistical::new(&*contact, population) as &dyn Model, &sum]
                 .map(|model| model.respond(1.0).pressure.total())
         };

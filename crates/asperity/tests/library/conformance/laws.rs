@@ -5,8 +5,8 @@ use std::f64::consts::PI;
 use asperity::contact::{Contact, Regime};
 use asperity::interface::{Flat, MicroContact};
 use asperity::law::{
-    Ceb, FullyPlastic, Hertz, Inapplicable, JacksonGreen, KogutEtsion, Law, Pair, Property, Resistance,
-    Similar, Zmc,
+    Ceb, FullyPlastic, Hertz, Inapplicable, JacksonGreen, KogutEtsion, Law, Pair, Property, ScalableLaw,
+    YieldLimits, Zmc,
 };
 use asperity::material::Material;
 
@@ -17,7 +17,7 @@ pub trait AnyLaw {
     fn jumps(&self, pair: &Pair) -> Vec<f64>;
     fn highest_load(&self, from: f64, to: f64, b: f64, pair: &Pair) -> f64;
     fn tuned(&self, pair: &Pair) -> Box<dyn AnyLaw>;
-    fn resistance(&self, body: &Material) -> Result<Resistance, Property>;
+    fn yield_limits(&self, body: &Material) -> Result<YieldLimits, Property>;
     fn between(&self, rough: &Material, flat: &Material) -> Result<Pair, Inapplicable>;
     fn on(&self, flat: &Flat, rough: &Material) -> Result<Box<dyn MicroContact>, Inapplicable>;
 }
@@ -43,8 +43,8 @@ impl<L: Law> AnyLaw for On<L> {
     fn tuned(&self, pair: &Pair) -> Box<dyn AnyLaw> {
         Box::new(Self(self.0.clone().tuned(pair), self.1))
     }
-    fn resistance(&self, body: &Material) -> Result<Resistance, Property> {
-        self.0.resistance(body)
+    fn yield_limits(&self, body: &Material) -> Result<YieldLimits, Property> {
+        self.0.yield_limits(body)
     }
     fn between(&self, rough: &Material, flat: &Material) -> Result<Pair, Inapplicable> {
         Pair::between(&self.0, rough, flat)
@@ -85,7 +85,7 @@ pub struct Entry {
 }
 
 impl Entry {
-    fn similar<L: Similar>(label: &'static str, law: L, first: Regime) -> Self {
+    fn scalable<L: ScalableLaw>(label: &'static str, law: L, first: Regime) -> Self {
         let on = On(law, |law, flat, rough| flat.under(law.clone(), rough));
         Self::new(label, Box::new(on), first, true)
     }
@@ -142,7 +142,7 @@ fn smooth(_: &Pair) -> [f64; 2] {
 /// ZMC with its stated options.
 fn zmc(label: &'static str, onset: f64, ratio: f64, jumps: fn(&Pair) -> [f64; 2]) -> Entry {
     let law = Zmc::new(onset, ratio).unwrap();
-    Entry::similar(label, law, Regime::Elastic).then(onset, Regime::ElasticPlastic, jumps).then(
+    Entry::scalable(label, law, Regime::Elastic).then(onset, Regime::ElasticPlastic, jumps).then(
         ratio * onset,
         Regime::Plastic,
         smooth,
@@ -154,13 +154,13 @@ const CRITICAL: f64 = PI * PI / 4.0;
 
 fn kogut_etsion() -> Entry {
     let fully_plastic = |pair: &Pair| {
-        let Resistance { onset, strength } = pair.resistance;
+        let YieldLimits { onset, strength } = pair.yield_limits;
         [
             3.0 * strength / onset * 110.0 / (1.40 * 110f64.powf(1.263)),
             2.0 * 110.0 / (0.94 * 110f64.powf(1.146)),
         ]
     };
-    Entry::similar("kogut-etsion", KogutEtsion, Regime::Elastic)
+    Entry::scalable("kogut-etsion", KogutEtsion, Regime::Elastic)
         .needing(Property::Hardness)
         .then(CRITICAL, Regime::ElasticPlastic, |_| [1.03, 0.93])
         .then(6.0 * CRITICAL, Regime::ElasticPlastic, |_| {
@@ -174,7 +174,7 @@ fn kogut_etsion() -> Entry {
 
 fn jackson_green() -> Entry {
     let jumps = |pair: &Pair| {
-        let Resistance { onset, strength } = pair.resistance;
+        let YieldLimits { onset, strength } = pair.yield_limits;
         let u: f64 = 1.9;
         let width = PI * onset / (2.0 * pair.reduced_modulus) * u.sqrt();
         let hardness = 2.84 * strength * (1.0 - (-0.82 * width.powf(-0.7)).exp());
@@ -194,7 +194,7 @@ fn jackson_green() -> Entry {
 /// A law added here is tested by the whole suite.
 pub fn all() -> Vec<Entry> {
     vec![
-        Entry::similar("hertz", Hertz, Regime::Elastic),
+        Entry::scalable("hertz", Hertz, Regime::Elastic),
         zmc("zmc", Zmc::ONSET, 54.0, smooth).stating(0.3, &["1", "1"]),
         zmc("zmc, 110", Zmc::ONSET, 110.0, smooth),
         zmc("zmc, wide", Zmc::ONSET, 1e4, smooth),
@@ -203,12 +203,12 @@ pub fn all() -> Vec<Entry> {
             .stating(0.3, &["0.999024", "1"]),
         zmc("zmc, early", 0.4, 54.0, |_| [0.3 * PI / 0.4f64.sqrt(), 1.0]),
         zmc("zmc, late", 100.0, 54.0, |_| [0.03 * PI, 1.0]),
-        Entry::similar("ceb", Ceb, Regime::Elastic)
+        Entry::scalable("ceb", Ceb, Regime::Elastic)
             .needing(Property::Hardness)
             .then(CRITICAL, Regime::ElasticPlastic, |_| [1.5, 1.0])
             .stating(0.3, &["1.5"]),
         kogut_etsion(),
         jackson_green(),
-        Entry::similar("fully-plastic", FullyPlastic, Regime::Plastic).needing(Property::Hardness),
+        Entry::scalable("fully-plastic", FullyPlastic, Regime::Plastic).needing(Property::Hardness),
     ]
 }

@@ -3,7 +3,7 @@
 use asperity::asperity::{AsperitySet, Draw, Ellipse, Ellipses, HeightDensity, Population};
 use asperity::interface::MicroContact;
 use asperity::law::Shape;
-use asperity::model::{Datum, Deterministic, Model, Statistical, at_pressure};
+use asperity::model::{Deterministic, Model, ReferencePlane, Statistical, at_pressure};
 
 use super::case::Case;
 use super::contact::each;
@@ -117,8 +117,8 @@ fn the_first_reach_counts() {
         let ellipses = set.clone().with_ellipses(ellipses).unwrap();
         let ellipses = Ellipses::of(&ellipses).unwrap();
         let sets = [set.spheres(), ellipses.asperities()];
-        let datum = Datum { mean: 0.0, sigma };
-        let sums = sets.map(|set| Deterministic::new(contact, set, datum));
+        let plane = ReferencePlane { mean: 0.0, sigma };
+        let sums = sets.map(|set| Deterministic::new(contact, set, plane));
         let integral = Statistical::of_shape(contact, population, case.shape);
         for model in [&integral as &dyn Model, &sums[0], &sums[1]] {
             let pressure = |h: f64| model.respond(h).pressure.total();
@@ -174,7 +174,7 @@ fn a_pressure_in_a_jump_is_said_to_be_in_one() {
             if above < below * (1.0 + 1e-6) {
                 continue;
             }
-            let model = Deterministic::new(contact, set.spheres(), Datum { mean: 0.0, sigma: w });
+            let model = Deterministic::new(contact, set.spheres(), ReferencePlane { mean: 0.0, sigma: w });
             let reached = at_pressure(&model, 0.5 * (below + above)).unwrap();
             assert!(reached.in_jump, "{}: {reached:?} at {w:e} of {case:?}", entry.label);
             assert!(relative_error(-reached.response.separation, w) < 1e-11, "{}: {case:?}", entry.label);

@@ -2,7 +2,7 @@
 
 use crate::contact::{ByRegime, Contact, Contacts, Regime};
 use crate::numeric::lanes::{Mask, Real};
-use crate::numeric::sum::{Parted, Sum, Sums};
+use crate::numeric::sum::{LaneSum, Sum, Sums};
 
 /// What many micro-contacts add up to, by regime. Totals of parts merge into the total of the whole; the order of merging
 /// is the caller's to fix.
@@ -69,19 +69,19 @@ fn sampling_error(squares: f64, total: f64, count: usize) -> f64 {
 
 /// A total in the making: every sum in as many parts as a machine has lanes.
 #[derive(Debug, Clone, Copy, Default)]
-pub struct Tally {
-    contacts: Parted,
-    area: [Parted; 3],
-    load: [Parted; 3],
-    stiffness: Parted,
-    area_squared: Parted,
-    load_squared: Parted,
+pub struct Accumulator {
+    contacts: LaneSum,
+    area: [LaneSum; 3],
+    load: [LaneSum; 3],
+    stiffness: LaneSum,
+    area_squared: LaneSum,
+    load_squared: LaneSum,
 }
 
-impl Tally {
+impl Accumulator {
     /// Adds `weight` contacts of one kind (a quadrature weight, in the statistical model).
     #[inline]
-    pub fn weigh(&mut self, contact: &Contact, weight: f64) {
+    pub fn accumulate_weighted(&mut self, contact: &Contact, weight: f64) {
         let regime = contact.regime as usize;
         self.contacts.add(weight);
         self.area[regime].add(weight * contact.area);
@@ -92,7 +92,7 @@ impl Tally {
     /// Adds one real contact, squares included: they give the sampling error.
     #[inline]
     pub fn add(&mut self, contact: &Contact) {
-        self.weigh(contact, 1.0);
+        self.accumulate_weighted(contact, 1.0);
         self.area_squared.add(contact.area * contact.area);
         self.load_squared.add(contact.load * contact.load);
     }
@@ -102,9 +102,9 @@ impl Tally {
         self.stiffness.add(stiffness);
     }
 
-    /// Adds what was tallied side by side.
+    /// Adds what was accumulated side by side.
     #[inline(always)]
-    pub fn add_lanes<N: Real>(&mut self, lanes: &SideBySide<N>) {
+    pub fn add_lanes<N: Real>(&mut self, lanes: &LaneBatch<N>) {
         self.contacts.add(lanes.count as f64);
         self.contacts.add_lanes(&lanes.weights);
         for (regime, _) in lanes.holds.iter().enumerate().filter(|(_, holds)| **holds) {
@@ -129,8 +129,8 @@ impl Tally {
     }
 }
 
-/// A tally of contacts side by side.
-pub struct SideBySide<N> {
+/// A accumulator of contacts side by side.
+pub struct LaneBatch<N> {
     zero: N,
     /// How many real contacts.
     count: usize,
@@ -146,7 +146,7 @@ pub struct SideBySide<N> {
 }
 
 /// Few contacts, added plainly: a sum of [`FEW`] positive terms is off by 15 roundings at the most.
-pub struct Handful<N> {
+pub struct LaneAccumulator<N> {
     zero: N,
     count: usize,
     holds: [bool; 3],
@@ -160,7 +160,7 @@ pub struct Handful<N> {
 /// How many contacts a lane adds before what its sum loses to rounding is kept.
 pub const FEW: usize = 16;
 
-impl<N: Real> SideBySide<N> {
+impl<N: Real> LaneBatch<N> {
     /// Of nothing, with the lanes of `zero`.
     #[inline(always)]
     pub fn new(zero: N) -> Self {
@@ -180,7 +180,7 @@ impl<N: Real> SideBySide<N> {
 
     /// Adds real contacts of all lanes.
     #[inline(always)]
-    pub fn add(&mut self, few: &Handful<N>) {
+    pub fn add(&mut self, few: &LaneAccumulator<N>) {
         self.count += few.count;
         self.add_few(few);
     }
@@ -188,11 +188,11 @@ impl<N: Real> SideBySide<N> {
     /// Adds the real contacts of some lanes, `count` of them.
     #[inline(always)]
     pub fn add_part(&mut self, contact: &Contacts<N>, present: N::Mask, count: usize) {
-        let mut few = Handful::new(self.zero);
+        let mut few = LaneAccumulator::new(self.zero);
         few.add(&Contacts {
-            area: N::choose(present, contact.area, self.zero),
-            load: N::choose(present, contact.load, self.zero),
-            stiffness: N::choose(present, contact.stiffness, self.zero),
+            area: N::select(present, contact.area, self.zero),
+            load: N::select(present, contact.load, self.zero),
+            stiffness: N::select(present, contact.stiffness, self.zero),
             elastic: contact.elastic | !present,
             plastic: contact.plastic & present,
         });
@@ -201,15 +201,15 @@ impl<N: Real> SideBySide<N> {
     }
 
     #[inline(always)]
-    fn add_few(&mut self, few: &Handful<N>) {
-        self.add_weighed(few);
+    fn add_few(&mut self, few: &LaneAccumulator<N>) {
+        self.add_weighted(few);
         self.area_squared.add(few.area_squared);
         self.load_squared.add(few.load_squared);
     }
 
     /// Adds all but the squares, of which weighed contacts have none.
     #[inline(always)]
-    pub fn add_weighed(&mut self, few: &Handful<N>) {
+    pub fn add_weighted(&mut self, few: &LaneAccumulator<N>) {
         for regime in 0..3 {
             if few.holds[regime] {
                 self.holds[regime] = true;
@@ -223,13 +223,13 @@ impl<N: Real> SideBySide<N> {
     /// Adds to `few` `weights` contacts of each kind (quadrature weights, in the statistical model); the weights themselves
     /// are kept here, each to its last digit.
     #[inline(always)]
-    pub fn weigh(&mut self, few: &mut Handful<N>, contact: &Contacts<N>, weights: N) {
+    pub fn accumulate_weighted(&mut self, few: &mut LaneAccumulator<N>, contact: &Contacts<N>, weights: N) {
         self.weights.add(weights);
         few.add_contacts(&contact.times(weights));
     }
 }
 
-impl<N: Real> Handful<N> {
+impl<N: Real> LaneAccumulator<N> {
     /// None, with the lanes of `zero`.
     #[inline(always)]
     pub fn new(zero: N) -> Self {
@@ -256,8 +256,8 @@ impl<N: Real> Handful<N> {
     fn add_contacts(&mut self, contact: &Contacts<N>) {
         let &Contacts { area, load, stiffness, elastic, plastic } = contact;
         self.stiffness = self.stiffness + stiffness;
-        self.area_squared = area.times_plus(area, self.area_squared);
-        self.load_squared = load.times_plus(load, self.load_squared);
+        self.area_squared = area.mul_add(area, self.area_squared);
+        self.load_squared = load.mul_add(load, self.load_squared);
         let flowing = !(elastic | plastic);
         // Most often all are of one regime.
         let of_one = self.add_if_all(Regime::Elastic, elastic, area, load)
@@ -282,7 +282,7 @@ impl<N: Real> Handful<N> {
     #[inline(always)]
     fn add_some(&mut self, regime: Regime, mask: N::Mask, area: N, load: N) {
         if mask.any() {
-            self.add_to(regime, N::choose(mask, area, self.zero), N::choose(mask, load, self.zero));
+            self.add_to(regime, N::select(mask, area, self.zero), N::select(mask, load, self.zero));
         }
     }
 
@@ -301,11 +301,11 @@ mod tests {
 
     #[test]
     fn shares_are_parts_of_the_total_in_the_order_of_the_regimes() {
-        let mut tally = Tally::default();
+        let mut accumulator = Accumulator::default();
         for (regime, load) in Regime::ALL.into_iter().zip([1.0, 2.0, 5.0]) {
-            tally.add(&Contact { area: 2.0 * load, load, stiffness: 0.0, regime });
+            accumulator.add(&Contact { area: 2.0 * load, load, stiffness: 0.0, regime });
         }
-        let total = tally.total();
+        let total = accumulator.total();
         assert_eq!(total.load().shares(), Some([0.125, 0.25, 0.625]));
         assert_eq!(total.area().0, [2.0, 4.0, 10.0]);
         assert_eq!(ByRegime::default().shares(), None);

@@ -1,11 +1,11 @@
-//! Scenes: random ones over the whole representable range, and families that look for trouble.
+//! Scenes: random ones over the whole representable range, and groups that look for trouble.
 
 use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 
 use super::Ranges;
 use super::bodies::{Bodies, Law, Layer};
-use super::family::Family;
+use super::group::Group;
 use asperity::asperity::{HeightDensity, Population};
 use asperity::law::Shape;
 use asperity::layer::Rule;
@@ -13,9 +13,9 @@ use asperity::material::{Material, reduced_modulus};
 
 /// One question, with every number that goes into it.
 #[derive(Debug, Clone)]
-pub struct Scene {
+pub struct Case {
     /// Where it belongs.
-    pub family: Family,
+    pub group: Group,
     /// Its number there.
     pub index: u64,
     /// Who touches whom.
@@ -86,23 +86,23 @@ pub struct SetWords {
 impl SetWords {
     /// Heights and radii, m, for the separation `h`.
     pub fn asperities(&self, h: f64) -> Vec<(f64, f64)> {
-        let mut dice = Dice(ChaCha8Rng::seed_from_u64(self.seed));
+        let mut rng = CaseRng(ChaCha8Rng::seed_from_u64(self.seed));
         let flat = self.mean + h * self.sigma;
         (0..self.count)
             .map(|k| {
                 let height = match self.heights {
-                    Heights::Gaussian => self.mean + self.sigma * dice.normal(),
+                    Heights::Gaussian => self.mean + self.sigma * rng.normal(),
                     Heights::Line => {
                         self.mean + self.sigma * (6.0 * k as f64 / (self.count - 1).max(1) as f64 - 3.0)
                     }
                     Heights::Equal => self.mean,
                     // The first stands well above.
                     Heights::Touching if k == 0 => flat + self.sigma,
-                    Heights::Touching => flat + (dice.below(9) as f64 - 4.0) * f64::EPSILON * flat.abs(),
+                    Heights::Touching => flat + (rng.below(9) as f64 - 4.0) * f64::EPSILON * flat.abs(),
                 };
                 let radius = match self.heights {
                     Heights::Equal => self.radius,
-                    _ => self.radius * dice.between(-1.0, 1.0).exp2(),
+                    _ => self.radius * rng.between(-1.0, 1.0).exp2(),
                 };
                 (height, radius)
             })
@@ -111,9 +111,9 @@ impl SetWords {
 }
 
 /// Numbers at random.
-struct Dice(ChaCha8Rng);
+struct CaseRng(ChaCha8Rng);
 
-impl Dice {
+impl CaseRng {
     fn between(&mut self, from: f64, to: f64) -> f64 {
         from + (to - from) * self.0.random::<f64>()
     }
@@ -137,8 +137,8 @@ impl Dice {
     }
 }
 
-/// The scenes of one seed.
-pub(super) struct Maker<'a> {
+/// The cases of one seed.
+pub(super) struct CaseFactory<'a> {
     pub(super) seed: [u8; 32],
     pub(super) ranges: &'a Ranges,
 }
@@ -147,161 +147,156 @@ const YOUNG: [f64; 2] = [1e6, 1e13];
 const SIGMA: [f64; 2] = [1e-9, 1e-5];
 /// density * radius * sigma.
 const CROWDING: f64 = 0.03;
-/// Most asperities of a set that is judged asperity by asperity.
+/// Most asperities of a set that is checked asperity by asperity.
 const FEW: [f64; 2] = [1.0, 300.0];
 /// Y/E* that Jackson and Green's law takes.
 const STRONGEST: f64 = 0.06;
 
-impl Maker<'_> {
-    /// The scene `index` of a family: it depends on the seed, the family and the index alone.
-    pub(super) fn scene(&self, family: Family, index: u64) -> Scene {
+impl CaseFactory<'_> {
+    /// The case `index` of a group: it depends on the seed, the group and the index alone.
+    pub(super) fn case(&self, group: Group, index: u64) -> Case {
         let mut seed = self.seed;
-        for (byte, of) in seed.iter_mut().zip(family.name().bytes()) {
+        for (byte, of) in seed.iter_mut().zip(group.name().bytes()) {
             *byte ^= of;
         }
         let mut rng = ChaCha8Rng::from_seed(seed);
         rng.set_stream(index);
-        let mut dice = Dice(rng);
-        let bodies = self.bodies(&mut dice, family);
-        let asked = self.asked(&mut dice, family, &bodies);
-        let (bodies, asked) = meet(&mut dice, family, bodies, asked);
-        Scene { family, index, bodies, asked }
+        let mut rng = CaseRng(rng);
+        let bodies = self.bodies(&mut rng, group);
+        let asked = self.asked(&mut rng, group, &bodies);
+        let (bodies, asked) = meet(&mut rng, group, bodies, asked);
+        Case { group, index, bodies, asked }
     }
 
-    fn bodies(&self, dice: &mut Dice, family: Family) -> Bodies {
-        let layered = family.is_layered();
-        let law = if family == Family::Ellipses {
-            [Law::Hertz, self.zmc(dice)][dice.below(2)]
+    fn bodies(&self, rng: &mut CaseRng, group: Group) -> Bodies {
+        let layered = group.is_layered();
+        let law = if group == Group::Ellipses {
+            [Law::Hertz, self.zmc(rng)][rng.below(2)]
         } else {
-            match dice.below(12) {
+            match rng.below(12) {
                 0 | 1 => Law::Hertz,
                 2 | 3 => Law::Ceb,
                 4 | 5 => Law::KogutEtsion,
                 6 | 7 => Law::FullyPlastic,
                 8 if !layered => Law::JacksonGreen,
-                _ => self.zmc(dice),
+                _ => self.zmc(rng),
             }
         };
-        let young = dice.ratio(YOUNG);
-        let body = |dice: &mut Dice| {
-            let young = (young * dice.ratio([1e-3, 1e3])).clamp(YOUNG[0], YOUNG[1]);
-            unyielding(young, dice.between(0.0, 0.4999))
+        let young = rng.ratio(YOUNG);
+        let body = |rng: &mut CaseRng| {
+            let young = (young * rng.ratio([1e-3, 1e3])).clamp(YOUNG[0], YOUNG[1]);
+            unyielding(young, rng.between(0.0, 0.4999))
         };
-        let (rough, flat, layer) = (body(dice), body(dice), body(dice));
+        let (rough, flat, layer) = (body(rng), body(rng), body(rng));
         let modulus = reduced_modulus(&rough, &flat);
-        let hardness = modulus * dice.ratio(self.ranges.hardness_over_modulus);
-        let harden = |dice: &mut Dice, body: Material| {
-            let hardness = (hardness * dice.ratio([1e-2, 1e2])).clamp(
+        let hardness = modulus * rng.ratio(self.ranges.hardness_over_modulus);
+        let harden = |rng: &mut CaseRng, body: Material| {
+            let hardness = (hardness * rng.ratio([1e-2, 1e2])).clamp(
                 modulus * self.ranges.hardness_over_modulus[0],
                 modulus * self.ranges.hardness_over_modulus[1],
             );
             let strength = match law {
                 Law::JacksonGreen => Some((hardness / 2.8).min(STRONGEST * modulus)),
-                _ => dice.chance(0.5).then(|| hardness / dice.between(2.0, 4.0)),
+                _ => rng.chance(0.5).then(|| hardness / rng.between(2.0, 4.0)),
             };
             Material::new(body.young(), body.poisson(), Some(hardness), strength).unwrap_or(body)
         };
-        let alone = dice.below(8);
-        let rough = if alone == 0 { rough } else { harden(dice, rough) };
-        let (flat, layer) =
-            if alone == 1 { (flat, layer) } else { (harden(dice, flat), harden(dice, layer)) };
+        let alone = rng.below(8);
+        let rough = if alone == 0 { rough } else { harden(rng, rough) };
+        let (flat, layer) = if alone == 1 { (flat, layer) } else { (harden(rng, flat), harden(rng, layer)) };
         let layer = layered.then(|| Layer {
             material: layer,
-            thickness: dice.ratio(self.ranges.thickness),
-            rule: Rule::ALL[dice.below(2)],
+            thickness: rng.ratio(self.ranges.thickness),
+            rule: Rule::ALL[rng.below(2)],
         });
         Bodies { law, rough, flat, layer }
     }
 
-    fn zmc(&self, dice: &mut Dice) -> Law {
-        let onset = dice.chance(0.2).then(|| dice.between(0.5, 2.0));
-        let transition_ratio = if dice.chance(0.5) { 54.0 } else { dice.ratio([1.01, 1e6]) };
+    fn zmc(&self, rng: &mut CaseRng) -> Law {
+        let onset = rng.chance(0.2).then(|| rng.between(0.5, 2.0));
+        let transition_ratio = if rng.chance(0.5) { 54.0 } else { rng.ratio([1.01, 1e6]) };
         Law::Zmc { onset, transition_ratio }
     }
 
-    fn asked(&self, dice: &mut Dice, family: Family, bodies: &Bodies) -> Asked {
-        let sigma = dice.ratio(SIGMA);
-        let radius = sigma * dice.ratio(self.ranges.radius_over_sigma);
+    fn asked(&self, rng: &mut CaseRng, group: Group, bodies: &Bodies) -> Asked {
+        let sigma = rng.ratio(SIGMA);
+        let radius = sigma * rng.ratio(self.ranges.radius_over_sigma);
         let heights =
-            if family == Family::Exponential { HeightDensity::Exponential } else { HeightDensity::Gaussian };
+            if group == Group::Exponential { HeightDensity::Exponential } else { HeightDensity::Gaussian };
         let population = Population { radius, sigma, density: CROWDING / (radius * sigma), heights };
         let [nearest, furthest] = self.ranges.separation;
-        let within = |dice: &mut Dice, from: f64, to: f64| {
-            dice.between(from.clamp(nearest, furthest), to.clamp(nearest, furthest))
+        let within = |rng: &mut CaseRng, from: f64, to: f64| {
+            rng.between(from.clamp(nearest, furthest), to.clamp(nearest, furthest))
         };
-        let set = |dice: &mut Dice, heights: Heights| SetWords {
+        let set = |rng: &mut CaseRng, heights: Heights| SetWords {
             heights,
-            count: dice.ratio(FEW).round() as usize,
+            count: rng.ratio(FEW).round() as usize,
             mean: 0.0,
             sigma,
             radius,
-            seed: dice.0.random::<u64>(),
+            seed: rng.0.random::<u64>(),
         };
-        match family {
-            Family::Contacts | Family::LayeredContacts | Family::Boundaries | Family::LayeredBoundaries => {
-                Asked::Contact { w: self.indentation(dice, bodies, radius), radius }
+        match group {
+            Group::Contacts | Group::LayeredContacts | Group::Boundaries | Group::LayeredBoundaries => {
+                Asked::Contact { w: self.indentation(rng, bodies, radius), radius }
             }
-            Family::Scales => Asked::Contact { w: radius * dice.ratio([1e-12, 1.0]), radius },
-            Family::Ellipses => Asked::Ellipse {
-                w: radius * dice.ratio([1e-12, 1.0]),
+            Group::Scales => Asked::Contact { w: radius * rng.ratio([1e-12, 1.0]), radius },
+            Group::Ellipses => Asked::Ellipse {
+                w: radius * rng.ratio([1e-12, 1.0]),
                 mean_curvature: radius.recip(),
-                ratio: if dice.chance(0.1) {
-                    1.0 + dice.ratio([1e-15, 1e-3])
-                } else {
-                    dice.ratio([1.0, 1e12])
-                },
+                ratio: if rng.chance(0.1) { 1.0 + rng.ratio([1e-15, 1e-3]) } else { rng.ratio([1.0, 1e12]) },
             },
-            Family::Denormals => {
-                let w = if dice.chance(0.2) {
-                    f64::from_bits(dice.below(20) as u64 + 1)
+            Group::Denormals => {
+                let w = if rng.chance(0.2) {
+                    f64::from_bits(rng.below(20) as u64 + 1)
                 } else {
-                    f64::MIN_POSITIVE * dice.ratio([1e-15, 1e15])
+                    f64::MIN_POSITIVE * rng.ratio([1e-15, 1e15])
                 };
                 Asked::Contact { w, radius }
             }
-            Family::Sums | Family::LayeredSums => {
-                Asked::Sum(set(dice, Heights::Gaussian), within(dice, -3.0, 3.0))
+            Group::Sums | Group::LayeredSums => {
+                Asked::Sum(set(rng, Heights::Gaussian), within(rng, -3.0, 3.0))
             }
-            Family::OneAsperity => {
-                Asked::Sum(SetWords { count: 1, ..set(dice, Heights::Equal) }, -dice.ratio([1e-12, 20.0]))
+            Group::OneAsperity => {
+                Asked::Sum(SetWords { count: 1, ..set(rng, Heights::Equal) }, -rng.ratio([1e-12, 20.0]))
             }
-            Family::Offset => {
-                let sign = if dice.chance(0.5) { 1.0 } else { -1.0 };
-                let mean = sign * sigma * dice.ratio([1.0, 1e6]);
-                Asked::Sum(SetWords { mean, ..set(dice, Heights::Gaussian) }, within(dice, -3.0, 2.0))
+            Group::Offset => {
+                let sign = if rng.chance(0.5) { 1.0 } else { -1.0 };
+                let mean = sign * sigma * rng.ratio([1.0, 1e6]);
+                Asked::Sum(SetWords { mean, ..set(rng, Heights::Gaussian) }, within(rng, -3.0, 2.0))
             }
-            Family::Line => Asked::Sum(set(dice, Heights::Line), within(dice, -4.0, 3.0)),
-            Family::Touching => Asked::Sum(set(dice, Heights::Touching), within(dice, -4.0, 4.0)),
-            Family::Equal => Asked::Sum(set(dice, Heights::Equal), -dice.ratio([1e-6, 20.0])),
-            Family::MillionEqual => Asked::Sum(
-                SetWords { count: 1_000_000, ..set(dice, Heights::Equal) },
-                -dice.ratio([1e-3, 20.0]),
+            Group::Line => Asked::Sum(set(rng, Heights::Line), within(rng, -4.0, 3.0)),
+            Group::Touching => Asked::Sum(set(rng, Heights::Touching), within(rng, -4.0, 4.0)),
+            Group::Equal => Asked::Sum(set(rng, Heights::Equal), -rng.ratio([1e-6, 20.0])),
+            Group::MillionEqual => Asked::Sum(
+                SetWords { count: 1_000_000, ..set(rng, Heights::Equal) },
+                -rng.ratio([1e-3, 20.0]),
             ),
-            Family::MillionLine => {
-                Asked::Sum(SetWords { count: 1_000_000, ..set(dice, Heights::Line) }, within(dice, -4.0, 3.0))
+            Group::MillionLine => {
+                Asked::Sum(SetWords { count: 1_000_000, ..set(rng, Heights::Line) }, within(rng, -4.0, 3.0))
             }
-            Family::Integrals | Family::LayeredIntegrals | Family::Exponential => {
-                Asked::Integral(population, within(dice, -10.0, 20.0))
+            Group::Integrals | Group::LayeredIntegrals | Group::Exponential => {
+                Asked::Integral(population, within(rng, -10.0, 20.0))
             }
-            Family::Deep => Asked::Integral(population, within(dice, -20.0, -10.0)),
-            Family::Tail => Asked::Integral(population, within(dice, 20.0, 35.0)),
-            Family::Last => Asked::Integral(population, within(dice, 35.0, 37.0)),
-            Family::Vanishing => Asked::Integral(population, dice.between(37.0, 40.0)),
-            Family::LoadsOfIntegrals => Asked::LoadOfIntegral(population, within(dice, -8.0, 20.0)),
-            Family::LoadsOfSums => Asked::LoadOfSum(set(dice, Heights::Gaussian), within(dice, -4.0, 2.0)),
+            Group::Deep => Asked::Integral(population, within(rng, -20.0, -10.0)),
+            Group::Tail => Asked::Integral(population, within(rng, 20.0, 35.0)),
+            Group::Last => Asked::Integral(population, within(rng, 35.0, 37.0)),
+            Group::Vanishing => Asked::Integral(population, rng.between(37.0, 40.0)),
+            Group::LoadsOfIntegrals => Asked::LoadOfIntegral(population, within(rng, -8.0, 20.0)),
+            Group::LoadsOfSums => Asked::LoadOfSum(set(rng, Heights::Gaussian), within(rng, -4.0, 2.0)),
         }
     }
 
     /// From far below to far above where the pair of `bodies` begins to yield.
-    fn indentation(&self, dice: &mut Dice, bodies: &Bodies, radius: f64) -> f64 {
+    fn indentation(&self, rng: &mut CaseRng, bodies: &Bodies, radius: f64) -> f64 {
         let modulus = reduced_modulus(&bodies.rough, &bodies.flat);
         let hardness =
             [bodies.rough, bodies.flat].iter().filter_map(Material::hardness).fold(f64::INFINITY, f64::min);
-        if hardness.is_finite() && dice.chance(0.7) {
+        if hardness.is_finite() && rng.chance(0.7) {
             let strain = hardness / modulus;
-            radius * strain * strain * dice.ratio([1e-3, 1e6])
+            radius * strain * strain * rng.ratio([1e-3, 1e6])
         } else {
-            radius * dice.ratio([1e-15, 10.0])
+            radius * rng.ratio([1e-15, 10.0])
         }
     }
 }
@@ -315,28 +310,28 @@ fn unyielding(young: f64, poisson: f64) -> Material {
 }
 
 /// Moves an indentation to within 1e-15 of a boundary, or a thickness to where the weights turn.
-fn meet(dice: &mut Dice, family: Family, mut bodies: Bodies, mut asked: Asked) -> (Bodies, Asked) {
+fn meet(rng: &mut CaseRng, group: Group, mut bodies: Bodies, mut asked: Asked) -> (Bodies, Asked) {
     let Asked::Contact { w, radius } = &mut asked else { return (bodies, asked) };
-    match family {
-        Family::Boundaries | Family::LayeredBoundaries => {
+    match group {
+        Group::Boundaries | Group::LayeredBoundaries => {
             let boundaries = bodies
                 .contact()
                 .map(|contact| contact.regime_changes(Shape::sphere(*radius)))
                 .unwrap_or_default();
             if !boundaries.is_empty() {
-                let step = [0.0, 1e-16, 2.3e-16, 4.5e-16, 1e-15][dice.below(5)];
-                let sign = if dice.chance(0.5) { 1.0 } else { -1.0 };
-                *w = boundaries[dice.below(boundaries.len())] * (1.0 + sign * step);
+                let step = [0.0, 1e-16, 2.3e-16, 4.5e-16, 1e-15][rng.below(5)];
+                let sign = if rng.chance(0.5) { 1.0 } else { -1.0 };
+                *w = boundaries[rng.below(boundaries.len())] * (1.0 + sign * step);
             }
         }
-        Family::Scales => {
+        Group::Scales => {
             if let Some(layer) = &mut bodies.layer {
                 let contact = (*radius * *w).sqrt();
-                layer.thickness = match dice.below(4) {
+                layer.thickness = match rng.below(4) {
                     0 => contact,
-                    1 => contact * (1.0 + dice.between(-1e-15, 1e-15)),
-                    2 => contact * dice.ratio([1e-15, 1e15]),
-                    _ => *w * dice.ratio([1e-3, 1e3]),
+                    1 => contact * (1.0 + rng.between(-1e-15, 1e-15)),
+                    2 => contact * rng.ratio([1e-15, 1e15]),
+                    _ => *w * rng.ratio([1e-3, 1e3]),
                 }
                 .clamp(1e-30, 1e30);
             }
@@ -346,7 +341,7 @@ fn meet(dice: &mut Dice, family: Family, mut bodies: Bodies, mut asked: Asked) -
     (bodies, asked)
 }
 
-impl Scene {
+impl Case {
     /// Every number that goes in, so that it reads back to the same `f64`.
     pub fn inputs(&self) -> String {
         let set = |set: &SetWords, h: f64| {

@@ -7,7 +7,7 @@ use asperity_experiment::experiment::progress::Silent;
 fn warnings(hardness: &str, strength: &str, kind: &str, list: &str) -> Vec<String> {
     let folder = tempfile::tempdir().unwrap();
     std::fs::write(folder.path().join("list.csv"), list).unwrap();
-    let path = folder.path().join("doubts.toml");
+    let path = folder.path().join("caveats.toml");
     let spec = format!(
         "title = \"t\"\n[material.steel]\nyoung = \"210 GPa\"\npoisson = 0.3\nhardness = \"{hardness}\"\n\
          yield-strength = \"{strength}\"\n{kind}"

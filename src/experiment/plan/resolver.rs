@@ -5,7 +5,7 @@ use std::ops::Range;
 use toml::Spanned;
 
 use super::{ComparePlan, LawPlan, LimitPlan, SurfacePlan};
-use crate::experiment::refusal::{Refusal, Source};
+use crate::experiment::input_error::{InputError, Source};
 use crate::experiment::results::Bodies;
 use crate::experiment::spec::{CompareSpec, LawSpec, Laws, LimitSpec, LogSweep, Spec, Summit};
 use crate::units::Pure;
@@ -15,7 +15,7 @@ use asperity::interface::Flat;
 use asperity::law::{Body, Inapplicable, Property};
 use asperity::material::Material;
 
-/// Two materials as a refusal names them, or one that both bodies are of.
+/// Two materials as a error names them, or one that both bodies are of.
 pub(super) fn materials(rough: &str, flat: &str) -> String {
     if rough == flat {
         format!("[material.{rough}]")
@@ -25,13 +25,13 @@ pub(super) fn materials(rough: &str, flat: &str) -> String {
 }
 
 /// Resolves the names of one spec.
-pub(super) struct Reader<'a> {
+pub(super) struct Resolver<'a> {
     pub(super) source: &'a Source,
     pub(super) spec: &'a Spec,
 }
 
-impl Reader<'_> {
-    pub(super) fn body(&self, name: &str, span: Range<usize>) -> Result<Material, Refusal> {
+impl Resolver<'_> {
+    pub(super) fn body(&self, name: &str, span: Range<usize>) -> Result<Material, InputError> {
         let found = self.spec.material.iter().find(|(defined, _)| defined.get_ref() == name);
         found.map(|(_, material)| material.0).ok_or_else(|| {
             let defined: Vec<&str> = self.spec.material.keys().map(|name| name.get_ref().as_str()).collect();
@@ -40,7 +40,7 @@ impl Reader<'_> {
             } else {
                 format!("a material of this file: {}", defined.join(", "))
             };
-            self.source.refuse(span, format!("found \"{name}\"; allowed: {allowed}"))
+            self.source.error_at(span, format!("found \"{name}\"; allowed: {allowed}"))
         })
     }
 
@@ -51,7 +51,7 @@ impl Reader<'_> {
         laws: &Spanned<Laws>,
         rough: (&str, &Material),
         flats: &[(&str, &Material)],
-    ) -> Result<(), Refusal> {
+    ) -> Result<(), InputError> {
         for law in &laws.get_ref().0 {
             for flat in flats {
                 law.check(rough.1, flat.1)
@@ -68,9 +68,9 @@ impl Reader<'_> {
         error: &Inapplicable,
         rough: &str,
         flat: &str,
-    ) -> Refusal {
+    ) -> InputError {
         let Inapplicable::Lacking { law, property, body } = error else {
-            return self.source.refuse(laws.span(), format!("found {error}"));
+            return self.source.error_at(laws.span(), format!("found {error}"));
         };
         let name = if *body == Some(Body::Flat) { flat } else { rough };
         let key = property.key();
@@ -89,7 +89,7 @@ impl Reader<'_> {
                 materials(rough, flat)
             ),
         };
-        self.source.refuse(self.material_at(name).unwrap_or_else(|| laws.span()), message)
+        self.source.error_at(self.material_at(name).unwrap_or_else(|| laws.span()), message)
     }
 
     /// Where a material is defined.
@@ -104,7 +104,7 @@ impl Reader<'_> {
         rough: (&str, &Material),
         flats: &[(Option<f64>, Flat)],
         flat: &str,
-    ) -> Result<Vec<LawPlan>, Refusal> {
+    ) -> Result<Vec<LawPlan>, InputError> {
         let plan = |law: &LawSpec, (thickness, on): &(Option<f64>, Flat)| {
             let contact = law.interface(rough.1, on);
             Ok(LawPlan {
@@ -118,17 +118,17 @@ impl Reader<'_> {
     }
 
     /// Refuses laws for ellipses where all asperities are spheres.
-    pub(super) fn spheres_only(&self, laws: &Spanned<Laws>, what: &str) -> Result<(), Refusal> {
+    pub(super) fn spheres_only(&self, laws: &Spanned<Laws>, what: &str) -> Result<(), InputError> {
         match laws.get_ref().0.iter().find(|law| law.summit == Summit::Ellipse) {
             Some(law) => {
                 let message = format!("found \"{}\", but {what}; allowed: a law for spheres", law.label());
-                Err(self.source.refuse(laws.span(), message))
+                Err(self.source.error_at(laws.span(), message))
             }
             None => Ok(()),
         }
     }
 
-    pub(super) fn compare(&self, words: &CompareSpec, span: Range<usize>) -> Result<ComparePlan, Refusal> {
+    pub(super) fn compare(&self, words: &CompareSpec, span: Range<usize>) -> Result<ComparePlan, InputError> {
         let rough_name = &words.rough.get_ref().0;
         let rough = self.body(rough_name, words.rough.span())?;
         let flat = self.body(words.flat.get_ref(), words.flat.span())?;
@@ -143,7 +143,7 @@ impl Reader<'_> {
             tolerances: words.tolerance.0,
         };
         if controls.points() == 0 {
-            return Err(self.source.refuse(
+            return Err(self.source.error_at(
                 span,
                 "found nothing to press the surfaces to; allowed: at least one of separation, pressure, force",
             ));
@@ -154,7 +154,7 @@ impl Reader<'_> {
             Some(layer) => {
                 let on = |&t: &f64| layer.flat(t).map(|flat| (Some(t), flat));
                 let flats: Result<Vec<_>, _> = layer.thicknesses.iter().map(on).collect();
-                flats.map_err(|error| Refusal::file(&self.source.path, error))?
+                flats.map_err(|error| InputError::file(&self.source.path, error))?
             }
         };
         let flat_name = words.flat.get_ref();
@@ -189,11 +189,11 @@ impl Reader<'_> {
         named: Option<&[Spanned<String>]>,
         span: Range<usize>,
         as_ellipses: bool,
-    ) -> Result<Vec<SurfacePlan>, Refusal> {
+    ) -> Result<Vec<SurfacePlan>, InputError> {
         let plan = |name: &Spanned<String>, words| SurfacePlan::new(self.source, name, words, as_ellipses);
         let Some(named) = named else {
             if self.spec.surface.is_empty() {
-                return Err(self.source.refuse(
+                return Err(self.source.error_at(
                     span,
                     "found no surface; allowed: at least one [surface.NAME.asperities], [surface.NAME.population], \
                      [surface.NAME.generate] or [surface.NAME.file]",
@@ -202,13 +202,13 @@ impl Reader<'_> {
             return self.spec.surface.iter().map(|(name, words)| plan(name, words)).collect();
         };
         if named.is_empty() {
-            return Err(self.source.refuse(span, "found an empty list of surfaces; allowed: at least one"));
+            return Err(self.source.error_at(span, "found an empty list of surfaces; allowed: at least one"));
         }
         let mut surfaces = Vec::new();
         for (k, wanted) in named.iter().enumerate() {
             if named[..k].iter().any(|earlier| earlier.get_ref() == wanted.get_ref()) {
                 let message = format!("found \"{}\" twice; allowed: each surface once", wanted.get_ref());
-                return Err(self.source.refuse(wanted.span(), message));
+                return Err(self.source.error_at(wanted.span(), message));
             }
             let found = self.spec.surface.iter().find(|(name, _)| name.get_ref() == wanted.get_ref());
             let (name, words) = found.ok_or_else(|| {
@@ -219,7 +219,7 @@ impl Reader<'_> {
                     wanted.get_ref(),
                     if defined.is_empty() { "none is defined".to_owned() } else { defined.join(", ") }
                 );
-                self.source.refuse(wanted.span(), message)
+                self.source.error_at(wanted.span(), message)
             })?;
             surfaces.push(plan(name, words)?);
         }
@@ -227,7 +227,7 @@ impl Reader<'_> {
     }
 
     /// Sizes of sets.
-    pub(super) fn counts(&self, words: &Spanned<LogSweep<Pure>>) -> Result<Vec<usize>, Refusal> {
+    pub(super) fn counts(&self, words: &Spanned<LogSweep<Pure>>) -> Result<Vec<usize>, InputError> {
         /// Beyond this, counts are no longer exact as f64, and no memory holds them.
         const LARGEST_COUNT: f64 = 1e12;
         self.whole(words, "a count of", LARGEST_COUNT)
@@ -239,12 +239,12 @@ impl Reader<'_> {
         words: &Spanned<LogSweep<Pure>>,
         what: &str,
         most: f64,
-    ) -> Result<Vec<usize>, Refusal> {
+    ) -> Result<Vec<usize>, InputError> {
         let values = &words.get_ref().values;
         if let Some(value) = values.iter().find(|value| !(1.0..=most).contains(*value)) {
             return Err(self
                 .source
-                .refuse(words.span(), format!("found {what} {value:e}; allowed: 1 to {most:e}")));
+                .error_at(words.span(), format!("found {what} {value:e}; allowed: 1 to {most:e}")));
         }
         let mut whole: Vec<usize> = values.iter().map(|value| value.round() as usize).collect();
         whole.dedup();
@@ -252,17 +252,17 @@ impl Reader<'_> {
     }
 
     /// How many random ones of a kind.
-    pub(super) fn several(&self, words: &Spanned<u64>, what: &str) -> Result<usize, Refusal> {
+    pub(super) fn several(&self, words: &Spanned<u64>, what: &str) -> Result<usize, InputError> {
         let count = *words.get_ref();
         if !(2..=1000).contains(&count) {
             return Err(self
                 .source
-                .refuse(words.span(), format!("found {count}; allowed: 2 to 1000 {what}")));
+                .error_at(words.span(), format!("found {count}; allowed: 2 to 1000 {what}")));
         }
         Ok(count as usize)
     }
 
-    pub(super) fn limit(&self, words: &LimitSpec) -> Result<LimitPlan, Refusal> {
+    pub(super) fn limit(&self, words: &LimitSpec) -> Result<LimitPlan, InputError> {
         let rough = self.body(words.rough.get_ref(), words.rough.span())?;
         let flat = self.body(words.flat.get_ref(), words.flat.span())?;
         let counts = self.counts(&words.count)?;

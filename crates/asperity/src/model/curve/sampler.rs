@@ -1,4 +1,4 @@
-//! Where the model is asked for a curve, until all that lies between can be foretold.
+//! Where the model is asked for a curve, until all that lies between can be predicted.
 
 use std::f64::consts::PI;
 use std::ops::Range;
@@ -26,17 +26,17 @@ impl Interval {
     }
 }
 
-/// How much the asperities that come into contact between two separations keep a sum from being foretold.
+/// How much the asperities that come into contact between two separations keep a sum from being predicted.
 ///
 /// With n of them at random over an interval of length l, sum(z - d) over those in contact, which the area follows,
 /// differs from a smooth curve through both ends by some n^.5 l/7; it is the integral of the number of contacts.
-pub struct Kinks {
+pub struct DiscretisationBound {
     contacts: Vec<f64>,
     /// Of the contacts, from each separation to the last.
     integral: Vec<f64>,
 }
 
-impl Kinks {
+impl DiscretisationBound {
     /// Of ascending separations.
     pub fn new(separations: &[f64], contacts: Vec<f64>) -> Self {
         let mut integral = vec![0.0; contacts.len()];
@@ -58,19 +58,19 @@ impl Kinks {
 }
 
 /// What is known of a curve.
-pub struct Sketch {
+pub struct AdaptiveSampler {
     /// Ascending.
     separations: Vec<f64>,
     /// Ascending.
     pub known: Vec<Node>,
     /// Of a sum.
-    kinks: Option<Kinks>,
+    bound: Option<DiscretisationBound>,
 }
 
-impl Sketch {
+impl AdaptiveSampler {
     /// Of which nothing is known yet.
-    pub fn new(separations: Vec<f64>, kinks: Option<Kinks>) -> Self {
-        Self { separations, known: Vec::new(), kinks }
+    pub fn new(separations: Vec<f64>, bound: Option<DiscretisationBound>) -> Self {
+        Self { separations, known: Vec::new(), bound }
     }
 
     fn ask(&self, model: &dyn Model, places: &[usize]) -> Vec<Node> {
@@ -84,11 +84,11 @@ impl Sketch {
         self.known.sort_unstable_by_key(|node| node.place);
     }
 
-    /// Intervals, ascending, that are no longer than the kinks allow.
+    /// Intervals, ascending, that are no longer than the bound allow.
     fn intervals(&self, tolerance: f64) -> Vec<Interval> {
         /// Below this an integral needs the more intervals in the end.
         const TIGHT: f64 = 1e-6;
-        let coarsest = match self.kinks {
+        let coarsest = match self.bound {
             Some(_) => 8,
             None if tolerance < TIGHT => 12,
             None => 6,
@@ -105,8 +105,8 @@ impl Sketch {
         while let Some(interval) = rough.pop() {
             let Interval([from, to]) = interval;
             let length = self.separations[to] - self.separations[from];
-            let matters = |kinks: &Kinks| kinks.matter(&interval, length, tolerance);
-            if interval.holds_a_place() && self.kinks.as_ref().is_some_and(matters) {
+            let matters = |bound: &DiscretisationBound| bound.matter(&interval, length, tolerance);
+            if interval.holds_a_place() && self.bound.as_ref().is_some_and(matters) {
                 let [below, above] = interval.halves();
                 rough.extend([above, below]);
             } else {
@@ -117,32 +117,32 @@ impl Sketch {
     }
 
     /// Asks until every interval between two answers can be interpolated, or holds no place more.
-    pub fn settle(&mut self, model: &dyn Model, tolerance: f64) {
+    pub fn refine(&mut self, model: &dyn Model, tolerance: f64) {
         let mut open = self.intervals(tolerance);
         let mut ends: Vec<usize> = open.iter().map(|Interval([from, _])| *from).collect();
         ends.push(self.separations.len() - 1);
         open.retain(Interval::holds_a_place);
-        // What the kinks ask for is asked at once: a sum looks at all asperities each time.
+        // What the bound ask for is asked at once: a sum looks at all asperities each time.
         let middles = open.iter().map(Interval::middle);
         let mut nodes = self.ask(model, &ends.iter().copied().chain(middles).collect::<Vec<_>>());
         let mut found = nodes.split_off(ends.len());
         self.learn(nodes);
         while !open.is_empty() {
-            let mut foretold = Vec::new();
+            let mut predicted = Vec::new();
             let gaps = open.iter().map(|interval| interval.middle()..interval.middle() + 1);
-            self.interpolate(gaps, Scale::Logarithms, |_, quantities| foretold.push(*quantities));
+            self.interpolate(gaps, Scale::Logarithms, |_, quantities| predicted.push(*quantities));
             // The shares of a sum jump at each asperity that changes its regime.
-            let is_within = |(found, foretold): (&Node, &Quantities)| {
-                let off = |k: usize| found.quantities.0[k] - foretold.0[k];
+            let is_within = |(found, predicted): (&Node, &Quantities)| {
+                let off = |k: usize| found.quantities.0[k] - predicted.0[k];
                 let holds = |off: f64| off.abs() <= tolerance;
                 let share_holds = |[second, third]: [usize; 2]| {
                     let (second, third) = (off(second), off(third));
                     holds(second) && holds(third) && holds(second + third)
                 };
                 Quantities::TOTALS.map(off).all(holds)
-                    && (self.kinks.is_some() || Quantities::SHARES.into_iter().all(share_holds))
+                    && (self.bound.is_some() || Quantities::SHARES.into_iter().all(share_holds))
             };
-            let is_off: Vec<bool> = found.iter().zip(&foretold).map(|pair| !is_within(pair)).collect();
+            let is_off: Vec<bool> = found.iter().zip(&predicted).map(|pair| !is_within(pair)).collect();
             self.learn(found);
             let off = open.iter().zip(is_off).filter(|(_, is_off)| *is_off);
             open = off.flat_map(|(interval, _)| interval.halves()).filter(Interval::holds_a_place).collect();
@@ -159,7 +159,7 @@ impl Sketch {
         take: impl FnMut(usize, &Quantities),
     ) {
         // A sum has a kink at every asperity: few nodes.
-        let (through, quantities) = match self.kinks {
+        let (through, quantities) = match self.bound {
             Some(_) => (4, Quantities::OF_A_SUM),
             None => (MOST_THROUGH, Quantities::OF_AN_INTEGRAL),
         };

@@ -22,7 +22,7 @@ const BOLD: f64 = 1.14;
 const LEAST: f64 = 60.0;
 
 /// A plot whose axes are known, but not yet its place.
-pub(super) struct Sketch<'a> {
+pub(super) struct Layout<'a> {
     pub(super) plot: &'a Plot,
     pub(super) width: f64,
     pub(super) x: Scale,
@@ -36,7 +36,7 @@ pub(super) struct Sketch<'a> {
     nothing: bool,
 }
 
-impl<'a> Sketch<'a> {
+impl<'a> Layout<'a> {
     pub(super) fn new(plot: &'a Plot, width: f64) -> Self {
         // Only a point that both axes can show counts for either.
         let shown: Vec<(f64, f64)> = plot

@@ -1,9 +1,9 @@
-//! The families of scenes, what is measured in each, and how far it may be off.
+//! The groups of cases, what is measured in each, and how far it may be off.
 
 use super::bodies::Law;
-use super::judge::Quantity;
+use super::check::Quantity;
 
-/// What a scene asks for.
+/// What a case asks for.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Kind {
     /// Single contacts.
@@ -31,9 +31,9 @@ impl Kind {
     }
 }
 
-/// A family of scenes.
+/// A group of cases.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-pub enum Family {
+pub enum Group {
     /// Anything, bare.
     Contacts,
     /// Anything, under a layer.
@@ -86,8 +86,8 @@ pub enum Family {
     LoadsOfSums,
 }
 
-impl Family {
-    /// All families.
+impl Group {
+    /// All groups.
     pub const ALL: [Self; 25] = [
         Self::Contacts,
         Self::LayeredContacts,
@@ -147,7 +147,7 @@ impl Family {
         }
     }
 
-    /// What its scenes are.
+    /// What its cases are.
     pub const fn about(self) -> &'static str {
         match self {
             Self::Contacts => "any law, any pair, w from 1e-15 to 10 radii",
@@ -220,7 +220,7 @@ impl Family {
         )
     }
 
-    /// Whether its scenes hold a million asperities: a few are enough.
+    /// Whether its cases hold a million asperities: a few are enough.
     pub const fn is_large(self) -> bool {
         matches!(self, Self::MillionEqual | Self::MillionLine)
     }

@@ -1,4 +1,4 @@
-//! A look at a map as a whole: spectrum, autocorrelation, picture.
+//! A depth at a map as a whole: spectrum, autocorrelation, picture.
 
 use asperity::topography::character::Character;
 use asperity::topography::correlation::{Autocorrelation, RadialSpectrum};
@@ -9,7 +9,7 @@ use asperity::topography::{Boundary, HeightMap, Rows};
 
 /// How closely a map is looked at, beyond its asperities.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
-pub enum Look {
+pub enum AnalysisDepth {
     /// No closer.
     Asperities,
     /// Of a random surface, the spectrum that was asked for and the one that was reached.
@@ -21,9 +21,9 @@ pub enum Look {
 /// Beyond so many points a map is not brought into memory for its spectrum and autocorrelation.
 pub(super) const MOST_POINTS_LOOKED_AT: usize = 1 << 26;
 
-/// What a look at a whole map tells.
+/// What a depth at a whole map tells.
 #[derive(Debug, Clone, Default)]
-pub struct Whole {
+pub struct MapOverview {
     /// The spectrum that was asked for.
     pub asked: Option<RadialSpectrum>,
     /// Whether it was asked of the Gaussian field whose heights were mapped, not of the heights.
@@ -38,19 +38,27 @@ pub struct Whole {
     pub distribution: Option<Vec<usize>>,
 }
 
-impl Whole {
-    /// Looks at a map, made by `recipe` if it was made, as closely as `look` says.
-    pub(super) fn of(map: &dyn Rows, character: &Character, recipe: Option<&Recipe>, look: Look) -> Self {
+impl MapOverview {
+    /// Looks at a map, made by `recipe` if it was made, as closely as `depth` says.
+    pub(super) fn of(
+        map: &dyn Rows,
+        character: &Character,
+        recipe: Option<&Recipe>,
+        depth: AnalysisDepth,
+    ) -> Self {
         /// Points of a picture along an axis.
         const PICTURE: usize = 512;
         let [nx, ny] = map.points();
-        let is_close = look == Look::Everything;
+        let is_close = depth == AnalysisDepth::Everything;
         let mut whole = Self {
             picture: is_close.then(|| thumbnail(map, PICTURE)),
             distribution: is_close.then(|| distribution(map, character)),
             ..Self::default()
         };
-        if look == Look::Asperities || (!is_close && recipe.is_none()) || nx * ny > MOST_POINTS_LOOKED_AT {
+        if depth == AnalysisDepth::Asperities
+            || (!is_close && recipe.is_none())
+            || nx * ny > MOST_POINTS_LOOKED_AT
+        {
             return whole;
         }
         // Two processes have two spectra: neither is that of what they leave.

@@ -5,14 +5,14 @@ use rayon::prelude::*;
 use crate::asperity::Asperities;
 
 /// Asperities in columns of their own.
-pub(super) struct Few {
+pub(super) struct SparseSubset {
     heights: Vec<f64>,
     radii: Vec<f64>,
     spheres: Option<Vec<f64>>,
     nominal_area: f64,
 }
 
-impl Few {
+impl SparseSubset {
     /// Those of `all` above `lowest` (m), in their order; `None` where they are not few, or `all` are not many. Whether they are
     /// does not depend on threads.
     pub(super) fn above(lowest: f64, all: &Asperities<'_>) -> Option<Self> {
@@ -59,17 +59,17 @@ mod tests {
         let radii: Vec<f64> = heights.iter().map(|z| z + 0.5).collect();
         let spheres: Vec<f64> = heights.iter().map(|z| z + 0.25).collect();
         let all = Asperities::new(&heights, &radii, Some(&spheres), 3.0);
-        let few = Few::above(199_000.0, &all).unwrap();
+        let few = SparseSubset::above(199_000.0, &all).unwrap();
         let found: Vec<_> = few.asperities().each().collect();
         let expected: Vec<_> = all.each().filter(|(z, _)| *z > 199_000.0).collect();
         assert_eq!((found.len(), few.asperities().nominal_area()), (999, 3.0));
         assert_eq!(found, expected);
         // Sorted or not, many are not few.
-        assert!(Few::above(150_000.0, &all).is_none());
+        assert!(SparseSubset::above(150_000.0, &all).is_none());
         let mut sorted = heights.clone();
         sorted.sort_by(f64::total_cmp);
-        assert!(Few::above(150_000.0, &Asperities::new(&sorted, &radii, None, 3.0)).is_none());
-        assert!(Few::above(0.0, &all.part(0..4000)).is_none());
-        assert_eq!(Few::above(1e6, &all).unwrap().asperities().count(), 0);
+        assert!(SparseSubset::above(150_000.0, &Asperities::new(&sorted, &radii, None, 3.0)).is_none());
+        assert!(SparseSubset::above(0.0, &all.part(0..4000)).is_none());
+        assert_eq!(SparseSubset::above(1e6, &all).unwrap().asperities().count(), 0);
     }
 }

@@ -4,18 +4,18 @@ use indexmap::IndexMap;
 
 use super::format::{number, quantity};
 use super::page::{Page, escape};
-use crate::experiment::results::{ContactHead, Head};
+use crate::experiment::results::{ContactMetadata, Metadata};
 use asperity::material::Material;
 
 /// What the spec's author says of it.
-pub fn notes(page: &mut Page, head: &Head) {
-    for paragraph in head.notes.split("\n\n").map(str::trim).filter(|paragraph| !paragraph.is_empty()) {
+pub fn notes(page: &mut Page, metadata: &Metadata) {
+    for paragraph in metadata.notes.split("\n\n").map(str::trim).filter(|paragraph| !paragraph.is_empty()) {
         page.paragraph(&escape(&paragraph.replace('\n', " ")));
     }
 }
 
 /// The bodies and the spec.
-pub fn what_was_run(page: &mut Page, head: &Head, contact: &ContactHead) {
+pub fn what_was_run(page: &mut Page, metadata: &Metadata, contact: &ContactMetadata) {
     page.heading(2, "What was run");
     let layer = contact.layer.as_ref();
     let role = |name: &str| {
@@ -43,7 +43,7 @@ pub fn what_was_run(page: &mut Page, head: &Head, contact: &ContactHead) {
         "Reduced modulus E* = {}{bare}; hardness of the softer body: {}. {}",
         quantity(contact.reduced_modulus, "Pa"),
         hardness(contact.hardness),
-        provenance(head),
+        provenance(metadata),
     ));
 }
 
@@ -63,8 +63,8 @@ pub fn materials(page: &mut Page, materials: &IndexMap<String, Material>, role: 
         }
         row
     };
-    let head: &[&str] = &["material", "body", "E", "ν", "H", "Y"];
-    let columns = if has_yield_strength { head } else { &head[..5] };
+    let header: &[&str] = &["material", "body", "E", "ν", "H", "Y"];
+    let columns = if has_yield_strength { header } else { &header[..5] };
     page.table(columns, materials.iter().map(row));
 }
 
@@ -73,18 +73,18 @@ fn hardness(value: Option<f64>) -> String {
 }
 
 /// Seed, spec and program, in a sentence.
-pub fn provenance(head: &Head) -> String {
+pub fn provenance(metadata: &Metadata) -> String {
     format!(
         "Seed {}; spec `{}.toml`, SHA-256 `{}`. Asperity {}.",
-        head.seed,
-        head.stem,
-        head.spec_sha256,
+        metadata.seed,
+        metadata.stem,
+        metadata.spec_sha256,
         env!("CARGO_PKG_VERSION"),
     )
 }
 
 /// The papers behind what was run.
-pub fn sources(page: &mut Page, head: &Head) {
+pub fn sources(page: &mut Page, metadata: &Metadata) {
     page.heading(2, "Sources");
-    page.bullets(head.papers.iter().map(|paper| paper.full));
+    page.bullets(metadata.papers.iter().map(|paper| paper.full));
 }

@@ -3,14 +3,14 @@
 use rayon::prelude::*;
 
 use super::bodies::Bodies;
+use super::cases::{Asked, Case, SetWords};
 use super::exact::{Contact, Exact, Integral, Shape, Total};
-use super::family::Family;
-use super::scenes::{Asked, Scene, SetWords};
+use super::group::Group;
 use crate::stability::wide::{Wide, relative_error};
 use asperity::asperity::{AsperitySet, Population};
 use asperity::interface::MicroContact;
 use asperity::law;
-use asperity::model::{Datum, Deterministic, Model, Response, Statistical, at_pressure};
+use asperity::model::{Deterministic, Model, ReferencePlane, Response, Statistical, at_pressure};
 
 /// What is measured.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
@@ -59,69 +59,69 @@ pub struct Deviation {
     pub error: f64,
     /// From the exact answers to all separations within the rounding of the one that was asked, relative; the same as
     /// `error` where what is asked goes in unrounded.
-    pub judged: f64,
+    pub checked: f64,
 }
 
-/// What keeps a scene from being judged as right.
+/// What keeps a case from being checked as right.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
-pub enum Fault {
+pub enum Failure {
     /// A NaN or an infinity.
     #[error("no finite {}", .0.name())]
     NotFinite(Quantity),
     /// Another regime than the exact one, away from a boundary.
     #[error("the wrong regime")]
     WrongRegime,
-    /// A scene that the program refuses.
+    /// A case that the program refuses.
     #[error("refused: {0}")]
     Refused(String),
-    /// The wide rule did not settle: the scene is not judged.
-    #[error("not judged, for the wide rule does not settle")]
+    /// The wide rule did not settle: the case is not checked.
+    #[error("not checked, for the wide rule does not settle")]
     Unsettled,
 }
 
-/// What came of a scene.
+/// What came of a case.
 #[derive(Debug, Clone)]
-pub struct Judgement {
-    /// The scene.
-    pub scene: Scene,
+pub struct CheckedCase {
+    /// The case.
+    pub case: Case,
     /// How far off, or why that cannot be said.
-    pub outcome: Result<Vec<Deviation>, Fault>,
+    pub outcome: Result<Vec<Deviation>, Failure>,
 }
 
-/// Judges one scene.
-pub(super) fn judge(scene: Scene) -> Judgement {
-    let outcome = match scene.bodies.contact() {
-        Err(error) => Err(Fault::Refused(error.to_string())),
-        Ok(contact) => of(&scene, &*contact),
+/// Judges one case.
+pub(super) fn check(case: Case) -> CheckedCase {
+    let outcome = match case.bodies.contact() {
+        Err(error) => Err(Failure::Refused(error.to_string())),
+        Ok(contact) => of(&case, &*contact),
     };
-    Judgement { scene, outcome }
+    CheckedCase { case, outcome }
 }
 
-fn of(scene: &Scene, contact: &dyn MicroContact) -> Result<Vec<Deviation>, Fault> {
-    match &scene.asked {
-        Asked::Contact { w, radius } if scene.family == Family::Denormals => {
-            of_denormal(&scene.bodies, contact, *w, *radius)
+fn of(case: &Case, contact: &dyn MicroContact) -> Result<Vec<Deviation>, Failure> {
+    match &case.asked {
+        Asked::Contact { w, radius } if case.group == Group::Denormals => {
+            of_denormal(&case.bodies, contact, *w, *radius)
         }
         Asked::Contact { w, radius } => {
-            let exact = Exact::new(&scene.bodies).contacts(*w, &Shape::sphere(*radius));
+            let exact = Exact::new(&case.bodies).contacts(*w, &Shape::sphere(*radius));
             of_contact(&contact.contact(*w, law::Shape::sphere(*radius)), &exact)
         }
         Asked::Ellipse { w, mean_curvature, ratio } => {
-            let exact = Exact::new(&scene.bodies).contacts(*w, &Shape::ellipse(*mean_curvature, *ratio));
+            let exact = Exact::new(&case.bodies).contacts(*w, &Shape::ellipse(*mean_curvature, *ratio));
             of_contact(&contact.contact(*w, law::Shape::ellipse(*mean_curvature, *ratio)), &exact)
         }
-        Asked::Sum(set, h) if scene.family.is_large() => of_terms(contact, set, *h),
-        Asked::Sum(set, h) => of_sum(&scene.bodies, contact, set, *h),
-        Asked::Integral(population, h) => of_integral(scene, contact, population, *h),
+        Asked::Sum(set, h) if case.group.is_large() => of_terms(contact, set, *h),
+        Asked::Sum(set, h) => of_sum(&case.bodies, contact, set, *h),
+        Asked::Integral(population, h) => of_integral(case, contact, population, *h),
         Asked::LoadOfIntegral(population, h) => {
-            let exact = Exact::new(&scene.bodies);
+            let exact = Exact::new(&case.bodies);
             let shape = Shape::sphere(population.radius);
             let pressure =
                 |h: f64| exact.integral(&integral_of(population, h), &shape).map(|total| total.whole_load());
             of_load(&Statistical::new(contact, *population), *h, 0.0, &pressure)
         }
         Asked::LoadOfSum(set, h) => {
-            let exact = Exact::new(&scene.bodies);
+            let exact = Exact::new(&case.bodies);
             let asperities = set.asperities(*h);
             let pressure = |h: f64| {
                 let separation = Wide::new(h) * set.sigma + set.mean;
@@ -135,7 +135,7 @@ fn of(scene: &Scene, contact: &dyn MicroContact) -> Result<Vec<Deviation>, Fault
 }
 
 /// Within the rounding of a boundary whichever side is nearer.
-fn of_contact(found: &asperity::contact::Contact, exact: &[Contact]) -> Result<Vec<Deviation>, Fault> {
+fn of_contact(found: &asperity::contact::Contact, exact: &[Contact]) -> Result<Vec<Deviation>, Failure> {
     let values =
         [(Quantity::Area, found.area), (Quantity::Load, found.load), (Quantity::Stiffness, found.stiffness)];
     finite(&values)?;
@@ -147,17 +147,17 @@ fn of_contact(found: &asperity::contact::Contact, exact: &[Contact]) -> Result<V
             .map(|((quantity, value), of)| plain(*quantity, relative_error(*value, of)))
             .collect()
     });
-    let worst = |side: &Vec<Deviation>| side.iter().map(|d| d.judged).fold(0.0, f64::max);
-    sides.min_by(|a, b| worst(a).total_cmp(&worst(b))).ok_or(Fault::WrongRegime)
+    let worst = |side: &Vec<Deviation>| side.iter().map(|d| d.checked).fold(0.0, f64::max);
+    sides.min_by(|a, b| worst(a).total_cmp(&worst(b))).ok_or(Failure::WrongRegime)
 }
 
 fn plain(quantity: Quantity, error: f64) -> Deviation {
-    Deviation { quantity, error, judged: error }
+    Deviation { quantity, error, checked: error }
 }
 
-fn finite(values: &[(Quantity, f64)]) -> Result<(), Fault> {
+fn finite(values: &[(Quantity, f64)]) -> Result<(), Failure> {
     match values.iter().find(|(_, value)| !value.is_finite()) {
-        Some((quantity, _)) => Err(Fault::NotFinite(*quantity)),
+        Some((quantity, _)) => Err(Failure::NotFinite(*quantity)),
         None => Ok(()),
     }
 }
@@ -171,7 +171,7 @@ fn of_denormal(
     contact: &dyn MicroContact,
     w: f64,
     radius: f64,
-) -> Result<Vec<Deviation>, Fault> {
+) -> Result<Vec<Deviation>, Failure> {
     const SCALE: i32 = 600;
     let grown = 2f64.powi(SCALE);
     let found = contact.contact(w, law::Shape::sphere(radius));
@@ -182,7 +182,7 @@ fn of_denormal(
     ];
     finite(&values.map(|(quantity, value, _)| (quantity, value)))?;
     let exact = Exact::new(bodies).contacts(w * grown, &Shape::sphere(radius * grown));
-    let side = exact.iter().find(|side| side.regime == found.regime).ok_or(Fault::WrongRegime)?;
+    let side = exact.iter().find(|side| side.regime == found.regime).ok_or(Failure::WrongRegime)?;
     let back = |value: Wide, times: i32| (0..times).fold(value.hi(), |value, _| value / grown);
     let of = [side.area, side.load, side.stiffness];
     Ok(values
@@ -235,15 +235,15 @@ fn found_shares(response: &Response) -> [f64; 6] {
 
 /// The largest absolute error of several numbers, and the same with all between the exact ones right.
 fn absolute<const N: usize>(quantity: Quantity, found: [f64; N], exact: &[[Wide; N]]) -> Deviation {
-    let (mut error, mut judged) = (0.0f64, 0.0f64);
+    let (mut error, mut checked) = (0.0f64, 0.0f64);
     for (k, found) in found.into_iter().enumerate() {
         let off = || exact.iter().map(|of| (of[k] - found).abs().hi());
         let found = Wide::new(found);
         let is_between = exact.iter().any(|of| of[k] <= found) && exact.iter().any(|of| of[k] >= found);
         error = error.max(off().next().unwrap_or(0.0));
-        judged = judged.max(if is_between { 0.0 } else { off().fold(f64::INFINITY, f64::min) });
+        checked = checked.max(if is_between { 0.0 } else { off().fold(f64::INFINITY, f64::min) });
     }
-    Deviation { quantity, error, judged }
+    Deviation { quantity, error, checked }
 }
 
 fn integral_of(population: &Population, separation: f64) -> Integral {
@@ -252,23 +252,23 @@ fn integral_of(population: &Population, separation: f64) -> Integral {
 }
 
 fn of_integral(
-    scene: &Scene,
+    case: &Case,
     contact: &dyn MicroContact,
     population: &Population,
     h: f64,
-) -> Result<Vec<Deviation>, Fault> {
+) -> Result<Vec<Deviation>, Failure> {
     let response = Statistical::new(contact, *population).respond(h);
     let values = values(&response);
     finite(&values)?;
     finite(&derived(&response, population.sigma))?;
-    let exact = Exact::new(&scene.bodies);
+    let exact = Exact::new(&case.bodies);
     let shape = Shape::sphere(population.radius);
     let at = |separation: f64| exact.integral(&integral_of(population, separation), &shape);
-    let total = at(h).ok_or(Fault::Unsettled)?;
+    let total = at(h).ok_or(Failure::Unsettled)?;
     let of = exact_values(&total);
-    if scene.family == Family::Vanishing {
-        // Absolute, over the answer where it is the last to be judged by its own size.
-        let whole = exact_values(&at(37.0).ok_or(Fault::Unsettled)?);
+    if case.group == Group::Vanishing {
+        // Absolute, over the answer where it is the last to be checked by its own size.
+        let whole = exact_values(&at(37.0).ok_or(Failure::Unsettled)?);
         let error = |value: f64, of: Wide, whole: Wide| ((of - value) / whole).abs().hi();
         let each = values.iter().zip(of.iter().zip(whole));
         return Ok(each
@@ -287,11 +287,11 @@ fn with_sum<T>(
     contact: &dyn MicroContact,
     set: &SetWords,
     asperities: &[(f64, f64)],
-    act: impl FnOnce(&dyn Model) -> Result<T, Fault>,
-) -> Result<T, Fault> {
+    act: impl FnOnce(&dyn Model) -> Result<T, Failure>,
+) -> Result<T, Failure> {
     let (heights, radii) = asperities.iter().copied().unzip();
-    let given = AsperitySet::new(heights, radii, 1.0).map_err(|error| Fault::Refused(error.to_string()))?;
-    act(&Deterministic::new(contact, given.spheres(), Datum { mean: set.mean, sigma: set.sigma }))
+    let given = AsperitySet::new(heights, radii, 1.0).map_err(|error| Failure::Refused(error.to_string()))?;
+    act(&Deterministic::new(contact, given.spheres(), ReferencePlane { mean: set.mean, sigma: set.sigma }))
 }
 
 /// Half an ulp of a separation and of each of the terms that it is made of, over what they add up to.
@@ -302,7 +302,7 @@ fn of_sum(
     contact: &dyn MicroContact,
     set: &SetWords,
     h: f64,
-) -> Result<Vec<Deviation>, Fault> {
+) -> Result<Vec<Deviation>, Failure> {
     let asperities = set.asperities(h);
     let response = with_sum(contact, set, &asperities, |model| Ok(model.respond(h)))?;
     let values = values(&response);
@@ -321,7 +321,7 @@ fn of_sum(
         .map(|(k, (quantity, value))| Deviation {
             quantity: *quantity,
             error: relative_error(*value, of[0][k]),
-            judged: outside(*value, of.map(|of| of[k])),
+            checked: outside(*value, of.map(|of| of[k])),
         })
         .collect();
     let exact_shares = totals.map(|total| shares(total.area, total.load));
@@ -346,7 +346,7 @@ fn outside(value: f64, exact: [Wide; 3]) -> f64 {
 }
 
 /// A large sum against the exact sum of the very terms that it is of.
-fn of_terms(contact: &dyn MicroContact, set: &SetWords, h: f64) -> Result<Vec<Deviation>, Fault> {
+fn of_terms(contact: &dyn MicroContact, set: &SetWords, h: f64) -> Result<Vec<Deviation>, Failure> {
     const CHUNK: usize = 1 << 14;
     let asperities = set.asperities(h);
     let response = with_sum(contact, set, &asperities, |model| Ok(model.respond(h)))?;
@@ -374,7 +374,7 @@ fn of_load(
     h: f64,
     offset: f64,
     pressure: &dyn Fn(f64) -> Option<Wide>,
-) -> Result<Vec<Deviation>, Fault> {
+) -> Result<Vec<Deviation>, Failure> {
     /// Ulp of a separation that the search may be off.
     const ULP: f64 = 4.0;
     let wanted = model.respond(h).pressure.total();
@@ -382,16 +382,16 @@ fn of_load(
     if wanted == 0.0 {
         return Ok(Vec::new());
     }
-    let reached = at_pressure(model, wanted).map_err(|error| Fault::Refused(error.to_string()))?;
+    let reached = at_pressure(model, wanted).map_err(|error| Failure::Refused(error.to_string()))?;
     let found = reached.response.separation_over_sigma;
     finite(&[(Quantity::Reached, found), (Quantity::Reached, reached.response.pressure.total())])?;
     let step = ULP * f64::EPSILON * (found.abs() + offset).max(1.0);
     let mut exact = [Wide::ZERO; 3];
     for (exact, step) in exact.iter_mut().zip([0.0, -step, step]) {
-        *exact = pressure(found + step).ok_or(Fault::Unsettled)?;
+        *exact = pressure(found + step).ok_or(Failure::Unsettled)?;
     }
     let error = relative_error(wanted, exact[0]);
     // A law that jumps over the pressure carries more than was asked.
-    let judged = if reached.in_jump { outside(wanted, exact) } else { error };
-    Ok(vec![Deviation { quantity: Quantity::Reached, error, judged }])
+    let checked = if reached.in_jump { outside(wanted, exact) } else { error };
+    Ok(vec![Deviation { quantity: Quantity::Reached, error, checked }])
 }

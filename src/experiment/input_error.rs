@@ -8,7 +8,7 @@ use toml::de::{DeTable, DeValue};
 
 /// Input that the program does not run on, and why.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Refusal {
+pub struct InputError {
     file: PathBuf,
     place: Option<Place>,
     message: String,
@@ -22,14 +22,14 @@ struct Place {
     text: String,
 }
 
-impl Refusal {
+impl InputError {
     /// A file that is refused as a whole.
     pub fn file(file: &Path, message: impl fmt::Display) -> Self {
         Self { file: file.to_owned(), place: None, message: message.to_string() }
     }
 }
 
-impl fmt::Display for Refusal {
+impl fmt::Display for InputError {
     fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
         write!(f, "{}", self.file.display())?;
         if let Some(place) = &self.place {
@@ -46,7 +46,7 @@ impl fmt::Display for Refusal {
     }
 }
 
-impl std::error::Error for Refusal {}
+impl std::error::Error for InputError {}
 
 const COMMAND_LINE: &str = "(command line)";
 
@@ -71,14 +71,14 @@ impl Source {
     }
 
     /// Refuses what stands at `span` (bytes of the text).
-    pub fn refuse(&self, span: Range<usize>, message: impl fmt::Display) -> Refusal {
+    pub fn error_at(&self, span: Range<usize>, message: impl fmt::Display) -> InputError {
         let start = span.start.min(self.text.len());
         // A span may end up inside a character only if the parser is wrong; then line 1 is named.
         let before = self.text.get(..start).unwrap_or_default();
         let line = before.matches('\n').count() + 1;
         let text = self.text.lines().nth(line - 1).unwrap_or_default().trim_end().to_owned();
         let key = DeTable::parse(&self.text).ok().and_then(|table| key_at(table.get_ref(), &span));
-        Refusal {
+        InputError {
             file: self.path.clone(),
             place: Some(Place { line, key, text }),
             message: message.to_string(),
@@ -86,11 +86,11 @@ impl Source {
     }
 
     /// Refuses the spec as its parser did.
-    pub fn refuse_as(&self, error: &toml::de::Error) -> Refusal {
+    pub fn parse_error(&self, error: &toml::de::Error) -> InputError {
         let message = in_our_words(error.message());
         match error.span() {
-            Some(span) => self.refuse(span, message),
-            None => Refusal::file(&self.path, message),
+            Some(span) => self.error_at(span, message),
+            None => InputError::file(&self.path, message),
         }
     }
 }

@@ -1,10 +1,10 @@
 //! The contacts of many asperities, in the registers of the machine.
 
+use crate::accumulator::{Accumulator, FEW, LaneAccumulator, LaneBatch};
 use crate::asperity::Asperities;
 use crate::contact::Contacts;
 use crate::law::Shape;
 use crate::numeric::lanes::{MOST, Real, Work, run};
-use crate::tally::{FEW, Handful, SideBySide, Tally};
 
 /// What knows the contacts of asperities side by side.
 pub(super) trait Answers {
@@ -13,41 +13,48 @@ pub(super) trait Answers {
     fn answers<N: Real>(&self, w: N, radius: N, spheres: N) -> Contacts<N>;
 }
 
-/// [`super::MicroContact::press`].
-pub(super) fn press<A: Answers>(contact: A, asperities: Asperities<'_>, separation: f64, tally: &mut Tally) {
-    run(Press { contact, asperities, separation, tally });
+/// [`super::MicroContact::accumulate`].
+pub(super) fn accumulate<A: Answers>(
+    contact: A,
+    asperities: Asperities<'_>,
+    separation: f64,
+    accumulator: &mut Accumulator,
+) {
+    run(Accumulate { contact, asperities, separation, accumulator });
 }
 
-/// [`super::MicroContact::weigh`].
-pub(super) fn weigh<A: Answers>(
+/// [`super::MicroContact::accumulate_weighted`].
+pub(super) fn accumulate_weighted<A: Answers>(
     contact: A,
     indentations: &[f64],
     weights: &[f64],
     shape: Shape,
-    tally: &mut Tally,
+    accumulator: &mut Accumulator,
 ) {
-    run(Weigh { contact, indentations, weights, shape, tally });
+    run(AccumulateWeighted { contact, indentations, weights, shape, accumulator });
 }
 
-struct Press<'a, A> {
+struct Accumulate<'a, A> {
     contact: A,
     asperities: Asperities<'a>,
     separation: f64,
-    tally: &'a mut Tally,
+    accumulator: &'a mut Accumulator,
 }
 
-impl<A: Answers> Work for Press<'_, A> {
+impl<A: Answers> Work for Accumulate<'_, A> {
     type Output = ();
 
     #[inline(always)]
     fn with<N: Real>(self, zero: N) {
-        let Self { contact, asperities, separation, tally } = self;
+        let Self { contact, asperities, separation, accumulator } = self;
         let (heights, radii) = (asperities.heights(), asperities.radii());
         let lanes = match asperities.spheres() {
-            None => press_lanes::<N, A, false>(contact, zero, separation, [heights, radii, radii]),
-            Some(spheres) => press_lanes::<N, A, true>(contact, zero, separation, [heights, radii, spheres]),
+            None => accumulate_lanes::<N, A, false>(contact, zero, separation, [heights, radii, radii]),
+            Some(spheres) => {
+                accumulate_lanes::<N, A, true>(contact, zero, separation, [heights, radii, spheres])
+            }
         };
-        tally.add_lanes(&lanes);
+        accumulator.add_lanes(&lanes);
     }
 }
 
@@ -64,17 +71,17 @@ fn last<N: Real>(values: &[f64], zero: N) -> N {
 
 /// Presses asperities of some heights and radii, for each of which one sphere stands or, of ellipses, so many.
 #[inline(always)]
-fn press_lanes<N: Real, A: Answers, const ELLIPSES: bool>(
+fn accumulate_lanes<N: Real, A: Answers, const ELLIPSES: bool>(
     contact: A,
     zero: N,
     separation: f64,
     [heights, radii, spheres]: [&[f64]; 3],
-) -> SideBySide<N> {
+) -> LaneBatch<N> {
     let count = heights.len();
-    let mut lanes = SideBySide::new(zero);
+    let mut lanes = LaneBatch::new(zero);
     let mut start = 0;
     while start + N::LANES <= count {
-        let mut few = Handful::new(zero);
+        let mut few = LaneAccumulator::new(zero);
         for _ in 0..FEW {
             if start + N::LANES <= count {
                 let w = zero.load(&heights[start..]) - separation;
@@ -96,41 +103,45 @@ fn press_lanes<N: Real, A: Answers, const ELLIPSES: bool>(
     lanes
 }
 
-struct Weigh<'a, A> {
+struct AccumulateWeighted<'a, A> {
     contact: A,
     indentations: &'a [f64],
     weights: &'a [f64],
     shape: Shape,
-    tally: &'a mut Tally,
+    accumulator: &'a mut Accumulator,
 }
 
-impl<A: Answers> Work for Weigh<'_, A> {
+impl<A: Answers> Work for AccumulateWeighted<'_, A> {
     type Output = ();
 
     #[inline(always)]
     fn with<N: Real>(self, zero: N) {
-        let Self { contact, indentations, weights, shape, tally } = self;
+        let Self { contact, indentations, weights, shape, accumulator } = self;
         let (radius, spheres) = (zero.splat(shape.radius), zero.splat(shape.spheres));
-        let mut lanes = SideBySide::new(zero);
+        let mut lanes = LaneBatch::new(zero);
         let mut start = 0;
         while start + N::LANES <= indentations.len() {
-            let mut few = Handful::new(zero);
+            let mut few = LaneAccumulator::new(zero);
             for _ in 0..FEW {
                 if start + N::LANES <= indentations.len() {
                     let w = zero.load(&indentations[start..]);
-                    lanes.weigh(&mut few, &contact.answers(w, radius, spheres), zero.load(&weights[start..]));
+                    lanes.accumulate_weighted(
+                        &mut few,
+                        &contact.answers(w, radius, spheres),
+                        zero.load(&weights[start..]),
+                    );
                     start += N::LANES;
                 }
             }
-            lanes.add_weighed(&few);
+            lanes.add_weighted(&few);
         }
         if start < indentations.len() {
             let rest = zero.lanes_from(N::LANES - (indentations.len() - start));
             let contacts = contact.answers(last(indentations, zero), radius, spheres);
-            let mut few = Handful::new(zero);
-            lanes.weigh(&mut few, &contacts, N::choose(rest, last(weights, zero), zero));
-            lanes.add_weighed(&few);
+            let mut few = LaneAccumulator::new(zero);
+            lanes.accumulate_weighted(&mut few, &contacts, N::select(rest, last(weights, zero), zero));
+            lanes.add_weighted(&few);
         }
-        tally.add_lanes(&lanes);
+        accumulator.add_lanes(&lanes);
     }
 }
