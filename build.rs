@@ -6,7 +6,13 @@ use std::path::{Path, PathBuf};
 use sha2::{Digest, Sha256};
 
 /// What a report depends on; tests and examples it does not.
-const FOLDERS: [&str; 3] = ["src", "crates/asperity/src", "crates/asperity-plot/src"];
+const FOLDERS: [&str; 5] = [
+    "src",
+    "crates/asperity/src",
+    "crates/asperity-framework/src",
+    "crates/asperity-plot/src",
+    "crates/asperity-validation/src",
+];
 
 fn main() {
     let mut files = vec![PathBuf::from("Cargo.toml"), PathBuf::from("Cargo.lock"), PathBuf::from("build.rs")];

@@ -1,9 +1,14 @@
-//! The experiment program: from a spec file to a report.
+//! The experiment program: from a spec file to results and their report.
+//!
+//! ```text
+//! spec file -> Experiment (a kind's plan) -> Outcome -> report folder
+//! ```
 #![deny(unsafe_code)]
 #![warn(missing_docs)]
 
-pub mod experiment;
-pub mod precision;
-pub mod report;
-pub mod stability;
-pub mod units;
+mod experiment;
+pub mod kind;
+mod layer;
+pub mod surface;
+
+pub use experiment::{Experiment, TEMPLATE};

@@ -5,11 +5,13 @@ use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 use std::time::Instant;
 
-use asperity_experiment::experiment::progress::{Progress, Silent};
-use asperity_experiment::experiment::results::Results;
-use asperity_experiment::experiment::{Experiment, FileWords, InputError, TEMPLATE};
-use asperity_experiment::report::store::{Store, StoreError};
-use asperity_experiment::report::{self, Index, MARK, ReportError};
+use asperity_experiment::surface::{FileOptions, described_file};
+use asperity_experiment::{Experiment, TEMPLATE};
+use asperity_framework::Outcome;
+use asperity_framework::input::InputError;
+use asperity_framework::progress::{Progress, Silent};
+use asperity_framework::report::store::{Store, StoreError};
+use asperity_framework::report::{self, Index, MARK, ReportError};
 use clap::{Args, Parser, Subcommand};
 use indicatif::{ProgressBar, ProgressStyle};
 
@@ -106,7 +108,7 @@ struct Words {
     neighbours: Option<String>,
 }
 
-impl From<Words> for FileWords {
+impl From<Words> for FileOptions {
     fn from(Words { pixel, unit, level, s, l, neighbours }: Words) -> Self {
         Self { pixel, unit, level, s, l, neighbours }
     }
@@ -281,24 +283,22 @@ fn open_store(options: &RunOptions) -> Result<Store, Failure> {
 }
 
 /// Looks at surfaces: a table in the terminal, pages in the folder of reports.
-fn surface(file: &Path, words: FileWords, name: Option<&str>, options: &RunOptions) -> Result<(), Failure> {
+fn surface(file: &Path, words: FileOptions, name: Option<&str>, options: &RunOptions) -> Result<(), Failure> {
     set_threads(options)?;
-    let experiment = Experiment::look(file, &words, name)?;
+    let experiment = Experiment::describe(file, &words, name)?;
     let mut store = open_store(options)?;
     store.check(experiment.stem())?;
     check_same_file(&experiment, &options.out.join(experiment.stem()))?;
     let results = run_and_write(&experiment, &experiment.key()?, &mut store, options)?;
-    if let Results::Surfaces(found) = &results {
-        for surface in &found.surfaces {
-            say(options, &format!("\n{}", report::surface::for_terminal(surface).trim_end()));
-        }
+    if let Some(text) = results.terminal() {
+        say(options, &text);
     }
     write_index(&mut store, &options.out)
 }
 
 /// A look at one file does not replace the look at another that happens to be called the same.
 fn check_same_file(experiment: &Experiment, folder: &Path) -> Result<(), Failure> {
-    let (Some(now), Some(before)) = (experiment.looked_at(), report::looked_at(folder)) else {
+    let (Some(now), Some(before)) = (experiment.described_file(), described_file(folder)) else {
         return Ok(());
     };
     let whole = |path: &Path| std::fs::canonicalize(path).unwrap_or_else(|_| path.to_owned());
@@ -345,7 +345,7 @@ fn run_and_write(
     key: &str,
     store: &mut Store,
     options: &RunOptions,
-) -> Result<Results, Failure> {
+) -> Result<Box<dyn Outcome>, Failure> {
     let start = Instant::now();
     let folder = options.out.join(experiment.stem());
     let results = if options.quiet {
@@ -362,7 +362,7 @@ fn run_and_write(
             experiment.stem()
         )));
     }
-    let report = report::folder(&results, key)?;
+    let report = report::folder(&*results, key)?;
     store.write(&report)?;
     if !options.quiet {
         for warning in results.warnings() {
@@ -406,7 +406,7 @@ fn list(out: &Path) -> Result<(), Failure> {
                 } else {
                     "to run"
                 };
-                print(format_args!("{:<28} {state:<11} {}", experiment.stem(), experiment.plan().title));
+                print(format_args!("{:<28} {state:<11} {}", experiment.stem(), experiment.title()));
             }
             Err(error) => print(format_args!("{:<28} refused     {error}", file.display())),
         }
@@ -416,7 +416,7 @@ fn list(out: &Path) -> Result<(), Failure> {
 
 fn check(files: &[PathBuf], extent: &Extent) -> Result<(), Failure> {
     for experiment in read_all(files, extent)? {
-        print(format_args!("{}", experiment.plan().to_string().trim_end()));
+        print(format_args!("{}", experiment.to_string().trim_end()));
     }
     Ok(())
 }

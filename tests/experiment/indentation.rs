@@ -7,16 +7,13 @@ use crate::common::rows;
 use asperity::compare::RuleCheck;
 use asperity::material::Material;
 use asperity::sphere::{Curve, Falling};
-use asperity_experiment::experiment::progress::Silent;
-use asperity_experiment::experiment::results::Results;
-use asperity_experiment::experiment::{Experiment, IndentationResults};
-use asperity_experiment::report;
+use asperity_experiment::Experiment;
+use asperity_experiment::kind::indentation::IndentationResults;
+use asperity_framework::progress::Silent;
+use asperity_framework::report;
 
 fn run_file(path: &Path) -> IndentationResults {
-    match Experiment::read(path).unwrap().run(&Silent).unwrap() {
-        Results::Indentation(results) => results,
-        other => panic!("{other:?}"),
-    }
+    crate::downcast(Experiment::read(path).unwrap().run(&Silent).unwrap())
 }
 
 fn committed(stem: &str) -> IndentationResults {
@@ -101,7 +98,7 @@ fn loads_of_figure_5_in_the_table() {
 /// A file of the report on `results`.
 fn written(results: IndentationResults, name: &str) -> String {
     let out = tempfile::tempdir().unwrap();
-    let folder = report::folder(&Results::Indentation(results), "key").unwrap();
+    let folder = report::folder(&results, "key").unwrap();
     report::store::Store::new(out.path()).write(&folder).unwrap();
     fs::read_to_string(out.path().join("sphere").join(name)).unwrap()
 }
@@ -126,7 +123,7 @@ fn curves_lie_between_their_limits_and_reach_them() {
         assert_eq!(layer.errors[0][k].ratio > 1.0, coated > exact.load);
         assert!((layer.errors[0][k].ratio / (coated / exact.load) - 1.0).abs() < 1e-10);
     }
-    let close = |t: &str, to: fn(&asperity_experiment::experiment::LawCurves) -> &Curve| {
+    let close = |t: &str, to: fn(&asperity_experiment::kind::indentation::LawCurves) -> &Curve| {
         let (_folder, results) = run_words(&words(t, range), "");
         for law in &results.layers[0].laws {
             for (found, limit) in loads(&law.coated).iter().zip(loads(to(law))) {
@@ -148,7 +145,7 @@ fn an_exact_contact_that_is_too_wide_is_left_out() {
     assert!(solved > 0 && solved < 15);
     assert!(layer.exact[..solved].iter().all(Option::is_some));
     assert_eq!(layer.errors[0].len(), solved);
-    assert!(report::folder(&Results::Indentation(results), "key").is_ok());
+    assert!(report::folder(&results, "key").is_ok());
 }
 
 #[test]
@@ -173,7 +170,7 @@ fn measured_points_stand_beside_the_curve() {
     for law in &results.layers[0].laws {
         assert_eq!(law.at_overlay.len(), 2);
     }
-    let folder = report::folder(&Results::Indentation(results), "key").unwrap();
+    let folder = report::folder(&results, "key").unwrap();
     assert!(folder.names().any(|name| name == "overlay.csv"));
 }
 

@@ -2,10 +2,11 @@
 
 use asperity::compare::Kind;
 use asperity::sphere::Falling;
-use asperity_experiment::experiment::Experiment;
-use asperity_experiment::experiment::progress::Silent;
-use asperity_experiment::experiment::results::{CompareResults, Results, Threshold};
-use asperity_experiment::report::store::Store;
+use asperity_experiment::Experiment;
+use asperity_experiment::kind::compare::results::{CompareResults, Threshold};
+use asperity_framework::Outcome;
+use asperity_framework::progress::Silent;
+use asperity_framework::report::store::Store;
 
 /// A steel population on a flat, with the words of the flat.
 fn spec(flat: &str) -> String {
@@ -53,7 +54,7 @@ count = 5000
     )
 }
 
-fn results(flat: &str) -> Results {
+fn results(flat: &str) -> Box<dyn Outcome> {
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("layers.toml");
     std::fs::write(&path, spec(flat)).unwrap();
@@ -61,16 +62,13 @@ fn results(flat: &str) -> Results {
 }
 
 fn compared(flat: &str) -> CompareResults {
-    match results(flat) {
-        Results::Compare(results) => results,
-        _ => panic!("a comparison"),
-    }
+    crate::downcast(results(flat))
 }
 
 /// The files of a report by name.
-fn written(results: &Results, names: &[&str]) -> Vec<String> {
+fn written(results: &dyn Outcome, names: &[&str]) -> Vec<String> {
     let out = tempfile::tempdir().unwrap();
-    let folder = asperity_experiment::report::folder(results, "key").unwrap();
+    let folder = asperity_framework::report::folder(results, "key").unwrap();
     Store::new(out.path()).write(&folder).unwrap();
     names.iter().map(|name| std::fs::read_to_string(out.path().join("layers").join(name)).unwrap()).collect()
 }
@@ -88,7 +86,7 @@ fn every_law_runs_under_every_thickness_in_file_order() {
     let expected: Vec<(&str, Option<f64>)> =
         ["zmc", "hertz"].into_iter().flat_map(|law| thicknesses.map(|t| (law, Some(t)))).collect();
     assert_eq!(cases, expected);
-    for table in written(&results(LAYERS), &["curves.csv", "comparison.csv"]) {
+    for table in written(&*results(LAYERS), &["curves.csv", "comparison.csv"]) {
         let mut reader = csv::Reader::from_reader(table.as_bytes());
         let column = reader.headers().unwrap().iter().position(|name| name == "layer_thickness_m").unwrap();
         let mut read: Vec<f64> = reader.records().map(|row| row.unwrap()[column].parse().unwrap()).collect();
@@ -122,10 +120,10 @@ fn a_report_of_one_model_shows_one_model() {
         let point = &case.comparison.curves.iter().rfind(|point| point.asked == Some(1e6)).unwrap().response;
         let mean = point.area_ratio.total() / point.contact_density;
         let ratio = (mean / std::f64::consts::PI).sqrt() / 2e-8;
-        let page = written(&Results::Compare(found), &["report.md"]).remove(0);
+        let page = written(&found, &["report.md"]).remove(0);
         let row = page.lines().find(|line| line.starts_with("| 1 MPa | 20 nm |")).unwrap().to_owned();
         assert!(
-            row.contains(&format!("| {} |", asperity_experiment::report::format::number(ratio))),
+            row.contains(&format!("| {} |", asperity_framework::report::format::number(ratio))),
             "{row}: {ratio}"
         );
         (page, row.matches('|').count())
@@ -181,9 +179,7 @@ fn a_law_without_layers_has_no_threshold() {
         .replace("hardness = \"0.17 GPa\"", "hardness = \"0.17 GPa\"\nyield-strength = \"0.06 GPa\"")
         .replace("\"hertz\"", "\"jackson-green\"");
     std::fs::write(&path, words).unwrap();
-    let Results::Compare(found) = Experiment::read(&path).unwrap().run(&Silent).unwrap() else {
-        panic!("a comparison")
-    };
+    let found: CompareResults = crate::downcast(Experiment::read(&path).unwrap().run(&Silent).unwrap());
     let of = |law: &str| found.surfaces[0].thresholds.iter().filter(|found| found.law == law).count();
     assert_eq!((of("zmc"), of("jackson-green")), (4, 0));
     assert_eq!(found.surfaces[0].first.cases.len(), 4);
@@ -229,7 +225,7 @@ fn where_a_load_falls_the_report_says_so() {
     let found = compared(flat);
     let falls = &found.surfaces[0].falls;
     assert!(falls.iter().any(|one| one.fall.of == Falling::Load && one.fall.loss() > 0.01), "{falls:?}");
-    let page = &written(&Results::Compare(found), &["report.md"])[0];
+    let page = &written(&found, &["report.md"])[0];
     assert!(
         page.contains("the load of an asperity can fall as it is pressed deeper, with film of 150 nm"),
         "{page}"
@@ -239,7 +235,7 @@ fn where_a_load_falls_the_report_says_so() {
 
 #[test]
 fn the_summary_holds_the_layer() {
-    let written = written(&results(LAYERS), &["summary.json"]);
+    let written = written(&*results(LAYERS), &["summary.json"]);
     let summary: serde_json::Value = serde_json::from_str(&written[0]).unwrap();
     assert_eq!(summary["layer"]["thicknesses_m"], serde_json::json!([0.0, 2e-8, 5e-8, "inf"]));
     assert_eq!(summary["layer"]["material"], "lead");

@@ -10,9 +10,11 @@ use asperity::law::{Shape, Zmc};
 use asperity::layer::Rule;
 use asperity::model::{Deterministic, Model, ReferencePlane, Statistical};
 use asperity::work::{Counter, Work};
-use asperity_experiment::experiment::progress::Silent;
-use asperity_experiment::experiment::results::{CompareResults, Results, SurfaceResults};
-use asperity_experiment::experiment::{Experiment, FileWords};
+use asperity_experiment::Experiment;
+use asperity_experiment::kind::compare::results::{CompareResults, SurfaceResults};
+use asperity_experiment::surface::FileOptions;
+use asperity_framework::Outcome;
+use asperity_framework::progress::Silent;
 
 const MATERIALS: &str = r#"
 title = "work"
@@ -38,7 +40,7 @@ count = 3000
 const BODIES: &str = "[compare]\nrough = \"steel\"\nflat = \"steel\"\n";
 
 /// Runs a spec in a folder with two lists of asperities and a map.
-fn run(spec: &str) -> Results {
+fn run(spec: &str) -> Box<dyn Outcome> {
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("work.toml");
     fs::write(&path, format!("{MATERIALS}{spec}")).unwrap();
@@ -60,10 +62,8 @@ fn work_of(spec: &str) -> Work {
 
 /// What `[compare]` of steel on steel finds.
 fn compare(words: &str, surfaces: &str) -> (Work, CompareResults) {
-    match run(&format!("{BODIES}{words}\n{surfaces}")) {
-        Results::Compare(results) => (results.metadata.work.unwrap(), results),
-        other => panic!("{other:?}"),
-    }
+    let results: CompareResults = crate::downcast(run(&format!("{BODIES}{words}\n{surfaces}")));
+    (results.metadata.work.unwrap(), results)
 }
 
 /// How many asperities of all surfaces stand above the flat, separation by separation.
@@ -262,8 +262,8 @@ fn a_look_touches_nothing() {
     let height = |ix: u32, iy: u32| format!("{:e}", f64::from((ix * 37 + iy * 91) % 53) * 1e-9);
     let rows = (0..40).map(|iy| (0..50).map(|ix| height(ix, iy)).collect::<Vec<_>>().join(" "));
     fs::write(&path, rows.collect::<Vec<_>>().join("\n")).unwrap();
-    let words = FileWords { pixel: Some("1 um".to_owned()), ..FileWords::default() };
-    let found = Experiment::look(&path, &words, None).unwrap().run(&Silent).unwrap();
+    let words = FileOptions { pixel: Some("1 um".to_owned()), ..FileOptions::default() };
+    let found = Experiment::describe(&path, &words, None).unwrap().run(&Silent).unwrap();
     assert_eq!(found.metadata().work, Some(Work { files_read: 1, surfaces_made: 1, ..Work::default() }));
 }
 

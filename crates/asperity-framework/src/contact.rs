@@ -1,0 +1,141 @@
+//! The bodies of an experiment, its laws, and what a report says of them.
+
+use indexmap::IndexMap;
+use serde::Serialize;
+
+use crate::input::law::LawSpec;
+use crate::kind::RunContext;
+use asperity::compare::RuleFindings;
+use asperity::interface::MicroContact;
+use asperity::law::Property;
+use asperity::layer::Rule;
+use asperity::literature::{self, Paper};
+use asperity::material::Material;
+
+/// The two bodies, by name.
+#[derive(Debug, Clone)]
+pub struct Bodies {
+    /// Material of the rough body.
+    pub rough: String,
+    /// Material of the flat.
+    pub flat: String,
+}
+
+/// A law and the micro-contact that it makes of the two bodies.
+pub struct LawPlan {
+    /// How tables and plots name it.
+    pub label: String,
+    /// Thickness of the layer, m; `None` where no layer is asked for.
+    pub thickness: Option<f64>,
+    /// The micro-contact.
+    pub contact: Box<dyn MicroContact>,
+    /// The law in the words of a spec.
+    pub spec: LawSpec,
+}
+
+/// What lies on the flat.
+#[derive(Debug, Clone)]
+pub struct LayerMetadata {
+    /// Name of its material.
+    pub name: String,
+    /// How its modulus and that of the substrate are put together.
+    pub rule: Rule,
+    /// Thicknesses, m, ascending; 0 and infinity among them.
+    pub thicknesses: Vec<f64>,
+    /// How good the rules are for these materials, over a/t from 0.1 to 10; `None` where no thickness asks for one.
+    pub check: Option<RuleFindings>,
+}
+
+/// The two bodies of a contact.
+#[derive(Debug, Clone)]
+pub struct ContactMetadata {
+    /// The bodies of the spec.
+    pub materials: IndexMap<String, Material>,
+    /// Who touches whom.
+    pub bodies: Bodies,
+    /// Reduced modulus of the pair, Pa.
+    pub reduced_modulus: f64,
+    /// Hardness of the softer body, Pa.
+    pub hardness: Option<f64>,
+    /// What lies on the flat.
+    pub layer: Option<LayerMetadata>,
+    /// Laws that are asked beyond what they were made for, a line each.
+    pub caveats: Vec<String>,
+}
+
+/// The fields of a summary that every contact has.
+#[derive(Debug, Clone, Serialize)]
+pub struct ContactSummary {
+    reduced_modulus_pa: f64,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    hardness_pa: Option<f64>,
+}
+
+impl ContactSummary {
+    /// Of the bodies of an experiment.
+    pub fn of(contact: &ContactMetadata) -> Self {
+        Self { reduced_modulus_pa: contact.reduced_modulus, hardness_pa: contact.hardness }
+    }
+}
+
+/// The papers behind laws and both models.
+pub fn papers_of(laws: &[LawPlan]) -> Vec<Paper> {
+    let models = [literature::PASARIBU_SCHIPPER_2005, literature::ZHAO_MAIETTA_CHANG_2000];
+    laws.iter().flat_map(papers_of_law).chain(models).collect()
+}
+
+/// The papers behind one law.
+pub fn papers_of_law(law: &LawPlan) -> Vec<Paper> {
+    law.contact.papers().into_iter().chain(law.spec.papers().iter().copied()).collect()
+}
+
+/// What a report says of two bodies under laws.
+pub fn contact_metadata(
+    context: &RunContext,
+    laws: &[LawPlan],
+    bodies: &Bodies,
+    layer: Option<LayerMetadata>,
+) -> ContactMetadata {
+    // Every law of an experiment stands on the same two bodies.
+    let contact = &laws[0].contact;
+    let mut caveats: Vec<String> = laws.iter().filter_map(|law| law.contact.caveat()).collect();
+    caveats.extend(apart_in_strength(context, laws, bodies, layer.as_ref()));
+    caveats.sort_unstable();
+    caveats.dedup();
+    ContactMetadata {
+        materials: context.materials.clone(),
+        bodies: bodies.clone(),
+        reduced_modulus: contact.reference_modulus(),
+        hardness: Some(contact.reference_hardness()).filter(|hardness| hardness.is_finite()),
+        layer,
+        caveats,
+    }
+}
+
+/// Bodies of which laws that take the hardness and one that takes the yield strength make two different ones.
+fn apart_in_strength(
+    context: &RunContext,
+    laws: &[LawPlan],
+    bodies: &Bodies,
+    layer: Option<&LayerMetadata>,
+) -> Vec<String> {
+    /// H/Y of metals; Chang, Etsion and Bogy (1987) take 2.8.
+    const METALS: [f64; 2] = [2.0, 4.0];
+    let takes = |property| laws.iter().any(|law| law.spec.takes() == Some(property));
+    if !(takes(Property::Hardness) && takes(Property::YieldStrength)) {
+        return Vec::new();
+    }
+    let names = [Some(&bodies.rough), Some(&bodies.flat), layer.map(|layer| &layer.name)];
+    let caveat = |name: &String| {
+        let body = context.materials.get(name)?;
+        let ratio = body.hardness()? / body.yield_strength()?;
+        let [from, to] = METALS;
+        (!(from..=to).contains(&ratio)).then(|| {
+            format!(
+                "{name}: the hardness is {ratio:.2} times the yield strength, where metals have {from} to {to}: laws that take the one \
+                 and laws that take the other speak of different bodies"
+            )
+        })
+    };
+    names.into_iter().flatten().filter_map(caveat).collect()
+}

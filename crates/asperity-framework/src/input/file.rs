@@ -1,0 +1,119 @@
+//! The spec file as a whole: what every experiment has, and tables that its kind reads by name.
+
+use std::ops::Range;
+use std::path::Path;
+
+use indexmap::IndexMap;
+use serde::Deserialize;
+use serde::de::DeserializeOwned;
+use toml::Spanned;
+use toml::de::{DeTable, DeValue, Deserializer, ValueDeserializer};
+
+use super::error::{InputError, Source};
+use super::material::MaterialSpec;
+use asperity::material::Material;
+
+/// A spec file whose common keys are read; the table of its kind is read by [`SpecFile::table`].
+#[derive(Debug)]
+pub struct SpecFile {
+    /// The text, for errors that name a line.
+    pub source: Source,
+    /// Title of the report.
+    pub title: String,
+    /// The author's notes; a blank line separates paragraphs.
+    pub notes: String,
+    /// Every random number is drawn from it.
+    pub seed: u64,
+    materials: IndexMap<Spanned<String>, MaterialSpec>,
+    /// Names of the other tables and where they stand, in file order.
+    tables: Vec<(String, Range<usize>)>,
+}
+
+/// The keys that every spec may hold.
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields, rename_all = "kebab-case")]
+struct CommonKeys {
+    title: String,
+    #[serde(default)]
+    notes: String,
+    #[serde(default)]
+    seed: u64,
+    #[serde(default)]
+    material: IndexMap<Spanned<String>, MaterialSpec>,
+}
+
+/// Names of the fields of [`CommonKeys`].
+const COMMON: [&str; 4] = ["title", "notes", "seed", "material"];
+
+impl SpecFile {
+    /// Reads a spec that may hold, besides the common keys, the tables named in `tables`.
+    ///
+    /// # Errors
+    /// A file that cannot be read, is not TOML, or holds another key or a wrong value.
+    pub fn read(path: &Path, tables: &[&str]) -> Result<Self, InputError> {
+        let bytes = std::fs::read(path)
+            .map_err(|error| InputError::file(path, format!("cannot be read: {error}")))?;
+        let text = String::from_utf8(bytes).map_err(|error| {
+            InputError::file(path, format!("is no UTF-8 text (byte {})", error.utf8_error().valid_up_to()))
+        })?;
+        Self::parse(Source { path: path.to_owned(), text }, tables)
+    }
+
+    /// The same of a text.
+    ///
+    /// # Errors
+    /// As [`SpecFile::read`].
+    pub fn parse(source: Source, tables: &[&str]) -> Result<Self, InputError> {
+        let mut document = DeTable::parse(&source.text).map_err(|error| source.parse_error(&error))?;
+        let mut found: Vec<(String, Range<usize>)> = Vec::new();
+        for (key, value) in document.get_ref().iter() {
+            let name: &str = key.get_ref();
+            if tables.contains(&name) {
+                found.push((name.to_owned(), value.span()));
+            } else if !COMMON.contains(&name) {
+                let allowed: Vec<String> =
+                    COMMON.iter().chain(tables).map(|name| format!("`{name}`")).collect();
+                let message = format!("found the key `{name}`; allowed: {}", allowed.join(", "));
+                return Err(source.error_at(key.span(), message));
+            }
+        }
+        found.sort_by_key(|(_, span)| span.start);
+        for (name, _) in &found {
+            document.get_mut().remove(name.as_str());
+        }
+        let keys = CommonKeys::deserialize(Deserializer::from(document));
+        let CommonKeys { title, notes, seed, material } = keys.map_err(|error| source.parse_error(&error))?;
+        Ok(Self { source, title, notes, seed, materials: material, tables: found })
+    }
+
+    /// Names of the tables beside the common keys and where they stand, in file order.
+    pub fn tables(&self) -> &[(String, Range<usize>)] {
+        &self.tables
+    }
+
+    /// The table `name` as a `T`; `None` if the file has no such table.
+    ///
+    /// # Errors
+    /// A key or value that `T` does not allow.
+    pub fn table<T: DeserializeOwned>(&self, name: &str) -> Result<Option<Spanned<T>>, InputError> {
+        let mut document =
+            DeTable::parse(&self.source.text).map_err(|error| self.source.parse_error(&error))?;
+        let value: Option<Spanned<DeValue>> = document.get_mut().remove(name);
+        let read = value.map(|value| Spanned::<T>::deserialize(ValueDeserializer::from(value))).transpose();
+        read.map_err(|error| self.source.parse_error(&error))
+    }
+
+    /// The table `name`, which the file holds.
+    ///
+    /// # Errors
+    /// As [`SpecFile::table`], and a file without it.
+    pub fn required_table<T: DeserializeOwned>(&self, name: &str) -> Result<Spanned<T>, InputError> {
+        let missing = || InputError::file(&self.source.path, format!("found no [{name}], which is needed"));
+        self.table(name)?.ok_or_else(missing)
+    }
+
+    /// The materials in file order.
+    pub fn materials(&self) -> impl Iterator<Item = (&Spanned<String>, &Material)> {
+        self.materials.iter().map(|(name, material)| (name, &material.0))
+    }
+}

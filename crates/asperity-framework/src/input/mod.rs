@@ -1,0 +1,14 @@
+//! The input file: quantities with units, common tables, and errors that name file, line and key.
+
+mod error;
+mod file;
+pub mod law;
+pub mod material;
+pub mod quantity;
+mod resolver;
+pub mod sweep;
+pub mod tolerance;
+
+pub use error::{InputError, Source};
+pub use file::SpecFile;
+pub use resolver::materials;

@@ -1,0 +1,180 @@
+//! Names, counts and laws of a spec, resolved and checked.
+
+use std::ops::Range;
+
+use toml::Spanned;
+
+use super::error::InputError;
+use super::file::SpecFile;
+use super::law::{LawSpec, Laws, Summit};
+use super::quantity::Pure;
+use super::sweep::LogSweep;
+use crate::contact::LawPlan;
+use asperity::interface::Flat;
+use asperity::law::{Body, Inapplicable, Property};
+use asperity::material::Material;
+
+/// Two materials as an error names them, or one that both bodies are of.
+pub fn materials(rough: &str, flat: &str) -> String {
+    if rough == flat {
+        format!("[material.{rough}]")
+    } else {
+        format!("[material.{rough}], nor in [material.{flat}]")
+    }
+}
+
+impl SpecFile {
+    /// The material `name`, which stands at `span`.
+    ///
+    /// # Errors
+    /// A name that the file does not define.
+    pub fn body(&self, name: &str, span: Range<usize>) -> Result<Material, InputError> {
+        let found = self.materials().find(|(defined, _)| defined.get_ref() == name);
+        found.map(|(_, material)| *material).ok_or_else(|| {
+            let defined: Vec<&str> = self.materials().map(|(name, _)| name.get_ref().as_str()).collect();
+            let allowed = if defined.is_empty() {
+                "a material defined in this file as [material.NAME]; none is".to_owned()
+            } else {
+                format!("a material of this file: {}", defined.join(", "))
+            };
+            self.source.error_at(span, format!("found \"{name}\"; allowed: {allowed}"))
+        })
+    }
+
+    /// Holds each law against the bodies that it will meet, as if each flat were homogeneous. Whether it stands under a
+    /// layer of finite thickness is seen when the contact is made.
+    pub fn check_laws(
+        &self,
+        laws: &Spanned<Laws>,
+        rough: (&str, &Material),
+        flats: &[(&str, &Material)],
+    ) -> Result<(), InputError> {
+        for law in &laws.get_ref().0 {
+            for flat in flats {
+                law.check(rough.1, flat.1)
+                    .map_err(|error| self.inapplicable(laws, &error, rough.0, flat.0))?;
+            }
+        }
+        Ok(())
+    }
+
+    /// Points at the body that lacks a property, else at the laws.
+    pub fn inapplicable(
+        &self,
+        laws: &Spanned<Laws>,
+        error: &Inapplicable,
+        rough: &str,
+        flat: &str,
+    ) -> InputError {
+        let Inapplicable::Lacking { law, property, body } = error else {
+            return self.source.error_at(laws.span(), format!("found {error}"));
+        };
+        let name = if *body == Some(Body::Flat) { flat } else { rough };
+        let key = property.key();
+        let message = match body {
+            Some(_) => format!(
+                "found no `{key}` in [material.{name}], which law {law} needs there; allowed: {key} = \"...\" with a unit of \
+                 pressure{}",
+                match property {
+                    Property::YieldStrength => ", or no hardness either, for a body that never yields",
+                    Property::Hardness => "",
+                }
+            ),
+            None => format!(
+                "found no `{key}` in {}, which law {law} needs of one body at least; allowed: {key} = \"...\" with a unit of \
+                 pressure",
+                materials(rough, flat)
+            ),
+        };
+        self.source.error_at(self.material_at(name).unwrap_or_else(|| laws.span()), message)
+    }
+
+    /// Where a material is defined.
+    pub fn material_at(&self, name: &str) -> Option<Range<usize>> {
+        self.materials().find(|(defined, _)| defined.get_ref() == name).map(|(defined, _)| defined.span())
+    }
+
+    /// Each law against each flat, which has a layer of the thickness beside it.
+    ///
+    /// # Errors
+    /// A law that does not apply to the bodies, or not under a layer.
+    pub fn law_plans(
+        &self,
+        laws: &Spanned<Laws>,
+        rough: (&str, &Material),
+        flats: &[(Option<f64>, Flat)],
+        flat: &str,
+    ) -> Result<Vec<LawPlan>, InputError> {
+        let plan = |law: &LawSpec, (thickness, on): &(Option<f64>, Flat)| {
+            let contact = law.interface(rough.1, on);
+            Ok(LawPlan {
+                label: law.label(),
+                thickness: *thickness,
+                contact: contact.map_err(|error| self.inapplicable(laws, &error, rough.0, flat))?,
+                spec: *law,
+            })
+        };
+        laws.get_ref().0.iter().flat_map(|law| flats.iter().map(move |flat| plan(law, flat))).collect()
+    }
+
+    /// Refuses laws for ellipses where all asperities are spheres.
+    pub fn spheres_only(&self, laws: &Spanned<Laws>, what: &str) -> Result<(), InputError> {
+        match laws.get_ref().0.iter().find(|law| law.summit == Summit::Ellipse) {
+            Some(law) => {
+                let message = format!("found \"{}\", but {what}; allowed: a law for spheres", law.label());
+                Err(self.source.error_at(laws.span(), message))
+            }
+            None => Ok(()),
+        }
+    }
+
+    /// Sizes of sets.
+    pub fn counts(&self, words: &Spanned<LogSweep<Pure>>) -> Result<Vec<usize>, InputError> {
+        /// Beyond this, counts are no longer exact as f64, and no memory holds them.
+        const LARGEST_COUNT: f64 = 1e12;
+        self.whole(words, "a count of", LARGEST_COUNT)
+    }
+
+    /// A sweep of whole numbers from 1 to `most`. Close ones may round to one: it stands once.
+    pub fn whole(
+        &self,
+        words: &Spanned<LogSweep<Pure>>,
+        what: &str,
+        most: f64,
+    ) -> Result<Vec<usize>, InputError> {
+        let values = &words.get_ref().values;
+        if let Some(value) = values.iter().find(|value| !(1.0..=most).contains(*value)) {
+            return Err(self
+                .source
+                .error_at(words.span(), format!("found {what} {value:e}; allowed: 1 to {most:e}")));
+        }
+        let mut whole: Vec<usize> = values.iter().map(|value| value.round() as usize).collect();
+        whole.dedup();
+        Ok(whole)
+    }
+
+    /// How many random ones of a kind.
+    pub fn several(&self, words: &Spanned<u64>, what: &str) -> Result<usize, InputError> {
+        let count = *words.get_ref();
+        if !(2..=1000).contains(&count) {
+            return Err(self
+                .source
+                .error_at(words.span(), format!("found {count}; allowed: 2 to 1000 {what}")));
+        }
+        Ok(count as usize)
+    }
+
+    /// Indentations, at least two, the smallest first.
+    ///
+    /// # Errors
+    /// Others.
+    pub fn growing<D>(&self, words: &Spanned<LogSweep<D>>) -> Result<Vec<f64>, InputError> {
+        let indentations = &words.get_ref().values;
+        if indentations.len() < 2 || indentations.windows(2).any(|pair| pair[0] >= pair[1]) {
+            let message =
+                "found indentations that do not grow, or one alone; allowed: two or more, the smallest first";
+            return Err(self.source.error_at(words.span(), message));
+        }
+        Ok(indentations.clone())
+    }
+}

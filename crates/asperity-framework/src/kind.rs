@@ -1,0 +1,168 @@
+//! What an experiment kind is: one trait for what a spec's table means, one for what will run, one for what came out.
+
+use std::any::Any;
+use std::fmt;
+use std::ops::Range;
+use std::path::PathBuf;
+
+use indexmap::IndexMap;
+use serde_json::{Map, Value};
+
+use crate::digest::{hexadecimal, sha256, stream_seed};
+use crate::input::{InputError, Source, SpecFile};
+use crate::metadata::{Metadata, Timing};
+use crate::progress::Progress;
+use crate::report::Page;
+use crate::report::table::TableError;
+use asperity::literature::Paper;
+use asperity::material::Material;
+use asperity::work::Work;
+
+/// Tables of a spec that a kind reads beside its own.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Reads {
+    /// `[material.NAME]`
+    pub materials: bool,
+    /// `[surface.NAME]`
+    pub surfaces: bool,
+}
+
+/// A kind of experiment: what the table `[name]` of a spec means.
+pub trait Kind: Sync {
+    /// Name of its table.
+    fn name(&self) -> &'static str;
+
+    /// What it reads beside its table.
+    fn reads(&self) -> Reads;
+
+    /// Reads the table and what it refers to, and checks everything that can be known without running it; `full` asks also
+    /// for what takes minutes and gigabytes.
+    ///
+    /// # Errors
+    /// The first thing that keeps it from running.
+    fn plan(&self, spec: &SpecFile, full: bool) -> Result<Box<dyn Plan>, InputError>;
+}
+
+/// The memory that a run needs at its peak.
+#[derive(Debug, Clone, PartialEq, Eq, Default)]
+pub struct Memory {
+    /// Bytes.
+    pub bytes: u128,
+    /// Where the spec asks for the largest part of it.
+    pub key: Option<Range<usize>>,
+}
+
+/// An experiment that can be run. `Display` says what it will do, a line each, for `experiment check`.
+pub trait Plan: fmt::Display {
+    /// The files that it reads, each once.
+    fn inputs(&self) -> Vec<PathBuf> {
+        Vec::new()
+    }
+
+    /// An estimate of the memory that it needs.
+    fn memory(&self) -> Memory;
+
+    /// An estimate of the work: micro-contacts evaluated.
+    fn work(&self) -> u128;
+
+    /// What tells its report from that of the same spec run otherwise; empty if nothing does.
+    fn variant(&self) -> &'static str {
+        ""
+    }
+
+    /// The measured file or spec whose surfaces it only describes; `None` of an experiment that does more.
+    fn described_file(&self) -> Option<PathBuf> {
+        None
+    }
+
+    /// Runs it.
+    ///
+    /// # Errors
+    /// What only a run can find: a map without a summit, a pressure that is not reached.
+    fn run(&self, context: &RunContext) -> Result<Box<dyn Outcome>, InputError>;
+}
+
+/// What came out of a run, as a report writes it down. A program that knows the kind can cast it to the kind's own type
+/// through [`Any`].
+pub trait Outcome: Any + Sync {
+    /// What every experiment has.
+    fn metadata(&self) -> &Metadata;
+
+    /// What makes the answers doubtful, a line each.
+    fn warnings(&self) -> Vec<String>;
+
+    /// The page.
+    fn page(&self) -> Page;
+
+    /// File names and contents of the tables.
+    ///
+    /// # Errors
+    /// See [`TableError`].
+    fn tables(&self) -> Result<Vec<(&'static str, Vec<u8>)>, TableError> {
+        Ok(Vec::new())
+    }
+
+    /// Its part of `summary.json`.
+    ///
+    /// # Errors
+    /// None that a result can cause.
+    fn summary(&self) -> serde_json::Result<Map<String, Value>>;
+
+    /// What the terminal shows of it, if anything.
+    fn terminal(&self) -> Option<String> {
+        None
+    }
+}
+
+/// What a run needs besides its plan.
+pub struct RunContext<'a> {
+    /// Title of the report.
+    pub title: &'a str,
+    /// Name of the report's folder.
+    pub stem: &'a str,
+    /// The author's notes.
+    pub notes: &'a str,
+    /// Every random number is drawn from it.
+    pub seed: u64,
+    /// The bodies of the spec, in file order.
+    pub materials: &'a IndexMap<String, Material>,
+    /// The spec's text, for errors that only a run can find.
+    pub source: &'a Source,
+    /// Whoever watches.
+    pub progress: &'a dyn Progress,
+}
+
+impl RunContext<'_> {
+    /// The metadata of the results: `papers` are what it used, sorted and each once; `work` is `None` where it depends on the
+    /// clock, or is the experiment itself.
+    pub fn metadata(&self, mut papers: Vec<Paper>, timing: Timing, work: Option<Work>) -> Metadata {
+        papers.sort_by_key(|paper| paper.short);
+        papers.dedup();
+        Metadata {
+            title: self.title.to_owned(),
+            stem: self.stem.to_owned(),
+            notes: self.notes.to_owned(),
+            spec_sha256: hexadecimal(&sha256(self.source.text.as_bytes())),
+            seed: self.seed,
+            papers,
+            timing,
+            work,
+        }
+    }
+
+    /// The seed of one stream of random numbers: it depends on the spec's seed and on what is drawn, not on what else the
+    /// spec holds.
+    pub fn stream_seed(&self, what: &str) -> [u8; 32] {
+        stream_seed(self.seed, what)
+    }
+}
+
+/// Bytes that a set of `count` asperities needs at its peak, which is where its ordered copy is made. A sum makes none unless
+/// the load of an asperity may decrease.
+pub fn set_memory(count: u128) -> u128 {
+    /// Height and radius.
+    const BYTES_OF_SET: u128 = 16;
+    /// Height and shape while they are sorted, then in columns.
+    const BYTES_OF_COPY: u128 = 24 + 16;
+    count * (BYTES_OF_SET + BYTES_OF_COPY)
+}

@@ -1,0 +1,16 @@
+//! The frame that an experiment kind runs in: it reads spec files with units and errors that name file, line and key,
+//! and writes pages, tables and summaries into folders that are replaced whole.
+//!
+//! A kind implements [`Kind`], [`Plan`] and [`Outcome`]; it then has `check`, `run`, reports and `verify` without more.
+#![deny(unsafe_code)]
+#![warn(missing_docs)]
+
+pub mod contact;
+pub mod digest;
+pub mod input;
+mod kind;
+pub mod metadata;
+pub mod progress;
+pub mod report;
+
+pub use kind::{Kind, Memory, Outcome, Plan, Reads, RunContext, set_memory};

@@ -1,0 +1,44 @@
+//! What every experiment has: title, seed, sources, time and work.
+
+use std::time::Duration;
+
+use asperity::literature::Paper;
+use asperity::work::Work;
+
+/// What every experiment has.
+#[derive(Debug, Clone)]
+pub struct Metadata {
+    /// What the report is called.
+    pub title: String,
+    /// Name of the spec's file, without its ending.
+    pub stem: String,
+    /// What the spec's author says of it.
+    pub notes: String,
+    /// SHA-256 of the spec, hexadecimal.
+    pub spec_sha256: String,
+    /// Every random number came from it.
+    pub seed: u64,
+    /// The papers behind what was run.
+    pub papers: Vec<Paper>,
+    /// Where the time went.
+    pub timing: Timing,
+    /// What was done; `None` where that depends on the clock, or is the experiment itself.
+    pub work: Option<Work>,
+}
+
+/// Where the time went.
+#[derive(Debug, Clone, Copy, Default)]
+pub struct Timing {
+    /// Reading files.
+    pub read: Duration,
+    /// Drawing asperities.
+    pub generate: Duration,
+    /// Levelling, filtering, finding summits.
+    pub summits: Duration,
+    /// The integrals.
+    pub statistical: Duration,
+    /// The sums, ordering included.
+    pub deterministic: Duration,
+    /// From the spec to the results.
+    pub total: Duration,
+}

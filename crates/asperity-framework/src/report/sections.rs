@@ -1,0 +1,90 @@
+//! What every page says: the bodies, the sources, the files.
+
+use indexmap::IndexMap;
+
+use super::format::{number, quantity, thickness};
+use super::page::{Page, escape};
+use crate::contact::ContactMetadata;
+use crate::metadata::Metadata;
+use asperity::material::Material;
+
+/// What the spec's author says of it.
+pub fn notes(page: &mut Page, metadata: &Metadata) {
+    for paragraph in metadata.notes.split("\n\n").map(str::trim).filter(|paragraph| !paragraph.is_empty()) {
+        page.paragraph(&escape(&paragraph.replace('\n', " ")));
+    }
+}
+
+/// The bodies and the spec.
+pub fn what_was_run(page: &mut Page, metadata: &Metadata, contact: &ContactMetadata) {
+    page.heading(2, "What was run");
+    let layer = contact.layer.as_ref();
+    let role = |name: &str| {
+        let roles = [
+            (name == contact.bodies.rough, "rough"),
+            (name == contact.bodies.flat, if layer.is_some() { "substrate" } else { "flat" }),
+            (layer.is_some_and(|layer| layer.name == name), "layer"),
+        ];
+        let roles: Vec<&str> = roles.into_iter().filter_map(|(is_it, role)| is_it.then_some(role)).collect();
+        if roles.is_empty() { "not used".to_owned() } else { roles.join(" and ") }
+    };
+    materials(page, &contact.materials, role);
+    if let Some(layer) = layer {
+        let thicknesses: Vec<String> = layer.thicknesses.iter().map(|&t| thickness(t)).collect();
+        page.paragraph(&format!(
+            "Layer of {}: {}. Its modulus and that of the substrate are put together by rule `{}`.",
+            escape(&layer.name),
+            thicknesses.join(", "),
+            layer.rule.name(),
+        ));
+    }
+    let bare = if layer.is_some() { " without the layer" } else { "" };
+    page.paragraph(&format!(
+        "Reduced modulus E* = {}{bare}; hardness of the softer body: {}. {}",
+        quantity(contact.reduced_modulus, "Pa"),
+        hardness(contact.hardness),
+        provenance(metadata),
+    ));
+}
+
+/// The bodies, and the part that each has.
+pub fn materials(page: &mut Page, materials: &IndexMap<String, Material>, role: impl Fn(&str) -> String) {
+    let has_yield_strength = materials.values().any(|body| body.yield_strength().is_some());
+    let row = |(name, body): (&String, &Material)| {
+        let mut row = vec![
+            name.clone(),
+            role(name),
+            quantity(body.young(), "Pa"),
+            number(body.poisson()),
+            hardness(body.hardness()),
+        ];
+        if has_yield_strength {
+            row.push(body.yield_strength().map_or_else(|| "-".to_owned(), |y| quantity(y, "Pa")));
+        }
+        row
+    };
+    let header: &[&str] = &["material", "body", "E", "ν", "H", "Y"];
+    let columns = if has_yield_strength { header } else { &header[..5] };
+    page.table(columns, materials.iter().map(row));
+}
+
+fn hardness(value: Option<f64>) -> String {
+    value.map_or_else(|| "never yields".to_owned(), |v| quantity(v, "Pa"))
+}
+
+/// Seed, spec and program, in a sentence.
+pub fn provenance(metadata: &Metadata) -> String {
+    format!(
+        "Seed {}; spec `{}.toml`, SHA-256 `{}`. Asperity {}.",
+        metadata.seed,
+        metadata.stem,
+        metadata.spec_sha256,
+        env!("CARGO_PKG_VERSION"),
+    )
+}
+
+/// The papers behind what was run.
+pub fn sources(page: &mut Page, metadata: &Metadata) {
+    page.heading(2, "Sources");
+    page.bullets(metadata.papers.iter().map(|paper| paper.full));
+}

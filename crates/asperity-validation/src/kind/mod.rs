@@ -1,0 +1,4 @@
+//! The experiment kinds of this crate.
+
+pub mod precision;
+pub mod stability;

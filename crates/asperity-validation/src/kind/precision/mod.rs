@@ -1,0 +1,76 @@
+//! `[precision]`: run time against error.
+
+mod page;
+mod plan;
+mod run;
+mod spec;
+mod summary;
+mod tables;
+mod winners;
+
+use asperity_framework::input::{InputError, SpecFile};
+use asperity_framework::metadata::Metadata;
+use asperity_framework::report::Page;
+use asperity_framework::report::table::TableError;
+use asperity_framework::{Kind, Memory, Outcome, Plan, Reads, RunContext};
+use serde_json::{Map, Value};
+
+use plan::PrecisionPlan;
+use run::PrecisionResults;
+
+/// `[precision]`
+pub struct Precision;
+
+impl Kind for Precision {
+    fn name(&self) -> &'static str {
+        "precision"
+    }
+
+    fn reads(&self) -> Reads {
+        Reads { materials: true, surfaces: false }
+    }
+
+    fn plan(&self, spec: &SpecFile, full: bool) -> Result<Box<dyn Plan>, InputError> {
+        Ok(Box::new(plan::plan(spec, full)?))
+    }
+}
+
+impl Plan for PrecisionPlan {
+    fn memory(&self) -> Memory {
+        Memory { bytes: self.memory(), key: None }
+    }
+
+    fn work(&self) -> u128 {
+        self.work()
+    }
+
+    fn variant(&self) -> &'static str {
+        if self.full { "full" } else { "" }
+    }
+
+    fn run(&self, context: &RunContext) -> Result<Box<dyn Outcome>, InputError> {
+        Ok(Box::new(run::run(context, self)?))
+    }
+}
+
+impl Outcome for PrecisionResults {
+    fn metadata(&self) -> &Metadata {
+        &self.metadata
+    }
+
+    fn warnings(&self) -> Vec<String> {
+        self.contact.caveats.clone()
+    }
+
+    fn page(&self) -> Page {
+        page::page(self)
+    }
+
+    fn tables(&self) -> Result<Vec<(&'static str, Vec<u8>)>, TableError> {
+        tables::tables(self)
+    }
+
+    fn summary(&self) -> serde_json::Result<Map<String, Value>> {
+        summary::summary(self)
+    }
+}

@@ -1,0 +1,324 @@
+//! The pictures: the error along x, the time along y.
+
+use crate::kind::precision::run::CasePrecision;
+use crate::precision::curve::{CurveFindings, CurvePoint};
+use crate::precision::grid::{GridFindings, GridPoint, Statistic};
+use crate::precision::integral::Family;
+use crate::precision::integral::{IntegralFindings, Rule};
+use crate::precision::list::ListPoint;
+use crate::precision::sampling::{SamplingFindings, separation, stated};
+use crate::precision::sum::{SumPoint, Sweep, Way};
+use crate::precision::{Cost, LEVELS};
+use asperity::compare::{Kind, LimitPoint, Quantity};
+use asperity_plot::{Axis, Colour, Dash, Figure, Layer, Marker, Plot};
+
+/// What is more exact stands here: no `f64` shows it.
+const FLOOR: f64 = 3e-17;
+
+/// The colour of what is shipped, wherever it stands.
+const SHIPPED: Colour = Colour::Series(6);
+
+fn error_axis() -> Axis {
+    Axis::log("relative error (the larger of area and load)").range(FLOOR / 1.5, 3.0)
+}
+
+fn work(cost: &Cost) -> (f64, f64) {
+    (cost.error.max(FLOOR), 1e6 * cost.seconds)
+}
+
+/// A line with a marker at each point, named once.
+fn series(points: Vec<(f64, f64)>, name: &str, colour: Colour, dash: Dash, marker: Marker) -> [Layer; 2] {
+    [
+        Layer::line(points.clone()).named(name).coloured(colour).dashed(dash),
+        Layer::points(points, marker).named(name).coloured(colour),
+    ]
+}
+
+/// The rules of a figure: family, split, substituted, and how they are called.
+type Use = (Family, bool, bool, &'static str);
+
+fn rules_plot(title: &str, found: &IntegralFindings, uses: &[Use]) -> Plot {
+    let mut plot = Plot::new(title, error_axis(), Axis::log("time a separation (µs)")).height(430.0);
+    for level in LEVELS {
+        plot = plot.with(Layer::at_x(level, ""));
+    }
+    for (k, (family, split, substituted, name)) in uses.iter().enumerate() {
+        let is_it =
+            |rule: &Rule| (rule.family, rule.split, rule.substituted) == (*family, *split, *substituted);
+        let points = found.points.iter().filter(|point| is_it(&point.rule)).map(|point| work(&point.cost));
+        let marker = [Marker::Circle, Marker::Square, Marker::Triangle][k % 3];
+        for layer in series(points.collect(), name, Colour::Series(k), Dash::Solid, marker) {
+            plot = plot.with(layer);
+        }
+    }
+    if let Some(shipped) = found.shipped() {
+        let at = work(&shipped.cost);
+        plot = plot
+            .with(Layer::at_y(at.1, "").coloured(SHIPPED).dashed(Dash::Dotted))
+            .with(Layer::points([at], Marker::Cross).coloured(SHIPPED).named("the shipped rule"))
+            .with(Layer::note(at, "shipped").coloured(SHIPPED));
+    }
+    plot
+}
+
+/// Gauss-Legendre, with and without what makes its integrand smooth.
+pub fn legendre(found: &IntegralFindings) -> String {
+    let uses = [
+        (Family::Legendre, false, false, "as it is"),
+        (Family::Legendre, false, true, "substituted"),
+        (Family::Legendre, true, false, "split"),
+        (Family::Legendre, true, true, "split and substituted"),
+        (Family::Panels, true, true, "the same, in panels"),
+    ];
+    rules_plot("Gauss-Legendre by order", found, &uses).svg()
+}
+
+/// All other rules.
+pub fn rules(found: &IntegralFindings) -> String {
+    let gauss = [
+        (Family::Panels, true, true, "Legendre in panels"),
+        (Family::Jacobi, true, false, "Jacobi"),
+        (Family::ChebyshevFirst, true, true, "Chebyshev, first kind"),
+        (Family::ChebyshevSecond, true, true, "Chebyshev, second kind"),
+        (Family::Laguerre, false, false, "Laguerre"),
+        (Family::Laguerre, true, true, "Laguerre behind Legendre"),
+        (Family::Hermite, false, false, "Hermite"),
+    ];
+    let others = [
+        (Family::Midpoint, true, true, "midpoint"),
+        (Family::Trapezoid, true, true, "trapezoid"),
+        (Family::Simpson, true, true, "Simpson"),
+        (Family::Kronrod, false, false, "Gauss-Kronrod as it is"),
+        (Family::Kronrod, true, false, "Gauss-Kronrod, split"),
+        (Family::Kronrod, true, true, "Gauss-Kronrod, split and substituted"),
+    ];
+    let plots = vec![
+        rules_plot("Gauss rules by order", found, &gauss),
+        rules_plot("equal steps, and adaptive by tolerance", found, &others),
+    ];
+    Figure::row("Other rules", plots).svg()
+}
+
+/// Ways that touch every asperity are dashed.
+fn way_style(way: Way) -> (Colour, Dash, Marker) {
+    if way == Way::SHIPPED {
+        return (SHIPPED, Dash::Solid, Marker::Cross);
+    }
+    let dash = if way.ordered { Dash::Solid } else { Dash::Dashed };
+    let marker = if way.ordered { Marker::Circle } else { Marker::Square };
+    (Colour::Series(way.adding as usize), dash, marker)
+}
+
+fn with_ways(mut plot: Plot, points: &[&SumPoint], place: impl Fn(&SumPoint) -> (f64, f64)) -> Plot {
+    for way in Way::ALL {
+        let line: Vec<_> = points.iter().filter(|p| p.way == way).map(|p| place(p)).collect();
+        let (colour, dash, marker) = way_style(way);
+        if !line.is_empty() {
+            for layer in series(line, way.name(), colour, dash, marker) {
+                plot = plot.with(layer);
+            }
+        }
+    }
+    plot
+}
+
+fn per_asperity(point: &SumPoint) -> f64 {
+    1e9 * point.cost.seconds / point.asperities as f64
+}
+
+/// Ways to add up: time against error by the number of asperities, and time against their number.
+pub fn sums(case: &CasePrecision) -> String {
+    let points: Vec<&SumPoint> = case.sums.iter().filter(|p| p.sweep == Sweep::Asperities).collect();
+    let axis = || Axis::log("time an asperity and separation (ns)");
+    let error = Axis::log("relative error (the larger of area and load)");
+    let left = Plot::new("time against error", error, axis());
+    let right = Plot::new("time against size", Axis::log("number of asperities"), axis());
+    let left = with_ways(left, &points, |p| (p.cost.error.max(FLOOR), per_asperity(p)));
+    let right = with_ways(right, &points, |p| (p.asperities as f64, per_asperity(p)));
+    Figure::row("Ways to add up", vec![left, right]).svg()
+}
+
+/// How ordering is paid back by the number of separations.
+pub fn separations(case: &CasePrecision) -> String {
+    let points: Vec<&SumPoint> = case.sums.iter().filter(|p| p.sweep == Sweep::Separations).collect();
+    let plot = Plot::new(
+        "Time by the number of separations",
+        Axis::log("number of separations"),
+        Axis::log("time a separation (µs), ordering included"),
+    );
+    with_ways(plot, &points, |p| (p.separations as f64, 1e6 * p.cost.seconds)).svg()
+}
+
+/// Curves within a tolerance: what they cost by their tolerance and by their error.
+pub fn curves(found: &CurveFindings) -> String {
+    let plot = |kind: Kind, title: &str| {
+        let milliseconds = |point: &CurvePoint| 1e3 * point.seconds;
+        let of_kind = || found.points.iter().filter(move |point| point.kind == kind);
+        let [least, most] = of_kind()
+            .map(milliseconds)
+            .fold([f64::INFINITY, 0.0], |[least, most], time| [time.min(least), time.max(most)]);
+        let mut plot = Plot::new(
+            title,
+            Axis::log("relative error (the larger of area and load)").range(FLOOR / 1.5, 0.1),
+            // Around the horizontal lines too.
+            Axis::log("time of the curve (ms)").range(0.6 * least, 1.6 * most),
+        );
+        let within = || of_kind().filter_map(|point| Some((point.tolerance?, point)));
+        let asked: Vec<_> = within().map(|(tolerance, point)| (tolerance, milliseconds(point))).collect();
+        for layer in series(asked, "tolerance", Colour::Series(0), Dash::Solid, Marker::Circle) {
+            plot = plot.with(layer);
+        }
+        let off = within().map(|(_, point)| (point.error().max(FLOOR), milliseconds(point)));
+        plot = plot.with(
+            Layer::points(off.collect::<Vec<_>>(), Marker::Cross)
+                .coloured(SHIPPED)
+                .named("error that is found"),
+        );
+        let mut exact = of_kind().filter(|point| point.tolerance.is_none());
+        if let Some((few, all)) = exact.next().zip(exact.next()) {
+            let exactly = |separations: usize| format!("{separations} exactly");
+            plot = plot
+                .with(Layer::at_y(milliseconds(few), exactly(few.separations)).dashed(Dash::Dashed))
+                .with(Layer::at_y(2.0 * milliseconds(few), "twice that").dashed(Dash::Dotted))
+                .with(Layer::at_y(milliseconds(all), exactly(all.separations)).dashed(Dash::Dashed));
+        }
+        plot
+    };
+    let plots = vec![plot(Kind::Statistical, "the integral"), plot(Kind::Deterministic, "the sum")];
+    Figure::row("Curves within a tolerance", plots).svg()
+}
+
+/// What an asperity of a list costs, by the length of the list.
+pub fn lists(points: &[ListPoint]) -> String {
+    let each = |seconds: fn(&ListPoint) -> f64| -> Vec<(f64, f64)> {
+        let size = |point: &ListPoint| point.asperities as f64;
+        points.iter().map(|point| (size(point), 1e9 * seconds(point) / size(point))).collect()
+    };
+    let separations = points.first().map_or(0, |point| point.separations);
+    let read = each(|point| point.read_seconds);
+    let sum = each(|point| point.sum_seconds);
+    let times = || read.iter().chain(&sum).map(|(_, time)| *time);
+    let [least, most] = [times().fold(f64::INFINITY, f64::min), times().fold(0.0, f64::max)];
+    // With room on both sides, so that what is nearly level looks so.
+    let axis = Axis::log("time an asperity (ns)").range(0.3 * least, 2.0 * most);
+    let mut plot = Plot::new("Time an asperity of a list", Axis::log("number of asperities"), axis);
+    let adding = format!("adding up at {separations} separations");
+    for (k, (line, name)) in [(read, "reading the file"), (sum, &adding)].into_iter().enumerate() {
+        for layer in series(line, name, Colour::Series(k), Dash::Solid, Marker::Circle) {
+            plot = plot.with(layer);
+        }
+    }
+    plot.svg()
+}
+
+/// Scatter of random sets, and what they say of it themselves; then what it costs.
+pub fn sampling(found: &SamplingFindings) -> String {
+    let mut separations: Vec<f64> = found.points.iter().map(separation).collect();
+    separations.sort_by(f64::total_cmp);
+    separations.dedup();
+    let of = separations.len();
+    let size = Axis::log("number of asperities");
+    let mut left = Plot::new("error against size", size, Axis::log("relative error of the load"));
+    let mut right = Plot::new(
+        "time against error",
+        Axis::log("relative error of the load"),
+        Axis::log("time to draw a set and add it up (s)"),
+    );
+    let error = |point: &LimitPoint| point.scatter(Quantity::Load).1;
+    for (index, h) in separations.iter().enumerate() {
+        let colour = Colour::Ordered { index, of };
+        let points: Vec<&LimitPoint> = found.points.iter().filter(|point| separation(point) == *h).collect();
+        let measured: Vec<_> = points.iter().map(|point| (point.count as f64, error(point))).collect();
+        let said = points.iter().map(|point| (point.count as f64, stated(point, Quantity::Load)));
+        let name = format!("d/σ = {h}");
+        left = left
+            .with(
+                Layer::line(said.collect::<Vec<_>>())
+                    .coloured(colour)
+                    .dashed(Dash::Dashed)
+                    .named("as the sums say"),
+            )
+            .with(Layer::points(measured, Marker::Circle).coloured(colour).named(&name));
+        let time = |point: &&LimitPoint| {
+            let seconds = found.seconds.iter().find(|(count, _)| *count == point.count)?.1;
+            Some((error(point), seconds))
+        };
+        for layer in
+            series(points.iter().filter_map(time).collect(), &name, colour, Dash::Solid, Marker::Circle)
+        {
+            right = right.with(layer);
+        }
+    }
+    if let Some(point) = found.points.iter().find(|point| point.is_fitted()) {
+        left = left.with(Layer::slope((point.count as f64, 0.3 * error(point)), -0.5, "slope −1/2"));
+    }
+    Figure::row("Random sets of growing size", vec![left, right]).svg()
+}
+
+fn statistic_name(statistic: Statistic) -> &'static str {
+    match statistic {
+        Statistic::Density => "density",
+        Statistic::Radius => "radius of the mean curvature",
+        Statistic::Sigma => "σ of the heights",
+    }
+}
+
+/// What a finer grid and a larger map do to the statistics of summits.
+pub fn grid(found: &GridFindings) -> String {
+    let largest = found.points.iter().map(|point| point.lengths).fold(0.0, f64::max);
+    let of_largest: Vec<&GridPoint> = found.points.iter().filter(|point| point.lengths == largest).collect();
+    let mut left = Plot::new(
+        "bias of the grid (theory)",
+        Axis::log("points a correlation length"),
+        Axis::log("relative error, without sign"),
+    );
+    let mut right = Plot::new(
+        "scatter of the maps (measured)",
+        Axis::log("number of summits"),
+        Axis::log("relative error, r.m.s."),
+    );
+    for (k, statistic) in Statistic::ALL.into_iter().enumerate() {
+        let name = statistic_name(statistic);
+        let bias = of_largest.iter().map(|point| (point.per_length, point.bias[k].abs())).collect();
+        for layer in series(bias, name, Colour::Series(k), Dash::Solid, Marker::Circle) {
+            left = left.with(layer);
+        }
+        let scatter = found.points.iter().map(|point| (point.summits, point.scatter[k]));
+        right = right.with(
+            Layer::points(scatter.collect::<Vec<_>>(), Marker::Circle)
+                .coloured(Colour::Series(k))
+                .named(name),
+        );
+    }
+    let [bias, scatter] = [of_largest.first(), found.points.first().as_ref()].map(|point| point.copied());
+    if let Some(point) = bias {
+        left = left.with(Layer::slope((point.per_length, 0.3 * point.bias[1].abs()), -2.0, "slope −2"));
+    }
+    if let Some(point) = scatter {
+        right = right.with(Layer::slope((point.summits, 2.5 * point.scatter[1]), -0.5, "slope −1/2"));
+    }
+    Figure::row("Summits of random maps", vec![left, right]).svg()
+}
+
+/// Both errors of the radius together against the time that a map takes.
+pub fn surface_work(found: &GridFindings) -> String {
+    let mut grids: Vec<f64> = found.points.iter().map(|point| point.per_length).collect();
+    grids.dedup();
+    let mut plot = Plot::new(
+        "Time against error: the radius of the mean curvature from one map",
+        Axis::log("relative error: bias of the grid and scatter together"),
+        Axis::log("time for a map and its summits (s)"),
+    );
+    let k = Statistic::Radius as usize;
+    for (index, per_length) in grids.iter().enumerate() {
+        let points = found.points.iter().filter(|point| point.per_length == *per_length);
+        let line = points.map(|point| (point.bias[k].hypot(point.scatter[k]), point.seconds)).collect();
+        let unit = if *per_length == 1.0 { "point" } else { "points" };
+        let name = format!("{per_length} {unit} a length");
+        let colour = Colour::Ordered { index, of: grids.len() };
+        for layer in series(line, &name, colour, Dash::Solid, Marker::Circle) {
+            plot = plot.with(layer);
+        }
+    }
+    plot.svg()
+}

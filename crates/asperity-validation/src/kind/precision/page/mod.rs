@@ -1,0 +1,314 @@
+//! The page of `[precision]`: what integrals, sums and surfaces cost, how exact they are, and what is fastest.
+//!
+//! | module | what lives there |
+//! |---|---|
+//! | `winners` | the fastest way at each error, and how far the shipped one is off |
+//! | `figures` | time against error |
+//! | `tables` | every time and every error, for machines |
+//! | `scale` | curves of many separations, lists of many asperities |
+//! | `physics` | what one buys with more asperities, points, surface |
+
+mod figures;
+mod physics;
+mod scale;
+
+use crate::kind::precision::run::{CasePrecision, PrecisionResults};
+use crate::kind::precision::winners::{FOUR_ULP, Of, Winner, largest_sums, rule_words, winners};
+use crate::precision::integral::{Effort, IntegralPoint, Rule};
+use crate::precision::sum::{ASPERITIES, Adding, POINTS, SEPARATIONS, SumPoint, Sweep, Way};
+use asperity_framework::report::format::{count, number, quantity};
+use asperity_framework::report::page::{Page, escape};
+use asperity_framework::report::sections;
+
+/// The page.
+pub fn page(results: &PrecisionResults) -> Page {
+    let mut page = Page::new(&results.metadata.title);
+    sections::notes(&mut page, &results.metadata);
+    page.heading(2, "In short");
+    let mut short: Vec<String> = results.cases.iter().flat_map(in_short).collect();
+    short.extend(physics::in_short(results));
+    page.bullets(short);
+    page.paragraph(
+        "Times are of this program on the machine that wrote this report, each the median of runs in which all candidates took turns; \
+         a measurement lasts 1 ms at the least. They differ from machine to machine and from run to run: trust ratios beyond some 10 %.",
+    );
+    sections::what_was_run(&mut page, &results.metadata, &results.contact);
+    populations(&mut page, results);
+    if results.cases.iter().any(|case| case.integral.is_some()) {
+        integrals(&mut page, results);
+    }
+    if results.cases.iter().any(|case| !case.sums.is_empty()) {
+        sums(&mut page, results);
+    }
+    scale::curves(&mut page, results);
+    scale::lists(&mut page, results);
+    physics::sections(&mut page, results);
+    sections::sources(&mut page, &results.metadata);
+    page
+}
+
+fn populations(page: &mut Page, results: &PrecisionResults) {
+    page.table(
+        ["case", "radius", "σ", "η [1/m²]", "plasticity index"],
+        results.cases.iter().map(|case| {
+            vec![
+                case.name.clone(),
+                quantity(case.population.radius, "m"),
+                quantity(case.population.sigma, "m"),
+                number(case.population.density),
+                case.plasticity_index.map_or_else(|| "-".to_owned(), number),
+            ]
+        }),
+    );
+    page.paragraph(&format!(
+        "Law {}; {} unless the number is given.",
+        escape(&results.law),
+        thread_count(results.threads)
+    ));
+}
+
+fn thread_count(threads: usize) -> String {
+    if threads == 1 { "one thread".to_owned() } else { format!("{threads} threads") }
+}
+
+/// Seconds as people read short times.
+fn time(seconds: f64) -> String {
+    quantity(seconds, "s")
+}
+
+/// The winners of one population, in words.
+fn in_short(case: &CasePrecision) -> Vec<String> {
+    let all = winners(case);
+    let of = |what: Of| all.iter().filter(move |winner| winner.of == what);
+    let mut lines = Vec::new();
+    let integral: Vec<String> = of(Of::Integral).map(in_words).collect();
+    if !integral.is_empty() {
+        lines.push(format!("**The integral, {}**: {}.", escape(&case.name), integral.join("; ")));
+    }
+    if let Some(winner) = of(Of::Sum).find(|winner| winner.level == FOUR_ULP) {
+        let size = winner.asperities.map_or_else(String::new, count);
+        lines.push(format!(
+            "**The sum, {}**: of {size} asperities at {POINTS} separations on one thread, {}.",
+            escape(&case.name),
+            in_words(winner)
+        ));
+    }
+    lines.extend(ordering_words(case));
+    lines.extend(thread_words(case));
+    lines.extend(scale::in_short(case));
+    lines
+}
+
+fn in_words(winner: &Winner) -> String {
+    let level = if winner.level == FOUR_ULP { "4 ulp".to_owned() } else { number(winner.level) };
+    let Some((name, cost)) = &winner.fastest else {
+        return format!("within {level} no way that was looked at");
+    };
+    let time = time(cost.seconds);
+    match winner.shipped_over_fastest {
+        _ if winner.is_shipped() => {
+            format!("within {level} the shipped one is the fastest ({time} a separation)")
+        }
+        Some(ratio) => format!(
+            "within {level} the fastest is {name} ({time} a separation), and the shipped one takes {} times that",
+            number(two_digits(ratio))
+        ),
+        None => format!(
+            "within {level} the fastest is {name} ({time} a separation), and the shipped one is not within it"
+        ),
+    }
+}
+
+/// A ratio of times, of which more digits say nothing.
+fn two_digits(ratio: f64) -> f64 {
+    format!("{ratio:.1e}").parse().unwrap_or(ratio)
+}
+
+/// From how many separations on ordering is paid back.
+fn ordering_words(case: &CasePrecision) -> Option<String> {
+    let of = |ordered: bool| {
+        let way = Way { adding: Adding::Compensated, ordered };
+        let is_it = move |point: &&SumPoint| point.sweep == Sweep::Separations && point.way == way;
+        case.sums.iter().filter(is_it)
+    };
+    let asperities = of(true).next()?.asperities;
+    let pays = of(true).zip(of(false)).find(|(with, without)| with.cost.seconds < without.cost.seconds);
+    Some(format!(
+        "**Ordering, {}**: of {} asperities it is {}.",
+        escape(&case.name),
+        count(asperities),
+        match pays {
+            Some((point, _)) if point.separations == 1 => "paid back by the first separation".to_owned(),
+            Some((point, _)) => format!("paid back by {} separations or fewer", count(point.separations)),
+            None => "not paid back by any number of separations that was looked at".to_owned(),
+        }
+    ))
+}
+
+/// What more threads do.
+fn thread_words(case: &CasePrecision) -> Option<String> {
+    let shipped =
+        || case.sums.iter().filter(|point| point.sweep == Sweep::Threads && point.way == Way::SHIPPED);
+    let least = shipped().min_by_key(|point| point.threads)?;
+    let most = shipped().max_by_key(|point| point.threads).filter(|most| most.threads > least.threads)?;
+    Some(format!(
+        "**Threads, {}**: on {} the shipped sum of {} asperities takes {} of the time that it takes on {}.",
+        escape(&case.name),
+        thread_count(most.threads),
+        count(most.asperities),
+        number(two_digits(most.cost.seconds / least.cost.seconds)),
+        thread_count(least.threads),
+    ))
+}
+
+fn winner_table<'a>(page: &mut Page, all: impl Iterator<Item = Winner<'a>>) {
+    page.table(
+        ["case", "error at most", "fastest", "its error", "time a separation", "shipped over fastest"],
+        all.map(|winner| {
+            let (name, error, seconds) = match &winner.fastest {
+                Some((name, cost)) => (name.clone(), number(cost.error), time(cost.seconds)),
+                None => ("none".to_owned(), String::new(), String::new()),
+            };
+            let ratio = winner
+                .shipped_over_fastest
+                .map_or_else(|| "not within".to_owned(), |r| number(two_digits(r)));
+            let level = if winner.level == FOUR_ULP { "4 ulp".to_owned() } else { number(winner.level) };
+            vec![winner.case.to_owned(), level, name, error, seconds, ratio]
+        }),
+    );
+}
+
+fn integrals(page: &mut Page, results: &PrecisionResults) {
+    page.heading(2, "The integral");
+    let separations: Vec<String> = results.separations.iter().map(|&h| number(h)).collect();
+    page.paragraph(&format!(
+        "Area and load at d/σ = {}. The error is the largest over these separations, of area and load; the time is that of one \
+         separation. The reference is a tanh-sinh rule in 32 digits, from the equations of the law alone. Errors below 3e-17 are shown there.",
+        separations.join(", ")
+    ));
+    page.bullets([
+        "All rules evaluate the same contact at their nodes, area and load at once, and nothing else: nodes and weights are made before. \
+         **The shipped rule** is timed as it is shipped, with regimes, contacts and stiffness besides. Its nodes are those of Gauss-Legendre in panels, order 24.",
+        "*Split*: at the indentations where the law changes, w1 and w2. *Substituted*: s = w^½ is the variable, which takes the root out of \
+         the load at w = 0. *In panels*: the density falls by at most exp(-20) over each.",
+        "Rules of a finite domain (Legendre, Chebyshev, midpoint, trapezoid, Simpson, Gauss-Kronrod) end where the density has fallen by exp(-40). \
+         Chebyshev's rules are divided by their weights.",
+        "Gauss-Jacobi has the weight w^½ for the load of the segment that begins at w = 0, and none for its area: two sets of nodes there. It needs no substitution.",
+        "Gauss-Laguerre takes all that lies above the flat at once, or only what lies behind w2, with Gauss-Legendre before it; its scale is the mean \
+         indentation. Gauss-Hermite takes all heights and leaves out those below the flat, where the contact begins with a kink.",
+        "Gauss-Kronrod (quad-rs) is asked for a relative tolerance of area and load together, the density at the flat taken out first.",
+    ]);
+    for case in &results.cases {
+        let Some(found) = &case.integral else { continue };
+        page.heading(3, &case.name);
+        page.figure(
+            &format!("{}-legendre.svg", file(&case.name)),
+            figures::legendre(found),
+            "Gauss-Legendre of growing order: what splitting and the substitution do. Vertical lines: the errors at which a winner is named. \
+             Cross and dotted line: the shipped rule.",
+        );
+        page.figure(
+            &format!("{}-rules.svg", file(&case.name)),
+            figures::rules(found),
+            "All other rules, each as well as it can be used. Left: Gauss rules by order; right: equal steps by their number, and adaptive \
+             Gauss-Kronrod by tolerance. Cross and dotted line: the shipped rule.",
+        );
+        same_nodes(page, found.shipped(), &found.points);
+    }
+    winner_table(page, results.cases.iter().flat_map(winners).filter(|winner| winner.of == Of::Integral));
+}
+
+/// The shipped rule beside its own nodes in the loop of all others.
+fn same_nodes(page: &mut Page, shipped: Option<&IntegralPoint>, points: &[IntegralPoint]) {
+    let nodes = points.iter().find(|point| {
+        let Rule { family, effort, .. } = point.rule;
+        family == crate::precision::integral::Family::Panels && effort == Effort::Order(24)
+    });
+    let Some((shipped, nodes)) = shipped.zip(nodes) else { return };
+    page.paragraph(&format!(
+        "The shipped rule takes {} a separation with an error of {}; its nodes in the loop of all others ({}) take {} with {}.",
+        time(shipped.cost.seconds),
+        number(shipped.cost.error),
+        rule_words(&nodes.rule),
+        time(nodes.cost.seconds),
+        number(nodes.cost.error),
+    ));
+}
+
+fn sums(page: &mut Page, results: &PrecisionResults) {
+    page.heading(2, "The sum");
+    let [from, to] = SEPARATIONS;
+    page.paragraph(&format!(
+        "Random sets of equal radii. Separations are spread evenly from {from} to {to} σ, {POINTS} of them unless their number is varied, on one \
+         thread unless that is. The error is against the sum of the very same terms in 32 digits, the largest over the separations, of area and load. \
+         Ordering, where a way does it, is part of its time.",
+    ));
+    page.bullets([
+        "*Naive*: one term after the other. *Chunks*: 4,096 terms at a time, then the chunks, so that threads can share the work and the order is fixed. \
+         *Compensated*: the same with the rounding error of every addition kept. All ask the law asperity by asperity.",
+        "*Ordered*: asperities are sorted by height first, so that those below the flat are never touched; otherwise each separation looks at all.",
+        "*Vectorised*: the deterministic model, compensated sums in the registers of the machine, each separation by itself. **Shipped**: the same with all \
+         separations at once, blocks of asperities ordered by the separation that first touches them. Both answer regimes, contacts, stiffness and sampling \
+         errors besides.",
+    ]);
+    for case in results.cases.iter().filter(|case| !case.sums.is_empty()) {
+        page.heading(3, &case.name);
+        page.figure(
+            &format!("{}-sums.svg", file(&case.name)),
+            figures::sums(case),
+            "Time of an asperity and separation, against the error (left; along a line the sets grow) and against the number of asperities (right). \
+             Dashed: every asperity is looked at; solid: asperities are ordered first.",
+        );
+        if case.sums.iter().any(|point| point.sweep == Sweep::Separations) {
+            page.figure(
+                &format!("{}-separations.svg", file(&case.name)),
+                figures::separations(case),
+                &format!(
+                    "{} asperities: time of a separation when several are asked for at once. Ordering is shared by all of them. One alone is at 2 σ.",
+                    count(ASPERITIES)
+                ),
+            );
+        }
+        let largest = largest_sums(case);
+        let asperities = largest.first().map_or(0, |point| point.asperities);
+        page.paragraph(&format!("{} asperities, one thread:", count(asperities)));
+        page.table(
+            ["way", "error", "in ulp", "time a separation", "an asperity"],
+            largest.iter().map(|point| {
+                vec![
+                    point.way.name().to_owned(),
+                    number(point.cost.error),
+                    number(point.cost.error / f64::EPSILON),
+                    time(point.cost.seconds),
+                    time(point.cost.seconds / asperities as f64),
+                ]
+            }),
+        );
+        threads(page, case);
+    }
+    winner_table(page, results.cases.iter().flat_map(winners).filter(|winner| winner.of == Of::Sum));
+}
+
+fn threads(page: &mut Page, case: &CasePrecision) {
+    let of_sweep = || case.sums.iter().filter(|point| point.sweep == Sweep::Threads);
+    let Some(first) = of_sweep().next() else { return };
+    let mut numbers: Vec<usize> = of_sweep().map(|point| point.threads).collect();
+    numbers.dedup();
+    page.paragraph(&format!("{} asperities on several threads, time a separation:", count(first.asperities)));
+    let metadata = ["way".to_owned()].into_iter().chain(numbers.iter().map(|&n| thread_count(n)));
+    page.table(
+        metadata,
+        Way::ALL.into_iter().filter(|way| of_sweep().any(|point| point.way == *way)).map(|way| {
+            let at = |threads: &usize| {
+                let point = of_sweep().find(|point| point.way == way && point.threads == *threads);
+                point.map_or_else(String::new, |point| time(point.cost.seconds))
+            };
+            [way.name().to_owned()].into_iter().chain(numbers.iter().map(at)).collect::<Vec<_>>()
+        }),
+    );
+}
+
+/// A name of a case as a part of a file's.
+fn file(name: &str) -> String {
+    name.chars().map(|c| if c.is_alphanumeric() || c == '-' || c == '_' { c } else { '-' }).collect()
+}

@@ -1,0 +1,174 @@
+//! What more asperities, more points and more surface buy.
+
+use super::{figures, file, time, two_digits};
+use crate::kind::precision::run::{CasePrecision, PrecisionResults};
+use crate::precision::grid::{GridFindings, GridPoint, Statistic};
+use crate::precision::sampling::{SamplingFindings, separation, stated};
+use asperity::compare::{FEWEST_CONTACTS, Quantity};
+use asperity_framework::report::format::{count, number, percent};
+use asperity_framework::report::page::{Page, escape};
+
+/// What one buys, in words.
+pub fn in_short(results: &PrecisionResults) -> Vec<String> {
+    let mut lines: Vec<String> = results.cases.iter().filter_map(asperities_in_short).collect();
+    lines.extend(results.grid.as_ref().and_then(grid_in_short));
+    lines
+}
+
+fn asperities_in_short(case: &CasePrecision) -> Option<String> {
+    let tenfold = case.sampling.as_ref()?.tenfold()?;
+    Some(format!(
+        "**Asperities, {}**: ten times as many cost {} times the time and make the sampling error of the load {} times smaller (theory: √10 = 3.16).",
+        escape(&case.name),
+        number(two_digits(tenfold.time)),
+        number(two_digits(tenfold.error)),
+    ))
+}
+
+fn grid_in_short(found: &GridFindings) -> Option<String> {
+    let finer = 2f64.powf(-found.bias_slope(Statistic::Radius)?);
+    // Twice the side has four times the summits.
+    let larger = 4f64.powf(-found.scatter_slope(Statistic::Density)?);
+    let cost = 4f64.powf(found.time_slope()?);
+    Some(format!(
+        "**Surface**: twice the points a length cost {cost} times the time and make the bias of the radius {} times smaller; twice the side costs as much \
+         and makes the scatter of the density {} times smaller. A finer grid does not help where the map is too small, nor a larger map where the grid is too coarse.",
+        number(two_digits(finer)),
+        number(two_digits(larger)),
+        cost = number(two_digits(cost)),
+    ))
+}
+
+/// The sections on random sets and on random maps.
+pub fn sections(page: &mut Page, results: &PrecisionResults) {
+    if results.cases.iter().any(|case| case.sampling.is_some()) {
+        page.heading(2, "How many asperities");
+        page.paragraph(&format!(
+            "{} random sets of each size are summed and compared with the integral that they must approach. The root mean square of their errors \
+             is what a single set is off by; each sum also states a sampling error for itself, from its own asperities alone. With fewer than \
+             {FEWEST_CONTACTS} contacts neither says much.",
+            results.draws
+        ));
+        for case in &results.cases {
+            if let Some(found) = &case.sampling {
+                sets(page, case, found);
+            }
+        }
+    }
+    if let Some(found) = &results.grid {
+        maps(page, found);
+    }
+}
+
+fn sets(page: &mut Page, case: &CasePrecision, found: &SamplingFindings) {
+    page.heading(3, &case.name);
+    page.figure(
+        &format!("{}-sampling.svg", file(&case.name)),
+        figures::sampling(found),
+        "Left: error of the load by the number of asperities: measured (circles) and as the sums state it (dashed). Right: the time that \
+         it takes to draw a set and add it up at all these separations, against the measured error.",
+    );
+    let largest = found.points.iter().map(|point| point.count).max().unwrap_or(0);
+    let seconds =
+        found.seconds.iter().find(|(count, _)| *count == largest).map_or(0.0, |(_, seconds)| *seconds);
+    page.paragraph(&format!(
+        "Sets of {} asperities, which take {} to draw and add up:",
+        count(largest),
+        time(seconds)
+    ));
+    page.table(
+        ["d/σ", "expected contacts", "area off by", "as stated", "load off by", "as stated"],
+        found.points.iter().filter(|point| point.count == largest).map(|point| {
+            let pair = |quantity| [percent(point.scatter(quantity).1), percent(stated(point, quantity))];
+            let mut row = vec![number(separation(point)), number(point.expected_contacts())];
+            row.extend(pair(Quantity::Area).into_iter().chain(pair(Quantity::Load)));
+            row
+        }),
+    );
+    let needed = |error: f64| {
+        let fitted = found.points.iter().filter(|point| point.is_fitted());
+        let scaled: Vec<f64> = fitted
+            .filter(|point| separation(point) == least_separation(found))
+            .map(|point| point.count as f64 * (point.scatter(Quantity::Load).1 / error).powi(2))
+            .collect();
+        let mean = scaled.iter().sum::<f64>() / scaled.len() as f64;
+        number(two_digits(mean))
+    };
+    page.paragraph(&format!(
+        "For a load within 1 % at d/σ = {} it takes about {} asperities, within 0.1 % about {}: a hundred times as many.",
+        number(least_separation(found)),
+        needed(0.01),
+        needed(0.001),
+    ));
+}
+
+fn least_separation(found: &SamplingFindings) -> f64 {
+    found.points.iter().map(separation).fold(f64::INFINITY, f64::min)
+}
+
+fn maps(page: &mut Page, found: &GridFindings) {
+    page.heading(2, "How much surface");
+    page.paragraph(
+        "Random Gaussian surfaces with the autocorrelation exp(-(r/l)²), for which the five-point summits on a grid are known in theory. *Bias*: what \
+         theory expects on this grid beside what it expects on a fine one; it does not shrink with the map. *Scatter*: how far a single map is from \
+         theory on its own grid, root mean square; it does not shrink with the grid. The fine grid has 1.306 times the summits of a continuous \
+         surface (Nayak), since five points also count saddles: no grid takes that away.",
+    );
+    page.figure(
+        "grid.svg",
+        figures::grid(found),
+        "Left: bias by points a correlation length. Right: scatter by the number of summits, maps of all grids.",
+    );
+    page.figure(
+        "surface-work.svg",
+        figures::surface_work(found),
+        "Time for a map and its summits against both errors of the radius together. Along a line the map grows; where the line turns up, \
+         only a finer grid helps.",
+    );
+    page.table(
+        [
+            "points a length",
+            "density off by",
+            "radius off by",
+            "σ off by",
+            "sides [l]",
+            "points",
+            "summits",
+            "density scatters",
+            "radius",
+            "σ",
+            "time",
+        ],
+        found.points.iter().map(|point| {
+            let GridPoint { per_length, lengths, points, summits, bias, scatter, seconds } = *point;
+            let mut row = vec![number(per_length)];
+            row.extend(bias.map(percent));
+            row.extend([number(lengths), format!("{points} x {points}"), number(summits)]);
+            row.extend(scatter.map(percent));
+            row.push(time(seconds));
+            row
+        }),
+    );
+    if let Some(words) = cheapest(found) {
+        page.paragraph(&words);
+    }
+}
+
+/// The cheapest map for a radius within some percent.
+fn cheapest(found: &GridFindings) -> Option<String> {
+    let k = Statistic::Radius as usize;
+    let best = |error: f64| {
+        let good = found.points.iter().filter(|point| point.bias[k].hypot(point.scatter[k]) <= error);
+        let best = good.min_by(|a, b| a.seconds.total_cmp(&b.seconds))?;
+        Some(format!(
+            "within {} it has {} points a length and {} lengths a side ({})",
+            percent(error),
+            number(best.per_length),
+            number(best.lengths),
+            time(best.seconds)
+        ))
+    };
+    let lines: Vec<String> = [0.1, 0.03, 0.01, 0.003].into_iter().filter_map(best).collect();
+    (!lines.is_empty())
+        .then(|| format!("The cheapest map for the radius of the mean curvature: {}.", lines.join("; ")))
+}

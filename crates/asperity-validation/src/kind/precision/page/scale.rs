@@ -1,0 +1,197 @@
+//! Curves of many separations, and lists of many asperities.
+
+use super::{figures, file, thread_count, time, two_digits};
+use crate::kind::precision::run::{CasePrecision, PrecisionResults};
+use crate::precision::curve::{CurveFindings, CurvePoint, EASY};
+use crate::precision::list::ListPoint;
+use crate::precision::sum::SEPARATIONS;
+use asperity::compare::Kind;
+use asperity_framework::report::format::{count, number, quantity};
+use asperity_framework::report::page::{Page, escape};
+
+/// From so many asperities on, a list costs what its asperities cost: what every run costs is little beside it.
+pub const LONG: usize = 100_000;
+
+/// What curves and lists cost, in words.
+pub fn in_short(case: &CasePrecision) -> Vec<String> {
+    let curve = case.curve.as_ref().and_then(easy_words);
+    let curve = curve.map(|words| format!("**A curve, {}**: {words}.", escape(&case.name)));
+    let list = list_words(&case.lists).map(|words| format!("**Lists, {}**: {words}.", escape(&case.name)));
+    curve.into_iter().chain(list).collect()
+}
+
+/// How the integral or the sum is called here.
+const fn model(kind: Kind) -> &'static str {
+    match kind {
+        Kind::Statistical => "integral",
+        Kind::Deterministic => "sum",
+    }
+}
+
+/// The cost at the tolerances of [`EASY`], of those that were looked at.
+fn easy_words(found: &CurveFindings) -> Option<String> {
+    let at = |(kind, tolerance): (Kind, f64)| {
+        let is_it = |point: &&CurvePoint| point.kind == kind && point.tolerance == Some(tolerance);
+        let point = found.points.iter().find(is_it)?;
+        let beside = found.yardstick(kind)?;
+        Some(format!(
+            "{} separations of the {}{} within {} (found: {}) take {} times the time of {} exact ones",
+            count(point.separations),
+            model(kind),
+            if kind == Kind::Deterministic {
+                format!(" of {} asperities", count(found.asperities))
+            } else {
+                String::new()
+            },
+            number(tolerance),
+            number(two_digits(point.error())),
+            number(two_digits(found.times(point))),
+            count(beside.separations),
+        ))
+    };
+    let words: Vec<String> = EASY.into_iter().filter_map(at).collect();
+    (!words.is_empty()).then(|| words.join("; "))
+}
+
+/// Seconds that an asperity takes to be read and added up.
+fn each(point: &ListPoint) -> f64 {
+    (point.read_seconds + point.sum_seconds) / point.asperities as f64
+}
+
+fn list_words(lists: &[ListPoint]) -> Option<String> {
+    let long: Vec<&ListPoint> = lists.iter().filter(|point| point.asperities >= LONG).collect();
+    let (first, last) = (long.first()?, long.last()?);
+    let times = long.iter().map(|point| each(point));
+    let [least, most] = [times.clone().fold(f64::INFINITY, f64::min), times.fold(0.0, f64::max)];
+    let memory = last.peak_bytes.map_or_else(String::new, |bytes| {
+        format!(", with {} of memory at the most", quantity(two_digits(bytes as f64), "B"))
+    });
+    let [least, most] = [least, most].map(|each| time(two_digits(each)));
+    let spread = if least == most { most } else { format!("{least} to {most}") };
+    let range = if first.asperities == last.asperities {
+        format!("an asperity of {} takes {spread}", count(first.asperities))
+    } else {
+        format!(
+            "from {} to {} asperities each takes {spread}",
+            count(first.asperities),
+            count(last.asperities)
+        )
+    };
+    Some(format!(
+        "{range} to be read from a file and added up at {} separations; {} take {}{memory}",
+        last.separations,
+        count(last.asperities),
+        time(two_digits(last.read_seconds + last.sum_seconds)),
+    ))
+}
+
+/// The section on curves within a tolerance.
+pub fn curves(page: &mut Page, results: &PrecisionResults) {
+    let all = || results.cases.iter().filter_map(|case| Some((case, case.curve.as_ref()?)));
+    let Some((_, first)) = all().next() else { return };
+    let Some((few, many)) = first.points.first().zip(first.points.get(1)) else { return };
+    let [from, to] = SEPARATIONS;
+    page.heading(2, "A curve within a tolerance");
+    page.paragraph(&format!(
+        "{} separations spread evenly from {from} to {to} σ, of the integral and of the sum of {} asperities, on {}. With a tolerance the model \
+         answers at some of them; the others are interpolated and checked. *Off by*: the largest difference from the exact curve, in parts of it. \
+         The time is held against that of {} separations, all exact.",
+        count(many.separations),
+        count(first.asperities),
+        thread_count(results.threads),
+        count(few.separations),
+    ));
+    for (case, found) in all() {
+        page.heading(3, &case.name);
+        page.figure(
+            &format!("{}-curve.svg", file(&case.name)),
+            figures::curves(found),
+            &format!(
+                "Time of a curve of {} separations by its tolerance (line) and by the error that is found (crosses). Horizontal lines: {} exact \
+                 separations, twice that, and all {} exactly.",
+                count(many.separations),
+                count(few.separations),
+                count(many.separations),
+            ),
+        );
+        page.table(
+            [
+                "model",
+                "tolerance",
+                "separations",
+                "asked",
+                "area off by",
+                "load off by",
+                "time",
+                "times the first",
+            ],
+            found.points.iter().map(|point| {
+                vec![
+                    model(point.kind).to_owned(),
+                    point.tolerance.map_or_else(|| "exact".to_owned(), number),
+                    count(point.separations),
+                    count(point.asked),
+                    number(two_digits(point.area_error)),
+                    number(two_digits(point.load_error)),
+                    time(point.seconds),
+                    number(two_digits(found.times(point))),
+                ]
+            }),
+        );
+        if let Some(words) = easy_words(found) {
+            page.paragraph(&format!("{words}."));
+        }
+    }
+}
+
+/// The section on lists.
+pub fn lists(page: &mut Page, results: &PrecisionResults) {
+    let all = || results.cases.iter().filter(|case| !case.lists.is_empty());
+    let Some(first) = all().next().and_then(|case| case.lists.first()) else { return };
+    page.heading(2, "Lists from files");
+    page.paragraph(&format!(
+        "Random sets are written as lists of heights and radii (`.npy`, 16 bytes an asperity), read back and added up at {} separations, on {}. \
+         The file is mapped into memory, not copied, and the system still holds what was just written: a disk may be slower. The sum makes no \
+         copy of the list. *Memory*: the most that the program had meanwhile, the mapped file included; *taken*: how much more than before.",
+        first.separations,
+        thread_count(results.threads),
+    ));
+    for case in all() {
+        page.heading(3, &case.name);
+        page.figure(
+            &format!("{}-lists.svg", file(&case.name)),
+            figures::lists(&case.lists),
+            "Time an asperity by the length of the list. Level: the cost grows as the list.",
+        );
+        page.table(
+            [
+                "asperities",
+                "to read",
+                "an asperity",
+                "to add up",
+                "an asperity",
+                "memory",
+                "taken",
+                "an asperity",
+            ],
+            case.lists.iter().map(|point| {
+                let of_each = |value: f64| value / point.asperities as f64;
+                let bytes = |bytes: Option<f64>| {
+                    bytes.map_or_else(String::new, |bytes| quantity(two_digits(bytes), "B"))
+                };
+                let taken = point.added_bytes.map(|bytes| bytes as f64);
+                vec![
+                    count(point.asperities),
+                    time(point.read_seconds),
+                    time(of_each(point.read_seconds)),
+                    time(point.sum_seconds),
+                    time(of_each(point.sum_seconds)),
+                    bytes(point.peak_bytes.map(|bytes| bytes as f64)),
+                    bytes(taken),
+                    // Of few, chance decides.
+                    bytes(taken.filter(|_| point.asperities >= LONG).map(of_each)),
+                ]
+            }),
+        );
+    }
+}

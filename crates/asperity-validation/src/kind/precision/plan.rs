@@ -1,0 +1,357 @@
+//! Run time against error: names resolved, sizes checked.
+
+use std::fmt;
+
+use toml::Spanned;
+
+use super::spec::{self, PrecisionSpec};
+use crate::precision::curve::CurveTask;
+use crate::precision::grid::{GridTask, side};
+use crate::precision::list::ListTask;
+use crate::precision::sampling::SamplingTask;
+use crate::precision::sum::{POINTS, SumTask};
+use crate::stability;
+use asperity::asperity::{HeightDensity, Population};
+use asperity::interface::Flat;
+use asperity::law::Zmc;
+use asperity_framework::contact::Bodies;
+use asperity_framework::contact::LawPlan;
+use asperity_framework::input::InputError;
+use asperity_framework::input::SpecFile;
+use asperity_framework::input::law::{Equations, LawSpec};
+use asperity_framework::input::quantity::Pure;
+use asperity_framework::input::sweep::LogSweep;
+use asperity_framework::input::tolerance::TOLERANCES;
+use asperity_framework::set_memory;
+
+/// Of one curve.
+const MOST_SEPARATIONS: u64 = 100_000;
+
+/// Of one set: what memory holds is looked at besides.
+const MOST_ASPERITIES: u64 = 1_000_000_000_000;
+
+/// Run time against error of integrals, sums and surfaces.
+pub struct PrecisionPlan {
+    /// Who touches whom.
+    pub bodies: Bodies,
+    /// The law.
+    pub law: LawPlan,
+    /// Law and bodies for the reference.
+    pub exact: stability::Bodies,
+    /// Populations by name.
+    pub cases: Vec<(String, Population)>,
+    /// d/sigma of the integrals; empty if none is asked for.
+    pub separations: Vec<f64>,
+    /// The sums.
+    pub sum: Option<SumTask>,
+    /// Curves within a tolerance.
+    pub curve: Option<CurveTask>,
+    /// Lists in files.
+    pub list: Option<ListTask>,
+    /// Random sets.
+    pub sampling: Option<SamplingTask>,
+    /// Random maps.
+    pub grid: Option<GridTask>,
+    /// Whether the largest sizes are asked for.
+    pub full: bool,
+}
+
+impl PrecisionPlan {
+    /// Bytes at the peak.
+    pub fn memory(&self) -> u128 {
+        /// The map, its half spectrum, and what finding summits takes.
+        const BYTES_PER_POINT: u128 = 32;
+        let sets = [
+            self.sum.as_ref().map(|task| &task.counts),
+            self.list.as_ref().map(|task| &task.counts),
+            self.sampling.as_ref().map(|task| &task.counts),
+        ];
+        let asperities = sets.into_iter().flatten().flatten();
+        let curve = self.curve.iter().map(|task| &task.asperities);
+        let asperities = asperities.chain(curve).max().copied().unwrap_or(0);
+        let points = self.grid.iter().flat_map(maps).max().unwrap_or(0);
+        set_memory(asperities as u128).max(points * BYTES_PER_POINT)
+    }
+
+    /// Contacts evaluated in one pass over everything.
+    pub fn work(&self) -> u128 {
+        let sums = self.sum.iter().map(|task| task.counts.iter().sum::<usize>() * POINTS);
+        let sets = self
+            .sampling
+            .iter()
+            .map(|task| task.counts.iter().sum::<usize>() * task.separations.len() * task.draws);
+        let lists = self.list.iter().map(|task| task.counts.iter().sum::<usize>() * task.separations);
+        let curves = self
+            .curve
+            .iter()
+            .map(|task| task.asperities * (task.beside + task.separations * (1 + task.tolerances.len())));
+        sums.chain(curves)
+            .chain(lists)
+            .chain(sets)
+            .map(|contacts| (contacts * self.cases.len()) as u128)
+            .sum()
+    }
+
+    /// Steps of its progress: pieces of work of very different size.
+    pub fn steps(&self) -> u64 {
+        let of_case = u64::from(!self.separations.is_empty())
+            + self.sum.as_ref().map_or(0, |task| task.counts.len() as u64)
+            + u64::from(self.curve.is_some())
+            + self.list.as_ref().map_or(0, |task| task.counts.len() as u64)
+            + self.sampling.as_ref().map_or(0, |task| (task.counts.len() * (task.draws + 1)) as u64);
+        let maps = self.grid.as_ref().map_or(0, |task| maps(task).count() * task.realisations);
+        of_case * self.cases.len() as u64 + maps as u64
+    }
+}
+
+/// Points of each kind of map.
+fn maps(task: &GridTask) -> impl Iterator<Item = u128> {
+    let sides = task.per_length.iter().flat_map(|&p| task.lengths.iter().map(move |&l| side(p, l) as u128));
+    sides.map(|side| side * side)
+}
+
+impl fmt::Display for PrecisionPlan {
+    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        let names: Vec<&str> = self.cases.iter().map(|(name, _)| name.as_str()).collect();
+        writeln!(
+            f,
+            "  {} on {}, law {}, {}",
+            self.bodies.rough,
+            self.bodies.flat,
+            self.law.label,
+            names.join(", ")
+        )?;
+        if !self.separations.is_empty() {
+            writeln!(f, "  rules of quadrature at {} separations", self.separations.len())?;
+        }
+        if let Some(task) = &self.sum {
+            writeln!(
+                f,
+                "  sums of {:?} asperities, at {:?} separations, on {:?} threads",
+                task.counts, task.separations, task.threads
+            )?;
+        }
+        if let Some(task) = &self.curve {
+            writeln!(
+                f,
+                "  curves of {} separations, the sum of {} asperities, within {} tolerances, beside {} separations",
+                task.separations,
+                task.asperities,
+                task.tolerances.len(),
+                task.beside
+            )?;
+        }
+        if let Some(task) = &self.list {
+            writeln!(
+                f,
+                "  lists of {:?} asperities, written to {} and read, at {} separations",
+                task.counts,
+                std::env::temp_dir().display(),
+                task.separations
+            )?;
+        }
+        if let Some(task) = &self.sampling {
+            writeln!(f, "  {} random sets of each of {:?} asperities", task.draws, task.counts)?;
+        }
+        if let Some(task) = &self.grid {
+            writeln!(
+                f,
+                "  {} maps of each of {:?} points a correlation length, {:?} lengths a side",
+                task.realisations, task.per_length, task.lengths
+            )?;
+        }
+        Ok(())
+    }
+}
+
+/// Reads `[precision]`.
+pub(super) fn plan(file: &SpecFile, full: bool) -> Result<PrecisionPlan, InputError> {
+    let table = file.required_table::<PrecisionSpec>("precision")?;
+    let (words, span) = (table.get_ref(), table.span());
+    let (rough, flat) = (words.rough.get_ref(), words.flat.get_ref());
+    let pair = [file.body(rough, words.rough.span())?, file.body(flat, words.flat.span())?];
+    let (spec, law) = one_law(file, words)?;
+    file.check_laws(&words.law, (rough, &pair[0]), &[(flat, &pair[1])])?;
+    let contact = spec
+        .interface(&pair[0], &Flat::Bare(pair[1]))
+        .map_err(|error| file.inapplicable(&words.law, &error, rough, flat))?;
+    if words.case.get_ref().is_empty() {
+        let message =
+            "found no case; allowed: at least one [precision.case.NAME] with radius, sigma and density";
+        return Err(file.source.error_at(words.case.span(), message));
+    }
+    let case = |(name, words): (&Spanned<String>, &spec::CaseSpec)| {
+        let population = Population {
+            radius: words.radius.value(),
+            sigma: words.sigma.value(),
+            density: words.density.value(),
+            heights: HeightDensity::Gaussian,
+        };
+        (name.get_ref().clone(), population)
+    };
+    let plan = PrecisionPlan {
+        bodies: Bodies { rough: rough.clone(), flat: flat.clone() },
+        exact: stability::Bodies { law, rough: pair[0], flat: pair[1], layer: None },
+        law: LawPlan { label: spec.label(), thickness: None, contact, spec },
+        cases: words.case.get_ref().iter().map(case).collect(),
+        separations: words
+            .integral
+            .as_ref()
+            .map(|words| separations(file, words))
+            .transpose()?
+            .unwrap_or_default(),
+        sum: words.sum.as_ref().map(|words| sum(file, words, full)).transpose()?,
+        curve: words.curve.as_ref().map(|words| curve(file, words)).transpose()?,
+        list: words.list.as_ref().map(|words| lists(file, words, full)).transpose()?,
+        sampling: words.sampling.as_ref().map(|words| sampling(file, words)).transpose()?,
+        grid: words.grid.as_ref().map(|words| grid(file, words)).transpose()?,
+        full,
+    };
+    if plan.steps() == 0 {
+        let message = "found nothing to measure; allowed: at least one of [precision.integral], [precision.sum], \
+                       [precision.curve], [precision.list], [precision.sampling], [precision.grid]";
+        return Err(file.source.error_at(span, message));
+    }
+    Ok(plan)
+}
+
+/// The one law, and the same for the reference.
+fn one_law(file: &SpecFile, words: &PrecisionSpec) -> Result<(LawSpec, stability::Law), InputError> {
+    let [law] = words.law.get_ref().0[..] else {
+        let message = format!("found {} laws; allowed: one", words.law.get_ref().0.len());
+        return Err(file.source.error_at(words.law.span(), message));
+    };
+    file.spheres_only(&words.law, "the asperities of [precision] are spheres of one radius")?;
+    let reference = match law.equations {
+        Equations::Hertz => stability::Law::Hertz,
+        Equations::Zmc { onset, transition_ratio, .. } => {
+            stability::Law::Zmc { onset, transition_ratio: transition_ratio.unwrap_or(Zmc::TRANSITION_RATIO) }
+        }
+        Equations::Ceb => stability::Law::Ceb,
+        Equations::KogutEtsion => stability::Law::KogutEtsion,
+        Equations::JacksonGreen => stability::Law::JacksonGreen,
+        Equations::FullyPlastic => stability::Law::FullyPlastic,
+    };
+    Ok((law, reference))
+}
+
+fn separations(file: &SpecFile, words: &spec::IntegralSpec) -> Result<Vec<f64>, InputError> {
+    /// Of d/sigma: within them rules and reference keep their digits.
+    const WITHIN: [f64; 2] = [-10.0, 35.0];
+    let separations = &words.separation.get_ref().0;
+    match separations.iter().find(|h| !(WITHIN[0]..=WITHIN[1]).contains(*h)) {
+        Some(h) => {
+            let message = format!("found {h}; allowed: separations of {} to {} sigma", WITHIN[0], WITHIN[1]);
+            Err(file.source.error_at(words.separation.span(), message))
+        }
+        None => Ok(separations.clone()),
+    }
+}
+
+/// Sizes, ascending: the largest only in full.
+fn sizes(
+    file: &SpecFile,
+    always: &Spanned<LogSweep<Pure>>,
+    in_full: Option<&Spanned<LogSweep<Pure>>>,
+    full: bool,
+) -> Result<Vec<usize>, InputError> {
+    let mut counts = file.counts(always)?;
+    if let Some(more) = in_full {
+        let more = file.counts(more)?;
+        if full {
+            counts.extend(more);
+        }
+    }
+    counts.sort_unstable();
+    counts.dedup();
+    Ok(counts)
+}
+
+/// One whole number from `least` to `most`.
+fn one_of(
+    file: &SpecFile,
+    words: &Spanned<u64>,
+    what: &str,
+    [least, most]: [u64; 2],
+) -> Result<usize, InputError> {
+    let value = *words.get_ref();
+    let is_allowed = (least..=most).contains(&value);
+    let value = usize::try_from(value).ok().filter(|_| is_allowed);
+    value.ok_or_else(|| {
+        let message = format!("found {}; allowed: {least} to {most} {what}", words.get_ref());
+        file.source.error_at(words.span(), message)
+    })
+}
+
+fn curve(file: &SpecFile, words: &spec::CurveSpec) -> Result<CurveTask, InputError> {
+    let mut tolerances = words.tolerance.get_ref().values.clone();
+    tolerances.sort_by(f64::total_cmp);
+    let [least, most] = TOLERANCES;
+    if let Some(tolerance) = tolerances.iter().find(|tolerance| !(least..=most).contains(*tolerance)) {
+        let message = format!("found the tolerance {tolerance:e}; allowed: {least:e} to {most}");
+        return Err(file.source.error_at(words.tolerance.span(), message));
+    }
+    Ok(CurveTask {
+        asperities: one_of(file, &words.asperities, "asperities", [1, MOST_ASPERITIES])?,
+        separations: one_of(file, &words.separations, "separations", [2, MOST_SEPARATIONS])?,
+        beside: one_of(file, &words.beside, "separations", [2, MOST_SEPARATIONS])?,
+        tolerances,
+    })
+}
+
+fn lists(file: &SpecFile, words: &spec::ListsSpec, full: bool) -> Result<ListTask, InputError> {
+    Ok(ListTask {
+        counts: sizes(file, &words.count, words.full_count.as_ref(), full)?,
+        separations: one_of(file, &words.separations, "separations", [1, MOST_SEPARATIONS])?,
+    })
+}
+
+fn sum(file: &SpecFile, words: &spec::SumSpec, full: bool) -> Result<SumTask, InputError> {
+    const MOST_THREADS: f64 = 1024.0;
+    let most_for_threads = file.counts(&words.count)?.into_iter().max().unwrap_or(0);
+    Ok(SumTask {
+        counts: sizes(file, &words.count, words.full_count.as_ref(), full)?,
+        separations: file.whole(&words.separations, "separations", MOST_SEPARATIONS as f64)?,
+        threads: file.whole(&words.threads, "threads", MOST_THREADS)?,
+        most_for_threads,
+    })
+}
+
+fn sampling(file: &SpecFile, words: &spec::SamplingSpec) -> Result<SamplingTask, InputError> {
+    let mut counts = file.counts(&words.count)?;
+    counts.sort_unstable();
+    Ok(SamplingTask {
+        counts,
+        separations: words.separation.0.clone(),
+        draws: file.several(&words.draws, "random sets of each size")?,
+    })
+}
+
+fn grid(file: &SpecFile, words: &spec::GridSpec) -> Result<GridTask, InputError> {
+    /// Points along a side.
+    const MOST: usize = 1 << 14;
+    let sorted = |sweep: &Spanned<LogSweep<_>>| {
+        let mut values = sweep.get_ref().values.clone();
+        values.sort_by(f64::total_cmp);
+        values
+    };
+    let (per_length, lengths) = (sorted(&words.points_per_length), sorted(&words.lengths));
+    if per_length[0] < 1.0 {
+        let message = format!("found {}; allowed: at least one point a correlation length", per_length[0]);
+        return Err(file.source.error_at(words.points_per_length.span(), message));
+    }
+    if lengths[0] < 10.0 {
+        let message = format!("found {}; allowed: sides of at least 10 correlation lengths", lengths[0]);
+        return Err(file.source.error_at(words.lengths.span(), message));
+    }
+    let largest = side(per_length[per_length.len() - 1], lengths[lengths.len() - 1]);
+    if largest > MOST {
+        let message = format!(
+            "found maps of up to {largest} x {largest} points; allowed: at most {MOST} points along a side, which is lengths \
+             times points-per-length"
+        );
+        return Err(file.source.error_at(words.lengths.span(), message));
+    }
+    let realisations = file.several(&words.realisations, "maps of each kind")?;
+    Ok(GridTask { per_length, lengths, realisations })
+}

@@ -1,0 +1,131 @@
+//! `[precision]`: run time against error of integrals, sums and surfaces.
+
+use indexmap::IndexMap;
+use serde::Deserialize;
+use toml::Spanned;
+
+use asperity_framework::input::law::Laws;
+use asperity_framework::input::quantity::{ArealNumberDensity, Length, Pure, Quantity};
+use asperity_framework::input::sweep::{LinearSweep, LogSweep};
+
+/// Two bodies, a law, populations, and what is measured of them.
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields, rename_all = "kebab-case")]
+pub struct PrecisionSpec {
+    /// Name of the rough body's material.
+    pub rough: Spanned<String>,
+    /// Name of the flat body's material.
+    pub flat: Spanned<String>,
+    /// One law for spheres.
+    pub law: Spanned<Laws>,
+    /// Populations of Gaussian heights, by name.
+    pub case: Spanned<IndexMap<Spanned<String>, CaseSpec>>,
+    /// Rules of quadrature.
+    pub integral: Option<IntegralSpec>,
+    /// Ways to add up.
+    pub sum: Option<SumSpec>,
+    /// Curves of many separations.
+    pub curve: Option<CurveSpec>,
+    /// Lists of asperities in files.
+    pub list: Option<ListsSpec>,
+    /// Random sets of growing size.
+    pub sampling: Option<SamplingSpec>,
+    /// Random maps of growing size and fineness.
+    pub grid: Option<GridSpec>,
+}
+
+/// A population by its three numbers.
+#[derive(Debug, Clone, Copy, Deserialize)]
+#[serde(deny_unknown_fields, expecting = "a table { radius, sigma, density }")]
+pub struct CaseSpec {
+    /// Radius of every asperity.
+    pub radius: Quantity<Length>,
+    /// Standard deviation of the heights.
+    pub sigma: Quantity<Length>,
+    /// Asperities per nominal area.
+    pub density: Quantity<ArealNumberDensity>,
+}
+
+/// The integral.
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields, expecting = "a table { separation }")]
+pub struct IntegralSpec {
+    /// d/sigma.
+    pub separation: Spanned<LinearSweep>,
+}
+
+/// The sum.
+#[derive(Debug, Deserialize)]
+#[serde(
+    deny_unknown_fields,
+    rename_all = "kebab-case",
+    expecting = "a table { count, full-count, separations, threads }"
+)]
+pub struct SumSpec {
+    /// Sizes of the sets.
+    pub count: Spanned<LogSweep<Pure>>,
+    /// Sizes that stand in the report only where it is made with --full.
+    pub full_count: Option<Spanned<LogSweep<Pure>>>,
+    /// Numbers of separations.
+    pub separations: Spanned<LogSweep<Pure>>,
+    /// Numbers of threads.
+    pub threads: Spanned<LogSweep<Pure>>,
+}
+
+/// Curves within a tolerance.
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields, expecting = "a table { asperities, separations, beside, tolerance }")]
+pub struct CurveSpec {
+    /// Asperities in the set that is summed.
+    pub asperities: Spanned<u64>,
+    /// Separations of the curve.
+    pub separations: Spanned<u64>,
+    /// Separations of the exact curve that it is held against.
+    pub beside: Spanned<u64>,
+    /// Tolerances.
+    pub tolerance: Spanned<LogSweep<Pure>>,
+}
+
+/// Lists of asperities.
+#[derive(Debug, Deserialize)]
+#[serde(
+    deny_unknown_fields,
+    rename_all = "kebab-case",
+    expecting = "a table { count, full-count, separations }"
+)]
+pub struct ListsSpec {
+    /// Lengths of the lists.
+    pub count: Spanned<LogSweep<Pure>>,
+    /// Lengths that stand in the report only where it is made with --full.
+    pub full_count: Option<Spanned<LogSweep<Pure>>>,
+    /// Separations at which each is summed.
+    pub separations: Spanned<u64>,
+}
+
+/// Random sets.
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields, expecting = "a table { separation, count, draws }")]
+pub struct SamplingSpec {
+    /// d/sigma.
+    pub separation: LinearSweep,
+    /// Sizes of the sets.
+    pub count: Spanned<LogSweep<Pure>>,
+    /// Sets of each size.
+    pub draws: Spanned<u64>,
+}
+
+/// Random maps with the autocorrelation exp(-(r/l)^2).
+#[derive(Debug, Deserialize)]
+#[serde(
+    deny_unknown_fields,
+    rename_all = "kebab-case",
+    expecting = "a table { points-per-length, lengths, realisations }"
+)]
+pub struct GridSpec {
+    /// Points a correlation length.
+    pub points_per_length: Spanned<LogSweep<Pure>>,
+    /// Sides of the maps in correlation lengths.
+    pub lengths: Spanned<LogSweep<Pure>>,
+    /// Maps of each kind.
+    pub realisations: Spanned<u64>,
+}

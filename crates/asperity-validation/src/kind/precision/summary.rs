@@ -1,0 +1,155 @@
+//! What a summary says of run times and errors.
+
+use serde::Serialize;
+
+use crate::kind::precision::run::{CasePrecision, PrecisionResults};
+use crate::kind::precision::winners::{Winner, winners};
+use crate::precision::grid::{GridFindings, Statistic};
+use asperity_framework::contact::ContactSummary;
+use asperity_framework::report::summary::fields;
+use serde_json::{Map, Value};
+
+/// Run time against error. Reports are compared here for their shape only.
+#[derive(Serialize)]
+struct PrecisionSummary<'a> {
+    full: bool,
+    threads: usize,
+    winners: Vec<WinnerSummary<'a>>,
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    curves: Vec<CurveSummary<'a>>,
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    lists: Vec<ListSummary<'a>>,
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    tenfold_asperities: Vec<TenfoldSummary<'a>>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    surface: Option<SurfaceSummary>,
+}
+
+#[derive(Serialize)]
+struct WinnerSummary<'a> {
+    case: &'a str,
+    of: &'static str,
+    largest_error: f64,
+    fastest: Option<String>,
+    error: Option<f64>,
+    seconds_per_separation: Option<f64>,
+    shipped_over_fastest: Option<f64>,
+}
+
+/// A curve within a tolerance beside few separations, exactly.
+#[derive(Serialize)]
+struct CurveSummary<'a> {
+    case: &'a str,
+    model: &'static str,
+    tolerance: f64,
+    separations: usize,
+    asked: usize,
+    error: f64,
+    exact_separations: usize,
+    time_over_exact: f64,
+}
+
+/// The longest list from a file.
+#[derive(Serialize)]
+struct ListSummary<'a> {
+    case: &'a str,
+    asperities: usize,
+    separations: usize,
+    read_s: f64,
+    sum_s: f64,
+    peak_bytes: Option<u64>,
+}
+
+/// What ten times the asperities do.
+#[derive(Serialize)]
+struct TenfoldSummary<'a> {
+    case: &'a str,
+    time: Option<f64>,
+    error: Option<f64>,
+}
+
+/// Powers by which errors and time follow points a length, summits and points.
+#[derive(Serialize)]
+struct SurfaceSummary {
+    radius_bias_slope: Option<f64>,
+    density_scatter_slope: Option<f64>,
+    time_slope: Option<f64>,
+}
+
+#[derive(Serialize)]
+struct Summary<'a> {
+    #[serde(flatten)]
+    contact: ContactSummary,
+    precision: PrecisionSummary<'a>,
+}
+
+/// Its part of `summary.json`.
+pub(super) fn summary(results: &PrecisionResults) -> serde_json::Result<Map<String, Value>> {
+    let tenfold = results.cases.iter().filter_map(|case| {
+        let found = case.sampling.as_ref()?.tenfold();
+        Some(TenfoldSummary {
+            case: &case.name,
+            time: found.map(|tenfold| tenfold.time),
+            error: found.map(|tenfold| tenfold.error),
+        })
+    });
+    let precision = PrecisionSummary {
+        full: results.full,
+        threads: results.threads,
+        winners: results.cases.iter().flat_map(winners).map(winner).collect(),
+        curves: results.cases.iter().flat_map(curves).collect(),
+        lists: results.cases.iter().filter_map(longest_list).collect(),
+        tenfold_asperities: tenfold.collect(),
+        surface: results.grid.as_ref().map(surface),
+    };
+    fields(&Summary { contact: ContactSummary::of(&results.contact), precision })
+}
+
+fn winner(winner: Winner) -> WinnerSummary {
+    WinnerSummary {
+        case: winner.case,
+        of: winner.of.name(),
+        largest_error: winner.level,
+        error: winner.fastest.as_ref().map(|(_, cost)| cost.error),
+        seconds_per_separation: winner.fastest.as_ref().map(|(_, cost)| cost.seconds),
+        fastest: winner.fastest.map(|(name, _)| name),
+        shipped_over_fastest: winner.shipped_over_fastest,
+    }
+}
+
+fn curves(case: &CasePrecision) -> impl Iterator<Item = CurveSummary<'_>> {
+    case.curve.iter().flat_map(|found| {
+        found.points.iter().filter_map(|point| {
+            Some(CurveSummary {
+                case: &case.name,
+                model: point.kind.name(),
+                tolerance: point.tolerance?,
+                separations: point.separations,
+                asked: point.asked,
+                error: point.error(),
+                exact_separations: found.yardstick(point.kind)?.separations,
+                time_over_exact: found.times(point),
+            })
+        })
+    })
+}
+
+fn longest_list(case: &CasePrecision) -> Option<ListSummary<'_>> {
+    let longest = case.lists.last()?;
+    Some(ListSummary {
+        case: &case.name,
+        asperities: longest.asperities,
+        separations: longest.separations,
+        read_s: longest.read_seconds,
+        sum_s: longest.sum_seconds,
+        peak_bytes: longest.peak_bytes,
+    })
+}
+
+fn surface(found: &GridFindings) -> SurfaceSummary {
+    SurfaceSummary {
+        radius_bias_slope: found.bias_slope(Statistic::Radius),
+        density_scatter_slope: found.scatter_slope(Statistic::Density),
+        time_slope: found.time_slope(),
+    }
+}

@@ -1,0 +1,86 @@
+//! Running `[stability]`: cases checked by an evaluation of about 32 digits.
+
+use std::time::Instant;
+
+use super::plan::StabilityPlan;
+use crate::stability::Group;
+use crate::stability::Map;
+use crate::stability::{GroupFindings, group, maps};
+use asperity::literature::{self, Paper};
+use asperity_framework::RunContext;
+use asperity_framework::metadata::{Metadata, Timing};
+
+/// What became of the cases.
+#[derive(Debug)]
+pub struct StabilityResults {
+    /// What every experiment has.
+    pub metadata: Metadata,
+    /// Group by group.
+    pub groups: Vec<GroupFindings>,
+    /// Errors over planes.
+    pub maps: Vec<Map>,
+}
+
+impl StabilityResults {
+    /// Scenes that were checked.
+    pub fn cases(&self) -> u64 {
+        self.groups.iter().map(|findings| findings.cases).sum()
+    }
+
+    /// Families with a quantity beyond its bound.
+    pub fn beyond(&self) -> impl Iterator<Item = &GroupFindings> {
+        self.groups.iter().filter(|findings| !findings.holds())
+    }
+
+    /// What went wrong, a line each.
+    pub fn warnings(&self) -> Vec<String> {
+        let beyond = self.beyond().map(|findings| {
+            format!("{} ({}): beyond its bound", findings.group.name(), findings.group.kind().name())
+        });
+        let failures = self.groups.iter().flat_map(|findings| {
+            let told = findings.failures.first();
+            told.map(|(case, failure)| {
+                let others = findings.failures.len() - 1;
+                format!(
+                    "{}, case {}: {failure}{}",
+                    findings.group.name(),
+                    case.index,
+                    if others > 0 { format!(", and {others} more") } else { String::new() }
+                )
+            })
+        });
+        beyond.chain(failures).collect()
+    }
+}
+
+/// Those of all laws and of the layer.
+const PAPERS: [Paper; 12] = [
+    literature::GREENWOOD_WILLIAMSON_1966,
+    literature::ZHAO_MAIETTA_CHANG_2000,
+    literature::PASARIBU_SCHIPPER_2005,
+    literature::CHANG_ETSION_BOGY_1987,
+    literature::KOGUT_ETSION_2002,
+    literature::JACKSON_GREEN_2005,
+    literature::ABBOTT_FIRESTONE_1933,
+    literature::JOHNSON_1985,
+    literature::GAO_CHIU_LEE_1992,
+    literature::SWAIN_MENCIK_1994,
+    literature::SONG_PHARR_1999,
+    literature::BHATTACHARYA_NIX_1988,
+];
+
+pub(super) fn run(context: &RunContext, stability: &StabilityPlan) -> StabilityResults {
+    let start = Instant::now();
+    context.progress.stage(context.title, Group::ALL.len() as u64 + 1);
+    let seed = context.stream_seed("stability");
+    let judge = |of: Group| {
+        let findings = group(of, stability.counts.of(of), seed, &stability.ranges);
+        context.progress.advance(1);
+        findings
+    };
+    let groups = Group::ALL.map(judge).to_vec();
+    let maps = maps(&stability.ranges, stability.cells);
+    context.progress.advance(1);
+    let timing = Timing { total: start.elapsed(), ..Timing::default() };
+    StabilityResults { metadata: context.metadata(PAPERS.to_vec(), timing, None), groups, maps }
+}

@@ -1,0 +1,180 @@
+//! Integrals over a height density, by the tanh-sinh rule between the places where formulas give way to each other.
+//!
+//! The stiffness is taken from the load alone, -dp/dd = -int P f' dz, so that jumps of a law are in it and no slope of
+//! a law is.
+
+use super::{Branch, Exact, Flat};
+use crate::stability::exact::Shape;
+use crate::stability::exact::Total;
+use crate::stability::wide::{PI, Wide, integral};
+use asperity::asperity::HeightDensity;
+
+/// A population that an integral is taken over; lengths in m.
+#[derive(Debug, Clone, Copy)]
+pub struct Integral {
+    /// Standard deviation of the heights, m.
+    pub sigma: f64,
+    /// Asperities per nominal area, 1/m^2.
+    pub density: f64,
+    /// Their density.
+    pub heights: HeightDensity,
+    /// d/sigma.
+    pub separation: f64,
+}
+
+/// E-foldings of the density that count: exp(-76) = 1e-33.
+const FOLDINGS: f64 = 76.0;
+/// Places between which the density is cut, as indentations over sigma from where it is largest.
+const CUTS: [f64; 6] = [0.0, 1.0, 3.0, 6.0, 9.0, 12.0];
+/// Below this part of the window nothing is looked for.
+const NEGLIGIBLE: f64 = 1e-15;
+/// Places in a decade of w at which formulas are looked for under a layer.
+const PER_DECADE: f64 = 40.0;
+/// Two rules differ by less than this; the error is about its square.
+const TOLERANCE: f64 = 1e-12;
+
+impl Integral {
+    /// ln of the density over its factor [`Self::scale`], turned over, at x = (z - d)/sigma.
+    fn exponent(&self, x: Wide) -> Wide {
+        let h = self.separation;
+        match self.heights {
+            HeightDensity::Gaussian if h >= 0.0 => x * (x * 0.5 + h),
+            HeightDensity::Gaussian => (x + h) * (x + h) * 0.5,
+            HeightDensity::Exponential if h >= -1.0 => x,
+            HeightDensity::Exponential => x + h + 1.0,
+        }
+    }
+
+    /// The square root of the factor of the density that does not depend on x: the factor itself would be denormal
+    /// where the answer is not.
+    fn scale(&self) -> Wide {
+        let h = Wide::new(self.separation);
+        match self.heights {
+            HeightDensity::Gaussian => {
+                let peak = if self.separation >= 0.0 { (h * h * -0.25).exp() } else { Wide::ONE };
+                peak / (PI * 2.0).sqrt().sqrt()
+            }
+            HeightDensity::Exponential if self.separation >= -1.0 => (-(h + 1.0) * 0.5).exp(),
+            HeightDensity::Exponential => Wide::ONE,
+        }
+    }
+
+    fn window(&self) -> [f64; 2] {
+        let (h, reach) = (self.separation, 2.0 * FOLDINGS);
+        match self.heights {
+            HeightDensity::Gaussian if h >= 0.0 => [0.0, reach / (h + (h * h + reach).sqrt())],
+            HeightDensity::Gaussian => [(-h - reach.sqrt()).max(0.0), reach.sqrt() - h],
+            HeightDensity::Exponential => {
+                let start = (-1.0 - h).max(0.0);
+                [start, start + FOLDINGS]
+            }
+        }
+    }
+
+    /// Places that part the window by how the density changes.
+    fn cuts(&self) -> Vec<f64> {
+        let h = self.separation;
+        match self.heights {
+            HeightDensity::Gaussian if h >= 0.0 => {
+                let along = |foldings: f64| 2.0 * foldings / (h + (h * h + 2.0 * foldings).sqrt());
+                [6.0, 24.0].map(along).to_vec()
+            }
+            HeightDensity::Gaussian => CUTS.iter().flat_map(|cut| [-h - cut, -h + cut]).collect(),
+            HeightDensity::Exponential => [8.0, 30.0].map(|cut| (-1.0 - h).max(0.0) + cut).to_vec(),
+        }
+    }
+}
+
+impl Exact {
+    /// What the asperities of a population add up to per nominal area; `None` where the rule does not settle.
+    pub fn integral(&self, of: &Integral, shape: &Shape) -> Option<Total> {
+        let [start, end] = of.window().map(Wide::new);
+        let h = of.separation;
+        let mut ends = self.changes(of, shape);
+        ends.extend(of.cuts().into_iter().map(Wide::new));
+        if let Flat::Layered(layer) = &self.flat {
+            let scales = layer.scales(shape.radius * shape.spheres).into_iter();
+            ends.extend(scales.map(|w| w / of.sigma));
+        }
+        ends.retain(|x| *x > start && *x < end && *x > end * NEGLIGIBLE);
+        ends.push(end);
+        ends.sort_by(|a, b| a.hi().total_cmp(&b.hi()).then(a.lo().total_cmp(&b.lo())));
+        let mut total = Total::NONE;
+        let mut from = start;
+        for to in ends {
+            if to <= from {
+                continue;
+            }
+            let middle = if from > Wide::ZERO { (from * to).sqrt() } else { to * 0.5 };
+            let branch = self.branch(middle * of.sigma, shape);
+            let regime = self.answer(middle * of.sigma, shape, branch).2 as usize;
+            let [contacts, area, load, slope] = integral(from, to, TOLERANCE, |x| {
+                let (area, load, _) = self.answer(x * of.sigma, shape, branch);
+                let density = (-of.exponent(x)).exp();
+                let steepness = match of.heights {
+                    HeightDensity::Gaussian => x + h,
+                    HeightDensity::Exponential => Wide::ONE,
+                };
+                [density, density * area, density * load, density * load * steepness]
+            })?;
+            total.contacts += contacts;
+            total.area[regime] += area;
+            total.load[regime] += load;
+            total.stiffness += slope;
+            from = to;
+        }
+        // An exponential density begins with a step, at which its slope has no bound.
+        if of.heights == HeightDensity::Exponential && start > Wide::ZERO {
+            let w = (Wide::new(-1.0) - h) * of.sigma;
+            total.stiffness -= self.answer(w, shape, self.branch(w, shape)).1;
+        }
+        total.stiffness /= of.sigma;
+        Some(total.times(Wide::new(of.density)).times(of.scale()).times(of.scale()))
+    }
+
+    /// Where formulas give way to each other, as x = w/sigma within the window.
+    fn changes(&self, of: &Integral, shape: &Shape) -> Vec<Wide> {
+        let end = of.window()[1];
+        if let Flat::Homogeneous { .. } = self.flat {
+            let w = Wide::new(end * of.sigma);
+            let felt = self.felt(w, shape);
+            let first = felt.flat_is_lesser(|yield_limits| yield_limits.onset);
+            let Some(u) = Self::place(w, shape, &felt, first) else { return Vec::new() };
+            return self.boundaries.iter().map(|boundary| *boundary / u * end).collect();
+        }
+        let steps = (PER_DECADE * -NEGLIGIBLE.log10()) as i32;
+        let ratio = NEGLIGIBLE.powf(1.0 / f64::from(steps));
+        let branch = |x: Wide| self.branch(x * of.sigma, shape);
+        let mut found = Vec::new();
+        let mut from = Wide::new(end * NEGLIGIBLE);
+        let mut before = branch(from);
+        for k in (0..steps).rev() {
+            let to = Wide::new(end * ratio.powi(k));
+            let behind = branch(to);
+            while before != behind {
+                from = last_of(before, from, to, &branch);
+                found.push(from);
+                before = branch(from * (Wide::ONE + 1e-28));
+            }
+            from = to;
+        }
+        found
+    }
+}
+
+/// Where the branch that holds at `from` ends, another holding at `to`.
+fn last_of(held: Branch, from: Wide, to: Wide, branch: &impl Fn(Wide) -> Branch) -> Wide {
+    let (mut low, mut high) = (from, to);
+    for _ in 0..110 {
+        let middle = (low + high) * 0.5;
+        if branch(middle) == held {
+            low = middle
+        } else {
+            high = middle
+        }
+        if (high - low).hi() <= 1e-30 * high.hi() {
+            break;
+        }
+    }
+    high
+}

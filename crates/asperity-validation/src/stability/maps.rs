@@ -1,0 +1,162 @@
+//! Errors over a plane: where in it the arithmetic is good, and where it is not.
+
+use rayon::prelude::*;
+
+use super::Ranges;
+use super::bodies::{Bodies, Law, Layer};
+use super::exact::Exact;
+use crate::stability::exact::Integral;
+use crate::stability::exact::Shape;
+use crate::stability::wide::relative_error;
+use asperity::asperity::{HeightDensity, Population};
+use asperity::interface::{Layered, MicroContact};
+use asperity::law::{self, Zmc};
+use asperity::layer::{Coating, Rule};
+use asperity::material::{Material, reduced_modulus};
+use asperity::model::{Model, Statistical};
+
+/// Errors on a regular grid.
+#[derive(Debug, Clone)]
+pub struct Map {
+    /// Of its file and in its table.
+    pub name: &'static str,
+    /// What the error is of.
+    pub of: &'static str,
+    /// What stands along x and y; logarithms to the base of ten where they say so.
+    pub axes: [&'static str; 2],
+    /// Middles of the first and the last column, of the first and the last row.
+    pub ends: [[f64; 2]; 2],
+    /// Columns and rows.
+    pub cells: [usize; 2],
+    /// Relative errors, x fastest; NaN where the wide rule does not settle.
+    pub errors: Vec<f64>,
+}
+
+impl Map {
+    /// Row by row: `row` makes of y what all its cells share, `error` of that and x the error.
+    fn of<R: Sync>(
+        name: &'static str,
+        of: &'static str,
+        axes: [&'static str; 2],
+        ends: [[f64; 2]; 2],
+        cells: [usize; 2],
+        row: impl Fn(f64) -> R + Sync,
+        error: impl Fn(&R, f64) -> f64 + Sync,
+    ) -> Self {
+        let place = |k: usize, axis: usize| {
+            let [from, to] = ends[axis];
+            from + (to - from) * k as f64 / (cells[axis] - 1) as f64
+        };
+        let line = |k: usize| {
+            let row = row(place(k, 1));
+            (0..cells[0]).map(|column| error(&row, place(column, 0))).collect::<Vec<f64>>()
+        };
+        let rows: Vec<Vec<f64>> = (0..cells[1]).into_par_iter().map(line).collect();
+        Self { name, of, axes, ends, cells, errors: rows.concat() }
+    }
+}
+
+/// Steel of the paper, of any hardness.
+fn body(young: f64, hardness: f64) -> Material {
+    match Material::new(young, 0.3, Some(hardness), None) {
+        Ok(body) => body,
+        Err(_) => unreachable!("the ranges of a map are those of materials"),
+    }
+}
+
+const ZMC: Law = Law::Zmc { onset: None, transition_ratio: 54.0 };
+const YOUNG: f64 = 210e9;
+const HARDNESS: f64 = 7.6e9;
+const RADIUS: f64 = 2e-5;
+
+/// All maps, with `cells` cells along the longer side.
+pub(super) fn maps(ranges: &Ranges, cells: usize) -> Vec<Map> {
+    vec![separations(ranges, cells), transitions(cells), layers(ranges, cells)]
+}
+
+/// d/sigma and radius/sigma: the integral of a bare pair.
+fn separations(ranges: &Ranges, cells: usize) -> Map {
+    const SIGMA: f64 = 1e-7;
+    let steel = body(YOUNG, HARDNESS);
+    let bodies = Bodies { law: ZMC, rough: steel, flat: steel, layer: None };
+    let (exact, contact) = (Exact::new(&bodies), bodies.contact());
+    let heights = HeightDensity::Gaussian;
+    Map::of(
+        "separation",
+        "nominal pressure of the integral",
+        ["d/σ", "log₁₀ R/σ"],
+        [ranges.separation, ranges.radius_over_sigma.map(f64::log10)],
+        [cells, cells / 2],
+        |ratio| {
+            let radius = SIGMA * 10f64.powf(ratio);
+            Population { radius, sigma: SIGMA, density: 0.03 / (radius * SIGMA), heights }
+        },
+        |population, h| {
+            let Ok(contact) = &contact else { return f64::NAN };
+            let found = Statistical::new(&**contact, *population).respond(h).pressure.total();
+            let of = Integral { sigma: SIGMA, density: population.density, heights, separation: h };
+            let of = exact.integral(&of, &Shape::sphere(population.radius));
+            of.map_or(f64::NAN, |of| relative_error(found, of.whole_load()))
+        },
+    )
+}
+
+/// ln(w/w1)/ln c and c - 1: one contact of that pair.
+fn transitions(cells: usize) -> Map {
+    let steel = body(YOUNG, HARDNESS);
+    let strain = HARDNESS / reduced_modulus(&steel, &steel);
+    let onset = Zmc::ONSET * RADIUS * strain * strain;
+    Map::of(
+        "transition",
+        "load of a contact under ZMC",
+        ["ln(w/w₁) / ln c", "log₁₀ (c − 1)"],
+        [[-0.5, 1.5], [-8.0, 6.0]],
+        [cells, cells],
+        |width| {
+            let ratio = 1.0 + 10f64.powf(width);
+            let law = Law::Zmc { onset: None, transition_ratio: ratio };
+            let bodies = Bodies { law, rough: steel, flat: steel, layer: None };
+            (ratio, bodies.contact(), Exact::new(&bodies))
+        },
+        |(ratio, contact, exact), place| {
+            let Ok(contact) = contact else { return f64::NAN };
+            contact_error(&**contact, exact, onset * ratio.powf(place))
+        },
+    )
+}
+
+/// t/a and H/E*: one contact under a layer, a tenth as stiff and as hard as the flat.
+fn layers(ranges: &Ranges, cells: usize) -> Map {
+    const DEPTH: f64 = 2e-8;
+    let wide = (RADIUS * DEPTH).sqrt();
+    let modulus = reduced_modulus(&body(YOUNG, 1.0), &body(YOUNG, 1.0));
+    Map::of(
+        "layer",
+        "load of a contact under a layer",
+        ["log₁₀ t/a", "log₁₀ H/E*"],
+        [ranges.thickness.map(|t| (t / wide).log10()), ranges.hardness_over_modulus.map(f64::log10)],
+        [cells, cells],
+        |strain| {
+            let hardness = modulus * 10f64.powf(strain);
+            let (flat, material) = (body(YOUNG, hardness), body(0.1 * YOUNG, 0.1 * hardness));
+            let layer = Layer { material, thickness: wide, rule: Rule::Gao };
+            (flat, layer, Coating::new(&material, &flat, wide, Rule::Gao))
+        },
+        |(flat, layer, coating), ratio| {
+            let layer = Layer { thickness: wide * 10f64.powf(ratio), ..*layer };
+            // The tables of a pair serve every thickness.
+            let coating =
+                coating.as_ref().ok().and_then(|coating| coating.with_thickness(layer.thickness).ok());
+            let contact = coating.and_then(|coating| Layered::new(Zmc::default(), flat, flat, coating).ok());
+            let bodies = Bodies { law: ZMC, rough: *flat, flat: *flat, layer: Some(layer) };
+            contact.map_or(f64::NAN, |contact| contact_error(&contact, &Exact::new(&bodies), DEPTH))
+        },
+    )
+}
+
+/// Of the load at indentation `w` (m); the least over the sides of a boundary.
+fn contact_error(contact: &dyn MicroContact, exact: &Exact, w: f64) -> f64 {
+    let found = contact.contact(w, law::Shape::sphere(RADIUS)).load;
+    let sides = exact.contacts(w, &Shape::sphere(RADIUS));
+    sides.iter().map(|side| relative_error(found, side.load)).fold(f64::INFINITY, f64::min)
+}

@@ -1,0 +1,145 @@
+//! Thousands of cases against about 32 digits, and those digits against the reference vectors.
+
+use crate::common::{Row, Worst, rows};
+use asperity::asperity::{AsperitySet, HeightDensity};
+use asperity::layer::Rule;
+use asperity::material::Material;
+use asperity::model::{Deterministic, Model, ReferencePlane};
+use asperity_validation::stability::Group;
+use asperity_validation::stability::exact::Exact;
+use asperity_validation::stability::exact::Integral;
+use asperity_validation::stability::exact::Shape;
+use asperity_validation::stability::wide::{Wide, relative_error};
+use asperity_validation::stability::{Bodies, Law, Layer};
+use asperity_validation::stability::{Counts, Ranges, group};
+use asperity_validation::stability::{Heights, SetWords};
+
+const SEED: [u8; 32] = [17; 32];
+const ZMC: Law = Law::Zmc { onset: None, transition_ratio: 54.0 };
+
+/// A few thousand cases.
+const COUNTS: Counts = Counts { contacts: 1000, sums: 60, integrals: 150, loads: 20, millions: 3 };
+
+#[test]
+fn every_family_holds_its_bound() {
+    let mut broken = Vec::new();
+    for of in Group::ALL {
+        let findings = group(of, COUNTS.of(of), SEED, &Ranges::default());
+        println!("{} ({} cases)", of.name(), findings.cases);
+        for (case, failure) in &findings.failures {
+            broken.push(format!("{} {}: {failure:?}: {}", of.name(), case.index, case.inputs()));
+        }
+        for worst in &findings.quantities {
+            println!(
+                "    {}: median {:.1e}, worst {:.2e} ({:.1e}) at {}",
+                worst.quantity.name(),
+                worst.median,
+                worst.checked,
+                worst.error,
+                worst.case.index
+            );
+            let inputs = worst.case.inputs();
+            let line = format!("{} {}: {:e}: {inputs}", of.name(), worst.quantity.name(), worst.checked);
+            if worst.checked > worst.bound(of) || worst.checked.is_nan() {
+                broken.push(line);
+            }
+        }
+        if broken.is_empty() {
+            assert!(findings.holds(), "{}", of.name());
+        }
+    }
+    assert!(broken.is_empty(), "{} beyond:\n{}", broken.len(), broken.join("\n"));
+}
+
+/// Heights far from zero: nothing but the rounding of d and z makes the answer worse, by 1 + |mean|/sigma.
+#[test]
+fn the_error_of_offset_heights_grows_as_the_offset() {
+    let steel = Material::new(210e9, 0.3, Some(7.6e9), None).unwrap();
+    let bodies = Bodies { law: ZMC, rough: steel, flat: steel, layer: None };
+    let (exact, contact) = (Exact::new(&bodies), bodies.contact().unwrap());
+    for exponent in 0..=6 {
+        for sign in [-1.0, 1.0] {
+            let ratio = sign * 10f64.powi(exponent);
+            let (sigma, radius) = (1e-7, 2e-5);
+            let mean = ratio * sigma;
+            let set = SetWords { heights: Heights::Gaussian, count: 1000, mean, sigma, radius, seed: 3 };
+            let asperities = set.asperities(0.5);
+            let (heights, radii) = asperities.iter().copied().unzip();
+            let set = AsperitySet::new(heights, radii, 1.0).unwrap();
+            let found =
+                Deterministic::new(&*contact, set.spheres(), ReferencePlane { mean, sigma }).respond(0.5);
+            let total = exact.total(&asperities, Wide::new(0.5) * sigma + mean, false);
+            let bound = 4.0 * f64::EPSILON * (1.0 + ratio.abs());
+            assert!(relative_error(found.pressure.total(), total.whole_load()) <= bound, "{ratio}");
+            assert!(relative_error(found.area_ratio.total(), total.whole_area()) <= bound, "{ratio}");
+        }
+    }
+}
+
+fn material(row: &Row, of: &str) -> Material {
+    let number = |key: &str| row.number(&format!("{of}_{key}"));
+    let strength = if of == "rough" { None } else { Some(number("yield")) };
+    Material::new(number("young"), number("poisson"), Some(number("hardness")), strength).unwrap()
+}
+
+#[test]
+fn the_wide_contacts_are_those_of_the_vectors() {
+    let mut worst = Worst::default();
+    for (k, row) in rows("coating").iter().enumerate() {
+        let layer =
+            Layer { material: material(row, "layer"), thickness: row.number("thickness"), rule: Rule::Gao };
+        let (rough, flat) = (material(row, "rough"), material(row, "substrate"));
+        let exact = Exact::new(&Bodies { law: ZMC, rough, flat, layer: Some(layer) });
+        let found = exact.contacts(row.number("indentation"), &Shape::sphere(row.number("radius")));
+        worst.see(found[0].area.hi(), row.number("area"), || format!("area of row {k}"));
+        worst.see(found[0].load.hi(), row.number("load"), || format!("load of row {k}"));
+    }
+    for (k, row) in rows("laws").iter().enumerate() {
+        let law = match row.text("law") {
+            "ceb" => Law::Ceb,
+            "kogut_etsion" => Law::KogutEtsion,
+            _ => Law::JacksonGreen,
+        };
+        let known = |key: &str| (!row.text(key).is_empty()).then(|| row.number(key));
+        let nu = row.number("poisson");
+        // Against a rigid flat, rounded once more on the way.
+        let young = row.number("reduced_modulus") * (1.0 - nu * nu);
+        let rough = Material::new(young, nu, known("hardness"), known("yield_strength")).unwrap();
+        let flat = Material::new(1e30, 0.0, None, None).unwrap();
+        let exact = Exact::new(&Bodies { law, rough, flat, layer: None });
+        let found = exact.contacts(row.number("indentation"), &Shape::sphere(row.number("radius")));
+        worst.see(found[0].area.hi(), row.number("area"), || format!("area of {k}"));
+        worst.see(found[0].load.hi(), row.number("load"), || format!("load of {k}"));
+    }
+    worst.assert_within(4e-15, 100);
+}
+
+#[test]
+fn the_wide_integrals_are_those_of_the_vectors() {
+    let mut worst = Worst::default();
+    let mut see = |bodies: Bodies, row: &Row, k: usize| {
+        let of = Integral {
+            sigma: row.number("sigma"),
+            density: row.number("density"),
+            heights: HeightDensity::Gaussian,
+            separation: row.number("separation_over_sigma"),
+        };
+        let total = Exact::new(&bodies).integral(&of, &Shape::sphere(row.number("radius"))).unwrap();
+        worst.see(total.whole_area().hi(), row.number("area_ratio"), || format!("area of row {k}"));
+        worst.see(total.whole_load().hi(), row.number("pressure"), || format!("pressure of row {k}"));
+    };
+    for (k, row) in rows("statistical").iter().enumerate() {
+        let number = |key: &str| row.number(key);
+        let body = Material::new(number("young"), number("poisson"), Some(number("hardness")), None).unwrap();
+        see(Bodies { law: ZMC, rough: body, flat: body, layer: None }, row, k);
+    }
+    let steel = Material::new(210e9, 0.3, Some(7.6e9), None).unwrap();
+    for (k, row) in rows("statistical_coated").iter().enumerate() {
+        let number = |key: &str| row.number(&format!("layer_{key}"));
+        let material =
+            Material::new(number("young"), number("poisson"), Some(number("hardness")), None).unwrap();
+        let layer = Layer { material, thickness: row.number("thickness"), rule: Rule::Gao };
+        see(Bodies { law: ZMC, rough: steel, flat: steel, layer: Some(layer) }, row, k);
+    }
+    worst.assert_within(3e-16, 100);
+}

@@ -1,0 +1,227 @@
+//! From a spec file to results: read, plan, run. Nothing here knows a terminal or writes a file.
+
+use std::fmt;
+use std::path::{Path, PathBuf};
+
+use asperity::material::Material;
+use asperity_framework::digest::{hexadecimal, sha256, sha256_of_file};
+use asperity_framework::input::{InputError, Source, SpecFile};
+use asperity_framework::progress::Progress;
+use asperity_framework::{Outcome, Plan, RunContext};
+use indexmap::IndexMap;
+use sha2::{Digest, Sha256};
+
+use crate::kind::{KINDS, SURFACES};
+use crate::surface::{FileOptions, SurfacesPlan};
+
+/// SHA-256 of the sources that this program was built from.
+const SOURCES: &str = env!("ASPERITY_SOURCES");
+
+/// A commented spec that runs as it stands.
+pub const TEMPLATE: &str = include_str!("template.toml");
+
+/// An experiment that can be run. `Display` says what it will do and need.
+pub struct Experiment {
+    source: Source,
+    stem: String,
+    title: String,
+    notes: String,
+    seed: u64,
+    materials: IndexMap<String, Material>,
+    plan: Box<dyn Plan>,
+}
+
+impl Experiment {
+    /// Reads a spec and everything about its files that can be known without running it.
+    ///
+    /// # Errors
+    /// What keeps it from running, with file, line and key.
+    pub fn read(path: &Path) -> Result<Self, InputError> {
+        Self::read_spec(path, false)
+    }
+
+    /// The same, to run also what takes minutes and gigabytes, where the spec has such a thing.
+    ///
+    /// # Errors
+    /// As [`Self::read`].
+    pub fn read_in_full(path: &Path) -> Result<Self, InputError> {
+        Self::read_spec(path, true)
+    }
+
+    fn read_spec(path: &Path, full: bool) -> Result<Self, InputError> {
+        let spec = SpecFile::read(path, &tables())?;
+        let stem = stem_of(path)?;
+        let plan = plan(&spec, full)?;
+        Self::new(spec, stem, plan)
+    }
+
+    /// Describes the surfaces of a spec, or that of a measured file with `options`, as in `[surface.NAME.file]`. The report
+    /// is called `name`, or after the file.
+    ///
+    /// # Errors
+    /// As [`Self::read`].
+    pub fn describe(path: &Path, options: &FileOptions, name: Option<&str>) -> Result<Self, InputError> {
+        let is_spec = path.extension().is_some_and(|ending| ending == "toml");
+        if is_spec && *options != FileOptions::default() {
+            return Err(InputError::file(
+                path,
+                "is a spec, which says everything of its surfaces itself; allowed with a spec: no pixel, unit, level, \
+                 filter or neighbours beside it",
+            ));
+        }
+        let (spec, stem) = if is_spec {
+            (SpecFile::read(path, &tables())?, format!("{}-surfaces", stem_of(path)?))
+        } else {
+            let source = Source::command_line(options.spec(path));
+            (SpecFile::parse(source, &tables())?, format!("surface-{}", stem_of(path)?))
+        };
+        let stem = match name {
+            None => stem,
+            Some(name) if name.is_empty() || Path::new(name).file_name() != Some(name.as_ref()) => {
+                let message =
+                    format!("found the name \"{name}\" for its report; allowed: one such as my-surface");
+                return Err(InputError::file(path, message));
+            }
+            Some(name) => stem_of(Path::new(&format!("{name}.toml")))?,
+        };
+        let plan = Box::new(SurfacesPlan::new(&spec)?);
+        Self::new(spec, stem, plan)
+    }
+
+    fn new(spec: SpecFile, stem: String, plan: Box<dyn Plan>) -> Result<Self, InputError> {
+        let materials = spec.materials().map(|(name, body)| (name.get_ref().clone(), *body)).collect();
+        let SpecFile { source, title, notes, seed, .. } = spec;
+        check_memory(&*plan, &source)?;
+        Ok(Self { source, stem, title, notes, seed, materials, plan })
+    }
+
+    /// The file whose surfaces it only describes; `None` of an experiment that does more.
+    pub fn described_file(&self) -> Option<PathBuf> {
+        self.plan.described_file()
+    }
+
+    /// Name of its report's folder.
+    pub fn stem(&self) -> &str {
+        &self.stem
+    }
+
+    /// Title of its report.
+    pub fn title(&self) -> &str {
+        &self.title
+    }
+
+    /// What its report depends on: its name, the spec, how it is run, its input files and the program's own sources, as a
+    /// hexadecimal SHA-256.
+    ///
+    /// # Errors
+    /// An input file that cannot be read.
+    pub fn key(&self) -> Result<String, InputError> {
+        let mut hash = Sha256::new();
+        hash.update(SOURCES);
+        hash.update(sha256(self.stem.as_bytes()));
+        hash.update(sha256(self.source.text.as_bytes()));
+        hash.update(self.plan.variant());
+        for path in self.plan.inputs() {
+            let content = sha256_of_file(&path)
+                .map_err(|error| InputError::file(&path, format!("cannot be read: {error}")))?;
+            hash.update(content);
+        }
+        Ok(hexadecimal(&hash.finalize()))
+    }
+
+    /// Runs it.
+    ///
+    /// # Errors
+    /// What only a run can find: a map without a summit, a pressure that is not reached.
+    pub fn run(&self, progress: &dyn Progress) -> Result<Box<dyn Outcome>, InputError> {
+        let Self { source, stem, title, notes, seed, materials, plan } = self;
+        plan.run(&RunContext { title, stem, notes, seed: *seed, materials, source, progress })
+    }
+}
+
+/// Names of the tables that a spec may hold beside the common keys.
+fn tables() -> Vec<&'static str> {
+    KINDS.iter().map(|kind| kind.name()).chain([SURFACES]).collect()
+}
+
+/// Plans the one experiment that a spec holds.
+fn plan(spec: &SpecFile, full: bool) -> Result<Box<dyn Plan>, InputError> {
+    let all: Vec<String> = KINDS.iter().map(|kind| format!("[{}]", kind.name())).collect();
+    let allowed = format!("exactly one of {}", all.join(", "));
+    let mut found = spec.tables().iter().filter(|(name, _)| name != SURFACES);
+    let Some((name, _)) = found.next() else {
+        return Err(InputError::file(&spec.source.path, format!("found no experiment; allowed: {allowed}")));
+    };
+    if let Some((_, second)) = found.next() {
+        let message = format!("found a second experiment; allowed: {allowed} a file");
+        return Err(spec.source.error_at(second.clone(), message));
+    }
+    let kind = KINDS.into_iter().find(|kind| kind.name() == name).expect("tables are those of kinds");
+    let reads = kind.reads();
+    if let Some((_, span)) = spec.tables().iter().find(|(name, _)| name == SURFACES && !reads.surfaces) {
+        let users: Vec<String> = KINDS
+            .iter()
+            .filter(|kind| kind.reads().surfaces)
+            .map(|kind| format!("[{}]", kind.name()))
+            .collect();
+        let message = format!(
+            "found a surface, which only {} use; allowed: no [surface.NAME] here",
+            users.join(" and ")
+        );
+        return Err(spec.source.error_at(span.clone(), message));
+    }
+    if let Some((name, _)) = spec.materials().next().filter(|_| !reads.materials) {
+        let message = format!(
+            "found a material, where [{}] draws its own; allowed: no [material.NAME] here",
+            kind.name()
+        );
+        return Err(spec.source.error_at(name.span(), message));
+    }
+    kind.plan(spec, full)
+}
+
+/// Refuses what memory cannot hold, before anything is allocated.
+fn check_memory(plan: &dyn Plan, source: &Source) -> Result<(), InputError> {
+    let mut system = sysinfo::System::new();
+    system.refresh_memory();
+    let available = u128::from(system.available_memory());
+    let needed = plan.memory();
+    // A system that does not tell how much there is refuses nothing.
+    if available == 0 || needed.bytes <= available {
+        return Ok(());
+    }
+    let message = format!(
+        "this needs about {:.1} GB of memory; available: {:.1} GB. Allowed: fewer asperities or a smaller map",
+        needed.bytes as f64 / 1e9,
+        available as f64 / 1e9
+    );
+    Err(match needed.key {
+        Some(key) => source.error_at(key, message),
+        None => InputError::file(&source.path, message),
+    })
+}
+
+/// Stem of a file, by which its report is called.
+fn stem_of(path: &Path) -> Result<String, InputError> {
+    let stem = path.file_stem().and_then(|stem| stem.to_str()).filter(|stem| !stem.starts_with('.'));
+    stem.map(str::to_owned).ok_or_else(|| {
+        InputError::file(
+            path,
+            "has no name to call the report by; allowed: a file name such as my-surface.toml",
+        )
+    })
+}
+
+/// What it will do and need, for a person.
+impl fmt::Display for Experiment {
+    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        writeln!(f, "{}: {}", self.source.path.display(), self.title)?;
+        write!(f, "{}", self.plan)?;
+        writeln!(
+            f,
+            "  memory: at most {:.1} MB; work: at most {:.1e} micro-contacts a pass",
+            self.plan.memory().bytes as f64 / 1e6,
+            self.plan.work() as f64
+        )
+    }
+}

@@ -1,0 +1,90 @@
+//! `[compare]`: both models on given surfaces.
+
+mod decreasing;
+pub mod figures;
+mod layer_page;
+mod layer_summary;
+mod models;
+pub mod page;
+pub mod plan;
+pub mod results;
+mod run;
+pub mod spec;
+mod summary;
+pub mod tables;
+mod threshold;
+
+pub use run::run as run_compare;
+pub use summary::summary;
+
+use std::path::PathBuf;
+
+use asperity_framework::input::{InputError, SpecFile};
+use asperity_framework::metadata::Metadata;
+use asperity_framework::report::Page;
+use asperity_framework::report::table::TableError;
+use asperity_framework::{Kind, Memory, Outcome, Plan, Reads, RunContext};
+use serde_json::{Map, Value};
+
+use plan::ComparePlan;
+use results::CompareResults;
+
+use crate::surface::{AnalysisDepth, inputs, memory};
+use asperity::work::Counter;
+
+/// `[compare]`
+pub struct Compare;
+
+impl Kind for Compare {
+    fn name(&self) -> &'static str {
+        "compare"
+    }
+
+    fn reads(&self) -> Reads {
+        Reads { materials: true, surfaces: true }
+    }
+
+    fn plan(&self, spec: &SpecFile, _: bool) -> Result<Box<dyn Plan>, InputError> {
+        Ok(Box::new(plan::plan(spec)?))
+    }
+}
+
+impl Plan for ComparePlan {
+    fn inputs(&self) -> Vec<PathBuf> {
+        inputs(&self.surfaces)
+    }
+
+    fn memory(&self) -> Memory {
+        memory(&self.surfaces, AnalysisDepth::Spectrum)
+    }
+
+    fn work(&self) -> u128 {
+        self.work()
+    }
+
+    fn run(&self, context: &RunContext) -> Result<Box<dyn Outcome>, InputError> {
+        Ok(Box::new(run::run(context, self, &Counter::default())?))
+    }
+}
+
+impl Outcome for CompareResults {
+    fn metadata(&self) -> &Metadata {
+        &self.metadata
+    }
+
+    fn warnings(&self) -> Vec<String> {
+        self.warnings()
+    }
+
+    fn page(&self) -> Page {
+        page::page(self)
+    }
+
+    fn tables(&self) -> Result<Vec<(&'static str, Vec<u8>)>, TableError> {
+        Ok(vec![("curves.csv", tables::curves(self)?), ("comparison.csv", tables::comparison(self)?)])
+    }
+
+    fn summary(&self) -> serde_json::Result<Map<String, Value>> {
+        summary::summary(self)
+    }
+}

@@ -1,0 +1,80 @@
+//! Both models on one surface, whichever way a law sees its asperities.
+
+use crate::surface::Surface;
+use asperity::asperity::{Ellipse, Ellipses, Population};
+use asperity::interface::MicroContact;
+use asperity::law::Shape;
+use asperity::model::{Deterministic, Statistical};
+use asperity_framework::input::law::{LawSpec, Summit};
+
+/// A surface with its asperities as the laws of the sums that are asked for see them.
+pub(super) struct SurfaceModels<'a> {
+    surface: &'a Surface,
+    population: Population,
+    is_summed: bool,
+    ellipses: Option<Ellipses<'a>>,
+}
+
+impl<'a> SurfaceModels<'a> {
+    /// The models of `laws` on a surface, of which the statistical one stands on `population`.
+    pub(super) fn new(
+        surface: &'a Surface,
+        population: Population,
+        laws: &[LawSpec],
+        is_summed: bool,
+    ) -> Self {
+        let sees_ellipses = is_summed && laws.iter().any(|law| law.summit == Summit::Ellipse);
+        let ellipses = if sees_ellipses { Ellipses::of(&surface.set) } else { None };
+        Self { surface, population, is_summed, ellipses }
+    }
+
+    /// The population that the statistical model stands on.
+    pub(super) fn population(&self) -> Population {
+        self.population
+    }
+
+    /// The asperity that stands for all under a law.
+    pub(super) fn mean_shape(&self, law: &LawSpec) -> Shape {
+        let ellipticity = self.surface.ellipticity.filter(|_| law.summit == Summit::Ellipse);
+        ellipticity.map_or(Shape::sphere(self.population.radius), |mean| mean.shape())
+    }
+
+    /// The sharpest and the bluntest asperity under a law.
+    pub(super) fn extreme_shapes(&self, law: &LawSpec) -> [Shape; 2] {
+        let set = &self.surface.set;
+        let by_radius = |a: &Shape, b: &Shape| a.radius.total_cmp(&b.radius);
+        let extremes = |shapes: &mut dyn Iterator<Item = Shape>| {
+            let first = self.mean_shape(law);
+            shapes.fold([first; 2], |[low, high], shape| {
+                [std::cmp::min_by(low, shape, by_radius), std::cmp::max_by(high, shape, by_radius)]
+            })
+        };
+        match set.ellipses().filter(|_| law.summit == Summit::Ellipse) {
+            Some(ellipses) => extremes(&mut ellipses.iter().map(Ellipse::shape)),
+            None => extremes(&mut set.radii().iter().copied().map(Shape::sphere)),
+        }
+    }
+
+    /// The integral over one contact of a law.
+    pub(super) fn statistical<'b>(
+        &self,
+        contact: &'b dyn MicroContact,
+        law: &LawSpec,
+    ) -> Statistical<'b, dyn MicroContact + 'b> {
+        Statistical::of_shape(contact, self.population, self.mean_shape(law))
+            .reported_from(self.surface.reporting_plane())
+    }
+
+    /// The sum of one contact of a law; `None` where no sum was asked for.
+    pub(super) fn deterministic<'b>(
+        &'b self,
+        contact: &'b dyn MicroContact,
+        law: &LawSpec,
+    ) -> Option<Deterministic<'b, dyn MicroContact + 'b>> {
+        let asperities = match law.summit {
+            Summit::Sphere => self.is_summed.then(|| self.surface.set.spheres()),
+            Summit::Ellipse => self.ellipses.as_ref().map(Ellipses::asperities),
+        };
+        asperities.map(|asperities| Deterministic::new(contact, asperities, self.surface.plane))
+    }
+}

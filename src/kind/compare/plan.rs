@@ -1,0 +1,139 @@
+//! `[compare]` resolved: laws on their bodies, layers, loads and surfaces.
+
+use std::fmt;
+use std::ops::Range;
+
+use asperity::asperity::HeightDensity;
+use asperity::compare::{Controls, Kind};
+use asperity::interface::Flat;
+use asperity::material::Material;
+use asperity::model::MeanRadius;
+use asperity_framework::contact::{Bodies, LawPlan};
+use asperity_framework::input::law::{LawSpec, Summit};
+use asperity_framework::input::{InputError, SpecFile};
+use toml::Spanned;
+
+use super::spec::CompareSpec;
+use crate::layer::{LayerPlan, layer};
+use crate::surface::{SurfacePlan, describe, surfaces};
+
+/// Both models on given surfaces.
+pub struct ComparePlan {
+    /// Who touches whom.
+    pub bodies: Bodies,
+    /// The rough body and the flat.
+    pub pair: [Material; 2],
+    /// What lies on the flat.
+    pub layer: Option<Box<LayerPlan>>,
+    /// The laws, each under every thickness of the layer.
+    pub laws: Vec<LawPlan>,
+    /// The laws alone.
+    pub law_specs: Vec<LawSpec>,
+    /// The models that are asked for.
+    pub models: Vec<Kind>,
+    /// Height density of the statistical model, where the spec names one.
+    pub heights: Option<HeightDensity>,
+    /// Which mean stands for the radii.
+    pub mean_radius: MeanRadius,
+    /// What the surfaces are pressed to.
+    pub controls: Controls,
+    /// Where the spec asks for pressures and forces, for a load that is not reached.
+    pub load_keys: [Option<std::ops::Range<usize>>; 2],
+    /// The surfaces.
+    pub surfaces: Vec<SurfacePlan>,
+}
+
+impl ComparePlan {
+    /// Whether some contact is under a layer of finite thickness: of a listed one, or of one at which the layer begins to
+    /// matter, which is looked for at given loads.
+    pub fn uses_rule(&self, layer: &LayerPlan) -> bool {
+        let has_loads = !(self.controls.pressures.is_empty() && self.controls.forces.is_empty());
+        layer.thicknesses.iter().any(|&t| t > 0.0 && (t.is_finite() || has_loads))
+    }
+
+    /// An estimate of the asperities and nodes that are evaluated.
+    pub fn work(&self) -> u128 {
+        let all = |surface: &SurfacePlan| surface.most_asperities() * surface.realisations as u128;
+        let asperities: u128 = self.surfaces.iter().map(all).sum();
+        asperities * (self.controls.points() * self.laws.len()) as u128
+    }
+}
+
+impl fmt::Display for ComparePlan {
+    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        let models: Vec<&str> = self.models.iter().map(|model| model.name()).collect();
+        let laws: Vec<String> = self.law_specs.iter().map(LawSpec::label).collect();
+        writeln!(f, "  {} on {}, law {}", self.bodies.rough, self.bodies.flat, laws.join(", "))?;
+        let each = match &self.layer {
+            Some(layer) => {
+                writeln!(f, "  under {layer}")?;
+                "law, thickness and surface"
+            }
+            None => "law and surface",
+        };
+        writeln!(f, "  {} at {} points a {each}", models.join(" and "), self.controls.points())?;
+        describe(&self.surfaces, f)
+    }
+}
+
+/// Reads `[compare]`.
+pub(super) fn plan(file: &SpecFile) -> Result<ComparePlan, InputError> {
+    let table = file.required_table::<CompareSpec>("compare")?;
+    compared(file, table.get_ref(), table.span())
+}
+
+/// Resolves what stands at `span`.
+pub(crate) fn compared(
+    file: &SpecFile,
+    words: &CompareSpec,
+    span: Range<usize>,
+) -> Result<ComparePlan, InputError> {
+    let rough_name = &words.rough.get_ref().0;
+    let rough = file.body(rough_name, words.rough.span())?;
+    let flat = file.body(words.flat.get_ref(), words.flat.span())?;
+    let controls = Controls {
+        separations: words.separation.as_ref().map(|sweep| sweep.0.clone()).unwrap_or_default(),
+        pressures: words.pressure.as_ref().map(|sweep| sweep.get_ref().values.clone()).unwrap_or_default(),
+        forces: words.force.as_ref().map(|sweep| sweep.get_ref().values.clone()).unwrap_or_default(),
+        tolerances: words.tolerance.0,
+    };
+    if controls.points() == 0 {
+        return Err(file.source.error_at(
+            span,
+            "found nothing to press the surfaces to; allowed: at least one of separation, pressure, force",
+        ));
+    }
+    let layer = words.layer.as_ref().map(|words| layer(file, words, &flat).map(Box::new)).transpose()?;
+    let flats = match &layer {
+        None => vec![(None, Flat::Bare(flat))],
+        Some(layer) => {
+            let on = |&t: &f64| layer.flat(t).map(|flat| (Some(t), flat));
+            let flats: Result<Vec<_>, _> = layer.thicknesses.iter().map(on).collect();
+            flats.map_err(|error| InputError::file(&file.source.path, error))?
+        }
+    };
+    let flat_name = words.flat.get_ref();
+    // Under a layer of no thickness nothing feels it, under one of any nothing the substrate.
+    let coat = layer.as_deref().filter(|layer| layer.thicknesses.iter().any(|&t| t > 0.0));
+    let feels_substrate =
+        layer.as_deref().is_none_or(|layer| layer.thicknesses.iter().any(|t| t.is_finite()));
+    let substrate = feels_substrate.then_some((flat_name.as_str(), &flat));
+    let coat = coat.map(|layer| (layer.name.as_str(), &layer.material));
+    let met: Vec<_> = substrate.into_iter().chain(coat).collect();
+    file.check_laws(&words.law, (rough_name, &rough), &met)?;
+    let law_specs = words.law.get_ref().0.clone();
+    let as_ellipses = law_specs.iter().any(|law| law.summit == Summit::Ellipse);
+    Ok(ComparePlan {
+        bodies: Bodies { rough: rough_name.clone(), flat: flat_name.clone() },
+        pair: [rough, flat],
+        law_specs,
+        laws: file.law_plans(&words.law, (rough_name, &rough), &flats, flat_name)?,
+        layer,
+        models: words.models.0.clone(),
+        heights: words.statistical.heights,
+        mean_radius: words.statistical.mean_radius,
+        controls,
+        load_keys: [words.pressure.as_ref().map(Spanned::span), words.force.as_ref().map(Spanned::span)],
+        surfaces: surfaces(file, words.surfaces.as_deref(), span, as_ellipses)?,
+    })
+}

@@ -1,0 +1,208 @@
+//! Running `[compare]`: both models on every realisation of every surface, under every law and thickness.
+
+use std::time::Instant;
+
+use asperity::compare::{Control, Gaps, Kind, Models, NotReached, RuleCheck, RuleFindings, compare};
+use asperity::interface::{ContactError, Counted, plasticity_index};
+use asperity::literature::Paper;
+use asperity::model::Model;
+use asperity::sphere::Curve;
+use asperity::work::Counter;
+use asperity_framework::RunContext;
+use asperity_framework::contact::{LawPlan, LayerMetadata, contact_metadata, papers_of};
+use asperity_framework::input::InputError;
+use asperity_framework::metadata::Timing;
+
+use super::models::SurfaceModels;
+use super::plan::ComparePlan;
+use super::results::{CaseResults, CompareResults, FallResults, RealisationResults, SurfaceResults};
+use super::threshold;
+use crate::layer::{LayerPlan, thickness_words};
+use crate::surface::{AnalysisDepth, Surface, SurfaceFactory, files_of};
+
+/// Runs a comparison and counts its work.
+///
+/// # Errors
+/// A surface that cannot be made; a load that a model does not reach.
+pub fn run(
+    context: &RunContext,
+    compare: &ComparePlan,
+    counter: &Counter,
+) -> Result<CompareResults, InputError> {
+    let start = Instant::now();
+    let mut timing = Timing::default();
+    let mut papers = papers_of(&compare.laws);
+    let realisations = compare.surfaces.iter().map(|surface| surface.realisations as u64);
+    context.progress.stage(context.title, realisations.sum());
+    let mut files = files_of(&compare.surfaces, counter);
+    let mut surfaces = Vec::new();
+    for surface in &compare.surfaces {
+        let mut factory = SurfaceFactory::new(surface, &context.source, context.seed, counter);
+        let first_surface = factory.make(1, AnalysisDepth::Spectrum, &mut files, &mut timing)?;
+        let models = models_of(compare, &first_surface, &mut timing);
+        let first = run_surface(context, compare, &first_surface, &models, counter, &mut timing)?;
+        let thresholds = threshold::thresholds(compare, &first_surface, &models, &first, counter);
+        let falls = falls(compare, &first_surface, &models, &first, counter);
+        drop(models);
+        context.progress.advance(1);
+        let mut others = Vec::new();
+        for realisation in 2..=surface.realisations {
+            let surface = factory.make(realisation, AnalysisDepth::Asperities, &mut files, &mut timing)?;
+            let models = models_of(compare, &surface, &mut timing);
+            others.push(run_surface(context, compare, &surface, &models, counter, &mut timing)?);
+            context.progress.advance(1);
+        }
+        papers.extend(first_surface.papers());
+        surfaces.push(SurfaceResults { surface: first_surface, first, others, thresholds, falls });
+    }
+    timing.total = start.elapsed();
+    let mut layer_metadata = None;
+    if let Some(layer) = &compare.layer {
+        let mut check = None;
+        if compare.uses_rule(layer) {
+            let (findings, rules) =
+                rule_check(compare, layer).map_err(|error| InputError::file(&context.source.path, error))?;
+            papers.extend(rules);
+            check = Some(findings);
+        }
+        layer_metadata = Some(LayerMetadata {
+            name: layer.name.clone(),
+            rule: layer.rule,
+            thicknesses: layer.thicknesses.clone(),
+            check,
+        });
+    }
+    let contact = contact_metadata(context, &compare.laws, &compare.bodies, layer_metadata);
+    let tolerances = compare.controls.tolerances;
+    let metadata = context.metadata(papers, timing, Some(counter.work()));
+    Ok(CompareResults { metadata, contact, tolerances, surfaces })
+}
+
+/// Both models on a surface, its asperities as the laws see them.
+fn models_of<'a>(compare: &ComparePlan, surface: &'a Surface, timing: &mut Timing) -> SurfaceModels<'a> {
+    let start = Instant::now();
+    let population = surface.population(compare.heights, compare.mean_radius);
+    let is_summed = compare.models.contains(&Kind::Deterministic);
+    let models = SurfaceModels::new(surface, population, &compare.law_specs, is_summed);
+    timing.deterministic += start.elapsed();
+    models
+}
+
+fn run_surface(
+    context: &RunContext,
+    compare_plan: &ComparePlan,
+    surface: &Surface,
+    models: &SurfaceModels,
+    counter: &Counter,
+    timing: &mut Timing,
+) -> Result<RealisationResults, InputError> {
+    let asked = |kind| compare_plan.models.contains(&kind);
+    let population = models.population();
+    let area = surface.set.nominal_area();
+    let mut cases = Vec::new();
+    for law in &compare_plan.laws {
+        let contact = &Counted::new(&*law.contact, counter);
+        let statistical = asked(Kind::Statistical).then(|| models.statistical(contact, &law.spec));
+        let deterministic = models.deterministic(contact, &law.spec);
+        let models = Models {
+            statistical: statistical.as_ref().map(|model| model as &dyn Model),
+            deterministic: deterministic.as_ref().map(|model| model as &dyn Model),
+        };
+        let comparison = compare(models, &compare_plan.controls, area)
+            .map_err(|error| unreachable_load(context, compare_plan, &surface.name, law, &error))?;
+        timing.statistical += comparison.statistical_time;
+        timing.deterministic += comparison.deterministic_time;
+        cases.push(CaseResults {
+            law: law.label.clone(),
+            thickness: law.thickness,
+            plasticity_index: plasticity_index(contact, population.sigma, population.radius),
+            gaps: Gaps::of(&comparison.pairs, area, surface.plane.sigma),
+            comparison,
+        });
+    }
+    Ok(RealisationResults {
+        asperities: surface.set.count(),
+        nominal_area: area,
+        statistics: surface.statistics,
+        sigma: surface.plane.sigma,
+        moments: surface.map.as_ref().map(|map| map.character.moments),
+        population,
+        cases,
+    })
+}
+
+/// Where area or load of the sharpest asperity, of one of the mean radius and of the bluntest falls, as deep as the
+/// highest asperity is pressed.
+fn falls(
+    plan: &ComparePlan,
+    surface: &Surface,
+    models: &SurfaceModels,
+    answered: &RealisationResults,
+    counter: &Counter,
+) -> Vec<FallResults> {
+    /// The first indentation that is looked at, of the deepest.
+    const SHALLOWEST: f64 = 1e-4;
+    let extremes = |values: &[f64]| {
+        let ends = (f64::INFINITY, f64::NEG_INFINITY);
+        values.iter().fold(ends, |(low, high), &value| (low.min(value), high.max(value)))
+    };
+    let highest = extremes(surface.set.heights()).1 - surface.plane.mean;
+    let mut found = Vec::new();
+    let cases: Vec<_> = plan.laws.iter().zip(&answered.cases).collect();
+    // Laws that see the same asperities, whatever the layer.
+    for alike in cases.chunk_by(|a, b| a.0.spec.summit == b.0.spec.summit) {
+        let spec = &alike[0].0.spec;
+        let [sharpest, bluntest] = models.extreme_shapes(spec);
+        let mut shapes = vec![sharpest, models.mean_shape(spec), bluntest];
+        shapes.dedup();
+        for (law, case) in alike {
+            let separations = case.comparison.curves.iter().map(|point| point.response.separation);
+            let deepest = highest - separations.fold(f64::INFINITY, f64::min);
+            if !(deepest > 0.0 && deepest.is_finite()) {
+                continue;
+            }
+            let contact = Counted::new(&*law.contact, counter);
+            for &shape in &shapes {
+                let falls = Curve::of(&contact, shape, &[SHALLOWEST * deepest, deepest]).falls;
+                found.extend(falls.into_iter().map(|fall| FallResults {
+                    law: case.law.clone(),
+                    thickness: case.thickness,
+                    radius: shape.radius,
+                    fall,
+                }));
+            }
+        }
+    }
+    found
+}
+
+/// Points at the sweep that asks for more than a model reaches.
+fn unreachable_load(
+    context: &RunContext,
+    compare: &ComparePlan,
+    surface: &str,
+    law: &LawPlan,
+    error: &NotReached,
+) -> InputError {
+    let layer =
+        law.thickness.map_or_else(String::new, |t| format!(", layer of thickness {}", thickness_words(t)));
+    let message = format!("surface {surface}, law {}{layer}: {error}", law.label);
+    let span = match error.control {
+        Control::Pressure => compare.load_keys[0].clone(),
+        Control::Force => compare.load_keys[1].clone(),
+        Control::Separation => None,
+    };
+    match span {
+        Some(span) => context.source.error_at(span, message),
+        None => InputError::file(&context.source.path, message),
+    }
+}
+
+/// How good both rules are between the materials of a comparison.
+fn rule_check(compare: &ComparePlan, layer: &LayerPlan) -> Result<(RuleFindings, Vec<Paper>), ContactError> {
+    /// a/t, from and to.
+    const RANGE: [f64; 2] = [0.1, 10.0];
+    let [rough, flat] = &compare.pair;
+    let check = RuleCheck::new(rough, &layer.material, flat)?;
+    Ok((check.findings(RANGE[0], RANGE[1]), check.papers()))
+}

@@ -1,0 +1,112 @@
+//! `[compare]`: both models on the same surfaces.
+
+use std::fmt;
+
+use serde::Deserialize;
+use serde::de::{Deserializer, Error, SeqAccess, Visitor};
+use toml::Spanned;
+
+use crate::layer::LayerSpec;
+use asperity::asperity::HeightDensity;
+use asperity::compare::Kind;
+use asperity::model::MeanRadius;
+use asperity_framework::input::law::Laws;
+use asperity_framework::input::quantity::{Force, Pressure};
+use asperity_framework::input::sweep::{LinearSweep, LogSweep};
+use asperity_framework::input::tolerance::ToleranceSpec;
+
+/// Two bodies, laws, models and controls.
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields, rename_all = "kebab-case")]
+pub struct CompareSpec {
+    /// Name of the rough body's material.
+    pub rough: Spanned<RoughBody>,
+    /// Name of the flat body's material.
+    pub flat: Spanned<String>,
+    /// The laws to run.
+    pub law: Spanned<Laws>,
+    /// What lies on the flat.
+    pub layer: Option<LayerSpec>,
+    /// The models to run; both unless told otherwise.
+    #[serde(default)]
+    pub models: Models,
+    /// How the statistical model stands for a surface.
+    #[serde(default)]
+    pub statistical: StatisticalSpec,
+    /// The surfaces to run on; all of the file unless told otherwise.
+    pub surfaces: Option<Vec<Spanned<String>>>,
+    /// d/sigma.
+    pub separation: Option<LinearSweep>,
+    /// How far the curves over d/sigma may be off; exact unless told otherwise.
+    #[serde(default)]
+    pub tolerance: ToleranceSpec,
+    /// Nominal pressures.
+    pub pressure: Option<Spanned<LogSweep<Pressure>>>,
+    /// Forces on the nominal area.
+    pub force: Option<Spanned<LogSweep<Force>>>,
+}
+
+/// The name of one material: a second rough body is not modelled.
+#[derive(Debug, Clone)]
+pub struct RoughBody(pub String);
+
+impl<'de> Deserialize<'de> for RoughBody {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        struct OneName;
+
+        impl<'de> Visitor<'de> for OneName {
+            type Value = RoughBody;
+
+            fn expecting(&self, f: &mut fmt::Formatter) -> fmt::Result {
+                f.write_str("the name of one material")
+            }
+            fn visit_str<E: Error>(self, name: &str) -> Result<RoughBody, E> {
+                Ok(RoughBody(name.to_owned()))
+            }
+            fn visit_seq<A: SeqAccess<'de>>(self, _: A) -> Result<RoughBody, A::Error> {
+                Err(A::Error::custom(
+                    "found a list; allowed: one rough body against a smooth flat. For two rough bodies enter \
+                     the composite surface: the sum of both height maps, or a population with the composite \
+                     sigma and curvature",
+                ))
+            }
+        }
+        deserializer.deserialize_any(OneName)
+    }
+}
+
+/// A list of models, none twice, at least one.
+#[derive(Debug, Clone, PartialEq, Deserialize)]
+#[serde(try_from = "Vec<Kind>")]
+pub struct Models(pub Vec<Kind>);
+
+impl Default for Models {
+    fn default() -> Self {
+        Self(vec![Kind::Statistical, Kind::Deterministic])
+    }
+}
+
+impl TryFrom<Vec<Kind>> for Models {
+    type Error = String;
+
+    fn try_from(kinds: Vec<Kind>) -> Result<Self, String> {
+        const ALLOWED: &str = "allowed: \"statistical\", \"deterministic\", or both";
+        match kinds[..] {
+            [] => Err(format!("found an empty list; {ALLOWED}")),
+            [_] => Ok(Self(kinds)),
+            [a, b] if a != b => Ok(Self(kinds)),
+            _ => Err(format!("found a model twice; {ALLOWED}")),
+        }
+    }
+}
+
+/// How the statistical model stands for a surface.
+#[derive(Debug, Clone, Copy, Default, Deserialize)]
+#[serde(deny_unknown_fields, rename_all = "kebab-case")]
+pub struct StatisticalSpec {
+    /// Height density; Gaussian, or a population's own, unless told otherwise.
+    pub heights: Option<HeightDensity>,
+    /// Which mean stands for the radii.
+    #[serde(default)]
+    pub mean_radius: MeanRadius,
+}

@@ -1,0 +1,110 @@
+//! Up to which thickness the layer of a comparison does not matter.
+
+use rayon::prelude::*;
+
+use super::models::SurfaceModels;
+use super::plan::ComparePlan;
+use crate::kind::compare::results::{RealisationResults, Threshold};
+use crate::layer::LayerPlan;
+use crate::surface::Surface;
+use asperity::compare::{Kind, of_each_decade, threshold};
+use asperity::interface::Counted;
+use asperity::model::{Model, reached_at};
+use asperity::work::Counter;
+use asperity_framework::input::law::LawSpec;
+
+/// A layer matters where it changes the real area by more than this part.
+const PART: f64 = 0.05;
+
+/// Law by law, load by load, model by model; nothing without a layer.
+pub(super) fn thresholds(
+    plan: &ComparePlan,
+    surface: &Surface,
+    models: &SurfaceModels,
+    answered: &RealisationResults,
+    counter: &Counter,
+) -> Vec<Threshold> {
+    let Some(layer) = &plan.layer else { return Vec::new() };
+    let area = surface.set.nominal_area();
+    let mut pressures: Vec<f64> = plan.controls.pressures.clone();
+    pressures.extend(plan.controls.forces.iter().map(|force| force / area));
+    let pressures = some_of(pressures);
+    if layer.thicknesses == [0.0] {
+        return Vec::new();
+    }
+    let mut asked = Vec::new();
+    // A law that stands under no layer of finite thickness is asked of none.
+    let stands =
+        |law: &&LawSpec| layer.flat(1.0).is_ok_and(|finite| law.interface(&plan.pair[0], &finite).is_ok());
+    for law in plan.law_specs.iter().filter(stands) {
+        for &pressure in &pressures {
+            asked.extend(plan.models.iter().map(|&kind| (law, pressure, kind)));
+        }
+    }
+    let one = |&(law, pressure, kind): &(&LawSpec, f64, Kind)| {
+        let question = Question { plan, layer, models, answered, counter, law, pressure, kind };
+        question.threshold()
+    };
+    asked.par_iter().filter_map(one).collect()
+}
+
+/// All loads (Pa) of a short list; of a long one those nearest to the powers of ten.
+fn some_of(mut loads: Vec<f64>) -> Vec<f64> {
+    const SHORT: usize = 6;
+    loads.sort_unstable_by(f64::total_cmp);
+    loads.dedup();
+    if loads.len() <= SHORT {
+        return loads;
+    }
+    of_each_decade(loads, |&load| load, 1.0)
+}
+
+/// One law, load and model.
+struct Question<'a> {
+    plan: &'a ComparePlan,
+    layer: &'a LayerPlan,
+    models: &'a SurfaceModels<'a>,
+    answered: &'a RealisationResults,
+    counter: &'a Counter,
+    law: &'a LawSpec,
+    pressure: f64,
+    kind: Kind,
+}
+
+impl Question<'_> {
+    /// `None` where the load is not reached without the layer.
+    fn threshold(&self) -> Option<Threshold> {
+        let bare = self.known(0.0).or_else(|| self.area(0.0))?;
+        // A load that a flat does not carry at any separation shows no area: it matters.
+        let departs = |area: Option<f64>| area.is_none_or(|area| (area / bare - 1.0).abs() > PART);
+        let listed: Vec<(f64, bool)> =
+            self.layer.thicknesses.iter().map(|&t| (t, departs(self.known(t)))).collect();
+        Some(Threshold {
+            law: self.law.label(),
+            kind: self.kind,
+            pressure: self.pressure,
+            thickness: threshold(&listed, |t| departs(self.area(t))),
+        })
+    }
+
+    /// The area ratio that the comparison has found for a listed thickness.
+    fn known(&self, thickness: f64) -> Option<f64> {
+        let label = self.law.label();
+        let case =
+            self.answered.cases.iter().find(|case| case.law == label && case.thickness == Some(thickness))?;
+        Some(case.comparison.at_load(self.kind, self.pressure)?.response.area_ratio.total())
+    }
+
+    /// The area ratio under a layer of any thickness (m).
+    fn area(&self, thickness: f64) -> Option<f64> {
+        let flat = self.layer.flat(thickness).ok()?;
+        let contact = self.law.interface(&self.plan.pair[0], &flat).ok()?;
+        let contact = &Counted::new(&*contact, self.counter);
+        let press = |model: &dyn Model| reached_at(model, &[self.pressure])[0];
+        let reached = match self.kind {
+            Kind::Statistical => press(&self.models.statistical(contact, self.law)),
+            Kind::Deterministic => press(&self.models.deterministic(contact, self.law)?),
+        };
+        reached.map(|reached| reached.response.area_ratio.total())
+    }
+}

@@ -1,0 +1,225 @@
+//! The page of a sphere on layers: how the load grows, where the regime changes, how good the rule is.
+
+mod figures;
+mod rule;
+
+use super::run::{IndentationResults, LARGEST_SLOPE, LawCurves, LayerResults};
+use crate::kind::indentation::shown::Shown;
+use asperity::layer::exact_sphere::LARGEST_RATIO;
+use asperity::sphere::{Curve, Fall, Falling, RegimeChange};
+use asperity_framework::report::format::{count, number, quantity};
+use asperity_framework::report::page::{Page, escape};
+use asperity_framework::report::sections;
+
+/// How a sentence names a layer: by what tells it from the others.
+fn subject(results: &IndentationResults, found: &LayerResults) -> String {
+    let same = |other: &&LayerResults| other.name == found.name;
+    let others: Vec<&LayerResults> = results.layers.iter().filter(same).collect();
+    let mut subject = found.name.clone();
+    if others.iter().any(|other| other.thickness != found.thickness) {
+        subject.push_str(&format!(" {}", quantity(found.thickness, "m")));
+    }
+    if others.iter().any(|other| other.rule != found.rule) {
+        subject.push_str(&format!(" by {}", found.rule.name()));
+    }
+    subject
+}
+
+/// The page.
+pub fn page(results: &IndentationResults) -> Page {
+    let mut page = Page::new(&results.metadata.title);
+    sections::notes(&mut page, &results.metadata);
+    for warning in results.warnings() {
+        page.warning(&escape(&warning));
+    }
+    page.heading(2, "In short");
+    for found in &results.layers {
+        page.bullets(found.laws.iter().map(|law| in_short(results, found, law)));
+        page.bullets([format!("**{}**: {}", escape(&subject(results, found)), rule::sentence(found))]);
+    }
+    what_was_run(&mut page, results);
+    if results.layers.len() > 1 {
+        rule::all(&mut page, results);
+    }
+    for (k, found) in results.layers.iter().enumerate() {
+        page.heading(2, &format!("{}, {}", found.name, quantity(found.thickness, "m")));
+        let name = |law: &str, what: &str| {
+            let words = format!("{}-{}{law}-{what}", k + 1, found.name);
+            let plain = |c: char| if c.is_alphanumeric() || c == '-' || c == '_' { c } else { '-' };
+            words.chars().map(plain).collect::<String>() + ".svg"
+        };
+        for law in &found.laws {
+            curves(&mut page, results, found, law, &name);
+        }
+        rule::section(&mut page, found, &name("", "rule"));
+    }
+    limits(&mut page, results);
+    sections::sources(&mut page, &results.metadata);
+    page
+}
+
+/// The loads at the end, and the regimes on the way there.
+fn in_short(results: &IndentationResults, found: &LayerResults, law: &LawCurves) -> String {
+    let last = |curve: &Curve| curve.points.last().map_or(f64::NAN, |point| point.contact.load);
+    let regimes: Vec<&str> = law.coated.sequence().into_iter().map(|regime| regime.name()).collect();
+    let change = |change: &RegimeChange| {
+        let beyond = if law.coated.is_within(change) { "" } else { " (beyond the sweep)" };
+        format!("{}{beyond}", quantity(change.indentation, "m"))
+    };
+    let changes: Vec<String> = law.coated.changes.iter().map(change).collect();
+    let changes = match changes.len() {
+        0 => format!("the contact is {} throughout", regimes.join(", ")),
+        _ => format!("the regimes are {}, with changes at {}", regimes.join(", "), changes.join(", ")),
+    };
+    let end = results.indentations.last().copied().unwrap_or(f64::NAN);
+    format!(
+        "**{}, law {}**: {changes}. At w = {} the load is {} (uncoated {}, all layer {}).{}",
+        escape(&subject(results, found)),
+        escape(&law.law),
+        quantity(end, "m"),
+        quantity(last(&law.coated), "N"),
+        quantity(last(&law.uncoated), "N"),
+        quantity(last(&law.all_layer), "N"),
+        law.coated.falls.iter().map(fall).collect::<String>(),
+    )
+}
+
+fn fall(fall: &Fall) -> String {
+    let unit = match fall.of {
+        Falling::Area => "m²",
+        Falling::Load => "N",
+    };
+    let value = |contact| quantity(fall.of.of(contact), unit);
+    format!(
+        " The {} falls as the ball goes on from w = {} to {}: from {} to {}.",
+        fall.of.name(),
+        quantity(fall.from.indentation, "m"),
+        quantity(fall.to.indentation, "m"),
+        value(&fall.from.contact),
+        value(&fall.to.contact),
+    )
+}
+
+fn what_was_run(page: &mut Page, results: &IndentationResults) {
+    page.heading(2, "What was run");
+    let role = |name: &str| {
+        let is_layer = results.layers.iter().any(|found| found.name == name);
+        let roles = [("ball", name == results.ball), ("flat", name == results.flat), ("layer", is_layer)];
+        let roles: Vec<&str> = roles.into_iter().filter(|role| role.1).map(|role| role.0).collect();
+        if roles.is_empty() { "not used".to_owned() } else { roles.join(", ") }
+    };
+    sections::materials(page, &results.materials, role);
+    let thickness = |found: &LayerResults| {
+        format!("{} {} (rule {})", escape(&found.name), quantity(found.thickness, "m"), found.rule.name())
+    };
+    let layers: Vec<String> = results.layers.iter().map(thickness).collect();
+    let [from, to] =
+        [results.indentations.first(), results.indentations.last()].map(|w| w.copied().unwrap_or(f64::NAN));
+    page.paragraph(&format!(
+        "A ball of radius {} on a flat of {} under {}; {} indentations from {} to {}. {}",
+        quantity(results.radius, "m"),
+        escape(&results.flat),
+        layers.join(", "),
+        count(results.indentations.len()),
+        quantity(from, "m"),
+        quantity(to, "m"),
+        sections::provenance(&results.metadata),
+    ));
+}
+
+fn curves(
+    page: &mut Page,
+    results: &IndentationResults,
+    found: &LayerResults,
+    law: &LawCurves,
+    name: &impl Fn(&str, &str) -> String,
+) {
+    page.heading(3, &format!("Law {}", law.law));
+    let label = format!("-{}", law.law);
+    page.figure(
+        &name(&label, "load"),
+        figures::load(results, found, law),
+        "Load and indentation with the layer, its colour telling the regime, and without it; all of the layer's material; the \
+         exact elastic contact of ball, layer and substrate. Left on logarithmic axes, right on linear ones.",
+    );
+    page.figure(
+        &name(&label, "ratios"),
+        figures::ratios(results, found, law),
+        "The same over Hertz without a layer: the load over (4/3) E* R^½ w^(3/2) with E* of the uncoated pair, and the real contact \
+         area over π R w.",
+    );
+    let rows = Shown::of(law).into_iter().flat_map(|(shown, curve)| {
+        curve.changes.iter().map(move |change| {
+            vec![
+                shown.name().to_owned(),
+                quantity(change.indentation, "m"),
+                quantity(change.load, "N"),
+                change.from.name().to_owned(),
+                change.to.name().to_owned(),
+                if curve.is_within(change) { "within" } else { "beyond" }.to_owned(),
+            ]
+        })
+    });
+    let rows: Vec<Vec<String>> = rows.collect();
+    if !rows.is_empty() {
+        page.paragraph("All changes of the regime, those outside the indentations that were run too:");
+        page.table(["curve", "indentation", "load", "from", "to", "the sweep"], rows);
+    }
+    if let Some((file, points)) = &results.overlay {
+        overlay(page, file, points, law);
+    }
+}
+
+fn overlay(page: &mut Page, file: &str, points: &[(f64, f64)], law: &LawCurves) {
+    let pairs = || points.iter().zip(&law.at_overlay).map(|(&(w, measured), &coated)| (w, measured, coated));
+    let logs: Vec<f64> = pairs().map(|(_, measured, coated)| (measured / coated).ln()).collect();
+    let mean = logs.iter().sum::<f64>() / logs.len() as f64;
+    let widest = logs.iter().fold(0.0, |widest: f64, log| widest.max(log.abs()));
+    page.paragraph(&format!(
+        "Measured points of {} against the coated curve at the same indentation: in the geometric mean the measured load is {} \
+         times the coated one, and none is off by more than a factor of {}.",
+        escape(file),
+        number(mean.exp()),
+        number(widest.exp()),
+    ));
+    page.table(
+        ["indentation", "measured load", "coated load", "measured / coated"],
+        pairs().map(|(w, measured, coated)| {
+            vec![
+                quantity(w, "m"),
+                quantity(measured, "N"),
+                quantity(coated, "N"),
+                format!("{:.3}", measured / coated),
+            ]
+        }),
+    );
+}
+
+fn limits(page: &mut Page, results: &IndentationResults) {
+    page.heading(2, "Where this should not be trusted");
+    let slope = results.layers.iter().map(|found| found.largest_slope(results.radius)).fold(0.0, f64::max);
+    let mut lines = vec![
+        "`coated` stands on a rule for the modulus and one for the hardness of a layered solid; how good the first is without \
+         yielding is shown above, the second has no exact counterpart here."
+            .to_owned(),
+        "`exact-elastic` knows no yielding: beyond the first change of regime it is what the bodies would carry if they were \
+         elastic throughout. No friction, no adhesion, the layer bonded to its substrate."
+            .to_owned(),
+        format!(
+            "The ball is a paraboloid and strains are small as long as the contact radius is well below the ball's; here it \
+             reaches {} of it ({LARGEST_SLOPE} is where a warning begins).",
+            number(slope)
+        ),
+    ];
+    for found in &results.layers {
+        let left_out = found.exact.iter().filter(|exact| exact.is_none()).count();
+        if left_out > 0 {
+            lines.push(format!(
+                "{}: {left_out} of {} exact points are left out, since their contact is wider than {LARGEST_RATIO} thicknesses.",
+                escape(&subject(results, found)),
+                found.exact.len()
+            ));
+        }
+    }
+    page.bullets(lines);
+}

@@ -1,0 +1,88 @@
+//! How good the rule of a layer is, told on the page.
+
+use super::{figures, subject};
+use crate::kind::indentation::run::{IndentationResults, LayerResults};
+use asperity::compare::{GOOD_RATIO, RuleError};
+use asperity::layer::Rule;
+use asperity_framework::report::format::number;
+use asperity_framework::report::page::Page;
+
+/// Modulus ratio, and the largest error of each rule.
+pub fn sentence(found: &LayerResults) -> String {
+    let [from, to] = GOOD_RATIO;
+    let place = if found.check.is_good() { "within" } else { "outside" };
+    let worst = |(rule, worst): (Rule, &Option<RuleError>)| {
+        let worst = worst.as_ref()?;
+        Some(format!(
+            "the load by `{}` is {} {} times the exact one (at a/t = {}{})",
+            rule.name(),
+            if worst.ratio < 1.0 { "as little as" } else { "up to" },
+            number(worst.ratio),
+            number(worst.contact_ratio),
+            if rule == found.rule { ", the rule of this layer" } else { "" },
+        ))
+    };
+    let worst: Vec<String> = Rule::ALL.into_iter().zip(&found.check.worst).filter_map(worst).collect();
+    let errors = match worst.len() {
+        0 => "no contact is small enough for the exact solution".to_owned(),
+        _ => format!("without yielding and at equal indentation, {}", worst.join("; ")),
+    };
+    format!(
+        "E_l/E_s = {} lies {place} {from} to {to}, where the paper's rule (`gao`) is good (Perriot and Barthel 2004); {errors}.",
+        number(found.check.modulus_ratio)
+    )
+}
+
+/// The part of the page that is one layer's.
+pub fn section(page: &mut Page, found: &LayerResults, figure: &str) {
+    page.heading(3, "How good is the rule here?");
+    page.paragraph(&sentence(found));
+    if found.errors[0].is_empty() {
+        return;
+    }
+    page.figure(
+        figure,
+        figures::rule(found),
+        "The elastic load by each rule for the modulus of the layered flat over the exact elastic load at equal indentation, \
+         against the exact contact radius in layer thicknesses.",
+    );
+    page.paragraph(
+        "Both rules take the area of an elastic contact to be π R w, as without a layer; the last column sets it beside the exact one.",
+    );
+    let [gao, series] = &found.check.told;
+    page.table(
+        ["a/t", "w R/t²", "load: gao / exact", "load: series / exact", "area: π R w / exact"],
+        gao.iter().zip(series).map(|(gao, series)| {
+            vec![
+                number(gao.contact_ratio),
+                number(gao.indentation_ratio),
+                format!("{:.3}", gao.ratio),
+                format!("{:.3}", series.ratio),
+                format!("{:.3}", gao.indentation_ratio / gao.contact_ratio.powi(2)),
+            ]
+        }),
+    );
+}
+
+/// All layers beside each other.
+pub fn all(page: &mut Page, results: &IndentationResults) {
+    page.heading(2, "How good are the rules?");
+    page.figure(
+        "rules.svg",
+        figures::rules(results),
+        "The elastic load by each rule over the exact elastic load at equal indentation, against the exact contact radius in layer \
+         thicknesses: a panel a rule, a line a layer.",
+    );
+    let cells = |worst: &Option<RuleError>| match worst {
+        Some(worst) => [format!("{:.3}", worst.ratio), number(worst.contact_ratio)],
+        None => [String::new(), String::new()],
+    };
+    let rows = results.layers.iter().map(|found| {
+        let [gao, series] = &found.check.worst;
+        let mut row = vec![subject(results, found), number(found.check.modulus_ratio)];
+        row.extend(cells(gao));
+        row.extend(cells(series));
+        row
+    });
+    page.table(["layer", "E_l/E_s", "gao / exact, worst", "at a/t", "series / exact, worst", "at a/t"], rows);
+}

@@ -1,0 +1,240 @@
+//! Running `[indentation]`: one sphere on layered flats, and how good the rule of each layer is.
+
+use std::time::Instant;
+
+use indexmap::IndexMap;
+use rayon::prelude::*;
+
+use super::plan::IndentationPlan;
+use super::spec::Show;
+use crate::layer::{LayerPlan, thickness_words};
+use asperity::compare::{RuleCheck, RuleError, RuleFindings, apart};
+use asperity::interface::{ContactError, Counted, Flat, MicroContact};
+use asperity::law::Shape;
+use asperity::layer::Rule;
+use asperity::layer::exact_sphere::{ElasticContact, LayeredSphere};
+use asperity::literature::{self, Paper};
+use asperity::material::{Material, reduced_modulus};
+use asperity::sphere::Curve;
+use asperity::work::{Counter, Item};
+use asperity_framework::RunContext;
+use asperity_framework::input::InputError;
+use asperity_framework::input::law::LawSpec;
+use asperity_framework::metadata::{Metadata, Timing};
+
+/// a/R beyond which the sphere is no paraboloid and strains are not small.
+pub const LARGEST_SLOPE: f64 = 0.3;
+
+/// One sphere on layered flats.
+#[derive(Debug)]
+pub struct IndentationResults {
+    /// What every experiment has.
+    pub metadata: Metadata,
+    /// The bodies of the spec.
+    pub materials: IndexMap<String, Material>,
+    /// The ball's material.
+    pub ball: String,
+    /// Of the ball, m.
+    pub radius: f64,
+    /// The substrate's material.
+    pub flat: String,
+    /// E* of the pair without a layer, Pa.
+    pub reduced_modulus: f64,
+    /// m, ascending.
+    pub indentations: Vec<f64>,
+    /// Which way round the curves are drawn.
+    pub show: Show,
+    /// Layer by layer, thickness by thickness.
+    pub layers: Vec<LayerResults>,
+    /// Measured points, m and N, and their file in the words of the spec.
+    pub overlay: Option<(String, Vec<(f64, f64)>)>,
+}
+
+/// One layer in one thickness.
+#[derive(Debug)]
+pub struct LayerResults {
+    /// Its material.
+    pub name: String,
+    /// m.
+    pub thickness: f64,
+    /// How its modulus and that of the substrate are put together.
+    pub rule: Rule,
+    /// Law by law.
+    pub laws: Vec<LawCurves>,
+    /// The exact elastic contact at each indentation; `None` where it is too large to be solved.
+    pub exact: Vec<Option<ElasticContact>>,
+    /// Both rules over the contacts of the sweep that are solved exactly.
+    pub check: RuleFindings,
+    /// The errors of both at the indentations that were asked for, as far as the exact contact is solved.
+    pub errors: [Vec<RuleError>; 2],
+}
+
+/// One layer under one law.
+#[derive(Debug)]
+pub struct LawCurves {
+    /// The law, as tables name it.
+    pub law: String,
+    /// With the layer.
+    pub coated: Curve,
+    /// Without it.
+    pub uncoated: Curve,
+    /// The flat all of the layer's material.
+    pub all_layer: Curve,
+    /// Coated loads at the indentations of the measured points, N.
+    pub at_overlay: Vec<f64>,
+}
+
+impl IndentationResults {
+    /// What makes the answers doubtful, a line each.
+    pub fn warnings(&self) -> Vec<String> {
+        let mut warnings = Vec::new();
+        for found in &self.layers {
+            let layer = format!("{} of {}", found.name, thickness_words(found.thickness));
+            warnings.extend(found.check.warning(&layer, found.rule));
+            let slope = found.largest_slope(self.radius);
+            if slope > LARGEST_SLOPE {
+                warnings.push(format!(
+                    "layer {layer}: the contact radius reaches {slope:.2} of the ball's; beyond {LARGEST_SLOPE} the ball is no \
+                     paraboloid and strains are not small"
+                ));
+            }
+        }
+        warnings
+    }
+}
+
+impl LayerResults {
+    /// a/R at the last indentation: the largest of all curves.
+    pub fn largest_slope(&self, radius: f64) -> f64 {
+        let last = |law: &LawCurves| law.coated.points.last().map(|point| point.contact.area);
+        let areas = self.laws.iter().filter_map(last).map(|area| (area / std::f64::consts::PI).sqrt());
+        let exact = self.exact.last().copied().flatten().map(|contact| contact.contact_radius);
+        areas.chain(exact).fold(0.0, f64::max) / radius
+    }
+}
+
+/// Runs the plan.
+pub(super) fn run(
+    context: &RunContext,
+    indentation: &IndentationPlan,
+) -> Result<IndentationResults, InputError> {
+    let start = Instant::now();
+    context.progress.stage(context.title, indentation.cases() as u64);
+    let counter = Counter::default();
+    let mut papers = vec![literature::PASARIBU_SCHIPPER_2005];
+    let mut layers = Vec::new();
+    let refuse = |error: ContactError| InputError::file(&context.source.path, error);
+    let uncoated = curves(indentation, &Flat::Bare(indentation.flat.1), &counter).map_err(refuse)?;
+    for layer in &indentation.layers {
+        let alone = Alone::of(indentation, layer, uncoated.clone(), &counter).map_err(refuse)?;
+        papers.extend(alone.check.papers());
+        for &thickness in &layer.thicknesses {
+            let found =
+                on_layer(indentation, layer, thickness, &alone, &mut papers, &counter).map_err(refuse)?;
+            layers.push(found);
+            context.progress.advance(1);
+        }
+    }
+    let overlay = &indentation.overlay;
+    counter.add(Item::Files, overlay.iter().len());
+    Ok(IndentationResults {
+        metadata: context.metadata(
+            papers,
+            Timing { total: start.elapsed(), ..Timing::default() },
+            Some(counter.work()),
+        ),
+        materials: context.materials.clone(),
+        ball: indentation.ball.0.clone(),
+        radius: indentation.radius,
+        flat: indentation.flat.0.clone(),
+        reduced_modulus: reduced_modulus(&indentation.ball.1, &indentation.flat.1),
+        indentations: indentation.indentations.clone(),
+        show: indentation.show,
+        layers,
+        overlay: overlay.as_ref().map(|overlay| (overlay.name.clone(), overlay.points.clone())),
+    })
+}
+
+/// What does not depend on the thickness of a layer.
+struct Alone {
+    /// Without it, law by law.
+    uncoated: Vec<Curve>,
+    /// The flat all of it, law by law.
+    all_layer: Vec<Curve>,
+    check: RuleCheck,
+}
+
+impl Alone {
+    fn of(
+        plan: &IndentationPlan,
+        layer: &LayerPlan,
+        uncoated: Vec<Curve>,
+        counter: &Counter,
+    ) -> Result<Self, ContactError> {
+        let (ball, substrate) = (&plan.ball.1, &plan.flat.1);
+        let all_layer = Flat::AllLayer { substrate: *substrate, layer: layer.material };
+        Ok(Self {
+            uncoated,
+            all_layer: curves(plan, &all_layer, counter)?,
+            check: RuleCheck::new(ball, &layer.material, substrate)?,
+        })
+    }
+}
+
+/// The ball on a flat, law by law.
+fn curves(plan: &IndentationPlan, flat: &Flat, counter: &Counter) -> Result<Vec<Curve>, ContactError> {
+    let curve = |law: &LawSpec| {
+        let contact = law.interface(&plan.ball.1, flat)?;
+        Ok(Curve::of(&Counted::new(&*contact, counter), Shape::sphere(plan.radius), &plan.indentations))
+    };
+    plan.laws.iter().map(curve).collect()
+}
+
+fn on_layer(
+    plan: &IndentationPlan,
+    layer: &LayerPlan,
+    thickness: f64,
+    alone: &Alone,
+    papers: &mut Vec<Paper>,
+    counter: &Counter,
+) -> Result<LayerResults, ContactError> {
+    let (ball, substrate) = (&plan.ball.1, &plan.flat.1);
+    let coated = layer.flat(thickness)?;
+    let measured = plan.overlay.iter().flat_map(|overlay| &overlay.points);
+    let shape = Shape::sphere(plan.radius);
+    let mut laws = Vec::new();
+    for (k, law) in plan.laws.iter().enumerate() {
+        let contact = law.interface(ball, &coated)?;
+        papers.extend(contact.papers());
+        let contact = Counted::new(&*contact, counter);
+        laws.push(LawCurves {
+            law: law.label(),
+            coated: Curve::of(&contact, shape, &plan.indentations),
+            uncoated: alone.uncoated[k].clone(),
+            all_layer: alone.all_layer[k].clone(),
+            at_overlay: measured.clone().map(|(w, _)| contact.contact(*w, shape).load).collect(),
+        });
+    }
+    let sphere = LayeredSphere::new(Some(ball), plan.radius, &layer.material, substrate, thickness);
+    let exact = |&w: &f64| {
+        let found = sphere.at_indentation(w)?;
+        Some(ElasticContact { indentation: w, ..found })
+    };
+    let exact: Vec<Option<ElasticContact>> = plan.indentations.par_iter().map(exact).collect();
+    let beside = |contact| alone.check.beside(contact, plan.radius, thickness);
+    let errors = apart(exact.iter().flatten().map(beside));
+    let [from, to] = match &errors[0][..] {
+        [first, .., last] => [first.contact_ratio, last.contact_ratio],
+        [only] => [only.contact_ratio; 2],
+        [] => [f64::NAN; 2],
+    };
+    Ok(LayerResults {
+        name: layer.name.clone(),
+        thickness,
+        rule: layer.rule,
+        laws,
+        exact,
+        check: alone.check.findings(from, to),
+        errors,
+    })
+}

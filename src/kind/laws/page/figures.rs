@@ -1,0 +1,223 @@
+//! The pictures of several laws.
+
+use std::f64::consts::PI;
+
+use crate::kind::indentation::LARGEST_SLOPE;
+use crate::kind::laws::run::{LawOnOne, LawsResults};
+use asperity::compare::{AtLoad, Influence, Kind, Measure};
+use asperity::contact::Contact;
+use asperity_plot::{Axis, Colour, Dash, Figure, Layer, Legend, Marker, Plot};
+
+/// How many standard errors a band shows: 95 % of all draws lie within.
+const BAND: f64 = 1.96;
+
+type Line = Vec<(f64, f64)>;
+
+/// The colour of a law in every picture: the first, which the others are compared with, is black.
+fn colour(law: usize) -> Colour {
+    const OTHERS: [usize; 7] = [0, 1, 2, 3, 4, 5, 7];
+    const BLACK: usize = 6;
+    Colour::Series(law.checked_sub(1).map_or(BLACK, |other| OTHERS[other % OTHERS.len()]))
+}
+
+/// Laws of one regime are limits of the others.
+fn dash(law: &LawOnOne) -> Dash {
+    if law.passes_regimes { Dash::Solid } else { Dash::Dashed }
+}
+
+/// What a panel of the one asperity shows of a contact at an indentation (m).
+type Shown<'a> = &'a dyn Fn(f64, &Contact) -> f64;
+
+/// All laws against w/wc, their boundaries marked on the curves.
+fn panel(results: &LawsResults, plot: Plot, shown: Shown) -> Plot {
+    let unit = results.critical.indentation;
+    let at = |w: f64, contact: &Contact| (w / unit, shown(w, contact));
+    let mut plot = plot;
+    let whole = results.radius / unit;
+    if let Some((steep, _)) = super::steep_from(results) {
+        plot = plot.with(Layer::region_x(steep / unit, whole, format!("a > {LARGEST_SLOPE} R")));
+    }
+    plot = plot.with(Layer::region_x(whole, f64::INFINITY, "w > R"));
+    // The first law is named first and drawn last, so that it is not hidden.
+    plot = plot.with(
+        Layer::line([]).coloured(colour(0)).dashed(dash(&results.laws[0])).named(&results.laws[0].law).thin(),
+    );
+    let mut order: Vec<usize> = (0..results.laws.len()).collect();
+    order.rotate_left(1);
+    for &index in &order {
+        let law = &results.laws[index];
+        let line: Line = law.curve.trace.iter().map(|point| at(point.indentation, &point.contact)).collect();
+        let line = Layer::line(line).coloured(colour(index)).dashed(dash(law)).named(&law.law);
+        plot = plot.with(line.thin());
+    }
+    for &index in &order {
+        let law = &results.laws[index];
+        let within = |w: f64| {
+            let [first, .., last] = &law.curve.points[..] else { return false };
+            (first.indentation..=last.indentation).contains(&w)
+        };
+        let sides: Line = law
+            .boundaries
+            .iter()
+            .filter(|boundary| within(boundary.indentation))
+            .flat_map(|boundary| {
+                [&boundary.below, &boundary.above].map(|side| at(boundary.indentation, side))
+            })
+            .collect();
+        plot = plot.with(Layer::points(sides, Marker::Circle).coloured(colour(index)));
+    }
+    plot
+}
+
+fn indentation_axis() -> Axis {
+    Axis::log("indentation w/wc")
+}
+
+/// Load and area in their critical values over all decades.
+pub fn curves(results: &LawsResults) -> String {
+    let (load, area) = (results.critical.load, results.critical.area);
+    let plot =
+        |title: &str, label: &str| Plot::new(title, indentation_axis(), Axis::log(label)).height(420.0);
+    let panels = vec![
+        panel(results, plot("load", "load P/Pc").legend(Legend::Below), &|_, contact| contact.load / load),
+        panel(results, plot("real contact area", "area A/Ac").legend(Legend::Hidden), &|_, contact| {
+            contact.area / area
+        }),
+    ];
+    Figure::row("Load and area of one asperity under every law", panels).svg()
+}
+
+/// What tells the laws from each other: mean pressure over hardness, area over the elastic one.
+pub fn differences(results: &LawsResults, hardness: f64) -> String {
+    /// Above twice the elastic area nothing but a fit out of its range, above the hardness nothing but Hertz.
+    const HIGHEST: [f64; 2] = [1.3, 3.0];
+    let radius = results.radius;
+    let plot = |title: &str, label: &str, highest: f64| {
+        Plot::new(title, indentation_axis(), Axis::linear(label).range(0.0, highest)).height(420.0)
+    };
+    let pressure = plot("mean pressure", "mean pressure P/(A H)", HIGHEST[0]).legend(Legend::Below);
+    let area = plot("area over the elastic one", "area A/(π R w)", HIGHEST[1]).legend(Legend::Hidden);
+    let panels = vec![
+        panel(results, pressure, &|_, contact| contact.load / contact.area / hardness),
+        panel(results, area, &|w, contact| contact.area / (PI * radius * w)),
+    ];
+    Figure::row("Mean pressure and area of one asperity under every law", panels).svg()
+}
+
+/// Load over that of Hertz and area over the elastic one where laws jump.
+pub fn jumps(results: &LawsResults) -> Option<String> {
+    /// Room at both ends, in ratios.
+    const ROOM: f64 = 1.6;
+    let unit = results.critical.indentation;
+    let all = || results.laws.iter().flat_map(|law| &law.boundaries).filter(|at| super::is_jump(at));
+    let first = all().map(|at| at.indentation / unit).reduce(f64::min)?;
+    let last = all().map(|at| at.indentation / unit).reduce(f64::max)?;
+    let (from, to) = (first / ROOM, last * ROOM);
+    let (critical, radius) = (results.critical, results.radius);
+    let elastic = move |w: f64| critical.load * (w / unit).powf(1.5);
+    let plot = |title: &str, y: Axis| Plot::new(title, indentation_axis().range(from, to), y).height(420.0);
+    let load = plot("load over the elastic one", Axis::linear("load over Hertz's").range(0.0, 1.7));
+    let area = plot("area over the elastic one", Axis::linear("area A/(π R w)").range(0.8, 2.4));
+    let panels = vec![
+        panel(results, load.legend(Legend::Below), &|w, contact| contact.load / elastic(w)),
+        panel(results, area.legend(Legend::Hidden), &|w, contact| contact.area / (PI * radius * w)),
+    ];
+    Some(Figure::row("Where laws jump", panels).svg())
+}
+
+/// On one surface at equal load: each law's sum beside that of the first law, and integral beside sum under the first.
+pub fn law_or_model(results: &LawsResults, influence: &Influence) -> String {
+    let first = &influence.laws[0];
+    let label = |measure| match measure {
+        Measure::Separation => format!("d/σ minus that of the sum under {first}"),
+        Measure::Area => format!("real area over that of the sum under {first}"),
+    };
+    let plot = |measure, title: &str, legend| {
+        let y = Axis::linear(label(measure));
+        let y = match range(results, influence, measure) {
+            Some([low, high]) => y.range(low, high),
+            None => y,
+        };
+        let plot = Plot::new(title, Axis::log("nominal pressure p (MPa)"), y).height(420.0).legend(legend);
+        beside(results, influence, measure, plot)
+    };
+    let panels = vec![
+        plot(Measure::Separation, "separation", Legend::Below),
+        plot(Measure::Area, "real contact area", Legend::Hidden),
+    ];
+    Figure::row("Law against adding-up at equal load", panels).svg()
+}
+
+/// How a difference is drawn.
+fn shown(measure: Measure, difference: f64) -> f64 {
+    match measure {
+        Measure::Separation => difference,
+        Measure::Area => difference.exp(),
+    }
+}
+
+/// What the laws that go beyond elastic contact, and the models, need over the loads that count: limits may lie far off.
+fn range(results: &LawsResults, influence: &Influence, measure: Measure) -> Option<[f64; 2]> {
+    /// Above and below, of the range.
+    const ROOM: f64 = 0.15;
+    let passing = || (0..results.laws.len()).filter(|&law| results.laws[law].passes_regimes);
+    let of_load = |at: &AtLoad| {
+        let mut needed = vec![0.0];
+        needed.extend(passing().map(|law| at.deviation(measure, law, Kind::Deterministic)));
+        let half = BAND * at.sampling_error(measure, 0).unwrap_or(0.0);
+        needed.extend([at.gap(measure, 0) - half, at.gap(measure, 0) + half]);
+        needed
+    };
+    let needed = || influence.counting().flat_map(of_load).map(|difference| shown(measure, difference));
+    let (low, high) = (needed().reduce(f64::min)?, needed().reduce(f64::max)?);
+    let room = ROOM * (high - low);
+    (room > 0.0).then_some([low - room, high + room])
+}
+
+/// The laws whose sums lie outside the picture of a measure wherever loads count, and between which values.
+pub fn outside(results: &LawsResults, influence: &Influence, measure: Measure) -> Vec<(String, [f64; 2])> {
+    let Some([low, high]) = range(results, influence, measure) else { return Vec::new() };
+    let of_law = |law: usize| {
+        let values = || {
+            let difference = |at: &AtLoad| at.deviation(measure, law, Kind::Deterministic);
+            influence.counting().map(move |at| shown(measure, difference(at)))
+        };
+        let is_outside = values().all(|value| !(low..=high).contains(&value));
+        let ends = [values().reduce(f64::min)?, values().reduce(f64::max)?];
+        is_outside.then(|| (influence.laws[law].clone(), ends))
+    };
+    (0..results.laws.len()).filter_map(of_law).collect()
+}
+
+fn beside(results: &LawsResults, influence: &Influence, measure: Measure, plot: Plot) -> Plot {
+    const MEGA: f64 = 1e6;
+    let line = |of: &dyn Fn(&AtLoad) -> f64| -> Line {
+        influence.loads.iter().map(|at| (at.pressure / MEGA, shown(measure, of(at)))).collect()
+    };
+    let mut plot = plot;
+    let counting: Vec<f64> = influence.counting().map(|at| at.pressure / MEGA).collect();
+    if let (Some(&lowest), Some(&highest)) = (counting.first(), counting.last()) {
+        let loads = || influence.loads.iter().map(|at| at.pressure / MEGA);
+        if loads().any(|load| load < lowest) {
+            plot = plot.with(Layer::region_x(0.0, lowest, "few"));
+        }
+        if loads().any(|load| load > highest) {
+            plot = plot.with(Layer::region_x(highest, f64::INFINITY, "interact"));
+        }
+    }
+    let name = format!("{}, integral", influence.laws[0]);
+    let band = influence.loads.iter().filter_map(|at| {
+        let (gap, half) = (at.gap(measure, 0), BAND * at.sampling_error(measure, 0)?);
+        Some((at.pressure / MEGA, shown(measure, gap - half), shown(measure, gap + half)))
+    });
+    plot = plot
+        .with(Layer::at_y(shown(measure, 0.0), ""))
+        .with(Layer::band(band.collect::<Vec<_>>()).coloured(colour(0)).named(name.clone()))
+        .with(Layer::line(line(&|at| at.gap(measure, 0))).coloured(colour(0)).named(name).thick());
+    for (index, law) in results.laws.iter().enumerate().skip(1) {
+        let points = line(&|at| at.deviation(measure, index, Kind::Deterministic));
+        let layer = Layer::line(points).coloured(colour(index)).dashed(dash(law));
+        plot = plot.with(layer.named(format!("{}, sum", law.law)).thin());
+    }
+    plot
+}

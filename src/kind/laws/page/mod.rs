@@ -1,0 +1,216 @@
+//! The page of several laws: how they differ on one asperity, and whether that matters on surfaces beside the way of
+//! adding up.
+
+mod figures;
+mod influence;
+
+use std::f64::consts::PI;
+
+use crate::kind::compare::page as compare;
+use crate::kind::compare::results::{CaseResults, SurfaceResults};
+use crate::kind::indentation::LARGEST_SLOPE;
+use crate::kind::laws::run::{LawOnOne, LawsResults};
+use asperity::contact::Contact;
+use asperity::sphere::Boundary;
+use asperity_framework::report::format::listed;
+use asperity_framework::report::format::{number, percent, quantity};
+use asperity_framework::report::page::{Page, escape};
+use asperity_framework::report::sections;
+
+/// Whether load or area jumps at a boundary.
+fn is_jump(boundary: &Boundary) -> bool {
+    boundary.load_jump() != 0.0 || boundary.area_jump() != 0.0
+}
+
+/// a/R of a contact on the one asperity.
+pub(super) fn slope(results: &LawsResults, contact: &Contact) -> f64 {
+    (contact.area / PI).sqrt() / results.radius
+}
+
+/// The smallest indentation (m) at which strains are no longer small under one of the laws, and that law.
+fn steep_from(results: &LawsResults) -> Option<(f64, &LawOnOne)> {
+    let is_steep = |contact: &Contact| slope(results, contact) > LARGEST_SLOPE;
+    let steep = results.laws.iter().filter_map(|law| {
+        let first = law.curve.trace.iter().find(|point| is_steep(&point.contact))?;
+        Some((first.indentation, law))
+    });
+    steep.min_by(|a, b| a.0.total_cmp(&b.0))
+}
+
+/// The page.
+pub fn page(results: &LawsResults) -> Page {
+    let compared = &results.compare;
+    let mut page = Page::new(&compared.metadata.title);
+    sections::notes(&mut page, &compared.metadata);
+    for warning in compared.warnings() {
+        page.warning(&escape(&warning));
+    }
+    page.heading(2, "In short");
+    let verdict = influence::verdict(results);
+    if !verdict.is_empty() {
+        page.bullets(verdict);
+    }
+    for found in &compared.surfaces {
+        page.bullets(influence::in_short(results, found));
+    }
+    page.bullets(on_one_in_short(results));
+    page.paragraph(compare::CONDITION);
+    sections::what_was_run(&mut page, &compared.metadata, &compared.contact);
+    laws(&mut page, results);
+    one_asperity(&mut page, results);
+    for found in &compared.surfaces {
+        compare::surface(&mut page, found);
+        influence::section(&mut page, results, found);
+    }
+    limits(&mut page, results);
+    sections::sources(&mut page, &compared.metadata);
+    page
+}
+
+/// Where the laws jump, and how far the curves mean something.
+fn on_one_in_short(results: &LawsResults) -> Vec<String> {
+    let unit = results.critical.indentation;
+    let jumps = |law: &LawOnOne, of: fn(&Boundary) -> f64| {
+        let at = |at: &Boundary| format!("{} at {}", signed_percent(of(at)), number(at.indentation / unit));
+        let large = law.boundaries.iter().filter(|at| of(at) != 0.0);
+        let each: Vec<String> = large.map(at).collect();
+        (!each.is_empty()).then(|| format!("{} {}", escape(&law.law), listed(&each)))
+    };
+    let all = |of: fn(&Boundary) -> f64| {
+        let each: Vec<String> = results.laws.iter().filter_map(|law| jumps(law, of)).collect();
+        if each.is_empty() { "none".to_owned() } else { each.join("; ") }
+    };
+    let mut lines = vec![
+        format!("**Jumps of the load** on one asperity, at w/wc: {}.", all(Boundary::load_jump)),
+        format!("**Jumps of the area**: {}.", all(Boundary::area_jump)),
+    ];
+    if let Some((steep, law)) = steep_from(results) {
+        lines.push(format!(
+            "**Small strains** end near w/wc = {}, where the contact radius passes {LARGEST_SLOPE} of the asperity's under the first of \
+             the laws ({}); at {} the indentation is the radius itself. Beyond that the curves show the laws, not contacts.",
+            number(steep / unit),
+            escape(&law.law),
+            number(results.radius / unit),
+        ));
+    }
+    lines
+}
+
+/// What the laws are.
+fn laws(page: &mut Page, results: &LawsResults) {
+    page.table(
+        ["law", "what it is, and where it holds", "source"],
+        results.laws.iter().map(|law| {
+            let papers: Vec<&str> = law.papers.iter().map(|paper| paper.short).collect();
+            vec![law.law.clone(), law.about.to_owned(), papers.join("; ")]
+        }),
+    );
+    let first = &results.laws[0].law;
+    page.paragraph(&format!(
+        "The others are compared with the first, {}. Laws of one regime (hertz, fully-plastic) are limits: what is said of the \
+         laws that go beyond elastic contact leaves them out. Equations and their numbers: docs/theory.md.",
+        escape(first)
+    ));
+}
+
+/// The laws by themselves.
+fn one_asperity(page: &mut Page, results: &LawsResults) {
+    let critical = &results.critical;
+    page.heading(2, "One asperity");
+    let ellipse = if results.curvature_ratio > 1.0 {
+        format!(
+            " Elliptic laws take it with this mean curvature and principal curvatures in the ratio {}.",
+            number(results.curvature_ratio)
+        )
+    } else {
+        String::new()
+    };
+    page.paragraph(&format!(
+        "Radius R = {}. Indentations are in one unit for all laws, the onset of yield of Zhao, Maietta and Chang on a sphere: \
+         wc = (0.3 π)² R (H/E*)² = {}; Pc = {} and Ac = {} are Hertz's load and area there. Laws with another onset begin to \
+         yield at another w/wc.{ellipse}",
+        quantity(results.radius, "m"),
+        quantity(critical.indentation, "m"),
+        quantity(critical.load, "N"),
+        quantity(critical.area, "m²"),
+    ));
+    page.figure(
+        "asperity-curves.svg",
+        figures::curves(results),
+        "Load and real contact area of one asperity under every law. Circles: both sides of each boundary between two formulas.",
+    );
+    if let Some(hardness) = results.compare.contact.hardness {
+        page.figure(
+            "asperity-differences.svg",
+            figures::differences(results, hardness),
+            "What the logarithms hide: the mean pressure over the hardness, and the area over that of an elastic contact.",
+        );
+    }
+    if let Some(svg) = figures::jumps(results) {
+        let caption =
+            "Where laws jump: load and area over those of an elastic contact at the same indentation.";
+        page.figure("asperity-jumps.svg", svg, caption);
+    }
+    let unit = critical.indentation;
+    let rows = results.laws.iter().flat_map(|law| {
+        law.boundaries.iter().map(move |at| {
+            vec![
+                law.law.clone(),
+                number(at.indentation / unit),
+                quantity(at.indentation, "m"),
+                at.below.regime.name().to_owned(),
+                at.above.regime.name().to_owned(),
+                signed_percent(at.load_jump()),
+                signed_percent(at.area_jump()),
+                strains(results, at).to_owned(),
+            ]
+        })
+    });
+    page.paragraph("Every boundary between two formulas, also where both sides count as one regime:");
+    page.table(
+        ["law", "w/wc", "w", "below", "above", "jump of the load", "jump of the area", "strains"],
+        rows,
+    );
+}
+
+/// Whether a boundary lies where strains are small.
+fn strains(results: &LawsResults, at: &Boundary) -> &'static str {
+    if at.indentation > results.radius {
+        "w > R"
+    } else if slope(results, &at.above) > LARGEST_SLOPE {
+        "not small"
+    } else {
+        "small"
+    }
+}
+
+/// "+50 %", or "none".
+fn signed_percent(jump: f64) -> String {
+    if jump == 0.0 {
+        return "none".to_owned();
+    }
+    let sign = if jump > 0.0 { "+" } else { "" };
+    format!("{sign}{}", percent(jump))
+}
+
+/// Where the answers should not be trusted.
+fn limits(page: &mut Page, results: &LawsResults) {
+    page.heading(2, "Where not to trust this");
+    let mut lines = Vec::new();
+    for found in &results.compare.surfaces {
+        let cases: Vec<&CaseResults> = found.first.cases.iter().collect();
+        compare::limits_of(&mut lines, &subject(found), found, &cases);
+    }
+    lines.push(
+        "A law is not right because it is near another: what is shown is how much the choice matters, not which is best. \
+         The fits to finite elements were made for a sphere on a rigid flat."
+            .to_owned(),
+    );
+    lines.extend(compare::assumptions(&results.compare));
+    page.bullets(lines);
+}
+
+/// What a finding is about.
+fn subject(found: &SurfaceResults) -> String {
+    escape(&found.surface.name)
+}

@@ -1,0 +1,116 @@
+//! Several laws on one asperity and on surfaces: names resolved, the unit of indentation found.
+
+use std::fmt;
+
+use crate::kind::compare::plan::{ComparePlan, compared};
+use crate::kind::laws::spec::LawsSpec;
+use crate::surface::curvature_ratio;
+use asperity::law::{Hertz, Law, Pair, Shape, Zmc};
+use asperity_framework::input::InputError;
+use asperity_framework::input::SpecFile;
+use asperity_framework::input::law::{LawSpec, Summit};
+use asperity_framework::input::materials;
+
+/// Several laws on one asperity and on given surfaces.
+pub struct LawsPlan {
+    /// Both models on the surfaces under every law.
+    pub compare: ComparePlan,
+    /// 1/(mean curvature) of the asperity, m.
+    pub radius: f64,
+    /// Its larger principal curvature over the smaller one; 1 where no law sees ellipses.
+    pub curvature_ratio: f64,
+    /// The unit of indentation.
+    pub critical: Critical,
+    /// w/wc, ascending, at least two.
+    pub ratios: Vec<f64>,
+}
+
+/// Where the asperity, taken as a sphere, begins to yield by Zhao, Maietta and Chang: the unit for all laws, also for
+/// those with an onset of their own.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Critical {
+    /// wc = (0.3 pi)^2 R (H/E*)^2, m.
+    pub indentation: f64,
+    /// The Hertz load there, N.
+    pub load: f64,
+    /// The Hertz area there, m^2.
+    pub area: f64,
+}
+
+impl Critical {
+    /// Of a pair with a hardness and a sphere of radius `radius` (m).
+    fn of(pair: &Pair, radius: f64) -> Self {
+        let indentation = pair.ratio(Zmc::ONSET) * radius;
+        let contact = Hertz.contact(indentation, radius, pair);
+        Self { indentation, load: contact.load, area: contact.area }
+    }
+}
+
+impl LawsPlan {
+    /// The asperity as a law sees it.
+    pub fn shape(&self, law: &LawSpec) -> Shape {
+        match law.summit {
+            Summit::Sphere => Shape::sphere(self.radius),
+            Summit::Ellipse => Shape::ellipse(self.radius.recip(), self.curvature_ratio),
+        }
+    }
+
+    /// Points of the curves of the one asperity.
+    pub fn points(&self) -> u128 {
+        (self.ratios.len() * self.compare.laws.len()) as u128
+    }
+}
+
+impl fmt::Display for LawsPlan {
+    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        write!(f, "{}", self.compare)?;
+        writeln!(
+            f,
+            "  one asperity of radius {:e} m at {} indentations of {:e} to {:e} wc, wc = {:.4e} m",
+            self.radius,
+            self.ratios.len(),
+            self.ratios[0],
+            self.ratios[self.ratios.len() - 1],
+            self.critical.indentation
+        )
+    }
+}
+
+/// Reads `[laws]`.
+pub(super) fn plan(file: &SpecFile) -> Result<LawsPlan, InputError> {
+    let table = file.required_table::<LawsSpec>("laws")?;
+    let (words, span) = (table.get_ref(), table.span());
+    let laws = &words.law.get_ref().0;
+    if let [only] = &laws[..] {
+        let message = format!(
+            "found \"{}\" alone; allowed: a list of at least two laws, the first of which the others are compared with",
+            only.label()
+        );
+        return Err(file.source.error_at(words.law.span(), message));
+    }
+    let compare = compared(file, &words.compared(), span)?;
+    let [rough, flat] = &compare.pair;
+    let zmc = Zmc::default();
+    let pair = Pair::between(&zmc, rough, flat).ok().filter(|pair| pair.yield_limits.onset.is_finite());
+    let Some(pair) = pair else {
+        let message = format!(
+            "found no `hardness` in {}, which [laws] needs of one body at least, since it measures indentations by the \
+             onset of yield; allowed: hardness = \"...\" with a unit of pressure",
+            materials(&compare.bodies.rough, &compare.bodies.flat)
+        );
+        let at = file.material_at(&compare.bodies.rough).unwrap_or_else(|| words.rough.span());
+        return Err(file.source.error_at(at, message));
+    };
+    let asperity = words.asperity.get_ref();
+    let sees_ellipses = laws.iter().any(|law| law.summit == Summit::Ellipse);
+    let given = asperity.curvature_ratio.as_ref();
+    let ratio = curvature_ratio(&file.source, &words.asperity.span(), given, sees_ellipses)?;
+    let radius = asperity.radius.value();
+    Ok(LawsPlan {
+        critical: Critical::of(&pair, radius),
+        radius,
+        curvature_ratio: ratio.filter(|_| sees_ellipses).unwrap_or(1.0),
+        ratios: file.growing(&words.indentation)?,
+        compare,
+    })
+}

@@ -1,0 +1,104 @@
+//! Running `[limit]`: sets of growing size against the statistical integral.
+
+use std::time::Instant;
+
+use asperity::asperity::{Population, gaussian_moment};
+use asperity::compare::{Exact, LimitCase, LimitPoint, convergence};
+use asperity::interface::{Counted, MicroContact, plasticity_index};
+use asperity::model::{Model, Statistical};
+use asperity::work::{Counter, Item};
+use asperity_framework::RunContext;
+use asperity_framework::contact::{ContactMetadata, LawPlan, contact_metadata, papers_of};
+use asperity_framework::input::InputError;
+use asperity_framework::metadata::{Metadata, Timing};
+
+use super::plan::LimitPlan;
+
+/// Sets of growing size against their limit.
+#[derive(Debug)]
+pub struct LimitResults {
+    /// What every experiment has.
+    pub metadata: Metadata,
+    /// The bodies.
+    pub contact: ContactMetadata,
+    /// What the sets were drawn from.
+    pub population: Population,
+    /// The laws, and what each one's limit was taken from.
+    pub laws: Vec<(String, &'static str)>,
+    /// Greenwood and Williamson's plasticity index; `None` where nothing yields.
+    pub plasticity_index: Option<f64>,
+    /// d/sigma.
+    pub separations: Vec<f64>,
+    /// Random sets of each size.
+    pub draws: usize,
+    /// Size by size, law by law, separation by separation.
+    pub points: Vec<LimitPoint>,
+}
+
+/// Draws the sets and holds them against their limit.
+pub(super) fn run(context: &RunContext, limit: &LimitPlan) -> Result<LimitResults, InputError> {
+    let start = Instant::now();
+    let mut timing = Timing::default();
+    let counter = Counter::default();
+    let contacts: Vec<Counted> = limit.laws.iter().map(|law| Counted::new(&*law.contact, &counter)).collect();
+    let integrals = Instant::now();
+    let laws = limit.laws.iter().zip(&contacts);
+    let cases: Vec<LimitCase> = laws
+        .map(|(law, contact)| LimitCase {
+            law: law.label.clone(),
+            contact,
+            exact: limit.separations.iter().map(|&h| exact(law, contact, limit.population, h)).collect(),
+        })
+        .collect();
+    timing.statistical = integrals.elapsed();
+
+    let sets = (limit.draws + 1) as u64;
+    context.progress.stage(context.title, limit.counts.iter().map(|&count| count as u64 * sets).sum());
+    let sums = Instant::now();
+    let seed = |count, draw| context.stream_seed(&format!("limit {count} {draw}"));
+    let points = convergence(&cases, &limit.population, &limit.counts, limit.draws, seed, |count| {
+        counter.add(Item::Surfaces, 1);
+        context.progress.advance(count as u64);
+    })
+    .map_err(|error| InputError::file(&context.source.path, error))?;
+    timing.deterministic = sums.elapsed();
+    timing.total = start.elapsed();
+    Ok(LimitResults {
+        metadata: context.metadata(papers_of(&limit.laws), timing, Some(counter.work())),
+        contact: contact_metadata(context, &limit.laws, &limit.bodies, None),
+        population: limit.population,
+        plasticity_index: plasticity_index(
+            &*limit.laws[0].contact,
+            limit.population.sigma,
+            limit.population.radius,
+        ),
+        laws: limit.laws.iter().map(|law| (law.label.clone(), reference(law))).collect(),
+        separations: limit.separations.clone(),
+        draws: limit.draws,
+        points,
+    })
+}
+
+fn reference(law: &LawPlan) -> &'static str {
+    if law.spec.is_greenwood_williamson() {
+        "the closed form of Greenwood and Williamson"
+    } else {
+        "the statistical integral"
+    }
+}
+
+/// The limit at d/sigma = `h`: Greenwood and Williamson's closed form for Hertz, else the integral.
+fn exact(law: &LawPlan, contact: &dyn MicroContact, population: Population, h: f64) -> Exact {
+    let Population { radius, sigma, density, .. } = population;
+    let integral = Statistical::new(contact, population).respond(h);
+    let limit = Exact::of_integral(integral, density);
+    if !law.spec.is_greenwood_williamson() {
+        return limit;
+    }
+    let modulus = contact.reference_modulus();
+    Exact {
+        area_ratio: std::f64::consts::PI * density * radius * sigma * gaussian_moment(1.0, h),
+        pressure: 4.0 / 3.0 * density * modulus * radius.sqrt() * sigma.powf(1.5) * gaussian_moment(1.5, h),
+        ..limit
+    }
+}

@@ -1,0 +1,7 @@
+//! A layer on the flat: what a spec says of it, and what is made of that.
+
+mod plan;
+mod spec;
+
+pub use plan::{LayerPlan, layer, thickness_words};
+pub use spec::LayerSpec;

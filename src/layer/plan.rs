@@ -1,0 +1,67 @@
+//! A layer on the flat.
+
+use std::fmt;
+
+use crate::layer::spec::LayerSpec;
+use asperity::interface::Flat;
+use asperity::layer::{Coating, CoatingError, Rule};
+use asperity::material::Material;
+use asperity_framework::input::InputError;
+
+use asperity_framework::input::SpecFile;
+
+/// A layer in one thickness or several.
+#[derive(Debug, Clone)]
+pub struct LayerPlan {
+    /// Name of its material.
+    pub name: String,
+    /// The material.
+    pub material: Material,
+    /// How its modulus and that of the substrate are put together.
+    pub rule: Rule,
+    /// Thicknesses, m, ascending; 0 and infinity among them.
+    pub thicknesses: Vec<f64>,
+    /// The layer, 1 m thick, on its substrate: what does not depend on the thickness is found once.
+    coating: Coating,
+    substrate: Material,
+}
+
+/// A thickness (m) in the words of a spec.
+pub fn thickness_words(thickness: f64) -> String {
+    match thickness {
+        0.0 => "0".to_owned(),
+        f64::INFINITY => "inf".to_owned(),
+        t if (1e-10..1e-6).contains(&t) => format!("{} nm", (t * 1e13).round() / 1e4),
+        t if (1e-6..1e-3).contains(&t) => format!("{} um", (t * 1e10).round() / 1e4),
+        t => format!("{t:e} m"),
+    }
+}
+
+impl LayerPlan {
+    /// The substrate with the layer in the thickness `thickness` (m) on it.
+    ///
+    /// # Errors
+    /// A thickness that is not positive and finite, nor 0 or infinite.
+    pub fn flat(&self, thickness: f64) -> Result<Flat, CoatingError> {
+        let coating = || self.coating.with_thickness(thickness);
+        Flat::in_thickness(&self.material, &self.substrate, thickness, coating)
+    }
+}
+
+/// "lead of 0, 50 nm, inf, rule gao".
+impl fmt::Display for LayerPlan {
+    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        let thicknesses: Vec<String> = self.thicknesses.iter().map(|&t| thickness_words(t)).collect();
+        write!(f, "{} of {}, rule {}", self.name, thicknesses.join(", "), self.rule.name())
+    }
+}
+
+/// Resolves a layer on `substrate`.
+pub fn layer(file: &SpecFile, words: &LayerSpec, substrate: &Material) -> Result<LayerPlan, InputError> {
+    let name = words.material.get_ref().clone();
+    let material = file.body(&name, words.material.span())?;
+    let coating = Coating::new(&material, substrate, 1.0, words.rule)
+        .map_err(|error| file.source.error_at(words.material.span(), format!("found \"{name}\": {error}")))?;
+    let thicknesses = words.thickness.0.clone();
+    Ok(LayerPlan { name, material, rule: words.rule, thicknesses, coating, substrate: *substrate })
+}

@@ -1,0 +1,116 @@
+//! `layer = { material = "lead", thickness = [0, "50 nm", "inf"] }`: what lies on the flat.
+
+use std::fmt;
+
+use serde::Deserialize;
+use serde::de::value::{F64Deserializer, StrDeserializer};
+use serde::de::{Deserializer, Error, IntoDeserializer, SeqAccess, Visitor};
+use toml::Spanned;
+
+use asperity::layer::Rule;
+use asperity_framework::input::quantity::{Length, NotNegative, Quantity};
+
+/// A layer on the flat, in one thickness or several.
+#[derive(Debug, Deserialize)]
+#[serde(
+    deny_unknown_fields,
+    rename_all = "kebab-case",
+    expecting = "a layer such as { material = \"lead\", thickness = [0, \"50 nm\", \"inf\"] }"
+)]
+pub struct LayerSpec {
+    /// Name of its material.
+    pub material: Spanned<String>,
+    /// Its thicknesses.
+    pub thickness: Thicknesses,
+    /// How the moduli of layer and substrate are put together.
+    #[serde(default)]
+    pub rule: Rule,
+}
+
+/// One thickness, m: 0 is no layer, infinity nothing but the layer.
+struct Thickness(f64);
+
+const ALLOWED: &str =
+    "0, \"inf\", or a positive finite length such as \"50 nm\" (m, mm, um, nm, pm; a bare number is in m)";
+
+impl<'de> Deserialize<'de> for Thickness {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        struct OneThickness;
+
+        impl Visitor<'_> for OneThickness {
+            type Value = Thickness;
+
+            fn expecting(&self, f: &mut fmt::Formatter) -> fmt::Result {
+                f.write_str(ALLOWED)
+            }
+            fn visit_str<E: Error>(self, text: &str) -> Result<Thickness, E> {
+                if text.trim() == "inf" {
+                    return Ok(Thickness(f64::INFINITY));
+                }
+                let read: Result<Quantity<Length, NotNegative>, E> =
+                    Quantity::deserialize(StrDeserializer::new(text));
+                read.map(|quantity| Thickness(quantity.value()))
+                    .map_err(|_| E::custom(format!("found \"{text}\"; allowed: {ALLOWED}")))
+            }
+            fn visit_f64<E: Error>(self, value: f64) -> Result<Thickness, E> {
+                if value == f64::INFINITY {
+                    return Ok(Thickness(value));
+                }
+                let number: F64Deserializer<E> = value.into_deserializer();
+                let read: Result<Quantity<Length, NotNegative>, E> = Quantity::deserialize(number);
+                read.map(|quantity| Thickness(quantity.value()))
+                    .map_err(|_| E::custom(format!("found {value}; allowed: {ALLOWED}")))
+            }
+            fn visit_i64<E: Error>(self, value: i64) -> Result<Thickness, E> {
+                self.visit_f64(value as f64)
+            }
+        }
+        deserializer.deserialize_any(OneThickness)
+    }
+}
+
+/// One thickness or a list of them, m, ascending, none twice.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Thicknesses(pub Vec<f64>);
+
+impl<'de> Deserialize<'de> for Thicknesses {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        struct SomeThicknesses;
+
+        impl<'de> Visitor<'de> for SomeThicknesses {
+            type Value = Thicknesses;
+
+            fn expecting(&self, f: &mut fmt::Formatter) -> fmt::Result {
+                write!(f, "a thickness ({ALLOWED}) or a list of thicknesses")
+            }
+            fn visit_str<E: Error>(self, text: &str) -> Result<Thicknesses, E> {
+                let read: Result<Thickness, E> = Thickness::deserialize(StrDeserializer::new(text));
+                read.map(|one| Thicknesses(vec![one.0]))
+            }
+            fn visit_f64<E: Error>(self, value: f64) -> Result<Thicknesses, E> {
+                let number: F64Deserializer<E> = value.into_deserializer();
+                let read: Result<Thickness, E> = Thickness::deserialize(number);
+                read.map(|one| Thicknesses(vec![one.0]))
+            }
+            fn visit_i64<E: Error>(self, value: i64) -> Result<Thicknesses, E> {
+                self.visit_f64(value as f64)
+            }
+            fn visit_seq<A: SeqAccess<'de>>(self, mut list: A) -> Result<Thicknesses, A::Error> {
+                let mut all: Vec<f64> = Vec::new();
+                while let Some(Thickness(value)) = list.next_element()? {
+                    if all.last().is_some_and(|last| *last >= value) {
+                        return Err(A::Error::custom(
+                            "found thicknesses that do not grow; allowed: each once, the thinnest first, \"inf\" last",
+                        ));
+                    }
+                    all.push(value);
+                }
+                if all.is_empty() {
+                    return Err(A::Error::custom("found an empty list; allowed: at least one thickness"));
+                }
+                Ok(Thicknesses(all))
+            }
+        }
+        deserializer.deserialize_any(SomeThicknesses)
+    }
+}

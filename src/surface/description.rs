@@ -1,0 +1,141 @@
+//! Describing surfaces as closely as can be, without any contact: `experiment surface`.
+
+use std::fmt;
+use std::path::{Path, PathBuf};
+use std::time::Instant;
+
+use asperity::work::Counter;
+use asperity_framework::input::{InputError, SpecFile};
+use asperity_framework::metadata::{Metadata, Timing};
+use asperity_framework::report::Page;
+use asperity_framework::report::summary::fields;
+use asperity_framework::{Memory, Outcome, Plan, RunContext};
+use indexmap::IndexMap;
+use serde::Serialize;
+use serde_json::{Map, Value};
+
+use super::{
+    AnalysisDepth, Surface, SurfaceFactory, SurfacePlan, SurfaceSummary, describe, files_of, inputs, memory,
+    page, section, summary, surfaces, warnings,
+};
+
+/// Surfaces to be described.
+pub struct SurfacesPlan {
+    surfaces: Vec<SurfacePlan>,
+    /// The measured file that the command line named, or the spec.
+    file: PathBuf,
+}
+
+impl SurfacesPlan {
+    /// All surfaces of a spec.
+    ///
+    /// # Errors
+    /// What keeps one of them from being made.
+    pub fn new(spec: &SpecFile) -> Result<Self, InputError> {
+        let surfaces = surfaces(spec, None, 0..0, false)?;
+        let measured = surfaces.first().and_then(SurfacePlan::input);
+        let measured = measured.filter(|_| spec.source.is_command_line());
+        Ok(Self { file: measured.unwrap_or_else(|| spec.source.path.clone()), surfaces })
+    }
+}
+
+impl fmt::Display for SurfacesPlan {
+    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        describe(&self.surfaces, f)
+    }
+}
+
+impl Plan for SurfacesPlan {
+    fn inputs(&self) -> Vec<PathBuf> {
+        inputs(&self.surfaces)
+    }
+
+    fn memory(&self) -> Memory {
+        memory(&self.surfaces, AnalysisDepth::Everything)
+    }
+
+    fn work(&self) -> u128 {
+        0
+    }
+
+    fn described_file(&self) -> Option<PathBuf> {
+        Some(self.file.clone())
+    }
+
+    fn run(&self, context: &RunContext) -> Result<Box<dyn Outcome>, InputError> {
+        let start = Instant::now();
+        let mut timing = Timing::default();
+        context.progress.stage(context.title, self.surfaces.len() as u64);
+        let counter = Counter::default();
+        let mut files = files_of(&self.surfaces, &counter);
+        let mut seen = Vec::new();
+        for surface in &self.surfaces {
+            let mut factory = SurfaceFactory::new(surface, context.source, context.seed, &counter);
+            seen.push(factory.make(1, AnalysisDepth::Everything, &mut files, &mut timing)?);
+            context.progress.advance(1);
+        }
+        timing.total = start.elapsed();
+        let papers = seen.iter().flat_map(Surface::papers).collect();
+        Ok(Box::new(SurfacesResults {
+            metadata: context.metadata(papers, timing, Some(counter.work())),
+            file: self.file.clone(),
+            spec_text: context.source.is_command_line().then(|| context.source.text.clone()),
+            surfaces: seen,
+        }))
+    }
+}
+
+/// Surfaces described, without any contact.
+#[derive(Debug)]
+pub struct SurfacesResults {
+    /// What every experiment has.
+    pub metadata: Metadata,
+    /// The measured file, or the spec.
+    pub file: PathBuf,
+    /// The spec that the command line made for a measured file.
+    pub spec_text: Option<String>,
+    /// The surfaces, in file order.
+    pub surfaces: Vec<Surface>,
+}
+
+/// Its part of `summary.json`. The key `looked_at` is the contract of older reports.
+#[derive(Serialize)]
+struct Summary<'a> {
+    looked_at: &'a Path,
+    surfaces: IndexMap<&'a str, SurfaceSummary<'a>>,
+}
+
+impl Outcome for SurfacesResults {
+    fn metadata(&self) -> &Metadata {
+        &self.metadata
+    }
+
+    fn warnings(&self) -> Vec<String> {
+        warnings(&self.surfaces)
+    }
+
+    fn page(&self) -> Page {
+        page::page(self)
+    }
+
+    fn summary(&self) -> serde_json::Result<Map<String, Value>> {
+        let surfaces = self.surfaces.iter().map(|surface| (&*surface.name, summary(surface)));
+        fields(&Summary { looked_at: &self.file, surfaces: surfaces.collect() })
+    }
+
+    fn terminal(&self) -> Option<String> {
+        let texts =
+            self.surfaces.iter().map(|surface| format!("\n{}", section::for_terminal(surface).trim_end()));
+        Some(texts.collect::<Vec<_>>().join("\n"))
+    }
+}
+
+/// The file that the report in `folder` describes; `None` if there is no such report.
+pub fn described_file(folder: &Path) -> Option<PathBuf> {
+    #[derive(serde::Deserialize)]
+    struct Report {
+        looked_at: PathBuf,
+    }
+    let summary = std::fs::read(folder.join("summary.json")).ok()?;
+    serde_json::from_slice::<Report>(&summary).ok().map(|report| report.looked_at)
+}

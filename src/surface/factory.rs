@@ -1,0 +1,180 @@
+//! Making and reading the realisations of a surface.
+
+use std::time::Instant;
+
+use asperity::asperity::{Draw, Ellipse, Ellipticity, Statistics};
+use asperity::topography::Rows;
+use asperity::topography::level::Level;
+use asperity::work::{Counter, Item};
+use asperity_framework::digest::stream_seed;
+use asperity_framework::input::{InputError, Source};
+use asperity_framework::metadata::Timing;
+
+use super::files::Files;
+use super::found::{NoAsperities, SummitSearch, Surface};
+use super::overview::AnalysisDepth;
+use super::plan::{Origin, SurfacePlan};
+use super::spec::DrawSpec;
+
+/// Makes or reads the realisations of a surface.
+pub struct SurfaceFactory<'a> {
+    plan: &'a SurfacePlan,
+    source: &'a Source,
+    seed: u64,
+    counter: &'a Counter,
+    /// That met a target before.
+    bandwidth: Option<f64>,
+}
+
+impl<'a> SurfaceFactory<'a> {
+    /// A factory of the realisations of `plan`, made one after the other.
+    pub fn new(plan: &'a SurfacePlan, source: &'a Source, seed: u64, counter: &'a Counter) -> Self {
+        Self { plan, source, seed, counter, bandwidth: None }
+    }
+
+    /// Makes or reads realisation `realisation` (from 1).
+    ///
+    /// # Errors
+    /// A file that cannot be read, a map without a summit, heights that are all equal, a target that is not reached.
+    pub fn make(
+        &mut self,
+        realisation: usize,
+        depth: AnalysisDepth,
+        files: &mut Files,
+        timing: &mut Timing,
+    ) -> Result<Surface, InputError> {
+        let surface = self.one(realisation, depth, files, timing)?;
+        self.counter.add(Item::Surfaces, 1);
+        Ok(Surface { realisations: self.plan.realisations, ..surface })
+    }
+
+    fn one(
+        &mut self,
+        realisation: usize,
+        depth: AnalysisDepth,
+        files: &mut Files,
+        timing: &mut Timing,
+    ) -> Result<Surface, InputError> {
+        let (name, source) = (&self.plan.name, self.source);
+        let key = &self.plan.size_key;
+        let refuse = |error: &dyn std::fmt::Display| source.error_at(key.clone(), error);
+        let start = Instant::now();
+        match &self.plan.origin {
+            Origin::List { path, nominal_area, .. } => {
+                let list = files
+                    .list(path, self.plan.as_ellipses)
+                    .map_err(|error| refuse(&format!("{} {error}", path.display())))?;
+                timing.read += start.elapsed();
+                let (contradictions, count) = (list.contradictions(), list.count());
+                let set = list.set(*nominal_area).map_err(|error| refuse(&error))?;
+                let statistics = Statistics::of(&set);
+                if statistics.sigma == 0.0 {
+                    return Err(refuse(&format!(
+                        "{}: all heights are equal, so that their standard deviation, which separations are \
+                         measured in, is zero; allowed: asperities of different heights",
+                        path.display()
+                    )));
+                }
+                let mut surface = Surface::new(name, set, statistics);
+                if contradictions > 0 {
+                    surface.warnings.push(format!(
+                        "{contradictions} of {count} radii lie beyond both 1/kx and 1/ky: laws for spheres take the radius, elliptic \
+                         laws kx and ky, and stand on different asperities there"
+                    ));
+                }
+                Ok(surface)
+            }
+            Origin::Population { population, ratio, count, draw, plane } => {
+                let draw = match draw {
+                    DrawSpec::Random => Draw::Random(stream_seed(
+                        self.seed,
+                        &format!("population {name} realisation {realisation}"),
+                    )),
+                    DrawSpec::Quantiles => Draw::Quantiles,
+                };
+                let mut set = population.set(*count, draw).map_err(|error| refuse(&error))?;
+                let mean_curvature = population.radius.recip();
+                let ratio = ratio.filter(|_| self.plan.as_ellipses);
+                if let Some(curvature_ratio) = ratio {
+                    let ellipse = Ellipse { mean_curvature, curvature_ratio };
+                    set = set.with_ellipses(vec![ellipse; *count]).map_err(|error| refuse(&error))?;
+                }
+                timing.generate += start.elapsed();
+                let statistics = Statistics::of(&set);
+                let mut surface = Surface::new(name, set, statistics);
+                surface.ellipticity =
+                    ratio.map(|ratio| Ellipticity { mean_curvature, mean_ratio: ratio.recip() });
+                surface.plane = *plane;
+                surface.mean_plane = Some(plane.mean).filter(|&mean| mean != 0.0);
+                surface.nominal = Some(*population);
+                Ok(surface)
+            }
+            Origin::Generated(generation) => {
+                let made = generation
+                    .make(self.seed, name, realisation, self.bandwidth)
+                    .map_err(|error| source.error_at(generation.key.clone(), error))?;
+                timing.generate += start.elapsed();
+                self.bandwidth = made.bandwidth;
+                let search = SummitSearch {
+                    level: Level::None,
+                    filter: None,
+                    neighbours: generation.neighbours,
+                    generation: Some(made.facts),
+                    as_ellipses: self.plan.as_ellipses,
+                    depth,
+                };
+                found(name, &search, &made.map, timing).map_err(|error| refuse(&error))
+            }
+            Origin::Map(map) => {
+                let refuse =
+                    |error: &dyn std::fmt::Display| refuse(&format!("{} {error}", map.path.display()));
+                let rows = files.map(&map.path, map.given).map_err(|error| refuse(&error))?;
+                timing.read += start.elapsed();
+                let search = SummitSearch {
+                    level: map.level,
+                    filter: map.filter,
+                    neighbours: map.neighbours,
+                    generation: None,
+                    as_ellipses: self.plan.as_ellipses,
+                    depth,
+                };
+                found(name, &search, &*rows, timing).map_err(|error| refuse(&error))
+            }
+        }
+    }
+}
+
+/// The ratio is 1.2 for Gaussian heights, and 1.5 for those of machined surfaces.
+const FEW_FLAT_TOPS: f64 = 4.0;
+
+/// Heights that scatter by less, relative to themselves, are equal but for rounding.
+const ROUNDING: f64 = 1e-12;
+
+/// The surface of the asperities that are found on a map.
+fn found(
+    name: &str,
+    search: &SummitSearch,
+    map: &dyn Rows,
+    timing: &mut Timing,
+) -> Result<Surface, NoAsperities> {
+    let start = Instant::now();
+    let (set, facts) = search.asperities(map)?;
+    timing.summits += start.elapsed();
+    let statistics = Statistics::of(&set);
+    let summits = facts.summits;
+    if statistics.sigma <= ROUNDING * (statistics.mean_height.abs() + facts.character.moments.sq) {
+        return Err(NoAsperities::EqualHeights { summits });
+    }
+    let mut surface = Surface::new(name, set, statistics);
+    surface.warnings = facts.warnings();
+    let spread = statistics.mean_radius / statistics.radius_of_mean_curvature;
+    if spread > FEW_FLAT_TOPS {
+        surface.warnings.push(format!(
+            "the mean radius is {spread:.1} times the radius of the mean curvature: a few nearly flat tops set it. \
+             statistical.mean-radius = \"inverse-mean-curvature\" takes the other mean.",
+        ));
+    }
+    surface.mean_plane = Some(facts.character.moments.mean);
+    surface.map = Some(facts);
+    Ok(surface)
+}

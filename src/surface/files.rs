@@ -1,0 +1,96 @@
+//! The measured files of a run: each is read once, however many surfaces are found in it.
+
+use std::path::{Path, PathBuf};
+use std::rc::Rc;
+
+use asperity::asperity::{AsperityList, ListError, read_list};
+use asperity::topography::Rows;
+use asperity::topography::read::{self, Given, ReadError};
+use asperity::work::{Counter, Item};
+
+/// What a surface is found in.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Reading {
+    /// A list of asperities, with the curvatures of ellipses or without.
+    List(PathBuf, bool),
+    /// A height map.
+    Map(PathBuf, Given),
+}
+
+impl Reading {
+    pub fn list(path: &Path, as_ellipses: bool) -> Self {
+        Self::List(whole(path), as_ellipses)
+    }
+
+    pub fn map(path: &Path, given: Given) -> Self {
+        Self::Map(whole(path), given)
+    }
+}
+
+/// A path that is the same for all ways to a file.
+fn whole(path: &Path) -> PathBuf {
+    std::fs::canonicalize(path).unwrap_or_else(|_| path.to_owned())
+}
+
+/// What was read, as long as a surface that is yet to be made needs it again.
+pub struct Files<'a> {
+    awaited: Vec<Reading>,
+    lists: Vec<(Reading, Rc<AsperityList>)>,
+    maps: Vec<(Reading, Rc<dyn Rows>)>,
+    counter: &'a Counter,
+}
+
+impl<'a> Files<'a> {
+    /// The files of surfaces that will be made of `awaited`.
+    pub fn new(awaited: Vec<Reading>, counter: &'a Counter) -> Self {
+        Self { awaited, lists: Vec::new(), maps: Vec::new(), counter }
+    }
+
+    /// The list at `path`.
+    pub fn list(&mut self, path: &Path, as_ellipses: bool) -> Result<AsperityList, ListError> {
+        let reading = Reading::list(path, as_ellipses);
+        let is_needed_again = self.take(&reading);
+        let read = || {
+            self.counter.add(Item::Files, 1);
+            read_list(path, as_ellipses).map(Rc::new)
+        };
+        let found = once(&mut self.lists, reading, is_needed_again, read)?;
+        Ok(Rc::unwrap_or_clone(found))
+    }
+
+    /// The map at `path`.
+    pub fn map(&mut self, path: &Path, given: Given) -> Result<Rc<dyn Rows>, ReadError> {
+        let reading = Reading::map(path, given);
+        let is_needed_again = self.take(&reading);
+        let read = || {
+            self.counter.add(Item::Files, 1);
+            read::rows(path, given).map(Rc::from)
+        };
+        once(&mut self.maps, reading, is_needed_again, read)
+    }
+
+    /// Awaits a reading once less, and says whether it is still awaited.
+    fn take(&mut self, reading: &Reading) -> bool {
+        if let Some(place) = self.awaited.iter().position(|awaited| awaited == reading) {
+            self.awaited.swap_remove(place);
+        }
+        self.awaited.contains(reading)
+    }
+}
+
+/// What `kept` holds of a reading, else what `read` finds; it is kept where it `is_needed_again`.
+fn once<T: ?Sized, E>(
+    kept: &mut Vec<(Reading, Rc<T>)>,
+    reading: Reading,
+    is_needed_again: bool,
+    read: impl FnOnce() -> Result<Rc<T>, E>,
+) -> Result<Rc<T>, E> {
+    let content = match kept.iter().position(|(known, _)| *known == reading) {
+        Some(place) => kept.swap_remove(place).1,
+        None => read()?,
+    };
+    if is_needed_again {
+        kept.push((reading, Rc::clone(&content)));
+    }
+    Ok(content)
+}

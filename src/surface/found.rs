@@ -1,0 +1,402 @@
+//! A surface as the models and the report see it: its asperities and what is known of them.
+
+use super::overview::{AnalysisDepth, MapOverview};
+use asperity::asperity::{
+    AsperitySet, Ellipse, Ellipticity, HeightDensity, Population, SetError, Statistics,
+};
+use asperity::literature::{self, Paper};
+use asperity::model::{MeanRadius, ReferencePlane};
+use asperity::topography::character::Character;
+use asperity::topography::filter::{Filter, FilterError};
+use asperity::topography::generate::{Recipe, Target};
+use asperity::topography::level::{Level, Levelled, Undetermined};
+use asperity::topography::marginal::Marginal;
+use asperity::topography::quantisation::Quantisation;
+use asperity::topography::summits::{Detail, Neighbours, Summits, find};
+use asperity::topography::theory::{self, Expected};
+use asperity::topography::{HeightMap, Rows};
+
+/// Asperities with their statistics and origin.
+#[derive(Debug)]
+pub struct Surface {
+    /// Its name in the spec.
+    pub name: String,
+    /// The asperities.
+    pub set: AsperitySet,
+    /// Their statistics.
+    pub statistics: Statistics,
+    /// Where separations are measured from, in the frame of the set's heights.
+    pub plane: ReferencePlane,
+    /// Height of the mean plane of the surface in the frame of the set's heights, m, where it is known.
+    pub mean_plane: Option<f64>,
+    /// The population that it was drawn from: the statistical model then stands on its numbers.
+    pub nominal: Option<Population>,
+    /// The mean shape of its asperities as ellipses, where a law sees them so.
+    pub ellipticity: Option<Ellipticity>,
+    /// The map that it was found on.
+    pub map: Option<MapFacts>,
+    /// How many surfaces of its name there are, of which this is one.
+    pub realisations: usize,
+    /// What makes its numbers doubtful.
+    pub warnings: Vec<String>,
+}
+
+/// What is known of a height map.
+#[derive(Debug, Clone)]
+pub struct MapFacts {
+    /// Points along x and y.
+    pub points: [usize; 2],
+    /// Their distances, m.
+    pub pixel: [f64; 2],
+    /// Points tested for a summit.
+    pub tested: usize,
+    /// What was taken out.
+    pub level: Level,
+    /// The filters, in words.
+    pub filter: Option<String>,
+    /// Of the levelled, filtered map.
+    pub character: Character,
+    /// What a summit is.
+    pub neighbours: Neighbours,
+    /// Number of summits.
+    pub summits: usize,
+    /// Plateaus among them, dropped ones included.
+    pub plateaus: usize,
+    /// Plateaus dropped for a curvature that is not positive.
+    pub dropped: usize,
+    /// Summits whose smaller principal curvature is not positive.
+    pub saddles: usize,
+    /// Five-point summits of a Gaussian surface with the same autocorrelation at neighbours; `None` where other
+    /// summits were looked for.
+    pub expected: Option<Expected>,
+    /// Summits of a continuous isotropic Gaussian surface with the same spectral moments.
+    pub nayak: Option<Expected>,
+    /// Of a measured map, the check for heights on steps.
+    pub quantisation: Option<Quantisation>,
+    /// Of a random surface, what it was made by.
+    pub generation: Option<GenerationFacts>,
+    /// What only a depth at the whole map tells, where it was asked for.
+    pub whole: MapOverview,
+}
+
+/// What a random surface was made by.
+#[derive(Debug, Clone, Copy)]
+pub struct GenerationFacts {
+    /// The recipe; of a target the one that was found.
+    pub recipe: Recipe,
+    /// What its summits were asked to be, and how many surfaces were tried.
+    pub target: Option<(Target, usize)>,
+    /// Share of the points that a finer process has cut.
+    pub cut: Option<f64>,
+}
+
+/// A map on which no asperities are found.
+#[derive(Debug, thiserror::Error)]
+pub(super) enum NoAsperities {
+    #[error(transparent)]
+    Level(#[from] Undetermined),
+    #[error(transparent)]
+    Filter(#[from] FilterError),
+    #[error("has no summit: once levelled it is flat to the rounding of its heights")]
+    Flat,
+    #[error("has no summit: none of its {tested} tested points is higher than its neighbours")]
+    NoSummit { tested: usize },
+    #[error(
+        "has {summits} summits that are equally high: separations are measured in their standard deviation; allowed: summits of \
+             different heights"
+    )]
+    EqualHeights { summits: usize },
+    #[error(transparent)]
+    Set(#[from] SetError),
+}
+
+/// How asperities are found on a map.
+pub(super) struct SummitSearch {
+    /// What is taken out first.
+    pub(super) level: Level,
+    /// The filters.
+    pub(super) filter: Option<Filter>,
+    /// What a summit is.
+    pub(super) neighbours: Neighbours,
+    /// Whether the ellipses of the asperities are wanted.
+    pub(super) as_ellipses: bool,
+    /// What the map was made by, if it was made.
+    pub(super) generation: Option<GenerationFacts>,
+    /// How closely it is looked at.
+    pub(super) depth: AnalysisDepth,
+}
+
+impl SummitSearch {
+    /// Levels and filters a map and finds its summits, row by row: only a filter and the closest depth need
+    /// the map in memory.
+    pub(super) fn asperities(&self, raw: &dyn Rows) -> Result<(AsperitySet, MapFacts), NoAsperities> {
+        let levelled = Levelled { map: raw, form: self.level.form(raw)? };
+        let filtered = match self.filter {
+            Some(filter) => Some(filter.apply(HeightMap::of(&levelled))?),
+            None => None,
+        };
+        let map: &dyn Rows = filtered.as_ref().map_or(&levelled as &dyn Rows, |map| map);
+        let character = Character::of(map);
+        if character.moments.sq <= levelled.form.magnitude() * raw.precision().max(f64::EPSILON) {
+            return Err(NoAsperities::Flat);
+        }
+        // Only steps of an instrument are told by the drops.
+        let detail = Detail { positions: false, principal: true, drops: self.generation.is_none() };
+        let summits = find(map, self.neighbours, detail);
+        if summits.heights.is_empty() {
+            return Err(NoAsperities::NoSummit { tested: summits.tested });
+        }
+        let facts = self.facts(raw, map, character, &summits);
+        let [dx, dy] = map.pixel();
+        let radii = summits.curvatures.iter().map(|curvature| curvature.recip()).collect();
+        let set = AsperitySet::new(summits.heights, radii, dx * dy * summits.tested as f64)?;
+        if !self.as_ellipses {
+            return Ok((set, facts));
+        }
+        let ellipses = summits.principal.iter().copied().map(Ellipse::of_summit).collect();
+        Ok((set.with_ellipses(ellipses)?, facts))
+    }
+
+    fn facts(&self, raw: &dyn Rows, map: &dyn Rows, character: Character, summits: &Summits) -> MapFacts {
+        let sq = character.moments.sq;
+        let is_five_point = self.neighbours == Neighbours::Four;
+        MapFacts {
+            points: map.points(),
+            pixel: map.pixel(),
+            tested: summits.tested,
+            level: self.level,
+            filter: self.filter.map(|filter| filter.to_string()),
+            neighbours: self.neighbours,
+            summits: summits.heights.len(),
+            plateaus: summits.plateaus,
+            dropped: summits.dropped,
+            saddles: summits.principal.iter().filter(|principal| principal[1] <= 0.0).count(),
+            expected: is_five_point.then(|| theory::five_point(&character.drops, sq, map.pixel())).flatten(),
+            nayak: theory::nayak(character.spectral_moments()),
+            quantisation: self.generation.is_none().then(|| Quantisation::of(raw, summits)),
+            generation: self.generation,
+            whole: MapOverview::of(
+                map,
+                &character,
+                self.generation.as_ref().map(|made| &made.recipe),
+                self.depth,
+            ),
+            character,
+        }
+    }
+}
+
+impl MapFacts {
+    /// What makes its numbers doubtful.
+    pub fn warnings(&self) -> Vec<String> {
+        /// No measured or machined surface is so steep all over.
+        const STEEP: f64 = 1.0;
+        /// Nobody measures roughness at points so far apart, m.
+        const WIDE: f64 = 1e-3;
+        let mut warnings = Vec::new();
+        let widest = self.pixel[0].max(self.pixel[1]);
+        if widest > WIDE {
+            warnings.push(format!(
+                "its points are {widest:.3e} m apart: its lengths are probably in another unit than the file is read in \
+                 (unit = \"um\" beside path says in which).",
+            ));
+        }
+        let slope = self.character.rms_slope();
+        if slope > STEEP {
+            warnings.push(format!(
+                "the r.m.s. slope is {slope:.3}: heights and distances of points are probably in different units, or in others than \
+                 the file is read in.",
+            ));
+        }
+        warnings.extend(self.lay_warning());
+        warnings.extend(self.step_warning());
+        warnings
+    }
+
+    /// Why five-point summits may be the grid's.
+    fn lay_warning(&self) -> Option<String> {
+        /// There are twice as many five-point summits as with the same lay along an axis.
+        const OBLIQUE: f64 = 0.6;
+        let correlation = self.character.drops.slope_correlation();
+        (self.neighbours == Neighbours::Four && correlation > OBLIQUE).then(|| {
+            format!(
+                "the lay lies at an angle to the grid (slopes along x and y correlate by {correlation:.2}): five-point summits \
+                 stand in rows along its ridges where the surface has none, and are more than twice too many. \
+                 neighbours = \"eight\" finds far fewer; best is a map that is turned so that the lay lies along x or y."
+            )
+        })
+    }
+
+    /// Why its radii may be the instrument's.
+    fn step_warning(&self) -> Option<String> {
+        let found = self.quantisation.as_ref()?;
+        let nanometres = |length: f64| format!("{:.4} nm", length * 1e9);
+        let step = found.step.map_or_else(String::new, |step| {
+            format!(" The instrument stores one height level every {}.", nanometres(step))
+        });
+        if let Some(step) = found.step.filter(|_| found.has_coarse_step()) {
+            return Some(format!(
+                "the radii are set by the instrument's height step of {}, not by the surface: the median drop from a summit \
+                 to its neighbours is {}, and the {} summits have {} distinct curvatures. Neither model's answer \
+                 describes this surface; measure with a finer step, or filter out the wavelengths that the step spoils.",
+                nanometres(step),
+                nanometres(found.median_drop),
+                found.summits,
+                found.distinct_curvatures,
+            ));
+        }
+        found.has_few_curvatures().then(|| {
+            format!(
+                "the {} summits have only {} distinct curvatures: the radii are set by the instrument, not by the \
+                 surface.{step}",
+                found.summits, found.distinct_curvatures,
+            )
+        })
+    }
+
+    /// The papers behind it.
+    fn papers(&self) -> Vec<Paper> {
+        let mut papers = vec![literature::GREENWOOD_1984, literature::NAYAK_1971];
+        if self.filter.is_some() {
+            papers.push(literature::ISO_16610_61);
+        }
+        if let Some(made) = &self.generation {
+            match made.recipe.process.heights {
+                Marginal::Gaussian => {}
+                Marginal::Johnson(_) => papers.push(literature::JOHNSON_1949),
+                Marginal::Weibull(_) => papers.push(literature::WEIBULL_1951),
+            }
+        }
+        papers
+    }
+}
+
+impl Surface {
+    /// A set that separations are measured in by its own statistics.
+    pub(super) fn new(name: &str, set: AsperitySet, statistics: Statistics) -> Self {
+        let ellipticity = Ellipticity::of(&set);
+        Self {
+            name: name.to_owned(),
+            set,
+            plane: ReferencePlane::from(&statistics),
+            statistics,
+            mean_plane: None,
+            nominal: None,
+            ellipticity,
+            map: None,
+            realisations: 1,
+            warnings: Vec::new(),
+        }
+    }
+
+    /// What the statistical model stands on: the nominal numbers of a population, the statistics of
+    /// any other set.
+    pub fn population(&self, heights: Option<HeightDensity>, mean_radius: MeanRadius) -> Population {
+        let own = Population {
+            radius: mean_radius.of(&self.statistics),
+            sigma: self.statistics.sigma,
+            density: self.set.density(),
+            heights: HeightDensity::Gaussian,
+        };
+        let population = self.nominal.unwrap_or(own);
+        Population { heights: heights.unwrap_or(population.heights), ..population }
+    }
+
+    /// The plane relative to the mean height of the statistical model's population.
+    pub fn reporting_plane(&self) -> ReferencePlane {
+        let mean = if self.nominal.is_some() { self.plane.mean } else { 0.0 };
+        ReferencePlane { mean, sigma: self.plane.sigma }
+    }
+
+    /// How far the mean asperity stands above the mean plane of the surface, m, where that is known.
+    pub fn offset_to_mean_plane(&self) -> Option<f64> {
+        let mean = if self.nominal.is_some() { 0.0 } else { self.statistics.mean_height };
+        self.mean_plane.map(|plane| mean - plane)
+    }
+
+    /// Whether separations are measured from the mean plane of the surface in its sigma.
+    pub fn is_quoted_as_surface(&self) -> bool {
+        self.nominal.is_some() && self.mean_plane.is_some()
+    }
+
+    /// The papers behind its asperities.
+    pub fn papers(&self) -> Vec<Paper> {
+        let mut papers: Vec<Paper> = self.map.iter().flat_map(MapFacts::papers).collect();
+        if self.is_quoted_as_surface() {
+            papers.push(literature::NAYAK_1971);
+        }
+        papers
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use asperity::topography::generate::{Plateau, Process, Seeds, SpectrumOf};
+    use asperity::topography::spectrum::{Lay, Shape, Spectrum};
+
+    fn map(points: [usize; 2], height: impl Fn(usize) -> f64) -> HeightMap {
+        HeightMap::new(points, [1.0, 2.0], (0..points[0] * points[1]).map(height).collect(), 0.0).unwrap()
+    }
+
+    fn facts(plateau: Option<Plateau>, neighbours: Neighbours) -> (HeightMap, MapFacts) {
+        let recipe = Recipe { points: [64, 48], pixel: [1.0, 0.8], process: process(3.0), plateau };
+        let (map, cut) = recipe.surface(Seeds { process: [1; 32], plateau: [2; 32] }).unwrap();
+        let generation = Some(GenerationFacts { recipe, target: None, cut });
+        let search = SummitSearch {
+            level: Level::None,
+            filter: None,
+            neighbours,
+            generation,
+            as_ellipses: false,
+            depth: AnalysisDepth::Everything,
+        };
+        let facts = search.asperities(&map).unwrap().1;
+        (map, facts)
+    }
+
+    fn process(length: f64) -> Process {
+        let spectrum = Spectrum::new(Shape::Exponential(length), Lay::default()).unwrap();
+        Process { spectrum, of: SpectrumOf::Heights, sigma: 1.0, heights: Marginal::Gaussian }
+    }
+
+    #[test]
+    fn a_surface_of_two_processes_has_no_spectrum_that_was_asked_for() {
+        let one = facts(None, Neighbours::Four).1;
+        assert!(one.whole.asked.is_some() && !one.whole.is_asked_of_gaussian);
+        let two = facts(Some(Plateau { process: process(2.0), height: 0.0 }), Neighbours::Four).1;
+        assert!(two.whole.asked.is_none() && two.whole.spectrum.is_some());
+    }
+
+    #[test]
+    fn saddles_are_summits_whose_smaller_curvature_is_not_positive() {
+        for neighbours in [Neighbours::Four, Neighbours::Eight] {
+            let (map, facts) = facts(None, neighbours);
+            let principal = find(&map, neighbours, Detail::ALL).principal;
+            let [larger, smaller] =
+                [0, 1].map(|k| principal.iter().filter(|curvatures| curvatures[k] <= 0.0).count());
+            assert_eq!((facts.saddles, larger), (smaller, 0));
+            assert!(smaller > 0);
+        }
+    }
+
+    /// What is left of a plane far from zero is its rounding.
+    #[test]
+    fn a_plane_far_from_zero_is_flat_once_it_is_levelled() {
+        let map = map([40, 30], |k| 1.0 + 1e-3 * (k / 30) as f64 + f64::EPSILON * ((k * k) % 2) as f64);
+        let search = |level| {
+            let neighbours = Neighbours::Four;
+            SummitSearch {
+                level,
+                filter: None,
+                neighbours,
+                generation: None,
+                as_ellipses: false,
+                depth: AnalysisDepth::Asperities,
+            }
+            .asperities(&map)
+        };
+        assert!(matches!(search(Level::Plane), Err(NoAsperities::Flat)));
+        assert!(matches!(search(Level::Quadratic), Err(NoAsperities::Flat)));
+    }
+}

@@ -1,0 +1,221 @@
+//! `[surface.NAME.generate]`: a random rough surface.
+
+use serde::Deserialize;
+use serde::de::value::MapAccessDeserializer;
+use serde::de::{Deserializer, Error, MapAccess, SeqAccess, Visitor};
+use toml::Spanned;
+
+use crate::surface::spec::PixelSpec;
+use asperity::topography::generate::SpectrumOf;
+use asperity::topography::summits::Neighbours;
+use asperity_framework::input::quantity::{Angle, ArealNumberDensity, Finite, Length, Pure, Quantity};
+
+/// A random rough surface: either pixel, sigma and the lengths of its spectrum, or what its summits shall be.
+#[derive(Debug, Deserialize)]
+#[serde(
+    deny_unknown_fields,
+    rename_all = "kebab-case",
+    expecting = "a table with points, spectrum, and either pixel and sigma or summits"
+)]
+pub struct GenerateSpec {
+    /// Points along x and y.
+    pub points: Spanned<PointsSpec>,
+    /// Their distances; not with `summits`.
+    pub pixel: Option<Spanned<PixelSpec>>,
+    /// Standard deviation of the surface heights; not with `summits`.
+    pub sigma: Option<Spanned<Quantity<Length>>>,
+    /// How the variance is spread over the waves.
+    pub spectrum: Spanned<SpectrumSpec>,
+    /// Distribution of the heights.
+    pub heights: Option<Spanned<HeightsSpec>>,
+    /// Whose spectrum it is: not with `summits`, which leave the spectrum open.
+    pub spectrum_of: Option<Spanned<SpectrumOf>>,
+    /// A finer process that cuts the surface; not with `summits`.
+    pub plateau: Option<Spanned<PlateauSpec>>,
+    /// What the found summits shall be.
+    pub summits: Option<Spanned<TargetSpec>>,
+    /// Which neighbours a summit is higher than.
+    #[serde(default)]
+    pub neighbours: Neighbours,
+    /// How many surfaces are made.
+    pub realisations: Option<Spanned<u64>>,
+}
+
+/// The numbers of found summits that a surface shall have.
+#[derive(Debug, Clone, Copy, Deserialize)]
+#[serde(deny_unknown_fields, expecting = "a table { radius, sigma, density }")]
+pub struct TargetSpec {
+    /// Arithmetic mean of the radii.
+    pub radius: Quantity<Length>,
+    /// Standard deviation of the summit heights.
+    pub sigma: Quantity<Length>,
+    /// Summits per area.
+    pub density: Quantity<ArealNumberDensity>,
+}
+
+/// A process that cuts the summits off.
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields, expecting = "a table { sigma, spectrum, height }")]
+pub struct PlateauSpec {
+    /// Standard deviation of its heights.
+    pub sigma: Quantity<Length>,
+    /// Its spectrum.
+    pub spectrum: Spanned<SpectrumSpec>,
+    /// Height of its mean plane above that of the surface that it cuts.
+    pub height: Quantity<Length, Finite>,
+}
+
+/// A spectrum: a one-key table names it and holds its numbers.
+#[derive(Debug, Clone, Copy, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum SpectrumSpec {
+    /// Self-affine.
+    SelfAffine(SelfAffineSpec),
+    /// Gaussian autocorrelation.
+    Gaussian(CorrelationSpec),
+    /// Exponential autocorrelation.
+    Exponential(CorrelationSpec),
+}
+
+/// A self-affine spectrum; with `summits` its wavelengths are found and only `cut-off-pixels` may be given.
+#[derive(Debug, Clone, Copy, Deserialize)]
+#[serde(deny_unknown_fields, rename_all = "kebab-case", expecting = "a table { hurst, roll-off, cut-off }")]
+pub struct SelfAffineSpec {
+    /// Hurst exponent.
+    pub hurst: Quantity<Pure, Finite>,
+    /// Longest wavelength of the power law.
+    pub roll_off: Option<Quantity<Length>>,
+    /// Shortest wavelength.
+    pub cut_off: Option<Quantity<Length>>,
+    /// Shortest wavelength in pixels.
+    pub cut_off_pixels: Option<Quantity<Pure, Finite>>,
+    /// Lengths along the lay over those across it.
+    pub elongation: Option<Quantity<Pure, Finite>>,
+    /// From the x axis to the lay.
+    pub angle: Option<Quantity<Angle, Finite>>,
+}
+
+/// One correlation length, or one along the lay and one across it.
+#[derive(Debug, Clone, Copy, Deserialize)]
+#[serde(deny_unknown_fields, rename_all = "kebab-case", expecting = "a table { correlation-length }")]
+pub struct CorrelationSpec {
+    /// Along the lay and across it.
+    pub correlation_length: PixelSpec,
+    /// From the x axis to the lay.
+    pub angle: Option<Quantity<Angle, Finite>>,
+}
+
+/// `"gaussian"`, or a one-key table.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum HeightsSpec {
+    /// Gaussian.
+    Gaussian,
+    /// Johnson's system by skewness and kurtosis.
+    Johnson {
+        /// Skewness.
+        skewness: f64,
+        /// Kurtosis, 3 if Gaussian.
+        kurtosis: f64,
+    },
+    /// Weibull by its shape.
+    Weibull {
+        /// Its shape.
+        shape: f64,
+    },
+}
+
+#[derive(Deserialize)]
+#[serde(rename_all = "kebab-case")]
+enum HeightsWords {
+    Gaussian(NoOptions),
+    Johnson(JohnsonSpec),
+    Weibull(WeibullSpec),
+}
+
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields, expecting = "an empty table")]
+struct NoOptions {}
+
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields, expecting = "a table { skewness, kurtosis }")]
+struct JohnsonSpec {
+    skewness: Quantity<Pure, Finite>,
+    kurtosis: Quantity<Pure, Finite>,
+}
+
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields, expecting = "a table { shape }")]
+struct WeibullSpec {
+    shape: Quantity<Pure, Finite>,
+}
+
+impl From<HeightsWords> for HeightsSpec {
+    fn from(words: HeightsWords) -> Self {
+        match words {
+            HeightsWords::Gaussian(NoOptions {}) => Self::Gaussian,
+            HeightsWords::Johnson(JohnsonSpec { skewness, kurtosis }) => {
+                Self::Johnson { skewness: skewness.value(), kurtosis: kurtosis.value() }
+            }
+            HeightsWords::Weibull(WeibullSpec { shape }) => Self::Weibull { shape: shape.value() },
+        }
+    }
+}
+
+const ALLOWED_HEIGHTS: &str =
+    "\"gaussian\", { johnson = { skewness = -1, kurtosis = 4.5 } } or { weibull = { shape = 2 } }";
+
+impl<'de> Deserialize<'de> for HeightsSpec {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        struct NameOrTable;
+
+        impl<'de> Visitor<'de> for NameOrTable {
+            type Value = HeightsSpec;
+
+            fn expecting(&self, f: &mut std::fmt::Formatter) -> std::fmt::Result {
+                f.write_str(ALLOWED_HEIGHTS)
+            }
+            fn visit_str<E: Error>(self, name: &str) -> Result<HeightsSpec, E> {
+                match name {
+                    "gaussian" => Ok(HeightsSpec::Gaussian),
+                    _ => Err(E::custom(format!("found \"{name}\"; allowed: {ALLOWED_HEIGHTS}"))),
+                }
+            }
+            fn visit_map<A: MapAccess<'de>>(self, table: A) -> Result<HeightsSpec, A::Error> {
+                HeightsWords::deserialize(MapAccessDeserializer::new(table)).map(HeightsSpec::from)
+            }
+        }
+        deserializer.deserialize_any(NameOrTable)
+    }
+}
+
+/// One number of points, or one along x and one along y.
+#[derive(Debug, Clone, Copy)]
+pub struct PointsSpec(pub [u64; 2]);
+
+impl<'de> Deserialize<'de> for PointsSpec {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        struct OneOrTwo;
+
+        impl<'de> Visitor<'de> for OneOrTwo {
+            type Value = PointsSpec;
+
+            fn expecting(&self, f: &mut std::fmt::Formatter) -> std::fmt::Result {
+                f.write_str("a number of points such as 1024, or a list of two: along x and along y")
+            }
+            fn visit_i64<E: Error>(self, count: i64) -> Result<PointsSpec, E> {
+                let negative = || E::custom(format!("found {count} points; allowed: at least 8"));
+                Ok(PointsSpec([u64::try_from(count).map_err(|_| negative())?; 2]))
+            }
+            fn visit_seq<A: SeqAccess<'de>>(self, mut list: A) -> Result<PointsSpec, A::Error> {
+                let mut counts = Vec::new();
+                while let Some(count) = list.next_element::<u64>()? {
+                    counts.push(count);
+                }
+                <[u64; 2]>::try_from(counts).map(PointsSpec).map_err(|counts| {
+                    A::Error::custom(format!("found {} numbers; allowed: one or two", counts.len()))
+                })
+            }
+        }
+        deserializer.deserialize_any(OneOrTwo)
+    }
+}

@@ -1,0 +1,324 @@
+//! Random rough surfaces, planned from their words.
+
+use std::f64::consts::TAU;
+use std::ops::Range;
+
+use toml::Spanned;
+
+use crate::surface::found::GenerationFacts;
+use crate::surface::generate_spec::{
+    CorrelationSpec, GenerateSpec, HeightsSpec, PlateauSpec, SelfAffineSpec, SpectrumSpec,
+};
+use asperity::topography::HeightMap;
+use asperity::topography::generate::{
+    Plateau, Process, Recipe, Seeds, SpectrumOf, Target, TargetRecipe, Unreachable,
+};
+use asperity::topography::marginal::{Johnson, Marginal, Weibull};
+use asperity::topography::spectrum::{Lay, Shape, Spectrum};
+use asperity::topography::summits::Neighbours;
+use asperity_framework::digest::stream_seed;
+use asperity_framework::input::quantity::{Angle, Finite, Quantity};
+use asperity_framework::input::{InputError, Source};
+
+/// How a random surface is made.
+#[derive(Debug, Clone)]
+pub struct Generation {
+    /// The way.
+    pub way: Way,
+    /// What a summit is.
+    pub neighbours: Neighbours,
+    /// What the spec says of its size, or of its summits.
+    pub key: Range<usize>,
+}
+
+/// The two ways to a surface.
+#[derive(Debug, Clone)]
+pub enum Way {
+    /// By what it is.
+    Recipe(Recipe),
+    /// By what its summits shall be.
+    Target {
+        /// What is left open.
+        recipe: TargetRecipe,
+        /// What they shall be.
+        target: Target,
+    },
+}
+
+/// A surface and what it was made by.
+pub struct Generated {
+    /// The surface.
+    pub map: HeightMap,
+    /// What it was made by.
+    pub facts: GenerationFacts,
+    /// The bandwidth that met the target, if there is one.
+    pub bandwidth: Option<f64>,
+}
+
+/// A grid that is worth making.
+const FEWEST_POINTS: u64 = 8;
+/// Beyond, no memory holds a map.
+const MOST_POINTS: u64 = 1 << 20;
+
+impl Generation {
+    /// Resolves the words, which stand at `span`.
+    ///
+    /// # Errors
+    /// The first that makes no surface.
+    pub fn new(source: &Source, span: Range<usize>, words: &GenerateSpec) -> Result<Self, InputError> {
+        let (points, heights) = (points(source, words)?, heights(source, words)?);
+        let way = match &words.summits {
+            Some(summits) => {
+                let target = Target {
+                    radius: summits.get_ref().radius.value(),
+                    sigma: summits.get_ref().sigma.value(),
+                    density: summits.get_ref().density.value(),
+                };
+                let recipe = target_recipe(source, words, points, heights)?;
+                Way::Target { recipe, target }
+            }
+            None => Way::Recipe(recipe(source, span, words, points, heights)?),
+        };
+        let key = words.summits.as_ref().map_or_else(|| words.points.span(), Spanned::span);
+        Ok(Self { way, neighbours: words.neighbours, key })
+    }
+
+    /// Points along x and y.
+    pub fn points(&self) -> [usize; 2] {
+        match &self.way {
+            Way::Recipe(recipe) => recipe.points,
+            Way::Target { recipe, .. } => recipe.points,
+        }
+    }
+
+    /// Arrays of the map's size that are in memory at once.
+    pub fn arrays(&self) -> u128 {
+        match &self.way {
+            // The surface and its spectrum's table, or the table and the autocorrelation that it comes from; two
+            // processes; two ends of a bracket and a trial.
+            Way::Recipe(Recipe { plateau: None, .. }) => 3,
+            Way::Recipe(_) => 4,
+            Way::Target { .. } => 4,
+        }
+    }
+
+    /// What it is, for a plan that a person reads.
+    pub fn describe(&self) -> String {
+        let [nx, ny] = self.points();
+        match &self.way {
+            Way::Recipe(_) => format!("random surface, {nx} x {ny} points"),
+            Way::Target { target, .. } => format!(
+                "random surface, {nx} x {ny} points, whose summits have radius {:.4e} m, sigma {:.4e} m, density {:.4e} /m^2",
+                target.radius, target.sigma, target.density
+            ),
+        }
+    }
+
+    /// Makes realisation `realisation` (from 1) of the surface called `name`. `first` is a bandwidth that met the target
+    /// before.
+    ///
+    /// # Errors
+    /// A target that is not reached.
+    pub fn make(
+        &self,
+        seed: u64,
+        name: &str,
+        realisation: usize,
+        first: Option<f64>,
+    ) -> Result<Generated, Unreachable> {
+        let seed = |what: &str| stream_seed(seed, &format!("{what} {name} realisation {realisation}"));
+        let seeds = Seeds { process: seed("surface"), plateau: seed("plateau") };
+        /// The product of a small map steps as single summits come and go: other random numbers step elsewhere.
+        const ATTEMPTS: usize = 8;
+        match &self.way {
+            Way::Recipe(recipe) => {
+                let (map, cut) = recipe.surface(seeds)?;
+                let facts = GenerationFacts { recipe: *recipe, target: None, cut };
+                Ok(Generated { map, facts, bandwidth: None })
+            }
+            Way::Target { recipe, target } => {
+                let mut found = recipe.surface(target, seeds.process, first);
+                for attempt in 2..=ATTEMPTS {
+                    if !matches!(found, Err(Unreachable::Jump { .. })) {
+                        break;
+                    }
+                    found = recipe.surface(target, seed(&format!("attempt {attempt} at surface")), first);
+                }
+                let found = found?;
+                let shape = Shape::SelfAffine {
+                    hurst: recipe.hurst,
+                    roll_off: found.roll_off,
+                    cut_off: found.cut_off,
+                };
+                let process = Process {
+                    spectrum: Spectrum::new(shape, recipe.lay)?,
+                    of: SpectrumOf::Gaussian,
+                    sigma: found.sigma,
+                    heights: recipe.heights,
+                };
+                let made = Recipe { points: recipe.points, pixel: found.map.pixel(), process, plateau: None };
+                let target = Some((*target, found.tried));
+                let facts = GenerationFacts { recipe: made, target, cut: None };
+                Ok(Generated { map: found.map, facts, bandwidth: Some(found.bandwidth) })
+            }
+        }
+    }
+}
+
+fn points(source: &Source, words: &GenerateSpec) -> Result<[usize; 2], InputError> {
+    let counts = words.points.get_ref().0;
+    if counts.iter().all(|count| (FEWEST_POINTS..=MOST_POINTS).contains(count)) {
+        return Ok(counts.map(|count| count as usize));
+    }
+    let message = format!(
+        "found {} x {} points; allowed: {FEWEST_POINTS} to {MOST_POINTS} along x and y",
+        counts[0], counts[1]
+    );
+    Err(source.error_at(words.points.span(), message))
+}
+
+fn heights(source: &Source, words: &GenerateSpec) -> Result<Marginal, InputError> {
+    let Some(heights) = &words.heights else { return Ok(Marginal::Gaussian) };
+    let made = match *heights.get_ref() {
+        HeightsSpec::Gaussian => Ok(Marginal::Gaussian),
+        HeightsSpec::Johnson { skewness, kurtosis } => {
+            Johnson::from_moments(skewness, kurtosis).map(Marginal::Johnson)
+        }
+        HeightsSpec::Weibull { shape } => Weibull::new(shape).map(Marginal::Weibull),
+    };
+    made.map_err(|error| source.error_at(heights.span(), error))
+}
+
+fn recipe(
+    source: &Source,
+    span: Range<usize>,
+    words: &GenerateSpec,
+    points: [usize; 2],
+    heights: Marginal,
+) -> Result<Recipe, InputError> {
+    let missing = |key: &str| {
+        source.error_at(
+            span.clone(),
+            format!("found no {key}; allowed: pixel and sigma, or summits = {{ radius, sigma, density }}"),
+        )
+    };
+    let pixel = words.pixel.as_ref().ok_or_else(|| missing("pixel"))?.get_ref().0;
+    let sigma = words.sigma.as_ref().ok_or_else(|| missing("sigma"))?.get_ref().value();
+    let of = words.spectrum_of.as_ref().map(|of| *of.get_ref()).unwrap_or_default();
+    let process = Process { spectrum: spectrum(source, &words.spectrum, points, pixel)?, of, sigma, heights };
+    let plateau = words.plateau.as_ref().map(|plateau| {
+        let PlateauSpec { sigma, spectrum: words, height } = plateau.get_ref();
+        let spectrum = spectrum(source, words, points, pixel)?;
+        let process =
+            Process { spectrum, of: SpectrumOf::Heights, sigma: sigma.value(), heights: Marginal::Gaussian };
+        Ok(Plateau { process, height: height.value() })
+    });
+    Ok(Recipe { points, pixel, process, plateau: plateau.transpose()? })
+}
+
+/// A spectrum by its lengths, which the grid must show.
+fn spectrum(
+    source: &Source,
+    words: &Spanned<SpectrumSpec>,
+    points: [usize; 2],
+    pixel: [f64; 2],
+) -> Result<Spectrum, InputError> {
+    let refuse = |message: &dyn std::fmt::Display| source.error_at(words.span(), message);
+    let made = match words.get_ref() {
+        SpectrumSpec::SelfAffine(self_affine) => {
+            let SelfAffineSpec { hurst, roll_off, cut_off, cut_off_pixels, .. } = self_affine;
+            if cut_off_pixels.is_some() {
+                return Err(refuse(
+                    &"found cut-off-pixels without summits; allowed here: roll-off and cut-off, as wavelengths",
+                ));
+            }
+            let (Some(roll_off), Some(cut_off)) = (roll_off, cut_off) else {
+                let missing = if roll_off.is_none() { "roll-off" } else { "cut-off" };
+                return Err(refuse(&format!(
+                    "found a self-affine spectrum without {missing}; allowed: hurst, roll-off and cut-off, the longest and \
+                     the shortest wavelength of the power law"
+                )));
+            };
+            let (roll_off, cut_off) = (roll_off.value(), cut_off.value());
+            let lay = lay(self_affine.elongation.map_or(1.0, |e| e.value()), self_affine.angle);
+            let lay = lay.map_err(|error| refuse(&error))?;
+            Spectrum::new(Shape::SelfAffine { hurst: hurst.value(), roll_off, cut_off }, lay)
+        }
+        SpectrumSpec::Gaussian(CorrelationSpec { correlation_length, angle })
+        | SpectrumSpec::Exponential(CorrelationSpec { correlation_length, angle }) => {
+            let [along, across] = correlation_length.0;
+            let is_gaussian = matches!(words.get_ref(), SpectrumSpec::Gaussian(_));
+            let shape = if is_gaussian { Shape::Gaussian(across) } else { Shape::Exponential(across) };
+            Spectrum::new(shape, lay(along / across, *angle).map_err(|error| refuse(&error))?)
+        }
+    };
+    let made = made.and_then(|spectrum| spectrum.check(points, pixel).map(|()| spectrum));
+    made.map_err(|error| refuse(&error))
+}
+
+/// A lay by its lengths along over those across, and its angle.
+fn lay(elongation: f64, angle: Option<Quantity<Angle, Finite>>) -> Result<Lay, String> {
+    let Some(angle) = angle.map(|angle| angle.value()) else { return Ok(Lay { elongation, angle: 0.0 }) };
+    if angle.abs() > TAU {
+        return Err(format!(
+            "found an angle of {angle} rad; allowed: at most a full turn, such as \"30 deg\" (a bare number is in rad)"
+        ));
+    }
+    if elongation == 1.0 {
+        return Err("found an angle without a lay; allowed: beside two different correlation lengths, along the lay and across \
+                    it, or beside an elongation"
+            .to_owned());
+    }
+    Ok(Lay { elongation, angle })
+}
+
+/// A target leaves scales and bandwidth open.
+fn target_recipe(
+    source: &Source,
+    words: &GenerateSpec,
+    points: [usize; 2],
+    heights: Marginal,
+) -> Result<TargetRecipe, InputError> {
+    /// A quarter of the Nyquist wave number: summits are well resolved.
+    const CUT_OFF: f64 = 8.0;
+    let with_summits = |span: Range<usize>, key: &str| {
+        source.error_at(span, format!("found {key} beside summits, which decide it; allowed: one of the two"))
+    };
+    if let Some(pixel) = &words.pixel {
+        return Err(with_summits(pixel.span(), "pixel"));
+    }
+    if let Some(sigma) = &words.sigma {
+        return Err(with_summits(sigma.span(), "sigma"));
+    }
+    if let Some(of) = &words.spectrum_of {
+        return Err(with_summits(of.span(), "spectrum-of"));
+    }
+    if let Some(plateau) = &words.plateau {
+        return Err(source.error_at(
+            plateau.span(),
+            "found plateau beside summits, which are searched for on the surfaces of one process; allowed: one of the two",
+        ));
+    }
+    let refuse = |message: &dyn std::fmt::Display| source.error_at(words.spectrum.span(), message);
+    let SpectrumSpec::SelfAffine(self_affine) = words.spectrum.get_ref() else {
+        return Err(refuse(
+            &"found a spectrum whose bandwidth is fixed; allowed with summits: self-affine, whose bandwidth is searched for",
+        ));
+    };
+    if self_affine.roll_off.is_some() || self_affine.cut_off.is_some() {
+        return Err(refuse(
+            &"found roll-off or cut-off beside summits, which decide them; allowed: hurst, cut-off-pixels, elongation, angle",
+        ));
+    }
+    let recipe = TargetRecipe {
+        points,
+        hurst: self_affine.hurst.value(),
+        cut_off: self_affine.cut_off_pixels.map_or(CUT_OFF, |pixels| pixels.value()),
+        lay: lay(self_affine.elongation.map_or(1.0, |e| e.value()), self_affine.angle)
+            .map_err(|error| refuse(&error))?,
+        heights,
+        neighbours: words.neighbours,
+    };
+    recipe.check().map_err(|error| refuse(&error))?;
+    Ok(recipe)
+}

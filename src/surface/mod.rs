@@ -1,0 +1,40 @@
+//! The surfaces of a spec: read, planned, made, and described in a report.
+
+mod description;
+mod factory;
+mod files;
+mod found;
+mod generate_spec;
+mod generation;
+mod options;
+mod overview;
+mod page;
+mod plan;
+mod section;
+mod spec;
+mod summary;
+
+pub use description::{SurfacesPlan, described_file};
+pub use factory::SurfaceFactory;
+pub use files::Files;
+pub use found::{GenerationFacts, MapFacts, Surface};
+pub use options::FileOptions;
+pub use overview::{AnalysisDepth, MapOverview};
+pub use plan::{SurfacePlan, beside, curvature_ratio, describe, inputs, memory, surfaces};
+pub use section::section;
+pub use summary::{PopulationSummary, RealisationSummary, SurfaceSummary, summary};
+
+use asperity::work::Counter;
+
+/// Warnings of surfaces, by name.
+pub fn warnings<'a>(surfaces: impl IntoIterator<Item = &'a Surface>) -> Vec<String> {
+    let of = |surface: &'a Surface| {
+        surface.warnings.iter().map(|warning| format!("surface {}: {warning}", surface.name))
+    };
+    surfaces.into_iter().flat_map(of).collect()
+}
+
+/// The files of surfaces that are made one after the other.
+pub fn files_of<'a>(surfaces: &[SurfacePlan], counter: &'a Counter) -> Files<'a> {
+    Files::new(surfaces.iter().filter_map(SurfacePlan::reading).collect(), counter)
+}

@@ -1,0 +1,45 @@
+//! The page of a look at surfaces.
+
+use super::description::SurfacesResults;
+use super::section::section;
+use asperity_framework::Outcome;
+use asperity_framework::metadata::Metadata;
+use asperity_framework::report::page::{Page, escape};
+use asperity_framework::report::sections;
+
+/// The page.
+pub fn page(results: &SurfacesResults) -> Page {
+    let mut page = Page::new(&results.metadata.title);
+    sections::notes(&mut page, &results.metadata);
+    for warning in results.warnings() {
+        page.warning(&escape(&warning));
+    }
+    for surface in &results.surfaces {
+        page.heading(2, &format!("Surface {}", surface.name));
+        if surface.realisations > 1 {
+            page.paragraph(&format!("This is the first of {} realisations.", surface.realisations));
+        }
+        section(&mut page, surface, None);
+        if surface.map.as_ref().is_some_and(|map| map.whole.spectrum.is_none()) {
+            page.paragraph(
+                "The map is too large for its spectrum and autocorrelation to be looked at in memory.",
+            );
+        }
+    }
+    page.heading(2, "How it was made");
+    let Metadata { stem, seed, spec_sha256, .. } = &results.metadata;
+    let version = env!("CARGO_PKG_VERSION");
+    match &results.spec_text {
+        Some(words) => {
+            page.paragraph(&format!("These words in a spec read the same surface. Asperity {version}."));
+            page.code("toml", words);
+        }
+        None => {
+            page.paragraph(&format!(
+                "`{stem}`: seed {seed}, SHA-256 of the spec `{spec_sha256}`. Asperity {version}."
+            ));
+        }
+    }
+    sections::sources(&mut page, &results.metadata);
+    page
+}

@@ -1,0 +1,416 @@
+//! The surfaces of an experiment: planned from the spec, then made or read.
+
+use indexmap::IndexMap;
+use std::fmt;
+use std::ops::Range;
+use std::path::PathBuf;
+use toml::Spanned;
+
+use crate::surface::files::Reading;
+use crate::surface::generation::Generation;
+use crate::surface::overview::{AnalysisDepth, MOST_POINTS_LOOKED_AT};
+use crate::surface::spec::{DrawSpec, FileSpec, ListSpec, PopulationHeights, PopulationSpec, SurfaceSpec};
+use asperity::asperity::{HeightDensity, Population, SurfaceHeights, check_list};
+use asperity::model::ReferencePlane;
+use asperity::topography::MapError;
+use asperity::topography::filter::Filter;
+use asperity::topography::level::Level;
+use asperity::topography::read::{self, Given, GivenError};
+use asperity::topography::summits::Neighbours;
+use asperity_framework::input::quantity::{Length, Pure, Quantity};
+use asperity_framework::input::{InputError, Source, SpecFile};
+use asperity_framework::{Memory, set_memory};
+
+/// A surface that can be made.
+#[derive(Debug)]
+pub struct SurfacePlan {
+    /// Its name in the spec.
+    pub name: String,
+    /// Where the spec says what it is made of.
+    pub size_key: Range<usize>,
+    /// How many surfaces of this name are made; a given or measured one is its own only realisation.
+    pub realisations: usize,
+    /// Whether a law sees its asperities as ellipses.
+    pub(super) as_ellipses: bool,
+    pub(super) origin: Origin,
+}
+
+#[derive(Debug)]
+pub(super) enum Origin {
+    List {
+        path: PathBuf,
+        most_rows: usize,
+        nominal_area: f64,
+    },
+    Population {
+        population: Population,
+        ratio: Option<f64>,
+        count: usize,
+        draw: DrawSpec,
+        plane: ReferencePlane,
+    },
+    Generated(Box<Generation>),
+    Map(MapPlan),
+}
+
+/// A measured map.
+#[derive(Debug)]
+pub(super) struct MapPlan {
+    pub(super) path: PathBuf,
+    pub(super) points: usize,
+    /// Whether its heights stay on disk.
+    pub(super) is_on_disk: bool,
+    pub(super) given: Given,
+    pub(super) level: Level,
+    pub(super) filter: Option<Filter>,
+    pub(super) neighbours: Neighbours,
+}
+
+/// More are a study of their own.
+const MOST_REALISATIONS: u64 = 1000;
+
+impl SurfacePlan {
+    /// Looks at everything about a surface that can be known before it is made.
+    ///
+    /// # Errors
+    /// A file that is missing or is not what it should be; numbers that make no surface.
+    pub fn new(
+        source: &Source,
+        name: &Spanned<String>,
+        words: &Spanned<SurfaceSpec>,
+        as_ellipses: bool,
+    ) -> Result<Self, InputError> {
+        // The name becomes part of file names.
+        let is_plain = |name: &str| {
+            !name.is_empty() && name.chars().all(|c| c.is_alphanumeric() || c == '-' || c == '_')
+        };
+        if !is_plain(name.get_ref()) {
+            return Err(source.error_at(
+                name.span(),
+                format!("found the surface name \"{}\"; allowed: letters, digits, - and _", name.get_ref()),
+            ));
+        }
+        let (origin, size_key, realisations) = match words.get_ref() {
+            SurfaceSpec::Asperities(list) => {
+                (Self::list(source, list, as_ellipses)?, list.file.span(), &None)
+            }
+            SurfaceSpec::Population(population) => {
+                let origin = Self::population(source, words.span(), population, as_ellipses)?;
+                (origin, population.count.span(), &population.realisations)
+            }
+            SurfaceSpec::Generate(generate) => {
+                let origin = Origin::Generated(Box::new(Generation::new(source, words.span(), generate)?));
+                (origin, generate.points.span(), &generate.realisations)
+            }
+            SurfaceSpec::File(file) => (Self::map(source, file)?, file.path.span(), &None),
+        };
+        let realisations = match realisations {
+            None => 1,
+            Some(count) if (1..=MOST_REALISATIONS).contains(count.get_ref()) => *count.get_ref() as usize,
+            Some(count) => {
+                let message = format!("found {}; allowed: 1 to {MOST_REALISATIONS}", count.get_ref());
+                return Err(source.error_at(count.span(), message));
+            }
+        };
+        Ok(Self { name: name.get_ref().clone(), size_key, realisations, as_ellipses, origin })
+    }
+
+    fn list(source: &Source, words: &ListSpec, as_ellipses: bool) -> Result<Origin, InputError> {
+        let path = beside(source, &words.file)?;
+        let most_rows = check_list(&path, as_ellipses)
+            .map_err(|error| source.error_at(words.file.span(), format!("{} {error}", path.display())))?;
+        Ok(Origin::List { path, most_rows, nominal_area: words.nominal_area.value() })
+    }
+
+    fn population(
+        source: &Source,
+        span: Range<usize>,
+        words: &PopulationSpec,
+        as_ellipses: bool,
+    ) -> Result<Origin, InputError> {
+        let ratio = curvature_ratio(source, &span, words.curvature_ratio.as_ref(), as_ellipses)?;
+        let count = *words.count.get_ref();
+        let count = usize::try_from(count).ok().filter(|&count| count > 0).ok_or_else(|| {
+            source.error_at(words.count.span(), format!("found {count}; allowed: at least one asperity"))
+        })?;
+        let (radius, sigma, density) = (words.radius.value(), words.sigma.value(), words.density.value());
+        let mut population = Population { radius, sigma, density, heights: HeightDensity::Gaussian };
+        let mut plane = ReferencePlane { mean: 0.0, sigma };
+        match words.heights {
+            PopulationHeights::Gaussian => {}
+            PopulationHeights::Exponential => population.heights = HeightDensity::Exponential,
+            PopulationHeights::Surface => {
+                let surface = SurfaceHeights { radius, sigma, density };
+                population.sigma = surface.asperity_sigma().map_err(|error| source.error_at(span, error))?;
+                plane.mean = -surface.mean_asperity_height();
+            }
+        }
+        Ok(Origin::Population { population, ratio, count, draw: words.draw, plane })
+    }
+
+    fn map(source: &Source, words: &FileSpec) -> Result<Origin, InputError> {
+        let path = beside(source, &words.path)?;
+        let refuse = |error: &dyn std::fmt::Display| {
+            source.error_at(words.path.span(), format!("{} {error}", path.display()))
+        };
+        let metadata = read::head(&path).map_err(|error| refuse(&error))?;
+        let points = metadata.points;
+        if points.iter().any(|&count| count < 3) {
+            return Err(refuse(&MapError::TooSmall(points)));
+        }
+        let given = Given {
+            pixel: words.pixel.as_ref().map(|pixel| pixel.get_ref().0),
+            unit: words.unit.as_ref().map(|unit| unit.get_ref().0),
+        };
+        let pixel = metadata.pixel(&given).map_err(|error| {
+            let key = match error {
+                GivenError::PixelHeld { .. } => words.pixel.as_ref().map(Spanned::span),
+                GivenError::UnitHeld { .. } => words.unit.as_ref().map(Spanned::span),
+                GivenError::NoPixel => None,
+            };
+            source.error_at(key.unwrap_or_else(|| words.path.span()), format!("{} {error}", path.display()))
+        })?;
+        let filter = match &words.filter {
+            None => None,
+            Some(filter) => {
+                let index = |quantity: Option<Quantity<Length>>| quantity.map(|q| q.value());
+                let indices = filter.get_ref();
+                let made = Filter::new(index(indices.s), index(indices.l)).and_then(|made| {
+                    made.check(points, pixel)?;
+                    Ok(made)
+                });
+                Some(made.map_err(|error| source.error_at(filter.span(), error))?)
+            }
+        };
+        // The head of a file has been checked against its length: the product fits.
+        let points = points[0] * points[1];
+        let neighbours = words.neighbours;
+        let is_on_disk = read::stays_on_disk(&path).map_err(|error| refuse(&error))?;
+        Ok(Origin::Map(MapPlan { path, points, is_on_disk, given, level: words.level, filter, neighbours }))
+    }
+
+    /// The file that it is read from.
+    pub fn input(&self) -> Option<PathBuf> {
+        match &self.origin {
+            Origin::List { path, .. } | Origin::Map(MapPlan { path, .. }) => Some(path.clone()),
+            Origin::Population { .. } | Origin::Generated(_) => None,
+        }
+    }
+
+    /// What it is found in, if that is a file.
+    pub fn reading(&self) -> Option<Reading> {
+        match &self.origin {
+            Origin::List { path, .. } => Some(Reading::list(path, self.as_ellipses)),
+            Origin::Map(map) => Some(Reading::map(&map.path, map.given)),
+            Origin::Population { .. } | Origin::Generated(_) => None,
+        }
+    }
+
+    /// What its file takes as long as another surface needs it too, bytes.
+    pub fn kept_file(&self) -> u128 {
+        const BYTES_PER_POINT: u128 = 8;
+        const BYTES_PER_ROW: u128 = 32;
+        match &self.origin {
+            Origin::List { .. } => self.most_asperities() * BYTES_PER_ROW,
+            Origin::Map(MapPlan { points, is_on_disk: false, .. }) => *points as u128 * BYTES_PER_POINT,
+            _ => 0,
+        }
+    }
+
+    /// What it is, for a plan that a person reads.
+    pub fn describe(&self) -> String {
+        let what = match &self.origin {
+            Origin::List { path, .. } => format!("asperities listed in {}", path.display()),
+            Origin::Population { count, .. } => format!("{count} asperities of a population"),
+            Origin::Generated(generation) => generation.describe(),
+            Origin::Map(MapPlan { path, .. }) => format!("height map {}", path.display()),
+        };
+        if self.realisations > 1 { format!("{what}, {} realisations", self.realisations) } else { what }
+    }
+
+    /// The most asperities that it can have.
+    pub fn most_asperities(&self) -> u128 {
+        /// Four neighbours cannot all be summits.
+        const POINTS_PER_SUMMIT: u128 = 2;
+        match &self.origin {
+            Origin::List { most_rows, .. } => *most_rows as u128,
+            Origin::Population { count, .. } => *count as u128,
+            Origin::Generated(generation) => area(generation.points()) / POINTS_PER_SUMMIT,
+            Origin::Map(MapPlan { points, .. }) => *points as u128 / POINTS_PER_SUMMIT,
+        }
+    }
+
+    /// An estimate of the memory that it needs at its peak, bytes, with as many summits as a rough surface has: on
+    /// noise there are twice as many.
+    pub fn memory(&self, depth: AnalysisDepth) -> u128 {
+        /// A map that is read as a whole, and turned.
+        const BYTES_PER_POINT: u128 = 32;
+        /// The transforms of an autocorrelation, over one and a half times the side of an open map.
+        const BYTES_PER_POINT_LOOKED_AT: u128 = 96;
+        /// A copy of a random surface, which its spectrum is made from.
+        const BYTES_PER_POINT_OF_SPECTRUM: u128 = 8;
+        /// The transforms of a filter.
+        const BYTES_PER_FILTERED_POINT: u128 = 96;
+        const BYTES_PER_HEIGHT: u128 = 8;
+        /// What is found of a summit, room for a fifth more, and the models' copies.
+        const BYTES_PER_SUMMIT: u128 = 200;
+        /// Its curvatures, and the ordered copy of the spheres that stand for it.
+        const BYTES_PER_ELLIPSE: u128 = 64;
+        let found = self.likely_asperities() * BYTES_PER_SUMMIT;
+        match &self.origin {
+            Origin::Map(MapPlan { points, is_on_disk, filter, .. }) => {
+                let bytes = match (filter, is_on_disk) {
+                    (Some(_), _) => BYTES_PER_FILTERED_POINT,
+                    (None, false) => BYTES_PER_POINT,
+                    (None, true) => 0,
+                };
+                let looked_at = depth == AnalysisDepth::Everything && *points <= MOST_POINTS_LOOKED_AT;
+                let bytes = bytes + if looked_at { BYTES_PER_POINT_LOOKED_AT } else { 0 };
+                *points as u128 * bytes + found
+            }
+            Origin::Generated(generation) => {
+                let depth = match depth {
+                    AnalysisDepth::Everything => BYTES_PER_POINT_LOOKED_AT,
+                    _ => BYTES_PER_POINT_OF_SPECTRUM,
+                };
+                area(generation.points()) * (BYTES_PER_HEIGHT * generation.arrays() + depth) + found
+            }
+            _ => {
+                let ellipses = if self.as_ellipses { BYTES_PER_ELLIPSE } else { 0 };
+                set_memory(self.most_asperities()) + self.most_asperities() * ellipses
+            }
+        }
+    }
+
+    /// An estimate of the bytes of its asperities, which are kept for the report.
+    pub fn kept(&self) -> u128 {
+        const BYTES_PER_ASPERITY: u128 = 16;
+        const BYTES_PER_ELLIPSE: u128 = 16;
+        let ellipses = if self.as_ellipses { BYTES_PER_ELLIPSE } else { 0 };
+        self.likely_asperities() * (BYTES_PER_ASPERITY + ellipses)
+    }
+
+    /// As many asperities as a rough surface of its size has.
+    fn likely_asperities(&self) -> u128 {
+        const POINTS_PER_SUMMIT: u128 = 10;
+        match &self.origin {
+            Origin::Generated(generation) => area(generation.points()) / POINTS_PER_SUMMIT,
+            Origin::Map(MapPlan { points, .. }) => *points as u128 / POINTS_PER_SUMMIT,
+            Origin::List { .. } | Origin::Population { .. } => self.most_asperities(),
+        }
+    }
+}
+
+/// `[surface.NAME]`, in file order.
+type Surfaces = IndexMap<Spanned<String>, Spanned<SurfaceSpec>>;
+
+/// The surfaces that are named, or all of the file.
+///
+/// # Errors
+/// A name that the file does not define or that stands twice; a surface that cannot be made.
+pub fn surfaces(
+    file: &SpecFile,
+    named: Option<&[Spanned<String>]>,
+    span: Range<usize>,
+    as_ellipses: bool,
+) -> Result<Vec<SurfacePlan>, InputError> {
+    let all: Surfaces = file.table("surface")?.map(Spanned::into_inner).unwrap_or_default();
+    let plan = |name: &Spanned<String>, words| SurfacePlan::new(&file.source, name, words, as_ellipses);
+    let Some(named) = named else {
+        if all.is_empty() {
+            return Err(file.source.error_at(
+                span,
+                "found no surface; allowed: at least one [surface.NAME.asperities], [surface.NAME.population], \
+                 [surface.NAME.generate] or [surface.NAME.file]",
+            ));
+        }
+        return all.iter().map(|(name, words)| plan(name, words)).collect();
+    };
+    if named.is_empty() {
+        return Err(file.source.error_at(span, "found an empty list of surfaces; allowed: at least one"));
+    }
+    let mut surfaces = Vec::new();
+    for (k, wanted) in named.iter().enumerate() {
+        if named[..k].iter().any(|earlier| earlier.get_ref() == wanted.get_ref()) {
+            let message = format!("found \"{}\" twice; allowed: each surface once", wanted.get_ref());
+            return Err(file.source.error_at(wanted.span(), message));
+        }
+        let found = all.iter().find(|(name, _)| name.get_ref() == wanted.get_ref());
+        let (name, words) = found.ok_or_else(|| {
+            let defined: Vec<&str> = all.keys().map(|name| name.get_ref().as_str()).collect();
+            let message = format!(
+                "found \"{}\"; allowed: a surface of this file ({})",
+                wanted.get_ref(),
+                if defined.is_empty() { "none is defined".to_owned() } else { defined.join(", ") }
+            );
+            file.source.error_at(wanted.span(), message)
+        })?;
+        surfaces.push(plan(name, words)?);
+    }
+    Ok(surfaces)
+}
+
+/// The files that surfaces are read from, each once.
+pub fn inputs(surfaces: &[SurfacePlan]) -> Vec<PathBuf> {
+    let mut paths: Vec<PathBuf> = Vec::new();
+    for path in surfaces.iter().filter_map(SurfacePlan::input) {
+        if !paths.contains(&path) {
+            paths.push(path);
+        }
+    }
+    paths
+}
+
+/// An estimate of the memory that surfaces need, analysed to `depth`: the asperities of each are kept for the report, one map
+/// at a time and those that are needed again.
+pub fn memory(surfaces: &[SurfacePlan], depth: AnalysisDepth) -> Memory {
+    let readings: Vec<_> = surfaces.iter().map(SurfacePlan::reading).collect();
+    let again = |k: usize| readings[k].is_some() && readings[k + 1..].contains(&readings[k]);
+    let kept = surfaces.iter().enumerate();
+    let kept: u128 =
+        kept.map(|(k, surface)| surface.kept() + if again(k) { surface.kept_file() } else { 0 }).sum();
+    let largest = surfaces.iter().max_by_key(|surface| surface.memory(depth));
+    Memory {
+        bytes: kept + largest.map_or(0, |surface| surface.memory(depth)),
+        key: largest.map(|surface| surface.size_key.clone()),
+    }
+}
+
+/// A line for each surface, for a plan that a person reads.
+pub fn describe(surfaces: &[SurfacePlan], f: &mut fmt::Formatter) -> fmt::Result {
+    surfaces.iter().try_for_each(|surface| writeln!(f, "  surface {}: {}", surface.name, surface.describe()))
+}
+
+/// The larger principal curvature over the smaller one, where a spec gives it; `span` is where it belongs.
+pub fn curvature_ratio(
+    source: &Source,
+    span: &Range<usize>,
+    words: Option<&Spanned<Quantity<Pure>>>,
+    is_needed: bool,
+) -> Result<Option<f64>, InputError> {
+    /// Beyond this an asperity is a ridge.
+    const LONGEST: f64 = 1e6;
+    let Some(words) = words else {
+        let message = "found no `curvature-ratio`, which a law for ellipses needs; allowed: curvature-ratio = 1 or \
+                       above, the larger principal curvature of an asperity over the smaller one";
+        return if is_needed { Err(source.error_at(span.clone(), message)) } else { Ok(None) };
+    };
+    let ratio = words.get_ref().value();
+    if (1.0..=LONGEST).contains(&ratio) {
+        return Ok(Some(ratio));
+    }
+    Err(source.error_at(words.span(), format!("found {ratio}; allowed: 1 to {LONGEST:e}")))
+}
+
+fn area([nx, ny]: [usize; 2]) -> u128 {
+    nx as u128 * ny as u128
+}
+
+/// A file named relative to the spec, there and not empty.
+pub fn beside(source: &Source, words: &Spanned<PathBuf>) -> Result<PathBuf, InputError> {
+    let folder = source.path.parent().unwrap_or_else(|| std::path::Path::new(""));
+    let path = folder.join(words.get_ref());
+    read::existing(&path)
+        .map_err(|error| source.error_at(words.span(), format!("{} {error}", path.display())))?;
+    Ok(path)
+}

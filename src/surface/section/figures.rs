@@ -1,0 +1,233 @@
+//! Pictures of a surface.
+
+use crate::surface::found::Surface;
+use crate::surface::overview::MapOverview;
+use asperity::asperity::{HeightDensity, Population};
+use asperity::topography::HeightMap;
+use asperity::topography::correlation::{Autocorrelation, RadialSpectrum};
+use asperity_plot::{Axis, Colour, ColourMap, Dash, Figure, Layer, Marker, Plot, Raster};
+
+/// Normalised heights that are shown.
+const HEIGHTS: (f64, f64) = (-5.0, 5.0);
+/// Radius ratios that are shown.
+const RATIOS: (f64, f64) = (0.0, 5.0);
+
+/// Radius ratio against normalised height (Pasaribu and Schipper 2005, Fig. 3) with both distributions, and
+/// which part of the asperities lies outside. Where all radii are equal, the heights alone.
+pub fn asperities(surface: &Surface, assumed: Option<&Population>) -> (String, f64) {
+    let statistics = &surface.statistics;
+    let standardised = surface.set.heights().iter().map(|z| (z - statistics.mean_height) / statistics.sigma);
+    let points: Vec<(f64, f64)> =
+        standardised.zip(surface.set.radii().iter().map(|b| b / statistics.mean_radius)).collect();
+    let x = || Axis::linear("normalised height (z − mean)/σ").range(HEIGHTS.0, HEIGHTS.1);
+    let heights: Vec<f64> = points.iter().map(|point| point.0).collect();
+    let (edges, density) = histogram(&heights, HEIGHTS);
+    let mut top = Plot::new("Heights of the asperities", x(), Axis::linear("density"))
+        .with(Layer::bars(&edges, &density).coloured(Colour::Deterministic).named("asperities"));
+    if let Some(population) = assumed {
+        let curve = (0..=200).map(|k| {
+            let x = HEIGHTS.0 + 0.05 * f64::from(k);
+            (x, population.heights.density(x))
+        });
+        top = top.with(
+            Layer::line(curve.collect::<Vec<_>>())
+                .coloured(Colour::Statistical)
+                .named(format!("{} heights, as it assumes", population.heights.adjective())),
+        );
+    }
+    let is_outside = |point: &&(f64, f64)| {
+        !(HEIGHTS.0..=HEIGHTS.1).contains(&point.0) || !(RATIOS.0..=RATIOS.1).contains(&point.1)
+    };
+    let outside = points.iter().filter(is_outside).count() as f64 / points.len() as f64;
+    if statistics.radius_cv == 0.0 {
+        return (top.svg(), outside);
+    }
+    let y = || Axis::linear("radius ratio β/β_avg").range(RATIOS.0, RATIOS.1);
+    let ratios: Vec<f64> = points.iter().map(|point| point.1).collect();
+    // Cells hold some points each where there are enough.
+    let cells = ((points.len() as f64).sqrt() as usize).clamp(30, 120);
+    let mut main =
+        Plot::new("Radius ratio against normalised height", x(), y()).with(Layer::raster(Raster {
+            label: "asperities per cell".to_owned(),
+            ..Raster::of_points(points, HEIGHTS, RATIOS, cells, cells)
+        }));
+    if let Some(population) = assumed {
+        let ratio = population.radius / statistics.mean_radius;
+        let line = Layer::line([(HEIGHTS.0, ratio), (HEIGHTS.1, ratio)]).coloured(Colour::Statistical);
+        main = main.with(line.dashed(Dash::Dashed).named("the one radius of the statistical model"));
+    }
+    let (edges, density) = histogram(&ratios, RATIOS);
+    let right = Plot::new("", y(), Axis::linear("density"))
+        .with(Layer::bars(&edges, &density).coloured(Colour::Deterministic).named("asperities"));
+    (Figure::joint("Radii against heights of the asperities", main, top, right).svg(), outside)
+}
+
+/// Counts in equal bins as a probability density of all values; bins as wide as Scott (1979) has
+/// them for a Gaussian of the range's scale, at least 20.
+fn histogram(values: &[f64], (from, to): (f64, f64)) -> (Vec<f64>, Vec<f64>) {
+    let width = 3.49 / (values.len() as f64).cbrt();
+    let bins = (((to - from) / width).round() as usize).clamp(20, 100);
+    let step = (to - from) / bins as f64;
+    let edges = (0..=bins).map(|k| from + step * k as f64).collect();
+    let mut density = vec![0.0; bins];
+    for value in values.iter().filter(|value| (from..to).contains(value)) {
+        let bin = ((value - from) / step) as usize;
+        density[bin.min(bins - 1)] += 1.0 / (values.len() as f64 * step);
+    }
+    (edges, density)
+}
+
+/// A length unit in which numbers up to `largest` (m) are read easily, and its name.
+fn unit(largest: f64) -> (f64, &'static str) {
+    let units = [(1e-9, "nm"), (1e-6, "µm"), (1e-3, "mm"), (1.0, "m")];
+    units.into_iter().rev().find(|(size, _)| largest >= *size).unwrap_or(units[0])
+}
+
+/// The height (m) at which colours end: one point in two hundred lies beyond, so that a few pits do not bleach the rest.
+fn colour_limit(map: &HeightMap) -> f64 {
+    let mut sizes: Vec<f64> = map.heights().iter().filter(|z| !z.is_nan()).map(|z| z.abs()).collect();
+    sizes.sort_unstable_by(f64::total_cmp);
+    sizes.get(sizes.len() * 199 / 200).copied().unwrap_or(0.0)
+}
+
+/// The heights as an image.
+pub fn heights(map: &HeightMap) -> String {
+    let [nx, ny] = map.points();
+    let size = [nx as f64 * map.pixel()[0], ny as f64 * map.pixel()[1]];
+    let (length, length_name) = unit(size[0].max(size[1]));
+    let largest = colour_limit(map);
+    let (height, height_name) = unit(largest);
+    // An image has x fastest, a map y.
+    let values = (0..ny).flat_map(|iy| (0..nx).map(move |ix| map.heights()[ix * ny + iy] / height)).collect();
+    let axis =
+        |name: &str, size: f64| Axis::linear(format!("{name} [{length_name}]")).range(0.0, size / length);
+    Plot::new("Heights", axis("x", size[0]), axis("y", size[1]))
+        .height(560.0)
+        .equal_aspect()
+        .with(Layer::raster(Raster {
+            x: (0.0, size[0] / length),
+            y: (0.0, size[1] / length),
+            columns: nx,
+            rows: ny,
+            values,
+            map: ColourMap::Diverging,
+            limits: Some((-largest / height, largest / height)),
+            label: format!("height [{height_name}]"),
+        }))
+        .svg()
+}
+
+/// Heights of all points, by counts over 5 Sq on both sides of the mean.
+pub fn distribution(counts: &[usize]) -> String {
+    let step = (HEIGHTS.1 - HEIGHTS.0) / counts.len() as f64;
+    let edges: Vec<f64> = (0..=counts.len()).map(|k| HEIGHTS.0 + step * k as f64).collect();
+    let total = counts.iter().sum::<usize>().max(1) as f64;
+    let density: Vec<f64> = counts.iter().map(|&count| count as f64 / (total * step)).collect();
+    let gaussian = (0..=200).map(|k| {
+        let x = HEIGHTS.0 + 0.05 * f64::from(k);
+        (x, HeightDensity::Gaussian.density(x))
+    });
+    Plot::new(
+        "Heights of the points",
+        Axis::linear("height (z − mean)/Sq").range(HEIGHTS.0, HEIGHTS.1),
+        Axis::linear("density"),
+    )
+    .height(260.0)
+    .with(Layer::bars(&edges, &density).coloured(Colour::Deterministic).named("points"))
+    .with(
+        Layer::line(gaussian.collect::<Vec<_>>())
+            .coloured(Colour::Neutral)
+            .dashed(Dash::Dashed)
+            .named("Gaussian"),
+    )
+    .svg()
+}
+
+/// The radial spectrum, asked for and found; `None` where none was looked at.
+pub fn spectrum(whole: &MapOverview) -> Option<String> {
+    let found = whole.spectrum.as_ref()?;
+    let line = |spectrum: &RadialSpectrum| {
+        // What is left of rounding beyond a cut-off is no spectrum.
+        let most = spectrum.rings.iter().fold(0.0f64, |a, ring| a.max(ring.1));
+        let rings = spectrum.rings.iter().filter(move |ring| ring.1 > 1e-14 * most);
+        rings.copied().collect::<Vec<_>>()
+    };
+    let points = Layer::points(line(found), Marker::Circle).coloured(Colour::Deterministic);
+    let mut plot =
+        Plot::new("Power spectral density", Axis::log("wave number q [rad/m]"), Axis::log("C(q) [m⁴]"))
+            .with(Layer::line(line(found)).coloured(Colour::Deterministic).named("found"))
+            .with(points);
+    if let Some(asked) = &whole.asked {
+        let line = Layer::line(line(asked)).coloured(Colour::Statistical).dashed(Dash::Dashed);
+        plot = plot.with(line.named(if whole.is_asked_of_gaussian {
+            "asked for, before the heights were mapped"
+        } else {
+            "asked for"
+        }));
+    }
+    Some(plot.svg())
+}
+
+/// The autocorrelation along both axes.
+pub fn autocorrelation(found: &Autocorrelation) -> String {
+    let longest = [&found.along_x, &found.along_y].map(|lags| lags.last().map_or(0.0, |lag| lag.0));
+    let (length, name) = unit(longest[0].max(longest[1]));
+    let mut plot =
+        Plot::new("Autocorrelation", Axis::linear(format!("lag [{name}]")), Axis::linear("autocorrelation"))
+            .with(Layer::at_y(0.2, ""));
+    for (series, (axis, lags)) in
+        [("along x", &found.along_x), ("along y", &found.along_y)].into_iter().enumerate()
+    {
+        let line = lags.iter().map(|(lag, rho)| (lag / length, *rho));
+        plot = plot.with(Layer::line(line.collect::<Vec<_>>()).coloured(Colour::Series(series)).named(axis));
+    }
+    if let Some(sal) = found.length {
+        plot = plot.with(Layer::at_x(sal / length, "Sal"));
+    }
+    plot.svg()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_histogram_has_the_area_of_the_values_that_it_shows() {
+        let values: Vec<f64> = (0..1000).map(|k| 0.012 * f64::from(k) - 6.0).collect();
+        let (edges, density) = histogram(&values, HEIGHTS);
+        let area: f64 =
+            edges.windows(2).zip(&density).map(|(edge, density)| (edge[1] - edge[0]) * density).sum();
+        let inside = values.iter().filter(|value| (HEIGHTS.0..HEIGHTS.1).contains(value)).count();
+        assert!((area - inside as f64 / 1000.0).abs() < 1e-12, "{area}");
+    }
+
+    #[test]
+    fn one_height_in_two_hundred_lies_beyond_the_colours() {
+        let heights = (0..1000).map(|k| if k % 2 == 0 { -0.001 } else { 0.001 } * f64::from(k)).collect();
+        let map = HeightMap::new([40, 25], [1e-6; 2], heights, 0.0).unwrap();
+        assert_eq!(colour_limit(&map), 0.995);
+    }
+
+    /// The first index of a map is x, which runs to the right; y runs upwards.
+    #[test]
+    fn the_picture_of_a_map_is_not_turned() {
+        use base64::Engine;
+        // The highest point has the largest x and the smallest y.
+        let heights = (0..12).map(|k| if k == 9 { 1e-6 } else { -1e-6 }).collect();
+        let svg = super::heights(&HeightMap::new([4, 3], [1e-6; 2], heights, 0.0).unwrap());
+        let file = svg.split_once("base64,").unwrap().1.split_once('"').unwrap().0;
+        let file = base64::engine::general_purpose::STANDARD.decode(file).unwrap();
+        let mut decoder = png::Decoder::new(std::io::Cursor::new(file));
+        decoder.set_transformations(png::Transformations::IDENTITY);
+        let mut reader = decoder.read_info().unwrap();
+        let mut pixels = vec![0; reader.output_buffer_size().unwrap()];
+        let info = reader.next_frame(&mut pixels).unwrap();
+        let (wide, high) = (info.width as usize, info.height as usize);
+        for row in 0..3 {
+            for column in 0..4 {
+                let pixel = pixels[(2 * row + 1) * high / 6 * wide + (2 * column + 1) * wide / 8];
+                assert_eq!(pixel, if (column, row) == (3, 2) { 255 } else { 1 }, "{column} {row}");
+            }
+        }
+    }
+}

@@ -1,0 +1,163 @@
+//! What a surface is: the same words in the terminal, in a comparison and on a page of its own.
+
+mod figures;
+mod generation;
+mod words;
+
+use crate::surface::found::{MapFacts, Surface};
+use asperity::topography::theory::Expected;
+use asperity_framework::report::format::{number, percent};
+use asperity_framework::report::page::Page;
+use words::{columns, properties, table};
+
+/// Adds tables and pictures of a surface to a page.
+pub fn section(page: &mut Page, surface: &Surface, assumed: Option<&asperity::asperity::Population>) {
+    page.table(["property", "value"], properties(surface).into_iter().map(Vec::from));
+    if let Some(map) = &surface.map {
+        if let Some(made) = &map.generation {
+            generation::section(page, surface, map, made);
+        }
+        theory(page, surface, map);
+        if let Some(picture) = &map.whole.picture {
+            let missing = if map.character.missing > 0 {
+                " Where points are missing the picture is white."
+            } else {
+                ""
+            };
+            let caption = format!(
+                "Height map of {}; half a percent of the points lies beyond the colours.{missing}",
+                surface.name
+            );
+            page.figure(&format!("{}-heights.svg", surface.name), figures::heights(picture), &caption);
+        }
+        if let Some(counts) = &map.whole.distribution {
+            let caption =
+                format!("Heights of the points of {}, and a Gaussian of the same Sq.", surface.name);
+            let svg = figures::distribution(counts);
+            page.figure(&format!("{}-height-distribution.svg", surface.name), svg, &caption);
+        }
+        if let Some(svg) = figures::spectrum(&map.whole) {
+            let window = if map.generation.is_some() {
+                ""
+            } else {
+                " A Hann window keeps the borders from showing; missing points are taken at the mean."
+            };
+            page.figure(
+                &format!("{}-spectrum.svg", surface.name),
+                svg,
+                &format!(
+                    "Power spectral density of {} over rings of wave numbers q; its integral over the plane of wave vectors is \
+                     Sq².{window}",
+                    surface.name
+                ),
+            );
+        }
+        if let Some(correlation) = &map.whole.autocorrelation {
+            page.figure(
+                &format!("{}-autocorrelation.svg", surface.name),
+                figures::autocorrelation(correlation),
+                &format!(
+                    "Autocorrelation of {} along both axes; Sal is where it first falls to 0.2.",
+                    surface.name
+                ),
+            );
+        }
+    }
+    let (svg, beyond) = figures::asperities(surface, assumed);
+    let beyond = if beyond > 0.0 {
+        format!(" Outside the picture: {} of the asperities.", percent(beyond))
+    } else {
+        String::new()
+    };
+    let caption = if surface.statistics.radius_cv == 0.0 {
+        format!("The heights of the asperities of {}; all have one radius.{beyond}", surface.name)
+    } else {
+        format!(
+            "The asperities of {}: radius over mean radius against normalised height, how many lie in each cell, and both \
+         distributions.{beyond}",
+            surface.name
+        )
+    };
+    page.figure(&format!("{}-asperities.svg", surface.name), svg, &caption);
+}
+
+/// Found summits and those that theory expects of a Gaussian surface: a header and its rows. `None` where there is no theory.
+fn theory_table(surface: &Surface, map: &MapFacts) -> Option<(Vec<&'static str>, Vec<Vec<String>>)> {
+    let expected = [
+        (map.expected.as_ref(), ["five-point theory", "found / theory"]),
+        (map.nayak.as_ref(), ["Nayak", "found / Nayak"]),
+    ];
+    let expected: Vec<(&Expected, [&str; 2])> =
+        expected.into_iter().filter_map(|(theory, header)| theory.map(|theory| (theory, header))).collect();
+    if expected.is_empty() {
+        return None;
+    }
+    let statistics = &surface.statistics;
+    let sq = map.character.moments.sq;
+    let plane = surface.mean_plane.unwrap_or_default();
+    let found = [
+        surface.set.density(),
+        statistics.radius_of_mean_curvature.recip(),
+        (statistics.mean_height - plane) / sq,
+        (statistics.sigma / sq).powi(2),
+    ];
+    let of = |expected: &Expected| {
+        [expected.density, expected.curvature, expected.height / sq, expected.height_variance / (sq * sq)]
+    };
+    let names = [
+        "density [1/m²]",
+        "mean curvature [1/m]",
+        "mean height above the mean plane / Sq",
+        "variance of heights / Sq²",
+    ];
+    let header =
+        ["summits", "found"].into_iter().chain(expected.iter().flat_map(|(_, header)| *header)).collect();
+    let row = |k: usize| {
+        let mut row = vec![names[k].to_owned(), number(found[k])];
+        for (theory, _) in &expected {
+            row.extend([number(of(theory)[k]), format!("{:.3}", found[k] / of(theory)[k])]);
+        }
+        row
+    };
+    Some((header, (0..names.len()).map(row).collect()))
+}
+
+/// How far the found summits are from what theory expects of a Gaussian surface.
+fn theory(page: &mut Page, surface: &Surface, map: &MapFacts) {
+    let Some((header, rows)) = theory_table(surface, map) else { return };
+    page.paragraph(&format!(
+        "The {} summits that were found, and those of a Gaussian surface:",
+        map.neighbours.name()
+    ));
+    page.table(header, rows);
+    let five_point = "Five-point theory: a Gaussian surface with the autocorrelation of this one at neighbouring points, on the same grid. ";
+    page.paragraph(&format!(
+        "{}Nayak: a continuous isotropic Gaussian surface with its m0, m2 and m4; on a fine grid five points count 1.306 times as \
+         many, saddles among them.",
+        if map.expected.is_some() { five_point } else { "" }
+    ));
+}
+
+/// Tables for a terminal.
+pub fn for_terminal(surface: &Surface) -> String {
+    let which = match surface.realisations {
+        1 => String::new(),
+        count => format!(", the first of {count} realisations"),
+    };
+    let mut tables = format!("surface {}{which}\n{}", surface.name, table(properties(surface)));
+    let mut add = |header: &[&str], rows: Vec<Vec<String>>| {
+        if !rows.is_empty() {
+            tables.push('\n');
+            tables.push_str(&columns(header, &rows));
+        }
+    };
+    if let Some(map) = &surface.map {
+        if let Some(made) = &map.generation {
+            add(&generation::HEAD, generation::rows(surface, map, made));
+        }
+        if let Some((header, rows)) = theory_table(surface, map) {
+            add(&header, rows);
+        }
+    }
+    tables
+}

@@ -1,0 +1,206 @@
+//! `[surface.NAME.KIND]`: where asperities come from.
+
+use std::path::PathBuf;
+
+use serde::Deserialize;
+use toml::Spanned;
+
+use crate::surface::generate_spec::GenerateSpec;
+use asperity::topography::level::Level;
+use asperity::topography::read::{ALLOWED_UNITS, length_unit};
+use asperity::topography::summits::Neighbours;
+use asperity_framework::input::quantity::{Area, ArealNumberDensity, Length, Pure, Quantity};
+
+/// One surface: exactly one kind a name.
+#[derive(Debug, Deserialize)]
+#[serde(try_from = "Kinds")]
+pub enum SurfaceSpec {
+    /// A list of asperities.
+    Asperities(ListSpec),
+    /// A population by its three numbers.
+    Population(PopulationSpec),
+    /// A random rough surface.
+    Generate(Box<GenerateSpec>),
+    /// A measured height map.
+    File(FileSpec),
+}
+
+/// The file's words: a table for each kind, of which exactly one may be there.
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct Kinds {
+    asperities: Option<ListSpec>,
+    population: Option<PopulationSpec>,
+    generate: Option<GenerateSpec>,
+    file: Option<FileSpec>,
+}
+
+impl TryFrom<Kinds> for SurfaceSpec {
+    type Error = String;
+
+    fn try_from(kinds: Kinds) -> Result<Self, String> {
+        let Kinds { asperities, population, generate, file } = kinds;
+        let given = [
+            asperities.map(Self::Asperities),
+            population.map(Self::Population),
+            generate.map(|words| Self::Generate(Box::new(words))),
+            file.map(Self::File),
+        ];
+        let mut given = given.into_iter().flatten();
+        match (given.next(), given.next()) {
+            (Some(kind), None) => Ok(kind),
+            _ => Err("found none or several kinds; allowed: exactly one of asperities, population, generate, file a \
+                      surface name"
+                .to_owned()),
+        }
+    }
+}
+
+/// A list of asperities: CSV with columns height and radius, or an n x 2 `.npy`; for laws that see ellipses with kx and
+/// ky too.
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields, rename_all = "kebab-case", expecting = "a table { file, nominal-area }")]
+pub struct ListSpec {
+    /// The file, relative to the spec.
+    pub file: Spanned<PathBuf>,
+    /// Nominal area that the asperities stand on.
+    pub nominal_area: Quantity<Area>,
+}
+
+/// Radius, deviation of heights, density, and how a set is drawn.
+#[derive(Debug, Deserialize)]
+#[serde(
+    deny_unknown_fields,
+    rename_all = "kebab-case",
+    expecting = "a table { radius, sigma, density, count }"
+)]
+pub struct PopulationSpec {
+    /// Radius of every asperity: 1/(mean curvature).
+    pub radius: Quantity<Length>,
+    /// The larger principal curvature of every asperity over the smaller one, for laws that see ellipses.
+    pub curvature_ratio: Option<Spanned<Quantity<Pure>>>,
+    /// Standard deviation of the heights.
+    pub sigma: Quantity<Length>,
+    /// Asperities per nominal area.
+    pub density: Quantity<ArealNumberDensity>,
+    /// How many the deterministic model draws.
+    pub count: Spanned<u64>,
+    /// Whose deviation sigma is, and of what density.
+    #[serde(default)]
+    pub heights: PopulationHeights,
+    /// How the heights of the set are taken.
+    #[serde(default)]
+    pub draw: DrawSpec,
+    /// How many sets are drawn.
+    pub realisations: Option<Spanned<u64>>,
+}
+
+/// `heights` of a population.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum PopulationHeights {
+    /// Gaussian asperity heights of deviation sigma.
+    #[default]
+    Gaussian,
+    /// Exponential asperity heights of deviation sigma.
+    Exponential,
+    /// Gaussian; sigma and d are those of the surface, converted by Nayak (1971).
+    Surface,
+}
+
+/// `draw` of a population.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum DrawSpec {
+    /// Independent draws from the spec's seed.
+    #[default]
+    Random,
+    /// Heights at the quantiles.
+    Quantiles,
+}
+
+/// A measured topography.
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields, rename_all = "kebab-case", expecting = "a table { path }")]
+pub struct FileSpec {
+    /// The file, relative to the spec.
+    pub path: Spanned<PathBuf>,
+    /// Pixel size along x and y; only where the format holds none.
+    pub pixel: Option<Spanned<PixelSpec>>,
+    /// Unit of the lengths in the file; only where the format holds none.
+    pub unit: Option<Spanned<UnitSpec>>,
+    /// Form that is removed.
+    #[serde(default)]
+    pub level: Level,
+    /// S and L nesting indices.
+    pub filter: Option<Spanned<FilterSpec>>,
+    /// Which neighbours a summit is higher than.
+    #[serde(default)]
+    pub neighbours: Neighbours,
+}
+
+/// A unit of length, in metres.
+#[derive(Debug, Clone, Copy, Deserialize)]
+#[serde(try_from = "String")]
+pub struct UnitSpec(pub f64);
+
+impl TryFrom<String> for UnitSpec {
+    type Error = String;
+
+    fn try_from(word: String) -> Result<Self, String> {
+        let unit = length_unit(&word).map(Self);
+        unit.ok_or_else(|| format!("found the unit \"{word}\"; allowed: {ALLOWED_UNITS}"))
+    }
+}
+
+/// One pixel size, or one along x and one along y.
+#[derive(Debug, Clone, Copy)]
+pub struct PixelSpec(pub [f64; 2]);
+
+impl<'de> Deserialize<'de> for PixelSpec {
+    fn deserialize<D: serde::Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        use serde::de::value::{F64Deserializer, I64Deserializer, StrDeserializer};
+        use serde::de::{Error, SeqAccess, Visitor};
+        struct OneOrTwo;
+
+        impl<'de> Visitor<'de> for OneOrTwo {
+            type Value = PixelSpec;
+
+            fn expecting(&self, f: &mut std::fmt::Formatter) -> std::fmt::Result {
+                f.write_str("a length such as \"0.8 um\", or a list of two: along x and along y")
+            }
+            fn visit_str<E: Error>(self, text: &str) -> Result<PixelSpec, E> {
+                let size = Quantity::<Length>::deserialize(StrDeserializer::new(text))?.value();
+                Ok(PixelSpec([size; 2]))
+            }
+            fn visit_f64<E: Error>(self, value: f64) -> Result<PixelSpec, E> {
+                let size = Quantity::<Length>::deserialize(F64Deserializer::new(value))?.value();
+                Ok(PixelSpec([size; 2]))
+            }
+            fn visit_i64<E: Error>(self, value: i64) -> Result<PixelSpec, E> {
+                let size = Quantity::<Length>::deserialize(I64Deserializer::new(value))?.value();
+                Ok(PixelSpec([size; 2]))
+            }
+            fn visit_seq<A: SeqAccess<'de>>(self, mut list: A) -> Result<PixelSpec, A::Error> {
+                let mut sizes = Vec::new();
+                while let Some(size) = list.next_element::<Quantity<Length>>()? {
+                    sizes.push(size.value());
+                }
+                <[f64; 2]>::try_from(sizes).map(PixelSpec).map_err(|sizes| {
+                    A::Error::custom(format!("found {} sizes; allowed: one or two", sizes.len()))
+                })
+            }
+        }
+        deserializer.deserialize_any(OneOrTwo)
+    }
+}
+
+/// `filter = { s, l }`: nesting indices (ISO 16610-61), either or both.
+#[derive(Debug, Clone, Copy, Deserialize)]
+#[serde(deny_unknown_fields, expecting = "a table { s, l }")]
+pub struct FilterSpec {
+    /// Wavelengths below it are taken out.
+    pub s: Option<Quantity<Length>>,
+    /// Wavelengths above it are taken out.
+    pub l: Option<Quantity<Length>>,
+}
