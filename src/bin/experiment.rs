@@ -7,11 +7,11 @@ use std::time::Instant;
 
 use asperity_experiment::surface::{FileOptions, described_file};
 use asperity_experiment::{Experiment, TEMPLATE};
-use asperity_framework::Outcome;
 use asperity_framework::input::InputError;
 use asperity_framework::progress::{Progress, Silent};
 use asperity_framework::report::store::{Store, StoreError};
-use asperity_framework::report::{self, Index, MARK, ReportError};
+use asperity_framework::report::{Index, MARK, verify};
+use asperity_framework::{Outcome, ReportError, folder as report_folder};
 use clap::{Args, Parser, Subcommand};
 use indicatif::{ProgressBar, ProgressStyle};
 
@@ -362,7 +362,7 @@ fn run_and_write(
             experiment.stem()
         )));
     }
-    let report = report::folder(&*results, key)?;
+    let report = report_folder(&*results, key)?;
     store.write(&report)?;
     if !options.quiet {
         for warning in results.warnings() {
@@ -432,7 +432,7 @@ fn new(name: &Path) -> Result<(), Failure> {
 }
 
 fn verify(fresh: &Path, committed: &Path) -> Result<(), Failure> {
-    let differences = report::verify::differences(fresh, committed)
+    let differences = verify::differences(fresh, committed)
         .map_err(|error| Failure::Run(format!("{} and {}: {error}", fresh.display(), committed.display())))?;
     if differences.is_empty() {
         print(format_args!("{} says the same as {}", fresh.display(), committed.display()));

@@ -5,10 +5,10 @@ use std::path::{Path, PathBuf};
 use std::time::Instant;
 
 use asperity::work::Counter;
+use asperity_framework::fields;
 use asperity_framework::input::{InputError, SpecFile};
 use asperity_framework::metadata::{Metadata, Timing};
 use asperity_framework::report::Page;
-use asperity_framework::report::summary::fields;
 use asperity_framework::{Memory, Outcome, Plan, RunContext};
 use indexmap::IndexMap;
 use serde::Serialize;

@@ -4,7 +4,6 @@ use indexmap::IndexMap;
 use serde::Serialize;
 
 use crate::input::law::LawSpec;
-use crate::kind::RunContext;
 use asperity::compare::RuleFindings;
 use asperity::interface::MicroContact;
 use asperity::law::Property;
@@ -91,7 +90,7 @@ pub fn papers_of_law(law: &LawPlan) -> Vec<Paper> {
 
 /// What a report says of two bodies under laws.
 pub fn contact_metadata(
-    context: &RunContext,
+    materials: &IndexMap<String, Material>,
     laws: &[LawPlan],
     bodies: &Bodies,
     layer: Option<LayerMetadata>,
@@ -99,11 +98,11 @@ pub fn contact_metadata(
     // Every law of an experiment stands on the same two bodies.
     let contact = &laws[0].contact;
     let mut caveats: Vec<String> = laws.iter().filter_map(|law| law.contact.caveat()).collect();
-    caveats.extend(apart_in_strength(context, laws, bodies, layer.as_ref()));
+    caveats.extend(apart_in_strength(materials, laws, bodies, layer.as_ref()));
     caveats.sort_unstable();
     caveats.dedup();
     ContactMetadata {
-        materials: context.materials.clone(),
+        materials: materials.clone(),
         bodies: bodies.clone(),
         reduced_modulus: contact.reference_modulus(),
         hardness: Some(contact.reference_hardness()).filter(|hardness| hardness.is_finite()),
@@ -114,7 +113,7 @@ pub fn contact_metadata(
 
 /// Bodies of which laws that take the hardness and one that takes the yield strength make two different ones.
 fn apart_in_strength(
-    context: &RunContext,
+    materials: &IndexMap<String, Material>,
     laws: &[LawPlan],
     bodies: &Bodies,
     layer: Option<&LayerMetadata>,
@@ -127,7 +126,7 @@ fn apart_in_strength(
     }
     let names = [Some(&bodies.rough), Some(&bodies.flat), layer.map(|layer| &layer.name)];
     let caveat = |name: &String| {
-        let body = context.materials.get(name)?;
+        let body = materials.get(name)?;
         let ratio = body.hardness()? / body.yield_strength()?;
         let [from, to] = METALS;
         (!(from..=to).contains(&ratio)).then(|| {

@@ -6,6 +6,7 @@ use std::ops::Range;
 use std::path::PathBuf;
 
 use indexmap::IndexMap;
+use serde::Serialize;
 use serde_json::{Map, Value};
 
 use crate::digest::{hexadecimal, sha256, stream_seed};
@@ -165,4 +166,15 @@ pub fn set_memory(count: u128) -> u128 {
     /// Height and shape while they are sorted, then in columns.
     const BYTES_OF_COPY: u128 = 24 + 16;
     count * (BYTES_OF_SET + BYTES_OF_COPY)
+}
+
+/// The fields of a serialisable struct, as a kind's part of a summary.
+///
+/// # Errors
+/// A value that is not a struct or map.
+pub fn fields(value: &impl Serialize) -> serde_json::Result<Map<String, Value>> {
+    match serde_json::to_value(value)? {
+        Value::Object(fields) => Ok(fields),
+        _ => Err(serde::ser::Error::custom("a summary consists of named fields")),
+    }
 }

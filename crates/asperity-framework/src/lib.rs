@@ -7,10 +7,13 @@
 
 pub mod contact;
 pub mod digest;
+mod folder;
 pub mod input;
 mod kind;
 pub mod metadata;
 pub mod progress;
 pub mod report;
+mod summary;
 
-pub use kind::{Kind, Memory, Outcome, Plan, Reads, RunContext, set_memory};
+pub use folder::{ReportError, folder};
+pub use kind::{Kind, Memory, Outcome, Plan, Reads, RunContext, fields, set_memory};

@@ -72,7 +72,7 @@ pub fn run(
             check,
         });
     }
-    let contact = contact_metadata(context, &compare.laws, &compare.bodies, layer_metadata);
+    let contact = contact_metadata(context.materials, &compare.laws, &compare.bodies, layer_metadata);
     let tolerances = compare.controls.tolerances;
     let metadata = context.metadata(papers, timing, Some(counter.work()));
     Ok(CompareResults { metadata, contact, tolerances, surfaces })

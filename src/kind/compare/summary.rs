@@ -2,7 +2,7 @@
 
 use asperity::compare::Tolerances;
 use asperity_framework::contact::ContactSummary;
-use asperity_framework::report::summary::fields;
+use asperity_framework::fields;
 use indexmap::IndexMap;
 use serde::Serialize;
 use serde_json::{Map, Value};

@@ -6,7 +6,7 @@ use serde_json::{Map, Value};
 use crate::kind::indentation::run::{IndentationResults, LayerResults};
 use asperity::compare::RuleError;
 use asperity::layer::Rule;
-use asperity_framework::report::summary::fields;
+use asperity_framework::fields;
 
 use asperity::sphere::{Curve, Fall, RegimeChange};
 

@@ -65,7 +65,7 @@ pub(super) fn run(context: &RunContext, limit: &LimitPlan) -> Result<LimitResult
     timing.total = start.elapsed();
     Ok(LimitResults {
         metadata: context.metadata(papers_of(&limit.laws), timing, Some(counter.work())),
-        contact: contact_metadata(context, &limit.laws, &limit.bodies, None),
+        contact: contact_metadata(context.materials, &limit.laws, &limit.bodies, None),
         population: limit.population,
         plasticity_index: plasticity_index(
             &*limit.laws[0].contact,

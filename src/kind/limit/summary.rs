@@ -1,7 +1,7 @@
 //! `summary.json` of a limit.
 
 use asperity_framework::contact::ContactSummary;
-use asperity_framework::report::summary::fields;
+use asperity_framework::fields;
 use serde::Serialize;
 use serde_json::{Map, Value};
 

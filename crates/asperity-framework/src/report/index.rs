@@ -6,7 +6,9 @@ use std::path::Path;
 use serde::Deserialize;
 
 use super::page::{Cell, Page};
-use super::summary::PROGRAM;
+
+/// The name by which a report says that this program wrote it.
+pub const PROGRAM: &str = "asperity";
 
 /// By this an index page is known as one that a run wrote.
 pub const MARK: &str = "Written by asperity; the next run writes it anew.";

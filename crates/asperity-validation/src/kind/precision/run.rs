@@ -88,7 +88,7 @@ pub(super) fn run(context: &RunContext, all: &PrecisionPlan) -> Result<Precision
     Ok(PrecisionResults {
         // What is timed is repeated until the clock is content: a count would differ from run to run.
         metadata: context.metadata(papers, timing, None),
-        contact: contact_metadata(context, laws, &all.bodies, None),
+        contact: contact_metadata(context.materials, laws, &all.bodies, None),
         law: all.law.label.clone(),
         separations: all.separations.clone(),
         draws: all.sampling.as_ref().map_or(0, |task| task.draws),

@@ -6,7 +6,7 @@ use crate::kind::precision::run::{CasePrecision, PrecisionResults};
 use crate::kind::precision::winners::{Winner, winners};
 use crate::precision::grid::{GridFindings, Statistic};
 use asperity_framework::contact::ContactSummary;
-use asperity_framework::report::summary::fields;
+use asperity_framework::fields;
 use serde_json::{Map, Value};
 
 /// Run time against error. Reports are compared here for their shape only.

@@ -1,6 +1,6 @@
 //! What a summary says of stability.
 
-use asperity_framework::report::summary::fields;
+use asperity_framework::fields;
 use serde::Serialize;
 use serde_json::{Map, Value};
 
