@@ -20,21 +20,18 @@ fn committed(stem: &str) -> IndentationResults {
     run_file(&Path::new(env!("CARGO_MANIFEST_DIR")).join("experiments").join(stem).with_extension("toml"))
 }
 
-const BODIES: &str = r#"
+const BODIES: &str = concat!(
+    r#"
 title = "one sphere"
-[material.steel]
-young = "210 GPa"
-poisson = 0.3
-hardness = "7.6 GPa"
-[material.lead]
-young = "18 GPa"
-poisson = 0.35
-hardness = "0.17 GPa"
-[indentation]
+"#,
+    steel!(),
+    lead!(),
+    r#"[indentation]
 ball = "steel"
 flat = "steel"
 law = ["hertz", "zmc"]
-"#;
+"#
+);
 
 /// Runs the words of `[indentation]` beside a file of measured points.
 fn run_words(words: &str, points: &str) -> (tempfile::TempDir, IndentationResults) {

@@ -12,19 +12,12 @@ use asperity_framework::report::store::Store;
 fn spec(flat: &str) -> String {
     // Under a film the rough body never yields, and is pressed deep.
     let (rough, nearest) = if flat.contains("film") { ("hard", -9.0) } else { ("steel", 1.0) };
+    let case_1 = case_1!();
     format!(
         r#"
 title = "t"
 seed = 3
-[material.steel]
-young = "210 GPa"
-poisson = 0.3
-hardness = "7.6 GPa"
-[material.lead]
-young = "18 GPa"
-poisson = 0.35
-hardness = "0.17 GPa"
-[material.titanium]
+{}{}[material.titanium]
 young = "120 GPa"
 poisson = 0.33
 hardness = "3 GPa"
@@ -46,11 +39,10 @@ law = ["zmc", "hertz"]
 separation = {{ values = [3, {nearest}] }}
 pressure = {{ values = ["1 MPa", "10 MPa"] }}
 [surface.a.population]
-radius = "20 um"
-sigma = "48 nm"
-density = "6e10 /m^2"
-count = 5000
-"#
+{case_1}count = 5000
+"#,
+        steel!(),
+        lead!(),
     )
 }
 

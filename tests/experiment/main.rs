@@ -1,5 +1,23 @@
 //! Tests of the program: specs in, reports out, and the command line. One program, so that it is linked once.
 
+/// Tables of specs that many tests share, as literals for `concat!`.
+macro_rules! steel {
+    () => {
+        "[material.steel]\nyoung = \"210 GPa\"\npoisson = 0.3\nhardness = \"7.6 GPa\"\n"
+    };
+}
+macro_rules! lead {
+    () => {
+        "[material.lead]\nyoung = \"18 GPa\"\npoisson = 0.35\nhardness = \"0.17 GPa\"\n"
+    };
+}
+/// The population of the paper's case 1.
+macro_rules! case_1 {
+    () => {
+        "radius = \"20 um\"\nsigma = \"48 nm\"\ndensity = \"6e10 /m^2\"\n"
+    };
+}
+
 mod caveats;
 mod cli;
 #[path = "../../crates/asperity/tests/library/common.rs"]

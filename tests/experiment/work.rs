@@ -16,26 +16,23 @@ use asperity_experiment::surface::FileOptions;
 use asperity_framework::Outcome;
 use asperity_framework::progress::Silent;
 
-const MATERIALS: &str = r#"
+const MATERIALS: &str = concat!(
+    r#"
 title = "work"
 seed = 5
-[material.steel]
-young = "210 GPa"
-poisson = 0.3
-hardness = "7.6 GPa"
-[material.lead]
-young = "18 GPa"
-poisson = 0.35
-hardness = "0.17 GPa"
-"#;
+"#,
+    steel!(),
+    lead!()
+);
 
-const DRAWN: &str = r#"
+const DRAWN: &str = concat!(
+    r#"
 [surface.drawn.population]
-radius = "20 um"
-sigma = "48 nm"
-density = "6e10 /m^2"
-count = 3000
-"#;
+"#,
+    case_1!(),
+    r#"count = 3000
+"#
+);
 
 const BODIES: &str = "[compare]\nrough = \"steel\"\nflat = \"steel\"\n";
 

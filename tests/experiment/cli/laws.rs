@@ -2,13 +2,12 @@
 
 use super::*;
 
-const LAWS: &str = r#"
+const LAWS: &str = concat!(
+    r#"
 title = "laws"
-[material.steel]
-young = "210 GPa"
-poisson = 0.3
-hardness = "7.6 GPa"
-yield-strength = "2.5 GPa"
+"#,
+    steel!(),
+    r#"yield-strength = "2.5 GPa"
 [laws]
 rough = "steel"
 flat = "steel"
@@ -22,7 +21,8 @@ curvature-ratio = 2
 sigma = "48 nm"
 density = "6e10 /m^2"
 count = 20000
-"#;
+"#
+);
 
 #[test]
 fn laws_have_their_tables_and_say_what_matters() {

@@ -80,13 +80,12 @@ fn a_new_spec_runs_as_it_stands_and_is_not_written_over() {
     assert_eq!(experiment(&["new", "mine"], folder.path()).status.code(), Some(2));
 }
 
-const SMALL: &str = r#"
+const SMALL: &str = concat!(
+    r#"
 title = "small"
-[material.steel]
-young = "210 GPa"
-poisson = 0.3
-hardness = "7.6 GPa"
-[compare]
+"#,
+    steel!(),
+    r#"[compare]
 rough = "steel"
 flat = "steel"
 law = ["hertz", { zmc = { onset = 0.89, transition-ratio = 110 } }]
@@ -97,11 +96,11 @@ force = { values = ["1 mN"] }
 file = "list.csv"
 nominal-area = "1e-8 m^2"
 [surface.drawn.population]
-radius = "20 um"
-sigma = "48 nm"
-density = "6e10 /m^2"
-count = 2000
-"#;
+"#,
+    case_1!(),
+    r#"count = 2000
+"#
+);
 
 /// A folder with a small spec that reads a file.
 fn small() -> (tempfile::TempDir, PathBuf, PathBuf) {

@@ -6,21 +6,19 @@ use std::path::Path;
 
 use super::{experiment, run, summary, text};
 
-const SMALL: &str = r#"
+const SMALL: &str = concat!(
+    r#"
 title = "small"
-[material.steel]
-young = "210 GPa"
-poisson = 0.3
-hardness = "7.6 GPa"
-[precision]
+"#,
+    steel!(),
+    r#"[precision]
 rough = "steel"
 flat = "steel"
 law = "zmc"
 [precision.case."one | two"]
-radius = "20 um"
-sigma = "48 nm"
-density = "6e10 /m^2"
-[precision.integral]
+"#,
+    case_1!(),
+    r#"[precision.integral]
 separation = { values = [0, 2] }
 [precision.sum]
 count = { values = [1e3, 5e4] }
@@ -44,7 +42,8 @@ draws = 4
 points-per-length = { values = [2, 4, 8] }
 lengths = { values = [10, 20] }
 realisations = 2
-"#;
+"#
+);
 
 type Row = HashMap<String, String>;
 

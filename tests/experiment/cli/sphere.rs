@@ -2,17 +2,13 @@
 
 use super::*;
 
-const SPHERE: &str = r#"
+const SPHERE: &str = concat!(
+    r#"
 title = "sphere"
-[material.steel]
-young = "210 GPa"
-poisson = 0.3
-hardness = "7.6 GPa"
-[material.lead]
-young = "18 GPa"
-poisson = 0.35
-hardness = "0.17 GPa"
-[indentation]
+"#,
+    steel!(),
+    lead!(),
+    r#"[indentation]
 ball = "steel"
 radius = "1 mm"
 flat = "steel"
@@ -20,7 +16,8 @@ layer = { material = "lead", thickness = "1 um" }
 law = ["hertz", "zmc"]
 indentation = { from = "10 nm", to = "5 um", points = 5 }
 overlay = "points.csv"
-"#;
+"#
+);
 
 /// A folder with a sphere on a layer, and points that were measured.
 fn sphere() -> (tempfile::TempDir, PathBuf, PathBuf) {

@@ -2,24 +2,23 @@
 
 use super::*;
 
-const SPEC: &str = r#"
+const SPEC: &str = concat!(
+    r#"
 title = "a fine curve"
 seed = 3
-[material.steel]
-young = "210 GPa"
-poisson = 0.3
-hardness = "7.6 GPa"
-[compare]
+"#,
+    steel!(),
+    r#"[compare]
 rough = "steel"
 flat = "steel"
 law = "zmc"
 separation = { from = 4, to = 0, points = 401 }
 [surface.drawn.population]
-radius = "20 um"
-sigma = "48 nm"
-density = "6e10 /m^2"
-count = 50000
-"#;
+"#,
+    case_1!(),
+    r#"count = 50000
+"#
+);
 
 #[test]
 fn a_curve_within_a_tolerance_says_so_and_holds_it() {

@@ -1,0 +1,41 @@
+//! The report on an outcome: page, tables, figures and summaries in one folder.
+
+use std::time::Instant;
+
+use crate::kind::Outcome;
+use crate::report::store::Folder;
+use crate::summary;
+
+/// A report that cannot be written down.
+#[derive(Debug, thiserror::Error)]
+pub enum ReportError {
+    /// A table.
+    #[error("a table cannot be written: {0}")]
+    Table(#[from] csv::Error),
+    /// A summary.
+    #[error("a summary cannot be written: {0}")]
+    Summary(#[from] serde_json::Error),
+}
+
+/// The whole report on `outcome`, to be written under `key`, which stands for all that it depends on.
+///
+/// # Errors
+/// See [`ReportError`].
+pub fn folder(outcome: &dyn Outcome, key: &str) -> Result<Folder, ReportError> {
+    let start = Instant::now();
+    let page = outcome.page();
+    let mut folder = Folder::new(&outcome.metadata().stem, key);
+    folder.file("report.md", page.markdown()).file("report.html", page.html());
+    for (name, svg) in page.figures() {
+        folder.file(name, svg);
+    }
+    for (name, table) in outcome.tables()? {
+        folder.file(name, table);
+    }
+    let mut names: Vec<String> = folder.names().map(str::to_owned).collect();
+    names.extend(["summary.json".to_owned(), "timing.json".to_owned()]);
+    names.sort();
+    folder.file("summary.json", summary::summary(outcome, &names)?);
+    folder.file("timing.json", summary::timing(outcome.metadata(), start.elapsed())?);
+    Ok(folder)
+}

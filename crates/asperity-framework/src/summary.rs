@@ -1,0 +1,75 @@
+//! `summary.json` and `timing.json`: what ran, on what, and what came out, for machines.
+
+use std::time::Duration;
+
+use serde::Serialize;
+use serde_json::{Map, Value};
+
+use crate::kind::Outcome;
+use crate::metadata::Metadata;
+use crate::report::PROGRAM;
+use asperity::work::Work;
+
+#[derive(Serialize)]
+struct Summary<'a> {
+    program: &'static str,
+    version: &'static str,
+    title: &'a str,
+    spec_sha256: &'a str,
+    seed: u64,
+    #[serde(flatten)]
+    of_kind: Map<String, Value>,
+    warnings: Vec<String>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    work: Option<Work>,
+    papers: Vec<&'static str>,
+    files: &'a [String],
+}
+
+/// `summary.json`; `files` are the names of all files of the report.
+///
+/// # Errors
+/// None that a result can cause.
+pub(super) fn summary(outcome: &dyn Outcome, files: &[String]) -> serde_json::Result<Vec<u8>> {
+    let metadata = outcome.metadata();
+    serde_json::to_vec_pretty(&Summary {
+        program: PROGRAM,
+        version: env!("CARGO_PKG_VERSION"),
+        title: &metadata.title,
+        spec_sha256: &metadata.spec_sha256,
+        seed: metadata.seed,
+        of_kind: outcome.summary()?,
+        warnings: outcome.warnings(),
+        work: metadata.work,
+        papers: metadata.papers.iter().map(|paper| paper.full).collect(),
+        files,
+    })
+}
+
+#[derive(Serialize)]
+struct Times {
+    read_s: f64,
+    generate_s: f64,
+    summits_s: f64,
+    statistical_s: f64,
+    deterministic_s: f64,
+    report_s: f64,
+    total_s: f64,
+}
+
+/// `timing.json`, given the time that page, tables and figures took.
+///
+/// # Errors
+/// None that a result can cause.
+pub(super) fn timing(metadata: &Metadata, report: Duration) -> serde_json::Result<Vec<u8>> {
+    let timing = &metadata.timing;
+    serde_json::to_vec_pretty(&Times {
+        read_s: timing.read.as_secs_f64(),
+        generate_s: timing.generate.as_secs_f64(),
+        summits_s: timing.summits.as_secs_f64(),
+        statistical_s: timing.statistical.as_secs_f64(),
+        deterministic_s: timing.deterministic.as_secs_f64(),
+        report_s: report.as_secs_f64(),
+        total_s: (timing.total + report).as_secs_f64(),
+    })
+}
