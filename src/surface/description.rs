@@ -14,6 +14,7 @@ use indexmap::IndexMap;
 use serde::Serialize;
 use serde_json::{Map, Value};
 
+use super::results::SurfacesResults;
 use super::{
     AnalysisDepth, Surface, SurfaceFactory, SurfacePlan, SurfaceSummary, describe, files_of, inputs, memory,
     page, section, summary, surfaces, warnings,
@@ -83,19 +84,6 @@ impl Plan for SurfacesPlan {
             surfaces: seen,
         }))
     }
-}
-
-/// Surfaces described, without any contact.
-#[derive(Debug)]
-pub struct SurfacesResults {
-    /// What every experiment has.
-    pub metadata: Metadata,
-    /// The measured file, or the spec.
-    pub file: PathBuf,
-    /// The spec that the command line made for a measured file.
-    pub spec_text: Option<String>,
-    /// The surfaces, in file order.
-    pub surfaces: Vec<Surface>,
 }
 
 /// Its part of `summary.json`. The key `looked_at` is the contract of older reports.

@@ -5,7 +5,7 @@ use serde::de::value::MapAccessDeserializer;
 use serde::de::{Deserializer, Error, MapAccess, SeqAccess, Visitor};
 use toml::Spanned;
 
-use crate::surface::spec::PixelSpec;
+use crate::surface::pixel_spec::PixelSpec;
 use asperity::topography::generate::SpectrumOf;
 use asperity::topography::summits::Neighbours;
 use asperity_framework::input::quantity::{Angle, ArealNumberDensity, Finite, Length, Pure, Quantity};

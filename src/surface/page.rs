@@ -1,6 +1,6 @@
 //! The page of a look at surfaces.
 
-use super::description::SurfacesResults;
+use super::results::SurfacesResults;
 use super::section::section;
 use asperity_framework::Outcome;
 use asperity_framework::metadata::Metadata;

@@ -3,7 +3,7 @@
 use asperity::compare::Kind;
 use asperity::sphere::Falling;
 use asperity_experiment::Experiment;
-use asperity_experiment::kind::compare::results::{CompareResults, Threshold};
+use asperity_experiment::kind::compare::{answers::Threshold, results::CompareResults};
 use asperity_framework::Outcome;
 use asperity_framework::progress::Silent;
 use asperity_framework::report::store::Store;

@@ -13,6 +13,9 @@ const BESIDE: f64 = 1e-12;
 /// A fall, or a jump, is more than the rounding of an answer.
 const ROUNDING: f64 = 1e-9;
 
+/// Contact radius over radius, a/R, beyond which the sphere is no paraboloid and strains are not small.
+pub const LARGEST_SLOPE: f64 = 0.3;
+
 /// The answer at one indentation.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Point {
@@ -57,6 +60,11 @@ impl Boundary {
     /// The same of the area.
     pub fn area_jump(&self) -> f64 {
         jump(self.below.area, self.above.area)
+    }
+
+    /// Whether load or area jumps.
+    pub fn is_jump(&self) -> bool {
+        self.load_jump() != 0.0 || self.area_jump() != 0.0
     }
 }
 
@@ -243,6 +251,11 @@ impl Fall {
     /// The part of area or load that is lost.
     pub fn loss(&self) -> f64 {
         1.0 - self.of.of(&self.to.contact) / self.of.of(&self.from.contact)
+    }
+
+    /// Whether it happens at one indentation, to rounding: a jump of the law.
+    pub fn is_jump(&self) -> bool {
+        self.to.indentation <= self.from.indentation * (1.0 + ROUNDING)
     }
 }
 

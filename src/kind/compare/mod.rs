@@ -1,8 +1,7 @@
 //! `[compare]`: both models on given surfaces.
 
-mod decreasing;
-pub mod figures;
-mod layer_page;
+pub mod answers;
+pub mod findings;
 mod layer_summary;
 mod models;
 pub mod page;

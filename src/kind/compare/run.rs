@@ -13,9 +13,11 @@ use asperity_framework::contact::{LawPlan, LayerMetadata, contact_metadata, pape
 use asperity_framework::input::InputError;
 use asperity_framework::metadata::Timing;
 
+use super::answers::{CaseResults, FallResults, RealisationResults};
+use super::findings::SurfaceFindings;
 use super::models::SurfaceModels;
 use super::plan::ComparePlan;
-use super::results::{CaseResults, CompareResults, FallResults, RealisationResults, SurfaceResults};
+use super::results::{CompareResults, SurfaceResults};
 use super::threshold;
 use crate::layer::{LayerPlan, thickness_words};
 use crate::surface::{AnalysisDepth, Surface, SurfaceFactory, files_of};
@@ -53,7 +55,9 @@ pub fn run(
             context.progress.advance(1);
         }
         papers.extend(first_surface.papers());
-        surfaces.push(SurfaceResults { surface: first_surface, first, others, thresholds, falls });
+        let all: Vec<&RealisationResults> = std::iter::once(&first).chain(&others).collect();
+        let findings = SurfaceFindings::of(&first_surface, &all, &thresholds, &falls);
+        surfaces.push(SurfaceResults { surface: first_surface, first, others, thresholds, falls, findings });
     }
     timing.total = start.elapsed();
     let mut layer_metadata = None;

@@ -92,7 +92,7 @@ fn gaps(found: &SurfaceResults) -> impl Iterator<Item = GapSummary<'_>> {
                 realisation,
                 law: &case.law,
                 layer_thickness_m: case.thickness.map(Thickness),
-                quantity: gap.quantity,
+                quantity: gap.quantity.name(),
                 pairing: gap.pairing.name(),
                 target: gap.target,
                 statistical: gap.statistical,

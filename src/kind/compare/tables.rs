@@ -4,7 +4,8 @@ use asperity_framework::report::table::{Table, TableError};
 use asperity_framework::row;
 use serde::Serialize;
 
-use crate::kind::compare::results::{CaseResults, CompareResults};
+use crate::kind::compare::answers::CaseResults;
+use crate::kind::compare::results::CompareResults;
 
 use asperity::compare::{CurvePoint, Pair};
 use asperity::model::Response;

@@ -4,7 +4,7 @@ use rayon::prelude::*;
 
 use super::models::SurfaceModels;
 use super::plan::ComparePlan;
-use crate::kind::compare::results::{RealisationResults, Threshold};
+use crate::kind::compare::answers::{RealisationResults, Threshold};
 use crate::layer::LayerPlan;
 use crate::surface::Surface;
 use asperity::compare::{Kind, of_each_decade, threshold};

@@ -8,7 +8,7 @@ mod spec;
 mod summary;
 mod tables;
 
-pub use run::{IndentationResults, LARGEST_SLOPE, LawCurves, LayerResults};
+pub use run::{IndentationResults, LawCurves, LayerResults, OverlayFit};
 
 use std::path::PathBuf;
 

@@ -15,15 +15,12 @@ use asperity::layer::Rule;
 use asperity::layer::exact_sphere::{ElasticContact, LayeredSphere};
 use asperity::literature::{self, Paper};
 use asperity::material::{Material, reduced_modulus};
-use asperity::sphere::Curve;
+use asperity::sphere::{Curve, LARGEST_SLOPE};
 use asperity::work::{Counter, Item};
 use asperity_framework::RunContext;
 use asperity_framework::input::InputError;
 use asperity_framework::input::law::LawSpec;
 use asperity_framework::metadata::{Metadata, Timing};
-
-/// a/R beyond which the sphere is no paraboloid and strains are not small.
-pub const LARGEST_SLOPE: f64 = 0.3;
 
 /// One sphere on layered flats.
 #[derive(Debug)]
@@ -82,6 +79,27 @@ pub struct LawCurves {
     pub all_layer: Curve,
     /// Coated loads at the indentations of the measured points, N.
     pub at_overlay: Vec<f64>,
+    /// How well they fit the measured loads; `None` where none were measured.
+    pub fit: Option<OverlayFit>,
+}
+
+/// Measured loads over coated ones.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct OverlayFit {
+    /// Geometric mean.
+    pub mean_ratio: f64,
+    /// The factor, at least 1, by which the worst of them is off.
+    pub largest_factor: f64,
+}
+
+impl OverlayFit {
+    /// Of pairs of a measured and a coated load; `None` of none.
+    fn of(pairs: impl Iterator<Item = (f64, f64)>) -> Option<Self> {
+        let logs: Vec<f64> = pairs.map(|(measured, coated)| (measured / coated).ln()).collect();
+        let mean = logs.iter().sum::<f64>() / logs.len() as f64;
+        let largest = logs.iter().fold(0.0, |largest: f64, log| largest.max(log.abs()));
+        (!logs.is_empty()).then(|| Self { mean_ratio: mean.exp(), largest_factor: largest.exp() })
+    }
 }
 
 impl IndentationResults {
@@ -101,6 +119,11 @@ impl IndentationResults {
         }
         warnings
     }
+
+    /// a/R at the last indentation: the largest of all layers.
+    pub fn largest_slope(&self) -> f64 {
+        self.layers.iter().map(|found| found.largest_slope(self.radius)).fold(0.0, f64::max)
+    }
 }
 
 impl LayerResults {
@@ -110,6 +133,11 @@ impl LayerResults {
         let areas = self.laws.iter().filter_map(last).map(|area| (area / std::f64::consts::PI).sqrt());
         let exact = self.exact.last().copied().flatten().map(|contact| contact.contact_radius);
         areas.chain(exact).fold(0.0, f64::max) / radius
+    }
+
+    /// Indentations at which the exact contact is too large to be solved.
+    pub fn unsolved(&self) -> usize {
+        self.exact.iter().filter(|exact| exact.is_none()).count()
     }
 }
 
@@ -200,19 +228,22 @@ fn on_layer(
 ) -> Result<LayerResults, ContactError> {
     let (ball, substrate) = (&plan.ball.1, &plan.flat.1);
     let coated = layer.flat(thickness)?;
-    let measured = plan.overlay.iter().flat_map(|overlay| &overlay.points);
+    let measured: Vec<(f64, f64)> = plan.overlay.iter().flat_map(|overlay| overlay.points.clone()).collect();
     let shape = Shape::sphere(plan.radius);
     let mut laws = Vec::new();
     for (k, law) in plan.laws.iter().enumerate() {
         let contact = law.interface(ball, &coated)?;
         papers.extend(contact.papers());
         let contact = Counted::new(&*contact, counter);
+        let at_overlay: Vec<f64> = measured.iter().map(|&(w, _)| contact.contact(w, shape).load).collect();
+        let loads = measured.iter().map(|&(_, load)| load).zip(at_overlay.iter().copied());
         laws.push(LawCurves {
             law: law.label(),
             coated: Curve::of(&contact, shape, &plan.indentations),
             uncoated: alone.uncoated[k].clone(),
             all_layer: alone.all_layer[k].clone(),
-            at_overlay: measured.clone().map(|(w, _)| contact.contact(*w, shape).load).collect(),
+            fit: OverlayFit::of(loads),
+            at_overlay,
         });
     }
     let sphere = LayeredSphere::new(Some(ball), plan.radius, &layer.material, substrate, thickness);

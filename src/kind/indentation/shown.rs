@@ -1,7 +1,6 @@
 //! Which curves of a layered sphere are shown beside each other.
 
 use asperity::sphere::Curve;
-use asperity_plot::{Colour, Dash};
 
 use super::run::LawCurves;
 
@@ -21,23 +20,6 @@ impl Shown {
             Self::Uncoated => "uncoated",
             Self::AllLayer => "all-layer",
             Self::Exact => "exact-elastic",
-        }
-    }
-
-    pub fn colour(self) -> Colour {
-        match self {
-            Self::Coated => Colour::ElasticPlastic,
-            Self::Uncoated => Colour::Series(0),
-            Self::AllLayer => Colour::Series(3),
-            Self::Exact => Colour::Series(2),
-        }
-    }
-
-    pub fn dash(self) -> Dash {
-        match self {
-            Self::Coated | Self::Exact => Dash::Solid,
-            Self::Uncoated => Dash::Dashed,
-            Self::AllLayer => Dash::Dotted,
         }
     }
 

@@ -82,7 +82,7 @@ fn layer(found: &LayerResults, radius: f64) -> SphereSummary<'_> {
             .filter_map(|(rule, worst)| Some(rule_error(rule, worst.as_ref()?)))
             .collect(),
         largest_contact_radius_over_radius: found.largest_slope(radius),
-        exact_points_left_out: found.exact.iter().filter(|exact| exact.is_none()).count(),
+        exact_points_left_out: found.unsolved(),
         laws: found.laws.iter().map(|law| curve(&law.law, &law.coated)).collect(),
     }
 }

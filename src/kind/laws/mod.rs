@@ -2,6 +2,7 @@
 
 mod page;
 mod plan;
+mod results;
 mod run;
 mod spec;
 mod summary;
@@ -17,7 +18,7 @@ use asperity_framework::{Kind, Memory, Outcome, Plan, Reads, RunContext};
 use serde_json::{Map, Value};
 
 use plan::LawsPlan;
-pub use run::{LawOnOne, LawsResults, SurfaceInfluence};
+pub use results::{LawOnOne, LawsResults, SurfaceInfluence};
 
 use crate::surface::{AnalysisDepth, inputs, memory};
 

@@ -4,7 +4,7 @@ use serde::Serialize;
 use serde_json::{Map, Value};
 
 use crate::kind::laws::plan::Critical;
-use crate::kind::laws::run::{LawsResults, SurfaceInfluence};
+use crate::kind::laws::results::{LawsResults, SurfaceInfluence};
 use asperity::compare::{Group, Kind, Measure, Weight};
 use asperity::sphere::Boundary;
 

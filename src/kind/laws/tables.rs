@@ -1,9 +1,7 @@
 //! The tables of several laws, besides those of a comparison.
 
 use crate::kind::compare::tables;
-use crate::kind::indentation::LARGEST_SLOPE;
-use crate::kind::laws::page::slope;
-use crate::kind::laws::run::{LawsResults, SurfaceInfluence};
+use crate::kind::laws::results::{LawsResults, SurfaceInfluence};
 use asperity::compare::{AtLoad, Group, Influence, Kind, Measure};
 use asperity::sphere::{Boundary, Point};
 use asperity_framework::report::table::{Table, TableError};
@@ -91,7 +89,7 @@ fn curves(results: &LawsResults) -> Result<Vec<u8>, TableError> {
                 mean_pressure_pa: contact.load / contact.area,
                 stiffness_n_per_m: contact.stiffness,
                 regime: contact.regime.name(),
-                beyond_small_strains: slope(results, contact) > LARGEST_SLOPE,
+                beyond_small_strains: results.is_beyond_small_strains(contact),
             })?;
         }
     }
@@ -115,7 +113,7 @@ fn boundaries(results: &LawsResults) -> Result<Vec<u8>, TableError> {
                 area_above_m2: above.area,
                 load_jump: at.load_jump(),
                 area_jump: at.area_jump(),
-                beyond_small_strains: slope(results, above) > LARGEST_SLOPE,
+                beyond_small_strains: results.is_beyond_small_strains(above),
             })?;
         }
     }

@@ -1,5 +1,6 @@
 //! `[limit]`: sets of growing size against the statistical integral.
 
+mod findings;
 mod page;
 mod plan;
 mod run;

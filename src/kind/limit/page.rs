@@ -1,99 +1,19 @@
 //! The page of a limit: does the sum approach the integral, and how fast?
 
-use crate::kind::limit::run::LimitResults;
-use asperity::compare::{FEWEST_CONTACTS, LimitPoint, Quantity, SlopeFit};
+use super::findings::{Heights, SlopeRange, series};
+use super::run::LimitResults;
+use asperity::compare::{FEWEST_CONTACTS, LimitPoint, Quantity};
 use asperity_framework::report::format::{number, quantity};
 use asperity_framework::report::page::Page;
 use asperity_framework::report::sections;
 use asperity_plot::{Axis, Colour, Dash, Figure, Layer, Marker, Plot};
 
-/// How the heights of a set are taken, with the slope that theory expects of its error.
-#[derive(Clone, Copy, PartialEq, Eq)]
-pub enum Heights {
-    /// Independent draws.
-    Random,
-    /// At the quantiles.
-    Quantiles,
-}
-
-impl Heights {
-    const ALL: [Self; 2] = [Self::Random, Self::Quantiles];
-
-    /// As tables name it.
-    pub const fn name(self) -> &'static str {
-        match self {
-            Self::Random => "random",
-            Self::Quantiles => "quantiles",
-        }
-    }
-
-    fn expected(self) -> f64 {
-        match self {
-            Self::Random => -0.5,
-            Self::Quantiles => -1.0,
-        }
-    }
-
-    fn error(self, point: &LimitPoint, quantity: Quantity) -> f64 {
-        match self {
-            Self::Random => point.scatter(quantity).1,
-            Self::Quantiles => point.quantile_error(quantity),
-        }
-    }
-}
-
-/// One fitted slope.
-pub struct Slope<'a> {
-    /// The law.
-    pub law: &'a str,
-    /// Area or load.
-    pub quantity: Quantity,
-    /// How the heights were taken.
-    pub heights: Heights,
-    /// d/sigma.
-    pub separation: f64,
-    /// The fit.
-    pub fit: SlopeFit,
-}
-
-/// All slopes: law by law, separation by separation.
-pub fn slopes(results: &LimitResults) -> Vec<Slope<'_>> {
-    let mut slopes = Vec::new();
-    for (law, _) in &results.laws {
-        for &separation in &results.separations {
-            for quantity in Quantity::ALL {
-                for heights in Heights::ALL {
-                    let points = series(results, law, separation).filter(|point| point.is_fitted());
-                    let errors = points.map(|point| (point.count as f64, heights.error(point, quantity)));
-                    if let Some(fit) = SlopeFit::through(errors) {
-                        slopes.push(Slope { law, quantity, heights, separation, fit });
-                    }
-                }
-            }
-        }
-    }
-    slopes
-}
-
-/// The points of one law at one separation, by growing size.
-fn series<'a>(
-    results: &'a LimitResults,
-    law: &'a str,
-    separation: f64,
-) -> impl Iterator<Item = &'a LimitPoint> {
-    results
-        .points
-        .iter()
-        .filter(move |point| point.law == law && point.exact.statistical.separation_over_sigma == separation)
-}
-
 /// The page.
 pub fn page(results: &LimitResults) -> Page {
     let mut page = Page::new(&results.metadata.title);
     sections::notes(&mut page, &results.metadata);
-    let slopes = slopes(results);
     page.heading(2, "In short");
-    page.bullets(Heights::ALL.into_iter().filter_map(|heights| finding(&slopes, heights)));
+    page.bullets(results.slope_ranges.iter().map(finding));
     page.paragraph(&format!(
         "Sets of equal radii and Gaussian heights are summed and compared with what they must approach: {}. A sum of n \
          independent draws has an error that falls as n^-½; heights at the quantiles leave one that falls as 1/n. Slopes are \
@@ -124,14 +44,14 @@ pub fn page(results: &LimitResults) -> Page {
         }
         page.table(
             ["d/σ", "quantity", "heights", "slope", "± s.e.", "expected", "points"],
-            slopes.iter().filter(|slope| slope.law == law).map(|slope| {
+            results.slopes.iter().filter(|slope| slope.law == *law).map(|slope| {
                 vec![
                     number(slope.separation),
                     slope.quantity.name().to_owned(),
                     slope.heights.name().to_owned(),
                     format!("{:.3}", slope.fit.slope),
                     format!("{:.3}", slope.fit.standard_error),
-                    format!("{}", slope.heights.expected()),
+                    format!("{}", slope.heights.expected_slope()),
                     slope.fit.points.to_string(),
                 ]
             }),
@@ -164,21 +84,16 @@ pub fn page(results: &LimitResults) -> Page {
 }
 
 /// The slopes found, in a sentence.
-fn finding(slopes: &[Slope], heights: Heights) -> Option<String> {
-    let found: Vec<f64> = slopes.iter().filter(|s| s.heights == heights).map(|s| s.fit.slope).collect();
-    let mean = found.iter().sum::<f64>() / found.len() as f64;
-    let (low, high) = found.iter().fold((f64::MAX, f64::MIN), |(a, b), &s| (a.min(s), b.max(s)));
+fn finding(found: &SlopeRange) -> String {
+    let SlopeRange { heights, fits, mean, lowest, highest } = found;
     let what = match heights {
         Heights::Random => "heights drawn at random",
         Heights::Quantiles => "heights at the quantiles",
     };
-    (!found.is_empty()).then(|| {
-        format!(
-            "**{what}**: the error falls with slope {mean:.3} in the mean of {} fits ({low:.3} to {high:.3}); expected {}.",
-            found.len(),
-            heights.expected()
-        )
-    })
+    format!(
+        "**{what}**: the error falls with slope {mean:.3} in the mean of {fits} fits ({lowest:.3} to {highest:.3}); expected {}.",
+        heights.expected_slope()
+    )
 }
 
 fn figure(results: &LimitResults, law: &str, quantity: Quantity) -> String {
@@ -192,7 +107,7 @@ fn figure(results: &LimitResults, law: &str, quantity: Quantity) -> String {
         let of = results.separations.len();
         for (index, &separation) in results.separations.iter().enumerate() {
             let colour = Colour::Ordered { index, of };
-            let points: Vec<&LimitPoint> = series(results, law, separation).collect();
+            let points: Vec<&LimitPoint> = series(&results.points, law, separation).collect();
             if heights == Heights::Random {
                 let single = points.iter().flat_map(|point| {
                     point.random.iter().map(|r| (point.count as f64, point.error(r, quantity).abs()))
@@ -208,11 +123,11 @@ fn figure(results: &LimitResults, law: &str, quantity: Quantity) -> String {
                 .with(Layer::line(fitted.clone()).coloured(colour).named(format!("d/σ = {separation}")))
                 .with(Layer::points(fitted, Marker::Circle).coloured(colour));
         }
-        let reference = series(results, law, results.separations[0]).find(|point| point.is_fitted());
+        let reference = series(&results.points, law, results.separations[0]).find(|point| point.is_fitted());
         match reference {
             Some(point) => {
                 let through = (point.count as f64, 0.2 * heights.error(point, quantity));
-                plot.with(Layer::slope(through, heights.expected(), label))
+                plot.with(Layer::slope(through, heights.expected_slope(), label))
             }
             None => plot,
         }

@@ -12,6 +12,7 @@ use asperity_framework::contact::{ContactMetadata, LawPlan, contact_metadata, pa
 use asperity_framework::input::InputError;
 use asperity_framework::metadata::{Metadata, Timing};
 
+use super::findings::{Slope, SlopeRange, ranges, slopes};
 use super::plan::LimitPlan;
 
 /// Sets of growing size against their limit.
@@ -33,6 +34,10 @@ pub struct LimitResults {
     pub draws: usize,
     /// Size by size, law by law, separation by separation.
     pub points: Vec<LimitPoint>,
+    /// The power laws of the errors: law by law, separation by separation.
+    pub slopes: Vec<Slope>,
+    /// Their ranges: of random sets, then of those at the quantiles.
+    pub slope_ranges: Vec<SlopeRange>,
 }
 
 /// Draws the sets and holds them against their limit.
@@ -62,6 +67,8 @@ pub(super) fn run(context: &RunContext, limit: &LimitPlan) -> Result<LimitResult
     })
     .map_err(|error| InputError::file(&context.source.path, error))?;
     timing.deterministic = sums.elapsed();
+    let labels = limit.laws.iter().map(|law| law.label.as_str());
+    let slopes = slopes(&points, labels, &limit.separations);
     timing.total = start.elapsed();
     Ok(LimitResults {
         metadata: context.metadata(papers_of(&limit.laws), timing, Some(counter.work())),
@@ -76,6 +83,8 @@ pub(super) fn run(context: &RunContext, limit: &LimitPlan) -> Result<LimitResult
         separations: limit.separations.clone(),
         draws: limit.draws,
         points,
+        slope_ranges: ranges(&slopes),
+        slopes,
     })
 }
 

@@ -5,7 +5,6 @@ use asperity_framework::fields;
 use serde::Serialize;
 use serde_json::{Map, Value};
 
-use super::page::slopes;
 use super::run::LimitResults;
 
 #[derive(Serialize)]
@@ -29,8 +28,8 @@ struct SlopeSummary<'a> {
 
 /// Its part of `summary.json`.
 pub(super) fn summary(results: &LimitResults) -> serde_json::Result<Map<String, Value>> {
-    let slopes = slopes(results).into_iter().map(|slope| SlopeSummary {
-        law: slope.law,
+    let slopes = results.slopes.iter().map(|slope| SlopeSummary {
+        law: &slope.law,
         quantity: slope.quantity.name(),
         heights: slope.heights.name(),
         separation_over_sigma: slope.separation,

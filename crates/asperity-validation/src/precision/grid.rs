@@ -78,6 +78,11 @@ impl GridPoint {
     pub fn all_points(&self) -> f64 {
         (self.points * self.points) as f64
     }
+
+    /// Bias and scatter of a statistic together.
+    pub fn error(&self, statistic: Statistic) -> f64 {
+        self.bias[statistic as usize].hypot(self.scatter[statistic as usize])
+    }
 }
 
 /// Maps of all grids and sizes.
@@ -85,6 +90,17 @@ impl GridPoint {
 pub struct GridFindings {
     /// Grid by grid, size by size.
     pub points: Vec<GridPoint>,
+}
+
+/// What four times the points do, as twice the points a length or as twice the side.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Doubling {
+    /// Times smaller bias of the radius, on a finer grid.
+    pub bias: f64,
+    /// Times smaller scatter of the density, on a larger map.
+    pub scatter: f64,
+    /// Times longer, of either.
+    pub time: f64,
 }
 
 /// A map that cannot be made.
@@ -196,6 +212,22 @@ impl GridFindings {
     pub fn scatter_slope(&self, statistic: Statistic) -> Option<f64> {
         let scatter = self.points.iter().map(|point| (point.summits, point.scatter[statistic as usize]));
         SlopeFit::through(scatter).map(|fit| fit.slope)
+    }
+
+    /// What twice the points a length, and twice the side, do.
+    pub fn doubling(&self) -> Option<Doubling> {
+        Some(Doubling {
+            bias: 2f64.powf(-self.bias_slope(Statistic::Radius)?),
+            // Twice the side has four times the summits.
+            scatter: 4f64.powf(-self.scatter_slope(Statistic::Density)?),
+            time: 4f64.powf(self.time_slope()?),
+        })
+    }
+
+    /// The cheapest map whose radius is within `error` of that of an endless surface on a fine grid.
+    pub fn cheapest(&self, error: f64) -> Option<&GridPoint> {
+        let good = self.points.iter().filter(|point| point.error(Statistic::Radius) <= error);
+        good.min_by(|a, b| a.seconds.total_cmp(&b.seconds))
     }
 
     /// By what power of the number of points the time grows, over maps of 10^4 points and more.

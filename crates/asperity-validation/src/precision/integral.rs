@@ -9,9 +9,9 @@ use std::num::NonZeroUsize;
 use quad_rs::{Integrable, IntegratorConfig, integrate_real};
 use realfft::num_complex::Complex;
 
+use super::Cost;
 use super::rules::{self, Node};
 use super::timing::{Candidate, medians};
-use super::{Cost, LEVELS, fastest};
 use crate::stability::exact::Integral;
 use crate::stability::exact::{self, Exact};
 use crate::stability::wide::{Wide, relative_error};
@@ -24,6 +24,9 @@ pub use super::rules::Family;
 
 /// E-foldings of the density over one panel of [`Family::Panels`]; where the density also rises, fewer.
 const FOLDINGS: [f64; 2] = [20.0, 8.0];
+
+/// Order of the shipped rule in each of its panels.
+const SHIPPED_ORDER: usize = 24;
 
 /// Orders of Gauss rules.
 const ORDERS: [usize; 13] = [2, 3, 4, 6, 8, 12, 16, 24, 32, 48, 64, 96, 128];
@@ -77,32 +80,17 @@ pub struct IntegralFindings {
     pub points: Vec<IntegralPoint>,
 }
 
-/// The fastest rule at one level.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct IntegralWinner {
-    /// The largest error that is allowed.
-    pub level: f64,
-    /// The fastest rule within it, if one is.
-    pub point: Option<IntegralPoint>,
-    /// Seconds of the shipped rule over those of the fastest one; `None` where either is not within the level.
-    pub shipped_over_fastest: Option<f64>,
-}
-
 impl IntegralFindings {
     /// The rule of the statistical model.
     pub fn shipped(&self) -> Option<&IntegralPoint> {
         self.points.iter().find(|point| point.rule.family == Family::Shipped)
     }
 
-    /// The fastest rule at each level.
-    pub fn winners(&self) -> [IntegralWinner; 3] {
-        LEVELS.map(|level| {
-            let place = fastest(self.points.iter().map(|point| &point.cost), level);
-            let point = place.map(|place| self.points[place]);
-            let shipped = self.shipped().filter(|shipped| shipped.cost.error <= level);
-            let ratio = shipped.zip(point).map(|(shipped, point)| shipped.cost.seconds / point.cost.seconds);
-            IntegralWinner { level, point, shipped_over_fastest: ratio }
-        })
+    /// The nodes of the shipped rule in the loop of all others.
+    pub fn shipped_nodes(&self) -> Option<&IntegralPoint> {
+        let is_it =
+            |rule: &Rule| rule.family == Family::Panels && rule.effort == Effort::Order(SHIPPED_ORDER);
+        self.points.iter().find(|point| is_it(&point.rule))
     }
 }
 
@@ -364,6 +352,7 @@ pub fn rules_on(
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::precision::{LEVELS, fastest};
     use crate::stability::Bodies;
     use asperity::asperity::HeightDensity;
     use asperity::interface::Interface;
@@ -401,6 +390,7 @@ mod tests {
         assert!(error(Family::Kronrod, true, true, Effort::Tolerance(1e-8)) < 1e-8);
         assert!(found.shipped().unwrap().cost.error < 1e-13);
         assert!(found.points.iter().all(|point| point.cost.error.is_finite() && point.cost.seconds > 0.0));
-        assert!(found.winners().iter().all(|winner| winner.point.is_some()));
+        let costs = || found.points.iter().map(|point| &point.cost);
+        assert!(LEVELS.into_iter().all(|level| fastest(costs(), level).is_some()));
     }
 }

@@ -41,6 +41,40 @@ pub struct ListPoint {
     pub added_bytes: Option<u64>,
 }
 
+impl ListPoint {
+    /// Seconds that an asperity takes to be read and added up.
+    pub fn seconds_per_asperity(&self) -> f64 {
+        (self.read_seconds + self.sum_seconds) / self.asperities as f64
+    }
+}
+
+/// From so many asperities on, a list costs what its asperities cost: what every run costs is little beside it.
+pub const LONG: usize = 100_000;
+
+/// What long lists cost.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct LongLists {
+    /// The shortest of them.
+    pub shortest: ListPoint,
+    /// The longest.
+    pub longest: ListPoint,
+    /// The fewest and the most seconds that an asperity takes to be read and added up.
+    pub seconds_per_asperity: [f64; 2],
+}
+
+impl LongLists {
+    /// Those of [`LONG`] asperities and more; `None` where there is none.
+    pub fn of(lists: &[ListPoint]) -> Option<Self> {
+        let long = || lists.iter().filter(|point| point.asperities >= LONG);
+        let seconds = || long().map(ListPoint::seconds_per_asperity);
+        Some(Self {
+            shortest: *long().next()?,
+            longest: *long().last()?,
+            seconds_per_asperity: [seconds().fold(f64::INFINITY, f64::min), seconds().fold(0.0, f64::max)],
+        })
+    }
+}
+
 /// Why a list was not read back.
 #[derive(Debug, thiserror::Error)]
 pub enum Unlisted {

@@ -50,6 +50,22 @@ pub struct Tenfold {
 }
 
 impl SamplingFindings {
+    /// The smallest d/sigma.
+    pub fn least_separation(&self) -> f64 {
+        self.points.iter().map(separation).fold(f64::INFINITY, f64::min)
+    }
+
+    /// Asperities that it takes for a load within the relative `error` at the smallest separation, in the mean of the
+    /// sizes where enough contacts are expected.
+    pub fn needed(&self, error: f64) -> f64 {
+        let least = self.least_separation();
+        let fitted = self.points.iter().filter(|point| point.is_fitted() && separation(point) == least);
+        let needed =
+            |point: &LimitPoint| point.count as f64 * (point.scatter(Quantity::Load).1 / error).powi(2);
+        let needed: Vec<f64> = fitted.map(needed).collect();
+        needed.iter().sum::<f64>() / needed.len() as f64
+    }
+
     /// What ten times the asperities do, by least squares: to the time of sets of 10^4 and more, and to the scatter of
     /// the load in the mean of the separations, where enough contacts are expected. `None` with too few sizes.
     pub fn tenfold(&self) -> Option<Tenfold> {

@@ -6,6 +6,7 @@ use super::bodies::Bodies;
 use super::cases::{Asked, Case, SetWords};
 use super::exact::{Contact, Exact};
 use super::group::Group;
+use super::quantity::Quantity;
 use crate::stability::exact::Integral;
 use crate::stability::exact::Shape;
 use crate::stability::exact::Total;
@@ -14,44 +15,6 @@ use asperity::asperity::{AsperitySet, Population};
 use asperity::interface::MicroContact;
 use asperity::law;
 use asperity::model::{Deterministic, Model, ReferencePlane, Response, Statistical, at_pressure};
-
-/// What is measured.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-pub enum Quantity {
-    /// Area of a contact, area ratio.
-    Area,
-    /// Load of a contact, nominal pressure.
-    Load,
-    /// dP/dw of a contact, -dp/dd.
-    Stiffness,
-    /// Contacts per nominal area.
-    Density,
-    /// Parts of area and load that each regime has: the absolute error.
-    Shares,
-    /// Sampling errors of a sum: the error of the variance over the mean square.
-    Sampling,
-    /// The pressure that load control ends on.
-    Reached,
-}
-
-impl Quantity {
-    /// All quantities.
-    pub const ALL: [Self; 7] =
-        [Self::Area, Self::Load, Self::Stiffness, Self::Density, Self::Shares, Self::Sampling, Self::Reached];
-
-    /// As tables name it.
-    pub const fn name(self) -> &'static str {
-        match self {
-            Self::Area => "area",
-            Self::Load => "load",
-            Self::Stiffness => "stiffness",
-            Self::Density => "contact density",
-            Self::Shares => "regime shares",
-            Self::Sampling => "sampling error",
-            Self::Reached => "pressure reached",
-        }
-    }
-}
 
 /// How far one quantity is off.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -1,7 +1,7 @@
 //! The groups of cases, what is measured in each, and how far it may be off.
 
 use super::bodies::Law;
-use super::check::Quantity;
+use super::quantity::Quantity;
 
 /// What a case asks for.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]

@@ -3,6 +3,7 @@
 //!
 //! | file | what lives there |
 //! |---|---|
+//! | `quantity` | what is measured |
 //! | `group` | the groups of cases, and how far each may be off |
 //! | `bodies` | bodies and law of a case |
 //! | `cases` | the cases themselves, each from the seed, its group and its number |
@@ -16,13 +17,15 @@ mod check;
 pub mod exact;
 mod group;
 mod maps;
+mod quantity;
 pub mod wide;
 
 pub use bodies::{Bodies, Law, Layer};
 pub use cases::{Asked, Case, Heights, SetWords};
-pub use check::{CheckedCase, Deviation, Failure, Quantity};
+pub use check::{CheckedCase, Deviation, Failure};
 pub use group::{Group, Kind};
 pub use maps::Map;
+pub use quantity::Quantity;
 
 use rayon::prelude::*;
 

@@ -6,11 +6,36 @@ use super::{Pair, Pairing};
 /// surface.
 pub const FEWEST_CONTACTS: f64 = 30.0;
 
+/// A difference of at most this many standard errors may be chance.
+pub const SIGNIFICANT: f64 = 3.0;
+
+/// A quantity whose largest difference is sought.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum GapQuantity {
+    /// d/sigma at equal load.
+    Separation,
+    /// A/A_nom at equal load.
+    AreaRatio,
+    /// Nominal pressure at equal separation, Pa.
+    Pressure,
+}
+
+impl GapQuantity {
+    /// As tables name it.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Separation => "separation_over_sigma",
+            Self::AreaRatio => "area_ratio",
+            Self::Pressure => "pressure_pa",
+        }
+    }
+}
+
 /// The largest difference of one quantity over all pairs that can be trusted.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Gap {
     /// The quantity.
-    pub quantity: &'static str,
+    pub quantity: GapQuantity,
     /// What the models have in common there.
     pub pairing: Pairing,
     /// Its value, Pa or in sigma.
@@ -33,6 +58,11 @@ impl Gap {
     pub fn ratio(&self) -> f64 {
         self.statistical / self.deterministic
     }
+
+    /// Whether it is more than chance; so taken where the deterministic model has no standard error.
+    pub fn is_significant(&self) -> bool {
+        self.over_sampling_error.is_none_or(|errors| errors > SIGNIFICANT)
+    }
 }
 
 /// The largest gaps among the pairs that neither model's assumptions nor a handful of contacts
@@ -46,6 +76,16 @@ pub struct Gaps {
 }
 
 impl Gaps {
+    /// The largest gap of a quantity.
+    pub fn of_quantity(&self, quantity: GapQuantity) -> Option<&Gap> {
+        self.largest.iter().find(|gap| gap.quantity == quantity)
+    }
+
+    /// Whether one of the largest gaps is more than chance.
+    pub fn is_significant(&self) -> bool {
+        self.largest.iter().any(Gap::is_significant)
+    }
+
     /// The largest gaps of `pairs` on the nominal area `area` (m^2), separations in units of `sigma` (m).
     pub fn of(pairs: &[Pair], area: f64, sigma: f64) -> Self {
         /// In sigma, or in parts of the quantity: more than load control leaves.
@@ -83,7 +123,7 @@ impl Gaps {
 fn separation_gap(pair: &Pair, sigma: f64) -> Gap {
     let (s, d) = (&pair.statistical, &pair.deterministic);
     let error = d.separation_error(sigma);
-    gap(pair, "separation_over_sigma", s.separation_over_sigma, d.separation_over_sigma, error)
+    gap(pair, GapQuantity::Separation, s.separation_over_sigma, d.separation_over_sigma, error)
 }
 
 fn area_gap(pair: &Pair) -> Gap {
@@ -91,16 +131,16 @@ fn area_gap(pair: &Pair) -> Gap {
     // At equal load the scatter of the area is that of the area at equal separation less what the
     // load explains; the larger, simpler bound is used.
     let error = d.sampling.map(|sampling| sampling.area_ratio);
-    gap(pair, "area_ratio", s.area_ratio.total(), d.area_ratio.total(), error)
+    gap(pair, GapQuantity::AreaRatio, s.area_ratio.total(), d.area_ratio.total(), error)
 }
 
 fn pressure_gap(pair: &Pair) -> Gap {
     let (s, d) = (&pair.statistical, &pair.deterministic);
     let error = d.sampling.map(|sampling| sampling.pressure);
-    gap(pair, "pressure_pa", s.pressure.total(), d.pressure.total(), error)
+    gap(pair, GapQuantity::Pressure, s.pressure.total(), d.pressure.total(), error)
 }
 
-fn gap(pair: &Pair, quantity: &'static str, statistical: f64, deterministic: f64, error: Option<f64>) -> Gap {
+fn gap(pair: &Pair, quantity: GapQuantity, statistical: f64, deterministic: f64, error: Option<f64>) -> Gap {
     let over_sampling_error =
         error.map(|error| (statistical - deterministic).abs() / error).filter(|ratio| ratio.is_finite());
     Gap {
@@ -146,7 +186,7 @@ mod tests {
         let gaps = Gaps::of(&pairs, 1.0, 1e-8);
         assert_eq!(gaps.pairs, 3);
         let [separation, area, pressure] = &gaps.largest[..] else { panic!("three quantities") };
-        assert_eq!((separation.difference(), separation.quantity), (0.5, "separation_over_sigma"));
+        assert_eq!((separation.difference(), separation.quantity), (0.5, GapQuantity::Separation));
         // 10 Pa over 1e14 Pa/m is 1e-13 m, 1e-5 sigma.
         assert!((separation.over_sampling_error.unwrap() / 5e4 - 1.0).abs() < 1e-12);
         assert!(
@@ -167,7 +207,7 @@ mod tests {
         });
         let gaps = Gaps::of(&pairs, 1.0, 1e-8);
         assert_eq!(gaps.pairs, 2);
-        let quantities: Vec<&str> = gaps.largest.iter().map(|gap| gap.quantity).collect();
-        assert_eq!(quantities, ["pressure_pa"]);
+        let quantities: Vec<GapQuantity> = gaps.largest.iter().map(|gap| gap.quantity).collect();
+        assert_eq!(quantities, [GapQuantity::Pressure]);
     }
 }

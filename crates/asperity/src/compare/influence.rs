@@ -3,6 +3,9 @@
 use super::{FEWEST_CONTACTS, Kind, Pair, Pairing};
 use crate::model::Response;
 
+/// A gap between the models of at most this many sampling errors is not told from none.
+pub const DETECTABLE: f64 = 2.0;
+
 /// What laws and models are told apart by at equal load. The mean real pressure is no third: at equal load it is the
 /// nominal pressure over the area ratio, so that its ratios are those of the areas turned over.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -84,6 +87,8 @@ impl Group {
 pub struct Influence {
     /// The laws; the others are compared with the first.
     pub laws: Vec<String>,
+    /// Law by law, whether its contacts pass from elastic to something else.
+    pub passes_regimes: Vec<bool>,
     /// Load by load, ascending, the same loads under every law.
     pub loads: Vec<AtLoad>,
 }
@@ -161,6 +166,25 @@ impl AtLoad {
         self.told(measure).errors[law]
     }
 
+    /// Whether the models are told apart under a law: their gap is more than [`DETECTABLE`] sampling errors of the sum.
+    pub fn is_gap_detectable(&self, measure: Measure, law: usize) -> bool {
+        self.gap(measure, law).abs() > DETECTABLE * self.sampling_error(measure, law).unwrap_or(0.0)
+    }
+
+    /// Spread of the passing laws under the sum over the gap between the models under the first law; `None` where that
+    /// gap may be none.
+    pub fn law_over_summation(&self, measure: Measure) -> Option<f64> {
+        let law = self.spread(measure, Group::Passing, Kind::Deterministic)?;
+        self.is_gap_detectable(measure, 0).then(|| law / self.gap(measure, 0).abs())
+    }
+
+    /// Whether a sum rests on fewer than [`FEWEST_CONTACTS`] contacts; of a load that does not count for another reason,
+    /// asperities interact.
+    pub fn has_few_contacts(&self) -> bool {
+        // Contacts are counted: the rounding of their density goes.
+        self.fewest_contacts.round() < FEWEST_CONTACTS
+    }
+
     /// The law of a group under which the models lie furthest apart, and how far.
     pub fn largest_gap(&self, measure: Measure, group: Group) -> Option<(usize, f64)> {
         let gaps = self.told(measure).gaps.iter().copied().enumerate();
@@ -198,6 +222,7 @@ impl Influence {
         Self {
             laws: laws.iter().map(|law| law.law.to_owned()).collect(),
             loads: targets.into_iter().filter_map(at).collect(),
+            passes_regimes: passing,
         }
     }
 
@@ -228,6 +253,17 @@ impl Influence {
     /// What the choice of a law instead of the first weighs under a model.
     pub fn of_choice(&self, measure: Measure, law: usize, kind: Kind) -> Option<Weight> {
         self.weight(|at| Some(at.deviation(measure, law, kind)))
+    }
+
+    /// The gap between the models under a law, in sampling errors of the sum.
+    pub fn of_standard_errors(&self, measure: Measure, law: usize) -> Option<Weight> {
+        self.weight(|at| Some(at.gap(measure, law) / at.sampling_error(measure, law)?))
+    }
+
+    /// The laws that a finding is over: those that pass from elastic to something else, or all where fewer than two do.
+    pub fn group(&self) -> Group {
+        let passing = self.passes_regimes.iter().filter(|passes| **passes).count();
+        if passing > 1 { Group::Passing } else { Group::All }
     }
 
     /// The sampling errors of the sums under a law.

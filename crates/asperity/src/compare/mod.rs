@@ -1,19 +1,25 @@
 //! Both models on one surface under one law: their curves, paired at equal load and at equal
 //! separation, and how far apart they are.
 
+mod attribution;
+mod departure;
 mod gap;
 mod influence;
 mod limit;
 mod rule;
 mod spread;
 mod threshold;
+mod validity;
 
-pub use gap::{FEWEST_CONTACTS, Gap, Gaps};
-pub use influence::{AtLoad, Group, Influence, Measure, UnderLaw, Weight};
+pub use attribution::{Attribution, Dominant};
+pub use departure::Departure;
+pub use gap::{FEWEST_CONTACTS, Gap, GapQuantity, Gaps, SIGNIFICANT};
+pub use influence::{AtLoad, DETECTABLE, Group, Influence, Measure, UnderLaw, Weight};
 pub use limit::{Exact, LimitCase, LimitPoint, Quantity, SlopeFit, convergence};
 pub use rule::{GOOD_RATIO, RuleCheck, RuleError, RuleFindings, apart};
-pub use spread::{Realisation, Scatter, Spread, spread};
+pub use spread::{Realisation, Scatter, Spread, SpreadFindings, spread};
 pub use threshold::threshold;
+pub use validity::PointCounts;
 
 use std::time::{Duration, Instant};
 

@@ -1,6 +1,6 @@
 //! How far the realisations of one surface lie apart.
 
-use super::{FEWEST_CONTACTS, Pair, Pairing};
+use super::{FEWEST_CONTACTS, Pair, Pairing, SIGNIFICANT};
 use crate::model::INTERACTION;
 
 /// Mean and scatter of a quantity over realisations.
@@ -55,6 +55,51 @@ impl Spread {
     pub fn counts(&self) -> bool {
         let area = self.deterministic_area.mean.max(self.statistical_area.mean);
         self.contacts >= FEWEST_CONTACTS && area <= INTERACTION
+    }
+
+    /// Mean area of the statistical model over that of the deterministic one.
+    pub fn area_ratio_of_means(&self) -> f64 {
+        self.statistical_area.mean / self.deterministic_area.mean
+    }
+}
+
+/// How far the models lie apart in the mean of several realisations, over the loads that count.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct SpreadFindings {
+    /// Number of realisations.
+    pub realisations: usize,
+    /// The load at which the mean separations differ most.
+    pub separation: Spread,
+    /// The load at which the ratio of the mean areas is furthest from 1.
+    pub area: Spread,
+    /// Standard errors of the mean that the difference of the separations is, at the load where these are most.
+    pub most_standard_errors: f64,
+}
+
+impl SpreadFindings {
+    /// Of the loads that `realisations` have in common; `None` where none of them counts.
+    pub fn of(spread: &[Spread], realisations: usize) -> Option<Self> {
+        let largest = |size: &dyn Fn(&Spread) -> f64| {
+            let counting = spread.iter().filter(|at| at.counts());
+            counting.max_by(|a, b| size(a).total_cmp(&size(b))).copied()
+        };
+        let errors = |at: &Spread| at.standard_errors(realisations);
+        Some(Self {
+            realisations,
+            separation: largest(&|at| at.difference.mean.abs())?,
+            area: largest(&|at| at.area_ratio_of_means().ln().abs())?,
+            most_standard_errors: errors(&largest(&errors)?),
+        })
+    }
+
+    /// Standard errors of the mean that the largest difference of the separations is.
+    pub fn separation_standard_errors(&self) -> f64 {
+        self.separation.standard_errors(self.realisations)
+    }
+
+    /// Whether the separations differ by more than chance at one of the loads.
+    pub fn is_significant(&self) -> bool {
+        self.most_standard_errors > SIGNIFICANT
     }
 }
 
@@ -146,6 +191,19 @@ mod tests {
         assert!((found.standard_errors(3) - 3f64.sqrt()).abs() < 1e-12);
         assert!(!found.counts(), "A/A_nom of 0.4");
         assert_eq!(spread(&realisations[..1]), []);
+    }
+
+    #[test]
+    fn the_largest_mean_differences_over_the_loads_that_count() {
+        // A/A_nom is a tenth of d/sigma: that of the first load is too large to count.
+        let pairs = [pair(1.0, 4.0, 0.1), pair(2.0, 0.4, 0.3), pair(3.0, 0.2, 0.4)];
+        let all: [Realisation; 2] = [(&pairs[..], 1e-8, 40.0); 2];
+        let found = SpreadFindings::of(&spread(&all), 2).unwrap();
+        assert_eq!((found.separation.target, found.area.target), (3.0, 3.0));
+        // 0.2 over half of sigma and the root of two.
+        assert!((found.most_standard_errors - 0.4 * 2f64.sqrt()).abs() < 1e-12 && !found.is_significant());
+        assert_eq!(found.separation_standard_errors(), found.most_standard_errors);
+        assert_eq!(SpreadFindings::of(&spread(&[(&pairs[..1], 1e-8, 40.0); 2]), 2), None);
     }
 
     #[test]

@@ -62,6 +62,12 @@ impl Response {
         (area > 0.0).then(|| self.pressure.total() / area)
     }
 
+    /// Radius of a circular contact of the mean area, m; `None` where nothing touches.
+    pub fn mean_contact_radius(&self) -> Option<f64> {
+        let area = self.area_ratio.total() / self.contact_density;
+        area.is_finite().then(|| (area / std::f64::consts::PI).sqrt())
+    }
+
     /// Whether so much is in contact that asperities interact.
     pub fn is_beyond_model(&self) -> bool {
         self.area_ratio.total() > INTERACTION

@@ -2,7 +2,7 @@
 
 use std::f64::consts::PI;
 
-use crate::kind::compare::figures::regime_colour;
+use crate::kind::compare::page::figures::regime_colour;
 use crate::kind::indentation::run::{IndentationResults, LawCurves, LayerResults};
 use crate::kind::indentation::shown::Shown;
 use crate::kind::indentation::spec::Show;
@@ -15,6 +15,23 @@ use asperity_plot::{Axis, Colour, Dash, Figure, Layer, Legend, Marker, Plot};
 const MICRO: f64 = 1e6;
 
 type Line = Vec<(f64, f64)>;
+
+fn colour(shown: Shown) -> Colour {
+    match shown {
+        Shown::Coated => Colour::ElasticPlastic,
+        Shown::Uncoated => Colour::Series(0),
+        Shown::AllLayer => Colour::Series(3),
+        Shown::Exact => Colour::Series(2),
+    }
+}
+
+fn style(shown: Shown) -> Dash {
+    match shown {
+        Shown::Coated | Shown::Exact => Dash::Solid,
+        Shown::Uncoated => Dash::Dashed,
+        Shown::AllLayer => Dash::Dotted,
+    }
+}
 
 /// The curves of one law, each as (w, P, A): `turn` says where a point stands.
 fn lines(
@@ -31,7 +48,7 @@ fn lines(
             continue;
         }
         let line: Line = curve.trace.iter().map(place).collect();
-        plot = plot.with(Layer::line(line).coloured(shown.colour()).dashed(shown.dash()).named(shown.name()));
+        plot = plot.with(Layer::line(line).coloured(colour(shown)).dashed(style(shown)).named(shown.name()));
     }
     let exact = found.exact.iter().flatten();
     let exact: Line = exact
@@ -39,8 +56,8 @@ fn lines(
         .collect();
     plot = plot.with(
         Layer::line(exact)
-            .coloured(Shown::Exact.colour())
-            .dashed(Shown::Exact.dash())
+            .coloured(colour(Shown::Exact))
+            .dashed(style(Shown::Exact))
             .named(Shown::Exact.name()),
     );
     let coated = &law.coated;

@@ -3,10 +3,10 @@
 mod figures;
 mod rule;
 
-use super::run::{IndentationResults, LARGEST_SLOPE, LawCurves, LayerResults};
+use super::run::{IndentationResults, LawCurves, LayerResults, OverlayFit};
 use crate::kind::indentation::shown::Shown;
 use asperity::layer::exact_sphere::LARGEST_RATIO;
-use asperity::sphere::{Curve, Fall, Falling, RegimeChange};
+use asperity::sphere::{Curve, Fall, Falling, LARGEST_SLOPE, RegimeChange};
 use asperity_framework::report::format::{count, number, quantity};
 use asperity_framework::report::page::{Page, escape};
 use asperity_framework::report::sections;
@@ -171,20 +171,18 @@ fn curves(
 }
 
 fn overlay(page: &mut Page, file: &str, points: &[(f64, f64)], law: &LawCurves) {
-    let pairs = || points.iter().zip(&law.at_overlay).map(|(&(w, measured), &coated)| (w, measured, coated));
-    let logs: Vec<f64> = pairs().map(|(_, measured, coated)| (measured / coated).ln()).collect();
-    let mean = logs.iter().sum::<f64>() / logs.len() as f64;
-    let widest = logs.iter().fold(0.0, |widest: f64, log| widest.max(log.abs()));
+    let Some(OverlayFit { mean_ratio, largest_factor }) = law.fit else { return };
+    let pairs = points.iter().zip(&law.at_overlay).map(|(&(w, measured), &coated)| (w, measured, coated));
     page.paragraph(&format!(
         "Measured points of {} against the coated curve at the same indentation: in the geometric mean the measured load is {} \
          times the coated one, and none is off by more than a factor of {}.",
         escape(file),
-        number(mean.exp()),
-        number(widest.exp()),
+        number(mean_ratio),
+        number(largest_factor),
     ));
     page.table(
         ["indentation", "measured load", "coated load", "measured / coated"],
-        pairs().map(|(w, measured, coated)| {
+        pairs.map(|(w, measured, coated)| {
             vec![
                 quantity(w, "m"),
                 quantity(measured, "N"),
@@ -197,7 +195,6 @@ fn overlay(page: &mut Page, file: &str, points: &[(f64, f64)], law: &LawCurves) 
 
 fn limits(page: &mut Page, results: &IndentationResults) {
     page.heading(2, "Where this should not be trusted");
-    let slope = results.layers.iter().map(|found| found.largest_slope(results.radius)).fold(0.0, f64::max);
     let mut lines = vec![
         "`coated` stands on a rule for the modulus and one for the hardness of a layered solid; how good the first is without \
          yielding is shown above, the second has no exact counterpart here."
@@ -208,11 +205,11 @@ fn limits(page: &mut Page, results: &IndentationResults) {
         format!(
             "The ball is a paraboloid and strains are small as long as the contact radius is well below the ball's; here it \
              reaches {} of it ({LARGEST_SLOPE} is where a warning begins).",
-            number(slope)
+            number(results.largest_slope())
         ),
     ];
     for found in &results.layers {
-        let left_out = found.exact.iter().filter(|exact| exact.is_none()).count();
+        let left_out = found.unsolved();
         if left_out > 0 {
             lines.push(format!(
                 "{}: {left_out} of {} exact points are left out, since their contact is wider than {LARGEST_RATIO} thicknesses.",

@@ -2,10 +2,10 @@
 
 use std::f64::consts::PI;
 
-use crate::kind::indentation::LARGEST_SLOPE;
-use crate::kind::laws::run::{LawOnOne, LawsResults};
+use crate::kind::laws::results::{LawOnOne, LawsResults};
 use asperity::compare::{AtLoad, Influence, Kind, Measure};
 use asperity::contact::Contact;
+use asperity::sphere::LARGEST_SLOPE;
 use asperity_plot::{Axis, Colour, Dash, Figure, Layer, Legend, Marker, Plot};
 
 /// How many standard errors a band shows: 95 % of all draws lie within.
@@ -34,8 +34,8 @@ fn panel(results: &LawsResults, plot: Plot, shown: Shown) -> Plot {
     let at = |w: f64, contact: &Contact| (w / unit, shown(w, contact));
     let mut plot = plot;
     let whole = results.radius / unit;
-    if let Some((steep, _)) = super::steep_from(results) {
-        plot = plot.with(Layer::region_x(steep / unit, whole, format!("a > {LARGEST_SLOPE} R")));
+    if let Some(end) = &results.end_of_small_strains {
+        plot = plot.with(Layer::region_x(end.indentation / unit, whole, format!("a > {LARGEST_SLOPE} R")));
     }
     plot = plot.with(Layer::region_x(whole, f64::INFINITY, "w > R"));
     // The first law is named first and drawn last, so that it is not hidden.
@@ -109,7 +109,7 @@ pub fn jumps(results: &LawsResults) -> Option<String> {
     /// Room at both ends, in ratios.
     const ROOM: f64 = 1.6;
     let unit = results.critical.indentation;
-    let all = || results.laws.iter().flat_map(|law| &law.boundaries).filter(|at| super::is_jump(at));
+    let all = || results.laws.iter().flat_map(|law| &law.boundaries).filter(|at| at.is_jump());
     let first = all().map(|at| at.indentation / unit).reduce(f64::min)?;
     let last = all().map(|at| at.indentation / unit).reduce(f64::max)?;
     let (from, to) = (first / ROOM, last * ROOM);

@@ -2,40 +2,18 @@
 //! adding up.
 
 mod figures;
+mod in_short;
 mod influence;
-
-use std::f64::consts::PI;
+mod words;
 
 use crate::kind::compare::page as compare;
-use crate::kind::compare::results::{CaseResults, SurfaceResults};
-use crate::kind::indentation::LARGEST_SLOPE;
-use crate::kind::laws::run::{LawOnOne, LawsResults};
-use asperity::contact::Contact;
-use asperity::sphere::Boundary;
+use crate::kind::laws::results::{LawOnOne, LawsResults};
+use asperity::compare::PointCounts;
+use asperity::sphere::{Boundary, LARGEST_SLOPE};
 use asperity_framework::report::format::listed;
 use asperity_framework::report::format::{number, percent, quantity};
 use asperity_framework::report::page::{Page, escape};
 use asperity_framework::report::sections;
-
-/// Whether load or area jumps at a boundary.
-fn is_jump(boundary: &Boundary) -> bool {
-    boundary.load_jump() != 0.0 || boundary.area_jump() != 0.0
-}
-
-/// a/R of a contact on the one asperity.
-pub(super) fn slope(results: &LawsResults, contact: &Contact) -> f64 {
-    (contact.area / PI).sqrt() / results.radius
-}
-
-/// The smallest indentation (m) at which strains are no longer small under one of the laws, and that law.
-fn steep_from(results: &LawsResults) -> Option<(f64, &LawOnOne)> {
-    let is_steep = |contact: &Contact| slope(results, contact) > LARGEST_SLOPE;
-    let steep = results.laws.iter().filter_map(|law| {
-        let first = law.curve.trace.iter().find(|point| is_steep(&point.contact))?;
-        Some((first.indentation, law))
-    });
-    steep.min_by(|a, b| a.0.total_cmp(&b.0))
-}
 
 /// The page.
 pub fn page(results: &LawsResults) -> Page {
@@ -46,12 +24,12 @@ pub fn page(results: &LawsResults) -> Page {
         page.warning(&escape(&warning));
     }
     page.heading(2, "In short");
-    let verdict = influence::verdict(results);
+    let verdict = in_short::verdict(results);
     if !verdict.is_empty() {
         page.bullets(verdict);
     }
     for found in &compared.surfaces {
-        page.bullets(influence::in_short(results, found));
+        page.bullets(in_short::in_short(results, &found.surface.name));
     }
     page.bullets(on_one_in_short(results));
     page.paragraph(compare::CONDITION);
@@ -84,12 +62,12 @@ fn on_one_in_short(results: &LawsResults) -> Vec<String> {
         format!("**Jumps of the load** on one asperity, at w/wc: {}.", all(Boundary::load_jump)),
         format!("**Jumps of the area**: {}.", all(Boundary::area_jump)),
     ];
-    if let Some((steep, law)) = steep_from(results) {
+    if let Some(end) = &results.end_of_small_strains {
         lines.push(format!(
             "**Small strains** end near w/wc = {}, where the contact radius passes {LARGEST_SLOPE} of the asperity's under the first of \
              the laws ({}); at {} the indentation is the radius itself. Beyond that the curves show the laws, not contacts.",
-            number(steep / unit),
-            escape(&law.law),
+            number(end.indentation / unit),
+            escape(&end.law),
             number(results.radius / unit),
         ));
     }
@@ -177,7 +155,7 @@ fn one_asperity(page: &mut Page, results: &LawsResults) {
 fn strains(results: &LawsResults, at: &Boundary) -> &'static str {
     if at.indentation > results.radius {
         "w > R"
-    } else if slope(results, &at.above) > LARGEST_SLOPE {
+    } else if results.is_beyond_small_strains(&at.above) {
         "not small"
     } else {
         "small"
@@ -198,8 +176,8 @@ fn limits(page: &mut Page, results: &LawsResults) {
     page.heading(2, "Where not to trust this");
     let mut lines = Vec::new();
     for found in &results.compare.surfaces {
-        let cases: Vec<&CaseResults> = found.first.cases.iter().collect();
-        compare::limits_of(&mut lines, &subject(found), found, &cases);
+        let counts: PointCounts = found.findings.laws.iter().map(|law| law.counts).sum();
+        lines.extend(compare::limits_of(&escape(&found.surface.name), &counts));
     }
     lines.push(
         "A law is not right because it is near another: what is shown is how much the choice matters, not which is best. \
@@ -208,9 +186,4 @@ fn limits(page: &mut Page, results: &LawsResults) {
     );
     lines.extend(compare::assumptions(&results.compare));
     page.bullets(lines);
-}
-
-/// What a finding is about.
-fn subject(found: &SurfaceResults) -> String {
-    escape(&found.surface.name)
 }

@@ -1,12 +1,13 @@
 //! `[precision]`: run time against error.
 
+mod findings;
+mod names;
 mod page;
 mod plan;
 mod run;
 mod spec;
 mod summary;
 mod tables;
-mod winners;
 
 use asperity_framework::input::{InputError, SpecFile};
 use asperity_framework::metadata::Metadata;

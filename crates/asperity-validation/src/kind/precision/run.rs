@@ -2,6 +2,7 @@
 
 use std::time::Instant;
 
+use super::findings::CaseFindings;
 use super::plan::PrecisionPlan;
 use crate::precision::curve::{CurveFindings, curves_of};
 use crate::precision::grid::{GridFindings, maps_of};
@@ -63,6 +64,8 @@ pub struct CasePrecision {
     pub lists: Vec<ListPoint>,
     /// Random sets, where they were asked for.
     pub sampling: Option<SamplingFindings>,
+    /// What rules and sums say together.
+    pub findings: CaseFindings,
 }
 
 pub(super) fn run(context: &RunContext, all: &PrecisionPlan) -> Result<PrecisionResults, InputError> {
@@ -151,6 +154,7 @@ fn case(
         name: name.to_owned(),
         population: *population,
         plasticity_index: plasticity_index(contact, population.sigma, population.radius),
+        findings: CaseFindings::of(integral.as_ref(), &sums),
         integral,
         sums,
         curve,

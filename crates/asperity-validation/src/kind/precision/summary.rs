@@ -2,8 +2,9 @@
 
 use serde::Serialize;
 
+use super::findings::Winner;
+use super::names::candidate_words;
 use crate::kind::precision::run::{CasePrecision, PrecisionResults};
-use crate::kind::precision::winners::{Winner, winners};
 use crate::precision::grid::{GridFindings, Statistic};
 use asperity_framework::contact::ContactSummary;
 use asperity_framework::fields;
@@ -96,7 +97,7 @@ pub(super) fn summary(results: &PrecisionResults) -> serde_json::Result<Map<Stri
     let precision = PrecisionSummary {
         full: results.full,
         threads: results.threads,
-        winners: results.cases.iter().flat_map(winners).map(winner).collect(),
+        winners: results.cases.iter().flat_map(winners).collect(),
         curves: results.cases.iter().flat_map(curves).collect(),
         lists: results.cases.iter().filter_map(longest_list).collect(),
         tenfold_asperities: tenfold.collect(),
@@ -105,16 +106,18 @@ pub(super) fn summary(results: &PrecisionResults) -> serde_json::Result<Map<Stri
     fields(&Summary { contact: ContactSummary::of(&results.contact), precision })
 }
 
-fn winner(winner: Winner) -> WinnerSummary {
-    WinnerSummary {
-        case: winner.case,
-        of: winner.of.name(),
-        largest_error: winner.level,
-        error: winner.fastest.as_ref().map(|(_, cost)| cost.error),
-        seconds_per_separation: winner.fastest.as_ref().map(|(_, cost)| cost.seconds),
-        fastest: winner.fastest.map(|(name, _)| name),
-        shipped_over_fastest: winner.shipped_over_fastest,
-    }
+fn winners(case: &CasePrecision) -> impl Iterator<Item = WinnerSummary<'_>> {
+    case.findings.winners.iter().map(|&Winner { of, level, fastest, shipped_over_fastest, .. }| {
+        WinnerSummary {
+            case: &case.name,
+            of: of.name(),
+            largest_error: level,
+            fastest: fastest.map(|(candidate, _)| candidate_words(&candidate)),
+            error: fastest.map(|(_, cost)| cost.error),
+            seconds_per_separation: fastest.map(|(_, cost)| cost.seconds),
+            shipped_over_fastest,
+        }
+    })
 }
 
 fn curves(case: &CasePrecision) -> impl Iterator<Item = CurveSummary<'_>> {

@@ -1,7 +1,8 @@
 //! Every time and every error, for machines.
 
+use super::findings::Winner;
+use super::names::candidate_words;
 use crate::kind::precision::run::PrecisionResults;
-use crate::kind::precision::winners::{Winner, winners};
 use crate::precision::curve::CurvePoint;
 use crate::precision::integral::{Effort, IntegralPoint};
 use crate::precision::sampling;
@@ -271,18 +272,19 @@ fn maps(results: &PrecisionResults) -> Result<Vec<u8>, TableError> {
 
 fn best(results: &PrecisionResults) -> Result<Vec<u8>, TableError> {
     let mut table = Table::new(&[WinnerRow::COLUMNS])?;
-    for winner in results.cases.iter().flat_map(winners) {
-        let Winner { case, of, asperities, level, fastest, shipped_over_fastest } = winner;
-        table.row(WinnerRow {
-            case: case.to_owned(),
-            of: of.name(),
-            asperities,
-            largest_error: level,
-            error: fastest.as_ref().map(|(_, cost)| cost.error),
-            seconds_per_separation: fastest.as_ref().map(|(_, cost)| cost.seconds),
-            fastest: fastest.map(|(name, _)| name),
-            shipped_over_fastest,
-        })?;
+    for case in &results.cases {
+        for &Winner { of, asperities, level, fastest, shipped_over_fastest } in &case.findings.winners {
+            table.row(WinnerRow {
+                case: case.name.clone(),
+                of: of.name(),
+                asperities,
+                largest_error: level,
+                fastest: fastest.map(|(candidate, _)| candidate_words(&candidate)),
+                error: fastest.map(|(_, cost)| cost.error),
+                seconds_per_separation: fastest.map(|(_, cost)| cost.seconds),
+                shipped_over_fastest,
+            })?;
+        }
     }
     table.bytes()
 }

@@ -1,5 +1,6 @@
 //! `[stability]`: how far `f64` is off over the range of inputs.
 
+mod findings;
 mod page;
 mod plan;
 mod run;

@@ -2,10 +2,9 @@
 
 use std::time::Instant;
 
+use super::findings::KindFindings;
 use super::plan::StabilityPlan;
-use crate::stability::Group;
-use crate::stability::Map;
-use crate::stability::{GroupFindings, group, maps};
+use crate::stability::{Failure, Group, GroupFindings, Map, group, maps};
 use asperity::literature::{self, Paper};
 use asperity_framework::RunContext;
 use asperity_framework::metadata::{Metadata, Timing};
@@ -19,6 +18,8 @@ pub struct StabilityResults {
     pub groups: Vec<GroupFindings>,
     /// Errors over planes.
     pub maps: Vec<Map>,
+    /// Kind by kind, of those that have cases.
+    pub kinds: Vec<KindFindings>,
 }
 
 impl StabilityResults {
@@ -27,7 +28,18 @@ impl StabilityResults {
         self.groups.iter().map(|findings| findings.cases).sum()
     }
 
-    /// Families with a quantity beyond its bound.
+    /// Cases that are not right, or not checked.
+    pub fn failures(&self) -> usize {
+        self.groups.iter().map(|findings| findings.failures.len()).sum()
+    }
+
+    /// Of these, cases with a NaN or an infinity.
+    pub fn not_finite(&self) -> usize {
+        let failures = self.groups.iter().flat_map(|findings| &findings.failures);
+        failures.filter(|(_, failure)| matches!(failure, Failure::NotFinite(_))).count()
+    }
+
+    /// Groups with a quantity beyond its bound.
     pub fn beyond(&self) -> impl Iterator<Item = &GroupFindings> {
         self.groups.iter().filter(|findings| !findings.holds())
     }
@@ -79,8 +91,9 @@ pub(super) fn run(context: &RunContext, stability: &StabilityPlan) -> StabilityR
         findings
     };
     let groups = Group::ALL.map(judge).to_vec();
+    let kinds = KindFindings::of_all(&groups);
     let maps = maps(&stability.ranges, stability.cells);
     context.progress.advance(1);
     let timing = Timing { total: start.elapsed(), ..Timing::default() };
-    StabilityResults { metadata: context.metadata(PAPERS.to_vec(), timing, None), groups, maps }
+    StabilityResults { metadata: context.metadata(PAPERS.to_vec(), timing, None), groups, maps, kinds }
 }

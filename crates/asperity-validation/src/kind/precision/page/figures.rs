@@ -309,10 +309,9 @@ pub fn surface_work(found: &GridFindings) -> String {
         Axis::log("relative error: bias of the grid and scatter together"),
         Axis::log("time for a map and its summits (s)"),
     );
-    let k = Statistic::Radius as usize;
     for (index, per_length) in grids.iter().enumerate() {
         let points = found.points.iter().filter(|point| point.per_length == *per_length);
-        let line = points.map(|point| (point.bias[k].hypot(point.scatter[k]), point.seconds)).collect();
+        let line = points.map(|point| (point.error(Statistic::Radius), point.seconds)).collect();
         let unit = if *per_length == 1.0 { "point" } else { "points" };
         let name = format!("{per_length} {unit} a length");
         let colour = Colour::Ordered { index, of: grids.len() };

@@ -2,9 +2,7 @@
 //!
 //! | module | what lives there |
 //! |---|---|
-//! | `winners` | the fastest way at each error, and how far the shipped one is off |
 //! | `figures` | time against error |
-//! | `tables` | every time and every error, for machines |
 //! | `scale` | curves of many separations, lists of many asperities |
 //! | `physics` | what one buys with more asperities, points, surface |
 
@@ -12,10 +10,11 @@ mod figures;
 mod physics;
 mod scale;
 
+use crate::kind::precision::findings::{FOUR_ULP, Of, Ordering, Speedup, Winner, largest_sums};
+use crate::kind::precision::names::{candidate_words, rule_words};
 use crate::kind::precision::run::{CasePrecision, PrecisionResults};
-use crate::kind::precision::winners::{FOUR_ULP, Of, Winner, largest_sums, rule_words, winners};
-use crate::precision::integral::{Effort, IntegralPoint, Rule};
-use crate::precision::sum::{ASPERITIES, Adding, POINTS, SEPARATIONS, SumPoint, Sweep, Way};
+use crate::precision::integral::IntegralFindings;
+use crate::precision::sum::{ASPERITIES, POINTS, SEPARATIONS, Sweep, Way};
 use asperity_framework::report::format::{count, number, quantity};
 use asperity_framework::report::page::{Page, escape};
 use asperity_framework::report::sections;
@@ -78,8 +77,7 @@ fn time(seconds: f64) -> String {
 
 /// The winners of one population, in words.
 fn in_short(case: &CasePrecision) -> Vec<String> {
-    let all = winners(case);
-    let of = |what: Of| all.iter().filter(move |winner| winner.of == what);
+    let of = |what: Of| case.findings.winners.iter().filter(move |winner| winner.of == what);
     let mut lines = Vec::new();
     let integral: Vec<String> = of(Of::Integral).map(in_words).collect();
     if !integral.is_empty() {
@@ -93,18 +91,18 @@ fn in_short(case: &CasePrecision) -> Vec<String> {
             in_words(winner)
         ));
     }
-    lines.extend(ordering_words(case));
-    lines.extend(thread_words(case));
+    lines.extend(case.findings.ordering.map(|found| ordering_words(case, found)));
+    lines.extend(case.findings.speedup.map(|found| thread_words(case, found)));
     lines.extend(scale::in_short(case));
     lines
 }
 
 fn in_words(winner: &Winner) -> String {
-    let level = if winner.level == FOUR_ULP { "4 ulp".to_owned() } else { number(winner.level) };
-    let Some((name, cost)) = &winner.fastest else {
+    let level = level(winner);
+    let Some((fastest, cost)) = &winner.fastest else {
         return format!("within {level} no way that was looked at");
     };
-    let time = time(cost.seconds);
+    let (name, time) = (candidate_words(fastest), time(cost.seconds));
     match winner.shipped_over_fastest {
         _ if winner.is_shipped() => {
             format!("within {level} the shipped one is the fastest ({time} a separation)")
@@ -125,57 +123,56 @@ fn two_digits(ratio: f64) -> f64 {
 }
 
 /// From how many separations on ordering is paid back.
-fn ordering_words(case: &CasePrecision) -> Option<String> {
-    let of = |ordered: bool| {
-        let way = Way { adding: Adding::Compensated, ordered };
-        let is_it = move |point: &&SumPoint| point.sweep == Sweep::Separations && point.way == way;
-        case.sums.iter().filter(is_it)
-    };
-    let asperities = of(true).next()?.asperities;
-    let pays = of(true).zip(of(false)).find(|(with, without)| with.cost.seconds < without.cost.seconds);
-    Some(format!(
+fn ordering_words(case: &CasePrecision, found: Ordering) -> String {
+    format!(
         "**Ordering, {}**: of {} asperities it is {}.",
         escape(&case.name),
-        count(asperities),
-        match pays {
-            Some((point, _)) if point.separations == 1 => "paid back by the first separation".to_owned(),
-            Some((point, _)) => format!("paid back by {} separations or fewer", count(point.separations)),
+        count(found.asperities),
+        match found.paid_back_by {
+            Some(1) => "paid back by the first separation".to_owned(),
+            Some(separations) => format!("paid back by {} separations or fewer", count(separations)),
             None => "not paid back by any number of separations that was looked at".to_owned(),
         }
-    ))
+    )
 }
 
 /// What more threads do.
-fn thread_words(case: &CasePrecision) -> Option<String> {
-    let shipped =
-        || case.sums.iter().filter(|point| point.sweep == Sweep::Threads && point.way == Way::SHIPPED);
-    let least = shipped().min_by_key(|point| point.threads)?;
-    let most = shipped().max_by_key(|point| point.threads).filter(|most| most.threads > least.threads)?;
-    Some(format!(
+fn thread_words(case: &CasePrecision, found: Speedup) -> String {
+    format!(
         "**Threads, {}**: on {} the shipped sum of {} asperities takes {} of the time that it takes on {}.",
         escape(&case.name),
-        thread_count(most.threads),
-        count(most.asperities),
-        number(two_digits(most.cost.seconds / least.cost.seconds)),
-        thread_count(least.threads),
-    ))
+        thread_count(found.to),
+        count(found.asperities),
+        number(two_digits(found.time)),
+        thread_count(found.from),
+    )
 }
 
-fn winner_table<'a>(page: &mut Page, all: impl Iterator<Item = Winner<'a>>) {
+fn winner_table(page: &mut Page, results: &PrecisionResults, of: Of) {
+    let of_case = |case: &'_ CasePrecision| {
+        let winners = case.findings.winners.iter().filter(move |winner| winner.of == of);
+        winners.map(|winner| winner_row(&case.name, winner)).collect::<Vec<_>>()
+    };
     page.table(
         ["case", "error at most", "fastest", "its error", "time a separation", "shipped over fastest"],
-        all.map(|winner| {
-            let (name, error, seconds) = match &winner.fastest {
-                Some((name, cost)) => (name.clone(), number(cost.error), time(cost.seconds)),
-                None => ("none".to_owned(), String::new(), String::new()),
-            };
-            let ratio = winner
-                .shipped_over_fastest
-                .map_or_else(|| "not within".to_owned(), |r| number(two_digits(r)));
-            let level = if winner.level == FOUR_ULP { "4 ulp".to_owned() } else { number(winner.level) };
-            vec![winner.case.to_owned(), level, name, error, seconds, ratio]
-        }),
+        results.cases.iter().flat_map(of_case),
     );
+}
+
+fn winner_row(case: &str, winner: &Winner) -> Vec<String> {
+    let (name, error, seconds) = match &winner.fastest {
+        Some((fastest, cost)) => (candidate_words(fastest), number(cost.error), time(cost.seconds)),
+        None => ("none".to_owned(), String::new(), String::new()),
+    };
+    let ratio = winner
+        .shipped_over_fastest
+        .map_or_else(|| "not within".to_owned(), |ratio| number(two_digits(ratio)));
+    vec![case.to_owned(), level(winner), name, error, seconds, ratio]
+}
+
+/// The error that is allowed.
+fn level(winner: &Winner) -> String {
+    if winner.level == FOUR_ULP { "4 ulp".to_owned() } else { number(winner.level) }
 }
 
 fn integrals(page: &mut Page, results: &PrecisionResults) {
@@ -213,18 +210,14 @@ fn integrals(page: &mut Page, results: &PrecisionResults) {
             "All other rules, each as well as it can be used. Left: Gauss rules by order; right: equal steps by their number, and adaptive \
              Gauss-Kronrod by tolerance. Cross and dotted line: the shipped rule.",
         );
-        same_nodes(page, found.shipped(), &found.points);
+        same_nodes(page, found);
     }
-    winner_table(page, results.cases.iter().flat_map(winners).filter(|winner| winner.of == Of::Integral));
+    winner_table(page, results, Of::Integral);
 }
 
 /// The shipped rule beside its own nodes in the loop of all others.
-fn same_nodes(page: &mut Page, shipped: Option<&IntegralPoint>, points: &[IntegralPoint]) {
-    let nodes = points.iter().find(|point| {
-        let Rule { family, effort, .. } = point.rule;
-        family == crate::precision::integral::Family::Panels && effort == Effort::Order(24)
-    });
-    let Some((shipped, nodes)) = shipped.zip(nodes) else { return };
+fn same_nodes(page: &mut Page, found: &IntegralFindings) {
+    let Some((shipped, nodes)) = found.shipped().zip(found.shipped_nodes()) else { return };
     page.paragraph(&format!(
         "The shipped rule takes {} a separation with an error of {}; its nodes in the loop of all others ({}) take {} with {}.",
         time(shipped.cost.seconds),
@@ -269,7 +262,7 @@ fn sums(page: &mut Page, results: &PrecisionResults) {
                 ),
             );
         }
-        let largest = largest_sums(case);
+        let largest = largest_sums(&case.sums);
         let asperities = largest.first().map_or(0, |point| point.asperities);
         page.paragraph(&format!("{} asperities, one thread:", count(asperities)));
         page.table(
@@ -286,7 +279,7 @@ fn sums(page: &mut Page, results: &PrecisionResults) {
         );
         threads(page, case);
     }
-    winner_table(page, results.cases.iter().flat_map(winners).filter(|winner| winner.of == Of::Sum));
+    winner_table(page, results, Of::Sum);
 }
 
 fn threads(page: &mut Page, case: &CasePrecision) {

@@ -2,7 +2,7 @@
 
 use super::{figures, file, time, two_digits};
 use crate::kind::precision::run::{CasePrecision, PrecisionResults};
-use crate::precision::grid::{GridFindings, GridPoint, Statistic};
+use crate::precision::grid::{Doubling, GridFindings, GridPoint};
 use crate::precision::sampling::{SamplingFindings, separation, stated};
 use asperity::compare::{FEWEST_CONTACTS, Quantity};
 use asperity_framework::report::format::{count, number, percent};
@@ -26,16 +26,13 @@ fn asperities_in_short(case: &CasePrecision) -> Option<String> {
 }
 
 fn grid_in_short(found: &GridFindings) -> Option<String> {
-    let finer = 2f64.powf(-found.bias_slope(Statistic::Radius)?);
-    // Twice the side has four times the summits.
-    let larger = 4f64.powf(-found.scatter_slope(Statistic::Density)?);
-    let cost = 4f64.powf(found.time_slope()?);
+    let Doubling { bias, scatter, time } = found.doubling()?;
     Some(format!(
         "**Surface**: twice the points a length cost {cost} times the time and make the bias of the radius {} times smaller; twice the side costs as much \
          and makes the scatter of the density {} times smaller. A finer grid does not help where the map is too small, nor a larger map where the grid is too coarse.",
-        number(two_digits(finer)),
-        number(two_digits(larger)),
-        cost = number(two_digits(cost)),
+        number(two_digits(bias)),
+        number(two_digits(scatter)),
+        cost = number(two_digits(time)),
     ))
 }
 
@@ -85,25 +82,12 @@ fn sets(page: &mut Page, case: &CasePrecision, found: &SamplingFindings) {
             row
         }),
     );
-    let needed = |error: f64| {
-        let fitted = found.points.iter().filter(|point| point.is_fitted());
-        let scaled: Vec<f64> = fitted
-            .filter(|point| separation(point) == least_separation(found))
-            .map(|point| point.count as f64 * (point.scatter(Quantity::Load).1 / error).powi(2))
-            .collect();
-        let mean = scaled.iter().sum::<f64>() / scaled.len() as f64;
-        number(two_digits(mean))
-    };
     page.paragraph(&format!(
         "For a load within 1 % at d/σ = {} it takes about {} asperities, within 0.1 % about {}: a hundred times as many.",
-        number(least_separation(found)),
-        needed(0.01),
-        needed(0.001),
+        number(found.least_separation()),
+        number(two_digits(found.needed(0.01))),
+        number(two_digits(found.needed(0.001))),
     ));
-}
-
-fn least_separation(found: &SamplingFindings) -> f64 {
-    found.points.iter().map(separation).fold(f64::INFINITY, f64::min)
 }
 
 fn maps(page: &mut Page, found: &GridFindings) {
@@ -156,10 +140,8 @@ fn maps(page: &mut Page, found: &GridFindings) {
 
 /// The cheapest map for a radius within some percent.
 fn cheapest(found: &GridFindings) -> Option<String> {
-    let k = Statistic::Radius as usize;
     let best = |error: f64| {
-        let good = found.points.iter().filter(|point| point.bias[k].hypot(point.scatter[k]) <= error);
-        let best = good.min_by(|a, b| a.seconds.total_cmp(&b.seconds))?;
+        let best = found.cheapest(error)?;
         Some(format!(
             "within {} it has {} points a length and {} lengths a side ({})",
             percent(error),

@@ -3,14 +3,11 @@
 use super::{figures, file, thread_count, time, two_digits};
 use crate::kind::precision::run::{CasePrecision, PrecisionResults};
 use crate::precision::curve::{CurveFindings, CurvePoint, EASY};
-use crate::precision::list::ListPoint;
+use crate::precision::list::{LONG, ListPoint, LongLists};
 use crate::precision::sum::SEPARATIONS;
 use asperity::compare::Kind;
 use asperity_framework::report::format::{count, number, quantity};
 use asperity_framework::report::page::{Page, escape};
-
-/// From so many asperities on, a list costs what its asperities cost: what every run costs is little beside it.
-pub const LONG: usize = 100_000;
 
 /// What curves and lists cost, in words.
 pub fn in_short(case: &CasePrecision) -> Vec<String> {
@@ -53,20 +50,12 @@ fn easy_words(found: &CurveFindings) -> Option<String> {
     (!words.is_empty()).then(|| words.join("; "))
 }
 
-/// Seconds that an asperity takes to be read and added up.
-fn each(point: &ListPoint) -> f64 {
-    (point.read_seconds + point.sum_seconds) / point.asperities as f64
-}
-
 fn list_words(lists: &[ListPoint]) -> Option<String> {
-    let long: Vec<&ListPoint> = lists.iter().filter(|point| point.asperities >= LONG).collect();
-    let (first, last) = (long.first()?, long.last()?);
-    let times = long.iter().map(|point| each(point));
-    let [least, most] = [times.clone().fold(f64::INFINITY, f64::min), times.fold(0.0, f64::max)];
+    let LongLists { shortest: first, longest: last, seconds_per_asperity } = LongLists::of(lists)?;
     let memory = last.peak_bytes.map_or_else(String::new, |bytes| {
         format!(", with {} of memory at the most", quantity(two_digits(bytes as f64), "B"))
     });
-    let [least, most] = [least, most].map(|each| time(two_digits(each)));
+    let [least, most] = seconds_per_asperity.map(|each| time(two_digits(each)));
     let spread = if least == most { most } else { format!("{least} to {most}") };
     let range = if first.asperities == last.asperities {
         format!("an asperity of {} takes {spread}", count(first.asperities))

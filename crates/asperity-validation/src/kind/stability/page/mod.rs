@@ -2,11 +2,9 @@
 
 mod figures;
 
+use crate::kind::stability::findings::KindFindings;
 use crate::kind::stability::run::StabilityResults;
-use crate::stability::Kind;
-use crate::stability::Law;
-use crate::stability::{Failure, Quantity};
-use crate::stability::{GroupFindings, Worst};
+use crate::stability::{GroupFindings, Kind, Law, Quantity, Worst};
 use asperity_framework::report::format::{count, number};
 use asperity_framework::report::page::{Page, escape};
 use asperity_framework::report::sections;
@@ -14,15 +12,6 @@ use asperity_framework::report::sections;
 /// An error to two digits: more would differ between machines.
 fn error(value: f64) -> String {
     if value == 0.0 { "0".to_owned() } else { format!("{value:.0e}") }
-}
-
-/// The worst of all quantities beside its bound, with the group that it is of.
-fn worst<'a>(groups: impl IntoIterator<Item = &'a GroupFindings>) -> Option<(&'a GroupFindings, &'a Worst)> {
-    let share = |findings: &GroupFindings, worst: &Worst| worst.checked / worst.bound(findings.group);
-    groups
-        .into_iter()
-        .flat_map(|findings| findings.quantities.iter().map(move |worst| (findings, worst)))
-        .max_by(|a, b| share(a.0, a.1).total_cmp(&share(b.0, b.1)))
 }
 
 /// The page.
@@ -47,19 +36,16 @@ pub fn page(results: &StabilityResults) -> Page {
     page.bullets(JUDGED);
     page.heading(2, "The worst cases");
     page.paragraph("Of each kind the case that uses most of its bound; `stability.csv` has that of every quantity of every group, and the medians.");
-    for kind in Kind::ALL {
-        let of_kind = results.groups.iter().filter(|findings| findings.group.kind() == kind);
-        if let Some((findings, worst)) = worst(of_kind) {
-            page.paragraph(&format!(
-                "**{}**: {} of {}, case {} of \"{}\".",
-                kind.name(),
-                worst.quantity.name(),
-                error(worst.checked),
-                worst.case.index,
-                findings.group.name(),
-            ));
-            page.code("", &worst.case.inputs());
-        }
+    for KindFindings { kind, worst, group, .. } in &results.kinds {
+        page.paragraph(&format!(
+            "**{}**: {} of {}, case {} of \"{}\".",
+            kind.name(),
+            worst.quantity.name(),
+            error(worst.checked),
+            worst.case.index,
+            group.name(),
+        ));
+        page.code("", &worst.case.inputs());
     }
     page.paragraph(&sections::provenance(&results.metadata));
     sections::sources(&mut page, &results.metadata);
@@ -80,9 +66,6 @@ const JUDGED: [&str; 6] = [
 
 fn in_short(results: &StabilityResults) -> Vec<String> {
     let beyond = results.beyond().count();
-    let failures: usize = results.groups.iter().map(|findings| findings.failures.len()).sum();
-    let infinite = results.groups.iter().flat_map(|findings| &findings.failures);
-    let infinite = infinite.filter(|(_, failure)| matches!(failure, Failure::NotFinite(_))).count();
     let mut lines = vec![format!(
         "**{} cases** in {} groups: {}; {}.",
         count(results.cases() as usize),
@@ -92,29 +75,24 @@ fn in_short(results: &StabilityResults) -> Vec<String> {
         } else {
             format!("{beyond} of them beyond their bounds")
         },
-        match (infinite, failures) {
+        match (results.not_finite(), results.failures()) {
             (0, 0) => "no NaN, no infinity, nothing refused and nothing left unjudged".to_owned(),
             (infinite, failures) =>
                 format!("{infinite} with a NaN or an infinity, {failures} not right or not checked in all"),
         },
     )];
-    for kind in Kind::ALL {
-        let of_kind: Vec<&GroupFindings> =
-            results.groups.iter().filter(|findings| findings.group.kind() == kind).collect();
-        let largest = |findings: &&GroupFindings| {
-            findings.quantities.iter().map(|worst| worst.checked).fold(0.0, f64::max)
-        };
-        let Some((findings, used)) = worst(of_kind.iter().copied()) else { continue };
-        lines.push(format!(
+    lines.extend(results.kinds.iter().map(|found| {
+        let KindFindings { kind, largest_error, worst, group } = found;
+        format!(
             "**{}**: relative errors of {} at most; nearest to its bound of {}: {} in \"{}\", {}.",
             kind.name(),
-            error(of_kind.iter().map(largest).fold(0.0, f64::max)),
-            error(used.bound(findings.group)),
-            used.quantity.name(),
-            findings.group.name(),
-            error(used.checked),
-        ));
-    }
+            error(*largest_error),
+            error(worst.bound(*group)),
+            worst.quantity.name(),
+            group.name(),
+            error(worst.checked),
+        )
+    }));
     lines
 }
 

@@ -1,0 +1,34 @@
+//! What rules and ways are called, in reports and tables alike.
+
+use super::findings::Candidate;
+use crate::precision::integral::{Effort, Family, Rule};
+use asperity_framework::report::format::number;
+
+/// The name of a rule or a way.
+pub fn candidate_words(candidate: &Candidate) -> String {
+    match candidate {
+        Candidate::Rule(rule) => rule_words(rule),
+        Candidate::Way(way) => way.name().to_owned(),
+    }
+}
+
+/// A rule with its effort, in words.
+pub fn rule_words(rule: &Rule) -> String {
+    let family = match (rule.family, rule.split) {
+        (Family::Laguerre, true) => "gauss-laguerre behind gauss-legendre",
+        (family, _) => family.name(),
+    };
+    let effort = match rule.effort {
+        Effort::Order(order) => format!(", order {order}"),
+        Effort::Tolerance(tolerance) => format!(", tolerance {}", number(tolerance)),
+        Effort::Fixed => String::new(),
+    };
+    let used = match (rule.family, rule.split, rule.substituted) {
+        (Family::Shipped | Family::Panels | Family::Jacobi | Family::Laguerre | Family::Hermite, ..) => "",
+        (_, true, true) => ", split and substituted",
+        (_, true, false) => ", split",
+        (_, false, true) => ", substituted",
+        (_, false, false) => ", as it is",
+    };
+    format!("{family}{used}{effort}")
+}

@@ -1,0 +1,145 @@
+//! Which matters more on a surface: the contact law, or whether asperities are integrated or summed.
+
+use super::{DETECTABLE, Group, Influence, Kind, Measure, SIGNIFICANT, Weight};
+
+/// What changes the answer more.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Dominant {
+    /// The contact law.
+    Law,
+    /// Integral against sum.
+    Summation,
+    /// The sampling error of the sum leaves it open.
+    Undecided,
+}
+
+/// The weights of law and summation by one measure, over the loads that count.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Attribution {
+    /// By what answers are told apart.
+    pub measure: Measure,
+    /// The laws that the spread is over.
+    pub group: Group,
+    /// Spread of these laws under the sum.
+    pub law: Weight,
+    /// Gap between the models under the first law.
+    pub summation: Weight,
+    /// Sampling error of the sum under the first law, where it has one.
+    pub sampling: Option<Weight>,
+    /// The law of the group that lies furthest from the first under the sum, and the spread without it; `None` where
+    /// fewer than two laws are left.
+    pub without_furthest: Option<(usize, Weight)>,
+}
+
+impl Attribution {
+    /// By one measure; `None` where no load counts, or laws are too few to compare.
+    pub fn of(influence: &Influence, measure: Measure) -> Option<Self> {
+        let group = influence.group();
+        Some(Self {
+            measure,
+            group,
+            law: influence.of_law(measure, group, Kind::Deterministic)?,
+            summation: influence.of_adding_up(measure, 0)?,
+            sampling: influence.of_sampling(measure, 0),
+            without_furthest: without_furthest(influence, measure, group),
+        })
+    }
+
+    /// Which matters more in the mean.
+    pub fn dominant(&self) -> Dominant {
+        let error = self.sampling.map_or(0.0, |error| error.mean);
+        let is_detectable = self.summation.mean > DETECTABLE * error;
+        if !is_detectable {
+            Dominant::Undecided
+        } else if self.law.mean > self.summation.mean {
+            Dominant::Law
+        } else {
+            Dominant::Summation
+        }
+    }
+
+    /// The larger mean weight over the smaller one.
+    pub fn ratio(&self) -> f64 {
+        let (law, summation) = (self.law.mean, self.summation.mean);
+        if law > summation { law / summation } else { summation / law }
+    }
+
+    /// Whether the law matters more without the one that lies furthest off too; `None` where fewer than two are left.
+    pub fn is_law_without_furthest(&self) -> Option<bool> {
+        self.without_furthest.map(|(_, rest)| rest.mean > self.summation.mean)
+    }
+
+    /// The mean gap between the models in mean sampling errors of the sum.
+    pub fn standard_errors(&self) -> Option<f64> {
+        self.sampling.map(|error| self.summation.mean / error.mean)
+    }
+
+    /// Whether the gap between the models is more than chance; so taken where the sum has no sampling error.
+    pub fn is_significant(&self) -> bool {
+        self.standard_errors().is_none_or(|errors| errors > SIGNIFICANT)
+    }
+}
+
+fn without_furthest(influence: &Influence, measure: Measure, group: Group) -> Option<(usize, Weight)> {
+    let is_member = |law: &usize| group == Group::All || influence.passes_regimes[*law];
+    let members = (1..influence.laws.len()).filter(is_member);
+    let weight = |law| Some((law, influence.of_choice(measure, law, Kind::Deterministic)?.mean));
+    let (furthest, _) = members.filter_map(weight).max_by(|a, b| a.1.total_cmp(&b.1))?;
+    let rest =
+        influence.weight(|at| at.spread_without(measure, group, Kind::Deterministic, Some(furthest)))?;
+    Some((furthest, rest))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::compare::{Pair, Pairing, UnderLaw};
+    use crate::contact::ByRegime;
+    use crate::model::{Response, SamplingError};
+
+    /// One load; d/sigma of the integral and of the sum, whose sampling error is `error` sigma.
+    fn pair(statistical: f64, deterministic: f64, error: f64) -> [Pair; 1] {
+        let response = |h: f64| Response {
+            separation_over_sigma: h,
+            separation: h * 1e-8,
+            contact_density: 50.0,
+            area_ratio: ByRegime([1e-3, 0.0, 0.0]),
+            pressure: ByRegime([100.0, 0.0, 0.0]),
+            stiffness: 1e10,
+            sampling: Some(SamplingError { pressure: 100.0 * error, area_ratio: 1e-4 }),
+        };
+        let (statistical, deterministic) = (response(statistical), response(deterministic));
+        [Pair { pairing: Pairing::Load, target: 1.0, statistical, deterministic }]
+    }
+
+    fn attribution(pairs: &[[Pair; 1]]) -> Option<Attribution> {
+        let under = |pairs| UnderLaw { law: "law", passes_regimes: true, pairs };
+        let laws: Vec<UnderLaw> = pairs.iter().map(|pairs| under(&pairs[..])).collect();
+        Attribution::of(&Influence::of(&laws, 1.0, 1e-8), Measure::Separation)
+    }
+
+    #[test]
+    fn the_law_the_summation_or_neither() {
+        let of = |second: f64, error: f64| {
+            attribution(&[pair(3.0, 2.5, error), pair(3.0, second, error)]).unwrap()
+        };
+        let close = |a: f64, b: f64| (a - b).abs() < 1e-12;
+        let law = of(4.0, 0.1);
+        assert!(law.dominant() == Dominant::Law && close(law.ratio(), 3.0) && law.is_significant());
+        assert_eq!((law.group, law.is_law_without_furthest()), (Group::Passing, None));
+        let summation = of(2.75, 0.2);
+        assert!(summation.dominant() == Dominant::Summation && close(summation.ratio(), 2.0));
+        assert!(close(summation.standard_errors().unwrap(), 2.5) && !summation.is_significant());
+        assert_eq!(of(4.0, 0.25).dominant(), Dominant::Undecided);
+        assert_eq!(attribution(&[pair(3.0, 2.5, 0.1)]), None);
+    }
+
+    #[test]
+    fn one_law_that_lies_far_off_is_named() {
+        let pairs = [pair(3.0, 2.5, 0.0), pair(3.0, 2.625, 0.0), pair(3.0, 9.5, 0.0)];
+        let found = attribution(&pairs).unwrap();
+        let (furthest, rest) = found.without_furthest.unwrap();
+        assert_eq!((furthest, rest.mean, found.law.mean), (2, 0.125, 7.0));
+        assert_eq!(found.is_law_without_furthest(), Some(false));
+    }
+}

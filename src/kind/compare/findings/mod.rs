@@ -1,0 +1,118 @@
+//! What a comparison says of a surface, as typed facts: the report only puts them into words.
+//!
+//! | file | what lives there |
+//! |---|---|
+//! | `recommendation` | which model to use, and why |
+//! | `layer` | what the thickness of a layer changes |
+//! | `decreasing` | where a deeper asperity has less area or load |
+
+mod decreasing;
+mod layer;
+mod recommendation;
+
+pub use decreasing::Decreasing;
+pub use layer::{AtThickness, GapRange, LayerFindings, PlasticRange};
+pub use recommendation::Recommendation;
+
+use asperity::compare::{PointCounts, Realisation, Spread, SpreadFindings, spread};
+
+use super::answers::{CaseResults, FallResults, RealisationResults, Threshold};
+use crate::surface::Surface;
+
+/// What a comparison says of one surface.
+#[derive(Debug)]
+pub struct SurfaceFindings {
+    /// Case by case, as in the answers of each realisation.
+    pub cases: Vec<CaseFindings>,
+    /// Law by law, in file order.
+    pub laws: Vec<LawFindings>,
+}
+
+/// One law and thickness, over all realisations.
+#[derive(Debug)]
+pub struct CaseFindings {
+    /// Both models at the loads that all realisations have in common; empty for a single realisation.
+    pub spread: Vec<Spread>,
+    /// How far the models lie apart over the realisations; `None` where no load in common counts.
+    pub over_realisations: Option<SpreadFindings>,
+    /// Which model to use; `None` where no answer counts.
+    pub recommendation: Option<Recommendation>,
+}
+
+/// One law, all thicknesses together, on the first realisation.
+#[derive(Debug)]
+pub struct LawFindings {
+    /// The law, as tables name it.
+    pub law: String,
+    /// At how many points the models do not hold.
+    pub counts: PointCounts,
+    /// What decreases with growing indentation, area before load.
+    pub decreasing: Vec<Decreasing>,
+    /// What the thickness of the layer changes; `None` where no layer is asked for.
+    pub layer: Option<LayerFindings>,
+}
+
+impl SurfaceFindings {
+    /// Of the first realisation `surface`, the answers of all `realisations`, and what was found on the first.
+    pub fn of(
+        surface: &Surface,
+        realisations: &[&RealisationResults],
+        thresholds: &[Threshold],
+        falls: &[FallResults],
+    ) -> Self {
+        let first = realisations[0];
+        let mut laws: Vec<&str> = first.cases.iter().map(|case| case.law.as_str()).collect();
+        laws.dedup();
+        Self {
+            cases: (0..first.cases.len())
+                .map(|index| CaseFindings::of(surface, realisations, index))
+                .collect(),
+            laws: laws
+                .into_iter()
+                .map(|law| LawFindings::of(surface, first, law, thresholds, falls))
+                .collect(),
+        }
+    }
+}
+
+impl CaseFindings {
+    fn of(surface: &Surface, realisations: &[&RealisationResults], index: usize) -> Self {
+        let pairs: Vec<Realisation> = realisations
+            .iter()
+            .map(|answered| {
+                (&answered.cases[index].comparison.pairs[..], answered.sigma, answered.nominal_area)
+            })
+            .collect();
+        let spread = spread(&pairs);
+        let over_realisations = SpreadFindings::of(&spread, realisations.len());
+        let gaps = &realisations[0].cases[index].gaps;
+        let is_significant = match &over_realisations {
+            Some(found) => Some(found.is_significant()),
+            None => (!gaps.largest.is_empty()).then(|| gaps.is_significant()),
+        };
+        let recommendation =
+            is_significant.map(|is_significant| Recommendation::new(surface, is_significant));
+        Self { spread, over_realisations, recommendation }
+    }
+}
+
+impl LawFindings {
+    fn of(
+        surface: &Surface,
+        first: &RealisationResults,
+        law: &str,
+        thresholds: &[Threshold],
+        falls: &[FallResults],
+    ) -> Self {
+        let cases: Vec<_> = first.cases.iter().filter(|case| case.law == law).collect();
+        let thresholds: Vec<_> = thresholds.iter().filter(|threshold| threshold.law == law).collect();
+        let falls: Vec<_> = falls.iter().filter(|found| found.law == law).collect();
+        let counts = |case: &&CaseResults| PointCounts::of(&case.comparison, surface.set.nominal_area());
+        Self {
+            law: law.to_owned(),
+            counts: cases.iter().map(counts).sum(),
+            decreasing: Decreasing::among(&falls),
+            layer: LayerFindings::of(surface, &cases, &thresholds),
+        }
+    }
+}

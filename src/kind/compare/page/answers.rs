@@ -1,0 +1,133 @@
+//! Both models' answers on one surface under one law: figures and tables.
+
+use asperity::compare::{Comparison, Pair, Scatter, of_each_decade};
+use asperity_framework::report::format::{count, number, quantity};
+use asperity_framework::report::page::Page;
+
+use super::figures::{self, at_equal_load};
+use super::names::{stem, subject};
+use crate::kind::compare::results::{CompareResults, SurfaceResults};
+
+/// Both models' answers under one law.
+pub fn answers(page: &mut Page, results: &CompareResults, found: &SurfaceResults, index: usize) {
+    let case = &found.first.cases[index];
+    let (modulus, comparison) = (results.contact.reduced_modulus, &case.comparison);
+    let stem = stem(found, &case.law);
+    page.heading(2, &format!("{}: the answers", subject(results, found, &case.law)));
+    if let Some(index) = case.plasticity_index {
+        page.paragraph(&format!("Plasticity index ψ = (E*/H)(σ/R)^½ = {}.", number(index)));
+    }
+    let mut figure = |name: &str, caption: &str, svg: String| {
+        page.figure(&format!("{stem}-{name}.svg"), svg, caption);
+    };
+    let others: Vec<&Comparison> =
+        found.others.iter().map(|answered| &answered.cases[index].comparison).collect();
+    figure(
+        "separation",
+        "Separation against load ratio, and the difference at equal load. Bands: 95 % of other samples of the same \
+         surface would lie within, if asperities were independent draws.",
+        figures::separation(comparison, &others, modulus, found.surface.plane.sigma),
+    );
+    figure("area", "Real contact area against load ratio.", figures::area(comparison, modulus));
+    figure("regimes", "How the load is shared by the regimes.", figures::regimes(comparison, modulus));
+    realisations(page, found, index);
+    let pairs = of_each_decade(at_equal_load(comparison), |pair| pair.target, STEPS);
+    if !pairs.is_empty() {
+        page.paragraph(if found.others.is_empty() {
+            "Both models at equal load:"
+        } else {
+            "Both models at equal load, in full, on the first realisation:"
+        });
+        let area = found.surface.set.nominal_area();
+        page.table(LOAD_TABLE, pairs.iter().map(|pair| load_row(pair)));
+        page.table(CONTACT_TABLE, pairs.iter().map(|pair| contact_row(pair, area)));
+    }
+}
+
+/// How far several realisations lie apart, and whether the sums' own sampling errors tell so.
+fn realisations(page: &mut Page, found: &SurfaceResults, index: usize) {
+    let spread = &found.findings.cases[index].spread;
+    if spread.is_empty() {
+        return;
+    }
+    let generation = found.surface.map.as_ref().and_then(|map| map.generation.as_ref());
+    let is_targeted = generation.is_some_and(|made| made.target.is_some());
+    page.paragraph(&format!(
+        "Both models at equal load over {} realisations, each pressed to the same loads: mean ± standard deviation of one \
+         realisation, and beside it the sampling error that the sums state for themselves.{}",
+        found.count(),
+        if is_targeted {
+            " All realisations are scaled to the same radius, σ and density, which takes out a part of the scatter."
+        } else {
+            ""
+        }
+    ));
+    let with_scatter =
+        |scatter: &Scatter| format!("{} ± {}", number(scatter.mean), number(scatter.deviation));
+    page.table(
+        ["p", "d/σ stat.", "d/σ det.", "stated error", "difference", "A/A_nom stat.", "A/A_nom det."],
+        of_each_decade(spread, |at| at.target, STEPS).into_iter().map(|at| {
+            vec![
+                quantity(at.target, "Pa"),
+                number(at.statistical_separation.mean),
+                with_scatter(&at.deterministic_separation),
+                number(at.sampling_error),
+                with_scatter(&at.difference),
+                number(at.statistical_area.mean),
+                with_scatter(&at.deterministic_area),
+            ]
+        }),
+    );
+}
+
+/// Steps of a decade that tables show: loads nearest to one and three.
+const STEPS: f64 = 2.0;
+
+const LOAD_TABLE: [&str; 8] = [
+    "p",
+    "d/σ stat.",
+    "d/σ det.",
+    "difference",
+    "A/A_nom stat.",
+    "A/A_nom det.",
+    "± s.e.",
+    "beyond the models",
+];
+
+fn load_row(pair: &Pair) -> Vec<String> {
+    let (s, d) = (&pair.statistical, &pair.deterministic);
+    vec![
+        quantity(pair.target, "Pa"),
+        number(s.separation_over_sigma),
+        number(d.separation_over_sigma),
+        number(s.separation_over_sigma - d.separation_over_sigma),
+        number(s.area_ratio.total()),
+        number(d.area_ratio.total()),
+        d.sampling.map_or_else(|| "-".to_owned(), |error| number(error.area_ratio)),
+        if pair.is_beyond_model() { "asperities interact".to_owned() } else { String::new() },
+    ]
+}
+
+const CONTACT_TABLE: [&str; 7] = [
+    "p",
+    "contacts stat.",
+    "contacts det.",
+    "mean real p stat.",
+    "mean real p det.",
+    "−dp/dd stat. [Pa/m]",
+    "−dp/dd det. [Pa/m]",
+];
+
+fn contact_row(pair: &Pair, area: f64) -> Vec<String> {
+    let (s, d) = (&pair.statistical, &pair.deterministic);
+    let real = |pressure: Option<f64>| pressure.map_or_else(|| "-".to_owned(), |p| quantity(p, "Pa"));
+    vec![
+        quantity(pair.target, "Pa"),
+        number(s.contact_density * area),
+        count((d.contact_density * area).round() as usize),
+        real(s.mean_real_pressure()),
+        real(d.mean_real_pressure()),
+        number(s.stiffness),
+        number(d.stiffness),
+    ]
+}

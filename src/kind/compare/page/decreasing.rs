@@ -1,0 +1,57 @@
+//! Where a deeper asperity has less area or load.
+
+use asperity::sphere::Falling;
+use asperity_framework::contact::LayerMetadata;
+use asperity_framework::report::format::{listed, percent, quantity, thickness};
+use asperity_framework::report::page::{Page, escape};
+
+use super::names::{subject, under};
+use crate::kind::compare::answers::FallResults;
+use crate::kind::compare::findings::Decreasing;
+use crate::kind::compare::results::CompareResults;
+
+/// A line for the area and one for the load of each surface under each law, where they decrease.
+pub fn bullets(page: &mut Page, results: &CompareResults) {
+    let layer = results.contact.layer.as_ref();
+    for found in &results.surfaces {
+        for law in &found.findings.laws {
+            let subject = subject(results, found, &law.law);
+            let lines: Vec<String> =
+                law.decreasing.iter().map(|found| line(&subject, found, layer)).collect();
+            if !lines.is_empty() {
+                page.bullets(lines);
+            }
+        }
+    }
+}
+
+fn line(subject: &str, found: &Decreasing, layer: Option<&LayerMetadata>) -> String {
+    let FallResults { radius, fall, thickness: under_it, .. } = &found.worst;
+    let names: Vec<String> = found.thicknesses.iter().copied().map(thickness).collect();
+    let (with, place) = match (layer, *under_it) {
+        (Some(layer), Some(t)) => {
+            (format!(", with {} of {}", escape(&layer.name), listed(&names)), format!(" {}", under(layer, t)))
+        }
+        _ => (String::new(), String::new()),
+    };
+    let consequence = match found.of {
+        Falling::Area => "",
+        Falling::Load => {
+            " A pressure may then be reached more than once on approach; the answers are the first."
+        }
+    };
+    let [from, to] = [fall.from.indentation, fall.to.indentation];
+    let stretch = if fall.is_jump() {
+        format!("at once at w = {}", quantity(from, "m"))
+    } else {
+        format!("between w = {} and {}", quantity(from, "m"), quantity(to, "m"))
+    };
+    format!(
+        "**{}**: the {} of an asperity can fall as it is pressed deeper{with}. That of one of radius {}{place} falls by {} {stretch} \
+         (looked at: the sharpest, the mean and the bluntest, as deep as the highest is pressed here).{consequence}",
+        escape(subject),
+        found.of.name(),
+        quantity(*radius, "m"),
+        percent(fall.loss()),
+    )
+}

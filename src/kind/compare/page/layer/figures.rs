@@ -1,0 +1,121 @@
+//! Figures by thickness of the layer.
+
+use super::Series;
+use crate::kind::compare::answers::CaseResults;
+use crate::kind::compare::page::figures::{curve, shares_of_load};
+use asperity::compare::Kind;
+use asperity::contact::Regime;
+use asperity::model::{INTERACTION, Response};
+use asperity_framework::report::format::{quantity, thickness};
+use asperity_plot::{Axis, Colour, Dash, Figure, Layer, Marker, Plot};
+
+/// Separation and real area against load, by thickness.
+pub fn by_load(series: &Series) -> String {
+    let modulus = series.modulus;
+    let axis = || Axis::log("load ratio P/(A_nom E* without layer)");
+    let mut separation = Plot::new("Separation", axis(), Axis::linear("separation d/σ"));
+    let mut area = Plot::new("Real contact area", axis(), Axis::log("area ratio A/A_nom"))
+        .with(Layer::region_y(INTERACTION, f64::INFINITY, "asperities interact"));
+    for (index, case) in series.cases.iter().enumerate() {
+        let colour = Colour::Ordered { index, of: series.cases.len() };
+        let kinds = &series.findings.models;
+        for &kind in kinds {
+            let points = curve(&case.comparison, kind);
+            let line = |value: fn(&Response) -> f64| {
+                let points =
+                    points.iter().map(|p| (p.response.pressure.total() / modulus, value(&p.response)));
+                let line = Layer::line(points.collect::<Vec<_>>()).coloured(colour);
+                if kind == Kind::Statistical && kinds.len() > 1 {
+                    line.dashed(Dash::Dashed)
+                } else {
+                    line.named(thickness(case.thickness.unwrap_or(0.0)))
+                }
+            };
+            separation = separation.with(line(|r| r.separation_over_sigma));
+            area = area.with(line(|r| r.area_ratio.total()));
+        }
+    }
+    Figure::row("Separation and real area by thickness", vec![separation, area]).svg()
+}
+
+/// Real area, mean real pressure and plastic share against thickness, by load.
+pub fn by_thickness(series: &Series) -> String {
+    type Value = fn(&Response) -> Option<f64>;
+    let panels: [(&str, Axis, Value); 3] = [
+        ("Real contact area", Axis::log("area ratio A/A_nom"), |r| Some(r.area_ratio.total())),
+        ("Mean real pressure", Axis::log("mean real pressure (GPa)"), |r| {
+            r.mean_real_pressure().map(|p| p * 1e-9)
+        }),
+        ("Plastic share", Axis::linear("plastic share of the load").range(0.0, 1.0), |r| {
+            r.pressure.shares().map(|shares| shares[Regime::Plastic as usize])
+        }),
+    ];
+    let plots = panels.map(|(title, axis, value)| against_thickness(series, title, axis, value));
+    Figure::column("Real area, mean real pressure and plastic share against thickness", plots.to_vec()).svg()
+}
+
+fn against_thickness(series: &Series, title: &str, axis: Axis, value: fn(&Response) -> Option<f64>) -> Plot {
+    /// Room beside the finite thicknesses for the two limits, as a ratio.
+    const ROOM: f64 = 1.6;
+    let all: Vec<f64> = series.finite().map(|(t, _)| t).collect();
+    let (thin, thick) = (all[0], all[all.len() - 1]);
+    let place = |t: f64| nanometres(t.clamp(thin / ROOM, thick * ROOM));
+    let x = thickness_axis().range(nanometres(thin / ROOM / 1.1), nanometres(thick * ROOM * 1.1));
+    let mut plot = Plot::new(title, x, axis).height(230.0);
+    let loads = &series.findings.loads;
+    for (index, &load) in loads.iter().enumerate() {
+        let colour = Colour::Ordered { index, of: loads.len() };
+        for kind in series.findings.models.iter().copied() {
+            let found = |case: &CaseResults| {
+                case.comparison.at_load(kind, load).and_then(|point| value(&point.response))
+            };
+            let line = series.finite().filter_map(|(t, case)| Some((nanometres(t), found(case)?)));
+            let is_foremost = kind == series.findings.main_model();
+            let line: Vec<(f64, f64)> = line.collect();
+            let places = Layer::points(line.clone(), Marker::Circle).coloured(colour);
+            let is_limit =
+                |case: &&&CaseResults| case.thickness.is_some_and(|t| t == 0.0 || t == f64::INFINITY);
+            let limits = series.cases.iter().filter(is_limit);
+            let limits = limits.filter_map(|case| Some((place(case.thickness?), found(case)?)));
+            let marker = if is_foremost { Marker::Square } else { Marker::Triangle };
+            let limits = Layer::points(limits.collect::<Vec<_>>(), marker).coloured(colour);
+            let line = Layer::line(line).coloured(colour);
+            plot = plot.with(limits).with(if is_foremost {
+                line.named(quantity(load, "Pa"))
+            } else {
+                line.dashed(Dash::Dashed)
+            });
+            if is_foremost {
+                plot = plot.with(places);
+            }
+        }
+    }
+    plot
+}
+
+/// Shares of the regimes against thickness, at the least, a middle and the highest load.
+pub fn regimes(series: &Series) -> String {
+    /// Panels beside each other.
+    const PANELS: usize = 3;
+    let kind = series.findings.main_model();
+    let loads = &series.findings.loads;
+    let chosen = match loads.len() {
+        0..=PANELS => loads.clone(),
+        count => vec![loads[0], loads[count / 2], loads[count - 1]],
+    };
+    let panel = |load: f64| {
+        let shares = series.finite().filter_map(|(t, case)| {
+            Some((nanometres(t), case.comparison.at_load(kind, load)?.response.pressure.shares()?))
+        });
+        shares_of_load(&quantity(load, "Pa"), thickness_axis(), shares)
+    };
+    Figure::row("Regimes by thickness", chosen.into_iter().map(panel).collect()).svg()
+}
+
+fn thickness_axis() -> Axis {
+    Axis::log("thickness of the layer (nm)")
+}
+
+fn nanometres(t: f64) -> f64 {
+    t * 1e9
+}

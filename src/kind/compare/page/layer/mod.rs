@@ -1,0 +1,167 @@
+//! A comparison under a layer in several thicknesses: Fig. 6 of Pasaribu and Schipper (2005), and thickness as an axis.
+
+mod answers;
+mod figures;
+
+use super::in_short::{CONDITION, trust};
+use super::names::{stem, subject, under};
+use crate::kind::compare::answers::{CaseResults, Threshold};
+use crate::kind::compare::findings::{AtThickness, GapRange, LawFindings, LayerFindings, PlasticRange};
+use crate::kind::compare::results::{CompareResults, SurfaceResults};
+use asperity::compare::GOOD_RATIO;
+use asperity_framework::contact::LayerMetadata;
+use asperity_framework::report::format::{listed, number, percent, quantity};
+use asperity_framework::report::page::{Page, escape};
+
+/// One surface under one law: a case for each thickness.
+pub struct Series<'a> {
+    layer: &'a LayerMetadata,
+    found: &'a SurfaceResults,
+    findings: &'a LayerFindings,
+    subject: String,
+    stem: String,
+    cases: Vec<&'a CaseResults>,
+    thresholds: Vec<&'a Threshold>,
+    modulus: f64,
+}
+
+/// How good the rules are, beside the exact solution; nothing where no contact asks for one.
+pub fn rule_section(page: &mut Page, layer: &LayerMetadata) {
+    let Some(check) = &layer.check else { return };
+    page.heading(2, "How good is the rule?");
+    let place = if check.is_good() { "within" } else { "outside" };
+    page.paragraph(&format!(
+        "E of the layer is {} of that of the substrate, {place} the {} to {} where the paper's rule (`gao`) is good (Perriot and Barthel 2004). \
+         This is the elastic load by both rules over that of the exact solution at equal indentation, a the exact contact radius; this \
+         experiment uses `{}`. The tables below say which a/t its contacts have. The ball of the exact solution is as elastic as the rough \
+         body. Where a contact is plastic the modulus does not enter its load.",
+        number(check.modulus_ratio),
+        GOOD_RATIO[0],
+        GOOD_RATIO[1],
+        layer.rule.name(),
+    ));
+    let [gao, series] = &check.told;
+    page.table(
+        ["a/t", "load by rule gao / exact", "load by rule series / exact"],
+        gao.iter().zip(series).map(|(gao, series)| {
+            vec![number(gao.contact_ratio), format!("{:.3}", gao.ratio), format!("{:.3}", series.ratio)]
+        }),
+    );
+}
+
+/// Every surface under every law; nothing without a layer.
+pub fn all(results: &CompareResults) -> Vec<Series<'_>> {
+    let Some(layer) = &results.contact.layer else { return Vec::new() };
+    let laws =
+        results.surfaces.iter().flat_map(|found| found.findings.laws.iter().map(move |law| (found, law)));
+    laws.filter_map(|(found, law)| Series::new(results, layer, found, law)).collect()
+}
+
+impl<'a> Series<'a> {
+    fn new(
+        results: &'a CompareResults,
+        layer: &'a LayerMetadata,
+        found: &'a SurfaceResults,
+        law: &'a LawFindings,
+    ) -> Option<Self> {
+        Some(Self {
+            layer,
+            found,
+            findings: law.layer.as_ref()?,
+            subject: subject(results, found, &law.law),
+            stem: stem(found, &law.law),
+            cases: found.first.cases.iter().filter(|case| case.law == law.law).collect(),
+            thresholds: found.thresholds.iter().filter(|threshold| threshold.law == law.law).collect(),
+            modulus: results.contact.reduced_modulus,
+        })
+    }
+
+    /// The surface that it is about.
+    pub fn found(&self) -> &'a SurfaceResults {
+        self.found
+    }
+
+    /// Whether there is more than one thickness to compare.
+    pub fn has_several(&self) -> bool {
+        self.cases.len() > 1
+    }
+
+    /// The findings, a line each.
+    pub fn in_short(&self) -> Vec<String> {
+        let mut lines = Vec::new();
+        lines.extend(self.threshold_line());
+        lines.extend(self.findings.plastic.as_ref().map(|found| self.plastic_line(found)));
+        lines.extend(self.findings.gap.iter().flat_map(|found| self.gap_lines(found)));
+        lines
+    }
+
+    fn threshold_line(&self) -> Option<String> {
+        let at_load = |&load: &f64| {
+            let each = self.thresholds.iter().filter(|threshold| threshold.pressure == load);
+            let each: Vec<String> = each
+                .map(|threshold| format!("{} ({})", depth(threshold.thickness), threshold.kind.name()))
+                .collect();
+            format!("at {} {}", quantity(load, "Pa"), each.join(" or "))
+        };
+        let parts: Vec<String> = self.findings.loads.iter().map(at_load).collect();
+        (!parts.is_empty()).then(|| {
+            format!(
+                "**{}**: the thickness of {} below which it no longer matters, the real area within 5 % of that without a layer, is {}.",
+                escape(&self.subject),
+                escape(&self.layer.name),
+                listed(&parts)
+            )
+        })
+    }
+
+    fn plastic_line(&self, found: &PlasticRange) -> String {
+        let under = |at: AtThickness| format!("{}, {}", under(self.layer, at.thickness), percent(at.value));
+        format!(
+            "**{}**: the plastic share of the load at {} ({}) is largest {}, and smallest {}.",
+            escape(&self.subject),
+            quantity(found.load, "Pa"),
+            found.model.name(),
+            under(found.largest),
+            under(found.smallest),
+        )
+    }
+
+    fn gap_lines(&self, found: &GapRange) -> [String; 2] {
+        let subject = escape(&self.subject);
+        let GapRange { largest, smallest, recommendation } = found;
+        let least = if largest.value > smallest.value {
+            format!(
+                ", and by up to {} σ {}, where they differ least",
+                number(smallest.value),
+                under(self.layer, smallest.thickness)
+            )
+        } else {
+            String::new()
+        };
+        [
+            format!(
+                "**{subject}**: the two models' separations at equal load differ by up to {} σ {}, where they differ most{least}. {CONDITION}",
+                number(largest.value),
+                under(self.layer, largest.thickness),
+            ),
+            trust(&subject, recommendation),
+        ]
+    }
+
+    /// Cases with a layer of finite thickness.
+    fn finite(&self) -> impl Iterator<Item = (f64, &'a CaseResults)> {
+        let finite =
+            |case: &&'a CaseResults| case.thickness.filter(|t| *t > 0.0 && t.is_finite()).map(|t| (t, *case));
+        self.cases.iter().filter_map(finite)
+    }
+}
+
+/// A threshold in words.
+fn depth(thickness: Option<f64>) -> String {
+    match thickness {
+        None => "less than 1 pm".to_owned(),
+        Some(f64::INFINITY) => "none up to 1 m matters".to_owned(),
+        // It is known to 1 %.
+        Some(t) => quantity(format!("{t:.1e}").parse().unwrap_or(t), "m"),
+    }
+}

@@ -1,0 +1,72 @@
+//! The page of a comparison: the findings and the answers in words, tables and figures.
+//!
+//! | module | what it writes |
+//! |---|---|
+//! | `in_short` | how far the models lie apart, and which to use |
+//! | `decreasing` | where a deeper asperity has less area or load |
+//! | `layer` | the layer by thickness |
+//! | `surface` | the surface, and the inputs of the statistical model |
+//! | `answers` | both models' answers |
+//! | `limits` | where the answers do not hold |
+//! | `figures` | figures of one law and thickness |
+//! | `names` | surfaces, laws and thicknesses |
+
+mod answers;
+mod decreasing;
+pub mod figures;
+mod in_short;
+mod layer;
+mod limits;
+mod names;
+mod surface;
+
+pub use in_short::CONDITION;
+pub use limits::{assumptions, limits_of};
+pub use surface::surface;
+
+use crate::kind::compare::results::CompareResults;
+use asperity_framework::report::page::{Page, escape};
+use asperity_framework::report::sections;
+
+/// The page.
+pub fn page(results: &CompareResults) -> Page {
+    let mut page = Page::new(&results.metadata.title);
+    sections::notes(&mut page, &results.metadata);
+    for warning in results.warnings() {
+        page.warning(&escape(&warning));
+    }
+    let layered = layer::all(results);
+    // A single thickness is shown as closely as no layer.
+    let in_full = layered.iter().all(|series| !series.has_several());
+    page.heading(2, "In short");
+    for series in &layered {
+        page.bullets(series.in_short());
+    }
+    for found in results.surfaces.iter().filter(|_| in_full) {
+        for index in 0..found.first.cases.len() {
+            page.bullets(in_short::in_short(results, found, index));
+        }
+    }
+    decreasing::bullets(&mut page, results);
+    if results.surfaces.iter().any(|found| found.findings.laws.len() > 1) {
+        page.paragraph(
+            "An experiment of the kind `[laws]` sets laws beside each other, and against the adding-up.",
+        );
+    }
+    sections::what_was_run(&mut page, &results.metadata, &results.contact);
+    if let Some(layer) = &results.contact.layer {
+        layer::rule_section(&mut page, layer);
+    }
+    for found in &results.surfaces {
+        surface(&mut page, found);
+        for series in layered.iter().filter(|series| !in_full && std::ptr::eq(series.found(), found)) {
+            series.answers(&mut page);
+        }
+        for index in (0..found.first.cases.len()).filter(|_| in_full) {
+            answers::answers(&mut page, results, found, index);
+        }
+    }
+    limits::limits(&mut page, results);
+    sections::sources(&mut page, &results.metadata);
+    page
+}
