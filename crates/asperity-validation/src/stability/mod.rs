@@ -6,6 +6,7 @@
 //! | `group` | the groups of cases, and how far each may be off |
 //! | `bodies` | bodies and law of a case |
 //! | `cases` | the cases themselves, each from the seed, its group and its number |
+//! | `laws` | the laws that are covered: their equations in about 32 digits, one table |
 //! | [`exact`] | the same answers in about 32 digits |
 //! | `check` | how far an answer is off |
 //! | `maps` | errors over a plane |
@@ -15,13 +16,15 @@ mod cases;
 mod check;
 pub mod exact;
 mod group;
+mod laws;
 mod maps;
 pub mod wide;
 
-pub use bodies::{Bodies, Law, Layer};
+pub use bodies::{Bodies, Layer};
 pub use cases::{Asked, Case, Heights, SetWords};
 pub use check::{CheckedCase, Deviation, Failure, Quantity};
 pub use group::{Group, Kind};
+pub use laws::CoveredLaw;
 pub use maps::Map;
 
 use rayon::prelude::*;
@@ -116,7 +119,7 @@ impl GroupFindings {
 impl Worst {
     /// How far the quantity may be off in its case.
     pub fn bound(&self, group: Group) -> f64 {
-        group.bound(self.quantity, self.case.bodies.law)
+        group.bound_of(self.quantity, &self.case.bodies.law)
     }
 }
 
@@ -153,7 +156,7 @@ pub fn group(group: Group, count: u64, seed: [u8; 32], ranges: &Ranges) -> Group
         }
         all.sort_by(|a, b| a.0.total_cmp(&b.0));
         // Bounds are those of a case's law.
-        let share = |(checked, case): &(f64, &Case)| checked / group.bound(quantity, case.bodies.law);
+        let share = |(checked, case): &(f64, &Case)| checked / group.bound_of(quantity, &case.bodies.law);
         if let Some((checked, case)) = all.iter().max_by(|a, b| share(a).total_cmp(&share(b))) {
             let median = all[all.len() / 2].0;
             let (checked, case) = (*checked, (*case).clone());

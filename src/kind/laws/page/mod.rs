@@ -11,6 +11,7 @@ use crate::kind::compare::results::{CaseResults, SurfaceResults};
 use crate::kind::indentation::LARGEST_SLOPE;
 use crate::kind::laws::run::{LawOnOne, LawsResults};
 use asperity::contact::Contact;
+use asperity::contact_law::{ContactLaw, registry};
 use asperity::sphere::Boundary;
 use asperity_framework::report::format::listed;
 use asperity_framework::report::format::{number, percent, quantity};
@@ -106,10 +107,12 @@ fn laws(page: &mut Page, results: &LawsResults) {
         }),
     );
     let first = &results.laws[0].law;
+    let of_one_regime = registry().iter().filter(|law| !law.has_ranges() && !law.sees_ellipses());
     page.paragraph(&format!(
-        "The others are compared with the first, {}. Laws of one regime (hertz, fully-plastic) are limits: what is said of the \
+        "The others are compared with the first, {}. Laws of one regime ({}) are limits: what is said of the \
          laws that go beyond elastic contact leaves them out. Equations and their numbers: docs/theory.md.",
-        escape(first)
+        escape(first),
+        of_one_regime.map(ContactLaw::name).collect::<Vec<String>>().join(", ")
     ));
 }
 

@@ -4,7 +4,6 @@ mod figures;
 
 use crate::kind::stability::run::StabilityResults;
 use crate::stability::Kind;
-use crate::stability::Law;
 use crate::stability::{Failure, Quantity};
 use crate::stability::{GroupFindings, Worst};
 use asperity_framework::report::format::{count, number};
@@ -115,6 +114,12 @@ fn in_short(results: &StabilityResults) -> Vec<String> {
             error(used.checked),
         ));
     }
+    if !results.not_covered.is_empty() {
+        lines.push(format!(
+            "**Not covered**: {}. Equations in extended precision are missing for these laws.",
+            escape(&results.not_covered.join(", "))
+        ));
+    }
     lines
 }
 
@@ -158,7 +163,7 @@ fn errors(page: &mut Page, groups: &[&GroupFindings], bounded: bool, of: impl Fn
     header.extend(quantities.iter().map(|quantity| quantity.name()));
     let row = |findings: &&GroupFindings| {
         let mut row = vec![findings.group.name().to_owned()];
-        row.extend(bounded.then(|| error(findings.group.bound(Quantity::Load, Law::Hertz))));
+        row.extend(bounded.then(|| error(findings.group.bound(Quantity::Load))));
         row.extend(quantities.iter().map(|quantity| {
             let found = findings.quantities.iter().find(|worst| worst.quantity == *quantity);
             found.map_or_else(String::new, |worst| error(of(worst)))
