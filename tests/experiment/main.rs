@@ -6,6 +6,7 @@ mod cli;
 mod common;
 mod indentation;
 mod layers;
+mod registry;
 mod work;
 
 /// What came out of a run, which is a `T`.

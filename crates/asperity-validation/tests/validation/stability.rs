@@ -138,3 +138,11 @@ fn the_wide_integrals_are_those_of_the_vectors() {
     }
     worst.assert_within(3e-16, 100);
 }
+
+/// All laws that ship are covered; one from elsewhere is reported, not checked.
+#[test]
+fn laws_are_covered_or_reported() {
+    let [covered, others] = CoveredLaw::coverage();
+    assert!(covered.contains(&"zmc".to_owned()) && covered.contains(&"elliptic-zmc".to_owned()));
+    assert_eq!(covered.len() + others.len(), asperity::contact_law::registry().len());
+}
