@@ -22,10 +22,7 @@ use std::fmt;
 use std::sync::{Arc, LazyLock};
 
 use crate::interface::{Flat, MicroContact};
-use crate::law::{
-    Ceb, FullyPlastic, Hertz, Inapplicable, JacksonGreen, KogutEtsion, Law, LawOption, OptionError, Pair,
-    ScalableLaw, Shape, YieldLimits, Zmc,
-};
+use crate::law::{self, Inapplicable, Law, LawOption, OptionError, Pair, ScalableLaw, Shape, YieldLimits};
 use crate::literature::{self, Paper};
 use crate::material::Material;
 
@@ -33,14 +30,14 @@ use crate::material::Material;
 pub fn registry() -> &'static [ContactLaw] {
     static LAWS: LazyLock<Vec<ContactLaw>> = LazyLock::new(|| {
         vec![
-            ContactLaw::scalable(Hertz),
-            ContactLaw::scalable(Zmc::default()),
-            ContactLaw::scalable(Ceb),
-            ContactLaw::scalable(KogutEtsion),
-            ContactLaw::homogeneous(JacksonGreen::default()),
-            ContactLaw::scalable(FullyPlastic),
-            ContactLaw::scalable(Hertz).on_ellipses(Hertz::ON_ELLIPSES),
-            ContactLaw::scalable(Zmc::default()).on_ellipses(Zmc::ON_ELLIPSES),
+            ContactLaw::scalable(law::Hertz),
+            ContactLaw::scalable(law::Zmc::default()),
+            ContactLaw::scalable(law::Ceb),
+            ContactLaw::scalable(law::KogutEtsion),
+            ContactLaw::homogeneous(law::JacksonGreen::default()),
+            ContactLaw::scalable(law::FullyPlastic),
+            ContactLaw::scalable(law::Hertz).on_ellipses(law::Hertz::ON_ELLIPSES),
+            ContactLaw::scalable(law::Zmc::default()).on_ellipses(law::Zmc::ON_ELLIPSES),
         ]
     });
     &LAWS
