@@ -35,7 +35,7 @@ fn law(c: &mut Criterion) {
     let mut group = c.benchmark_group("law");
     let indentations: Vec<f64> = (0..1000).map(|k| 1e-10 * 1.01f64.powi(k)).collect();
     group.throughput(Throughput::Elements(indentations.len() as u64));
-    for (name, contact) in laws() {
+    for (name, contact) in laws(false) {
         group.bench_function(name, |b| {
             b.iter(|| {
                 indentations
@@ -51,10 +51,10 @@ fn law(c: &mut Criterion) {
 /// Area, load, regimes and stiffness at one separation.
 fn integral(c: &mut Criterion) {
     let mut group = c.benchmark_group("integral");
-    for (law, contact) in laws() {
+    for (law, contact) in laws(false) {
         for (case, population) in CASES {
             let model = Statistical::new(&*contact, population);
-            group.bench_function(BenchmarkId::new(law, case), |b| b.iter(|| model.respond(black_box(2.0))));
+            group.bench_function(BenchmarkId::new(&law, case), |b| b.iter(|| model.respond(black_box(2.0))));
         }
     }
     let zmc = bare(Zmc::default());
@@ -70,13 +70,13 @@ fn sum(c: &mut Criterion) {
     let separations: Vec<f64> = (0..50).map(|k| 4.0 - 4.0 * f64::from(k) / 49.0).collect();
     for (case, population) in CASES {
         let set = population.set(1_000_000, Draw::Random([1; 32])).expect("a million asperities");
-        for (law, contact) in laws() {
+        for (law, contact) in laws(false) {
             let model = Deterministic::new(
                 &*contact,
                 set.spheres(),
                 ReferencePlane { mean: 0.0, sigma: population.sigma },
             );
-            group.bench_function(BenchmarkId::new(law, case), |b| {
+            group.bench_function(BenchmarkId::new(&law, case), |b| {
                 b.iter(|| model.respond_all(&separations));
             });
         }

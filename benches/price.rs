@@ -39,11 +39,10 @@ fn main() {
         let start = Instant::now();
         let ellipses = Ellipses::of(&set).expect("a set of ellipses");
         println!("{case}: the spheres of a million ellipses {:.1} ms", 1e3 * start.elapsed().as_secs_f64());
-        let laws = laws();
-        let mut sums: Vec<Sums> = laws.iter().map(|(law, contact)| under(law, &**contact, spheres)).collect();
-        sums.push(under("elliptic-zmc", &*laws[0].1, ellipses.asperities()));
-        sums.push(under("elliptic-hertz", &*laws[1].1, ellipses.asperities()));
-        alternate(case, population.sigma, &sums);
+        let [laws, elliptic] = [false, true].map(laws);
+        let of_spheres = laws.iter().map(|(law, contact)| under(law, &**contact, spheres));
+        let of_ellipses = elliptic.iter().map(|(law, contact)| under(law, &**contact, ellipses.asperities()));
+        alternate(case, population.sigma, &of_spheres.chain(of_ellipses).collect::<Vec<_>>());
     }
 }
 

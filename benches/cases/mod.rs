@@ -1,8 +1,9 @@
 //! What the benches run on: the paper's two surfaces, every law, layers on steel.
 
 use asperity::asperity::{HeightDensity, Population};
+use asperity::contact_law::{ContactLaw, registry};
 use asperity::interface::{Flat, Interface, MicroContact};
-use asperity::law::{Ceb, FullyPlastic, Hertz, JacksonGreen, KogutEtsion, Law, Zmc};
+use asperity::law::{Law, Zmc};
 use asperity::layer::Rule;
 use asperity::material::Material;
 
@@ -21,20 +22,18 @@ fn steel() -> Material {
 }
 
 /// Steel on steel.
-pub fn bare<L: Law>(law: L) -> Box<dyn MicroContact> {
+pub fn bare(law: impl Law + Clone) -> Box<dyn MicroContact> {
     Box::new(Interface::bare(law, &steel(), &steel()).expect("every law knows steel"))
 }
 
-/// Every law for spheres, ZMC first: those that others are measured by.
-pub fn laws() -> [(&'static str, Box<dyn MicroContact>); 6] {
-    [
-        ("zmc", bare(Zmc::default())),
-        ("hertz", bare(Hertz)),
-        ("ceb", bare(Ceb)),
-        ("kogut-etsion", bare(KogutEtsion)),
-        ("jackson-green", bare(JacksonGreen::default())),
-        ("fully-plastic", bare(FullyPlastic)),
-    ]
+/// Every law for spheres, or for ellipses, ZMC first: those that others are measured by.
+pub fn laws(of_ellipses: bool) -> Vec<(String, Box<dyn MicroContact>)> {
+    let mut laws: Vec<&ContactLaw> =
+        registry().iter().filter(|law| law.sees_ellipses() == of_ellipses).collect();
+    laws.sort_by_key(|law| law.law().name() != "zmc");
+    let on_steel =
+        |law: &ContactLaw| law.interface(&steel(), &Flat::Bare(steel())).expect("every law knows steel");
+    laws.into_iter().map(|law| (law.name(), on_steel(law))).collect()
 }
 
 /// ZMC on steel, bare first, then under lead and a hard ceramic.

@@ -24,6 +24,7 @@ mod cli;
 mod common;
 mod indentation;
 mod layers;
+mod registry;
 mod work;
 
 /// What came out of a run, which is a `T`.

@@ -3,8 +3,8 @@
 use indexmap::IndexMap;
 use serde::Serialize;
 
-use crate::input::law::LawSpec;
 use asperity::compare::RuleFindings;
+use asperity::contact_law::ContactLaw;
 use asperity::interface::MicroContact;
 use asperity::law::Property;
 use asperity::layer::Rule;
@@ -29,7 +29,7 @@ pub struct LawPlan {
     /// The micro-contact.
     pub contact: Box<dyn MicroContact>,
     /// The law in the words of a spec.
-    pub spec: LawSpec,
+    pub spec: ContactLaw,
 }
 
 /// What lies on the flat.
@@ -84,8 +84,8 @@ pub fn papers_of(laws: &[LawPlan]) -> Vec<Paper> {
 }
 
 /// The papers behind one law.
-pub fn papers_of_law(law: &LawPlan) -> Vec<Paper> {
-    law.contact.papers().into_iter().chain(law.spec.papers().iter().copied()).collect()
+fn papers_of_law(law: &LawPlan) -> Vec<Paper> {
+    law.contact.papers().into_iter().chain(law.spec.papers()).collect()
 }
 
 /// What a report says of two bodies under laws.
@@ -120,7 +120,7 @@ fn apart_in_strength(
 ) -> Vec<String> {
     /// H/Y of metals; Chang, Etsion and Bogy (1987) take 2.8.
     const METALS: [f64; 2] = [2.0, 4.0];
-    let takes = |property| laws.iter().any(|law| law.spec.takes() == Some(property));
+    let takes = |property| laws.iter().any(|law| law.spec.law().yields_by() == Some(property));
     if !(takes(Property::Hardness) && takes(Property::YieldStrength)) {
         return Vec::new();
     }

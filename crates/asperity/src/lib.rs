@@ -30,6 +30,7 @@ pub mod accumulator;
 pub mod asperity;
 pub mod compare;
 pub mod contact;
+pub mod contact_law;
 pub mod interface;
 pub mod law;
 pub mod layer;

@@ -2,10 +2,10 @@
 
 use crate::surface::Surface;
 use asperity::asperity::{Ellipse, Ellipses, Population};
+use asperity::contact_law::ContactLaw;
 use asperity::interface::MicroContact;
 use asperity::law::Shape;
 use asperity::model::{Deterministic, Statistical};
-use asperity_framework::input::law::{LawSpec, Summit};
 
 /// A surface with its asperities as the laws of the sums that are asked for see them.
 pub(super) struct SurfaceModels<'a> {
@@ -20,10 +20,10 @@ impl<'a> SurfaceModels<'a> {
     pub(super) fn new(
         surface: &'a Surface,
         population: Population,
-        laws: &[LawSpec],
+        laws: &[ContactLaw],
         is_summed: bool,
     ) -> Self {
-        let sees_ellipses = is_summed && laws.iter().any(|law| law.summit == Summit::Ellipse);
+        let sees_ellipses = is_summed && laws.iter().any(ContactLaw::sees_ellipses);
         let ellipses = if sees_ellipses { Ellipses::of(&surface.set) } else { None };
         Self { surface, population, is_summed, ellipses }
     }
@@ -34,13 +34,13 @@ impl<'a> SurfaceModels<'a> {
     }
 
     /// The asperity that stands for all under a law.
-    pub(super) fn mean_shape(&self, law: &LawSpec) -> Shape {
-        let ellipticity = self.surface.ellipticity.filter(|_| law.summit == Summit::Ellipse);
+    pub(super) fn mean_shape(&self, law: &ContactLaw) -> Shape {
+        let ellipticity = self.surface.ellipticity.filter(|_| law.sees_ellipses());
         ellipticity.map_or(Shape::sphere(self.population.radius), |mean| mean.shape())
     }
 
     /// The sharpest and the bluntest asperity under a law.
-    pub(super) fn extreme_shapes(&self, law: &LawSpec) -> [Shape; 2] {
+    pub(super) fn extreme_shapes(&self, law: &ContactLaw) -> [Shape; 2] {
         let set = &self.surface.set;
         let by_radius = |a: &Shape, b: &Shape| a.radius.total_cmp(&b.radius);
         let extremes = |shapes: &mut dyn Iterator<Item = Shape>| {
@@ -49,7 +49,7 @@ impl<'a> SurfaceModels<'a> {
                 [std::cmp::min_by(low, shape, by_radius), std::cmp::max_by(high, shape, by_radius)]
             })
         };
-        match set.ellipses().filter(|_| law.summit == Summit::Ellipse) {
+        match set.ellipses().filter(|_| law.sees_ellipses()) {
             Some(ellipses) => extremes(&mut ellipses.iter().map(Ellipse::shape)),
             None => extremes(&mut set.radii().iter().copied().map(Shape::sphere)),
         }
@@ -59,7 +59,7 @@ impl<'a> SurfaceModels<'a> {
     pub(super) fn statistical<'b>(
         &self,
         contact: &'b dyn MicroContact,
-        law: &LawSpec,
+        law: &ContactLaw,
     ) -> Statistical<'b, dyn MicroContact + 'b> {
         Statistical::of_shape(contact, self.population, self.mean_shape(law))
             .reported_from(self.surface.reporting_plane())
@@ -69,11 +69,12 @@ impl<'a> SurfaceModels<'a> {
     pub(super) fn deterministic<'b>(
         &'b self,
         contact: &'b dyn MicroContact,
-        law: &LawSpec,
+        law: &ContactLaw,
     ) -> Option<Deterministic<'b, dyn MicroContact + 'b>> {
-        let asperities = match law.summit {
-            Summit::Sphere => self.is_summed.then(|| self.surface.set.spheres()),
-            Summit::Ellipse => self.ellipses.as_ref().map(Ellipses::asperities),
+        let asperities = if law.sees_ellipses() {
+            self.ellipses.as_ref().map(Ellipses::asperities)
+        } else {
+            self.is_summed.then(|| self.surface.set.spheres())
         };
         asperities.map(|asperities| Deterministic::new(contact, asperities, self.surface.plane))
     }

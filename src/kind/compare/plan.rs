@@ -5,11 +5,11 @@ use std::ops::Range;
 
 use asperity::asperity::HeightDensity;
 use asperity::compare::{Controls, Kind};
+use asperity::contact_law::ContactLaw;
 use asperity::interface::Flat;
 use asperity::material::Material;
 use asperity::model::MeanRadius;
 use asperity_framework::contact::{Bodies, LawPlan};
-use asperity_framework::input::law::{LawSpec, Summit};
 use asperity_framework::input::{InputError, SpecFile};
 use toml::Spanned;
 
@@ -28,7 +28,7 @@ pub struct ComparePlan {
     /// The laws, each under every thickness of the layer.
     pub laws: Vec<LawPlan>,
     /// The laws alone.
-    pub law_specs: Vec<LawSpec>,
+    pub law_specs: Vec<ContactLaw>,
     /// The models that are asked for.
     pub models: Vec<Kind>,
     /// Height density of the statistical model, where the spec names one.
@@ -62,7 +62,7 @@ impl ComparePlan {
 impl fmt::Display for ComparePlan {
     fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
         let models: Vec<&str> = self.models.iter().map(|model| model.name()).collect();
-        let laws: Vec<String> = self.law_specs.iter().map(LawSpec::label).collect();
+        let laws: Vec<String> = self.law_specs.iter().map(ContactLaw::label).collect();
         writeln!(f, "  {} on {}, law {}", self.bodies.rough, self.bodies.flat, laws.join(", "))?;
         let each = match &self.layer {
             Some(layer) => {
@@ -122,7 +122,7 @@ pub(crate) fn compared(
     let met: Vec<_> = substrate.into_iter().chain(coat).collect();
     file.check_laws(&words.law, (rough_name, &rough), &met)?;
     let law_specs = words.law.get_ref().0.clone();
-    let as_ellipses = law_specs.iter().any(|law| law.summit == Summit::Ellipse);
+    let as_ellipses = law_specs.iter().any(ContactLaw::sees_ellipses);
     Ok(ComparePlan {
         bodies: Bodies { rough: rough_name.clone(), flat: flat_name.clone() },
         pair: [rough, flat],

@@ -8,10 +8,10 @@ use crate::kind::compare::answers::{RealisationResults, Threshold};
 use crate::layer::LayerPlan;
 use crate::surface::Surface;
 use asperity::compare::{Kind, of_each_decade, threshold};
+use asperity::contact_law::ContactLaw;
 use asperity::interface::Counted;
 use asperity::model::{Model, reached_at};
 use asperity::work::Counter;
-use asperity_framework::input::law::LawSpec;
 
 /// A layer matters where it changes the real area by more than this part.
 const PART: f64 = 0.05;
@@ -35,13 +35,13 @@ pub(super) fn thresholds(
     let mut asked = Vec::new();
     // A law that stands under no layer of finite thickness is asked of none.
     let stands =
-        |law: &&LawSpec| layer.flat(1.0).is_ok_and(|finite| law.interface(&plan.pair[0], &finite).is_ok());
+        |law: &&ContactLaw| layer.flat(1.0).is_ok_and(|finite| law.interface(&plan.pair[0], &finite).is_ok());
     for law in plan.law_specs.iter().filter(stands) {
         for &pressure in &pressures {
             asked.extend(plan.models.iter().map(|&kind| (law, pressure, kind)));
         }
     }
-    let one = |&(law, pressure, kind): &(&LawSpec, f64, Kind)| {
+    let one = |&(law, pressure, kind): &(&ContactLaw, f64, Kind)| {
         let question = Question { plan, layer, models, answered, counter, law, pressure, kind };
         question.threshold()
     };
@@ -66,7 +66,7 @@ struct Question<'a> {
     models: &'a SurfaceModels<'a>,
     answered: &'a RealisationResults,
     counter: &'a Counter,
-    law: &'a LawSpec,
+    law: &'a ContactLaw,
     pressure: f64,
     kind: Kind,
 }

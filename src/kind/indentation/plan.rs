@@ -8,11 +8,11 @@ use toml::Spanned;
 use crate::kind::indentation::spec::{IndentationSpec, Show};
 use crate::layer::{LayerPlan, layer};
 use crate::surface::beside;
+use asperity::contact_law::ContactLaw;
 use asperity::law::Inapplicable;
 use asperity::material::Material;
 use asperity::numeric::is_positive;
 use asperity_framework::input::SpecFile;
-use asperity_framework::input::law::LawSpec;
 use asperity_framework::input::{InputError, Source};
 
 /// One sphere on layered flats.
@@ -26,7 +26,7 @@ pub struct IndentationPlan {
     /// The layers, each in thicknesses that are positive and finite.
     pub layers: Vec<LayerPlan>,
     /// The laws.
-    pub laws: Vec<LawSpec>,
+    pub laws: Vec<ContactLaw>,
     /// m, ascending, at least two, none beyond the radius.
     pub indentations: Vec<f64>,
     /// Measured points, where there are some.
@@ -68,7 +68,7 @@ impl IndentationPlan {
 
 impl fmt::Display for IndentationPlan {
     fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
-        let laws: Vec<String> = self.laws.iter().map(LawSpec::label).collect();
+        let laws: Vec<String> = self.laws.iter().map(ContactLaw::label).collect();
         writeln!(
             f,
             "  a ball of {}, radius {:e} m, on {}, law {}",

@@ -9,6 +9,7 @@ use super::plan::IndentationPlan;
 use super::spec::Show;
 use crate::layer::{LayerPlan, thickness_words};
 use asperity::compare::{RuleCheck, RuleError, RuleFindings, apart};
+use asperity::contact_law::ContactLaw;
 use asperity::interface::{ContactError, Counted, Flat, MicroContact};
 use asperity::law::Shape;
 use asperity::layer::Rule;
@@ -19,7 +20,6 @@ use asperity::sphere::{Curve, LARGEST_SLOPE};
 use asperity::work::{Counter, Item};
 use asperity_framework::RunContext;
 use asperity_framework::input::InputError;
-use asperity_framework::input::law::LawSpec;
 use asperity_framework::metadata::{Metadata, Timing};
 
 /// One sphere on layered flats.
@@ -211,7 +211,7 @@ impl Alone {
 
 /// The ball on a flat, law by law.
 fn curves(plan: &IndentationPlan, flat: &Flat, counter: &Counter) -> Result<Vec<Curve>, ContactError> {
-    let curve = |law: &LawSpec| {
+    let curve = |law: &ContactLaw| {
         let contact = law.interface(&plan.ball.1, flat)?;
         Ok(Curve::of(&Counted::new(&*contact, counter), Shape::sphere(plan.radius), &plan.indentations))
     };

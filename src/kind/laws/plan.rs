@@ -5,10 +5,10 @@ use std::fmt;
 use crate::kind::compare::plan::{ComparePlan, compared};
 use crate::kind::laws::spec::LawsSpec;
 use crate::surface::curvature_ratio;
+use asperity::contact_law::ContactLaw;
 use asperity::law::{Hertz, Law, Pair, Shape, Zmc};
 use asperity_framework::input::InputError;
 use asperity_framework::input::SpecFile;
-use asperity_framework::input::law::{LawSpec, Summit};
 use asperity_framework::input::materials;
 
 /// Several laws on one asperity and on given surfaces.
@@ -48,11 +48,8 @@ impl Critical {
 
 impl LawsPlan {
     /// The asperity as a law sees it.
-    pub fn shape(&self, law: &LawSpec) -> Shape {
-        match law.summit {
-            Summit::Sphere => Shape::sphere(self.radius),
-            Summit::Ellipse => Shape::ellipse(self.radius.recip(), self.curvature_ratio),
-        }
+    pub fn shape(&self, law: &ContactLaw) -> Shape {
+        law.shape(self.radius, self.curvature_ratio)
     }
 
     /// Points of the curves of the one asperity.
@@ -102,7 +99,7 @@ pub(super) fn plan(file: &SpecFile) -> Result<LawsPlan, InputError> {
         return Err(file.source.error_at(at, message));
     };
     let asperity = words.asperity.get_ref();
-    let sees_ellipses = laws.iter().any(|law| law.summit == Summit::Ellipse);
+    let sees_ellipses = laws.iter().any(ContactLaw::sees_ellipses);
     let given = asperity.curvature_ratio.as_ref();
     let ratio = curvature_ratio(&file.source, &words.asperity.span(), given, sees_ellipses)?;
     let radius = asperity.radius.value();

@@ -10,7 +10,6 @@ use asperity::sphere::{Curve, boundaries};
 use asperity::work::Counter;
 use asperity_framework::RunContext;
 use asperity_framework::contact::LawPlan;
-use asperity_framework::contact::papers_of_law;
 use asperity_framework::input::InputError;
 
 pub(super) fn run(context: &RunContext, laws_plan: &LawsPlan) -> Result<LawsResults, InputError> {
@@ -46,8 +45,8 @@ fn on_one(plan: &LawsPlan, law: &LawPlan, counter: &Counter) -> LawOnOne {
     LawOnOne {
         law: law.label.clone(),
         about: law.spec.about(),
-        papers: papers_of_law(law),
-        passes_regimes: law.spec.passes_regimes(),
+        papers: law.spec.papers(),
+        passes_regimes: law.spec.has_ranges(),
         curve: Curve::of(&contact, shape, &indentations),
         boundaries: boundaries(&contact, shape),
     }
@@ -56,7 +55,7 @@ fn on_one(plan: &LawsPlan, law: &LawPlan, counter: &Counter) -> LawOnOne {
 fn influence(laws: &[LawPlan], answered: &RealisationResults) -> Influence {
     let under = laws.iter().zip(&answered.cases).map(|(law, case)| UnderLaw {
         law: &case.law,
-        passes_regimes: law.spec.passes_regimes(),
+        passes_regimes: law.spec.has_ranges(),
         pairs: &case.comparison.pairs,
     });
     Influence::of(&under.collect::<Vec<_>>(), answered.nominal_area, answered.sigma)

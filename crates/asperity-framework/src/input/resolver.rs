@@ -6,10 +6,11 @@ use toml::Spanned;
 
 use super::error::InputError;
 use super::file::SpecFile;
-use super::law::{LawSpec, Laws, Summit};
+use super::law::Laws;
 use super::quantity::Pure;
 use super::sweep::LogSweep;
 use crate::contact::LawPlan;
+use asperity::contact_law::ContactLaw;
 use asperity::interface::Flat;
 use asperity::law::{Body, Inapplicable, Property};
 use asperity::material::Material;
@@ -105,13 +106,13 @@ impl SpecFile {
         flats: &[(Option<f64>, Flat)],
         flat: &str,
     ) -> Result<Vec<LawPlan>, InputError> {
-        let plan = |law: &LawSpec, (thickness, on): &(Option<f64>, Flat)| {
+        let plan = |law: &ContactLaw, (thickness, on): &(Option<f64>, Flat)| {
             let contact = law.interface(rough.1, on);
             Ok(LawPlan {
                 label: law.label(),
                 thickness: *thickness,
                 contact: contact.map_err(|error| self.inapplicable(laws, &error, rough.0, flat))?,
-                spec: *law,
+                spec: law.clone(),
             })
         };
         laws.get_ref().0.iter().flat_map(|law| flats.iter().map(move |flat| plan(law, flat))).collect()
@@ -119,7 +120,7 @@ impl SpecFile {
 
     /// Refuses laws for ellipses where all asperities are spheres.
     pub fn spheres_only(&self, laws: &Spanned<Laws>, what: &str) -> Result<(), InputError> {
-        match laws.get_ref().0.iter().find(|law| law.summit == Summit::Ellipse) {
+        match laws.get_ref().0.iter().find(|law| law.sees_ellipses()) {
             Some(law) => {
                 let message = format!("found \"{}\", but {what}; allowed: a law for spheres", law.label());
                 Err(self.source.error_at(laws.span(), message))

@@ -364,7 +364,7 @@ mod tests {
         let contact = Interface::bare(Zmc::default(), &steel, &steel).unwrap();
         let case =
             Population { radius: 2e-5, sigma: 4.8e-8, density: 6e10, heights: HeightDensity::Gaussian };
-        let law = crate::stability::Law::Zmc { onset: None, transition_ratio: 54.0 };
+        let law = crate::stability::CoveredLaw::zmc();
         let exact = Exact::new(&Bodies { law, rough: steel, flat: steel, layer: None });
         rules_on(&contact, &exact, &case, &[-1.0, 0.0, 2.0]).unwrap()
     }

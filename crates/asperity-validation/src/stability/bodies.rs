@@ -2,32 +2,10 @@
 
 use std::fmt;
 
+use super::laws::CoveredLaw;
 use asperity::interface::{ContactError, Flat, MicroContact};
-use asperity::law::{Ceb, FullyPlastic, Hertz, JacksonGreen, KogutEtsion, Zmc};
 use asperity::layer::Rule;
 use asperity::material::Material;
-
-/// A law and its options.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub enum Law {
-    /// Hertz.
-    Hertz,
-    /// Zhao, Maietta and Chang.
-    Zmc {
-        /// w1 E*^2/(b H^2); `None` for (0.3 pi)^2.
-        onset: Option<f64>,
-        /// w2/w1.
-        transition_ratio: f64,
-    },
-    /// Chang, Etsion and Bogy.
-    Ceb,
-    /// Kogut and Etsion.
-    KogutEtsion,
-    /// Jackson and Green.
-    JacksonGreen,
-    /// Abbott and Firestone.
-    FullyPlastic,
-}
 
 /// What lies on the flat.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -41,10 +19,10 @@ pub struct Layer {
 }
 
 /// Two bodies under a law.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone)]
 pub struct Bodies {
     /// The law.
-    pub law: Law,
+    pub law: CoveredLaw,
     /// The rough body.
     pub rough: Material,
     /// The flat, or what is below its layer.
@@ -63,35 +41,7 @@ impl Bodies {
             Some(layer) => Flat::with_layer(&layer.material, &self.flat, layer.thickness, layer.rule)?,
             None => Flat::Bare(self.flat),
         };
-        Ok(match self.law {
-            Law::Hertz => flat.under(Hertz, &self.rough)?,
-            Law::Zmc { onset, transition_ratio } => {
-                let law = Zmc::new(onset.unwrap_or(Zmc::ONSET), transition_ratio);
-                flat.under(law.unwrap_or_default(), &self.rough)?
-            }
-            Law::Ceb => flat.under(Ceb, &self.rough)?,
-            Law::KogutEtsion => flat.under(KogutEtsion, &self.rough)?,
-            Law::JacksonGreen => flat.homogeneous_under(JacksonGreen::default(), &self.rough)?,
-            Law::FullyPlastic => flat.under(FullyPlastic, &self.rough)?,
-        })
-    }
-}
-
-impl fmt::Display for Law {
-    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
-        match self {
-            Self::Hertz => write!(f, "hertz"),
-            Self::Zmc { onset: None, transition_ratio } => {
-                write!(f, "zmc (transition-ratio = {transition_ratio:e})")
-            }
-            Self::Zmc { onset: Some(onset), transition_ratio } => {
-                write!(f, "zmc (onset = {onset:e}, transition-ratio = {transition_ratio:e})")
-            }
-            Self::Ceb => write!(f, "ceb"),
-            Self::KogutEtsion => write!(f, "kogut-etsion"),
-            Self::JacksonGreen => write!(f, "jackson-green"),
-            Self::FullyPlastic => write!(f, "fully-plastic"),
-        }
+        Ok(self.law.chosen().interface(&self.rough, &flat)?)
     }
 }
 

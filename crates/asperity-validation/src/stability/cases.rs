@@ -4,10 +4,12 @@ use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 
 use super::Ranges;
-use super::bodies::{Bodies, Law, Layer};
+use super::bodies::{Bodies, Layer};
 use super::group::Group;
+use super::laws::{CoveredLaw, TWINS};
 use asperity::asperity::{HeightDensity, Population};
-use asperity::law::Shape;
+use asperity::contact_law::registry;
+use asperity::law::{Property, Shape};
 use asperity::layer::Rule;
 use asperity::material::{Material, reduced_modulus};
 
@@ -149,7 +151,7 @@ const SIGMA: [f64; 2] = [1e-9, 1e-5];
 const CROWDING: f64 = 0.03;
 /// Most asperities of a set that is checked asperity by asperity.
 const FEW: [f64; 2] = [1.0, 300.0];
-/// Y/E* that Jackson and Green's law takes.
+/// Y/E* that every law takes.
 const STRONGEST: f64 = 0.06;
 
 impl CaseFactory<'_> {
@@ -170,18 +172,7 @@ impl CaseFactory<'_> {
 
     fn bodies(&self, rng: &mut CaseRng, group: Group) -> Bodies {
         let layered = group.is_layered();
-        let law = if group == Group::Ellipses {
-            [Law::Hertz, self.zmc(rng)][rng.below(2)]
-        } else {
-            match rng.below(12) {
-                0 | 1 => Law::Hertz,
-                2 | 3 => Law::Ceb,
-                4 | 5 => Law::KogutEtsion,
-                6 | 7 => Law::FullyPlastic,
-                8 if !layered => Law::JacksonGreen,
-                _ => self.zmc(rng),
-            }
-        };
+        let law = if group == Group::Ellipses { law_of_ellipses(rng) } else { law(rng, layered) };
         let young = rng.ratio(YOUNG);
         let body = |rng: &mut CaseRng| {
             let young = (young * rng.ratio([1e-3, 1e3])).clamp(YOUNG[0], YOUNG[1]);
@@ -195,8 +186,8 @@ impl CaseFactory<'_> {
                 modulus * self.ranges.hardness_over_modulus[0],
                 modulus * self.ranges.hardness_over_modulus[1],
             );
-            let strength = match law {
-                Law::JacksonGreen => Some((hardness / 2.8).min(STRONGEST * modulus)),
+            let strength = match law.chosen().law().yields_by() {
+                Some(Property::YieldStrength) => Some((hardness / 2.8).min(STRONGEST * modulus)),
                 _ => rng.chance(0.5).then(|| hardness / rng.between(2.0, 4.0)),
             };
             Material::new(body.young(), body.poisson(), Some(hardness), strength).unwrap_or(body)
@@ -210,12 +201,6 @@ impl CaseFactory<'_> {
             rule: Rule::ALL[rng.below(2)],
         });
         Bodies { law, rough, flat, layer }
-    }
-
-    fn zmc(&self, rng: &mut CaseRng) -> Law {
-        let onset = rng.chance(0.2).then(|| rng.between(0.5, 2.0));
-        let transition_ratio = if rng.chance(0.5) { 54.0 } else { rng.ratio([1.01, 1e6]) };
-        Law::Zmc { onset, transition_ratio }
     }
 
     fn asked(&self, rng: &mut CaseRng, group: Group, bodies: &Bodies) -> Asked {
@@ -299,6 +284,41 @@ impl CaseFactory<'_> {
             radius * rng.ratio([1e-15, 10.0])
         }
     }
+}
+
+/// Any law by its weight; in place of one that says nothing of layers ZMC.
+fn law(rng: &mut CaseRng, layered: bool) -> CoveredLaw {
+    let total = TWINS.iter().map(|twin| twin.weight).sum();
+    let mut drawn = rng.below(total);
+    let twin = TWINS.iter().find(|twin| match drawn.checked_sub(twin.weight) {
+        Some(rest) => {
+            drawn = rest;
+            false
+        }
+        None => true,
+    });
+    let law = twin.and_then(|twin| CoveredLaw::named(twin.name));
+    let law = law.filter(|law| !layered || law.chosen().stands_under_layers());
+    with_options(rng, law.unwrap_or_else(CoveredLaw::zmc))
+}
+
+/// Any law for ellipses.
+fn law_of_ellipses(rng: &mut CaseRng) -> CoveredLaw {
+    let elliptic = registry().iter().filter(|law| law.sees_ellipses()).filter_map(CoveredLaw::of);
+    let mut laws: Vec<CoveredLaw> = elliptic.map(|law| with_options(rng, law)).collect();
+    laws.swap_remove(rng.below(laws.len()))
+}
+
+/// The law with random options, if it has any that are known here.
+fn with_options(rng: &mut CaseRng, law: CoveredLaw) -> CoveredLaw {
+    if law.twin.name != "zmc" {
+        return law;
+    }
+    let onset = rng.chance(0.2).then(|| ("onset", rng.between(0.5, 2.0)));
+    let transition_ratio = if rng.chance(0.5) { 54.0 } else { rng.ratio([1.01, 1e6]) };
+    let options: Vec<(&str, f64)> =
+        onset.into_iter().chain([("transition-ratio", transition_ratio)]).collect();
+    law.with_options(&options).unwrap_or(law)
 }
 
 /// A body of properties that are within their ranges.

@@ -1,6 +1,6 @@
 //! The groups of cases, what is measured in each, and how far it may be off.
 
-use super::bodies::Law;
+use super::laws::CoveredLaw;
 use super::quantity::Quantity;
 
 /// What a case asks for.
@@ -30,6 +30,9 @@ impl Kind {
         }
     }
 }
+
+/// How far a slope may be off that a table gives.
+const SLOPE_OF_A_TABLE: f64 = 1e-11;
 
 /// A group of cases.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
@@ -225,16 +228,17 @@ impl Group {
         matches!(self, Self::MillionEqual | Self::MillionLine)
     }
 
-    /// How far a quantity may be off; `docs/stability.md` says where each bound is from.
-    pub fn bound(self, quantity: Quantity, law: Law) -> f64 {
-        // Between w1 and c w1 the area doubles: w1 is known to rounding alone.
-        let steepness = match law {
-            Law::Zmc { transition_ratio, .. } => transition_ratio / (transition_ratio - 1.0),
-            _ => 1.0,
-        };
-        let bound = match self {
-            // The slope of a table.
-            _ if quantity == Quantity::Stiffness && (law == Law::JacksonGreen || self.is_layered()) => 1e-11,
+    /// How far a quantity may be off under a law.
+    pub fn bound_of(self, quantity: Quantity, law: &CoveredLaw) -> f64 {
+        let is_slope = quantity == Quantity::Stiffness && law.twin.has_tables;
+        let bound = if is_slope { SLOPE_OF_A_TABLE } else { self.bound(quantity) };
+        bound * (law.twin.steepness)(law.chosen())
+    }
+
+    /// The same under laws of closed formulas; `docs/stability.md` says where each bound is from.
+    pub fn bound(self, quantity: Quantity) -> f64 {
+        match self {
+            _ if quantity == Quantity::Stiffness && self.is_layered() => SLOPE_OF_A_TABLE,
             Self::Contacts | Self::Boundaries | Self::Ellipses | Self::Denormals => 1e-14,
             Self::Sums | Self::OneAsperity | Self::Offset | Self::Line | Self::Touching | Self::Equal => {
                 1e-14
@@ -247,7 +251,6 @@ impl Group {
             Self::Last => 3e-13,
             Self::Vanishing => 1e-15,
             Self::LoadsOfIntegrals | Self::LoadsOfSums => 1e-12,
-        };
-        bound * steepness
+        }
     }
 }

@@ -3,8 +3,9 @@
 use rayon::prelude::*;
 
 use super::Ranges;
-use super::bodies::{Bodies, Law, Layer};
+use super::bodies::{Bodies, Layer};
 use super::exact::Exact;
+use super::laws::CoveredLaw;
 use crate::stability::exact::Integral;
 use crate::stability::exact::Shape;
 use crate::stability::wide::relative_error;
@@ -64,7 +65,6 @@ fn body(young: f64, hardness: f64) -> Material {
     }
 }
 
-const ZMC: Law = Law::Zmc { onset: None, transition_ratio: 54.0 };
 const YOUNG: f64 = 210e9;
 const HARDNESS: f64 = 7.6e9;
 const RADIUS: f64 = 2e-5;
@@ -78,7 +78,7 @@ pub(super) fn maps(ranges: &Ranges, cells: usize) -> Vec<Map> {
 fn separations(ranges: &Ranges, cells: usize) -> Map {
     const SIGMA: f64 = 1e-7;
     let steel = body(YOUNG, HARDNESS);
-    let bodies = Bodies { law: ZMC, rough: steel, flat: steel, layer: None };
+    let bodies = Bodies { law: CoveredLaw::zmc(), rough: steel, flat: steel, layer: None };
     let (exact, contact) = (Exact::new(&bodies), bodies.contact());
     let heights = HeightDensity::Gaussian;
     Map::of(
@@ -114,7 +114,8 @@ fn transitions(cells: usize) -> Map {
         [cells, cells],
         |width| {
             let ratio = 1.0 + 10f64.powf(width);
-            let law = Law::Zmc { onset: None, transition_ratio: ratio };
+            let law = CoveredLaw::zmc();
+            let law = law.with_options(&[("transition-ratio", ratio)]).unwrap_or(law);
             let bodies = Bodies { law, rough: steel, flat: steel, layer: None };
             (ratio, bodies.contact(), Exact::new(&bodies))
         },
@@ -148,7 +149,7 @@ fn layers(ranges: &Ranges, cells: usize) -> Map {
             let coating =
                 coating.as_ref().ok().and_then(|coating| coating.with_thickness(layer.thickness).ok());
             let contact = coating.and_then(|coating| Layered::new(Zmc::default(), flat, flat, coating).ok());
-            let bodies = Bodies { law: ZMC, rough: *flat, flat: *flat, layer: Some(layer) };
+            let bodies = Bodies { law: CoveredLaw::zmc(), rough: *flat, flat: *flat, layer: Some(layer) };
             contact.map_or(f64::NAN, |contact| contact_error(&contact, &Exact::new(&bodies), DEPTH))
         },
     )

@@ -7,6 +7,7 @@
 //! | `group` | the groups of cases, and how far each may be off |
 //! | `bodies` | bodies and law of a case |
 //! | `cases` | the cases themselves, each from the seed, its group and its number |
+//! | `laws` | the laws that are covered: their equations in about 32 digits, one table |
 //! | [`exact`] | the same answers in about 32 digits |
 //! | `check` | how far an answer is off |
 //! | `maps` | errors over a plane |
@@ -16,14 +17,16 @@ mod cases;
 mod check;
 pub mod exact;
 mod group;
+mod laws;
 mod maps;
 mod quantity;
 pub mod wide;
 
-pub use bodies::{Bodies, Law, Layer};
+pub use bodies::{Bodies, Layer};
 pub use cases::{Asked, Case, Heights, SetWords};
 pub use check::{CheckedCase, Deviation, Failure};
 pub use group::{Group, Kind};
+pub use laws::CoveredLaw;
 pub use maps::Map;
 pub use quantity::Quantity;
 
@@ -119,7 +122,7 @@ impl GroupFindings {
 impl Worst {
     /// How far the quantity may be off in its case.
     pub fn bound(&self, group: Group) -> f64 {
-        group.bound(self.quantity, self.case.bodies.law)
+        group.bound_of(self.quantity, &self.case.bodies.law)
     }
 }
 
@@ -156,7 +159,7 @@ pub fn group(group: Group, count: u64, seed: [u8; 32], ranges: &Ranges) -> Group
         }
         all.sort_by(|a, b| a.0.total_cmp(&b.0));
         // Bounds are those of a case's law.
-        let share = |(checked, case): &(f64, &Case)| checked / group.bound(quantity, case.bodies.law);
+        let share = |(checked, case): &(f64, &Case)| checked / group.bound_of(quantity, &case.bodies.law);
         if let Some((checked, case)) = all.iter().max_by(|a, b| share(a).total_cmp(&share(b))) {
             let median = all[all.len() / 2].0;
             let (checked, case) = (*checked, (*case).clone());

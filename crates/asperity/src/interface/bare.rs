@@ -19,7 +19,7 @@ pub struct Interface<L> {
     reference: Reference,
 }
 
-impl<L: Law> Interface<L> {
+impl<L: Law + Clone> Interface<L> {
     /// The contact of a rough body with a flat one.
     ///
     /// # Errors
@@ -53,13 +53,13 @@ impl<L: Law> Answers for Kept<L> {
     }
 }
 
-impl<L: Law> Interface<L> {
+impl<L: Law + Clone> Interface<L> {
     fn kept(&self) -> Kept<L> {
         Kept(self.law.clone(), self.pair)
     }
 }
 
-impl<L: Law> MicroContact for Interface<L> {
+impl<L: Law + Clone> MicroContact for Interface<L> {
     #[inline]
     fn contact(&self, w: f64, shape: Shape) -> Contact {
         self.law.contacts(w, shape.radius, &self.pair).times(shape.spheres).into()

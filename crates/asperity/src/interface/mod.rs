@@ -133,7 +133,7 @@ impl Flat {
     ///
     /// # Errors
     /// Such a layer, or bodies that the law says nothing of.
-    pub fn homogeneous_under<L: Law>(
+    pub fn homogeneous_under<L: Law + Clone>(
         &self,
         law: L,
         rough: &Material,

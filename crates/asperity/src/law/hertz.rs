@@ -21,6 +21,9 @@ use crate::numeric::lanes::Real;
 pub struct Hertz;
 
 impl Hertz {
+    /// What it is on elliptic paraboloids.
+    pub(crate) const ON_ELLIPSES: &str = "Hertz's elastic contact of an elliptic paraboloid of two principal curvatures. Holds below the onset of yield.";
+
     /// The elastic contact, shared with the laws that begin as Hertz does.
     #[inline(always)]
     pub(super) fn elastic<N: Real>(w: N, b: N, reduced_modulus: N) -> Contacts<N> {
@@ -53,6 +56,10 @@ impl Law for Hertz {
 
     fn yield_limits(&self, _: &Material) -> Result<YieldLimits, Property> {
         Ok(YieldLimits::NEVER_YIELDS)
+    }
+
+    fn is_hertz(&self) -> bool {
+        true
     }
 
     #[inline(always)]

@@ -19,6 +19,7 @@ mod fully_plastic;
 mod hertz;
 mod jackson_green;
 mod kogut_etsion;
+mod option;
 mod zmc;
 
 pub use ceb::Ceb;
@@ -27,7 +28,8 @@ pub use fully_plastic::FullyPlastic;
 pub use hertz::Hertz;
 pub use jackson_green::JacksonGreen;
 pub use kogut_etsion::KogutEtsion;
-pub use zmc::{Zmc, ZmcError};
+pub use option::{LawOption, OptionError};
+pub use zmc::Zmc;
 
 use crate::contact::{Contact, Contacts};
 use crate::literature::Paper;
@@ -70,7 +72,7 @@ impl Pair {
     ///
     /// # Errors
     /// See [`Inapplicable`].
-    pub fn between(law: &impl Law, rough: &Material, flat: &Material) -> Result<Self, Inapplicable> {
+    pub fn between(law: &dyn Law, rough: &Material, flat: &Material) -> Result<Self, Inapplicable> {
         let of = |material, body| law.yield_limits(material).map_err(|key| law.lacks(key, Some(body)));
         let (rough_resistance, flat_resistance) = (of(rough, Body::Rough)?, of(flat, Body::Flat)?);
         let yield_limits = rough_resistance.with(flat_resistance);
@@ -176,13 +178,36 @@ pub enum Inapplicable {
 /// scale: with w and b both doubled, area and load are four times as large; with E* and the yield_limits doubled, the load
 /// is.
 ///
-/// `tests/conformance.rs` holds every law to it.
-pub trait Law: Clone + Send + Sync + 'static {
+/// `tests/library/conformance` holds every law of the registry ([`crate::contact_law`]) to it.
+///
+/// Models hold a law by its type; `dyn Law` answers for single spheres.
+pub trait Law: SingleContact + Send + Sync + 'static {
     /// The law's name in a spec.
     fn name(&self) -> &'static str;
 
     /// What the law is and where it holds, in a line of a report.
     fn about(&self) -> &'static str;
+
+    /// What a user may set of it by name; none as a rule.
+    fn options(&self) -> &'static [LawOption] {
+        &[]
+    }
+
+    /// The values of its options, in their order.
+    fn option_values(&self) -> Vec<f64> {
+        Vec::new()
+    }
+
+    /// The same law with other values of its options.
+    ///
+    /// # Errors
+    /// A value out of the range of its option.
+    fn with_options(self, _: &[f64]) -> Result<Self, OptionError>
+    where
+        Self: Sized,
+    {
+        Ok(self)
+    }
 
     /// What makes answers for a pair doubtful though the law gives them: beyond what it was fitted for.
     fn caveat(&self, _: &Pair) -> Option<String> {
@@ -204,6 +229,17 @@ pub trait Law: Clone + Send + Sync + 'static {
         None
     }
 
+    /// The property of the bodies that yielding follows from; `None` where contacts never yield.
+    fn yields_by(&self) -> Option<Property> {
+        self.needs()
+    }
+
+    /// Whether contacts are those of [`Hertz`] at any indentation: their sums over Gaussian heights then have a closed form
+    /// (Greenwood and Williamson 1966).
+    fn is_hertz(&self) -> bool {
+        false
+    }
+
     /// Whether the law says anything of a pair.
     ///
     /// # Errors
@@ -213,18 +249,23 @@ pub trait Law: Clone + Send + Sync + 'static {
     }
 
     /// The same law with everything worked out that only the pair decides: contacts of this pair then cost less.
-    fn tuned(self, _: &Pair) -> Self {
+    fn tuned(self, _: &Pair) -> Self
+    where
+        Self: Sized,
+    {
         self
     }
 
     /// Area, load, stiffness and regime at indentations `w` (m) of spheres of radii `b` (m) side by side. Must be
     /// `#[inline(always)]`, see [`crate::numeric::lanes`].
-    fn contacts<N: Real>(&self, w: N, b: N, pair: &Pair<N>) -> Contacts<N>;
+    fn contacts<N: Real>(&self, w: N, b: N, pair: &Pair<N>) -> Contacts<N>
+    where
+        Self: Sized;
 
     /// The same of one sphere.
     #[inline]
     fn contact(&self, w: f64, b: f64, pair: &Pair) -> Contact {
-        self.contacts(w, b, pair).into()
+        self.single_contact(w, b, pair)
     }
 
     /// The indentations at which one formula gives way to another, as ratios w/b, ascending; each is proportional to
@@ -250,6 +291,19 @@ pub trait Law: Clone + Send + Sync + 'static {
     /// A property that is missing.
     fn lacks(&self, property: Property, body: Option<Body>) -> Inapplicable {
         Inapplicable::Lacking { law: self.name(), property, body }
+    }
+}
+
+/// [`Law::contact`] by way of [`Law::contacts`]: implemented for every law, so that `dyn Law` has it.
+pub trait SingleContact {
+    /// See [`Law::contact`].
+    fn single_contact(&self, w: f64, b: f64, pair: &Pair) -> Contact;
+}
+
+impl<L: Law> SingleContact for L {
+    #[inline]
+    fn single_contact(&self, w: f64, b: f64, pair: &Pair) -> Contact {
+        self.contacts(w, b, pair).into()
     }
 }
 
@@ -287,7 +341,7 @@ impl OfPoisson {
 /// indentations. An elastic contact depends on E* alone, an elastic-plastic one on E* and the onset, a plastic one on
 /// the strength alone. So at a fixed w the load grows as E* does, but for drops at boundaries, and P over the yield_limits
 /// falls as that grows. The strength is the hardness, the onset a factor of it.
-pub trait ScalableLaw: Law {
+pub trait ScalableLaw: Law + Clone {
     /// The onset over the hardness.
     const ONSET: OfPoisson = OfPoisson::ONE;
 

@@ -1,13 +1,14 @@
 //! Zhao, Maietta and Chang: from elastic deformation to fully plastic flow.
 
 use std::f64::consts::PI;
+use std::ops::Bound;
 
-use super::{Hertz, Law, Pair, Property, ScalableLaw, YieldLimits, in_range};
+use super::{Hertz, Law, LawOption, OptionError, Pair, Property, ScalableLaw, YieldLimits, in_range};
 use crate::contact::Contacts;
 use crate::literature::{self, Paper};
 use crate::material::Material;
+use crate::numeric::LARGEST;
 use crate::numeric::interval::Interval;
-use crate::numeric::is_positive;
 use crate::numeric::lanes::{Mask, Real};
 
 /// The elastic - elastic-plastic - plastic sphere of Zhao, Maietta and Chang (2000), in the notation
@@ -31,18 +32,31 @@ pub struct Zmc {
     inverse_log_ratio: f64,
 }
 
-/// An option of the law that is out of its range.
-#[derive(Debug, Clone, PartialEq, thiserror::Error)]
-pub enum ZmcError {
-    /// The onset coefficient must be positive and finite.
-    #[error("onset {0}; allowed: a positive finite number ((0.3 pi)^2 = 0.8883 makes the load continuous)")]
-    Onset(f64),
-    /// The plastic range must begin after the onset of yield.
-    #[error("transition-ratio {0}; allowed: a finite number above 1 (54 in Zhao, Maietta, Chang 2000)")]
-    TransitionRatio(f64),
-}
+/// w1 E*^2/(b H^2).
+const ONSET: LawOption = LawOption {
+    name: "onset",
+    about: "w1 E*^2/(b H^2), where yield begins",
+    default: Zmc::ONSET,
+    example: 0.89,
+    range: (Bound::Included(1.0 / LARGEST), Bound::Included(LARGEST)),
+    allowed: "a positive finite number ((0.3 pi)^2 = 0.8883 makes the load continuous)",
+};
+
+/// c.
+const TRANSITION_RATIO: LawOption = LawOption {
+    name: "transition-ratio",
+    about: "c = w2/w1, where the contact is plastic",
+    default: Zmc::TRANSITION_RATIO,
+    example: 110.0,
+    range: (Bound::Excluded(1.0), Bound::Included(LARGEST)),
+    allowed: "a finite number above 1 (54 in Zhao, Maietta, Chang 2000)",
+};
 
 impl Zmc {
+    /// What it is on elliptic paraboloids.
+    pub(crate) const ON_ELLIPSES: &str = "The regimes of Zhao, Maietta and Chang on an elliptic paraboloid: Hertz's ellipse of the two principal \
+         curvatures, its own onset of yield. Derived here from Hertz's solution, not fitted.";
+
     /// (0.3 pi)^2 = (3 pi k/4)^2 with k = 0.4: the onset of yield that makes the load continuous.
     pub const ONSET: f64 = 0.09 * PI * PI;
 
@@ -53,36 +67,34 @@ impl Zmc {
     ///
     /// # Errors
     /// An onset that is not positive and finite; a ratio that is not finite and above 1.
-    pub fn new(onset: f64, transition_ratio: f64) -> Result<Self, ZmcError> {
-        if !is_positive(onset) {
-            return Err(ZmcError::Onset(onset));
-        }
-        if !(transition_ratio > 1.0 && is_positive(transition_ratio)) {
-            return Err(ZmcError::TransitionRatio(transition_ratio));
-        }
+    pub fn new(onset: f64, transition_ratio: f64) -> Result<Self, OptionError> {
+        ONSET.check(onset)?;
+        TRANSITION_RATIO.check(transition_ratio)?;
         Ok(Self { onset, transition_ratio, inverse_log_ratio: transition_ratio.ln().recip() })
     }
 
-    /// Eqs. 7 and 11, `u` = w/w1.
+    /// Eqs. 7 and 11 at `u` = w/w1, x = (u - 1)/(c - 1), and their slopes:
+    ///
+    /// ```text
+    /// A = pi b w r,   r = 1 + 3x^2 - 2x^3 = 1 + x^2 (3 - 2x),   dA/dw = pi b [r + 6 (x - x^2) u/(c - 1)]
+    /// P = p A,        p = H [1 - 0.6 ln(c/u)/ln c] = 0.4 H + s ln u,   s = 0.6 H/ln c,   dp/dw = s/w
+    /// ```
     #[inline(always)]
     fn elastic_plastic<N: Real>(&self, w: N, b: N, u: N, hardness: N) -> Contacts<N> {
         let span = self.transition_ratio - 1.0;
-        let one = w.splat(1.0);
         let x = (u - 1.0) * span.recip();
-        let growth = (x * x).mul_add(x.mul_add(w.splat(-2.0), w.splat(3.0)), one);
-        let slope = b * PI;
-        // A/w, and dA/dw.
-        let width = slope * growth;
-        let area_slope = slope.mul_add(u * (6.0 / span) * (x - x * x), width);
-        let steepness = 0.6 * self.inverse_log_ratio;
-        let pressure = u.ln().mul_add(hardness * steepness, hardness * 0.4);
-        let area = width * w;
+        let three_minus_two_x = x.polynomial(&[-2.0, 3.0]);
+        let area_ratio = (x * x).mul_add(three_minus_two_x, w.splat(1.0));
+        let area_over_w = b * PI * area_ratio;
+        let area_slope = (b * PI).mul_add(u * (6.0 / span) * (x - x * x), area_over_w);
+        let area = area_over_w * w;
+        let pressure_slope = hardness * (0.6 * self.inverse_log_ratio);
+        let pressure = u.ln().mul_add(pressure_slope, hardness * 0.4);
         let nowhere = !w.all_true();
         Contacts {
             area,
             load: pressure * area,
-            // The pressure grows as steepness H/w.
-            stiffness: pressure.mul_add(area_slope, hardness * steepness * width),
+            stiffness: pressure.mul_add(area_slope, pressure_slope * area_over_w),
             elastic: nowhere,
             plastic: nowhere,
         }
@@ -125,6 +137,22 @@ impl Law for Zmc {
 
     fn papers(&self) -> &'static [Paper] {
         &[literature::ZHAO_MAIETTA_CHANG_2000, literature::PASARIBU_SCHIPPER_2005]
+    }
+
+    fn options(&self) -> &'static [LawOption] {
+        &[ONSET, TRANSITION_RATIO]
+    }
+
+    fn option_values(&self) -> Vec<f64> {
+        vec![self.onset, self.transition_ratio]
+    }
+
+    fn with_options(self, values: &[f64]) -> Result<Self, OptionError> {
+        Self::new(values[0], values[1])
+    }
+
+    fn yields_by(&self) -> Option<Property> {
+        Some(Property::Hardness)
     }
 
     fn yield_limits(&self, body: &Material) -> Result<YieldLimits, Property> {

@@ -16,7 +16,7 @@ fn steel() -> Material {
     Material::new(210e9, 0.3, Some(7.6e9), None).unwrap()
 }
 
-fn bare(law: impl Law) -> impl MicroContact {
+fn bare(law: impl Law + Clone) -> impl MicroContact {
     Interface::bare(law, &steel(), &steel()).unwrap()
 }
 

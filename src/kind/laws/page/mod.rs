@@ -9,6 +9,7 @@ mod words;
 use crate::kind::compare::page as compare;
 use crate::kind::laws::results::{LawOnOne, LawsResults};
 use asperity::compare::PointCounts;
+use asperity::contact_law::{ContactLaw, registry};
 use asperity::sphere::{Boundary, LARGEST_SLOPE};
 use asperity_framework::report::format::listed;
 use asperity_framework::report::format::{number, percent, quantity};
@@ -84,10 +85,12 @@ fn laws(page: &mut Page, results: &LawsResults) {
         }),
     );
     let first = &results.laws[0].law;
+    let of_one_regime = registry().iter().filter(|law| !law.has_ranges() && !law.sees_ellipses());
     page.paragraph(&format!(
-        "The others are compared with the first, {}. Laws of one regime (hertz, fully-plastic) are limits: what is said of the \
+        "The others are compared with the first, {}. Laws of one regime ({}) are limits: what is said of the \
          laws that go beyond elastic contact leaves them out. Equations and their numbers: docs/theory.md.",
-        escape(first)
+        escape(first),
+        of_one_regime.map(ContactLaw::name).collect::<Vec<String>>().join(", ")
     ));
 }
 

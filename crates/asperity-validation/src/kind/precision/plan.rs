@@ -12,13 +12,12 @@ use crate::precision::sampling::SamplingTask;
 use crate::precision::sum::{POINTS, SumTask};
 use crate::stability;
 use asperity::asperity::{HeightDensity, Population};
+use asperity::contact_law::ContactLaw;
 use asperity::interface::Flat;
-use asperity::law::Zmc;
 use asperity_framework::contact::Bodies;
 use asperity_framework::contact::LawPlan;
 use asperity_framework::input::InputError;
 use asperity_framework::input::SpecFile;
-use asperity_framework::input::law::{Equations, LawSpec};
 use asperity_framework::input::quantity::Pure;
 use asperity_framework::input::sweep::LogSweep;
 use asperity_framework::input::tolerance::TOLERANCES;
@@ -215,24 +214,26 @@ pub(super) fn plan(file: &SpecFile, full: bool) -> Result<PrecisionPlan, InputEr
     Ok(plan)
 }
 
-/// The one law, and the same for the reference.
-fn one_law(file: &SpecFile, words: &PrecisionSpec) -> Result<(LawSpec, stability::Law), InputError> {
-    let [law] = words.law.get_ref().0[..] else {
+/// The one law, and the same with its reference.
+fn one_law(
+    file: &SpecFile,
+    words: &PrecisionSpec,
+) -> Result<(ContactLaw, stability::CoveredLaw), InputError> {
+    let [law] = &words.law.get_ref().0[..] else {
         let message = format!("found {} laws; allowed: one", words.law.get_ref().0.len());
         return Err(file.source.error_at(words.law.span(), message));
     };
     file.spheres_only(&words.law, "the asperities of [precision] are spheres of one radius")?;
-    let reference = match law.equations {
-        Equations::Hertz => stability::Law::Hertz,
-        Equations::Zmc { onset, transition_ratio, .. } => {
-            stability::Law::Zmc { onset, transition_ratio: transition_ratio.unwrap_or(Zmc::TRANSITION_RATIO) }
-        }
-        Equations::Ceb => stability::Law::Ceb,
-        Equations::KogutEtsion => stability::Law::KogutEtsion,
-        Equations::JacksonGreen => stability::Law::JacksonGreen,
-        Equations::FullyPlastic => stability::Law::FullyPlastic,
-    };
-    Ok((law, reference))
+    let covered = stability::CoveredLaw::of(law).ok_or_else(|| {
+        let [covered, _] = stability::CoveredLaw::coverage();
+        let message = format!(
+            "found \"{}\", whose equations are not known in extended precision, which the reference needs; allowed: {}",
+            law.name(),
+            covered.join(", ")
+        );
+        file.source.error_at(words.law.span(), message)
+    })?;
+    Ok((law.clone(), covered))
 }
 
 fn separations(file: &SpecFile, words: &spec::IntegralSpec) -> Result<Vec<f64>, InputError> {

@@ -1,7 +1,6 @@
 //! `stability.csv` and `maps.csv`.
 
 use crate::kind::stability::run::StabilityResults;
-use crate::stability::Law;
 use asperity_framework::report::table::{Table, TableError};
 use asperity_framework::row;
 
@@ -51,7 +50,7 @@ fn worst(results: &StabilityResults) -> Result<Vec<u8>, TableError> {
                 failures: findings.failures.len(),
                 median_error: worst.median,
                 worst_error: worst.checked,
-                bound: findings.group.bound(worst.quantity, Law::Hertz),
+                bound: findings.group.bound(worst.quantity),
                 plain_error: worst.error,
                 worst_bound: worst.bound(findings.group),
                 worst_scene: worst.case.index,

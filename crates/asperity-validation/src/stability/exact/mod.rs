@@ -3,14 +3,12 @@
 //!
 //! | file | what lives there |
 //! |---|---|
-//! | `laws` | areas and loads of every law, formula by formula |
 //! | `layer` | the effective properties of a layered flat (Pasaribu and Schipper 2005, Eqs. 14-20) |
 //! | `shape` | elliptic asperities, by the arithmetic-geometric mean |
 //! | `sum` | sums over asperities |
 //! | `integral` | integrals over a height density, by the tanh-sinh rule |
 
 mod integral;
-mod laws;
 mod layer;
 mod shape;
 mod sum;
@@ -19,18 +17,12 @@ pub use integral::Integral;
 pub use shape::Shape;
 pub use sum::Total;
 
-use super::bodies::{Bodies, Law};
+use super::bodies::Bodies;
+use super::laws::{CoveredLaw, YieldLimits};
 use crate::stability::wide::Wide;
 use asperity::contact::Regime;
 use asperity::material::Material;
 use layer::Layer;
-
-/// What a body sets against yielding: the onset and the strength of the law, Pa.
-#[derive(Debug, Clone, Copy)]
-struct YieldLimits {
-    onset: Wide,
-    strength: Wide,
-}
 
 /// The pair that an asperity feels.
 #[derive(Debug, Clone, Copy)]
@@ -64,7 +56,7 @@ pub struct Contact {
 /// A pair of bodies under a law.
 #[derive(Debug, Clone)]
 pub struct Exact {
-    law: Law,
+    law: CoveredLaw,
     rough_compliance: Wide,
     rough: Option<YieldLimits>,
     flat: Flat,
@@ -91,15 +83,10 @@ fn compliance(body: &Material) -> Wide {
 impl Exact {
     /// Of a pair.
     pub fn new(bodies: &Bodies) -> Self {
-        let law = bodies.law;
         let yield_limits = |body: &Material| {
             let wide = |value: Option<f64>| value.map(Wide::new);
-            laws::yield_limits(
-                law,
-                Wide::new(body.poisson()),
-                wide(body.hardness()),
-                wide(body.yield_strength()),
-            )
+            let [hardness, strength] = [body.hardness(), body.yield_strength()].map(wide);
+            (bodies.law.twin.yield_limits)(Wide::new(body.poisson()), hardness, strength)
         };
         let homogeneous = |body: &Material| Flat::Homogeneous {
             compliance: compliance(body),
@@ -111,11 +98,11 @@ impl Exact {
             _ => homogeneous(&bodies.flat),
         };
         Self {
-            law,
+            law: bodies.law.clone(),
             rough_compliance: compliance(&bodies.rough),
             rough: yield_limits(&bodies.rough),
             flat,
-            boundaries: laws::boundaries(law),
+            boundaries: bodies.law.boundaries(),
         }
     }
 
@@ -125,7 +112,7 @@ impl Exact {
             Flat::Homogeneous { compliance, yield_limits } => (*compliance, *yield_limits),
             Flat::Layered(layer) => {
                 let felt = layer.felt(w, (shape.spheres * shape.radius * w).sqrt());
-                (felt.compliance, laws::yield_limits(self.law, felt.poisson, felt.hardness, None))
+                (felt.compliance, (self.law.twin.yield_limits)(felt.poisson, felt.hardness, None))
             }
         };
         Felt { modulus: (self.rough_compliance + compliance).recip(), rough: self.rough, flat }
@@ -183,8 +170,7 @@ impl Exact {
             .body(branch.flat_yields_first)
             .zip(felt.body(branch.flat_is_weaker))
             .map(|(first, weaker)| YieldLimits { onset: first.onset, strength: weaker.strength });
-        let (area, load, regime) =
-            laws::answer(self.law, branch.range, w, shape.radius, felt.modulus, yield_limits);
+        let (area, load, regime) = self.law.answer(branch.range, w, shape.radius, felt.modulus, yield_limits);
         (shape.spheres * area, shape.spheres * load, regime)
     }
 

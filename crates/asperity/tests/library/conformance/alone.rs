@@ -5,7 +5,7 @@ use asperity::law::{Body, Hertz, Inapplicable, Law, Pair, YieldLimits};
 use asperity::material::{Material, reduced_modulus};
 use asperity::numeric::LARGEST;
 
-use super::laws::{AnyLaw, Entry, all};
+use super::laws::{Entry, all};
 use crate::common::{Random, Worst, slope};
 
 /// A pair of bodies, a radius, and the indentations between which each formula holds: the first from 1e-12 of its end on,
@@ -26,11 +26,16 @@ impl Sample {
         let modulus = reduced_modulus(&bodies[0], &bodies[1]);
         // Either body the weaker one, or the only one that yields.
         let never = random.one_of(&[0, 1, 2]);
-        let [rough, flat] = [0, 1].map(|k| {
-            let strength = (k != never).then(|| modulus * random.log(1e-6, entry.strongest.min(1.0)));
-            Material::new(bodies[k].young(), bodies[k].poisson(), strength, strength).unwrap()
-        });
-        let pair = entry.law.between(&rough, &flat).unwrap();
+        let mut pair = || {
+            let [rough, flat] = [0, 1].map(|k| {
+                let strength = (k != never).then(|| modulus * random.log(1e-6, entry.strongest.min(1.0)));
+                Material::new(bodies[k].young(), bodies[k].poisson(), strength, strength).unwrap()
+            });
+            Pair::between(entry.law(), &rough, &flat).ok()
+        };
+        // A law may refuse pairs beyond a range that no table states.
+        let tries = if entry.strongest.is_finite() { 1 } else { 1000 };
+        let pair = (0..tries).find_map(|_| pair()).unwrap();
         let radius = random.log(1e-9, 1e-1);
         let unit = if pair.yield_limits.onset.is_finite() { pair.ratio(1.0) * radius } else { radius };
         let places: Vec<f64> = entry.boundaries.iter().map(|boundary| boundary.place).collect();
@@ -39,7 +44,7 @@ impl Sample {
         Self { pair, radius, edges: all.map(|place| place * unit).collect() }
     }
 
-    fn contact(&self, law: &dyn AnyLaw, w: f64) -> Contact {
+    fn contact(&self, law: &dyn Law, w: f64) -> Contact {
         law.contact(w, self.radius, &self.pair)
     }
 
@@ -80,7 +85,7 @@ fn every_answer_is_a_number() {
         let mut count = 0;
         for (young, strength) in ends.iter().flat_map(|&a| ends.map(|b| (a, b))) {
             let body = Material::new(young, 0.3, Some(strength), Some(strength)).unwrap();
-            let pair = match entry.law.between(&body, &body) {
+            let pair = match Pair::between(entry.law(), &body, &body) {
                 Ok(pair) => pair,
                 Err(Inapplicable::TooStrong { .. }) => continue,
                 Err(error) => panic!("{}: {error}", entry.label),
@@ -89,7 +94,7 @@ fn every_answer_is_a_number() {
             for (b, w) in ends.iter().flat_map(|&b| ends.map(|w| (b, w))) {
                 for w in [w, w * 1e-200, f64::from_bits(1)] {
                     for law in [&entry.law, &tuned] {
-                        let found = law.contact(w, b, &pair);
+                        let found = law.law().contact(w, b, &pair);
                         let good = values(&found).iter().all(|value| value.is_finite() && *value >= 0.0);
                         assert!(good, "{}: {found:?} at {w:e} of {b:e} m, {pair:?}", entry.label);
                         count += 1;
@@ -104,7 +109,7 @@ fn every_answer_is_a_number() {
 #[test]
 fn nothing_is_left_at_zero() {
     each(1, 20, |entry, sample, _| {
-        let at = |w: f64| values(&sample.contact(&*entry.law, w));
+        let at = |w: f64| values(&sample.contact(entry.law(), w));
         for decades in [0, 40, 80, 120] {
             let w = sample.edges[0] * 10f64.powi(-decades);
             for (less, more) in at(1e-10 * w).into_iter().zip(at(w)).take(2) {
@@ -119,7 +124,7 @@ fn below_the_first_boundary_it_is_hertz() {
     each(2, 50, |entry, sample, random| {
         let [low, high] = sample.ranges(BESIDE)[0];
         let w = random.log(low, high);
-        let found = sample.contact(&*entry.law, w);
+        let found = sample.contact(entry.law(), w);
         let hertz = Hertz.contact(w, sample.radius, &sample.pair);
         assert_eq!(found == hertz, entry.first == Regime::Elastic, "{}: {found:?}", entry.label);
     });
@@ -137,7 +142,7 @@ fn within_a_range_nothing_falls() {
                 pairs.push([w, (w * (1.0 + random.log(1e-12, 1e-3))).min(high)]);
             }
             for [w, next] in pairs {
-                let [from, to] = [w, next].map(|w| sample.contact(&*entry.law, w));
+                let [from, to] = [w, next].map(|w| sample.contact(entry.law(), w));
                 let rises = |value: fn(&Contact) -> f64| value(&to) >= value(&from) * (1.0 - 4e-15);
                 assert!(rises(|c| c.area) && rises(|c| c.load), "{} at {w:e}: {from:?} {to:?}", entry.label);
             }
@@ -151,13 +156,13 @@ fn answers_scale() {
     each(4, 100, |entry, sample, random| {
         let Sample { pair, radius, edges } = sample;
         let w = random.log(edges[0], edges[edges.len() - 1]);
-        let found = sample.contact(&*entry.law, w);
-        let larger = entry.law.contact(2.0 * w, 2.0 * radius, pair);
+        let found = sample.contact(entry.law(), w);
+        let larger = entry.law().contact(2.0 * w, 2.0 * radius, pair);
         assert_eq!(values(&larger), [4.0 * found.area, 4.0 * found.load, 2.0 * found.stiffness]);
         let YieldLimits { onset, strength } = pair.yield_limits;
         let yield_limits = YieldLimits { onset: 2.0 * onset, strength: 2.0 * strength };
         let stiffer = Pair { reduced_modulus: 2.0 * pair.reduced_modulus, yield_limits };
-        let stiffer = entry.law.contact(w, *radius, &stiffer);
+        let stiffer = entry.law().contact(w, *radius, &stiffer);
         assert_eq!(values(&stiffer), [found.area, 2.0 * found.load, 2.0 * found.stiffness]);
         assert_eq!([larger.regime, stiffer.regime], [found.regime; 2]);
     });
@@ -167,14 +172,14 @@ fn answers_scale() {
 fn jumps_are_as_stated() {
     let mut worst = Worst::default();
     each(5, 200, |entry, sample, _| {
-        let found = entry.law.jumps(&sample.pair);
-        let ratios = entry.law.critical_ratios(&sample.pair);
+        let found = entry.law().jumps(&sample.pair);
+        let ratios = entry.law().critical_ratios(&sample.pair);
         assert_eq!([found.len(), ratios.len()], [entry.boundaries.len(); 2], "{}", entry.label);
         for (k, (&w, boundary)) in sample.boundaries().iter().zip(&entry.boundaries).enumerate() {
             let place = || format!("boundary {k} of {}, {:?}", entry.label, sample.pair);
-            let stated = (boundary.jumps)(&sample.pair);
+            let Some(stated) = boundary.jumps.map(|jumps| jumps(&sample.pair)) else { continue };
             let [before, behind] =
-                [1.0 - BESIDE, 1.0 + BESIDE].map(|side| sample.contact(&*entry.law, w * side));
+                [1.0 - BESIDE, 1.0 + BESIDE].map(|side| sample.contact(entry.law(), w * side));
             worst.see(behind.load / before.load, stated[0], place);
             worst.see(behind.area / before.area, stated[1], place);
             worst.see(found[k], stated[0], place);
@@ -191,8 +196,8 @@ fn jumps_have_the_digits_that_are_stated() {
     for entry in all() {
         for (poisson, digits) in &entry.digits {
             let body = Material::new(1e12, *poisson, Some(1e3), Some(1e3)).unwrap();
-            let pair = entry.law.between(&body, &body).unwrap();
-            let found = entry.law.jumps(&pair);
+            let pair = Pair::between(entry.law(), &body, &body).unwrap();
+            let found = entry.law().jumps(&pair);
             assert_eq!(found.len(), digits.len());
             for (jump, digits) in found.iter().zip(digits) {
                 let places = digits.split('.').nth(1).map_or(0, str::len);
@@ -216,7 +221,7 @@ fn there_are_no_other_jumps() {
             let curved = (step / (high / low).ln().min(1.0)).powi(2);
             let shift = random.unit();
             let at =
-                |k: i32| values(&sample.contact(&*entry.law, low * ((f64::from(k) + shift) * step).exp()));
+                |k: i32| values(&sample.contact(entry.law(), low * ((f64::from(k) + shift) * step).exp()));
             let scan: Vec<[f64; 3]> = (0..POINTS).map(|k| at(k).map(f64::ln)).collect();
             for (k, three) in scan.windows(3).enumerate() {
                 let bend = |i: usize| three[2][i] - 2.0 * three[1][i] + three[0][i];
@@ -239,8 +244,8 @@ fn stiffness_is_the_slope_of_the_load() {
             let reach = (1e-3 * (high / low).ln()).min(4e-4);
             for _ in 0..20 {
                 let w = random.log(low * reach.exp(), high * (-reach).exp());
-                let found = sample.contact(&*entry.law, w).stiffness * w;
-                let exact = slope(|w| sample.contact(&*entry.law, w).load, w, reach);
+                let found = sample.contact(entry.law(), w).stiffness * w;
+                let exact = slope(|w| sample.contact(entry.law(), w).load, w, reach);
                 worst.see(found, exact, || format!("{} at {w:e}, {:?}", entry.label, sample.pair));
             }
         }
@@ -255,9 +260,9 @@ fn regimes_come_in_order_and_know_their_properties() {
     each(8, 50, |entry, sample, random| {
         for ([low, high], regime) in sample.ranges(1e-3).into_iter().zip(entry.regimes()) {
             let w = random.log(low, high);
-            let found = sample.contact(&*entry.law, w);
+            let found = sample.contact(entry.law(), w);
             assert_eq!(found.regime, regime, "{} at {w:e}", entry.label);
-            if !entry.stands_under_layers {
+            if !entry.law.stands_under_layers() {
                 continue;
             }
             let Pair { reduced_modulus, yield_limits: YieldLimits { onset, strength } } = sample.pair;
@@ -271,13 +276,13 @@ fn regimes_come_in_order_and_know_their_properties() {
                 Regime::ElasticPlastic => pair(reduced_modulus, onset, 0.5 * strength),
                 Regime::Plastic => pair(1.0001 * reduced_modulus, 0.9999 * onset, strength),
             };
-            assert_eq!(entry.law.contact(w, sample.radius, &same), found, "{} at {w:e}", entry.label);
+            assert_eq!(entry.law().contact(w, sample.radius, &same), found, "{} at {w:e}", entry.label);
             let other = match regime {
                 Regime::Elastic => pair(1.0001 * reduced_modulus, onset, strength),
                 Regime::ElasticPlastic => pair(reduced_modulus, 1.0001 * onset, strength),
                 Regime::Plastic => pair(reduced_modulus, onset, 0.5 * strength),
             };
-            assert_ne!(entry.law.contact(w, sample.radius, &other), found, "{} at {w:e}", entry.label);
+            assert_ne!(entry.law().contact(w, sample.radius, &other), found, "{} at {w:e}", entry.label);
         }
     });
 }
@@ -301,9 +306,9 @@ fn the_highest_load_is_that_of_a_scan() {
                 places.extend([1.0 - BESIDE, 1.0 - 2e-16, 1.0, 1.0 + BESIDE].map(|side| w * side));
             }
             places.retain(|w| (from..=to).contains(w));
-            let load = |w: f64| sample.contact(&*entry.law, w).load;
+            let load = |w: f64| sample.contact(entry.law(), w).load;
             let highest = places.into_iter().map(load).fold(0.0, f64::max);
-            let found = entry.law.highest_load(from, to, sample.radius, &sample.pair);
+            let found = entry.law().highest_load(from, to, sample.radius, &sample.pair);
             assert!((found / highest - 1.0).abs() < 1e-12, "{}: {found:e} {highest:e}", entry.label);
         }
     });
@@ -319,7 +324,7 @@ fn a_tuned_law_is_the_same_law() {
         for [low, high] in sample.ranges(BESIDE) {
             for _ in 0..500 {
                 let w = random.log(low, 1e6 * high);
-                let (found, exact) = (sample.contact(&*tuned, w), sample.contact(&*entry.law, w));
+                let (found, exact) = (sample.contact(tuned.law(), w), sample.contact(entry.law(), w));
                 assert_eq!(found.regime, exact.regime);
                 for (k, worst) in worst.iter_mut().enumerate() {
                     worst.see(values(&found)[k], values(&exact)[k], || format!("{} at {w:e}", entry.label));
@@ -327,7 +332,7 @@ fn a_tuned_law_is_the_same_law() {
                 let other = last.unwrap_or(sample.pair);
                 if other != sample.pair {
                     let [found, exact] =
-                        [&tuned, &entry.law].map(|law| law.contact(w, sample.radius, &other));
+                        [&tuned, &entry.law].map(|law| law.law().contact(w, sample.radius, &other));
                     assert_eq!(found, exact, "{}", entry.label);
                 }
             }
@@ -345,13 +350,13 @@ fn bodies_that_a_law_says_nothing_of_are_refused() {
     let body = |hardness, strength| Material::new(2e11, 0.0, hardness, strength).unwrap();
     let (elastic, hard) = (body(None, None), body(Some(1e9), None));
     for entry in all() {
-        let between = |rough, flat| entry.law.between(rough, flat);
+        let between = |rough, flat| Pair::between(entry.law(), rough, flat);
         let lacking = |property, body| Err((property, body));
         let found = |rough, flat| match between(rough, flat) {
             Ok(_) => Ok(()),
             Err(error @ Inapplicable::Lacking { property, body, .. }) => {
                 let words = error.to_string();
-                assert!(words.contains(property.key()) && words.contains(entry.label), "{words}");
+                assert!(words.contains(property.key()) && words.contains(&entry.label), "{words}");
                 Err((property, body))
             }
             Err(error) => panic!("{}: {error}", entry.label),

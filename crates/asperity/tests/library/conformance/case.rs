@@ -42,7 +42,7 @@ impl Case {
         let radius = random.log(1e-9, 1e-2);
         let many = random.log(1.0, 100.0);
         let shape = Shape { radius, spheres: random.one_of(&[1.0, 1.0, 1.3, many]) };
-        let thickness = if entry.stands_under_layers && random.unit() < 0.5 {
+        let thickness = if entry.law.stands_under_layers() && random.unit() < 0.5 {
             // In many of them the contact passes through the layer while formulas change.
             let critical = critical(entry, &rough, &random.one_of(&[layer, substrate]), radius);
             let depths = [random.log(1e-10, 1e-4), critical, (critical * radius).sqrt()];
@@ -60,7 +60,7 @@ impl Case {
     }
 
     fn try_contact(&self, entry: &Entry) -> Result<Box<dyn MicroContact>, Inapplicable> {
-        entry.law.on(&self.flat(self.thickness), &self.rough)
+        entry.law.interface(&self.rough, &self.flat(self.thickness))
     }
 
     pub fn contact(&self, entry: &Entry) -> Box<dyn MicroContact> {
@@ -83,13 +83,13 @@ impl Case {
     }
 
     pub fn pair(&self, entry: &Entry, w: f64) -> Pair {
-        entry.law.between(&self.rough, &self.felt(w)).unwrap()
+        Pair::between(entry.law(), &self.rough, &self.felt(w)).unwrap()
     }
 
     /// Which formula holds at `w`, and whether the rough body is the one that yields first, and the weaker one.
     pub fn state(&self, entry: &Entry, w: f64) -> (usize, bool, bool) {
         let yield_limits =
-            |body: &Material| entry.law.yield_limits(body).unwrap_or(YieldLimits::NEVER_YIELDS);
+            |body: &Material| entry.law().yield_limits(body).unwrap_or(YieldLimits::NEVER_YIELDS);
         let (rough, flat) = (yield_limits(&self.rough), yield_limits(&self.felt(w)));
         let pair = self.pair(entry, w);
         let u = w / self.shape.radius * (pair.reduced_modulus / pair.yield_limits.onset).powi(2);
@@ -134,6 +134,7 @@ impl Case {
 
 /// The indentation (m) about which formulas change on a homogeneous flat; the radius where none does.
 fn critical(entry: &Entry, rough: &Material, flat: &Material, radius: f64) -> f64 {
-    let pair = entry.law.between(rough, flat).ok().filter(|pair| pair.yield_limits.onset.is_finite());
+    let pair =
+        Pair::between(entry.law(), rough, flat).ok().filter(|pair| pair.yield_limits.onset.is_finite());
     pair.map_or(radius, |pair| pair.ratio(1.0) * radius)
 }

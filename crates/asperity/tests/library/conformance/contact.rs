@@ -37,7 +37,7 @@ fn the_law_is_asked_with_what_is_felt() {
         for _ in 0..30 {
             let w = case.scale(entry, random) * random.log(1e-8, 1e8);
             let found = contact.contact(w, case.shape);
-            let exact = entry.law.contact(w, radius, &case.pair(entry, w));
+            let exact = entry.law().contact(w, radius, &case.pair(entry, w));
             // Next to a boundary rounding may lie on its other side.
             if found.regime == exact.regime {
                 let worst = &mut worst[usize::from(case.coating.is_some())];
@@ -213,8 +213,8 @@ fn a_layer_of_the_same_material_is_none() {
             return;
         }
         let same = Case { layer: case.substrate, ..case.clone() };
-        let both =
-            [case.thickness, 0.0].map(|thickness| entry.law.on(&same.flat(thickness), &case.rough).unwrap());
+        let both = [case.thickness, 0.0]
+            .map(|thickness| entry.law.interface(&case.rough, &same.flat(thickness)).unwrap());
         for _ in 0..30 {
             let w = case.scale(entry, random) * random.log(1e-8, 1e8);
             let [found, bare] = both.each_ref().map(|contact| contact.contact(w, case.shape));
@@ -242,7 +242,7 @@ fn thin_and_thick_layers_end_in_their_limits() {
             Population { radius: case.shape.radius, sigma, density: 1e10, heights: HeightDensity::Gaussian };
         let set = population.set(50, Draw::Quantiles).unwrap();
         let loads = |thickness: f64| {
-            let contact = entry.law.on(&case.flat(thickness), &case.rough).unwrap();
+            let contact = entry.law.interface(&case.rough, &case.flat(thickness)).unwrap();
             let sum = Deterministic::new(&*contact, set.spheres(), ReferencePlane { mean: 0.0, sigma });
             [&Statistical::new(&*contact, population) as &dyn Model, &sum]
                 .map(|model| model.respond(1.0).pressure.total())
@@ -278,8 +278,10 @@ fn a_law_of_homogeneous_bodies_is_refused_under_a_layer() {
             substrate: body(8e9),
             ..Case::of(&entry, &mut Random::new(9))
         };
-        for (thickness, may_be) in [(0.0, true), (1e-7, entry.stands_under_layers), (f64::INFINITY, true)] {
-            let found = entry.law.on(&case.flat(thickness), &case.rough);
+        for (thickness, may_be) in
+            [(0.0, true), (1e-7, entry.law.stands_under_layers()), (f64::INFINITY, true)]
+        {
+            let found = entry.law.interface(&case.rough, &case.flat(thickness));
             assert_eq!(found.is_ok(), may_be, "{}", entry.label);
             assert!(found.is_ok() || matches!(found, Err(Inapplicable::Layer { .. })), "{}", entry.label);
         }

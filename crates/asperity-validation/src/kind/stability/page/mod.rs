@@ -4,7 +4,7 @@ mod figures;
 
 use crate::kind::stability::findings::KindFindings;
 use crate::kind::stability::run::StabilityResults;
-use crate::stability::{GroupFindings, Kind, Law, Quantity, Worst};
+use crate::stability::{GroupFindings, Kind, Quantity, Worst};
 use asperity_framework::report::format::{count, number};
 use asperity_framework::report::page::{Page, escape};
 use asperity_framework::report::sections;
@@ -93,6 +93,12 @@ fn in_short(results: &StabilityResults) -> Vec<String> {
             error(worst.checked),
         )
     }));
+    if !results.not_covered.is_empty() {
+        lines.push(format!(
+            "**Not covered**: {}. Equations in extended precision are missing for these laws.",
+            escape(&results.not_covered.join(", "))
+        ));
+    }
     lines
 }
 
@@ -136,7 +142,7 @@ fn errors(page: &mut Page, groups: &[&GroupFindings], bounded: bool, of: impl Fn
     header.extend(quantities.iter().map(|quantity| quantity.name()));
     let row = |findings: &&GroupFindings| {
         let mut row = vec![findings.group.name().to_owned()];
-        row.extend(bounded.then(|| error(findings.group.bound(Quantity::Load, Law::Hertz))));
+        row.extend(bounded.then(|| error(findings.group.bound(Quantity::Load))));
         row.extend(quantities.iter().map(|quantity| {
             let found = findings.quantities.iter().find(|worst| worst.quantity == *quantity);
             found.map_or_else(String::new, |worst| error(of(worst)))

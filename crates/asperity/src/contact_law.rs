@@ -1,0 +1,254 @@
+//! The registry: every contact law by its name, to be chosen while the program runs.
+//!
+//! A law stands here by one line of [`registry`]; whatever works on all laws - specs, conformance tests, benchmarks -
+//! takes them from there. A law from another crate becomes a [`ContactLaw`] the same way:
+//!
+//! ```
+//! use asperity::contact_law::{ContactLaw, named};
+//! use asperity::interface::Flat;
+//! use asperity::law::{Shape, Zmc};
+//! use asperity::material::Material;
+//!
+//! let steel = Material::new(210e9, 0.3, Some(7.6e9), None)?;
+//! let by_name = named("zmc").unwrap().with_options(&[("transition-ratio", 110.0)])?;
+//! let by_type = ContactLaw::scalable(Zmc::new(Zmc::ONSET, 110.0)?);
+//! let [a, b] = [by_name, by_type].map(|law| law.interface(&steel, &Flat::Bare(steel)).unwrap());
+//! let sphere = Shape::sphere(20e-6);
+//! assert_eq!(a.contact(1e-9, sphere), b.contact(1e-9, sphere));
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+
+use std::fmt;
+use std::sync::{Arc, LazyLock};
+
+use crate::interface::{Flat, MicroContact};
+use crate::law::{self, Inapplicable, Law, LawOption, OptionError, Pair, ScalableLaw, Shape, YieldLimits};
+use crate::literature::{self, Paper};
+use crate::material::Material;
+
+/// All laws, with their default options.
+pub fn registry() -> &'static [ContactLaw] {
+    static LAWS: LazyLock<Vec<ContactLaw>> = LazyLock::new(|| {
+        vec![
+            ContactLaw::scalable(law::Hertz),
+            ContactLaw::scalable(law::Zmc::default()),
+            ContactLaw::scalable(law::Ceb),
+            ContactLaw::scalable(law::KogutEtsion),
+            ContactLaw::homogeneous(law::JacksonGreen::default()),
+            ContactLaw::scalable(law::FullyPlastic),
+            ContactLaw::scalable(law::Hertz).on_ellipses(law::Hertz::ON_ELLIPSES),
+            ContactLaw::scalable(law::Zmc::default()).on_ellipses(law::Zmc::ON_ELLIPSES),
+        ]
+    });
+    &LAWS
+}
+
+/// The law of a name, with its default options.
+pub fn named(name: &str) -> Option<ContactLaw> {
+    registry().iter().find(|law| law.name() == name).cloned()
+}
+
+/// A contact law of any type with its options, and the shape that it takes asperities for.
+///
+/// Two are equal if their names and the values of all their options are.
+#[derive(Clone)]
+pub struct ContactLaw {
+    law: Arc<dyn AnyLaw>,
+    /// Names of the options that were given.
+    given: Vec<&'static str>,
+    /// What the law is on ellipses; `None` of a law for spheres.
+    on_ellipses: Option<&'static str>,
+}
+
+impl ContactLaw {
+    /// A law that may be asked under a layer.
+    pub fn scalable(law: impl ScalableLaw) -> Self {
+        Self::new(OnFlat { law, on: Flat::under, stands_under_layers: true })
+    }
+
+    /// A law that does not say what a layer of finite thickness does to it.
+    pub fn homogeneous(law: impl Law + Clone) -> Self {
+        Self::new(OnFlat { law, on: Flat::homogeneous_under, stands_under_layers: false })
+    }
+
+    fn new(law: OnFlat<impl Law + Clone>) -> Self {
+        Self { law: Arc::new(law), given: Vec::new(), on_ellipses: None }
+    }
+
+    /// The same law for paraboloids of two principal curvatures (see [`Shape`]); `about` says what it is there.
+    pub fn on_ellipses(self, about: &'static str) -> Self {
+        Self { on_ellipses: Some(about), ..self }
+    }
+
+    /// The same law with options set by name, the others as they are.
+    ///
+    /// # Errors
+    /// An option that the law does not have, a value that is not allowed.
+    pub fn with_options(&self, options: &[(&str, f64)]) -> Result<Self, OptionError> {
+        let (mut values, mut given) = (self.law().option_values(), self.given.clone());
+        for (name, value) in options {
+            let place = self.option(name)?;
+            values[place] = *value;
+            given.push(self.law().options()[place].name);
+        }
+        Ok(Self { law: self.law.with_options(&values)?, given, ..self.clone() })
+    }
+
+    /// The place of an option of a name among [`Law::options`].
+    ///
+    /// # Errors
+    /// There is none.
+    pub fn option(&self, name: &str) -> Result<usize, OptionError> {
+        let options = self.law().options();
+        options.iter().position(|option| option.name == name).ok_or_else(|| {
+            let (option, names) =
+                (name.to_owned(), options.iter().map(|option| format!("`{}`", option.name)));
+            match names.collect::<Vec<String>>().join(" or ") {
+                none if none.is_empty() => OptionError::NoOptions { option },
+                allowed => OptionError::Unknown { option, allowed },
+            }
+        })
+    }
+
+    /// The options that were given or differ from their defaults, with their values.
+    pub fn options_given(&self) -> impl Iterator<Item = (&'static str, f64)> {
+        let options = self.law().options().iter().zip(self.law().option_values());
+        let is_given = |option: &LawOption| self.given.contains(&option.name);
+        let given = options.filter(move |(option, value)| is_given(option) || option.default != *value);
+        given.map(|(option, value)| (option.name, value))
+    }
+
+    /// The value of an option among those.
+    pub fn given(&self, option: &str) -> Option<f64> {
+        self.options_given().find(|(name, _)| *name == option).map(|(_, value)| value)
+    }
+
+    /// The law itself: what it answers for one sphere, and what it takes from the bodies.
+    pub fn law(&self) -> &dyn Law {
+        self.law.law()
+    }
+
+    /// Its name in a spec.
+    pub fn name(&self) -> String {
+        let shape = if self.sees_ellipses() { "elliptic-" } else { "" };
+        format!("{shape}{}", self.law().name())
+    }
+
+    /// How tables and plots name it: the options that were given stand behind the name, as in
+    /// "zmc(transition-ratio=110)".
+    pub fn label(&self) -> String {
+        let options: Vec<String> =
+            self.options_given().map(|(name, value)| format!("{name}={value}")).collect();
+        let name = self.name();
+        if options.is_empty() { name } else { format!("{name}({})", options.join(" ")) }
+    }
+
+    /// What it is and where it holds, in a line of a report.
+    pub fn about(&self) -> &'static str {
+        self.on_ellipses.unwrap_or_else(|| self.law().about())
+    }
+
+    /// The papers behind it.
+    pub fn papers(&self) -> Vec<Paper> {
+        let ellipse = self.sees_ellipses().then_some(literature::JOHNSON_1985);
+        self.law().papers().iter().copied().chain(ellipse).collect()
+    }
+
+    /// Whether it takes asperities for paraboloids of two principal curvatures, not for spheres of the mean one.
+    pub fn sees_ellipses(&self) -> bool {
+        self.on_ellipses.is_some()
+    }
+
+    /// An asperity of mean curvature 1/`radius` (m) and a ratio of principal curvatures, as the law sees it.
+    pub fn shape(&self, radius: f64, curvature_ratio: f64) -> Shape {
+        if self.sees_ellipses() {
+            Shape::ellipse(radius.recip(), curvature_ratio)
+        } else {
+            Shape::sphere(radius)
+        }
+    }
+
+    /// Whether it may be asked under a layer of finite thickness.
+    pub fn stands_under_layers(&self) -> bool {
+        self.law.stands_under_layers()
+    }
+
+    /// Whether contacts pass from one range into another, as from elastic to plastic.
+    pub fn has_ranges(&self) -> bool {
+        let yielding = Pair { reduced_modulus: 1.0, yield_limits: YieldLimits { onset: 1.0, strength: 1.0 } };
+        !self.law().critical_ratios(&yielding).is_empty()
+    }
+
+    /// Whether it is purely elastic spheres, with a closed form for Gaussian heights.
+    pub fn is_greenwood_williamson(&self) -> bool {
+        self.law().is_hertz() && !self.sees_ellipses()
+    }
+
+    /// Whether the law says anything of a rough and a homogeneous flat body.
+    ///
+    /// # Errors
+    /// See [`Inapplicable`].
+    pub fn check(&self, rough: &Material, flat: &Material) -> Result<(), Inapplicable> {
+        Pair::between(self.law(), rough, flat).map(|_| ())
+    }
+
+    /// The micro-contact of a rough and a flat body under this law. The law is chosen here, once for all asperities.
+    ///
+    /// # Errors
+    /// See [`Inapplicable`].
+    pub fn interface(&self, rough: &Material, flat: &Flat) -> Result<Box<dyn MicroContact>, Inapplicable> {
+        self.law.on(flat, rough)
+    }
+
+    /// See [`Law::tuned`].
+    pub fn tuned(&self, pair: &Pair) -> Self {
+        Self { law: self.law.tuned(pair), ..self.clone() }
+    }
+}
+
+impl PartialEq for ContactLaw {
+    fn eq(&self, other: &Self) -> bool {
+        self.name() == other.name() && self.law().option_values() == other.law().option_values()
+    }
+}
+
+impl fmt::Debug for ContactLaw {
+    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        f.write_str(&self.label())
+    }
+}
+
+/// A law whose type is forgotten, and what needs the type.
+trait AnyLaw: Send + Sync {
+    fn law(&self) -> &dyn Law;
+    fn stands_under_layers(&self) -> bool;
+    fn with_options(&self, values: &[f64]) -> Result<Arc<dyn AnyLaw>, OptionError>;
+    fn tuned(&self, pair: &Pair) -> Arc<dyn AnyLaw>;
+    fn on(&self, flat: &Flat, rough: &Material) -> Result<Box<dyn MicroContact>, Inapplicable>;
+}
+
+/// A law and how it is put on a flat.
+#[derive(Clone)]
+struct OnFlat<L> {
+    law: L,
+    on: fn(&Flat, L, &Material) -> Result<Box<dyn MicroContact>, Inapplicable>,
+    stands_under_layers: bool,
+}
+
+impl<L: Law + Clone> AnyLaw for OnFlat<L> {
+    fn law(&self) -> &dyn Law {
+        &self.law
+    }
+    fn stands_under_layers(&self) -> bool {
+        self.stands_under_layers
+    }
+    fn with_options(&self, values: &[f64]) -> Result<Arc<dyn AnyLaw>, OptionError> {
+        Ok(Arc::new(Self { law: self.law.clone().with_options(values)?, ..*self }))
+    }
+    fn tuned(&self, pair: &Pair) -> Arc<dyn AnyLaw> {
+        Arc::new(Self { law: self.law.clone().tuned(pair), ..*self })
+    }
+    fn on(&self, flat: &Flat, rough: &Material) -> Result<Box<dyn MicroContact>, Inapplicable> {
+        (self.on)(flat, self.law.clone(), rough)
+    }
+}
