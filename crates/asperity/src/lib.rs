@@ -40,4 +40,5 @@ pub mod model;
 pub mod numeric;
 pub mod sphere;
 pub mod topography;
+pub mod units;
 pub mod work;

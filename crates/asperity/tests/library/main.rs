@@ -13,3 +13,4 @@ mod layered_flat;
 mod measured;
 mod reference;
 mod surfaces;
+mod units;

@@ -328,25 +328,3 @@ pub fn existing(path: &Path) -> Result<(), ReadError> {
     }
     Ok(())
 }
-
-/// Lengths that a file may be in, m.
-const UNITS: [(&str, f64); 10] = [
-    ("m", 1.0),
-    ("cm", 1e-2),
-    ("mm", 1e-3),
-    ("um", 1e-6),
-    ("µm", 1e-6),
-    ("μm", 1e-6),
-    ("nm", 1e-9),
-    ("pm", 1e-12),
-    ("\u{c5}", 1e-10),
-    ("\u{212b}", 1e-10),
-];
-
-/// Which words a unit of length may be.
-pub const ALLOWED_UNITS: &str = "m, cm, mm, um, nm, pm, Å";
-
-/// The length in metres of the unit called `word`.
-pub fn length_unit(word: &str) -> Option<f64> {
-    UNITS.iter().find(|(name, _)| *name == word).map(|&(_, metres)| metres)
-}
