@@ -37,6 +37,7 @@ pub mod literature;
 pub mod material;
 pub mod memory;
 pub mod model;
+pub mod npy;
 pub mod numeric;
 pub mod sphere;
 pub mod topography;

@@ -6,6 +6,7 @@ pub mod levels;
 pub mod power;
 pub mod quadrature;
 pub mod root;
+pub(crate) mod stored;
 pub mod sum;
 pub mod table;
 

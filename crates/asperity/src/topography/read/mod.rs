@@ -2,7 +2,7 @@
 //!
 //! | module | format | holds its pixel | holds its unit |
 //! |---|---|---|---|
-//! | [`npy`] | NumPy array, whole or row by row | no | no |
+//! | `npy` | NumPy array, whole or row by row | no | no |
 //! | `text` | matrix of numbers; with Gwyddion's header | no; yes | no; yes |
 //! | `xyz` | three columns of numbers | yes, in the unit | no |
 //! | `x3p` | ISO 25178-72 | yes | yes |
@@ -13,10 +13,8 @@
 //! x; files have x running fastest, so that all but `.npy` are transposed. Nothing is mirrored: the
 //! first line of a file is the first y.
 
-mod mapped;
-pub mod npy;
+mod npy;
 mod sdf;
-mod stored;
 mod table;
 mod text;
 mod x3p;
@@ -27,8 +25,9 @@ use std::io::Read;
 use std::path::Path;
 
 use super::{HeightMap, MapError, Rows, rows};
+use crate::npy::{self as array, Mapped, NpyError};
 use crate::numeric::LARGEST;
-use mapped::{Mapped, MappedMap};
+use npy::MappedMap;
 
 /// Why a file gives no heights. The caller says which file.
 #[derive(Debug, thiserror::Error)]
@@ -45,6 +44,9 @@ pub enum ReadError {
     /// The file does not hold what it says it holds.
     #[error("{0}")]
     Corrupt(String),
+    /// The file is a `.npy` whose array cannot be read.
+    #[error(transparent)]
+    Npy(#[from] NpyError),
     /// The heights make no map.
     #[error(transparent)]
     Map(#[from] MapError),
@@ -140,19 +142,6 @@ pub struct Measured {
     pub precision: f64,
 }
 
-/// A table of numbers as a file holds it.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Matrix {
-    /// Length along the first index.
-    pub rows: usize,
-    /// Length along the second index.
-    pub columns: usize,
-    /// Values, the second index running fastest.
-    pub values: Vec<f64>,
-    /// Relative precision of the stored numbers; 0 for integers.
-    pub precision: f64,
-}
-
 /// The formats, as their first bytes tell them apart.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Format {
@@ -167,7 +156,7 @@ impl Format {
         existing(path)?;
         let mut begin = Vec::new();
         File::open(path)?.take(BEGIN).read_to_end(&mut begin)?;
-        if begin.starts_with(npy::MAGIC) {
+        if begin.starts_with(array::MAGIC) {
             Ok(Self::Npy)
         } else if sdf::is_sdf(&begin) {
             Ok(Self::Sdf)
@@ -201,7 +190,7 @@ const FORMATS: &str = ".npy, X3P, SDF, a matrix of numbers or columns x y z as t
 /// As [`height_map`], as far as the head and the length of the file tell.
 pub fn head(path: &Path) -> Result<Head, ReadError> {
     match Format::of(path)? {
-        Format::Npy => Ok(npy::Head::read(path)?.map()),
+        Format::Npy => npy::head(path),
         Format::Sdf => sdf::head(path),
         Format::Text => Ok(text::measured(path)?.head),
         Format::X3p => x3p::head(path),
@@ -241,7 +230,7 @@ pub fn height_map(path: &Path, given: Given) -> Result<HeightMap, ReadError> {
 /// # Errors
 /// As [`head`].
 pub fn stays_on_disk(path: &Path) -> Result<bool, ReadError> {
-    Ok(Format::of(path)? == Format::Npy && npy::Head::read(path)?.order == npyz::Order::C)
+    Ok(Format::of(path)? == Format::Npy && !array::Header::read(path)?.is_fortran())
 }
 
 /// Opens a map without reading more of it than must be: one that stays on disk is read row by row, whatever its
@@ -253,7 +242,7 @@ pub fn rows(path: &Path, given: Given) -> Result<Box<dyn Rows>, ReadError> {
     if !stays_on_disk(path)? {
         return Ok(Box::new(height_map(path, given)?));
     }
-    let head = npy::Head::read(path)?.map();
+    let head = npy::head(path)?;
     let array = Mapped::open(path)?;
     let map = MappedMap { array, pixel: head.pixel(&given)?, unit: head.unit(&given) };
     check_rows(&map)?;
