@@ -128,7 +128,7 @@ impl<'a> SurfaceFactory<'a> {
             Origin::Map(map) => {
                 let refuse =
                     |error: &dyn std::fmt::Display| refuse(&format!("{} {error}", map.path.display()));
-                let rows = files.map(&map.path, map.given).map_err(|error| refuse(&error))?;
+                let rows = files.map(&map.path, map.given).map_err(|error| refuse(&in_spec_words(&error)))?;
                 timing.read += start.elapsed();
                 let search = SummitSearch {
                     level: map.level,

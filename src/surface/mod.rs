@@ -10,6 +10,7 @@ mod options;
 mod overview;
 mod page;
 mod plan;
+mod read_error;
 mod section;
 mod spec;
 mod summary;

@@ -7,6 +7,7 @@ use asperity::topography::Moments;
 use asperity_framework::contact::ContactMetadata;
 use asperity_framework::metadata::Metadata;
 
+use crate::layer::rule_warning;
 use crate::surface::{Surface, warnings};
 
 /// Both models on given surfaces.
@@ -31,7 +32,7 @@ impl CompareResults {
             self.contact
                 .layer
                 .as_ref()
-                .and_then(|layer| layer.check.as_ref()?.warning(&layer.name, layer.rule)),
+                .and_then(|layer| rule_warning(layer.check.as_ref()?, &layer.name, layer.rule)),
         );
         lines
     }

@@ -6,11 +6,11 @@ use std::path::Path;
 
 use tempfile::NamedTempFile;
 
+use super::memory::peak_of;
 use super::sum::spread;
 use super::timing::{Candidate, medians};
 use asperity::asperity::{AsperitySet, Draw, ListError, Population, SetError, read_list};
 use asperity::interface::MicroContact;
-use asperity::memory::peak_of;
 use asperity::model::{Deterministic, Model, ReferencePlane, Response};
 use asperity::npy;
 

@@ -5,9 +5,9 @@ use std::ops::Range;
 use rayon::prelude::*;
 
 use super::AsperitySet;
-use crate::law::Shape;
 use crate::memory::ask_for;
 use crate::numeric::interval::Interval;
+use crate::shape::Shape;
 
 /// Some asperities on a nominal area.
 #[derive(Debug, Clone, Copy)]

@@ -1,8 +1,8 @@
 //! Asperities of two principal curvatures.
 
 use super::AsperitySet;
-use crate::law::Shape;
 use crate::numeric::sum::sum_of;
+use crate::shape::Shape;
 
 /// An elliptic paraboloid.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -12,11 +12,12 @@ pub use layered::Layered;
 use crate::accumulator::Accumulator;
 use crate::asperity::Asperities;
 use crate::contact::Contact;
-use crate::law::{Inapplicable, Law, ScalableLaw, Shape};
+use crate::law::{Inapplicable, Law, ScalableLaw};
 use crate::layer::{Coating, CoatingError, Rule};
 use crate::literature::Paper;
 use crate::material::{Material, reduced_modulus, softer_hardness};
 use crate::numeric::interval::Interval;
+use crate::shape::Shape;
 
 /// The pair that load ratios and the plasticity index refer to: without a layer, whatever the law.
 #[derive(Debug, Clone, Copy, PartialEq)]

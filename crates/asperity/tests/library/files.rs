@@ -9,7 +9,7 @@ use asperity::topography::character::Character;
 use asperity::topography::read::{Given, head, height_map, rows};
 
 /// A `.npy` of version 1 with the given type, order and bytes.
-fn array(descr: &str, fortran: bool, shape: &str, data: &[u8]) -> Vec<u8> {
+pub(super) fn array(descr: &str, fortran: bool, shape: &str, data: &[u8]) -> Vec<u8> {
     let fortran = if fortran { "True" } else { "False" };
     let mut head = format!("{{'descr': '{descr}', 'fortran_order': {fortran}, 'shape': {shape}, }}");
     while (10 + head.len()) % 64 != 63 {

@@ -50,6 +50,24 @@ pub enum ReadError {
     /// The heights make no map.
     #[error(transparent)]
     Map(#[from] MapError),
+    /// A height that no roughness has.
+    #[error("holds a height of {tallest:e} m; allowed: at most {TALLEST} m")]
+    TooTall {
+        /// The largest height, m.
+        tallest: f64,
+        /// Whether the format holds its unit; elsewhere another unit may be meant.
+        has_unit: bool,
+    },
+    /// A text names its columns and their units, which are not read there.
+    #[error(
+        "names columns with units in line {line}: \"{found}\"; allowed: x y z, the unit given beside the file"
+    )]
+    UnitsInColumns {
+        /// The line, from 1.
+        line: usize,
+        /// What stands in it.
+        found: String,
+    },
     /// What is given beside the file does not go with it.
     #[error(transparent)]
     Given(#[from] GivenError),
@@ -72,9 +90,7 @@ pub enum GivenError {
         has_unit: bool,
     },
     /// No pixel.
-    #[error(
-        "holds no pixel size; allowed: pixel = \"0.8 um\", or [\"0.8 um\", \"0.5 um\"], beside path (--pixel \"0.8 um\" on the command line)"
-    )]
+    #[error("holds no pixel size, and none is given beside it")]
     NoPixel,
     /// Two units: one must be wrong.
     #[error("is {format}, which holds its own unit of length; allowed: leave unit out")]
@@ -258,7 +274,7 @@ fn check_rows(map: &dyn Rows) -> Result<(), ReadError> {
     };
     match rows::strips(map, 0, tallest).into_iter().flatten().reduce(f64::max) {
         None => Err(MapError::AllMissing.into()),
-        Some(tallest) if tallest > TALLEST => Err(too_tall(tallest, false)),
+        Some(tallest) if tallest > TALLEST => Err(ReadError::TooTall { tallest, has_unit: false }),
         Some(_) => Ok(()),
     }
 }
@@ -266,17 +282,12 @@ fn check_rows(map: &dyn Rows) -> Result<(), ReadError> {
 /// No rough surface is so high (m): its unit is wrong.
 const TALLEST: f64 = 10.0;
 
-fn too_tall(tallest: f64, in_metres: bool) -> ReadError {
-    let advice = if in_metres { "" } else { " (unit = \"um\" beside path says in which unit it is)" };
-    ReadError::Unsupported(format!("holds a height of {tallest:e} m; allowed: at most {TALLEST} m{advice}"))
-}
-
 /// Takes out the marks of missing points, brings heights from the unit of their file to metres, and refuses those that
 /// no roughness has.
-fn check_heights(heights: &mut [f64], unit: f64, in_metres: bool) -> Result<(), ReadError> {
+fn check_heights(heights: &mut [f64], unit: f64, has_unit: bool) -> Result<(), ReadError> {
     /// Beyond it a height in metres is the mark of a missing point, such as 1e10.
     const MARK: f64 = 1e3;
-    let mark = if in_metres { MARK } else { LARGEST };
+    let mark = if has_unit { MARK } else { LARGEST };
     let mut tallest = 0.0f64;
     for z in heights {
         if z.abs() <= mark {
@@ -286,7 +297,7 @@ fn check_heights(heights: &mut [f64], unit: f64, in_metres: bool) -> Result<(), 
             *z = f64::NAN;
         }
     }
-    if tallest > TALLEST { Err(too_tall(tallest, in_metres)) } else { Ok(()) }
+    if tallest > TALLEST { Err(ReadError::TooTall { tallest, has_unit }) } else { Ok(()) }
 }
 
 fn too_large() -> ReadError {

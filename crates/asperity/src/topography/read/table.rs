@@ -43,11 +43,7 @@ impl Table {
             && names_columns(line)
         {
             if line.contains(['[', '(', '/']) {
-                return Err(ReadError::Unsupported(format!(
-                    "names columns with units in line {number}: \"{}\"; allowed: x y z, the unit as \
-                     unit = \"um\" beside path",
-                    shortened(line)
-                )));
+                return Err(ReadError::UnitsInColumns { line: number, found: shortened(line) });
             }
             lines.remove(0);
         }
