@@ -4,9 +4,12 @@ use std::fs::File;
 use std::io::Read;
 use std::path::Path;
 
+use super::error::{HeaderFault, LONGEST_HEADER, NpyError};
 use super::literal::Literal;
-use super::{MAGIC, NpyError};
 use crate::numeric::stored::NumberType;
+
+/// How a `.npy` file begins.
+pub(crate) const MAGIC: &[u8; 6] = b"\x93NUMPY";
 
 /// What the header of a file says, checked against the file's length.
 #[derive(Debug, Clone, PartialEq)]
@@ -21,37 +24,6 @@ pub struct Header {
     /// Bytes before the first number.
     pub(super) data_start: u64,
 }
-
-/// Why a header says nothing of an array.
-#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
-pub enum HeaderFault {
-    /// Another version of the format.
-    #[error("found version {0}.{1}; allowed: 1.0, 2.0 and 3.0")]
-    Version(u8, u8),
-    /// The header is longer than any of an array of numbers.
-    #[error("it is {0} bytes long; allowed: at most {LONGEST}")]
-    TooLong(u64),
-    /// The bytes are no text.
-    #[error("it is no text in UTF-8")]
-    Encoding,
-    /// The text is no dictionary.
-    #[error("it is no dictionary as Python writes it, from its byte {0} on")]
-    Syntax(usize),
-    /// The dictionary lacks an entry.
-    #[error("it has no entry '{0}'")]
-    Missing(&'static str),
-    /// An entry has no value that makes sense.
-    #[error("its entry '{entry}' is not {allowed}")]
-    Entry {
-        /// The entry.
-        entry: &'static str,
-        /// What it should be.
-        allowed: &'static str,
-    },
-}
-
-/// Bytes of the longest header that is read: NumPy's own are below 200 for numbers that are no records.
-const LONGEST: u64 = 1 << 20;
 
 impl Header {
     /// Reads the header of a file.
@@ -129,7 +101,7 @@ impl Beginning {
         if text_start + text_length > length {
             return Err(NpyError::TruncatedHeader);
         }
-        if text_length > LONGEST {
+        if text_length > LONGEST_HEADER {
             return Err(HeaderFault::TooLong(text_length).into());
         }
         Ok(Self { text_start, text_length })

@@ -11,7 +11,8 @@ use std::path::Path;
 
 use memmap2::Mmap;
 
-use super::{Header, NpyError};
+use super::error::NpyError;
+use super::header::Header;
 use crate::numeric::LARGEST;
 
 /// A two-dimensional array, opened once; its rows may be taken from any thread.

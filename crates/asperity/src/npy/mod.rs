@@ -7,6 +7,7 @@
 //! | [`Mapped`] | maps an array and takes rows or columns of it |
 //! | [`write()`] | writes an array of float64 |
 
+mod error;
 mod header;
 mod literal;
 mod mapped;
@@ -16,60 +17,10 @@ use std::io::{self, BufWriter, Read, Seek, SeekFrom, Write};
 use std::path::Path;
 
 use crate::memory::zeros;
-pub use header::{Header, HeaderFault};
+pub use error::{HeaderFault, NpyError};
+pub use header::Header;
+pub(crate) use header::MAGIC;
 pub use mapped::Mapped;
-
-/// How a `.npy` file begins.
-pub(crate) const MAGIC: &[u8; 6] = b"\x93NUMPY";
-
-/// Why a file gives no array. The caller says which file.
-#[derive(Debug, thiserror::Error)]
-pub enum NpyError {
-    /// The file cannot be opened or read.
-    #[error("cannot be read: {0}")]
-    Io(#[from] io::Error),
-    /// The file has no bytes.
-    #[error("is empty")]
-    Empty,
-    /// The file does not begin as a `.npy` does.
-    #[error("is no .npy file: it does not begin with \\x93NUMPY")]
-    NotNpy,
-    /// The file ends before its header does.
-    #[error("is truncated: it ends within its head")]
-    TruncatedHeader,
-    /// The header does not say what is in the file.
-    #[error("has a head that is no .npy head: {0}")]
-    Header(#[from] HeaderFault),
-    /// The numbers are of no supported type.
-    #[error("holds numbers of type {0}; allowed: float32, float64 and integers")]
-    NumberType(String),
-    /// The array is no table.
-    #[error("holds an array of shape ({}); allowed: two dimensions", .0.iter().map(u64::to_string).collect::<Vec<_>>().join(", "))]
-    Dimensions(Vec<u64>),
-    /// No file has so many bytes.
-    #[error("claims to hold more numbers than any file can")]
-    TooLarge,
-    /// The file ends before its last number.
-    #[error(
-        "is truncated: its head says {rows} x {columns} numbers in {bytes} bytes, {found} bytes are there"
-    )]
-    Truncated {
-        /// Length along the first index, as the header says.
-        rows: u64,
-        /// Length along the second index, as the header says.
-        columns: u64,
-        /// Bytes that these numbers take.
-        bytes: u64,
-        /// Bytes that are behind the header.
-        found: u64,
-    },
-    /// The file was cut after its header had been checked.
-    #[error("is truncated: it became shorter while it was opened")]
-    Shortened,
-    /// Rows are scattered over the file.
-    #[error("is in Fortran order; allowed here: C order")]
-    FortranOrder,
-}
 
 /// A table of numbers as a file holds it.
 #[derive(Debug, Clone, PartialEq)]

@@ -22,7 +22,7 @@
 
 mod table;
 
-use table::{PREFIXES, Unit, Units};
+use table::{ANGLE, AREA, DENSITY, FORCE, LENGTH, PREFIXES, PRESSURE, Unit, Units};
 
 /// A kind of quantity.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
@@ -45,6 +45,17 @@ impl Dimension {
     /// All of them.
     pub const ALL: [Self; 6] =
         [Self::Pressure, Self::Length, Self::Area, Self::ArealNumberDensity, Self::Angle, Self::Force];
+
+    const fn units(self) -> &'static Units {
+        match self {
+            Self::Pressure => &PRESSURE,
+            Self::Length => &LENGTH,
+            Self::Area => &AREA,
+            Self::ArealNumberDensity => &DENSITY,
+            Self::Angle => &ANGLE,
+            Self::Force => &FORCE,
+        }
+    }
 
     /// What messages call it.
     pub const fn name(self) -> &'static str {

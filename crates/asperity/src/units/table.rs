@@ -2,8 +2,6 @@
 
 use std::f64::consts::{PI, TAU};
 
-use super::Dimension;
-
 /// Symbol, word, plural and SI value. What has no symbol of its own, or one that reads as a number, has its word twice.
 pub(super) type Unit = (&'static str, &'static str, &'static str, f64);
 
@@ -53,65 +51,70 @@ pub(super) const PREFIXES: [(&str, &str, i32); 21] = [
     ("y", "yocto", -24),
 ];
 
-impl Dimension {
-    pub(super) const fn units(self) -> &'static Units {
-        match self {
-            Self::Pressure => &Units {
-                name: "pressure",
-                example: "210 GPa",
-                si_unit: "Pa",
-                documented: &["Pa", "kPa", "MPa", "GPa", "N/mm^2", "HV"],
-                prefixed: Some(Prefixed { symbol: "Pa", word: "pascal", before: "", power: 1 }),
-                others: &[PRESSURES],
-            },
-            Self::Length => &Units {
-                name: "length",
-                example: "1.2 um",
-                si_unit: "m",
-                documented: &["m", "cm", "mm", "um", "nm", "pm", "Å"],
-                prefixed: Some(Prefixed { symbol: "m", word: "meter", before: "", power: 1 }),
-                others: &[LENGTHS, ROMAN_LENGTHS],
-            },
-            Self::Area => &Units {
-                name: "area",
-                example: "1 mm^2",
-                si_unit: "m^2",
-                documented: &["m^2", "cm^2", "mm^2", "um^2"],
-                prefixed: Some(Prefixed { symbol: "m^2", word: "meter", before: "square ", power: 2 }),
-                others: &[AREAS, ROMAN_AREAS],
-            },
-            // Counted on any of the areas.
-            Self::ArealNumberDensity => &Units {
-                name: "density",
-                example: "6e10 /m^2",
-                si_unit: "1/m^2",
-                documented: &["/m^2", "/mm^2", "/um^2"],
-                prefixed: None,
-                others: &[],
-            },
-            Self::Angle => &Units {
-                name: "angle",
-                example: "30 deg",
-                si_unit: "rad",
-                documented: &["deg", "rad"],
-                prefixed: None,
-                others: &[ANGLES],
-            },
-            Self::Force => &Units {
-                name: "force",
-                example: "10 N",
-                si_unit: "N",
-                documented: &["N", "mN", "uN", "kN"],
-                prefixed: Some(Prefixed { symbol: "N", word: "newton", before: "", power: 1 }),
-                others: &[FORCES],
-            },
-        }
-    }
-}
+pub(super) const PRESSURE: Units = Units {
+    name: "pressure",
+    example: "210 GPa",
+    si_unit: "Pa",
+    documented: &["Pa", "kPa", "MPa", "GPa", "N/mm^2", "HV"],
+    prefixed: Some(Prefixed { symbol: "Pa", word: "pascal", before: "", power: 1 }),
+    others: &[PRESSURES],
+};
+
+pub(super) const LENGTH: Units = Units {
+    name: "length",
+    example: "1.2 um",
+    si_unit: "m",
+    documented: &["m", "cm", "mm", "um", "nm", "pm", "Å"],
+    prefixed: Some(Prefixed { symbol: "m", word: "meter", before: "", power: 1 }),
+    others: &[LENGTHS, ROMAN_LENGTHS],
+};
+
+pub(super) const AREA: Units = Units {
+    name: "area",
+    example: "1 mm^2",
+    si_unit: "m^2",
+    documented: &["m^2", "cm^2", "mm^2", "um^2"],
+    prefixed: Some(Prefixed { symbol: "m^2", word: "meter", before: "square ", power: 2 }),
+    others: &[AREAS, ROMAN_AREAS],
+};
+
+/// Counted on any of the areas.
+pub(super) const DENSITY: Units = Units {
+    name: "density",
+    example: "6e10 /m^2",
+    si_unit: "1/m^2",
+    documented: &["/m^2", "/mm^2", "/um^2"],
+    prefixed: None,
+    others: &[],
+};
+
+pub(super) const ANGLE: Units = Units {
+    name: "angle",
+    example: "30 deg",
+    si_unit: "rad",
+    documented: &["deg", "rad"],
+    prefixed: None,
+    others: &[ANGLES],
+};
+
+pub(super) const FORCE: Units = Units {
+    name: "force",
+    example: "10 N",
+    si_unit: "N",
+    documented: &["N", "mN", "uN", "kN"],
+    prefixed: Some(Prefixed { symbol: "N", word: "newton", before: "", power: 1 }),
+    others: &[FORCES],
+};
 
 /// Of Vickers and newton per square millimetre to columns of mercury and water.
 const PRESSURES: &[Unit] = &[
     ("HV", "HV", "HV", 9.80665e6),
+    ("N/mm^2", "newton per square millimeter", "newtons per square millimeter", 1e6),
+    ("kgf/m^2", "kilogram-force per square meter", "kilograms-force per square meter", 9.80665),
+    ("kgf/cm^2", "kilogram-force per square centimeter", "kilograms-force per square centimeter", 9.80665e4),
+    ("kgf/mm^2", "kilogram-force per square millimeter", "kilograms-force per square millimeter", 9.80665e6),
+    ("gf/cm^2", "gram-force per square centimeter", "grams-force per square centimeter", 98.0665),
+    ("dyn/cm^2", "dyne per square centimeter", "dynes per square centimeter", 0.1),
     ("atm", "atmosphere", "atmospheres", 1.01325e5),
     ("at", "atmosphere (technical)", "atmospheres (technical)", 98066.5),
     ("bar", "bar", "bar", 1e5),

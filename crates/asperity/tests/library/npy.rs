@@ -1,8 +1,8 @@
 //! Headers of `.npy` files: what is written reads back, what is damaged is refused.
 
 use asperity::npy::{Header, HeaderFault, Mapped, NpyError, matrix, write};
-use asperity::topography::read::{Given, height_map};
 use asperity::topography::HeightMap;
+use asperity::topography::read::{Given, height_map};
 
 use super::files::array;
 

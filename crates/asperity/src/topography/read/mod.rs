@@ -13,6 +13,8 @@
 //! x; files have x running fastest, so that all but `.npy` are transposed. Nothing is mirrored: the
 //! first line of a file is the first y.
 
+mod content;
+mod error;
 mod npy;
 mod sdf;
 mod table;
@@ -25,138 +27,12 @@ use std::io::Read;
 use std::path::Path;
 
 use super::{HeightMap, MapError, Rows, rows};
-use crate::npy::{self as array, Mapped, NpyError};
+use crate::npy::{self as array, Mapped};
 use crate::numeric::LARGEST;
+pub use content::{Given, Head, Measured};
+use error::{FORMATS, TALLEST};
+pub use error::{GivenError, ReadError};
 use npy::MappedMap;
-
-/// Why a file gives no heights. The caller says which file.
-#[derive(Debug, thiserror::Error)]
-pub enum ReadError {
-    /// The file cannot be opened or read.
-    #[error("cannot be read: {0}")]
-    Io(#[from] std::io::Error),
-    /// The file is of another format.
-    #[error("{0}")]
-    Mismatch(String),
-    /// The format is known, what the file holds is not supported.
-    #[error("{0}")]
-    Unsupported(String),
-    /// The file does not hold what it says it holds.
-    #[error("{0}")]
-    Corrupt(String),
-    /// The file is a `.npy` whose array cannot be read.
-    #[error(transparent)]
-    Npy(#[from] NpyError),
-    /// The heights make no map.
-    #[error(transparent)]
-    Map(#[from] MapError),
-    /// A height that no roughness has.
-    #[error("holds a height of {tallest:e} m; allowed: at most {TALLEST} m")]
-    TooTall {
-        /// The largest height, m.
-        tallest: f64,
-        /// Whether the format holds its unit; elsewhere another unit may be meant.
-        has_unit: bool,
-    },
-    /// A text names its columns and their units, which are not read there.
-    #[error(
-        "names columns with units in line {line}: \"{found}\"; allowed: x y z, the unit given beside the file"
-    )]
-    UnitsInColumns {
-        /// The line, from 1.
-        line: usize,
-        /// What stands in it.
-        found: String,
-    },
-    /// What is given beside the file does not go with it.
-    #[error(transparent)]
-    Given(#[from] GivenError),
-}
-
-/// What is given beside a file does not go with what it holds.
-#[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
-pub enum GivenError {
-    /// Two pixels: one must be wrong.
-    #[error(
-        "is {format}, which holds its own pixel of {:e} x {:e} {}; allowed: leave pixel out",
-        pixel[0], pixel[1], if *has_unit { "m" } else { "units" }
-    )]
-    PixelHeld {
-        /// The format.
-        format: &'static str,
-        /// The pixel held.
-        pixel: [f64; 2],
-        /// Whether that is in metres.
-        has_unit: bool,
-    },
-    /// No pixel.
-    #[error("holds no pixel size, and none is given beside it")]
-    NoPixel,
-    /// Two units: one must be wrong.
-    #[error("is {format}, which holds its own unit of length; allowed: leave unit out")]
-    UnitHeld {
-        /// The format.
-        format: &'static str,
-    },
-}
-
-/// What the head of a file says.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Head {
-    /// Points along x and y.
-    pub points: [usize; 2],
-    /// Distance of neighbouring points along x and y, where the format holds it: in metres where it
-    /// holds its unit, in the unit of the file where it does not.
-    pub pixel: Option<[f64; 2]>,
-    /// Whether the format holds its unit of length.
-    pub has_unit: bool,
-    /// What the format is called.
-    pub format: &'static str,
-}
-
-/// What is given beside a file that does not hold it.
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
-pub struct Given {
-    /// Distance of neighbouring points along x and y, m.
-    pub pixel: Option<[f64; 2]>,
-    /// Unit of all lengths in the file, m; a metre if it is not given.
-    pub unit: Option<f64>,
-}
-
-impl Head {
-    /// The pixel along x and y, m.
-    ///
-    /// # Errors
-    /// See [`GivenError`].
-    pub fn pixel(&self, given: &Given) -> Result<[f64; 2], GivenError> {
-        let Self { format, has_unit, .. } = *self;
-        if has_unit && given.unit.is_some() {
-            return Err(GivenError::UnitHeld { format });
-        }
-        match (self.pixel, given.pixel) {
-            (Some(pixel), Some(_)) => Err(GivenError::PixelHeld { format, pixel, has_unit }),
-            (Some(pixel), None) => Ok(pixel.map(|size| size * self.unit(given))),
-            (None, Some(pixel)) => Ok(pixel),
-            (None, None) => Err(GivenError::NoPixel),
-        }
-    }
-
-    fn unit(&self, given: &Given) -> f64 {
-        if self.has_unit { 1.0 } else { given.unit.unwrap_or(1.0) }
-    }
-}
-
-/// A map as a file holds it.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Measured {
-    /// Size, pixel and unit.
-    pub head: Head,
-    /// Heights, the y index running fastest; in metres where the format holds its unit, in the unit of
-    /// the file where it does not. Missing points are NaN.
-    pub heights: Vec<f64>,
-    /// Relative precision of the stored numbers; 0 for integers that are not scaled.
-    pub precision: f64,
-}
 
 /// The formats, as their first bytes tell them apart.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -198,7 +74,6 @@ impl Format {
 
 /// Bytes that are looked at to tell the formats apart.
 const BEGIN: u64 = 4096;
-const FORMATS: &str = ".npy, X3P, SDF, a matrix of numbers or columns x y z as text";
 
 /// What the head of a file says, checked against its length. A text is read as a whole.
 ///
@@ -279,9 +154,6 @@ fn check_rows(map: &dyn Rows) -> Result<(), ReadError> {
     }
 }
 
-/// No rough surface is so high (m): its unit is wrong.
-const TALLEST: f64 = 10.0;
-
 /// Takes out the marks of missing points, brings heights from the unit of their file to metres, and refuses those that
 /// no roughness has.
 fn check_heights(heights: &mut [f64], unit: f64, has_unit: bool) -> Result<(), ReadError> {
@@ -298,20 +170,6 @@ fn check_heights(heights: &mut [f64], unit: f64, has_unit: bool) -> Result<(), R
         }
     }
     if tallest > TALLEST { Err(ReadError::TooTall { tallest, has_unit }) } else { Ok(()) }
-}
-
-fn too_large() -> ReadError {
-    ReadError::Corrupt("claims to hold more numbers than any file can".to_owned())
-}
-
-/// What was found, not too long for a message.
-fn shortened(text: &str) -> String {
-    text.trim().chars().take(40).collect()
-}
-
-/// Heights with the y index running fastest, of heights in lines of `points_x` along x.
-fn transposed(lines: &[f64], points_x: usize) -> Vec<f64> {
-    (0..points_x).flat_map(|ix| lines.iter().skip(ix).step_by(points_x)).copied().collect()
 }
 
 /// A file that is there and not empty, or why not.

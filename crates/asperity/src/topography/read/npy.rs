@@ -2,7 +2,8 @@
 
 use std::path::Path;
 
-use super::{Head, Measured, ReadError};
+use super::content::{Head, Measured};
+use super::error::ReadError;
 use crate::npy::{Header, Mapped, Matrix, matrix};
 use crate::topography::{Boundary, Rows};
 

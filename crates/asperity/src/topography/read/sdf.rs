@@ -10,7 +10,8 @@ use std::fs::File;
 use std::io::Read;
 use std::path::Path;
 
-use super::{Head, Measured, ReadError, shortened, too_large, transposed};
+use super::content::{Head, Measured, transposed};
+use super::error::{ReadError, shortened, too_large};
 use crate::numeric::is_positive;
 use crate::numeric::stored::NumberType;
 

@@ -4,7 +4,7 @@
 //! comma where something else separates, every comma stands between two digits and there is no
 //! decimal point; what could be read in two ways is refused.
 
-use super::{ReadError, shortened};
+use super::error::{FORMATS, ReadError, shortened};
 
 /// Words for a missing point, in any case.
 const MISSING: [&str; 14] =
@@ -117,7 +117,7 @@ fn no_number(row: usize, line: usize, column: usize, word: &str) -> ReadError {
     if row == 0 {
         return ReadError::Mismatch(format!(
             "is no height map: line {line} has \"{found}\" for a number; allowed: {}",
-            super::FORMATS
+            FORMATS
         ));
     }
     ReadError::Corrupt(format!(

@@ -6,8 +6,10 @@
 
 use std::path::Path;
 
+use super::content::{Head, Measured, transposed};
+use super::error::ReadError;
 use super::table::Table;
-use super::{Head, Measured, ReadError, transposed, xyz};
+use super::xyz;
 use crate::units::Dimension;
 
 const FORMAT: &str = "a text with a header of sizes";

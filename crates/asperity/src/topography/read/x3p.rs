@@ -15,7 +15,8 @@ use roxmltree::{Document, Node};
 use zip::ZipArchive;
 use zip::result::ZipError;
 
-use super::{Head, Measured, ReadError, shortened, too_large, transposed};
+use super::content::{Head, Measured, transposed};
+use super::error::{ReadError, shortened, too_large};
 use crate::numeric::stored::NumberType;
 use crate::numeric::{LARGEST, is_positive};
 
