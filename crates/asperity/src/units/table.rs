@@ -172,7 +172,7 @@ const LENGTHS: &[Unit] = &[
     ("yd", "yard", "yards", 0.9144),
 ];
 
-/// Roman lengths, which specs have always been free to use.
+/// Roman lengths, accepted since the first version.
 const ROMAN_LENGTHS: &[Unit] = &[
     ("leuga", "leuga", "leugae", 2220.0),
     ("mille passus", "mille passus", "mille passa", 1480.0),
@@ -203,7 +203,7 @@ const AREAS: &[Unit] = &[
     ("yd^2", "square yard", "square yards", 0.83612736),
 ];
 
-/// Roman areas, which specs have always been free to use.
+/// Roman areas, accepted since the first version.
 const ROMAN_AREAS: &[Unit] = &[
     ("saltus", "saltus", "saltus", 2.01867264e6),
     ("centuria", "centuria", "centuriae", 5.0466816e5),

@@ -92,8 +92,7 @@ fn no_damage_to_an_array_is_a_panic() {
         for _ in 0..2000 {
             let mut bytes = sample.clone();
             for _ in 0..=random(3) {
-                // The numbers may be any: the header is what matters.
-                let place = random(bytes.len().min(80));
+                let place = random(bytes.len());
                 match random(4) {
                     0 => bytes[place] = random(256) as u8,
                     1 => bytes[place] = b"0123456789(){}[]',:<>|ufi TF-"[random(29)],
@@ -111,7 +110,7 @@ fn no_damage_to_an_array_is_a_panic() {
             }
         }
     }
-    // Much of the text may be anything.
+    // Numbers and padding may be anything.
     assert!(read > 100, "{read}");
 }
 
