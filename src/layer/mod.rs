@@ -2,6 +2,8 @@
 
 mod plan;
 mod spec;
+mod warning;
 
 pub use plan::{LayerPlan, layer, thickness_words};
 pub use spec::LayerSpec;
+pub use warning::rule_warning;

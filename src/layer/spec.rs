@@ -8,6 +8,7 @@ use serde::de::{Deserializer, Error, IntoDeserializer, SeqAccess, Visitor};
 use toml::Spanned;
 
 use asperity::layer::Rule;
+use asperity::units;
 use asperity_framework::input::quantity::{Length, NotNegative, Quantity};
 
 /// A layer on the flat, in one thickness or several.
@@ -30,8 +31,15 @@ pub struct LayerSpec {
 /// One thickness, m: 0 is no layer, infinity nothing but the layer.
 struct Thickness(f64);
 
-const ALLOWED: &str =
-    "0, \"inf\", or a positive finite length such as \"50 nm\" (m, mm, um, nm, pm; a bare number is in m)";
+/// What a thickness may be.
+fn allowed() -> String {
+    let units = units::Dimension::Length;
+    format!(
+        "0, \"inf\", or a positive finite length such as \"50 nm\" ({}; a bare number is in {})",
+        units.documented().join(", "),
+        units.si_unit()
+    )
+}
 
 impl<'de> Deserialize<'de> for Thickness {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
@@ -41,7 +49,7 @@ impl<'de> Deserialize<'de> for Thickness {
             type Value = Thickness;
 
             fn expecting(&self, f: &mut fmt::Formatter) -> fmt::Result {
-                f.write_str(ALLOWED)
+                f.write_str(&allowed())
             }
             fn visit_str<E: Error>(self, text: &str) -> Result<Thickness, E> {
                 if text.trim() == "inf" {
@@ -50,7 +58,7 @@ impl<'de> Deserialize<'de> for Thickness {
                 let read: Result<Quantity<Length, NotNegative>, E> =
                     Quantity::deserialize(StrDeserializer::new(text));
                 read.map(|quantity| Thickness(quantity.value()))
-                    .map_err(|_| E::custom(format!("found \"{text}\"; allowed: {ALLOWED}")))
+                    .map_err(|_| E::custom(format!("found \"{text}\"; allowed: {}", allowed())))
             }
             fn visit_f64<E: Error>(self, value: f64) -> Result<Thickness, E> {
                 if value == f64::INFINITY {
@@ -59,7 +67,7 @@ impl<'de> Deserialize<'de> for Thickness {
                 let number: F64Deserializer<E> = value.into_deserializer();
                 let read: Result<Quantity<Length, NotNegative>, E> = Quantity::deserialize(number);
                 read.map(|quantity| Thickness(quantity.value()))
-                    .map_err(|_| E::custom(format!("found {value}; allowed: {ALLOWED}")))
+                    .map_err(|_| E::custom(format!("found {value}; allowed: {}", allowed())))
             }
             fn visit_i64<E: Error>(self, value: i64) -> Result<Thickness, E> {
                 self.visit_f64(value as f64)
@@ -81,7 +89,7 @@ impl<'de> Deserialize<'de> for Thicknesses {
             type Value = Thicknesses;
 
             fn expecting(&self, f: &mut fmt::Formatter) -> fmt::Result {
-                write!(f, "a thickness ({ALLOWED}) or a list of thicknesses")
+                write!(f, "a thickness ({}) or a list of thicknesses", allowed())
             }
             fn visit_str<E: Error>(self, text: &str) -> Result<Thicknesses, E> {
                 let read: Result<Thickness, E> = Thickness::deserialize(StrDeserializer::new(text));

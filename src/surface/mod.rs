@@ -11,6 +11,7 @@ mod overview;
 mod page;
 mod pixel_spec;
 mod plan;
+mod read_error;
 mod results;
 mod section;
 mod spec;

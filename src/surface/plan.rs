@@ -9,6 +9,7 @@ use toml::Spanned;
 use crate::surface::files::Reading;
 use crate::surface::generation::Generation;
 use crate::surface::overview::{AnalysisDepth, MOST_POINTS_LOOKED_AT};
+use crate::surface::read_error::{given_in_spec_words, in_spec_words};
 use crate::surface::spec::{DrawSpec, FileSpec, ListSpec, PopulationHeights, PopulationSpec, SurfaceSpec};
 use asperity::asperity::{HeightDensity, Population, SurfaceHeights, check_list};
 use asperity::model::ReferencePlane;
@@ -153,7 +154,7 @@ impl SurfacePlan {
         let refuse = |error: &dyn std::fmt::Display| {
             source.error_at(words.path.span(), format!("{} {error}", path.display()))
         };
-        let metadata = read::head(&path).map_err(|error| refuse(&error))?;
+        let metadata = read::head(&path).map_err(|error| refuse(&in_spec_words(&error)))?;
         let points = metadata.points;
         if points.iter().any(|&count| count < 3) {
             return Err(refuse(&MapError::TooSmall(points)));
@@ -168,7 +169,8 @@ impl SurfacePlan {
                 GivenError::UnitHeld { .. } => words.unit.as_ref().map(Spanned::span),
                 GivenError::NoPixel => None,
             };
-            source.error_at(key.unwrap_or_else(|| words.path.span()), format!("{} {error}", path.display()))
+            let message = format!("{} {}", path.display(), given_in_spec_words(&error));
+            source.error_at(key.unwrap_or_else(|| words.path.span()), message)
         })?;
         let filter = match &words.filter {
             None => None,
@@ -185,7 +187,7 @@ impl SurfacePlan {
         // The head of a file has been checked against its length: the product fits.
         let points = points[0] * points[1];
         let neighbours = words.neighbours;
-        let is_on_disk = read::stays_on_disk(&path).map_err(|error| refuse(&error))?;
+        let is_on_disk = read::stays_on_disk(&path).map_err(|error| refuse(&in_spec_words(&error)))?;
         Ok(Origin::Map(MapPlan { path, points, is_on_disk, given, level: words.level, filter, neighbours }))
     }
 

@@ -8,8 +8,8 @@ use toml::Spanned;
 use crate::surface::generate_spec::GenerateSpec;
 use crate::surface::pixel_spec::PixelSpec;
 use asperity::topography::level::Level;
-use asperity::topography::read::{ALLOWED_UNITS, length_unit};
 use asperity::topography::summits::Neighbours;
+use asperity::units::Dimension;
 use asperity_framework::input::quantity::{Area, ArealNumberDensity, Length, Pure, Quantity};
 
 /// One surface: exactly one kind a name.
@@ -149,8 +149,10 @@ impl TryFrom<String> for UnitSpec {
     type Error = String;
 
     fn try_from(word: String) -> Result<Self, String> {
-        let unit = length_unit(&word).map(Self);
-        unit.ok_or_else(|| format!("found the unit \"{word}\"; allowed: {ALLOWED_UNITS}"))
+        let unit = Dimension::Length.documented_factor(&word).map(Self);
+        unit.ok_or_else(|| {
+            format!("found the unit \"{word}\"; allowed: {}", Dimension::Length.documented().join(", "))
+        })
     }
 }
 

@@ -2,7 +2,7 @@
 
 use crate::contact::{Contact, Regime};
 use crate::interface::MicroContact;
-use crate::law::Shape;
+use crate::shape::Shape;
 
 /// Points of the trace between two places at which a curve bends.
 const PER_PIECE: usize = 160;

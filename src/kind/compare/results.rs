@@ -6,6 +6,7 @@ use asperity_framework::metadata::Metadata;
 
 use super::answers::{FallResults, RealisationResults, Threshold};
 use super::findings::SurfaceFindings;
+use crate::layer::rule_warning;
 use crate::surface::{Surface, warnings};
 
 /// Both models on given surfaces.
@@ -30,7 +31,7 @@ impl CompareResults {
             self.contact
                 .layer
                 .as_ref()
-                .and_then(|layer| layer.check.as_ref()?.warning(&layer.name, layer.rule)),
+                .and_then(|layer| rule_warning(layer.check.as_ref()?, &layer.name, layer.rule)),
         );
         lines
     }

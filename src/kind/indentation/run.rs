@@ -7,7 +7,7 @@ use rayon::prelude::*;
 
 use super::plan::IndentationPlan;
 use super::spec::Show;
-use crate::layer::{LayerPlan, thickness_words};
+use crate::layer::{LayerPlan, rule_warning, thickness_words};
 use asperity::compare::{RuleCheck, RuleError, RuleFindings, apart};
 use asperity::contact_law::ContactLaw;
 use asperity::interface::{ContactError, Counted, Flat, MicroContact};
@@ -108,7 +108,7 @@ impl IndentationResults {
         let mut warnings = Vec::new();
         for found in &self.layers {
             let layer = format!("{} of {}", found.name, thickness_words(found.thickness));
-            warnings.extend(found.check.warning(&layer, found.rule));
+            warnings.extend(rule_warning(&found.check, &layer, found.rule));
             let slope = found.largest_slope(self.radius);
             if slope > LARGEST_SLOPE {
                 warnings.push(format!(

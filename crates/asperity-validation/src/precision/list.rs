@@ -1,19 +1,18 @@
 //! What it costs to read a list of asperities from a file and to add it up, by its length: time and memory.
 
-use std::fs::File;
 use std::hint::black_box;
-use std::io::{self, BufWriter, Write};
+use std::io;
 use std::path::Path;
 
-use npyz::WriterBuilder;
 use tempfile::NamedTempFile;
 
+use super::memory::peak_of;
 use super::sum::spread;
 use super::timing::{Candidate, medians};
 use asperity::asperity::{AsperitySet, Draw, ListError, Population, SetError, read_list};
 use asperity::interface::MicroContact;
-use asperity::memory::peak_of;
 use asperity::model::{Deterministic, Model, ReferencePlane, Response};
+use asperity::npy;
 
 /// What is asked of lists.
 #[derive(Debug, Clone, PartialEq)]
@@ -164,21 +163,10 @@ fn written(population: &Population, count: usize, seed: [u8; 32]) -> Result<Name
     let set = population.set(count, Draw::Random(seed))?;
     let write = || {
         let file = tempfile::Builder::new().prefix("asperities-").suffix(".npy").tempfile()?;
-        write_list(&set, file.as_file()).map(|()| file)
+        let values = set.heights().iter().zip(set.radii()).flat_map(|(&height, &radius)| [height, radius]);
+        npy::write(file.as_file(), [set.count(), 2], values).map(|()| file)
     };
     write().map_err(|error| Unlisted::Written { count, error })
-}
-
-fn write_list(set: &AsperitySet, file: &File) -> io::Result<()> {
-    let mut buffer = BufWriter::new(file);
-    let shape = [set.count() as u64, 2];
-    let mut array = npyz::WriteOptions::new().default_dtype().shape(&shape).writer(&mut buffer).begin_nd()?;
-    for (height, radius) in set.heights().iter().zip(set.radii()) {
-        array.push(height)?;
-        array.push(radius)?;
-    }
-    array.finish()?;
-    buffer.flush()
 }
 
 fn read(path: &Path, population: &Population) -> Result<AsperitySet, Unlisted> {

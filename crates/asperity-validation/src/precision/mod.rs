@@ -17,6 +17,7 @@ pub mod curve;
 pub mod grid;
 pub mod integral;
 pub mod list;
+mod memory;
 mod rules;
 pub mod sampling;
 pub mod sum;

@@ -2,12 +2,9 @@
 
 use std::ops::Range;
 
-use rayon::prelude::*;
-
-use super::AsperitySet;
-use crate::law::Shape;
 use crate::memory::ask_for;
 use crate::numeric::interval::Interval;
+use crate::shape::Shape;
 
 /// Some asperities on a nominal area.
 #[derive(Debug, Clone, Copy)]
@@ -98,30 +95,5 @@ impl<'a> Asperities<'a> {
     /// Each height (m) and shape.
     pub fn each(self) -> impl Iterator<Item = (f64, Shape)> + 'a {
         (0..self.count()).map(move |index| (self.heights[index], self.shape(index)))
-    }
-}
-
-/// The spheres that stand for the ellipses of a set.
-#[derive(Debug, Clone)]
-pub struct Ellipses<'a> {
-    set: &'a AsperitySet,
-    radii: Vec<f64>,
-    spheres: Vec<f64>,
-}
-
-impl<'a> Ellipses<'a> {
-    /// Those of a set; `None` where it does not know its principal curvatures.
-    pub fn of(set: &'a AsperitySet) -> Option<Self> {
-        let (radii, spheres) = set
-            .ellipses()?
-            .par_iter()
-            .map(|ellipse| (ellipse.shape().radius, ellipse.shape().spheres))
-            .unzip();
-        Some(Self { set, radii, spheres })
-    }
-
-    /// The asperities.
-    pub fn asperities(&self) -> Asperities<'_> {
-        Asperities::new(self.set.heights(), &self.radii, Some(&self.spheres), self.set.nominal_area())
     }
 }

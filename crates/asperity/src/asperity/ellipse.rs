@@ -1,8 +1,6 @@
 //! Asperities of two principal curvatures.
 
-use super::AsperitySet;
-use crate::law::Shape;
-use crate::numeric::sum::sum_of;
+use crate::shape::Shape;
 
 /// An elliptic paraboloid.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -39,34 +37,6 @@ impl Ellipse {
     }
 }
 
-/// The mean shape of a set of ellipses, on which the statistical model stands.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Ellipticity {
-    /// Mean of the mean curvatures, 1/m.
-    pub mean_curvature: f64,
-    /// Mean of the smaller principal curvature over the larger one, from 0 to 1; 1 for spheres.
-    pub mean_ratio: f64,
-}
-
-impl Ellipticity {
-    /// Of a set; `None` where it has no ellipses.
-    pub fn of(set: &AsperitySet) -> Option<Self> {
-        let ellipses = set.ellipses()?;
-        let mean = |term: fn(&Ellipse) -> f64| {
-            sum_of(ellipses.len(), |i| term(&ellipses[i])) / ellipses.len() as f64
-        };
-        Some(Self {
-            mean_curvature: mean(|ellipse| ellipse.mean_curvature),
-            mean_ratio: mean(|ellipse| ellipse.curvature_ratio.recip()),
-        })
-    }
-
-    /// The asperity that stands for all.
-    pub fn shape(&self) -> Shape {
-        Shape::ellipse(self.mean_curvature, self.mean_ratio.recip())
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -78,17 +48,5 @@ mod tests {
             assert_eq!((found.mean_curvature, found.curvature_ratio), (0.5 * (4.0 + smaller), 1.0));
         }
         assert_eq!(Ellipse::of_summit([4.0, 1.0]), Ellipse { mean_curvature: 2.5, curvature_ratio: 4.0 });
-    }
-
-    #[test]
-    fn the_mean_of_ellipses() {
-        let ellipse = |ratio| Ellipse { mean_curvature: 2.0 + ratio, curvature_ratio: ratio };
-        let set = AsperitySet::new(vec![0.0, 1.0], vec![1.0; 2], 1.0).unwrap();
-        assert_eq!(Ellipticity::of(&set), None);
-        let set = set.with_ellipses(vec![ellipse(1.0), ellipse(4.0)]).unwrap();
-        let found = Ellipticity::of(&set).unwrap();
-        assert_eq!(found, Ellipticity { mean_curvature: 4.5, mean_ratio: 0.625 });
-        assert_eq!(found.shape(), Shape::ellipse(4.5, 1.6));
-        assert!(set.clone().with_ellipses(vec![ellipse(1.0)]).is_err());
     }
 }

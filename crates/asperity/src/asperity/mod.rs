@@ -2,143 +2,22 @@
 
 mod arrays;
 mod ellipse;
+mod ellipses;
 mod heights;
 mod nayak;
 mod ordered;
 mod population;
 mod read;
+mod set;
 mod statistics;
 
-pub use arrays::{Asperities, Ellipses};
-pub use ellipse::{Ellipse, Ellipticity};
+pub use arrays::Asperities;
+pub use ellipse::Ellipse;
+pub use ellipses::{Ellipses, Ellipticity};
 pub use heights::{HeightDensity, gaussian_moment};
 pub use nayak::{NoSuchSurface, SurfaceHeights};
 pub use ordered::Ordered;
 pub use population::{Draw, Population};
 pub use read::{AsperityList, Column, ListError, check_list, read_list};
+pub use set::{AsperitySet, SetError};
 pub use statistics::Statistics;
-
-use crate::numeric::{LARGEST, is_positive};
-
-/// The asperities of a rough surface, as a struct of arrays in the order of their origin.
-#[derive(Debug, Clone, PartialEq)]
-pub struct AsperitySet {
-    heights: Vec<f64>,
-    radii: Vec<f64>,
-    ellipses: Option<Vec<Ellipse>>,
-    nominal_area: f64,
-}
-
-/// A set that no model can run on.
-#[derive(Debug, Clone, PartialEq, thiserror::Error)]
-pub enum SetError {
-    /// There must be an asperity.
-    #[error("no asperity")]
-    Empty,
-    /// As many heights as radii.
-    #[error("{heights} heights but {radii} radii")]
-    Lengths {
-        /// Number of heights.
-        heights: usize,
-        /// Number of radii.
-        radii: usize,
-    },
-    /// As many heights as ellipses.
-    #[error("{heights} heights but {ellipses} ellipses")]
-    Ellipses {
-        /// Number of heights.
-        heights: usize,
-        /// Number of ellipses.
-        ellipses: usize,
-    },
-    /// Heights are finite.
-    #[error("asperity {index}: height {height} m; allowed: a finite number")]
-    Height {
-        /// Index of the asperity, from 0.
-        index: usize,
-        /// What was found, m.
-        height: f64,
-    },
-    /// Radii are positive and finite.
-    #[error("asperity {index}: radius {radius} m; allowed: positive and finite")]
-    Radius {
-        /// Index of the asperity, from 0.
-        index: usize,
-        /// What was found, m.
-        radius: f64,
-    },
-    /// The nominal area is positive and finite.
-    #[error("nominal area {0} m^2; allowed: positive and finite")]
-    NominalArea(f64),
-}
-
-impl AsperitySet {
-    /// Asperities of the given heights and radii (m) on a nominal area (m^2).
-    ///
-    /// # Errors
-    /// The first thing that makes the set unusable.
-    pub fn new(heights: Vec<f64>, radii: Vec<f64>, nominal_area: f64) -> Result<Self, SetError> {
-        if heights.len() != radii.len() {
-            return Err(SetError::Lengths { heights: heights.len(), radii: radii.len() });
-        }
-        if heights.is_empty() {
-            return Err(SetError::Empty);
-        }
-        if let Some(index) = heights.iter().position(|z| z.is_nan() || z.abs() > LARGEST) {
-            return Err(SetError::Height { index, height: heights[index] });
-        }
-        if let Some(index) = radii.iter().position(|&b| !is_positive(b)) {
-            return Err(SetError::Radius { index, radius: radii[index] });
-        }
-        if !is_positive(nominal_area) {
-            return Err(SetError::NominalArea(nominal_area));
-        }
-        Ok(Self { heights, radii, ellipses: None, nominal_area })
-    }
-
-    /// Heights, m.
-    pub fn heights(&self) -> &[f64] {
-        &self.heights
-    }
-
-    /// Radii, m.
-    pub fn radii(&self) -> &[f64] {
-        &self.radii
-    }
-
-    /// The same set with an ellipse for each asperity, which laws for ellipses see in place of its sphere.
-    ///
-    /// # Errors
-    /// Fewer or more ellipses than asperities.
-    pub fn with_ellipses(self, ellipses: Vec<Ellipse>) -> Result<Self, SetError> {
-        if ellipses.len() != self.count() {
-            return Err(SetError::Ellipses { heights: self.count(), ellipses: ellipses.len() });
-        }
-        Ok(Self { ellipses: Some(ellipses), ..self })
-    }
-
-    /// The ellipses, where they are known.
-    pub fn ellipses(&self) -> Option<&[Ellipse]> {
-        self.ellipses.as_deref()
-    }
-
-    /// The asperities as spheres.
-    pub fn spheres(&self) -> Asperities<'_> {
-        Asperities::new(&self.heights, &self.radii, None, self.nominal_area)
-    }
-
-    /// Number of asperities.
-    pub fn count(&self) -> usize {
-        self.heights.len()
-    }
-
-    /// Nominal area, m^2.
-    pub fn nominal_area(&self) -> f64 {
-        self.nominal_area
-    }
-
-    /// Asperities per nominal area, 1/m^2.
-    pub fn density(&self) -> f64 {
-        self.count() as f64 / self.nominal_area
-    }
-}

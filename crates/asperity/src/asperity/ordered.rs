@@ -3,7 +3,7 @@
 use rayon::prelude::*;
 
 use super::Asperities;
-use crate::law::Shape;
+use crate::shape::Shape;
 
 /// Asperities highest first, so that those in contact at any separation are a prefix: for searches that look at
 /// few of them again and again.

@@ -8,15 +8,18 @@ use rayon::prelude::*;
 
 use super::{AsperitySet, Ellipse, SetError};
 use crate::memory::zeros;
+use crate::npy::{self, NpyError};
 use crate::numeric::{LARGEST, is_positive};
-use crate::topography::read::{ReadError, npy};
 
 /// Why a file gives no list of asperities.
 #[derive(Debug, thiserror::Error)]
 pub enum ListError {
-    /// The file could not be read, or its array is not a table of numbers.
+    /// The file cannot be opened or read.
+    #[error("cannot be read: {0}")]
+    Io(#[from] std::io::Error),
+    /// The file is a `.npy` whose array cannot be read.
     #[error(transparent)]
-    File(#[from] ReadError),
+    Npy(#[from] NpyError),
     /// The `.npy` array has other columns than those that are needed.
     #[error("holds an array of shape {rows} x {columns}; allowed: n x {}, with the columns {}", needed.len(), Column::names(needed))]
     Shape {
@@ -165,12 +168,12 @@ pub fn check_list(path: &Path, as_ellipses: bool) -> Result<usize, ListError> {
     /// The shortest row of a CSV: "0,1" and a line end.
     const BYTES_PER_ROW: u64 = 4;
     let needed = needed(as_ellipses);
-    if npy::is_npy(path).map_err(ReadError::from)? {
-        let npy::Head { rows, columns, .. } = npy::Head::read(path)?;
+    if npy::is_npy(path)? {
+        let npy::Header { rows, columns, .. } = npy::Header::read(path)?;
         return check_shape(rows, columns, needed).map(|()| rows);
     }
     places(&mut csv_reader(path)?, needed)?;
-    let bytes = std::fs::metadata(path).map_err(ReadError::from)?.len();
+    let bytes = std::fs::metadata(path)?.len();
     Ok(usize::try_from(bytes / BYTES_PER_ROW).unwrap_or(usize::MAX))
 }
 
@@ -186,7 +189,7 @@ fn needed(as_ellipses: bool) -> &'static [Column] {
 /// See [`ListError`]; a bad value is named with its row.
 pub fn read_list(path: &Path, as_ellipses: bool) -> Result<AsperityList, ListError> {
     let needed = needed(as_ellipses);
-    let is_npy = npy::is_npy(path).map_err(ReadError::from)?;
+    let is_npy = npy::is_npy(path)?;
     let [heights, radii, kx, ky] = if is_npy { read_npy(path, needed)? } else { read_csv(path, needed)? };
     if heights.is_empty() {
         return Err(ListError::Empty);

@@ -4,11 +4,12 @@
 //! on a/t alone: neither on the radius of the sphere nor on the thickness of the layer.
 
 use crate::interface::{ContactError, Layered, MicroContact};
-use crate::law::{Hertz, Shape};
+use crate::law::Hertz;
 use crate::layer::exact_sphere::{ElasticContact, LARGEST_RATIO, LayeredSphere};
 use crate::layer::{Coating, Rule};
 use crate::literature::Paper;
 use crate::material::Material;
+use crate::shape::Shape;
 
 /// E_l/E_s within which the first-order weights of the paper's rule are good (Perriot and Barthel 2004).
 pub const GOOD_RATIO: [f64; 2] = [0.5, 2.0];
@@ -48,40 +49,12 @@ impl RuleFindings {
     pub fn worst_of(&self, rule: Rule) -> Option<&RuleError> {
         Rule::ALL.into_iter().zip(&self.worst).find(|(of, _)| *of == rule)?.1.as_ref()
     }
-
-    /// What makes `rule` doubtful for the layer called `layer`; `None` where the moduli are near enough.
-    pub fn warning(&self, layer: &str, rule: Rule) -> Option<String> {
-        let size = self.worst_of(rule).map_or_else(String::new, |worst| {
-            let direction = if worst.ratio > 1.0 { "stiff" } else { "compliant" };
-            format!(
-                ". Without yielding, rule \"{}\" is up to {:.2} times too {direction} (load at equal indentation beside the \
-                 exact solution, a/t from {} to {}; most at a/t = {})",
-                rule.name(),
-                worst.factor(),
-                short(self.range[0]),
-                short(self.range[1]),
-                short(worst.contact_ratio),
-            )
-        });
-        let [from, to] = GOOD_RATIO;
-        (!self.is_good()).then(|| {
-            format!(
-                "layer {layer}: its modulus is {} times the substrate's, outside the {from} to {to} where the paper's rule is good{size}",
-                short(self.modulus_ratio)
-            )
-        })
-    }
 }
 
 /// Rule by rule what stands error by error.
 pub fn apart(errors: impl Iterator<Item = [RuleError; 2]>) -> [Vec<RuleError>; 2] {
     let (gao, series) = errors.map(|[gao, series]| (gao, series)).unzip();
     [gao, series]
-}
-
-/// To three digits.
-fn short(value: f64) -> String {
-    format!("{value:.2e}").parse::<f64>().unwrap_or(value).to_string()
 }
 
 /// A rule's elastic load beside the exact one at equal indentation.

@@ -5,11 +5,12 @@ use super::{JUMP, LoadBounds, MicroContact, Reference, Shapes};
 use crate::accumulator::Accumulator;
 use crate::asperity::Asperities;
 use crate::contact::{Contact, Contacts};
-use crate::law::{Inapplicable, Law, Pair, Shape};
+use crate::law::{Inapplicable, Law, Pair};
 use crate::literature::Paper;
 use crate::material::Material;
 use crate::numeric::interval::Interval;
 use crate::numeric::lanes::Real;
+use crate::shape::Shape;
 
 /// A rough and a flat body, both homogeneous, under one law.
 #[derive(Debug, Clone)]

@@ -3,8 +3,8 @@
 use crate::accumulator::{Accumulator, FEW, LaneAccumulator, LaneBatch};
 use crate::asperity::Asperities;
 use crate::contact::Contacts;
-use crate::law::Shape;
 use crate::numeric::lanes::{MOST, Real, Work, run};
+use crate::shape::Shape;
 
 /// What knows the contacts of asperities side by side.
 pub(super) trait Answers {

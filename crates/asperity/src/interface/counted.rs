@@ -4,9 +4,9 @@ use super::{LoadBounds, MicroContact, Shapes};
 use crate::accumulator::Accumulator;
 use crate::asperity::Asperities;
 use crate::contact::Contact;
-use crate::law::Shape;
 use crate::literature::Paper;
 use crate::numeric::interval::Interval;
+use crate::shape::Shape;
 use crate::work::{Counter, Item};
 
 /// A contact whose answers are counted, those to a block of asperities or nodes at once.

@@ -5,13 +5,14 @@ use super::{JUMP, LoadBounds, MicroContact, Reference, Shapes};
 use crate::accumulator::Accumulator;
 use crate::asperity::Asperities;
 use crate::contact::{Contact, Contacts, Regime};
-use crate::law::{Inapplicable, Pair, ScalableLaw, Shape, YieldLimits};
+use crate::law::{Inapplicable, Pair, ScalableLaw, YieldLimits};
 use crate::layer::{Bounds, Coating};
 use crate::literature::Paper;
 use crate::material::Material;
 use crate::numeric::interval::Interval;
 use crate::numeric::lanes::Real;
 use crate::numeric::root::sign_changes;
+use crate::shape::Shape;
 
 /// A homogeneous rough body on a layered flat under one law: the law sees the pair that each asperity feels at its
 /// own indentation (Pasaribu and Schipper 2005, Eqs. 5, 9 with E_eff, nu_eff, H_eff).

@@ -2,7 +2,7 @@
 //!
 //! A law sees the properties of the pair of bodies, an indentation and a radius, and nothing else:
 //! no model, no surface, no coating. Whatever changes the properties from asperity to asperity does
-//! so before the law is asked. An elliptic asperity is so many spheres: its [`Shape`] (`elliptic`).
+//! so before the law is asked. An elliptic asperity is so many spheres: its [`Shape`].
 //!
 //! | file | law | regimes |
 //! |---|---|---|
@@ -14,7 +14,6 @@
 //! | `fully_plastic` | Abbott and Firestone | plastic |
 
 mod ceb;
-mod elliptic;
 mod fully_plastic;
 mod hertz;
 mod jackson_green;
@@ -23,7 +22,6 @@ mod option;
 mod zmc;
 
 pub use ceb::Ceb;
-pub use elliptic::Shape;
 pub use fully_plastic::FullyPlastic;
 pub use hertz::Hertz;
 pub use jackson_green::JacksonGreen;
@@ -36,6 +34,7 @@ use crate::literature::Paper;
 use crate::material::{Material, reduced_modulus};
 use crate::numeric::interval::Interval;
 use crate::numeric::lanes::{Mask, Real};
+pub use crate::shape::Shape;
 
 /// What a body sets against yielding, as a law sees it. Of a pair, the onset is that of the body that yields first, the
 /// strength that of the weaker one.

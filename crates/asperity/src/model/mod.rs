@@ -5,6 +5,7 @@ mod block;
 mod curve;
 mod deterministic;
 mod load_control;
+mod plane;
 mod response;
 mod sparse;
 mod statistical;
@@ -12,26 +13,11 @@ mod statistical;
 pub use curve::{Curve, respond_within};
 pub use deterministic::Deterministic;
 pub use load_control::{LOWEST_SEPARATION, Reached, Unreachable, at_pressure, at_pressures, reached_at};
+pub use plane::ReferencePlane;
 pub use response::{INTERACTION, Response, SamplingError};
 pub use statistical::{MeanRadius, Statistical};
 
-use crate::asperity::Statistics;
 use crate::numeric::levels::{Point, last_reaching_all};
-
-/// Where separations are measured from, and in what unit they are reported.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct ReferencePlane {
-    /// The height that separation 0 means, m: the mean asperity height.
-    pub mean: f64,
-    /// Standard deviation of the asperity heights, m.
-    pub sigma: f64,
-}
-
-impl From<&Statistics> for ReferencePlane {
-    fn from(statistics: &Statistics) -> Self {
-        Self { mean: statistics.mean_height, sigma: statistics.sigma }
-    }
-}
 
 /// Contacts that were counted.
 #[derive(Debug, Clone, PartialEq)]

@@ -1,6 +1,6 @@
 //! What a model answers at one separation.
 
-use super::ReferencePlane;
+use super::plane::ReferencePlane;
 use crate::accumulator::Total;
 use crate::contact::ByRegime;
 

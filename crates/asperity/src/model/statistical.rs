@@ -7,10 +7,10 @@ use super::{Model, ReferencePlane, Response};
 use crate::accumulator::{Accumulator, Total};
 use crate::asperity::{HeightDensity, Population, Statistics};
 use crate::interface::MicroContact;
-use crate::law::Shape;
 use crate::numeric::lanes::{Real, Work, run};
 use crate::numeric::quadrature::{NODES, Piece, Variable, pieces};
 use crate::numeric::root::last_reaching;
+use crate::shape::Shape;
 
 /// E-foldings of the density that one panel resolves to full accuracy.
 const FOLDINGS_PER_PANEL: f64 = 20.0;

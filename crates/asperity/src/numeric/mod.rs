@@ -2,12 +2,13 @@
 
 pub mod interval;
 pub mod lanes;
-pub mod levels;
-pub mod power;
+pub(crate) mod levels;
+pub(crate) mod power;
 pub mod quadrature;
-pub mod root;
+pub(crate) mod root;
+pub(crate) mod stored;
 pub mod sum;
-pub mod table;
+pub(crate) mod table;
 
 pub use sum::Sum;
 

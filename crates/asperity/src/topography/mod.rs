@@ -30,11 +30,15 @@ pub mod spectrum;
 pub mod summits;
 pub mod theory;
 
+use std::fs::File;
+use std::io;
 use std::ops::Range;
+use std::path::Path;
 
 use rayon::prelude::*;
 
 use crate::memory::zeros;
+use crate::npy;
 use crate::numeric::is_positive;
 pub use character::Moments;
 pub use rows::{Boundary, Rows};
@@ -145,6 +149,15 @@ impl HeightMap {
     /// The heights, m, without the rest.
     pub fn into_heights(self) -> Vec<f64> {
         self.heights
+    }
+
+    /// Writes the heights (m) as a NumPy array of float64 whose first index is x, missing points being NaN. A `.npy` does
+    /// not hold the pixel: whoever reads it must say it.
+    ///
+    /// # Errors
+    /// A file that cannot be written.
+    pub fn write_npy(&self, path: &Path) -> io::Result<()> {
+        npy::write(File::create(path)?, self.points, self.heights.iter().copied())
     }
 
     /// What `of` makes of the heights that are there, on a grid of as many `points` or more; zero where there is none.

@@ -11,5 +11,7 @@ mod formats;
 mod invariants;
 mod layered_flat;
 mod measured;
+mod npy;
 mod reference;
 mod surfaces;
+mod units;

@@ -2,7 +2,7 @@
 //!
 //! | module | format | holds its pixel | holds its unit |
 //! |---|---|---|---|
-//! | [`npy`] | NumPy array, whole or row by row | no | no |
+//! | `npy` | NumPy array, whole or row by row | no | no |
 //! | `text` | matrix of numbers; with Gwyddion's header | no; yes | no; yes |
 //! | `xyz` | three columns of numbers | yes, in the unit | no |
 //! | `x3p` | ISO 25178-72 | yes | yes |
@@ -13,10 +13,10 @@
 //! x; files have x running fastest, so that all but `.npy` are transposed. Nothing is mirrored: the
 //! first line of a file is the first y.
 
-mod mapped;
-pub mod npy;
+mod content;
+mod error;
+mod npy;
 mod sdf;
-mod stored;
 mod table;
 mod text;
 mod x3p;
@@ -27,131 +27,12 @@ use std::io::Read;
 use std::path::Path;
 
 use super::{HeightMap, MapError, Rows, rows};
+use crate::npy::{self as array, Mapped};
 use crate::numeric::LARGEST;
-use mapped::{Mapped, MappedMap};
-
-/// Why a file gives no heights. The caller says which file.
-#[derive(Debug, thiserror::Error)]
-pub enum ReadError {
-    /// The file cannot be opened or read.
-    #[error("cannot be read: {0}")]
-    Io(#[from] std::io::Error),
-    /// The file is of another format.
-    #[error("{0}")]
-    Mismatch(String),
-    /// The format is known, what the file holds is not supported.
-    #[error("{0}")]
-    Unsupported(String),
-    /// The file does not hold what it says it holds.
-    #[error("{0}")]
-    Corrupt(String),
-    /// The heights make no map.
-    #[error(transparent)]
-    Map(#[from] MapError),
-    /// What is given beside the file does not go with it.
-    #[error(transparent)]
-    Given(#[from] GivenError),
-}
-
-/// What is given beside a file does not go with what it holds.
-#[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
-pub enum GivenError {
-    /// Two pixels: one must be wrong.
-    #[error(
-        "is {format}, which holds its own pixel of {:e} x {:e} {}; allowed: leave pixel out",
-        pixel[0], pixel[1], if *has_unit { "m" } else { "units" }
-    )]
-    PixelHeld {
-        /// The format.
-        format: &'static str,
-        /// The pixel held.
-        pixel: [f64; 2],
-        /// Whether that is in metres.
-        has_unit: bool,
-    },
-    /// No pixel.
-    #[error(
-        "holds no pixel size; allowed: pixel = \"0.8 um\", or [\"0.8 um\", \"0.5 um\"], beside path (--pixel \"0.8 um\" on the command line)"
-    )]
-    NoPixel,
-    /// Two units: one must be wrong.
-    #[error("is {format}, which holds its own unit of length; allowed: leave unit out")]
-    UnitHeld {
-        /// The format.
-        format: &'static str,
-    },
-}
-
-/// What the head of a file says.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Head {
-    /// Points along x and y.
-    pub points: [usize; 2],
-    /// Distance of neighbouring points along x and y, where the format holds it: in metres where it
-    /// holds its unit, in the unit of the file where it does not.
-    pub pixel: Option<[f64; 2]>,
-    /// Whether the format holds its unit of length.
-    pub has_unit: bool,
-    /// What the format is called.
-    pub format: &'static str,
-}
-
-/// What is given beside a file that does not hold it.
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
-pub struct Given {
-    /// Distance of neighbouring points along x and y, m.
-    pub pixel: Option<[f64; 2]>,
-    /// Unit of all lengths in the file, m; a metre if it is not given.
-    pub unit: Option<f64>,
-}
-
-impl Head {
-    /// The pixel along x and y, m.
-    ///
-    /// # Errors
-    /// See [`GivenError`].
-    pub fn pixel(&self, given: &Given) -> Result<[f64; 2], GivenError> {
-        let Self { format, has_unit, .. } = *self;
-        if has_unit && given.unit.is_some() {
-            return Err(GivenError::UnitHeld { format });
-        }
-        match (self.pixel, given.pixel) {
-            (Some(pixel), Some(_)) => Err(GivenError::PixelHeld { format, pixel, has_unit }),
-            (Some(pixel), None) => Ok(pixel.map(|size| size * self.unit(given))),
-            (None, Some(pixel)) => Ok(pixel),
-            (None, None) => Err(GivenError::NoPixel),
-        }
-    }
-
-    fn unit(&self, given: &Given) -> f64 {
-        if self.has_unit { 1.0 } else { given.unit.unwrap_or(1.0) }
-    }
-}
-
-/// A map as a file holds it.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Measured {
-    /// Size, pixel and unit.
-    pub head: Head,
-    /// Heights, the y index running fastest; in metres where the format holds its unit, in the unit of
-    /// the file where it does not. Missing points are NaN.
-    pub heights: Vec<f64>,
-    /// Relative precision of the stored numbers; 0 for integers that are not scaled.
-    pub precision: f64,
-}
-
-/// A table of numbers as a file holds it.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Matrix {
-    /// Length along the first index.
-    pub rows: usize,
-    /// Length along the second index.
-    pub columns: usize,
-    /// Values, the second index running fastest.
-    pub values: Vec<f64>,
-    /// Relative precision of the stored numbers; 0 for integers.
-    pub precision: f64,
-}
+pub use content::{Given, Head, Measured};
+use error::{FORMATS, TALLEST};
+pub use error::{GivenError, ReadError};
+use npy::MappedMap;
 
 /// The formats, as their first bytes tell them apart.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -167,7 +48,7 @@ impl Format {
         existing(path)?;
         let mut begin = Vec::new();
         File::open(path)?.take(BEGIN).read_to_end(&mut begin)?;
-        if begin.starts_with(npy::MAGIC) {
+        if begin.starts_with(array::MAGIC) {
             Ok(Self::Npy)
         } else if sdf::is_sdf(&begin) {
             Ok(Self::Sdf)
@@ -193,7 +74,6 @@ impl Format {
 
 /// Bytes that are looked at to tell the formats apart.
 const BEGIN: u64 = 4096;
-const FORMATS: &str = ".npy, X3P, SDF, a matrix of numbers or columns x y z as text";
 
 /// What the head of a file says, checked against its length. A text is read as a whole.
 ///
@@ -201,7 +81,7 @@ const FORMATS: &str = ".npy, X3P, SDF, a matrix of numbers or columns x y z as t
 /// As [`height_map`], as far as the head and the length of the file tell.
 pub fn head(path: &Path) -> Result<Head, ReadError> {
     match Format::of(path)? {
-        Format::Npy => Ok(npy::Head::read(path)?.map()),
+        Format::Npy => npy::head(path),
         Format::Sdf => sdf::head(path),
         Format::Text => Ok(text::measured(path)?.head),
         Format::X3p => x3p::head(path),
@@ -241,7 +121,7 @@ pub fn height_map(path: &Path, given: Given) -> Result<HeightMap, ReadError> {
 /// # Errors
 /// As [`head`].
 pub fn stays_on_disk(path: &Path) -> Result<bool, ReadError> {
-    Ok(Format::of(path)? == Format::Npy && npy::Head::read(path)?.order == npyz::Order::C)
+    Ok(Format::of(path)? == Format::Npy && !array::Header::read(path)?.is_fortran())
 }
 
 /// Opens a map without reading more of it than must be: one that stays on disk is read row by row, whatever its
@@ -253,7 +133,7 @@ pub fn rows(path: &Path, given: Given) -> Result<Box<dyn Rows>, ReadError> {
     if !stays_on_disk(path)? {
         return Ok(Box::new(height_map(path, given)?));
     }
-    let head = npy::Head::read(path)?.map();
+    let head = npy::head(path)?;
     let array = Mapped::open(path)?;
     let map = MappedMap { array, pixel: head.pixel(&given)?, unit: head.unit(&given) };
     check_rows(&map)?;
@@ -269,25 +149,17 @@ fn check_rows(map: &dyn Rows) -> Result<(), ReadError> {
     };
     match rows::strips(map, 0, tallest).into_iter().flatten().reduce(f64::max) {
         None => Err(MapError::AllMissing.into()),
-        Some(tallest) if tallest > TALLEST => Err(too_tall(tallest, false)),
+        Some(tallest) if tallest > TALLEST => Err(ReadError::TooTall { tallest, has_unit: false }),
         Some(_) => Ok(()),
     }
 }
 
-/// No rough surface is so high (m): its unit is wrong.
-const TALLEST: f64 = 10.0;
-
-fn too_tall(tallest: f64, in_metres: bool) -> ReadError {
-    let advice = if in_metres { "" } else { " (unit = \"um\" beside path says in which unit it is)" };
-    ReadError::Unsupported(format!("holds a height of {tallest:e} m; allowed: at most {TALLEST} m{advice}"))
-}
-
 /// Takes out the marks of missing points, brings heights from the unit of their file to metres, and refuses those that
 /// no roughness has.
-fn check_heights(heights: &mut [f64], unit: f64, in_metres: bool) -> Result<(), ReadError> {
+fn check_heights(heights: &mut [f64], unit: f64, has_unit: bool) -> Result<(), ReadError> {
     /// Beyond it a height in metres is the mark of a missing point, such as 1e10.
     const MARK: f64 = 1e3;
-    let mark = if in_metres { MARK } else { LARGEST };
+    let mark = if has_unit { MARK } else { LARGEST };
     let mut tallest = 0.0f64;
     for z in heights {
         if z.abs() <= mark {
@@ -297,21 +169,7 @@ fn check_heights(heights: &mut [f64], unit: f64, in_metres: bool) -> Result<(), 
             *z = f64::NAN;
         }
     }
-    if tallest > TALLEST { Err(too_tall(tallest, in_metres)) } else { Ok(()) }
-}
-
-fn too_large() -> ReadError {
-    ReadError::Corrupt("claims to hold more numbers than any file can".to_owned())
-}
-
-/// What was found, not too long for a message.
-fn shortened(text: &str) -> String {
-    text.trim().chars().take(40).collect()
-}
-
-/// Heights with the y index running fastest, of heights in lines of `points_x` along x.
-fn transposed(lines: &[f64], points_x: usize) -> Vec<f64> {
-    (0..points_x).flat_map(|ix| lines.iter().skip(ix).step_by(points_x)).copied().collect()
+    if tallest > TALLEST { Err(ReadError::TooTall { tallest, has_unit }) } else { Ok(()) }
 }
 
 /// A file that is there and not empty, or why not.
@@ -327,26 +185,4 @@ pub fn existing(path: &Path) -> Result<(), ReadError> {
         return Err(ReadError::Corrupt("is empty".to_owned()));
     }
     Ok(())
-}
-
-/// Lengths that a file may be in, m.
-const UNITS: [(&str, f64); 10] = [
-    ("m", 1.0),
-    ("cm", 1e-2),
-    ("mm", 1e-3),
-    ("um", 1e-6),
-    ("µm", 1e-6),
-    ("μm", 1e-6),
-    ("nm", 1e-9),
-    ("pm", 1e-12),
-    ("\u{c5}", 1e-10),
-    ("\u{212b}", 1e-10),
-];
-
-/// Which words a unit of length may be.
-pub const ALLOWED_UNITS: &str = "m, cm, mm, um, nm, pm, Å";
-
-/// The length in metres of the unit called `word`.
-pub fn length_unit(word: &str) -> Option<f64> {
-    UNITS.iter().find(|(name, _)| *name == word).map(|&(_, metres)| metres)
 }

@@ -10,9 +10,10 @@ use std::fs::File;
 use std::io::Read;
 use std::path::Path;
 
-use super::stored::Stored;
-use super::{Head, Measured, ReadError, shortened, too_large, transposed};
+use super::content::{Head, Measured, transposed};
+use super::error::{ReadError, shortened, too_large};
 use crate::numeric::is_positive;
+use crate::numeric::stored::NumberType;
 
 const FORMAT: &str = "an SDF file";
 const FIELDS: &str = "NumPoints, NumProfiles, Xscale, Yscale, Zscale, Compression, DataType, CheckType";
@@ -41,8 +42,8 @@ pub(super) fn is_sdf(begin: &[u8]) -> bool {
 }
 
 /// The type of a `DataType`.
-fn stored(code: u8) -> Result<Stored, ReadError> {
-    use Stored::{F32, F64, I8, I16, I32, U8, U16, U32};
+fn stored(code: u8) -> Result<NumberType, ReadError> {
+    use NumberType::{F32, F64, I8, I16, I32, U8, U16, U32};
     [U8, U16, U32, F32, I8, I16, I32, F64].get(usize::from(code)).copied().ok_or_else(|| {
         ReadError::Unsupported(format!("holds numbers of the DataType {code}; allowed: 0 to 7"))
     })
@@ -50,7 +51,7 @@ fn stored(code: u8) -> Result<Stored, ReadError> {
 
 /// Whether a number marks a missing point: the least or, if so said, the greatest of the type; of the unsigned
 /// types always the greatest.
-fn marks_missing(stored: Stored, value: f64, greatest: bool) -> bool {
+fn marks_missing(stored: NumberType, value: f64, greatest: bool) -> bool {
     let [least, most] = stored.range();
     if stored.is_integer() {
         value == if greatest || least == 0.0 { most } else { least }
@@ -77,7 +78,7 @@ struct Checked {
     head: Head,
     count: u64,
     z_scale: f64,
-    stored: Stored,
+    stored: NumberType,
     /// Whether the greatest number of a signed type marks a missing point.
     greatest: bool,
 }

@@ -4,7 +4,7 @@
 //! comma where something else separates, every comma stands between two digits and there is no
 //! decimal point; what could be read in two ways is refused.
 
-use super::{ReadError, shortened};
+use super::error::{FORMATS, ReadError, shortened};
 
 /// Words for a missing point, in any case.
 const MISSING: [&str; 14] =
@@ -43,11 +43,7 @@ impl Table {
             && names_columns(line)
         {
             if line.contains(['[', '(', '/']) {
-                return Err(ReadError::Unsupported(format!(
-                    "names columns with units in line {number}: \"{}\"; allowed: x y z, the unit as \
-                     unit = \"um\" beside path",
-                    shortened(line)
-                )));
+                return Err(ReadError::UnitsInColumns { line: number, found: shortened(line) });
             }
             lines.remove(0);
         }
@@ -121,7 +117,7 @@ fn no_number(row: usize, line: usize, column: usize, word: &str) -> ReadError {
     if row == 0 {
         return ReadError::Mismatch(format!(
             "is no height map: line {line} has \"{found}\" for a number; allowed: {}",
-            super::FORMATS
+            FORMATS
         ));
     }
     ReadError::Corrupt(format!(

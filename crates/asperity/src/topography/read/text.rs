@@ -6,8 +6,11 @@
 
 use std::path::Path;
 
+use super::content::{Head, Measured, transposed};
+use super::error::ReadError;
 use super::table::Table;
-use super::{ALLOWED_UNITS, Head, Measured, ReadError, length_unit, transposed, xyz};
+use super::xyz;
+use crate::units::Dimension;
 
 const FORMAT: &str = "a text with a header of sizes";
 
@@ -67,7 +70,10 @@ impl Header {
             }
         };
         let unit = length_unit(unit).ok_or_else(|| {
-            ReadError::Unsupported(format!("holds values in \"{unit}\"; allowed: heights in {ALLOWED_UNITS}"))
+            ReadError::Unsupported(format!(
+                "holds values in \"{unit}\"; allowed: heights in {}",
+                allowed_units()
+            ))
         })?;
         Ok(Some(Self { width: length("Width", width)?, height: length("Height", height)?, unit }))
     }
@@ -79,7 +85,16 @@ fn length(key: &str, words: &str) -> Result<f64, ReadError> {
     let number = number.replace(',', ".").parse::<f64>().ok().filter(|number| number.is_finite());
     number.zip(length_unit(unit.trim())).map(|(number, unit)| number * unit).ok_or_else(|| {
         ReadError::Unsupported(format!(
-            "has the {key} \"{words}\"; allowed: a number and one of {ALLOWED_UNITS}"
+            "has the {key} \"{words}\"; allowed: a number and one of {}",
+            allowed_units()
         ))
     })
+}
+
+fn length_unit(word: &str) -> Option<f64> {
+    Dimension::Length.documented_factor(word)
+}
+
+fn allowed_units() -> String {
+    Dimension::Length.documented().join(", ")
 }

@@ -15,8 +15,9 @@ use roxmltree::{Document, Node};
 use zip::ZipArchive;
 use zip::result::ZipError;
 
-use super::stored::Stored;
-use super::{Head, Measured, ReadError, shortened, too_large, transposed};
+use super::content::{Head, Measured, transposed};
+use super::error::{ReadError, shortened, too_large};
+use crate::numeric::stored::NumberType;
 use crate::numeric::{LARGEST, is_positive};
 
 /// How every zip archive that is not empty begins.
@@ -44,7 +45,7 @@ enum Heights {
 struct Main {
     head: Head,
     count: u64,
-    stored: Stored,
+    stored: NumberType,
     increment: f64,
     offset: f64,
     heights: Heights,
@@ -300,10 +301,10 @@ impl Main {
         }
         let offset = number(header, &["Axes", "CZ", "Offset"], Some(0.0))?;
         let stored = match words(header, &["Axes", "CZ", "DataType"]).unwrap_or("D") {
-            "I" => Stored::I16,
-            "L" => Stored::I32,
-            "F" => Stored::F32,
-            "D" => Stored::F64,
+            "I" => NumberType::I16,
+            "L" => NumberType::I32,
+            "F" => NumberType::F32,
+            "D" => NumberType::F64,
             found => {
                 let found = shortened(found);
                 return Err(ReadError::Unsupported(format!(

@@ -3,7 +3,8 @@
 //! The lines of the grid are found from the coordinates, which may be rounded: a point may lie a fifth
 //! of a pixel beside its line. Points of the grid that the file leaves out are missing.
 
-use super::{Head, Measured, ReadError};
+use super::content::{Head, Measured};
+use super::error::ReadError;
 use crate::numeric::LARGEST;
 
 /// A point may lie so far beside its line of the grid, pixels.

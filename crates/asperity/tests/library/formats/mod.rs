@@ -12,7 +12,7 @@ use asperity::topography::{HeightMap, Moments, Rows};
 macro_rules! assert_refused {
     ($kind:ident, $words:expr, $bytes:expr) => {
         let error = $crate::formats::refused($bytes);
-        assert!(matches!(error, asperity::topography::read::ReadError::$kind(_)), "{error:?}");
+        assert!(matches!(error, asperity::topography::read::ReadError::$kind { .. }), "{error:?}");
         let text = error.to_string();
         assert!(text.contains($words), "{text}");
     };

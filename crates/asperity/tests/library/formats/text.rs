@@ -46,7 +46,7 @@ fn a_header_gives_the_size_and_the_unit() {
             let head = assert_map(&text, Given::default(), factor, PIXEL);
             assert!(head.has_unit && head.pixel.is_some());
         } else {
-            assert_refused!(Unsupported, "holds a height of 1.35e1 m", &text);
+            assert_refused!(TooTall, "holds a height of 1.35e1 m", &text);
         }
         // The same in Latin-1.
         let latin: Vec<u8> =
@@ -149,7 +149,7 @@ fn points_of_no_grid_are_refused() {
         (0..100).map(|k| format!("{k} {k} 0\n")).collect::<String>()
     });
     assert_refused!(Unsupported, "two points", "0 0 0\n1 1 0\n1e9 1e9 0\n3 3 0\n");
-    assert_refused!(Unsupported, "names columns with units", format!("x [um] y [um] z [um]\n{grid}"));
+    assert_refused!(UnitsInColumns, "names columns with units", format!("x [um] y [um] z [um]\n{grid}"));
     assert_refused!(Corrupt, "point 5 of", "0 0 0\n1 0 0\n0 1 0\n1 1 0\nnan 2 0\n");
 }
 

@@ -177,11 +177,7 @@ fn bad_x3p_is_refused() {
     assert_refused!(Unsupported, "Axes/CX/AxisType = A; allowed: I", changed("<AxisType>I", "<AxisType>A"));
     assert_refused!(Unsupported, "DataType = Q; allowed: I, L, F, D", X3p::linked("Q", "1", vec![]).bytes());
     assert_refused!(Unsupported, "holds 2 layers", changed("<SizeZ>1", "<SizeZ>2"));
-    assert_refused!(
-        Unsupported,
-        "holds a height of 1.35e1 m",
-        X3p::linked("D", "1e9", numbers.clone()).bytes()
-    );
+    assert_refused!(TooTall, "holds a height of 1.35e1 m", X3p::linked("D", "1e9", numbers.clone()).bytes());
     assert_refused!(Corrupt, "is no XML", changed("</Record3>", ""));
     assert_refused!(
         Corrupt,

@@ -2,7 +2,7 @@
 
 /// The type of stored numbers.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum Stored {
+pub(crate) enum NumberType {
     U8,
     U16,
     U32,
@@ -25,48 +25,46 @@ macro_rules! with_type {
             }};
         }
         match $stored {
-            Stored::U8 => of!(u8),
-            Stored::U16 => of!(u16),
-            Stored::U32 => of!(u32),
-            Stored::U64 => of!(u64),
-            Stored::I8 => of!(i8),
-            Stored::I16 => of!(i16),
-            Stored::I32 => of!(i32),
-            Stored::I64 => of!(i64),
-            Stored::F32 => of!(f32),
-            Stored::F64 => of!(f64),
+            NumberType::U8 => of!(u8),
+            NumberType::U16 => of!(u16),
+            NumberType::U32 => of!(u32),
+            NumberType::U64 => of!(u64),
+            NumberType::I8 => of!(i8),
+            NumberType::I16 => of!(i16),
+            NumberType::I32 => of!(i32),
+            NumberType::I64 => of!(i64),
+            NumberType::F32 => of!(f32),
+            NumberType::F64 => of!(f64),
         }
     }};
 }
-pub(super) use with_type;
-
-impl Stored {
+impl NumberType {
     /// Bytes of a number.
-    pub(super) const fn bytes(self) -> u64 {
+    pub(crate) const fn bytes(self) -> u64 {
         with_type!(self, T => size_of::<T>() as u64)
     }
 
     /// The least and the greatest number of the type.
-    pub(super) const fn range(self) -> [f64; 2] {
+    pub(crate) const fn range(self) -> [f64; 2] {
         with_type!(self, T => [T::MIN as f64, T::MAX as f64])
     }
 
-    pub(super) const fn is_integer(self) -> bool {
+    pub(crate) const fn is_integer(self) -> bool {
         !matches!(self, Self::F32 | Self::F64)
     }
 
     /// Relative precision of the numbers as they are; 0 for integers.
-    pub(super) const fn precision(self) -> f64 {
+    pub(crate) const fn precision(self) -> f64 {
         if self.is_integer() { 0.0 } else { self.scaled_precision() }
     }
 
     /// Relative precision of the numbers once they are multiplied, which rounds.
-    pub(super) const fn scaled_precision(self) -> f64 {
+    pub(crate) const fn scaled_precision(self) -> f64 {
         if matches!(self, Self::F32) { f32::EPSILON as f64 } else { f64::EPSILON }
     }
 
     /// Copies as many numbers as `out` has room for.
-    pub(super) fn decode(self, bytes: &[u8], big_endian: bool, out: &mut [f64]) {
+    pub(crate) fn decode(self, bytes: &[u8], big_endian: bool, out: &mut [f64]) {
         with_type!(self, T => {
             let numbers = bytes.as_chunks().0.iter().zip(out);
             if big_endian {
@@ -78,7 +76,7 @@ impl Stored {
     }
 
     /// All numbers in `bytes`, in little-endian order.
-    pub(super) fn values(self, bytes: &[u8]) -> Vec<f64> {
+    pub(crate) fn values(self, bytes: &[u8]) -> Vec<f64> {
         let mut values = vec![0.0; bytes.len() / self.bytes() as usize];
         self.decode(bytes, false, &mut values);
         values

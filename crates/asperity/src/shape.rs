@@ -1,4 +1,4 @@
-//! Asperities whose two principal curvatures differ: elliptic ZMC, derived.
+//! The shape of one asperity, as contact laws take it: a sphere, or so many spheres for an ellipse (elliptic ZMC, derived).
 
 use std::ops::Range;
 use std::sync::LazyLock;

@@ -10,58 +10,15 @@ use std::ops::Range;
 use std::path::Path;
 
 use memmap2::Mmap;
-use npyz::Order;
 
-use super::ReadError;
-use super::npy::Head;
-use super::stored::Stored;
+use super::error::NpyError;
+use super::header::Header;
 use crate::numeric::LARGEST;
-use crate::topography::{Boundary, Rows};
-
-/// A mapped array as a height map.
-#[derive(Debug)]
-pub struct MappedMap {
-    /// The array.
-    pub array: Mapped,
-    /// Distance of neighbouring points along x and y, m.
-    pub pixel: [f64; 2],
-    /// Unit of the stored heights, m.
-    pub unit: f64,
-}
-
-impl Rows for MappedMap {
-    fn points(&self) -> [usize; 2] {
-        self.array.points()
-    }
-
-    fn pixel(&self) -> [f64; 2] {
-        self.pixel
-    }
-
-    fn precision(&self) -> f64 {
-        let precision = self.array.precision();
-        if self.unit == 1.0 { precision } else { precision.max(f64::EPSILON) }
-    }
-
-    fn boundary(&self) -> Boundary {
-        Boundary::Open
-    }
-
-    fn read(&self, ix: usize, row: &mut [f64]) {
-        self.array.row(ix, row);
-        if self.unit != 1.0 {
-            row.iter_mut().for_each(|z| *z *= self.unit);
-        }
-    }
-}
 
 /// A two-dimensional array, opened once; its rows may be taken from any thread.
 #[derive(Debug)]
 pub struct Mapped {
-    points: [usize; 2],
-    order: Order,
-    stored: Stored,
-    big_endian: bool,
+    header: Header,
     begin: usize,
     map: Mmap,
 }
@@ -70,42 +27,40 @@ impl Mapped {
     /// Opens a `.npy` file, to take its rows.
     ///
     /// # Errors
-    /// See [`ReadError`]; an array in Fortran order is unsupported, its rows being scattered.
-    pub fn open(path: &Path) -> Result<Self, ReadError> {
+    /// See [`NpyError`]; an array in Fortran order is unsupported, its rows being scattered.
+    pub fn open(path: &Path) -> Result<Self, NpyError> {
         let array = Self::in_either_order(path)?;
-        if array.order == Order::Fortran {
-            return Err(ReadError::Unsupported("is in Fortran order; allowed here: C order".to_owned()));
-        }
-        Ok(array)
+        if array.header.is_fortran() { Err(NpyError::FortranOrder) } else { Ok(array) }
     }
 
     /// Opens a `.npy` file in C or Fortran order, to take its columns.
     ///
     /// # Errors
-    /// See [`ReadError`].
-    pub fn in_either_order(path: &Path) -> Result<Self, ReadError> {
-        let Head { rows, columns, stored, order, big_endian, head_length, .. } = Head::read(path)?;
+    /// See [`NpyError`].
+    pub fn in_either_order(path: &Path) -> Result<Self, NpyError> {
+        let header = Header::read(path)?;
         let file = File::open(path)?;
         // SAFETY: the map is read only and private to this value, see the head of this module.
         #[allow(unsafe_code)]
         let map = unsafe { Mmap::map(&file) }?;
         // The file may have been changed since its head was read.
-        let begin = usize::try_from(head_length).unwrap_or(usize::MAX);
-        let length = rows.checked_mul(columns).and_then(|count| count.checked_mul(stored.bytes() as usize));
+        let begin = usize::try_from(header.data_start).unwrap_or(usize::MAX);
+        let count = header.rows.checked_mul(header.columns);
+        let length = count.and_then(|count| count.checked_mul(header.number_type.bytes() as usize));
         if length.and_then(|length| begin.checked_add(length)).is_none_or(|end| end > map.len()) {
-            return Err(ReadError::Corrupt("is truncated: it became shorter while it was opened".to_owned()));
+            return Err(NpyError::Shortened);
         }
-        Ok(Self { points: [rows, columns], order, stored, big_endian, begin, map })
+        Ok(Self { header, begin, map })
     }
 
     /// Points along x, which is the first index, and y.
     pub fn points(&self) -> [usize; 2] {
-        self.points
+        [self.header.rows, self.header.columns]
     }
 
     /// Relative precision of the stored numbers; 0 for integers.
     pub fn precision(&self) -> f64 {
-        self.stored.precision()
+        self.header.precision()
     }
 
     /// Copies the heights at the index `ix` along x to `out`, in the unit of the file. Missing points,
@@ -114,7 +69,7 @@ impl Mapped {
     /// # Panics
     /// If `ix` is no row, or `out` has another length than the points along y.
     pub fn row(&self, ix: usize, out: &mut [f64]) {
-        let [rows, columns] = self.points;
+        let [rows, columns] = self.points();
         assert!(ix < rows && out.len() == columns, "row {ix} of {rows}, {} of {columns} points", out.len());
         self.decode(ix * columns..(ix + 1) * columns, out);
         for z in out.iter_mut().filter(|z| z.abs() > LARGEST) {
@@ -127,30 +82,27 @@ impl Mapped {
     /// # Panics
     /// If there are fewer rows or columns.
     pub fn columns(&self, first: usize, out: &mut [&mut [f64]]) {
-        let [rows, columns] = self.points;
+        let [rows, columns] = self.points();
         let count = out.first().map_or(0, |piece| piece.len());
         assert!(first + count <= rows && out.len() <= columns, "{count} rows from {first} of {rows}");
-        match self.order {
-            Order::Fortran => {
-                for (column, piece) in out.iter_mut().enumerate() {
-                    self.decode(column * rows + first..column * rows + first + count, piece);
-                }
+        if self.header.is_fortran() {
+            for (column, piece) in out.iter_mut().enumerate() {
+                self.decode(column * rows + first..column * rows + first + count, piece);
             }
-            Order::C => {
-                let mut values = vec![0.0; count * columns];
-                self.decode(first * columns..(first + count) * columns, &mut values);
-                for (row, values) in values.chunks_exact(columns).enumerate() {
-                    out.iter_mut().zip(values).for_each(|(piece, value)| piece[row] = *value);
-                }
+        } else {
+            let mut values = vec![0.0; count * columns];
+            self.decode(first * columns..(first + count) * columns, &mut values);
+            for (row, values) in values.chunks_exact(columns).enumerate() {
+                out.iter_mut().zip(values).for_each(|(piece, value)| piece[row] = *value);
             }
         }
     }
 
     /// Copies the numbers at `places` in the file.
     fn decode(&self, places: Range<usize>, out: &mut [f64]) {
-        let size = self.stored.bytes() as usize;
+        let size = self.header.number_type.bytes() as usize;
         // All are there, since the file was opened.
         let bytes = &self.map[self.begin + places.start * size..self.begin + places.end * size];
-        self.stored.decode(bytes, self.big_endian, out);
+        self.header.number_type.decode(bytes, self.header.big_endian, out);
     }
 }

@@ -1,0 +1,106 @@
+//! NumPy's `.npy`: two-dimensional arrays of real numbers in either byte order and either memory order
+//! (numpy.lib.format, versions 1.0 to 3.0).
+//!
+//! | function | what it does |
+//! |---|---|
+//! | [`matrix`] | reads an array as a whole |
+//! | [`Mapped`] | maps an array and takes rows or columns of it |
+//! | [`write()`] | writes an array of float64 |
+
+mod error;
+mod header;
+mod literal;
+mod mapped;
+
+use std::fs::File;
+use std::io::{self, BufWriter, Read, Seek, SeekFrom, Write};
+use std::path::Path;
+
+use crate::memory::zeros;
+pub use error::{HeaderFault, NpyError};
+pub use header::Header;
+pub(crate) use header::MAGIC;
+pub use mapped::Mapped;
+
+/// A table of numbers as a file holds it.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Matrix {
+    /// Length along the first index.
+    pub rows: usize,
+    /// Length along the second index.
+    pub columns: usize,
+    /// Values, the second index running fastest.
+    pub values: Vec<f64>,
+    /// Relative precision of the stored numbers; 0 for integers.
+    pub precision: f64,
+}
+
+/// Whether a file begins as a `.npy` does.
+///
+/// # Errors
+/// A file that cannot be read.
+pub fn is_npy(path: &Path) -> io::Result<bool> {
+    let mut begin = Vec::new();
+    File::open(path)?.take(MAGIC.len() as u64).read_to_end(&mut begin)?;
+    Ok(begin == MAGIC)
+}
+
+/// Reads a two-dimensional array.
+///
+/// # Errors
+/// See [`NpyError`]; a file that is shorter than its header says is refused before anything is allocated.
+pub fn matrix(path: &Path) -> Result<Matrix, NpyError> {
+    let mut file = File::open(path)?;
+    let header = Header::parse(&mut file, std::fs::metadata(path)?.len())?;
+    file.seek(SeekFrom::Start(header.data_start))?;
+    let stored = stored_values(&mut file, &header).map_err(|error| match error.kind() {
+        io::ErrorKind::UnexpectedEof => NpyError::Shortened,
+        _ => NpyError::Io(error),
+    })?;
+    let Header { rows, columns, .. } = header;
+    let values = if header.is_fortran() {
+        (0..rows * columns).map(|k| stored[k / columns + (k % columns) * rows]).collect()
+    } else {
+        stored
+    };
+    Ok(Matrix { rows, columns, values, precision: header.precision() })
+}
+
+/// The numbers of an array in the order of its file, whose header has been checked against its length.
+fn stored_values(file: &mut File, header: &Header) -> io::Result<Vec<f64>> {
+    /// Numbers that are read at a time.
+    const NUMBERS: usize = 1 << 16;
+    let size = header.number_type.bytes() as usize;
+    let mut values = zeros(header.rows * header.columns);
+    let mut bytes = vec![0; size * NUMBERS.min(values.len())];
+    for values in values.chunks_mut(NUMBERS) {
+        let bytes = &mut bytes[..size * values.len()];
+        file.read_exact(bytes)?;
+        header.number_type.decode(bytes, header.big_endian, values);
+    }
+    Ok(values)
+}
+
+/// Writes a two-dimensional array of float64 of the shape `[rows, columns]`, version 1.0, little-endian; of `values` the
+/// second index runs fastest.
+///
+/// # Errors
+/// What cannot be written; fewer or more values than the shape has ([`io::ErrorKind::InvalidInput`]).
+pub fn write(
+    out: impl Write,
+    [rows, columns]: [usize; 2],
+    values: impl IntoIterator<Item = f64>,
+) -> io::Result<()> {
+    let mut out = BufWriter::new(out);
+    out.write_all(&header::of_float64([rows, columns]))?;
+    let mut count = 0usize;
+    for value in values {
+        out.write_all(&value.to_le_bytes())?;
+        count += 1;
+    }
+    if rows.checked_mul(columns) != Some(count) {
+        let message = format!("{count} values for an array of {rows} x {columns}");
+        return Err(io::Error::new(io::ErrorKind::InvalidInput, message));
+    }
+    out.flush()
+}

@@ -1,0 +1,211 @@
+//! Quantities with units, as files and specs hold them; inside the library everything is SI in plain `f64`.
+//!
+//! | dimension | documented units | bare number |
+//! |---|---|---|
+//! | pressure | Pa, kPa, MPa, GPa, N/mm^2, HV (9.80665 MPa) | Pa |
+//! | length | m, cm, mm, um, nm, pm, Å | m |
+//! | area | m^2, cm^2, mm^2, um^2 | m^2 |
+//! | density (number per area) | /m^2, /mm^2, /um^2 | 1/m^2 |
+//! | angle | deg, rad | rad |
+//! | force | N, mN, uN, kN | N |
+//!
+//! Pa, m, m^2 and N take every SI prefix, in symbols or in words (`megapascals`), and the common units of other
+//! systems are known too (`psi`, `in`, `lbf`). `u` may be `µ`, `^2` may be `²`, and `/m^2` may be `1/m^2` or `m⁻²`.
+//!
+//! ```
+//! use asperity::units::Dimension;
+//!
+//! assert_eq!(Dimension::Pressure.parse("210 GPa"), Some(210e9));
+//! assert_eq!(Dimension::Length.parse("1.2µm"), Some(1.2e-6));
+//! assert_eq!(Dimension::Length.parse("1.2 GPa"), None);
+//! ```
+
+mod table;
+
+use table::{ANGLE, AREA, DENSITY, FORCE, LENGTH, PREFIXES, PRESSURE, Unit, Units};
+
+/// A kind of quantity.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum Dimension {
+    /// Moduli, hardnesses, pressures.
+    Pressure,
+    /// Lengths.
+    Length,
+    /// Areas.
+    Area,
+    /// Numbers per area.
+    ArealNumberDensity,
+    /// Angles.
+    Angle,
+    /// Forces.
+    Force,
+}
+
+impl Dimension {
+    /// All of them.
+    pub const ALL: [Self; 6] =
+        [Self::Pressure, Self::Length, Self::Area, Self::ArealNumberDensity, Self::Angle, Self::Force];
+
+    const fn units(self) -> &'static Units {
+        match self {
+            Self::Pressure => &PRESSURE,
+            Self::Length => &LENGTH,
+            Self::Area => &AREA,
+            Self::ArealNumberDensity => &DENSITY,
+            Self::Angle => &ANGLE,
+            Self::Force => &FORCE,
+        }
+    }
+
+    /// What messages call it.
+    pub const fn name(self) -> &'static str {
+        self.units().name
+    }
+
+    /// A quantity as it is written, such as "210 GPa".
+    pub const fn example(self) -> &'static str {
+        self.units().example
+    }
+
+    /// The SI unit, which a bare number is in.
+    pub const fn si_unit(self) -> &'static str {
+        self.units().si_unit
+    }
+
+    /// The units that documents and messages list; more are accepted.
+    pub const fn documented(self) -> &'static [&'static str] {
+        self.units().documented
+    }
+
+    /// The SI value of one `unit`; `None` where it is none of this dimension.
+    pub fn factor(self, unit: &str) -> Option<f64> {
+        self.canonical_factor(&canonical(unit.trim()))
+    }
+
+    /// The SI value of one `unit`, which must be among the [documented](Self::documented) ones.
+    pub fn documented_factor(self, unit: &str) -> Option<f64> {
+        let unit = canonical(unit);
+        self.documented().contains(&unit.as_str()).then(|| self.canonical_factor(&unit))?
+    }
+
+    /// The SI value of a number and its unit, such as "1.2 um"; `None` where there is no number in front, or no unit of
+    /// this dimension behind it. Where the unit is a power of ten, it is the double that is nearest to the decimal
+    /// number: "50 nm" is 5e-8.
+    pub fn parse(self, text: &str) -> Option<f64> {
+        let text = text.trim();
+        // "6e10 /m^2", but also "210GPa": the number is the longest beginning that reads as one.
+        let end = (1..=text.len()).rev().find(|&end| text.get(..end).is_some_and(is_number))?;
+        let (number, unit) = text.split_at(end);
+        Some(scaled(number, self.factor(unit)?))
+    }
+
+    fn canonical_factor(self, unit: &str) -> Option<f64> {
+        if self == Self::ArealNumberDensity {
+            return area_of_density(unit).and_then(|area| Self::Area.canonical_factor(&area)).map(f64::recip);
+        }
+        let units = self.units();
+        let known = |found: &Unit| (found.0 == unit || found.1 == unit || found.2 == unit).then_some(found.3);
+        units.prefixed(unit).or_else(|| units.others.iter().copied().flatten().find_map(known))
+    }
+}
+
+/// The area that a density is counted on: of "/mm^2", "1/mm^2" and "mm^-2" it is "mm^2", of "per acre" "acre".
+fn area_of_density(unit: &str) -> Option<String> {
+    if let Some(length) = unit.strip_suffix("^-2") {
+        return Some(format!("{length}^2"));
+    }
+    let area = ["/", "1/", "per "].iter().find_map(|per| unit.strip_prefix(per));
+    area.map(str::to_owned)
+}
+
+impl Units {
+    /// The SI value of one `unit` if it is the SI unit, with or without a prefix, in symbols or in words.
+    fn prefixed(&self, unit: &str) -> Option<f64> {
+        let base = self.prefixed.as_ref()?;
+        let symbol = unit.strip_suffix(base.symbol);
+        let word =
+            || unit.strip_suffix('s').unwrap_or(unit).strip_suffix(base.word)?.strip_prefix(base.before);
+        let found = |prefix: &&(&str, &str, i32)| symbol == Some(prefix.0) || word() == Some(prefix.1);
+        let (.., exponent) = PREFIXES.iter().find(found)?;
+        Some(power_of_ten(exponent * base.power))
+    }
+}
+
+/// A unit as the table spells it: `u` for both signs of micro, `^2` for `²`, `^-2` for `⁻²`, the letter Å for the sign.
+fn canonical(unit: &str) -> String {
+    let plain = unit.replace(['µ', 'μ'], "u").replace('\u{212b}', "\u{c5}");
+    plain.replace('⁻', "^-").replace('²', "^2").replace("^-^2", "^-2")
+}
+
+fn is_number(text: &str) -> bool {
+    text.starts_with(|c: char| c.is_ascii_digit() || "+-.".contains(c)) && text.parse::<f64>().is_ok()
+}
+
+/// The double nearest to 10^`exponent`.
+fn power_of_ten(exponent: i32) -> f64 {
+    // It reads as a number.
+    format!("1e{exponent}").parse().unwrap_or(f64::NAN)
+}
+
+/// `number` times `factor`. Where that is a power of ten, the number is read with another exponent: this rounds once.
+fn scaled(number: &str, factor: f64) -> f64 {
+    let power = factor.log10().round() as i32;
+    if (factor / power_of_ten(power) - 1.0).abs() < 1e-12 {
+        let (digits, exponent) = number.split_once(['e', 'E']).unwrap_or((number, "0"));
+        let exponent = exponent.parse::<i32>().ok().and_then(|exponent| exponent.checked_add(power));
+        if let Some(value) = exponent.and_then(|exponent| format!("{digits}e{exponent}").parse().ok()) {
+            return value;
+        }
+    }
+    number.parse::<f64>().map_or(f64::NAN, |number| number * factor)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_unit_of_tens_rounds_once() {
+        assert_eq!(Dimension::Length.parse("50 nm"), Some(5e-8));
+        assert_eq!(Dimension::Length.parse("0.3 um"), Some(3e-7));
+        assert_eq!(Dimension::Length.parse("1.5e3 nm"), Some(1.5e-6));
+        assert_eq!(Dimension::Length.parse("2 in"), Some(0.0508));
+    }
+
+    #[test]
+    fn documented_units_are_in_the_table_and_the_si_unit_is_one() {
+        for dimension in Dimension::ALL {
+            assert!(dimension.parse(dimension.example()).is_some(), "{dimension:?}");
+            assert_eq!(dimension.factor(dimension.si_unit()), Some(1.0), "{dimension:?}");
+            for unit in dimension.documented() {
+                assert!(dimension.documented_factor(unit).is_some(), "{unit}");
+                assert_eq!(dimension.documented_factor(unit), dimension.factor(unit));
+            }
+        }
+        for micrometre in ["um", "µm", "μm"] {
+            assert_eq!(Dimension::Length.documented_factor(micrometre), Some(1e-6));
+        }
+        assert_eq!(Dimension::Length.documented_factor("\u{212b}"), Some(1e-10));
+        assert_eq!(Dimension::Length.documented_factor("inch"), None);
+    }
+
+    #[test]
+    fn what_is_no_quantity_of_a_dimension() {
+        for text in ["", "nm", "1.2", "1.2 GPa", "nan nm", "1 2 nm", "1.2 nmm", "1.2 µ", "µm", "e9 m", "m 1"]
+        {
+            assert_eq!(Dimension::Length.parse(text), None, "{text}");
+        }
+        // These read as a sum and as a misprint.
+        assert_eq!(Dimension::Length.parse("2 1/6 in"), None);
+        assert_eq!(Dimension::ArealNumberDensity.parse("2 11/m^2"), None);
+        assert_eq!(Dimension::ArealNumberDensity.parse("2 m^2"), None);
+    }
+
+    #[test]
+    fn extreme_numbers_stay_numbers() {
+        assert_eq!(Dimension::Length.parse("1e400 m"), Some(f64::INFINITY));
+        assert_eq!(Dimension::Length.parse("-1e999999999999 nm"), Some(f64::NEG_INFINITY));
+        assert_eq!(Dimension::Length.parse("1e-2147483648 nm"), Some(0.0));
+        assert_eq!(Dimension::Length.parse("+inf nm"), Some(f64::INFINITY));
+    }
+}

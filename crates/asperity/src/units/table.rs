@@ -1,0 +1,257 @@
+//! The units: one line each.
+
+use std::f64::consts::{PI, TAU};
+
+/// Symbol, word, plural and SI value. What has no symbol of its own, or one that reads as a number, has its word twice.
+pub(super) type Unit = (&'static str, &'static str, &'static str, f64);
+
+/// What may be written for a dimension.
+pub(super) struct Units {
+    pub name: &'static str,
+    pub example: &'static str,
+    pub si_unit: &'static str,
+    pub documented: &'static [&'static str],
+    /// The SI unit, where it takes prefixes.
+    pub prefixed: Option<Prefixed>,
+    pub others: &'static [&'static [Unit]],
+}
+
+/// A unit that takes SI prefixes.
+pub(super) struct Prefixed {
+    pub symbol: &'static str,
+    pub word: &'static str,
+    /// What stands before the prefix in words.
+    pub before: &'static str,
+    /// The power that the prefix is raised to.
+    pub power: i32,
+}
+
+/// Symbol, word and power of ten.
+pub(super) const PREFIXES: [(&str, &str, i32); 21] = [
+    ("", "", 0),
+    ("Y", "yotta", 24),
+    ("Z", "zetta", 21),
+    ("E", "exa", 18),
+    ("P", "peta", 15),
+    ("T", "tera", 12),
+    ("G", "giga", 9),
+    ("M", "mega", 6),
+    ("k", "kilo", 3),
+    ("h", "hecto", 2),
+    ("da", "deca", 1),
+    ("d", "deci", -1),
+    ("c", "centi", -2),
+    ("m", "milli", -3),
+    ("u", "micro", -6),
+    ("n", "nano", -9),
+    ("p", "pico", -12),
+    ("f", "femto", -15),
+    ("a", "atto", -18),
+    ("z", "zepto", -21),
+    ("y", "yocto", -24),
+];
+
+pub(super) const PRESSURE: Units = Units {
+    name: "pressure",
+    example: "210 GPa",
+    si_unit: "Pa",
+    documented: &["Pa", "kPa", "MPa", "GPa", "N/mm^2", "HV"],
+    prefixed: Some(Prefixed { symbol: "Pa", word: "pascal", before: "", power: 1 }),
+    others: &[PRESSURES],
+};
+
+pub(super) const LENGTH: Units = Units {
+    name: "length",
+    example: "1.2 um",
+    si_unit: "m",
+    documented: &["m", "cm", "mm", "um", "nm", "pm", "Å"],
+    prefixed: Some(Prefixed { symbol: "m", word: "meter", before: "", power: 1 }),
+    others: &[LENGTHS, ROMAN_LENGTHS],
+};
+
+pub(super) const AREA: Units = Units {
+    name: "area",
+    example: "1 mm^2",
+    si_unit: "m^2",
+    documented: &["m^2", "cm^2", "mm^2", "um^2"],
+    prefixed: Some(Prefixed { symbol: "m^2", word: "meter", before: "square ", power: 2 }),
+    others: &[AREAS, ROMAN_AREAS],
+};
+
+/// Counted on any of the areas.
+pub(super) const DENSITY: Units = Units {
+    name: "density",
+    example: "6e10 /m^2",
+    si_unit: "1/m^2",
+    documented: &["/m^2", "/mm^2", "/um^2"],
+    prefixed: None,
+    others: &[],
+};
+
+pub(super) const ANGLE: Units = Units {
+    name: "angle",
+    example: "30 deg",
+    si_unit: "rad",
+    documented: &["deg", "rad"],
+    prefixed: None,
+    others: &[ANGLES],
+};
+
+pub(super) const FORCE: Units = Units {
+    name: "force",
+    example: "10 N",
+    si_unit: "N",
+    documented: &["N", "mN", "uN", "kN"],
+    prefixed: Some(Prefixed { symbol: "N", word: "newton", before: "", power: 1 }),
+    others: &[FORCES],
+};
+
+/// Of Vickers and newton per square millimetre to columns of mercury and water.
+const PRESSURES: &[Unit] = &[
+    ("HV", "HV", "HV", 9.80665e6),
+    ("N/mm^2", "newton per square millimeter", "newtons per square millimeter", 1e6),
+    ("kgf/m^2", "kilogram-force per square meter", "kilograms-force per square meter", 9.80665),
+    ("kgf/cm^2", "kilogram-force per square centimeter", "kilograms-force per square centimeter", 9.80665e4),
+    ("kgf/mm^2", "kilogram-force per square millimeter", "kilograms-force per square millimeter", 9.80665e6),
+    ("gf/cm^2", "gram-force per square centimeter", "grams-force per square centimeter", 98.0665),
+    ("dyn/cm^2", "dyne per square centimeter", "dynes per square centimeter", 0.1),
+    ("atm", "atmosphere", "atmospheres", 1.01325e5),
+    ("at", "atmosphere (technical)", "atmospheres (technical)", 98066.5),
+    ("bar", "bar", "bar", 1e5),
+    ("cm Hg (0 °C)", "centimeter of mercury (0 °C)", "centimeters of mercury (0 °C)", 1333.22),
+    ("cm Hg", "centimeter of mercury", "centimeters of mercury", 1333.224),
+    ("cm H₂O (4 °C)", "centimeter of water (4 °C)", "centimeters of water (4 °C)", 98.0638),
+    ("cm H₂O", "centimeter of water", "centimeters of water", 98.0665),
+    ("ft Hg", "foot of mercury", "feet of mercury", 40636.66),
+    ("ft H₂O (39.2 °F)", "foot of water (39.2 °F)", "feet of water (39.2 °F)", 2988.98),
+    ("ft H₂O", "foot of water", "feet of water", 2989.067),
+    ("in Hg (32 °F)", "inch of mercury (32 °F)", "inches of mercury (32 °F)", 3386.38),
+    ("in Hg (60 °F)", "inch of mercury (60 °F)", "inches of mercury (60 °F)", 3376.85),
+    ("in Hg", "inch of mercury", "inches of mercury", 3386.389),
+    ("in H₂O (39.2 °F)", "inch of water (39.2 °F)", "inches of water (39.2 °F)", 249.082),
+    ("in H₂O (60 °F)", "inch of water (60 °F)", "inches of water (60 °F)", 248.84),
+    ("in H₂O", "inch of water", "inches of water", 249.0889),
+    ("kip/in^2", "kip per square inch", "kips per square inch", 6.894757889515779e6),
+    ("mbar", "millibar", "millibar", 100.0),
+    ("mm Hg", "millimeter of mercury", "millimeters of mercury", 133.3224),
+    ("mm H₂O", "millimeter of water", "millimeters of water", 9.80665),
+    ("mTorr", "millitorr", "millitorr", 0.1333224),
+    ("pdl/ft^2", "poundal per square foot", "poundals per square foot", 1.4881644346622025),
+    ("lbf/ft^2", "pound-force per square foot", "pounds-force per square foot", 47.880263121637356),
+    ("lbf/in^2", "pound-force per square inch", "pounds-force per square inch", 6894.757889515779),
+    ("psi", "pound-force per square inch", "pounds-force per square inch", 6894.757),
+    ("Torr", "torr", "torr", 133.3224),
+];
+
+/// Beside those with prefixes.
+const LENGTHS: &[Unit] = &[
+    ("Å", "ångström", "ångströms", 1e-10),
+    ("a₀", "bohr radius", "bohr radiuses", 5.29177210903e-11),
+    ("a.u. of length", "atomic unit of length", "atomic units of length", 5.29177210903e-11),
+    ("ua", "astronomical unit", "astronomical units", 1.495978707e11),
+    ("ch", "chain", "chains", 20.11684),
+    ("DM", "data mile", "data miles", 1828.8),
+    ("fathom", "fathom", "fathoms", 1.828804),
+    ("fermi", "fermi", "fermis", 1e-15),
+    ("ft", "foot", "feet", 0.3048),
+    ("ft (U.S. survey)", "foot (U.S. survey)", "feet (U.S. survey)", 0.3048006),
+    ("in", "inch", "inches", 0.0254),
+    ("l. y.", "light year", "light years", 9.46073e15),
+    ("uin", "microinch", "microinches", 2.54e-8),
+    ("micron", "micron", "microns", 1e-6),
+    ("mil", "mil", "mils", 2.54e-5),
+    ("mi", "mile", "miles", 1609.344),
+    ("mi (U.S. survey)", "mile (U.S. survey)", "miles (U.S. survey)", 1609.347),
+    ("M", "nautical mile", "nautical miles", 1852.0),
+    ("pc", "parsec", "parsecs", 3.085678e16),
+    ("pica (computer)", "pica (computer)", "picas (computer)", 0.004233333333333333),
+    ("pica (printer's)", "pica (printer's)", "picas (printer's)", 0.004217518),
+    ("point (computer)", "point (computer)", "points (computer)", 3.527778e-4),
+    ("point (printer's)", "point (printer's)", "points (printer's)", 3.514598e-4),
+    ("rd", "rod", "rods", 5.02921),
+    ("yd", "yard", "yards", 0.9144),
+];
+
+/// Roman lengths, accepted since the first version.
+const ROMAN_LENGTHS: &[Unit] = &[
+    ("leuga", "leuga", "leugae", 2220.0),
+    ("mille passus", "mille passus", "mille passa", 1480.0),
+    ("stadium", "stadium", "stadia", 185.0),
+    ("actus", "actus", "acta", 35.52),
+    ("decempeda", "decempeda", "decempedae", 2.96),
+    ("passus", "passus", "passa", 1.48),
+    ("gradus", "gradus", "gradus", 0.74),
+    ("cubitum", "cubitum", "cubita", 0.444),
+    ("palmipes", "palmipes", "palmipedes", 0.37),
+    ("pes", "pes", "pedes", 0.296),
+    ("palmus maior", "palmus maior", "palmas maior", 0.222),
+    ("palmus", "palmus", "palmas", 0.074),
+    ("uncia", "uncia", "unciae", 0.024666666666666663),
+    ("digitus", "digitus", "digiti", 0.0185),
+];
+
+/// Beside those with prefixes.
+const AREAS: &[Unit] = &[
+    ("ac", "acre", "acres", 4046.873),
+    ("a", "are", "ares", 100.0),
+    ("b", "barn", "barns", 1e-28),
+    ("cmil", "circular mil", "circular mils", 5.067075e-10),
+    ("ha", "hectare", "hectares", 10000.0),
+    ("ft^2", "square foot", "square feet", 0.09290304),
+    ("in^2", "square inch", "square inches", 6.4516e-4),
+    ("mi^2", "square mile", "square miles", 2.589988110336e6),
+    ("yd^2", "square yard", "square yards", 0.83612736),
+];
+
+/// Roman areas, accepted since the first version.
+const ROMAN_AREAS: &[Unit] = &[
+    ("saltus", "saltus", "saltus", 2.01867264e6),
+    ("centuria", "centuria", "centuriae", 5.0466816e5),
+    ("heredium", "heredium", "heredia", 5046.6816),
+    ("jugerum", "jugerum", "jugera", 2523.3408),
+    ("deunx", "deunx", "deunces", 2313.0624),
+    ("dextans", "dextans", "dextantes", 2102.784),
+    ("dodrans", "dodrans", "dodrantes", 1892.5056),
+    ("bes", "bes", "besses", 1682.2272),
+    ("septunx", "septunx", "septunces", 1471.9488),
+    ("semis", "semis", "semisses", 1261.6704),
+    ("actus quadratus", "actus quadratus", "acta quadratus", 1261.6704),
+    ("quincunx", "quincunx", "quincunces", 1051.392),
+    ("triens", "triens", "trientes", 841.1136),
+    ("quadrans", "quadrans", "quadrantes", 630.8352),
+    ("sextans", "sextans", "sextantes", 420.5568),
+    ("clima", "clima", "climata", 315.4176),
+    ("uncia", "uncia", "unciae", 210.2784),
+    ("semiuncia", "semiuncia", "semiunciae", 105.1392),
+    ("sicilicus", "sicilicus", "siculi", 52.5696),
+    ("actus simplex", "actus simplex", "acta simplex", 42.05568),
+    ("sextula", "sextula", "sextulae", 35.0464),
+    ("duo scrupulum", "duo scrupulum", "duo scrupula", 17.5232),
+    ("scrupulum", "scrupulum", "scrupula", 8.7616),
+    ("dimidium scrupulum", "dimidium scrupulum", "dimidium scupula", 4.3808),
+    ("pes quadratus", "pes quadratus", "pedes quadratus", 0.087616),
+];
+
+/// All angles.
+const ANGLES: &[Unit] = &[
+    ("rad", "radian", "radians", 1.0),
+    ("r", "revolution", "revolutions", TAU),
+    ("deg", "degree", "degrees", PI / 180.0),
+    ("gon", "gon", "gons", PI / 200.0),
+    ("mil", "mil", "mils", 9.817477e-4),
+    ("′", "minute", "minutes", 2.908882086657216e-4),
+    ("″", "second", "seconds", 4.84813681109536e-6),
+    ("°", "°", "°", PI / 180.0),
+];
+
+/// Beside those with prefixes.
+const FORCES: &[Unit] = &[
+    ("dyn", "dyne", "dynes", 1e-5),
+    ("kgf", "kilogram-force", "kilograms-force", 9.80665),
+    ("gf", "gram-force", "grams-force", 0.00980665),
+    ("kip", "kip", "kips", 4448.222),
+    ("ozf", "ounce-force", "ounces-force", 0.2780139),
+    ("pdl", "poundal", "poundals", 0.138255),
+    ("lbf", "pound-force", "pounds-force", 4.448222),
+    ("ton-force", "ton-force", "tons-force", 8896.443),
+];

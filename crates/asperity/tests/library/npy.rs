@@ -1,0 +1,141 @@
+//! Headers of `.npy` files: what is written reads back, what is damaged is refused.
+
+use asperity::npy::{Header, HeaderFault, Mapped, NpyError, matrix, write};
+use asperity::topography::HeightMap;
+use asperity::topography::read::{Given, height_map};
+
+use super::files::array;
+
+fn header(bytes: &[u8]) -> Result<Header, NpyError> {
+    Header::parse(bytes, bytes.len() as u64)
+}
+
+/// A version 1.0 file of six float64 under this text.
+fn under(text: &str) -> Vec<u8> {
+    let length = (text.len() as u16).to_le_bytes();
+    [b"\x93NUMPY\x01\x00", &length[..], text.as_bytes(), &[0; 48]].concat()
+}
+
+#[test]
+fn a_header_may_be_written_in_any_way_of_python() {
+    for text in [
+        "{'descr': '<f8', 'fortran_order': False, 'shape': (2, 3), }\n",
+        "{'shape':(2,3),'descr':'<f8','fortran_order':False}",
+        " { \"shape\" : [ 2 , 3 ] , \"fortran_order\" : False , \"descr\" : \"<f8\" , 'more' : {} } \n",
+    ] {
+        let found = header(&under(text)).unwrap();
+        assert_eq!((found.rows, found.columns, found.is_fortran()), (2, 3, false), "{text}");
+    }
+    assert!(header(&under("{'descr': '|u1', 'fortran_order': True, 'shape': (2, 3)}")).unwrap().is_fortran());
+}
+
+#[test]
+fn what_a_header_says_wrongly_is_named() {
+    for (text, words) in [
+        ("{'fortran_order': False, 'shape': (2, 3)}", "it has no entry 'descr'"),
+        ("{'descr': '<f8', 'shape': (2, 3)}", "it has no entry 'fortran_order'"),
+        ("{'descr': '<f8', 'fortran_order': False}", "it has no entry 'shape'"),
+        ("{'descr': '<f8', 'fortran_order': 0, 'shape': (2, 3)}", "'fortran_order' is not True or False"),
+        (
+            "{'descr': '<f8', 'fortran_order': False, 'shape': (-2, 3)}",
+            "'shape' is not a tuple of whole numbers",
+        ),
+        ("{'descr': '<f8', 'fortran_order': False, 'shape': 6}", "'shape' is not a tuple of whole numbers"),
+        ("{'descr': '<f8', 'fortran_order': False, 'shape': (6)}", "'shape' is not a tuple of whole numbers"),
+        ("{'descr': '<f8', 'fortran_order': False, 'shape': ()}", "an array of shape (); allowed: two"),
+        (
+            "{'descr': '<f8', 'fortran_order': False, 'shape': (1, 2, 3)}",
+            "an array of shape (1, 2, 3); allowed",
+        ),
+        ("{'descr': '<f8', 'fortran_order': False, 'shape': (2, 99999999999999999999)}", "whole numbers"),
+        ("{'descr': 8, 'fortran_order': False, 'shape': (2, 3)}", "numbers of type of records; allowed"),
+        (
+            "{'descr': '|f8', 'fortran_order': False, 'shape': (2, 3)}",
+            "numbers of type '|f8'; allowed: float32",
+        ),
+        (
+            "{'descr': '<f2', 'fortran_order': False, 'shape': (2, 3)}",
+            "numbers of type '<f2'; allowed: float32",
+        ),
+        (
+            "{'descr': '|b1', 'fortran_order': False, 'shape': (2, 3)}",
+            "numbers of type '|b1'; allowed: float32",
+        ),
+        ("{'descr': '<f8', 'fortran_order': False, 'shape': (2, 3)} or more", "from its byte 58 on"),
+        ("", "is no dictionary as Python writes it, from its byte 0 on"),
+    ] {
+        let error = header(&under(text)).unwrap_err().to_string();
+        assert!(error.contains(words), "{text}: {error}");
+    }
+    let mut bytes = array("<f8", false, "(2, 3)", &[0; 48]);
+    (bytes[6], bytes[7]) = (4, 1);
+    assert!(matches!(header(&bytes), Err(NpyError::Header(HeaderFault::Version(4, 1)))));
+    let mut bytes = array("<f8", false, "(2, 3)", &[0; 48]);
+    bytes[12] = 0xff;
+    assert!(matches!(header(&bytes), Err(NpyError::Header(HeaderFault::Encoding))));
+    let long = [b"\x93NUMPY\x02\x00", &(1u32 << 21).to_le_bytes()[..], &vec![b' '; 1 << 21]].concat();
+    assert!(matches!(header(&long), Err(NpyError::Header(HeaderFault::TooLong(2097152)))));
+}
+
+#[test]
+fn no_damage_to_an_array_is_a_panic() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("array.npy");
+    let mut state = 1u64;
+    let mut random = |below: usize| {
+        state = state.wrapping_mul(6364136223846793005).wrapping_add(1442695040888963407);
+        (state >> 33) as usize % below
+    };
+    let mut read = 0;
+    for (descr, is_fortran) in [("<f8", false), (">f8", true)] {
+        let sample = array(descr, is_fortran, "(4, 5)", &[0x3f; 160]);
+        for _ in 0..2000 {
+            let mut bytes = sample.clone();
+            for _ in 0..=random(3) {
+                let place = random(bytes.len());
+                match random(4) {
+                    0 => bytes[place] = random(256) as u8,
+                    1 => bytes[place] = b"0123456789(){}[]',:<>|ufi TF-"[random(29)],
+                    2 if random(10) == 0 => bytes.truncate(place + 1),
+                    _ => drop(bytes.splice(place..place, [bytes[place], b'9'])),
+                }
+            }
+            std::fs::write(&path, &bytes).unwrap();
+            let (matrix, mapped) = (matrix(&path), Mapped::in_either_order(&path));
+            assert_eq!(matrix.is_ok(), mapped.is_ok());
+            if let (Ok(matrix), Ok(mapped)) = (matrix, mapped) {
+                assert_eq!([matrix.rows, matrix.columns], mapped.points());
+                assert_eq!(matrix.values.len(), matrix.rows * matrix.columns);
+                read += 1;
+            }
+        }
+    }
+    // Numbers and padding may be anything.
+    assert!(read > 100, "{read}");
+}
+
+#[test]
+fn what_is_written_reads_back_to_the_bit() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("map.npy");
+    let heights =
+        vec![0.1, -2.5e-9, f64::MIN_POSITIVE, 3.0, f64::NAN, -0.0, 1e-300, 7.0, 1.0 / 3.0, 1.0, 2.0, 3.0];
+    let map = HeightMap::new([3, 4], [1e-6, 2e-6], heights, f64::EPSILON).unwrap();
+    map.write_npy(&path).unwrap();
+    let found = height_map(&path, Given { pixel: Some([1e-6, 2e-6]), unit: None }).unwrap();
+    assert_eq!(found.points(), map.points());
+    assert!(found.heights().iter().zip(map.heights()).all(|(a, b)| a.to_bits() == b.to_bits()));
+    // The numbers begin at a multiple of 64 bytes.
+    assert_eq!(std::fs::metadata(&path).unwrap().len(), 128 + 12 * 8);
+}
+
+#[test]
+fn an_array_has_as_many_values_as_its_shape_says() {
+    for count in [5, 7] {
+        let error = write(Vec::new(), [2, 3], vec![0.0; count]).unwrap_err();
+        assert_eq!(error.kind(), std::io::ErrorKind::InvalidInput);
+    }
+    let mut bytes = Vec::new();
+    write(&mut bytes, [0, 3], []).unwrap();
+    assert_eq!((header(&bytes).unwrap().rows, bytes.len()), (0, 128));
+}
