@@ -1,10 +1,11 @@
 //! The contacts of many asperities, in the registers of the machine.
 
-use crate::accumulator::{Accumulator, FEW, LaneAccumulator, LaneBatch};
+use crate::accumulator::{Accumulator, ContactSums, PLAIN_TERMS};
 use crate::asperity::Asperities;
 use crate::contact::Contacts;
 use crate::law::Shape;
 use crate::numeric::lanes::{MOST, Real, Work, run};
+use crate::numeric::sum::Sum;
 
 /// What knows the contacts of asperities side by side.
 pub(super) trait Answers {
@@ -54,7 +55,7 @@ impl<A: Answers> Work for Accumulate<'_, A> {
                 accumulate_lanes::<N, A, true>(contact, zero, separation, [heights, radii, spheres])
             }
         };
-        accumulator.add_lanes(&lanes);
+        accumulator.merge(&lanes);
     }
 }
 
@@ -76,13 +77,13 @@ fn accumulate_lanes<N: Real, A: Answers, const ELLIPSES: bool>(
     zero: N,
     separation: f64,
     [heights, radii, spheres]: [&[f64]; 3],
-) -> LaneBatch<N> {
+) -> ContactSums<Sum<N>> {
     let count = heights.len();
-    let mut lanes = LaneBatch::new(zero);
+    let mut lanes = ContactSums::new(Sum::new(zero));
     let mut start = 0;
     while start + N::LANES <= count {
-        let mut few = LaneAccumulator::new(zero);
-        for _ in 0..FEW {
+        let mut few = ContactSums::new(zero);
+        for _ in 0..PLAIN_TERMS {
             if start + N::LANES <= count {
                 let w = zero.load(&heights[start..]) - separation;
                 // The compiler leaves out a multiplication by one.
@@ -91,14 +92,14 @@ fn accumulate_lanes<N: Real, A: Answers, const ELLIPSES: bool>(
                 start += N::LANES;
             }
         }
-        lanes.add(&few);
+        lanes.merge(&few);
     }
     if start < count {
         // Lanes before the rest are of asperities that were added already, and do not count.
         let rest = zero.lanes_from(N::LANES - (count - start));
         let n = if ELLIPSES { last(spheres, zero) } else { zero.splat(1.0) };
         let contacts = contact.answers(last(heights, zero) - separation, last(radii, zero), n);
-        lanes.add_part(&contacts, rest, count - start);
+        lanes.add_present(&contacts, rest);
     }
     lanes
 }
@@ -118,11 +119,11 @@ impl<A: Answers> Work for AccumulateWeighted<'_, A> {
     fn with<N: Real>(self, zero: N) {
         let Self { contact, indentations, weights, shape, accumulator } = self;
         let (radius, spheres) = (zero.splat(shape.radius), zero.splat(shape.spheres));
-        let mut lanes = LaneBatch::new(zero);
+        let mut lanes = ContactSums::new(Sum::new(zero));
         let mut start = 0;
         while start + N::LANES <= indentations.len() {
-            let mut few = LaneAccumulator::new(zero);
-            for _ in 0..FEW {
+            let mut few = ContactSums::new(zero);
+            for _ in 0..PLAIN_TERMS {
                 if start + N::LANES <= indentations.len() {
                     let w = zero.load(&indentations[start..]);
                     lanes.accumulate_weighted(
@@ -133,15 +134,15 @@ impl<A: Answers> Work for AccumulateWeighted<'_, A> {
                     start += N::LANES;
                 }
             }
-            lanes.add_weighted(&few);
+            lanes.merge_weighted(&few);
         }
         if start < indentations.len() {
             let rest = zero.lanes_from(N::LANES - (indentations.len() - start));
             let contacts = contact.answers(last(indentations, zero), radius, spheres);
-            let mut few = LaneAccumulator::new(zero);
+            let mut few = ContactSums::new(zero);
             lanes.accumulate_weighted(&mut few, &contacts, N::select(rest, last(weights, zero), zero));
-            lanes.add_weighted(&few);
+            lanes.merge_weighted(&few);
         }
-        accumulator.add_lanes(&lanes);
+        accumulator.merge(&lanes);
     }
 }

@@ -221,13 +221,13 @@ impl<'a, C: MicroContact + ?Sized> Deterministic<'a, C> {
                     } else {
                         self.contact.load_over(indentations.low, indentations.high, shape)
                     };
-                    load.add(bounds.highest);
+                    load += bounds.highest;
                     slopes = slopes + bounds.slopes;
                 }
                 (load, slopes)
             },
             |(load, slopes), part| {
-                load.merge(&part.0);
+                *load += part.0;
                 *slopes = *slopes + part.1;
             },
         );

@@ -97,7 +97,7 @@ impl Character {
         let origin = first_present(map);
         let (mut total, mut present) = (Sum::default(), 0);
         for (sum, count) in strips(map, 0, |strip| row_sums(&strip, origin)).into_iter().flatten() {
-            total.add(sum);
+            total += sum;
             present += count;
         }
         let count = present as f64;
@@ -173,7 +173,7 @@ impl MeanSquare {
             sum += if is_there { difference * difference } else { 0.0 };
             count += usize::from(is_there);
         }
-        self.sum.add(sum);
+        self.sum += sum;
         self.count += count;
     }
 
@@ -203,7 +203,7 @@ impl Sums {
                 }
             }
             for (sum, part) in sums.powers.iter_mut().zip(powers) {
-                sum.add(part);
+                *sum += part;
             }
             let ny = points[1];
             let mut add = |lag: Lag, differences: &mut dyn Iterator<Item = f64>| {
@@ -237,10 +237,10 @@ impl Sums {
 
     fn merge(&mut self, other: &Self) {
         for (sum, part) in self.powers.iter_mut().zip(&other.powers) {
-            sum.merge(part);
+            *sum += *part;
         }
         for (lag, part) in self.lags.iter_mut().zip(&other.lags) {
-            lag.sum.merge(&part.sum);
+            lag.sum += part.sum;
             lag.count += part.count;
         }
     }
