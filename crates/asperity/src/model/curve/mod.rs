@@ -58,10 +58,10 @@ pub fn respond_within(model: &dyn Model, separations: &[f64], tolerance: f64) ->
     // Next to where nothing touches there is nothing to interpolate.
     let mut missing = Vec::new();
     let gaps = known.windows(2).map(|pair| pair[0].place + 1..pair[1].place);
-    sampler.interpolate(gaps, Scale::Plain, |place, quantities| {
+    sampler.interpolate(gaps, Scale::Plain, |place, row| {
         let k = order[place];
         let density = counted.as_ref().map(|counted| counted.contacts[k] * counted.per_area);
-        match quantities.response(separations[k], sigma, density) {
+        match row.quantities().response(separations[k], sigma, density) {
             Some(response) => responses[k] = response,
             None => missing.push(k),
         }

@@ -4,7 +4,7 @@ use std::f64::consts::PI;
 use std::ops::Range;
 
 use super::interpolation::{Interpolation, MOST_THROUGH, Node, Scale};
-use super::quantities::Quantities;
+use super::quantities::{Quantities, Row};
 use crate::model::Model;
 use crate::numeric::lanes::run;
 
@@ -130,17 +130,20 @@ impl AdaptiveSampler {
         while !open.is_empty() {
             let mut predicted = Vec::new();
             let gaps = open.iter().map(|interval| interval.middle()..interval.middle() + 1);
-            self.interpolate(gaps, Scale::Logarithms, |_, quantities| predicted.push(*quantities));
+            self.interpolate(gaps, Scale::Logarithms, |_, row| predicted.push(row.quantities()));
             // The shares of a sum jump at each asperity that changes its regime.
             let is_within = |(found, predicted): (&Node, &Quantities)| {
-                let off = |k: usize| found.quantities.0[k] - predicted.0[k];
+                let found = found.row.quantities();
                 let holds = |off: f64| off.abs() <= tolerance;
-                let share_holds = |[second, third]: [usize; 2]| {
-                    let (second, third) = (off(second), off(third));
+                let shares_hold = |found: [f64; 2], predicted: [f64; 2]| {
+                    let [second, third] = [found[0] - predicted[0], found[1] - predicted[1]];
                     holds(second) && holds(third) && holds(second + third)
                 };
-                Quantities::TOTALS.map(off).all(holds)
-                    && (self.bound.is_some() || Quantities::SHARES.into_iter().all(share_holds))
+                holds(found.pressure - predicted.pressure)
+                    && holds(found.area_ratio - predicted.area_ratio)
+                    && (self.bound.is_some()
+                        || shares_hold(found.pressure_shares, predicted.pressure_shares)
+                            && shares_hold(found.area_shares, predicted.area_shares))
             };
             let is_off: Vec<bool> = found.iter().zip(&predicted).map(|pair| !is_within(pair)).collect();
             self.learn(found);
@@ -156,15 +159,15 @@ impl AdaptiveSampler {
         &self,
         gaps: impl Iterator<Item = Range<usize>>,
         scale: Scale,
-        take: impl FnMut(usize, &Quantities),
+        take: impl FnMut(usize, &Row),
     ) {
         // A sum has a kink at every asperity: few nodes.
-        let (through, quantities) = match self.bound {
-            Some(_) => (4, Quantities::OF_A_SUM),
-            None => (MOST_THROUGH, Quantities::OF_AN_INTEGRAL),
+        let (through, places) = match self.bound {
+            Some(_) => (4, Row::OF_A_SUM),
+            None => (MOST_THROUGH, Row::OF_AN_INTEGRAL),
         };
         let through = through.min(self.known.len());
         let (known, separations) = (&*self.known, &*self.separations);
-        run(Interpolation { known, through, quantities, separations, gaps, scale, take });
+        run(Interpolation { known, through, places, separations, gaps, scale, take });
     }
 }
