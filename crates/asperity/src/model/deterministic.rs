@@ -8,7 +8,7 @@ use rayon::prelude::*;
 use super::block::{Block, Levels, LevelsOfBlock, ManyLevels};
 use super::load_control::LOWEST_SEPARATION;
 use super::sparse::SparseSubset;
-use super::{Counted, Model, ReferencePlane, Response, SamplingError};
+use super::{ContactCounts, Model, ReferencePlane, Response, SamplingError};
 use crate::accumulator::{Accumulator, Total};
 use crate::asperity::{Asperities, Ordered};
 use crate::interface::{LoadBounds, MicroContact, Shapes};
@@ -246,7 +246,7 @@ impl<C: MicroContact + ?Sized> Model for Deterministic<'_, C> {
         separations.iter().zip(&totals).map(|(&h, total)| self.response(h, total)).collect()
     }
 
-    fn count_contacts(&self, separations: &[f64]) -> Option<Counted> {
+    fn count_contacts(&self, separations: &[f64]) -> Option<ContactCounts> {
         /// Heights that one task counts.
         const HEIGHTS: usize = 1 << 14;
         let absolute: Vec<f64> = separations.iter().map(|&h| self.absolute(h)).collect();
@@ -259,7 +259,7 @@ impl<C: MicroContact + ?Sized> Model for Deterministic<'_, C> {
             parts.reduce(|| vec![0; levels.separations().len()], add)
         });
         let contacts = counts.into_iter().map(|count| count as f64).collect();
-        Some(Counted { contacts, per_area: self.asperities.nominal_area().recip() })
+        Some(ContactCounts { contacts, per_area: self.asperities.nominal_area().recip() })
     }
 
     fn may_decrease(&self) -> bool {

@@ -15,7 +15,7 @@ pub use load_control::{LOWEST_SEPARATION, Reached, Unreachable, at_pressure, at_
 pub use response::{INTERACTION, Response, SamplingError};
 pub use statistical::{MeanRadius, Statistical};
 
-use crate::asperity::Statistics;
+use crate::asperity::{Population, Statistics};
 use crate::numeric::levels::{Point, last_reaching_all};
 
 /// Where separations are measured from, and in what unit they are reported.
@@ -33,9 +33,16 @@ impl From<&Statistics> for ReferencePlane {
     }
 }
 
+/// Separations from the nominal mean height, in the nominal sigma.
+impl From<&Population> for ReferencePlane {
+    fn from(population: &Population) -> Self {
+        Self { mean: 0.0, sigma: population.sigma }
+    }
+}
+
 /// Contacts that were counted.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Counted {
+pub struct ContactCounts {
     /// At each separation.
     pub contacts: Vec<f64>,
     /// One over the nominal area, 1/m^2.
@@ -51,7 +58,7 @@ pub trait Model: Sync {
     fn respond_all(&self, separations: &[f64]) -> Vec<Response>;
 
     /// The contacts at each of the separations d/sigma, where they can be counted without the rest.
-    fn count_contacts(&self, _: &[f64]) -> Option<Counted> {
+    fn count_contacts(&self, _: &[f64]) -> Option<ContactCounts> {
         None
     }
 

@@ -344,9 +344,7 @@ fn listed(list: Node, count: u64) -> Result<Vec<f64>, ReadError> {
         }
         text.parse().map_err(|_| {
             let found = shortened(text);
-            ReadError::Corrupt(format!(
-                "Datum {place}: found \"{found}\"; allowed: a number, or nothing"
-            ))
+            ReadError::Corrupt(format!("Datum {place}: found \"{found}\"; allowed: a number, or nothing"))
         })
     };
     let values: Vec<f64> = (1..).zip(data).map(value).collect::<Result<_, _>>()?;

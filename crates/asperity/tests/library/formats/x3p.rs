@@ -137,13 +137,7 @@ fn x3p_of_every_data_type_scaled_and_moved() {
     assert_map(X3p::linked("D", "1", marked).bytes(), Given::default(), 1e-9, PIXEL);
     let mut listed = X3p::linked("D", "1e-9", Vec::new());
     listed.record3 = in_lines()
-        .map(|z| {
-            if z.is_nan() {
-                "<Datum/>\n".to_owned()
-            } else {
-                format!("<Datum> {z} </Datum>\n")
-            }
-        })
+        .map(|z| if z.is_nan() { "<Datum/>\n".to_owned() } else { format!("<Datum> {z} </Datum>\n") })
         .collect();
     listed.record3 = format!("<DataList>{}</DataList>", listed.record3);
     let head = assert_map(listed.bytes(), Given::default(), 1e-9, PIXEL);
