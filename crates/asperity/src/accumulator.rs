@@ -27,7 +27,7 @@ pub type Total = ContactSums<Sum>;
 /// Sums that contacts are added to, one by one or many at once.
 pub type Accumulator = ContactSums<LaneSum>;
 
-/// Contacts that a lane adds plainly: a sum of so many positive terms is off by 15 roundings at most.
+/// Contacts that a lane adds plainly: a sum of 16 positive terms is off by 15 roundings at most.
 pub(crate) const PLAIN_TERMS: usize = 16;
 
 impl<S: Copy> ContactSums<S> {

@@ -3,7 +3,7 @@
 use super::{FEWEST_CONTACTS, Kind, Pair, Pairing};
 use crate::model::Response;
 
-/// What laws and models are told apart by at equal load. The mean real pressure is no third: at equal load it is the
+/// Quantities in which laws and models are compared at equal load. The mean real pressure is no third: at equal load it is the
 /// nominal pressure over the area ratio, so that its ratios are those of the areas turned over.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Measure {
@@ -25,7 +25,7 @@ impl Measure {
         }
     }
 
-    /// How far `value` lies above `other`; 0 if only rounding tells them apart.
+    /// How far `value` lies above `other`; 0 if they differ by rounding only.
     fn apart(self, value: &Response, other: &Response) -> f64 {
         /// Of a separation at a given load.
         const ROUNDING: f64 = 1e-9;
@@ -146,7 +146,7 @@ impl AtLoad {
         (values.len() > 1).then_some(high - low)
     }
 
-    /// How far the answer under a law lies above that under the first.
+    /// Deviation of a law from the first one.
     pub fn deviation(&self, measure: Measure, law: usize, kind: Kind) -> f64 {
         self.told(measure).deviations[law][kind as usize]
     }
@@ -206,7 +206,7 @@ impl Influence {
         self.loads.iter().filter(|at| at.counts)
     }
 
-    /// What a difference weighs over the loads that count; `None` where it is nowhere told.
+    /// What a difference weighs over the loads that count; `None` where it is known at no load.
     pub fn weight(&self, difference: impl Fn(&AtLoad) -> Option<f64>) -> Option<Weight> {
         let told: Vec<(f64, f64)> =
             self.counting().filter_map(|at| Some((at.pressure, difference(at)?))).collect();

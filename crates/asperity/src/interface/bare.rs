@@ -43,7 +43,7 @@ impl<L: Law> Interface<L> {
     }
 }
 
-/// A law and the pair it is asked for. Kept apart, by value, so that compilers keep what both give in registers.
+/// A law and the pair it is evaluated for, by value, so that compilers keep both in registers.
 struct Kept<L>(L, Pair);
 
 impl<L: Law> Answers for Kept<L> {

@@ -7,9 +7,9 @@ use crate::law::Shape;
 use crate::numeric::lanes::{MOST, Real, Work, run};
 use crate::numeric::sum::Sum;
 
-/// What knows the contacts of asperities side by side.
+/// Evaluates the contacts of one asperity per lane.
 pub(super) trait Answers {
-    /// The answers of shapes, so many spheres of such radii (m), at indentations `w` (m). Must be `#[inline(always)]`, see
+    /// The contacts at indentations `w` (m) of `spheres` spheres of `radius` (m) each. Must be `#[inline(always)]`, see
     /// [`crate::numeric::lanes`].
     fn answers<N: Real>(&self, w: N, radius: N, spheres: N) -> Contacts<N>;
 }
@@ -59,7 +59,7 @@ impl<A: Answers> Work for Accumulate<'_, A> {
     }
 }
 
-/// The last numbers of `values`, as many as there are lanes, the first of them again where there are not so many.
+/// The last numbers of `values`, one per lane, after repetitions of the first where there are too few.
 #[inline(always)]
 fn last<N: Real>(values: &[f64], zero: N) -> N {
     if let Some(first) = values.len().checked_sub(N::LANES) {
@@ -70,7 +70,7 @@ fn last<N: Real>(values: &[f64], zero: N) -> N {
     zero.load(&lanes)
 }
 
-/// Presses asperities of some heights and radii, for each of which one sphere stands or, of ellipses, so many.
+/// The sums over asperities of some heights and radii, each a sphere or, with `ELLIPSES`, a number of equal spheres.
 #[inline(always)]
 fn accumulate_lanes<N: Real, A: Answers, const ELLIPSES: bool>(
     contact: A,
@@ -95,7 +95,7 @@ fn accumulate_lanes<N: Real, A: Answers, const ELLIPSES: bool>(
         lanes.merge(&few);
     }
     if start < count {
-        // Lanes before the rest are of asperities that were added already, and do not count.
+        // Lanes before the rest are of asperities that were added already.
         let rest = zero.lanes_from(N::LANES - (count - start));
         let n = if ELLIPSES { last(spheres, zero) } else { zero.splat(1.0) };
         let contacts = contact.answers(last(heights, zero) - separation, last(radii, zero), n);

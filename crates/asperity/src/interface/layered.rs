@@ -13,10 +13,10 @@ use crate::numeric::interval::Interval;
 use crate::numeric::lanes::Real;
 use crate::numeric::root::sign_changes;
 
-/// A homogeneous rough body on a layered flat under one law: the law sees the pair that each asperity feels at its
+/// A homogeneous rough body on a layered flat under one law: the law sees the effective pair of each asperity at its
 /// own indentation (Pasaribu and Schipper 2005, Eqs. 5, 9 with E_eff, nu_eff, H_eff).
 ///
-/// An elliptic asperity feels the layer as a sphere does whose contact has the same area while it is elastic.
+/// For the layer an elliptic asperity is the sphere whose elastic contact has the same area.
 #[derive(Debug, Clone)]
 pub struct Layered<L> {
     law: L,
@@ -41,12 +41,12 @@ struct Jump {
     factor: Interval,
 }
 
-/// Critical ratios stand with (onset/E*)^2: of such a pair they are the factors before it.
+/// A pair with onset/E* = 1: its critical ratios are the factors before (onset/E*)^2.
 fn unit(strength: f64) -> Pair {
     Pair { reduced_modulus: 1.0, yield_limits: YieldLimits { onset: 1.0, strength } }
 }
 
-/// The pair that an asperity feels, and how it changes with the indentation.
+/// The effective pair of an asperity on a layered flat, and how it changes with the indentation.
 #[derive(Clone, Copy)]
 struct Felt<N> {
     pair: Pair<N>,
@@ -58,7 +58,7 @@ struct Felt<N> {
     strength_slope: N,
 }
 
-/// The same over a range.
+/// Bounds of an effective pair over a range of indentations and radii.
 struct FeltRange {
     modulus: Interval,
     modulus_slope: Interval,
@@ -101,7 +101,7 @@ impl<L: ScalableLaw> Layered<L> {
         self.rough.onset.is_finite() || self.coating.hardness_range().high.is_finite()
     }
 
-    /// Of spheres whose elastic contacts have the radius (b w)^.5.
+    /// The effective pair of spheres whose elastic contacts have the radius (b w)^.5.
     #[inline(always)]
     fn felt<N: Real>(&self, w: N, b: N) -> Felt<N> {
         let flat = self.coating.at(w, b);
@@ -218,7 +218,7 @@ impl<L: ScalableLaw> Layered<L> {
         sign_changes(&value, &over, RANGE[0], RANGE[1]).into_iter().map(f64::exp).collect()
     }
 
-    /// An upper bound of the load at indentations from `from` to `to` (m), the pair being any that `felt` holds. Of the
+    /// An upper bound of the load at indentations from `from` to `to` (m), the pair being any within `effective`. Of the
     /// same strength over the onset, a load over the onset falls as that grows, but for drops at boundaries; of another
     /// strength it differs by no more than the jumps do.
     fn highest_load(&self, from: f64, to: f64, shape: Shape, felt: &FeltRange) -> f64 {
@@ -288,7 +288,7 @@ impl<L: ScalableLaw> MicroContact for Layered<L> {
     fn breakpoints(&self, shape: Shape) -> Vec<f64> {
         let mut points = self.regime_changes(shape);
         let b = shape.spheres * shape.radius;
-        // An elastic contact does not feel the hardness, nor a plastic one the modulus.
+        // An elastic contact does not depend on the hardness, nor a plastic one on the modulus.
         let regime = |w: f64| self.contact(w, shape).regime;
         let modulus = self.coating.modulus_scales(b, self.rough_compliance);
         points.extend(modulus.filter(|&w| regime(w) != Regime::Plastic));

@@ -1,4 +1,4 @@
-//! Materials, coating and law together: the micro-contact that both models add up.
+//! Materials, layer and law together: the micro-contact that both models sum.
 
 mod bare;
 mod batch;
@@ -33,18 +33,18 @@ impl Reference {
     }
 }
 
-/// A contact that cannot be made.
+/// No micro-contact exists for these bodies under this law.
 #[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
 pub enum ContactError {
     /// The layered flat has no effective properties.
     #[error(transparent)]
     Coating(#[from] CoatingError),
-    /// The law says nothing of the bodies.
+    /// The law does not apply to the bodies.
     #[error(transparent)]
     Law(#[from] Inapplicable),
 }
 
-/// Shapes between two.
+/// Ranges of shapes.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Shapes {
     /// Radii, m.
@@ -62,18 +62,18 @@ impl From<Shape> for Shapes {
 /// The flat body.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Flat {
-    /// Without a layer.
+    /// One material.
     Bare(Material),
-    /// Under a layer of finite thickness.
+    /// A substrate under a layer of finite thickness.
     Coated {
         /// The body below.
         substrate: Material,
         /// The layer.
         coating: Coating,
     },
-    /// All layer. Load ratios still refer to the substrate.
+    /// Layer throughout (thickness infinity). Load ratios still refer to the substrate.
     AllLayer {
-        /// The body below, which nothing feels.
+        /// The body below, too deep to matter.
         substrate: Material,
         /// The layer.
         layer: Material,
@@ -94,7 +94,7 @@ impl Flat {
         Self::in_thickness(layer, substrate, thickness, || Coating::new(layer, substrate, thickness, rule))
     }
 
-    /// The same, with `coating` the layer in that thickness, which is asked for only where one is there.
+    /// The same, with `layered` giving the flat of that thickness; it is called for a finite, positive one only.
     ///
     /// # Errors
     /// Those of `coating`.
@@ -115,7 +115,7 @@ impl Flat {
     /// The micro-contact of a rough body with it under `law`.
     ///
     /// # Errors
-    /// Bodies that the law says nothing of.
+    /// See [`Inapplicable`].
     pub fn under<L: ScalableLaw>(
         &self,
         law: L,
@@ -132,7 +132,7 @@ impl Flat {
     /// The same under a law that does not say what a layer of finite thickness does to it.
     ///
     /// # Errors
-    /// Such a layer, or bodies that the law says nothing of.
+    /// Such a layer, and see [`Inapplicable`].
     pub fn homogeneous_under<L: Law>(
         &self,
         law: L,
@@ -189,12 +189,12 @@ impl LoadBounds {
 }
 
 /// What the models know of a contact: at indentation `w` and of a shape, what area, what load,
-/// which regime? Neither model knows which law answers, or whether there is a layer on the flat.
+/// which regime? Neither model knows which law it is, or whether there is a layer on the flat.
 ///
 /// The provided methods work on blocks of asperities: through `dyn MicroContact` the law is chosen
 /// once a block, never once an asperity.
 pub trait MicroContact: Send + Sync {
-    /// The answer at indentation `w > 0` (m) of an asperity.
+    /// The contact of an asperity at indentation `w > 0` (m).
     fn contact(&self, w: f64, shape: Shape) -> Contact;
 
     /// The indentations (m, ascending) at which one formula of the law gives way to another, as it does where the regime
@@ -220,15 +220,15 @@ pub trait MicroContact: Send + Sync {
     /// pair, infinite where neither has one.
     fn reference_hardness(&self) -> f64;
 
-    /// The papers behind the answers.
+    /// The papers behind the law and the layer.
     fn papers(&self) -> Vec<Paper>;
 
-    /// What makes its answers doubtful though there are some; see [`Law::caveat`].
+    /// Why its results may be inaccurate for this pair, if there is a reason; see [`Law::caveat`].
     fn caveat(&self) -> Option<String> {
         None
     }
 
-    /// Whether each answer asks what a layer of finite thickness does at its indentation.
+    /// Whether there is a layer of finite thickness, so that each contact needs its effective properties.
     fn is_layered(&self) -> bool {
         false
     }

@@ -112,8 +112,8 @@ impl FromIterator<f64> for Sum {
     }
 }
 
-/// Folds the index range `0..count` in parallel: `part` answers a chunk, `join` adds a chunk's
-/// answer to the running one. Chunks are fixed and joined in order, so the result is the same to
+/// Folds the index range `0..count` in parallel: `part` gives the result of a chunk, `join` adds
+/// it to the running one. Chunks are fixed and joined in order, so the result is the same to
 /// the bit on any number of threads.
 pub fn in_chunks<T: Default + Send>(
     count: usize,

@@ -1,4 +1,4 @@
-//! What lies between a model's answers: polynomials of logarithms and shares.
+//! Interpolation between the responses of a model: polynomials of logarithms and shares.
 
 use std::ops::Range;
 
@@ -6,19 +6,19 @@ use super::quantities::{Quantities, Row};
 use crate::model::Response;
 use crate::numeric::lanes::{Mask, Real, Work};
 
-/// Where the model was asked: place and answer, and what is interpolated of it.
+/// A response of the model, and what is interpolated of it.
 #[derive(Debug, Clone, Copy)]
 pub struct Node {
-    /// Of all separations, ascending.
+    /// Index among all separations, ascending.
     pub place: usize,
-    /// What the model answered.
+    /// The response of the model there.
     pub response: Response,
-    /// What is interpolated of that.
+    /// What is interpolated of it.
     pub row: Row,
 }
 
 impl Node {
-    /// The answer of a place.
+    /// A response at a place.
     pub fn new(place: usize, response: Response) -> Self {
         Self { place, response, row: Quantities::of(&response).into() }
     }
@@ -29,16 +29,16 @@ impl Node {
     }
 }
 
-/// How logarithms are answered.
+/// How the quantities that are interpolated as logarithms are returned.
 #[derive(Clone, Copy, PartialEq)]
 pub enum Scale {
-    /// As they are.
+    /// As logarithms.
     Logarithms,
-    /// As what they are the logarithms of.
+    /// As exponentials of them.
     Plain,
 }
 
-/// Newton's polynomials through the nearest nodes (DLMF 3.3.38), of all quantities side by side.
+/// Newton's polynomials through the nearest nodes (DLMF 3.3.38), one quantity per lane.
 pub struct Interpolation<'a, G, F> {
     /// Ascending, one at the least.
     pub known: &'a [Node],
@@ -50,7 +50,7 @@ pub struct Interpolation<'a, G, F> {
     pub separations: &'a [f64],
     /// Places between two nodes, ascending.
     pub gaps: G,
-    /// How logarithms are answered.
+    /// How the quantities that are interpolated as logarithms are returned.
     pub scale: Scale,
     /// Takes each place of the gaps with the quantities there.
     pub take: F,
@@ -112,7 +112,7 @@ struct Newton<'a> {
     end: usize,
     /// Its nodes, from the last on.
     nodes: [f64; MOST_THROUGH],
-    /// The divided differences over so many of them.
+    /// The divided differences of each order.
     differences: [Row; MOST_THROUGH],
 }
 
@@ -155,7 +155,7 @@ impl<'a> Newton<'a> {
         }
     }
 
-    /// The same at `K` separations, side by side.
+    /// The same at `K` separations, so that none waits for another.
     #[inline(always)]
     fn evaluate_at<N: Real, const K: usize>(&self, h: &[f64; K], rows: &mut [Row; K], zero: N) {
         for lane in (0..self.places).step_by(N::LANES) {

@@ -6,8 +6,8 @@ use crate::contact::ByRegime;
 use crate::model::{Response, SamplingError};
 use crate::numeric::lanes::MOST;
 
-/// What is interpolated of a response, by name; [`Row`] holds the same for the registers. What an integral answers comes
-/// first, what only a sum answers last, and of both what is interpolated as a logarithm, because it spans decades.
+/// What is interpolated of a response, by name; [`Row`] holds the same for the registers. The quantities of both
+/// models come first, those of a sum alone last; first of all those interpolated as logarithms, because they span decades.
 #[derive(Debug, Clone, Copy)]
 #[repr(C)]
 pub struct Quantities {
@@ -96,10 +96,10 @@ impl Row {
     /// How many of the first are interpolated as logarithms.
     pub const LOGARITHMS: usize = places(offset_of!(Quantities, relative_stiffness));
 
-    /// Places that hold what an integral answers.
+    /// Places of the quantities of an integral.
     pub const OF_AN_INTEGRAL: usize = places(offset_of!(Quantities, pressure_error)).next_multiple_of(MOST);
 
-    /// Places that hold what a sum answers: all.
+    /// Places of the quantities of a sum: all.
     pub const OF_A_SUM: usize = Self::COUNT.next_multiple_of(MOST);
 
     const COUNT: usize = places(size_of::<Quantities>());

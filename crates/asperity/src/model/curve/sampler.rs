@@ -1,4 +1,4 @@
-//! Where the model is asked for a curve, until all that lies between can be predicted.
+//! Where the model is evaluated for a curve, until all that lies between can be predicted.
 
 use std::f64::consts::PI;
 use std::ops::Range;
@@ -8,7 +8,7 @@ use super::quantities::{Quantities, Row};
 use crate::model::Model;
 use crate::numeric::lanes::run;
 
-/// What lies between two places that were asked.
+/// The places between two that were evaluated.
 struct Interval([usize; 2]);
 
 impl Interval {
@@ -16,7 +16,7 @@ impl Interval {
         (self.0[0] + self.0[1]) / 2
     }
 
-    /// Whether one lies between its ends.
+    /// Whether a place lies between its ends.
     fn holds_a_place(&self) -> bool {
         self.0[1] - self.0[0] > 1
     }
@@ -57,7 +57,7 @@ impl DiscretisationBound {
     }
 }
 
-/// What is known of a curve.
+/// Chooses the places at which a curve is evaluated.
 pub struct AdaptiveSampler {
     /// Ascending.
     separations: Vec<f64>,
@@ -68,7 +68,7 @@ pub struct AdaptiveSampler {
 }
 
 impl AdaptiveSampler {
-    /// Of which nothing is known yet.
+    /// A sampler that has evaluated no place yet.
     pub fn new(separations: Vec<f64>, bound: Option<DiscretisationBound>) -> Self {
         Self { separations, known: Vec::new(), bound }
     }
@@ -84,7 +84,7 @@ impl AdaptiveSampler {
         self.known.sort_unstable_by_key(|node| node.place);
     }
 
-    /// Intervals, ascending, that are no longer than the bound allow.
+    /// Intervals, ascending, that are no longer than the bound allows.
     fn intervals(&self, tolerance: f64) -> Vec<Interval> {
         /// Below this an integral needs the more intervals in the end.
         const TIGHT: f64 = 1e-6;
@@ -116,13 +116,13 @@ impl AdaptiveSampler {
         all
     }
 
-    /// Asks until every interval between two answers can be interpolated, or holds no place more.
+    /// Evaluates the model until every interval between two responses can be interpolated, or holds no place more.
     pub fn refine(&mut self, model: &dyn Model, tolerance: f64) {
         let mut open = self.intervals(tolerance);
         let mut ends: Vec<usize> = open.iter().map(|Interval([from, _])| *from).collect();
         ends.push(self.separations.len() - 1);
         open.retain(Interval::holds_a_place);
-        // What the bound ask for is asked at once: a sum looks at all asperities each time.
+        // The places that the bound needs are evaluated at once: a sum visits all asperities each time.
         let middles = open.iter().map(Interval::middle);
         let mut nodes = self.ask(model, &ends.iter().copied().chain(middles).collect::<Vec<_>>());
         let mut found = nodes.split_off(ends.len());
