@@ -21,7 +21,7 @@ use crate::numeric::interval::Interval;
 /// The pair that load ratios and the plasticity index refer to: without a layer, whatever the law.
 #[derive(Debug, Clone, Copy, PartialEq)]
 struct Reference {
-    /// Pa.
+    /// E*, Pa.
     modulus: f64,
     /// Of the softer body, Pa; infinite where neither has one.
     hardness: f64,
@@ -68,14 +68,14 @@ pub enum Flat {
     Coated {
         /// The body below.
         substrate: Material,
-        /// The layer.
+        /// Effective properties of layer and substrate.
         coating: Coating,
     },
     /// Layer throughout (thickness infinity). Load ratios still refer to the substrate.
     AllLayer {
         /// The body below, too deep to matter.
         substrate: Material,
-        /// The layer.
+        /// Material of the layer.
         layer: Material,
     },
 }

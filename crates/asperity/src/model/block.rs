@@ -10,7 +10,7 @@ pub(super) struct Levels<const PLACES: usize, const CELLS: usize> {
     count: usize,
     /// Below all heights from the end on.
     separations: Box<[f64; PLACES]>,
-    /// m.
+    /// The smallest separation, m.
     lowest: f64,
     /// Of each cell, how many separations lie in cells above it.
     above: Box<[u16; CELLS]>,
@@ -26,7 +26,7 @@ const CELLS_PER_LEVEL: usize = 16;
 /// Places of the separations that the blocks of a sum are ordered by.
 const PLACES_OF_BLOCK: usize = 256;
 
-/// Those separations.
+/// The separations of a sum over blocks.
 pub(super) type LevelsOfBlock = Levels<PLACES_OF_BLOCK, { CELLS_PER_LEVEL * PLACES_OF_BLOCK }>;
 
 /// The separations at which contacts are counted: their cells still fit in 16 bits.

@@ -43,7 +43,7 @@ impl From<&Population> for ReferencePlane {
 /// Numbers of contacts.
 #[derive(Debug, Clone, PartialEq)]
 pub struct ContactCounts {
-    /// At each separation.
+    /// Number of contacts at each separation.
     pub contacts: Vec<f64>,
     /// One over the nominal area, 1/m^2.
     pub per_area: f64,

@@ -58,7 +58,7 @@ impl MeanRadius {
 pub struct Statistical<'a, C: ?Sized> {
     contact: &'a C,
     population: Population,
-    /// Of every asperity.
+    /// Shape of every asperity.
     shape: Shape,
     plane: ReferencePlane,
     /// Of the contact of one asperity, in units of sigma.

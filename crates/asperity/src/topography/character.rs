@@ -1,4 +1,4 @@
-//! What a surface is: height parameters, spectral moments, the autocorrelation at neighbours.
+//! Roughness parameters of a map: height parameters, spectral moments, the autocorrelation at neighbours.
 
 use super::rows::{Rows, Strip, count_missing, first_present, strips};
 use crate::numeric::sum::Sum;
@@ -18,8 +18,8 @@ pub struct Moments {
     pub sku: Option<f64>,
 }
 
-/// What a surface is, found in two readings of its rows. Every difference is taken where both heights
-/// are there, around the border of a periodic map.
+/// Roughness parameters of a map, from two passes over its rows. Every difference is taken where both heights
+/// are present, around the border of a periodic map.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Character {
     /// Missing points.
@@ -51,7 +51,7 @@ pub struct Drops {
 }
 
 impl Drops {
-    /// Those of a surface of unit variance by its autocorrelation at a lag of (i, j) points.
+    /// The drops on a surface of unit variance, from its autocorrelation at a lag of (i, j) points.
     pub fn of(correlation: impl Fn(f64, f64) -> f64) -> Self {
         let rho = correlation;
         let structure = |i: f64, j: f64| 2.0 * (1.0 - rho(i, j));
@@ -83,14 +83,14 @@ impl Drops {
 }
 
 impl Moments {
-    /// Moments of the points that are there, the same to the bit on any number of threads.
+    /// Moments of the present points, the same to the bit on any number of threads.
     pub fn of(map: &dyn Rows) -> Self {
         Character::of(map).moments
     }
 }
 
 impl Character {
-    /// Looks at a map, the same to the bit on any number of threads.
+    /// The parameters of a map, the same to the bit on any number of threads.
     pub fn of(map: &dyn Rows) -> Self {
         let points = map.points();
         // About a height of the map: a large offset costs nothing.

@@ -37,7 +37,7 @@ pub struct DiscretisationBound {
 }
 
 impl DiscretisationBound {
-    /// Of ascending separations.
+    /// From the numbers of contacts at ascending separations.
     pub fn new(separations: &[f64], contacts: Vec<f64>) -> Self {
         let mut integral = vec![0.0; contacts.len()];
         for k in (1..contacts.len()).rev() {
@@ -59,11 +59,11 @@ impl DiscretisationBound {
 
 /// Chooses the places at which a curve is evaluated.
 pub struct AdaptiveSampler {
-    /// Ascending.
+    /// All separations, ascending, in sigma.
     separations: Vec<f64>,
-    /// Ascending.
+    /// Evaluated places, ascending.
     pub known: Vec<Node>,
-    /// Of a sum.
+    /// What limits the intervals of a sum.
     bound: Option<DiscretisationBound>,
 }
 
