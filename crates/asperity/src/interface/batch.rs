@@ -8,14 +8,14 @@ use crate::numeric::lanes::{MOST, Real, Work, run};
 use crate::numeric::sum::Sum;
 
 /// Evaluates the contacts of one asperity per lane.
-pub(super) trait Answers {
+pub(super) trait LaneContacts {
     /// The contacts at indentations `w` (m) of `spheres` spheres of `radius` (m) each. Must be `#[inline(always)]`, see
     /// [`crate::numeric::lanes`].
-    fn answers<N: Real>(&self, w: N, radius: N, spheres: N) -> Contacts<N>;
+    fn contacts<N: Real>(&self, w: N, radius: N, spheres: N) -> Contacts<N>;
 }
 
 /// [`super::MicroContact::accumulate`].
-pub(super) fn accumulate<A: Answers>(
+pub(super) fn accumulate<A: LaneContacts>(
     contact: A,
     asperities: Asperities<'_>,
     separation: f64,
@@ -25,7 +25,7 @@ pub(super) fn accumulate<A: Answers>(
 }
 
 /// [`super::MicroContact::accumulate_weighted`].
-pub(super) fn accumulate_weighted<A: Answers>(
+pub(super) fn accumulate_weighted<A: LaneContacts>(
     contact: A,
     indentations: &[f64],
     weights: &[f64],
@@ -42,7 +42,7 @@ struct Accumulate<'a, A> {
     accumulator: &'a mut Accumulator,
 }
 
-impl<A: Answers> Work for Accumulate<'_, A> {
+impl<A: LaneContacts> Work for Accumulate<'_, A> {
     type Output = ();
 
     #[inline(always)]
@@ -72,7 +72,7 @@ fn last<N: Real>(values: &[f64], zero: N) -> N {
 
 /// The sums over asperities of some heights and radii, each a sphere or, with `ELLIPSES`, a number of equal spheres.
 #[inline(always)]
-fn accumulate_lanes<N: Real, A: Answers, const ELLIPSES: bool>(
+fn accumulate_lanes<N: Real, A: LaneContacts, const ELLIPSES: bool>(
     contact: A,
     zero: N,
     separation: f64,
@@ -88,7 +88,7 @@ fn accumulate_lanes<N: Real, A: Answers, const ELLIPSES: bool>(
                 let w = zero.load(&heights[start..]) - separation;
                 // The compiler leaves out a multiplication by one.
                 let n = if ELLIPSES { zero.load(&spheres[start..]) } else { zero.splat(1.0) };
-                few.add(&contact.answers(w, zero.load(&radii[start..]), n));
+                few.add(&contact.contacts(w, zero.load(&radii[start..]), n));
                 start += N::LANES;
             }
         }
@@ -98,7 +98,7 @@ fn accumulate_lanes<N: Real, A: Answers, const ELLIPSES: bool>(
         // Lanes before the rest are of asperities that were added already.
         let rest = zero.lanes_from(N::LANES - (count - start));
         let n = if ELLIPSES { last(spheres, zero) } else { zero.splat(1.0) };
-        let contacts = contact.answers(last(heights, zero) - separation, last(radii, zero), n);
+        let contacts = contact.contacts(last(heights, zero) - separation, last(radii, zero), n);
         lanes.add_present(&contacts, rest);
     }
     lanes
@@ -112,7 +112,7 @@ struct AccumulateWeighted<'a, A> {
     accumulator: &'a mut Accumulator,
 }
 
-impl<A: Answers> Work for AccumulateWeighted<'_, A> {
+impl<A: LaneContacts> Work for AccumulateWeighted<'_, A> {
     type Output = ();
 
     #[inline(always)]
@@ -128,7 +128,7 @@ impl<A: Answers> Work for AccumulateWeighted<'_, A> {
                     let w = zero.load(&indentations[start..]);
                     lanes.accumulate_weighted(
                         &mut few,
-                        &contact.answers(w, radius, spheres),
+                        &contact.contacts(w, radius, spheres),
                         zero.load(&weights[start..]),
                     );
                     start += N::LANES;
@@ -138,7 +138,7 @@ impl<A: Answers> Work for AccumulateWeighted<'_, A> {
         }
         if start < indentations.len() {
             let rest = zero.lanes_from(N::LANES - (indentations.len() - start));
-            let contacts = contact.answers(last(indentations, zero), radius, spheres);
+            let contacts = contact.contacts(last(indentations, zero), radius, spheres);
             let mut few = ContactSums::new(zero);
             lanes.accumulate_weighted(&mut few, &contacts, N::select(rest, last(weights, zero), zero));
             lanes.merge_weighted(&few);
