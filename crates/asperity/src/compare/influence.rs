@@ -101,13 +101,13 @@ pub struct AtLoad {
     pub area_ratio: f64,
     /// Which laws pass from elastic to something else.
     passing: Vec<bool>,
-    /// By separation and by area.
-    told: [Told; 2],
+    /// By measure.
+    differences: [Differences; 2],
 }
 
 /// All laws and both models at one load by one measure.
 #[derive(Debug, Clone, PartialEq)]
-struct Told {
+struct Differences {
     /// Above the first law, law by law, under both models.
     deviations: Vec<[f64; 2]>,
     /// Statistical above deterministic, law by law.
@@ -117,8 +117,8 @@ struct Told {
 }
 
 impl AtLoad {
-    fn told(&self, measure: Measure) -> &Told {
-        &self.told[measure as usize]
+    fn differences(&self, measure: Measure) -> &Differences {
+        &self.differences[measure as usize]
     }
 
     fn is_in(&self, group: Group, law: usize) -> bool {
@@ -138,7 +138,7 @@ impl AtLoad {
         kind: Kind,
         without: Option<usize>,
     ) -> Option<f64> {
-        let deviations = self.told(measure).deviations.iter().enumerate();
+        let deviations = self.differences(measure).deviations.iter().enumerate();
         let members = deviations.filter(|(law, _)| self.is_in(group, *law) && Some(*law) != without);
         let values: Vec<f64> = members.map(|(_, deviation)| deviation[kind as usize]).collect();
         let (low, high) =
@@ -148,22 +148,22 @@ impl AtLoad {
 
     /// Deviation of a law from the first one.
     pub fn deviation(&self, measure: Measure, law: usize, kind: Kind) -> f64 {
-        self.told(measure).deviations[law][kind as usize]
+        self.differences(measure).deviations[law][kind as usize]
     }
 
     /// How far the integral lies above the sum under a law.
     pub fn gap(&self, measure: Measure, law: usize) -> f64 {
-        self.told(measure).gaps[law]
+        self.differences(measure).gaps[law]
     }
 
     /// The sampling error of the sum under a law.
     pub fn sampling_error(&self, measure: Measure, law: usize) -> Option<f64> {
-        self.told(measure).errors[law]
+        self.differences(measure).errors[law]
     }
 
     /// The law of a group under which the models lie furthest apart, and how far.
     pub fn largest_gap(&self, measure: Measure, group: Group) -> Option<(usize, f64)> {
-        let gaps = self.told(measure).gaps.iter().copied().enumerate();
+        let gaps = self.differences(measure).gaps.iter().copied().enumerate();
         gaps.filter(|(law, _)| self.is_in(group, *law)).max_by(|a, b| a.1.abs().total_cmp(&b.1.abs()))
     }
 }
@@ -206,26 +206,26 @@ impl Influence {
         self.loads.iter().filter(|at| at.counts)
     }
 
-    /// What a difference weighs over the loads that count; `None` where it is known at no load.
+    /// Mean and largest magnitude of a difference over the loads that count; `None` where it is known at no load.
     pub fn weight(&self, difference: impl Fn(&AtLoad) -> Option<f64>) -> Option<Weight> {
-        let told: Vec<(f64, f64)> =
+        let known: Vec<(f64, f64)> =
             self.counting().filter_map(|at| Some((at.pressure, difference(at)?))).collect();
-        let (at, largest) = *told.iter().max_by(|a, b| a.1.abs().total_cmp(&b.1.abs()))?;
-        let mean = told.iter().map(|(_, value)| value.abs()).sum::<f64>() / told.len() as f64;
+        let (at, largest) = *known.iter().max_by(|a, b| a.1.abs().total_cmp(&b.1.abs()))?;
+        let mean = known.iter().map(|(_, value)| value.abs()).sum::<f64>() / known.len() as f64;
         Some(Weight { mean, largest, at })
     }
 
-    /// What the law weighs under a model.
+    /// The effect of the law under a model: the spread of the laws.
     pub fn of_law(&self, measure: Measure, group: Group, kind: Kind) -> Option<Weight> {
         self.weight(|at| at.spread(measure, group, kind))
     }
 
-    /// What the adding-up weighs under a law.
+    /// The effect of the summation method under a law: statistical against deterministic.
     pub fn of_adding_up(&self, measure: Measure, law: usize) -> Option<Weight> {
         self.weight(|at| Some(at.gap(measure, law)))
     }
 
-    /// What the choice of a law instead of the first weighs under a model.
+    /// The effect of a law instead of the first one under a model.
     pub fn of_choice(&self, measure: Measure, law: usize, kind: Kind) -> Option<Weight> {
         self.weight(|at| Some(at.deviation(measure, law, kind)))
     }
@@ -248,11 +248,11 @@ fn compared(pressure: f64, pairs: &[Pair], passing: &[bool], area: f64, sigma: f
         counts: fewest_contacts.round() >= FEWEST_CONTACTS && !interact,
         area_ratio: pairs.first().map_or(0.0, |pair| pair.deterministic.area_ratio.total()),
         passing: passing.to_vec(),
-        told: Measure::ALL.map(|measure| told(measure, pairs, sigma)),
+        differences: Measure::ALL.map(|measure| differences(measure, pairs, sigma)),
     }
 }
 
-fn told(measure: Measure, pairs: &[Pair], sigma: f64) -> Told {
+fn differences(measure: Measure, pairs: &[Pair], sigma: f64) -> Differences {
     let from_first = |pair: &Pair| {
         let first = &pairs[0];
         [
@@ -260,7 +260,7 @@ fn told(measure: Measure, pairs: &[Pair], sigma: f64) -> Told {
             measure.apart(&pair.deterministic, &first.deterministic),
         ]
     };
-    Told {
+    Differences {
         deviations: pairs.iter().map(from_first).collect(),
         gaps: pairs.iter().map(|pair| measure.apart(&pair.statistical, &pair.deterministic)).collect(),
         errors: pairs.iter().map(|pair| measure.sampling_error(&pair.deterministic, sigma)).collect(),

@@ -146,18 +146,18 @@ pub(super) struct Block {
 impl Default for Block {
     fn default() -> Self {
         Self {
-            heights: room(),
-            radii: room(),
-            spheres: room(),
-            cells: room(),
-            touched: room(),
-            places: room(),
+            heights: zeroed(),
+            radii: zeroed(),
+            spheres: zeroed(),
+            cells: zeroed(),
+            touched: zeroed(),
+            places: zeroed(),
             ends: [0; PLACES_OF_BLOCK],
         }
     }
 }
 
-fn room<T: Default + Copy>() -> Box<[T; Block::MOST]> {
+fn zeroed<T: Default + Copy>() -> Box<[T; Block::MOST]> {
     Box::new([T::default(); Block::MOST])
 }
 

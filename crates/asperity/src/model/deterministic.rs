@@ -107,7 +107,7 @@ struct Workspace {
 
 thread_local! {
     /// Kept from one sum to the next: fresh memory takes a tenth of the time of a million asperities.
-    static ROOM: Cell<Option<Box<Workspace>>> = const { Cell::new(None) };
+    static WORKSPACE: Cell<Option<Box<Workspace>>> = const { Cell::new(None) };
 }
 
 /// Blocks that one task adds up, at the most.
@@ -145,8 +145,8 @@ impl<'a, C: MicroContact + ?Sized> Deterministic<'a, C> {
         let blocks = count.div_ceil(Block::MOST);
         let per_task = Block::MOST * blocks.div_ceil(TASKS).clamp(1, BLOCKS_PER_TASK);
         let part = |task: usize| -> Vec<Total> {
-            let mut room = ROOM.take().unwrap_or_default();
-            let Workspace { block, accumulators } = &mut *room;
+            let mut workspace = WORKSPACE.take().unwrap_or_default();
+            let Workspace { block, accumulators } = &mut *workspace;
             accumulators.clear();
             accumulators.resize(levels.separations().len(), Accumulator::default());
             let end = count.min((task + 1) * per_task);
@@ -167,7 +167,7 @@ impl<'a, C: MicroContact + ?Sized> Deterministic<'a, C> {
                 }
             }
             let totals = accumulators.iter().map(Accumulator::total).collect();
-            ROOM.set(Some(room));
+            WORKSPACE.set(Some(workspace));
             totals
         };
         let parts: Vec<Vec<Total>> = (0..count.div_ceil(per_task)).into_par_iter().map(part).collect();

@@ -113,7 +113,7 @@ fn low_pass(map: &HeightMap, index: f64) -> HeightMap {
 /// product of transforms, so that the cost does not grow with the nesting index.
 fn smoothed(map: &HeightMap, weights: &[Vec<f64>; 2], of: &(dyn Fn(f64) -> f64 + Sync)) -> Vec<f64> {
     let [nx, ny] = map.points();
-    // Beyond an open border there is nothing: as much room as the weights reach keeps the borders apart.
+    // Beyond an open border there is nothing: zeros as far as the weights reach keep the borders apart.
     let points = [0, 1].map(|axis| match map.boundary() {
         Boundary::Periodic => map.points()[axis],
         Boundary::Open => (map.points()[axis] + weights[axis].len()).next_multiple_of(16),

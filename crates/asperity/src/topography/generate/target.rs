@@ -103,7 +103,7 @@ pub enum Unreachable {
          ones, fit (fewer with a smaller cut-off-pixels or elongation)",
         points[0], points[1]
     )]
-    NoRoom {
+    TooFewPoints {
         /// Points along x and y.
         points: [usize; 2],
         /// Number of points that is still too small.
@@ -143,14 +143,14 @@ impl TargetRecipe {
     /// Whether the grid can show its spectra.
     ///
     /// # Errors
-    /// A cut-off below two pixels, numbers that make no spectrum, or a map without room for longer waves.
+    /// A cut-off below two pixels, numbers that make no spectrum, or a map too small for longer waves.
     pub fn check(&self) -> Result<(), Unreachable> {
         self.spectrum(1.0, 1.0)?.check(self.points, [1.0; 2])?;
         if self.widest() > 1.0 {
             return Ok(());
         }
         let least = (self.points[0].min(self.points[1]) as f64 / self.widest()).round() as usize;
-        Err(Unreachable::NoRoom { points: self.points, least })
+        Err(Unreachable::TooFewPoints { points: self.points, least })
     }
 
     /// The largest bandwidth: four of the longest waves fit into the shorter side.
