@@ -1,34 +1,80 @@
-//! What many micro-contacts add up to.
+//! What many micro-contacts add up to: number, area, load and stiffness.
+
+use std::ops::AddAssign;
 
 use crate::contact::{ByRegime, Contact, Contacts, Regime};
 use crate::numeric::lanes::{Mask, Real};
-use crate::numeric::sum::{LaneSum, Sum, Sums};
+use crate::numeric::sum::{LaneSum, Sum};
 
-/// What many micro-contacts add up to, by regime. Totals of parts merge into the total of the whole; the order of merging
-/// is the caller's to fix.
+/// The sums over contacts, area and load by regime. `S` is how each of them is summed: [`Total`] and [`Accumulator`] for
+/// the models, and in the registers of the machine plain numbers for a few contacts, compensated sums for many.
 #[derive(Debug, Clone, Copy, Default)]
-pub struct Total {
-    contacts: Sum,
-    area: [Sum; 3],
-    load: [Sum; 3],
-    stiffness: Sum,
-    area_squared: Sum,
-    load_squared: Sum,
+pub struct ContactSums<S> {
+    contacts: S,
+    /// Whether there was a contact of each regime; where there was none, its sums are zero.
+    occurs: [bool; 3],
+    area: [S; 3],
+    load: [S; 3],
+    stiffness: S,
+    area_squared: S,
+    load_squared: S,
+}
+
+/// The sums over one part of the contacts. Totals of parts merge into the total of the whole; the order of merging is the
+/// caller's to fix.
+pub type Total = ContactSums<Sum>;
+
+/// Sums that contacts are added to, one by one or many at once.
+pub type Accumulator = ContactSums<LaneSum>;
+
+/// Contacts that a lane adds plainly: a sum of 16 positive terms is off by 15 roundings at most.
+pub(crate) const PLAIN_TERMS: usize = 16;
+
+impl<S: Copy> ContactSums<S> {
+    /// The sums over no contact, with the lanes of `zero`.
+    #[inline(always)]
+    pub(crate) fn new(zero: S) -> Self {
+        Self {
+            contacts: zero,
+            occurs: [false; 3],
+            area: [zero; 3],
+            load: [zero; 3],
+            stiffness: zero,
+            area_squared: zero,
+            load_squared: zero,
+        }
+    }
+
+    /// Adds the sums over another part.
+    #[inline(always)]
+    pub fn merge<T: Copy>(&mut self, part: &ContactSums<T>)
+    where
+        S: AddAssign<T>,
+    {
+        self.contacts += part.contacts;
+        self.merge_weighted(part);
+        self.area_squared += part.area_squared;
+        self.load_squared += part.load_squared;
+    }
+
+    /// The same without the number of contacts, and without the squares, which have no meaning for weighted contacts.
+    #[inline(always)]
+    pub(crate) fn merge_weighted<T: Copy>(&mut self, part: &ContactSums<T>)
+    where
+        S: AddAssign<T>,
+    {
+        for regime in 0..3 {
+            if part.occurs[regime] {
+                self.occurs[regime] = true;
+                self.area[regime] += part.area[regime];
+                self.load[regime] += part.load[regime];
+            }
+        }
+        self.stiffness += part.stiffness;
+    }
 }
 
 impl Total {
-    /// Adds the total of another part.
-    pub fn merge(&mut self, other: &Self) {
-        self.contacts.merge(&other.contacts);
-        for regime in 0..3 {
-            self.area[regime].merge(&other.area[regime]);
-            self.load[regime].merge(&other.load[regime]);
-        }
-        self.stiffness.merge(&other.stiffness);
-        self.area_squared.merge(&other.area_squared);
-        self.load_squared.merge(&other.load_squared);
-    }
-
     /// Number of contacts.
     pub fn contacts(&self) -> f64 {
         self.contacts.value()
@@ -67,59 +113,36 @@ fn sampling_error(squares: f64, total: f64, count: usize) -> f64 {
     if scatter > 16.0 * f64::EPSILON * squares { scatter.sqrt() } else { 0.0 }
 }
 
-/// A total in the making: every sum in as many parts as a machine has lanes.
-#[derive(Debug, Clone, Copy, Default)]
-pub struct Accumulator {
-    contacts: LaneSum,
-    area: [LaneSum; 3],
-    load: [LaneSum; 3],
-    stiffness: LaneSum,
-    area_squared: LaneSum,
-    load_squared: LaneSum,
-}
-
 impl Accumulator {
     /// Adds `weight` contacts of one kind (a quadrature weight, in the statistical model).
     #[inline]
     pub fn accumulate_weighted(&mut self, contact: &Contact, weight: f64) {
         let regime = contact.regime as usize;
-        self.contacts.add(weight);
-        self.area[regime].add(weight * contact.area);
-        self.load[regime].add(weight * contact.load);
-        self.stiffness.add(weight * contact.stiffness);
+        self.contacts += weight;
+        self.occurs[regime] = true;
+        self.area[regime] += weight * contact.area;
+        self.load[regime] += weight * contact.load;
+        self.stiffness += weight * contact.stiffness;
     }
 
     /// Adds one real contact, squares included: they give the sampling error.
     #[inline]
     pub fn add(&mut self, contact: &Contact) {
         self.accumulate_weighted(contact, 1.0);
-        self.area_squared.add(contact.area * contact.area);
-        self.load_squared.add(contact.load * contact.load);
+        self.area_squared += contact.area * contact.area;
+        self.load_squared += contact.load * contact.load;
     }
 
-    /// Adds a load that appears at once, where a law jumps, to the stiffness.
+    /// Adds a load that appears at once, where a law jumps, to the stiffness (N/m).
     pub fn add_jump(&mut self, stiffness: f64) {
-        self.stiffness.add(stiffness);
+        self.stiffness += stiffness;
     }
 
-    /// Adds what was accumulated side by side.
-    #[inline(always)]
-    pub fn add_lanes<N: Real>(&mut self, lanes: &LaneBatch<N>) {
-        self.contacts.add(lanes.count as f64);
-        self.contacts.add_lanes(&lanes.weights);
-        for (regime, _) in lanes.holds.iter().enumerate().filter(|(_, holds)| **holds) {
-            self.area[regime].add_lanes(&lanes.area[regime]);
-            self.load[regime].add_lanes(&lanes.load[regime]);
-        }
-        self.stiffness.add_lanes(&lanes.stiffness);
-        self.area_squared.add_lanes(&lanes.area_squared);
-        self.load_squared.add_lanes(&lanes.load_squared);
-    }
-
-    /// What it adds up to.
+    /// The sums over all contacts that were added.
     pub fn total(&self) -> Total {
         Total {
             contacts: self.contacts.total(),
+            occurs: self.occurs,
             area: self.area.map(|sum| sum.total()),
             load: self.load.map(|sum| sum.total()),
             stiffness: self.stiffness.total(),
@@ -129,143 +152,61 @@ impl Accumulator {
     }
 }
 
-/// A accumulator of contacts side by side.
-pub struct LaneBatch<N> {
-    zero: N,
-    /// How many real contacts.
-    count: usize,
-    /// Weights of others.
-    weights: Sums<N>,
-    /// Regimes of which there was a contact.
-    holds: [bool; 3],
-    area: [Sums<N>; 3],
-    load: [Sums<N>; 3],
-    stiffness: Sums<N>,
-    area_squared: Sums<N>,
-    load_squared: Sums<N>,
-}
-
-/// Few contacts, added plainly: a sum of [`FEW`] positive terms is off by 15 roundings at the most.
-pub struct LaneAccumulator<N> {
-    zero: N,
-    count: usize,
-    holds: [bool; 3],
-    area: [N; 3],
-    load: [N; 3],
-    stiffness: N,
-    area_squared: N,
-    load_squared: N,
-}
-
-/// How many contacts a lane adds before what its sum loses to rounding is kept.
-pub const FEW: usize = 16;
-
-impl<N: Real> LaneBatch<N> {
-    /// Of nothing, with the lanes of `zero`.
+/// In registers, many contacts.
+impl<N: Real> ContactSums<Sum<N>> {
+    /// Adds the real contacts of the lanes that are `present`.
     #[inline(always)]
-    pub fn new(zero: N) -> Self {
-        let sums = Sums::new(zero);
-        Self {
-            zero,
-            count: 0,
-            weights: sums,
-            holds: [false; 3],
-            area: [sums; 3],
-            load: [sums; 3],
-            stiffness: sums,
-            area_squared: sums,
-            load_squared: sums,
-        }
-    }
-
-    /// Adds real contacts of all lanes.
-    #[inline(always)]
-    pub fn add(&mut self, few: &LaneAccumulator<N>) {
-        self.count += few.count;
-        self.add_few(few);
-    }
-
-    /// Adds the real contacts of some lanes, `count` of them.
-    #[inline(always)]
-    pub fn add_part(&mut self, contact: &Contacts<N>, present: N::Mask, count: usize) {
-        let mut few = LaneAccumulator::new(self.zero);
-        few.add(&Contacts {
-            area: N::select(present, contact.area, self.zero),
-            load: N::select(present, contact.load, self.zero),
-            stiffness: N::select(present, contact.stiffness, self.zero),
+    pub(crate) fn add_present(&mut self, contact: &Contacts<N>, present: N::Mask) {
+        let zero = contact.area.splat(0.0);
+        let mut few = ContactSums::new(zero);
+        few.add_terms(&Contacts {
+            area: N::select(present, contact.area, zero),
+            load: N::select(present, contact.load, zero),
+            stiffness: N::select(present, contact.stiffness, zero),
             elastic: contact.elastic | !present,
             plastic: contact.plastic & present,
         });
-        self.count += count;
-        self.add_few(&few);
+        few.contacts = N::select(present, zero + 1.0, zero);
+        self.merge(&few);
     }
 
+    /// Adds to `few` contacts times `weights` (quadrature weights, in the statistical model); the weights themselves are
+    /// summed here, each to its last digit. [`Self::merge_weighted`] adds the rest.
     #[inline(always)]
-    fn add_few(&mut self, few: &LaneAccumulator<N>) {
-        self.add_weighted(few);
-        self.area_squared.add(few.area_squared);
-        self.load_squared.add(few.load_squared);
-    }
-
-    /// Adds all but the squares, of which weighed contacts have none.
-    #[inline(always)]
-    pub fn add_weighted(&mut self, few: &LaneAccumulator<N>) {
-        for regime in 0..3 {
-            if few.holds[regime] {
-                self.holds[regime] = true;
-                self.area[regime].add(few.area[regime]);
-                self.load[regime].add(few.load[regime]);
-            }
-        }
-        self.stiffness.add(few.stiffness);
-    }
-
-    /// Adds to `few` `weights` contacts of each kind (quadrature weights, in the statistical model); the weights themselves
-    /// are kept here, each to its last digit.
-    #[inline(always)]
-    pub fn accumulate_weighted(&mut self, few: &mut LaneAccumulator<N>, contact: &Contacts<N>, weights: N) {
-        self.weights.add(weights);
-        few.add_contacts(&contact.times(weights));
+    pub(crate) fn accumulate_weighted(
+        &mut self,
+        few: &mut ContactSums<N>,
+        contact: &Contacts<N>,
+        weights: N,
+    ) {
+        self.contacts += weights;
+        few.add_terms(&contact.times(weights));
     }
 }
 
-impl<N: Real> LaneAccumulator<N> {
-    /// None, with the lanes of `zero`.
+/// In registers, at most [`PLAIN_TERMS`] contacts per lane.
+impl<N: Real> ContactSums<N> {
+    /// Adds the real contacts of all lanes.
     #[inline(always)]
-    pub fn new(zero: N) -> Self {
-        Self {
-            zero,
-            count: 0,
-            holds: [false; 3],
-            area: [zero; 3],
-            load: [zero; 3],
-            stiffness: zero,
-            area_squared: zero,
-            load_squared: zero,
-        }
-    }
-
-    /// Adds the contacts of all lanes, up to [`FEW`] times.
-    #[inline(always)]
-    pub fn add(&mut self, contact: &Contacts<N>) {
-        self.count += N::LANES;
-        self.add_contacts(contact);
+    pub(crate) fn add(&mut self, contact: &Contacts<N>) {
+        self.contacts = self.contacts + 1.0;
+        self.add_terms(contact);
     }
 
     #[inline(always)]
-    fn add_contacts(&mut self, contact: &Contacts<N>) {
+    fn add_terms(&mut self, contact: &Contacts<N>) {
         let &Contacts { area, load, stiffness, elastic, plastic } = contact;
         self.stiffness = self.stiffness + stiffness;
         self.area_squared = area.mul_add(area, self.area_squared);
         self.load_squared = load.mul_add(load, self.load_squared);
-        let flowing = !(elastic | plastic);
+        let between = !(elastic | plastic);
         // Most often all are of one regime.
         let of_one = self.add_if_all(Regime::Elastic, elastic, area, load)
-            || self.add_if_all(Regime::ElasticPlastic, flowing, area, load)
+            || self.add_if_all(Regime::ElasticPlastic, between, area, load)
             || self.add_if_all(Regime::Plastic, plastic, area, load);
         if !of_one {
             self.add_some(Regime::Elastic, elastic, area, load);
-            self.add_some(Regime::ElasticPlastic, flowing, area, load);
+            self.add_some(Regime::ElasticPlastic, between, area, load);
             self.add_some(Regime::Plastic, plastic, area, load);
         }
     }
@@ -282,14 +223,15 @@ impl<N: Real> LaneAccumulator<N> {
     #[inline(always)]
     fn add_some(&mut self, regime: Regime, mask: N::Mask, area: N, load: N) {
         if mask.any() {
-            self.add_to(regime, N::select(mask, area, self.zero), N::select(mask, load, self.zero));
+            let zero = area.splat(0.0);
+            self.add_to(regime, N::select(mask, area, zero), N::select(mask, load, zero));
         }
     }
 
     #[inline(always)]
     fn add_to(&mut self, regime: Regime, area: N, load: N) {
         let regime = regime as usize;
-        self.holds[regime] = true;
+        self.occurs[regime] = true;
         self.area[regime] = self.area[regime] + area;
         self.load[regime] = self.load[regime] + load;
     }

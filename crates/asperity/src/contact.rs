@@ -1,4 +1,4 @@
-//! What one micro-contact answers.
+//! One micro-contact at one indentation: area, load, stiffness, regime.
 
 use crate::numeric::lanes::Real;
 
@@ -27,7 +27,7 @@ impl Regime {
     }
 }
 
-/// The answer of one asperity pressed by `w > 0` into the flat.
+/// One asperity pressed by `w > 0` into the flat.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Contact {
     /// Real contact area, m^2.
@@ -36,11 +36,11 @@ pub struct Contact {
     pub load: f64,
     /// dP/dw on the side of the indentation's own regime, N/m.
     pub stiffness: f64,
-    /// Elastic, elastic-plastic or plastic.
+    /// How it carries the load.
     pub regime: Regime,
 }
 
-/// The answers of asperities side by side.
+/// One asperity per lane of a register, each pressed into the flat.
 #[derive(Debug, Clone, Copy)]
 pub struct Contacts<N: Real> {
     /// Real contact areas, m^2.
@@ -49,14 +49,14 @@ pub struct Contacts<N: Real> {
     pub load: N,
     /// dP/dw, N/m.
     pub stiffness: N,
-    /// Which are elastic.
+    /// Lanes that are elastic.
     pub elastic: N::Mask,
-    /// Which are plastic.
+    /// Lanes that are plastic.
     pub plastic: N::Mask,
 }
 
 impl<N: Real> Contacts<N> {
-    /// Those of `yes` where `mask` is, those of `no` elsewhere.
+    /// In each lane the contact of `yes` where `mask` is set, that of `no` elsewhere.
     #[inline(always)]
     pub fn select(mask: N::Mask, yes: &Self, no: &Self) -> Self {
         Self {
@@ -68,7 +68,7 @@ impl<N: Real> Contacts<N> {
         }
     }
 
-    /// What `count` of each answer side by side.
+    /// `count` times each contact.
     #[inline(always)]
     pub fn times(self, count: N) -> Self {
         Self { area: self.area * count, load: self.load * count, stiffness: self.stiffness * count, ..self }
@@ -97,7 +97,7 @@ impl ByRegime {
         self.0[0] + self.0[1] + self.0[2]
     }
 
-    /// Each regime's part of the total; `None` where there is nothing to share.
+    /// Each regime's part of the total, from 0 to 1; `None` where the total is zero.
     pub fn shares(&self) -> Option<[f64; 3]> {
         let total = self.total();
         (total > 0.0).then(|| self.0.map(|part| part / total))

@@ -5,7 +5,7 @@
 pub struct Paper {
     /// Authors and year, as the text refers to it.
     pub short: &'static str,
-    /// The whole reference.
+    /// Authors, year, title, journal, pages, DOI.
     pub full: &'static str,
 }
 

@@ -4,14 +4,14 @@
 #[cfg(target_os = "linux")]
 const HUGE: usize = 2 << 20;
 
-/// So many zeros, see [`advise`].
+/// A list of `count` zeros, in huge pages where [`advise`] gets them.
 pub fn zeros(count: usize) -> Vec<f64> {
     let list = vec![0.0; count];
     advise(&list);
     list
 }
 
-/// Gives a list room for `count` values in all, see [`advise`].
+/// Reserves capacity for `count` values in all, in huge pages where [`advise`] gets them.
 pub fn make_room<T>(list: &mut Vec<T>, count: usize) {
     list.reserve_exact(count.saturating_sub(list.len()));
     advise(list);
@@ -38,10 +38,10 @@ fn advise<T>(list: &Vec<T>) {
 #[cfg(not(target_os = "linux"))]
 fn advise<T>(_: &Vec<T>) {}
 
-/// Asks the processor to bring values nearer that will be needed soon. Where it cannot be asked it does nothing.
+/// Prefetches values that will be needed soon, where the processor has an instruction for it.
 #[inline]
 pub fn ask_for(values: &[f64]) {
-    /// Values of a line of the cache.
+    /// Values per cache line.
     const LINE: usize = 8;
     #[cfg(target_arch = "x86_64")]
     for line in values.chunks(LINE) {

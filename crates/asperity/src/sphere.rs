@@ -10,13 +10,13 @@ const PER_PIECE: usize = 160;
 /// On both sides of a boundary, where a law may jump.
 const BESIDE: f64 = 1e-12;
 
-/// A fall, or a jump, is more than the rounding of an answer.
+/// A decrease, or a jump, is more than the rounding of an area or load.
 const ROUNDING: f64 = 1e-9;
 
 /// Contact radius over radius, a/R, beyond which the sphere is no paraboloid and strains are not small.
 pub const LARGEST_SLOPE: f64 = 0.3;
 
-/// The answer at one indentation.
+/// The contact at one indentation.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Point {
     /// w, m.
@@ -68,7 +68,7 @@ impl Boundary {
     }
 }
 
-/// What is less than the rounding of an answer is the way from one side to the other.
+/// A smaller change is the slope of the curve between both sides.
 fn jump(below: f64, above: f64) -> f64 {
     let jump = above / below - 1.0;
     if jump.abs() > ROUNDING { jump } else { 0.0 }
@@ -131,11 +131,11 @@ impl Falling {
 /// One sphere on one flat under one law.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Curve {
-    /// At the indentations that were asked for.
+    /// At the requested indentations.
     pub points: Vec<Point>,
     /// From the first of them to the last, close together; each place where the curve bends is one of them.
     pub trace: Vec<Point>,
-    /// All changes of the regime, beyond the indentations that were asked for too; ascending.
+    /// All changes of the regime, also outside the requested indentations; ascending.
     pub changes: Vec<RegimeChange>,
     /// Where area or load falls along the trace.
     pub falls: Vec<Fall>,
@@ -167,18 +167,18 @@ impl Curve {
         ends.push(self.trace.len().saturating_sub(1));
         let stretch = |pair: &[usize]| {
             let points = &self.trace[pair[0]..=pair[1]];
-            // The ends may answer for either side.
+            // The ends may belong to either side.
             points.get(points.len() / 2).map(|middle| (middle.contact.regime, points))
         };
         ends.windows(2).filter(|pair| pair[1] > pair[0]).filter_map(stretch).collect()
     }
 
-    /// The changes within the indentations that were asked for.
+    /// The changes within the requested indentations.
     pub fn changes_within(&self) -> impl Iterator<Item = &RegimeChange> {
         self.changes.iter().filter(|change| self.is_within(change))
     }
 
-    /// Whether a change lies within the indentations that were asked for.
+    /// Whether a change lies within the requested indentations.
     pub fn is_within(&self, change: &RegimeChange) -> bool {
         match &self.points[..] {
             [first, .., last] => (first.indentation..=last.indentation).contains(&change.indentation),
@@ -186,7 +186,7 @@ impl Curve {
         }
     }
 
-    /// The regimes that the whole curve passes from w = 0 on.
+    /// The regimes that the curve passes from w = 0 on.
     pub fn sequence(&self) -> Vec<Regime> {
         let first = self.changes.first().map(|change| change.from);
         let first = first.or_else(|| self.points.first().map(|point| point.contact.regime));

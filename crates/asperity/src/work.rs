@@ -1,11 +1,11 @@
-//! How much was done: contacts that were asked for, files that were read, surfaces that were made.
+//! Counts of work: contacts evaluated, files read, surfaces made.
 
 use std::sync::atomic::{AtomicU64, Ordering};
 
-/// How much a run has done.
+/// Counts of the work of one run.
 ///
-/// A contact stands in one of `asperities_touched`, `nodes` and `single_contacts`. What a layer looks up for itself, where
-/// its own properties turn, stands in none.
+/// A contact counts in one of `asperities_touched`, `nodes` and `single_contacts`. Effective properties that a layer
+/// evaluates for itself count in none.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Work {
@@ -13,7 +13,7 @@ pub struct Work {
     pub asperities_touched: u64,
     /// Contacts at the points of quadrature of integrals.
     pub nodes: u64,
-    /// Contacts asked for one by one: the curve of one asperity, both sides of a jump, bounds of a load that may fall.
+    /// Contacts evaluated one by one: the curve of one asperity, both sides of a jump, bounds of a load that may fall.
     pub single_contacts: u64,
     /// How many of all these were under a layer of finite thickness.
     pub coating_calls: u64,

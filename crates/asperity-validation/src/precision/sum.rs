@@ -125,8 +125,8 @@ impl Way {
         let compensated = |range: Range<usize>| {
             let mut sums = [Sum::default(); 2];
             problem.each(&heights[range.clone()], &radii[range], separation, |terms| {
-                sums[0].add(terms[0]);
-                sums[1].add(terms[1]);
+                sums[0] += terms[0];
+                sums[1] += terms[1];
             });
             sums
         };
@@ -137,7 +137,7 @@ impl Way {
             }),
             Adding::Compensated | Adding::Model => {
                 let join = |sums: &mut [Sum; 2], part: &[Sum; 2]| {
-                    sums.iter_mut().zip(part).for_each(|(sum, part)| sum.merge(part));
+                    sums.iter_mut().zip(part).for_each(|(sum, part)| *sum += *part);
                 };
                 in_chunks(heights.len(), compensated, join).map(|sum| sum.value())
             }

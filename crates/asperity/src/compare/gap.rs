@@ -1,8 +1,8 @@
-//! How far apart the two models are, in the words an engineer asks in.
+//! The largest differences between the two models, each with its pair of values.
 
 use super::{Pair, Pairing};
 
-/// Fewer contacts than this and the sum tells more about its few highest asperities than about the
+/// With fewer contacts than this the sum depends more on its few highest asperities than on the
 /// surface.
 pub const FEWEST_CONTACTS: f64 = 30.0;
 
@@ -40,9 +40,9 @@ pub struct Gap {
     pub pairing: Pairing,
     /// Its value, Pa or in sigma.
     pub target: f64,
-    /// The statistical model's answer.
+    /// Value under the statistical model.
     pub statistical: f64,
-    /// The deterministic model's answer.
+    /// Value under the deterministic model.
     pub deterministic: f64,
     /// The difference over the deterministic model's standard error, where it has one.
     pub over_sampling_error: Option<f64>,

@@ -6,7 +6,7 @@ use crate::model::Response;
 /// A gap between the models of at most this many sampling errors is not told from none.
 pub const DETECTABLE: f64 = 2.0;
 
-/// What laws and models are told apart by at equal load. The mean real pressure is no third: at equal load it is the
+/// Quantities in which laws and models are compared at equal load. The mean real pressure is no third: at equal load it is the
 /// nominal pressure over the area ratio, so that its ratios are those of the areas turned over.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Measure {
@@ -28,7 +28,7 @@ impl Measure {
         }
     }
 
-    /// How far `value` lies above `other`; 0 if only rounding tells them apart.
+    /// How far `value` lies above `other`; 0 if they differ by rounding only.
     fn apart(self, value: &Response, other: &Response) -> f64 {
         /// Of a separation at a given load.
         const ROUNDING: f64 = 1e-9;
@@ -106,13 +106,13 @@ pub struct AtLoad {
     pub area_ratio: f64,
     /// Which laws pass from elastic to something else.
     passing: Vec<bool>,
-    /// By separation and by area.
-    told: [Told; 2],
+    /// By measure.
+    differences: [Differences; 2],
 }
 
 /// All laws and both models at one load by one measure.
 #[derive(Debug, Clone, PartialEq)]
-struct Told {
+struct Differences {
     /// Above the first law, law by law, under both models.
     deviations: Vec<[f64; 2]>,
     /// Statistical above deterministic, law by law.
@@ -122,8 +122,8 @@ struct Told {
 }
 
 impl AtLoad {
-    fn told(&self, measure: Measure) -> &Told {
-        &self.told[measure as usize]
+    fn differences(&self, measure: Measure) -> &Differences {
+        &self.differences[measure as usize]
     }
 
     fn is_in(&self, group: Group, law: usize) -> bool {
@@ -143,7 +143,7 @@ impl AtLoad {
         kind: Kind,
         without: Option<usize>,
     ) -> Option<f64> {
-        let deviations = self.told(measure).deviations.iter().enumerate();
+        let deviations = self.differences(measure).deviations.iter().enumerate();
         let members = deviations.filter(|(law, _)| self.is_in(group, *law) && Some(*law) != without);
         let values: Vec<f64> = members.map(|(_, deviation)| deviation[kind as usize]).collect();
         let (low, high) =
@@ -151,19 +151,19 @@ impl AtLoad {
         (values.len() > 1).then_some(high - low)
     }
 
-    /// How far the answer under a law lies above that under the first.
+    /// Deviation of a law from the first one.
     pub fn deviation(&self, measure: Measure, law: usize, kind: Kind) -> f64 {
-        self.told(measure).deviations[law][kind as usize]
+        self.differences(measure).deviations[law][kind as usize]
     }
 
     /// How far the integral lies above the sum under a law.
     pub fn gap(&self, measure: Measure, law: usize) -> f64 {
-        self.told(measure).gaps[law]
+        self.differences(measure).gaps[law]
     }
 
     /// The sampling error of the sum under a law.
     pub fn sampling_error(&self, measure: Measure, law: usize) -> Option<f64> {
-        self.told(measure).errors[law]
+        self.differences(measure).errors[law]
     }
 
     /// Whether the models are told apart under a law: their gap is more than [`DETECTABLE`] sampling errors of the sum.
@@ -187,7 +187,7 @@ impl AtLoad {
 
     /// The law of a group under which the models lie furthest apart, and how far.
     pub fn largest_gap(&self, measure: Measure, group: Group) -> Option<(usize, f64)> {
-        let gaps = self.told(measure).gaps.iter().copied().enumerate();
+        let gaps = self.differences(measure).gaps.iter().copied().enumerate();
         gaps.filter(|(law, _)| self.is_in(group, *law)).max_by(|a, b| a.1.abs().total_cmp(&b.1.abs()))
     }
 }
@@ -231,26 +231,26 @@ impl Influence {
         self.loads.iter().filter(|at| at.counts)
     }
 
-    /// What a difference weighs over the loads that count; `None` where it is nowhere told.
+    /// Mean and largest magnitude of a difference over the loads that count; `None` where it is known at no load.
     pub fn weight(&self, difference: impl Fn(&AtLoad) -> Option<f64>) -> Option<Weight> {
-        let told: Vec<(f64, f64)> =
+        let known: Vec<(f64, f64)> =
             self.counting().filter_map(|at| Some((at.pressure, difference(at)?))).collect();
-        let (at, largest) = *told.iter().max_by(|a, b| a.1.abs().total_cmp(&b.1.abs()))?;
-        let mean = told.iter().map(|(_, value)| value.abs()).sum::<f64>() / told.len() as f64;
+        let (at, largest) = *known.iter().max_by(|a, b| a.1.abs().total_cmp(&b.1.abs()))?;
+        let mean = known.iter().map(|(_, value)| value.abs()).sum::<f64>() / known.len() as f64;
         Some(Weight { mean, largest, at })
     }
 
-    /// What the law weighs under a model.
+    /// The effect of the law under a model: the spread of the laws.
     pub fn of_law(&self, measure: Measure, group: Group, kind: Kind) -> Option<Weight> {
         self.weight(|at| at.spread(measure, group, kind))
     }
 
-    /// What the adding-up weighs under a law.
+    /// The effect of the summation method under a law: statistical against deterministic.
     pub fn of_adding_up(&self, measure: Measure, law: usize) -> Option<Weight> {
         self.weight(|at| Some(at.gap(measure, law)))
     }
 
-    /// What the choice of a law instead of the first weighs under a model.
+    /// The effect of a law instead of the first one under a model.
     pub fn of_choice(&self, measure: Measure, law: usize, kind: Kind) -> Option<Weight> {
         self.weight(|at| Some(at.deviation(measure, law, kind)))
     }
@@ -284,11 +284,11 @@ fn compared(pressure: f64, pairs: &[Pair], passing: &[bool], area: f64, sigma: f
         counts: fewest_contacts.round() >= FEWEST_CONTACTS && !interact,
         area_ratio: pairs.first().map_or(0.0, |pair| pair.deterministic.area_ratio.total()),
         passing: passing.to_vec(),
-        told: Measure::ALL.map(|measure| told(measure, pairs, sigma)),
+        differences: Measure::ALL.map(|measure| differences(measure, pairs, sigma)),
     }
 }
 
-fn told(measure: Measure, pairs: &[Pair], sigma: f64) -> Told {
+fn differences(measure: Measure, pairs: &[Pair], sigma: f64) -> Differences {
     let from_first = |pair: &Pair| {
         let first = &pairs[0];
         [
@@ -296,7 +296,7 @@ fn told(measure: Measure, pairs: &[Pair], sigma: f64) -> Told {
             measure.apart(&pair.deterministic, &first.deterministic),
         ]
     };
-    Told {
+    Differences {
         deviations: pairs.iter().map(from_first).collect(),
         gaps: pairs.iter().map(|pair| measure.apart(&pair.statistical, &pair.deterministic)).collect(),
         errors: pairs.iter().map(|pair| measure.sampling_error(&pair.deterministic, sigma)).collect(),

@@ -7,7 +7,7 @@ use crate::model::{Deterministic, Model, ReferencePlane, Response};
 
 use super::gap::FEWEST_CONTACTS;
 
-/// One law with its exact answers.
+/// One law with its exact responses.
 pub struct LimitCase<'a> {
     /// The law, as tables name it.
     pub law: String,
@@ -20,7 +20,7 @@ pub struct LimitCase<'a> {
 /// The limit at one separation.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Exact {
-    /// The statistical model's answer.
+    /// Response of the statistical model.
     pub statistical: Response,
     /// Contacting fraction of all asperities.
     pub contact_fraction: f64,
@@ -51,9 +51,9 @@ pub struct LimitPoint {
     pub exact: Exact,
     /// Asperities in a set.
     pub count: usize,
-    /// The answer of each random set.
+    /// Response of each random set.
     pub random: Vec<Response>,
-    /// The answer of the set with heights at the quantiles.
+    /// Response of the set with heights at the quantiles.
     pub quantiles: Response,
 }
 
@@ -90,7 +90,7 @@ impl LimitPoint {
         self.expected_contacts() > FEWEST_CONTACTS
     }
 
-    /// Signed relative error of one answer.
+    /// Signed relative error of one response.
     pub fn error(&self, response: &Response, quantity: Quantity) -> f64 {
         match quantity {
             Quantity::Area => response.area_ratio.total() / self.exact.area_ratio - 1.0,
@@ -144,7 +144,7 @@ impl SlopeFit {
 
 /// Presses sets of `counts` asperities of `population`, `draws` random ones of each size and one at
 /// the quantiles, under every law to every separation. `seed(count, draw)` decides a random set;
-/// `done` is told after each set.
+/// `done` is called after each set.
 ///
 /// # Errors
 /// A population or count that makes no set.

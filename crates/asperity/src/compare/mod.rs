@@ -46,7 +46,7 @@ impl Kind {
     }
 }
 
-/// What a point of a curve was asked by.
+/// What is prescribed at a point of a curve.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum Control {
     /// d/sigma.
@@ -87,7 +87,7 @@ impl Tolerances {
     }
 }
 
-/// What a surface is pressed to.
+/// The separations and loads at which a surface is evaluated.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Controls {
     /// d/sigma.
@@ -96,12 +96,12 @@ pub struct Controls {
     pub pressures: Vec<f64>,
     /// Forces on the nominal area, N.
     pub forces: Vec<f64>,
-    /// Of the answers at `separations`.
+    /// Of the responses at `separations`.
     pub tolerances: Tolerances,
 }
 
 impl Controls {
-    /// Number of points that each model is asked for.
+    /// Number of points per model.
     pub fn points(&self) -> usize {
         self.separations.len() + self.pressures.len() + self.forces.len()
     }
@@ -112,13 +112,13 @@ impl Controls {
 pub struct CurvePoint {
     /// Which model.
     pub kind: Kind,
-    /// What was asked.
+    /// The prescribed value.
     pub control: Control,
     /// Its value, in sigma, Pa or N.
     pub target: f64,
-    /// The nominal pressure that was asked for, Pa; `None` under separation control.
+    /// The prescribed nominal pressure, Pa; `None` under separation control.
     pub asked: Option<f64>,
-    /// The answer.
+    /// The response there.
     pub response: Response,
     /// Whether the load lies in a jump of the law; see [`Reached::in_jump`].
     pub in_jump: bool,
@@ -150,9 +150,9 @@ pub struct Pair {
     pub pairing: Pairing,
     /// Its value, Pa or in sigma.
     pub target: f64,
-    /// The statistical model's answer.
+    /// Response of the statistical model.
     pub statistical: Response,
-    /// The deterministic model's answer.
+    /// Response of the deterministic model.
     pub deterministic: Response,
 }
 
@@ -163,19 +163,19 @@ impl Pair {
     }
 }
 
-/// A model that does not reach a pressure it was asked for.
+/// A model does not reach a prescribed pressure.
 #[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
 #[error("{} model: {unreachable}", kind.name())]
 pub struct NotReached {
     /// Which model.
     pub kind: Kind,
-    /// Whether it was asked by a pressure or a force.
+    /// Whether a pressure or a force was prescribed.
     pub control: Control,
-    /// What was asked and what can be reached.
+    /// The prescribed pressure and the largest that can be reached.
     pub unreachable: Unreachable,
 }
 
-/// The models to run on one surface; a model that is not asked for is not there.
+/// The models to run on one surface.
 #[derive(Clone, Copy)]
 pub struct Models<'a> {
     /// The integral.
@@ -184,7 +184,7 @@ pub struct Models<'a> {
     pub deterministic: Option<&'a dyn Model>,
 }
 
-/// The answers on one surface under one law.
+/// Curves and pairs on one surface under one law.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Comparison {
     /// Curve by curve, in the order of the controls.
@@ -219,13 +219,13 @@ pub fn of_each_decade<T>(items: impl IntoIterator<Item = T>, load: impl Fn(&T) -
 }
 
 impl Comparison {
-    /// The answer of a model to the nominal pressure `asked` (Pa), where that was asked for.
-    pub fn at_load(&self, kind: Kind, asked: f64) -> Option<&CurvePoint> {
-        self.curves.iter().find(|point| point.kind == kind && point.asked == Some(asked))
+    /// The point of a model at the prescribed nominal pressure `pressure` (Pa).
+    pub fn at_load(&self, kind: Kind, pressure: f64) -> Option<&CurvePoint> {
+        self.curves.iter().find(|point| point.kind == kind && point.asked == Some(pressure))
     }
 }
 
-/// Runs `models` through `controls` on the nominal area `area` (m^2) and pairs their answers.
+/// Runs `models` through `controls` on the nominal area `area` (m^2) and pairs their responses.
 ///
 /// # Errors
 /// A pressure or force that one of the models does not reach.

@@ -21,7 +21,7 @@ impl Scatter {
     }
 }
 
-/// Both models at one load that all realisations were pressed to.
+/// Both models at one load that all realisations reach.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Spread {
     /// The load, Pa.

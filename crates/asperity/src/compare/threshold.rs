@@ -3,7 +3,7 @@
 /// Where the search gives up: no layer is thinner than that, none thicker.
 const RANGE: [f64; 2] = [1e-12, 1.0];
 
-/// Ratio of the two thicknesses between which the answer lies at last.
+/// Ratio of the two thicknesses that bracket the result.
 const CLOSE: f64 = 1.01;
 
 /// The thickness (m) below which a layer does not matter, between the thinnest of `listed` that does and the one before

@@ -1,6 +1,6 @@
 //! Two homogeneous bodies.
 
-use super::batch::{Answers, accumulate, accumulate_weighted};
+use super::batch::{LaneContacts, accumulate, accumulate_weighted};
 use super::{JUMP, LoadBounds, MicroContact, Reference, Shapes};
 use crate::accumulator::Accumulator;
 use crate::asperity::Asperities;
@@ -44,19 +44,19 @@ impl<L: Law + Clone> Interface<L> {
     }
 }
 
-/// A law and the pair it is asked for. Kept apart, by value, so that compilers keep what both give in registers.
-struct Kept<L>(L, Pair);
+/// A law and the pair it is evaluated for, by value, so that compilers keep both in registers.
+struct LawOfPair<L>(L, Pair);
 
-impl<L: Law> Answers for Kept<L> {
+impl<L: Law> LaneContacts for LawOfPair<L> {
     #[inline(always)]
-    fn answers<N: Real>(&self, w: N, radius: N, spheres: N) -> Contacts<N> {
+    fn contacts<N: Real>(&self, w: N, radius: N, spheres: N) -> Contacts<N> {
         self.0.contacts(w, radius, &self.1.splat(w)).times(spheres)
     }
 }
 
 impl<L: Law + Clone> Interface<L> {
-    fn kept(&self) -> Kept<L> {
-        Kept(self.law.clone(), self.pair)
+    fn law_of_pair(&self) -> LawOfPair<L> {
+        LawOfPair(self.law.clone(), self.pair)
     }
 }
 
@@ -73,11 +73,11 @@ impl<L: Law + Clone> MicroContact for Interface<L> {
         shape: Shape,
         accumulator: &mut Accumulator,
     ) {
-        accumulate_weighted(self.kept(), indentations, weights, shape, accumulator);
+        accumulate_weighted(self.law_of_pair(), indentations, weights, shape, accumulator);
     }
 
     fn accumulate(&self, asperities: Asperities<'_>, separation: f64, accumulator: &mut Accumulator) {
-        accumulate(self.kept(), asperities, separation, accumulator);
+        accumulate(self.law_of_pair(), asperities, separation, accumulator);
     }
 
     fn regime_changes(&self, shape: Shape) -> Vec<f64> {

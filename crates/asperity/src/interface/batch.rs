@@ -1,20 +1,21 @@
 //! The contacts of many asperities, in the registers of the machine.
 
-use crate::accumulator::{Accumulator, FEW, LaneAccumulator, LaneBatch};
+use crate::accumulator::{Accumulator, ContactSums, PLAIN_TERMS};
 use crate::asperity::Asperities;
 use crate::contact::Contacts;
 use crate::numeric::lanes::{MOST, Real, Work, run};
+use crate::numeric::sum::Sum;
 use crate::shape::Shape;
 
-/// What knows the contacts of asperities side by side.
-pub(super) trait Answers {
-    /// The answers of shapes, so many spheres of such radii (m), at indentations `w` (m). Must be `#[inline(always)]`, see
+/// Evaluates the contacts of one asperity per lane.
+pub(super) trait LaneContacts {
+    /// The contacts at indentations `w` (m) of `spheres` spheres of `radius` (m) each. Must be `#[inline(always)]`, see
     /// [`crate::numeric::lanes`].
-    fn answers<N: Real>(&self, w: N, radius: N, spheres: N) -> Contacts<N>;
+    fn contacts<N: Real>(&self, w: N, radius: N, spheres: N) -> Contacts<N>;
 }
 
 /// [`super::MicroContact::accumulate`].
-pub(super) fn accumulate<A: Answers>(
+pub(super) fn accumulate<A: LaneContacts>(
     contact: A,
     asperities: Asperities<'_>,
     separation: f64,
@@ -24,7 +25,7 @@ pub(super) fn accumulate<A: Answers>(
 }
 
 /// [`super::MicroContact::accumulate_weighted`].
-pub(super) fn accumulate_weighted<A: Answers>(
+pub(super) fn accumulate_weighted<A: LaneContacts>(
     contact: A,
     indentations: &[f64],
     weights: &[f64],
@@ -41,7 +42,7 @@ struct Accumulate<'a, A> {
     accumulator: &'a mut Accumulator,
 }
 
-impl<A: Answers> Work for Accumulate<'_, A> {
+impl<A: LaneContacts> Work for Accumulate<'_, A> {
     type Output = ();
 
     #[inline(always)]
@@ -54,11 +55,11 @@ impl<A: Answers> Work for Accumulate<'_, A> {
                 accumulate_lanes::<N, A, true>(contact, zero, separation, [heights, radii, spheres])
             }
         };
-        accumulator.add_lanes(&lanes);
+        accumulator.merge(&lanes);
     }
 }
 
-/// The last numbers of `values`, as many as there are lanes, the first of them again where there are not so many.
+/// The last numbers of `values`, one per lane, after repetitions of the first where there are too few.
 #[inline(always)]
 fn last<N: Real>(values: &[f64], zero: N) -> N {
     if let Some(first) = values.len().checked_sub(N::LANES) {
@@ -69,36 +70,36 @@ fn last<N: Real>(values: &[f64], zero: N) -> N {
     zero.load(&lanes)
 }
 
-/// Presses asperities of some heights and radii, for each of which one sphere stands or, of ellipses, so many.
+/// The sums over asperities of some heights and radii, each a sphere or, with `ELLIPSES`, a number of equal spheres.
 #[inline(always)]
-fn accumulate_lanes<N: Real, A: Answers, const ELLIPSES: bool>(
+fn accumulate_lanes<N: Real, A: LaneContacts, const ELLIPSES: bool>(
     contact: A,
     zero: N,
     separation: f64,
     [heights, radii, spheres]: [&[f64]; 3],
-) -> LaneBatch<N> {
+) -> ContactSums<Sum<N>> {
     let count = heights.len();
-    let mut lanes = LaneBatch::new(zero);
+    let mut lanes = ContactSums::new(Sum::new(zero));
     let mut start = 0;
     while start + N::LANES <= count {
-        let mut few = LaneAccumulator::new(zero);
-        for _ in 0..FEW {
+        let mut few = ContactSums::new(zero);
+        for _ in 0..PLAIN_TERMS {
             if start + N::LANES <= count {
                 let w = zero.load(&heights[start..]) - separation;
                 // The compiler leaves out a multiplication by one.
                 let n = if ELLIPSES { zero.load(&spheres[start..]) } else { zero.splat(1.0) };
-                few.add(&contact.answers(w, zero.load(&radii[start..]), n));
+                few.add(&contact.contacts(w, zero.load(&radii[start..]), n));
                 start += N::LANES;
             }
         }
-        lanes.add(&few);
+        lanes.merge(&few);
     }
     if start < count {
-        // Lanes before the rest are of asperities that were added already, and do not count.
+        // Lanes before the rest are of asperities that were added already.
         let rest = zero.lanes_from(N::LANES - (count - start));
         let n = if ELLIPSES { last(spheres, zero) } else { zero.splat(1.0) };
-        let contacts = contact.answers(last(heights, zero) - separation, last(radii, zero), n);
-        lanes.add_part(&contacts, rest, count - start);
+        let contacts = contact.contacts(last(heights, zero) - separation, last(radii, zero), n);
+        lanes.add_present(&contacts, rest);
     }
     lanes
 }
@@ -111,37 +112,37 @@ struct AccumulateWeighted<'a, A> {
     accumulator: &'a mut Accumulator,
 }
 
-impl<A: Answers> Work for AccumulateWeighted<'_, A> {
+impl<A: LaneContacts> Work for AccumulateWeighted<'_, A> {
     type Output = ();
 
     #[inline(always)]
     fn with<N: Real>(self, zero: N) {
         let Self { contact, indentations, weights, shape, accumulator } = self;
         let (radius, spheres) = (zero.splat(shape.radius), zero.splat(shape.spheres));
-        let mut lanes = LaneBatch::new(zero);
+        let mut lanes = ContactSums::new(Sum::new(zero));
         let mut start = 0;
         while start + N::LANES <= indentations.len() {
-            let mut few = LaneAccumulator::new(zero);
-            for _ in 0..FEW {
+            let mut few = ContactSums::new(zero);
+            for _ in 0..PLAIN_TERMS {
                 if start + N::LANES <= indentations.len() {
                     let w = zero.load(&indentations[start..]);
                     lanes.accumulate_weighted(
                         &mut few,
-                        &contact.answers(w, radius, spheres),
+                        &contact.contacts(w, radius, spheres),
                         zero.load(&weights[start..]),
                     );
                     start += N::LANES;
                 }
             }
-            lanes.add_weighted(&few);
+            lanes.merge_weighted(&few);
         }
         if start < indentations.len() {
             let rest = zero.lanes_from(N::LANES - (indentations.len() - start));
-            let contacts = contact.answers(last(indentations, zero), radius, spheres);
-            let mut few = LaneAccumulator::new(zero);
+            let contacts = contact.contacts(last(indentations, zero), radius, spheres);
+            let mut few = ContactSums::new(zero);
             lanes.accumulate_weighted(&mut few, &contacts, N::select(rest, last(weights, zero), zero));
-            lanes.add_weighted(&few);
+            lanes.merge_weighted(&few);
         }
-        accumulator.add_lanes(&lanes);
+        accumulator.merge(&lanes);
     }
 }

@@ -8,20 +8,20 @@ use crate::material::Material;
 /// The flat body.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Flat {
-    /// Without a layer.
+    /// One material.
     Bare(Material),
-    /// Under a layer of finite thickness.
+    /// A substrate under a layer of finite thickness.
     Coated {
         /// The body below.
         substrate: Material,
-        /// The layer.
+        /// Effective properties of layer and substrate.
         coating: Coating,
     },
-    /// All layer. Load ratios still refer to the substrate.
+    /// Layer throughout (thickness infinity). Load ratios still refer to the substrate.
     AllLayer {
-        /// The body below, which nothing feels.
+        /// The body below, too deep to matter.
         substrate: Material,
-        /// The layer.
+        /// Material of the layer.
         layer: Material,
     },
 }
@@ -40,7 +40,7 @@ impl Flat {
         Self::in_thickness(layer, substrate, thickness, || Coating::new(layer, substrate, thickness, rule))
     }
 
-    /// The same, with `coating` the layer in that thickness, which is asked for only where one is there.
+    /// The same; `coating` is called for a finite, positive thickness only.
     ///
     /// # Errors
     /// Those of `coating`.
@@ -61,7 +61,7 @@ impl Flat {
     /// The micro-contact of a rough body with it under `law`.
     ///
     /// # Errors
-    /// Bodies that the law says nothing of.
+    /// See [`Inapplicable`].
     pub fn under<L: ScalableLaw>(
         &self,
         law: L,
@@ -78,7 +78,7 @@ impl Flat {
     /// The same under a law that does not say what a layer of finite thickness does to it.
     ///
     /// # Errors
-    /// Such a layer, or bodies that the law says nothing of.
+    /// Such a layer, and see [`Inapplicable`].
     pub fn homogeneous_under<L: Law + Clone>(
         &self,
         law: L,

@@ -1,6 +1,6 @@
 //! A rough body on a flat with a layer of finite thickness.
 
-use super::batch::{Answers, accumulate, accumulate_weighted};
+use super::batch::{LaneContacts, accumulate, accumulate_weighted};
 use super::{JUMP, LoadBounds, MicroContact, Reference, Shapes};
 use crate::accumulator::Accumulator;
 use crate::asperity::Asperities;
@@ -14,10 +14,10 @@ use crate::numeric::lanes::Real;
 use crate::numeric::root::sign_changes;
 use crate::shape::Shape;
 
-/// A homogeneous rough body on a layered flat under one law: the law sees the pair that each asperity feels at its
+/// A homogeneous rough body on a layered flat under one law: the law sees the effective pair of each asperity at its
 /// own indentation (Pasaribu and Schipper 2005, Eqs. 5, 9 with E_eff, nu_eff, H_eff).
 ///
-/// An elliptic asperity feels the layer as a sphere does whose contact has the same area while it is elastic.
+/// For the layer an elliptic asperity is the sphere whose elastic contact has the same area.
 #[derive(Debug, Clone)]
 pub struct Layered<L> {
     law: L,
@@ -42,14 +42,14 @@ struct Jump {
     factor: Interval,
 }
 
-/// Critical ratios stand with (onset/E*)^2: of such a pair they are the factors before it.
+/// A pair with onset/E* = 1: its critical ratios are the factors before (onset/E*)^2.
 fn unit(strength: f64) -> Pair {
     Pair { reduced_modulus: 1.0, yield_limits: YieldLimits { onset: 1.0, strength } }
 }
 
-/// The pair that an asperity feels, and how it changes with the indentation.
+/// The effective pair of an asperity on a layered flat, and how it changes with the indentation.
 #[derive(Clone, Copy)]
-struct Felt<N> {
+struct EffectivePair<N> {
     pair: Pair<N>,
     /// d ln E*/d ln w.
     modulus_slope: N,
@@ -59,8 +59,8 @@ struct Felt<N> {
     strength_slope: N,
 }
 
-/// The same over a range.
-struct FeltRange {
+/// Bounds of an effective pair over a range of indentations and radii.
+struct EffectiveRange {
     modulus: Interval,
     modulus_slope: Interval,
     onset: Interval,
@@ -102,9 +102,9 @@ impl<L: ScalableLaw> Layered<L> {
         self.rough.onset.is_finite() || self.coating.hardness_range().high.is_finite()
     }
 
-    /// Of spheres whose elastic contacts have the radius (b w)^.5.
+    /// The effective pair of spheres whose elastic contacts have the radius (b w)^.5.
     #[inline(always)]
-    fn felt<N: Real>(&self, w: N, b: N) -> Felt<N> {
+    fn effective<N: Real>(&self, w: N, b: N) -> EffectivePair<N> {
         let flat = self.coating.at(w, b);
         let nothing = w.splat(0.0);
         let (poisson, poisson_slope) =
@@ -122,7 +122,7 @@ impl<L: ScalableLaw> Layered<L> {
             strength = N::select(is_weaker, of_flat.strength, rough);
             onset_slope = onset_slope + w.splat(L::ONSET.slope) / L::ONSET.of(poisson) * poisson_slope;
         }
-        Felt {
+        EffectivePair {
             pair: Pair { reduced_modulus, yield_limits: YieldLimits { onset, strength } },
             modulus_slope: -(reduced_modulus * flat.compliance_slope),
             onset_slope: N::select(yields_first, onset_slope, nothing),
@@ -130,14 +130,14 @@ impl<L: ScalableLaw> Layered<L> {
         }
     }
 
-    fn felt_over(&self, w: Interval, b: Interval) -> FeltRange {
+    fn effective_over(&self, w: Interval, b: Interval) -> EffectiveRange {
         let of_flat = self.coating.over(w, b);
         let modulus = (of_flat.compliance + self.rough_compliance).recip();
         let (onset, onset_slope) = Self::flat_onset(&of_flat);
         let (onset, onset_slope) = weaker(onset, onset_slope, self.rough.onset);
         let (_, strength_slope) = weaker(of_flat.hardness, of_flat.hardness_slope, self.rough.strength);
         let modulus_slope = -(modulus * of_flat.compliance_slope);
-        FeltRange { modulus, modulus_slope, onset, onset_slope, strength_slope }
+        EffectiveRange { modulus, modulus_slope, onset, onset_slope, strength_slope }
     }
 
     /// The onset of the flat, Pa, and d/d ln w of its logarithm.
@@ -150,28 +150,28 @@ impl<L: ScalableLaw> Layered<L> {
     /// With P = E* b^.5 w^1.5 g(u), u = (w/b) (E*/onset)^2, and e = d ln P/d ln w of the fixed pair, the load goes with
     /// the (2e - 2)th power of E* and the (3 - 2e)th of the onset, in a plastic contact of the strength.
     #[inline(always)]
-    fn answer<N: Real>(&self, w: N, radius: N, felt: &Felt<N>) -> Contacts<N> {
-        let contacts = self.law.contacts(w, radius, &felt.pair);
-        let mut slope = felt.onset_slope;
+    fn contacts_of<N: Real>(&self, w: N, radius: N, effective: &EffectivePair<N>) -> Contacts<N> {
+        let contacts = self.law.contacts(w, radius, &effective.pair);
+        let mut slope = effective.onset_slope;
         if L::feels_poisson() {
-            slope = N::select(contacts.plastic, felt.strength_slope, slope);
+            slope = N::select(contacts.plastic, effective.strength_slope, slope);
         }
-        let stiffness = contacts.stiffness * ((felt.modulus_slope - slope) * 2.0 + 1.0)
-            + contacts.load / w * (slope * 3.0 - felt.modulus_slope * 2.0);
+        let stiffness = contacts.stiffness * ((effective.modulus_slope - slope) * 2.0 + 1.0)
+            + contacts.load / w * (slope * 3.0 - effective.modulus_slope * 2.0);
         Contacts { stiffness, ..contacts }
     }
 
     /// (w/b) (E*/onset)^2.
-    fn place(w: Interval, b: Interval, felt: &FeltRange) -> Interval {
-        let strain = felt.modulus * felt.onset.recip();
+    fn place(w: Interval, b: Interval, effective: &EffectiveRange) -> Interval {
+        let strain = effective.modulus * effective.onset.recip();
         w * strain * strain * b.recip()
     }
 
-    /// d ln P/d ln w = e + (2e - 2) d ln E*/d ln w + (3 - 2e) d ln(onset or strength)/d ln w (see [`Self::answer`]) is
+    /// d ln P/d ln w = e + (2e - 2) d ln E*/d ln w + (3 - 2e) d ln(onset or strength)/d ln w (see [`Self::contacts_of`]) is
     /// linear in each of the three: it is least and greatest at corners of their ranges.
-    fn exponents(e: Interval, felt: &FeltRange) -> Interval {
-        let slope = felt.onset_slope.hull(felt.strength_slope);
-        let at = |e: f64| felt.modulus_slope * (2.0 * e - 2.0) + slope * (3.0 - 2.0 * e) + e;
+    fn exponents(e: Interval, effective: &EffectiveRange) -> Interval {
+        let slope = effective.onset_slope.hull(effective.strength_slope);
+        let at = |e: f64| effective.modulus_slope * (2.0 * e - 2.0) + slope * (3.0 - 2.0 * e) + e;
         at(e.low).hull(at(e.high))
     }
 
@@ -180,24 +180,25 @@ impl<L: ScalableLaw> Layered<L> {
         let level = (ratio * shape.radius).ln();
         let b = shape.spheres * shape.radius;
         let radius = Interval::point(b);
-        let all = self.felt_over(Interval { low: 0.0, high: f64::MAX.sqrt() / b.max(1.0) }, radius);
+        let all = self.effective_over(Interval { low: 0.0, high: f64::MAX.sqrt() / b.max(1.0) }, radius);
         let bound = |onset: f64, modulus: f64| level + 2.0 * (onset / modulus).ln();
         let low = bound(all.onset.low, all.modulus.high) - 1e-9;
         let high = bound(all.onset.high, all.modulus.low) + 1e-9;
         let value = |v: f64| {
-            let felt = self.felt(v.exp(), b);
-            v - 2.0 * (felt.pair.yield_limits.onset / felt.pair.reduced_modulus).ln() - level
+            let effective = self.effective(v.exp(), b);
+            v - 2.0 * (effective.pair.yield_limits.onset / effective.pair.reduced_modulus).ln() - level
         };
         let over = |from: f64, to: f64| {
-            let felt = self.felt_over(Interval { low: from.exp(), high: to.exp() }, radius);
-            let values =
-                Interval { low: from, high: to } + (felt.modulus.ln() - felt.onset.ln()) * 2.0 + -level;
-            [values, (felt.modulus_slope - felt.onset_slope) * 2.0 + 1.0]
+            let effective = self.effective_over(Interval { low: from.exp(), high: to.exp() }, radius);
+            let values = Interval { low: from, high: to }
+                + (effective.modulus.ln() - effective.onset.ln()) * 2.0
+                + -level;
+            [values, (effective.modulus_slope - effective.onset_slope) * 2.0 + 1.0]
         };
         sign_changes(&value, &over, low, high).into_iter().map(f64::exp).collect()
     }
 
-    fn resistance_of_flat(&self, w: f64, b: f64) -> YieldLimits {
+    fn limits_of_flat(&self, w: f64, b: f64) -> YieldLimits {
         let poisson = if L::feels_poisson() { self.coating.poisson(w, b).0 } else { 0.0 };
         self.law.limits_at(self.coating.at(w, b).hardness, poisson)
     }
@@ -210,7 +211,7 @@ impl<L: ScalableLaw> Layered<L> {
             return Vec::new();
         }
         let level = self.rough.onset.ln();
-        let value = |v: f64| self.resistance_of_flat(v.exp(), b).onset.ln() - level;
+        let value = |v: f64| self.limits_of_flat(v.exp(), b).onset.ln() - level;
         let over = |from: f64, to: f64| {
             let w = Interval { low: from.exp(), high: to.exp() };
             let (onset, slope) = Self::flat_onset(&self.coating.over(w, Interval::point(b)));
@@ -219,19 +220,23 @@ impl<L: ScalableLaw> Layered<L> {
         sign_changes(&value, &over, RANGE[0], RANGE[1]).into_iter().map(f64::exp).collect()
     }
 
-    /// An upper bound of the load at indentations from `from` to `to` (m), the pair being any that `felt` holds. Of the
+    /// An upper bound of the load at indentations from `from` to `to` (m), the pair being any within `effective`. Of the
     /// same strength over the onset, a load over the onset falls as that grows, but for drops at boundaries; of another
     /// strength it differs by no more than the jumps do.
-    fn highest_load(&self, from: f64, to: f64, shape: Shape, felt: &FeltRange) -> f64 {
+    fn highest_load(&self, from: f64, to: f64, shape: Shape, effective: &EffectiveRange) -> f64 {
         let w = Interval { low: from, high: to };
-        let u = Self::place(w, Interval::point(shape.radius), felt);
+        let u = Self::place(w, Interval::point(shape.radius), effective);
         let possible = || self.jumps.iter().filter(|jump| u.holds(jump.place));
         let drops: f64 = possible().map(|jump| jump.factor.low.min(1.0)).product();
         let spread: f64 = self.jumps.iter().map(|jump| jump.factor.high / jump.factor.low).product();
-        let strength = self.strength_over_onset * felt.onset.low;
-        let yield_limits = YieldLimits { onset: felt.onset.low, strength };
-        let most = Pair { reduced_modulus: felt.modulus.high, yield_limits };
-        let growth = if felt.onset.high > felt.onset.low { felt.onset.high / felt.onset.low } else { 1.0 };
+        let strength = self.strength_over_onset * effective.onset.low;
+        let yield_limits = YieldLimits { onset: effective.onset.low, strength };
+        let most = Pair { reduced_modulus: effective.modulus.high, yield_limits };
+        let growth = if effective.onset.high > effective.onset.low {
+            effective.onset.high / effective.onset.low
+        } else {
+            1.0
+        };
         shape.spheres * self.law.highest_load(from, to, shape.radius, &most) * growth * spread / drops
     }
 }
@@ -247,17 +252,17 @@ fn weaker(value: Interval, slope: Interval, constant: f64) -> (Interval, Interva
     }
 }
 
-impl<L: ScalableLaw> Answers for &Layered<L> {
+impl<L: ScalableLaw> LaneContacts for &Layered<L> {
     #[inline(always)]
-    fn answers<N: Real>(&self, w: N, radius: N, spheres: N) -> Contacts<N> {
-        self.answer(w, radius, &self.felt(w, spheres * radius)).times(spheres)
+    fn contacts<N: Real>(&self, w: N, radius: N, spheres: N) -> Contacts<N> {
+        self.contacts_of(w, radius, &self.effective(w, spheres * radius)).times(spheres)
     }
 }
 
 impl<L: ScalableLaw> MicroContact for Layered<L> {
     #[inline]
     fn contact(&self, w: f64, shape: Shape) -> Contact {
-        (&self).answers(w, shape.radius, shape.spheres).into()
+        (&self).contacts(w, shape.radius, shape.spheres).into()
     }
 
     fn accumulate_weighted(
@@ -289,12 +294,12 @@ impl<L: ScalableLaw> MicroContact for Layered<L> {
     fn breakpoints(&self, shape: Shape) -> Vec<f64> {
         let mut points = self.regime_changes(shape);
         let b = shape.spheres * shape.radius;
-        // An elastic contact does not feel the hardness, nor a plastic one the modulus.
+        // An elastic contact does not depend on the hardness, nor a plastic one on the modulus.
         let regime = |w: f64| self.contact(w, shape).regime;
         let modulus = self.coating.modulus_scales(b, self.rough_compliance);
         points.extend(modulus.filter(|&w| regime(w) != Regime::Plastic));
         let yields = |w: f64| {
-            let flat = self.resistance_of_flat(w, b);
+            let flat = self.limits_of_flat(w, b);
             flat.onset < self.rough.onset || flat.strength < self.rough.strength
         };
         let hardness = self.coating.hardness_scales().into_iter();
@@ -317,12 +322,12 @@ impl<L: ScalableLaw> MicroContact for Layered<L> {
             k => end * 1e-12f64.powf(1.0 - f64::from(k) / f64::from(PIECES)),
         };
         let may_decrease = |w: &Interval| {
-            let felt = self.felt_over(*w, wide);
-            let u = Self::place(*w, shapes.radii, &felt);
+            let effective = self.effective_over(*w, wide);
+            let u = Self::place(*w, shapes.radii, &effective);
             // Back over a boundary, a rise of the load is a fall.
-            let turns_back = (felt.modulus_slope - felt.onset_slope).low <= -0.5;
+            let turns_back = (effective.modulus_slope - effective.onset_slope).low <= -0.5;
             let drops = |jump: &Jump| u.holds(jump.place) && (jump.factor.low < 1.0 || turns_back);
-            Self::exponents(self.law.load_exponents(u), &felt).low <= 0.0 || self.jumps.iter().any(drops)
+            Self::exponents(self.law.load_exponents(u), &effective).low <= 0.0 || self.jumps.iter().any(drops)
         };
         let pieces = (0..=PIECES).map(|k| Interval { low: place(k), high: place(k + 1) });
         Interval::joined(pieces.filter(may_decrease))
@@ -330,11 +335,11 @@ impl<L: ScalableLaw> MicroContact for Layered<L> {
 
     fn load_over(&self, from: f64, to: f64, shape: Shape) -> LoadBounds {
         let w = Interval { low: from, high: to };
-        let felt = self.felt_over(w, Interval::point(shape.spheres * shape.radius));
-        let u = Self::place(w, Interval::point(shape.radius), &felt);
-        let exponents = Self::exponents(self.law.load_exponents(u), &felt);
+        let effective = self.effective_over(w, Interval::point(shape.spheres * shape.radius));
+        let u = Self::place(w, Interval::point(shape.radius), &effective);
+        let exponents = Self::exponents(self.law.load_exponents(u), &effective);
         if self.jumps.iter().any(|jump| u.holds(jump.place)) || (from == 0.0 && exponents.low < 0.0) {
-            return LoadBounds::any(self.highest_load(from, to, shape, &felt));
+            return LoadBounds::any(self.highest_load(from, to, shape, &effective));
         }
         LoadBounds::between(w, [from, to].map(|w| self.contact(w, shape).load), exponents)
     }

@@ -1,4 +1,4 @@
-//! Materials, coating and law together: the micro-contact that both models add up.
+//! Materials, layer and law together: the micro-contact that both models sum.
 
 mod bare;
 mod batch;
@@ -24,7 +24,7 @@ use crate::shape::Shape;
 /// The pair that load ratios and the plasticity index refer to: without a layer, whatever the law.
 #[derive(Debug, Clone, Copy, PartialEq)]
 struct Reference {
-    /// Pa.
+    /// E*, Pa.
     modulus: f64,
     /// Of the softer body, Pa; infinite where neither has one.
     hardness: f64,
@@ -36,18 +36,18 @@ impl Reference {
     }
 }
 
-/// A contact that cannot be made.
+/// No micro-contact exists for these bodies under this law.
 #[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
 pub enum ContactError {
     /// The layered flat has no effective properties.
     #[error(transparent)]
     Coating(#[from] CoatingError),
-    /// The law says nothing of the bodies.
+    /// The law does not apply to the bodies.
     #[error(transparent)]
     Law(#[from] Inapplicable),
 }
 
-/// Shapes between two.
+/// Ranges of shapes.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Shapes {
     /// Radii, m.
@@ -103,12 +103,12 @@ impl LoadBounds {
 }
 
 /// What the models know of a contact: at indentation `w` and of a shape, what area, what load,
-/// which regime? Neither model knows which law answers, or whether there is a layer on the flat.
+/// which regime? Neither model knows which law it is, or whether there is a layer on the flat.
 ///
 /// The provided methods work on blocks of asperities: through `dyn MicroContact` the law is chosen
 /// once a block, never once an asperity.
 pub trait MicroContact: Send + Sync {
-    /// The answer at indentation `w > 0` (m) of an asperity.
+    /// The contact of an asperity at indentation `w > 0` (m).
     fn contact(&self, w: f64, shape: Shape) -> Contact;
 
     /// The indentations (m, ascending) at which one formula of the law gives way to another, as it does where the regime
@@ -134,15 +134,15 @@ pub trait MicroContact: Send + Sync {
     /// pair, infinite where neither has one.
     fn reference_hardness(&self) -> f64;
 
-    /// The papers behind the answers.
+    /// The papers behind the law and the layer.
     fn papers(&self) -> Vec<Paper>;
 
-    /// What makes its answers doubtful though there are some; see [`Law::caveat`].
+    /// Why its results may be inaccurate for this pair, if there is a reason; see [`Law::caveat`].
     fn caveat(&self) -> Option<String> {
         None
     }
 
-    /// Whether each answer asks what a layer of finite thickness does at its indentation.
+    /// Whether there is a layer of finite thickness, so that each contact needs its effective properties.
     fn is_layered(&self) -> bool {
         false
     }

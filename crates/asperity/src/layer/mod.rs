@@ -3,8 +3,8 @@
 //!
 //! | file | what lives there |
 //! |---|---|
-//! | `weights` | the functions of xi = t/a that say how much layer an asperity feels (Eqs. 17, 18) |
-//! | `modulus` | nu_eff and E_eff by the paper's rule or in series (Eqs. 14, 15) |
+//! | `weights` | the weights of the layer as functions of xi = t/a (Eqs. 17, 18) |
+//! | `modulus` | nu_eff and E_eff by the paper's model or in series (Eqs. 14, 15) |
 //! | `hardness` | H_eff (Eq. 16) |
 
 pub mod exact_sphere;
@@ -22,7 +22,7 @@ use crate::numeric::lanes::Real;
 use hardness::EffectiveHardness;
 use modulus::EffectiveModulus;
 
-/// A layer of finite thickness on a substrate.
+/// The effective properties of a layer of finite thickness on a substrate, whatever rough body presses on it.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Coating {
     inverse_thickness: f64,
@@ -44,7 +44,7 @@ pub enum CoatingError {
 /// From this part of the distance to +-i on, a panel to there resolves a pole beyond 0 as well.
 const FAR: f64 = 0.3;
 
-/// The flat as one asperity feels it.
+/// Effective properties of the layered flat under one asperity.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Effective<N = f64> {
     /// (1 - nu_eff^2)/E_eff, 1/Pa.
@@ -98,7 +98,7 @@ impl Coating {
         })
     }
 
-    /// The papers that its rules are from.
+    /// The papers that its equations are from.
     pub fn papers(&self) -> Vec<Paper> {
         let mut papers = vec![literature::PASARIBU_SCHIPPER_2005, literature::GAO_CHIU_LEE_1992];
         papers.push(match self.modulus.rule() {
@@ -115,7 +115,7 @@ impl Coating {
         (b * w).sqrt() * self.inverse_thickness
     }
 
-    /// The flat as asperities of radii `b` (m) feel it at indentations `w` (m).
+    /// Effective properties under asperities of radii `b` (m) at indentations `w` (m).
     #[inline(always)]
     pub fn at<N: Real>(&self, w: N, b: N) -> Effective<N> {
         let (compliance, compliance_slope) = self.modulus.compliance(self.inverse(w, b));
@@ -126,13 +126,13 @@ impl Coating {
         Effective { compliance, compliance_slope, hardness, hardness_slope }
     }
 
-    /// nu_eff (Eq. 14) as the same asperities feel it, and d nu_eff/d ln w.
+    /// nu_eff (Eq. 14) under the same asperities, and d nu_eff/d ln w.
     #[inline(always)]
     pub fn poisson<N: Real>(&self, w: N, b: N) -> (N, N) {
         self.modulus.poisson_and_slope(self.inverse(w, b))
     }
 
-    /// nu_eff (Eq. 14) and E_eff (Eq. 15, Pa) as an asperity of radius `b` (m) feels them at indentation `w` (m).
+    /// nu_eff (Eq. 14) and E_eff (Eq. 15, Pa) under an asperity of radius `b` (m) at indentation `w` (m).
     pub fn elasticity(&self, w: f64, b: f64) -> (f64, f64) {
         let poisson = self.modulus.poisson(self.inverse(w, b));
         (poisson, (1.0 - poisson) * (1.0 + poisson) / self.at(w, b).compliance)
@@ -149,7 +149,7 @@ impl Coating {
         Ok(Self { inverse_thickness: thickness.recip(), ..self.clone() })
     }
 
-    /// The flat as asperities of radii `b` feel it at indentations `w`.
+    /// Bounds of the effective properties over radii `b` (m) and indentations `w` (m).
     pub fn over(&self, w: Interval, b: Interval) -> Bounds {
         let inverse = Interval { low: self.inverse(w.low, b.low), high: self.inverse(w.high, b.high) };
         let [(compliance, compliance_slope), (poisson, poisson_slope)] = self.modulus.over(inverse);
@@ -180,7 +180,7 @@ impl Coating {
         self.hardness.as_ref().map_or(0.0, EffectiveHardness::end) / self.inverse_thickness
     }
 
-    /// Indentations (m) that part ranges over which the modulus that an asperity of radius `b` (m) feels changes
+    /// Indentations (m) that separate ranges over which the effective modulus under an asperity of radius `b` (m) changes
     /// smoothly, with `beside` (1/Pa) the compliance of the other body: in w^.5 it has its singularities at a = +-i t,
     /// and a pole beyond a = 0 where the two compliances are opposite.
     pub fn modulus_scales(&self, b: f64, beside: f64) -> impl Iterator<Item = f64> {

@@ -12,7 +12,7 @@ use crate::numeric::table::Table;
 /// The octaves of a/t that the tables cover.
 const OCTAVES: Range<i32> = -24..24;
 
-/// How the moduli of layer and substrate are put together.
+/// The effective-modulus model: how the moduli of layer and substrate combine.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
 #[cfg_attr(feature = "serde", derive(serde::Deserialize))]
 #[cfg_attr(feature = "serde", serde(rename_all = "kebab-case"))]
@@ -38,24 +38,24 @@ impl Rule {
     }
 }
 
-/// One of the two bodies, and the way from it to the other.
+/// One of the two bodies, and its differences to the other.
 #[derive(Debug, Clone, Copy, PartialEq)]
 struct Side {
     poisson: f64,
     poisson_step: f64,
-    /// E under Gao's rule, 1/mu in series.
+    /// E in Gao's model, 1/mu in series.
     modulus: f64,
     modulus_step: f64,
 }
 
-/// What a pair of materials is by one rule, whatever the thickness of the layer: a function of a/t.
+/// Effective modulus and Poisson's ratio of a pair of materials as functions of a/t, whatever the thickness.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct EffectiveModulus {
     sides: Sides,
     /// The compliance. It is analytic but at 0, at +-i, and where E_eff vanishes, which is never nearer to the positive
     /// axis than to 0. One polynomial takes the place of an arctangent, a logarithm and ten divisions.
     table: Arc<Table>,
-    /// Of nu_eff; made when a law first asks for it.
+    /// Of nu_eff; made when a law first needs it.
     poisson: Arc<OnceLock<Table>>,
 }
 

@@ -1,4 +1,4 @@
-//! How much of a layered flat an asperity feels: the functions of xi = t/a behind Eqs. 17 and 18.
+//! The weight of the layer in the effective properties: the functions of xi = t/a behind Eqs. 17 and 18.
 
 use std::f64::consts::{FRAC_1_PI, FRAC_2_PI};
 

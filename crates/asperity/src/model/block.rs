@@ -4,13 +4,13 @@ use crate::asperity::Asperities;
 use crate::numeric::WHOLES;
 use crate::numeric::lanes::{Real, Work, run};
 
-/// The separations of a curve, m, largest first, with room for `PLACES` of them and for `CELLS` of a grid over them: powers
+/// The separations of a curve, m, largest first, with capacity for `PLACES` of them and for `CELLS` of a grid over them: powers
 /// of two, so that what is taken modulo them needs no check.
 pub(super) struct Levels<const PLACES: usize, const CELLS: usize> {
     count: usize,
     /// Below all heights from the end on.
     separations: Box<[f64; PLACES]>,
-    /// m.
+    /// The smallest separation, m.
     lowest: f64,
     /// Of each cell, how many separations lie in cells above it.
     above: Box<[u16; CELLS]>,
@@ -26,10 +26,10 @@ const CELLS_PER_LEVEL: usize = 16;
 /// Places of the separations that the blocks of a sum are ordered by.
 const PLACES_OF_BLOCK: usize = 256;
 
-/// Those separations.
+/// The separations of a sum over blocks.
 pub(super) type LevelsOfBlock = Levels<PLACES_OF_BLOCK, { CELLS_PER_LEVEL * PLACES_OF_BLOCK }>;
 
-/// As many as contacts are counted at: their cells are still told in 16 bits.
+/// The separations at which contacts are counted: their cells still fit in 16 bits.
 pub(super) type ManyLevels = Levels<4096, { CELLS_PER_LEVEL * 4096 }>;
 
 impl<const PLACES: usize, const CELLS: usize> Levels<PLACES, CELLS> {
@@ -110,7 +110,7 @@ impl<const PLACES: usize, const CELLS: usize> Levels<PLACES, CELLS> {
     #[inline(always)]
     fn cell_above(&self, height: f64) -> u16 {
         let cell = ((height - self.lowest) * self.cells_per_metre + 1.0).min(self.last_cell);
-        // Its last bits are the whole number next to what is added.
+        // Adding 2^52 leaves the nearest whole number in the last bits.
         (cell + WHOLES).to_bits() as u16
     }
 
@@ -146,18 +146,18 @@ pub(super) struct Block {
 impl Default for Block {
     fn default() -> Self {
         Self {
-            heights: room(),
-            radii: room(),
-            spheres: room(),
-            cells: room(),
-            touched: room(),
-            places: room(),
+            heights: zeroed(),
+            radii: zeroed(),
+            spheres: zeroed(),
+            cells: zeroed(),
+            touched: zeroed(),
+            places: zeroed(),
             ends: [0; PLACES_OF_BLOCK],
         }
     }
 }
 
-fn room<T: Default + Copy>() -> Box<[T; Block::MOST]> {
+fn zeroed<T: Default + Copy>() -> Box<[T; Block::MOST]> {
     Box::new([T::default(); Block::MOST])
 }
 
@@ -179,7 +179,7 @@ impl<const PLACES: usize, const CELLS: usize> Work for FindCells<'_, PLACES, CEL
     }
 }
 
-/// Keeps the places of those of `cells` whose asperities are touched, without a branch, and tells how many they are.
+/// Writes the indices of the `cells` whose asperities are touched to `touched`, without a branch, and returns their number.
 #[inline(always)]
 fn keep_touched<const MOST: usize>(cells: &[u16], touched: &mut [u16; MOST]) -> usize {
     let mut count = 0;

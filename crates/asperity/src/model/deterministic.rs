@@ -8,7 +8,7 @@ use rayon::prelude::*;
 use super::block::{Block, Levels, LevelsOfBlock, ManyLevels};
 use super::load_control::LOWEST_SEPARATION;
 use super::sparse::SparseSubset;
-use super::{Counted, Model, ReferencePlane, Response, SamplingError};
+use super::{ContactCounts, Model, ReferencePlane, Response, SamplingError};
 use crate::accumulator::{Accumulator, Total};
 use crate::asperity::{Asperities, Ordered};
 use crate::interface::{LoadBounds, MicroContact, Shapes};
@@ -20,17 +20,17 @@ use crate::numeric::sum::in_chunks;
 /// The micro-contact summed over the asperities that stand above the flat.
 ///
 /// A curve is summed block by block: each block is brought into the order in which the separations touch its asperities
-/// while it is in the cache, so that what lies below the flat is not looked at again.
+/// while it is in the cache, so that asperities below the flat are not visited again.
 #[derive(Debug, Clone)]
 pub struct Deterministic<'a, C: ?Sized> {
     contact: &'a C,
     asperities: Asperities<'a>,
     plane: ReferencePlane,
-    /// Found when a load is first asked for.
+    /// Found when a load is first prescribed.
     falls: OnceLock<Option<DecreasingLoads>>,
 }
 
-/// Where the loads of asperities may fall.
+/// Where the loads of asperities may decrease.
 #[derive(Debug, Clone)]
 struct DecreasingLoads {
     ordered: Ordered,
@@ -38,14 +38,14 @@ struct DecreasingLoads {
     within: Vec<Vec<Interval>>,
     /// The class of each asperity.
     class: Vec<u8>,
-    /// No load falls at this separation or a larger one, m.
+    /// No load decreases at this separation or a larger one, m.
     from: f64,
 }
 
 impl DecreasingLoads {
-    /// `None` where no load ever falls.
+    /// `None` where no load ever decreases.
     fn of<C: MicroContact + ?Sized>(contact: &C, asperities: Asperities) -> Option<Self> {
-        /// Classes of radii at the most, so that one sharp asperity does not speak for all.
+        /// Classes of radii at most, so that one sharp asperity does not decide for all.
         const CLASSES: u8 = 32;
         let (radii, spheres) = (asperities.radius_range(), asperities.sphere_range());
         if contact.may_decrease(Shapes { radii, spheres }).is_empty() {
@@ -72,15 +72,15 @@ impl DecreasingLoads {
         Some(Self { ordered, within, class, from })
     }
 
-    /// Whether the load of asperity `index` rises all over `indentations`.
+    /// Whether the load of asperity `index` rises throughout `indentations`.
     fn is_monotonic(&self, index: usize, indentations: Interval) -> bool {
         let within = &self.within[usize::from(self.class[index])];
         !within.iter().any(|range| range.meets(indentations))
     }
 }
 
-/// Asks `of` for an answer at each of `separations` (m), few of them at a time and the largest first; the answers stand in
-/// the order of `separations`.
+/// Evaluates `of` at `separations` (m), a few of them at a time and the largest first; the results are in the order of
+/// `separations`.
 fn on_levels<T: Clone + Default, const PLACES: usize, const CELLS: usize>(
     separations: &[f64],
     of: impl Fn(&Levels<PLACES, CELLS>) -> Vec<T>,
@@ -98,7 +98,7 @@ fn on_levels<T: Clone + Default, const PLACES: usize, const CELLS: usize>(
     answers
 }
 
-/// What a task works in.
+/// Scratch buffers of one task.
 #[derive(Default)]
 struct Workspace {
     block: Block,
@@ -106,8 +106,8 @@ struct Workspace {
 }
 
 thread_local! {
-    /// Kept from one sum to the next: to be given fresh memory takes a tenth of the time of a million asperities.
-    static ROOM: Cell<Option<Box<Workspace>>> = const { Cell::new(None) };
+    /// Kept from one sum to the next: fresh memory takes a tenth of the time of a million asperities.
+    static WORKSPACE: Cell<Option<Box<Workspace>>> = const { Cell::new(None) };
 }
 
 /// Blocks that one task adds up, at the most.
@@ -122,7 +122,7 @@ impl<'a, C: MicroContact + ?Sized> Deterministic<'a, C> {
         Self { contact, asperities, plane, falls: OnceLock::new() }
     }
 
-    /// What the asperities above `separation` (m, in the frame of the set's heights) add up to.
+    /// The sums over the asperities above `separation` (m, in the frame of the set's heights).
     pub fn total(&self, separation: f64) -> Total {
         self.totals(&[separation])[0]
     }
@@ -145,8 +145,8 @@ impl<'a, C: MicroContact + ?Sized> Deterministic<'a, C> {
         let blocks = count.div_ceil(Block::MOST);
         let per_task = Block::MOST * blocks.div_ceil(TASKS).clamp(1, BLOCKS_PER_TASK);
         let part = |task: usize| -> Vec<Total> {
-            let mut room = ROOM.take().unwrap_or_default();
-            let Workspace { block, accumulators } = &mut *room;
+            let mut workspace = WORKSPACE.take().unwrap_or_default();
+            let Workspace { block, accumulators } = &mut *workspace;
             accumulators.clear();
             accumulators.resize(levels.separations().len(), Accumulator::default());
             let end = count.min((task + 1) * per_task);
@@ -167,7 +167,7 @@ impl<'a, C: MicroContact + ?Sized> Deterministic<'a, C> {
                 }
             }
             let totals = accumulators.iter().map(Accumulator::total).collect();
-            ROOM.set(Some(room));
+            WORKSPACE.set(Some(workspace));
             totals
         };
         let parts: Vec<Vec<Total>> = (0..count.div_ceil(per_task)).into_par_iter().map(part).collect();
@@ -221,13 +221,13 @@ impl<'a, C: MicroContact + ?Sized> Deterministic<'a, C> {
                     } else {
                         self.contact.load_over(indentations.low, indentations.high, shape)
                     };
-                    load.add(bounds.highest);
+                    load += bounds.highest;
                     slopes = slopes + bounds.slopes;
                 }
                 (load, slopes)
             },
             |(load, slopes), part| {
-                load.merge(&part.0);
+                *load += part.0;
                 *slopes = *slopes + part.1;
             },
         );
@@ -246,7 +246,7 @@ impl<C: MicroContact + ?Sized> Model for Deterministic<'_, C> {
         separations.iter().zip(&totals).map(|(&h, total)| self.response(h, total)).collect()
     }
 
-    fn count_contacts(&self, separations: &[f64]) -> Option<Counted> {
+    fn count_contacts(&self, separations: &[f64]) -> Option<ContactCounts> {
         /// Heights that one task counts.
         const HEIGHTS: usize = 1 << 14;
         let absolute: Vec<f64> = separations.iter().map(|&h| self.absolute(h)).collect();
@@ -259,7 +259,7 @@ impl<C: MicroContact + ?Sized> Model for Deterministic<'_, C> {
             parts.reduce(|| vec![0; levels.separations().len()], add)
         });
         let contacts = counts.into_iter().map(|count| count as f64).collect();
-        Some(Counted { contacts, per_area: self.asperities.nominal_area().recip() })
+        Some(ContactCounts { contacts, per_area: self.asperities.nominal_area().recip() })
     }
 
     fn may_decrease(&self) -> bool {

@@ -5,12 +5,12 @@ use super::{Model, Response};
 /// Separations below this are not searched, in sigma.
 pub const LOWEST_SEPARATION: f64 = -10.0;
 
-/// A pressure that a model was pressed to.
+/// The response at a prescribed pressure.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Reached {
     /// The response at the largest separation that carries the pressure.
     pub response: Response,
-    /// Whether the pressure lies in a jump of the law: the response carries more than was asked,
+    /// Whether the pressure lies in a jump of the law: the response carries more than that,
     /// and any larger separation less.
     pub in_jump: bool,
 }
@@ -21,9 +21,9 @@ pub struct Reached {
     "a nominal pressure of {wanted:e} Pa is not reached; the largest that is, from separations of {LOWEST_SEPARATION} sigma on, is {largest:e} Pa"
 )]
 pub struct Unreachable {
-    /// What was asked, Pa.
+    /// The prescribed pressure, Pa.
     pub wanted: f64,
-    /// What can be reached, Pa.
+    /// The largest pressure that can be reached, Pa.
     pub largest: f64,
 }
 
@@ -35,7 +35,7 @@ pub fn at_pressure(model: &dyn Model, pressure: f64) -> Result<Reached, Unreacha
     at_pressures(model, &[pressure]).remove(0)
 }
 
-/// The same for each of many pressures, which are searched side by side.
+/// The same for each of many pressures, which are searched together.
 pub fn at_pressures(model: &dyn Model, pressures: &[f64]) -> Vec<Result<Reached, Unreachable>> {
     let found = reached_at(model, pressures);
     let largest = if found.contains(&None) { largest_pressure(model) } else { 0.0 };

@@ -1,4 +1,4 @@
-//! Two ways of adding up one micro-contact: the integral over a height density and the sum over
+//! Two ways of summing one micro-contact: the integral over a height density and the sum over
 //! real asperities.
 
 mod block;
@@ -19,36 +19,36 @@ pub use statistical::{MeanRadius, Statistical};
 
 use crate::numeric::levels::{Point, last_reaching_all};
 
-/// Contacts that were counted.
+/// Numbers of contacts.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Counted {
-    /// At each separation.
+pub struct ContactCounts {
+    /// Number of contacts at each separation.
     pub contacts: Vec<f64>,
     /// One over the nominal area, 1/m^2.
     pub per_area: f64,
 }
 
-/// A way of adding up. Separations are d/sigma, from the plane's mean height.
+/// A way of summing a micro-contact over a rough surface. Separations are d/sigma, from the plane's mean height.
 pub trait Model: Sync {
     /// Where separations are measured from.
     fn plane(&self) -> ReferencePlane;
 
-    /// Everything at each of the separations d/sigma: a curve costs less at once than point by point.
+    /// The responses at the separations d/sigma: a curve costs less at once than point by point.
     fn respond_all(&self, separations: &[f64]) -> Vec<Response>;
 
     /// The contacts at each of the separations d/sigma, where they can be counted without the rest.
-    fn count_contacts(&self, _: &[f64]) -> Option<Counted> {
+    fn count_contacts(&self, _: &[f64]) -> Option<ContactCounts> {
         None
     }
 
-    /// Whether the load of an asperity may fall as the flat comes nearer, so that a pressure may be reached more than once.
+    /// Whether the load of an asperity may decrease as the flat comes nearer, so that a pressure may be reached more than once.
     fn may_decrease(&self) -> bool;
 
     /// For each of the pressures (Pa, positive) the largest separation with at least that in
     /// [[`LOWEST_SEPARATION`], infinity), `None` if there is none.
     fn separations_at(&self, pressures: &[f64]) -> Vec<Option<f64>>;
 
-    /// Everything at the separation `h` = d/sigma.
+    /// The response at the separation `h` = d/sigma.
     fn respond(&self, h: f64) -> Response {
         self.respond_all(&[h])[0]
     }
@@ -76,7 +76,7 @@ pub trait Model: Sync {
 
 /// Separations from `high` down to `low`, in steps of a quarter of sigma where contacts begin and of one far out.
 fn descent(low: f64, high: f64) -> Vec<f64> {
-    /// Seldom stands an asperity higher.
+    /// Few asperities are higher.
     const FAR: f64 = 6.0;
     /// Beyond that most densities are gone; what is left is one step.
     const END: f64 = 48.0;

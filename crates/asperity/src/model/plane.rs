@@ -1,6 +1,6 @@
 //! The frame of separations.
 
-use crate::asperity::Statistics;
+use crate::asperity::{Population, Statistics};
 
 /// Where separations are measured from, and in what unit they are reported.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -14,5 +14,12 @@ pub struct ReferencePlane {
 impl From<&Statistics> for ReferencePlane {
     fn from(statistics: &Statistics) -> Self {
         Self { mean: statistics.mean_height, sigma: statistics.sigma }
+    }
+}
+
+/// Separations from the nominal mean height, in the nominal sigma.
+impl From<&Population> for ReferencePlane {
+    fn from(population: &Population) -> Self {
+        Self { mean: 0.0, sigma: population.sigma }
     }
 }

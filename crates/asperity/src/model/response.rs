@@ -1,4 +1,4 @@
-//! What a model answers at one separation.
+//! The response of a model at one separation.
 
 use super::plane::ReferencePlane;
 use crate::accumulator::Total;
@@ -43,7 +43,7 @@ impl Response {
         self.sampling.map(|error| error.pressure / (self.stiffness * sigma))
     }
 
-    /// The response that `accumulator`, times `per_area` (1/m^2), is at separation `h` = d/sigma.
+    /// The response at separation `h` = d/sigma whose sums are `total` times `per_area` (1/m^2).
     pub(super) fn new(h: f64, plane: ReferencePlane, total: &Total, per_area: f64) -> Self {
         Self {
             separation_over_sigma: h,

@@ -13,14 +13,14 @@ pub(super) struct SparseSubset {
 }
 
 impl SparseSubset {
-    /// Those of `all` above `lowest` (m), in their order; `None` where they are not few, or `all` are not many. Whether they are
-    /// does not depend on threads.
+    /// The asperities of `all` above `lowest` (m), in their order; `None` where they are more than a small part, or `all` is
+    /// small itself. Which it is does not depend on threads.
     pub(super) fn above(lowest: f64, all: &Asperities<'_>) -> Option<Self> {
-        /// Few are less than one in so many.
+        /// A small part is less than one in 64.
         const FEW: usize = 64;
-        /// Heights that are looked at before all are.
+        /// Heights that are sampled before all are scanned.
         const SAMPLE: usize = 4096;
-        /// Asperities that one task looks at.
+        /// Asperities per task.
         const TASK: usize = 1 << 16;
         let heights = all.heights();
         let step = heights.len() / SAMPLE;

@@ -24,7 +24,7 @@ const NEGLIGIBLE: f64 = 1e-40;
 /// Ratio of a panel's ends up to which it resolves a logarithm in w to full accuracy.
 const RATIO_PER_PANEL: f64 = 56.0;
 
-/// Which mean stands for all radii.
+/// Which mean of the radii the integral uses.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
 #[cfg_attr(feature = "serde", derive(serde::Deserialize))]
 #[cfg_attr(feature = "serde", serde(rename_all = "kebab-case"))]
@@ -37,7 +37,7 @@ pub enum MeanRadius {
 }
 
 impl MeanRadius {
-    /// The radius that stands for the set with these statistics, m.
+    /// The mean radius of a set with these statistics, m.
     pub fn of(self, statistics: &Statistics) -> f64 {
         match self {
             Self::Arithmetic => statistics.mean_radius,
@@ -58,7 +58,7 @@ impl MeanRadius {
 pub struct Statistical<'a, C: ?Sized> {
     contact: &'a C,
     population: Population,
-    /// Of every asperity.
+    /// Shape of every asperity.
     shape: Shape,
     plane: ReferencePlane,
     /// Of the contact of one asperity, in units of sigma.
@@ -176,7 +176,7 @@ fn jump<C: MicroContact + ?Sized>(contact: &C, shape: Shape, w: f64) -> Option<f
     (jump.abs() > ROUNDING * above.load).then_some(jump)
 }
 
-/// Nodes of some panels, for which contacts are asked at once.
+/// Nodes of some panels, whose contacts are evaluated together.
 struct Samples {
     /// Indentations, m.
     points: [f64; Self::MOST],
@@ -185,7 +185,7 @@ struct Samples {
 }
 
 impl Samples {
-    /// Those of four panels. Beyond them contacts are asked for in turns.
+    /// The nodes of four panels; more are evaluated in turns.
     const MOST: usize = 4 * NODES;
 }
 
@@ -221,7 +221,7 @@ impl Work for WithDensity<'_> {
     }
 }
 
-/// [from, to] in pieces whose ends have a bounded ratio, where the answer holds a logarithm of w.
+/// [from, to] in pieces whose ends have a bounded ratio, where the integrand holds a logarithm of w.
 fn spans(from: f64, to: f64, logarithmic: bool) -> impl Iterator<Item = [f64; 2]> {
     let ratio = to / from;
     let count = if logarithmic { (ratio.ln() / RATIO_PER_PANEL.ln()).ceil().max(1.0) as i32 } else { 1 };
@@ -256,7 +256,7 @@ impl<C: MicroContact + ?Sized> Model for Statistical<'_, C> {
     /// Where the density falls with height, so does the pressure with the separation, whatever the
     /// load does with w: -dp/dd = -int P f' dz. Nearer than the mode a falling load can make it fall.
     /// The density is smooth there on the scale of sigma: within a small step the pressure turns once
-    /// at the most, and its slope at both ends tells.
+    /// at most, and the slopes at both ends decide.
     fn may_decrease(&self) -> bool {
         !self.contact.may_decrease(self.shape.into()).is_empty()
     }

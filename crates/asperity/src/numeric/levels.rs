@@ -1,4 +1,4 @@
-//! Where a falling curve last reaches each of many levels, found side by side: every round asks for one place a level, all
+//! Where a falling curve last reaches each of many levels, found together: every round evaluates one place per level, all
 //! at once.
 
 use super::root::{WIDTH, closed};
@@ -14,14 +14,14 @@ pub struct Point {
     pub slope: f64,
 }
 
-/// Places that are asked for at a time on the way down.
+/// Places that are evaluated at a time on the way down.
 const WAVE: usize = 16;
 
 /// For each of `levels` (positive) the largest `x`, to rounding, with a value of at least that, of a curve that nowhere rises
 /// with `x`; where it jumps over the level, the near side of the jump. `None` for a level that is not reached at the
 /// last place of `grid`.
 ///
-/// `grid` descends from the largest `x` that is searched to the smallest; its places are asked for in turn until all levels
+/// `grid` descends from the largest `x` that is searched to the smallest; its places are evaluated in turn until all levels
 /// are reached. From there each level keeps a bracket: Newton's method on ln(value/level), each step lengthened by its
 /// own square so that it ends beyond the root and the bracket closes from both sides; the middle wherever that does not
 /// halve the bracket.
@@ -86,7 +86,7 @@ impl Search {
         closed(self.near.x, self.far.x)
     }
 
-    /// The place to look at next, inside the bracket.
+    /// The next place to evaluate, inside the bracket.
     fn next(&self) -> f64 {
         let (low, high) = (self.near.x, self.far.x);
         let latest = if self.near_is_latest { self.near } else { self.far };

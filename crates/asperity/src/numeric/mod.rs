@@ -12,11 +12,11 @@ pub(crate) mod table;
 
 pub use sum::Sum;
 
-/// The largest magnitude that the program takes from anyone: loads of such numbers, their squares
+/// The largest magnitude of any input: loads of such numbers, their squares
 /// and sums neither overflow nor vanish.
 pub const LARGEST: f64 = 1e30;
 
-/// 2^52: what is added to it leaves its whole number in the last bits.
+/// 2^52: the sum with a smaller number has the nearest whole number in its last bits.
 pub(crate) const WHOLES: f64 = 4_503_599_627_370_496.0;
 
 /// Whether `value` is positive and within a range in which no product overflows or vanishes.

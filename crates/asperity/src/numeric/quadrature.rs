@@ -48,7 +48,7 @@ pub struct Piece {
 }
 
 impl Piece {
-    /// Abscissae and weights side by side, from the `k`th on.
+    /// Abscissae and weights of one register, from the `k`th on.
     #[inline(always)]
     pub fn sample<N: Real>(&self, k: usize, zero: N) -> [N; 2] {
         let (nodes, weights) = &*LEGENDRE;

@@ -1,4 +1,4 @@
-//! Searches that answer where a curve reaches a level: where a falling one first does, and where any curve does.
+//! Searches for where a curve reaches a level: where a falling one first does, and where any curve does.
 //!
 //! All keep a bracket from the first to the last step, so they end at a place whose value has been seen to reach the
 //! level; none can fail silently.

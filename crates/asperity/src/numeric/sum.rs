@@ -1,5 +1,7 @@
 //! Sums that do not depend on the number of threads and lose nothing to rounding.
 
+use std::ops::AddAssign;
+
 use rayon::prelude::*;
 
 use super::lanes::{MOST, Real};
@@ -7,32 +9,24 @@ use super::lanes::{MOST, Real};
 /// How many terms one task adds. Fixed, so that a result does not depend on the thread count.
 pub const CHUNK: usize = 4096;
 
-/// A compensated sum: the rounding error of every addition is kept (Knuth's TwoSum, The Art of
+/// A compensated sum, or one in every lane: the rounding error of every addition is kept (Knuth's TwoSum, The Art of
 /// Computer Programming 2, section 4.2.2, theorem B), so the result is the exact sum of its terms
 /// to within a few ulp whatever their number.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
-pub struct Sum {
-    high: f64,
-    low: f64,
+pub struct Sum<N = f64> {
+    high: N,
+    low: N,
+}
+
+impl<N: Real> Sum<N> {
+    /// The sum that has no terms yet, with the lanes of `zero`.
+    #[inline(always)]
+    pub fn new(zero: N) -> Self {
+        Self { high: zero, low: zero }
+    }
 }
 
 impl Sum {
-    /// Adds one term.
-    #[inline]
-    pub fn add(&mut self, term: f64) {
-        let sum = self.high + term;
-        let shadow = sum - self.high;
-        self.low += (self.high - (sum - shadow)) + (term - shadow);
-        self.high = sum;
-    }
-
-    /// Adds the sum of another part.
-    #[inline]
-    pub fn merge(&mut self, other: &Self) {
-        self.add(other.high);
-        self.low += other.low;
-    }
-
     /// The rounded total.
     #[inline]
     pub fn value(&self) -> f64 {
@@ -40,23 +34,9 @@ impl Sum {
     }
 }
 
-/// Sums as [`Sum`], side by side.
-#[derive(Debug, Clone, Copy)]
-pub struct Sums<N> {
-    high: N,
-    low: N,
-}
-
-impl<N: Real> Sums<N> {
-    /// Sums of nothing, with the lanes of `zero`.
+impl<N: Real> AddAssign<N> for Sum<N> {
     #[inline(always)]
-    pub fn new(zero: N) -> Self {
-        Self { high: zero, low: zero }
-    }
-
-    /// Adds one term in each lane.
-    #[inline(always)]
-    pub fn add(&mut self, term: N) {
+    fn add_assign(&mut self, term: N) {
         let sum = self.high + term;
         let shadow = sum - self.high;
         self.low = self.low + ((self.high - (sum - shadow)) + (term - shadow));
@@ -64,7 +44,16 @@ impl<N: Real> Sums<N> {
     }
 }
 
-/// One sum in as many parts as any machine has lanes, so that sums side by side need not be added up before a total is
+/// The sum of another part.
+impl<N: Real> AddAssign<Sum<N>> for Sum<N> {
+    #[inline(always)]
+    fn add_assign(&mut self, part: Self) {
+        *self += part.high;
+        self.low = self.low + part.low;
+    }
+}
+
+/// A sum in as many parts as the widest register has lanes, so that lanes are not added to each other before a total is
 /// asked for.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub struct LaneSum {
@@ -73,23 +62,6 @@ pub struct LaneSum {
 }
 
 impl LaneSum {
-    /// Adds one term.
-    #[inline]
-    pub fn add(&mut self, term: f64) {
-        let mut sum = Sum { high: self.high[0], low: self.low[0] };
-        sum.add(term);
-        (self.high[0], self.low[0]) = (sum.high, sum.low);
-    }
-
-    /// Adds sums side by side, each to a part of its own.
-    #[inline(always)]
-    pub fn add_lanes<N: Real>(&mut self, sums: &Sums<N>) {
-        let mut total = Sums { high: sums.high.load(&self.high), low: sums.low.load(&self.low) };
-        total.add(sums.high);
-        (total.low + sums.low).store(&mut self.low);
-        total.high.store(&mut self.high);
-    }
-
     /// The sum of all parts.
     pub fn total(&self) -> Sum {
         let mut parts = *self;
@@ -98,25 +70,50 @@ impl LaneSum {
             // In halves, so that no addition waits for the one before.
             count /= 2;
             for k in 0..count {
-                let mut sum = Sum { high: parts.high[k], low: parts.low[k] };
-                sum.merge(&Sum { high: parts.high[k + count], low: parts.low[k + count] });
+                let mut sum = parts.part(k);
+                sum += parts.part(k + count);
                 (parts.high[k], parts.low[k]) = (sum.high, sum.low);
             }
         }
-        Sum { high: parts.high[0], low: parts.low[0] }
+        parts.part(0)
+    }
+
+    #[inline(always)]
+    fn part(&self, lane: usize) -> Sum {
+        Sum { high: self.high[lane], low: self.low[lane] }
+    }
+}
+
+impl AddAssign<f64> for LaneSum {
+    #[inline]
+    fn add_assign(&mut self, term: f64) {
+        let mut first = self.part(0);
+        first += term;
+        (self.high[0], self.low[0]) = (first.high, first.low);
+    }
+}
+
+/// Each lane goes to a part of its own.
+impl<N: Real> AddAssign<Sum<N>> for LaneSum {
+    #[inline(always)]
+    fn add_assign(&mut self, lanes: Sum<N>) {
+        let mut total = Sum { high: lanes.high.load(&self.high), low: lanes.low.load(&self.low) };
+        total += lanes;
+        total.low.store(&mut self.low);
+        total.high.store(&mut self.high);
     }
 }
 
 impl FromIterator<f64> for Sum {
     fn from_iter<I: IntoIterator<Item = f64>>(terms: I) -> Self {
         let mut sum = Self::default();
-        terms.into_iter().for_each(|term| sum.add(term));
+        terms.into_iter().for_each(|term| sum += term);
         sum
     }
 }
 
-/// Folds the index range `0..count` in parallel: `part` answers a chunk, `join` adds a chunk's
-/// answer to the running one. Chunks are fixed and joined in order, so the result is the same to
+/// Folds the index range `0..count` in parallel: `part` gives the result of a chunk, `join` adds
+/// it to the running one. Chunks are fixed and joined in order, so the result is the same to
 /// the bit on any number of threads.
 pub fn in_chunks<T: Default + Send>(
     count: usize,
@@ -137,7 +134,7 @@ pub fn in_chunks<T: Default + Send>(
 
 /// Parallel compensated sum of `term(i)` for i in `0..count`.
 pub fn sum_of(count: usize, term: impl Fn(usize) -> f64 + Sync) -> f64 {
-    in_chunks(count, |range| range.map(&term).collect::<Sum>(), |total, part| total.merge(part)).value()
+    in_chunks(count, |range| range.map(&term).collect::<Sum>(), |total, part| *total += *part).value()
 }
 
 #[cfg(test)]

@@ -1,4 +1,4 @@
-//! What a surface is: height parameters, spectral moments, the autocorrelation at neighbours.
+//! Roughness parameters of a map: height parameters, spectral moments, the autocorrelation at neighbours.
 
 use super::rows::{Rows, Strip, count_missing, first_present, strips};
 use crate::numeric::sum::Sum;
@@ -18,8 +18,8 @@ pub struct Moments {
     pub sku: Option<f64>,
 }
 
-/// What a surface is, found in two readings of its rows. Every difference is taken where both heights
-/// are there, around the border of a periodic map.
+/// Roughness parameters of a map, from two passes over its rows. Every difference is taken where both heights
+/// are present, around the border of a periodic map.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Character {
     /// Missing points.
@@ -51,7 +51,7 @@ pub struct Drops {
 }
 
 impl Drops {
-    /// Those of a surface of unit variance by its autocorrelation at a lag of (i, j) points.
+    /// The drops on a surface of unit variance, from its autocorrelation at a lag of (i, j) points.
     pub fn of(correlation: impl Fn(f64, f64) -> f64) -> Self {
         let rho = correlation;
         let structure = |i: f64, j: f64| 2.0 * (1.0 - rho(i, j));
@@ -83,21 +83,21 @@ impl Drops {
 }
 
 impl Moments {
-    /// Moments of the points that are there, the same to the bit on any number of threads.
+    /// Moments of the present points, the same to the bit on any number of threads.
     pub fn of(map: &dyn Rows) -> Self {
         Character::of(map).moments
     }
 }
 
 impl Character {
-    /// Looks at a map, the same to the bit on any number of threads.
+    /// The parameters of a map, the same to the bit on any number of threads.
     pub fn of(map: &dyn Rows) -> Self {
         let points = map.points();
         // About a height of the map: a large offset costs nothing.
         let origin = first_present(map);
         let (mut total, mut present) = (Sum::default(), 0);
         for (sum, count) in strips(map, 0, |strip| row_sums(&strip, origin)).into_iter().flatten() {
-            total.add(sum);
+            total += sum;
             present += count;
         }
         let count = present as f64;
@@ -173,7 +173,7 @@ impl MeanSquare {
             sum += if is_there { difference * difference } else { 0.0 };
             count += usize::from(is_there);
         }
-        self.sum.add(sum);
+        self.sum += sum;
         self.count += count;
     }
 
@@ -203,7 +203,7 @@ impl Sums {
                 }
             }
             for (sum, part) in sums.powers.iter_mut().zip(powers) {
-                sum.add(part);
+                *sum += part;
             }
             let ny = points[1];
             let mut add = |lag: Lag, differences: &mut dyn Iterator<Item = f64>| {
@@ -237,10 +237,10 @@ impl Sums {
 
     fn merge(&mut self, other: &Self) {
         for (sum, part) in self.powers.iter_mut().zip(&other.powers) {
-            sum.merge(part);
+            *sum += *part;
         }
         for (lag, part) in self.lags.iter_mut().zip(&other.lags) {
-            lag.sum.merge(&part.sum);
+            lag.sum += part.sum;
             lag.count += part.count;
         }
     }

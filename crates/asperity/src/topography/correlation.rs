@@ -1,4 +1,4 @@
-//! The waves of a whole map: radial power spectrum and autocorrelation.
+//! Radial power spectrum and autocorrelation of a map.
 
 use std::f64::consts::{PI, TAU};
 
@@ -37,7 +37,7 @@ impl Rings {
         Self { points, step, first, ratio: count / (last / first).ln(), count: count as usize }
     }
 
-    /// Sums of wave numbers and variances of column `j`, and numbers of waves, by ring. `variance` is told the
+    /// Sums of wave numbers and variances of column `j`, and numbers of waves, by ring. `variance` is given the
     /// wave number along x by its index.
     fn column(&self, j: usize, variance: impl Fn(usize) -> f64) -> Vec<[f64; 3]> {
         let mut sums = vec![[0.0; 3]; self.count];
@@ -147,7 +147,7 @@ pub struct Autocorrelation {
 }
 
 impl Autocorrelation {
-    /// The autocorrelation of the points that are there, about their `mean` (m). Beyond an open border nothing is known:
+    /// The autocorrelation of the present points, about their `mean` (m). Beyond an open border nothing is known:
     /// only pairs of points within the map count. `None` on a flat map.
     pub fn of(map: &HeightMap, mean: f64) -> Option<Self> {
         let points = map.points();

@@ -97,7 +97,7 @@ impl fmt::Display for Filter {
 }
 
 /// The Gaussian mean of a map: weights exp(-pi (x/(alpha index))^2) along x and y (ISO 16610-61,
-/// Eq. 1; a Gaussian separates), normalised by the weights of the points that are there.
+/// Eq. 1; a Gaussian separates), normalised by the weights of the present points.
 fn low_pass(map: &HeightMap, index: f64) -> HeightMap {
     let weights = map.pixel().map(|pixel| weights(index / pixel));
     let smoothed = |of: &(dyn Fn(f64) -> f64 + Sync)| smoothed(map, &weights, of);
@@ -109,11 +109,11 @@ fn low_pass(map: &HeightMap, index: f64) -> HeightMap {
     map.with_heights(heights.collect())
 }
 
-/// Weighted sums over the neighbourhood of each point of what `of` makes of the heights that are there: a
+/// Weighted sums over the neighbourhood of each point of `of` the present heights: a
 /// product of transforms, so that the cost does not grow with the nesting index.
 fn smoothed(map: &HeightMap, weights: &[Vec<f64>; 2], of: &(dyn Fn(f64) -> f64 + Sync)) -> Vec<f64> {
     let [nx, ny] = map.points();
-    // Beyond an open border there is nothing: as much room as the weights reach keeps the borders apart.
+    // Beyond an open border there is nothing: zeros as far as the weights reach keep the borders apart.
     let points = [0, 1].map(|axis| match map.boundary() {
         Boundary::Periodic => map.points()[axis],
         Boundary::Open => (map.points()[axis] + weights[axis].len()).next_multiple_of(16),

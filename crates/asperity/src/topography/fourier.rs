@@ -22,7 +22,7 @@ pub const fn columns(points: [usize; 2]) -> usize {
     points[1] / 2 + 1
 }
 
-/// How often column `j` counts in a sum over all waves: twice if it stands for -j too.
+/// How often column `j` counts in a sum over all waves: twice if it represents -j too.
 pub const fn weight(points: [usize; 2], j: usize) -> f64 {
     if j == 0 || 2 * j == points[1] { 1.0 } else { 2.0 }
 }
@@ -32,7 +32,7 @@ fn batch_width(points: [usize; 2]) -> usize {
 }
 
 /// The map whose waves `fill` gives: called with each wave number j along y and the amplitudes of all
-/// wave numbers along x (0, 1, ..., -2, -1) to write to, it answers a number of its own. `scale` makes
+/// wave numbers along x (0, 1, ..., -2, -1) to write to, it returns a number of its own. `scale` makes
 /// of these numbers, in the order of j, the factor that every height is multiplied by.
 ///
 /// The amplitudes are those of exp(2 pi i (i x/nx + j y/ny)); those of column 0, and of the last one if ny
@@ -88,7 +88,7 @@ pub fn synthesise<T: Send>(
 }
 
 /// The waves of a map, which is used up: `each` is called with every wave number j along y and the sums of
-/// z exp(-2 pi i (i x/nx + j y/ny)) of all wave numbers i along x, and its answers are given in the order
+/// z exp(-2 pi i (i x/nx + j y/ny)) of all wave numbers i along x, and its results are in the order
 /// of j.
 pub fn analyse<T: Send>(
     mut map: Vec<f64>,

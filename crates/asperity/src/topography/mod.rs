@@ -12,7 +12,7 @@
 //! | [`filter`] | Gaussian S and L filters |
 //! | [`summits`] | summits and their curvatures |
 //! | [`character`] | what a surface is: height and spectral moments, autocorrelation |
-//! | [`correlation`] | radial power spectrum and autocorrelation of a whole map |
+//! | [`correlation`] | radial power spectrum and autocorrelation of a map |
 //! | [`theory`] | the summits that a Gaussian surface of that autocorrelation has |
 //! | [`quantisation`] | are the heights on steps of the instrument? |
 
@@ -152,7 +152,7 @@ impl HeightMap {
     }
 
     /// Writes the heights (m) as a NumPy array of float64 whose first index is x, missing points being NaN. A `.npy` does
-    /// not hold the pixel: whoever reads it must say it.
+    /// not hold the pixel size, which its reader must be given.
     ///
     /// # Errors
     /// A file that cannot be written.
@@ -160,7 +160,7 @@ impl HeightMap {
         npy::write(File::create(path)?, self.points, self.heights.iter().copied())
     }
 
-    /// What `of` makes of the heights that are there, on a grid of as many `points` or more; zero where there is none.
+    /// `of` each present height, on a grid of as many `points` or more; zero where a height is missing.
     fn embedded(&self, points: [usize; 2], of: impl Fn(f64) -> f64 + Sync) -> Vec<f64> {
         let mut field = zeros(points[0] * points[1]);
         field.par_chunks_mut(points[1]).zip(self.heights.par_chunks(self.points[1])).for_each(

@@ -34,7 +34,7 @@ impl Quantisation {
         heights.par_sort_unstable_by(f64::total_cmp);
         let points = heights.len();
         let largest = heights.iter().fold(0.0f64, |a, z| a.max(z.abs()));
-        // Rounding of a stored height, with room for the one of an offset taken off before.
+        // Rounding of a stored height, with a margin for the one of an offset taken off before.
         let rounding = 4.0 * map.precision() * largest;
         let step = lattice(&distinct(&heights, rounding), points);
 

@@ -40,7 +40,7 @@ pub trait Rows: Sync {
 /// Rows that one task works on. Fixed, so that sums do not depend on the number of threads.
 const STRIP: usize = 32;
 
-/// Strips whose answers are held at a time.
+/// Strips whose results are held at a time.
 const TURN: usize = 16;
 
 /// Some neighbouring rows of a map and what lies beside them.
@@ -69,7 +69,7 @@ impl Strip<'_> {
     }
 }
 
-/// Calls `part` with each strip of a map and `halo` rows on both sides of it, in parallel; its answers are in
+/// Calls `part` with each strip of a map and `halo` rows on both sides of it, in parallel; its results are in
 /// the order of the strips, which does not depend on the number of threads. On a periodic map the halo goes
 /// on at the opposite border.
 pub fn strips<T: Send>(rows: &dyn Rows, halo: usize, part: impl Fn(Strip) -> T + Sync) -> Vec<T> {
@@ -79,8 +79,8 @@ pub fn strips<T: Send>(rows: &dyn Rows, halo: usize, part: impl Fn(Strip) -> T +
         .collect()
 }
 
-/// The same for answers too large to be kept until the end: `part` adds to an answer that is empty at first, `take`
-/// gets the answers in the order of the strips, with the share of the strips that is done then, and leaves them empty,
+/// The same for results too large to be kept until the end: `part` adds to a result that is empty at first, `take`
+/// gets the results in the order of the strips, with the share of the strips that is done then, and leaves them empty,
 /// with their memory, for later strips.
 pub fn strips_in_turn<T: Send + Default>(
     rows: &dyn Rows,
@@ -143,7 +143,7 @@ fn strip<'a>(rows: &'a dyn Rows, halo: usize, index: usize, buffer: &'a mut Vec<
     Strip { first, count, before, columns, is_periodic, heights }
 }
 
-/// A height that is there, m; 0 if none is.
+/// The first present height, m; 0 if all are missing.
 pub fn first_present(map: &dyn Rows) -> f64 {
     let [nx, ny] = map.points();
     let mut row = vec![0.0; ny];

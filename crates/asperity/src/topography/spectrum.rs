@@ -11,7 +11,7 @@ use crate::memory::zeros;
 use crate::numeric::is_positive;
 use crate::numeric::power::Power;
 
-/// So many correlation lengths fit into the sides of a map: some hundred patches that know nothing of each other.
+/// Correlation lengths that fit into each side of a map at least: some hundred patches that are independent.
 const LENGTHS_ACROSS: f64 = 10.0;
 
 /// A spectrum of unit variance, by its shape and its lay.
@@ -58,10 +58,10 @@ impl Default for Lay {
 /// Numbers that make no spectrum.
 #[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
 pub enum SpectrumError {
-    /// A surface that is self-affine.
+    /// A Hurst exponent outside 0 to 1.
     #[error("found a Hurst exponent of {0}; allowed: 0 to 1")]
     Hurst(f64),
-    /// Wavelengths in order.
+    /// The roll-off wavelength is shorter than the cut-off.
     #[error(
         "found a roll-off at {roll_off:.3e} m and a cut-off at {cut_off:.3e} m; allowed: a roll-off wavelength that is at least the cut-off's"
     )]
@@ -71,13 +71,13 @@ pub enum SpectrumError {
         /// The shortest wavelength, m.
         cut_off: f64,
     },
-    /// Lengths are positive.
+    /// A length that is not positive and finite.
     #[error("found a length of {0} m; allowed: positive and finite")]
     Length(f64),
-    /// A lay is longer one way than the other.
+    /// An elongation outside 1e-3 to 1e3.
     #[error("found an elongation of {0}; allowed: 1e-3 to 1e3")]
     Elongation(f64),
-    /// The grid shows the shortest wave.
+    /// The grid does not resolve the shortest wave.
     #[error("found a cut-off at {cut_off:.3e} m on pixels of {pixel:.3e} m; allowed: at least two pixels")]
     BelowPixel {
         /// The shortest wavelength along an axis, m.
@@ -85,7 +85,7 @@ pub enum SpectrumError {
         /// The pixel along it, m.
         pixel: f64,
     },
-    /// The grid shows how neighbours correlate.
+    /// The grid does not resolve the correlation length.
     #[error(
         "found a correlation length of {length:.3e} m on pixels of {pixel:.3e} m; allowed: at least a pixel"
     )]
@@ -95,14 +95,14 @@ pub enum SpectrumError {
         /// The pixel along it, m.
         pixel: f64,
     },
-    /// The map shows the longest wave.
+    /// The map is too small for the longest wave.
     #[error(
         "found a {what} of {length:.3e} m along a side of {size:.3e} m; allowed: at most {part} of the side"
     )]
     TooLong {
         /// Roll-off or correlation length.
         what: &'static str,
-        /// It, m.
+        /// The length, m.
         length: f64,
         /// The map's shorter side, m.
         size: f64,
@@ -221,7 +221,7 @@ impl Spectrum {
         }
     }
 
-    /// Amplitudes whose autocorrelation on the grid is the one asked for, aliases and all: the roots of the
+    /// Amplitudes whose autocorrelation on the grid is the prescribed one, aliases included: the roots of the
     /// transform of the autocorrelation, wrapped around the map. Column by column.
     fn table(&self, points: [usize; 2], pixel: [f64; 2]) -> Vec<f64> {
         let size = [points[0] as f64 * pixel[0], points[1] as f64 * pixel[1]];
@@ -404,7 +404,7 @@ mod tests {
         synthesise(points, fill, |_| ((points[0] * points[1]) as f64).recip())
     }
 
-    /// Up to the longest correlation length that a map may have, the grid's autocorrelation is the one asked for,
+    /// Up to the longest correlation length that a map may have, the grid's autocorrelation is the prescribed one,
     /// wrapped around the map: also its kink, or its curvature, at the origin.
     #[test]
     fn autocorrelations_on_a_grid_are_exact() {

@@ -112,7 +112,7 @@ impl Model {
         // The angle of u for a direction of t.
         let angle = |[x, y]: [f64; 2]| (y * root - x * slant).atan2(x * rest);
         let mut sums = Moments::default();
-        // Half of the plane stands for the other; borders where the size of a difference, or the larger, changes.
+        // Half of the plane represents the other; borders where the size of a difference, or the larger, changes.
         for [from, to] in [
             [[0.0, -1.0], [1.0, -1.0]],
             [[1.0, -1.0], [1.0, 0.0]],

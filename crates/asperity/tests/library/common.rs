@@ -138,7 +138,7 @@ pub fn dense(
                 let found = contact.contact(x * sigma, shape);
                 let share = weight * (-heights.exponent(h, x)).exp();
                 for (sum, value) in sums.iter_mut().zip([found.area, found.load, found.stiffness]) {
-                    sum.add(share * value);
+                    *sum += share * value;
                 }
             }
         }

@@ -17,7 +17,7 @@ const TERMS: usize = 20;
 ///
 /// Its nearest singularities lie at y = +-2i, so that Chebyshev series on [0, 1], [1, 2] and from there on
 /// pieces half as long as their distance from 0 meet rounding, 1e-15 of the largest |m|. A piece is computed
-/// when it is first asked for: small contacts never pay for large ones.
+/// when it is first needed: small contacts never pay for large ones.
 #[derive(Debug, Clone)]
 pub struct Influence {
     kernel: Kernel,

@@ -1,26 +1,26 @@
-//! What lies between a model's answers: polynomials of logarithms and shares.
+//! Interpolation between the responses of a model: polynomials of logarithms and shares.
 
 use std::ops::Range;
 
-use super::quantities::Quantities;
+use super::quantities::{Quantities, Row};
 use crate::model::Response;
 use crate::numeric::lanes::{Mask, Real, Work};
 
-/// Where the model was asked: place and answer, and what is interpolated of it.
+/// A response of the model, and what is interpolated of it.
 #[derive(Debug, Clone, Copy)]
 pub struct Node {
-    /// Of all separations, ascending.
+    /// Index among all separations, ascending.
     pub place: usize,
-    /// What the model answered.
+    /// The response of the model there.
     pub response: Response,
-    /// What is interpolated of that.
-    pub quantities: Quantities,
+    /// What is interpolated of it.
+    pub row: Row,
 }
 
 impl Node {
-    /// The answer of a place.
+    /// A response at a place.
     pub fn new(place: usize, response: Response) -> Self {
-        Self { place, response, quantities: Quantities::of(&response) }
+        Self { place, response, row: Quantities::of(&response).into() }
     }
 
     /// Its separation.
@@ -29,44 +29,44 @@ impl Node {
     }
 }
 
-/// How logarithms are answered.
+/// How the quantities that are interpolated as logarithms are returned.
 #[derive(Clone, Copy, PartialEq)]
 pub enum Scale {
-    /// As they are.
+    /// As logarithms.
     Logarithms,
-    /// As what they are the logarithms of.
+    /// As exponentials of them.
     Plain,
 }
 
-/// Newton's polynomials through the nearest nodes (DLMF 3.3.38), of all quantities side by side.
+/// Newton's polynomials through the nearest nodes (DLMF 3.3.38), one quantity per lane.
 pub struct Interpolation<'a, G, F> {
     /// Ascending, one at the least.
     pub known: &'a [Node],
     /// Nodes that each polynomial goes through, of those and at most [`MOST_THROUGH`].
     pub through: usize,
-    /// How many of the first there are: as many as fill one register of the widest, or two.
-    pub quantities: usize,
+    /// Places of each row that are interpolated: those of an integral or of a sum.
+    pub places: usize,
     /// Of all places, ascending.
     pub separations: &'a [f64],
     /// Places between two nodes, ascending.
     pub gaps: G,
-    /// How logarithms are answered.
+    /// How the quantities that are interpolated as logarithms are returned.
     pub scale: Scale,
     /// Takes each place of the gaps with the quantities there.
     pub take: F,
 }
 
-impl<G: Iterator<Item = Range<usize>>, F: FnMut(usize, &Quantities)> Work for Interpolation<'_, G, F> {
+impl<G: Iterator<Item = Range<usize>>, F: FnMut(usize, &Row)> Work for Interpolation<'_, G, F> {
     type Output = ();
 
     #[inline(always)]
     fn with<N: Real>(self, zero: N) {
         /// Places that are worked on together, so that none waits for another.
         const TOGETHER: usize = 48;
-        const LOGARITHMS: usize = Quantities::LOGARITHMS;
-        let Self { known, through, quantities, separations, gaps, scale, mut take } = self;
-        let mut newton = Newton::new(known, through, quantities);
-        let mut found = [Quantities::ZERO; TOGETHER];
+        const LOGARITHMS: usize = Row::LOGARITHMS;
+        let Self { known, through, places, separations, gaps, scale, mut take } = self;
+        let mut newton = Newton::new(known, through, places);
+        let mut found = [Row::ZERO; TOGETHER];
         let mut logarithms = [0.0; LOGARITHMS * TOGETHER];
         let mut after = 0;
         for gap in gaps {
@@ -80,19 +80,19 @@ impl<G: Iterator<Item = Range<usize>>, F: FnMut(usize, &Quantities)> Work for In
                 newton.evaluate(&separations[these.clone()], found, zero);
                 if scale == Scale::Plain {
                     let (used, unused) = logarithms.split_at_mut(LOGARITHMS * found.len());
-                    for (quantities, logarithms) in found.iter().zip(used.chunks_exact_mut(LOGARITHMS)) {
-                        logarithms.copy_from_slice(&quantities.0[..LOGARITHMS]);
+                    for (row, logarithms) in found.iter().zip(used.chunks_exact_mut(LOGARITHMS)) {
+                        logarithms.copy_from_slice(&row.0[..LOGARITHMS]);
                     }
                     // What the last register holds besides, is not to be out of its exponential's range.
                     unused.fill(0.0);
                     for lane in (0..LOGARITHMS * found.len()).step_by(N::LANES) {
                         exponential(zero.load(&logarithms[lane..])).store(&mut logarithms[lane..]);
                     }
-                    for (quantities, plain) in found.iter_mut().zip(logarithms.chunks_exact(LOGARITHMS)) {
-                        quantities.0[..LOGARITHMS].copy_from_slice(plain);
+                    for (row, plain) in found.iter_mut().zip(logarithms.chunks_exact(LOGARITHMS)) {
+                        row.0[..LOGARITHMS].copy_from_slice(plain);
                     }
                 }
-                these.zip(&*found).for_each(|(place, quantities)| take(place, quantities));
+                these.zip(&*found).for_each(|(place, row)| take(place, row));
             }
         }
     }
@@ -106,20 +106,20 @@ struct Newton<'a> {
     known: &'a [Node],
     /// How many of them it goes through.
     through: usize,
-    /// How many of the first quantities there are.
-    quantities: usize,
+    /// Places of each row that are interpolated.
+    places: usize,
     /// The node after its last.
     end: usize,
     /// Its nodes, from the last on.
     nodes: [f64; MOST_THROUGH],
-    /// The divided differences over so many of them.
-    differences: [Quantities; MOST_THROUGH],
+    /// The divided differences of each order.
+    differences: [Row; MOST_THROUGH],
 }
 
 impl<'a> Newton<'a> {
-    fn new(known: &'a [Node], through: usize, quantities: usize) -> Self {
-        let differences = [Quantities::ZERO; MOST_THROUGH];
-        Self { known, through, quantities, end: 0, nodes: [0.0; MOST_THROUGH], differences }
+    fn new(known: &'a [Node], through: usize, places: usize) -> Self {
+        let differences = [Row::ZERO; MOST_THROUGH];
+        Self { known, through, places, end: 0, nodes: [0.0; MOST_THROUGH], differences }
     }
 
     /// Makes it the one around the gap below the node `after`, which is not below the last one.
@@ -128,8 +128,8 @@ impl<'a> Newton<'a> {
         let end = (after + self.through.div_ceil(2)).clamp(self.through, self.known.len());
         while self.end < end {
             let node = &self.known[self.end];
-            for lane in (0..self.quantities).step_by(N::LANES) {
-                let mut difference = zero.load(&node.quantities.0[lane..]);
+            for lane in (0..self.places).step_by(N::LANES) {
+                let mut difference = zero.load(&node.row.0[lane..]);
                 for order in 0..self.through.min(self.end + 1) {
                     let shorter = zero.load(&self.differences[order].0[lane..]);
                     difference.store(&mut self.differences[order].0[lane..]);
@@ -142,23 +142,23 @@ impl<'a> Newton<'a> {
         }
     }
 
-    /// The quantities at `separations`.
+    /// The rows at `separations`.
     #[inline(always)]
-    fn evaluate<N: Real>(&self, separations: &[f64], quantities: &mut [Quantities], zero: N) {
+    fn evaluate<N: Real>(&self, separations: &[f64], rows: &mut [Row], zero: N) {
         let (h, rest) = separations.as_chunks::<4>();
-        let (of_h, of_rest) = quantities[..separations.len()].as_chunks_mut::<4>();
-        for (h, quantities) in h.iter().zip(of_h) {
-            self.evaluate_at(h, quantities, zero);
+        let (of_h, of_rest) = rows[..separations.len()].as_chunks_mut::<4>();
+        for (h, rows) in h.iter().zip(of_h) {
+            self.evaluate_at(h, rows, zero);
         }
-        for (&h, quantities) in rest.iter().zip(of_rest) {
-            self.evaluate_at(&[h], std::array::from_mut(quantities), zero);
+        for (&h, row) in rest.iter().zip(of_rest) {
+            self.evaluate_at(&[h], std::array::from_mut(row), zero);
         }
     }
 
-    /// The same at `K` separations, side by side.
+    /// The same at `K` separations, so that none waits for another.
     #[inline(always)]
-    fn evaluate_at<N: Real, const K: usize>(&self, h: &[f64; K], quantities: &mut [Quantities; K], zero: N) {
-        for lane in (0..self.quantities).step_by(N::LANES) {
+    fn evaluate_at<N: Real, const K: usize>(&self, h: &[f64; K], rows: &mut [Row; K], zero: N) {
+        for lane in (0..self.places).step_by(N::LANES) {
             let mut values = [zero; K];
             for (node, difference) in self.nodes.iter().zip(&self.differences).take(self.through).rev() {
                 let difference = zero.load(&difference.0[lane..]);
@@ -166,8 +166,8 @@ impl<'a> Newton<'a> {
                     *value = value.mul_add(zero.splat(h - node), difference);
                 }
             }
-            for (value, quantities) in values.into_iter().zip(&mut *quantities) {
-                value.store(&mut quantities.0[lane..]);
+            for (value, row) in values.into_iter().zip(&mut *rows) {
+                value.store(&mut row.0[lane..]);
             }
         }
     }

@@ -1,10 +1,10 @@
-//! A curve of many separations from answers at few of them, to a tolerance that is checked.
+//! A curve of many separations from responses at few of them, to a tolerance that is checked.
 //!
 //! | module | what it holds |
 //! |---|---|
-//! | `sampler` | where the model is asked, and until when |
-//! | `interpolation` | what lies between its answers |
-//! | `quantities` | of what |
+//! | `sampler` | where the model is evaluated, and until when |
+//! | `interpolation` | polynomials between its responses |
+//! | `quantities` | what is interpolated |
 
 mod interpolation;
 mod quantities;
@@ -18,21 +18,21 @@ use super::{Model, Response};
 /// A curve within a tolerance.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Curve {
-    /// The answers, in the order of the separations that were asked for.
+    /// The responses, in the order of the given separations.
     pub responses: Vec<Response>,
-    /// The separations at which the model itself answered.
+    /// The separations at which the model itself was evaluated.
     pub asked: Vec<f64>,
 }
 
-/// Below so many separations each is asked for.
+/// Below this number of separations the model is evaluated at each.
 const FEWEST: usize = 32;
 
-/// The answers at `separations` (in sigma), of which pressure and area ratio, of an integral also the shares of their regimes
-/// (in parts of the whole), are within `tolerance` of the model's own.
+/// The responses at `separations` (in sigma), of which pressure and area ratio, of an integral also the shares of their regimes
+/// (in parts of the total), are within `tolerance` of the model's own.
 ///
-/// The model is asked at some of the separations, the rest is interpolated: an interval between two answers is asked
-/// in its middle and halved, until the answer there is what its neighbours predicted, and of a sum until the asperities
-/// between two answers are too few to matter (`DiscretisationBound`). What cannot be predicted is asked everywhere. The number of
+/// The model is evaluated at some of the separations, the rest is interpolated: an interval between two responses is evaluated
+/// in its middle and halved, until the response there is what its neighbours predicted, and of a sum until the asperities
+/// between two responses are too few to matter (`DiscretisationBound`). What cannot be predicted is evaluated everywhere. The number of
 /// contacts of a sum is counted, not interpolated.
 pub fn respond_within(model: &dyn Model, separations: &[f64], tolerance: f64) -> Curve {
     if separations.len() < FEWEST {
@@ -58,10 +58,10 @@ pub fn respond_within(model: &dyn Model, separations: &[f64], tolerance: f64) ->
     // Next to where nothing touches there is nothing to interpolate.
     let mut missing = Vec::new();
     let gaps = known.windows(2).map(|pair| pair[0].place + 1..pair[1].place);
-    sampler.interpolate(gaps, Scale::Plain, |place, quantities| {
+    sampler.interpolate(gaps, Scale::Plain, |place, row| {
         let k = order[place];
         let density = counted.as_ref().map(|counted| counted.contacts[k] * counted.per_area);
-        match quantities.response(separations[k], sigma, density) {
+        match row.quantities().response(separations[k], sigma, density) {
             Some(response) => responses[k] = response,
             None => missing.push(k),
         }

@@ -1,75 +1,67 @@
 //! What is interpolated of a response.
 
-use std::ops::Range;
+use std::mem::{offset_of, size_of};
 
 use crate::contact::ByRegime;
 use crate::model::{Response, SamplingError};
 use crate::numeric::lanes::MOST;
 
-/// First what an integral has, in one register of the widest: the logarithms of what spans decades, the stiffness over the
-/// pressure (it may be negative), then two shares of the regimes of each total, of which the first is the rest. Then what a
-/// sum has besides, its relative sampling errors.
+/// What is interpolated of a response, by name; [`Row`] holds the same for the registers. The quantities of both
+/// models come first, those of a sum alone last; first of all those interpolated as logarithms, because they span decades.
 #[derive(Debug, Clone, Copy)]
-#[repr(align(64))]
-pub struct Quantities(pub [f64; 2 * MOST]);
+#[repr(C)]
+pub struct Quantities {
+    /// ln of the nominal pressure (Pa), or that itself: see [`super::interpolation::Scale`].
+    pub pressure: f64,
+    /// ln of the area ratio, or that itself.
+    pub area_ratio: f64,
+    /// ln of the contact density (1/m^2), or that itself.
+    pub contact_density: f64,
+    /// Stiffness over pressure, 1/m: it may be negative, so that it has no logarithm.
+    pub relative_stiffness: f64,
+    /// The elastic-plastic and the plastic part of the pressure; the elastic one is the rest.
+    pub pressure_shares: [f64; 2],
+    /// The same of the area.
+    pub area_shares: [f64; 2],
+    /// Relative standard error of the pressure of a sum.
+    pub pressure_error: f64,
+    /// Relative standard error of the area of a sum.
+    pub area_error: f64,
+}
 
 impl Quantities {
-    /// None of them.
-    pub const ZERO: Self = Self([0.0; 2 * MOST]);
-
-    /// Those that an integral has come first.
-    pub const OF_AN_INTEGRAL: usize = MOST;
-
-    /// Those that a sum has.
-    pub const OF_A_SUM: usize = 2 * MOST;
-
-    /// The logarithms of pressure, area ratio and contacts come first.
-    pub const LOGARITHMS: usize = 3;
-
-    /// Places of the logarithms of pressure and area ratio.
-    pub const TOTALS: Range<usize> = 0..2;
-
-    /// Places of the shares in pressure and in area ratio beyond the first.
-    pub const SHARES: [[usize; 2]; 2] = [[4, 5], [6, 7]];
-
-    /// Those of a response.
+    /// The quantities of a response, the first as logarithms.
     pub fn of(response: &Response) -> Self {
-        /// Shares below this are none: their differences would be denormal, which is slow.
+        /// Shares below this count as zero: their differences would be denormal, which is slow.
         const NEGLIGIBLE: f64 = 1e-100;
         let shares = |parts: &ByRegime| {
-            parts.shares().unwrap_or_default().map(|share| if share < NEGLIGIBLE { 0.0 } else { share })
+            let [_, second, third] = parts.shares().unwrap_or_default();
+            [second, third].map(|share| if share < NEGLIGIBLE { 0.0 } else { share })
         };
-        let [_, p2, p3] = shares(&response.pressure);
-        let [_, a2, a3] = shares(&response.area_ratio);
         let [pressure, area] = [response.pressure.total(), response.area_ratio.total()];
-        let relative =
-            response.sampling.map_or([0.0; 2], |error| [error.pressure / pressure, error.area_ratio / area]);
-        let of_an_integral = [
-            pressure.ln(),
-            area.ln(),
-            response.contact_density.ln(),
-            response.stiffness / pressure,
-            p2,
-            p3,
-            a2,
-            a3,
-        ];
-        let mut all = Self::ZERO;
-        all.0[..MOST].copy_from_slice(&of_an_integral);
-        all.0[MOST..MOST + 2].copy_from_slice(&relative);
-        all
+        let relative = |error: SamplingError| [error.pressure / pressure, error.area_ratio / area];
+        let [pressure_error, area_error] = response.sampling.map_or([0.0; 2], relative);
+        Self {
+            pressure: pressure.ln(),
+            area_ratio: area.ln(),
+            contact_density: response.contact_density.ln(),
+            relative_stiffness: response.stiffness / pressure,
+            pressure_shares: shares(&response.pressure),
+            area_shares: shares(&response.area_ratio),
+            pressure_error,
+            area_error,
+        }
     }
 
-    /// The response at `h`, in units of `sigma` (m), that has these, the first already what they were the
-    /// logarithms of, with so many contacts an area if they were counted; `None` where they are none.
+    /// The response at the separation `h`, in units of `sigma` (m), the first quantities being no logarithms any more;
+    /// `counted_density` (1/m^2) is that of the contacts where they were counted. `None` where a quantity is not a number.
+    #[inline(always)]
     pub fn response(&self, h: f64, sigma: f64, counted_density: Option<f64>) -> Option<Response> {
-        let [pressure, area, contacts, per_pressure, p2, p3, a2, a3, of_pressure, of_area, ..] = self.0;
-        // No number where one of them is none.
-        let sum = pressure + area + contacts + per_pressure + p2 + p3 + a2 + a3 + of_pressure + of_area;
-        if !(pressure > 0.0 && area > 0.0 && sum.is_finite()) {
+        let &Self { pressure, area_ratio, pressure_error, area_error, .. } = self;
+        if !(pressure > 0.0 && area_ratio > 0.0 && Row::from(*self).0.iter().sum::<f64>().is_finite()) {
             return None;
         }
-        let parts = |total: f64, second: f64, third: f64| {
+        let parts = |total: f64, [second, third]: [f64; 2]| {
             let second = second.clamp(0.0, 1.0);
             let third = third.clamp(0.0, 1.0 - second);
             ByRegime([1.0 - second - third, second, third].map(|share| share * total))
@@ -77,13 +69,78 @@ impl Quantities {
         Some(Response {
             separation_over_sigma: h,
             separation: h * sigma,
-            contact_density: counted_density.unwrap_or(contacts),
-            area_ratio: parts(area, a2, a3),
-            pressure: parts(pressure, p2, p3),
-            stiffness: per_pressure * pressure,
+            contact_density: counted_density.unwrap_or(self.contact_density),
+            area_ratio: parts(area_ratio, self.area_shares),
+            pressure: parts(pressure, self.pressure_shares),
+            stiffness: self.relative_stiffness * pressure,
             // Only a sum has its contacts counted.
-            sampling: counted_density
-                .map(|_| SamplingError { pressure: of_pressure * pressure, area_ratio: of_area * area }),
+            sampling: counted_density.map(|_| SamplingError {
+                pressure: pressure_error * pressure,
+                area_ratio: area_error * area_ratio,
+            }),
         })
+    }
+}
+
+/// [`Quantities`] in the order of their declaration, in whole registers of the widest: the quantities of an integral fill
+/// the first [`Self::OF_AN_INTEGRAL`] places.
+#[derive(Debug, Clone, Copy)]
+#[repr(align(64))]
+pub struct Row(pub [f64; Self::OF_A_SUM]);
+
+const fn places(bytes: usize) -> usize {
+    bytes / size_of::<f64>()
+}
+
+impl Row {
+    /// How many of the first are interpolated as logarithms.
+    pub const LOGARITHMS: usize = places(offset_of!(Quantities, relative_stiffness));
+
+    /// Places of the quantities of an integral.
+    pub const OF_AN_INTEGRAL: usize = places(offset_of!(Quantities, pressure_error)).next_multiple_of(MOST);
+
+    /// Places of the quantities of a sum: all.
+    pub const OF_A_SUM: usize = Self::COUNT.next_multiple_of(MOST);
+
+    const COUNT: usize = places(size_of::<Quantities>());
+
+    /// All quantities zero.
+    pub const ZERO: Self = Self([0.0; Self::OF_A_SUM]);
+
+    /// The quantities by name.
+    #[inline(always)]
+    pub fn quantities(&self) -> Quantities {
+        let [pressure, area_ratio, contact_density, relative_stiffness, p2, p3, a2, a3, rest @ ..] = self.0;
+        Quantities {
+            pressure,
+            area_ratio,
+            contact_density,
+            relative_stiffness,
+            pressure_shares: [p2, p3],
+            area_shares: [a2, a3],
+            pressure_error: rest[0],
+            area_error: rest[1],
+        }
+    }
+}
+
+impl From<Quantities> for Row {
+    #[inline(always)]
+    fn from(of: Quantities) -> Self {
+        let ([p2, p3], [a2, a3]) = (of.pressure_shares, of.area_shares);
+        let mut row = Self::ZERO;
+        row.0[..Self::COUNT].copy_from_slice(&[
+            of.pressure,
+            of.area_ratio,
+            of.contact_density,
+            of.relative_stiffness,
+            p2,
+            p3,
+            a2,
+            a3,
+            of.pressure_error,
+            of.area_error,
+        ]);
+        row
     }
 }

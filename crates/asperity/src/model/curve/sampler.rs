@@ -1,14 +1,14 @@
-//! Where the model is asked for a curve, until all that lies between can be predicted.
+//! Where the model is evaluated for a curve, until all that lies between can be predicted.
 
 use std::f64::consts::PI;
 use std::ops::Range;
 
 use super::interpolation::{Interpolation, MOST_THROUGH, Node, Scale};
-use super::quantities::Quantities;
+use super::quantities::{Quantities, Row};
 use crate::model::Model;
 use crate::numeric::lanes::run;
 
-/// What lies between two places that were asked.
+/// The places between two that were evaluated.
 struct Interval([usize; 2]);
 
 impl Interval {
@@ -16,7 +16,7 @@ impl Interval {
         (self.0[0] + self.0[1]) / 2
     }
 
-    /// Whether one lies between its ends.
+    /// Whether a place lies between its ends.
     fn holds_a_place(&self) -> bool {
         self.0[1] - self.0[0] > 1
     }
@@ -37,7 +37,7 @@ pub struct DiscretisationBound {
 }
 
 impl DiscretisationBound {
-    /// Of ascending separations.
+    /// From the numbers of contacts at ascending separations.
     pub fn new(separations: &[f64], contacts: Vec<f64>) -> Self {
         let mut integral = vec![0.0; contacts.len()];
         for k in (1..contacts.len()).rev() {
@@ -57,18 +57,18 @@ impl DiscretisationBound {
     }
 }
 
-/// What is known of a curve.
+/// Chooses the places at which a curve is evaluated.
 pub struct AdaptiveSampler {
-    /// Ascending.
+    /// All separations, ascending, in sigma.
     separations: Vec<f64>,
-    /// Ascending.
+    /// Evaluated places, ascending.
     pub known: Vec<Node>,
-    /// Of a sum.
+    /// What limits the intervals of a sum.
     bound: Option<DiscretisationBound>,
 }
 
 impl AdaptiveSampler {
-    /// Of which nothing is known yet.
+    /// A sampler that has evaluated no place yet.
     pub fn new(separations: Vec<f64>, bound: Option<DiscretisationBound>) -> Self {
         Self { separations, known: Vec::new(), bound }
     }
@@ -84,7 +84,7 @@ impl AdaptiveSampler {
         self.known.sort_unstable_by_key(|node| node.place);
     }
 
-    /// Intervals, ascending, that are no longer than the bound allow.
+    /// Intervals, ascending, that are no longer than the bound allows.
     fn intervals(&self, tolerance: f64) -> Vec<Interval> {
         /// Below this an integral needs the more intervals in the end.
         const TIGHT: f64 = 1e-6;
@@ -116,13 +116,13 @@ impl AdaptiveSampler {
         all
     }
 
-    /// Asks until every interval between two answers can be interpolated, or holds no place more.
+    /// Evaluates the model until every interval between two responses can be interpolated, or holds no place more.
     pub fn refine(&mut self, model: &dyn Model, tolerance: f64) {
         let mut open = self.intervals(tolerance);
         let mut ends: Vec<usize> = open.iter().map(|Interval([from, _])| *from).collect();
         ends.push(self.separations.len() - 1);
         open.retain(Interval::holds_a_place);
-        // What the bound ask for is asked at once: a sum looks at all asperities each time.
+        // The places that the bound needs are evaluated at once: a sum visits all asperities each time.
         let middles = open.iter().map(Interval::middle);
         let mut nodes = self.ask(model, &ends.iter().copied().chain(middles).collect::<Vec<_>>());
         let mut found = nodes.split_off(ends.len());
@@ -130,17 +130,20 @@ impl AdaptiveSampler {
         while !open.is_empty() {
             let mut predicted = Vec::new();
             let gaps = open.iter().map(|interval| interval.middle()..interval.middle() + 1);
-            self.interpolate(gaps, Scale::Logarithms, |_, quantities| predicted.push(*quantities));
+            self.interpolate(gaps, Scale::Logarithms, |_, row| predicted.push(row.quantities()));
             // The shares of a sum jump at each asperity that changes its regime.
             let is_within = |(found, predicted): (&Node, &Quantities)| {
-                let off = |k: usize| found.quantities.0[k] - predicted.0[k];
+                let found = found.row.quantities();
                 let holds = |off: f64| off.abs() <= tolerance;
-                let share_holds = |[second, third]: [usize; 2]| {
-                    let (second, third) = (off(second), off(third));
+                let shares_hold = |found: [f64; 2], predicted: [f64; 2]| {
+                    let [second, third] = [found[0] - predicted[0], found[1] - predicted[1]];
                     holds(second) && holds(third) && holds(second + third)
                 };
-                Quantities::TOTALS.map(off).all(holds)
-                    && (self.bound.is_some() || Quantities::SHARES.into_iter().all(share_holds))
+                holds(found.pressure - predicted.pressure)
+                    && holds(found.area_ratio - predicted.area_ratio)
+                    && (self.bound.is_some()
+                        || shares_hold(found.pressure_shares, predicted.pressure_shares)
+                            && shares_hold(found.area_shares, predicted.area_shares))
             };
             let is_off: Vec<bool> = found.iter().zip(&predicted).map(|pair| !is_within(pair)).collect();
             self.learn(found);
@@ -156,15 +159,15 @@ impl AdaptiveSampler {
         &self,
         gaps: impl Iterator<Item = Range<usize>>,
         scale: Scale,
-        take: impl FnMut(usize, &Quantities),
+        take: impl FnMut(usize, &Row),
     ) {
         // A sum has a kink at every asperity: few nodes.
-        let (through, quantities) = match self.bound {
-            Some(_) => (4, Quantities::OF_A_SUM),
-            None => (MOST_THROUGH, Quantities::OF_AN_INTEGRAL),
+        let (through, places) = match self.bound {
+            Some(_) => (4, Row::OF_A_SUM),
+            None => (MOST_THROUGH, Row::OF_AN_INTEGRAL),
         };
         let through = through.min(self.known.len());
         let (known, separations) = (&*self.known, &*self.separations);
-        run(Interpolation { known, through, quantities, separations, gaps, scale, take });
+        run(Interpolation { known, through, places, separations, gaps, scale, take });
     }
 }

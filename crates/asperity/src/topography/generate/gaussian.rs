@@ -77,7 +77,7 @@ mod tests {
     use crate::topography::fourier::analyse;
     use crate::topography::spectrum::{Lay, Shape, Spectrum};
 
-    /// Also those that stand for no other: at the end of even numbers of points.
+    /// Also those that represent no other: at the end of even numbers of points.
     #[test]
     fn each_wave_has_its_variance_and_is_drawn_by_itself() {
         const SEEDS: u32 = 3000;

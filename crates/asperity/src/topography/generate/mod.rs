@@ -26,7 +26,7 @@ pub struct Process {
     pub heights: Marginal,
 }
 
-/// The field that a spectrum is asked of. A map of heights distorts the spectrum.
+/// The field that has the prescribed spectrum. Mapping the heights to a distribution distorts it.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 #[cfg_attr(feature = "serde", derive(serde::Deserialize))]
 #[cfg_attr(feature = "serde", serde(rename_all = "kebab-case"))]
@@ -64,9 +64,9 @@ pub struct Recipe {
 /// Seeds of the one or two processes of a surface.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Seeds {
-    /// Of the process.
+    /// Seed of the process.
     pub process: [u8; 32],
-    /// Of the one that cuts it.
+    /// Seed of the process that cuts it.
     pub plateau: [u8; 32],
 }
 

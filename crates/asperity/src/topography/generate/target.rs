@@ -11,7 +11,7 @@ use crate::topography::spectrum::{Lay, Shape, Spectrum, SpectrumError};
 use crate::topography::summits::{Detail, Neighbours, find};
 use crate::topography::{HeightMap, MapError};
 
-/// What the found summits shall be.
+/// Prescribed statistics of the summits.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Target {
     /// Arithmetic mean of the radii, m.
@@ -63,7 +63,7 @@ pub struct Reached {
     pub tried: usize,
 }
 
-/// A target that no surface of the recipe meets.
+/// A target that no such surface meets.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum Unreachable {
     /// The product is out of reach.
@@ -73,28 +73,28 @@ pub enum Unreachable {
          other heights, another Hurst exponent, another cut-off-pixels or more points"
     )]
     Product {
-        /// What was asked for.
+        /// The prescribed product.
         product: f64,
         /// The least that was found.
         least: f64,
-        /// The bandwidth where.
+        /// Its ratio of roll-off to cut-off wavelength.
         from: f64,
         /// The most that was found.
         most: f64,
-        /// The bandwidth where.
+        /// Its ratio of roll-off to cut-off wavelength.
         to: f64,
     },
-    /// The product jumps over what was asked for.
+    /// The product jumps over the prescribed one.
     #[error(
         "density * radius * sigma = {product:.5} lies in a jump, from {below:.5} to {above:.5}: the map holds too few summits; \
          allowed: more points"
     )]
     Jump {
-        /// What was asked for.
+        /// The prescribed product.
         product: f64,
-        /// The nearest below.
+        /// The nearest product below.
         below: f64,
-        /// The nearest above.
+        /// The nearest product above.
         above: f64,
     },
     /// The longest wave is the shortest.
@@ -103,10 +103,10 @@ pub enum Unreachable {
          ones, fit (fewer with a smaller cut-off-pixels or elongation)",
         points[0], points[1]
     )]
-    NoRoom {
+    TooFewPoints {
         /// Points along x and y.
         points: [usize; 2],
-        /// Too few.
+        /// Number of points that is still too small.
         least: usize,
     },
     /// A spectrum that the grid cannot show.
@@ -115,7 +115,7 @@ pub enum Unreachable {
     /// A grid that makes no map.
     #[error(transparent)]
     Map(#[from] MapError),
-    /// No summits.
+    /// No summit was found.
     #[error(transparent)]
     Set(#[from] SetError),
 }
@@ -134,23 +134,23 @@ impl Trial {
     }
 }
 
-/// How close the product must come: the radius is off by as much.
+/// Relative deviation of the product, and so of the radius.
 const TOLERANCE: f64 = 5e-5;
-/// What is still a surface of the target where the product jumps.
+/// Deviation that is accepted where the product jumps.
 const MET: f64 = 1e-3;
 
 impl TargetRecipe {
     /// Whether the grid can show its spectra.
     ///
     /// # Errors
-    /// A cut-off below two pixels, numbers that make no spectrum, or a map without room for longer waves.
+    /// A cut-off below two pixels, numbers that make no spectrum, or a map too small for longer waves.
     pub fn check(&self) -> Result<(), Unreachable> {
         self.spectrum(1.0, 1.0)?.check(self.points, [1.0; 2])?;
         if self.widest() > 1.0 {
             return Ok(());
         }
         let least = (self.points[0].min(self.points[1]) as f64 / self.widest()).round() as usize;
-        Err(Unreachable::NoRoom { points: self.points, least })
+        Err(Unreachable::TooFewPoints { points: self.points, least })
     }
 
     /// The largest bandwidth: four of the longest waves fit into the shorter side.

@@ -335,9 +335,9 @@ impl Main {
     }
 }
 
-/// The heights of a DataList: one ReferencePlane a point, empty where the point is missing.
+/// The heights of a DataList: one Datum a point, empty where the point is missing.
 fn listed(list: Node, count: u64) -> Result<Vec<f64>, ReadError> {
-    let data = list.children().filter(|node| node.tag_name().name() == "ReferencePlane");
+    let data = list.children().filter(|node| node.tag_name().name() == "Datum");
     let value = |(place, node): (usize, Node)| {
         let text = node.text().unwrap_or_default().trim();
         if text.is_empty() {
@@ -345,9 +345,7 @@ fn listed(list: Node, count: u64) -> Result<Vec<f64>, ReadError> {
         }
         text.parse().map_err(|_| {
             let found = shortened(text);
-            ReadError::Corrupt(format!(
-                "ReferencePlane {place}: found \"{found}\"; allowed: a number, or nothing"
-            ))
+            ReadError::Corrupt(format!("Datum {place}: found \"{found}\"; allowed: a number, or nothing"))
         })
     };
     let values: Vec<f64> = (1..).zip(data).map(value).collect::<Result<_, _>>()?;

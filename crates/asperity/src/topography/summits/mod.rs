@@ -43,7 +43,7 @@ impl Neighbours {
 /// Steps to the neighbours along x and y, the four nearest first.
 const STEPS: [[isize; 2]; 8] = [[-1, 0], [1, 0], [0, -1], [0, 1], [-1, -1], [-1, 1], [1, -1], [1, 1]];
 
-/// What is found besides height and curvature.
+/// What is determined for each summit besides height and curvature.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub struct Detail {
     /// Where the summits are.
@@ -55,23 +55,23 @@ pub struct Detail {
 }
 
 impl Detail {
-    /// Everything.
+    /// All details.
     pub const ALL: Self = Self { positions: true, principal: true, drops: true };
 }
 
 /// The summits of a map, in file order.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Summits {
-    /// Index of each summit, the y index running fastest; of a plateau its first point. Empty unless asked for.
+    /// Index of each summit, the y index running fastest; of a plateau its first point. Empty unless requested.
     pub positions: Vec<usize>,
     /// Heights, m.
     pub heights: Vec<f64>,
     /// Curvatures, 1/m, positive: the mean of those along x and y.
     pub curvatures: Vec<f64>,
-    /// Principal curvatures, 1/m, the larger first; empty unless asked for. The smaller one is not
+    /// Principal curvatures, 1/m, the larger first; empty unless requested. The smaller one is not
     /// positive where four lower neighbours hide a saddle between them.
     pub principal: Vec<[f64; 2]>,
-    /// Drops from the summits to each of their lower neighbours, m; empty unless asked for.
+    /// Drops from the summits to each of their lower neighbours, m; empty unless requested.
     pub drops: Vec<f64>,
     /// Number of points that were tested: those that are present, inside an open border, and have all
     /// neighbours. The nominal area is this many pixels.
@@ -123,7 +123,7 @@ impl Part {
     }
 }
 
-/// The first strips tell how much room the whole map will need, if they are like the others: lists are seldom moved.
+/// The first strips predict how many summits the map holds: lists are seldom reallocated.
 fn append<T>(list: &mut Vec<T>, more: &mut Vec<T>, done: f64) {
     let count = list.len() + more.len();
     if count > list.capacity() {
@@ -133,7 +133,7 @@ fn append<T>(list: &mut Vec<T>, more: &mut Vec<T>, done: f64) {
     list.append(more);
 }
 
-/// Five-point summits with everything known of them.
+/// The five-point summits of a map (Greenwood 1984), with all details.
 pub fn five_point(map: &dyn Rows) -> Summits {
     find(map, Neighbours::Four, Detail::ALL)
 }
@@ -184,7 +184,7 @@ struct Window<'a>([&'a [f64]; 3]);
 
 impl Window<'_> {
     /// The height `step` away from the point `iy` of the middle row; around the border on a periodic map,
-    /// beyond which nobody asks on an open one.
+    /// which is never crossed on an open one.
     fn at(&self, iy: usize, [dx, dy]: [isize; 2]) -> f64 {
         let row = self.0[(1 + dx) as usize];
         let place = iy.wrapping_add_signed(dy);

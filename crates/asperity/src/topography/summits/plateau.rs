@@ -33,7 +33,7 @@ impl Finder {
     /// Each plateau is walked once, over its points that are lower than none of their neighbours; it is a
     /// summit if all its points are such. `level` is in file order.
     pub(super) fn add_plateaus(&self, level: &[LevelPoint], found: &mut Summits) {
-        // Where each row of the map begins in the list: a neighbour is looked for in its row alone.
+        // Where each row of the map begins in the list: a neighbour is searched in its row alone.
         let columns = self.points[1];
         let mut starts = vec![0; self.points[0] + 1];
         for point in level {

@@ -115,7 +115,7 @@ fn random_maps_full_of_plateaus() {
     assert!(all_plateaus.iter().all(|&count| count > 50), "{all_plateaus:?}");
 }
 
-/// Lists are put together over many strips, and hold no more than is asked for.
+/// Lists are put together over many strips, and hold no more than is requested.
 #[test]
 fn a_tall_map_and_less_detail() {
     let mut rng = rand_chacha::ChaCha8Rng::seed_from_u64(6);

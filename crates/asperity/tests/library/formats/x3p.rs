@@ -137,13 +137,7 @@ fn x3p_of_every_data_type_scaled_and_moved() {
     assert_map(X3p::linked("D", "1", marked).bytes(), Given::default(), 1e-9, PIXEL);
     let mut listed = X3p::linked("D", "1e-9", Vec::new());
     listed.record3 = in_lines()
-        .map(|z| {
-            if z.is_nan() {
-                "<ReferencePlane/>\n".to_owned()
-            } else {
-                format!("<ReferencePlane> {z} </ReferencePlane>\n")
-            }
-        })
+        .map(|z| if z.is_nan() { "<Datum/>\n".to_owned() } else { format!("<Datum> {z} </Datum>\n") })
         .collect();
     listed.record3 = format!("<DataList>{}</DataList>", listed.record3);
     let head = assert_map(listed.bytes(), Given::default(), 1e-9, PIXEL);
@@ -218,10 +212,10 @@ fn bad_x3p_is_refused() {
         "more numbers than any file",
         changed("<SizeX>5", "<SizeX>10000000000000000000")
     );
-    let list = "<DataList><ReferencePlane>1</ReferencePlane></DataList>";
+    let list = "<DataList><Datum>1</Datum></DataList>";
     let link = &whole.record3;
     assert_refused!(Corrupt, "its DataList holds 1 heights; allowed: 20", changed(link, list));
-    assert_refused!(Corrupt, "ReferencePlane 1: found \"1;2\"", changed(link, &list.replace('1', "1;2")));
+    assert_refused!(Corrupt, "Datum 1: found \"1;2\"", changed(link, &list.replace('1', "1;2")));
     // A main.xml that unpacks to far more than the archive: forty megabytes of blanks.
     let bomb = zipped(&[("main.xml", vec![b' '; 40 << 20])]);
     assert!(bomb.len() < 100_000);
