@@ -9,7 +9,8 @@
 //! Data flows one way: `model` never sees a file, `law` never sees a model. Everything is SI in `f64`.
 //!
 //! ```
-//! use asperity::asperity::{HeightDensity, Population};
+//! use asperity::asperity::Population;
+//! use asperity::distribution::Heights;
 //! use asperity::interface::Interface;
 //! use asperity::law::Zmc;
 //! use asperity::material::Material;
@@ -18,7 +19,7 @@
 //! let steel = Material::new(210e9, 0.3, Some(7.6e9), None)?;
 //! let contact = Interface::bare(Zmc::default(), &steel, &steel)?;
 //! let population =
-//!     Population { radius: 20e-6, sigma: 48e-9, density: 6e10, heights: HeightDensity::Gaussian };
+//!     Population { radius: 20e-6, sigma: 48e-9, density: 6e10, heights: Heights::GAUSSIAN };
 //! let reached = at_pressure(&Statistical::new(&contact, population), 1e6)?;
 //! assert!(reached.response.area_ratio.total() < 1e-3);
 //! # Ok::<(), Box<dyn std::error::Error>>(())
@@ -30,6 +31,7 @@ pub mod accumulator;
 pub mod asperity;
 pub mod compare;
 pub mod contact;
+pub mod distribution;
 pub mod interface;
 pub mod law;
 pub mod layer;

@@ -1,8 +1,7 @@
-//! Asperities: the set, its statistics, populations drawn from three numbers, height densities.
+//! Asperities: the set, its statistics, populations drawn from three numbers.
 
 mod arrays;
 mod ellipse;
-mod heights;
 mod nayak;
 mod ordered;
 mod population;
@@ -11,7 +10,6 @@ mod statistics;
 
 pub use arrays::{Asperities, Ellipses};
 pub use ellipse::{Ellipse, Ellipticity};
-pub use heights::{HeightDensity, gaussian_moment};
 pub use nayak::{NoSuchSurface, SurfaceHeights};
 pub use ordered::Ordered;
 pub use population::{Draw, Population};
