@@ -2,7 +2,7 @@
 
 use super::overview::{AnalysisDepth, MapOverview};
 use asperity::asperity::{
-    AsperitySet, Ellipse, Ellipticity, HeightDensity, Population, SetError, Statistics,
+    AsperitySet, Ellipse, Ellipticity, Population, SetError, Statistics,
 };
 use asperity::literature::{self, Paper};
 use asperity::model::{MeanRadius, ReferencePlane};
@@ -10,7 +10,7 @@ use asperity::topography::character::Character;
 use asperity::topography::filter::{Filter, FilterError};
 use asperity::topography::generate::{Recipe, Target};
 use asperity::topography::level::{Level, Levelled, Undetermined};
-use asperity::topography::marginal::Marginal;
+use asperity::distribution::Heights;
 use asperity::topography::quantisation::Quantisation;
 use asperity::topography::summits::{Detail, Neighbours, Summits, find};
 use asperity::topography::theory::{self, Expected};
@@ -261,10 +261,9 @@ impl MapFacts {
             papers.push(literature::ISO_16610_61);
         }
         if let Some(made) = &self.generation {
-            match made.recipe.process.heights {
-                Marginal::Gaussian => {}
-                Marginal::Johnson(_) => papers.push(literature::JOHNSON_1949),
-                Marginal::Weibull(_) => papers.push(literature::WEIBULL_1951),
+            let heights = &made.recipe.process.heights;
+            if *heights != Heights::GAUSSIAN {
+                papers.extend(heights.papers());
             }
         }
         papers
@@ -291,12 +290,12 @@ impl Surface {
 
     /// What the statistical model stands on: the nominal numbers of a population, the statistics of
     /// any other set.
-    pub fn population(&self, heights: Option<HeightDensity>, mean_radius: MeanRadius) -> Population {
+    pub fn population(&self, heights: Option<Heights>, mean_radius: MeanRadius) -> Population {
         let own = Population {
             radius: mean_radius.of(&self.statistics),
             sigma: self.statistics.sigma,
             density: self.set.density(),
-            heights: HeightDensity::Gaussian,
+            heights: Heights::GAUSSIAN,
         };
         let population = self.nominal.unwrap_or(own);
         Population { heights: heights.unwrap_or(population.heights), ..population }
@@ -357,7 +356,7 @@ mod tests {
 
     fn process(length: f64) -> Process {
         let spectrum = Spectrum::new(Shape::Exponential(length), Lay::default()).unwrap();
-        Process { spectrum, of: SpectrumOf::Heights, sigma: 1.0, heights: Marginal::Gaussian }
+        Process { spectrum, of: SpectrumOf::Heights, sigma: 1.0, heights: Heights::GAUSSIAN }
     }
 
     #[test]

@@ -3,7 +3,7 @@
 use asperity::topography::character::Character;
 use asperity::topography::correlation::{Autocorrelation, RadialSpectrum};
 use asperity::topography::generate::{Recipe, SpectrumOf};
-use asperity::topography::marginal::Marginal;
+use asperity::distribution::Heights;
 use asperity::topography::rows::{Strip, strips};
 use asperity::topography::{Boundary, HeightMap, Rows};
 
@@ -67,7 +67,7 @@ impl MapOverview {
             RadialSpectrum::asked(&process.spectrum.on_grid(points, pixel), pixel, process.sigma)
         });
         whole.is_asked_of_gaussian = recipe.is_some_and(|Recipe { process, .. }| {
-            process.of == SpectrumOf::Gaussian && process.heights != Marginal::Gaussian
+            process.of == SpectrumOf::Gaussian && process.heights != Heights::GAUSSIAN
         });
         let (map, mean) = (HeightMap::of(map), character.moments.mean);
         whole.autocorrelation = if is_close { Autocorrelation::of(&map, mean) } else { None };

@@ -3,6 +3,7 @@
 use std::time::Instant;
 
 use asperity::compare::{Control, Gaps, Kind, Models, NotReached, RuleCheck, RuleFindings, compare};
+use asperity::distribution::Heights;
 use asperity::interface::{ContactError, Counted, plasticity_index};
 use asperity::literature::Paper;
 use asperity::model::Model;
@@ -43,6 +44,10 @@ pub fn run(
         let first = run_surface(context, compare, &first_surface, &models, counter, &mut timing)?;
         let thresholds = threshold::thresholds(compare, &first_surface, &models, &first, counter);
         let falls = falls(compare, &first_surface, &models, &first, counter);
+        let heights = &models.population().heights;
+        if *heights != Heights::GAUSSIAN {
+            papers.extend(heights.papers());
+        }
         drop(models);
         context.progress.advance(1);
         let mut others = Vec::new();

@@ -137,7 +137,7 @@ fn largest_error(found: &[Response], exact: &[Response], of: fn(&Response) -> f6
 #[cfg(test)]
 mod tests {
     use super::*;
-    use asperity::asperity::HeightDensity;
+    use asperity::distribution::Heights;
     use asperity::interface::Interface;
     use asperity::law::Zmc;
     use asperity::material::Material;
@@ -147,7 +147,7 @@ mod tests {
         let steel = Material::new(210e9, 0.3, Some(7.6e9), None).unwrap();
         let contact = Interface::bare(Zmc::default(), &steel, &steel).unwrap();
         let case =
-            Population { radius: 2e-5, sigma: 4.8e-8, density: 6e10, heights: HeightDensity::Gaussian };
+            Population { radius: 2e-5, sigma: 4.8e-8, density: 6e10, heights: Heights::GAUSSIAN };
         let task = CurveTask {
             asperities: 200_000,
             separations: 400,

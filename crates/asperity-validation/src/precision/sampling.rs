@@ -113,7 +113,7 @@ pub fn sets_of(
 #[cfg(test)]
 mod tests {
     use super::*;
-    use asperity::asperity::HeightDensity;
+    use asperity::distribution::Heights;
     use asperity::interface::Interface;
     use asperity::law::Hertz;
     use asperity::material::Material;
@@ -123,7 +123,7 @@ mod tests {
         let steel = Material::new(210e9, 0.3, None, None).unwrap();
         let contact = Interface::bare(Hertz, &steel, &steel).unwrap();
         let case =
-            Population { radius: 2e-5, sigma: 4.8e-8, density: 6e10, heights: HeightDensity::Gaussian };
+            Population { radius: 2e-5, sigma: 4.8e-8, density: 6e10, heights: Heights::GAUSSIAN };
         let task =
             SamplingTask { counts: vec![10_000, 30_000, 100_000], separations: vec![0.0, 1.0], draws: 64 };
         let seed = |count: usize, draw: usize| {

@@ -6,7 +6,8 @@ use rand_chacha::ChaCha8Rng;
 use super::Ranges;
 use super::bodies::{Bodies, Law, Layer};
 use super::group::Group;
-use asperity::asperity::{HeightDensity, Population};
+use asperity::asperity::Population;
+use asperity::distribution::Heights;
 use asperity::law::Shape;
 use asperity::layer::Rule;
 use asperity::material::{Material, reduced_modulus};
@@ -222,7 +223,7 @@ impl CaseFactory<'_> {
         let sigma = rng.ratio(SIGMA);
         let radius = sigma * rng.ratio(self.ranges.radius_over_sigma);
         let heights =
-            if group == Group::Exponential { HeightDensity::Exponential } else { HeightDensity::Gaussian };
+            if group == Group::Exponential { Heights::EXPONENTIAL } else { Heights::GAUSSIAN };
         let population = Population { radius, sigma, density: CROWDING / (radius * sigma), heights };
         let [nearest, furthest] = self.ranges.separation;
         let within = |rng: &mut CaseRng, from: f64, to: f64| {

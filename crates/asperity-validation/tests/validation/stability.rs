@@ -1,13 +1,13 @@
 //! Thousands of cases against about 32 digits, and those digits against the reference vectors.
 
 use crate::common::{Row, Worst, rows};
-use asperity::asperity::{AsperitySet, HeightDensity};
+use asperity::asperity::AsperitySet;
 use asperity::layer::Rule;
 use asperity::material::Material;
 use asperity::model::{Deterministic, Model, ReferencePlane};
 use asperity_validation::stability::Group;
 use asperity_validation::stability::exact::Exact;
-use asperity_validation::stability::exact::Integral;
+use asperity_validation::stability::exact::{Density, Integral};
 use asperity_validation::stability::exact::Shape;
 use asperity_validation::stability::wide::{Wide, relative_error};
 use asperity_validation::stability::{Bodies, Law, Layer};
@@ -121,7 +121,7 @@ fn the_wide_integrals_are_those_of_the_vectors() {
         let of = Integral {
             sigma: row.number("sigma"),
             density: row.number("density"),
-            heights: HeightDensity::Gaussian,
+            heights: Density::Gaussian,
             separation: row.number("separation_over_sigma"),
         };
         let total = Exact::new(&bodies).integral(&of, &Shape::sphere(row.number("radius"))).unwrap();

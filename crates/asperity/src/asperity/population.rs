@@ -66,8 +66,7 @@ mod tests {
     use super::*;
     use crate::distribution::REGISTRY;
 
-    const UNIT: Population =
-        Population { radius: 1.0, sigma: 2.0, density: 4.0, heights: Heights::GAUSSIAN };
+    const UNIT: Population = Population { radius: 1.0, sigma: 2.0, density: 4.0, heights: Heights::GAUSSIAN };
 
     #[test]
     fn quantiles_are_the_middles_of_equally_probable_strata() {

@@ -5,14 +5,11 @@ use std::fmt;
 
 use libm::erfc;
 
-use super::{
-    Entry, Exponent, FOLDINGS, FOLDINGS_PER_BELL, FOLDINGS_PER_PANEL, HeightDistribution, Heights,
-};
+use super::{Entry, Exponent, FOLDINGS, FOLDINGS_PER_BELL, FOLDINGS_PER_PANEL, HeightDistribution, Heights};
 use crate::literature::{GREENWOOD_WILLIAMSON_1966, Paper, ZHAO_MAIETTA_CHANG_2000};
 use crate::numeric::lanes::Real;
 
-pub(super) const ENTRY: Entry =
-    Entry { name: "gaussian", parameters: &[], make: |_| Ok(Heights::GAUSSIAN) };
+pub(super) const ENTRY: Entry = Entry { name: "gaussian", parameters: &[], make: |_| Ok(Heights::GAUSSIAN) };
 
 /// Normal heights (Greenwood and Williamson 1966; Zhao, Maietta and Chang 2000).
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

@@ -27,7 +27,8 @@ use crate::numeric::lanes::{Real, Work, run};
 pub use exponential::Exponential;
 pub use gaussian::{Gaussian, gaussian_moment};
 pub use johnson::Johnson;
-pub(crate) use moments::{Moments, normal_nodes};
+pub use moments::Moments;
+pub(crate) use moments::normal_nodes;
 pub use weibull::Weibull;
 
 /// E-foldings of a density that count: exp(-40) = 4e-18 of its largest value.
@@ -118,7 +119,7 @@ pub trait HeightDistribution: fmt::Debug + fmt::Display + Send + Sync {
         x
     }
 
-    /// The density at the height h + x, in x, relative to [`scale`](Self::scale).
+    /// The density at the height h + x, in x, relative to [`scale`](Self::scale), for x within the window.
     fn relative_density(&self, h: f64, x: f64) -> f64;
 
     /// Multiplies the weight of each node by the density in v relative to [`scale`](Self::scale), and replaces its v in

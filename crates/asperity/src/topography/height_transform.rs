@@ -43,7 +43,8 @@ impl Distortion {
     /// That of the map to `distribution`.
     pub fn new(distribution: &dyn HeightDistribution) -> Self {
         let nodes: Vec<[f64; 2]> = normal_nodes(STEP).collect();
-        let heights: Vec<f64> = nodes.iter().map(|&[g, weight]| weight * distribution.from_normal(g)).collect();
+        let heights: Vec<f64> =
+            nodes.iter().map(|&[g, weight]| weight * distribution.from_normal(g)).collect();
         // Orthonormal polynomials h_n = He_n/(n!)^.5: (n+1)^.5 h_(n+1) = g h_n - n^.5 h_(n-1).
         let mut before = vec![0.0; nodes.len()];
         let mut latest = vec![1.0; nodes.len()];
@@ -145,8 +146,9 @@ mod tests {
     fn direct(heights: &Heights, rho: f64) -> f64 {
         let other = (1.0 - rho * rho).sqrt();
         let nodes: Vec<[f64; 2]> = normal_nodes(0.07).collect();
-        let inner =
-            |g: f64| -> f64 { nodes.iter().map(|&[h, w]| w * heights.from_normal(rho * g + other * h)).sum() };
+        let inner = |g: f64| -> f64 {
+            nodes.iter().map(|&[h, w]| w * heights.from_normal(rho * g + other * h)).sum()
+        };
         nodes.iter().map(|&[g, w]| w * heights.from_normal(g) * inner(g)).sum()
     }
 
@@ -205,8 +207,7 @@ mod tests {
 
     #[test]
     fn the_inverse_is_before() {
-        for heights in [johnson(-1.0, 4.5), johnson(1.0, 6.0), Heights::new(Weibull::new(1.5).unwrap())]
-        {
+        for heights in [johnson(-1.0, 4.5), johnson(1.0, 6.0), Heights::new(Weibull::new(1.5).unwrap())] {
             let distortion = Distortion::new(&*heights);
             let inverse = distortion.inverse();
             for k in 0..=777 {

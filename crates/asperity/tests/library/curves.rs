@@ -1,8 +1,8 @@
 //! Curves within a tolerance: how far they are off, and what they cost.
 
 use asperity::asperity::{AsperitySet, Draw, Population};
-use asperity::distribution::Heights;
 use asperity::contact::ByRegime;
+use asperity::distribution::Heights;
 use asperity::interface::{Interface, MicroContact};
 use asperity::law::{Ceb, Hertz, Law, Shape, Zmc};
 use asperity::material::Material;

@@ -1,8 +1,7 @@
 //! What must hold for any surface, whatever the numbers, beyond what every law must hold (`tests/conformance.rs`).
 
 use crate::common::{Worst, dense, relative_error, rows};
-use asperity::asperity::{
-    AsperitySet, Draw, Ordered, Population, Statistics, SurfaceHeights};
+use asperity::asperity::{AsperitySet, Draw, Ordered, Population, Statistics, SurfaceHeights};
 use asperity::distribution::{Heights, gaussian_moment};
 use asperity::interface::{Interface, MicroContact};
 use asperity::law::{Hertz, Shape, Zmc};

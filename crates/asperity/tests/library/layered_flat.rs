@@ -4,8 +4,8 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 
 use crate::common::{Random, bodies, dense, relative_error};
 use asperity::asperity::{AsperitySet, Draw, Population};
-use asperity::distribution::Heights;
 use asperity::contact::{Contact, Regime};
+use asperity::distribution::Heights;
 use asperity::interface::{Flat, Layered, LoadBounds, MicroContact, Shapes};
 use asperity::law::{Ceb, KogutEtsion, Shape, Zmc};
 use asperity::layer::{Coating, Rule};

@@ -2,9 +2,9 @@
 //! (`tests/reference/README.md`). Every published claim of accuracy is one of these tests.
 
 use crate::common::{Worst, rows};
-use asperity::asperity::{Population};
-use asperity::distribution::Heights;
+use asperity::asperity::Population;
 use asperity::contact::{Contact, Regime};
+use asperity::distribution::Heights;
 use asperity::interface::{Interface, LoadBounds, MicroContact, Shapes};
 use asperity::law::{Ceb, Hertz, JacksonGreen, KogutEtsion, Law, Pair, ScalableLaw, Shape, YieldLimits, Zmc};
 use asperity::literature::Paper;
@@ -107,8 +107,7 @@ impl MicroContact for Power {
     }
 }
 
-const UNIT: Population =
-    Population { radius: 1.0, sigma: 1.0, density: 1.0, heights: Heights::GAUSSIAN };
+const UNIT: Population = Population { radius: 1.0, sigma: 1.0, density: 1.0, heights: Heights::GAUSSIAN };
 
 #[test]
 fn moments_of_the_gaussian_tail() {

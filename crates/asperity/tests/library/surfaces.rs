@@ -3,13 +3,13 @@
 use asperity::asperity::{AsperitySet, Statistics};
 use std::f64::consts::PI;
 
+use asperity::distribution::{Heights, Johnson, Weibull};
 use asperity::topography::character::{Character, Drops};
 use asperity::topography::correlation::{Autocorrelation, RadialSpectrum};
 use asperity::topography::generate::{
     Plateau, Process, Recipe, Seeds, SpectrumOf, Target, TargetRecipe, Unreachable, gaussian,
 };
 use asperity::topography::level::{Level, Levelled};
-use asperity::distribution::{Heights, Johnson, Weibull};
 use asperity::topography::read::{self, Given};
 use asperity::topography::spectrum::{Lay, Shape, Spectrum};
 use asperity::topography::summits::{Detail, Neighbours, find, five_point};
@@ -229,7 +229,12 @@ fn heights_have_the_moments_that_were_asked_for() {
         let shape = Shape::Exponential(2e-6);
         let all: Vec<Moments> = (1..=20)
             .map(|seed| {
-                Moments::of(&surface([256; 2], [1e-6; 2], process(shape, Lay::default(), heights.clone()), seed))
+                Moments::of(&surface(
+                    [256; 2],
+                    [1e-6; 2],
+                    process(shape, Lay::default(), heights.clone()),
+                    seed,
+                ))
             })
             .collect();
         let of = |value: &dyn Fn(&Moments) -> f64| all.iter().map(value).collect::<Vec<f64>>();
@@ -380,8 +385,14 @@ fn what_meets_a_target_is_made_by_the_recipe_that_is_reported() {
         [(Heights::GAUSSIAN, Neighbours::Eight), (johnson(-1.0, 4.5), Neighbours::Four)]
     {
         let points = [512, 384];
-        let recipe =
-            TargetRecipe { points, hurst: 0.8, cut_off: 8.0, lay: Lay::default(), heights: heights.clone(), neighbours };
+        let recipe = TargetRecipe {
+            points,
+            hurst: 0.8,
+            cut_off: 8.0,
+            lay: Lay::default(),
+            heights: heights.clone(),
+            neighbours,
+        };
         // A target may lie in a jump of the small map of one seed.
         let of = |seed| Some((seed, recipe.surface(&target, seeds(seed).process, None).ok()?));
         let (seed, reached) = (1..=8).find_map(of).unwrap();

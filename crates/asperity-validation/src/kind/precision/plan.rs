@@ -11,7 +11,8 @@ use crate::precision::list::ListTask;
 use crate::precision::sampling::SamplingTask;
 use crate::precision::sum::{POINTS, SumTask};
 use crate::stability;
-use asperity::asperity::{HeightDensity, Population};
+use asperity::asperity::Population;
+use asperity::distribution::Heights;
 use asperity::interface::Flat;
 use asperity::law::Zmc;
 use asperity_framework::contact::Bodies;
@@ -185,7 +186,7 @@ pub(super) fn plan(file: &SpecFile, full: bool) -> Result<PrecisionPlan, InputEr
             radius: words.radius.value(),
             sigma: words.sigma.value(),
             density: words.density.value(),
-            heights: HeightDensity::Gaussian,
+            heights: Heights::GAUSSIAN,
         };
         (name.get_ref().clone(), population)
     };

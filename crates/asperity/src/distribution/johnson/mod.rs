@@ -307,7 +307,9 @@ impl HeightDistribution for Johnson {
     fn support(&self) -> [f64; 2] {
         let [p, q] = self.weights;
         let [low, high] = match self.curve {
-            Curve::Lognormal => [if q == 0.0 { -1.0 } else { f64::NEG_INFINITY }, if p == 0.0 { 1.0 } else { f64::INFINITY }],
+            Curve::Lognormal => {
+                [if q == 0.0 { -1.0 } else { f64::NEG_INFINITY }, if p == 0.0 { 1.0 } else { f64::INFINITY }]
+            }
             Curve::Bounded => [-q.recip(), p.recip()],
             Curve::Normal | Curve::Unbounded => return Gaussian.support(),
         };
@@ -375,16 +377,22 @@ impl HeightDistribution for Johnson {
                 let [p, q] = self.weights;
                 let from = q + p * start.growth;
                 let y = y * from;
-                // Of 1 - exp(-u), u the change of g/delta.
-                let share = y * from / (start.growth * (1.0 + y * q / start.growth));
-                -(-share.min(1.0)).ln_1p() / self.rate
+                if y * p < 1.0 {
+                    (y * (from / start.growth) / (1.0 - y * p)).ln_1p() / self.rate
+                } else {
+                    f64::INFINITY
+                }
             }
         }
     }
 
     fn relative_density(&self, h: f64, x: f64) -> f64 {
         let (start, v) = (self.start(h), self.variable(h, x));
-        if v.is_finite() { (-Gaussian.exponent(start.g, v)).exp() / self.derivative(start.g + v) } else { 0.0 }
+        if v.is_finite() {
+            (-Gaussian.exponent(start.g, v)).exp() / self.derivative(start.g + v)
+        } else {
+            0.0
+        }
     }
 
     fn weigh(&self, h: f64, nodes: &mut [f64], weights: &mut [f64]) {

@@ -81,9 +81,7 @@ fn curves_that_are_known() {
     assert!((bounded.rate - 1.0).abs() < 1e-12 && (bounded.weights[0] - logistic(1.0)[0]).abs() < 1e-12);
     assert_eq!(
         bounded.to_string(),
-        format!(
-            "Johnson SB, skewness {skewness}, kurtosis {kurtosis} (gamma = 1.000000, delta = 1.000000)"
-        )
+        format!("Johnson SB, skewness {skewness}, kurtosis {kurtosis} (gamma = 1.000000, delta = 1.000000)")
     );
 }
 
@@ -123,7 +121,5 @@ fn what_nothing_has_is_refused_and_said() {
         assert!(say(skewness, kurtosis).ends_with("allowed are finite numbers"));
     }
     let wrong = Johnson::new(Curve::Unbounded, 0.5, [0.5, 0.5], [0.0, 3.5]);
-    assert!(
-        matches!(wrong.checked(), Err(NoSuchMoments::NotReached { found, .. }) if found.kurtosis > 4.0)
-    );
+    assert!(matches!(wrong.checked(), Err(NoSuchMoments::NotReached { found, .. }) if found.kurtosis > 4.0));
 }

@@ -2,8 +2,8 @@
 
 use asperity::accumulator::{Accumulator, Total};
 use asperity::asperity::{AsperitySet, Draw, Ellipse, Ellipses, Ordered, Population};
-use asperity::distribution::Heights;
 use asperity::contact::Contact;
+use asperity::distribution::Heights;
 use asperity::interface::{MicroContact, Shapes};
 use asperity::law::{Inapplicable, Shape};
 use asperity::material::Material;

@@ -23,8 +23,7 @@ fn population(entry: &Entry, case: &Case, random: &mut Random) -> Population {
 fn exponential_heights_make_area_proportional_to_load() {
     let mut worst = Worst::default();
     each(1, 30, |entry, case, contact, random| {
-        let population =
-            Population { heights: Heights::EXPONENTIAL, ..population(entry, case, random) };
+        let population = Population { heights: Heights::EXPONENTIAL, ..population(entry, case, random) };
         if case.coating.is_some() {
             return;
         }

@@ -6,7 +6,7 @@ use crate::kind::stability::run::StabilityResults;
 use crate::stability::Kind;
 use crate::stability::Law;
 use crate::stability::{Failure, Quantity};
-use crate::stability::{GroupFindings, Worst};
+use crate::stability::{GroupFindings, Worst, uncovered_heights};
 use asperity_framework::report::format::{count, number};
 use asperity_framework::report::page::{Page, escape};
 use asperity_framework::report::sections;
@@ -45,6 +45,14 @@ pub fn page(results: &StabilityResults) -> Page {
     }
     page.heading(2, "How it is checked");
     page.bullets(JUDGED);
+    let uncovered = uncovered_heights();
+    if !uncovered.is_empty() {
+        page.paragraph(&format!(
+            "Not covered, for want of an evaluation of 32 digits: integrals over the heights {}. Tests hold them against dense \
+             quadrature, within 1e-12.",
+            uncovered.join(", ")
+        ));
+    }
     page.heading(2, "The worst cases");
     page.paragraph("Of each kind the case that uses most of its bound; `stability.csv` has that of every quantity of every group, and the medians.");
     for kind in Kind::ALL {
