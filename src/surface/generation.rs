@@ -9,11 +9,11 @@ use crate::surface::found::GenerationFacts;
 use crate::surface::generate_spec::{
     CorrelationSpec, GenerateSpec, PlateauSpec, SelfAffineSpec, SpectrumSpec,
 };
+use asperity::distribution::Heights;
 use asperity::topography::HeightMap;
 use asperity::topography::generate::{
     Plateau, Process, Recipe, Seeds, SpectrumOf, Target, TargetRecipe, Unreachable,
 };
-use asperity::distribution::Heights;
 use asperity::topography::spectrum::{Lay, Shape, Spectrum};
 use asperity::topography::summits::Neighbours;
 use asperity_framework::digest::stream_seed;

@@ -193,8 +193,8 @@ pub struct PixelSpec(pub [f64; 2]);
 
 impl<'de> Deserialize<'de> for PixelSpec {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-        use serde::de::value::{F64Deserializer, I64Deserializer, StrDeserializer};
         use serde::de::SeqAccess;
+        use serde::de::value::{F64Deserializer, I64Deserializer, StrDeserializer};
         struct OneOrTwo;
 
         impl<'de> Visitor<'de> for OneOrTwo {

@@ -3,8 +3,8 @@
 use std::fmt;
 use std::ops::Range;
 
-use asperity::distribution::Heights;
 use asperity::compare::{Controls, Kind};
+use asperity::distribution::Heights;
 use asperity::interface::Flat;
 use asperity::material::Material;
 use asperity::model::MeanRadius;

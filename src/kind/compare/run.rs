@@ -86,7 +86,7 @@ pub fn run(
 /// Both models on a surface, its asperities as the laws see them.
 fn models_of<'a>(compare: &ComparePlan, surface: &'a Surface, timing: &mut Timing) -> SurfaceModels<'a> {
     let start = Instant::now();
-    let population = surface.population(compare.heights, compare.mean_radius);
+    let population = surface.population(compare.heights.as_ref(), compare.mean_radius);
     let is_summed = compare.models.contains(&Kind::Deterministic);
     let models = SurfaceModels::new(surface, population, &compare.law_specs, is_summed);
     timing.deterministic += start.elapsed();
@@ -131,7 +131,7 @@ fn run_surface(
         statistics: surface.statistics,
         sigma: surface.plane.sigma,
         moments: surface.map.as_ref().map(|map| map.character.moments),
-        population,
+        population: population.clone(),
         cases,
     })
 }

@@ -2,8 +2,8 @@
 
 use super::words::or_dash;
 use crate::surface::found::{GenerationFacts, MapFacts, Surface};
-use asperity::topography::generate::{Process, Recipe, SpectrumOf};
 use asperity::distribution::Heights;
+use asperity::topography::generate::{Process, Recipe, SpectrumOf};
 use asperity::topography::spectrum::Shape;
 use asperity_framework::report::format::{number, percent, quantity};
 use asperity_framework::report::page::Page;

@@ -58,8 +58,9 @@ impl<'de> Deserialize<'de> for HeightsSpec {
                 HeightsSpec::named(name, &[]).map_err(E::custom)
             }
             fn visit_map<A: MapAccess<'de>>(self, mut map: A) -> Result<HeightsSpec, A::Error> {
-                let refuse =
-                    |what: String| A::Error::custom(format!("{what}; allowed: {}", HeightsSpec::allowed(&[])));
+                let refuse = |what: String| {
+                    A::Error::custom(format!("{what}; allowed: {}", HeightsSpec::allowed(&[])))
+                };
                 let Some(name) = map.next_key::<String>()? else {
                     return Err(refuse("found an empty table".to_owned()));
                 };
@@ -70,7 +71,9 @@ impl<'de> Deserialize<'de> for HeightsSpec {
                 if let Some(second) = map.next_key::<String>()? {
                     return Err(refuse(format!("found two distributions, \"{name}\" and \"{second}\"")));
                 }
-                (entry.make)(&values).map(HeightsSpec).map_err(|error| A::Error::custom(format!("found {error}")))
+                (entry.make)(&values)
+                    .map(HeightsSpec)
+                    .map_err(|error| A::Error::custom(format!("found {error}")))
             }
         }
         deserializer.deserialize_any(NameOrTable)
@@ -155,14 +158,26 @@ mod tests {
         for (words, found, allowed) in [
             ("\"weibull\"", "found \"weibull\"", "{ weibull = { shape = 2 } }"),
             ("\"normal\"", "found \"normal\"", "allowed: \"gaussian\", \"exponential\""),
-            ("{ cauchy = {} }", "found the distribution \"cauchy\"", "{ johnson = { skewness = -1, kurtosis = 4.5 } }"),
+            (
+                "{ cauchy = {} }",
+                "found the distribution \"cauchy\"",
+                "{ johnson = { skewness = -1, kurtosis = 4.5 } }",
+            ),
             ("{}", "found an empty table", "allowed: \"gaussian\""),
             ("{ gaussian = {}, exponential = {} }", "found two distributions", "allowed: \"gaussian\""),
-            ("{ weibull = { shape = 2, scale = 1 } }", "found the parameter `scale` of weibull", "allowed: shape"),
+            (
+                "{ weibull = { shape = 2, scale = 1 } }",
+                "found the parameter `scale` of weibull",
+                "allowed: shape",
+            ),
             ("{ gaussian = { mean = 2 } }", "found the parameter `mean` of gaussian", "allowed: none"),
             ("{ johnson = { skewness = 1 } }", "found no `kurtosis`", "which johnson needs"),
             ("{ weibull = { shape = 0.4 } }", "found Weibull shape 0.4", "allowed: 0.5 to 20"),
-            ("{ johnson = { skewness = 1, kurtosis = 1.5 } }", "no heights have them", "at least skewness^2 + 1 = 2"),
+            (
+                "{ johnson = { skewness = 1, kurtosis = 1.5 } }",
+                "no heights have them",
+                "at least skewness^2 + 1 = 2",
+            ),
         ] {
             let error = of(words).unwrap_err();
             assert!(error.contains(found) && error.contains(allowed), "{words}: {error}");

@@ -6,11 +6,11 @@
 use std::time::Instant;
 
 use asperity::compare::SlopeFit;
+use asperity::distribution::Heights;
 use asperity::numeric::Sum;
 use asperity::topography::MapError;
 use asperity::topography::character::Drops;
 use asperity::topography::generate::{Process, Recipe, Seeds, SpectrumOf};
-use asperity::distribution::Heights;
 use asperity::topography::spectrum::{Lay, Shape, Spectrum, SpectrumError};
 use asperity::topography::summits::{Detail, Neighbours, Summits, find};
 use asperity::topography::theory::{Expected, five_point};

@@ -247,7 +247,7 @@ impl<'a> Problem<'a> {
             }
             from = to;
         }
-        let scale = self.population.density * heights.scale(h);
+        let scale = self.population.density * Gaussian.scale(h);
         (sums.map(|sum| sum * scale), count)
     }
 
@@ -375,8 +375,7 @@ mod tests {
     fn findings() -> IntegralFindings {
         let steel = Material::new(210e9, 0.3, Some(7.6e9), None).unwrap();
         let contact = Interface::bare(Zmc::default(), &steel, &steel).unwrap();
-        let case =
-            Population { radius: 2e-5, sigma: 4.8e-8, density: 6e10, heights: Heights::GAUSSIAN };
+        let case = Population { radius: 2e-5, sigma: 4.8e-8, density: 6e10, heights: Heights::GAUSSIAN };
         let law = crate::stability::Law::Zmc { onset: None, transition_ratio: 54.0 };
         let exact = Exact::new(&Bodies { law, rough: steel, flat: steel, layer: None });
         rules_on(&contact, &exact, &case, &[-1.0, 0.0, 2.0]).unwrap()

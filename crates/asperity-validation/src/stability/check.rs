@@ -119,8 +119,7 @@ fn of(case: &Case, contact: &dyn MicroContact) -> Result<Vec<Deviation>, Failure
         Asked::LoadOfIntegral(population, h) => {
             let exact = Exact::new(&case.bodies);
             let shape = Shape::sphere(population.radius);
-            let pressure =
-                |h: f64| Some(exact.integral(&Integral::of(population, h)?, &shape)?.whole_load());
+            let pressure = |h: f64| Some(exact.integral(&Integral::of(population, h)?, &shape)?.whole_load());
             of_load(&Statistical::new(contact, population.clone()), *h, 0.0, &pressure)
         }
         Asked::LoadOfSum(set, h) => {

@@ -18,10 +18,10 @@ mod group;
 mod maps;
 pub mod wide;
 
-pub use exact::Density;
 pub use bodies::{Bodies, Law, Layer};
-pub use cases::{Asked, Case, Heights, SetWords};
+pub use cases::{Asked, Case, Layout, SetWords};
 pub use check::{CheckedCase, Deviation, Failure, Quantity};
+pub use exact::Density;
 pub use group::{Group, Kind};
 pub use maps::Map;
 

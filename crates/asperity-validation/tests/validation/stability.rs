@@ -7,12 +7,12 @@ use asperity::material::Material;
 use asperity::model::{Deterministic, Model, ReferencePlane};
 use asperity_validation::stability::Group;
 use asperity_validation::stability::exact::Exact;
-use asperity_validation::stability::exact::{Density, Integral};
 use asperity_validation::stability::exact::Shape;
+use asperity_validation::stability::exact::{Density, Integral};
 use asperity_validation::stability::wide::{Wide, relative_error};
 use asperity_validation::stability::{Bodies, Law, Layer};
 use asperity_validation::stability::{Counts, Ranges, group};
-use asperity_validation::stability::{Heights, SetWords};
+use asperity_validation::stability::{Layout, SetWords};
 
 const SEED: [u8; 32] = [17; 32];
 const ZMC: Law = Law::Zmc { onset: None, transition_ratio: 54.0 };
@@ -62,7 +62,7 @@ fn the_error_of_offset_heights_grows_as_the_offset() {
             let ratio = sign * 10f64.powi(exponent);
             let (sigma, radius) = (1e-7, 2e-5);
             let mean = ratio * sigma;
-            let set = SetWords { heights: Heights::Gaussian, count: 1000, mean, sigma, radius, seed: 3 };
+            let set = SetWords { heights: Layout::Gaussian, count: 1000, mean, sigma, radius, seed: 3 };
             let asperities = set.asperities(0.5);
             let (heights, radii) = asperities.iter().copied().unzip();
             let set = AsperitySet::new(heights, radii, 1.0).unwrap();

@@ -59,7 +59,10 @@ fn as_many_heights_lie_above_a_quantile_as_it_says() {
             let [most, least] = [z - rounding, z + rounding].map(|z| heights.survival(z));
             let tolerance = 1e-10 * p.min(1.0 - p) + 1e-15;
             assert!((low..=high).contains(&z), "{heights}, {p}: {z}");
-            assert!((least - tolerance..=most + tolerance).contains(&(1.0 - p)), "{heights}, {p}: {least} to {most}");
+            assert!(
+                (least - tolerance..=most + tolerance).contains(&(1.0 - p)),
+                "{heights}, {p}: {least} to {most}"
+            );
         }
         assert_eq!((heights.survival(low - 1.0), heights.survival(high + 1.0)), (1.0, 0.0));
     }

@@ -149,7 +149,7 @@ fn case(
     timing.deterministic += start.elapsed();
     Ok(CasePrecision {
         name: name.to_owned(),
-        population: *population,
+        population: population.clone(),
         plasticity_index: plasticity_index(contact, population.sigma, population.radius),
         integral,
         sums,
