@@ -16,7 +16,7 @@ fn coated(c: &mut Criterion) {
     let mut group = c.benchmark_group("coated");
     for (case, population) in CASES {
         for (flat, contact) in flats() {
-            let model = Statistical::new(&*contact, population);
+            let model = Statistical::new(&*contact, population.clone());
             for h in [0.0, 2.0] {
                 group.bench_function(BenchmarkId::new(format!("integral at {h}, {case}"), flat), |b| {
                     b.iter(|| model.respond(black_box(h)));
@@ -53,12 +53,12 @@ fn integral(c: &mut Criterion) {
     let mut group = c.benchmark_group("integral");
     for (law, contact) in laws(false) {
         for (case, population) in CASES {
-            let model = Statistical::new(&*contact, population);
+            let model = Statistical::new(&*contact, population.clone());
             group.bench_function(BenchmarkId::new(&law, case), |b| b.iter(|| model.respond(black_box(2.0))));
         }
     }
     let zmc = bare(Zmc::default());
-    let model = Statistical::new(&*zmc, CASES[0].1);
+    let model = Statistical::new(&*zmc, CASES[0].1.clone());
     group.bench_function("load control", |b| b.iter(|| at_pressure(&model, black_box(1e6))));
     group.finish();
 }

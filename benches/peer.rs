@@ -112,7 +112,7 @@ fn integral(case: &str, separations: &[&str]) -> Option<String> {
 }
 
 fn population(case: &str) -> Option<Population> {
-    cases::CASES.get(case.parse::<usize>().ok()?).map(|(_, population)| *population)
+    cases::CASES.get(case.parse::<usize>().ok()?).map(|(_, population)| population.clone())
 }
 
 fn numbers(words: &[&str]) -> Option<Vec<f64>> {

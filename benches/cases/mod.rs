@@ -1,7 +1,8 @@
 //! What the benches run on: the paper's two surfaces, every law, layers on steel.
 
-use asperity::asperity::{HeightDensity, Population};
+use asperity::asperity::Population;
 use asperity::contact_law::{ContactLaw, registry};
+use asperity::distribution::Heights;
 use asperity::interface::{Flat, Interface, MicroContact};
 use asperity::law::{Law, Zmc};
 use asperity::layer::Rule;
@@ -9,8 +10,8 @@ use asperity::material::Material;
 
 /// Table 1 of Pasaribu and Schipper (2005).
 pub const CASES: [(&str, Population); 2] = [
-    ("case 1", Population { radius: 2e-5, sigma: 4.8e-8, density: 6e10, heights: HeightDensity::Gaussian }),
-    ("case 2", Population { radius: 1.6e-6, sigma: 2.6e-7, density: 9e10, heights: HeightDensity::Gaussian }),
+    ("case 1", Population { radius: 2e-5, sigma: 4.8e-8, density: 6e10, heights: Heights::GAUSSIAN }),
+    ("case 2", Population { radius: 1.6e-6, sigma: 2.6e-7, density: 9e10, heights: Heights::GAUSSIAN }),
 ];
 
 fn material(young: f64, poisson: f64, hardness: f64) -> Material {

@@ -107,7 +107,7 @@ impl<'a> SurfaceFactory<'a> {
                     ratio.map(|ratio| Ellipticity { mean_curvature, mean_ratio: ratio.recip() });
                 surface.plane = *plane;
                 surface.mean_plane = Some(plane.mean).filter(|&mean| mean != 0.0);
-                surface.nominal = Some(*population);
+                surface.nominal = Some(population.clone());
                 Ok(surface)
             }
             Origin::Generated(generation) => {

@@ -1,16 +1,14 @@
 //! A surface as the models and the report see it: its asperities and what is known of them.
 
 use super::overview::{AnalysisDepth, MapOverview};
-use asperity::asperity::{
-    AsperitySet, Ellipse, Ellipticity, HeightDensity, Population, SetError, Statistics,
-};
+use asperity::asperity::{AsperitySet, Ellipse, Ellipticity, Population, SetError, Statistics};
+use asperity::distribution::Heights;
 use asperity::literature::{self, Paper};
 use asperity::model::{MeanRadius, ReferencePlane};
 use asperity::topography::character::Character;
 use asperity::topography::filter::{Filter, FilterError};
 use asperity::topography::generate::{Recipe, Target};
 use asperity::topography::level::{Level, Levelled, Undetermined};
-use asperity::topography::marginal::Marginal;
 use asperity::topography::quantisation::Quantisation;
 use asperity::topography::summits::{Detail, Neighbours, Summits, find};
 use asperity::topography::theory::{self, Expected};
@@ -80,7 +78,7 @@ pub struct MapFacts {
 }
 
 /// What a random surface was made by.
-#[derive(Debug, Clone, Copy)]
+#[derive(Debug, Clone)]
 pub struct GenerationFacts {
     /// The recipe; of a target the one that was found.
     pub recipe: Recipe,
@@ -174,7 +172,7 @@ impl SummitSearch {
             expected: is_five_point.then(|| theory::five_point(&character.drops, sq, map.pixel())).flatten(),
             nayak: theory::nayak(character.spectral_moments()),
             quantisation: self.generation.is_none().then(|| Quantisation::of(raw, summits)),
-            generation: self.generation,
+            generation: self.generation.clone(),
             whole: MapOverview::of(
                 map,
                 &character,
@@ -261,10 +259,9 @@ impl MapFacts {
             papers.push(literature::ISO_16610_61);
         }
         if let Some(made) = &self.generation {
-            match made.recipe.process.heights {
-                Marginal::Gaussian => {}
-                Marginal::Johnson(_) => papers.push(literature::JOHNSON_1949),
-                Marginal::Weibull(_) => papers.push(literature::WEIBULL_1951),
+            let heights = &made.recipe.process.heights;
+            if *heights != Heights::GAUSSIAN {
+                papers.extend(heights.papers());
             }
         }
         papers
@@ -291,15 +288,15 @@ impl Surface {
 
     /// What the statistical model stands on: the nominal numbers of a population, the statistics of
     /// any other set.
-    pub fn population(&self, heights: Option<HeightDensity>, mean_radius: MeanRadius) -> Population {
+    pub fn population(&self, heights: Option<&Heights>, mean_radius: MeanRadius) -> Population {
         let own = Population {
             radius: mean_radius.of(&self.statistics),
             sigma: self.statistics.sigma,
             density: self.set.density(),
-            heights: HeightDensity::Gaussian,
+            heights: Heights::GAUSSIAN,
         };
-        let population = self.nominal.unwrap_or(own);
-        Population { heights: heights.unwrap_or(population.heights), ..population }
+        let population = self.nominal.clone().unwrap_or(own);
+        Population { heights: heights.unwrap_or(&population.heights).clone(), ..population }
     }
 
     /// The plane relative to the mean height of the statistical model's population.
@@ -357,7 +354,7 @@ mod tests {
 
     fn process(length: f64) -> Process {
         let spectrum = Spectrum::new(Shape::Exponential(length), Lay::default()).unwrap();
-        Process { spectrum, of: SpectrumOf::Heights, sigma: 1.0, heights: Marginal::Gaussian }
+        Process { spectrum, of: SpectrumOf::Heights, sigma: 1.0, heights: Heights::GAUSSIAN }
     }
 
     #[test]

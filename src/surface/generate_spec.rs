@@ -1,13 +1,13 @@
 //! `[surface.NAME.generate]`: a random rough surface.
 
 use serde::Deserialize;
-use serde::de::value::MapAccessDeserializer;
-use serde::de::{Deserializer, Error, MapAccess, SeqAccess, Visitor};
+use serde::de::{Deserializer, Error, SeqAccess, Visitor};
 use toml::Spanned;
 
 use crate::surface::pixel_spec::PixelSpec;
 use asperity::topography::generate::SpectrumOf;
 use asperity::topography::summits::Neighbours;
+use asperity_framework::input::heights::HeightsSpec;
 use asperity_framework::input::quantity::{Angle, ArealNumberDensity, Finite, Length, Pure, Quantity};
 
 /// A random rough surface: either pixel, sigma and the lengths of its spectrum, or what its summits shall be.
@@ -27,7 +27,7 @@ pub struct GenerateSpec {
     /// How the variance is spread over the waves.
     pub spectrum: Spanned<SpectrumSpec>,
     /// Distribution of the heights.
-    pub heights: Option<Spanned<HeightsSpec>>,
+    pub heights: Option<HeightsSpec>,
     /// Whose spectrum it is: not with `summits`, which leave the spectrum open.
     pub spectrum_of: Option<Spanned<SpectrumOf>>,
     /// A finer process that cuts the surface; not with `summits`.
@@ -103,89 +103,6 @@ pub struct CorrelationSpec {
     pub correlation_length: PixelSpec,
     /// From the x axis to the lay.
     pub angle: Option<Quantity<Angle, Finite>>,
-}
-
-/// `"gaussian"`, or a one-key table.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub enum HeightsSpec {
-    /// Gaussian.
-    Gaussian,
-    /// Johnson's system by skewness and kurtosis.
-    Johnson {
-        /// Skewness.
-        skewness: f64,
-        /// Kurtosis, 3 if Gaussian.
-        kurtosis: f64,
-    },
-    /// Weibull by its shape.
-    Weibull {
-        /// Its shape.
-        shape: f64,
-    },
-}
-
-#[derive(Deserialize)]
-#[serde(rename_all = "kebab-case")]
-enum HeightsWords {
-    Gaussian(NoOptions),
-    Johnson(JohnsonSpec),
-    Weibull(WeibullSpec),
-}
-
-#[derive(Deserialize)]
-#[serde(deny_unknown_fields, expecting = "an empty table")]
-struct NoOptions {}
-
-#[derive(Deserialize)]
-#[serde(deny_unknown_fields, expecting = "a table { skewness, kurtosis }")]
-struct JohnsonSpec {
-    skewness: Quantity<Pure, Finite>,
-    kurtosis: Quantity<Pure, Finite>,
-}
-
-#[derive(Deserialize)]
-#[serde(deny_unknown_fields, expecting = "a table { shape }")]
-struct WeibullSpec {
-    shape: Quantity<Pure, Finite>,
-}
-
-impl From<HeightsWords> for HeightsSpec {
-    fn from(words: HeightsWords) -> Self {
-        match words {
-            HeightsWords::Gaussian(NoOptions {}) => Self::Gaussian,
-            HeightsWords::Johnson(JohnsonSpec { skewness, kurtosis }) => {
-                Self::Johnson { skewness: skewness.value(), kurtosis: kurtosis.value() }
-            }
-            HeightsWords::Weibull(WeibullSpec { shape }) => Self::Weibull { shape: shape.value() },
-        }
-    }
-}
-
-const ALLOWED_HEIGHTS: &str =
-    "\"gaussian\", { johnson = { skewness = -1, kurtosis = 4.5 } } or { weibull = { shape = 2 } }";
-
-impl<'de> Deserialize<'de> for HeightsSpec {
-    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-        struct NameOrTable;
-
-        impl<'de> Visitor<'de> for NameOrTable {
-            type Value = HeightsSpec;
-
-            fn expecting(&self, f: &mut std::fmt::Formatter) -> std::fmt::Result {
-                f.write_str(ALLOWED_HEIGHTS)
-            }
-            fn visit_str<E: Error>(self, name: &str) -> Result<HeightsSpec, E> {
-                match name {
-                    "gaussian" => Ok(HeightsSpec::Gaussian),
-                    _ => Err(E::custom(format!("found \"{name}\"; allowed: {ALLOWED_HEIGHTS}"))),
-                }
-            }
-            fn visit_map<A: MapAccess<'de>>(self, table: A) -> Result<HeightsSpec, A::Error> {
-                HeightsWords::deserialize(MapAccessDeserializer::new(table)).map(HeightsSpec::from)
-            }
-        }
-        deserializer.deserialize_any(NameOrTable)
-    }
 }
 
 /// One number of points, or one along x and one along y.

@@ -7,13 +7,13 @@ use toml::Spanned;
 
 use crate::surface::found::GenerationFacts;
 use crate::surface::generate_spec::{
-    CorrelationSpec, GenerateSpec, HeightsSpec, PlateauSpec, SelfAffineSpec, SpectrumSpec,
+    CorrelationSpec, GenerateSpec, PlateauSpec, SelfAffineSpec, SpectrumSpec,
 };
+use asperity::distribution::Heights;
 use asperity::topography::HeightMap;
 use asperity::topography::generate::{
     Plateau, Process, Recipe, Seeds, SpectrumOf, Target, TargetRecipe, Unreachable,
 };
-use asperity::topography::marginal::{Johnson, Marginal, Weibull};
 use asperity::topography::spectrum::{Lay, Shape, Spectrum};
 use asperity::topography::summits::Neighbours;
 use asperity_framework::digest::stream_seed;
@@ -66,7 +66,8 @@ impl Generation {
     /// # Errors
     /// The first that makes no surface.
     pub fn new(source: &Source, span: Range<usize>, words: &GenerateSpec) -> Result<Self, InputError> {
-        let (points, heights) = (points(source, words)?, heights(source, words)?);
+        let points = points(source, words)?;
+        let heights = words.heights.as_ref().map_or(Heights::GAUSSIAN, |heights| heights.0.clone());
         let way = match &words.summits {
             Some(summits) => {
                 let target = Target {
@@ -133,7 +134,7 @@ impl Generation {
         match &self.way {
             Way::Recipe(recipe) => {
                 let (map, cut) = recipe.surface(seeds)?;
-                let facts = GenerationFacts { recipe: *recipe, target: None, cut };
+                let facts = GenerationFacts { recipe: recipe.clone(), target: None, cut };
                 Ok(Generated { map, facts, bandwidth: None })
             }
             Way::Target { recipe, target } => {
@@ -154,7 +155,7 @@ impl Generation {
                     spectrum: Spectrum::new(shape, recipe.lay)?,
                     of: SpectrumOf::Gaussian,
                     sigma: found.sigma,
-                    heights: recipe.heights,
+                    heights: recipe.heights.clone(),
                 };
                 let made = Recipe { points: recipe.points, pixel: found.map.pixel(), process, plateau: None };
                 let target = Some((*target, found.tried));
@@ -177,24 +178,12 @@ fn points(source: &Source, words: &GenerateSpec) -> Result<[usize; 2], InputErro
     Err(source.error_at(words.points.span(), message))
 }
 
-fn heights(source: &Source, words: &GenerateSpec) -> Result<Marginal, InputError> {
-    let Some(heights) = &words.heights else { return Ok(Marginal::Gaussian) };
-    let made = match *heights.get_ref() {
-        HeightsSpec::Gaussian => Ok(Marginal::Gaussian),
-        HeightsSpec::Johnson { skewness, kurtosis } => {
-            Johnson::from_moments(skewness, kurtosis).map(Marginal::Johnson)
-        }
-        HeightsSpec::Weibull { shape } => Weibull::new(shape).map(Marginal::Weibull),
-    };
-    made.map_err(|error| source.error_at(heights.span(), error))
-}
-
 fn recipe(
     source: &Source,
     span: Range<usize>,
     words: &GenerateSpec,
     points: [usize; 2],
-    heights: Marginal,
+    heights: Heights,
 ) -> Result<Recipe, InputError> {
     let missing = |key: &str| {
         source.error_at(
@@ -210,7 +199,7 @@ fn recipe(
         let PlateauSpec { sigma, spectrum: words, height } = plateau.get_ref();
         let spectrum = spectrum(source, words, points, pixel)?;
         let process =
-            Process { spectrum, of: SpectrumOf::Heights, sigma: sigma.value(), heights: Marginal::Gaussian };
+            Process { spectrum, of: SpectrumOf::Heights, sigma: sigma.value(), heights: Heights::GAUSSIAN };
         Ok(Plateau { process, height: height.value() })
     });
     Ok(Recipe { points, pixel, process, plateau: plateau.transpose()? })
@@ -277,7 +266,7 @@ fn target_recipe(
     source: &Source,
     words: &GenerateSpec,
     points: [usize; 2],
-    heights: Marginal,
+    heights: Heights,
 ) -> Result<TargetRecipe, InputError> {
     /// A quarter of the Nyquist wave number: summits are well resolved.
     const CUT_OFF: f64 = 8.0;

@@ -1,9 +1,9 @@
 //! A depth at a map as a whole: spectrum, autocorrelation, picture.
 
+use asperity::distribution::Heights;
 use asperity::topography::character::Character;
 use asperity::topography::correlation::{Autocorrelation, RadialSpectrum};
 use asperity::topography::generate::{Recipe, SpectrumOf};
-use asperity::topography::marginal::Marginal;
 use asperity::topography::rows::{Strip, strips};
 use asperity::topography::{Boundary, HeightMap, Rows};
 
@@ -63,11 +63,11 @@ impl MapOverview {
         }
         // Two processes have two spectra: neither is that of what they leave.
         whole.asked = recipe.filter(|recipe| recipe.plateau.is_none()).map(|recipe| {
-            let Recipe { points, pixel, process, .. } = *recipe;
+            let &Recipe { points, pixel, ref process, .. } = recipe;
             RadialSpectrum::asked(&process.spectrum.on_grid(points, pixel), pixel, process.sigma)
         });
         whole.is_asked_of_gaussian = recipe.is_some_and(|Recipe { process, .. }| {
-            process.of == SpectrumOf::Gaussian && process.heights != Marginal::Gaussian
+            process.of == SpectrumOf::Gaussian && process.heights != Heights::GAUSSIAN
         });
         let (map, mean) = (HeightMap::of(map), character.moments.mean);
         whole.autocorrelation = if is_close { Autocorrelation::of(&map, mean) } else { None };

@@ -11,7 +11,8 @@ use crate::surface::generation::Generation;
 use crate::surface::overview::{AnalysisDepth, MOST_POINTS_LOOKED_AT};
 use crate::surface::read_error::{given_in_spec_words, in_spec_words};
 use crate::surface::spec::{DrawSpec, FileSpec, ListSpec, PopulationHeights, PopulationSpec, SurfaceSpec};
-use asperity::asperity::{HeightDensity, Population, SurfaceHeights, check_list};
+use asperity::asperity::{Population, SurfaceHeights, check_list};
+use asperity::distribution::Heights;
 use asperity::model::ReferencePlane;
 use asperity::topography::MapError;
 use asperity::topography::filter::Filter;
@@ -135,11 +136,10 @@ impl SurfacePlan {
             source.error_at(words.count.span(), format!("found {count}; allowed: at least one asperity"))
         })?;
         let (radius, sigma, density) = (words.radius.value(), words.sigma.value(), words.density.value());
-        let mut population = Population { radius, sigma, density, heights: HeightDensity::Gaussian };
+        let mut population = Population { radius, sigma, density, heights: Heights::GAUSSIAN };
         let mut plane = ReferencePlane { mean: 0.0, sigma };
-        match words.heights {
-            PopulationHeights::Gaussian => {}
-            PopulationHeights::Exponential => population.heights = HeightDensity::Exponential,
+        match &words.heights {
+            PopulationHeights::Asperities(heights) => population.heights = heights.clone(),
             PopulationHeights::Surface => {
                 let surface = SurfaceHeights { radius, sigma, density };
                 population.sigma = surface.asperity_sigma().map_err(|error| source.error_at(span, error))?;

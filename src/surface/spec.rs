@@ -1,15 +1,20 @@
 //! `[surface.NAME.KIND]`: where asperities come from.
 
+use std::fmt;
 use std::path::PathBuf;
 
 use serde::Deserialize;
+use serde::de::value::MapAccessDeserializer;
+use serde::de::{Deserializer, Error, MapAccess, Visitor};
 use toml::Spanned;
 
 use crate::surface::generate_spec::GenerateSpec;
 use crate::surface::pixel_spec::PixelSpec;
+use asperity::distribution::Heights;
 use asperity::topography::level::Level;
 use asperity::topography::summits::Neighbours;
 use asperity::units::Dimension;
+use asperity_framework::input::heights::HeightsSpec;
 use asperity_framework::input::quantity::{Area, ArealNumberDensity, Length, Pure, Quantity};
 
 /// One surface: exactly one kind a name.
@@ -97,16 +102,45 @@ pub struct PopulationSpec {
 }
 
 /// `heights` of a population.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Deserialize)]
-#[serde(rename_all = "kebab-case")]
+#[derive(Debug, Clone, PartialEq)]
 pub enum PopulationHeights {
-    /// Gaussian asperity heights of deviation sigma.
-    #[default]
-    Gaussian,
-    /// Exponential asperity heights of deviation sigma.
-    Exponential,
+    /// Asperity heights of deviation sigma.
+    Asperities(Heights),
     /// Gaussian; sigma and d are those of the surface, converted by Nayak (1971).
     Surface,
+}
+
+impl Default for PopulationHeights {
+    fn default() -> Self {
+        Self::Asperities(Heights::GAUSSIAN)
+    }
+}
+
+impl<'de> Deserialize<'de> for PopulationHeights {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        const SURFACE: &str = "surface";
+        struct NameOrTable;
+
+        impl<'de> Visitor<'de> for NameOrTable {
+            type Value = PopulationHeights;
+
+            fn expecting(&self, f: &mut fmt::Formatter) -> fmt::Result {
+                f.write_str(&HeightsSpec::allowed(&[SURFACE]))
+            }
+            fn visit_str<E: Error>(self, name: &str) -> Result<PopulationHeights, E> {
+                if name == SURFACE {
+                    return Ok(PopulationHeights::Surface);
+                }
+                let heights = HeightsSpec::named(name, &[SURFACE]).map_err(E::custom)?;
+                Ok(PopulationHeights::Asperities(heights.0))
+            }
+            fn visit_map<A: MapAccess<'de>>(self, map: A) -> Result<PopulationHeights, A::Error> {
+                let heights = HeightsSpec::deserialize(MapAccessDeserializer::new(map))?;
+                Ok(PopulationHeights::Asperities(heights.0))
+            }
+        }
+        deserializer.deserialize_any(NameOrTable)
+    }
 }
 
 /// `draw` of a population.

@@ -8,6 +8,7 @@ use asperity::topography::Moments;
 use asperity::topography::generate::Process;
 use asperity::topography::spectrum::Shape;
 use asperity::topography::theory::Expected;
+use asperity_framework::input::heights::written;
 
 /// One surface.
 #[derive(Serialize)]
@@ -82,7 +83,7 @@ impl From<&Statistics> for StatisticsSummary {
 /// What the statistical model stood on.
 #[derive(Serialize)]
 pub struct PopulationSummary {
-    heights: &'static str,
+    heights: String,
     radius_m: f64,
     sigma_m: f64,
     density_per_m2: f64,
@@ -91,7 +92,7 @@ pub struct PopulationSummary {
 impl From<&Population> for PopulationSummary {
     fn from(population: &Population) -> Self {
         Self {
-            heights: population.heights.name(),
+            heights: written(&population.heights),
             radius_m: population.radius,
             sigma_m: population.sigma,
             density_per_m2: population.density,

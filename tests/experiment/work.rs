@@ -4,7 +4,8 @@ use std::fs;
 
 use crate::common::{Random, bodies};
 use asperity::accumulator::Accumulator;
-use asperity::asperity::{Draw, HeightDensity, Population};
+use asperity::asperity::{Draw, Population};
+use asperity::distribution::Heights;
 use asperity::interface::{Counted, Flat, MicroContact};
 use asperity::law::{Shape, Zmc};
 use asperity::layer::Rule;
@@ -274,8 +275,7 @@ fn a_contact_that_is_counted_answers_the_same() {
         let contact = flat.under(Zmc::default(), &rough).unwrap();
         let counter = Counter::default();
         let counted = Counted::new(&*contact, &counter);
-        let population =
-            Population { radius: 2e-5, sigma: 5e-8, density: 6e10, heights: HeightDensity::Gaussian };
+        let population = Population { radius: 2e-5, sigma: 5e-8, density: 6e10, heights: Heights::GAUSSIAN };
         let set = population.set(20_000, Draw::Random([3; 32])).unwrap();
         let plane = ReferencePlane { mean: 0.0, sigma: population.sigma };
         let separations = [2.5, 1.0, 0.0];

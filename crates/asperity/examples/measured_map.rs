@@ -10,7 +10,7 @@ use asperity::topography::level::Level;
 use asperity::topography::read::{Given, height_map};
 use asperity::topography::summits::five_point;
 use asperity::{
-    AsperitySet, Deterministic, HeightDensity, Interface, Material, Population, Statistical, Statistics, Zmc,
+    AsperitySet, Deterministic, Heights, Interface, Material, Population, Statistical, Statistics, Zmc,
     at_pressures,
 };
 
@@ -46,7 +46,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         radius: found.mean_radius,
         sigma: found.sigma,
         density: set.density(),
-        heights: HeightDensity::Gaussian,
+        heights: Heights::GAUSSIAN,
     };
     let integral = Statistical::new(&contact, population);
     let sum = Deterministic::new(&contact, set.spheres(), (&found).into());

@@ -9,8 +9,8 @@ use std::f64::consts::{FRAC_PI_2, PI};
 use asperity::law::Property;
 use asperity::numeric::lanes::Real;
 use asperity::{
-    Contacts, Deterministic, Draw, HeightDensity, Hertz, Interface, Law, Material, Model, Pair, Paper,
-    Population, Statistical, YieldLimits,
+    Contacts, Deterministic, Draw, Heights, Hertz, Interface, Law, Material, Model, Pair, Paper, Population,
+    Statistical, YieldLimits,
 };
 
 /// Hertz up to w_y, where the pressure in the middle of the contact reaches the limit p_y; from there on the pressure is cut
@@ -76,8 +76,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     let steel = Material::new(210e9, 0.3, Some(7.6e9), None)?;
     let contact = Interface::bare(Thornton, &steel, &steel)?;
     let hertz = Interface::bare(Hertz, &steel, &steel)?;
-    let population =
-        Population { radius: 5e-6, sigma: 100e-9, density: 9e10, heights: HeightDensity::Gaussian };
+    let population = Population { radius: 5e-6, sigma: 100e-9, density: 9e10, heights: Heights::GAUSSIAN };
     let set = population.set(100_000, Draw::Random([3; 32]))?;
     let integral = Statistical::new(&contact, population);
     let sum = Deterministic::new(&contact, set.spheres(), (&population).into());

@@ -6,8 +6,7 @@
 use std::error::Error;
 
 use asperity::{
-    Deterministic, Draw, HeightDensity, Interface, Material, Model, Population, Statistical, Zmc,
-    at_pressures,
+    Deterministic, Draw, Heights, Interface, Material, Model, Population, Statistical, Zmc, at_pressures,
 };
 
 fn main() -> Result<(), Box<dyn Error>> {
@@ -15,8 +14,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     let contact = Interface::bare(Zmc::default(), &steel, &steel)?;
 
     // Table 1 of Pasaribu and Schipper (2005), case 1.
-    let population =
-        Population { radius: 20e-6, sigma: 48e-9, density: 6e10, heights: HeightDensity::Gaussian };
+    let population = Population { radius: 20e-6, sigma: 48e-9, density: 6e10, heights: Heights::GAUSSIAN };
     let set = population.set(10_000, Draw::Random([5; 32]))?;
     let integral = Statistical::new(&contact, population);
     let sum = Deterministic::new(&contact, set.spheres(), (&population).into());

@@ -3,11 +3,11 @@
 //! over the real asperities (Pasaribu and Schipper 2005).
 //!
 //! ```
-//! use asperity::{Deterministic, Draw, HeightDensity, Interface, Material, Model, Population, Statistical, Zmc};
+//! use asperity::{Deterministic, Draw, Heights, Interface, Material, Model, Population, Statistical, Zmc};
 //!
 //! let steel = Material::new(210e9, 0.3, Some(7.6e9), None)?; // E in Pa, Poisson's ratio, hardness in Pa
 //! let contact = Interface::bare(Zmc::default(), &steel, &steel)?;
-//! let population = Population { radius: 20e-6, sigma: 48e-9, density: 6e10, heights: HeightDensity::Gaussian };
+//! let population = Population { radius: 20e-6, sigma: 48e-9, density: 6e10, heights: Heights::GAUSSIAN };
 //! let set = population.set(10_000, Draw::Random([7; 32]))?;
 //!
 //! let integral = Statistical::new(&contact, population).respond(1.5); // the separation, in sigma
@@ -74,6 +74,7 @@ pub mod asperity;
 pub mod compare;
 pub mod contact;
 pub mod contact_law;
+pub mod distribution;
 pub mod interface;
 pub mod law;
 pub mod layer;
@@ -91,10 +92,11 @@ pub mod work;
 
 pub use accumulator::{Accumulator, Total};
 pub use asperity::{
-    Asperities, AsperitySet, Draw, Ellipse, Ellipses, Ellipticity, HeightDensity, Population, SetError,
-    Statistics,
+    Asperities, AsperitySet, Draw, Ellipse, Ellipses, Ellipticity, Population, SetError, Statistics,
 };
 pub use contact::{ByRegime, Contact, Contacts, Regime};
+pub use contact_law::ContactLaw;
+pub use distribution::{HeightDistribution, Heights};
 pub use interface::{
     ContactError, Flat, Interface, Layered, LoadBounds, MicroContact, Shapes, plasticity_index,
 };

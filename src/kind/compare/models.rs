@@ -29,8 +29,8 @@ impl<'a> SurfaceModels<'a> {
     }
 
     /// The population that the statistical model stands on.
-    pub(super) fn population(&self) -> Population {
-        self.population
+    pub(super) fn population(&self) -> &Population {
+        &self.population
     }
 
     /// The asperity that stands for all under a law.
@@ -61,7 +61,7 @@ impl<'a> SurfaceModels<'a> {
         contact: &'b dyn MicroContact,
         law: &ContactLaw,
     ) -> Statistical<'b, dyn MicroContact + 'b> {
-        Statistical::of_shape(contact, self.population, self.mean_shape(law))
+        Statistical::of_shape(contact, self.population.clone(), self.mean_shape(law))
             .reported_from(self.surface.reporting_plane())
     }
 

@@ -3,9 +3,9 @@
 use std::fmt;
 use std::ops::Range;
 
-use asperity::asperity::HeightDensity;
 use asperity::compare::{Controls, Kind};
 use asperity::contact_law::ContactLaw;
+use asperity::distribution::Heights;
 use asperity::interface::Flat;
 use asperity::material::Material;
 use asperity::model::MeanRadius;
@@ -32,7 +32,7 @@ pub struct ComparePlan {
     /// The models that are asked for.
     pub models: Vec<Kind>,
     /// Height density of the statistical model, where the spec names one.
-    pub heights: Option<HeightDensity>,
+    pub heights: Option<Heights>,
     /// Which mean stands for the radii.
     pub mean_radius: MeanRadius,
     /// What the surfaces are pressed to.
@@ -130,7 +130,7 @@ pub(crate) fn compared(
         laws: file.law_plans(&words.law, (rough_name, &rough), &flats, flat_name)?,
         layer,
         models: words.models.0.clone(),
-        heights: words.statistical.heights,
+        heights: words.statistical.heights.as_ref().map(|heights| heights.0.clone()),
         mean_radius: words.statistical.mean_radius,
         controls,
         load_keys: [words.pressure.as_ref().map(Spanned::span), words.force.as_ref().map(Spanned::span)],

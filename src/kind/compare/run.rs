@@ -3,6 +3,7 @@
 use std::time::Instant;
 
 use asperity::compare::{Control, Gaps, Kind, Models, NotReached, RuleCheck, RuleFindings, compare};
+use asperity::distribution::Heights;
 use asperity::interface::{ContactError, Counted, plasticity_index};
 use asperity::literature::Paper;
 use asperity::model::Model;
@@ -45,6 +46,10 @@ pub fn run(
         let first = run_surface(context, compare, &first_surface, &models, counter, &mut timing)?;
         let thresholds = threshold::thresholds(compare, &first_surface, &models, &first, counter);
         let falls = falls(compare, &first_surface, &models, &first, counter);
+        let heights = &models.population().heights;
+        if *heights != Heights::GAUSSIAN {
+            papers.extend(heights.papers());
+        }
         drop(models);
         context.progress.advance(1);
         let mut others = Vec::new();
@@ -85,7 +90,7 @@ pub fn run(
 /// Both models on a surface, its asperities as the laws see them.
 fn models_of<'a>(compare: &ComparePlan, surface: &'a Surface, timing: &mut Timing) -> SurfaceModels<'a> {
     let start = Instant::now();
-    let population = surface.population(compare.heights, compare.mean_radius);
+    let population = surface.population(compare.heights.as_ref(), compare.mean_radius);
     let is_summed = compare.models.contains(&Kind::Deterministic);
     let models = SurfaceModels::new(surface, population, &compare.law_specs, is_summed);
     timing.deterministic += start.elapsed();
@@ -130,7 +135,7 @@ fn run_surface(
         statistics: surface.statistics,
         sigma: surface.plane.sigma,
         moments: surface.map.as_ref().map(|map| map.character.moments),
-        population,
+        population: population.clone(),
         cases,
     })
 }

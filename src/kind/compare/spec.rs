@@ -7,9 +7,9 @@ use serde::de::{Deserializer, Error, SeqAccess, Visitor};
 use toml::Spanned;
 
 use crate::layer::LayerSpec;
-use asperity::asperity::HeightDensity;
 use asperity::compare::Kind;
 use asperity::model::MeanRadius;
+use asperity_framework::input::heights::HeightsSpec;
 use asperity_framework::input::law::Laws;
 use asperity_framework::input::quantity::{Force, Pressure};
 use asperity_framework::input::sweep::{LinearSweep, LogSweep};
@@ -101,11 +101,11 @@ impl TryFrom<Vec<Kind>> for Models {
 }
 
 /// How the statistical model stands for a surface.
-#[derive(Debug, Clone, Copy, Default, Deserialize)]
+#[derive(Debug, Clone, Default, Deserialize)]
 #[serde(deny_unknown_fields, rename_all = "kebab-case")]
 pub struct StatisticalSpec {
-    /// Height density; Gaussian, or a population's own, unless told otherwise.
-    pub heights: Option<HeightDensity>,
+    /// Height distribution; Gaussian, or a population's own, unless told otherwise.
+    pub heights: Option<HeightsSpec>,
     /// Which mean stands for the radii.
     #[serde(default)]
     pub mean_radius: MeanRadius,

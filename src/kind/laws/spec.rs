@@ -56,7 +56,7 @@ impl LawsSpec {
             law: self.law.clone(),
             layer: None,
             models: Models::default(),
-            statistical: self.statistical,
+            statistical: self.statistical.clone(),
             surfaces: self.surfaces.clone(),
             separation: None,
             tolerance: ToleranceSpec::default(),

@@ -2,7 +2,8 @@
 
 use std::fmt;
 
-use asperity::asperity::{HeightDensity, Population};
+use asperity::asperity::Population;
+use asperity::distribution::Heights;
 use asperity::interface::Flat;
 use asperity_framework::contact::{Bodies, LawPlan};
 use asperity_framework::input::{InputError, SpecFile};
@@ -56,7 +57,7 @@ pub(super) fn plan(file: &SpecFile) -> Result<LimitPlan, InputError> {
             radius: words.radius.value(),
             sigma: words.sigma.value(),
             density: words.density.value(),
-            heights: HeightDensity::Gaussian,
+            heights: Heights::GAUSSIAN,
         },
         separations: words.separation.0.clone(),
         counts,

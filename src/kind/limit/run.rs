@@ -2,8 +2,9 @@
 
 use std::time::Instant;
 
-use asperity::asperity::{Population, gaussian_moment};
+use asperity::asperity::Population;
 use asperity::compare::{Exact, LimitCase, LimitPoint, convergence};
+use asperity::distribution::gaussian_moment;
 use asperity::interface::{Counted, MicroContact, plasticity_index};
 use asperity::model::{Model, Statistical};
 use asperity::work::{Counter, Item};
@@ -52,7 +53,7 @@ pub(super) fn run(context: &RunContext, limit: &LimitPlan) -> Result<LimitResult
         .map(|(law, contact)| LimitCase {
             law: law.label.clone(),
             contact,
-            exact: limit.separations.iter().map(|&h| exact(law, contact, limit.population, h)).collect(),
+            exact: limit.separations.iter().map(|&h| exact(law, contact, &limit.population, h)).collect(),
         })
         .collect();
     timing.statistical = integrals.elapsed();
@@ -73,7 +74,7 @@ pub(super) fn run(context: &RunContext, limit: &LimitPlan) -> Result<LimitResult
     Ok(LimitResults {
         metadata: context.metadata(papers_of(&limit.laws), timing, Some(counter.work())),
         contact: contact_metadata(context.materials, &limit.laws, &limit.bodies, None),
-        population: limit.population,
+        population: limit.population.clone(),
         plasticity_index: plasticity_index(
             &*limit.laws[0].contact,
             limit.population.sigma,
@@ -97,9 +98,9 @@ fn reference(law: &LawPlan) -> &'static str {
 }
 
 /// The limit at d/sigma = `h`: Greenwood and Williamson's closed form for Hertz, else the integral.
-fn exact(law: &LawPlan, contact: &dyn MicroContact, population: Population, h: f64) -> Exact {
-    let Population { radius, sigma, density, .. } = population;
-    let integral = Statistical::new(contact, population).respond(h);
+fn exact(law: &LawPlan, contact: &dyn MicroContact, population: &Population, h: f64) -> Exact {
+    let &Population { radius, sigma, density, .. } = population;
+    let integral = Statistical::new(contact, population.clone()).respond(h);
     let limit = Exact::of_integral(integral, density);
     if !law.spec.is_greenwood_williamson() {
         return limit;

@@ -2,7 +2,8 @@
 
 use crate::surface::found::Surface;
 use crate::surface::overview::MapOverview;
-use asperity::asperity::{HeightDensity, Population};
+use asperity::asperity::Population;
+use asperity::distribution::Heights;
 use asperity::topography::HeightMap;
 use asperity::topography::correlation::{Autocorrelation, RadialSpectrum};
 use asperity_plot::{Axis, Colour, ColourMap, Dash, Figure, Layer, Marker, Plot, Raster};
@@ -32,7 +33,7 @@ pub fn asperities(surface: &Surface, assumed: Option<&Population>) -> (String, f
         top = top.with(
             Layer::line(curve.collect::<Vec<_>>())
                 .coloured(Colour::Statistical)
-                .named(format!("{} heights, as it assumes", population.heights.adjective())),
+                .named(format!("{} heights, as it assumes", population.heights.label())),
         );
     }
     let is_outside = |point: &&(f64, f64)| {
@@ -125,7 +126,7 @@ pub fn distribution(counts: &[usize]) -> String {
     let density: Vec<f64> = counts.iter().map(|&count| count as f64 / (total * step)).collect();
     let gaussian = (0..=200).map(|k| {
         let x = HEIGHTS.0 + 0.05 * f64::from(k);
-        (x, HeightDensity::Gaussian.density(x))
+        (x, Heights::GAUSSIAN.density(x))
     });
     Plot::new(
         "Heights of the points",

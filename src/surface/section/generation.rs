@@ -2,8 +2,8 @@
 
 use super::words::or_dash;
 use crate::surface::found::{GenerationFacts, MapFacts, Surface};
+use asperity::distribution::Heights;
 use asperity::topography::generate::{Process, Recipe, SpectrumOf};
-use asperity::topography::marginal::Marginal;
 use asperity::topography::spectrum::Shape;
 use asperity_framework::report::format::{number, percent, quantity};
 use asperity_framework::report::page::Page;
@@ -36,7 +36,7 @@ pub fn section(page: &mut Page, surface: &Surface, map: &MapFacts, made: &Genera
          them.",
     );
     let process = &made.recipe.process;
-    if process.heights != Marginal::Gaussian {
+    if process.heights != Heights::GAUSSIAN {
         page.paragraph(match process.of {
             SpectrumOf::Heights => {
                 "The map from Gaussian to other heights changes a spectrum: the Gaussian field was given the one that becomes what \

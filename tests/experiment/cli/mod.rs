@@ -4,6 +4,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
 
+mod heights;
 mod laws;
 mod precision;
 mod sphere;

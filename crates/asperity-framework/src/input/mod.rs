@@ -2,6 +2,7 @@
 
 mod error;
 mod file;
+pub mod heights;
 pub mod law;
 pub mod material;
 pub mod quantity;

@@ -85,7 +85,7 @@ pub fn curves_of(
 ) -> Result<CurveFindings, SetError> {
     let set = population.set(task.asperities, Draw::Random(seed))?;
     let plane = ReferencePlane { mean: 0.0, sigma: population.sigma };
-    let mut points = curves(Kind::Statistical, &Statistical::new(contact, *population), task);
+    let mut points = curves(Kind::Statistical, &Statistical::new(contact, population.clone()), task);
     points.extend(curves(Kind::Deterministic, &Deterministic::new(contact, set.spheres(), plane), task));
     Ok(CurveFindings { asperities: task.asperities, points })
 }
@@ -137,7 +137,7 @@ fn largest_error(found: &[Response], exact: &[Response], of: fn(&Response) -> f6
 #[cfg(test)]
 mod tests {
     use super::*;
-    use asperity::asperity::HeightDensity;
+    use asperity::distribution::Heights;
     use asperity::interface::Interface;
     use asperity::law::Zmc;
     use asperity::material::Material;
@@ -146,8 +146,7 @@ mod tests {
     fn a_looser_tolerance_asks_for_fewer_answers_and_is_held() {
         let steel = Material::new(210e9, 0.3, Some(7.6e9), None).unwrap();
         let contact = Interface::bare(Zmc::default(), &steel, &steel).unwrap();
-        let case =
-            Population { radius: 2e-5, sigma: 4.8e-8, density: 6e10, heights: HeightDensity::Gaussian };
+        let case = Population { radius: 2e-5, sigma: 4.8e-8, density: 6e10, heights: Heights::GAUSSIAN };
         let task = CurveTask {
             asperities: 200_000,
             separations: 400,

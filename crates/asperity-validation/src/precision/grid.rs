@@ -6,11 +6,11 @@
 use std::time::Instant;
 
 use asperity::compare::SlopeFit;
+use asperity::distribution::Heights;
 use asperity::numeric::Sum;
 use asperity::topography::MapError;
 use asperity::topography::character::Drops;
 use asperity::topography::generate::{Process, Recipe, Seeds, SpectrumOf};
-use asperity::topography::marginal::Marginal;
 use asperity::topography::spectrum::{Lay, Shape, Spectrum, SpectrumError};
 use asperity::topography::summits::{Detail, Neighbours, Summits, find};
 use asperity::topography::theory::{Expected, five_point};
@@ -192,7 +192,7 @@ fn recipe(count: usize, per_length: f64) -> Result<Recipe, SpectrumError> {
         spectrum: Spectrum::new(Shape::Gaussian(1.0), Lay::default())?,
         of: SpectrumOf::Heights,
         sigma: 1.0,
-        heights: Marginal::Gaussian,
+        heights: Heights::GAUSSIAN,
     };
     let recipe = Recipe { points: [count; 2], pixel: [per_length.recip(); 2], process, plateau: None };
     recipe.check().map(|()| recipe)

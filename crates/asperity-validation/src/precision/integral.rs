@@ -16,6 +16,7 @@ use crate::stability::exact::Integral;
 use crate::stability::exact::{self, Exact};
 use crate::stability::wide::{Wide, relative_error};
 use asperity::asperity::Population;
+use asperity::distribution::{Gaussian, HeightDistribution, Heights};
 use asperity::interface::MicroContact;
 use asperity::law::Shape;
 use asperity::model::{Model, Statistical};
@@ -178,14 +179,13 @@ impl<'a> Problem<'a> {
 
     /// The ends of the segments: those of the window and, if it is split, the breakpoints between.
     fn ends(&self, h: f64, split: bool) -> impl Iterator<Item = f64> {
-        let [start, end] = self.population.heights.window(h);
+        let [start, end] = Gaussian.window(h);
         let between = self.breakpoints.iter().copied().filter(move |x| split && start < *x && *x < end);
         [start].into_iter().chain(between).chain([end])
     }
 
     /// The answer of a rule that has nodes at `h` = d/sigma.
     fn answer(&self, rule: &Prepared, h: f64) -> Answer {
-        let heights = self.population.heights;
         let (mut sums, mut count) = ([0.0; 2], 0);
         if let Some(nodes) = &rule.heights {
             // Relative to its scale, the density is exp(-exponent); the weights hold it.
@@ -203,7 +203,7 @@ impl<'a> Problem<'a> {
                 let rate = 0.5 * (h + (h * h + std::f64::consts::TAU).sqrt());
                 for node in nodes {
                     let x = from + node.at / rate;
-                    let density = (node.exponent - heights.exponent(h, x)).exp() / rate;
+                    let density = (node.exponent - Gaussian.exponent(h, x)).exp() / rate;
                     add(&mut sums, node.weights.map(|weight| weight * density), self.values(x));
                 }
                 count += nodes.len();
@@ -212,8 +212,8 @@ impl<'a> Problem<'a> {
             let nodes = &rule.segments[usize::from(from > 0.0)];
             let panels = match rule.rule.family {
                 Family::Panels => {
-                    let foldings = FOLDINGS[usize::from(heights.turns(h, from, to))];
-                    (heights.foldings(h, from, to) / foldings).ceil().max(1.0) as usize
+                    let foldings = FOLDINGS[usize::from(Gaussian.turns(h, from, to))];
+                    (Gaussian.foldings(h, from, to) / foldings).ceil().max(1.0) as usize
                 }
                 _ => 1,
             };
@@ -227,7 +227,7 @@ impl<'a> Problem<'a> {
                         if rule.rule.substituted { (s * s, 2.0 * s * width) } else { (s, width) };
                     // An end of a closed rule may lie on the flat.
                     if x > 0.0 {
-                        let density = stretch * (-heights.exponent(h, x)).exp();
+                        let density = stretch * (-Gaussian.exponent(h, x)).exp();
                         add(&mut sums, node.weights.map(|weight| weight * density), self.values(x));
                     }
                 }
@@ -235,7 +235,7 @@ impl<'a> Problem<'a> {
             }
             from = to;
         }
-        let scale = self.population.density * heights.scale(h);
+        let scale = self.population.density * Gaussian.scale(h);
         (sums.map(|sum| sum * scale), count)
     }
 
@@ -254,7 +254,7 @@ impl<'a> Problem<'a> {
             .with_max_function_evalutions(MOST)
             .with_tolerance_window(1);
         let found = integrate_real(problem, ends, config).ok()?;
-        let scale = self.population.density * self.population.heights.scale(h);
+        let scale = self.population.density * Gaussian.scale(h);
         Some(([found.integral.re * unit[0] * scale, found.integral.im * unit[1] * scale], found.evaluations))
     }
 }
@@ -280,13 +280,14 @@ impl Integrable for Above<'_> {
 
     fn integrand(&self, s: &f64) -> Complex<f64> {
         let (x, stretch) = if self.substituted { (s * s, 2.0 * s) } else { (*s, 1.0) };
-        let density = stretch * (-self.problem.population.heights.exponent(self.h, x)).exp();
+        let density = stretch * (-Gaussian.exponent(self.h, x)).exp();
         let [area, load] = self.problem.values(x);
         Complex::new(density * area / self.unit[0], density * load / self.unit[1])
     }
 }
 
-/// Runs every rule on a population at `separations` (d/sigma, at least one); `None` where the reference does not settle.
+/// Runs every rule on a Gaussian population at `separations` (d/sigma, at least one); `None` for other heights, and where the
+/// reference does not settle.
 /// `exact` is what `contact` should be.
 pub fn rules_on(
     contact: &dyn MicroContact,
@@ -294,15 +295,17 @@ pub fn rules_on(
     population: &Population,
     separations: &[f64],
 ) -> Option<IntegralFindings> {
-    let Population { radius, sigma, density, heights } = *population;
+    if population.heights != Heights::GAUSSIAN {
+        return None;
+    }
     let reference = |&separation: &f64| {
-        let integral = Integral { sigma, density, heights, separation };
-        let total = exact.integral(&integral, &exact::Shape::sphere(radius))?;
+        let integral = Integral::of(population, separation)?;
+        let total = exact.integral(&integral, &exact::Shape::sphere(population.radius))?;
         Some([total.whole_area(), total.whole_load()])
     };
     let exact: Vec<[Wide; 2]> = separations.iter().map(reference).collect::<Option<_>>()?;
     let problem = Problem::new(contact, population);
-    let shipped = Statistical::new(contact, *population);
+    let shipped = Statistical::new(contact, population.clone());
     let rules: Vec<Prepared> = rules().into_iter().map(Prepared::new).collect();
     let answer = |rule: &Prepared, h: f64| match (rule.rule.family, rule.rule.effort) {
         (Family::Shipped, _) => {
@@ -354,7 +357,6 @@ mod tests {
     use super::*;
     use crate::precision::{LEVELS, fastest};
     use crate::stability::Bodies;
-    use asperity::asperity::HeightDensity;
     use asperity::interface::Interface;
     use asperity::law::Zmc;
     use asperity::material::Material;
@@ -362,8 +364,7 @@ mod tests {
     fn findings() -> IntegralFindings {
         let steel = Material::new(210e9, 0.3, Some(7.6e9), None).unwrap();
         let contact = Interface::bare(Zmc::default(), &steel, &steel).unwrap();
-        let case =
-            Population { radius: 2e-5, sigma: 4.8e-8, density: 6e10, heights: HeightDensity::Gaussian };
+        let case = Population { radius: 2e-5, sigma: 4.8e-8, density: 6e10, heights: Heights::GAUSSIAN };
         let law = crate::stability::CoveredLaw::zmc();
         let exact = Exact::new(&Bodies { law, rough: steel, flat: steel, layer: None });
         rules_on(&contact, &exact, &case, &[-1.0, 0.0, 2.0]).unwrap()

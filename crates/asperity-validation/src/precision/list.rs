@@ -188,13 +188,13 @@ fn sums(
 #[cfg(test)]
 mod tests {
     use super::*;
-    use asperity::asperity::HeightDensity;
+    use asperity::distribution::Heights;
     use asperity::interface::Interface;
     use asperity::law::Zmc;
     use asperity::material::Material;
 
     const CASE: Population =
-        Population { radius: 2e-5, sigma: 4.8e-8, density: 6e10, heights: HeightDensity::Gaussian };
+        Population { radius: 2e-5, sigma: 4.8e-8, density: 6e10, heights: Heights::GAUSSIAN };
 
     #[test]
     fn a_list_is_read_as_it_was_drawn_and_then_removed() {

@@ -103,7 +103,7 @@ pub fn sets_of(
     seed: impl Fn(usize, usize) -> [u8; 32],
     done: impl Fn(usize),
 ) -> Result<SamplingFindings, SetError> {
-    let limit = Statistical::new(contact, *population);
+    let limit = Statistical::new(contact, population.clone());
     let responses = limit.respond_all(&task.separations);
     let exact = responses.into_iter().map(|response| Exact::of_integral(response, population.density));
     let case = LimitCase { law: String::new(), contact, exact: exact.collect() };
@@ -129,7 +129,7 @@ pub fn sets_of(
 #[cfg(test)]
 mod tests {
     use super::*;
-    use asperity::asperity::HeightDensity;
+    use asperity::distribution::Heights;
     use asperity::interface::Interface;
     use asperity::law::Hertz;
     use asperity::material::Material;
@@ -138,8 +138,7 @@ mod tests {
     fn sets_scatter_as_their_sums_say() {
         let steel = Material::new(210e9, 0.3, None, None).unwrap();
         let contact = Interface::bare(Hertz, &steel, &steel).unwrap();
-        let case =
-            Population { radius: 2e-5, sigma: 4.8e-8, density: 6e10, heights: HeightDensity::Gaussian };
+        let case = Population { radius: 2e-5, sigma: 4.8e-8, density: 6e10, heights: Heights::GAUSSIAN };
         let task =
             SamplingTask { counts: vec![10_000, 30_000, 100_000], separations: vec![0.0, 1.0], draws: 64 };
         let seed = |count: usize, draw: usize| {

@@ -348,7 +348,7 @@ fn run(problem: &Problem, sweep: Sweep, ways: &[Way], separations: usize) -> Vec
 #[cfg(test)]
 mod tests {
     use super::*;
-    use asperity::asperity::HeightDensity;
+    use asperity::distribution::Heights;
     use asperity::interface::Interface;
     use asperity::law::Zmc;
     use asperity::material::Material;
@@ -357,8 +357,7 @@ mod tests {
     fn what_loses_digits_and_what_does_not() {
         let steel = Material::new(210e9, 0.3, Some(7.6e9), None).unwrap();
         let contact = Interface::bare(Zmc::default(), &steel, &steel).unwrap();
-        let case =
-            Population { radius: 2e-5, sigma: 4.8e-8, density: 6e10, heights: HeightDensity::Gaussian };
+        let case = Population { radius: 2e-5, sigma: 4.8e-8, density: 6e10, heights: Heights::GAUSSIAN };
         let task = SumTask {
             counts: vec![1000, 30_000],
             separations: vec![1, 4],

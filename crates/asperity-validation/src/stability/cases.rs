@@ -7,8 +7,9 @@ use super::Ranges;
 use super::bodies::{Bodies, Layer};
 use super::group::Group;
 use super::laws::{CoveredLaw, TWINS};
-use asperity::asperity::{HeightDensity, Population};
+use asperity::asperity::Population;
 use asperity::contact_law::registry;
+use asperity::distribution::Heights;
 use asperity::law::{Property, Shape};
 use asperity::layer::Rule;
 use asperity::material::{Material, reduced_modulus};
@@ -57,7 +58,7 @@ pub enum Asked {
 
 /// How the heights of a set lie.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Heights {
+pub enum Layout {
     /// Gaussian, about the mean.
     Gaussian,
     /// Evenly spaced from -3 to 3 sigma about the mean.
@@ -72,7 +73,7 @@ pub enum Heights {
 #[derive(Debug, Clone, Copy)]
 pub struct SetWords {
     /// How the heights lie.
-    pub heights: Heights,
+    pub heights: Layout,
     /// Asperities.
     pub count: usize,
     /// Of the heights, m.
@@ -86,24 +87,24 @@ pub struct SetWords {
 }
 
 impl SetWords {
-    /// Heights and radii, m, for the separation `h`.
+    /// Layout and radii, m, for the separation `h`.
     pub fn asperities(&self, h: f64) -> Vec<(f64, f64)> {
         let mut rng = CaseRng(ChaCha8Rng::seed_from_u64(self.seed));
         let flat = self.mean + h * self.sigma;
         (0..self.count)
             .map(|k| {
                 let height = match self.heights {
-                    Heights::Gaussian => self.mean + self.sigma * rng.normal(),
-                    Heights::Line => {
+                    Layout::Gaussian => self.mean + self.sigma * rng.normal(),
+                    Layout::Line => {
                         self.mean + self.sigma * (6.0 * k as f64 / (self.count - 1).max(1) as f64 - 3.0)
                     }
-                    Heights::Equal => self.mean,
+                    Layout::Equal => self.mean,
                     // The first stands well above.
-                    Heights::Touching if k == 0 => flat + self.sigma,
-                    Heights::Touching => flat + (rng.below(9) as f64 - 4.0) * f64::EPSILON * flat.abs(),
+                    Layout::Touching if k == 0 => flat + self.sigma,
+                    Layout::Touching => flat + (rng.below(9) as f64 - 4.0) * f64::EPSILON * flat.abs(),
                 };
                 let radius = match self.heights {
-                    Heights::Equal => self.radius,
+                    Layout::Equal => self.radius,
                     _ => self.radius * rng.between(-1.0, 1.0).exp2(),
                 };
                 (height, radius)
@@ -206,14 +207,13 @@ impl CaseFactory<'_> {
     fn asked(&self, rng: &mut CaseRng, group: Group, bodies: &Bodies) -> Asked {
         let sigma = rng.ratio(SIGMA);
         let radius = sigma * rng.ratio(self.ranges.radius_over_sigma);
-        let heights =
-            if group == Group::Exponential { HeightDensity::Exponential } else { HeightDensity::Gaussian };
+        let heights = if group == Group::Exponential { Heights::EXPONENTIAL } else { Heights::GAUSSIAN };
         let population = Population { radius, sigma, density: CROWDING / (radius * sigma), heights };
         let [nearest, furthest] = self.ranges.separation;
         let within = |rng: &mut CaseRng, from: f64, to: f64| {
             rng.between(from.clamp(nearest, furthest), to.clamp(nearest, furthest))
         };
-        let set = |rng: &mut CaseRng, heights: Heights| SetWords {
+        let set = |rng: &mut CaseRng, heights: Layout| SetWords {
             heights,
             count: rng.ratio(FEW).round() as usize,
             mean: 0.0,
@@ -240,25 +240,24 @@ impl CaseFactory<'_> {
                 Asked::Contact { w, radius }
             }
             Group::Sums | Group::LayeredSums => {
-                Asked::Sum(set(rng, Heights::Gaussian), within(rng, -3.0, 3.0))
+                Asked::Sum(set(rng, Layout::Gaussian), within(rng, -3.0, 3.0))
             }
             Group::OneAsperity => {
-                Asked::Sum(SetWords { count: 1, ..set(rng, Heights::Equal) }, -rng.ratio([1e-12, 20.0]))
+                Asked::Sum(SetWords { count: 1, ..set(rng, Layout::Equal) }, -rng.ratio([1e-12, 20.0]))
             }
             Group::Offset => {
                 let sign = if rng.chance(0.5) { 1.0 } else { -1.0 };
                 let mean = sign * sigma * rng.ratio([1.0, 1e6]);
-                Asked::Sum(SetWords { mean, ..set(rng, Heights::Gaussian) }, within(rng, -3.0, 2.0))
+                Asked::Sum(SetWords { mean, ..set(rng, Layout::Gaussian) }, within(rng, -3.0, 2.0))
             }
-            Group::Line => Asked::Sum(set(rng, Heights::Line), within(rng, -4.0, 3.0)),
-            Group::Touching => Asked::Sum(set(rng, Heights::Touching), within(rng, -4.0, 4.0)),
-            Group::Equal => Asked::Sum(set(rng, Heights::Equal), -rng.ratio([1e-6, 20.0])),
-            Group::MillionEqual => Asked::Sum(
-                SetWords { count: 1_000_000, ..set(rng, Heights::Equal) },
-                -rng.ratio([1e-3, 20.0]),
-            ),
+            Group::Line => Asked::Sum(set(rng, Layout::Line), within(rng, -4.0, 3.0)),
+            Group::Touching => Asked::Sum(set(rng, Layout::Touching), within(rng, -4.0, 4.0)),
+            Group::Equal => Asked::Sum(set(rng, Layout::Equal), -rng.ratio([1e-6, 20.0])),
+            Group::MillionEqual => {
+                Asked::Sum(SetWords { count: 1_000_000, ..set(rng, Layout::Equal) }, -rng.ratio([1e-3, 20.0]))
+            }
             Group::MillionLine => {
-                Asked::Sum(SetWords { count: 1_000_000, ..set(rng, Heights::Line) }, within(rng, -4.0, 3.0))
+                Asked::Sum(SetWords { count: 1_000_000, ..set(rng, Layout::Line) }, within(rng, -4.0, 3.0))
             }
             Group::Integrals | Group::LayeredIntegrals | Group::Exponential => {
                 Asked::Integral(population, within(rng, -10.0, 20.0))
@@ -268,7 +267,7 @@ impl CaseFactory<'_> {
             Group::Last => Asked::Integral(population, within(rng, 35.0, 37.0)),
             Group::Vanishing => Asked::Integral(population, rng.between(37.0, 40.0)),
             Group::LoadsOfIntegrals => Asked::LoadOfIntegral(population, within(rng, -8.0, 20.0)),
-            Group::LoadsOfSums => Asked::LoadOfSum(set(rng, Heights::Gaussian), within(rng, -4.0, 2.0)),
+            Group::LoadsOfSums => Asked::LoadOfSum(set(rng, Layout::Gaussian), within(rng, -4.0, 2.0)),
         }
     }
 

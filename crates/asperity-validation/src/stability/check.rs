@@ -82,9 +82,8 @@ fn of(case: &Case, contact: &dyn MicroContact) -> Result<Vec<Deviation>, Failure
         Asked::LoadOfIntegral(population, h) => {
             let exact = Exact::new(&case.bodies);
             let shape = Shape::sphere(population.radius);
-            let pressure =
-                |h: f64| exact.integral(&integral_of(population, h), &shape).map(|total| total.whole_load());
-            of_load(&Statistical::new(contact, *population), *h, 0.0, &pressure)
+            let pressure = |h: f64| Some(exact.integral(&Integral::of(population, h)?, &shape)?.whole_load());
+            of_load(&Statistical::new(contact, population.clone()), *h, 0.0, &pressure)
         }
         Asked::LoadOfSum(set, h) => {
             let exact = Exact::new(&case.bodies);
@@ -212,24 +211,19 @@ fn absolute<const N: usize>(quantity: Quantity, found: [f64; N], exact: &[[Wide;
     Deviation { quantity, error, checked }
 }
 
-fn integral_of(population: &Population, separation: f64) -> Integral {
-    let Population { sigma, density, heights, .. } = *population;
-    Integral { sigma, density, heights, separation }
-}
-
 fn of_integral(
     case: &Case,
     contact: &dyn MicroContact,
     population: &Population,
     h: f64,
 ) -> Result<Vec<Deviation>, Failure> {
-    let response = Statistical::new(contact, *population).respond(h);
+    let response = Statistical::new(contact, population.clone()).respond(h);
     let values = values(&response);
     finite(&values)?;
     finite(&derived(&response, population.sigma))?;
     let exact = Exact::new(&case.bodies);
     let shape = Shape::sphere(population.radius);
-    let at = |separation: f64| exact.integral(&integral_of(population, separation), &shape);
+    let at = |separation: f64| exact.integral(&Integral::of(population, separation)?, &shape);
     let total = at(h).ok_or(Failure::Unsettled)?;
     let of = exact_values(&total);
     if case.group == Group::Vanishing {

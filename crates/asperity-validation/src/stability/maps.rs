@@ -9,7 +9,8 @@ use super::laws::CoveredLaw;
 use crate::stability::exact::Integral;
 use crate::stability::exact::Shape;
 use crate::stability::wide::relative_error;
-use asperity::asperity::{HeightDensity, Population};
+use asperity::asperity::Population;
+use asperity::distribution::Heights;
 use asperity::interface::{Layered, MicroContact};
 use asperity::law::{self, Zmc};
 use asperity::layer::{Coating, Rule};
@@ -80,7 +81,6 @@ fn separations(ranges: &Ranges, cells: usize) -> Map {
     let steel = body(YOUNG, HARDNESS);
     let bodies = Bodies { law: CoveredLaw::zmc(), rough: steel, flat: steel, layer: None };
     let (exact, contact) = (Exact::new(&bodies), bodies.contact());
-    let heights = HeightDensity::Gaussian;
     Map::of(
         "separation",
         "nominal pressure of the integral",
@@ -89,13 +89,13 @@ fn separations(ranges: &Ranges, cells: usize) -> Map {
         [cells, cells / 2],
         |ratio| {
             let radius = SIGMA * 10f64.powf(ratio);
-            Population { radius, sigma: SIGMA, density: 0.03 / (radius * SIGMA), heights }
+            Population { radius, sigma: SIGMA, density: 0.03 / (radius * SIGMA), heights: Heights::GAUSSIAN }
         },
         |population, h| {
             let Ok(contact) = &contact else { return f64::NAN };
-            let found = Statistical::new(&**contact, *population).respond(h).pressure.total();
-            let of = Integral { sigma: SIGMA, density: population.density, heights, separation: h };
-            let of = exact.integral(&of, &Shape::sphere(population.radius));
+            let found = Statistical::new(&**contact, population.clone()).respond(h).pressure.total();
+            let of = Integral::of(population, h);
+            let of = of.and_then(|of| exact.integral(&of, &Shape::sphere(population.radius)));
             of.map_or(f64::NAN, |of| relative_error(found, of.whole_load()))
         },
     )

@@ -1,6 +1,7 @@
 //! The statistical integral against another crate's adaptive rule.
 
-use asperity::asperity::{HeightDensity, Population};
+use asperity::asperity::Population;
+use asperity::distribution::Heights;
 use asperity::interface::{Interface, MicroContact};
 use asperity::law::{Shape, Zmc};
 use asperity::material::Material;
@@ -9,9 +10,9 @@ use asperity::model::{Model, Statistical};
 use crate::common::relative_error;
 
 const CASE_1: Population =
-    Population { radius: 2e-5, sigma: 4.8e-8, density: 6e10, heights: HeightDensity::Gaussian };
+    Population { radius: 2e-5, sigma: 4.8e-8, density: 6e10, heights: Heights::GAUSSIAN };
 const CASE_2: Population =
-    Population { radius: 1.6e-6, sigma: 2.6e-7, density: 9e10, heights: HeightDensity::Gaussian };
+    Population { radius: 1.6e-6, sigma: 2.6e-7, density: 9e10, heights: Heights::GAUSSIAN };
 
 struct Integrand<F>(F);
 

@@ -1,18 +1,18 @@
 //! Thousands of cases against about 32 digits, and those digits against the reference vectors.
 
 use crate::common::{Row, Worst, rows};
-use asperity::asperity::{AsperitySet, HeightDensity};
+use asperity::asperity::AsperitySet;
 use asperity::layer::Rule;
 use asperity::material::Material;
 use asperity::model::{Deterministic, Model, ReferencePlane};
 use asperity_validation::stability::Group;
 use asperity_validation::stability::exact::Exact;
-use asperity_validation::stability::exact::Integral;
 use asperity_validation::stability::exact::Shape;
+use asperity_validation::stability::exact::{Density, Integral};
 use asperity_validation::stability::wide::{Wide, relative_error};
 use asperity_validation::stability::{Bodies, CoveredLaw, Layer};
 use asperity_validation::stability::{Counts, Ranges, group};
-use asperity_validation::stability::{Heights, SetWords};
+use asperity_validation::stability::{Layout, SetWords};
 
 const SEED: [u8; 32] = [17; 32];
 
@@ -61,7 +61,7 @@ fn the_error_of_offset_heights_grows_as_the_offset() {
             let ratio = sign * 10f64.powi(exponent);
             let (sigma, radius) = (1e-7, 2e-5);
             let mean = ratio * sigma;
-            let set = SetWords { heights: Heights::Gaussian, count: 1000, mean, sigma, radius, seed: 3 };
+            let set = SetWords { heights: Layout::Gaussian, count: 1000, mean, sigma, radius, seed: 3 };
             let asperities = set.asperities(0.5);
             let (heights, radii) = asperities.iter().copied().unzip();
             let set = AsperitySet::new(heights, radii, 1.0).unwrap();
@@ -116,7 +116,7 @@ fn the_wide_integrals_are_those_of_the_vectors() {
         let of = Integral {
             sigma: row.number("sigma"),
             density: row.number("density"),
-            heights: HeightDensity::Gaussian,
+            heights: Density::Gaussian,
             separation: row.number("separation_over_sigma"),
         };
         let total = Exact::new(&bodies).integral(&of, &Shape::sphere(row.number("radius"))).unwrap();

@@ -1,9 +1,8 @@
-//! Asperities: the set, its statistics, populations drawn from three numbers, height densities.
+//! Asperities: the set, its statistics, populations drawn from three numbers.
 
 mod arrays;
 mod ellipse;
 mod ellipses;
-mod heights;
 mod nayak;
 mod ordered;
 mod population;
@@ -14,7 +13,6 @@ mod statistics;
 pub use arrays::Asperities;
 pub use ellipse::Ellipse;
 pub use ellipses::{Ellipses, Ellipticity};
-pub use heights::{HeightDensity, gaussian_moment};
 pub use nayak::{NoSuchSurface, SurfaceHeights};
 pub use ordered::Ordered;
 pub use population::{Draw, Population};

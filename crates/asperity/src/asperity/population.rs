@@ -2,16 +2,16 @@
 
 use rand::SeedableRng;
 use rand_chacha::ChaCha8Rng;
-use rand_distr::{Distribution, Exp1, StandardNormal};
 use rayon::prelude::*;
 
-use super::{AsperitySet, HeightDensity, SetError};
+use super::{AsperitySet, SetError};
+use crate::distribution::Heights;
 
 /// How many heights one ChaCha stream gives. Every committed random number depends on it.
 const STREAM: usize = 4096;
 
-/// Asperities of one radius whose heights follow a density (Greenwood and Williamson 1966).
-#[derive(Debug, Clone, Copy, PartialEq)]
+/// Asperities of one radius whose heights follow a distribution (Greenwood and Williamson 1966).
+#[derive(Debug, Clone, PartialEq)]
 pub struct Population {
     /// Radius of every asperity, m.
     pub radius: f64,
@@ -19,8 +19,8 @@ pub struct Population {
     pub sigma: f64,
     /// Asperities per nominal area, 1/m^2.
     pub density: f64,
-    /// Density of the heights.
-    pub heights: HeightDensity,
+    /// Distribution of the heights over sigma.
+    pub heights: Heights,
 }
 
 /// How the heights of a set are taken from a population.
@@ -56,25 +56,17 @@ impl Population {
     fn draw(&self, seed: [u8; 32], stream: usize, heights: &mut [f64]) {
         let mut rng = ChaCha8Rng::from_seed(seed);
         rng.set_stream(stream as u64);
-        for z in heights {
-            let standard: f64 = match self.heights {
-                HeightDensity::Gaussian => StandardNormal.sample(&mut rng),
-                HeightDensity::Exponential => {
-                    let excess: f64 = Exp1.sample(&mut rng);
-                    excess - 1.0
-                }
-            };
-            *z = self.sigma * standard;
-        }
+        self.heights.draw(&mut rng, heights);
+        heights.iter_mut().for_each(|z| *z *= self.sigma);
     }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::distribution::REGISTRY;
 
-    const UNIT: Population =
-        Population { radius: 1.0, sigma: 2.0, density: 4.0, heights: HeightDensity::Gaussian };
+    const UNIT: Population = Population { radius: 1.0, sigma: 2.0, density: 4.0, heights: Heights::GAUSSIAN };
 
     #[test]
     fn quantiles_are_the_middles_of_equally_probable_strata() {
@@ -83,20 +75,20 @@ mod tests {
         assert!((set.heights()[0] + quartile).abs() < 1e-14);
         assert!((set.heights()[1] - quartile).abs() < 1e-14);
         assert_eq!((set.radii(), set.nominal_area()), (&[1.0, 1.0][..], 0.5));
-        let exponential = Population { heights: HeightDensity::Exponential, ..UNIT };
+        let exponential = Population { heights: Heights::EXPONENTIAL, ..UNIT };
         let median = exponential.set(1, Draw::Quantiles).unwrap().heights()[0];
         assert!((median - 2.0 * (2f64.ln() - 1.0)).abs() < 1e-15);
     }
 
     #[test]
     fn draws_have_the_mean_and_deviation_of_their_density() {
-        for heights in [HeightDensity::Gaussian, HeightDensity::Exponential] {
-            let set = Population { heights, ..UNIT }.set(200_000, Draw::Random([3; 32])).unwrap();
+        for heights in REGISTRY.map(|entry| entry.example().unwrap()) {
+            let population = Population { heights: heights.clone(), ..UNIT };
+            let set = population.set(200_000, Draw::Random([3; 32])).unwrap();
             let found = crate::asperity::Statistics::of(&set);
             assert!(found.mean_height.abs() < 0.02, "{heights:?}: {}", found.mean_height);
             assert!((found.sigma - 2.0).abs() < 0.03, "{heights:?}: {}", found.sigma);
-            let skewness = if heights == HeightDensity::Gaussian { 0.0 } else { 2.0 };
-            assert!((found.skewness.unwrap() - skewness).abs() < 0.1);
+            assert!((found.skewness.unwrap() - heights.skewness()).abs() < 0.1, "{heights:?}");
         }
     }
 

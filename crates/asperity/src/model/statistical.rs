@@ -5,18 +5,12 @@ use rayon::prelude::*;
 use super::load_control::LOWEST_SEPARATION;
 use super::{Model, ReferencePlane, Response};
 use crate::accumulator::{Accumulator, Total};
-use crate::asperity::{HeightDensity, Population, Statistics};
+use crate::asperity::{Population, Statistics};
 use crate::interface::MicroContact;
 use crate::numeric::lanes::{Real, Work, run};
 use crate::numeric::quadrature::{NODES, Piece, Variable, pieces};
 use crate::numeric::root::last_reaching;
 use crate::shape::Shape;
-
-/// E-foldings of the density that one panel resolves to full accuracy.
-const FOLDINGS_PER_PANEL: f64 = 20.0;
-
-/// The same where the density rises and falls again within the panel's segment.
-const FOLDINGS_PER_BELL: f64 = 8.0;
 
 /// Breakpoints below this part of the window are left out.
 const NEGLIGIBLE: f64 = 1e-40;
@@ -70,7 +64,8 @@ pub struct Statistical<'a, C: ?Sized> {
 impl<'a, C: MicroContact + ?Sized> Statistical<'a, C> {
     /// The model of a population, with separations from its mean asperity height in its sigma.
     pub fn new(contact: &'a C, population: Population) -> Self {
-        Self::of_shape(contact, population, Shape::sphere(population.radius))
+        let shape = Shape::sphere(population.radius);
+        Self::of_shape(contact, population, shape)
     }
 
     /// The model of a population of another shape than spheres of its radius.
@@ -111,10 +106,11 @@ impl<'a, C: MicroContact + ?Sized> Statistical<'a, C> {
         self.plane == ReferencePlane { mean: 0.0, sigma: self.population.sigma }
     }
 
-    /// The total at the standardised separation `h`, per asperity, over the density's factor [`HeightDensity::scale`]:
+    /// The total at the standardised separation `h`, per asperity, over the density's factor
+    /// [`HeightDistribution::scale`](crate::distribution::HeightDistribution::scale):
     /// with it, the part of one asperity is denormal in the far tail though that of all is not.
     fn total(&self, h: f64) -> Total {
-        let Population { sigma, heights, .. } = self.population;
+        let heights = &*self.population.heights;
         let mut accumulator = Accumulator::default();
         if heights.scale(h) == 0.0 {
             return accumulator.total();
@@ -122,8 +118,9 @@ impl<'a, C: MicroContact + ?Sized> Statistical<'a, C> {
         let [start, end] = heights.window(h);
         // What lies nearer to zero than this carries nothing, and would take panels without end.
         let nearest = NEGLIGIBLE * end;
-        let breakpoints = &self.breakpoints[self.breakpoints.partition_point(|&x| x <= nearest)..];
-        let ends = breakpoints.iter().copied().chain([end]);
+        let of_contact = self.breakpoints.iter().map(|&x| heights.variable(h, x));
+        let breakpoints = merged(of_contact.skip_while(|&v| v <= nearest), heights.breakpoints(h));
+        let ends = breakpoints.chain([end]);
         let mut samples = Samples::default();
         let mut from = start;
         for (segment, to) in ends.enumerate() {
@@ -132,29 +129,33 @@ impl<'a, C: MicroContact + ?Sized> Statistical<'a, C> {
                 continue;
             }
             for [low, high] in spans(from, to, segment > 0) {
-                let resolved =
-                    if heights.turns(h, low, high) { FOLDINGS_PER_BELL } else { FOLDINGS_PER_PANEL };
-                let count = (heights.foldings(h, low, high) / resolved).ceil().max(1.0) as usize;
-                for piece in pieces(low, high, Variable::SquareRoot, count) {
+                for piece in pieces(low, high, Variable::SquareRoot, heights.panels(h, low, high)) {
                     if samples.count == Samples::MOST {
-                        self.accumulate_weighted(&mut samples, &mut accumulator);
+                        self.accumulate_weighted(h, &mut samples, &mut accumulator);
                     }
-                    run(WithDensity { piece, samples: &mut samples, heights, h, sigma });
+                    run(Sampled { piece, samples: &mut samples });
                 }
             }
             from = to;
         }
-        self.accumulate_weighted(&mut samples, &mut accumulator);
+        self.accumulate_weighted(h, &mut samples, &mut accumulator);
         // dp/dd has a contribution of its own where the load jumps.
-        for &(x, load) in self.jumps.iter().filter(|(x, _)| *x > nearest && (start..end).contains(x)) {
-            accumulator.add_jump(load * (-heights.exponent(h, x)).exp() / sigma);
+        for &(x, load) in &self.jumps {
+            let v = heights.variable(h, x);
+            if v > nearest && (start..end).contains(&v) {
+                accumulator.add_jump(load * heights.relative_density(h, x) / self.population.sigma);
+            }
         }
         accumulator.total()
     }
 
-    fn accumulate_weighted(&self, samples: &mut Samples, accumulator: &mut Accumulator) {
+    /// Adds the contacts at the nodes of `samples`, with the density above the separation `h` in units of its scale.
+    fn accumulate_weighted(&self, h: f64, samples: &mut Samples, accumulator: &mut Accumulator) {
         let Samples { points, weights, count } = samples;
-        self.contact.accumulate_weighted(&points[..*count], &weights[..*count], self.shape, accumulator);
+        let (points, weights) = (&mut points[..*count], &mut weights[..*count]);
+        self.population.heights.weigh(h, points, weights);
+        points.iter_mut().for_each(|x| *x *= self.population.sigma);
+        self.contact.accumulate_weighted(points, weights, self.shape, accumulator);
         *count = 0;
     }
 
@@ -178,7 +179,7 @@ fn jump<C: MicroContact + ?Sized>(contact: &C, shape: Shape, w: f64) -> Option<f
 
 /// Nodes of some panels, whose contacts are evaluated together.
 struct Samples {
-    /// Indentations, m.
+    /// The variable that is integrated over.
     points: [f64; Self::MOST],
     weights: [f64; Self::MOST],
     count: usize,
@@ -195,30 +196,37 @@ impl Default for Samples {
     }
 }
 
-/// Adds the nodes of a piece: indentations, and weights with the density beyond the separation `h`, in units of its scale.
-struct WithDensity<'a> {
+/// Adds the nodes of a piece.
+struct Sampled<'a> {
     piece: Piece,
     samples: &'a mut Samples,
-    heights: HeightDensity,
-    h: f64,
-    sigma: f64,
 }
 
-impl Work for WithDensity<'_> {
+impl Work for Sampled<'_> {
     type Output = ();
 
     #[inline(always)]
     fn with<N: Real>(self, zero: N) {
-        let Self { piece, samples, heights, h, sigma } = self;
+        let Self { piece, samples } = self;
         let points = &mut samples.points[samples.count..][..NODES];
         let weights = &mut samples.weights[samples.count..][..NODES];
         for k in (0..NODES).step_by(N::LANES) {
             let [x, weight] = piece.sample(k, zero);
-            (weight * (-heights.exponent(h, x)).exp()).store(&mut weights[k..]);
-            (x * sigma).store(&mut points[k..]);
+            weight.store(&mut weights[k..]);
+            x.store(&mut points[k..]);
         }
         samples.count += NODES;
     }
+}
+
+/// Two ascending sequences as one.
+fn merged(a: impl Iterator<Item = f64>, b: Vec<f64>) -> impl Iterator<Item = f64> {
+    let (mut a, mut b) = (a.peekable(), b.into_iter().peekable());
+    std::iter::from_fn(move || match (a.peek(), b.peek()) {
+        (Some(x), Some(y)) if y < x => b.next(),
+        (None, _) => b.next(),
+        _ => a.next(),
+    })
 }
 
 /// [from, to] in pieces whose ends have a bounded ratio, where the integrand holds a logarithm of w.
@@ -241,7 +249,7 @@ impl<C: MicroContact + ?Sized> Model for Statistical<'_, C> {
     fn respond_all(&self, separations: &[f64]) -> Vec<Response> {
         /// Integrals that are worth a task.
         const MANY: usize = 64;
-        let Population { density, heights, .. } = self.population;
+        let Population { density, ref heights, .. } = self.population;
         separations
             .par_iter()
             .with_min_len(MANY)
@@ -262,9 +270,9 @@ impl<C: MicroContact + ?Sized> Model for Statistical<'_, C> {
     }
 
     fn separations_at(&self, pressures: &[f64]) -> Vec<Option<f64>> {
-        let density = self.population.heights;
+        let density = &self.population.heights;
         let highest = self.reported(density.highest_separation());
-        let mode = self.reported(density.mode()).max(LOWEST_SEPARATION);
+        let mode = self.reported(density.decreasing_from()).max(LOWEST_SEPARATION);
         let may_decrease = self.may_decrease();
         let low = if may_decrease { mode } else { LOWEST_SEPARATION };
         let mut found = self.last_reaching(pressures, low, highest);

@@ -7,7 +7,7 @@
 //! | [`generate`] | random rough surfaces |
 //! | [`spectrum`] | how much of the height variance each wave carries |
 //! | [`fourier`] | transforms in the memory of the map |
-//! | [`marginal`] | height distributions, as maps from a standard normal |
+//! | [`height_transform`] | maps from Gaussian fields to other height distributions |
 //! | [`level`] | taking out the form |
 //! | [`filter`] | Gaussian S and L filters |
 //! | [`summits`] | summits and their curvatures |
@@ -21,8 +21,8 @@ pub mod correlation;
 pub mod filter;
 pub mod fourier;
 pub mod generate;
+pub mod height_transform;
 pub mod level;
-pub mod marginal;
 pub mod quantisation;
 pub mod read;
 pub mod rows;

@@ -6,7 +6,7 @@ use rayon::prelude::*;
 use realfft::num_complex::Complex;
 
 use super::fourier::{analyse, synthesise, weight};
-use super::marginal::Distortion;
+use super::height_transform::Distortion;
 use crate::memory::zeros;
 use crate::numeric::is_positive;
 use crate::numeric::power::Power;

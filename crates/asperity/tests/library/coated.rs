@@ -1,7 +1,8 @@
 //! The layered flat: against vectors at 40 digits, and what must hold for any coating.
 
 use crate::common::{Row, Worst, rows};
-use asperity::asperity::{AsperitySet, HeightDensity, Population};
+use asperity::asperity::{AsperitySet, Population};
+use asperity::distribution::Heights;
 use asperity::interface::{Flat, Layered, MicroContact};
 use asperity::law::{Shape, Zmc};
 use asperity::layer::{Coating, Rule};
@@ -65,7 +66,7 @@ fn statistical_under_lead_and_under_a_hard_coating() {
             radius: row.number("radius"),
             sigma: row.number("sigma"),
             density: row.number("density"),
-            heights: HeightDensity::Gaussian,
+            heights: Heights::GAUSSIAN,
         };
         let h = row.number("separation_over_sigma");
         let found = Statistical::new(&*contact, population).respond(h);

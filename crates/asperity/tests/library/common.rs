@@ -84,8 +84,8 @@ impl Random {
         low * (high / low).powf(self.unit())
     }
 
-    pub fn one_of<T: Copy>(&mut self, all: &[T]) -> T {
-        all[(self.unit() * all.len() as f64) as usize]
+    pub fn one_of<T: Clone>(&mut self, all: &[T]) -> T {
+        all[(self.unit() * all.len() as f64) as usize].clone()
     }
 }
 
@@ -115,7 +115,7 @@ pub fn slope(value: impl Fn(f64) -> f64, w: f64, reach: f64) -> f64 {
 }
 
 /// Area, load and stiffness per nominal area at the separation `h`: the integrals of the statistical model by panels a
-/// fifth of an octave wide, and between the indentations `kinks`.
+/// fifth of an octave wide, and between the indentations `kinks`, of heights that are integrated over the indentation.
 pub fn dense(
     contact: &dyn MicroContact,
     shape: Shape,
@@ -123,7 +123,7 @@ pub fn dense(
     population: &Population,
     h: f64,
 ) -> [f64; 3] {
-    let &Population { sigma, density, heights, .. } = population;
+    let &Population { sigma, density, ref heights, .. } = population;
     let [start, end] = heights.window(h);
     let mut ends: Vec<f64> = (0..170).map(|k| end * 1.5f64.powi(-k)).collect();
     ends.extend((0..40).map(|k| start + (end - start) * f64::from(k) / 40.0));
@@ -136,7 +136,7 @@ pub fn dense(
         for panel in panels(range[0], range[1], Variable::SquareRoot, 1) {
             for (x, weight) in panel.points.into_iter().zip(panel.weights) {
                 let found = contact.contact(x * sigma, shape);
-                let share = weight * (-heights.exponent(h, x)).exp();
+                let share = weight * heights.relative_density(h, x);
                 for (sum, value) in sums.iter_mut().zip([found.area, found.load, found.stiffness]) {
                     *sum += share * value;
                 }

@@ -1,15 +1,16 @@
 //! Curves within a tolerance: how far they are off, and what they cost.
 
-use asperity::asperity::{AsperitySet, Draw, HeightDensity, Population};
+use asperity::asperity::{AsperitySet, Draw, Population};
 use asperity::contact::ByRegime;
+use asperity::distribution::Heights;
 use asperity::interface::{Interface, MicroContact};
 use asperity::law::{Ceb, Hertz, Law, Shape, Zmc};
 use asperity::material::Material;
 use asperity::model::{Deterministic, Model, ReferencePlane, Response, Statistical, respond_within};
 
 const CASES: [Population; 2] = [
-    Population { radius: 2e-5, sigma: 4.8e-8, density: 6e10, heights: HeightDensity::Gaussian },
-    Population { radius: 1.6e-6, sigma: 2.6e-7, density: 9e10, heights: HeightDensity::Gaussian },
+    Population { radius: 2e-5, sigma: 4.8e-8, density: 6e10, heights: Heights::GAUSSIAN },
+    Population { radius: 1.6e-6, sigma: 2.6e-7, density: 9e10, heights: Heights::GAUSSIAN },
 ];
 
 fn steel() -> Material {
@@ -50,7 +51,7 @@ fn a_thousand_integrals_from_fewer_than_a_hundred() {
     let (zmc, hertz, ceb) = (bare(Zmc::default()), bare(Hertz), bare(Ceb));
     for population in CASES {
         for contact in [&zmc as &dyn MicroContact, &hertz, &ceb] {
-            let model = Statistical::new(contact, population);
+            let model = Statistical::new(contact, population.clone());
             let curve = respond_within(&model, &sweep(1000), 1e-8);
             let off = errors(&curve.responses, &model.respond_all(&sweep(1000)));
             assert!(off.iter().all(|off| *off <= 1e-8), "{off:?}");

@@ -4,7 +4,8 @@ use std::f64::consts::PI;
 
 use crate::common::Worst;
 use asperity::accumulator::Accumulator;
-use asperity::asperity::{AsperitySet, Ellipse, Ellipses, Ellipticity, HeightDensity, Ordered, Population};
+use asperity::asperity::{AsperitySet, Ellipse, Ellipses, Ellipticity, Ordered, Population};
+use asperity::distribution::Heights;
 use asperity::interface::{Interface, Layered, MicroContact};
 use asperity::law::{Hertz, Law, Pair, Shape, YieldLimits, Zmc};
 use asperity::layer::{Coating, Rule};
@@ -90,8 +91,8 @@ fn an_integral_over_ellipses_is_that_over_their_spheres() {
     let shape = mean.shape();
     assert!(shape.spheres > 1.1);
     let population =
-        Population { radius: shape.radius, sigma: 5e-8, density: 6e10, heights: HeightDensity::Gaussian };
-    let spheres = Statistical::new(&contact, population);
+        Population { radius: shape.radius, sigma: 5e-8, density: 6e10, heights: Heights::GAUSSIAN };
+    let spheres = Statistical::new(&contact, population.clone());
     let ellipses = Statistical::of_shape(&contact, Population { radius: 1.0, ..population }, shape);
     for h in [-1.0, 0.5, 3.0] {
         let (one, all) = (spheres.respond(h), ellipses.respond(h));

@@ -1,18 +1,17 @@
 //! What must hold for any surface, whatever the numbers, beyond what every law must hold (`tests/conformance.rs`).
 
 use crate::common::{Worst, dense, relative_error, rows};
-use asperity::asperity::{
-    AsperitySet, Draw, HeightDensity, Ordered, Population, Statistics, SurfaceHeights, gaussian_moment,
-};
+use asperity::asperity::{AsperitySet, Draw, Ordered, Population, Statistics, SurfaceHeights};
+use asperity::distribution::{Heights, gaussian_moment};
 use asperity::interface::{Interface, MicroContact};
 use asperity::law::{Hertz, Shape, Zmc};
 use asperity::material::Material;
 use asperity::model::{Deterministic, Model, ReferencePlane, Statistical, at_pressure};
 
 const CASE_1: Population =
-    Population { radius: 2e-5, sigma: 4.8e-8, density: 6e10, heights: HeightDensity::Gaussian };
+    Population { radius: 2e-5, sigma: 4.8e-8, density: 6e10, heights: Heights::GAUSSIAN };
 const CASE_2: Population =
-    Population { radius: 1.6e-6, sigma: 2.6e-7, density: 9e10, heights: HeightDensity::Gaussian };
+    Population { radius: 1.6e-6, sigma: 2.6e-7, density: 9e10, heights: Heights::GAUSSIAN };
 
 fn steel() -> Material {
     Material::new(210e9, 0.3, Some(7.6e9), None).unwrap()
@@ -111,9 +110,9 @@ fn partial_totals_merge_into_the_whole() {
 fn exponential_moments_are_gamma_functions() {
     let body = Material::new(2.0, 0.0, None, None).unwrap();
     let hertz = Interface::bare(Hertz, &body, &body).unwrap();
-    let unit = Population { radius: 1.0, sigma: 1.0, density: 1.0, heights: HeightDensity::Exponential };
+    let unit = Population { radius: 1.0, sigma: 1.0, density: 1.0, heights: Heights::EXPONENTIAL };
     for h in [-1.0, 0.0, 3.0, 100.0] {
-        let found = Statistical::new(&hertz, unit).respond(h);
+        let found = Statistical::new(&hertz, unit.clone()).respond(h);
         let tail = (-(h + 1.0f64)).exp();
         let pi = std::f64::consts::PI;
         assert!(relative_error(found.contact_density, tail) < 1e-14);
@@ -121,7 +120,7 @@ fn exponential_moments_are_gamma_functions() {
         assert!(relative_error(found.pressure.total(), 4.0 / 3.0 * 0.75 * pi.sqrt() * tail) < 1e-14);
     }
     // Everything in contact: the mean indentation is the mean height above the flat.
-    let deep = Statistical::new(&hertz, unit).respond(-6.0);
+    let deep = Statistical::new(&hertz, unit.clone()).respond(-6.0);
     assert!(relative_error(deep.area_ratio.total(), 6.0 * std::f64::consts::PI) < 1e-14);
     assert!(relative_error(deep.contact_density, 1.0) < 1e-14);
 }
@@ -255,7 +254,7 @@ fn deep_below_the_mean_a_wide_transition_is_resolved_too() {
         for h in [-10.0, -8.0, -5.0, -3.0, -1.0] {
             for radius in [1.6e-6, 1e-4, 1e-2] {
                 let population = Population { radius, ..CASE_2 };
-                let found = Statistical::new(&law, population).respond(h).pressure.total();
+                let found = Statistical::new(&law, population.clone()).respond(h).pressure.total();
                 let shape = Shape::sphere(radius);
                 let [_, exact, _] = dense(&law, shape, &law.regime_changes(shape), &population, h);
                 let error = relative_error(found, exact);
@@ -270,7 +269,7 @@ fn breakpoints_next_to_nothing_cost_nothing() {
     let soft = Material::new(1e30, 0.3, Some(1e-30), None).unwrap();
     let law = Interface::bare(Zmc::default(), &soft, &soft).unwrap();
     let population = Population { radius: 1e-30, sigma: 1e30, ..CASE_1 };
-    let found = Statistical::new(&law, population).respond(1.0);
+    let found = Statistical::new(&law, population.clone()).respond(1.0);
     assert!(found.area_ratio.0[2] > 0.0 && found.area_ratio.total().is_finite());
 }
 
@@ -315,7 +314,7 @@ fn surface_heights_are_quoted_alike_by_both_models() {
     let plane = ReferencePlane { mean: -surface.mean_asperity_height(), sigma: CASE_2.sigma };
     let law = zmc(Zmc::ONSET);
     let set = population.set(200_000, Draw::Quantiles).unwrap();
-    let statistical = Statistical::new(&law, population).reported_from(plane);
+    let statistical = Statistical::new(&law, population.clone()).reported_from(plane);
     let deterministic = Deterministic::new(&law, set.spheres(), plane);
     for h in [0.0, 1.0, 2.0] {
         let (s, d) = (statistical.respond(h), deterministic.respond(h));
@@ -323,7 +322,7 @@ fn surface_heights_are_quoted_alike_by_both_models() {
         assert_eq!((s.separation, d.separation), (h * CASE_2.sigma, h * CASE_2.sigma));
         // Seen from the asperities the flat is nearer by the height of their mean.
         let own = (h * CASE_2.sigma - surface.mean_asperity_height()) / population.sigma;
-        let same = Statistical::new(&law, population).respond(own).pressure.total();
+        let same = Statistical::new(&law, population.clone()).respond(own).pressure.total();
         assert!(relative_error(s.pressure.total(), same) < 1e-13);
         let reached = at_pressure(&statistical, s.pressure.total()).unwrap().response;
         assert!(reached.pressure.total() >= s.pressure.total());

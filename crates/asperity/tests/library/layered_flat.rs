@@ -3,8 +3,9 @@
 use std::sync::atomic::{AtomicUsize, Ordering};
 
 use crate::common::{Random, bodies, dense, relative_error};
-use asperity::asperity::{AsperitySet, Draw, HeightDensity, Population};
+use asperity::asperity::{AsperitySet, Draw, Population};
 use asperity::contact::{Contact, Regime};
+use asperity::distribution::Heights;
 use asperity::interface::{Flat, Layered, LoadBounds, MicroContact, Shapes};
 use asperity::law::{Ceb, KogutEtsion, Shape, Zmc};
 use asperity::layer::{Coating, Rule};
@@ -116,8 +117,8 @@ fn a_harder_flat_may_yield_first() {
     let contact = Layered::new(Ceb, &rough, &substrate, coating).unwrap();
     let shape = Shape::sphere(5e-8);
     let population =
-        Population { radius: shape.radius, sigma: 2e-3, density: 1e10, heights: HeightDensity::Gaussian };
-    let model = Statistical::new(&contact, population);
+        Population { radius: shape.radius, sigma: 2e-3, density: 1e10, heights: Heights::GAUSSIAN };
+    let model = Statistical::new(&contact, population.clone());
     for h in [0.0, 10.0, 20.0] {
         let found = model.respond(h);
         let [area, load, _] = dense(&contact, shape, &contact.breakpoints(shape), &population, h);
@@ -195,7 +196,7 @@ fn where_the_load_falls_the_first_reach_counts() {
         };
         let contact = contact.unwrap();
         let contact = Counted(&*contact, AtomicUsize::new(0));
-        let population = Population { radius: 1e-5, sigma, density: 1e10, heights: HeightDensity::Gaussian };
+        let population = Population { radius: 1e-5, sigma, density: 1e10, heights: Heights::GAUSSIAN };
         let count = random.one_of(&[1, 3, 30, 600]);
         let drawn = population.set(count, Draw::Random([k as u8; 32])).unwrap();
         let radii = drawn.radii().iter().map(|b| b * random.log(0.3, 3.0)).collect();

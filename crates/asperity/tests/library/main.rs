@@ -8,6 +8,7 @@ mod ellipses;
 mod exact_sphere;
 mod files;
 mod formats;
+mod heights;
 mod invariants;
 mod layered_flat;
 mod measured;

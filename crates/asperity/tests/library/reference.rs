@@ -2,8 +2,9 @@
 //! (`tests/reference/README.md`). Every published claim of accuracy is one of these tests.
 
 use crate::common::{Worst, rows};
-use asperity::asperity::{HeightDensity, Population};
+use asperity::asperity::Population;
 use asperity::contact::{Contact, Regime};
+use asperity::distribution::Heights;
 use asperity::interface::{Interface, LoadBounds, MicroContact, Shapes};
 use asperity::law::{Ceb, Hertz, JacksonGreen, KogutEtsion, Law, Pair, ScalableLaw, Shape, YieldLimits, Zmc};
 use asperity::literature::Paper;
@@ -106,8 +107,7 @@ impl MicroContact for Power {
     }
 }
 
-const UNIT: Population =
-    Population { radius: 1.0, sigma: 1.0, density: 1.0, heights: HeightDensity::Gaussian };
+const UNIT: Population = Population { radius: 1.0, sigma: 1.0, density: 1.0, heights: Heights::GAUSSIAN };
 
 #[test]
 fn moments_of_the_gaussian_tail() {
@@ -141,7 +141,7 @@ fn statistical_error<C: MicroContact>(contact: impl Fn(&Material) -> C) -> [Wors
             radius: row.number("radius"),
             sigma: row.number("sigma"),
             density: row.number("density"),
-            heights: HeightDensity::Gaussian,
+            heights: Heights::GAUSSIAN,
         };
         let h = row.number("separation_over_sigma");
         let found = Statistical::new(&contact, population).respond(h);

@@ -3,13 +3,13 @@
 use asperity::asperity::{AsperitySet, Statistics};
 use std::f64::consts::PI;
 
+use asperity::distribution::{Heights, Johnson, Weibull};
 use asperity::topography::character::{Character, Drops};
 use asperity::topography::correlation::{Autocorrelation, RadialSpectrum};
 use asperity::topography::generate::{
     Plateau, Process, Recipe, Seeds, SpectrumOf, Target, TargetRecipe, Unreachable, gaussian,
 };
 use asperity::topography::level::{Level, Levelled};
-use asperity::topography::marginal::{Johnson, Marginal, Weibull};
 use asperity::topography::read::{self, Given};
 use asperity::topography::spectrum::{Lay, Shape, Spectrum};
 use asperity::topography::summits::{Detail, Neighbours, find, five_point};
@@ -22,7 +22,7 @@ fn seeds(seed: u8) -> Seeds {
     Seeds { process: [seed; 32], plateau: [seed ^ 0x80; 32] }
 }
 
-fn process(shape: Shape, lay: Lay, heights: Marginal) -> Process {
+fn process(shape: Shape, lay: Lay, heights: Heights) -> Process {
     Process { spectrum: Spectrum::new(shape, lay).unwrap(), of: SpectrumOf::Heights, sigma: SIGMA, heights }
 }
 
@@ -30,8 +30,8 @@ fn surface(points: [usize; 2], pixel: [f64; 2], process: Process, seed: u8) -> H
     Recipe { points, pixel, process, plateau: None }.surface(seeds(seed)).unwrap().0
 }
 
-fn johnson(skewness: f64, kurtosis: f64) -> Marginal {
-    Marginal::Johnson(Johnson::from_moments(skewness, kurtosis).unwrap())
+fn johnson(skewness: f64, kurtosis: f64) -> Heights {
+    Heights::new(Johnson::from_moments(skewness, kurtosis).unwrap())
 }
 
 /// Density, mean curvature, mean height and variance of the heights of the summits that are found.
@@ -96,7 +96,7 @@ fn summits_are_those_of_the_five_point_theory() {
         let theory = expected(theory::five_point(&drops, SIGMA, pixel).unwrap());
         let all: Vec<[f64; 4]> = (1..=24)
             .map(|seed| {
-                let map = surface([384, 320], pixel, process(shape, lay, Marginal::Gaussian), seed);
+                let map = surface([384, 320], pixel, process(shape, lay, Heights::GAUSSIAN), seed);
                 found(&map, Neighbours::Four)
             })
             .collect();
@@ -129,7 +129,7 @@ fn summits_become_those_of_nayak_as_the_pixel_shrinks() {
             let map = surface(
                 [points; 2],
                 [pixel; 2],
-                process(Shape::Gaussian(l), Lay::default(), Marginal::Gaussian),
+                process(Shape::Gaussian(l), Lay::default(), Heights::GAUSSIAN),
                 seed,
             );
             for (sum, neighbours) in sums.iter_mut().zip([Neighbours::Eight, Neighbours::Four]) {
@@ -158,8 +158,8 @@ fn both_cases_of_table_1_are_met() {
     let case_1 = Target { radius: 2e-5, sigma: 4.8e-8, density: 6e10 };
     let case_2 = Target { radius: 1.6e-6, sigma: 2.6e-7, density: 9e10 };
     for (target, heights) in [
-        (case_1, Marginal::Gaussian),
-        (case_2, Marginal::Gaussian),
+        (case_1, Heights::GAUSSIAN),
+        (case_2, Heights::GAUSSIAN),
         (case_1, johnson(-1.0, 4.5)),
         (case_2, johnson(-1.0, 4.5)),
         (case_1, johnson(1.0, 4.5)),
@@ -170,7 +170,7 @@ fn both_cases_of_table_1_are_met() {
             hurst: 0.8,
             cut_off: 8.0,
             lay: Lay::default(),
-            heights,
+            heights: heights.clone(),
             neighbours: Neighbours::Four,
         };
         let mut first = None;
@@ -217,9 +217,9 @@ fn what_no_surface_has_is_refused_with_the_range() {
 /// Moments over many surfaces are those of the distribution; those of one scatter about them.
 #[test]
 fn heights_have_the_moments_that_were_asked_for() {
-    let weibull = Marginal::Weibull(Weibull::new(1.5).unwrap());
+    let weibull = Heights::new(Weibull::new(1.5).unwrap());
     for heights in [
-        Marginal::Gaussian,
+        Heights::GAUSSIAN,
         johnson(-1.0, 4.5),
         johnson(0.5, 2.5),
         johnson(0.0, 5.0),
@@ -229,7 +229,12 @@ fn heights_have_the_moments_that_were_asked_for() {
         let shape = Shape::Exponential(2e-6);
         let all: Vec<Moments> = (1..=20)
             .map(|seed| {
-                Moments::of(&surface([256; 2], [1e-6; 2], process(shape, Lay::default(), heights), seed))
+                Moments::of(&surface(
+                    [256; 2],
+                    [1e-6; 2],
+                    process(shape, Lay::default(), heights.clone()),
+                    seed,
+                ))
             })
             .collect();
         let of = |value: &dyn Fn(&Moments) -> f64| all.iter().map(value).collect::<Vec<f64>>();
@@ -248,10 +253,10 @@ fn heights_have_the_moments_that_were_asked_for() {
 
 #[test]
 fn a_plateau_is_cut_and_nothing_else() {
-    let coarse = process(Shape::Gaussian(6e-6), Lay::default(), Marginal::Gaussian);
+    let coarse = process(Shape::Gaussian(6e-6), Lay::default(), Heights::GAUSSIAN);
     let fine = Process {
         sigma: 0.1 * SIGMA,
-        ..process(Shape::Exponential(2e-6), Lay::default(), Marginal::Gaussian)
+        ..process(Shape::Exponential(2e-6), Lay::default(), Heights::GAUSSIAN)
     };
     let recipe = Recipe {
         points: [200, 160],
@@ -278,14 +283,14 @@ fn a_plateau_is_cut_and_nothing_else() {
 #[test]
 fn a_surface_of_other_heights_has_the_autocorrelation_that_was_asked_for() {
     let (l, pixel) = (6e-6, 1e-6);
-    let weibull = Marginal::Weibull(Weibull::new(1.0).unwrap());
+    let weibull = Heights::new(Weibull::new(1.0).unwrap());
     for (heights, distorted) in [(weibull, 0.04), (johnson(-1.5, 6.5), 0.02)] {
         let mut worst = [0.0f64; 2];
         for (worst, of) in worst.iter_mut().zip([SpectrumOf::Heights, SpectrumOf::Gaussian]) {
-            let process = Process { of, ..process(Shape::Exponential(l), Lay::default(), heights) };
+            let process = Process { of, ..process(Shape::Exponential(l), Lay::default(), heights.clone()) };
             let mut mean = [0.0; 20];
             for seed in 1..=24 {
-                let map = surface([512; 2], [pixel; 2], process, seed);
+                let map = surface([512; 2], [pixel; 2], process.clone(), seed);
                 let found = Autocorrelation::of(&map, 0.0).unwrap();
                 for (k, sum) in mean.iter_mut().enumerate() {
                     *sum += (found.along_x[k].1 + found.along_y[k].1) / 48.0;
@@ -306,7 +311,7 @@ fn a_surface_of_other_heights_has_the_autocorrelation_that_was_asked_for() {
 fn a_finer_grid_shows_the_same_surface() {
     let shape = Shape::SelfAffine { hurst: 0.8, roll_off: 40e-6, cut_off: 8e-6 };
     let make = |points: usize, pixel: f64| {
-        surface([points; 2], [pixel; 2], process(shape, Lay::default(), Marginal::Gaussian), 3)
+        surface([points; 2], [pixel; 2], process(shape, Lay::default(), Heights::GAUSSIAN), 3)
     };
     let (coarse, fine) = (make(64, 2e-6), make(128, 1e-6));
     for ix in 0..64 {
@@ -323,9 +328,9 @@ fn the_same_bits_on_any_number_of_threads() {
     let all = || {
         let lay = Lay { elongation: 2.0, angle: 0.7 };
         let rough = process(Shape::Exponential(3e-6), lay, johnson(-1.0, 4.5));
-        let fine = process(Shape::Gaussian(2e-6), Lay::default(), Marginal::Gaussian);
+        let fine = process(Shape::Gaussian(2e-6), Lay::default(), Heights::GAUSSIAN);
         let plateau = Some(Plateau { process: Process { sigma: 1e-8, ..fine }, height: 1e-7 });
-        let recipe = Recipe { points: [210, 333], pixel: [1e-6, 1.5e-6], process: rough, plateau };
+        let recipe = Recipe { points: [210, 333], pixel: [1e-6, 1.5e-6], process: rough.clone(), plateau };
         let map = recipe.surface(seeds(9)).unwrap().0;
         let open = HeightMap::new(map.points(), map.pixel(), map.heights().to_vec(), 0.0).unwrap();
         let levelled = Level::Quadratic.apply(&open).unwrap();
@@ -365,8 +370,8 @@ fn a_mapped_file_gives_the_same_summits_as_the_map_in_memory() {
 /// Of the same spectrum and the same height, it cuts every other point; if it were the coarser one again, none.
 #[test]
 fn the_finer_process_has_random_numbers_of_its_own() {
-    let process = process(Shape::Exponential(2e-6), Lay::default(), Marginal::Gaussian);
-    let plateau = Some(Plateau { process, height: 0.0 });
+    let process = process(Shape::Exponential(2e-6), Lay::default(), Heights::GAUSSIAN);
+    let plateau = Some(Plateau { process: process.clone(), height: 0.0 });
     let recipe = Recipe { points: [200, 160], pixel: [1e-6; 2], process, plateau };
     let cut = recipe.surface(seeds(5)).unwrap().1.unwrap();
     assert!((cut - 0.5).abs() < 0.1, "{cut}");
@@ -377,11 +382,17 @@ fn the_finer_process_has_random_numbers_of_its_own() {
 fn what_meets_a_target_is_made_by_the_recipe_that_is_reported() {
     let target = Target { radius: 2e-5, sigma: 4.8e-8, density: 6e10 };
     for (heights, neighbours) in
-        [(Marginal::Gaussian, Neighbours::Eight), (johnson(-1.0, 4.5), Neighbours::Four)]
+        [(Heights::GAUSSIAN, Neighbours::Eight), (johnson(-1.0, 4.5), Neighbours::Four)]
     {
         let points = [512, 384];
-        let recipe =
-            TargetRecipe { points, hurst: 0.8, cut_off: 8.0, lay: Lay::default(), heights, neighbours };
+        let recipe = TargetRecipe {
+            points,
+            hurst: 0.8,
+            cut_off: 8.0,
+            lay: Lay::default(),
+            heights: heights.clone(),
+            neighbours,
+        };
         // A target may lie in a jump of the small map of one seed.
         let of = |seed| Some((seed, recipe.surface(&target, seeds(seed).process, None).ok()?));
         let (seed, reached) = (1..=8).find_map(of).unwrap();

@@ -26,7 +26,7 @@ pub fn surface(page: &mut Page, found: &SurfaceResults) {
     }
     page.paragraph(&format!(
         "The statistical model stands on {} heights with σ = {}, one radius of {} and η = {} /m².",
-        population.heights.adjective(),
+        population.heights.label(),
         quantity(population.sigma, "m"),
         quantity(population.radius, "m"),
         number(population.density),

@@ -11,8 +11,9 @@ use crate::precision::list::ListTask;
 use crate::precision::sampling::SamplingTask;
 use crate::precision::sum::{POINTS, SumTask};
 use crate::stability;
-use asperity::asperity::{HeightDensity, Population};
+use asperity::asperity::Population;
 use asperity::contact_law::ContactLaw;
+use asperity::distribution::Heights;
 use asperity::interface::Flat;
 use asperity_framework::contact::Bodies;
 use asperity_framework::contact::LawPlan;
@@ -184,7 +185,7 @@ pub(super) fn plan(file: &SpecFile, full: bool) -> Result<PrecisionPlan, InputEr
             radius: words.radius.value(),
             sigma: words.sigma.value(),
             density: words.density.value(),
-            heights: HeightDensity::Gaussian,
+            heights: Heights::GAUSSIAN,
         };
         (name.get_ref().clone(), population)
     };

@@ -152,7 +152,7 @@ fn case(
     timing.deterministic += start.elapsed();
     Ok(CasePrecision {
         name: name.to_owned(),
-        population: *population,
+        population: population.clone(),
         plasticity_index: plasticity_index(contact, population.sigma, population.radius),
         findings: CaseFindings::of(integral.as_ref(), &sums),
         integral,

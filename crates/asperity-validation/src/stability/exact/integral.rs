@@ -7,7 +7,25 @@ use super::{Branch, Exact, Flat};
 use crate::stability::exact::Shape;
 use crate::stability::exact::Total;
 use crate::stability::wide::{PI, Wide, integral};
-use asperity::asperity::HeightDensity;
+use asperity::asperity::Population;
+use asperity::distribution::Heights;
+
+/// A height distribution that an integral can be taken over in about 32 digits.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Density {
+    /// Gaussian heights.
+    Gaussian,
+    /// Exponential heights.
+    Exponential,
+}
+
+impl Density {
+    /// The density of the heights, where it is covered.
+    pub fn of(heights: &Heights) -> Option<Self> {
+        let covered = [(Heights::GAUSSIAN, Self::Gaussian), (Heights::EXPONENTIAL, Self::Exponential)];
+        covered.into_iter().find_map(|(covered, density)| (covered == *heights).then_some(density))
+    }
+}
 
 /// A population that an integral is taken over; lengths in m.
 #[derive(Debug, Clone, Copy)]
@@ -17,7 +35,7 @@ pub struct Integral {
     /// Asperities per nominal area, 1/m^2.
     pub density: f64,
     /// Their density.
-    pub heights: HeightDensity,
+    pub heights: Density,
     /// d/sigma.
     pub separation: f64,
 }
@@ -34,14 +52,20 @@ const PER_DECADE: f64 = 40.0;
 const TOLERANCE: f64 = 1e-12;
 
 impl Integral {
+    /// The integral over a population at a separation d/sigma; `None` for heights that are not covered.
+    pub fn of(population: &Population, separation: f64) -> Option<Self> {
+        let &Population { sigma, density, ref heights, .. } = population;
+        Some(Self { sigma, density, heights: Density::of(heights)?, separation })
+    }
+
     /// ln of the density over its factor [`Self::scale`], turned over, at x = (z - d)/sigma.
     fn exponent(&self, x: Wide) -> Wide {
         let h = self.separation;
         match self.heights {
-            HeightDensity::Gaussian if h >= 0.0 => x * (x * 0.5 + h),
-            HeightDensity::Gaussian => (x + h) * (x + h) * 0.5,
-            HeightDensity::Exponential if h >= -1.0 => x,
-            HeightDensity::Exponential => x + h + 1.0,
+            Density::Gaussian if h >= 0.0 => x * (x * 0.5 + h),
+            Density::Gaussian => (x + h) * (x + h) * 0.5,
+            Density::Exponential if h >= -1.0 => x,
+            Density::Exponential => x + h + 1.0,
         }
     }
 
@@ -50,21 +74,21 @@ impl Integral {
     fn scale(&self) -> Wide {
         let h = Wide::new(self.separation);
         match self.heights {
-            HeightDensity::Gaussian => {
+            Density::Gaussian => {
                 let peak = if self.separation >= 0.0 { (h * h * -0.25).exp() } else { Wide::ONE };
                 peak / (PI * 2.0).sqrt().sqrt()
             }
-            HeightDensity::Exponential if self.separation >= -1.0 => (-(h + 1.0) * 0.5).exp(),
-            HeightDensity::Exponential => Wide::ONE,
+            Density::Exponential if self.separation >= -1.0 => (-(h + 1.0) * 0.5).exp(),
+            Density::Exponential => Wide::ONE,
         }
     }
 
     fn window(&self) -> [f64; 2] {
         let (h, reach) = (self.separation, 2.0 * FOLDINGS);
         match self.heights {
-            HeightDensity::Gaussian if h >= 0.0 => [0.0, reach / (h + (h * h + reach).sqrt())],
-            HeightDensity::Gaussian => [(-h - reach.sqrt()).max(0.0), reach.sqrt() - h],
-            HeightDensity::Exponential => {
+            Density::Gaussian if h >= 0.0 => [0.0, reach / (h + (h * h + reach).sqrt())],
+            Density::Gaussian => [(-h - reach.sqrt()).max(0.0), reach.sqrt() - h],
+            Density::Exponential => {
                 let start = (-1.0 - h).max(0.0);
                 [start, start + FOLDINGS]
             }
@@ -75,12 +99,12 @@ impl Integral {
     fn cuts(&self) -> Vec<f64> {
         let h = self.separation;
         match self.heights {
-            HeightDensity::Gaussian if h >= 0.0 => {
+            Density::Gaussian if h >= 0.0 => {
                 let along = |foldings: f64| 2.0 * foldings / (h + (h * h + 2.0 * foldings).sqrt());
                 [6.0, 24.0].map(along).to_vec()
             }
-            HeightDensity::Gaussian => CUTS.iter().flat_map(|cut| [-h - cut, -h + cut]).collect(),
-            HeightDensity::Exponential => [8.0, 30.0].map(|cut| (-1.0 - h).max(0.0) + cut).to_vec(),
+            Density::Gaussian => CUTS.iter().flat_map(|cut| [-h - cut, -h + cut]).collect(),
+            Density::Exponential => [8.0, 30.0].map(|cut| (-1.0 - h).max(0.0) + cut).to_vec(),
         }
     }
 }
@@ -112,8 +136,8 @@ impl Exact {
                 let (area, load, _) = self.answer(x * of.sigma, shape, branch);
                 let density = (-of.exponent(x)).exp();
                 let steepness = match of.heights {
-                    HeightDensity::Gaussian => x + h,
-                    HeightDensity::Exponential => Wide::ONE,
+                    Density::Gaussian => x + h,
+                    Density::Exponential => Wide::ONE,
                 };
                 [density, density * area, density * load, density * load * steepness]
             })?;
@@ -124,7 +148,7 @@ impl Exact {
             from = to;
         }
         // An exponential density begins with a step, at which its slope has no bound.
-        if of.heights == HeightDensity::Exponential && start > Wide::ZERO {
+        if of.heights == Density::Exponential && start > Wide::ZERO {
             let w = (Wide::new(-1.0) - h) * of.sigma;
             total.stiffness -= self.answer(w, shape, self.branch(w, shape)).1;
         }

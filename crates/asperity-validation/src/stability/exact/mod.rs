@@ -13,7 +13,7 @@ mod layer;
 mod shape;
 mod sum;
 
-pub use integral::Integral;
+pub use integral::{Density, Integral};
 pub use shape::Shape;
 pub use sum::Total;
 

@@ -8,13 +8,14 @@ pub use target::{Reached, Target, TargetRecipe, Unreachable};
 
 use rayon::prelude::*;
 
-use super::marginal::{Distortion, Marginal};
+use super::height_transform::{Distortion, map_normals};
 use super::spectrum::{GridSpectrum, Spectrum, SpectrumError};
 use super::{HeightMap, MapError};
+use crate::distribution::Heights;
 use crate::numeric::sum::sum_of;
 
 /// A process that makes rough surfaces: a Gaussian surface whose heights are mapped to a distribution.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, PartialEq)]
 pub struct Process {
     /// How the variance is spread over the waves, of the field that [`Self::of`] names.
     pub spectrum: Spectrum,
@@ -23,7 +24,7 @@ pub struct Process {
     /// Standard deviation of the heights of an endless surface, m.
     pub sigma: f64,
     /// Distribution of the heights.
-    pub heights: Marginal,
+    pub heights: Heights,
 }
 
 /// The field that has the prescribed spectrum. Mapping the heights to a distribution distorts it.
@@ -40,7 +41,7 @@ pub enum SpectrumOf {
 
 /// A finer process that cuts the summits of a coarser one, as honing does: the lower of the two surfaces is
 /// left.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, PartialEq)]
 pub struct Plateau {
     /// The process that cuts.
     pub process: Process,
@@ -49,7 +50,7 @@ pub struct Plateau {
 }
 
 /// What makes a surface on a grid.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, PartialEq)]
 pub struct Recipe {
     /// Points along x and y.
     pub points: [usize; 2],
@@ -90,7 +91,7 @@ impl Recipe {
     /// A grid that makes no map.
     pub fn surface(&self, seeds: Seeds) -> Result<(HeightMap, Option<f64>), MapError> {
         let mut heights = self.process.heights(self.points, self.pixel, seeds.process);
-        let share = self.plateau.map(|plateau| {
+        let share = self.plateau.as_ref().map(|plateau| {
             let finer = plateau.process.heights(self.points, self.pixel, seeds.plateau);
             let pairs = heights.par_iter_mut().zip(finer);
             let cut: usize = pairs
@@ -112,20 +113,20 @@ impl Recipe {
 impl Process {
     fn heights(&self, points: [usize; 2], pixel: [f64; 2], seed: [u8; 32]) -> Vec<f64> {
         let mut spectrum = self.spectrum.on_grid(points, pixel);
-        if self.heights != Marginal::Gaussian && self.of == SpectrumOf::Heights {
-            spectrum = spectrum.before(&Distortion::new(&self.heights));
+        if self.heights != Heights::GAUSSIAN && self.of == SpectrumOf::Heights {
+            spectrum = spectrum.before(&Distortion::new(&*self.heights));
         }
-        field(&spectrum, self.heights, self.sigma, seed)
+        field(&spectrum, &self.heights, self.sigma, seed)
     }
 }
 
 /// Heights of a distribution on a Gaussian surface of a spectrum.
-fn field(spectrum: &GridSpectrum, heights: Marginal, sigma: f64, seed: [u8; 32]) -> Vec<f64> {
-    if heights == Marginal::Gaussian {
+fn field(spectrum: &GridSpectrum, heights: &Heights, sigma: f64, seed: [u8; 32]) -> Vec<f64> {
+    if *heights == Heights::GAUSSIAN {
         return gaussian(spectrum, sigma, seed);
     }
     let mut field = gaussian(spectrum, 1.0, seed);
-    heights.apply(&mut field, sigma);
+    map_normals(&**heights, &mut field, sigma);
     centre(&mut field);
     field
 }

@@ -6,7 +6,7 @@
 
 use super::field;
 use crate::asperity::{AsperitySet, SetError, Statistics};
-use crate::topography::marginal::Marginal;
+use crate::distribution::Heights;
 use crate::topography::spectrum::{Lay, Shape, Spectrum, SpectrumError};
 use crate::topography::summits::{Detail, Neighbours, find};
 use crate::topography::{HeightMap, MapError};
@@ -30,7 +30,7 @@ impl Target {
 }
 
 /// A self-affine surface whose scales and bandwidth are left to the target.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, PartialEq)]
 pub struct TargetRecipe {
     /// Points along x and y.
     pub points: [usize; 2],
@@ -41,7 +41,7 @@ pub struct TargetRecipe {
     /// The lay.
     pub lay: Lay,
     /// Distribution of the heights.
-    pub heights: Marginal,
+    pub heights: Heights,
     /// What a summit is.
     pub neighbours: Neighbours,
 }
@@ -168,7 +168,7 @@ impl TargetRecipe {
     fn trial(&self, log_bandwidth: f64, seed: [u8; 32]) -> Result<Trial, Unreachable> {
         let spectrum = self.spectrum(log_bandwidth.exp(), 1.0)?;
         spectrum.check(self.points, [1.0; 2])?;
-        let heights = field(&spectrum.on_grid(self.points, [1.0; 2]), self.heights, 1.0, seed);
+        let heights = field(&spectrum.on_grid(self.points, [1.0; 2]), &self.heights, 1.0, seed);
         let map = HeightMap::new(self.points, [1.0; 2], heights, f64::EPSILON)?.periodic();
         let summits = find(&map, self.neighbours, Detail::default());
         let radii = summits.curvatures.iter().map(|curvature| curvature.recip()).collect();

@@ -1,8 +1,9 @@
 //! One asperity on flats of all kinds: homogeneous, under a layer, all layer.
 
 use asperity::accumulator::{Accumulator, Total};
-use asperity::asperity::{AsperitySet, Draw, Ellipse, Ellipses, HeightDensity, Ordered, Population};
+use asperity::asperity::{AsperitySet, Draw, Ellipse, Ellipses, Ordered, Population};
 use asperity::contact::Contact;
+use asperity::distribution::Heights;
 use asperity::interface::{MicroContact, Shapes};
 use asperity::law::{Inapplicable, Shape};
 use asperity::material::Material;
@@ -239,12 +240,12 @@ fn thin_and_thick_layers_end_in_their_limits() {
         }
         let sigma = 1e-2 * case.shape.radius;
         let population =
-            Population { radius: case.shape.radius, sigma, density: 1e10, heights: HeightDensity::Gaussian };
+            Population { radius: case.shape.radius, sigma, density: 1e10, heights: Heights::GAUSSIAN };
         let set = population.set(50, Draw::Quantiles).unwrap();
         let loads = |thickness: f64| {
             let contact = entry.law.interface(&case.rough, &case.flat(thickness)).unwrap();
             let sum = Deterministic::new(&*contact, set.spheres(), ReferencePlane { mean: 0.0, sigma });
-            [&Statistical::new(&*contact, population) as &dyn Model, &sum]
+            [&Statistical::new(&*contact, population.clone()) as &dyn Model, &sum]
                 .map(|model| model.respond(1.0).pressure.total())
         };
         for (end, sign) in [(0.0, -1), (f64::INFINITY, 1)] {

@@ -1,6 +1,7 @@
 //! Both models.
 
-use asperity::asperity::{AsperitySet, Draw, Ellipse, Ellipses, HeightDensity, Population};
+use asperity::asperity::{AsperitySet, Draw, Ellipse, Ellipses, Population};
+use asperity::distribution::Heights;
 use asperity::interface::MicroContact;
 use asperity::law::Shape;
 use asperity::model::{Deterministic, Model, ReferencePlane, Statistical, at_pressure};
@@ -13,7 +14,7 @@ use crate::common::{Random, Worst, dense, relative_error};
 /// A population in which some asperities are pressed far less than the law's boundaries, some far more, or all about
 /// there.
 fn population(entry: &Entry, case: &Case, random: &mut Random) -> Population {
-    let heights = random.one_of(&[HeightDensity::Gaussian, HeightDensity::Exponential]);
+    let heights = random.one_of(&[Heights::GAUSSIAN, Heights::EXPONENTIAL]);
     let sigma = case.scale(entry, random) * random.log(1e-6, 1e6);
     Population { radius: case.shape.radius, sigma, density: 1e10, heights }
 }
@@ -22,12 +23,11 @@ fn population(entry: &Entry, case: &Case, random: &mut Random) -> Population {
 fn exponential_heights_make_area_proportional_to_load() {
     let mut worst = Worst::default();
     each(1, 30, |entry, case, contact, random| {
-        let population =
-            Population { heights: HeightDensity::Exponential, ..population(entry, case, random) };
+        let population = Population { heights: Heights::EXPONENTIAL, ..population(entry, case, random) };
         if case.coating.is_some() {
             return;
         }
-        let model = Statistical::of_shape(contact, population, case.shape);
+        let model = Statistical::of_shape(contact, population.clone(), case.shape);
         let mean_pressure = |h| model.respond(h).mean_real_pressure().unwrap();
         let exact = mean_pressure(0.5);
         for h in [-1.0, 0.0, 1.5, 4.0, 30.0] {
@@ -52,7 +52,7 @@ fn integrals_are_those_of_dense_panels() {
         let population = population(entry, case, random);
         let mut kinks = case.changes(|w| case.state(entry, w));
         kinks.extend(contact.regime_changes(case.shape));
-        let model = Statistical::of_shape(contact, population, case.shape);
+        let model = Statistical::of_shape(contact, population.clone(), case.shape);
         // Where the load jumps, its slope has a share that no panel sees.
         let columns = if jumps(contact, case.shape) { 2 } else { 3 };
         for h in [-10.0, -3.0, 0.0, 3.0, 20.0, 35.0] {
@@ -78,9 +78,9 @@ fn stiffness_is_the_slope_of_the_pressure() {
     let (mut worst, mut jumping) = (0.0f64, 0);
     each(3, 40, |entry, case, contact, random| {
         let population = population(entry, case, random);
-        let model = Statistical::of_shape(contact, population, case.shape);
+        let model = Statistical::of_shape(contact, population.clone(), case.shape);
         jumping += usize::from(jumps(contact, case.shape));
-        let lowest = if population.heights == HeightDensity::Exponential { -0.5 } else { -6.0 };
+        let lowest = if population.heights == Heights::EXPONENTIAL { -0.5 } else { -6.0 };
         for h in [lowest, 0.4 * lowest, 0.0, 1.0, 2.5, 6.0] {
             let pressure = |steps: f64| model.respond(h + steps * STEP).pressure.total();
             let slope = (8.0 * (pressure(-1.0) - pressure(1.0)) - (pressure(-2.0) - pressure(2.0)))
@@ -106,7 +106,7 @@ fn the_first_reach_counts() {
         // Boundaries are passed somewhere on the way.
         let sigma = case.scale(entry, random) * random.log(0.1, 100.0);
         let population =
-            Population { radius: case.shape.radius, sigma, density: 1e10, heights: HeightDensity::Gaussian };
+            Population { radius: case.shape.radius, sigma, density: 1e10, heights: Heights::GAUSSIAN };
         let count = random.one_of(&[1, 3, 30, 100]);
         let drawn = population.set(count, Draw::Random([count as u8; 32])).unwrap();
         let radii = drawn.radii().iter().map(|b| b * random.log(0.3, 3.0)).collect();

@@ -4,7 +4,7 @@ mod figures;
 
 use crate::kind::stability::findings::KindFindings;
 use crate::kind::stability::run::StabilityResults;
-use crate::stability::{GroupFindings, Kind, Quantity, Worst};
+use crate::stability::{GroupFindings, Kind, Quantity, Worst, uncovered_heights};
 use asperity_framework::report::format::{count, number};
 use asperity_framework::report::page::{Page, escape};
 use asperity_framework::report::sections;
@@ -34,6 +34,14 @@ pub fn page(results: &StabilityResults) -> Page {
     }
     page.heading(2, "How it is checked");
     page.bullets(JUDGED);
+    let uncovered = uncovered_heights();
+    if !uncovered.is_empty() {
+        page.paragraph(&format!(
+            "Not covered, for want of an evaluation of 32 digits: integrals over the heights {}. Tests hold them against dense \
+             quadrature, within 1e-12.",
+            uncovered.join(", ")
+        ));
+    }
     page.heading(2, "The worst cases");
     page.paragraph("Of each kind the case that uses most of its bound; `stability.csv` has that of every quantity of every group, and the medians.");
     for KindFindings { kind, worst, group, .. } in &results.kinds {

@@ -1,7 +1,16 @@
-//! What a map of the heights does to a Gaussian field's autocorrelation, and how to undo it beforehand.
+//! Gaussian fields with the heights of another distribution: a monotone map, what it does to the autocorrelation, and how to
+//! undo that beforehand.
+//!
+//! The map takes a standard normal g to a height T(g) of zero mean and unit standard deviation, exactly so in the ensemble. A
+//! field of finite size scatters about that, as a Gaussian one does.
 
-use super::{Marginal, normal_nodes};
+use rayon::prelude::*;
+
+use crate::distribution::{HeightDistribution, normal_nodes};
 use crate::numeric::root::last_reaching;
+
+/// How many heights one task maps.
+const CHUNK: usize = 1 << 14;
 
 /// How much of the variance may be left out of the series.
 const LEFT_OUT: f64 = 1e-7;
@@ -12,6 +21,11 @@ const MOST: usize = 4000;
 /// Step of the quadrature in g: half that of the steepest map, and a tenth of the shortest wave of
 /// the highest Hermite polynomial.
 const STEP: f64 = 0.01;
+
+/// Replaces every standard normal number of `field` by `scale` times its height.
+pub fn map_normals(heights: &dyn HeightDistribution, field: &mut [f64], scale: f64) {
+    field.par_chunks_mut(CHUNK).for_each(|field| heights.map_normals(field, scale));
+}
 
 /// The correlation of two heights T(g1), T(g2) as a function of that of g1 and g2.
 ///
@@ -26,10 +40,11 @@ pub struct Distortion {
 }
 
 impl Distortion {
-    /// That of the map of `marginal`.
-    pub fn new(marginal: &Marginal) -> Self {
+    /// That of the map to `distribution`.
+    pub fn new(distribution: &dyn HeightDistribution) -> Self {
         let nodes: Vec<[f64; 2]> = normal_nodes(STEP).collect();
-        let heights: Vec<f64> = nodes.iter().map(|&[g, weight]| weight * marginal.map(g)).collect();
+        let heights: Vec<f64> =
+            nodes.iter().map(|&[g, weight]| weight * distribution.from_normal(g)).collect();
         // Orthonormal polynomials h_n = He_n/(n!)^.5: (n+1)^.5 h_(n+1) = g h_n - n^.5 h_(n-1).
         let mut before = vec![0.0; nodes.len()];
         let mut latest = vec![1.0; nodes.len()];
@@ -119,57 +134,70 @@ impl Inverse {
 
 #[cfg(test)]
 mod tests {
-    use super::super::tests::kinds;
-    use super::super::{Johnson, Weibull};
     use super::*;
+    use crate::distribution::tests::all;
+    use crate::distribution::{Gaussian, Heights, Johnson, Weibull};
 
-    fn johnson(skewness: f64, kurtosis: f64) -> Marginal {
-        Marginal::Johnson(Johnson::from_moments(skewness, kurtosis).unwrap())
+    fn johnson(skewness: f64, kurtosis: f64) -> Heights {
+        Heights::new(Johnson::from_moments(skewness, kurtosis).unwrap())
     }
 
     /// E[T(g1) T(g2)] as a double integral.
-    fn direct(marginal: &Marginal, rho: f64) -> f64 {
+    fn direct(heights: &Heights, rho: f64) -> f64 {
         let other = (1.0 - rho * rho).sqrt();
         let nodes: Vec<[f64; 2]> = normal_nodes(0.07).collect();
-        let inner =
-            |g: f64| -> f64 { nodes.iter().map(|&[h, w]| w * marginal.map(rho * g + other * h)).sum() };
-        nodes.iter().map(|&[g, w]| w * marginal.map(g) * inner(g)).sum()
+        let inner = |g: f64| -> f64 {
+            nodes.iter().map(|&[h, w]| w * heights.from_normal(rho * g + other * h)).sum()
+        };
+        nodes.iter().map(|&[g, w]| w * heights.from_normal(g) * inner(g)).sum()
     }
 
     #[test]
     fn the_series_is_the_double_integral() {
-        for marginal in [
-            Marginal::Gaussian,
+        for heights in [
+            Heights::GAUSSIAN,
             johnson(1.0, 6.0),
             johnson(-1.0, 2.6),
             johnson(0.0, 200.0),
             johnson(0.0, 1.4),
-            Marginal::Weibull(Weibull::new(0.5).unwrap()),
-            Marginal::Weibull(Weibull::new(5.0).unwrap()),
+            Heights::new(Weibull::new(0.5).unwrap()),
+            Heights::new(Weibull::new(5.0).unwrap()),
         ] {
-            let distortion = Distortion::new(&marginal);
+            let distortion = Distortion::new(&*heights);
             for rho in [-0.9, -0.5, 0.0, 0.2, 0.7, 0.95] {
-                let gap = (distortion.of(rho) - direct(&marginal, rho)).abs();
-                assert!(gap < 2e-7, "{marginal}, {rho}: {gap}");
+                let gap = (distortion.of(rho) - direct(&heights, rho)).abs();
+                assert!(gap < 2e-7, "{heights}, {rho}: {gap}");
+            }
+        }
+    }
+
+    #[test]
+    fn a_field_is_mapped_point_by_point() {
+        let field: Vec<f64> = (0..40_001).map(|k| f64::from(k - 20_000) * 4.5e-4).collect();
+        for heights in all() {
+            let mut mapped = field.clone();
+            map_normals(&*heights, &mut mapped, 1e-7);
+            for (&g, &z) in field.iter().zip(&mapped) {
+                assert_eq!(z, 1e-7 * heights.from_normal(g), "{heights}, g = {g}");
             }
         }
     }
 
     #[test]
     fn closed_forms() {
-        let gaussian = Distortion::new(&Marginal::Gaussian);
+        let gaussian = Distortion::new(&Gaussian);
         assert_eq!((gaussian.squares.len(), gaussian.of(0.3), gaussian.least()), (1, 0.3, -1.0));
         // Lognormal: expm1(rho/delta^2)/expm1(1/delta^2), here with omega = 1.5.
         let omega = 1.5f64;
         let kurtosis = omega.powi(4) + 2.0 * omega.powi(3) + 3.0 * omega * omega - 3.0;
-        let lognormal = Distortion::new(&johnson(3.5 * 0.5f64.sqrt(), kurtosis));
+        let lognormal = Distortion::new(&*johnson(3.5 * 0.5f64.sqrt(), kurtosis));
         for rho in [-1.0, -0.4, 0.1, 0.9] {
             let exact = (rho * omega.ln()).exp_m1() / 0.5;
             assert!((lognormal.of(rho) - exact).abs() < 2e-7, "{rho}");
         }
         // Two levels with slopes between: SB of gamma = 0, delta = 0.072252, a logistic curve that is
         // close to Phi(g/s), s = 1.702 delta, for which the correlation is an arcsine.
-        let levels = Distortion::new(&johnson(0.0, 1.081));
+        let levels = Distortion::new(&*johnson(0.0, 1.081));
         let widened = 1.0 + (1.702f64 * 0.072252).powi(2);
         for rho in [-0.8f64, 0.1, 0.5, 0.95] {
             let gap = (levels.of(rho) - (rho / widened).asin() / widened.recip().asin()).abs();
@@ -179,14 +207,13 @@ mod tests {
 
     #[test]
     fn the_inverse_is_before() {
-        for marginal in [johnson(-1.0, 4.5), johnson(1.0, 6.0), Marginal::Weibull(Weibull::new(1.5).unwrap())]
-        {
-            let distortion = Distortion::new(&marginal);
+        for heights in [johnson(-1.0, 4.5), johnson(1.0, 6.0), Heights::new(Weibull::new(1.5).unwrap())] {
+            let distortion = Distortion::new(&*heights);
             let inverse = distortion.inverse();
             for k in 0..=777 {
                 let wanted = distortion.least() + (1.0 - distortion.least()) * f64::from(k) / 777.0;
                 let before = distortion.before(wanted.min(distortion.of(1.0))).unwrap();
-                assert!((inverse.of(wanted) - before).abs() < 1e-9, "{marginal}: {wanted}");
+                assert!((inverse.of(wanted) - before).abs() < 1e-9, "{heights}: {wanted}");
             }
             assert_eq!((inverse.of(-1.0), inverse.of(1.1)), (-1.0, 1.0));
         }
@@ -194,15 +221,15 @@ mod tests {
 
     #[test]
     fn what_is_undone_beforehand_comes_out() {
-        for marginal in kinds() {
-            let distortion = Distortion::new(&marginal);
+        for heights in all() {
+            let distortion = Distortion::new(&*heights);
             let least = distortion.least();
             assert_eq!((distortion.of(0.0), distortion.of(1.0).round()), (0.0, 1.0));
             assert!((distortion.of(1.0) - 1.0).abs() < 1e-13);
             for k in 0..=20 {
                 let wanted = (least + (1.0 - least) * f64::from(k) / 20.0).min(distortion.of(1.0)).min(1.0);
-                let rho = distortion.before(wanted).unwrap_or_else(|| panic!("{marginal}: {wanted}"));
-                assert!((distortion.of(rho) - wanted).abs() < 1e-14, "{marginal}: {wanted}");
+                let rho = distortion.before(wanted).unwrap_or_else(|| panic!("{heights}: {wanted}"));
+                assert!((distortion.of(rho) - wanted).abs() < 1e-14, "{heights}: {wanted}");
             }
             for beyond in [least - 1e-12, 1.0 + 1e-12, f64::NAN] {
                 assert_eq!(distortion.before(beyond), None);
