@@ -280,7 +280,7 @@ fn a_contact_that_is_counted_answers_the_same() {
         let plane = ReferencePlane { mean: 0.0, sigma: population.sigma };
         let separations = [2.5, 1.0, 0.0];
         let sum = |contact| Deterministic::new(contact, set.spheres(), plane).respond_all(&separations);
-        let integral = |contact| Statistical::new(contact, population).respond_all(&separations);
+        let integral = |contact| Statistical::new(contact, population.clone()).respond_all(&separations);
         assert_eq!(sum(&counted as &dyn MicroContact), sum(&*contact));
         assert_eq!(integral(&counted as &dyn MicroContact), integral(&*contact));
         let shape = Shape::sphere(2e-5);
