@@ -46,8 +46,12 @@ impl Documented {
 
     fn section(&self) -> String {
         let columns = self.schema.columns.iter();
-        let lines = columns.map(|column| format!("| `{}` | {} | {} |\n", column.name, column.unit, column.meaning));
+        let lines =
+            columns.map(|column| format!("| `{}` | {} | {} |\n", column.name, column.unit, column.meaning));
         let Schema { file, rows, .. } = self.schema;
-        format!("\n## `{file}`\n\n{rows}\n\n| column | unit | meaning |\n|---|---|---|\n{}", lines.collect::<String>())
+        format!(
+            "\n## `{file}`\n\n{rows}\n\n| column | unit | meaning |\n|---|---|---|\n{}",
+            lines.collect::<String>()
+        )
     }
 }
