@@ -5,6 +5,7 @@ use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 use std::time::Instant;
 
+use asperity_experiment::kind::{KINDS, columns};
 use asperity_experiment::surface::{FileOptions, described_file};
 use asperity_experiment::{Experiment, TEMPLATE};
 use asperity_framework::input::InputError;
@@ -12,6 +13,7 @@ use asperity_framework::progress::{Progress, Silent};
 use asperity_framework::report::store::{Store, StoreError};
 use asperity_framework::report::{Index, MARK, verify};
 use asperity_framework::{Outcome, ReportError, folder as report_folder};
+use clap::builder::PossibleValuesParser;
 use clap::{Args, Parser, Subcommand};
 use indicatif::{ProgressBar, ProgressStyle};
 
@@ -74,6 +76,12 @@ enum Command {
         name: Option<String>,
         #[command(flatten)]
         options: RunOptions,
+    },
+    /// Print the tables of a report as Markdown: every column with its unit and meaning
+    Columns {
+        /// Only those of one kind of experiment
+        #[arg(value_parser = PossibleValuesParser::new(KINDS.map(|kind| kind.name())))]
+        kind: Option<String>,
     },
     /// Compare freshly made reports with those in another folder, number by number
     Verify {
@@ -177,6 +185,10 @@ fn main() -> ExitCode {
         Some(Command::New { name }) => new(&name),
         Some(Command::Surface { file, words, name, options }) => {
             surface(&file, words.into(), name.as_deref(), &options)
+        }
+        Some(Command::Columns { kind }) => {
+            print(format_args!("{}", columns(kind.as_deref()).trim_end()));
+            Ok(())
         }
         Some(Command::Verify { fresh, out }) => verify(&fresh, &out),
     };

@@ -6,6 +6,7 @@ pub mod laws;
 pub mod limit;
 
 use asperity_framework::Kind;
+use asperity_framework::report::table_docs;
 use asperity_validation::kind::{precision::Precision, stability::Stability};
 
 /// Every kind, in the order in which messages list them.
@@ -14,3 +15,10 @@ pub const KINDS: [&dyn Kind; 6] =
 
 /// The table of surfaces, which some kinds read.
 pub const SURFACES: &str = "surface";
+
+/// The tables that the kinds of experiment write, or those of `only` one kind, with unit and meaning of every column, as
+/// Markdown.
+pub fn columns(only: Option<&str>) -> String {
+    let kinds = KINDS.iter().filter(|kind| only.is_none_or(|name| name == kind.name()));
+    table_docs::markdown(kinds.map(|kind| (kind.name(), kind.tables())))
+}

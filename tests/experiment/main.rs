@@ -20,6 +20,7 @@ macro_rules! case_1 {
 
 mod caveats;
 mod cli;
+mod columns;
 #[path = "../../crates/asperity/tests/library/common.rs"]
 mod common;
 mod indentation;

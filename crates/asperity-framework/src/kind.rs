@@ -14,7 +14,7 @@ use crate::input::{InputError, Source, SpecFile};
 use crate::metadata::{Metadata, Timing};
 use crate::progress::Progress;
 use crate::report::Page;
-use crate::report::table::TableError;
+use crate::report::table::{Schema, TableError};
 use asperity::literature::Paper;
 use asperity::material::Material;
 use asperity::work::Work;
@@ -42,6 +42,9 @@ pub trait Kind: Sync {
     /// # Errors
     /// The first thing that keeps it from running.
     fn plan(&self, spec: &SpecFile, full: bool) -> Result<Box<dyn Plan>, InputError>;
+
+    /// The tables that its reports may hold.
+    fn tables(&self) -> Vec<Schema>;
 }
 
 /// The memory that a run needs at its peak.
@@ -95,7 +98,7 @@ pub trait Outcome: Any + Sync {
     /// The page.
     fn page(&self) -> Page;
 
-    /// File names and contents of the tables.
+    /// File names and contents of the tables, each one of [`Kind::tables`].
     ///
     /// # Errors
     /// See [`TableError`].

@@ -10,7 +10,7 @@ pub mod results;
 mod run;
 pub mod spec;
 mod summary;
-pub mod tables;
+pub(crate) mod tables;
 mod threshold;
 
 pub use run::run as run_compare;
@@ -21,7 +21,7 @@ use std::path::PathBuf;
 use asperity_framework::input::{InputError, SpecFile};
 use asperity_framework::metadata::Metadata;
 use asperity_framework::report::Page;
-use asperity_framework::report::table::TableError;
+use asperity_framework::report::table::{Schema, TableError, csv_file};
 use asperity_framework::{Kind, Memory, Outcome, Plan, Reads, RunContext};
 use serde_json::{Map, Value};
 
@@ -45,6 +45,10 @@ impl Kind for Compare {
 
     fn plan(&self, spec: &SpecFile, _: bool) -> Result<Box<dyn Plan>, InputError> {
         Ok(Box::new(plan::plan(spec)?))
+    }
+
+    fn tables(&self) -> Vec<Schema> {
+        vec![Schema::of::<tables::CurveRow>(), Schema::of::<tables::PairRow>()]
     }
 }
 
@@ -80,7 +84,7 @@ impl Outcome for CompareResults {
     }
 
     fn tables(&self) -> Result<Vec<(&'static str, Vec<u8>)>, TableError> {
-        Ok(vec![("curves.csv", tables::curves(self)?), ("comparison.csv", tables::comparison(self)?)])
+        Ok(vec![csv_file(tables::curves(self))?, csv_file(tables::comparison(self))?])
     }
 
     fn summary(&self) -> serde_json::Result<Map<String, Value>> {

@@ -1,208 +1,211 @@
-//! The tables: pure writers, results to bytes. Columns are the contract of DESIGN section 5.
+//! `curves.csv` and `comparison.csv`: pure writers, results to bytes.
 
-use asperity_framework::report::table::{Table, TableError};
-use asperity_framework::row;
-use serde::Serialize;
+use asperity_framework::columns;
+use asperity_framework::report::table::{Column, Heading, Row, Value};
 
-use crate::kind::compare::answers::CaseResults;
+use crate::kind::compare::answers::{CaseResults, RealisationResults};
 use crate::kind::compare::results::CompareResults;
 
-use asperity::compare::{CurvePoint, Pair};
+use asperity::compare::{CurvePoint, Kind, Pair};
+use asperity::contact::ByRegime;
 use asperity::model::Response;
 
 /// What a row belongs to.
-#[derive(Debug, Clone, Serialize)]
+#[derive(Debug, Clone)]
 pub(crate) struct Case {
     surface: String,
-    /// From 1; a given or measured surface is its own only realisation.
     realisation: usize,
     law: String,
-    /// Empty where no layer is asked for.
-    layer_thickness_m: Option<f64>,
+    thickness: Option<f64>,
 }
 
 impl Case {
     pub(crate) fn bare(surface: &str, realisation: usize, law: &str) -> Self {
-        Self { surface: surface.to_owned(), realisation, law: law.to_owned(), layer_thickness_m: None }
+        Self { surface: surface.to_owned(), realisation, law: law.to_owned(), thickness: None }
     }
 
-    pub(crate) fn of(surface: &str, realisation: usize, case: &CaseResults) -> Self {
-        Self { layer_thickness_m: case.thickness, ..Self::bare(surface, realisation, &case.law) }
+    fn of(surface: &str, realisation: usize, case: &CaseResults) -> Self {
+        Self { thickness: case.thickness, ..Self::bare(surface, realisation, &case.law) }
     }
-}
 
-row! {
-struct CurveRow {
-    model: &'static str,
-    control: &'static str,
-    target: f64,
-    separation_m: f64,
-    separation_over_sigma: f64,
-    pressure_pa: f64,
-    load_ratio: f64,
-    area_ratio: f64,
-    contact_density_per_m2: f64,
-    mean_real_pressure_pa: Option<f64>,
-    stiffness_pa_per_m: f64,
-    elastic_load_share: Option<f64>,
-    elastic_plastic_load_share: Option<f64>,
-    plastic_load_share: Option<f64>,
-    elastic_area_share: Option<f64>,
-    elastic_plastic_area_share: Option<f64>,
-    plastic_area_share: Option<f64>,
-    pressure_standard_error_pa: Option<f64>,
-    area_ratio_standard_error: Option<f64>,
-    beyond_model: bool,
-}
-}
-
-impl CurveRow {
-    pub(crate) fn new(point: &CurvePoint, reduced_modulus: f64) -> Self {
-        let response = &point.response;
-        let [elastic_load_share, elastic_plastic_load_share, plastic_load_share] =
-            parts(response.pressure.shares());
-        let [elastic_area_share, elastic_plastic_area_share, plastic_area_share] =
-            parts(response.area_ratio.shares());
-        let pressure_pa = response.pressure.total();
-        Self {
-            model: point.kind.name(),
-            control: point.control.name(),
-            target: point.target,
-            separation_m: response.separation,
-            separation_over_sigma: response.separation_over_sigma,
-            pressure_pa,
-            load_ratio: pressure_pa / reduced_modulus,
-            area_ratio: response.area_ratio.total(),
-            contact_density_per_m2: response.contact_density,
-            mean_real_pressure_pa: response.mean_real_pressure(),
-            stiffness_pa_per_m: response.stiffness,
-            elastic_load_share,
-            elastic_plastic_load_share,
-            plastic_load_share,
-            elastic_area_share,
-            elastic_plastic_area_share,
-            plastic_area_share,
-            pressure_standard_error_pa: response.sampling.map(|error| error.pressure),
-            area_ratio_standard_error: response.sampling.map(|error| error.area_ratio),
-            beyond_model: response.is_beyond_model(),
+    /// The columns of the case that a row belongs to.
+    fn columns<R>(case: impl Fn(&R) -> &Self + Copy + 'static) -> Vec<Column<R>> {
+        columns! { row: R =>
+            surface["text"] = case(row).surface.as_str(), "Name of the surface; in `[limit]` the set of asperities, `random-N` or `quantiles-N`, or `population` for the integral.";
+            realisation["count"] = case(row).realisation, "Number of the realisation of the surface, from 1; a given or measured surface has one.";
+            law["text"] = case(row).law.as_str(), "Contact law of an asperity.";
+            layer_thickness_m["m"] = case(row).thickness, "Thickness of the layer, 0 for the bare substrate and inf for a flat of the layer's material; empty where no layer is asked for.";
         }
     }
 }
 
-fn parts(shares: Option<[f64; 3]>) -> [Option<f64>; 3] {
-    shares.map_or([None; 3], |shares| shares.map(Some))
+/// A point of a model's curve.
+pub(crate) struct CurveRow {
+    pub(crate) case: Case,
+    pub(crate) point: CurvePoint,
+    /// E* of the pair without a layer, Pa.
+    pub(crate) reduced_modulus: f64,
 }
 
-row! {
-struct PairRow {
-    pairing: &'static str,
-    target: f64,
-    statistical_separation_over_sigma: f64,
-    deterministic_separation_over_sigma: f64,
-    difference_separation_over_sigma: f64,
-    statistical_area_ratio: f64,
-    deterministic_area_ratio: f64,
-    difference_area_ratio: f64,
-    statistical_contact_density_per_m2: f64,
-    deterministic_contact_density_per_m2: f64,
-    difference_contact_density_per_m2: f64,
-    statistical_mean_real_pressure_pa: Option<f64>,
-    deterministic_mean_real_pressure_pa: Option<f64>,
-    difference_mean_real_pressure_pa: Option<f64>,
-    statistical_pressure_pa: f64,
-    deterministic_pressure_pa: f64,
-    difference_pressure_pa: f64,
-    statistical_stiffness_pa_per_m: f64,
-    deterministic_stiffness_pa_per_m: f64,
-    difference_stiffness_pa_per_m: f64,
-    statistical_contacts: f64,
-    deterministic_contacts: f64,
-    difference_contacts: f64,
-    plasticity_index: Option<f64>,
-    beyond_model: bool,
+impl Row for CurveRow {
+    const FILE: &'static str = "curves.csv";
+    const ROWS: &'static str =
+        "One row for each surface, realisation, law, layer thickness, model and control point.";
+
+    fn columns() -> Vec<Column<Self>> {
+        let mut columns = Case::columns(|row: &Self| &row.case);
+        columns.extend(columns! { row: Self =>
+            model["text"] = row.point.kind.name(), "Model: `statistical` (integral over the height density) or `deterministic` (sum over the asperities, Eq. 13).";
+            control["text"] = row.point.control.name(), "Quantity that is prescribed: `separation`, `pressure` or `force`.";
+            target["1, Pa or N"] = row.point.target, "Prescribed value: separation over sigma, nominal pressure or force on the nominal area.";
+            separation_m["m"] = row.point.response.separation, "Separation d of the flat from the mean asperity height.";
+            separation_over_sigma["1"] = row.point.response.separation_over_sigma, "Separation over sigma, the standard deviation of the asperity heights.";
+            pressure_pa["Pa"] = row.point.response.pressure.total(), "Nominal pressure, load over nominal area; above the target where the law jumps past it.";
+            load_ratio["1"] = row.point.response.pressure.total() / row.reduced_modulus, "Nominal pressure over E* (Eq. 3) of the pair without a layer.";
+            area_ratio["1"] = row.point.response.area_ratio.total(), "Real contact area over nominal area, never clamped.";
+            contact_density_per_m2["1/m²"] = row.point.response.contact_density, "Contacts per nominal area.";
+            mean_real_pressure_pa["Pa"] = row.point.response.mean_real_pressure(), "Load over real contact area; empty where there is no contact.";
+            stiffness_pa_per_m["Pa/m"] = row.point.response.stiffness, "Contact stiffness -dp/dd per nominal area; where a law jumps, that of the sum leaves the jumps out and that of the integral holds them.";
+            elastic_load_share["1"] = share(&row.point.response.pressure, 0), "Share of the load in elastic contacts; empty where there is no contact.";
+            elastic_plastic_load_share["1"] = share(&row.point.response.pressure, 1), "Share of the load in elastic-plastic contacts.";
+            plastic_load_share["1"] = share(&row.point.response.pressure, 2), "Share of the load in plastic contacts.";
+            elastic_area_share["1"] = share(&row.point.response.area_ratio, 0), "Share of the real contact area in elastic contacts; empty where there is no contact.";
+            elastic_plastic_area_share["1"] = share(&row.point.response.area_ratio, 1), "Share of the real contact area in elastic-plastic contacts.";
+            plastic_area_share["1"] = share(&row.point.response.area_ratio, 2), "Share of the real contact area in plastic contacts.";
+            pressure_standard_error_pa["Pa"] = row.point.response.sampling.map(|error| error.pressure), "Standard error of the nominal pressure of the sum at fixed separation, its asperities taken as independent draws; empty for the integral.";
+            area_ratio_standard_error["1"] = row.point.response.sampling.map(|error| error.area_ratio), "Standard error of the area ratio of the sum, likewise.";
+            beyond_model["true/false"] = row.point.response.is_beyond_model(), "Whether the area ratio exceeds 0.05, where neighbouring asperities interact and no asperity model holds.";
+        });
+        columns
+    }
 }
+
+/// The share of one of [`Regime::ALL`](asperity::contact::Regime::ALL).
+fn share(of: &ByRegime, regime: usize) -> Option<f64> {
+    of.shares().map(|shares| shares[regime])
+}
+
+/// Both models at equal load or at equal separation.
+pub(crate) struct PairRow {
+    pub(crate) case: Case,
+    pub(crate) pair: Pair,
+    /// Nominal area, m^2.
+    pub(crate) nominal_area: f64,
+    pub(crate) plasticity_index: Option<f64>,
+}
+
+/// The answer of one model of a pair.
+struct Answer {
+    model: Kind,
+    response: Response,
+    /// Nominal area, m^2.
+    nominal_area: f64,
+}
+
+impl Answer {
+    /// What the models are compared in; each of these becomes a column per model and one of their difference.
+    fn columns() -> Vec<Column<Self>> {
+        columns! { answer: Self =>
+            separation_over_sigma["1"] = answer.response.separation_over_sigma, "separation from the mean asperity height over sigma, the standard deviation of the asperity heights.";
+            area_ratio["1"] = answer.response.area_ratio.total(), "real contact area over nominal area.";
+            contact_density_per_m2["1/m²"] = answer.response.contact_density, "contacts per nominal area.";
+            mean_real_pressure_pa["Pa"] = answer.response.mean_real_pressure(), "load over real contact area; empty where there is no contact.";
+            pressure_pa["Pa"] = answer.response.pressure.total(), "nominal pressure, load over nominal area.";
+            stiffness_pa_per_m["Pa/m"] = answer.response.stiffness, "contact stiffness -dp/dd per nominal area.";
+            contacts["1"] = answer.contacts(), "number of contacts on the nominal area.";
+        }
+    }
+
+    /// Contacts on the nominal area. The sum's are a count: the rounding of the density goes.
+    fn contacts(&self) -> f64 {
+        let contacts = self.response.contact_density * self.nominal_area;
+        match self.model {
+            Kind::Statistical => contacts,
+            Kind::Deterministic => contacts.round(),
+        }
+    }
 }
 
 impl PairRow {
-    pub(crate) fn new(pair: &Pair, nominal_area: f64, plasticity_index: Option<f64>) -> Self {
-        let (s, d) = (&pair.statistical, &pair.deterministic);
-        let of = |value: fn(&Response) -> f64| (value(s), value(d), value(s) - value(d));
-        let separation = of(|r| r.separation_over_sigma);
-        let area = of(|r| r.area_ratio.total());
-        let contacts = of(|r| r.contact_density);
-        // The sum's are a count: the rounding of the density goes.
-        let (statistical_contacts, deterministic_contacts) =
-            (contacts.0 * nominal_area, (contacts.1 * nominal_area).round());
-        let real = (s.mean_real_pressure(), d.mean_real_pressure());
-        let pressure = of(|r| r.pressure.total());
-        let stiffness = of(|r| r.stiffness);
-        Self {
-            pairing: pair.pairing.name(),
-            target: pair.target,
-            statistical_separation_over_sigma: separation.0,
-            deterministic_separation_over_sigma: separation.1,
-            difference_separation_over_sigma: separation.2,
-            statistical_area_ratio: area.0,
-            deterministic_area_ratio: area.1,
-            difference_area_ratio: area.2,
-            statistical_contact_density_per_m2: contacts.0,
-            deterministic_contact_density_per_m2: contacts.1,
-            difference_contact_density_per_m2: contacts.2,
-            statistical_mean_real_pressure_pa: real.0,
-            deterministic_mean_real_pressure_pa: real.1,
-            difference_mean_real_pressure_pa: real.0.zip(real.1).map(|(s, d)| s - d),
-            statistical_pressure_pa: pressure.0,
-            deterministic_pressure_pa: pressure.1,
-            difference_pressure_pa: pressure.2,
-            statistical_stiffness_pa_per_m: stiffness.0,
-            deterministic_stiffness_pa_per_m: stiffness.1,
-            difference_stiffness_pa_per_m: stiffness.2,
-            statistical_contacts,
-            deterministic_contacts,
-            difference_contacts: statistical_contacts - deterministic_contacts,
-            plasticity_index,
-            beyond_model: pair.is_beyond_model(),
-        }
+    fn answer(&self, model: Kind) -> Answer {
+        let response = match model {
+            Kind::Statistical => self.pair.statistical,
+            Kind::Deterministic => self.pair.deterministic,
+        };
+        Answer { model, response, nominal_area: self.nominal_area }
+    }
+
+    /// A quantity by one model.
+    fn by(&self, model: Kind, quantity: &Column<Answer>) -> Value {
+        quantity.value(&self.answer(model))
+    }
+
+    /// A quantity by the statistical model minus that by the deterministic model.
+    fn difference(&self, quantity: &Column<Answer>) -> Value {
+        let [statistical, deterministic] =
+            [Kind::Statistical, Kind::Deterministic].map(|model| self.by(model, quantity).number());
+        statistical.zip(deterministic).map(|(statistical, deterministic)| statistical - deterministic).into()
+    }
+
+    /// The columns `statistical_X`, `deterministic_X` and `difference_X` of a quantity X.
+    fn compared(quantity: &Column<Answer>) -> [Column<Self>; 3] {
+        let column = |prefix, title, value: fn(&Self, &Column<Answer>) -> Value| {
+            let Heading { name, unit, meaning } = &quantity.heading;
+            let quantity = quantity.clone();
+            let value = move |row: &Self| value(row, &quantity);
+            Column::new(format!("{prefix}_{name}"), unit, format!("{title}: {meaning}"), value)
+        };
+        [
+            column("statistical", "Statistical model", |row, x| row.by(Kind::Statistical, x)),
+            column("deterministic", "Deterministic model", |row, x| row.by(Kind::Deterministic, x)),
+            column("difference", "Statistical minus deterministic", Self::difference),
+        ]
     }
 }
 
-/// The columns that say what a row belongs to.
-pub(crate) const CASE: &[&str] = &["surface", "realisation", "law", "layer_thickness_m"];
+impl Row for PairRow {
+    const FILE: &'static str = "comparison.csv";
+    const ROWS: &'static str = "One row for each surface, realisation, law, layer thickness and pair of answers; a separation sweep also gives pairs at the loads of the deterministic model.";
 
-/// `curves.csv` of a comparison.
-///
-/// # Errors
-/// See [`TableError`]; the same holds for every table here.
-pub fn curves(results: &CompareResults) -> Result<Vec<u8>, TableError> {
-    let mut table = Table::new(&[CASE, CurveRow::COLUMNS])?;
-    for found in &results.surfaces {
-        for (realisation, answered) in found.realisations() {
-            for case in &answered.cases {
-                let of = Case::of(&found.surface.name, realisation, case);
-                for point in &case.comparison.curves {
-                    table.row((&of, CurveRow::new(point, results.contact.reduced_modulus)))?;
-                }
-            }
-        }
+    fn columns() -> Vec<Column<Self>> {
+        let mut columns = Case::columns(|row: &Self| &row.case);
+        columns.extend(columns! { row: Self =>
+            pairing["text"] = row.pair.pairing.name(), "What the models have in common: `load` or `separation`.";
+            target["Pa or 1"] = row.pair.target, "Its value: nominal pressure, or separation over sigma.";
+        });
+        columns.extend(Answer::columns().iter().flat_map(Self::compared));
+        columns.extend(columns! { row: Self =>
+            plasticity_index["1"] = row.plasticity_index, "Plasticity index (E*/H)(sigma/R)^0.5 of Greenwood and Williamson (1966); empty where nothing yields.";
+            beyond_model["true/false"] = row.pair.is_beyond_model(), "Whether either area ratio exceeds 0.05, where neighbouring asperities interact and no asperity model holds.";
+        });
+        columns
     }
-    table.bytes()
 }
 
-/// `comparison.csv` of a comparison.
-///
-/// # Errors
-/// See [`curves`].
-pub fn comparison(results: &CompareResults) -> Result<Vec<u8>, TableError> {
-    let mut table = Table::new(&[CASE, PairRow::COLUMNS])?;
-    for found in &results.surfaces {
-        for (realisation, answered) in found.realisations() {
-            for case in &answered.cases {
-                let of = Case::of(&found.surface.name, realisation, case);
-                for pair in &case.comparison.pairs {
-                    table.row((&of, PairRow::new(pair, answered.nominal_area, case.plasticity_index)))?;
-                }
-            }
-        }
-    }
-    table.bytes()
+/// The rows of `curves.csv`.
+pub fn curves(results: &CompareResults) -> impl Iterator<Item = CurveRow> {
+    let reduced_modulus = results.contact.reduced_modulus;
+    cases(results).flat_map(move |(case, _, found)| {
+        let points = found.comparison.curves.iter().copied();
+        points.map(move |point| CurveRow { case: case.clone(), point, reduced_modulus })
+    })
+}
+
+/// The rows of `comparison.csv`.
+pub fn comparison(results: &CompareResults) -> impl Iterator<Item = PairRow> {
+    cases(results).flat_map(|(case, realisation, found)| {
+        let (nominal_area, plasticity_index) = (realisation.nominal_area, found.plasticity_index);
+        let pairs = found.comparison.pairs.iter().copied();
+        pairs.map(move |pair| PairRow { case: case.clone(), pair, nominal_area, plasticity_index })
+    })
+}
+
+/// Every surface under every law, in file order.
+fn cases(results: &CompareResults) -> impl Iterator<Item = (Case, &RealisationResults, &CaseResults)> {
+    results.surfaces.iter().flat_map(|found| {
+        found.realisations().flat_map(move |(number, realisation)| {
+            let case = move |case| (Case::of(&found.surface.name, number, case), realisation, case);
+            realisation.cases.iter().map(case)
+        })
+    })
 }

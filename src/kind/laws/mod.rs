@@ -13,7 +13,7 @@ use std::path::PathBuf;
 use asperity_framework::input::{InputError, SpecFile};
 use asperity_framework::metadata::Metadata;
 use asperity_framework::report::Page;
-use asperity_framework::report::table::TableError;
+use asperity_framework::report::table::{Schema, TableError};
 use asperity_framework::{Kind, Memory, Outcome, Plan, Reads, RunContext};
 use serde_json::{Map, Value};
 
@@ -36,6 +36,10 @@ impl Kind for Laws {
 
     fn plan(&self, spec: &SpecFile, _: bool) -> Result<Box<dyn Plan>, InputError> {
         Ok(Box::new(plan::plan(spec)?))
+    }
+
+    fn tables(&self) -> Vec<Schema> {
+        tables::schemas()
     }
 }
 

@@ -1,162 +1,161 @@
 //! The tables of several laws, besides those of a comparison.
 
-use crate::kind::compare::tables;
+use crate::kind::compare::tables::{self, CurveRow, PairRow};
 use crate::kind::laws::results::{LawsResults, SurfaceInfluence};
-use asperity::compare::{AtLoad, Group, Influence, Kind, Measure};
+use asperity::compare::{AtLoad, Group, Kind, Measure};
 use asperity::sphere::{Boundary, Point};
-use asperity_framework::report::table::{Table, TableError};
-use asperity_framework::row;
+use asperity_framework::columns;
+use asperity_framework::report::table::{Column, Row, Schema, TableError, csv_file};
 
-row! {
-struct CurveRow {
-    law: String,
-    indentation_over_critical: f64,
-    indentation_m: f64,
-    load_n: f64,
-    area_m2: f64,
-    load_over_critical: f64,
-    area_over_critical: f64,
-    mean_pressure_pa: f64,
-    stiffness_n_per_m: f64,
-    regime: &'static str,
-    beyond_small_strains: bool,
-}
+/// A point of one asperity under one law.
+struct LawRow<'a> {
+    results: &'a LawsResults,
+    law: &'a str,
+    point: &'a Point,
 }
 
-row! {
-struct BoundaryRow {
-    law: String,
-    indentation_over_critical: f64,
-    indentation_m: f64,
-    regime_below: &'static str,
-    regime_above: &'static str,
-    load_below_n: f64,
-    load_above_n: f64,
-    area_below_m2: f64,
-    area_above_m2: f64,
-    load_jump: f64,
-    area_jump: f64,
-    beyond_small_strains: bool,
-}
+impl Row for LawRow<'_> {
+    const FILE: &'static str = "laws.csv";
+    const ROWS: &'static str = "One row for each law and indentation of the one asperity.";
+
+    fn columns() -> Vec<Column<Self>> {
+        columns! { row: Self =>
+            law["text"] = row.law, "Contact law.";
+            indentation_over_critical["1"] = row.point.indentation / row.results.critical.indentation, "Indentation over the critical one, at which yield begins.";
+            indentation_m["m"] = row.point.indentation, "Indentation w (Eq. 1).";
+            load_n["N"] = row.point.contact.load, "Load P of the asperity.";
+            area_m2["m²"] = row.point.contact.area, "Real contact area A of the asperity.";
+            load_over_critical["1"] = row.point.contact.load / row.results.critical.load, "Load over the load at the critical indentation.";
+            area_over_critical["1"] = row.point.contact.area / row.results.critical.area, "Area over the area at the critical indentation.";
+            mean_pressure_pa["Pa"] = row.point.contact.load / row.point.contact.area, "Mean contact pressure P/A.";
+            stiffness_n_per_m["N/m"] = row.point.contact.stiffness, "Contact stiffness dP/dw within the regime.";
+            regime["text"] = row.point.contact.regime.name(), "Regime: `elastic`, `elastic-plastic` or `plastic`.";
+            beyond_small_strains["true/false"] = row.results.is_beyond_small_strains(&row.point.contact), "Whether the contact radius exceeds 0.3 of the asperity radius, beyond which strains are not small.";
+        }
+    }
 }
 
-row! {
-struct InfluenceRow {
-    surface: String,
-    realisation: usize,
-    measure: &'static str,
-    pressure_pa: f64,
-    counts: bool,
-    fewest_contacts: f64,
-    all_laws_statistical: Option<f64>,
-    all_laws_deterministic: Option<f64>,
-    passing_laws_statistical: Option<f64>,
-    passing_laws_deterministic: Option<f64>,
-    models_first_law: f64,
-    passing_laws_models_most: Option<f64>,
-    passing_laws_models_most_law: Option<String>,
-    sampling_error: Option<f64>,
-}
+/// A boundary between two formulas of a law.
+struct BoundaryRow<'a> {
+    results: &'a LawsResults,
+    law: &'a str,
+    boundary: &'a Boundary,
 }
 
-/// `curves.csv` and `comparison.csv` as of a comparison, `laws.csv`, `boundaries.csv` and `influence.csv`.
+impl Row for BoundaryRow<'_> {
+    const FILE: &'static str = "boundaries.csv";
+    const ROWS: &'static str =
+        "One row for each indentation at which one formula of a law gives way to the next.";
+
+    fn columns() -> Vec<Column<Self>> {
+        columns! { row: Self =>
+            law["text"] = row.law, "Contact law.";
+            indentation_over_critical["1"] = row.boundary.indentation / row.results.critical.indentation, "Indentation of the boundary over the critical one, at which yield begins.";
+            indentation_m["m"] = row.boundary.indentation, "Indentation w of the boundary.";
+            regime_below["text"] = row.boundary.below.regime.name(), "Regime just below the boundary.";
+            regime_above["text"] = row.boundary.above.regime.name(), "Regime just above the boundary.";
+            load_below_n["N"] = row.boundary.below.load, "Load just below the boundary.";
+            load_above_n["N"] = row.boundary.above.load, "Load just above the boundary.";
+            area_below_m2["m²"] = row.boundary.below.area, "Real contact area just below the boundary.";
+            area_above_m2["m²"] = row.boundary.above.area, "Real contact area just above the boundary.";
+            load_jump["1"] = row.boundary.load_jump(), "Jump of the load over the load below; 0 where it is continuous.";
+            area_jump["1"] = row.boundary.area_jump(), "Jump of the area over the area below; 0 where it is continuous.";
+            beyond_small_strains["true/false"] = row.results.is_beyond_small_strains(&row.boundary.above), "Whether the contact radius exceeds 0.3 of the asperity radius, beyond which strains are not small.";
+        }
+    }
+}
+
+/// All laws and both models on a surface at one load, by one measure.
+struct InfluenceRow<'a> {
+    found: &'a SurfaceInfluence,
+    measure: Measure,
+    at: &'a AtLoad,
+}
+
+impl Row for InfluenceRow<'_> {
+    const FILE: &'static str = "influence.csv";
+    const ROWS: &'static str = "One row for each surface, realisation, measure and load: how far the laws lie apart under each model, and how far the models under each law. Separations are compared by their difference, areas by their ratio.";
+
+    fn columns() -> Vec<Column<Self>> {
+        columns! { row: Self =>
+            surface["text"] = row.found.surface.as_str(), "Name of the surface.";
+            realisation["count"] = row.found.realisation, "Number of the realisation of the surface, from 1.";
+            measure["text"] = row.measure.name(), "What is compared at equal load: `separation_over_sigma` or `area_ratio`.";
+            pressure_pa["Pa"] = row.at.pressure, "Nominal pressure.";
+            counts["true/false"] = row.at.counts, "Whether the load is within the valid range under every law: at least 30 contacts, area ratio at most 0.05.";
+            fewest_contacts["1"] = row.at.fewest_contacts.round(), "Fewest contacts of the deterministic model under any law.";
+            all_laws_statistical["1"] = row.spread(Group::All, Kind::Statistical), "Highest over lowest of all laws under the statistical model.";
+            all_laws_deterministic["1"] = row.spread(Group::All, Kind::Deterministic), "Highest over lowest of all laws under the deterministic model.";
+            passing_laws_statistical["1"] = row.spread(Group::Passing, Kind::Statistical), "Highest over lowest of the elastic-plastic laws, without the limits `hertz` and `fully-plastic`, under the statistical model.";
+            passing_laws_deterministic["1"] = row.spread(Group::Passing, Kind::Deterministic), "Highest over lowest of the elastic-plastic laws under the deterministic model.";
+            models_first_law["1"] = row.compared(row.at.gap(row.measure, 0)), "Statistical over deterministic model under the first law.";
+            passing_laws_models_most["1"] = row.largest_gap().map(|(_, gap)| row.compared(gap)), "Statistical over deterministic model under the elastic-plastic law for which they differ most.";
+            passing_laws_models_most_law["text"] = row.largest_gap().map(|(law, _)| row.found.influence.laws[law].as_str()), "The law of the previous column.";
+            sampling_error["1"] = row.at.sampling_error(row.measure, 0), "Standard error of the deterministic model under the first law, of an area relative to it.";
+        }
+    }
+}
+
+impl InfluenceRow<'_> {
+    /// Separations are compared by their difference, areas by their ratio.
+    fn compared(&self, difference: f64) -> f64 {
+        match self.measure {
+            Measure::Separation => difference,
+            Measure::Area => difference.exp(),
+        }
+    }
+
+    fn spread(&self, group: Group, kind: Kind) -> Option<f64> {
+        self.at.spread(self.measure, group, kind).map(|spread| self.compared(spread))
+    }
+
+    /// The elastic-plastic law under which the models differ most.
+    fn largest_gap(&self) -> Option<(usize, f64)> {
+        self.at.largest_gap(self.measure, Group::Passing)
+    }
+}
+
+/// Those of a comparison, `laws.csv`, `boundaries.csv` and `influence.csv`.
+pub(super) fn schemas() -> Vec<Schema> {
+    vec![
+        Schema::of::<CurveRow>(),
+        Schema::of::<PairRow>(),
+        Schema::of::<LawRow>(),
+        Schema::of::<BoundaryRow>(),
+        Schema::of::<InfluenceRow>(),
+    ]
+}
+
+/// The files of [`schemas`].
 ///
 /// # Errors
 /// See [`TableError`].
-pub fn tables(results: &LawsResults) -> Result<Vec<(&'static str, Vec<u8>)>, TableError> {
+pub(super) fn tables(results: &LawsResults) -> Result<Vec<(&'static str, Vec<u8>)>, TableError> {
     Ok(vec![
-        ("curves.csv", tables::curves(&results.compare)?),
-        ("comparison.csv", tables::comparison(&results.compare)?),
-        ("laws.csv", curves(results)?),
-        ("boundaries.csv", boundaries(results)?),
-        ("influence.csv", influences(results)?),
+        csv_file(tables::curves(&results.compare))?,
+        csv_file(tables::comparison(&results.compare))?,
+        csv_file(curves(results))?,
+        csv_file(boundaries(results))?,
+        csv_file(influences(results))?,
     ])
 }
 
-fn curves(results: &LawsResults) -> Result<Vec<u8>, TableError> {
-    let critical = &results.critical;
-    let mut table = Table::new(&[CurveRow::COLUMNS])?;
-    for law in &results.laws {
-        for Point { indentation, contact } in &law.curve.points {
-            table.row(CurveRow {
-                law: law.law.clone(),
-                indentation_over_critical: indentation / critical.indentation,
-                indentation_m: *indentation,
-                load_n: contact.load,
-                area_m2: contact.area,
-                load_over_critical: contact.load / critical.load,
-                area_over_critical: contact.area / critical.area,
-                mean_pressure_pa: contact.load / contact.area,
-                stiffness_n_per_m: contact.stiffness,
-                regime: contact.regime.name(),
-                beyond_small_strains: results.is_beyond_small_strains(contact),
-            })?;
-        }
-    }
-    table.bytes()
+fn curves(results: &LawsResults) -> impl Iterator<Item = LawRow<'_>> {
+    results.laws.iter().flat_map(move |law| {
+        law.curve.points.iter().map(move |point| LawRow { results, law: &law.law, point })
+    })
 }
 
-fn boundaries(results: &LawsResults) -> Result<Vec<u8>, TableError> {
-    let mut table = Table::new(&[BoundaryRow::COLUMNS])?;
-    for law in &results.laws {
-        for at in &law.boundaries {
-            let Boundary { indentation, below, above } = at;
-            table.row(BoundaryRow {
-                law: law.law.clone(),
-                indentation_over_critical: indentation / results.critical.indentation,
-                indentation_m: *indentation,
-                regime_below: below.regime.name(),
-                regime_above: above.regime.name(),
-                load_below_n: below.load,
-                load_above_n: above.load,
-                area_below_m2: below.area,
-                area_above_m2: above.area,
-                load_jump: at.load_jump(),
-                area_jump: at.area_jump(),
-                beyond_small_strains: results.is_beyond_small_strains(above),
-            })?;
-        }
-    }
-    table.bytes()
+fn boundaries(results: &LawsResults) -> impl Iterator<Item = BoundaryRow<'_>> {
+    results.laws.iter().flat_map(move |law| {
+        law.boundaries.iter().map(move |boundary| BoundaryRow { results, law: &law.law, boundary })
+    })
 }
 
-fn influences(results: &LawsResults) -> Result<Vec<u8>, TableError> {
-    let mut table = Table::new(&[InfluenceRow::COLUMNS])?;
-    for found in &results.influences {
-        for measure in Measure::ALL {
-            for at in &found.influence.loads {
-                table.row(InfluenceRow::new(found, &found.influence, at, measure))?;
-            }
-        }
-    }
-    table.bytes()
-}
-
-impl InfluenceRow {
-    /// Separations as differences, areas as ratios; the sampling error of an area relative to it.
-    fn new(found: &SurfaceInfluence, influence: &Influence, at: &AtLoad, measure: Measure) -> Self {
-        let told = |difference: f64| match measure {
-            Measure::Separation => difference,
-            Measure::Area => difference.exp(),
-        };
-        let spread = |group, kind| at.spread(measure, group, kind).map(told);
-        let most = at.largest_gap(measure, Group::Passing);
-        let gap = at.gap(measure, 0);
-        Self {
-            surface: found.surface.clone(),
-            realisation: found.realisation,
-            measure: measure.name(),
-            pressure_pa: at.pressure,
-            counts: at.counts,
-            fewest_contacts: at.fewest_contacts.round(),
-            all_laws_statistical: spread(Group::All, Kind::Statistical),
-            all_laws_deterministic: spread(Group::All, Kind::Deterministic),
-            passing_laws_statistical: spread(Group::Passing, Kind::Statistical),
-            passing_laws_deterministic: spread(Group::Passing, Kind::Deterministic),
-            models_first_law: told(gap),
-            passing_laws_models_most: most.map(|(_, gap)| told(gap)),
-            passing_laws_models_most_law: most.map(|(law, _)| influence.laws[law].clone()),
-            sampling_error: at.sampling_error(measure, 0),
-        }
-    }
+fn influences(results: &LawsResults) -> impl Iterator<Item = InfluenceRow<'_>> {
+    results.influences.iter().flat_map(|found| {
+        Measure::ALL.into_iter().flat_map(move |measure| {
+            found.influence.loads.iter().map(move |at| InfluenceRow { found, measure, at })
+        })
+    })
 }

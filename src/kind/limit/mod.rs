@@ -11,7 +11,7 @@ mod tables;
 use asperity_framework::input::{InputError, SpecFile};
 use asperity_framework::metadata::Metadata;
 use asperity_framework::report::Page;
-use asperity_framework::report::table::TableError;
+use asperity_framework::report::table::{Schema, TableError};
 use asperity_framework::{Kind, Memory, Outcome, Plan, Reads, RunContext};
 use serde_json::{Map, Value};
 
@@ -34,6 +34,10 @@ impl Kind for Limit {
 
     fn plan(&self, spec: &SpecFile, _: bool) -> Result<Box<dyn Plan>, InputError> {
         Ok(Box::new(plan::plan(spec)?))
+    }
+
+    fn tables(&self) -> Vec<Schema> {
+        tables::schemas()
     }
 }
 
@@ -67,11 +71,7 @@ impl Outcome for LimitResults {
     }
 
     fn tables(&self) -> Result<Vec<(&'static str, Vec<u8>)>, TableError> {
-        Ok(vec![
-            ("curves.csv", tables::curves(self)?),
-            ("comparison.csv", tables::comparison(self)?),
-            ("convergence.csv", tables::convergence(self)?),
-        ])
+        tables::tables(self)
     }
 
     fn summary(&self) -> serde_json::Result<Map<String, Value>> {

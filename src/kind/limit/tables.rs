@@ -2,24 +2,35 @@
 
 use asperity::compare::{Control, CurvePoint, Kind, LimitPoint, Pair, Pairing, Quantity};
 use asperity::model::Response;
-use asperity_framework::report::table::{Table, TableError};
-use asperity_framework::row;
+use asperity_framework::columns;
+use asperity_framework::report::table::{Column, Row, Schema, TableError, csv_file};
 
 use super::run::LimitResults;
-use crate::kind::compare::tables::{CASE, Case, CurveRow, PairRow};
+use crate::kind::compare::tables::{Case, CurveRow, PairRow};
 
-row! {
-struct ConvergenceRow {
-    law: String,
-    quantity: &'static str,
-    separation_over_sigma: f64,
-    asperities: usize,
-    expected_contacts: f64,
-    random_mean_error: f64,
-    random_rms_error: f64,
-    quantile_error: f64,
-    fitted: bool,
+/// The errors of sets of one size at one separation.
+struct ConvergenceRow<'a> {
+    point: &'a LimitPoint,
+    quantity: Quantity,
 }
+
+impl Row for ConvergenceRow<'_> {
+    const FILE: &'static str = "convergence.csv";
+    const ROWS: &'static str = "One row for each quantity, law, number of asperities and separation: errors of the sum relative to the integral.";
+
+    fn columns() -> Vec<Column<Self>> {
+        columns! { row: Self =>
+            law["text"] = row.point.law.as_str(), "Contact law of an asperity.";
+            quantity["text"] = row.quantity.name(), "Quantity whose error is given: `area` or `load`.";
+            separation_over_sigma["1"] = row.point.exact.statistical.separation_over_sigma, "Separation over sigma, the standard deviation of the asperity heights.";
+            asperities["count"] = row.point.count, "Asperities in a set.";
+            expected_contacts["1"] = row.point.expected_contacts(), "Expected number of contacts.";
+            random_mean_error["1"] = row.point.scatter(row.quantity).0, "Mean relative error of the random sets.";
+            random_rms_error["1"] = row.point.scatter(row.quantity).1, "Root mean square of the relative errors of the random sets.";
+            quantile_error["1"] = row.point.quantile_error(row.quantity), "Relative error, without sign, of the set with heights at the quantiles.";
+            fitted["true/false"] = row.point.is_fitted(), "Whether more than 30 contacts are expected, so that the row takes part in the fit of the slopes.";
+        }
+    }
 }
 
 /// Each set of a limit as the surface and realisation that tables call it by, and its answer.
@@ -31,76 +42,55 @@ fn sets(point: &LimitPoint) -> impl Iterator<Item = (Case, &Response)> {
     random.chain([(quantiles, &point.quantiles)])
 }
 
-/// `curves.csv` of a limit: a set is a surface, a random draw a realisation, and the integral the
-/// surface `population`.
+/// The files of [`schemas`].
 ///
 /// # Errors
-/// See [`curves`].
-pub fn curves(results: &LimitResults) -> Result<Vec<u8>, TableError> {
-    let mut table = Table::new(&[CASE, CurveRow::COLUMNS])?;
-    let mut row = |of: Case, kind, response: &Response| {
-        let target = response.separation_over_sigma;
-        let point = CurvePoint {
-            kind,
-            control: Control::Separation,
-            target,
-            asked: None,
-            response: *response,
-            in_jump: false,
-        };
-        table.row((of, CurveRow::new(&point, results.contact.reduced_modulus)))
+/// See [`TableError`].
+pub(super) fn tables(results: &LimitResults) -> Result<Vec<(&'static str, Vec<u8>)>, TableError> {
+    Ok(vec![csv_file(curves(results))?, csv_file(comparison(results))?, csv_file(convergence(results))?])
+}
+
+/// Those of a comparison and `convergence.csv`.
+pub(super) fn schemas() -> Vec<Schema> {
+    vec![Schema::of::<CurveRow>(), Schema::of::<PairRow>(), Schema::of::<ConvergenceRow>()]
+}
+
+/// A set is a surface, a random draw a realisation, and the integral the surface `population`.
+fn curves(results: &LimitResults) -> impl Iterator<Item = CurveRow> {
+    let reduced_modulus = results.contact.reduced_modulus;
+    let row = move |case, kind, response: &Response| {
+        let (control, target) = (Control::Separation, response.separation_over_sigma);
+        let point = CurvePoint { kind, control, target, asked: None, response: *response, in_jump: false };
+        CurveRow { case, point, reduced_modulus }
     };
     let smallest = results.points.iter().map(|point| point.count).min();
-    for point in results.points.iter().filter(|point| Some(point.count) == smallest) {
-        row(Case::bare("population", 1, &point.law), Kind::Statistical, &point.exact.statistical)?;
-    }
-    for point in &results.points {
-        for (of, response) in sets(point) {
-            row(of, Kind::Deterministic, response)?;
-        }
-    }
-    table.bytes()
+    let of_smallest = results.points.iter().filter(move |point| Some(point.count) == smallest);
+    let integral = of_smallest.map(move |point| {
+        row(Case::bare("population", 1, &point.law), Kind::Statistical, &point.exact.statistical)
+    });
+    let sums = results.points.iter().flat_map(sets);
+    integral.chain(sums.map(move |(case, response)| row(case, Kind::Deterministic, response)))
 }
 
-/// `comparison.csv` of a limit: every set against the integral, at equal separation.
-///
-/// # Errors
-/// See [`curves`].
-pub fn comparison(results: &LimitResults) -> Result<Vec<u8>, TableError> {
-    let mut table = Table::new(&[CASE, PairRow::COLUMNS])?;
-    for point in &results.points {
-        let area = point.count as f64 / results.population.density;
-        for (of, response) in sets(point) {
-            let statistical = point.exact.statistical;
-            let target = statistical.separation_over_sigma;
-            let pair = Pair { pairing: Pairing::Separation, target, statistical, deterministic: *response };
-            table.row((of, PairRow::new(&pair, area, results.plasticity_index)))?;
+/// Every set against the integral, at equal separation.
+fn comparison(results: &LimitResults) -> impl Iterator<Item = PairRow> {
+    let row = |point: &LimitPoint, case, deterministic: &Response| {
+        let statistical = point.exact.statistical;
+        let (target, deterministic) = (statistical.separation_over_sigma, *deterministic);
+        PairRow {
+            case,
+            pair: Pair { pairing: Pairing::Separation, target, statistical, deterministic },
+            nominal_area: point.count as f64 / results.population.density,
+            plasticity_index: results.plasticity_index,
         }
-    }
-    table.bytes()
+    };
+    results
+        .points
+        .iter()
+        .flat_map(move |point| sets(point).map(move |(case, response)| row(point, case, response)))
 }
 
-/// `convergence.csv`: relative errors by law, quantity, separation and size of the set.
-///
-/// # Errors
-/// See [`curves`].
-pub fn convergence(results: &LimitResults) -> Result<Vec<u8>, TableError> {
-    let mut table = Table::new(&[ConvergenceRow::COLUMNS])?;
-    for quantity in Quantity::ALL {
-        for point in &results.points {
-            let (random_mean_error, random_rms_error) = point.scatter(quantity);
-            table.row(ConvergenceRow {
-                law: point.law.clone(),
-                quantity: quantity.name(),
-                separation_over_sigma: point.exact.statistical.separation_over_sigma,
-                asperities: point.count,
-                expected_contacts: point.expected_contacts(),
-                random_mean_error,
-                random_rms_error,
-                quantile_error: point.quantile_error(quantity),
-                fitted: point.is_fitted(),
-            })?;
-        }
-    }
-    table.bytes()
+fn convergence(results: &LimitResults) -> impl Iterator<Item = ConvergenceRow<'_>> {
+    let rows = |quantity| results.points.iter().map(move |point| ConvergenceRow { point, quantity });
+    Quantity::ALL.into_iter().flat_map(rows)
 }

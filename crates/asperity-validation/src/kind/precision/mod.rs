@@ -12,7 +12,7 @@ mod tables;
 use asperity_framework::input::{InputError, SpecFile};
 use asperity_framework::metadata::Metadata;
 use asperity_framework::report::Page;
-use asperity_framework::report::table::TableError;
+use asperity_framework::report::table::{Schema, TableError};
 use asperity_framework::{Kind, Memory, Outcome, Plan, Reads, RunContext};
 use serde_json::{Map, Value};
 
@@ -33,6 +33,10 @@ impl Kind for Precision {
 
     fn plan(&self, spec: &SpecFile, full: bool) -> Result<Box<dyn Plan>, InputError> {
         Ok(Box::new(plan::plan(spec, full)?))
+    }
+
+    fn tables(&self) -> Vec<Schema> {
+        tables::schemas()
     }
 }
 

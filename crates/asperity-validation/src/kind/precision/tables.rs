@@ -2,289 +2,274 @@
 
 use super::findings::Winner;
 use super::names::candidate_words;
-use crate::kind::precision::run::PrecisionResults;
+use crate::kind::precision::run::{CasePrecision, PrecisionResults};
 use crate::precision::curve::CurvePoint;
+use crate::precision::grid::GridPoint;
 use crate::precision::integral::{Effort, IntegralPoint};
+use crate::precision::list::ListPoint;
 use crate::precision::sampling;
-use asperity::compare::{Kind, Quantity};
-use asperity_framework::report::table::{Table, TableError};
-use asperity_framework::row;
+use crate::precision::sum::SumPoint;
+use asperity::compare::{Kind, LimitPoint, Quantity};
+use asperity_framework::columns;
+use asperity_framework::report::table::{Column, Row, Schema, TableError, csv_file};
 
-row! {
-struct RuleRow {
-    case: String,
-    rule: &'static str,
-    split: bool,
-    substituted: bool,
-    order: Option<usize>,
-    tolerance: Option<f64>,
-    evaluations_per_separation: Option<f64>,
-    area_error: f64,
-    load_error: f64,
-    seconds_per_separation: f64,
-}
+/// A point of a case.
+struct OfCase<'a, P> {
+    case: &'a str,
+    point: P,
 }
 
-row! {
-struct SumRow {
-    case: String,
-    varied: &'static str,
-    way: &'static str,
-    asperities: usize,
-    separations: usize,
-    threads: usize,
-    area_error: f64,
-    load_error: f64,
-    seconds_per_separation: f64,
-}
+/// The column of the case that a row belongs to.
+fn case_column<'a, P>() -> Vec<Column<OfCase<'a, P>>> {
+    columns! { row: OfCase<P> => case["text"] = row.case, "Case: the population that is summed and integrated."; }
 }
 
-row! {
-struct CurveRow {
-    case: String,
-    model: &'static str,
-    asperities: Option<usize>,
-    tolerance: Option<f64>,
-    separations: usize,
-    asked: usize,
-    area_error: f64,
-    load_error: f64,
-    seconds_per_curve: f64,
-}
+type RuleRow<'a> = OfCase<'a, &'a IntegralPoint>;
+
+impl Row for RuleRow<'_> {
+    const FILE: &'static str = "integral.csv";
+    const ROWS: &'static str =
+        "One row for each case, rule of quadrature and effort; written where integrals are timed.";
+
+    fn columns() -> Vec<Column<Self>> {
+        let mut columns = case_column();
+        columns.extend(columns! { row: Self =>
+            rule["text"] = row.point.rule.family.name(), "Rule of quadrature; `shipped` is the program's own.";
+            split["true/false"] = row.point.rule.split, "Whether the integral is split where the law changes its formula.";
+            substituted["true/false"] = row.point.rule.substituted, "Whether the variable is the square root of the indentation.";
+            order["count"] = order(row.point.rule.effort), "Order of the rule; empty where it has a tolerance or is fixed.";
+            tolerance["1"] = tolerance(row.point.rule.effort), "Tolerance of the rule; empty where it has an order or is fixed.";
+            evaluations_per_separation["1"] = row.point.evaluations, "Mean number of contacts evaluated per separation; empty where the rule does not report it.";
+            area_error["1"] = row.point.area_error, "Largest relative error of the area over the separations, against 32 digits.";
+            load_error["1"] = row.point.load_error, "Largest relative error of the load over the separations, against 32 digits.";
+            seconds_per_separation["s"] = row.point.cost.seconds, "Time per separation.";
+        });
+        columns
+    }
 }
 
-row! {
-struct ListRow {
-    case: String,
-    asperities: usize,
-    separations: usize,
-    seconds_to_read: f64,
-    seconds_to_sum: f64,
-    peak_bytes: Option<u64>,
-    added_bytes: Option<u64>,
-}
+fn order(effort: Effort) -> Option<usize> {
+    match effort {
+        Effort::Order(order) => Some(order),
+        Effort::Tolerance(_) | Effort::Fixed => None,
+    }
 }
 
-row! {
-struct SetRow {
-    case: String,
-    separation_over_sigma: f64,
-    asperities: usize,
-    expected_contacts: f64,
-    area_scatter: f64,
-    area_stated_error: f64,
-    load_scatter: f64,
-    load_stated_error: f64,
-    seconds_per_set: f64,
-}
+fn tolerance(effort: Effort) -> Option<f64> {
+    match effort {
+        Effort::Tolerance(tolerance) => Some(tolerance),
+        Effort::Order(_) | Effort::Fixed => None,
+    }
 }
 
-row! {
-struct MapRow {
-    points_per_length: f64,
-    lengths: f64,
-    points: usize,
-    summits: f64,
-    density_bias: f64,
-    radius_bias: f64,
-    sigma_bias: f64,
-    density_scatter: f64,
-    radius_scatter: f64,
-    sigma_scatter: f64,
-    seconds_per_map: f64,
-}
+type SumRow<'a> = OfCase<'a, &'a SumPoint>;
+
+impl Row for SumRow<'_> {
+    const FILE: &'static str = "sum.csv";
+    const ROWS: &'static str =
+        "One row for each case, way of summing and size; written where sums are timed.";
+
+    fn columns() -> Vec<Column<Self>> {
+        let mut columns = case_column();
+        columns.extend(columns! { row: Self =>
+            varied["text"] = row.point.sweep.name(), "What is varied: `asperities`, `separations` or `threads`.";
+            way["text"] = row.point.way.name(), "Way of summing; `shipped` is the program's own.";
+            asperities["count"] = row.point.asperities, "Asperities in the set.";
+            separations["count"] = row.point.separations, "Separations asked for at once.";
+            threads["count"] = row.point.threads, "Threads.";
+            area_error["1"] = row.point.area_error, "Largest relative error of the area over the separations.";
+            load_error["1"] = row.point.load_error, "Largest relative error of the load over the separations.";
+            seconds_per_separation["s"] = row.point.cost.seconds, "Time per separation, the ordering of the asperities included.";
+        });
+        columns
+    }
 }
 
-row! {
-struct WinnerRow {
-    case: String,
-    of: &'static str,
-    asperities: Option<usize>,
-    largest_error: f64,
-    fastest: Option<String>,
-    error: Option<f64>,
-    seconds_per_separation: Option<f64>,
-    shipped_over_fastest: Option<f64>,
-}
+/// A curve of one model, and the number of asperities of its set.
+type CurveRow<'a> = OfCase<'a, (usize, &'a CurvePoint)>;
+
+impl Row for CurveRow<'_> {
+    const FILE: &'static str = "curve.csv";
+    const ROWS: &'static str =
+        "One row for each case, model and tolerance of a curve; written where curves are timed.";
+
+    fn columns() -> Vec<Column<Self>> {
+        let mut columns = case_column();
+        columns.extend(columns! { row: Self =>
+            model["text"] = row.point.1.kind.name(), "Model: `statistical` or `deterministic`.";
+            asperities["count"] = (row.point.1.kind == Kind::Deterministic).then_some(row.point.0), "Asperities in the set; empty for the integral.";
+            tolerance["1"] = row.point.1.tolerance, "Relative tolerance of the curve; empty where every separation is evaluated.";
+            separations["count"] = row.point.1.separations, "Separations of the curve.";
+            asked["count"] = row.point.1.asked, "Separations at which the model was evaluated.";
+            area_error["1"] = row.point.1.area_error, "Largest relative error of the area against the exact curve.";
+            load_error["1"] = row.point.1.load_error, "Largest relative error of the load against the exact curve.";
+            seconds_per_curve["s"] = row.point.1.seconds, "Time for the whole curve.";
+        });
+        columns
+    }
 }
 
-/// `integral.csv`, `sum.csv`, `curve.csv`, `list.csv`, `sampling.csv`, `grid.csv`, of what was asked for, and `winners.csv`.
+type ListRow<'a> = OfCase<'a, &'a ListPoint>;
+
+impl Row for ListRow<'_> {
+    const FILE: &'static str = "list.csv";
+    const ROWS: &'static str =
+        "One row for each case and length of a list of asperities; written where lists are timed.";
+
+    fn columns() -> Vec<Column<Self>> {
+        let mut columns = case_column();
+        columns.extend(columns! { row: Self =>
+            asperities["count"] = row.point.asperities, "Asperities in the list.";
+            separations["count"] = row.point.separations, "Separations at which it is summed.";
+            seconds_to_read["s"] = row.point.read_seconds, "Time to read the file, cached by the system.";
+            seconds_to_sum["s"] = row.point.sum_seconds, "Time to sum at all separations.";
+            peak_bytes["B"] = row.point.peak_bytes, "Peak memory of the program meanwhile; empty where the system does not report it.";
+            added_bytes["B"] = row.point.added_bytes, "Peak memory above that just before.";
+        });
+        columns
+    }
+}
+
+/// Random sets of one size at one separation, and the time per set.
+type SetRow<'a> = OfCase<'a, (&'a LimitPoint, f64)>;
+
+impl Row for SetRow<'_> {
+    const FILE: &'static str = "sampling.csv";
+    const ROWS: &'static str =
+        "One row for each case, separation and size of random sets; written where sampling is asked for.";
+
+    fn columns() -> Vec<Column<Self>> {
+        let mut columns = case_column();
+        columns.extend(columns! { row: Self =>
+            separation_over_sigma["1"] = sampling::separation(row.point.0), "Separation over sigma, the standard deviation of the asperity heights.";
+            asperities["count"] = row.point.0.count, "Asperities in a set.";
+            expected_contacts["1"] = row.point.0.expected_contacts(), "Expected number of contacts.";
+            area_scatter["1"] = row.point.0.scatter(Quantity::Area).1, "Root mean square of the area's error over the random sets, relative to the integral.";
+            area_stated_error["1"] = sampling::stated(row.point.0, Quantity::Area), "Mean standard error of the area that the sums state, relative to the integral.";
+            load_scatter["1"] = row.point.0.scatter(Quantity::Load).1, "Root mean square of the load's error over the random sets, relative to the integral.";
+            load_stated_error["1"] = sampling::stated(row.point.0, Quantity::Load), "Mean standard error of the load that the sums state, relative to the integral.";
+            seconds_per_set["s"] = row.point.1, "Time to draw a set and sum it at all separations.";
+        });
+        columns
+    }
+}
+
+impl Row for &GridPoint {
+    const FILE: &'static str = "grid.csv";
+    const ROWS: &'static str =
+        "One row for each resolution and size of random maps; written where `grid` is asked for.";
+
+    fn columns() -> Vec<Column<Self>> {
+        columns! { map: Self =>
+            points_per_length["1"] = map.per_length, "Points per correlation length.";
+            lengths["1"] = map.lengths, "Side of the map in correlation lengths.";
+            points["count"] = map.points, "Points along a side.";
+            summits["1"] = map.summits, "Mean number of summits found.";
+            density_bias["1"] = map.bias[0], "Expected summit density on this grid over that on a fine one, minus 1.";
+            radius_bias["1"] = map.bias[1], "Expected radius 1/(mean curvature) on this grid over that on a fine one, minus 1.";
+            sigma_bias["1"] = map.bias[2], "Expected standard deviation of summit heights on this grid over that on a fine one, minus 1.";
+            density_scatter["1"] = map.scatter[0], "Root mean square error of the summit density found, relative to that expected on this grid.";
+            radius_scatter["1"] = map.scatter[1], "Root mean square error of the radius found, relative to that expected on this grid.";
+            sigma_scatter["1"] = map.scatter[2], "Root mean square error of the standard deviation found, relative to that expected on this grid.";
+            seconds_per_map["s"] = map.seconds, "Median time for a map and its summits.";
+        }
+    }
+}
+
+type WinnerRow<'a> = OfCase<'a, &'a Winner>;
+
+impl Row for WinnerRow<'_> {
+    const FILE: &'static str = "winners.csv";
+    const ROWS: &'static str = "One row for each case and largest error: the fastest rule or way of summing within it; written where integrals or sums are timed.";
+
+    fn columns() -> Vec<Column<Self>> {
+        let mut columns = case_column();
+        columns.extend(columns! { row: Self =>
+            of["text"] = row.point.of.name(), "What is timed: `integral` or `sum`.";
+            asperities["count"] = row.point.asperities, "Asperities in the set; empty for the integral.";
+            largest_error["1"] = row.point.level, "Largest relative error that is allowed.";
+            fastest["text"] = row.point.fastest.map(|(candidate, _)| candidate_words(&candidate)), "The fastest rule or way within it; empty where there is none.";
+            error["1"] = row.point.fastest.map(|(_, cost)| cost.error), "Its error, the larger of area and load.";
+            seconds_per_separation["s"] = row.point.fastest.map(|(_, cost)| cost.seconds), "Its time per separation.";
+            shipped_over_fastest["1"] = row.point.shipped_over_fastest, "Time of the program's own rule or way over that of the fastest; empty where the former exceeds the error.";
+        });
+        columns
+    }
+}
+
+/// The tables, in the order in which they are written.
+pub(super) fn schemas() -> Vec<Schema> {
+    vec![
+        Schema::of::<RuleRow>(),
+        Schema::of::<SumRow>(),
+        Schema::of::<WinnerRow>(),
+        Schema::of::<CurveRow>(),
+        Schema::of::<ListRow>(),
+        Schema::of::<SetRow>(),
+        Schema::of::<&GridPoint>(),
+    ]
+}
+
+/// The files of [`schemas`], of what was asked for.
 ///
 /// # Errors
 /// See [`TableError`].
-pub fn tables(results: &PrecisionResults) -> Result<Vec<(&'static str, Vec<u8>)>, TableError> {
+pub(super) fn tables(results: &PrecisionResults) -> Result<Vec<(&'static str, Vec<u8>)>, TableError> {
+    let cases = &results.cases;
     let mut all = Vec::new();
-    if results.cases.iter().any(|case| case.integral.is_some()) {
-        all.push(("integral.csv", rules(results)?));
+    if cases.iter().any(|case| case.integral.is_some()) {
+        all.push(csv_file(cases.iter().flat_map(rules))?);
     }
-    if results.cases.iter().any(|case| !case.sums.is_empty()) {
-        all.push(("sum.csv", sums(results)?));
+    if cases.iter().any(|case| !case.sums.is_empty()) {
+        all.push(csv_file(cases.iter().flat_map(sums))?);
     }
     if !all.is_empty() {
-        all.push(("winners.csv", best(results)?));
+        all.push(csv_file(cases.iter().flat_map(winners))?);
     }
-    if results.cases.iter().any(|case| case.curve.is_some()) {
-        all.push(("curve.csv", curves(results)?));
+    if cases.iter().any(|case| case.curve.is_some()) {
+        all.push(csv_file(cases.iter().flat_map(curves))?);
     }
-    if results.cases.iter().any(|case| !case.lists.is_empty()) {
-        all.push(("list.csv", lists(results)?));
+    if cases.iter().any(|case| !case.lists.is_empty()) {
+        all.push(csv_file(cases.iter().flat_map(lists))?);
     }
-    if results.cases.iter().any(|case| case.sampling.is_some()) {
-        all.push(("sampling.csv", sets(results)?));
+    if cases.iter().any(|case| case.sampling.is_some()) {
+        all.push(csv_file(cases.iter().flat_map(sets))?);
     }
-    if results.grid.is_some() {
-        all.push(("grid.csv", maps(results)?));
+    if let Some(grid) = &results.grid {
+        all.push(csv_file(&grid.points)?);
     }
     Ok(all)
 }
 
-fn rules(results: &PrecisionResults) -> Result<Vec<u8>, TableError> {
-    let mut table = Table::new(&[RuleRow::COLUMNS])?;
-    for case in &results.cases {
-        for point in case.integral.iter().flat_map(|integral| &integral.points) {
-            let IntegralPoint { rule, evaluations, area_error, load_error, cost } = *point;
-            let (order, tolerance) = match rule.effort {
-                Effort::Order(order) => (Some(order), None),
-                Effort::Tolerance(tolerance) => (None, Some(tolerance)),
-                Effort::Fixed => (None, None),
-            };
-            table.row(RuleRow {
-                case: case.name.clone(),
-                rule: rule.family.name(),
-                split: rule.split,
-                substituted: rule.substituted,
-                order,
-                tolerance,
-                evaluations_per_separation: evaluations,
-                area_error,
-                load_error,
-                seconds_per_separation: cost.seconds,
-            })?;
-        }
-    }
-    table.bytes()
+fn rules(case: &CasePrecision) -> impl Iterator<Item = RuleRow<'_>> {
+    let points = case.integral.iter().flat_map(|integral| &integral.points);
+    points.map(|point| OfCase { case: &case.name, point })
 }
 
-fn sums(results: &PrecisionResults) -> Result<Vec<u8>, TableError> {
-    let mut table = Table::new(&[SumRow::COLUMNS])?;
-    for case in &results.cases {
-        for point in &case.sums {
-            table.row(SumRow {
-                case: case.name.clone(),
-                varied: point.sweep.name(),
-                way: point.way.name(),
-                asperities: point.asperities,
-                separations: point.separations,
-                threads: point.threads,
-                area_error: point.area_error,
-                load_error: point.load_error,
-                seconds_per_separation: point.cost.seconds,
-            })?;
-        }
-    }
-    table.bytes()
+fn sums(case: &CasePrecision) -> impl Iterator<Item = SumRow<'_>> {
+    case.sums.iter().map(|point| OfCase { case: &case.name, point })
 }
 
-fn curves(results: &PrecisionResults) -> Result<Vec<u8>, TableError> {
-    let mut table = Table::new(&[CurveRow::COLUMNS])?;
-    for case in &results.cases {
-        let Some(found) = &case.curve else { continue };
-        for point in &found.points {
-            let CurvePoint { kind, tolerance, separations, asked, area_error, load_error, seconds } = *point;
-            table.row(CurveRow {
-                case: case.name.clone(),
-                model: kind.name(),
-                asperities: (kind == Kind::Deterministic).then_some(found.asperities),
-                tolerance,
-                separations,
-                asked,
-                area_error,
-                load_error,
-                seconds_per_curve: seconds,
-            })?;
-        }
-    }
-    table.bytes()
+fn winners(case: &CasePrecision) -> impl Iterator<Item = WinnerRow<'_>> {
+    case.findings.winners.iter().map(|point| OfCase { case: &case.name, point })
 }
 
-fn lists(results: &PrecisionResults) -> Result<Vec<u8>, TableError> {
-    let mut table = Table::new(&[ListRow::COLUMNS])?;
-    for case in &results.cases {
-        for point in &case.lists {
-            table.row(ListRow {
-                case: case.name.clone(),
-                asperities: point.asperities,
-                separations: point.separations,
-                seconds_to_read: point.read_seconds,
-                seconds_to_sum: point.sum_seconds,
-                peak_bytes: point.peak_bytes,
-                added_bytes: point.added_bytes,
-            })?;
-        }
-    }
-    table.bytes()
+fn curves(case: &CasePrecision) -> impl Iterator<Item = CurveRow<'_>> {
+    case.curve.iter().flat_map(|found| {
+        found.points.iter().map(|point| OfCase { case: &case.name, point: (found.asperities, point) })
+    })
 }
 
-fn sets(results: &PrecisionResults) -> Result<Vec<u8>, TableError> {
-    let mut table = Table::new(&[SetRow::COLUMNS])?;
-    for case in &results.cases {
-        let Some(found) = &case.sampling else { continue };
-        for point in &found.points {
-            let scatter = |quantity| point.scatter(quantity).1;
+fn lists(case: &CasePrecision) -> impl Iterator<Item = ListRow<'_>> {
+    case.lists.iter().map(|point| OfCase { case: &case.name, point })
+}
+
+fn sets(case: &CasePrecision) -> impl Iterator<Item = SetRow<'_>> {
+    case.sampling.iter().flat_map(|found| {
+        found.points.iter().map(|point| {
             let seconds = found.seconds.iter().find(|(count, _)| *count == point.count);
-            table.row(SetRow {
-                case: case.name.clone(),
-                separation_over_sigma: sampling::separation(point),
-                asperities: point.count,
-                expected_contacts: point.expected_contacts(),
-                area_scatter: scatter(Quantity::Area),
-                area_stated_error: sampling::stated(point, Quantity::Area),
-                load_scatter: scatter(Quantity::Load),
-                load_stated_error: sampling::stated(point, Quantity::Load),
-                seconds_per_set: seconds.map_or(0.0, |(_, seconds)| *seconds),
-            })?;
-        }
-    }
-    table.bytes()
-}
-
-fn maps(results: &PrecisionResults) -> Result<Vec<u8>, TableError> {
-    let mut table = Table::new(&[MapRow::COLUMNS])?;
-    for point in results.grid.iter().flat_map(|grid| &grid.points) {
-        let [density_bias, radius_bias, sigma_bias] = point.bias;
-        let [density_scatter, radius_scatter, sigma_scatter] = point.scatter;
-        table.row(MapRow {
-            points_per_length: point.per_length,
-            lengths: point.lengths,
-            points: point.points,
-            summits: point.summits,
-            density_bias,
-            radius_bias,
-            sigma_bias,
-            density_scatter,
-            radius_scatter,
-            sigma_scatter,
-            seconds_per_map: point.seconds,
-        })?;
-    }
-    table.bytes()
-}
-
-fn best(results: &PrecisionResults) -> Result<Vec<u8>, TableError> {
-    let mut table = Table::new(&[WinnerRow::COLUMNS])?;
-    for case in &results.cases {
-        for &Winner { of, asperities, level, fastest, shipped_over_fastest } in &case.findings.winners {
-            table.row(WinnerRow {
-                case: case.name.clone(),
-                of: of.name(),
-                asperities,
-                largest_error: level,
-                fastest: fastest.map(|(candidate, _)| candidate_words(&candidate)),
-                error: fastest.map(|(_, cost)| cost.error),
-                seconds_per_separation: fastest.map(|(_, cost)| cost.seconds),
-                shipped_over_fastest,
-            })?;
-        }
-    }
-    table.bytes()
+            let seconds = seconds.map_or(0.0, |(_, seconds)| *seconds);
+            OfCase { case: &case.name, point: (point, seconds) }
+        })
+    })
 }

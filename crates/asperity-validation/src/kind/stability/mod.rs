@@ -11,7 +11,7 @@ mod tables;
 use asperity_framework::input::{InputError, SpecFile};
 use asperity_framework::metadata::Metadata;
 use asperity_framework::report::Page;
-use asperity_framework::report::table::TableError;
+use asperity_framework::report::table::{Schema, TableError};
 use asperity_framework::{Kind, Memory, Outcome, Plan, Reads, RunContext};
 use serde_json::{Map, Value};
 
@@ -32,6 +32,10 @@ impl Kind for Stability {
 
     fn plan(&self, spec: &SpecFile, _: bool) -> Result<Box<dyn Plan>, InputError> {
         Ok(Box::new(plan::plan(spec)?))
+    }
+
+    fn tables(&self) -> Vec<Schema> {
+        tables::schemas()
     }
 }
 

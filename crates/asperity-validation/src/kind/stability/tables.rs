@@ -1,81 +1,92 @@
 //! `stability.csv` and `maps.csv`.
 
 use crate::kind::stability::run::StabilityResults;
-use asperity_framework::report::table::{Table, TableError};
-use asperity_framework::row;
+use crate::stability::{GroupFindings, Worst};
+use asperity_framework::columns;
+use asperity_framework::report::table::{Column, Row, Schema, TableError, csv_file};
 
-row! {
-struct WorstRow {
-    kind: &'static str,
-    group: &'static str,
-    quantity: &'static str,
-    cases: u64,
-    failures: usize,
-    median_error: f64,
-    worst_error: f64,
-    bound: f64,
-    plain_error: f64,
-    worst_bound: f64,
-    worst_scene: u64,
-    worst_inputs: String,
-}
+/// The errors of one quantity over the cases of a group.
+struct WorstRow<'a> {
+    findings: &'a GroupFindings,
+    worst: &'a Worst,
 }
 
-row! {
+impl Row for WorstRow<'_> {
+    const FILE: &'static str = "stability.csv";
+    const ROWS: &'static str =
+        "One row for each group of cases and quantity: errors relative to an evaluation of 32 digits.";
+
+    fn columns() -> Vec<Column<Self>> {
+        columns! { row: Self =>
+            kind["text"] = row.findings.group.kind().name(), "What is evaluated: `single contact`, `sum`, `integral` or `load control`.";
+            group["text"] = row.findings.group.name(), "Group of cases.";
+            quantity["text"] = row.worst.quantity.name(), "Quantity whose error is given.";
+            cases["count"] = row.findings.cases, "Cases checked.";
+            failures["count"] = row.findings.failures.len(), "Cases that could not be checked as right.";
+            median_error["1"] = row.worst.median, "Median of the errors.";
+            worst_error["1"] = row.worst.checked, "Largest error; zero of an answer that is exact for a separation within the rounding of the given one.";
+            bound["1"] = row.findings.group.bound(row.worst.quantity), "Bound of the error under most laws.";
+            plain_error["1"] = row.worst.error, "Largest error, the rounding of the separation included.";
+            worst_bound["1"] = row.worst.bound(row.findings.group), "Bound of the case with the largest error, which a narrow elastic-plastic transition makes larger.";
+            worst_scene["count"] = row.worst.case.index, "Number of the case with the largest error within its group.";
+            worst_inputs["text"] = row.worst.case.inputs(), "Every input of that case, to run it again.";
+        }
+    }
+}
+
+/// A cell of a map of errors.
 struct CellRow {
     map: &'static str,
     x: f64,
     y: f64,
-    cell_error: Option<f64>,
+    error: f64,
 }
+
+impl Row for CellRow {
+    const FILE: &'static str = "maps.csv";
+    const ROWS: &'static str = "One row for each cell of each map of errors.";
+
+    fn columns() -> Vec<Column<Self>> {
+        columns! { row: Self =>
+            map["text"] = row.map, "Map; the report names its quantity and axes.";
+            x["1"] = row.x, "Position along x, as a common logarithm where the axis says so.";
+            y["1"] = row.y, "Position along y, likewise.";
+            cell_error["1"] = Some(row.error).filter(|error| error.is_finite()), "Relative error; empty where the evaluation of 32 digits does not converge.";
+        }
+    }
 }
 
 /// Both tables.
+pub(super) fn schemas() -> Vec<Schema> {
+    vec![Schema::of::<WorstRow>(), Schema::of::<CellRow>()]
+}
+
+/// The files of [`schemas`].
 ///
 /// # Errors
 /// See [`TableError`].
-pub fn tables(results: &StabilityResults) -> Result<Vec<(&'static str, Vec<u8>)>, TableError> {
-    Ok(vec![("stability.csv", worst(results)?), ("maps.csv", cells(results)?)])
+pub(super) fn tables(results: &StabilityResults) -> Result<Vec<(&'static str, Vec<u8>)>, TableError> {
+    Ok(vec![csv_file(worst(results))?, csv_file(cells(results))?])
 }
 
-fn worst(results: &StabilityResults) -> Result<Vec<u8>, TableError> {
-    let mut table = Table::new(&[WorstRow::COLUMNS])?;
-    for findings in &results.groups {
-        for worst in &findings.quantities {
-            table.row(WorstRow {
-                kind: findings.group.kind().name(),
-                group: findings.group.name(),
-                quantity: worst.quantity.name(),
-                cases: findings.cases,
-                failures: findings.failures.len(),
-                median_error: worst.median,
-                worst_error: worst.checked,
-                bound: findings.group.bound(worst.quantity),
-                plain_error: worst.error,
-                worst_bound: worst.bound(findings.group),
-                worst_scene: worst.case.index,
-                worst_inputs: worst.case.inputs(),
-            })?;
-        }
-    }
-    table.bytes()
+fn worst(results: &StabilityResults) -> impl Iterator<Item = WorstRow<'_>> {
+    results
+        .groups
+        .iter()
+        .flat_map(|findings| findings.quantities.iter().map(move |worst| WorstRow { findings, worst }))
 }
 
-fn cells(results: &StabilityResults) -> Result<Vec<u8>, TableError> {
-    let mut table = Table::new(&[CellRow::COLUMNS])?;
-    for map in &results.maps {
-        let place = |k: usize, axis: usize| {
+fn cells(results: &StabilityResults) -> impl Iterator<Item = CellRow> {
+    results.maps.iter().flat_map(|map| {
+        let position = |k: usize, axis: usize| {
             let [from, to] = map.ends[axis];
             from + (to - from) * k as f64 / (map.cells[axis] - 1) as f64
         };
-        for (k, error) in map.errors.iter().enumerate() {
-            table.row(CellRow {
-                map: map.name,
-                x: place(k % map.cells[0], 0),
-                y: place(k / map.cells[0], 1),
-                cell_error: Some(*error).filter(|error| error.is_finite()),
-            })?;
-        }
-    }
-    table.bytes()
+        map.errors.iter().enumerate().map(move |(k, &error)| CellRow {
+            map: map.name,
+            x: position(k % map.cells[0], 0),
+            y: position(k / map.cells[0], 1),
+            error,
+        })
+    })
 }

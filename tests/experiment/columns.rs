@@ -1,0 +1,214 @@
+//! Columns of the tables: what a report holds is what `docs/tables.md` says.
+
+use std::collections::BTreeMap;
+use std::fs;
+use std::path::Path;
+
+use asperity_experiment::Experiment;
+use asperity_experiment::kind::{KINDS, columns};
+use asperity_framework::progress::Silent;
+use asperity_framework::report::table::{Heading, Schema};
+
+/// Every table once, by its file.
+fn schemas() -> BTreeMap<&'static str, Schema> {
+    let mut all = BTreeMap::new();
+    for schema in KINDS.iter().flat_map(|kind| kind.tables()) {
+        let same = all.insert(schema.file, schema.clone());
+        assert!(same.is_none_or(|same| same == schema), "two tables are called {}", schema.file);
+    }
+    all
+}
+
+fn committed(path: &str) -> String {
+    fs::read_to_string(Path::new(env!("CARGO_MANIFEST_DIR")).join(path)).unwrap()
+}
+
+#[test]
+fn the_documentation_is_current() {
+    assert!(
+        committed("docs/tables.md") == columns(None),
+        "docs/tables.md does not have the columns of this program. To renew it:\n\
+         cargo run --release --bin experiment -- columns > docs/tables.md"
+    );
+    assert!(committed("README.md").contains("docs/tables.md"));
+}
+
+#[test]
+fn one_kind_has_its_own_tables_only() {
+    let text = columns(Some("limit"));
+    assert!(text.contains("## `convergence.csv`") && text.contains("## `curves.csv`"), "{text}");
+    assert!(!text.contains("laws.csv") && !text.contains("[compare]"), "{text}");
+}
+
+/// The unit that the name of a column ends with.
+fn unit_of(name: &str) -> Option<&'static str> {
+    const SUFFIXES: [(&str, &str); 9] = [
+        ("_pa_per_m", "Pa/m"),
+        ("_n_per_m", "N/m"),
+        ("_per_m2", "1/m²"),
+        ("_m2", "m²"),
+        ("_m", "m"),
+        ("_pa", "Pa"),
+        ("_n", "N"),
+        ("_bytes", "B"),
+        ("_over_sigma", "1"),
+    ];
+    if name.starts_with("seconds_") {
+        return Some("s");
+    }
+    SUFFIXES.iter().find(|(suffix, _)| name.ends_with(suffix)).map(|(_, unit)| *unit)
+}
+
+#[test]
+fn headings_are_whole() {
+    for (file, schema) in schemas() {
+        assert!(schema.rows.starts_with("One row for each ") && schema.rows.ends_with('.'), "{file}");
+        for (k, Heading { name, unit, meaning }) in schema.columns.iter().enumerate() {
+            let first = meaning.chars().next();
+            assert!(
+                first.is_some_and(char::is_uppercase) && meaning.ends_with('.'),
+                "{file}, {name}: {meaning}"
+            );
+            assert!(!meaning.contains(['|', '\n']), "{file}, {name}: {meaning}");
+            assert!(schema.columns[..k].iter().all(|other| other.name != *name), "{file}: {name} twice");
+            match unit_of(name) {
+                Some(expected) => assert_eq!(*unit, expected, "{file}, {name}"),
+                None => assert!(
+                    !["m", "m²", "Pa", "N", "s"].contains(unit),
+                    "{file}, {name}: no suffix for {unit}"
+                ),
+            }
+        }
+    }
+}
+
+const COMPARE: &str = r#"
+[compare]
+rough = "steel"
+flat = "steel"
+law = "zmc"
+layer = { material = "lead", thickness = [0, "50 nm", "inf"] }
+separation = { values = [9, 2] }
+pressure = { values = ["1 MPa"] }
+force = { values = ["0.1 N"] }
+"#;
+
+const LAWS: &str = r#"
+[laws]
+rough = "steel"
+flat = "steel"
+law = ["zmc", "hertz"]
+asperity = { radius = "20 um" }
+indentation = { from = 1e-2, to = 1e2, points = 5 }
+pressure = { values = ["1 MPa", "10 MPa"] }
+"#;
+
+const SURFACE: &str = concat!("[surface.drawn.population]\ncount = 2000\n", case_1!());
+
+const LIMIT: &str = concat!(
+    "[limit]\nrough = \"steel\"\nflat = \"steel\"\nlaw = \"zmc\"\nseparation = { values = [1, 0] }\n\
+     count = { values = [100, 1000] }\ndraws = 4\n",
+    case_1!()
+);
+
+const INDENTATION: &str = r#"
+[indentation]
+ball = "steel"
+radius = "1 mm"
+flat = "steel"
+layer = { material = "lead", thickness = "1 um" }
+law = "zmc"
+indentation = { from = "10 nm", to = "5 um", points = 5 }
+overlay = "points.csv"
+"#;
+
+const PRECISION: &str = concat!(
+    r#"
+[precision]
+rough = "steel"
+flat = "steel"
+law = "zmc"
+[precision.integral]
+separation = { values = [1] }
+[precision.sum]
+count = { values = [1e3] }
+separations = { values = [1] }
+threads = { values = [1] }
+[precision.curve]
+asperities = 3000
+separations = 20
+beside = 5
+tolerance = { values = [1e-2] }
+[precision.list]
+count = { values = [1e3] }
+separations = 2
+[precision.sampling]
+separation = { values = [0] }
+count = { values = [100, 1e3] }
+draws = 4
+[precision.grid]
+points-per-length = { values = [2, 4] }
+lengths = { values = [10] }
+realisations = 2
+[precision.case.one]
+"#,
+    case_1!()
+);
+
+const STABILITY: &str =
+    "[stability]\ncontacts = 4\nsums = 2\nintegrals = 2\nloads = 1\nmillions = 1\ncells = 2\n";
+
+/// The tables of a spec.
+fn tables(spec: &str) -> Vec<(&'static str, Vec<u8>)> {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("spec.toml");
+    fs::write(&path, format!("title = \"t\"\nseed = 1\n{spec}")).unwrap();
+    fs::write(folder.path().join("points.csv"), "indentation,load\n1e-7,1e-3\n3e-7,6e-3\n").unwrap();
+    Experiment::read(&path).unwrap().run(&Silent).unwrap().tables().unwrap()
+}
+
+/// Whether a cell may stand in a column of this unit.
+fn fits(cell: &str, unit: &str) -> bool {
+    cell.is_empty()
+        || match unit {
+            "text" => cell.parse::<f64>().is_err(),
+            "true/false" => cell.parse::<bool>().is_ok(),
+            "count" => cell.parse::<u64>().is_ok(),
+            _ => cell.parse::<f64>().is_ok_and(|number| !number.is_nan()),
+        }
+}
+
+#[test]
+fn every_kind_writes_the_tables_that_it_declares() {
+    let bodies = concat!(steel!(), lead!());
+    let specs = [
+        ("compare", [bodies, COMPARE, SURFACE].concat()),
+        ("indentation", [bodies, INDENTATION].concat()),
+        ("laws", [bodies, LAWS, SURFACE].concat()),
+        ("limit", [bodies, LIMIT].concat()),
+        ("precision", [bodies, PRECISION].concat()),
+        ("stability", STABILITY.to_owned()),
+    ];
+    assert_eq!(KINDS.map(|kind| kind.name()), specs.each_ref().map(|(kind, _)| *kind));
+    for (kind, (name, spec)) in KINDS.iter().zip(specs) {
+        let (declared, written) = (kind.tables(), tables(&spec));
+        let files = |schemas: &[Schema]| schemas.iter().map(|schema| schema.file).collect::<Vec<_>>();
+        assert_eq!(files(&declared), written.iter().map(|(file, _)| *file).collect::<Vec<_>>(), "{name}");
+        for (schema, (file, content)) in declared.iter().zip(written) {
+            let mut reader = csv::Reader::from_reader(content.as_slice());
+            let header: Vec<String> = reader.headers().unwrap().iter().map(str::to_owned).collect();
+            assert_eq!(
+                header,
+                schema.columns.iter().map(|column| column.name.clone()).collect::<Vec<_>>(),
+                "{file}"
+            );
+            let rows: Vec<csv::StringRecord> = reader.records().map(Result::unwrap).collect();
+            assert!(!rows.is_empty(), "{name}, {file}");
+            for (cell, Heading { name, unit, .. }) in
+                rows.iter().flat_map(|row| row.iter().zip(&schema.columns))
+            {
+                assert!(fits(cell, unit), "{file}, {name} [{unit}]: {cell}");
+            }
+        }
+    }
+}
