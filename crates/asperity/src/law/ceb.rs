@@ -2,7 +2,8 @@
 
 use std::f64::consts::PI;
 
-use super::{Hertz, Law, OfPoisson, Pair, Property, ScalableLaw, YieldLimits, exponents_passed};
+use super::regimes::exponents_passed;
+use super::{Hertz, Law, OfPoisson, Pair, Property, ScalableLaw, YieldLimits};
 use crate::contact::Contacts;
 use crate::literature::{self, Paper};
 use crate::material::Material;

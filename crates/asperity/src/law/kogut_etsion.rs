@@ -3,7 +3,8 @@
 use std::f64::consts::PI;
 
 use super::ceb::{CRITICAL, HARDNESS_FACTOR};
-use super::{Hertz, Law, OfPoisson, Pair, Property, ScalableLaw, YieldLimits, exponents_passed, in_range};
+use super::regimes::{exponents_passed, in_range};
+use super::{Hertz, Law, OfPoisson, Pair, Property, ScalableLaw, YieldLimits};
 use crate::contact::Contacts;
 use crate::literature::{self, Paper};
 use crate::material::Material;

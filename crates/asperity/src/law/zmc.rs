@@ -3,7 +3,8 @@
 use std::f64::consts::PI;
 use std::ops::Bound;
 
-use super::{Hertz, Law, LawOption, OptionError, Pair, Property, ScalableLaw, YieldLimits, in_range};
+use super::regimes::in_range;
+use super::{Hertz, Law, LawOption, OptionError, Pair, Property, ScalableLaw, YieldLimits};
 use crate::contact::Contacts;
 use crate::literature::{self, Paper};
 use crate::material::Material;

@@ -1,0 +1,33 @@
+//! What laws share whose contacts pass from one regime to another.
+
+use super::{FullyPlastic, Hertz, Pair};
+use crate::contact::Contacts;
+use crate::numeric::interval::Interval;
+use crate::numeric::lanes::{Mask, Real};
+
+/// Hertz where contacts are `elastic`, Abbott and Firestone where they are `plastic`, `flowing` between.
+#[inline(always)]
+pub(super) fn in_range<N: Real>(
+    w: N,
+    b: N,
+    pair: &Pair<N>,
+    [elastic, plastic]: [N::Mask; 2],
+    flowing: Contacts<N>,
+) -> Contacts<N> {
+    let mut contacts = flowing;
+    if plastic.any() {
+        contacts =
+            Contacts::select(plastic, &FullyPlastic::plastic(w, b, pair.yield_limits.strength), &contacts);
+    }
+    if elastic.any() {
+        contacts = Contacts::select(elastic, &Hertz::elastic(w, b, pair.reduced_modulus), &contacts);
+    }
+    contacts
+}
+
+/// The hull of `exponents` (each from its u on, ascending, the first from 0) over the ranges that `u` passes.
+pub(super) fn exponents_passed(u: Interval, exponents: &[(f64, Interval)]) -> Interval {
+    let ends = exponents.iter().skip(1).map(|(from, _)| *from).chain([f64::INFINITY]);
+    let passed = exponents.iter().zip(ends).filter(|((from, _), to)| u.high >= *from && u.low <= *to);
+    passed.map(|((_, exponents), _)| *exponents).reduce(Interval::hull).unwrap_or_default()
+}
