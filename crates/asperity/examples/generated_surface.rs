@@ -7,11 +7,11 @@ use std::fs::File;
 use std::path::PathBuf;
 
 use asperity::topography::generate::{Process, Recipe, Seeds, SpectrumOf};
-use asperity::topography::marginal::Marginal;
+
 use asperity::topography::read::{Given, height_map};
 use asperity::topography::spectrum::{Lay, Shape, Spectrum};
 use asperity::topography::summits::five_point;
-use asperity::{AsperitySet, Statistics, npy};
+use asperity::{AsperitySet, Heights, Statistics, npy};
 
 fn main() -> Result<(), Box<dyn Error>> {
     let temporary = || std::env::temp_dir().join("generated-surface.npy");
@@ -24,7 +24,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         spectrum: Spectrum::new(shape, Lay::default())?,
         of: SpectrumOf::Heights,
         sigma: 100e-9,
-        heights: Marginal::Gaussian,
+        heights: Heights::default(),
     };
     let recipe = Recipe { points, pixel, process, plateau: None };
     recipe.check()?;
