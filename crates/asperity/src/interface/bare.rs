@@ -24,7 +24,7 @@ impl<L: Law + Clone> Interface<L> {
     /// The contact of a rough body with a flat one.
     ///
     /// # Errors
-    /// Bodies that the law says nothing of.
+    /// See [`Inapplicable`].
     pub fn bare(law: L, rough: &Material, flat: &Material) -> Result<Self, Inapplicable> {
         Self::all_layer(law, rough, flat, flat)
     }

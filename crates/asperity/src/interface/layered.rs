@@ -72,7 +72,7 @@ impl<L: ScalableLaw> Layered<L> {
     /// The contact of a rough body with `substrate` under `coating`.
     ///
     /// # Errors
-    /// Bodies that the law says nothing of.
+    /// See [`Inapplicable`].
     pub fn new(
         law: L,
         rough: &Material,

@@ -1,0 +1,63 @@
+//! A random rough surface of a given spectrum, written to a `.npy` that NumPy and this crate read, and its summits.
+//!
+//! `cargo run --release -p asperity --example generated_surface [FILE]`
+
+use std::error::Error;
+use std::fs::File;
+use std::path::PathBuf;
+
+use asperity::topography::generate::{Process, Recipe, Seeds, SpectrumOf};
+
+use asperity::topography::read::{Given, height_map};
+use asperity::topography::spectrum::{Lay, Shape, Spectrum};
+use asperity::topography::summits::five_point;
+use asperity::{AsperitySet, Heights, Statistics, npy};
+
+fn main() -> Result<(), Box<dyn Error>> {
+    let temporary = || std::env::temp_dir().join("generated-surface.npy");
+    let path = std::env::args().nth(1).map_or_else(temporary, PathBuf::from);
+
+    // Self-affine between two wavelengths, isotropic; the two seeds decide every height.
+    let (points, pixel) = ([512; 2], [0.5e-6; 2]);
+    let shape = Shape::SelfAffine { hurst: 0.8, roll_off: 20e-6, cut_off: 4e-6 };
+    let process = Process {
+        spectrum: Spectrum::new(shape, Lay::default())?,
+        of: SpectrumOf::Heights,
+        sigma: 100e-9,
+        heights: Heights::default(),
+    };
+    let recipe = Recipe { points, pixel, process, plateau: None };
+    recipe.check()?;
+    let (map, _) = recipe.surface(Seeds { process: [1; 32], plateau: [2; 32] })?;
+
+    // A .npy holds heights only: the pixel is given again where it is read. The first index is x.
+    npy::write(File::create(&path)?, points, map.heights().iter().copied())?;
+    let read = height_map(&path, Given { pixel: Some(pixel), unit: None })?;
+    println!(
+        "{}: {} x {} heights in m, pixel {:.1} um\n",
+        path.display(),
+        points[0],
+        points[1],
+        1e6 * pixel[0]
+    );
+
+    println!(
+        "{:>9} {:>8} {:>11} {:>17} {:>14}",
+        "borders", "summits", "sigma [nm]", "mean radius [um]", "density [/m^2]"
+    );
+    // A file does not say that opposite borders fit: summits on the border are lost.
+    for (borders, map) in [("periodic", &map), ("open", &read)] {
+        let summits = five_point(map);
+        let radii = summits.curvatures.iter().map(|curvature| curvature.recip()).collect();
+        let set = AsperitySet::new(summits.heights, radii, pixel[0] * pixel[1] * summits.tested as f64)?;
+        let found = Statistics::of(&set);
+        println!(
+            "{borders:>9} {:8} {:11.2} {:17.3} {:14.3e}",
+            set.count(),
+            1e9 * found.sigma,
+            1e6 * found.mean_radius,
+            set.density(),
+        );
+    }
+    Ok(())
+}
