@@ -24,7 +24,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         spectrum: Spectrum::new(shape, Lay::default())?,
         of: SpectrumOf::Heights,
         sigma: 100e-9,
-        heights: Heights::default(),
+        heights: Heights::GAUSSIAN,
     };
     let recipe = Recipe { points, pixel, process, plateau: None };
     recipe.check()?;

@@ -227,11 +227,14 @@ trait AnyLaw: Send + Sync {
     fn on(&self, flat: &Flat, rough: &Material) -> Result<Box<dyn MicroContact>, Inapplicable>;
 }
 
+/// How a law is put on a flat.
+type PutOnFlat<L> = fn(&Flat, L, &Material) -> Result<Box<dyn MicroContact>, Inapplicable>;
+
 /// A law and how it is put on a flat.
 #[derive(Clone)]
 struct OnFlat<L> {
     law: L,
-    on: fn(&Flat, L, &Material) -> Result<Box<dyn MicroContact>, Inapplicable>,
+    on: PutOnFlat<L>,
     stands_under_layers: bool,
 }
 

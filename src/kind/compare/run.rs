@@ -40,7 +40,7 @@ pub fn run(
     let mut files = files_of(&compare.surfaces, counter);
     let mut surfaces = Vec::new();
     for surface in &compare.surfaces {
-        let mut factory = SurfaceFactory::new(surface, &context.source, context.seed, counter);
+        let mut factory = SurfaceFactory::new(surface, context.source, context.seed, counter);
         let first_surface = factory.make(1, AnalysisDepth::Spectrum, &mut files, &mut timing)?;
         let models = models_of(compare, &first_surface, &mut timing);
         let first = run_surface(context, compare, &first_surface, &models, counter, &mut timing)?;

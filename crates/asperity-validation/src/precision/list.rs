@@ -68,7 +68,7 @@ impl LongLists {
         let seconds = || long().map(ListPoint::seconds_per_asperity);
         Some(Self {
             shortest: *long().next()?,
-            longest: *long().last()?,
+            longest: *long().next_back()?,
             seconds_per_asperity: [seconds().fold(f64::INFINITY, f64::min), seconds().fold(0.0, f64::max)],
         })
     }

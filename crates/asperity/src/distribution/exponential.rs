@@ -72,7 +72,7 @@ impl HeightDistribution for Exponential {
         }
     }
 
-    fn from_normal(&self, g: f64) -> f64 {
+    fn height_at_normal(&self, g: f64) -> f64 {
         log_hazard(&PANELS, g).exp() - 1.0
     }
 

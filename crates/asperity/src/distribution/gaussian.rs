@@ -86,7 +86,7 @@ impl HeightDistribution for Gaussian {
         0.5 * erfc(z / SQRT_2)
     }
 
-    fn from_normal(&self, g: f64) -> f64 {
+    fn height_at_normal(&self, g: f64) -> f64 {
         g
     }
 

@@ -77,20 +77,20 @@ pub trait HeightDistribution: fmt::Debug + fmt::Display + Send + Sync {
 
     /// The height that a fraction `p` in (0, 1) of all heights lies below.
     fn quantile(&self, p: f64) -> f64 {
-        self.from_normal(Normal::standard().inverse_cdf(p))
+        self.height_at_normal(Normal::standard().inverse_cdf(p))
     }
 
     /// The height T(g) that as many heights lie below as standard normal numbers below `g`.
-    fn from_normal(&self, g: f64) -> f64;
+    fn height_at_normal(&self, g: f64) -> f64;
 
     /// Replaces every standard normal number of `field` by `scale` times its height.
     fn map_normals(&self, field: &mut [f64], scale: f64) {
-        field.iter_mut().for_each(|z| *z = scale * self.from_normal(*z));
+        field.iter_mut().for_each(|z| *z = scale * self.height_at_normal(*z));
     }
 
     /// Fills `heights` with independent draws.
     fn draw(&self, rng: &mut ChaCha8Rng, heights: &mut [f64]) {
-        heights.iter_mut().for_each(|z| *z = self.from_normal(StandardNormal.sample(rng)));
+        heights.iter_mut().for_each(|z| *z = self.height_at_normal(StandardNormal.sample(rng)));
     }
 
     /// A height from which on the density does not increase: the mode of a density with one peak.

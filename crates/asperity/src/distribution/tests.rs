@@ -42,7 +42,7 @@ fn names_in_words() {
 fn skewness_and_kurtosis_are_those_of_the_map() {
     for heights in all() {
         let wanted = [0.0, 1.0, heights.skewness(), heights.kurtosis()];
-        for (found, wanted) in moments(|g| heights.from_normal(g)).into_iter().zip(wanted) {
+        for (found, wanted) in moments(|g| heights.height_at_normal(g)).into_iter().zip(wanted) {
             assert!((found - wanted).abs() < 2e-9 * wanted.abs().max(1.0), "{heights}: {found} {wanted}");
         }
     }
@@ -75,7 +75,7 @@ fn the_density_is_the_slope_of_the_survival_function() {
             assert!(end.is_infinite() || heights.density(end + 1e-9 * end.signum()) == 0.0, "{heights}");
         }
         for g in [-2.0, -0.6, 0.1, 0.9, 1.7, 3.0] {
-            let [low, middle, high] = [g - 1e-3, g, g + 1e-3].map(|g| heights.from_normal(g));
+            let [low, middle, high] = [g - 1e-3, g, g + 1e-3].map(|g| heights.height_at_normal(g));
             let normal = |g: f64| Gaussian.survival(g - 1e-3) - Gaussian.survival(g + 1e-3);
             let found = heights.density(middle) * (high - low);
             assert!((found / normal(g) - 1.0).abs() < 2e-4, "{heights} at {g}: {found} {}", normal(g));

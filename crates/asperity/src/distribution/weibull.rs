@@ -136,7 +136,7 @@ impl HeightDistribution for Weibull {
         self.height((-(-p).ln_1p()).powf(self.power))
     }
 
-    fn from_normal(&self, g: f64) -> f64 {
+    fn height_at_normal(&self, g: f64) -> f64 {
         self.height((self.power * log_hazard(&PANELS, g)).exp())
     }
 
@@ -221,7 +221,7 @@ mod tests {
         for shape in [0.5, 0.7, 1.0, 1.5, 2.0, 3.60235, 5.0, 10.0, 20.0] {
             let weibull = Weibull::new(shape).unwrap();
             let wanted = [0.0, 1.0, weibull.skewness(), weibull.kurtosis()];
-            for (found, wanted) in moments(|g| weibull.from_normal(g)).into_iter().zip(wanted) {
+            for (found, wanted) in moments(|g| weibull.height_at_normal(g)).into_iter().zip(wanted) {
                 assert!((found - wanted).abs() < 1e-9 * wanted.abs().max(1.0), "{weibull}: {found} {wanted}");
             }
         }

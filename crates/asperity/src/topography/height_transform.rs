@@ -44,7 +44,7 @@ impl Distortion {
     pub fn new(distribution: &dyn HeightDistribution) -> Self {
         let nodes: Vec<[f64; 2]> = normal_nodes(STEP).collect();
         let heights: Vec<f64> =
-            nodes.iter().map(|&[g, weight]| weight * distribution.from_normal(g)).collect();
+            nodes.iter().map(|&[g, weight]| weight * distribution.height_at_normal(g)).collect();
         // Orthonormal polynomials h_n = He_n/(n!)^.5: (n+1)^.5 h_(n+1) = g h_n - n^.5 h_(n-1).
         let mut before = vec![0.0; nodes.len()];
         let mut latest = vec![1.0; nodes.len()];
@@ -147,9 +147,9 @@ mod tests {
         let other = (1.0 - rho * rho).sqrt();
         let nodes: Vec<[f64; 2]> = normal_nodes(0.07).collect();
         let inner = |g: f64| -> f64 {
-            nodes.iter().map(|&[h, w]| w * heights.from_normal(rho * g + other * h)).sum()
+            nodes.iter().map(|&[h, w]| w * heights.height_at_normal(rho * g + other * h)).sum()
         };
-        nodes.iter().map(|&[g, w]| w * heights.from_normal(g) * inner(g)).sum()
+        nodes.iter().map(|&[g, w]| w * heights.height_at_normal(g) * inner(g)).sum()
     }
 
     #[test]
@@ -178,7 +178,7 @@ mod tests {
             let mut mapped = field.clone();
             map_normals(&*heights, &mut mapped, 1e-7);
             for (&g, &z) in field.iter().zip(&mapped) {
-                assert_eq!(z, 1e-7 * heights.from_normal(g), "{heights}, g = {g}");
+                assert_eq!(z, 1e-7 * heights.height_at_normal(g), "{heights}, g = {g}");
             }
         }
     }

@@ -62,7 +62,7 @@ fn dense(contact: &dyn MicroContact, population: &Population, kinks: &[f64], h: 
         let (mut low, mut high) = (-42.0, 42.0);
         for _ in 0..70 {
             let middle = 0.5 * (low + high);
-            *(if heights.from_normal(middle) < h + x { &mut low } else { &mut high }) = middle;
+            *(if heights.height_at_normal(middle) < h + x { &mut low } else { &mut high }) = middle;
         }
         high
     };
@@ -74,13 +74,13 @@ fn dense(contact: &dyn MicroContact, population: &Population, kinks: &[f64], h: 
     ends.extend((0..2800).map(|k| start + 0.01 * f64::from(k)));
     ends.retain(|g| (start..=base + 18.0).contains(g));
     ends.sort_by(f64::total_cmp);
-    let mut sums = [Sum::default(); 3];
+    let mut sums = [Sum::<f64>::default(); 3];
     for range in ends.windows(2).filter(|range| range[0] < range[1]) {
         for panel in panels(range[0] - start, range[1] - start, Variable::SquareRoot, 1) {
             for (v, weight) in panel.points.into_iter().zip(panel.weights) {
                 let g = start + v;
                 let share = weight * (-0.5 * (g - base) * (g + base)).exp();
-                let x = (heights.from_normal(g) - h).max(0.0);
+                let x = (heights.height_at_normal(g) - h).max(0.0);
                 let found = contact.contact(x * sigma, Shape::sphere(RADIUS));
                 for (sum, value) in sums.iter_mut().zip([found.area, found.load, found.stiffness]) {
                     sum.add(share * value);
@@ -102,7 +102,7 @@ fn separations(heights: &Heights) -> Vec<f64> {
     let [low, high] = heights.support();
     let crowded = if heights.name() == "johnson" { 1e-3 } else { 0.0 };
     let numbers = [-7.0, -5.0, -2.0, -0.5, 0.0, 1.0, 3.0, 6.0, 9.0];
-    let mut all: Vec<f64> = numbers.map(|g| heights.from_normal(g)).into_iter().collect();
+    let mut all: Vec<f64> = numbers.map(|g| heights.height_at_normal(g)).into_iter().collect();
     all.extend([-1.5, -2e-3, -1e-6, 0.0, 1e-6].map(|off| low.max(-10.0) + off));
     all.retain(|h| high - h > 1e-3 && (h - low).abs() >= crowded);
     all
@@ -227,7 +227,7 @@ impl HeightDistribution for Uniform {
     fn survival(&self, z: f64) -> f64 {
         (0.5 - 0.5 * z / HALF).clamp(0.0, 1.0)
     }
-    fn from_normal(&self, g: f64) -> f64 {
+    fn height_at_normal(&self, g: f64) -> f64 {
         HALF * (1.0 - 2.0 * Heights::GAUSSIAN.survival(g))
     }
     fn decreasing_from(&self) -> f64 {

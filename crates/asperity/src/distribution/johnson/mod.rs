@@ -257,7 +257,7 @@ impl Johnson {
     }
 
     /// The standard normal number of the height `z`; infinite outside the support.
-    fn to_normal(&self, z: f64) -> f64 {
+    fn normal_at_height(&self, z: f64) -> f64 {
         let y = z.mul_add(self.sd, self.mean);
         let [p, q] = self.weights;
         let [along, against] = if y < 0.0 { [q, p] } else { [p, q] };
@@ -271,7 +271,7 @@ impl Johnson {
     }
 
     fn start(&self, h: f64) -> Start {
-        let g = self.to_normal(h);
+        let g = self.normal_at_height(h);
         let (g, x) = if g < LOWEST { (LOWEST, self.map(LOWEST) - h) } else { (g, 0.0) };
         Start { g, x, growth: (self.rate * g).exp() }
     }
@@ -317,15 +317,15 @@ impl HeightDistribution for Johnson {
     }
 
     fn density(&self, z: f64) -> f64 {
-        let g = self.to_normal(z);
+        let g = self.normal_at_height(z);
         if g.is_finite() { Gaussian.density(g) / self.derivative(g) } else { 0.0 }
     }
 
     fn survival(&self, z: f64) -> f64 {
-        0.5 * erfc(self.to_normal(z) * FRAC_1_SQRT_2)
+        0.5 * erfc(self.normal_at_height(z) * FRAC_1_SQRT_2)
     }
 
-    fn from_normal(&self, g: f64) -> f64 {
+    fn height_at_normal(&self, g: f64) -> f64 {
         self.map(g)
     }
 
@@ -349,7 +349,7 @@ impl HeightDistribution for Johnson {
     }
 
     fn scale(&self, h: f64) -> f64 {
-        let g = self.to_normal(h);
+        let g = self.normal_at_height(h);
         if g < Gaussian.highest_separation() { Gaussian.scale(g) } else { 0.0 }
     }
 
