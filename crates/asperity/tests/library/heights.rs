@@ -3,15 +3,13 @@
 use std::fmt;
 
 use crate::common::{Worst, relative_error};
-use asperity::asperity::{Draw, Population};
-use asperity::distribution::{HeightDistribution, Heights, Johnson, REGISTRY, Weibull};
-use asperity::interface::{Interface, MicroContact};
-use asperity::law::{Ceb, Hertz, Shape, Zmc};
-use asperity::literature::Paper;
-use asperity::material::Material;
-use asperity::model::{Deterministic, Model, ReferencePlane, Statistical};
+use asperity::distribution::{Johnson, REGISTRY, Weibull};
 use asperity::numeric::Sum;
 use asperity::numeric::quadrature::{Variable, panels};
+use asperity::{
+    Ceb, Deterministic, Draw, HeightDistribution, Heights, Hertz, Interface, Material, MicroContact, Model,
+    Paper, Population, ReferencePlane, Shape, Statistical, Zmc,
+};
 
 const RADIUS: f64 = 2e-5;
 
@@ -83,7 +81,7 @@ fn dense(contact: &dyn MicroContact, population: &Population, kinks: &[f64], h: 
                 let x = (heights.from_normal(g) - h).max(0.0);
                 let found = contact.contact(x * sigma, Shape::sphere(RADIUS));
                 for (sum, value) in sums.iter_mut().zip([found.area, found.load, found.stiffness]) {
-                    sum.add(share * value);
+                    *sum += share * value;
                 }
             }
         }
