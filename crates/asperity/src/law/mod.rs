@@ -34,7 +34,7 @@ use crate::contact::{Contact, Contacts};
 use crate::literature::Paper;
 use crate::material::{Material, reduced_modulus};
 use crate::numeric::interval::Interval;
-use crate::numeric::lanes::{Mask, Real};
+use crate::numeric::lanes::Real;
 pub use crate::shape::Shape;
 
 /// What a body sets against yielding, as a law sees it. Of a pair, the onset is that of the body that yields first, the
