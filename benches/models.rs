@@ -5,9 +5,7 @@ mod cases;
 
 use std::hint::black_box;
 
-use asperity::asperity::Draw;
-use asperity::law::{Shape, Zmc};
-use asperity::model::{Deterministic, Model, ReferencePlane, Statistical, at_pressure};
+use asperity::{Deterministic, Draw, Model, ReferencePlane, Shape, Statistical, Zmc, at_pressure};
 use cases::{CASES, bare, flats, laws};
 use criterion::{BenchmarkId, Criterion, Throughput, criterion_group, criterion_main};
 

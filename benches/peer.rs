@@ -9,14 +9,13 @@ use std::io::{BufRead, Write};
 use std::path::Path;
 use std::time::Instant;
 
-use asperity::asperity::{AsperitySet, Population, read_list};
-use asperity::interface::MicroContact;
-use asperity::law::Zmc;
-use asperity::model::{Deterministic, Model, ReferencePlane, Response, Statistical};
-use asperity::topography::HeightMap;
 use asperity::topography::generate::gaussian;
-use asperity::topography::spectrum::{Lay, Shape, Spectrum};
+use asperity::topography::spectrum::{Lay, Spectrum, SpectrumShape};
 use asperity::topography::summits::{Detail, Neighbours, find};
+use asperity::{
+    AsperityList, AsperitySet, Deterministic, HeightMap, MicroContact, Model, Population, ReferencePlane,
+    Response, Statistical, Zmc,
+};
 
 fn main() -> std::io::Result<()> {
     // `cargo bench` and `cargo test` run every bench: without a script there is nothing to answer.
@@ -58,7 +57,8 @@ fn generate(points: &str, spectrum: &str, seed: &str, surface: &mut Option<Heigh
         "cut" => (32.0, 8.0),
         _ => return None,
     };
-    let spectrum = Spectrum::new(Shape::SelfAffine { hurst: 0.8, roll_off, cut_off }, Lay::default()).ok()?;
+    let spectrum =
+        Spectrum::new(SpectrumShape::SelfAffine { hurst: 0.8, roll_off, cut_off }, Lay::default()).ok()?;
     *surface = None;
     let start = Instant::now();
     let heights = gaussian(&spectrum.on_grid([n, n], [1.0; 2]), 1.0, [seed.parse().ok()?; 32]);
@@ -76,7 +76,7 @@ fn summits(surface: &HeightMap) -> String {
 /// A list of asperities on the nominal area that the density of a case of Table 1 gives them.
 fn read(case: &str, path: &str) -> Option<(Population, AsperitySet)> {
     let population = population(case)?;
-    let list = read_list(Path::new(path), false).ok()?;
+    let list = AsperityList::read(Path::new(path), false).ok()?;
     let area = list.count() as f64 / population.density;
     Some((population, list.set(area).ok()?))
 }

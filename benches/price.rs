@@ -6,9 +6,7 @@ mod cases;
 use std::hint::black_box;
 use std::time::Instant;
 
-use asperity::asperity::{Asperities, Draw, Ellipse, Ellipses};
-use asperity::interface::MicroContact;
-use asperity::model::{Deterministic, Model, ReferencePlane};
+use asperity::{Asperities, Deterministic, Draw, Ellipse, Ellipses, MicroContact, Model, ReferencePlane};
 use cases::{CASES, flats, laws};
 
 const ROUNDS: usize = 15;

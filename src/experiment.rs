@@ -3,7 +3,7 @@
 use std::fmt;
 use std::path::{Path, PathBuf};
 
-use asperity::material::Material;
+use asperity::Material;
 use asperity_framework::digest::{hexadecimal, sha256, sha256_of_file};
 use asperity_framework::input::{InputError, Source, SpecFile};
 use asperity_framework::progress::Progress;

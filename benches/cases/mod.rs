@@ -1,12 +1,9 @@
 //! What the benches run on: the paper's two surfaces, every law, layers on steel.
 
-use asperity::asperity::Population;
-use asperity::contact_law::{ContactLaw, registry};
-use asperity::distribution::Heights;
-use asperity::interface::{Flat, Interface, MicroContact};
-use asperity::law::{Law, Zmc};
-use asperity::layer::Rule;
-use asperity::material::Material;
+use asperity::contact_law::registry;
+use asperity::{
+    ContactLaw, Flat, Heights, Interface, Law, Material, MicroContact, ModulusModel, Population, Zmc,
+};
 
 /// Table 1 of Pasaribu and Schipper (2005).
 pub const CASES: [(&str, Population); 2] = [
@@ -40,7 +37,7 @@ pub fn laws(of_ellipses: bool) -> Vec<(String, Box<dyn MicroContact>)> {
 /// ZMC on steel, bare first, then under lead and a hard ceramic.
 pub fn flats() -> [(&'static str, Box<dyn MicroContact>); 7] {
     let under = |layer: Material, thickness: f64| -> Box<dyn MicroContact> {
-        let flat = Flat::with_layer(&layer, &steel(), thickness, Rule::Gao).expect("a layer");
+        let flat = Flat::with_layer(&layer, &steel(), thickness, ModulusModel::Gao).expect("a layer");
         flat.under(Zmc::default(), &steel()).expect("a contact")
     };
     let lead = |thickness| under(material(18e9, 0.35, 0.17e9), thickness);

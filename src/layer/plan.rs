@@ -3,9 +3,7 @@
 use std::fmt;
 
 use crate::layer::spec::LayerSpec;
-use asperity::interface::Flat;
-use asperity::layer::{Coating, CoatingError, Rule};
-use asperity::material::Material;
+use asperity::{Flat, LayerError, LayeredFlat, Material, ModulusModel};
 use asperity_framework::input::InputError;
 
 use asperity_framework::input::SpecFile;
@@ -18,11 +16,11 @@ pub struct LayerPlan {
     /// The material.
     pub material: Material,
     /// How its modulus and that of the substrate are put together.
-    pub rule: Rule,
+    pub rule: ModulusModel,
     /// Thicknesses, m, ascending; 0 and infinity among them.
     pub thicknesses: Vec<f64>,
     /// The layer, 1 m thick, on its substrate: what does not depend on the thickness is found once.
-    coating: Coating,
+    layered: LayeredFlat,
     substrate: Material,
 }
 
@@ -42,9 +40,9 @@ impl LayerPlan {
     ///
     /// # Errors
     /// A thickness that is not positive and finite, nor 0 or infinite.
-    pub fn flat(&self, thickness: f64) -> Result<Flat, CoatingError> {
-        let coating = || self.coating.with_thickness(thickness);
-        Flat::in_thickness(&self.material, &self.substrate, thickness, coating)
+    pub fn flat(&self, thickness: f64) -> Result<Flat, LayerError> {
+        let layered = || self.layered.with_thickness(thickness);
+        Flat::in_thickness(&self.material, &self.substrate, thickness, layered)
     }
 }
 
@@ -60,8 +58,8 @@ impl fmt::Display for LayerPlan {
 pub fn layer(file: &SpecFile, words: &LayerSpec, substrate: &Material) -> Result<LayerPlan, InputError> {
     let name = words.material.get_ref().clone();
     let material = file.body(&name, words.material.span())?;
-    let coating = Coating::new(&material, substrate, 1.0, words.rule)
+    let layered = LayeredFlat::new(&material, substrate, 1.0, words.rule)
         .map_err(|error| file.source.error_at(words.material.span(), format!("found \"{name}\": {error}")))?;
     let thicknesses = words.thickness.0.clone();
-    Ok(LayerPlan { name, material, rule: words.rule, thicknesses, coating, substrate: *substrate })
+    Ok(LayerPlan { name, material, rule: words.rule, thicknesses, layered, substrate: *substrate })
 }

@@ -7,8 +7,7 @@ use serde::de::value::{F64Deserializer, StrDeserializer};
 use serde::de::{Deserializer, Error, IntoDeserializer, SeqAccess, Visitor};
 use toml::Spanned;
 
-use asperity::layer::Rule;
-use asperity::units;
+use asperity::{ModulusModel, units};
 use asperity_framework::input::quantity::{Length, NotNegative, Quantity};
 
 /// A layer on the flat, in one thickness or several.
@@ -25,7 +24,7 @@ pub struct LayerSpec {
     pub thickness: Thicknesses,
     /// How the moduli of layer and substrate are put together.
     #[serde(default)]
-    pub rule: Rule,
+    pub rule: ModulusModel,
 }
 
 /// One thickness, m: 0 is no layer, infinity nothing but the layer.

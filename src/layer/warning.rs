@@ -1,10 +1,10 @@
 //! When the effective modulus of a layered flat is doubtful.
 
-use asperity::compare::{GOOD_RATIO, RuleFindings};
-use asperity::layer::Rule;
+use asperity::ModulusModel;
+use asperity::compare::{GOOD_RATIO, ModulusFindings};
 
 /// What makes `rule` doubtful for the layer called `layer`; `None` where the moduli are near enough.
-pub fn rule_warning(findings: &RuleFindings, layer: &str, rule: Rule) -> Option<String> {
+pub fn rule_warning(findings: &ModulusFindings, layer: &str, rule: ModulusModel) -> Option<String> {
     if findings.is_good() {
         return None;
     }

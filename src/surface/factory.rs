@@ -2,10 +2,9 @@
 
 use std::time::Instant;
 
-use asperity::asperity::{Draw, Ellipse, Ellipticity, Statistics};
-use asperity::topography::Rows;
-use asperity::topography::level::Level;
+use asperity::topography::{Level, Rows};
 use asperity::work::{Counter, Item};
+use asperity::{Draw, Ellipse, Ellipticity, Statistics};
 use asperity_framework::digest::stream_seed;
 use asperity_framework::input::{InputError, Source};
 use asperity_framework::metadata::Timing;
@@ -163,7 +162,7 @@ fn found(
     timing.summits += start.elapsed();
     let statistics = Statistics::of(&set);
     let summits = facts.summits;
-    if statistics.sigma <= ROUNDING * (statistics.mean_height.abs() + facts.character.moments.sq) {
+    if statistics.sigma <= ROUNDING * (statistics.mean_height.abs() + facts.roughness.moments.sq) {
         return Err(NoAsperities::EqualHeights { summits });
     }
     let mut surface = Surface::new(name, set, statistics);
@@ -175,7 +174,7 @@ fn found(
              statistical.mean-radius = \"inverse-mean-curvature\" takes the other mean.",
         ));
     }
-    surface.mean_plane = Some(facts.character.moments.mean);
+    surface.mean_plane = Some(facts.roughness.moments.mean);
     surface.map = Some(facts);
     Ok(surface)
 }

@@ -3,10 +3,10 @@
 use std::path::{Path, PathBuf};
 use std::rc::Rc;
 
-use asperity::asperity::{AsperityList, ListError, read_list};
-use asperity::topography::Rows;
-use asperity::topography::read::{self, Given, ReadError};
+use asperity::topography::read::{ReadError, ReadOptions};
+use asperity::topography::{Rows, read};
 use asperity::work::{Counter, Item};
+use asperity::{AsperityList, ListError};
 
 /// What a surface is found in.
 #[derive(Debug, Clone, PartialEq)]
@@ -14,7 +14,7 @@ pub enum Reading {
     /// A list of asperities, with the curvatures of ellipses or without.
     List(PathBuf, bool),
     /// A height map.
-    Map(PathBuf, Given),
+    Map(PathBuf, ReadOptions),
 }
 
 impl Reading {
@@ -22,7 +22,7 @@ impl Reading {
         Self::List(whole(path), as_ellipses)
     }
 
-    pub fn map(path: &Path, given: Given) -> Self {
+    pub fn map(path: &Path, given: ReadOptions) -> Self {
         Self::Map(whole(path), given)
     }
 }
@@ -52,14 +52,14 @@ impl<'a> Files<'a> {
         let is_needed_again = self.take(&reading);
         let read = || {
             self.counter.add(Item::Files, 1);
-            read_list(path, as_ellipses).map(Rc::new)
+            AsperityList::read(path, as_ellipses).map(Rc::new)
         };
         let found = once(&mut self.lists, reading, is_needed_again, read)?;
         Ok(Rc::unwrap_or_clone(found))
     }
 
     /// The map at `path`.
-    pub fn map(&mut self, path: &Path, given: Given) -> Result<Rc<dyn Rows>, ReadError> {
+    pub fn map(&mut self, path: &Path, given: ReadOptions) -> Result<Rc<dyn Rows>, ReadError> {
         let reading = Reading::map(path, given);
         let is_needed_again = self.take(&reading);
         let read = || {

@@ -1,18 +1,16 @@
 //! A surface as the models and the report see it: its asperities and what is known of them.
 
 use super::overview::{AnalysisDepth, MapOverview};
-use asperity::asperity::{AsperitySet, Ellipse, Ellipticity, Population, SetError, Statistics};
-use asperity::distribution::Heights;
-use asperity::literature::{self, Paper};
-use asperity::model::{MeanRadius, ReferencePlane};
-use asperity::topography::character::Character;
-use asperity::topography::filter::{Filter, FilterError};
-use asperity::topography::generate::{Recipe, Target};
-use asperity::topography::level::{Level, Levelled, Undetermined};
-use asperity::topography::quantisation::Quantisation;
+use asperity::topography::generate::{SurfaceGenerator, Target};
 use asperity::topography::summits::{Detail, Neighbours, Summits, find};
-use asperity::topography::theory::{self, Expected};
-use asperity::topography::{HeightMap, Rows};
+use asperity::topography::theory::Expected;
+use asperity::topography::{
+    Filter, FilterError, Level, Levelled, Quantisation, RoughnessParameters, Rows, Undetermined, theory,
+};
+use asperity::{
+    AsperitySet, Ellipse, Ellipticity, HeightMap, Heights, MeanRadius, Paper, Population, ReferencePlane,
+    SetError, Statistics, literature,
+};
 
 /// Asperities with their statistics and origin.
 #[derive(Debug)]
@@ -53,7 +51,7 @@ pub struct MapFacts {
     /// The filters, in words.
     pub filter: Option<String>,
     /// Of the levelled, filtered map.
-    pub character: Character,
+    pub roughness: RoughnessParameters,
     /// What a summit is.
     pub neighbours: Neighbours,
     /// Number of summits.
@@ -80,8 +78,8 @@ pub struct MapFacts {
 /// What a random surface was made by.
 #[derive(Debug, Clone)]
 pub struct GenerationFacts {
-    /// The recipe; of a target the one that was found.
-    pub recipe: Recipe,
+    /// The generator; of a target the one that was found.
+    pub generator: SurfaceGenerator,
     /// What its summits were asked to be, and how many surfaces were tried.
     pub target: Option<(Target, usize)>,
     /// Share of the points that a finer process has cut.
@@ -134,8 +132,8 @@ impl SummitSearch {
             None => None,
         };
         let map: &dyn Rows = filtered.as_ref().map_or(&levelled as &dyn Rows, |map| map);
-        let character = Character::of(map);
-        if character.moments.sq <= levelled.form.magnitude() * raw.precision().max(f64::EPSILON) {
+        let roughness = RoughnessParameters::of(map);
+        if roughness.moments.sq <= levelled.form.magnitude() * raw.precision().max(f64::EPSILON) {
             return Err(NoAsperities::Flat);
         }
         // Only steps of an instrument are told by the drops.
@@ -144,7 +142,7 @@ impl SummitSearch {
         if summits.heights.is_empty() {
             return Err(NoAsperities::NoSummit { tested: summits.tested });
         }
-        let facts = self.facts(raw, map, character, &summits);
+        let facts = self.facts(raw, map, roughness, &summits);
         let [dx, dy] = map.pixel();
         let radii = summits.curvatures.iter().map(|curvature| curvature.recip()).collect();
         let set = AsperitySet::new(summits.heights, radii, dx * dy * summits.tested as f64)?;
@@ -155,8 +153,14 @@ impl SummitSearch {
         Ok((set.with_ellipses(ellipses)?, facts))
     }
 
-    fn facts(&self, raw: &dyn Rows, map: &dyn Rows, character: Character, summits: &Summits) -> MapFacts {
-        let sq = character.moments.sq;
+    fn facts(
+        &self,
+        raw: &dyn Rows,
+        map: &dyn Rows,
+        roughness: RoughnessParameters,
+        summits: &Summits,
+    ) -> MapFacts {
+        let sq = roughness.moments.sq;
         let is_five_point = self.neighbours == Neighbours::Four;
         MapFacts {
             points: map.points(),
@@ -169,17 +173,17 @@ impl SummitSearch {
             plateaus: summits.plateaus,
             dropped: summits.dropped,
             saddles: summits.principal.iter().filter(|principal| principal[1] <= 0.0).count(),
-            expected: is_five_point.then(|| theory::five_point(&character.drops, sq, map.pixel())).flatten(),
-            nayak: theory::nayak(character.spectral_moments()),
+            expected: is_five_point.then(|| theory::five_point(&roughness.drops, sq, map.pixel())).flatten(),
+            nayak: theory::nayak(roughness.spectral_moments()),
             quantisation: self.generation.is_none().then(|| Quantisation::of(raw, summits)),
             generation: self.generation.clone(),
             whole: MapOverview::of(
                 map,
-                &character,
-                self.generation.as_ref().map(|made| &made.recipe),
+                &roughness,
+                self.generation.as_ref().map(|made| &made.generator),
                 self.depth,
             ),
-            character,
+            roughness,
         }
     }
 }
@@ -199,7 +203,7 @@ impl MapFacts {
                  (unit = \"um\" beside path says in which).",
             ));
         }
-        let slope = self.character.rms_slope();
+        let slope = self.roughness.rms_slope();
         if slope > STEEP {
             warnings.push(format!(
                 "the r.m.s. slope is {slope:.3}: heights and distances of points are probably in different units, or in others than \
@@ -215,7 +219,7 @@ impl MapFacts {
     fn lay_warning(&self) -> Option<String> {
         /// There are twice as many five-point summits as with the same lay along an axis.
         const OBLIQUE: f64 = 0.6;
-        let correlation = self.character.drops.slope_correlation();
+        let correlation = self.roughness.drops.slope_correlation();
         (self.neighbours == Neighbours::Four && correlation > OBLIQUE).then(|| {
             format!(
                 "the lay lies at an angle to the grid (slopes along x and y correlate by {correlation:.2}): five-point summits \
@@ -259,7 +263,7 @@ impl MapFacts {
             papers.push(literature::ISO_16610_61);
         }
         if let Some(made) = &self.generation {
-            let heights = &made.recipe.process.heights;
+            let heights = &made.generator.process.heights;
             if *heights != Heights::GAUSSIAN {
                 papers.extend(heights.papers());
             }
@@ -330,16 +334,17 @@ impl Surface {
 mod tests {
     use super::*;
     use asperity::topography::generate::{Plateau, Process, Seeds, SpectrumOf};
-    use asperity::topography::spectrum::{Lay, Shape, Spectrum};
+    use asperity::topography::spectrum::{Lay, Spectrum, SpectrumShape};
 
     fn map(points: [usize; 2], height: impl Fn(usize) -> f64) -> HeightMap {
         HeightMap::new(points, [1.0, 2.0], (0..points[0] * points[1]).map(height).collect(), 0.0).unwrap()
     }
 
     fn facts(plateau: Option<Plateau>, neighbours: Neighbours) -> (HeightMap, MapFacts) {
-        let recipe = Recipe { points: [64, 48], pixel: [1.0, 0.8], process: process(3.0), plateau };
-        let (map, cut) = recipe.surface(Seeds { process: [1; 32], plateau: [2; 32] }).unwrap();
-        let generation = Some(GenerationFacts { recipe, target: None, cut });
+        let generator =
+            SurfaceGenerator { points: [64, 48], pixel: [1.0, 0.8], process: process(3.0), plateau };
+        let (map, cut) = generator.surface(Seeds { process: [1; 32], plateau: [2; 32] }).unwrap();
+        let generation = Some(GenerationFacts { generator, target: None, cut });
         let search = SummitSearch {
             level: Level::None,
             filter: None,
@@ -353,7 +358,7 @@ mod tests {
     }
 
     fn process(length: f64) -> Process {
-        let spectrum = Spectrum::new(Shape::Exponential(length), Lay::default()).unwrap();
+        let spectrum = Spectrum::new(SpectrumShape::Exponential(length), Lay::default()).unwrap();
         Process { spectrum, of: SpectrumOf::Heights, sigma: 1.0, heights: Heights::GAUSSIAN }
     }
 

@@ -9,13 +9,12 @@ use crate::surface::found::GenerationFacts;
 use crate::surface::generate_spec::{
     CorrelationSpec, GenerateSpec, PlateauSpec, SelfAffineSpec, SpectrumSpec,
 };
-use asperity::distribution::Heights;
-use asperity::topography::HeightMap;
 use asperity::topography::generate::{
-    Plateau, Process, Recipe, Seeds, SpectrumOf, Target, TargetRecipe, Unreachable,
+    Plateau, Process, Seeds, SpectrumOf, SurfaceGenerator, Target, TargetGenerator, Unreachable,
 };
-use asperity::topography::spectrum::{Lay, Shape, Spectrum};
+use asperity::topography::spectrum::{Lay, Spectrum, SpectrumShape};
 use asperity::topography::summits::Neighbours;
+use asperity::{HeightMap, Heights};
 use asperity_framework::digest::stream_seed;
 use asperity_framework::input::quantity::{Angle, Finite, Quantity};
 use asperity_framework::input::{InputError, Source};
@@ -35,11 +34,11 @@ pub struct Generation {
 #[derive(Debug, Clone)]
 pub enum Way {
     /// By what it is.
-    Recipe(Recipe),
+    SurfaceGenerator(SurfaceGenerator),
     /// By what its summits shall be.
     Target {
         /// What is left open.
-        recipe: TargetRecipe,
+        generator: TargetGenerator,
         /// What they shall be.
         target: Target,
     },
@@ -75,10 +74,10 @@ impl Generation {
                     sigma: summits.get_ref().sigma.value(),
                     density: summits.get_ref().density.value(),
                 };
-                let recipe = target_recipe(source, words, points, heights)?;
-                Way::Target { recipe, target }
+                let generator = target_recipe(source, words, points, heights)?;
+                Way::Target { generator, target }
             }
-            None => Way::Recipe(recipe(source, span, words, points, heights)?),
+            None => Way::SurfaceGenerator(generator(source, span, words, points, heights)?),
         };
         let key = words.summits.as_ref().map_or_else(|| words.points.span(), Spanned::span);
         Ok(Self { way, neighbours: words.neighbours, key })
@@ -87,8 +86,8 @@ impl Generation {
     /// Points along x and y.
     pub fn points(&self) -> [usize; 2] {
         match &self.way {
-            Way::Recipe(recipe) => recipe.points,
-            Way::Target { recipe, .. } => recipe.points,
+            Way::SurfaceGenerator(generator) => generator.points,
+            Way::Target { generator, .. } => generator.points,
         }
     }
 
@@ -97,8 +96,8 @@ impl Generation {
         match &self.way {
             // The surface and its spectrum's table, or the table and the autocorrelation that it comes from; two
             // processes; two ends of a bracket and a trial.
-            Way::Recipe(Recipe { plateau: None, .. }) => 3,
-            Way::Recipe(_) => 4,
+            Way::SurfaceGenerator(SurfaceGenerator { plateau: None, .. }) => 3,
+            Way::SurfaceGenerator(_) => 4,
             Way::Target { .. } => 4,
         }
     }
@@ -107,7 +106,7 @@ impl Generation {
     pub fn describe(&self) -> String {
         let [nx, ny] = self.points();
         match &self.way {
-            Way::Recipe(_) => format!("random surface, {nx} x {ny} points"),
+            Way::SurfaceGenerator(_) => format!("random surface, {nx} x {ny} points"),
             Way::Target { target, .. } => format!(
                 "random surface, {nx} x {ny} points, whose summits have radius {:.4e} m, sigma {:.4e} m, density {:.4e} /m^2",
                 target.radius, target.sigma, target.density
@@ -132,34 +131,39 @@ impl Generation {
         /// The product of a small map steps as single summits come and go: other random numbers step elsewhere.
         const ATTEMPTS: usize = 8;
         match &self.way {
-            Way::Recipe(recipe) => {
-                let (map, cut) = recipe.surface(seeds)?;
-                let facts = GenerationFacts { recipe: recipe.clone(), target: None, cut };
+            Way::SurfaceGenerator(generator) => {
+                let (map, cut) = generator.surface(seeds)?;
+                let facts = GenerationFacts { generator: generator.clone(), target: None, cut };
                 Ok(Generated { map, facts, bandwidth: None })
             }
-            Way::Target { recipe, target } => {
-                let mut found = recipe.surface(target, seeds.process, first);
+            Way::Target { generator, target } => {
+                let mut found = generator.surface(target, seeds.process, first);
                 for attempt in 2..=ATTEMPTS {
                     if !matches!(found, Err(Unreachable::Jump { .. })) {
                         break;
                     }
-                    found = recipe.surface(target, seed(&format!("attempt {attempt} at surface")), first);
+                    found = generator.surface(target, seed(&format!("attempt {attempt} at surface")), first);
                 }
                 let found = found?;
-                let shape = Shape::SelfAffine {
-                    hurst: recipe.hurst,
+                let shape = SpectrumShape::SelfAffine {
+                    hurst: generator.hurst,
                     roll_off: found.roll_off,
                     cut_off: found.cut_off,
                 };
                 let process = Process {
-                    spectrum: Spectrum::new(shape, recipe.lay)?,
+                    spectrum: Spectrum::new(shape, generator.lay)?,
                     of: SpectrumOf::Gaussian,
                     sigma: found.sigma,
-                    heights: recipe.heights.clone(),
+                    heights: generator.heights.clone(),
                 };
-                let made = Recipe { points: recipe.points, pixel: found.map.pixel(), process, plateau: None };
+                let made = SurfaceGenerator {
+                    points: generator.points,
+                    pixel: found.map.pixel(),
+                    process,
+                    plateau: None,
+                };
                 let target = Some((*target, found.tried));
-                let facts = GenerationFacts { recipe: made, target, cut: None };
+                let facts = GenerationFacts { generator: made, target, cut: None };
                 Ok(Generated { map: found.map, facts, bandwidth: Some(found.bandwidth) })
             }
         }
@@ -178,13 +182,13 @@ fn points(source: &Source, words: &GenerateSpec) -> Result<[usize; 2], InputErro
     Err(source.error_at(words.points.span(), message))
 }
 
-fn recipe(
+fn generator(
     source: &Source,
     span: Range<usize>,
     words: &GenerateSpec,
     points: [usize; 2],
     heights: Heights,
-) -> Result<Recipe, InputError> {
+) -> Result<SurfaceGenerator, InputError> {
     let missing = |key: &str| {
         source.error_at(
             span.clone(),
@@ -202,7 +206,7 @@ fn recipe(
             Process { spectrum, of: SpectrumOf::Heights, sigma: sigma.value(), heights: Heights::GAUSSIAN };
         Ok(Plateau { process, height: height.value() })
     });
-    Ok(Recipe { points, pixel, process, plateau: plateau.transpose()? })
+    Ok(SurfaceGenerator { points, pixel, process, plateau: plateau.transpose()? })
 }
 
 /// A spectrum by its lengths, which the grid must show.
@@ -231,13 +235,17 @@ fn spectrum(
             let (roll_off, cut_off) = (roll_off.value(), cut_off.value());
             let lay = lay(self_affine.elongation.map_or(1.0, |e| e.value()), self_affine.angle);
             let lay = lay.map_err(|error| refuse(&error))?;
-            Spectrum::new(Shape::SelfAffine { hurst: hurst.value(), roll_off, cut_off }, lay)
+            Spectrum::new(SpectrumShape::SelfAffine { hurst: hurst.value(), roll_off, cut_off }, lay)
         }
         SpectrumSpec::Gaussian(CorrelationSpec { correlation_length, angle })
         | SpectrumSpec::Exponential(CorrelationSpec { correlation_length, angle }) => {
             let [along, across] = correlation_length.0;
             let is_gaussian = matches!(words.get_ref(), SpectrumSpec::Gaussian(_));
-            let shape = if is_gaussian { Shape::Gaussian(across) } else { Shape::Exponential(across) };
+            let shape = if is_gaussian {
+                SpectrumShape::Gaussian(across)
+            } else {
+                SpectrumShape::Exponential(across)
+            };
             Spectrum::new(shape, lay(along / across, *angle).map_err(|error| refuse(&error))?)
         }
     };
@@ -267,7 +275,7 @@ fn target_recipe(
     words: &GenerateSpec,
     points: [usize; 2],
     heights: Heights,
-) -> Result<TargetRecipe, InputError> {
+) -> Result<TargetGenerator, InputError> {
     /// A quarter of the Nyquist wave number: summits are well resolved.
     const CUT_OFF: f64 = 8.0;
     let with_summits = |span: Range<usize>, key: &str| {
@@ -299,7 +307,7 @@ fn target_recipe(
             &"found roll-off or cut-off beside summits, which decide them; allowed: hurst, cut-off-pixels, elongation, angle",
         ));
     }
-    let recipe = TargetRecipe {
+    let generator = TargetGenerator {
         points,
         hurst: self_affine.hurst.value(),
         cut_off: self_affine.cut_off_pixels.map_or(CUT_OFF, |pixels| pixels.value()),
@@ -308,6 +316,6 @@ fn target_recipe(
         heights,
         neighbours: words.neighbours,
     };
-    recipe.check().map_err(|error| refuse(&error))?;
-    Ok(recipe)
+    generator.check().map_err(|error| refuse(&error))?;
+    Ok(generator)
 }

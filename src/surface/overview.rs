@@ -1,11 +1,10 @@
 //! A depth at a map as a whole: spectrum, autocorrelation, picture.
 
-use asperity::distribution::Heights;
-use asperity::topography::character::Character;
-use asperity::topography::correlation::{Autocorrelation, RadialSpectrum};
-use asperity::topography::generate::{Recipe, SpectrumOf};
-use asperity::topography::rows::{Strip, strips};
-use asperity::topography::{Boundary, HeightMap, Rows};
+use asperity::topography::generate::{SpectrumOf, SurfaceGenerator};
+use asperity::topography::{
+    Autocorrelation, Boundary, RadialSpectrum, RoughnessParameters, Rows, Strip, strips,
+};
+use asperity::{HeightMap, Heights};
 
 /// How closely a map is looked at, beyond its asperities.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
@@ -39,11 +38,11 @@ pub struct MapOverview {
 }
 
 impl MapOverview {
-    /// Looks at a map, made by `recipe` if it was made, as closely as `depth` says.
+    /// Looks at a map, made by `generator` if it was made, as closely as `depth` says.
     pub(super) fn of(
         map: &dyn Rows,
-        character: &Character,
-        recipe: Option<&Recipe>,
+        roughness: &RoughnessParameters,
+        generator: Option<&SurfaceGenerator>,
         depth: AnalysisDepth,
     ) -> Self {
         /// Points of a picture along an axis.
@@ -52,24 +51,24 @@ impl MapOverview {
         let is_close = depth == AnalysisDepth::Everything;
         let mut whole = Self {
             picture: is_close.then(|| thumbnail(map, PICTURE)),
-            distribution: is_close.then(|| distribution(map, character)),
+            distribution: is_close.then(|| distribution(map, roughness)),
             ..Self::default()
         };
         if depth == AnalysisDepth::Asperities
-            || (!is_close && recipe.is_none())
+            || (!is_close && generator.is_none())
             || nx * ny > MOST_POINTS_LOOKED_AT
         {
             return whole;
         }
         // Two processes have two spectra: neither is that of what they leave.
-        whole.asked = recipe.filter(|recipe| recipe.plateau.is_none()).map(|recipe| {
-            let &Recipe { points, pixel, ref process, .. } = recipe;
+        whole.asked = generator.filter(|generator| generator.plateau.is_none()).map(|generator| {
+            let &SurfaceGenerator { points, pixel, ref process, .. } = generator;
             RadialSpectrum::asked(&process.spectrum.on_grid(points, pixel), pixel, process.sigma)
         });
-        whole.is_asked_of_gaussian = recipe.is_some_and(|Recipe { process, .. }| {
+        whole.is_asked_of_gaussian = generator.is_some_and(|SurfaceGenerator { process, .. }| {
             process.of == SpectrumOf::Gaussian && process.heights != Heights::GAUSSIAN
         });
-        let (map, mean) = (HeightMap::of(map), character.moments.mean);
+        let (map, mean) = (HeightMap::of(map), roughness.moments.mean);
         whole.autocorrelation = if is_close { Autocorrelation::of(&map, mean) } else { None };
         whole.spectrum = Some(RadialSpectrum::of(map, mean));
         whole
@@ -77,9 +76,9 @@ impl MapOverview {
 }
 
 /// Counts of heights in equal intervals over 5 Sq on both sides of the mean.
-fn distribution(map: &dyn Rows, character: &Character) -> Vec<usize> {
+fn distribution(map: &dyn Rows, roughness: &RoughnessParameters) -> Vec<usize> {
     const INTERVALS: usize = 100;
-    let (mean, sq) = (character.moments.mean, character.moments.sq);
+    let (mean, sq) = (roughness.moments.mean, roughness.moments.sq);
     let count = |strip: Strip| {
         let mut counts = vec![0; INTERVALS];
         for z in (0..strip.count as isize).filter_map(|k| strip.row(k)).flatten() {
@@ -145,7 +144,7 @@ impl Rows for Blocks<'_> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use asperity::topography::character::Moments;
+    use asperity::topography::Moments;
 
     fn map(points: [usize; 2], height: impl Fn(usize) -> f64) -> HeightMap {
         HeightMap::new(points, [1.0, 2.0], (0..points[0] * points[1]).map(height).collect(), 0.0).unwrap()
@@ -166,7 +165,7 @@ mod tests {
         // A tenth of Sq is an interval, the first at -5.
         let map = map([4, 4], |k| [-1.05, 1.05, 0.05, f64::NAN][k % 4]);
         let moments = Moments { mean: 0.0, sa: 1.0, sq: 1.0, ssk: None, sku: None };
-        let counts = distribution(&map, &Character { moments, ..Character::of(&map) });
+        let counts = distribution(&map, &RoughnessParameters { moments, ..RoughnessParameters::of(&map) });
         let held: Vec<(usize, usize)> =
             counts.iter().copied().enumerate().filter(|(_, count)| *count > 0).collect();
         assert_eq!((counts.len(), held), (100, vec![(39, 4), (50, 4), (60, 4)]));

@@ -11,14 +11,10 @@ use crate::surface::generation::Generation;
 use crate::surface::overview::{AnalysisDepth, MOST_POINTS_LOOKED_AT};
 use crate::surface::read_error::{given_in_spec_words, in_spec_words};
 use crate::surface::spec::{DrawSpec, FileSpec, ListSpec, PopulationHeights, PopulationSpec, SurfaceSpec};
-use asperity::asperity::{Population, SurfaceHeights, check_list};
-use asperity::distribution::Heights;
-use asperity::model::ReferencePlane;
-use asperity::topography::MapError;
-use asperity::topography::filter::Filter;
-use asperity::topography::level::Level;
-use asperity::topography::read::{self, Given, GivenError};
+use asperity::topography::read::{ReadOptions, ReadOptionsError};
 use asperity::topography::summits::Neighbours;
+use asperity::topography::{Filter, Level, read};
+use asperity::{AsperityList, Heights, MapError, Population, ReferencePlane, SurfaceHeights};
 use asperity_framework::input::quantity::{Length, Pure, Quantity};
 use asperity_framework::input::{InputError, Source, SpecFile};
 use asperity_framework::{Memory, set_memory};
@@ -62,7 +58,7 @@ pub(super) struct MapPlan {
     pub(super) points: usize,
     /// Whether its heights stay on disk.
     pub(super) is_on_disk: bool,
-    pub(super) given: Given,
+    pub(super) given: ReadOptions,
     pub(super) level: Level,
     pub(super) filter: Option<Filter>,
     pub(super) neighbours: Neighbours,
@@ -119,7 +115,7 @@ impl SurfacePlan {
 
     fn list(source: &Source, words: &ListSpec, as_ellipses: bool) -> Result<Origin, InputError> {
         let path = beside(source, &words.file)?;
-        let most_rows = check_list(&path, as_ellipses)
+        let most_rows = AsperityList::check(&path, as_ellipses)
             .map_err(|error| source.error_at(words.file.span(), format!("{} {error}", path.display())))?;
         Ok(Origin::List { path, most_rows, nominal_area: words.nominal_area.value() })
     }
@@ -154,20 +150,20 @@ impl SurfacePlan {
         let refuse = |error: &dyn std::fmt::Display| {
             source.error_at(words.path.span(), format!("{} {error}", path.display()))
         };
-        let metadata = read::head(&path).map_err(|error| refuse(&in_spec_words(&error)))?;
+        let metadata = read::metadata(&path).map_err(|error| refuse(&in_spec_words(&error)))?;
         let points = metadata.points;
         if points.iter().any(|&count| count < 3) {
             return Err(refuse(&MapError::TooSmall(points)));
         }
-        let given = Given {
+        let given = ReadOptions {
             pixel: words.pixel.as_ref().map(|pixel| pixel.get_ref().0),
             unit: words.unit.as_ref().map(|unit| unit.get_ref().0),
         };
         let pixel = metadata.pixel(&given).map_err(|error| {
             let key = match error {
-                GivenError::PixelHeld { .. } => words.pixel.as_ref().map(Spanned::span),
-                GivenError::UnitHeld { .. } => words.unit.as_ref().map(Spanned::span),
-                GivenError::NoPixel => None,
+                ReadOptionsError::PixelHeld { .. } => words.pixel.as_ref().map(Spanned::span),
+                ReadOptionsError::UnitHeld { .. } => words.unit.as_ref().map(Spanned::span),
+                ReadOptionsError::NoPixel => None,
             };
             let message = format!("{} {}", path.display(), given_in_spec_words(&error));
             source.error_at(key.unwrap_or_else(|| words.path.span()), message)

@@ -1,11 +1,11 @@
 //! Why a measured surface is not read, in the words of a spec.
 
-use asperity::topography::read::{GivenError, ReadError};
+use asperity::topography::read::{ReadError, ReadOptionsError};
 
 /// What is wrong with a file, and the keys that mend it.
 pub fn in_spec_words(error: &ReadError) -> String {
     match error {
-        ReadError::Given(error) => given_in_spec_words(error),
+        ReadError::Options(error) => given_in_spec_words(error),
         ReadError::TooTall { has_unit: false, .. } => {
             format!("{error} (unit = \"um\" beside path says in which unit it is)")
         }
@@ -17,14 +17,14 @@ pub fn in_spec_words(error: &ReadError) -> String {
 }
 
 /// What is wrong with the keys beside a file.
-pub fn given_in_spec_words(error: &GivenError) -> String {
+pub fn given_in_spec_words(error: &ReadOptionsError) -> String {
     match error {
-        GivenError::NoPixel => {
+        ReadOptionsError::NoPixel => {
             "holds no pixel size; allowed: pixel = \"0.8 um\", or [\"0.8 um\", \"0.5 um\"], beside \
                                 path (--pixel \"0.8 um\" on the command line)"
                 .to_owned()
         }
-        GivenError::PixelHeld { .. } | GivenError::UnitHeld { .. } => error.to_string(),
+        ReadOptionsError::PixelHeld { .. } | ReadOptionsError::UnitHeld { .. } => error.to_string(),
     }
 }
 
@@ -37,7 +37,7 @@ mod tests {
         let tall = |has_unit| in_spec_words(&ReadError::TooTall { tallest: 20.0, has_unit });
         assert_eq!(tall(true), "holds a height of 2e1 m; allowed: at most 10 m");
         assert!(tall(false).ends_with("at most 10 m (unit = \"um\" beside path says in which unit it is)"));
-        assert!(in_spec_words(&GivenError::NoPixel.into()).contains("allowed: pixel = "));
+        assert!(in_spec_words(&ReadOptionsError::NoPixel.into()).contains("allowed: pixel = "));
         let columns = ReadError::UnitsInColumns { line: 3, found: "x [um]".to_owned() };
         assert!(
             in_spec_words(&columns).contains("in line 3: \"x [um]\"; allowed: x y z, the unit as unit = ")

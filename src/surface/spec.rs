@@ -10,8 +10,8 @@ use toml::Spanned;
 
 use crate::surface::generate_spec::GenerateSpec;
 use crate::surface::pixel_spec::PixelSpec;
-use asperity::distribution::Heights;
-use asperity::topography::level::Level;
+use asperity::Heights;
+use asperity::topography::Level;
 use asperity::topography::summits::Neighbours;
 use asperity::units::Dimension;
 use asperity_framework::input::heights::HeightsSpec;

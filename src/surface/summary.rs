@@ -3,11 +3,11 @@
 use serde::Serialize;
 
 use crate::surface::found::{GenerationFacts, MapFacts, Surface};
-use asperity::asperity::{Ellipticity, Population, Statistics};
 use asperity::topography::Moments;
 use asperity::topography::generate::Process;
-use asperity::topography::spectrum::Shape;
+use asperity::topography::spectrum::SpectrumShape;
 use asperity::topography::theory::Expected;
+use asperity::{Ellipticity, Population, Statistics};
 use asperity_framework::input::heights::written;
 
 /// One surface.
@@ -163,27 +163,27 @@ impl From<Expected> for ExpectedSummary {
 
 impl From<&MapFacts> for MapSummary {
     fn from(map: &MapFacts) -> Self {
-        let character = &map.character;
-        let [m0, m2, m4] = character.spectral_moments();
+        let roughness = &map.roughness;
+        let [m0, m2, m4] = roughness.spectral_moments();
         let correlation = map.whole.autocorrelation.as_ref();
         Self {
             points: map.points,
             pixel_m: map.pixel,
-            missing_points: character.missing,
+            missing_points: roughness.missing,
             tested_points: map.tested,
             level: map.level.name(),
             filter: map.filter.clone(),
-            sa_m: character.moments.sa,
-            sq_m: character.moments.sq,
-            ssk: character.moments.ssk,
-            sku: character.moments.sku,
+            sa_m: roughness.moments.sa,
+            sq_m: roughness.moments.sq,
+            ssk: roughness.moments.ssk,
+            sku: roughness.moments.sku,
             m0_m2: m0,
             m2,
             m4_per_m2: m4,
-            m2_along_x_y: character.m2,
-            m4_along_x_y_per_m2: character.m4,
-            nayak_alpha: character.alpha(),
-            rms_slope: character.rms_slope(),
+            m2_along_x_y: roughness.m2,
+            m4_along_x_y_per_m2: roughness.m4,
+            nayak_alpha: roughness.alpha(),
+            rms_slope: roughness.rms_slope(),
             autocorrelation_length_m: correlation.and_then(|correlation| correlation.length),
             texture_aspect_ratio: correlation.and_then(|correlation| correlation.aspect),
             summit_definition: map.neighbours.name(),
@@ -242,11 +242,11 @@ impl From<&Process> for ProcessSummary {
     fn from(process: &Process) -> Self {
         let (spectrum, [hurst, roll_off_m, cut_off_m, correlation_length_m]) = match process.spectrum.shape()
         {
-            Shape::SelfAffine { hurst, roll_off, cut_off } => {
+            SpectrumShape::SelfAffine { hurst, roll_off, cut_off } => {
                 ("self-affine", [Some(hurst), Some(roll_off), Some(cut_off), None])
             }
-            Shape::Gaussian(length) => ("gaussian", [None, None, None, Some(length)]),
-            Shape::Exponential(length) => ("exponential", [None, None, None, Some(length)]),
+            SpectrumShape::Gaussian(length) => ("gaussian", [None, None, None, Some(length)]),
+            SpectrumShape::Exponential(length) => ("exponential", [None, None, None, Some(length)]),
         };
         Self {
             spectrum,
@@ -266,9 +266,9 @@ impl From<&Process> for ProcessSummary {
 
 impl From<&GenerationFacts> for GenerationSummary {
     fn from(made: &GenerationFacts) -> Self {
-        let plateau = made.recipe.plateau.as_ref();
+        let plateau = made.generator.plateau.as_ref();
         Self {
-            process: ProcessSummary::from(&made.recipe.process),
+            process: ProcessSummary::from(&made.generator.process),
             plateau: plateau.map(|plateau| ProcessSummary::from(&plateau.process)),
             plateau_height_m: plateau.map(|plateau| plateau.height),
             summits_asked: made.target.map(|(target, surfaces_tried)| TargetSummary {

@@ -4,9 +4,9 @@ use std::fs;
 use std::path::Path;
 
 use crate::common::rows;
-use asperity::compare::RuleCheck;
-use asperity::material::Material;
-use asperity::sphere::{Curve, Falling};
+use asperity::Material;
+use asperity::compare::ModulusCheck;
+use asperity::sphere::{Curve, DecreasingQuantity};
 use asperity_experiment::Experiment;
 use asperity_experiment::kind::indentation::IndentationResults;
 use asperity_framework::progress::Silent;
@@ -62,7 +62,7 @@ fn changes_of_figure_5() {
         }
         assert!(coated.changes.windows(2).all(|pair| pair[0].to == pair[1].from), "{stem}");
         assert_eq!(coated.changes.len() - coated.changes_within().count(), beyond, "{stem}");
-        assert!(coated.falls.is_empty(), "{stem}");
+        assert!(coated.decreases.is_empty(), "{stem}");
     }
 }
 
@@ -151,8 +151,11 @@ fn area_that_falls_is_told() {
                  indentation = { from = \"0.1 nm\", to = \"1 um\", points = 41 }\n";
     let (_folder, results) = run_words(words, "");
     let layer = &results.layers[0];
-    assert!(layer.laws[0].coated.falls.is_empty());
-    assert_eq!(layer.laws[1].coated.falls.iter().map(|fall| fall.of).collect::<Vec<_>>(), [Falling::Area]);
+    assert!(layer.laws[0].coated.decreases.is_empty());
+    assert_eq!(
+        layer.laws[1].coated.decreases.iter().map(|fall| fall.of).collect::<Vec<_>>(),
+        [DecreasingQuantity::Area]
+    );
     let page = written(results, "report.md");
     assert!(page.contains("The area falls as the ball goes on from w ="), "{page}");
 }
@@ -179,7 +182,7 @@ fn rules_against_the_exact_table() {
         let number = |name: &str| row.number(name);
         let layer = body(number("layer_young"), number("layer_poisson"));
         let substrate = body(number("substrate_young"), number("substrate_poisson"));
-        let check = RuleCheck::new(&body(1e20, 0.3), &layer, &substrate).unwrap();
+        let check = ModulusCheck::new(&body(1e20, 0.3), &layer, &substrate).unwrap();
         let [gao, series] = check.at(number("contact_radius")).unwrap();
         assert!((gao.indentation_ratio - number("indentation")).abs() < 5.1e-9);
         assert!(series.factor() < gao.factor() || gao.factor() < 1.3, "{gao:?} {series:?}");

@@ -1,7 +1,7 @@
 //! Comparisons under a layer, from a spec to the report.
 
 use asperity::compare::Kind;
-use asperity::sphere::Falling;
+use asperity::sphere::DecreasingQuantity;
 use asperity_experiment::Experiment;
 use asperity_experiment::kind::compare::{answers::Threshold, results::CompareResults};
 use asperity_framework::Outcome;
@@ -109,7 +109,13 @@ fn a_report_of_one_model_shows_one_model() {
     let of = |models: &str| {
         let found = compared(&format!("{LAYERS}\nmodels = {models}"));
         let case = &found.surfaces[0].first.cases[1];
-        let point = &case.comparison.curves.iter().rfind(|point| point.asked == Some(1e6)).unwrap().response;
+        let point = &case
+            .comparison
+            .curves
+            .iter()
+            .rfind(|point| point.prescribed_pressure == Some(1e6))
+            .unwrap()
+            .response;
         let mean = point.area_ratio.total() / point.contact_density;
         let ratio = (mean / std::f64::consts::PI).sqrt() / 2e-8;
         let page = written(&found, &["report.md"]).remove(0);
@@ -216,7 +222,10 @@ fn where_a_load_falls_the_report_says_so() {
     let flat = "flat = \"soft\"\nlayer = { material = \"film\", thickness = \"150 nm\" }";
     let found = compared(flat);
     let falls = &found.surfaces[0].falls;
-    assert!(falls.iter().any(|one| one.fall.of == Falling::Load && one.fall.loss() > 0.01), "{falls:?}");
+    assert!(
+        falls.iter().any(|one| one.fall.of == DecreasingQuantity::Load && one.fall.loss() > 0.01),
+        "{falls:?}"
+    );
     let page = &written(&found, &["report.md"])[0];
     assert!(
         page.contains("the load of an asperity can fall as it is pressed deeper, with film of 150 nm"),

@@ -2,7 +2,8 @@
 
 use std::fs;
 
-use asperity::contact_law::{ContactLaw, registry};
+use asperity::ContactLaw;
+use asperity::contact_law::registry;
 
 #[test]
 fn every_law_stands_in_the_documents() {

@@ -3,14 +3,11 @@
 use std::fs;
 
 use crate::common::{Random, bodies};
-use asperity::accumulator::Accumulator;
-use asperity::asperity::{Draw, Population};
-use asperity::distribution::Heights;
-use asperity::interface::{Counted, Flat, MicroContact};
-use asperity::law::{Shape, Zmc};
-use asperity::layer::Rule;
-use asperity::model::{Deterministic, Model, ReferencePlane, Statistical};
-use asperity::work::{Counter, Work};
+use asperity::work::{CountedContact, Counter, Work};
+use asperity::{
+    Accumulator, Deterministic, Draw, Flat, Heights, MicroContact, Model, ModulusModel, Population,
+    ReferencePlane, Shape, Statistical, Zmc,
+};
 use asperity_experiment::Experiment;
 use asperity_experiment::kind::compare::results::{CompareResults, SurfaceResults};
 use asperity_experiment::surface::FileOptions;
@@ -179,7 +176,7 @@ fn a_layer_is_made_only_where_there_is_one() {
         let flat = Flat::in_thickness(&layer, &substrate, thickness, || panic!("no layer")).unwrap();
         assert!(!flat.under(Zmc::default(), &rough).unwrap().is_layered());
     }
-    let flat = Flat::with_layer(&layer, &substrate, 1e-7, Rule::Gao).unwrap();
+    let flat = Flat::with_layer(&layer, &substrate, 1e-7, ModulusModel::Gao).unwrap();
     assert!(flat.under(Zmc::default(), &rough).unwrap().is_layered());
 }
 
@@ -271,10 +268,10 @@ fn a_contact_that_is_counted_answers_the_same() {
     let mut random = Random::new(7);
     let [rough, layer, substrate] = bodies(&mut random);
     for thickness in [0.0, 3e-8, f64::INFINITY] {
-        let flat = Flat::with_layer(&layer, &substrate, thickness, Rule::Gao).unwrap();
+        let flat = Flat::with_layer(&layer, &substrate, thickness, ModulusModel::Gao).unwrap();
         let contact = flat.under(Zmc::default(), &rough).unwrap();
         let counter = Counter::default();
-        let counted = Counted::new(&*contact, &counter);
+        let counted = CountedContact::new(&*contact, &counter);
         let population = Population { radius: 2e-5, sigma: 5e-8, density: 6e10, heights: Heights::GAUSSIAN };
         let set = population.set(20_000, Draw::Random([3; 32])).unwrap();
         let plane = ReferencePlane { mean: 0.0, sigma: population.sigma };

@@ -3,13 +3,9 @@
 use indexmap::IndexMap;
 use serde::Serialize;
 
-use asperity::compare::RuleFindings;
-use asperity::contact_law::ContactLaw;
-use asperity::interface::MicroContact;
+use asperity::compare::ModulusFindings;
 use asperity::law::Property;
-use asperity::layer::Rule;
-use asperity::literature::{self, Paper};
-use asperity::material::Material;
+use asperity::{ContactLaw, Material, MicroContact, ModulusModel, Paper, literature};
 
 /// The two bodies, by name.
 #[derive(Debug, Clone)]
@@ -38,11 +34,11 @@ pub struct LayerMetadata {
     /// Name of its material.
     pub name: String,
     /// How its modulus and that of the substrate are put together.
-    pub rule: Rule,
+    pub rule: ModulusModel,
     /// Thicknesses, m, ascending; 0 and infinity among them.
     pub thicknesses: Vec<f64>,
     /// How good the rules are for these materials, over a/t from 0.1 to 10; `None` where no thickness asks for one.
-    pub check: Option<RuleFindings>,
+    pub check: Option<ModulusFindings>,
 }
 
 /// The two bodies of a contact.

@@ -15,9 +15,8 @@ use crate::metadata::{Metadata, Timing};
 use crate::progress::Progress;
 use crate::report::Page;
 use crate::report::table::{Schema, TableError};
-use asperity::literature::Paper;
-use asperity::material::Material;
 use asperity::work::Work;
+use asperity::{Material, Paper};
 
 /// Tables of a spec that a kind reads beside its own.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

@@ -2,7 +2,7 @@
 
 use std::time::Duration;
 
-use asperity::literature::Paper;
+use asperity::Paper;
 use asperity::work::Work;
 
 /// What every experiment has.

@@ -6,10 +6,9 @@ use std::error::Error;
 use std::fs::File;
 use std::path::PathBuf;
 
-use asperity::topography::generate::{Process, Recipe, Seeds, SpectrumOf};
-
-use asperity::topography::read::{Given, height_map};
-use asperity::topography::spectrum::{Lay, Shape, Spectrum};
+use asperity::topography::generate::{Process, Seeds, SpectrumOf, SurfaceGenerator};
+use asperity::topography::read::{ReadOptions, height_map};
+use asperity::topography::spectrum::{Lay, Spectrum, SpectrumShape};
 use asperity::topography::summits::five_point;
 use asperity::{AsperitySet, Heights, Statistics, npy};
 
@@ -19,20 +18,20 @@ fn main() -> Result<(), Box<dyn Error>> {
 
     // Self-affine between two wavelengths, isotropic; the two seeds decide every height.
     let (points, pixel) = ([512; 2], [0.5e-6; 2]);
-    let shape = Shape::SelfAffine { hurst: 0.8, roll_off: 20e-6, cut_off: 4e-6 };
+    let shape = SpectrumShape::SelfAffine { hurst: 0.8, roll_off: 20e-6, cut_off: 4e-6 };
     let process = Process {
         spectrum: Spectrum::new(shape, Lay::default())?,
         of: SpectrumOf::Heights,
         sigma: 100e-9,
         heights: Heights::GAUSSIAN,
     };
-    let recipe = Recipe { points, pixel, process, plateau: None };
-    recipe.check()?;
-    let (map, _) = recipe.surface(Seeds { process: [1; 32], plateau: [2; 32] })?;
+    let generator = SurfaceGenerator { points, pixel, process, plateau: None };
+    generator.check()?;
+    let (map, _) = generator.surface(Seeds { process: [1; 32], plateau: [2; 32] })?;
 
     // A .npy holds heights only: the pixel is given again where it is read. The first index is x.
     npy::write(File::create(&path)?, points, map.heights().iter().copied())?;
-    let read = height_map(&path, Given { pixel: Some(pixel), unit: None })?;
+    let read = height_map(&path, ReadOptions { pixel: Some(pixel), unit: None })?;
     println!(
         "{}: {} x {} heights in m, pixel {:.1} um\n",
         path.display(),

@@ -6,8 +6,8 @@
 use std::error::Error;
 use std::path::PathBuf;
 
-use asperity::topography::level::Level;
-use asperity::topography::read::{Given, height_map};
+use asperity::topography::Level;
+use asperity::topography::read::{ReadOptions, height_map};
 use asperity::topography::summits::five_point;
 use asperity::{
     AsperitySet, Deterministic, Heights, Interface, Material, Population, Statistical, Statistics, Zmc,
@@ -26,7 +26,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     };
 
     // A .npy holds neither pixel nor unit: both are given beside it. Its heights are in m here.
-    let map = height_map(&path, Given { pixel: Some([pixel; 2]), unit: None })?;
+    let map = height_map(&path, ReadOptions { pixel: Some([pixel; 2]), unit: None })?;
     let summits = five_point(&Level::Plane.apply(&map)?);
     let radii = summits.curvatures.iter().map(|curvature| curvature.recip()).collect();
     let set = AsperitySet::new(summits.heights, radii, pixel * pixel * summits.tested as f64)?;

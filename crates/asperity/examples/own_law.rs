@@ -78,8 +78,8 @@ fn main() -> Result<(), Box<dyn Error>> {
     let hertz = Interface::bare(Hertz, &steel, &steel)?;
     let population = Population { radius: 5e-6, sigma: 100e-9, density: 9e10, heights: Heights::GAUSSIAN };
     let set = population.set(100_000, Draw::Random([3; 32]))?;
-    let integral = Statistical::new(&contact, population.clone());
     let sum = Deterministic::new(&contact, set.spheres(), (&population).into());
+    let integral = Statistical::new(&contact, population.clone());
     let elastic = Statistical::new(&hertz, population);
 
     println!(

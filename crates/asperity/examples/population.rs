@@ -16,8 +16,8 @@ fn main() -> Result<(), Box<dyn Error>> {
     // Table 1 of Pasaribu and Schipper (2005), case 1.
     let population = Population { radius: 20e-6, sigma: 48e-9, density: 6e10, heights: Heights::GAUSSIAN };
     let set = population.set(10_000, Draw::Random([5; 32]))?;
-    let integral = Statistical::new(&contact, population.clone());
     let sum = Deterministic::new(&contact, set.spheres(), (&population).into());
+    let integral = Statistical::new(&contact, population);
 
     println!("At equal separation: the pressure p, and the standard error of a sum of so few asperities.\n");
     println!("{:>9} {:>16} {:>10} {:>12}", "d [sigma]", "integral p [MPa]", "sum p", "error of sum");

@@ -63,12 +63,12 @@ pub struct ContactLaw {
 impl ContactLaw {
     /// A law that may be asked under a layer.
     pub fn scalable(law: impl ScalableLaw) -> Self {
-        Self::new(OnFlat { law, on: Flat::under, stands_under_layers: true })
+        Self::new(OnFlat { law, on: Flat::under, supports_layers: true })
     }
 
     /// A law that does not say what a layer of finite thickness does to it.
     pub fn homogeneous(law: impl Law + Clone) -> Self {
-        Self::new(OnFlat { law, on: Flat::homogeneous_under, stands_under_layers: false })
+        Self::new(OnFlat { law, on: Flat::homogeneous_under, supports_layers: false })
     }
 
     fn new(law: OnFlat<impl Law + Clone>) -> Self {
@@ -169,8 +169,8 @@ impl ContactLaw {
     }
 
     /// Whether it may be asked under a layer of finite thickness.
-    pub fn stands_under_layers(&self) -> bool {
-        self.law.stands_under_layers()
+    pub fn supports_layers(&self) -> bool {
+        self.law.supports_layers()
     }
 
     /// Whether contacts pass from one range into another, as from elastic to plastic.
@@ -221,7 +221,7 @@ impl fmt::Debug for ContactLaw {
 /// A law whose type is forgotten, and what needs the type.
 trait AnyLaw: Send + Sync {
     fn law(&self) -> &dyn Law;
-    fn stands_under_layers(&self) -> bool;
+    fn supports_layers(&self) -> bool;
     fn with_options(&self, values: &[f64]) -> Result<Arc<dyn AnyLaw>, OptionError>;
     fn tuned(&self, pair: &Pair) -> Arc<dyn AnyLaw>;
     fn on(&self, flat: &Flat, rough: &Material) -> Result<Box<dyn MicroContact>, Inapplicable>;
@@ -235,15 +235,15 @@ type PutOnFlat<L> = fn(&Flat, L, &Material) -> Result<Box<dyn MicroContact>, Ina
 struct OnFlat<L> {
     law: L,
     on: PutOnFlat<L>,
-    stands_under_layers: bool,
+    supports_layers: bool,
 }
 
 impl<L: Law + Clone> AnyLaw for OnFlat<L> {
     fn law(&self) -> &dyn Law {
         &self.law
     }
-    fn stands_under_layers(&self) -> bool {
-        self.stands_under_layers
+    fn supports_layers(&self) -> bool {
+        self.supports_layers
     }
     fn with_options(&self, values: &[f64]) -> Result<Arc<dyn AnyLaw>, OptionError> {
         Ok(Arc::new(Self { law: self.law.clone().with_options(values)?, ..*self }))

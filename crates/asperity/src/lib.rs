@@ -10,8 +10,8 @@
 //! let population = Population { radius: 20e-6, sigma: 48e-9, density: 6e10, heights: Heights::GAUSSIAN };
 //! let set = population.set(10_000, Draw::Random([7; 32]))?;
 //!
-//! let integral = Statistical::new(&contact, population).respond(1.5); // the separation, in sigma
-//! let sum = Deterministic::new(&contact, set.spheres(), (&population).into()).respond(1.5);
+//! let sum = Deterministic::new(&contact, set.spheres(), (&population).into()).respond(1.5); // d in sigma
+//! let integral = Statistical::new(&contact, population).respond(1.5);
 //! println!("pressure {:.3e} and {:.3e} Pa", integral.pressure.total(), sum.pressure.total());
 //! # let sampling = sum.sampling.ok_or("a sum has a sampling error")?;
 //! # assert!((integral.pressure.total() - sum.pressure.total()).abs() < 4.0 * sampling.pressure);
@@ -29,19 +29,20 @@
 //! HeightMap --> summits --> AsperitySet --> Deterministic --\
 //!                               |                            +--> Response --> compare
 //!                     Statistics, Population --> Statistical --/
-//! Material, Coating, Law --> MicroContact --> (both models)
+//! Material, LayeredFlat, Law --> MicroContact --> (both models)
 //! ```
 //!
 //! | step | here |
 //! |---|---|
-//! | two bodies | [`Material`]; under a layer [`Flat::with_layer`] and [`layer`] |
-//! | a law | [`Zmc`], [`Hertz`], [`Ceb`], [`KogutEtsion`], [`JacksonGreen`], [`FullyPlastic`], or your own [`Law`] |
+//! | two bodies | [`Material`]; a layer on the flat: [`Flat::with_layer`], [`layer`] |
+//! | a law | [`Zmc`], [`Hertz`], [`Ceb`], [`KogutEtsion`], [`JacksonGreen`], [`FullyPlastic`], by name in [`contact_law`], or your own [`Law`] |
 //! | the micro-contact | [`Interface::bare`]; [`Flat::under`] where the flat may be layered |
-//! | asperities | [`Population`] by its three numbers, [`AsperitySet`] by lists, or summits of a [`HeightMap`] ([`topography`]) |
+//! | asperities | [`Population`] by three numbers and a distribution of heights ([`distribution`]), [`AsperitySet`] by lists, or the summits of a [`HeightMap`] ([`topography`]) |
 //! | the models | [`Statistical`], [`Deterministic`], both a [`Model`]: [`Model::respond`] at a separation, [`at_pressure`] at a load, [`respond_within`] for a curve to a tolerance |
 //! | the answer | [`Response`]: contacts, area, pressure, stiffness, shares of the regimes, sampling errors |
 //! | one asperity | [`sphere`]: its curve, its critical indentations |
 //! | both models against each other | [`compare`] |
+//! | files and units | [`topography::read`], [`AsperityList::read`], [`npy`], [`units`] |
 //! | tools | [`numeric`], [`literature`], [`work`] |
 //!
 //! The package's `examples/` hold a sphere, a population, a measured map, a law of one's own and a generated surface.
@@ -69,19 +70,19 @@
 #![deny(unsafe_code)]
 #![warn(missing_docs)]
 
-pub mod accumulator;
-pub mod asperity;
+mod accumulator;
+mod asperity;
 pub mod compare;
-pub mod contact;
+mod contact;
 pub mod contact_law;
 pub mod distribution;
-pub mod interface;
+mod interface;
 pub mod law;
 pub mod layer;
 pub mod literature;
-pub mod material;
+mod material;
 mod memory;
-pub mod model;
+mod model;
 pub mod npy;
 pub mod numeric;
 mod shape;
@@ -90,25 +91,28 @@ pub mod topography;
 pub mod units;
 pub mod work;
 
-pub use accumulator::{Accumulator, Total};
+pub use accumulator::{Accumulator, ContactSums, Total};
 pub use asperity::{
-    Asperities, AsperitySet, Draw, Ellipse, Ellipses, Ellipticity, Population, SetError, Statistics,
+    Asperities, AsperityList, AsperitySet, Draw, Ellipse, Ellipses, Ellipticity, ListColumn, ListError,
+    NoSuchSurface, Ordered, Population, SetError, Statistics, SurfaceHeights,
 };
 pub use contact::{ByRegime, Contact, Contacts, Regime};
 pub use contact_law::ContactLaw;
 pub use distribution::{HeightDistribution, Heights};
 pub use interface::{
-    ContactError, Flat, Interface, Layered, LoadBounds, MicroContact, Shapes, plasticity_index,
+    ContactError, Flat, Interface, LayeredInterface, LoadBounds, MicroContact, Shapes, plasticity_index,
 };
 pub use law::{
-    Ceb, FullyPlastic, Hertz, Inapplicable, JacksonGreen, KogutEtsion, Law, Pair, ScalableLaw, Shape,
-    YieldLimits, Zmc,
+    Ceb, FullyPlastic, Hertz, Inapplicable, JacksonGreen, KogutEtsion, Law, Pair, ScalableLaw, YieldLimits,
+    Zmc,
 };
-pub use layer::{Coating, CoatingError};
+pub use layer::{LayerError, LayeredFlat, ModulusModel};
 pub use literature::Paper;
 pub use material::{Material, MaterialError, reduced_modulus, softer_hardness};
 pub use model::{
-    Curve, Deterministic, INTERACTION, MeanRadius, Model, Reached, ReferencePlane, Response, SamplingError,
-    Statistical, Unreachable, at_pressure, at_pressures, respond_within,
+    ContactCounts, Curve, Deterministic, INTERACTION, LOWEST_SEPARATION, MeanRadius, Model, Reached,
+    ReferencePlane, Response, SamplingError, Statistical, Unreachable, at_pressure, at_pressures, reached_at,
+    respond_within,
 };
+pub use shape::Shape;
 pub use topography::{HeightMap, MapError};

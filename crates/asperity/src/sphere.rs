@@ -89,9 +89,9 @@ pub fn boundaries(contact: &dyn MicroContact, shape: Shape) -> Vec<Boundary> {
 
 /// A stretch on which area or load falls as the indentation grows.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Fall {
+pub struct Decrease {
     /// `area` or `load`.
-    pub of: Falling,
+    pub of: DecreasingQuantity,
     /// Where it begins.
     pub from: Point,
     /// Where it ends.
@@ -100,14 +100,14 @@ pub struct Fall {
 
 /// What falls.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Falling {
+pub enum DecreasingQuantity {
     /// Real contact area.
     Area,
     /// Load.
     Load,
 }
 
-impl Falling {
+impl DecreasingQuantity {
     /// Both.
     pub const ALL: [Self; 2] = [Self::Area, Self::Load];
 
@@ -138,7 +138,7 @@ pub struct Curve {
     /// All changes of the regime, also outside the requested indentations; ascending.
     pub changes: Vec<RegimeChange>,
     /// Where area or load falls along the trace.
-    pub falls: Vec<Fall>,
+    pub decreases: Vec<Decrease>,
 }
 
 impl Curve {
@@ -153,7 +153,7 @@ impl Curve {
         Self {
             points: indentations.iter().copied().map(at).collect(),
             changes: changes(contact, shape),
-            falls: Falling::ALL.into_iter().flat_map(|of| falls(&trace, of)).collect(),
+            decreases: DecreasingQuantity::ALL.into_iter().flat_map(|of| decreases(&trace, of)).collect(),
             trace,
         }
     }
@@ -231,23 +231,23 @@ fn changes(contact: &dyn MicroContact, shape: Shape) -> Vec<RegimeChange> {
     at.iter().enumerate().map(change).filter(|change| change.from != change.to).collect()
 }
 
-fn falls(trace: &[Point], of: Falling) -> Vec<Fall> {
+fn decreases(trace: &[Point], of: DecreasingQuantity) -> Vec<Decrease> {
     let value = |point: &Point| of.of(&point.contact);
-    let mut falls: Vec<Fall> = Vec::new();
+    let mut decreases: Vec<Decrease> = Vec::new();
     for pair in trace.windows(2) {
         let [from, to] = [pair[0], pair[1]];
         if value(&to) >= value(&from) * (1.0 - ROUNDING) {
             continue;
         }
-        match falls.last_mut() {
+        match decreases.last_mut() {
             Some(fall) if fall.to.indentation == from.indentation => fall.to = to,
-            _ => falls.push(Fall { of, from, to }),
+            _ => decreases.push(Decrease { of, from, to }),
         }
     }
-    falls
+    decreases
 }
 
-impl Fall {
+impl Decrease {
     /// The part of area or load that is lost.
     pub fn loss(&self) -> f64 {
         1.0 - self.of.of(&self.to.contact) / self.of.of(&self.from.contact)
@@ -264,7 +264,7 @@ mod tests {
     use super::*;
     use crate::interface::Flat;
     use crate::law::{Ceb, Hertz, KogutEtsion, Zmc};
-    use crate::layer::Rule;
+    use crate::layer::ModulusModel;
     use crate::material::Material;
 
     fn steel() -> Material {
@@ -273,7 +273,7 @@ mod tests {
 
     fn under_lead(thickness: f64) -> Box<dyn MicroContact> {
         let lead = Material::new(18e9, 0.35, Some(0.17e9), None).unwrap();
-        Flat::with_layer(&lead, &steel(), thickness, Rule::Gao)
+        Flat::with_layer(&lead, &steel(), thickness, ModulusModel::Gao)
             .unwrap()
             .under(Zmc::default(), &steel())
             .unwrap()
@@ -298,8 +298,8 @@ mod tests {
     #[test]
     fn area_falls_where_the_contact_turns_from_plastic_to_elastic_plastic() {
         let curve = Curve::of(&*under_lead(100e-9), Shape::sphere(20e-6), &[1e-10, 1e-6]);
-        let [fall] = curve.falls[..] else { panic!("{:?}", curve.falls) };
-        assert_eq!(fall.of, Falling::Area);
+        let [fall] = curve.decreases[..] else { panic!("{:?}", curve.decreases) };
+        assert_eq!(fall.of, DecreasingQuantity::Area);
         assert!(
             fall.from.contact.area > fall.to.contact.area && fall.from.contact.load < fall.to.contact.load
         );
@@ -310,11 +310,13 @@ mod tests {
     fn a_fall_at_a_jump_is_seen() {
         let lead = Material::new(18e9, 0.35, Some(0.17e9), None).unwrap();
         for thickness in [0.0, 1e-9, f64::INFINITY] {
-            let flat = Flat::with_layer(&lead, &steel(), thickness, Rule::Gao).unwrap();
+            let flat = Flat::with_layer(&lead, &steel(), thickness, ModulusModel::Gao).unwrap();
             let contact = flat.under(Zmc::new(0.89, 54.0).unwrap(), &steel()).unwrap();
             let curve = Curve::of(&*contact, Shape::sphere(20e-6), &[1e-12, 1e-6]);
-            let of_load = |fall: &&Fall| fall.of == Falling::Load && (fall.loss() - 9.76e-4).abs() < 1e-6;
-            assert!(curve.falls.iter().any(|fall| of_load(&fall)), "{thickness}: {:?}", curve.falls);
+            let of_load = |fall: &&Decrease| {
+                fall.of == DecreasingQuantity::Load && (fall.loss() - 9.76e-4).abs() < 1e-6
+            };
+            assert!(curve.decreases.iter().any(|fall| of_load(&fall)), "{thickness}: {:?}", curve.decreases);
         }
     }
 
@@ -340,7 +342,7 @@ mod tests {
     fn a_curve_of_one_regime() {
         let contact = Flat::Bare(steel()).under(Hertz, &steel()).unwrap();
         let curve = Curve::of(&*contact, Shape::sphere(1e-5), &[1e-9, 1e-8]);
-        assert!(curve.changes.is_empty() && curve.falls.is_empty());
+        assert!(curve.changes.is_empty() && curve.decreases.is_empty());
         assert_eq!((curve.sequence(), curve.stretches().len()), (vec![Regime::Elastic], 1));
         assert_eq!(Curve::of(&*contact, Shape::sphere(1e-5), &[1e-9]).stretches().len(), 0);
     }

@@ -1,9 +1,9 @@
 //! What both models answered on the realisations of a surface.
 
-use asperity::asperity::{Population, Statistics};
 use asperity::compare::{Comparison, Gaps, Kind};
-use asperity::sphere::Fall;
+use asperity::sphere::Decrease;
 use asperity::topography::Moments;
+use asperity::{Population, Statistics};
 
 /// A stretch on which area or load of an asperity falls.
 #[derive(Debug, Clone)]
@@ -15,7 +15,7 @@ pub struct FallResults {
     /// Of the asperity, m.
     pub radius: f64,
     /// The stretch.
-    pub fall: Fall,
+    pub fall: Decrease,
 }
 
 /// Up to which thickness the real area stays within 5 % of the one without a layer.

@@ -3,8 +3,8 @@
 use serde::{Serialize, Serializer};
 
 use crate::kind::compare::results::SurfaceResults;
-use asperity::compare::RuleError;
-use asperity::layer::Rule;
+use asperity::ModulusModel;
+use asperity::compare::ModulusError;
 use asperity_framework::contact::LayerMetadata;
 
 /// A thickness, m. JSON has no infinity: it is the word "inf", as in a spec.
@@ -60,12 +60,12 @@ pub(super) struct FallSummary<'a> {
 }
 
 pub(super) fn summary(layer: &LayerMetadata) -> LayerSummary<'_> {
-    let error = |(rule, error): (Rule, &RuleError)| RuleErrorSummary {
+    let error = |(rule, error): (ModulusModel, &ModulusError)| RuleErrorSummary {
         rule: rule.name(),
         contact_radius_over_thickness: error.contact_ratio,
         load_over_exact: error.ratio,
     };
-    let told = layer.check.iter().flat_map(|check| Rule::ALL.into_iter().zip(&check.told));
+    let told = layer.check.iter().flat_map(|check| ModulusModel::ALL.into_iter().zip(&check.reported));
     let errors = told.flat_map(|(rule, errors)| errors.iter().map(move |error| (rule, error)));
     LayerSummary {
         material: &layer.name,

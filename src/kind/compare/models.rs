@@ -1,11 +1,7 @@
 //! Both models on one surface, whichever way a law sees its asperities.
 
 use crate::surface::Surface;
-use asperity::asperity::{Ellipse, Ellipses, Population};
-use asperity::contact_law::ContactLaw;
-use asperity::interface::MicroContact;
-use asperity::law::Shape;
-use asperity::model::{Deterministic, Statistical};
+use asperity::{ContactLaw, Deterministic, Ellipse, Ellipses, MicroContact, Population, Shape, Statistical};
 
 /// A surface with its asperities as the laws of the sums that are asked for see them.
 pub(super) struct SurfaceModels<'a> {

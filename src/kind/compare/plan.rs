@@ -4,11 +4,7 @@ use std::fmt;
 use std::ops::Range;
 
 use asperity::compare::{Controls, Kind};
-use asperity::contact_law::ContactLaw;
-use asperity::distribution::Heights;
-use asperity::interface::Flat;
-use asperity::material::Material;
-use asperity::model::MeanRadius;
+use asperity::{ContactLaw, Flat, Heights, Material, MeanRadius};
 use asperity_framework::contact::{Bodies, LawPlan};
 use asperity_framework::input::{InputError, SpecFile};
 use toml::Spanned;

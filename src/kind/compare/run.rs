@@ -2,13 +2,10 @@
 
 use std::time::Instant;
 
-use asperity::compare::{Control, Gaps, Kind, Models, NotReached, RuleCheck, RuleFindings, compare};
-use asperity::distribution::Heights;
-use asperity::interface::{ContactError, Counted, plasticity_index};
-use asperity::literature::Paper;
-use asperity::model::Model;
+use asperity::compare::{Control, Gaps, Kind, Models, ModulusCheck, ModulusFindings, NotReached, compare};
 use asperity::sphere::Curve;
-use asperity::work::Counter;
+use asperity::work::{CountedContact, Counter};
+use asperity::{ContactError, Heights, Model, Paper, plasticity_index};
 use asperity_framework::RunContext;
 use asperity_framework::contact::{LawPlan, LayerMetadata, contact_metadata, papers_of};
 use asperity_framework::input::InputError;
@@ -110,7 +107,7 @@ fn run_surface(
     let area = surface.set.nominal_area();
     let mut cases = Vec::new();
     for law in &compare_plan.laws {
-        let contact = &Counted::new(&*law.contact, counter);
+        let contact = &CountedContact::new(&*law.contact, counter);
         let statistical = asked(Kind::Statistical).then(|| models.statistical(contact, &law.spec));
         let deterministic = models.deterministic(contact, &law.spec);
         let models = Models {
@@ -134,7 +131,7 @@ fn run_surface(
         nominal_area: area,
         statistics: surface.statistics,
         sigma: surface.plane.sigma,
-        moments: surface.map.as_ref().map(|map| map.character.moments),
+        moments: surface.map.as_ref().map(|map| map.roughness.moments),
         population: population.clone(),
         cases,
     })
@@ -170,9 +167,9 @@ fn falls(
             if !(deepest > 0.0 && deepest.is_finite()) {
                 continue;
             }
-            let contact = Counted::new(&*law.contact, counter);
+            let contact = CountedContact::new(&*law.contact, counter);
             for &shape in &shapes {
-                let falls = Curve::of(&contact, shape, &[SHALLOWEST * deepest, deepest]).falls;
+                let falls = Curve::of(&contact, shape, &[SHALLOWEST * deepest, deepest]).decreases;
                 found.extend(falls.into_iter().map(|fall| FallResults {
                     law: case.law.clone(),
                     thickness: case.thickness,
@@ -208,10 +205,13 @@ fn unreachable_load(
 }
 
 /// How good both rules are between the materials of a comparison.
-fn rule_check(compare: &ComparePlan, layer: &LayerPlan) -> Result<(RuleFindings, Vec<Paper>), ContactError> {
+fn rule_check(
+    compare: &ComparePlan,
+    layer: &LayerPlan,
+) -> Result<(ModulusFindings, Vec<Paper>), ContactError> {
     /// a/t, from and to.
     const RANGE: [f64; 2] = [0.1, 10.0];
     let [rough, flat] = &compare.pair;
-    let check = RuleCheck::new(rough, &layer.material, flat)?;
+    let check = ModulusCheck::new(rough, &layer.material, flat)?;
     Ok((check.findings(RANGE[0], RANGE[1]), check.papers()))
 }

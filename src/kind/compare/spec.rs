@@ -7,8 +7,8 @@ use serde::de::{Deserializer, Error, SeqAccess, Visitor};
 use toml::Spanned;
 
 use crate::layer::LayerSpec;
+use asperity::MeanRadius;
 use asperity::compare::Kind;
-use asperity::model::MeanRadius;
 use asperity_framework::input::heights::HeightsSpec;
 use asperity_framework::input::law::Laws;
 use asperity_framework::input::quantity::{Force, Pressure};

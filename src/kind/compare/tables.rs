@@ -7,8 +7,7 @@ use crate::kind::compare::answers::{CaseResults, RealisationResults};
 use crate::kind::compare::results::CompareResults;
 
 use asperity::compare::{CurvePoint, Kind, Pair};
-use asperity::contact::ByRegime;
-use asperity::model::Response;
+use asperity::{ByRegime, Response};
 
 /// What a row belongs to.
 #[derive(Debug, Clone)]
@@ -80,7 +79,7 @@ impl Row for CurveRow {
     }
 }
 
-/// The share of one of [`Regime::ALL`](asperity::contact::Regime::ALL).
+/// The share of one of [`Regime::ALL`](asperity::Regime::ALL).
 fn share(of: &ByRegime, regime: usize) -> Option<f64> {
     of.shares().map(|shares| shares[regime])
 }

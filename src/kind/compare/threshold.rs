@@ -8,10 +8,8 @@ use crate::kind::compare::answers::{RealisationResults, Threshold};
 use crate::layer::LayerPlan;
 use crate::surface::Surface;
 use asperity::compare::{Kind, of_each_decade, threshold};
-use asperity::contact_law::ContactLaw;
-use asperity::interface::Counted;
-use asperity::model::{Model, reached_at};
-use asperity::work::Counter;
+use asperity::work::{CountedContact, Counter};
+use asperity::{ContactLaw, Model, reached_at};
 
 /// A layer matters where it changes the real area by more than this part.
 const PART: f64 = 0.05;
@@ -99,7 +97,7 @@ impl Question<'_> {
     fn area(&self, thickness: f64) -> Option<f64> {
         let flat = self.layer.flat(thickness).ok()?;
         let contact = self.law.interface(&self.plan.pair[0], &flat).ok()?;
-        let contact = &Counted::new(&*contact, self.counter);
+        let contact = &CountedContact::new(&*contact, self.counter);
         let press = |model: &dyn Model| reached_at(model, &[self.pressure])[0];
         let reached = match self.kind {
             Kind::Statistical => press(&self.models.statistical(contact, self.law)),

@@ -8,10 +8,8 @@ use toml::Spanned;
 use crate::kind::indentation::spec::{IndentationSpec, Show};
 use crate::layer::{LayerPlan, layer};
 use crate::surface::beside;
-use asperity::contact_law::ContactLaw;
-use asperity::law::Inapplicable;
-use asperity::material::Material;
 use asperity::numeric::is_positive;
+use asperity::{ContactLaw, Inapplicable, Material};
 use asperity_framework::input::SpecFile;
 use asperity_framework::input::{InputError, Source};
 

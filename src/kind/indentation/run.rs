@@ -8,16 +8,14 @@ use rayon::prelude::*;
 use super::plan::IndentationPlan;
 use super::spec::Show;
 use crate::layer::{LayerPlan, rule_warning, thickness_words};
-use asperity::compare::{RuleCheck, RuleError, RuleFindings, apart};
-use asperity::contact_law::ContactLaw;
-use asperity::interface::{ContactError, Counted, Flat, MicroContact};
-use asperity::law::Shape;
-use asperity::layer::Rule;
+use asperity::compare::{ModulusCheck, ModulusError, ModulusFindings, apart};
 use asperity::layer::exact_sphere::{ElasticContact, LayeredSphere};
-use asperity::literature::{self, Paper};
-use asperity::material::{Material, reduced_modulus};
 use asperity::sphere::{Curve, LARGEST_SLOPE};
-use asperity::work::{Counter, Item};
+use asperity::work::{CountedContact, Counter, Item};
+use asperity::{
+    ContactError, ContactLaw, Flat, Material, MicroContact, ModulusModel, Paper, Shape, literature,
+    reduced_modulus,
+};
 use asperity_framework::RunContext;
 use asperity_framework::input::InputError;
 use asperity_framework::metadata::{Metadata, Timing};
@@ -55,15 +53,15 @@ pub struct LayerResults {
     /// m.
     pub thickness: f64,
     /// How its modulus and that of the substrate are put together.
-    pub rule: Rule,
+    pub rule: ModulusModel,
     /// Law by law.
     pub laws: Vec<LawCurves>,
     /// The exact elastic contact at each indentation; `None` where it is too large to be solved.
     pub exact: Vec<Option<ElasticContact>>,
     /// Both rules over the contacts of the sweep that are solved exactly.
-    pub check: RuleFindings,
+    pub check: ModulusFindings,
     /// The errors of both at the indentations that were asked for, as far as the exact contact is solved.
-    pub errors: [Vec<RuleError>; 2],
+    pub errors: [Vec<ModulusError>; 2],
 }
 
 /// One layer under one law.
@@ -189,7 +187,7 @@ struct Alone {
     uncoated: Vec<Curve>,
     /// The flat all of it, law by law.
     all_layer: Vec<Curve>,
-    check: RuleCheck,
+    check: ModulusCheck,
 }
 
 impl Alone {
@@ -204,7 +202,7 @@ impl Alone {
         Ok(Self {
             uncoated,
             all_layer: curves(plan, &all_layer, counter)?,
-            check: RuleCheck::new(ball, &layer.material, substrate)?,
+            check: ModulusCheck::new(ball, &layer.material, substrate)?,
         })
     }
 }
@@ -213,7 +211,11 @@ impl Alone {
 fn curves(plan: &IndentationPlan, flat: &Flat, counter: &Counter) -> Result<Vec<Curve>, ContactError> {
     let curve = |law: &ContactLaw| {
         let contact = law.interface(&plan.ball.1, flat)?;
-        Ok(Curve::of(&Counted::new(&*contact, counter), Shape::sphere(plan.radius), &plan.indentations))
+        Ok(Curve::of(
+            &CountedContact::new(&*contact, counter),
+            Shape::sphere(plan.radius),
+            &plan.indentations,
+        ))
     };
     plan.laws.iter().map(curve).collect()
 }
@@ -234,7 +236,7 @@ fn on_layer(
     for (k, law) in plan.laws.iter().enumerate() {
         let contact = law.interface(ball, &coated)?;
         papers.extend(contact.papers());
-        let contact = Counted::new(&*contact, counter);
+        let contact = CountedContact::new(&*contact, counter);
         let at_overlay: Vec<f64> = measured.iter().map(|&(w, _)| contact.contact(w, shape).load).collect();
         let loads = measured.iter().map(|&(_, load)| load).zip(at_overlay.iter().copied());
         laws.push(LawCurves {

@@ -4,11 +4,10 @@ use serde::Serialize;
 use serde_json::{Map, Value};
 
 use crate::kind::indentation::run::{IndentationResults, LayerResults};
-use asperity::compare::RuleError;
-use asperity::layer::Rule;
+use asperity::ModulusModel;
+use asperity::compare::ModulusError;
+use asperity::sphere::{Curve, Decrease, RegimeChange};
 use asperity_framework::fields;
-
-use asperity::sphere::{Curve, Fall, RegimeChange};
 
 /// One layer in one thickness.
 #[derive(Serialize)]
@@ -71,7 +70,7 @@ pub(super) fn summary(results: &IndentationResults) -> serde_json::Result<Map<St
 }
 
 fn layer(found: &LayerResults, radius: f64) -> SphereSummary<'_> {
-    let worst = Rule::ALL.into_iter().zip(&found.check.worst);
+    let worst = ModulusModel::ALL.into_iter().zip(&found.check.worst);
     SphereSummary {
         layer: &found.name,
         layer_thickness_m: found.thickness,
@@ -87,7 +86,7 @@ fn layer(found: &LayerResults, radius: f64) -> SphereSummary<'_> {
     }
 }
 
-fn rule_error(rule: Rule, error: &RuleError) -> RuleSummary {
+fn rule_error(rule: ModulusModel, error: &ModulusError) -> RuleSummary {
     RuleSummary {
         rule: rule.name(),
         contact_radius_over_thickness: error.contact_ratio,
@@ -104,7 +103,7 @@ fn curve<'a>(law: &'a str, coated: &Curve) -> LawSummary<'a> {
         to: change.to.name(),
         within_sweep: coated.is_within(change),
     };
-    let fall = |fall: &Fall| FallSummary {
+    let fall = |fall: &Decrease| FallSummary {
         of: fall.of.name(),
         from_indentation_m: fall.from.indentation,
         to_indentation_m: fall.to.indentation,
@@ -115,6 +114,6 @@ fn curve<'a>(law: &'a str, coated: &Curve) -> LawSummary<'a> {
         law,
         regimes: coated.sequence().into_iter().map(|regime| regime.name()).collect(),
         changes: coated.changes.iter().map(change).collect(),
-        falls: coated.falls.iter().map(fall).collect(),
+        falls: coated.decreases.iter().map(fall).collect(),
     }
 }

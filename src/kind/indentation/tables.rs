@@ -4,8 +4,8 @@ use std::f64::consts::PI;
 
 use super::shown::Shown;
 use crate::kind::indentation::run::{IndentationResults, LawCurves, LayerResults};
-use asperity::compare::RuleError;
-use asperity::layer::Rule;
+use asperity::ModulusModel;
+use asperity::compare::ModulusError;
 use asperity::layer::exact_sphere::ElasticContact;
 use asperity::sphere::{Point, RegimeChange};
 use asperity_framework::columns;
@@ -116,9 +116,9 @@ impl Row for ChangeRow<'_> {
 /// An effective-modulus model beside the exact elastic contact.
 struct RuleRow<'a> {
     layer: &'a LayerResults,
-    rule: Rule,
+    rule: ModulusModel,
     indentation: f64,
-    error: &'a RuleError,
+    error: &'a ModulusError,
 }
 
 impl Row for RuleRow<'_> {
@@ -215,7 +215,7 @@ fn changes(results: &IndentationResults) -> impl Iterator<Item = ChangeRow<'_>> 
 /// The exact contact is solved up to some indentation only.
 fn rules(results: &IndentationResults) -> impl Iterator<Item = RuleRow<'_>> {
     results.layers.iter().flat_map(move |layer| {
-        Rule::ALL.into_iter().zip(&layer.errors).flat_map(move |(rule, errors)| {
+        ModulusModel::ALL.into_iter().zip(&layer.errors).flat_map(move |(rule, errors)| {
             let solved = results.indentations.iter().zip(errors);
             solved.map(move |(&indentation, error)| RuleRow { layer, rule, indentation, error })
         })

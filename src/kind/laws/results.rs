@@ -5,9 +5,8 @@ use std::f64::consts::PI;
 use super::plan::Critical;
 use crate::kind::compare::results::CompareResults;
 use asperity::compare::{Attribution, Influence, Measure};
-use asperity::contact::Contact;
-use asperity::literature::Paper;
 use asperity::sphere::{Boundary, Curve, LARGEST_SLOPE};
+use asperity::{Contact, Paper};
 
 /// Several laws on one asperity and on surfaces.
 #[derive(Debug)]
@@ -77,7 +76,7 @@ pub struct LawOnOne {
     /// Its papers.
     pub papers: Vec<Paper>,
     /// Whether contacts under it pass from elastic to something else.
-    pub passes_regimes: bool,
+    pub is_elastic_plastic: bool,
     /// Load, area and regime against indentation.
     pub curve: Curve,
     /// Where one formula gives way to another.

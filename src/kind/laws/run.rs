@@ -5,9 +5,8 @@ use super::results::{LawOnOne, LawsResults, SmallStrainEnd, SurfaceInfluence};
 use crate::kind::compare::answers::RealisationResults;
 use crate::kind::compare::run_compare;
 use asperity::compare::{Attribution, Influence, Measure, UnderLaw};
-use asperity::interface::Counted;
 use asperity::sphere::{Curve, boundaries};
-use asperity::work::Counter;
+use asperity::work::{CountedContact, Counter};
 use asperity_framework::RunContext;
 use asperity_framework::contact::LawPlan;
 use asperity_framework::input::InputError;
@@ -39,14 +38,14 @@ pub(super) fn run(context: &RunContext, laws_plan: &LawsPlan) -> Result<LawsResu
 }
 
 fn on_one(plan: &LawsPlan, law: &LawPlan, counter: &Counter) -> LawOnOne {
-    let contact = Counted::new(&*law.contact, counter);
+    let contact = CountedContact::new(&*law.contact, counter);
     let shape = plan.shape(&law.spec);
     let indentations: Vec<f64> = plan.ratios.iter().map(|ratio| ratio * plan.critical.indentation).collect();
     LawOnOne {
         law: law.label.clone(),
         about: law.spec.about(),
         papers: law.spec.papers(),
-        passes_regimes: law.spec.has_ranges(),
+        is_elastic_plastic: law.spec.has_ranges(),
         curve: Curve::of(&contact, shape, &indentations),
         boundaries: boundaries(&contact, shape),
     }
@@ -55,7 +54,7 @@ fn on_one(plan: &LawsPlan, law: &LawPlan, counter: &Counter) -> LawOnOne {
 fn influence(laws: &[LawPlan], answered: &RealisationResults) -> Influence {
     let under = laws.iter().zip(&answered.cases).map(|(law, case)| UnderLaw {
         law: &case.law,
-        passes_regimes: law.spec.has_ranges(),
+        is_elastic_plastic: law.spec.has_ranges(),
         pairs: &case.comparison.pairs,
     });
     Influence::of(&under.collect::<Vec<_>>(), answered.nominal_area, answered.sigma)

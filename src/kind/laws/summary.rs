@@ -5,7 +5,7 @@ use serde_json::{Map, Value};
 
 use crate::kind::laws::plan::Critical;
 use crate::kind::laws::results::{LawsResults, SurfaceInfluence};
-use asperity::compare::{Group, Kind, Measure, Weight};
+use asperity::compare::{Effect, Group, Kind, Measure};
 use asperity::sphere::Boundary;
 
 /// Several laws on one asperity and on surfaces.
@@ -72,8 +72,8 @@ struct WeightSummary {
     at_pressure_pa: f64,
 }
 
-impl From<Weight> for WeightSummary {
-    fn from(weight: Weight) -> Self {
+impl From<Effect> for WeightSummary {
+    fn from(weight: Effect) -> Self {
         Self { mean_size: weight.mean, largest: weight.largest, at_pressure_pa: weight.at }
     }
 }
@@ -119,7 +119,7 @@ fn influence(found: &SurfaceInfluence, measure: Measure) -> InfluenceSummary<'_>
         law,
         statistical_from_first: influence.of_choice(measure, index, kinds[0]).map(WeightSummary::from),
         deterministic_from_first: influence.of_choice(measure, index, kinds[1]).map(WeightSummary::from),
-        statistical_from_deterministic: influence.of_adding_up(measure, index).map(WeightSummary::from),
+        statistical_from_deterministic: influence.of_summation(measure, index).map(WeightSummary::from),
     };
     InfluenceSummary {
         surface: &found.surface,

@@ -86,8 +86,8 @@ impl Row for InfluenceRow<'_> {
             fewest_contacts["1"] = row.at.fewest_contacts.round(), "Fewest contacts of the deterministic model under any law.";
             all_laws_statistical["1"] = row.spread(Group::All, Kind::Statistical), "Highest over lowest of all laws under the statistical model.";
             all_laws_deterministic["1"] = row.spread(Group::All, Kind::Deterministic), "Highest over lowest of all laws under the deterministic model.";
-            passing_laws_statistical["1"] = row.spread(Group::Passing, Kind::Statistical), "Highest over lowest of the elastic-plastic laws, without the limits `hertz` and `fully-plastic`, under the statistical model.";
-            passing_laws_deterministic["1"] = row.spread(Group::Passing, Kind::Deterministic), "Highest over lowest of the elastic-plastic laws under the deterministic model.";
+            passing_laws_statistical["1"] = row.spread(Group::ElasticPlastic, Kind::Statistical), "Highest over lowest of the elastic-plastic laws, without the limits `hertz` and `fully-plastic`, under the statistical model.";
+            passing_laws_deterministic["1"] = row.spread(Group::ElasticPlastic, Kind::Deterministic), "Highest over lowest of the elastic-plastic laws under the deterministic model.";
             models_first_law["1"] = row.compared(row.at.gap(row.measure, 0)), "Statistical over deterministic model under the first law.";
             passing_laws_models_most["1"] = row.largest_gap().map(|(_, gap)| row.compared(gap)), "Statistical over deterministic model under the elastic-plastic law for which they differ most.";
             passing_laws_models_most_law["text"] = row.largest_gap().map(|(law, _)| row.found.influence.laws[law].as_str()), "The law of the previous column.";
@@ -111,7 +111,7 @@ impl InfluenceRow<'_> {
 
     /// The elastic-plastic law under which the models differ most.
     fn largest_gap(&self) -> Option<(usize, f64)> {
-        self.at.largest_gap(self.measure, Group::Passing)
+        self.at.largest_gap(self.measure, Group::ElasticPlastic)
     }
 }
 

@@ -2,9 +2,7 @@
 
 use std::fmt;
 
-use asperity::asperity::Population;
-use asperity::distribution::Heights;
-use asperity::interface::Flat;
+use asperity::{Flat, Heights, Population};
 use asperity_framework::contact::{Bodies, LawPlan};
 use asperity_framework::input::{InputError, SpecFile};
 

@@ -2,12 +2,10 @@
 
 use std::time::Instant;
 
-use asperity::asperity::Population;
 use asperity::compare::{Exact, LimitCase, LimitPoint, convergence};
 use asperity::distribution::gaussian_moment;
-use asperity::interface::{Counted, MicroContact, plasticity_index};
-use asperity::model::{Model, Statistical};
-use asperity::work::{Counter, Item};
+use asperity::work::{CountedContact, Counter, Item};
+use asperity::{MicroContact, Model, Population, Statistical, plasticity_index};
 use asperity_framework::RunContext;
 use asperity_framework::contact::{ContactMetadata, LawPlan, contact_metadata, papers_of};
 use asperity_framework::input::InputError;
@@ -46,7 +44,8 @@ pub(super) fn run(context: &RunContext, limit: &LimitPlan) -> Result<LimitResult
     let start = Instant::now();
     let mut timing = Timing::default();
     let counter = Counter::default();
-    let contacts: Vec<Counted> = limit.laws.iter().map(|law| Counted::new(&*law.contact, &counter)).collect();
+    let contacts: Vec<CountedContact> =
+        limit.laws.iter().map(|law| CountedContact::new(&*law.contact, &counter)).collect();
     let integrals = Instant::now();
     let laws = limit.laws.iter().zip(&contacts);
     let cases: Vec<LimitCase> = laws

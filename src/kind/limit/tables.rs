@@ -1,7 +1,7 @@
 //! `curves.csv`, `comparison.csv` and `convergence.csv` of a limit.
 
+use asperity::Response;
 use asperity::compare::{Control, CurvePoint, Kind, LimitPoint, Pair, Pairing, Quantity};
-use asperity::model::Response;
 use asperity_framework::columns;
 use asperity_framework::report::table::{Column, Row, Schema, TableError, csv_file};
 
@@ -60,7 +60,14 @@ fn curves(results: &LimitResults) -> impl Iterator<Item = CurveRow> {
     let reduced_modulus = results.contact.reduced_modulus;
     let row = move |case, kind, response: &Response| {
         let (control, target) = (Control::Separation, response.separation_over_sigma);
-        let point = CurvePoint { kind, control, target, asked: None, response: *response, in_jump: false };
+        let point = CurvePoint {
+            kind,
+            control,
+            target,
+            prescribed_pressure: None,
+            response: *response,
+            in_jump: false,
+        };
         CurveRow { case, point, reduced_modulus }
     };
     let smallest = results.points.iter().map(|point| point.count).min();

@@ -2,10 +2,8 @@
 
 use crate::surface::found::Surface;
 use crate::surface::overview::MapOverview;
-use asperity::asperity::Population;
-use asperity::distribution::Heights;
-use asperity::topography::HeightMap;
-use asperity::topography::correlation::{Autocorrelation, RadialSpectrum};
+use asperity::topography::{Autocorrelation, RadialSpectrum};
+use asperity::{HeightMap, Heights, Population};
 use asperity_plot::{Axis, Colour, ColourMap, Dash, Figure, Layer, Marker, Plot, Raster};
 
 /// Normalised heights that are shown.

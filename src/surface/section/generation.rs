@@ -2,9 +2,9 @@
 
 use super::words::or_dash;
 use crate::surface::found::{GenerationFacts, MapFacts, Surface};
-use asperity::distribution::Heights;
-use asperity::topography::generate::{Process, Recipe, SpectrumOf};
-use asperity::topography::spectrum::Shape;
+use asperity::Heights;
+use asperity::topography::generate::{Process, SpectrumOf, SurfaceGenerator};
+use asperity::topography::spectrum::SpectrumShape;
 use asperity_framework::report::format::{number, percent, quantity};
 use asperity_framework::report::page::Page;
 
@@ -13,7 +13,7 @@ pub fn section(page: &mut Page, surface: &Surface, map: &MapFacts, made: &Genera
     page.paragraph(&format!(
         "{} is a random surface, periodic at its borders: {}.",
         surface.name,
-        recipe(&made.recipe)
+        generator(&made.generator)
     ));
     if let Some(cut) = made.cut {
         page.paragraph(&format!(
@@ -35,7 +35,7 @@ pub fn section(page: &mut Page, surface: &Surface, map: &MapFacts, made: &Genera
         "Sq, Ssk, Sku and the spectrum asked for are those of an endless surface; one map, about its own mean, scatters about \
          them.",
     );
-    let process = &made.recipe.process;
+    let process = &made.generator.process;
     if process.heights != Heights::GAUSSIAN {
         page.paragraph(match process.of {
             SpectrumOf::Heights => {
@@ -63,7 +63,7 @@ pub fn rows(surface: &Surface, map: &MapFacts, made: &GenerationFacts) -> Vec<Ve
         rows.push(ratio("σ of the summit heights", target.sigma, surface.statistics.sigma, "m"));
         rows.push(ratio("density of the summits", target.density, surface.set.density(), "1/m²"));
     }
-    let (process, moments) = (&made.recipe.process, &map.character.moments);
+    let (process, moments) = (&made.generator.process, &map.roughness.moments);
     rows.push(ratio("Sq", process.sigma, moments.sq, "m"));
     rows.push(difference("Ssk", process.heights.skewness(), moments.ssk));
     rows.push(difference("Sku", process.heights.kurtosis(), moments.sku));
@@ -92,12 +92,12 @@ fn difference(what: &str, asked: f64, reached: Option<f64>) -> Vec<String> {
     vec![what.to_owned(), number(asked), or_dash(reached), apart]
 }
 
-/// A recipe in words.
-fn recipe(recipe: &Recipe) -> String {
+/// A generator in words.
+fn generator(generator: &SurfaceGenerator) -> String {
     let process = |process: &Process| {
         let length = |length: f64| quantity(length, "m");
         let shape = match process.spectrum.shape() {
-            Shape::SelfAffine { hurst, roll_off, cut_off } => format!(
+            SpectrumShape::SelfAffine { hurst, roll_off, cut_off } => format!(
                 "self-affine spectrum with Hurst exponent {}, roll-off at a wavelength of {} and cut-off at {} ({} times \
                  shorter)",
                 number(hurst),
@@ -105,8 +105,10 @@ fn recipe(recipe: &Recipe) -> String {
                 length(cut_off),
                 number(roll_off / cut_off)
             ),
-            Shape::Gaussian(l) => format!("Gaussian autocorrelation with correlation length {}", length(l)),
-            Shape::Exponential(l) => {
+            SpectrumShape::Gaussian(l) => {
+                format!("Gaussian autocorrelation with correlation length {}", length(l))
+            }
+            SpectrumShape::Exponential(l) => {
                 format!("exponential autocorrelation with correlation length {}", length(l))
             }
         };
@@ -124,11 +126,11 @@ fn recipe(recipe: &Recipe) -> String {
         };
         format!("{shape}{lay}; heights {} with standard deviation {}", process.heights, length(process.sigma))
     };
-    match &recipe.plateau {
-        None => process(&recipe.process),
+    match &generator.plateau {
+        None => process(&generator.process),
         Some(plateau) => format!(
             "{}; cut by a finer process whose mean plane is {} {}: {}",
-            process(&recipe.process),
+            process(&generator.process),
             quantity(plateau.height.abs(), "m"),
             if plateau.height < 0.0 { "lower" } else { "higher" },
             process(&plateau.process)

@@ -11,7 +11,7 @@ use asperity_framework::report::page::Page;
 use words::{columns, properties, table};
 
 /// Adds tables and pictures of a surface to a page.
-pub fn section(page: &mut Page, surface: &Surface, assumed: Option<&asperity::asperity::Population>) {
+pub fn section(page: &mut Page, surface: &Surface, assumed: Option<&asperity::Population>) {
     page.table(["property", "value"], properties(surface).into_iter().map(Vec::from));
     if let Some(map) = &surface.map {
         if let Some(made) = &map.generation {
@@ -19,7 +19,7 @@ pub fn section(page: &mut Page, surface: &Surface, assumed: Option<&asperity::as
         }
         theory(page, surface, map);
         if let Some(picture) = &map.whole.picture {
-            let missing = if map.character.missing > 0 {
+            let missing = if map.roughness.missing > 0 {
                 " Where points are missing the picture is white."
             } else {
                 ""
@@ -93,7 +93,7 @@ fn theory_table(surface: &Surface, map: &MapFacts) -> Option<(Vec<&'static str>,
         return None;
     }
     let statistics = &surface.statistics;
-    let sq = map.character.moments.sq;
+    let sq = map.roughness.moments.sq;
     let plane = surface.mean_plane.unwrap_or_default();
     let found = [
         surface.set.density(),

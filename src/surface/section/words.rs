@@ -1,7 +1,7 @@
 //! A surface in a table of two columns.
 
 use crate::surface::found::{MapFacts, Surface};
-use asperity::topography::quantisation::Quantisation;
+use asperity::topography::Quantisation;
 use asperity_framework::report::format::{count, number, quantity};
 
 /// A property and its value.
@@ -54,24 +54,24 @@ impl Rows {
                 format!("{} × {}", quantity(values[0], "m"), quantity(values[1], "m"))
             }
         };
-        let character = &map.character;
-        let moments = &character.moments;
+        let roughness = &map.roughness;
+        let moments = &roughness.moments;
         self.add("map", format!("{} × {} points of {}", map.points[0], map.points[1], pair(map.pixel)));
-        self.add("missing points", count(character.missing));
+        self.add("missing points", count(roughness.missing));
         self.add("levelled by", map.level.name().to_owned());
         if let Some(filter) = &map.filter {
             self.add("Gaussian filter (ISO 16610-61)", filter.clone());
         }
         self.add("Sa, Sq", format!("{}, {}", quantity(moments.sa, "m"), quantity(moments.sq, "m")));
         self.add("Ssk, Sku", format!("{}, {}", or_dash(moments.ssk), or_dash(moments.sku)));
-        let [m0, m2, m4] = character.spectral_moments();
+        let [m0, m2, m4] = roughness.spectral_moments();
         self.add(
             "spectral moments m0, m2, m4",
             format!("{} m², {}, {} /m²", number(m0), number(m2), number(m4)),
         );
-        self.add("m2 along x, y", format!("{}, {}", number(character.m2[0]), number(character.m2[1])));
-        self.add("Nayak's α", or_dash(character.alpha()));
-        self.add("r.m.s. slope", number(character.rms_slope()));
+        self.add("m2 along x, y", format!("{}, {}", number(roughness.m2[0]), number(roughness.m2[1])));
+        self.add("Nayak's α", or_dash(roughness.alpha()));
+        self.add("r.m.s. slope", number(roughness.rms_slope()));
         if let Some(correlation) = &map.whole.autocorrelation {
             let length = correlation.length.map_or_else(|| "-".to_owned(), |length| quantity(length, "m"));
             self.add("autocorrelation length Sal", length);

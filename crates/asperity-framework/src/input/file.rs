@@ -11,7 +11,7 @@ use toml::de::{DeTable, DeValue, Deserializer, ValueDeserializer};
 
 use super::error::{InputError, Source};
 use super::material::MaterialSpec;
-use asperity::material::Material;
+use asperity::Material;
 
 /// A spec file whose common keys are read; the table of its kind is read by [`SpecFile::table`].
 #[derive(Debug)]

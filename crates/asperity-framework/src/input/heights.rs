@@ -6,7 +6,8 @@ use serde::Deserialize;
 use serde::de::{DeserializeSeed, Deserializer, Error, MapAccess, Visitor};
 
 use super::quantity::{Finite, Pure, Quantity};
-use asperity::distribution::{Entry, Heights, REGISTRY};
+use asperity::Heights;
+use asperity::distribution::{Entry, REGISTRY};
 
 /// A height distribution.
 #[derive(Debug, Clone, PartialEq)]

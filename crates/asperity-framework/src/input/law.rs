@@ -7,7 +7,8 @@ use serde::de::value::{MapAccessDeserializer, StrDeserializer};
 use serde::de::{DeserializeSeed, Deserializer, Error, MapAccess, SeqAccess, Visitor};
 
 use crate::input::quantity::{Finite, Pure, Quantity};
-use asperity::contact_law::{ContactLaw, named, registry};
+use asperity::ContactLaw;
+use asperity::contact_law::{named, registry};
 use asperity::law::{LawOption, OptionError};
 
 /// One law or a list of them, none twice.

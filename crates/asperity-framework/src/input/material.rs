@@ -1,6 +1,6 @@
 //! `[material.NAME]`: one body.
 
-use asperity::material::{Material, MaterialError};
+use asperity::{Material, MaterialError};
 use serde::Deserialize;
 
 use crate::input::quantity::{PoissonRange, Pressure, Pure, Quantity};

@@ -10,10 +10,8 @@ use super::law::Laws;
 use super::quantity::Pure;
 use super::sweep::LogSweep;
 use crate::contact::LawPlan;
-use asperity::contact_law::ContactLaw;
-use asperity::interface::Flat;
-use asperity::law::{Body, Inapplicable, Property};
-use asperity::material::Material;
+use asperity::law::{Body, Property};
+use asperity::{ContactLaw, Flat, Inapplicable, Material};
 
 /// Two materials as an error names them, or one that both bodies are of.
 pub fn materials(rough: &str, flat: &str) -> String {

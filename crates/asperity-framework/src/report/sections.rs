@@ -6,7 +6,7 @@ use super::format::{number, quantity, thickness};
 use super::page::{Page, escape};
 use crate::contact::ContactMetadata;
 use crate::metadata::Metadata;
-use asperity::material::Material;
+use asperity::Material;
 
 /// What the spec's author says of it.
 pub fn notes(page: &mut Page, metadata: &Metadata) {

@@ -4,10 +4,11 @@ use std::hint::black_box;
 
 use super::sum::spread;
 use super::timing::{Candidate, medians};
-use asperity::asperity::{Draw, Population, SetError};
 use asperity::compare::Kind;
-use asperity::interface::MicroContact;
-use asperity::model::{Curve, Deterministic, Model, ReferencePlane, Response, Statistical, respond_within};
+use asperity::{
+    Curve, Deterministic, Draw, MicroContact, Model, Population, ReferencePlane, Response, SetError,
+    Statistical, respond_within,
+};
 
 /// The tolerances at which a curve of a thousand separations is to cost no more than twice one of fifty: a sum has a kink
 /// at every asperity, an integral has none.
@@ -95,7 +96,7 @@ fn curves(kind: Kind, model: &dyn Model, task: &CurveTask) -> Vec<CurvePoint> {
     let (few, all) = (spread(task.beside), spread(task.separations));
     let exactly = |separations: &[f64]| Curve {
         responses: model.respond_all(black_box(separations)),
-        asked: separations.to_vec(),
+        evaluated: separations.to_vec(),
     };
     let tolerances = || [None, None].into_iter().chain(task.tolerances.iter().copied().map(Some));
     let mut found: Vec<Option<Curve>> = tolerances().map(|_| None).collect();
@@ -119,7 +120,7 @@ fn curves(kind: Kind, model: &dyn Model, task: &CurveTask) -> Vec<CurvePoint> {
             kind,
             tolerance,
             separations: curve.responses.len(),
-            asked: curve.asked.len(),
+            asked: curve.evaluated.len(),
             area_error: error(|response| response.area_ratio.total()),
             load_error: error(|response| response.pressure.total()),
             seconds,
@@ -137,10 +138,7 @@ fn largest_error(found: &[Response], exact: &[Response], of: fn(&Response) -> f6
 #[cfg(test)]
 mod tests {
     use super::*;
-    use asperity::distribution::Heights;
-    use asperity::interface::Interface;
-    use asperity::law::Zmc;
-    use asperity::material::Material;
+    use asperity::{Heights, Interface, Material, Zmc};
 
     #[test]
     fn a_looser_tolerance_asks_for_fewer_answers_and_is_held() {

@@ -6,14 +6,13 @@
 use std::time::Instant;
 
 use asperity::compare::SlopeFit;
-use asperity::distribution::Heights;
 use asperity::numeric::Sum;
-use asperity::topography::MapError;
-use asperity::topography::character::Drops;
-use asperity::topography::generate::{Process, Recipe, Seeds, SpectrumOf};
-use asperity::topography::spectrum::{Lay, Shape, Spectrum, SpectrumError};
+use asperity::topography::Drops;
+use asperity::topography::generate::{Process, Seeds, SpectrumOf, SurfaceGenerator};
+use asperity::topography::spectrum::{Lay, Spectrum, SpectrumError, SpectrumShape};
 use asperity::topography::summits::{Detail, Neighbours, Summits, find};
 use asperity::topography::theory::{Expected, five_point};
+use asperity::{Heights, MapError};
 
 /// Points a correlation length that stand for a fine grid: so many change the answers by 1e-4 at the most.
 const FINE: f64 = 200.0;
@@ -156,12 +155,12 @@ pub fn maps_of(
         let on_grid = expected(per_length).unwrap_or([f64::NAN; 3]);
         for (j, &lengths) in task.lengths.iter().enumerate() {
             let count = side(per_length, lengths);
-            let recipe = recipe(count, per_length)?;
+            let generator = generator(count, per_length)?;
             let (mut seconds, mut squares, mut summits) = (Vec::new(), [0.0; 3], 0);
             for realisation in 0..task.realisations {
                 let seed = seed(i, j, realisation);
                 let start = Instant::now();
-                let (map, _) = recipe.surface(Seeds { process: seed, plateau: seed })?;
+                let (map, _) = generator.surface(Seeds { process: seed, plateau: seed })?;
                 let found_summits = find(&map, Neighbours::Four, Detail::default());
                 seconds.push(start.elapsed().as_secs_f64());
                 let values = found(&found_summits, per_length.recip());
@@ -187,15 +186,16 @@ pub fn maps_of(
     Ok(GridFindings { points })
 }
 
-fn recipe(count: usize, per_length: f64) -> Result<Recipe, SpectrumError> {
+fn generator(count: usize, per_length: f64) -> Result<SurfaceGenerator, SpectrumError> {
     let process = Process {
-        spectrum: Spectrum::new(Shape::Gaussian(1.0), Lay::default())?,
+        spectrum: Spectrum::new(SpectrumShape::Gaussian(1.0), Lay::default())?,
         of: SpectrumOf::Heights,
         sigma: 1.0,
         heights: Heights::GAUSSIAN,
     };
-    let recipe = Recipe { points: [count; 2], pixel: [per_length.recip(); 2], process, plateau: None };
-    recipe.check().map(|()| recipe)
+    let generator =
+        SurfaceGenerator { points: [count; 2], pixel: [per_length.recip(); 2], process, plateau: None };
+    generator.check().map(|()| generator)
 }
 
 impl GridFindings {

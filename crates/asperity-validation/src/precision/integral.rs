@@ -15,11 +15,8 @@ use super::timing::{Candidate, medians};
 use crate::stability::exact::Integral;
 use crate::stability::exact::{self, Exact};
 use crate::stability::wide::{Wide, relative_error};
-use asperity::asperity::Population;
-use asperity::distribution::{Gaussian, HeightDistribution, Heights};
-use asperity::interface::MicroContact;
-use asperity::law::Shape;
-use asperity::model::{Model, Statistical};
+use asperity::distribution::Gaussian;
+use asperity::{HeightDistribution, Heights, MicroContact, Model, Population, Shape, Statistical};
 
 pub use super::rules::Family;
 
@@ -357,9 +354,7 @@ mod tests {
     use super::*;
     use crate::precision::{LEVELS, fastest};
     use crate::stability::Bodies;
-    use asperity::interface::Interface;
-    use asperity::law::Zmc;
-    use asperity::material::Material;
+    use asperity::{Interface, Material, Zmc};
 
     fn findings() -> IntegralFindings {
         let steel = Material::new(210e9, 0.3, Some(7.6e9), None).unwrap();

@@ -9,10 +9,10 @@ use tempfile::NamedTempFile;
 use super::memory::peak_of;
 use super::sum::spread;
 use super::timing::{Candidate, medians};
-use asperity::asperity::{AsperitySet, Draw, ListError, Population, SetError, read_list};
-use asperity::interface::MicroContact;
-use asperity::model::{Deterministic, Model, ReferencePlane, Response};
-use asperity::npy;
+use asperity::{
+    AsperityList, AsperitySet, Deterministic, Draw, ListError, MicroContact, Model, Population,
+    ReferencePlane, Response, SetError, npy,
+};
 
 /// What is asked of lists.
 #[derive(Debug, Clone, PartialEq)]
@@ -170,7 +170,7 @@ fn written(population: &Population, count: usize, seed: [u8; 32]) -> Result<Name
 }
 
 fn read(path: &Path, population: &Population) -> Result<AsperitySet, Unlisted> {
-    let list = read_list(path, false)?;
+    let list = AsperityList::read(path, false)?;
     let nominal_area = list.count() as f64 / population.density;
     Ok(list.set(nominal_area)?)
 }
@@ -188,10 +188,7 @@ fn sums(
 #[cfg(test)]
 mod tests {
     use super::*;
-    use asperity::distribution::Heights;
-    use asperity::interface::Interface;
-    use asperity::law::Zmc;
-    use asperity::material::Material;
+    use asperity::{Heights, Interface, Material, Zmc};
 
     const CASE: Population =
         Population { radius: 2e-5, sigma: 4.8e-8, density: 6e10, heights: Heights::GAUSSIAN };

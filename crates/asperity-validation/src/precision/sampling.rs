@@ -3,10 +3,10 @@
 use std::hint::black_box;
 
 use super::timing::{Candidate, medians};
-use asperity::asperity::{Draw, Population, SetError};
 use asperity::compare::{Exact, LimitCase, LimitPoint, Quantity, SlopeFit, convergence};
-use asperity::interface::MicroContact;
-use asperity::model::{Deterministic, Model, ReferencePlane, Response, Statistical};
+use asperity::{
+    Deterministic, Draw, MicroContact, Model, Population, ReferencePlane, Response, SetError, Statistical,
+};
 
 /// What is asked.
 #[derive(Debug, Clone, PartialEq)]
@@ -129,10 +129,7 @@ pub fn sets_of(
 #[cfg(test)]
 mod tests {
     use super::*;
-    use asperity::distribution::Heights;
-    use asperity::interface::Interface;
-    use asperity::law::Hertz;
-    use asperity::material::Material;
+    use asperity::{Heights, Hertz, Interface, Material};
 
     #[test]
     fn sets_scatter_as_their_sums_say() {

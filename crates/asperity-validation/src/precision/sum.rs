@@ -11,12 +11,11 @@ use rayon::ThreadPoolBuilder;
 use super::Cost;
 use super::timing::{Candidate, medians};
 use crate::stability::wide::{Wide, relative_error};
-use asperity::asperity::{Asperities, AsperitySet, Draw, Ordered, Population, SetError};
-use asperity::interface::MicroContact;
-use asperity::law::Shape;
-use asperity::model::{Deterministic, Model, ReferencePlane, Response};
-use asperity::numeric::Sum;
-use asperity::numeric::sum::in_chunks;
+use asperity::numeric::{Sum, in_chunks};
+use asperity::{
+    Asperities, AsperitySet, Deterministic, Draw, MicroContact, Model, Ordered, Population, ReferencePlane,
+    Response, SetError, Shape,
+};
 
 /// Separations are spread evenly from the first to the last of these, d/sigma.
 pub const SEPARATIONS: [f64; 2] = [4.0, 0.0];
@@ -348,10 +347,7 @@ fn run(problem: &Problem, sweep: Sweep, ways: &[Way], separations: usize) -> Vec
 #[cfg(test)]
 mod tests {
     use super::*;
-    use asperity::distribution::Heights;
-    use asperity::interface::Interface;
-    use asperity::law::Zmc;
-    use asperity::material::Material;
+    use asperity::{Heights, Interface, Material, Zmc};
 
     #[test]
     fn what_loses_digits_and_what_does_not() {

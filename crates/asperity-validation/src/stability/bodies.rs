@@ -3,9 +3,7 @@
 use std::fmt;
 
 use super::laws::CoveredLaw;
-use asperity::interface::{ContactError, Flat, MicroContact};
-use asperity::layer::Rule;
-use asperity::material::Material;
+use asperity::{ContactError, Flat, Material, MicroContact, ModulusModel};
 
 /// What lies on the flat.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -15,7 +13,7 @@ pub struct Layer {
     /// m; 0 and infinity are no layer and all layer.
     pub thickness: f64,
     /// How its modulus and that of the substrate are put together.
-    pub rule: Rule,
+    pub rule: ModulusModel,
 }
 
 /// Two bodies under a law.

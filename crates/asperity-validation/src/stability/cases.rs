@@ -7,12 +7,9 @@ use super::Ranges;
 use super::bodies::{Bodies, Layer};
 use super::group::Group;
 use super::laws::{CoveredLaw, TWINS};
-use asperity::asperity::Population;
 use asperity::contact_law::registry;
-use asperity::distribution::Heights;
-use asperity::law::{Property, Shape};
-use asperity::layer::Rule;
-use asperity::material::{Material, reduced_modulus};
+use asperity::law::Property;
+use asperity::{Heights, Material, ModulusModel, Population, Shape, reduced_modulus};
 
 /// One question, with every number that goes into it.
 #[derive(Debug, Clone)]
@@ -199,7 +196,7 @@ impl CaseFactory<'_> {
         let layer = layered.then(|| Layer {
             material: layer,
             thickness: rng.ratio(self.ranges.thickness),
-            rule: Rule::ALL[rng.below(2)],
+            rule: ModulusModel::ALL[rng.below(2)],
         });
         Bodies { law, rough, flat, layer }
     }
@@ -297,7 +294,7 @@ fn law(rng: &mut CaseRng, layered: bool) -> CoveredLaw {
         None => true,
     });
     let law = twin.and_then(|twin| CoveredLaw::named(twin.name));
-    let law = law.filter(|law| !layered || law.chosen().stands_under_layers());
+    let law = law.filter(|law| !layered || law.chosen().supports_layers());
     with_options(rng, law.unwrap_or_else(CoveredLaw::zmc))
 }
 

@@ -11,10 +11,10 @@ use crate::stability::exact::Integral;
 use crate::stability::exact::Shape;
 use crate::stability::exact::Total;
 use crate::stability::wide::{Wide, relative_error};
-use asperity::asperity::{AsperitySet, Population};
-use asperity::interface::MicroContact;
-use asperity::law;
-use asperity::model::{Deterministic, Model, ReferencePlane, Response, Statistical, at_pressure};
+use asperity::{
+    AsperitySet, Deterministic, MicroContact, Model, Population, ReferencePlane, Response, Statistical,
+    at_pressure, law,
+};
 
 /// How far one quantity is off.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -100,7 +100,7 @@ fn of(case: &Case, contact: &dyn MicroContact) -> Result<Vec<Deviation>, Failure
 }
 
 /// Within the rounding of a boundary whichever side is nearer.
-fn of_contact(found: &asperity::contact::Contact, exact: &[Contact]) -> Result<Vec<Deviation>, Failure> {
+fn of_contact(found: &asperity::Contact, exact: &[Contact]) -> Result<Vec<Deviation>, Failure> {
     let values =
         [(Quantity::Area, found.area), (Quantity::Load, found.load), (Quantity::Stiffness, found.stiffness)];
     finite(&values)?;

@@ -4,9 +4,9 @@
 use std::fmt;
 
 use super::wide::{PI, Wide};
-use asperity::contact::Regime;
-use asperity::contact_law::{ContactLaw, named, registry};
-use asperity::law::{OptionError, Zmc};
+use asperity::contact_law::{named, registry};
+use asperity::law::OptionError;
+use asperity::{ContactLaw, Regime, Zmc};
 
 /// A law with its equations in extended precision.
 #[derive(Debug, Clone)]

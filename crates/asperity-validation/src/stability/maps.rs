@@ -9,13 +9,10 @@ use super::laws::CoveredLaw;
 use crate::stability::exact::Integral;
 use crate::stability::exact::Shape;
 use crate::stability::wide::relative_error;
-use asperity::asperity::Population;
-use asperity::distribution::Heights;
-use asperity::interface::{Layered, MicroContact};
-use asperity::law::{self, Zmc};
-use asperity::layer::{Coating, Rule};
-use asperity::material::{Material, reduced_modulus};
-use asperity::model::{Model, Statistical};
+use asperity::{
+    Heights, LayeredFlat, LayeredInterface, Material, MicroContact, Model, ModulusModel, Population,
+    Statistical, Zmc, law, reduced_modulus,
+};
 
 /// Errors on a regular grid.
 #[derive(Debug, Clone)]
@@ -140,15 +137,16 @@ fn layers(ranges: &Ranges, cells: usize) -> Map {
         |strain| {
             let hardness = modulus * 10f64.powf(strain);
             let (flat, material) = (body(YOUNG, hardness), body(0.1 * YOUNG, 0.1 * hardness));
-            let layer = Layer { material, thickness: wide, rule: Rule::Gao };
-            (flat, layer, Coating::new(&material, &flat, wide, Rule::Gao))
+            let layer = Layer { material, thickness: wide, rule: ModulusModel::Gao };
+            (flat, layer, LayeredFlat::new(&material, &flat, wide, ModulusModel::Gao))
         },
-        |(flat, layer, coating), ratio| {
+        |(flat, layer, layered), ratio| {
             let layer = Layer { thickness: wide * 10f64.powf(ratio), ..*layer };
             // The tables of a pair serve every thickness.
-            let coating =
-                coating.as_ref().ok().and_then(|coating| coating.with_thickness(layer.thickness).ok());
-            let contact = coating.and_then(|coating| Layered::new(Zmc::default(), flat, flat, coating).ok());
+            let layered =
+                layered.as_ref().ok().and_then(|layered| layered.with_thickness(layer.thickness).ok());
+            let contact =
+                layered.and_then(|layered| LayeredInterface::new(Zmc::default(), flat, flat, layered).ok());
             let bodies = Bodies { law: CoveredLaw::zmc(), rough: *flat, flat: *flat, layer: Some(layer) };
             contact.map_or(f64::NAN, |contact| contact_error(&contact, &Exact::new(&bodies), DEPTH))
         },

@@ -1,11 +1,6 @@
 //! The statistical integral against another crate's adaptive rule.
 
-use asperity::asperity::Population;
-use asperity::distribution::Heights;
-use asperity::interface::{Interface, MicroContact};
-use asperity::law::{Shape, Zmc};
-use asperity::material::Material;
-use asperity::model::{Model, Statistical};
+use asperity::{Heights, Interface, Material, MicroContact, Model, Population, Shape, Statistical, Zmc};
 
 use crate::common::relative_error;
 

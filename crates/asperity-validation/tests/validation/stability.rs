@@ -1,10 +1,7 @@
 //! Thousands of cases against about 32 digits, and those digits against the reference vectors.
 
 use crate::common::{Row, Worst, rows};
-use asperity::asperity::AsperitySet;
-use asperity::layer::Rule;
-use asperity::material::Material;
-use asperity::model::{Deterministic, Model, ReferencePlane};
+use asperity::{AsperitySet, Deterministic, Material, Model, ModulusModel, ReferencePlane};
 use asperity_validation::stability::Group;
 use asperity_validation::stability::exact::Exact;
 use asperity_validation::stability::exact::Shape;
@@ -85,8 +82,11 @@ fn material(row: &Row, of: &str) -> Material {
 fn the_wide_contacts_are_those_of_the_vectors() {
     let mut worst = Worst::default();
     for (k, row) in rows("coating").iter().enumerate() {
-        let layer =
-            Layer { material: material(row, "layer"), thickness: row.number("thickness"), rule: Rule::Gao };
+        let layer = Layer {
+            material: material(row, "layer"),
+            thickness: row.number("thickness"),
+            rule: ModulusModel::Gao,
+        };
         let (rough, flat) = (material(row, "rough"), material(row, "substrate"));
         let exact = Exact::new(&Bodies { law: CoveredLaw::zmc(), rough, flat, layer: Some(layer) });
         let found = exact.contacts(row.number("indentation"), &Shape::sphere(row.number("radius")));
@@ -133,7 +133,7 @@ fn the_wide_integrals_are_those_of_the_vectors() {
         let number = |key: &str| row.number(&format!("layer_{key}"));
         let material =
             Material::new(number("young"), number("poisson"), Some(number("hardness")), None).unwrap();
-        let layer = Layer { material, thickness: row.number("thickness"), rule: Rule::Gao };
+        let layer = Layer { material, thickness: row.number("thickness"), rule: ModulusModel::Gao };
         see(Bodies { law: CoveredLaw::zmc(), rough: steel, flat: steel, layer: Some(layer) }, row, k);
     }
     worst.assert_within(3e-16, 100);

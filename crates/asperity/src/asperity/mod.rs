@@ -16,6 +16,6 @@ pub use ellipses::{Ellipses, Ellipticity};
 pub use nayak::{NoSuchSurface, SurfaceHeights};
 pub use ordered::Ordered;
 pub use population::{Draw, Population};
-pub use read::{AsperityList, Column, ListError, check_list, read_list};
+pub use read::{AsperityList, ListColumn, ListError};
 pub use set::{AsperitySet, SetError};
 pub use statistics::Statistics;

@@ -21,28 +21,28 @@ pub enum ListError {
     #[error(transparent)]
     Npy(#[from] NpyError),
     /// The `.npy` array has other columns than those that are needed.
-    #[error("holds an array of shape {rows} x {columns}; allowed: n x {}, with the columns {}", needed.len(), Column::names(needed))]
+    #[error("holds an array of shape {rows} x {columns}; allowed: n x {}, with the columns {}", needed.len(), ListColumn::names(needed))]
     Shape {
         /// Rows found.
         rows: usize,
         /// Columns found.
         columns: usize,
         /// The columns that are needed.
-        needed: &'static [Column],
+        needed: &'static [ListColumn],
     },
     /// A column is not there.
     #[error(
         "has no column `{}` (found: {found}); allowed: a header line with the columns {}",
         column.name(),
-        Column::names(needed)
+        ListColumn::names(needed)
     )]
     Column {
         /// The column that is missing.
-        column: Column,
+        column: ListColumn,
         /// The header that was found.
         found: String,
         /// The columns that are needed.
-        needed: &'static [Column],
+        needed: &'static [ListColumn],
     },
     /// A line is not CSV.
     #[error("{0}")]
@@ -53,7 +53,7 @@ pub enum ListError {
         /// The row, as its reader finds it.
         place: String,
         /// The column.
-        column: Column,
+        column: ListColumn,
         /// What stands there.
         found: String,
     },
@@ -64,7 +64,7 @@ pub enum ListError {
 
 /// A column of a list.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Column {
+pub enum ListColumn {
     /// Height, m.
     Height,
     /// Radius, m.
@@ -75,7 +75,7 @@ pub enum Column {
     Ky,
 }
 
-impl Column {
+impl ListColumn {
     /// Those of spheres, then those of ellipses too, in the order of an array.
     const ALL: &'static [Self] = &[Self::Height, Self::Radius, Self::Kx, Self::Ky];
 
@@ -118,8 +118,8 @@ impl Column {
     }
 }
 
-/// The values of [`Column::ALL`], asperity by asperity; none of one that was not asked for.
-type Columns = [Vec<f64>; Column::ALL.len()];
+/// The values of [`ListColumn::ALL`], asperity by asperity; none of one that was not asked for.
+type Columns = [Vec<f64>; ListColumn::ALL.len()];
 
 /// What a list holds.
 #[derive(Debug, Clone, PartialEq)]
@@ -131,6 +131,40 @@ pub struct AsperityList {
 }
 
 impl AsperityList {
+    /// Reads heights and radii (m), and where `as_ellipses` principal curvatures kx and ky (1/m), from a CSV file or an `.npy`
+    /// with these columns, told apart by their first bytes. Lines of a CSV that begin with `#` are comments; further columns
+    /// are ignored. An `.npy` is mapped: no memory is taken but for the values that are needed.
+    ///
+    /// # Errors
+    /// See [`ListError`]; a bad value is named with its row.
+    pub fn read(path: &Path, as_ellipses: bool) -> Result<Self, ListError> {
+        let needed = needed(as_ellipses);
+        let is_npy = npy::is_npy(path)?;
+        let [heights, radii, kx, ky] = if is_npy { read_npy(path, needed)? } else { read_csv(path, needed)? };
+        if heights.is_empty() {
+            return Err(ListError::Empty);
+        }
+        Ok(Self { heights, radii, curvatures: as_ellipses.then_some([kx, ky]) })
+    }
+
+    /// Checks that a file has the columns that [`AsperityList::read`] needs, without reading the rows, and returns
+    /// the largest number of rows it may have.
+    ///
+    /// # Errors
+    /// See [`ListError`].
+    pub fn check(path: &Path, as_ellipses: bool) -> Result<usize, ListError> {
+        /// The shortest row of a CSV: "0,1" and a line end.
+        const BYTES_PER_ROW: u64 = 4;
+        let needed = needed(as_ellipses);
+        if npy::is_npy(path)? {
+            let npy::Header { rows, columns, .. } = npy::Header::read(path)?;
+            return check_shape(rows, columns, needed).map(|()| rows);
+        }
+        places(&mut csv_reader(path)?, needed)?;
+        let bytes = std::fs::metadata(path)?.len();
+        Ok(usize::try_from(bytes / BYTES_PER_ROW).unwrap_or(usize::MAX))
+    }
+
     /// How many radii lie beyond both principal radii of curvature, 1/kx and 1/ky: spheres and ellipses of such a row are
     /// different asperities.
     pub fn contradictions(&self) -> usize {
@@ -159,45 +193,11 @@ impl AsperityList {
     }
 }
 
-/// Checks that a file has the columns that [`read_list`] needs, without reading the rows, and says how many rows it has at
-/// the most.
-///
-/// # Errors
-/// See [`ListError`].
-pub fn check_list(path: &Path, as_ellipses: bool) -> Result<usize, ListError> {
-    /// The shortest row of a CSV: "0,1" and a line end.
-    const BYTES_PER_ROW: u64 = 4;
-    let needed = needed(as_ellipses);
-    if npy::is_npy(path)? {
-        let npy::Header { rows, columns, .. } = npy::Header::read(path)?;
-        return check_shape(rows, columns, needed).map(|()| rows);
-    }
-    places(&mut csv_reader(path)?, needed)?;
-    let bytes = std::fs::metadata(path)?.len();
-    Ok(usize::try_from(bytes / BYTES_PER_ROW).unwrap_or(usize::MAX))
+fn needed(as_ellipses: bool) -> &'static [ListColumn] {
+    &ListColumn::ALL[..if as_ellipses { 4 } else { 2 }]
 }
 
-fn needed(as_ellipses: bool) -> &'static [Column] {
-    &Column::ALL[..if as_ellipses { 4 } else { 2 }]
-}
-
-/// Reads heights and radii (m), and where `as_ellipses` principal curvatures kx and ky (1/m), from a CSV file or an `.npy`
-/// with these columns, told apart by their first bytes. Lines of a CSV that begin with `#` are comments; further columns
-/// are passed over. An `.npy` is mapped: no memory is taken but for the values that are needed.
-///
-/// # Errors
-/// See [`ListError`]; a bad value is named with its row.
-pub fn read_list(path: &Path, as_ellipses: bool) -> Result<AsperityList, ListError> {
-    let needed = needed(as_ellipses);
-    let is_npy = npy::is_npy(path)?;
-    let [heights, radii, kx, ky] = if is_npy { read_npy(path, needed)? } else { read_csv(path, needed)? };
-    if heights.is_empty() {
-        return Err(ListError::Empty);
-    }
-    Ok(AsperityList { heights, radii, curvatures: as_ellipses.then_some([kx, ky]) })
-}
-
-fn read_npy(path: &Path, needed: &'static [Column]) -> Result<Columns, ListError> {
+fn read_npy(path: &Path, needed: &'static [ListColumn]) -> Result<Columns, ListError> {
     /// Rows that are read at a time: they stay in the cache.
     const ROWS: usize = 8192;
     let array = npy::Mapped::in_either_order(path)?;
@@ -223,8 +223,8 @@ fn read_npy(path: &Path, needed: &'static [Column]) -> Result<Columns, ListError
 }
 
 /// An array of ellipses is one of spheres too.
-fn check_shape(rows: usize, columns: usize, needed: &'static [Column]) -> Result<(), ListError> {
-    if columns == needed.len() || columns == Column::ALL.len() {
+fn check_shape(rows: usize, columns: usize, needed: &'static [ListColumn]) -> Result<(), ListError> {
+    if columns == needed.len() || columns == ListColumn::ALL.len() {
         return Ok(());
     }
     Err(ListError::Shape { rows, columns, needed })
@@ -235,9 +235,9 @@ fn csv_reader(path: &Path) -> Result<csv::Reader<File>, csv::Error> {
 }
 
 /// Where the needed columns are.
-fn places(reader: &mut csv::Reader<File>, needed: &'static [Column]) -> Result<Vec<usize>, ListError> {
+fn places(reader: &mut csv::Reader<File>, needed: &'static [ListColumn]) -> Result<Vec<usize>, ListError> {
     let header = reader.headers()?.clone();
-    let place_of = |&column: &Column| {
+    let place_of = |&column: &ListColumn| {
         header.iter().position(|found| found == column.name()).ok_or_else(|| ListError::Column {
             column,
             needed,
@@ -251,7 +251,7 @@ fn places(reader: &mut csv::Reader<File>, needed: &'static [Column]) -> Result<V
     needed.iter().map(place_of).collect()
 }
 
-fn read_csv(path: &Path, needed: &'static [Column]) -> Result<Columns, ListError> {
+fn read_csv(path: &Path, needed: &'static [ListColumn]) -> Result<Columns, ListError> {
     let mut reader = csv_reader(path)?;
     let places = places(&mut reader, needed)?;
     let mut found = Columns::default();

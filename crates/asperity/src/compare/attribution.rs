@@ -1,6 +1,6 @@
 //! Which matters more on a surface: the contact law, or whether asperities are integrated or summed.
 
-use super::{DETECTABLE, Group, Influence, Kind, Measure, SIGNIFICANT, Weight};
+use super::{DETECTABLE, Effect, Group, Influence, Kind, Measure, SIGNIFICANT};
 
 /// What changes the answer more.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -21,14 +21,14 @@ pub struct Attribution {
     /// The laws that the spread is over.
     pub group: Group,
     /// Spread of these laws under the sum.
-    pub law: Weight,
+    pub law: Effect,
     /// Gap between the models under the first law.
-    pub summation: Weight,
+    pub summation: Effect,
     /// Sampling error of the sum under the first law, where it has one.
-    pub sampling: Option<Weight>,
+    pub sampling: Option<Effect>,
     /// The law of the group that lies furthest from the first under the sum, and the spread without it; `None` where
     /// fewer than two laws are left.
-    pub without_furthest: Option<(usize, Weight)>,
+    pub without_furthest: Option<(usize, Effect)>,
 }
 
 impl Attribution {
@@ -39,7 +39,7 @@ impl Attribution {
             measure,
             group,
             law: influence.of_law(measure, group, Kind::Deterministic)?,
-            summation: influence.of_adding_up(measure, 0)?,
+            summation: influence.of_summation(measure, 0)?,
             sampling: influence.of_sampling(measure, 0),
             without_furthest: without_furthest(influence, measure, group),
         })
@@ -80,13 +80,13 @@ impl Attribution {
     }
 }
 
-fn without_furthest(influence: &Influence, measure: Measure, group: Group) -> Option<(usize, Weight)> {
-    let is_member = |law: &usize| group == Group::All || influence.passes_regimes[*law];
+fn without_furthest(influence: &Influence, measure: Measure, group: Group) -> Option<(usize, Effect)> {
+    let is_member = |law: &usize| group == Group::All || influence.is_elastic_plastic[*law];
     let members = (1..influence.laws.len()).filter(is_member);
     let weight = |law| Some((law, influence.of_choice(measure, law, Kind::Deterministic)?.mean));
     let (furthest, _) = members.filter_map(weight).max_by(|a, b| a.1.total_cmp(&b.1))?;
     let rest =
-        influence.weight(|at| at.spread_without(measure, group, Kind::Deterministic, Some(furthest)))?;
+        influence.effect(|at| at.spread_without(measure, group, Kind::Deterministic, Some(furthest)))?;
     Some((furthest, rest))
 }
 
@@ -113,7 +113,7 @@ mod tests {
     }
 
     fn attribution(pairs: &[[Pair; 1]]) -> Option<Attribution> {
-        let under = |pairs| UnderLaw { law: "law", passes_regimes: true, pairs };
+        let under = |pairs| UnderLaw { law: "law", is_elastic_plastic: true, pairs };
         let laws: Vec<UnderLaw> = pairs.iter().map(|pairs| under(&pairs[..])).collect();
         Attribution::of(&Influence::of(&laws, 1.0, 1e-8), Measure::Separation)
     }
@@ -126,7 +126,7 @@ mod tests {
         let close = |a: f64, b: f64| (a - b).abs() < 1e-12;
         let law = of(4.0, 0.1);
         assert!(law.dominant() == Dominant::Law && close(law.ratio(), 3.0) && law.is_significant());
-        assert_eq!((law.group, law.is_law_without_furthest()), (Group::Passing, None));
+        assert_eq!((law.group, law.is_law_without_furthest()), (Group::ElasticPlastic, None));
         let summation = of(2.75, 0.2);
         assert!(summation.dominant() == Dominant::Summation && close(summation.ratio(), 2.0));
         assert!(close(summation.standard_errors().unwrap(), 2.5) && !summation.is_significant());

@@ -55,7 +55,7 @@ pub struct UnderLaw<'a> {
     /// The law, as tables name it.
     pub law: &'a str,
     /// Whether its contacts pass from elastic to something else: a law of one regime is a limit of the others.
-    pub passes_regimes: bool,
+    pub is_elastic_plastic: bool,
     /// All pairs; those at equal load are used.
     pub pairs: &'a [Pair],
 }
@@ -66,18 +66,18 @@ pub enum Group {
     /// All.
     All,
     /// Those that pass from elastic to something else.
-    Passing,
+    ElasticPlastic,
 }
 
 impl Group {
     /// Both.
-    pub const ALL: [Self; 2] = [Self::All, Self::Passing];
+    pub const ALL: [Self; 2] = [Self::All, Self::ElasticPlastic];
 
     /// As tables name it.
     pub const fn name(self) -> &'static str {
         match self {
             Self::All => "all",
-            Self::Passing => "passing",
+            Self::ElasticPlastic => "passing",
         }
     }
 }
@@ -88,7 +88,7 @@ pub struct Influence {
     /// The laws; the others are compared with the first.
     pub laws: Vec<String>,
     /// Law by law, whether its contacts pass from elastic to something else.
-    pub passes_regimes: Vec<bool>,
+    pub is_elastic_plastic: Vec<bool>,
     /// Load by load, ascending, the same loads under every law.
     pub loads: Vec<AtLoad>,
 }
@@ -105,7 +105,7 @@ pub struct AtLoad {
     /// A/A_nom of the first law's sum.
     pub area_ratio: f64,
     /// Which laws pass from elastic to something else.
-    passing: Vec<bool>,
+    elastic_plastic: Vec<bool>,
     /// By measure.
     differences: [Differences; 2],
 }
@@ -127,7 +127,7 @@ impl AtLoad {
     }
 
     fn is_in(&self, group: Group, law: usize) -> bool {
-        group == Group::All || self.passing[law]
+        group == Group::All || self.elastic_plastic[law]
     }
 
     /// How far the laws of a group lie apart under a model, from the lowest to the highest; `None` of fewer than two.
@@ -174,7 +174,7 @@ impl AtLoad {
     /// Spread of the passing laws under the sum over the gap between the models under the first law; `None` where that
     /// gap may be none.
     pub fn law_over_summation(&self, measure: Measure) -> Option<f64> {
-        let law = self.spread(measure, Group::Passing, Kind::Deterministic)?;
+        let law = self.spread(measure, Group::ElasticPlastic, Kind::Deterministic)?;
         self.is_gap_detectable(measure, 0).then(|| law / self.gap(measure, 0).abs())
     }
 
@@ -194,7 +194,7 @@ impl AtLoad {
 
 /// A difference over the loads that count.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Weight {
+pub struct Effect {
     /// Mean of its sizes.
     pub mean: f64,
     /// The largest, with its sign.
@@ -214,15 +214,15 @@ impl Influence {
             first.filter(|pair| pair.pairing == Pairing::Load).map(|pair| pair.target).collect();
         targets.sort_unstable_by(f64::total_cmp);
         targets.dedup();
-        let passing: Vec<bool> = laws.iter().map(|law| law.passes_regimes).collect();
+        let elastic_plastic: Vec<bool> = laws.iter().map(|law| law.is_elastic_plastic).collect();
         let at = |target: f64| {
             let pairs: Option<Vec<Pair>> = laws.iter().map(|law| at_load(law.pairs, target)).collect();
-            pairs.map(|pairs| compared(target, &pairs, &passing, area, sigma))
+            pairs.map(|pairs| compared(target, &pairs, &elastic_plastic, area, sigma))
         };
         Self {
             laws: laws.iter().map(|law| law.law.to_owned()).collect(),
             loads: targets.into_iter().filter_map(at).collect(),
-            passes_regimes: passing,
+            is_elastic_plastic: elastic_plastic,
         }
     }
 
@@ -232,48 +232,48 @@ impl Influence {
     }
 
     /// Mean and largest magnitude of a difference over the loads that count; `None` where it is known at no load.
-    pub fn weight(&self, difference: impl Fn(&AtLoad) -> Option<f64>) -> Option<Weight> {
+    pub fn effect(&self, difference: impl Fn(&AtLoad) -> Option<f64>) -> Option<Effect> {
         let known: Vec<(f64, f64)> =
             self.counting().filter_map(|at| Some((at.pressure, difference(at)?))).collect();
         let (at, largest) = *known.iter().max_by(|a, b| a.1.abs().total_cmp(&b.1.abs()))?;
         let mean = known.iter().map(|(_, value)| value.abs()).sum::<f64>() / known.len() as f64;
-        Some(Weight { mean, largest, at })
+        Some(Effect { mean, largest, at })
     }
 
     /// The effect of the law under a model: the spread of the laws.
-    pub fn of_law(&self, measure: Measure, group: Group, kind: Kind) -> Option<Weight> {
-        self.weight(|at| at.spread(measure, group, kind))
+    pub fn of_law(&self, measure: Measure, group: Group, kind: Kind) -> Option<Effect> {
+        self.effect(|at| at.spread(measure, group, kind))
     }
 
     /// The effect of the summation method under a law: statistical against deterministic.
-    pub fn of_adding_up(&self, measure: Measure, law: usize) -> Option<Weight> {
-        self.weight(|at| Some(at.gap(measure, law)))
+    pub fn of_summation(&self, measure: Measure, law: usize) -> Option<Effect> {
+        self.effect(|at| Some(at.gap(measure, law)))
     }
 
     /// The effect of a law instead of the first one under a model.
-    pub fn of_choice(&self, measure: Measure, law: usize, kind: Kind) -> Option<Weight> {
-        self.weight(|at| Some(at.deviation(measure, law, kind)))
+    pub fn of_choice(&self, measure: Measure, law: usize, kind: Kind) -> Option<Effect> {
+        self.effect(|at| Some(at.deviation(measure, law, kind)))
     }
 
     /// The gap between the models under a law, in sampling errors of the sum.
-    pub fn of_standard_errors(&self, measure: Measure, law: usize) -> Option<Weight> {
-        self.weight(|at| Some(at.gap(measure, law) / at.sampling_error(measure, law)?))
+    pub fn of_standard_errors(&self, measure: Measure, law: usize) -> Option<Effect> {
+        self.effect(|at| Some(at.gap(measure, law) / at.sampling_error(measure, law)?))
     }
 
     /// The laws that a finding is over: those that pass from elastic to something else, or all where fewer than two do.
     pub fn group(&self) -> Group {
-        let passing = self.passes_regimes.iter().filter(|passes| **passes).count();
-        if passing > 1 { Group::Passing } else { Group::All }
+        let elastic_plastic = self.is_elastic_plastic.iter().filter(|passes| **passes).count();
+        if elastic_plastic > 1 { Group::ElasticPlastic } else { Group::All }
     }
 
     /// The sampling errors of the sums under a law.
-    pub fn of_sampling(&self, measure: Measure, law: usize) -> Option<Weight> {
-        self.weight(|at| at.sampling_error(measure, law))
+    pub fn of_sampling(&self, measure: Measure, law: usize) -> Option<Effect> {
+        self.effect(|at| at.sampling_error(measure, law))
     }
 }
 
 /// One pair a law at the load `pressure`.
-fn compared(pressure: f64, pairs: &[Pair], passing: &[bool], area: f64, sigma: f64) -> AtLoad {
+fn compared(pressure: f64, pairs: &[Pair], elastic_plastic: &[bool], area: f64, sigma: f64) -> AtLoad {
     let contacts = pairs.iter().map(|pair| pair.deterministic.contact_density * area);
     let fewest_contacts = contacts.fold(f64::INFINITY, f64::min);
     let interact = pairs.iter().any(Pair::is_beyond_model);
@@ -283,7 +283,7 @@ fn compared(pressure: f64, pairs: &[Pair], passing: &[bool], area: f64, sigma: f
         // Contacts are counted: the rounding of their density goes.
         counts: fewest_contacts.round() >= FEWEST_CONTACTS && !interact,
         area_ratio: pairs.first().map_or(0.0, |pair| pair.deterministic.area_ratio.total()),
-        passing: passing.to_vec(),
+        elastic_plastic: elastic_plastic.to_vec(),
         differences: Measure::ALL.map(|measure| differences(measure, pairs, sigma)),
     }
 }
@@ -332,8 +332,8 @@ mod tests {
         points.into_iter().map(pair).collect()
     }
 
-    fn under<'a>(law: &'a str, passes_regimes: bool, pairs: &'a [Pair]) -> UnderLaw<'a> {
-        UnderLaw { law, passes_regimes, pairs }
+    fn under<'a>(law: &'a str, is_elastic_plastic: bool, pairs: &'a [Pair]) -> UnderLaw<'a> {
+        UnderLaw { law, is_elastic_plastic, pairs }
     }
 
     #[test]
@@ -349,15 +349,15 @@ mod tests {
         let spread = |measure, group, kind| at.spread(measure, group, kind).unwrap();
         assert!(close(spread(Measure::Separation, Group::All, Kind::Statistical), 1.1));
         assert!(close(spread(Measure::Area, Group::All, Kind::Deterministic), 9f64.ln()));
-        assert!(close(spread(Measure::Area, Group::Passing, Kind::Deterministic), 1.5f64.ln()));
+        assert!(close(spread(Measure::Area, Group::ElasticPlastic, Kind::Deterministic), 1.5f64.ln()));
         let without = |law| at.spread_without(Measure::Separation, Group::All, Kind::Statistical, Some(law));
         assert!(close(without(2).unwrap(), 0.1) && close(without(1).unwrap(), 1.0));
-        assert_eq!(at.spread_without(Measure::Area, Group::Passing, Kind::Statistical, Some(0)), None);
+        assert_eq!(at.spread_without(Measure::Area, Group::ElasticPlastic, Kind::Statistical, Some(0)), None);
         assert!(close(at.deviation(Measure::Area, 1, Kind::Statistical), -ln2));
         assert!(close(at.gap(Measure::Separation, 0), 0.5) && close(at.gap(Measure::Area, 0), ln2));
         let (law, gap) = at.largest_gap(Measure::Area, Group::All).unwrap();
         assert!(law == 2 && close(gap, (4.0f64 / 9.0).ln()));
-        assert_eq!(at.largest_gap(Measure::Area, Group::Passing).unwrap().0, 0);
+        assert_eq!(at.largest_gap(Measure::Area, Group::ElasticPlastic).unwrap().0, 0);
         // 10 Pa over 1e10 Pa/m is 1e-9 m, a tenth of sigma; 1e-4 of 1e-3.
         assert!(close(at.sampling_error(Measure::Separation, 0).unwrap(), 0.1));
         assert!(close(at.sampling_error(Measure::Area, 0).unwrap(), 0.1));
@@ -380,13 +380,13 @@ mod tests {
         let found = Influence::of(&[under("a", true, &first), under("b", false, &second)], 1.0, 1e-8);
         let loads: Vec<(f64, bool)> = found.loads.iter().map(|at| (at.pressure, at.counts)).collect();
         assert_eq!(loads, [(1.0, true), (2.0, true), (4.0, false)]);
-        let gap = found.of_adding_up(Measure::Separation, 0).unwrap();
-        assert_eq!(gap, Weight { mean: 1.5, largest: -2.0, at: 2.0 });
+        let gap = found.of_summation(Measure::Separation, 0).unwrap();
+        assert_eq!(gap, Effect { mean: 1.5, largest: -2.0, at: 2.0 });
         let law = found.of_law(Measure::Separation, Group::All, Kind::Deterministic).unwrap();
-        assert_eq!(law, Weight { mean: 0.5, largest: 0.75, at: 2.0 });
+        assert_eq!(law, Effect { mean: 0.5, largest: 0.75, at: 2.0 });
         let choice = found.of_choice(Measure::Separation, 1, Kind::Deterministic).unwrap();
-        assert_eq!(choice, Weight { mean: 0.5, largest: -0.75, at: 2.0 });
-        assert_eq!(found.of_law(Measure::Separation, Group::Passing, Kind::Deterministic), None);
+        assert_eq!(choice, Effect { mean: 0.5, largest: -0.75, at: 2.0 });
+        assert_eq!(found.of_law(Measure::Separation, Group::ElasticPlastic, Kind::Deterministic), None);
     }
 
     #[test]

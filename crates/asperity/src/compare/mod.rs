@@ -6,7 +6,7 @@ mod departure;
 mod gap;
 mod influence;
 mod limit;
-mod rule;
+mod modulus_check;
 mod spread;
 mod threshold;
 mod validity;
@@ -14,9 +14,9 @@ mod validity;
 pub use attribution::{Attribution, Dominant};
 pub use departure::Departure;
 pub use gap::{FEWEST_CONTACTS, Gap, GapQuantity, Gaps, SIGNIFICANT};
-pub use influence::{AtLoad, DETECTABLE, Group, Influence, Measure, UnderLaw, Weight};
+pub use influence::{AtLoad, DETECTABLE, Effect, Group, Influence, Measure, UnderLaw};
 pub use limit::{Exact, LimitCase, LimitPoint, Quantity, SlopeFit, convergence};
-pub use rule::{GOOD_RATIO, RuleCheck, RuleError, RuleFindings, apart};
+pub use modulus_check::{GOOD_RATIO, ModulusCheck, ModulusError, ModulusFindings, apart};
 pub use spread::{Realisation, Scatter, Spread, SpreadFindings, spread};
 pub use threshold::threshold;
 pub use validity::PointCounts;
@@ -117,7 +117,7 @@ pub struct CurvePoint {
     /// Its value, in sigma, Pa or N.
     pub target: f64,
     /// The prescribed nominal pressure, Pa; `None` under separation control.
-    pub asked: Option<f64>,
+    pub prescribed_pressure: Option<f64>,
     /// The response there.
     pub response: Response,
     /// Whether the load lies in a jump of the law; see [`Reached::in_jump`].
@@ -221,7 +221,7 @@ pub fn of_each_decade<T>(items: impl IntoIterator<Item = T>, load: impl Fn(&T) -
 impl Comparison {
     /// The point of a model at the prescribed nominal pressure `pressure` (Pa).
     pub fn at_load(&self, kind: Kind, pressure: f64) -> Option<&CurvePoint> {
-        self.curves.iter().find(|point| point.kind == kind && point.asked == Some(pressure))
+        self.curves.iter().find(|point| point.kind == kind && point.prescribed_pressure == Some(pressure))
     }
 }
 
@@ -262,7 +262,7 @@ fn run(
         kind,
         control: Control::Separation,
         target,
-        asked: None,
+        prescribed_pressure: None,
         response,
         in_jump: false,
     }));
@@ -270,18 +270,27 @@ fn run(
     let pressures = controls.pressures.iter().map(|&pressure| (Control::Pressure, pressure, pressure));
     let forces = controls.forces.iter().map(|&force| (Control::Force, force, force / area));
     let loads: Vec<(Control, f64, f64)> = pressures.chain(forces).collect();
-    let asked: Vec<f64> = loads.iter().map(|&(_, _, pressure)| pressure).collect();
-    for ((control, target, pressure), answer) in loads.into_iter().zip(at_pressures(model, &asked)) {
+    let prescribed_pressure: Vec<f64> = loads.iter().map(|&(_, _, pressure)| pressure).collect();
+    for ((control, target, pressure), answer) in
+        loads.into_iter().zip(at_pressures(model, &prescribed_pressure))
+    {
         let Reached { response, in_jump } =
             answer.map_err(|unreachable| NotReached { kind, control, unreachable })?;
-        curve.push(CurvePoint { kind, control, target, asked: Some(pressure), response, in_jump });
+        curve.push(CurvePoint {
+            kind,
+            control,
+            target,
+            prescribed_pressure: Some(pressure),
+            response,
+            in_jump,
+        });
     }
     *time += start.elapsed();
     Ok(curve)
 }
 
 fn pair(statistical: &CurvePoint, deterministic: &CurvePoint) -> Pair {
-    let (pairing, target) = match statistical.asked {
+    let (pairing, target) = match statistical.prescribed_pressure {
         None => (Pairing::Separation, statistical.target),
         Some(pressure) => (Pairing::Load, pressure),
     };

@@ -71,7 +71,7 @@ mod tests {
             kind,
             control,
             target: 1.0,
-            asked: None,
+            prescribed_pressure: None,
             response: Response {
                 separation_over_sigma: 1.0,
                 separation: 1e-8,

@@ -1,8 +1,8 @@
 //! The flat body, and its contact with a rough one.
 
-use super::{Interface, Layered, MicroContact};
+use super::{Interface, LayeredInterface, MicroContact};
 use crate::law::{Inapplicable, Law, ScalableLaw};
-use crate::layer::{Coating, CoatingError, Rule};
+use crate::layer::{LayerError, LayeredFlat, ModulusModel};
 use crate::material::Material;
 
 /// The flat body.
@@ -11,11 +11,11 @@ pub enum Flat {
     /// One material.
     Bare(Material),
     /// A substrate under a layer of finite thickness.
-    Coated {
+    Layered {
         /// The body below.
         substrate: Material,
         /// Effective properties of layer and substrate.
-        coating: Coating,
+        layered: LayeredFlat,
     },
     /// Layer throughout (thickness infinity). Load ratios still refer to the substrate.
     AllLayer {
@@ -30,14 +30,16 @@ impl Flat {
     /// A layer of `thickness` (m) on a substrate: 0 is the substrate and infinity the layer, exactly.
     ///
     /// # Errors
-    /// See [`CoatingError`].
+    /// See [`LayerError`].
     pub fn with_layer(
         layer: &Material,
         substrate: &Material,
         thickness: f64,
-        rule: Rule,
-    ) -> Result<Self, CoatingError> {
-        Self::in_thickness(layer, substrate, thickness, || Coating::new(layer, substrate, thickness, rule))
+        model: ModulusModel,
+    ) -> Result<Self, LayerError> {
+        Self::in_thickness(layer, substrate, thickness, || {
+            LayeredFlat::new(layer, substrate, thickness, model)
+        })
     }
 
     /// The same; `coating` is called for a finite, positive thickness only.
@@ -48,13 +50,13 @@ impl Flat {
         layer: &Material,
         substrate: &Material,
         thickness: f64,
-        coating: impl FnOnce() -> Result<Coating, CoatingError>,
-    ) -> Result<Self, CoatingError> {
+        layered: impl FnOnce() -> Result<LayeredFlat, LayerError>,
+    ) -> Result<Self, LayerError> {
         let substrate = *substrate;
         Ok(match thickness {
             0.0 => Self::Bare(substrate),
             f64::INFINITY => Self::AllLayer { substrate, layer: *layer },
-            _ => Self::Coated { coating: coating()?, substrate },
+            _ => Self::Layered { layered: layered()?, substrate },
         })
     }
 
@@ -68,8 +70,8 @@ impl Flat {
         rough: &Material,
     ) -> Result<Box<dyn MicroContact>, Inapplicable> {
         match self {
-            Self::Coated { substrate, coating } => {
-                Ok(Box::new(Layered::new(law, rough, substrate, coating.clone())?))
+            Self::Layered { substrate, layered } => {
+                Ok(Box::new(LayeredInterface::new(law, rough, substrate, layered.clone())?))
             }
             _ => self.homogeneous_under(law, rough),
         }
@@ -86,7 +88,7 @@ impl Flat {
     ) -> Result<Box<dyn MicroContact>, Inapplicable> {
         match self {
             Self::Bare(flat) => Ok(Box::new(Interface::bare(law, rough, flat)?)),
-            Self::Coated { .. } => Err(Inapplicable::Layer { law: law.name() }),
+            Self::Layered { .. } => Err(Inapplicable::Layer { law: law.name() }),
             Self::AllLayer { substrate, layer } => {
                 Ok(Box::new(Interface::all_layer(law, rough, substrate, layer)?))
             }

@@ -6,7 +6,7 @@ use crate::accumulator::Accumulator;
 use crate::asperity::Asperities;
 use crate::contact::{Contact, Contacts, Regime};
 use crate::law::{Inapplicable, Pair, ScalableLaw, YieldLimits};
-use crate::layer::{Bounds, Coating};
+use crate::layer::{Bounds, LayeredFlat};
 use crate::literature::Paper;
 use crate::material::Material;
 use crate::numeric::interval::Interval;
@@ -19,9 +19,9 @@ use crate::shape::Shape;
 ///
 /// For the layer an elliptic asperity is the sphere whose elastic contact has the same area.
 #[derive(Debug, Clone)]
-pub struct Layered<L> {
+pub struct LayeredInterface<L> {
     law: L,
-    coating: Coating,
+    layered: LayeredFlat,
     /// (1 - nu^2)/E of the rough body, 1/Pa.
     rough_compliance: f64,
     /// Of the rough body.
@@ -68,7 +68,7 @@ struct EffectiveRange {
     strength_slope: Interval,
 }
 
-impl<L: ScalableLaw> Layered<L> {
+impl<L: ScalableLaw> LayeredInterface<L> {
     /// The contact of a rough body with `substrate` under `coating`.
     ///
     /// # Errors
@@ -77,10 +77,10 @@ impl<L: ScalableLaw> Layered<L> {
         law: L,
         rough: &Material,
         substrate: &Material,
-        coating: Coating,
+        layered: LayeredFlat,
     ) -> Result<Self, Inapplicable> {
         Pair::between(&law, rough, substrate)?;
-        let poisson = coating.poisson_range().hull(Interval::point(rough.poisson()));
+        let poisson = layered.poisson_range().hull(Interval::point(rough.poisson()));
         let [low, high] = [poisson.low, poisson.high].map(|nu| unit(L::ONSET.at(nu).recip()));
         let factors = law.jumps(&low).into_iter().zip(law.jumps(&high)).map(|(a, b)| Interval::between(a, b));
         let jumps = law.critical_ratios(&low).into_iter().zip(factors);
@@ -93,22 +93,22 @@ impl<L: ScalableLaw> Layered<L> {
             jumps: jumps.filter(|jump| reference.hardness.is_finite() && is_jump(jump)).collect(),
             strength_over_onset: low.yield_limits.strength,
             law,
-            coating,
+            layered,
             reference,
         })
     }
 
     fn yields(&self) -> bool {
-        self.rough.onset.is_finite() || self.coating.hardness_range().high.is_finite()
+        self.rough.onset.is_finite() || self.layered.hardness_range().high.is_finite()
     }
 
     /// The effective pair of spheres whose elastic contacts have the radius (b w)^.5.
     #[inline(always)]
     fn effective<N: Real>(&self, w: N, b: N) -> EffectivePair<N> {
-        let flat = self.coating.at(w, b);
+        let flat = self.layered.at(w, b);
         let nothing = w.splat(0.0);
         let (poisson, poisson_slope) =
-            if L::feels_poisson() { self.coating.poisson(w, b) } else { (nothing, nothing) };
+            if L::depends_on_poisson() { self.layered.poisson(w, b) } else { (nothing, nothing) };
         let reduced_modulus = w.splat(1.0) / (flat.compliance + self.rough_compliance);
         let of_flat = self.law.limits_at(flat.hardness, poisson);
         let rough = w.splat(self.rough.onset);
@@ -116,7 +116,7 @@ impl<L: ScalableLaw> Layered<L> {
         let onset = N::select(yields_first, of_flat.onset, rough);
         // Where the onset is the strength itself, nothing is compared twice.
         let (mut strength, mut onset_slope, mut is_weaker) = (onset, flat.hardness_slope, yields_first);
-        if L::feels_poisson() {
+        if L::depends_on_poisson() {
             let rough = w.splat(self.rough.strength);
             is_weaker = of_flat.strength.lt(rough);
             strength = N::select(is_weaker, of_flat.strength, rough);
@@ -131,7 +131,7 @@ impl<L: ScalableLaw> Layered<L> {
     }
 
     fn effective_over(&self, w: Interval, b: Interval) -> EffectiveRange {
-        let of_flat = self.coating.over(w, b);
+        let of_flat = self.layered.over(w, b);
         let modulus = (of_flat.compliance + self.rough_compliance).recip();
         let (onset, onset_slope) = Self::flat_onset(&of_flat);
         let (onset, onset_slope) = weaker(onset, onset_slope, self.rough.onset);
@@ -153,7 +153,7 @@ impl<L: ScalableLaw> Layered<L> {
     fn contacts_of<N: Real>(&self, w: N, radius: N, effective: &EffectivePair<N>) -> Contacts<N> {
         let contacts = self.law.contacts(w, radius, &effective.pair);
         let mut slope = effective.onset_slope;
-        if L::feels_poisson() {
+        if L::depends_on_poisson() {
             slope = N::select(contacts.plastic, effective.strength_slope, slope);
         }
         let stiffness = contacts.stiffness * ((effective.modulus_slope - slope) * 2.0 + 1.0)
@@ -199,22 +199,22 @@ impl<L: ScalableLaw> Layered<L> {
     }
 
     fn limits_of_flat(&self, w: f64, b: f64) -> YieldLimits {
-        let poisson = if L::feels_poisson() { self.coating.poisson(w, b).0 } else { 0.0 };
-        self.law.limits_at(self.coating.at(w, b).hardness, poisson)
+        let poisson = if L::depends_on_poisson() { self.layered.poisson(w, b).0 } else { 0.0 };
+        self.law.limits_at(self.layered.at(w, b).hardness, poisson)
     }
 
     /// Where the other body begins to yield first.
     fn onset_switches(&self, b: f64) -> Vec<f64> {
         /// Of ln w, w in m.
         const RANGE: [f64; 2] = [-100.0, 50.0];
-        if !(L::feels_poisson() && self.rough.onset.is_finite()) {
+        if !(L::depends_on_poisson() && self.rough.onset.is_finite()) {
             return Vec::new();
         }
         let level = self.rough.onset.ln();
         let value = |v: f64| self.limits_of_flat(v.exp(), b).onset.ln() - level;
         let over = |from: f64, to: f64| {
             let w = Interval { low: from.exp(), high: to.exp() };
-            let (onset, slope) = Self::flat_onset(&self.coating.over(w, Interval::point(b)));
+            let (onset, slope) = Self::flat_onset(&self.layered.over(w, Interval::point(b)));
             [onset.ln() + -level, slope]
         };
         sign_changes(&value, &over, RANGE[0], RANGE[1]).into_iter().map(f64::exp).collect()
@@ -252,14 +252,14 @@ fn weaker(value: Interval, slope: Interval, constant: f64) -> (Interval, Interva
     }
 }
 
-impl<L: ScalableLaw> LaneContacts for &Layered<L> {
+impl<L: ScalableLaw> LaneContacts for &LayeredInterface<L> {
     #[inline(always)]
     fn contacts<N: Real>(&self, w: N, radius: N, spheres: N) -> Contacts<N> {
         self.contacts_of(w, radius, &self.effective(w, spheres * radius)).times(spheres)
     }
 }
 
-impl<L: ScalableLaw> MicroContact for Layered<L> {
+impl<L: ScalableLaw> MicroContact for LayeredInterface<L> {
     #[inline]
     fn contact(&self, w: f64, shape: Shape) -> Contact {
         (&self).contacts(w, shape.radius, shape.spheres).into()
@@ -296,15 +296,15 @@ impl<L: ScalableLaw> MicroContact for Layered<L> {
         let b = shape.spheres * shape.radius;
         // An elastic contact does not depend on the hardness, nor a plastic one on the modulus.
         let regime = |w: f64| self.contact(w, shape).regime;
-        let modulus = self.coating.modulus_scales(b, self.rough_compliance);
+        let modulus = self.layered.modulus_scales(b, self.rough_compliance);
         points.extend(modulus.filter(|&w| regime(w) != Regime::Plastic));
         let yields = |w: f64| {
             let flat = self.limits_of_flat(w, b);
             flat.onset < self.rough.onset || flat.strength < self.rough.strength
         };
-        let hardness = self.coating.hardness_scales().into_iter();
+        let hardness = self.layered.hardness_scales().into_iter();
         points.extend(hardness.filter(|&w| regime(w) != Regime::Elastic && yields(w)));
-        points.extend(self.coating.indentation_of_hardness(self.rough.strength));
+        points.extend(self.layered.indentation_of_hardness(self.rough.strength));
         points.extend(self.onset_switches(b));
         points.sort_unstable_by(f64::total_cmp);
         points
@@ -313,7 +313,7 @@ impl<L: ScalableLaw> MicroContact for Layered<L> {
     fn may_decrease(&self, shapes: Shapes) -> Vec<Interval> {
         /// Pieces of the depth on which the hardness changes.
         const PIECES: i32 = 400;
-        let end = self.coating.depth();
+        let end = self.layered.depth();
         let wide = shapes.radii * shapes.spheres;
         // From a depth at which next to nothing of the layer is gone, to any.
         let place = |k: i32| match k {
@@ -353,6 +353,6 @@ impl<L: ScalableLaw> MicroContact for Layered<L> {
     }
 
     fn papers(&self) -> Vec<Paper> {
-        self.law.papers().iter().copied().chain(self.coating.papers()).collect()
+        self.law.papers().iter().copied().chain(self.layered.papers()).collect()
     }
 }

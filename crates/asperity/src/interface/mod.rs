@@ -2,20 +2,18 @@
 
 mod bare;
 mod batch;
-mod counted;
 mod flat;
 mod layered;
 
 pub use bare::Interface;
-pub use counted::Counted;
 pub use flat::Flat;
-pub use layered::Layered;
+pub use layered::LayeredInterface;
 
 use crate::accumulator::Accumulator;
 use crate::asperity::Asperities;
 use crate::contact::Contact;
 use crate::law::Inapplicable;
-use crate::layer::CoatingError;
+use crate::layer::LayerError;
 use crate::literature::Paper;
 use crate::material::{Material, reduced_modulus, softer_hardness};
 use crate::numeric::interval::Interval;
@@ -41,7 +39,7 @@ impl Reference {
 pub enum ContactError {
     /// The layered flat has no effective properties.
     #[error(transparent)]
-    Coating(#[from] CoatingError),
+    LayeredFlat(#[from] LayerError),
     /// The law does not apply to the bodies.
     #[error(transparent)]
     Law(#[from] Inapplicable),

@@ -69,14 +69,14 @@ impl Law for Ceb {
         let area = slope * (w + (w - critical));
         let pressure = pair.yield_limits.onset;
         let nowhere = !w.all_true();
-        let flowing = Contacts {
+        let between = Contacts {
             area,
             load: pressure * area,
             stiffness: pressure * slope * 2.0,
             elastic: nowhere,
             plastic: nowhere,
         };
-        Contacts::select(elastic, &springing, &flowing)
+        Contacts::select(elastic, &springing, &between)
     }
 
     fn critical_ratios(&self, pair: &Pair) -> Vec<f64> {

@@ -198,7 +198,7 @@ impl Law for JacksonGreen {
         let answer = self.at(v, pair);
         let critical_load = pair.yield_limits.onset * (2.0 / 3.0 * PI) * b * critical;
         let nowhere = !w.all_true();
-        let flowing = Contacts {
+        let between = Contacts {
             area: b * PI * w * answer.growth,
             load: critical_load * answer.load,
             stiffness: critical_load * answer.load_slope / w,
@@ -207,9 +207,9 @@ impl Law for JacksonGreen {
         };
         if elastic.any() {
             let springing = Hertz::elastic(w, b, pair.reduced_modulus);
-            return Contacts::select(elastic, &springing, &flowing);
+            return Contacts::select(elastic, &springing, &between);
         }
-        flowing
+        between
     }
 
     fn critical_ratios(&self, pair: &Pair) -> Vec<f64> {

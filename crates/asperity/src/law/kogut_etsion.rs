@@ -116,8 +116,8 @@ impl Law for KogutEtsion {
         }
         let u = w / critical;
         let plastic = w.splat(PLASTIC).le(u);
-        let flowing = elastic_plastic(w, b, u, critical, pair.yield_limits.onset);
-        in_range(w, b, pair, [elastic, plastic], flowing)
+        let between = elastic_plastic(w, b, u, critical, pair.yield_limits.onset);
+        in_range(w, b, pair, [elastic, plastic], between)
     }
 
     fn critical_ratios(&self, pair: &Pair) -> Vec<f64> {

@@ -350,7 +350,7 @@ pub trait ScalableLaw: Law + Clone {
     fn load_exponents(&self, u: Interval) -> Interval;
 
     /// Whether the onset depends on Poisson's ratio.
-    fn feels_poisson() -> bool {
+    fn depends_on_poisson() -> bool {
         Self::ONSET.slope != 0.0
     }
 

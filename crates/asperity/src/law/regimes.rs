@@ -5,16 +5,16 @@ use crate::contact::Contacts;
 use crate::numeric::interval::Interval;
 use crate::numeric::lanes::{Mask, Real};
 
-/// Hertz where contacts are `elastic`, Abbott and Firestone where they are `plastic`, `flowing` between.
+/// Hertz where contacts are `elastic`, Abbott and Firestone where they are `plastic`, and `between` elsewhere.
 #[inline(always)]
 pub(super) fn in_range<N: Real>(
     w: N,
     b: N,
     pair: &Pair<N>,
     [elastic, plastic]: [N::Mask; 2],
-    flowing: Contacts<N>,
+    between: Contacts<N>,
 ) -> Contacts<N> {
-    let mut contacts = flowing;
+    let mut contacts = between;
     if plastic.any() {
         contacts =
             Contacts::select(plastic, &FullyPlastic::plastic(w, b, pair.yield_limits.strength), &contacts);

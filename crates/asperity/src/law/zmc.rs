@@ -170,8 +170,8 @@ impl Law for Zmc {
         }
         let u = w / w1;
         let plastic = w.splat(self.transition_ratio).le(u);
-        let flowing = self.elastic_plastic(w, b, u, pair.yield_limits.onset);
-        in_range(w, b, pair, [elastic, plastic], flowing)
+        let between = self.elastic_plastic(w, b, u, pair.yield_limits.onset);
+        in_range(w, b, pair, [elastic, plastic], between)
     }
 
     fn critical_ratios(&self, pair: &Pair) -> Vec<f64> {

@@ -12,7 +12,7 @@ mod hardness;
 mod modulus;
 mod weights;
 
-pub use modulus::Rule;
+pub use modulus::ModulusModel;
 
 use crate::literature::{self, Paper};
 use crate::material::Material;
@@ -24,7 +24,7 @@ use modulus::EffectiveModulus;
 
 /// The effective properties of a layer of finite thickness on a substrate, whatever rough body presses on it.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Coating {
+pub struct LayeredFlat {
     inverse_thickness: f64,
     modulus: EffectiveModulus,
     hardness: Option<EffectiveHardness>,
@@ -32,7 +32,7 @@ pub struct Coating {
 
 /// A layered flat that has no effective properties.
 #[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
-pub enum CoatingError {
+pub enum LayerError {
     /// The thickness must be positive and finite; without a layer, and all layer, the flat is homogeneous.
     #[error("thickness {0} m; allowed: positive and finite")]
     Thickness(f64),
@@ -74,7 +74,7 @@ pub struct Bounds {
     pub hardness_slope: Interval,
 }
 
-impl Coating {
+impl LayeredFlat {
     /// A layer of `thickness` (m) on a substrate.
     ///
     /// # Errors
@@ -83,17 +83,17 @@ impl Coating {
         layer: &Material,
         substrate: &Material,
         thickness: f64,
-        rule: Rule,
-    ) -> Result<Self, CoatingError> {
+        model: ModulusModel,
+    ) -> Result<Self, LayerError> {
         if !is_positive(thickness) {
-            return Err(CoatingError::Thickness(thickness));
+            return Err(LayerError::Thickness(thickness));
         }
         if layer.hardness().is_some() != substrate.hardness().is_some() {
-            return Err(CoatingError::OneHardness);
+            return Err(LayerError::OneHardness);
         }
         Ok(Self {
             inverse_thickness: thickness.recip(),
-            modulus: EffectiveModulus::new(rule, layer, substrate),
+            modulus: EffectiveModulus::new(model, layer, substrate),
             hardness: EffectiveHardness::new(layer, substrate),
         })
     }
@@ -101,9 +101,9 @@ impl Coating {
     /// The papers that its equations are from.
     pub fn papers(&self) -> Vec<Paper> {
         let mut papers = vec![literature::PASARIBU_SCHIPPER_2005, literature::GAO_CHIU_LEE_1992];
-        papers.push(match self.modulus.rule() {
-            Rule::Gao => literature::SWAIN_MENCIK_1994,
-            Rule::Series => literature::SONG_PHARR_1999,
+        papers.push(match self.modulus.model() {
+            ModulusModel::Gao => literature::SWAIN_MENCIK_1994,
+            ModulusModel::Series => literature::SONG_PHARR_1999,
         });
         papers.extend(self.hardness.map(|_| literature::BHATTACHARYA_NIX_1988));
         papers
@@ -142,9 +142,9 @@ impl Coating {
     ///
     /// # Errors
     /// A thickness that is not positive and finite.
-    pub fn with_thickness(&self, thickness: f64) -> Result<Self, CoatingError> {
+    pub fn with_thickness(&self, thickness: f64) -> Result<Self, LayerError> {
         if !is_positive(thickness) {
-            return Err(CoatingError::Thickness(thickness));
+            return Err(LayerError::Thickness(thickness));
         }
         Ok(Self { inverse_thickness: thickness.recip(), ..self.clone() })
     }

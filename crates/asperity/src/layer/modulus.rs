@@ -16,7 +16,7 @@ const OCTAVES: Range<i32> = -24..24;
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
 #[cfg_attr(feature = "serde", derive(serde::Deserialize))]
 #[cfg_attr(feature = "serde", serde(rename_all = "kebab-case"))]
-pub enum Rule {
+pub enum ModulusModel {
     /// E_eff = E_s + (E_l - E_s) I0 (Eq. 15; Gao, Chiu and Lee 1992, Swain and Mencik 1994): exact to first order
     /// in the mismatch, good for E_l/E_s of 0.5 to 2.
     #[default]
@@ -25,7 +25,7 @@ pub enum Rule {
     Series,
 }
 
-impl Rule {
+impl ModulusModel {
     /// Both.
     pub const ALL: [Self; 2] = [Self::Gao, Self::Series];
 
@@ -61,20 +61,20 @@ pub(super) struct EffectiveModulus {
 
 #[derive(Debug, Clone, Copy, PartialEq)]
 struct Sides {
-    rule: Rule,
+    model: ModulusModel,
     layer: Side,
     substrate: Side,
 }
 
 impl EffectiveModulus {
-    pub(super) fn new(rule: Rule, layer: &Material, substrate: &Material) -> Self {
-        let sides = Sides::new(rule, layer, substrate);
+    pub(super) fn new(model: ModulusModel, layer: &Material, substrate: &Material) -> Self {
+        let sides = Sides::new(model, layer, substrate);
         let table = Table::of(OCTAVES, |inverse| sides.at(inverse).0);
         Self { sides, table: Arc::new(table), poisson: Arc::default() }
     }
 
-    pub(super) fn rule(&self) -> Rule {
-        self.sides.rule
+    pub(super) fn model(&self) -> ModulusModel {
+        self.sides.model
     }
 
     /// nu_eff (Eq. 14) at `inverse` = 1/xi = a/t.
@@ -128,9 +128,9 @@ impl EffectiveModulus {
         const NEAR: f64 = 1e-9;
         let (value, slope) = self.sides.at(NEAR);
         let growth = slope / (value * NEAR);
-        let pole = match self.sides.rule {
-            Rule::Gao => (1.0 + value / beside) / -growth,
-            Rule::Series => (1.0 + beside / value) / growth,
+        let pole = match self.sides.model {
+            ModulusModel::Gao => (1.0 + value / beside) / -growth,
+            ModulusModel::Series => (1.0 + beside / value) / growth,
         };
         if pole > 0.0 { pole } else { f64::INFINITY }
     }
@@ -142,10 +142,10 @@ impl EffectiveModulus {
 }
 
 impl Sides {
-    fn new(rule: Rule, layer: &Material, substrate: &Material) -> Self {
-        let modulus = |body: &Material| match rule {
-            Rule::Gao => body.young(),
-            Rule::Series => 2.0 * (1.0 + body.poisson()) / body.young(),
+    fn new(model: ModulusModel, layer: &Material, substrate: &Material) -> Self {
+        let modulus = |body: &Material| match model {
+            ModulusModel::Gao => body.young(),
+            ModulusModel::Series => 2.0 * (1.0 + body.poisson()) / body.young(),
         };
         let side = |from: &Material, to: &Material| Side {
             poisson: from.poisson(),
@@ -153,7 +153,7 @@ impl Sides {
             modulus: modulus(from),
             modulus_step: modulus(to) - modulus(from),
         };
-        Self { rule, layer: side(layer, substrate), substrate: side(substrate, layer) }
+        Self { model, layer: side(layer, substrate), substrate: side(substrate, layer) }
     }
 
     /// The body that weighs more.
@@ -187,12 +187,12 @@ impl Sides {
         let weight_slope = weights.slope_of_modulus(poisson)
             - 0.5 * (weights.log + weights.pole) * rest * rest * poisson_slope;
         let modulus_slope = self.substrate.modulus_step * weight_slope / modulus;
-        let (value, slope) = match self.rule {
-            Rule::Gao => (
+        let (value, slope) = match self.model {
+            ModulusModel::Gao => (
                 (1.0 - poisson) * (1.0 + poisson) / modulus,
                 -2.0 * poisson * rest / (1.0 + poisson) * poisson_slope - modulus_slope,
             ),
-            Rule::Series => (0.5 * (1.0 - poisson) * modulus, modulus_slope - rest * poisson_slope),
+            ModulusModel::Series => (0.5 * (1.0 - poisson) * modulus, modulus_slope - rest * poisson_slope),
         };
         (value, -value * slope)
     }
@@ -216,8 +216,8 @@ impl Sides {
         let weight_slope = (swell + (poisson * -2.0 + 1.0) * log) * rest * 0.5
             - (log + pole) * rest * rest * poisson_slope * 0.5;
         let modulus_slope = weight_slope * modulus.recip() * self.substrate.modulus_step;
-        let (value, slope) = match self.rule {
-            Rule::Gao => {
+        let (value, slope) = match self.model {
+            ModulusModel::Gao => {
                 let plane = Interval::between(
                     (1.0 - poisson.low) * (1.0 + poisson.low),
                     (1.0 - poisson.high) * (1.0 + poisson.high),
@@ -225,7 +225,7 @@ impl Sides {
                 let share = poisson * rest * (poisson + 1.0).recip();
                 (plane * modulus.recip(), -(share * poisson_slope * 2.0) - modulus_slope)
             }
-            Rule::Series => ((-poisson + 1.0) * modulus * 0.5, modulus_slope - rest * poisson_slope),
+            ModulusModel::Series => ((-poisson + 1.0) * modulus * 0.5, modulus_slope - rest * poisson_slope),
         };
         // ln xi falls as ln(1/xi) grows.
         [(value, -(value * slope)), (poisson, -poisson_slope)]
@@ -240,12 +240,12 @@ mod tests {
     #[test]
     fn the_table_is_the_formula() {
         let mut worst = (0.0f64, 0.0f64);
-        for rule in Rule::ALL {
+        for model in ModulusModel::ALL {
             for ratio in [1e-6, 1e-3, 0.1, 0.9, 1.1, 10.0, 1e3, 1e6] {
                 for (nu_layer, nu_substrate) in [(0.0, 0.499), (0.499, 0.0), (0.3, 0.3)] {
                     let body = |young, nu| Material::new(young, nu, None, None).unwrap();
                     let pair = (body(ratio * 1e11, nu_layer), body(1e11, nu_substrate));
-                    let modulus = EffectiveModulus::new(rule, &pair.0, &pair.1);
+                    let modulus = EffectiveModulus::new(model, &pair.0, &pair.1);
                     for k in -4000..4000 {
                         let inverse = (f64::from(k) * 4.1e-3).exp();
                         let (value, slope) = modulus.table.at(inverse).unwrap();

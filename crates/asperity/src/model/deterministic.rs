@@ -27,7 +27,7 @@ pub struct Deterministic<'a, C: ?Sized> {
     asperities: Asperities<'a>,
     plane: ReferencePlane,
     /// Found when a load is first prescribed.
-    falls: OnceLock<Option<DecreasingLoads>>,
+    decreasing: OnceLock<Option<DecreasingLoads>>,
 }
 
 /// Where the loads of asperities may decrease.
@@ -119,7 +119,7 @@ const TASKS: usize = 32;
 impl<'a, C: MicroContact + ?Sized> Deterministic<'a, C> {
     /// The model of asperities, with separations measured as `plane` says.
     pub fn new(contact: &'a C, asperities: Asperities<'a>, plane: ReferencePlane) -> Self {
-        Self { contact, asperities, plane, falls: OnceLock::new() }
+        Self { contact, asperities, plane, decreasing: OnceLock::new() }
     }
 
     /// The sums over the asperities above `separation` (m, in the frame of the set's heights).
@@ -179,7 +179,7 @@ impl<'a, C: MicroContact + ?Sized> Deterministic<'a, C> {
     }
 
     fn decreasing_loads(&self) -> Option<&DecreasingLoads> {
-        self.falls.get_or_init(|| DecreasingLoads::of(self.contact, self.asperities)).as_ref()
+        self.decreasing.get_or_init(|| DecreasingLoads::of(self.contact, self.asperities)).as_ref()
     }
 
     /// A separation in the frame of the heights, m.
@@ -202,9 +202,9 @@ impl<'a, C: MicroContact + ?Sized> Deterministic<'a, C> {
 
     /// The highest pressure that any separation from `low` to `high` could carry, were each asperity at its own
     /// worst, and bounds of the sum of all dP/dd (N/m) over them.
-    fn pressure_over(&self, low: f64, high: f64, falls: &DecreasingLoads) -> (f64, Interval) {
+    fn pressure_over(&self, low: f64, high: f64, decreasing: &DecreasingLoads) -> (f64, Interval) {
         let (near, far) = (self.absolute(low), self.absolute(high));
-        let touching = falls.ordered.above(near);
+        let touching = decreasing.ordered.above(near);
         let (load, slopes) = in_chunks(
             touching.count(),
             |chunk| {
@@ -213,7 +213,7 @@ impl<'a, C: MicroContact + ?Sized> Deterministic<'a, C> {
                     let (z, shape) = (touching.heights()[i], touching.shape(i));
                     let indentations = Interval { low: (z - far).max(0.0), high: z - near };
                     // Where the load rises it is highest at the end, and no slope is below zero.
-                    let bounds = if falls.is_monotonic(i, indentations) {
+                    let bounds = if decreasing.is_monotonic(i, indentations) {
                         LoadBounds {
                             highest: self.contact.contact(z - near, shape).load,
                             slopes: Interval { low: 0.0, high: f64::INFINITY },
@@ -269,15 +269,15 @@ impl<C: MicroContact + ?Sized> Model for Deterministic<'_, C> {
     fn separations_at(&self, pressures: &[f64]) -> Vec<Option<f64>> {
         let in_sigma = |separation: f64| (separation - self.plane.mean) / self.plane.sigma;
         let highest = in_sigma(self.asperities.highest()).max(LOWEST_SEPARATION);
-        let falls = self.decreasing_loads();
-        let falling_from = falls.map_or(LOWEST_SEPARATION, |falls| in_sigma(falls.from));
+        let decreasing = self.decreasing_loads();
+        let falling_from = decreasing.map_or(LOWEST_SEPARATION, |decreasing| in_sigma(decreasing.from));
         let falling_from = falling_from.clamp(LOWEST_SEPARATION, highest);
         let mut found = self.last_reaching(pressures, falling_from, highest);
-        if let Some(falls) = falls {
+        if let Some(decreasing) = decreasing {
             let missing = found.par_iter_mut().zip(pressures).filter(|(found, _)| found.is_none());
             missing.for_each(|(found, &pressure)| {
                 let value = |h: f64| self.pressure(h);
-                let bound = |low, high| self.pressure_over(low, high, falls);
+                let bound = |low, high| self.pressure_over(low, high, decreasing);
                 *found = last_reaching_bounded(&value, &bound, pressure, LOWEST_SEPARATION, falling_from);
             });
         }

@@ -36,7 +36,7 @@ struct Parser<'a> {
 }
 
 impl Parser<'_> {
-    /// The next character that is no space.
+    /// The next roughness that is no space.
     fn peek(&mut self) -> Option<char> {
         let rest = self.rest();
         self.place += rest.len() - rest.trim_start().len();
@@ -88,12 +88,12 @@ impl Parser<'_> {
         let quote = self.peek()?;
         let begin = self.place + quote.len_utf8();
         let mut is_escaped = false;
-        for (length, character) in self.text[begin..].char_indices() {
-            if character == quote && !is_escaped {
+        for (length, roughness) in self.text[begin..].char_indices() {
+            if roughness == quote && !is_escaped {
                 self.place = begin + length + quote.len_utf8();
                 return Some(self.text[begin..begin + length].to_owned());
             }
-            is_escaped = character == '\\' && !is_escaped;
+            is_escaped = roughness == '\\' && !is_escaped;
         }
         None
     }

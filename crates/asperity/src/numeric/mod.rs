@@ -1,16 +1,17 @@
 //! Numerical tools that know no physics: quadrature, root search, sums in a fixed order, tables of functions.
 
-pub mod interval;
+pub(crate) mod interval;
 pub mod lanes;
 pub(crate) mod levels;
 pub(crate) mod power;
 pub mod quadrature;
 pub(crate) mod root;
 pub(crate) mod stored;
-pub mod sum;
+pub(crate) mod sum;
 pub(crate) mod table;
 
-pub use sum::Sum;
+pub use interval::Interval;
+pub use sum::{Sum, in_chunks};
 
 /// The largest magnitude of any input: loads of such numbers, their squares
 /// and sums neither overflow nor vanish.

@@ -239,12 +239,12 @@ mod tests {
     use super::*;
     use crate::topography::Moments;
     use crate::topography::generate::gaussian;
-    use crate::topography::spectrum::{Lay, Shape, Spectrum};
+    use crate::topography::spectrum::{Lay, Spectrum, SpectrumShape};
 
     const POINTS: [usize; 2] = [256, 200];
     const PIXEL: [f64; 2] = [0.5, 0.8];
 
-    fn surface(shape: Shape, lay: Lay, seed: u8) -> (HeightMap, GridSpectrum) {
+    fn surface(shape: SpectrumShape, lay: Lay, seed: u8) -> (HeightMap, GridSpectrum) {
         let spectrum = Spectrum::new(shape, lay).unwrap().on_grid(POINTS, PIXEL);
         let heights = gaussian(&spectrum, 3.0, [seed; 32]);
         (HeightMap::new(POINTS, PIXEL, heights, 0.0).unwrap().periodic(), spectrum)
@@ -253,7 +253,7 @@ mod tests {
     #[test]
     fn the_spectrum_adds_up_to_the_variance_and_is_the_one_asked_for() {
         let (hurst, roll_off, cut_off) = (0.7, 20.0, 2.0);
-        let shape = Shape::SelfAffine { hurst, roll_off, cut_off };
+        let shape = SpectrumShape::SelfAffine { hurst, roll_off, cut_off };
         let (_, grid) = surface(shape, Lay::default(), 1);
         let asked = RadialSpectrum::asked(&grid, PIXEL, 3.0);
         let mut reached = vec![0.0; asked.rings.len()];
@@ -280,8 +280,8 @@ mod tests {
     #[test]
     fn autocorrelations_are_those_asked_for() {
         for (shape, exact) in [
-            (Shape::Gaussian(4.0), (|r: f64| (-(r / 4.0).powi(2)).exp()) as fn(f64) -> f64),
-            (Shape::Exponential(4.0), |r: f64| (-r / 4.0).exp()),
+            (SpectrumShape::Gaussian(4.0), (|r: f64| (-(r / 4.0).powi(2)).exp()) as fn(f64) -> f64),
+            (SpectrumShape::Exponential(4.0), |r: f64| (-r / 4.0).exp()),
         ] {
             let mut mean = [0.0; 12];
             for seed in 0..30 {
@@ -301,7 +301,7 @@ mod tests {
         let lay = Lay { elongation: 4.0, angle: 0.5 };
         let mut found = [0.0; 2];
         for seed in 0..20 {
-            let of = Autocorrelation::of(&surface(Shape::Gaussian(3.0), lay, seed).0, 0.0).unwrap();
+            let of = Autocorrelation::of(&surface(SpectrumShape::Gaussian(3.0), lay, seed).0, 0.0).unwrap();
             found[0] += of.length.unwrap() / 20.0;
             found[1] += of.aspect.unwrap() / 20.0;
         }
@@ -313,7 +313,7 @@ mod tests {
     /// On an open map with holes pairs are counted one by one.
     #[test]
     fn pairs_of_an_open_map_with_missing_points() {
-        let (map, _) = surface(Shape::Exponential(3.0), Lay::default(), 3);
+        let (map, _) = surface(SpectrumShape::Exponential(3.0), Lay::default(), 3);
         let mut heights = map.into_heights();
         heights.iter_mut().step_by(17).for_each(|z| *z = f64::NAN);
         let map = HeightMap::new(POINTS, PIXEL, heights, 0.0).unwrap();
@@ -344,7 +344,7 @@ mod tests {
     fn white_noise_has_its_density_within_open_borders_too() {
         let mut found = [0.0; 2];
         for seed in 0..8 {
-            let map = surface(Shape::Gaussian(0.05), Lay::default(), seed).0;
+            let map = surface(SpectrumShape::Gaussian(0.05), Lay::default(), seed).0;
             let open = HeightMap::new(POINTS, PIXEL, map.heights().to_vec(), 0.0).unwrap();
             for (found, map) in found.iter_mut().zip([map, open]) {
                 let mean = Moments::of(&map).mean;
@@ -360,7 +360,7 @@ mod tests {
     /// C(q) = sigma^2 l^2/(4 pi) exp(-(q l/2)^2); the longest wave is alone in its ring.
     #[test]
     fn the_spectrum_asked_for_is_that_of_an_endless_surface() {
-        let spectrum = Spectrum::new(Shape::Gaussian(10.0), Lay::default()).unwrap();
+        let spectrum = Spectrum::new(SpectrumShape::Gaussian(10.0), Lay::default()).unwrap();
         let (q, density) = RadialSpectrum::asked(&spectrum.on_grid(POINTS, PIXEL), PIXEL, 3.0).rings[0];
         assert!((q / (TAU / 160.0) - 1.0).abs() < 1e-12);
         let exact = 9.0 * 100.0 / (4.0 * PI) * (-(5.0 * q).powi(2)).exp();

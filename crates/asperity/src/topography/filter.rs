@@ -156,7 +156,7 @@ fn weights(index: f64) -> Vec<f64> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::topography::character::Character;
+    use crate::topography::roughness::RoughnessParameters;
 
     const POINTS: [usize; 2] = [120, 80];
     const PIXEL: [f64; 2] = [0.5, 0.8];
@@ -193,7 +193,7 @@ mod tests {
     fn a_flat_map_stays_flat_to_its_borders_and_around_holes() {
         let holed = map(|x, y| if (x - 30.0).abs() + (y - 20.0).abs() < 5.0 { f64::NAN } else { 7.0 });
         let flat = filtered(&holed, Some(8.0), None);
-        assert_eq!(Character::of(&flat).missing, Character::of(&holed).missing);
+        assert_eq!(RoughnessParameters::of(&flat).missing, RoughnessParameters::of(&holed).missing);
         assert!(flat.heights().iter().all(|z| z.is_nan() || (z - 7.0).abs() < 1e-13));
         let nothing = filtered(&holed, Some(2.0), Some(8.0));
         assert!(nothing.heights().iter().all(|z| z.is_nan() || z.abs() < 1e-13));

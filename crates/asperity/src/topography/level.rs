@@ -223,7 +223,7 @@ impl Normal {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::topography::character::Character;
+    use crate::topography::roughness::RoughnessParameters;
 
     fn map(height: impl Fn(f64, f64) -> f64) -> HeightMap {
         let heights = (0..40 * 30).map(|k| height((k / 30) as f64, (k % 30) as f64)).collect();
@@ -249,7 +249,7 @@ mod tests {
     fn missing_points_stay_missing_and_do_not_count() {
         let holed = map(|x, y| if x > 20.0 && y < 9.0 { f64::NAN } else { 1e6 + 0.3 * x - 0.7 * y });
         let levelled = Level::Plane.apply(&holed).unwrap();
-        assert_eq!(Character::of(&levelled).missing, Character::of(&holed).missing);
+        assert_eq!(RoughnessParameters::of(&levelled).missing, RoughnessParameters::of(&holed).missing);
         assert!(largest(&levelled) < 1e-9);
     }
 

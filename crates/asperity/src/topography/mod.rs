@@ -1,31 +1,27 @@
 //! Height maps: what a measured surface is, and how asperities are found on it.
 //!
-//! | module | what lives there |
+//! | here | what it is |
 //! |---|---|
-//! | [`rows`] | heights row by row, so that a map need not be in memory |
-//! | [`read`] | one file a format |
-//! | [`generate`] | random rough surfaces |
-//! | [`spectrum`] | how much of the height variance each wave carries |
-//! | [`fourier`] | transforms in the memory of the map |
-//! | [`height_transform`] | maps from Gaussian fields to other height distributions |
-//! | [`level`] | taking out the form |
-//! | [`filter`] | Gaussian S and L filters |
+//! | [`HeightMap`], [`Rows`] | heights in memory, and row by row, so that a map need not be in memory |
+//! | [`read`] | measured maps, one file per format |
+//! | [`Level`], [`Filter`] | removing the form; Gaussian S and L filters |
 //! | [`summits`] | summits and their curvatures |
-//! | [`character`] | what a surface is: height and spectral moments, autocorrelation |
-//! | [`correlation`] | radial power spectrum and autocorrelation of a map |
-//! | [`theory`] | the summits that a Gaussian surface of that autocorrelation has |
-//! | [`quantisation`] | are the heights on steps of the instrument? |
+//! | [`RoughnessParameters`], [`Moments`], [`Drops`] | height and spectral moments, the autocorrelation at neighbours |
+//! | [`RadialSpectrum`], [`Autocorrelation`] | of a map |
+//! | [`theory`] | the summits of a Gaussian surface of given spectral moments or autocorrelation |
+//! | [`Quantisation`] | whether the heights lie on steps of the instrument |
+//! | [`generate`], [`spectrum`] | random rough surfaces, and how much of the height variance each wave carries |
 
-pub mod character;
-pub mod correlation;
-pub mod filter;
-pub mod fourier;
+mod correlation;
+mod filter;
+mod fourier;
 pub mod generate;
-pub mod height_transform;
-pub mod level;
-pub mod quantisation;
+mod height_transform;
+mod level;
+mod quantisation;
 pub mod read;
-pub mod rows;
+mod roughness;
+mod rows;
 pub mod spectrum;
 pub mod summits;
 pub mod theory;
@@ -40,8 +36,12 @@ use rayon::prelude::*;
 use crate::memory::zeros;
 use crate::npy;
 use crate::numeric::is_positive;
-pub use character::Moments;
-pub use rows::{Boundary, Rows};
+pub use correlation::{Autocorrelation, RadialSpectrum};
+pub use filter::{Filter, FilterError};
+pub use level::{Form, Level, Levelled, Undetermined};
+pub use quantisation::Quantisation;
+pub use roughness::{Drops, Moments, RoughnessParameters};
+pub use rows::{Boundary, Rows, Strip, strips};
 
 /// Heights on a rectangular grid. A missing point is NaN.
 #[derive(Debug, Clone, PartialEq)]

@@ -17,13 +17,13 @@ const LENGTHS_ACROSS: f64 = 10.0;
 /// A spectrum of unit variance, by its shape and its lay.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Spectrum {
-    shape: Shape,
+    shape: SpectrumShape,
     lay: Lay,
 }
 
 /// The shape of a spectrum.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub enum Shape {
+pub enum SpectrumShape {
     /// Power spectral density constant up to the wave number of `roll_off`, falling as q^(-2 (1 + hurst)) to that of
     /// `cut_off`, zero beyond (Persson et al. 2005, section 2). Wavelengths in m.
     SelfAffine {
@@ -40,7 +40,7 @@ pub enum Shape {
     Exponential(f64),
 }
 
-/// The lay: lengths along it are `elongation` times those of the [`Shape`], which are across it.
+/// The lay: lengths along it are `elongation` times those of the [`SpectrumShape`], which are across it.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Lay {
     /// Lengths along the lay over those across it.
@@ -116,15 +116,15 @@ impl Spectrum {
     ///
     /// # Errors
     /// Numbers outside the ranges of [`SpectrumError`].
-    pub fn new(shape: Shape, lay: Lay) -> Result<Self, SpectrumError> {
+    pub fn new(shape: SpectrumShape, lay: Lay) -> Result<Self, SpectrumError> {
         let lengths = match shape {
-            Shape::SelfAffine { hurst, roll_off, cut_off } => {
+            SpectrumShape::SelfAffine { hurst, roll_off, cut_off } => {
                 if !(0.0..=1.0).contains(&hurst) {
                     return Err(SpectrumError::Hurst(hurst));
                 }
                 [roll_off, cut_off]
             }
-            Shape::Gaussian(length) | Shape::Exponential(length) => [length; 2],
+            SpectrumShape::Gaussian(length) | SpectrumShape::Exponential(length) => [length; 2],
         };
         if let Some(&length) = lengths.iter().find(|&&length| !is_positive(length)) {
             return Err(SpectrumError::Length(length));
@@ -139,7 +139,7 @@ impl Spectrum {
     }
 
     /// Its shape.
-    pub fn shape(&self) -> Shape {
+    pub fn shape(&self) -> SpectrumShape {
         self.shape
     }
 
@@ -160,7 +160,7 @@ impl Spectrum {
             let (size, pixel) = (points[axis] as f64 * pixel[axis], pixel[axis]);
             let extent = self.lay.extent(axis);
             match self.shape {
-                Shape::SelfAffine { roll_off, cut_off, .. } => {
+                SpectrumShape::SelfAffine { roll_off, cut_off, .. } => {
                     let cut_off = cut_off / self.lay.shortening(axis);
                     if cut_off * ROOM < 2.0 * pixel {
                         return Err(SpectrumError::BelowPixel { cut_off, pixel });
@@ -170,7 +170,7 @@ impl Spectrum {
                         return Err(SpectrumError::TooLong { what: "roll-off", length, size, part: "all" });
                     }
                 }
-                Shape::Gaussian(length) | Shape::Exponential(length) => {
+                SpectrumShape::Gaussian(length) | SpectrumShape::Exponential(length) => {
                     let length = length * extent;
                     if length * ROOM < pixel {
                         return Err(SpectrumError::Unresolved { length, pixel });
@@ -190,16 +190,16 @@ impl Spectrum {
     pub fn autocorrelation(&self, distance: [f64; 2]) -> Option<f64> {
         let r = self.lay.squared(distance, self.lay.elongation.recip()).sqrt();
         match self.shape {
-            Shape::SelfAffine { .. } => None,
-            Shape::Gaussian(length) => Some((-(r / length).powi(2)).exp()),
-            Shape::Exponential(length) => Some((-r / length).exp()),
+            SpectrumShape::SelfAffine { .. } => None,
+            SpectrumShape::Gaussian(length) => Some((-(r / length).powi(2)).exp()),
+            SpectrumShape::Exponential(length) => Some((-r / length).exp()),
         }
     }
 
     /// The spectrum on a periodic grid of `points` that are `pixel` (m) apart.
     pub fn on_grid(&self, points: [usize; 2], pixel: [f64; 2]) -> GridSpectrum {
         let kind = match self.shape {
-            Shape::SelfAffine { hurst, roll_off, cut_off } => Kind::PowerLaw {
+            SpectrumShape::SelfAffine { hurst, roll_off, cut_off } => Kind::PowerLaw {
                 step: [0, 1].map(|axis| TAU / (points[axis] as f64 * pixel[axis])),
                 lay: self.lay,
                 roll_off: (TAU / roll_off).powi(2),
@@ -215,9 +215,9 @@ impl Spectrum {
     /// Where the autocorrelation has fallen below 1e-14, m across the lay.
     fn reach(&self) -> f64 {
         match self.shape {
-            Shape::SelfAffine { roll_off, .. } => roll_off,
-            Shape::Gaussian(length) => 5.7 * length,
-            Shape::Exponential(length) => 32.3 * length,
+            SpectrumShape::SelfAffine { roll_off, .. } => roll_off,
+            SpectrumShape::Gaussian(length) => 5.7 * length,
+            SpectrumShape::Exponential(length) => 32.3 * length,
         }
     }
 
@@ -411,11 +411,11 @@ mod tests {
         let (points, pixel) = ([100, 84], [1.0, 1.2]);
         let turned = Lay { elongation: 2.0, angle: 0.6 };
         for (shape, lay) in [
-            (Shape::Exponential(10.0), Lay::default()),
-            (Shape::Gaussian(10.0), Lay::default()),
-            (Shape::Exponential(5.0), turned),
-            (Shape::Gaussian(5.0), turned),
-            (Shape::Gaussian(1.3), Lay::default()),
+            (SpectrumShape::Exponential(10.0), Lay::default()),
+            (SpectrumShape::Gaussian(10.0), Lay::default()),
+            (SpectrumShape::Exponential(5.0), turned),
+            (SpectrumShape::Gaussian(5.0), turned),
+            (SpectrumShape::Gaussian(1.3), Lay::default()),
         ] {
             let spectrum = Spectrum::new(shape, lay).unwrap();
             spectrum.check(points, pixel).unwrap();
@@ -441,18 +441,21 @@ mod tests {
         let check = |shape, lay, points| Spectrum::new(shape, lay).unwrap().check(points, [1.0; 2]);
         let along_x = lay(10.0, 0.0);
         let along_y = lay(10.0, std::f64::consts::FRAC_PI_2);
-        assert!(check(Shape::Gaussian(5.0), along_x, [500, 50]).is_ok());
-        assert!(check(Shape::Exponential(5.1), along_x, [600, 50]).is_err(), "longer than a tenth of y");
-        assert!(check(Shape::Gaussian(5.0), along_y, [500, 50]).is_err());
-        assert!(check(Shape::Gaussian(5.0), along_y, [50, 500]).is_ok());
-        let affine = |roll_off, cut_off| Shape::SelfAffine { hurst: 0.8, roll_off, cut_off };
+        assert!(check(SpectrumShape::Gaussian(5.0), along_x, [500, 50]).is_ok());
+        assert!(
+            check(SpectrumShape::Exponential(5.1), along_x, [600, 50]).is_err(),
+            "longer than a tenth of y"
+        );
+        assert!(check(SpectrumShape::Gaussian(5.0), along_y, [500, 50]).is_err());
+        assert!(check(SpectrumShape::Gaussian(5.0), along_y, [50, 500]).is_ok());
+        let affine = |roll_off, cut_off| SpectrumShape::SelfAffine { hurst: 0.8, roll_off, cut_off };
         assert!(check(affine(20.0, 4.0), along_x, [200, 20]).is_ok());
         assert!(check(affine(20.0, 4.0), lay(10.0, 0.1), [200, 20]).is_err());
         // Across the lay waves are short, along it long: what counts is the shortest along each axis.
         assert!(check(affine(20.0, 4.0), lay(0.4, 0.0), [64, 64]).is_err());
         assert!(check(affine(20.0, 4.0), lay(0.5, 0.0), [64, 64]).is_ok());
         assert!(Spectrum::new(affine(3.0, 4.0), Lay::default()).is_err());
-        assert!(Spectrum::new(Shape::Gaussian(f64::NAN), Lay::default()).is_err());
+        assert!(Spectrum::new(SpectrumShape::Gaussian(f64::NAN), Lay::default()).is_err());
     }
 
     /// Persson et al. 2005, with the lay turned to the x axis.
@@ -461,7 +464,7 @@ mod tests {
         let (points, pixel) = ([50, 36], [1.0, 1.5]);
         let (hurst, roll_off, cut_off) = (0.7, 20.0, 6.0);
         for (elongation, angle) in [(1.0, 0.0), (2.0, 0.0), (2.0, 0.6), (0.5, -0.6)] {
-            let shape = Shape::SelfAffine { hurst, roll_off, cut_off };
+            let shape = SpectrumShape::SelfAffine { hurst, roll_off, cut_off };
             let grid = Spectrum::new(shape, Lay { elongation, angle }).unwrap().on_grid(points, pixel);
             let mut waves = vec![0.0; points[0]];
             for j in 0..=points[1] / 2 {

@@ -7,7 +7,7 @@ use std::sync::LazyLock;
 use gauss_quad::GaussLegendre;
 use libm::erfc;
 
-use super::character::Drops;
+use super::roughness::Drops;
 
 /// Statistics of summits.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -1,13 +1,10 @@
 //! The layered flat: against vectors at 40 digits, and what must hold for any coating.
 
 use crate::common::{Row, Worst, rows};
-use asperity::asperity::{AsperitySet, Population};
-use asperity::distribution::Heights;
-use asperity::interface::{Flat, Layered, MicroContact};
-use asperity::law::{Shape, Zmc};
-use asperity::layer::{Coating, Rule};
-use asperity::material::Material;
-use asperity::model::{Deterministic, Model, ReferencePlane, Statistical};
+use asperity::{
+    AsperitySet, Deterministic, Flat, Heights, LayeredFlat, LayeredInterface, Material, MicroContact, Model,
+    ModulusModel, Population, ReferencePlane, Shape, Statistical, Zmc,
+};
 
 fn steel() -> Material {
     Material::new(210e9, 0.3, Some(7.6e9), None).unwrap()
@@ -19,7 +16,10 @@ fn lead() -> Material {
 
 /// ZMC against a flat with a layer of any thickness, 0 and infinity included.
 fn flat(rough: &Material, layer: &Material, substrate: &Material, thickness: f64) -> Box<dyn MicroContact> {
-    Flat::with_layer(layer, substrate, thickness, Rule::Gao).unwrap().under(Zmc::default(), rough).unwrap()
+    Flat::with_layer(layer, substrate, thickness, ModulusModel::Gao)
+        .unwrap()
+        .under(Zmc::default(), rough)
+        .unwrap()
 }
 
 fn body(row: &Row, name: &str, strength: Option<f64>) -> Material {
@@ -36,18 +36,20 @@ fn effective_properties_and_the_coated_contact() {
         let rough = body(row, "rough", None);
         let layer = body(row, "layer", Some(row.number("layer_yield")));
         let substrate = body(row, "substrate", Some(row.number("substrate_yield")));
-        let coating = Coating::new(&layer, &substrate, row.number("thickness"), Rule::Gao).unwrap();
-        let found = coating.at(w, b);
+        let layered =
+            LayeredFlat::new(&layer, &substrate, row.number("thickness"), ModulusModel::Gao).unwrap();
+        let found = layered.at(w, b);
         let mut see = |value, column: &str| {
             properties.see(value, row.number(column), || format!("{column} of row {k}"))
         };
-        let (poisson, young) = coating.elasticity(w, b);
+        let (poisson, young) = layered.elasticity(w, b);
         see(poisson, "effective_poisson");
         see(young, "effective_young");
         see(found.hardness, "effective_hardness");
         see((rough.plane_compliance() + found.compliance).recip(), "reduced_modulus");
-        let contact =
-            Layered::new(Zmc::default(), &rough, &substrate, coating).unwrap().contact(w, Shape::sphere(b));
+        let contact = LayeredInterface::new(Zmc::default(), &rough, &substrate, layered)
+            .unwrap()
+            .contact(w, Shape::sphere(b));
         contacts.see(contact.area, row.number("area"), || format!("area of row {k}"));
         contacts.see(contact.load, row.number("load"), || format!("load of row {k}"));
         assert_eq!(contact.regime.name(), row.text("regime"), "row {k}");
@@ -102,19 +104,24 @@ fn sums_over_asperities() {
 /// PHYSICS of the two spheres of Fig. 5: loads at given indentations, and where the regime changes.
 #[test]
 fn the_two_spheres_of_figure_5() {
-    let sherbiny = Layered::new(
+    let sherbiny = LayeredInterface::new(
         Zmc::default(),
         &steel(),
         &Material::new(140e9, 0.3, Some(1.86e9), None).unwrap(),
-        Coating::new(&lead(), &Material::new(140e9, 0.3, Some(1.86e9), None).unwrap(), 1.2e-6, Rule::Gao)
-            .unwrap(),
+        LayeredFlat::new(
+            &lead(),
+            &Material::new(140e9, 0.3, Some(1.86e9), None).unwrap(),
+            1.2e-6,
+            ModulusModel::Gao,
+        )
+        .unwrap(),
     )
     .unwrap();
     let diamond = Material::new(1140e9, 0.07, None, None).unwrap();
     let ceramic = Material::new(400e9, 0.3, Some(21e9), None).unwrap();
     let substrate = Material::new(200e9, 0.07, Some(7.6e9), None).unwrap();
-    let coating = Coating::new(&ceramic, &substrate, 1e-6, Rule::Gao).unwrap();
-    let tang_arnell = Layered::new(Zmc::default(), &diamond, &substrate, coating).unwrap();
+    let layered = LayeredFlat::new(&ceramic, &substrate, 1e-6, ModulusModel::Gao).unwrap();
+    let tang_arnell = LayeredInterface::new(Zmc::default(), &diamond, &substrate, layered).unwrap();
     let loads = |contact: &dyn MicroContact, b: f64, known: &[(f64, f64)]| {
         for &(w, load) in known {
             let found = contact.contact(w * 1e-6, Shape::sphere(b)).load;

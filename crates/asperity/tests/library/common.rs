@@ -3,12 +3,9 @@
 
 use std::collections::HashMap;
 
-use asperity::asperity::Population;
-use asperity::interface::MicroContact;
-use asperity::law::Shape;
-use asperity::material::Material;
 use asperity::numeric::Sum;
 use asperity::numeric::quadrature::{Variable, panels};
+use asperity::{Material, MicroContact, Population, Shape};
 use rand::{Rng, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 

@@ -1,12 +1,9 @@
 //! Curves within a tolerance: how far they are off, and what they cost.
 
-use asperity::asperity::{AsperitySet, Draw, Population};
-use asperity::contact::ByRegime;
-use asperity::distribution::Heights;
-use asperity::interface::{Interface, MicroContact};
-use asperity::law::{Ceb, Hertz, Law, Shape, Zmc};
-use asperity::material::Material;
-use asperity::model::{Deterministic, Model, ReferencePlane, Response, Statistical, respond_within};
+use asperity::{
+    AsperitySet, ByRegime, Ceb, Deterministic, Draw, Heights, Hertz, Interface, Law, Material, MicroContact,
+    Model, Population, ReferencePlane, Response, Shape, Statistical, Zmc, respond_within,
+};
 
 const CASES: [Population; 2] = [
     Population { radius: 2e-5, sigma: 4.8e-8, density: 6e10, heights: Heights::GAUSSIAN },
@@ -55,7 +52,7 @@ fn a_thousand_integrals_from_fewer_than_a_hundred() {
             let curve = respond_within(&model, &sweep(1000), 1e-8);
             let off = errors(&curve.responses, &model.respond_all(&sweep(1000)));
             assert!(off.iter().all(|off| *off <= 1e-8), "{off:?}");
-            assert!(curve.asked.len() <= 100, "{} of 1000", curve.asked.len());
+            assert!(curve.evaluated.len() <= 100, "{} of 1000", curve.evaluated.len());
         }
     }
 }
@@ -70,10 +67,10 @@ fn a_thousand_sums_for_no_more_than_twice_the_contacts_of_fifty() {
         let curve = respond_within(&model, &sweep(1000), 1e-4);
         let exact = model.respond_all(&sweep(1000));
         let [off, shares] = errors(&curve.responses, &exact);
-        let cost = work(&model, &curve.asked) / work(&model, &sweep(50));
+        let cost = work(&model, &curve.evaluated) / work(&model, &sweep(50));
         println!(
             "{} asked, {cost:.2} times the contacts of 50, off by {off:.1e}, shares by {shares:.1e}",
-            curve.asked.len()
+            curve.evaluated.len()
         );
         assert!(off <= 1e-4 && cost <= 1.5, "{off:e} {cost}");
         assert!(shares <= 1e-2, "{shares:e}");
@@ -140,7 +137,7 @@ fn what_cannot_be_foretold_is_asked() {
     let model = Deterministic::new(&ceb, set.spheres(), ReferencePlane { mean: 0.0, sigma: CASES[1].sigma });
     let curve = respond_within(&model, &sweep(300), 1e-6);
     assert!(errors(&curve.responses, &model.respond_all(&sweep(300)))[0] <= 1e-6);
-    assert!(curve.asked.len() > 100);
+    assert!(curve.evaluated.len() > 100);
 }
 
 /// A smooth pressure that rises and falls, of which the regimes change faster.
@@ -188,7 +185,7 @@ fn a_pressure_that_rises_and_falls() {
         let off = (found.stiffness - exact.stiffness).abs();
         assert!(off <= 1e-7, "{} {} {}", found.separation, found.stiffness, exact.stiffness);
     }
-    assert!(curve.asked.len() < 400, "{}", curve.asked.len());
+    assert!(curve.evaluated.len() < 400, "{}", curve.evaluated.len());
 }
 
 /// Whatever the order of the separations, also twice the same, beyond the highest asperity, or few of them.

@@ -3,14 +3,11 @@
 use std::f64::consts::PI;
 
 use crate::common::Worst;
-use asperity::accumulator::Accumulator;
-use asperity::asperity::{AsperitySet, Ellipse, Ellipses, Ellipticity, Ordered, Population};
-use asperity::distribution::Heights;
-use asperity::interface::{Interface, Layered, MicroContact};
-use asperity::law::{Hertz, Law, Pair, Shape, YieldLimits, Zmc};
-use asperity::layer::{Coating, Rule};
-use asperity::material::Material;
-use asperity::model::{Deterministic, Model, ReferencePlane, Statistical};
+use asperity::{
+    Accumulator, AsperitySet, Deterministic, Ellipse, Ellipses, Ellipticity, Heights, Hertz, Interface, Law,
+    LayeredFlat, LayeredInterface, Material, MicroContact, Model, ModulusModel, Ordered, Pair, Population,
+    ReferencePlane, Shape, Statistical, YieldLimits, Zmc,
+};
 
 const STEEL: [f64; 3] = [210e9, 0.3, 7.6e9];
 
@@ -106,8 +103,8 @@ fn an_integral_over_ellipses_is_that_over_their_spheres() {
 #[test]
 fn under_a_layer_an_ellipse_feels_the_circle_of_its_area() {
     let (steel, lead) = (body(STEEL), body([18e9, 0.35, 0.17e9]));
-    let coating = Coating::new(&lead, &steel, 5e-8, Rule::Gao).unwrap();
-    let contact = Layered::new(Zmc::default(), &steel, &steel, coating.clone()).unwrap();
+    let layered = LayeredFlat::new(&lead, &steel, 5e-8, ModulusModel::Gao).unwrap();
+    let contact = LayeredInterface::new(Zmc::default(), &steel, &steel, layered.clone()).unwrap();
     let set = set();
     let all = Ordered::new(Ellipses::of(&set).unwrap().asperities());
     let touching = all.above(5e-7);
@@ -117,7 +114,7 @@ fn under_a_layer_an_ellipse_feels_the_circle_of_its_area() {
         let (w, n) = (z - 5e-7, shape.spheres);
         let found = contact.contact(w, shape);
         single.add(&found);
-        let flat = coating.at(w, n * shape.radius);
+        let flat = layered.at(w, n * shape.radius);
         let hardness = flat.hardness.min(7.6e9);
         let pair = Pair {
             reduced_modulus: (steel.plane_compliance() + flat.compliance).recip(),

@@ -2,7 +2,7 @@
 
 use crate::common::{Row, Worst, rows};
 use asperity::layer::exact_sphere::{ElasticContact, LARGEST_RATIO, LayeredSphere};
-use asperity::material::{Material, reduced_modulus};
+use asperity::{Material, reduced_modulus};
 use rayon::prelude::*;
 
 fn body(young: f64, poisson: f64) -> Material {

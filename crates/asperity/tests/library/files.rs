@@ -2,11 +2,10 @@
 
 use std::path::{Path, PathBuf};
 
-use asperity::asperity::{Column, Ellipse, ListError, read_list};
-use asperity::npy::{self, NpyError};
-use asperity::topography::Rows;
-use asperity::topography::character::Character;
-use asperity::topography::read::{Given, head, height_map, rows};
+use asperity::npy::NpyError;
+use asperity::topography::read::{ReadOptions, height_map, metadata, rows};
+use asperity::topography::{RoughnessParameters, Rows};
+use asperity::{AsperityList, Ellipse, ListColumn, ListError, npy};
 
 /// A `.npy` of version 1 with the given type, order and bytes.
 pub(super) fn array(descr: &str, fortran: bool, shape: &str, data: &[u8]) -> Vec<u8> {
@@ -102,12 +101,14 @@ fn what_is_given_beside_an_array_is_its_pixel_and_its_unit() {
     let data: Vec<u8> = [20.0f32; 12].iter().flat_map(|v| v.to_le_bytes()).collect();
     let (_folder, path) = file("map.npy", &array("<f4", false, "(3, 4)", &data));
     let pixel = Some([1e-6, 2e-6]);
-    let map = height_map(&path, Given { pixel, unit: Some(1e-9) }).unwrap();
+    let map = height_map(&path, ReadOptions { pixel, unit: Some(1e-9) }).unwrap();
     assert!(map.pixel() == [1e-6, 2e-6] && map.heights().iter().all(|z| (z / 20e-9 - 1.0).abs() < 1e-15));
     let refused = |given| height_map(&path, given).unwrap_err().to_string();
-    assert!(refused(Given { pixel: None, unit: None }).contains("holds no pixel size"));
+    assert!(refused(ReadOptions { pixel: None, unit: None }).contains("holds no pixel size"));
     // Twenty metres: micrometres that nobody named.
-    assert!(refused(Given { pixel, unit: None }).contains("holds a height of 2e1 m; allowed: at most 10 m"));
+    assert!(
+        refused(ReadOptions { pixel, unit: None }).contains("holds a height of 2e1 m; allowed: at most 10 m")
+    );
 }
 
 #[test]
@@ -124,9 +125,9 @@ fn a_map_has_its_pixel_and_its_missing_points() {
     (heights[5], heights[6]) = (f32::NAN, f32::INFINITY);
     let data: Vec<u8> = heights.iter().flat_map(|v| v.to_le_bytes()).collect();
     let (_folder, path) = file("map.npy", &array("<f4", false, "(3, 4)", &data));
-    assert_eq!(head(&path).unwrap().points, [3, 4]);
-    let map = height_map(&path, Given { pixel: Some([1e-6, 2e-6]), unit: None }).unwrap();
-    assert_eq!((map.points(), map.pixel(), Character::of(&map).missing), ([3, 4], [1e-6, 2e-6], 2));
+    assert_eq!(metadata(&path).unwrap().points, [3, 4]);
+    let map = height_map(&path, ReadOptions { pixel: Some([1e-6, 2e-6]), unit: None }).unwrap();
+    assert_eq!((map.points(), map.pixel(), RoughnessParameters::of(&map).missing), ([3, 4], [1e-6, 2e-6], 2));
 }
 
 #[test]
@@ -161,7 +162,7 @@ fn what_is_no_array_is_told_apart() {
 
 /// Heights and radii of a list.
 fn spheres(path: &Path) -> (Vec<f64>, Vec<f64>) {
-    let set = read_list(path, false).unwrap().set(1.0).unwrap();
+    let set = AsperityList::read(path, false).unwrap().set(1.0).unwrap();
     (set.heights().to_vec(), set.radii().to_vec())
 }
 
@@ -182,7 +183,7 @@ fn a_list_may_be_an_array_of_two_columns() {
     let (_folder, path) = file("wide.npy", &array("<f8", false, "(1, 4)", &data));
     assert_eq!(spheres(&path), (vec![2e-9], vec![1e-6]));
     let (_folder, path) = file("long.npy", &array("<f8", false, "(4, 1)", &data));
-    assert!(matches!(read_list(&path, false), Err(ListError::Shape { rows: 4, columns: 1, .. })));
+    assert!(matches!(AsperityList::read(&path, false), Err(ListError::Shape { rows: 4, columns: 1, .. })));
 }
 
 /// Either memory order and byte order, more rows than are read at a time; the first bad value is named.
@@ -209,7 +210,7 @@ fn a_long_array_is_read_in_pieces() {
     let mut bad = by_rows.clone();
     (bad[2 * 19_000 + 1], bad[2 * 9_000], bad[2 * 9_000 + 1]) = (0.0, f64::NAN, -1.0);
     let (_folder, path) = file("bad.npy", &array("<f8", false, &shape, &bytes(&bad, false)));
-    let error = read_list(&path, false).unwrap_err().to_string();
+    let error = AsperityList::read(&path, false).unwrap_err().to_string();
     assert!(error.contains("row 9001 of 20000, column `height`: found NaN"), "{error}");
 }
 
@@ -221,12 +222,12 @@ fn a_list_of_ellipses_has_two_curvatures_more() {
     for (_folder, path) in
         [file("list.csv", text.as_bytes()), file("list.npy", &array("<f8", false, "(2, 4)", &data))]
     {
-        let set = read_list(&path, true).unwrap().set(1.0).unwrap();
+        let set = AsperityList::read(&path, true).unwrap().set(1.0).unwrap();
         assert_eq!(set.ellipses(), Some(&[Ellipse::new(1e6, 4e6), Ellipse::new(5e5, 5e5)][..]));
         assert_eq!((set.heights(), set.radii()), (&[2e-9, -3e-9][..], &[1e-6, 2e-6][..]));
         // As spheres they have no use for them.
         assert_eq!(spheres(&path), (vec![2e-9, -3e-9], vec![1e-6, 2e-6]));
-        assert_eq!(read_list(&path, false).unwrap().set(1.0).unwrap().ellipses(), None);
+        assert_eq!(AsperityList::read(&path, false).unwrap().set(1.0).unwrap().ellipses(), None);
     }
     assert_eq!((Ellipse::new(1e6, 4e6).mean_curvature, Ellipse::new(4e6, 1e6).curvature_ratio), (2.5e6, 4.0));
 }
@@ -235,11 +236,13 @@ fn a_list_of_ellipses_has_two_curvatures_more() {
 fn curvatures_that_are_missing_or_none_are_refused() {
     let refused = |name: &str, bytes: &[u8]| {
         let (_folder, path) = file(name, bytes);
-        read_list(&path, true).unwrap_err()
+        AsperityList::read(&path, true).unwrap_err()
     };
-    for (header, missing) in
-        [("height,radius", Column::Kx), ("height,radius,ky", Column::Kx), ("radius,height,kx", Column::Ky)]
-    {
+    for (header, missing) in [
+        ("height,radius", ListColumn::Kx),
+        ("height,radius,ky", ListColumn::Kx),
+        ("radius,height,kx", ListColumn::Ky),
+    ] {
         let error = refused("list.csv", format!("{header}\n").as_bytes());
         assert!(matches!(error, ListError::Column { column, .. } if column == missing), "{error}");
         let words = format!("no column `{}` (found: {})", missing.name(), header.replace(',', ", "));
@@ -284,11 +287,11 @@ fn a_map_is_the_same_row_by_row_and_as_a_whole() {
     let pixel = Some([1e-6, 2e-6]);
     for fortran in [false, true] {
         let (_folder, path) = file("map.npy", &array("<i2", fortran, "(3, 4)", &data));
-        let in_metres = Given { pixel, unit: None };
+        let in_metres = ReadOptions { pixel, unit: None };
         for error in [height_map(&path, in_metres).err(), rows(&path, in_metres).err()] {
             assert!(error.unwrap().to_string().contains("holds a height of 1.21e2 m"));
         }
-        let given = Given { pixel, unit: Some(1e-9) };
+        let given = ReadOptions { pixel, unit: Some(1e-9) };
         let (whole, rows) = (height_map(&path, given).unwrap(), rows(&path, given).unwrap());
         assert_eq!((whole.points(), whole.pixel()), (rows.points(), rows.pixel()));
         // Whole numbers are exact, scaled ones are rounded.

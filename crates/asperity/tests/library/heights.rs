@@ -3,15 +3,13 @@
 use std::fmt;
 
 use crate::common::{Worst, relative_error};
-use asperity::asperity::{Draw, Population};
-use asperity::distribution::{HeightDistribution, Heights, Johnson, REGISTRY, Weibull};
-use asperity::interface::{Interface, MicroContact};
-use asperity::law::{Ceb, Hertz, Shape, Zmc};
-use asperity::literature::Paper;
-use asperity::material::Material;
-use asperity::model::{Deterministic, Model, ReferencePlane, Statistical};
+use asperity::distribution::{Johnson, REGISTRY, Weibull};
 use asperity::numeric::Sum;
 use asperity::numeric::quadrature::{Variable, panels};
+use asperity::{
+    Ceb, Deterministic, Draw, HeightDistribution, Heights, Hertz, Interface, Material, MicroContact, Model,
+    Paper, Population, ReferencePlane, Shape, Statistical, Zmc,
+};
 
 const RADIUS: f64 = 2e-5;
 
@@ -74,7 +72,7 @@ fn dense(contact: &dyn MicroContact, population: &Population, kinks: &[f64], h: 
     ends.extend((0..2800).map(|k| start + 0.01 * f64::from(k)));
     ends.retain(|g| (start..=base + 18.0).contains(g));
     ends.sort_by(f64::total_cmp);
-    let mut sums = [Sum::<f64>::default(); 3];
+    let mut sums = [Sum::default(); 3];
     for range in ends.windows(2).filter(|range| range[0] < range[1]) {
         for panel in panels(range[0] - start, range[1] - start, Variable::SquareRoot, 1) {
             for (v, weight) in panel.points.into_iter().zip(panel.weights) {
@@ -83,7 +81,7 @@ fn dense(contact: &dyn MicroContact, population: &Population, kinks: &[f64], h: 
                 let x = (heights.height_at_normal(g) - h).max(0.0);
                 let found = contact.contact(x * sigma, Shape::sphere(RADIUS));
                 for (sum, value) in sums.iter_mut().zip([found.area, found.load, found.stiffness]) {
-                    sum.add(share * value);
+                    *sum += share * value;
                 }
             }
         }

@@ -1,12 +1,11 @@
 //! What must hold for any surface, whatever the numbers, beyond what every law must hold (`tests/conformance.rs`).
 
 use crate::common::{Worst, dense, relative_error, rows};
-use asperity::asperity::{AsperitySet, Draw, Ordered, Population, Statistics, SurfaceHeights};
-use asperity::distribution::{Heights, gaussian_moment};
-use asperity::interface::{Interface, MicroContact};
-use asperity::law::{Hertz, Shape, Zmc};
-use asperity::material::Material;
-use asperity::model::{Deterministic, Model, ReferencePlane, Statistical, at_pressure};
+use asperity::distribution::gaussian_moment;
+use asperity::{
+    AsperitySet, Deterministic, Draw, Heights, Hertz, Interface, Material, MicroContact, Model, Ordered,
+    Population, ReferencePlane, Shape, Statistical, Statistics, SurfaceHeights, Zmc, at_pressure,
+};
 
 const CASE_1: Population =
     Population { radius: 2e-5, sigma: 4.8e-8, density: 6e10, heights: Heights::GAUSSIAN };

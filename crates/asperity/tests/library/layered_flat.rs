@@ -3,25 +3,21 @@
 use std::sync::atomic::{AtomicUsize, Ordering};
 
 use crate::common::{Random, bodies, dense, relative_error};
-use asperity::asperity::{AsperitySet, Draw, Population};
-use asperity::contact::{Contact, Regime};
-use asperity::distribution::Heights;
-use asperity::interface::{Flat, Layered, LoadBounds, MicroContact, Shapes};
-use asperity::law::{Ceb, KogutEtsion, Shape, Zmc};
-use asperity::layer::{Coating, Rule};
-use asperity::literature::Paper;
-use asperity::material::Material;
-use asperity::model::{Deterministic, Model, ReferencePlane, Statistical};
-use asperity::numeric::interval::Interval;
+use asperity::numeric::Interval;
+use asperity::{
+    AsperitySet, Ceb, Contact, Deterministic, Draw, Flat, Heights, KogutEtsion, LayeredFlat,
+    LayeredInterface, LoadBounds, Material, MicroContact, Model, ModulusModel, Paper, Population,
+    ReferencePlane, Regime, Shape, Shapes, Statistical, Zmc,
+};
 
 fn steel() -> Material {
     Material::new(210e9, 0.3, Some(7.6e9), None).unwrap()
 }
 
-fn under_lead(thickness: f64) -> Layered<Zmc> {
+fn under_lead(thickness: f64) -> LayeredInterface<Zmc> {
     let lead = Material::new(18e9, 0.35, Some(0.17e9), None).unwrap();
-    let coating = Coating::new(&lead, &steel(), thickness, Rule::Gao).unwrap();
-    Layered::new(Zmc::default(), &steel(), &steel(), coating).unwrap()
+    let layered = LayeredFlat::new(&lead, &steel(), thickness, ModulusModel::Gao).unwrap();
+    LayeredInterface::new(Zmc::default(), &steel(), &steel(), layered).unwrap()
 }
 
 /// The regimes of lead on steel that PHYSICS C lists for Table 1, and where its areas fall.
@@ -65,16 +61,17 @@ fn bounds_hold_what_they_bound() {
     for _ in 0..400 {
         let [_, layer, substrate] = bodies(&mut random);
         let (thickness, radius) = (random.log(1e-10, 1e-4), random.log(1e-9, 1e-2));
-        let coating = Coating::new(&layer, &substrate, thickness, random.one_of(&Rule::ALL)).unwrap();
+        let layered =
+            LayeredFlat::new(&layer, &substrate, thickness, random.one_of(&ModulusModel::ALL)).unwrap();
         for _ in 0..20 {
             let low = thickness * random.log(1e-12, 1e12);
             let from = random.one_of(&[low, low, low, 0.0]);
             let w = Interval { low: from, high: low * random.log(1.0001, 1e4) };
             let b = Interval { low: radius, high: radius * random.one_of(&[1.0, 1.5]) };
-            let bounds = coating.over(w, b);
+            let bounds = layered.over(w, b);
             for k in 1..=20 {
                 let at = w.high * (low / w.high).powf(f64::from(k - 1) / 20.0);
-                let felt = coating.at(at, b.low + (b.high - b.low) * f64::from(k % 7) / 6.0);
+                let felt = layered.at(at, b.low + (b.high - b.low) * f64::from(k % 7) / 6.0);
                 let holds = |range: Interval, value: f64, size: f64| {
                     let slack = 1e-12 * size;
                     assert!(value == range.low || (range.low - slack..=range.high + slack).contains(&value));
@@ -97,10 +94,11 @@ fn three_roots_that_merge_are_one() {
     let rough = Material::new(1e11, 0.3, None, None).unwrap();
     let (w, modulus) = (1.262_129_028_277_342_4e-7, 1e11 / 0.91 / 2.0);
     for (apart, expected) in [(1e-3, 3..=3), (1e-6, 3..=3), (0.0, 1..=7), (-1e-6, 1..=1)] {
-        let coating =
-            Coating::new(&body(1e9 * MERGING * (1.0 - apart)), &body(1e9), 1e-7, Rule::Gao).unwrap();
-        let b = w * (modulus / coating.at(w, 1e-5).hardness).powi(2) / Zmc::ONSET;
-        let contact = Layered::new(Zmc::default(), &rough, &body(1e9), coating).unwrap();
+        let layered =
+            LayeredFlat::new(&body(1e9 * MERGING * (1.0 - apart)), &body(1e9), 1e-7, ModulusModel::Gao)
+                .unwrap();
+        let b = w * (modulus / layered.at(w, 1e-5).hardness).powi(2) / Zmc::ONSET;
+        let contact = LayeredInterface::new(Zmc::default(), &rough, &body(1e9), layered).unwrap();
         // Of these one is the end of the elastic-plastic range.
         let found = contact.regime_changes(Shape::sphere(b)).len() - 1;
         assert!(expected.contains(&found), "{found} roots at {apart:e}");
@@ -113,8 +111,8 @@ fn three_roots_that_merge_are_one() {
 fn a_harder_flat_may_yield_first() {
     let body = |young, poisson, hardness| Material::new(young, poisson, Some(hardness), None).unwrap();
     let (rough, substrate) = (body(1e8, 0.499, 1e9), body(4e13, 0.14, 1e9));
-    let coating = Coating::new(&body(2e13, 0.25, 2e11), &substrate, 3e-7, Rule::Gao).unwrap();
-    let contact = Layered::new(Ceb, &rough, &substrate, coating).unwrap();
+    let layered = LayeredFlat::new(&body(2e13, 0.25, 2e11), &substrate, 3e-7, ModulusModel::Gao).unwrap();
+    let contact = LayeredInterface::new(Ceb, &rough, &substrate, layered).unwrap();
     let shape = Shape::sphere(5e-8);
     let population =
         Population { radius: shape.radius, sigma: 2e-3, density: 1e10, heights: Heights::GAUSSIAN };
@@ -131,8 +129,8 @@ fn a_harder_flat_may_yield_first() {
 #[test]
 fn a_jump_that_is_passed_backwards_is_a_fall() {
     let lead = Material::new(18e9, 0.35, Some(0.17e9), None).unwrap();
-    let coating = Coating::new(&lead, &steel(), 1e-9, Rule::Gao).unwrap();
-    let contact = Layered::new(Zmc::new(0.4, 54.0).unwrap(), &steel(), &steel(), coating).unwrap();
+    let layered = LayeredFlat::new(&lead, &steel(), 1e-9, ModulusModel::Gao).unwrap();
+    let contact = LayeredInterface::new(Zmc::new(0.4, 54.0).unwrap(), &steel(), &steel(), layered).unwrap();
     let back = contact.regime_changes(Shape::sphere(2e-5))[1];
     let load = |w: f64| contact.contact(w, Shape::sphere(2e-5)).load;
     assert!(load(back * (1.0 + 1e-9)) < 0.7 * load(back * (1.0 - 1e-9)));
@@ -186,9 +184,10 @@ fn where_the_load_falls_the_first_reach_counts() {
             Material::new(substrate.young() * random.log(0.5, 10.0), 0.25, Some(hardness), None).unwrap();
         let rough = Material::new(1.1e12, 0.1, None, None).unwrap();
         let sigma = random.log(3e-9, 3e-7);
-        let coating = Coating::new(&layer, &substrate, sigma * random.log(0.03, 10.0), Rule::Gao).unwrap();
+        let layered =
+            LayeredFlat::new(&layer, &substrate, sigma * random.log(0.03, 10.0), ModulusModel::Gao).unwrap();
         let onset = random.one_of(&[Zmc::ONSET, Zmc::ONSET, 0.4, 0.89]);
-        let flat = Flat::Coated { substrate, coating };
+        let flat = Flat::Layered { substrate, layered };
         let contact = match k % 6 {
             4 => flat.under(Ceb, &rough),
             5 => flat.under(KogutEtsion, &rough),

@@ -2,18 +2,16 @@
 
 use std::path::{Path, PathBuf};
 
-use asperity::topography::character::Character;
-use asperity::topography::level::Level;
-use asperity::topography::quantisation::Quantisation;
+use asperity::HeightMap;
 use asperity::topography::summits::{Summits, five_point};
-use asperity::topography::{HeightMap, Moments, read};
+use asperity::topography::{Level, Moments, Quantisation, RoughnessParameters, read};
 
 fn file(name: &str) -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("../../experiments/surfaces").join(name)
 }
 
-fn given(pixel: [f64; 2]) -> read::Given {
-    read::Given { pixel: Some(pixel), unit: None }
+fn given(pixel: [f64; 2]) -> read::ReadOptions {
+    read::ReadOptions { pixel: Some(pixel), unit: None }
 }
 
 struct Known {
@@ -65,7 +63,7 @@ fn statistics_to_every_digit_known() {
     for known in &SURFACES {
         let (raw, levelled, summits) = read_and_level(known);
         assert_eq!(
-            (raw.points(), Character::of(&raw).missing),
+            (raw.points(), RoughnessParameters::of(&raw).missing),
             (known.points, known.missing),
             "{}",
             known.name

@@ -1,8 +1,8 @@
 //! Headers of `.npy` files: what is written reads back, what is damaged is refused.
 
+use asperity::HeightMap;
 use asperity::npy::{Header, HeaderFault, Mapped, NpyError, matrix, write};
-use asperity::topography::HeightMap;
-use asperity::topography::read::{Given, height_map};
+use asperity::topography::read::{ReadOptions, height_map};
 
 use super::files::array;
 
@@ -122,7 +122,7 @@ fn what_is_written_reads_back_to_the_bit() {
         vec![0.1, -2.5e-9, f64::MIN_POSITIVE, 3.0, f64::NAN, -0.0, 1e-300, 7.0, 1.0 / 3.0, 1.0, 2.0, 3.0];
     let map = HeightMap::new([3, 4], [1e-6, 2e-6], heights, f64::EPSILON).unwrap();
     map.write_npy(&path).unwrap();
-    let found = height_map(&path, Given { pixel: Some([1e-6, 2e-6]), unit: None }).unwrap();
+    let found = height_map(&path, ReadOptions { pixel: Some([1e-6, 2e-6]), unit: None }).unwrap();
     assert_eq!(found.points(), map.points());
     assert!(found.heights().iter().zip(map.heights()).all(|(a, b)| a.to_bits() == b.to_bits()));
     // The numbers begin at a multiple of 64 bytes.

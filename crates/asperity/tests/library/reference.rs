@@ -2,15 +2,12 @@
 //! (`tests/reference/README.md`). Every published claim of accuracy is one of these tests.
 
 use crate::common::{Worst, rows};
-use asperity::asperity::Population;
-use asperity::contact::{Contact, Regime};
-use asperity::distribution::Heights;
-use asperity::interface::{Interface, LoadBounds, MicroContact, Shapes};
-use asperity::law::{Ceb, Hertz, JacksonGreen, KogutEtsion, Law, Pair, ScalableLaw, Shape, YieldLimits, Zmc};
-use asperity::literature::Paper;
-use asperity::material::Material;
-use asperity::model::{Model, Statistical};
-use asperity::numeric::interval::Interval;
+use asperity::numeric::Interval;
+use asperity::{
+    Ceb, Contact, Heights, Hertz, Interface, JacksonGreen, KogutEtsion, Law, LoadBounds, Material,
+    MicroContact, Model, Pair, Paper, Population, Regime, ScalableLaw, Shape, Shapes, Statistical,
+    YieldLimits, Zmc,
+};
 
 /// The worst error of a law over zmc.csv, given how it is made from a row's transition ratio.
 fn zmc_error(law: impl Fn(f64) -> Zmc) -> Worst {

@@ -1,20 +1,18 @@
 //! Random surfaces and the summits that are found on them, against theory and against themselves.
 
-use asperity::asperity::{AsperitySet, Statistics};
-use std::f64::consts::PI;
-
-use asperity::distribution::{Heights, Johnson, Weibull};
-use asperity::topography::character::{Character, Drops};
-use asperity::topography::correlation::{Autocorrelation, RadialSpectrum};
+use asperity::distribution::{Johnson, Weibull};
 use asperity::topography::generate::{
-    Plateau, Process, Recipe, Seeds, SpectrumOf, Target, TargetRecipe, Unreachable, gaussian,
+    Plateau, Process, Seeds, SpectrumOf, SurfaceGenerator, Target, TargetGenerator, Unreachable, gaussian,
 };
-use asperity::topography::level::{Level, Levelled};
-use asperity::topography::read::{self, Given};
-use asperity::topography::spectrum::{Lay, Shape, Spectrum};
+use asperity::topography::read::ReadOptions;
+use asperity::topography::spectrum::{Lay, Spectrum, SpectrumShape};
 use asperity::topography::summits::{Detail, Neighbours, find, five_point};
-use asperity::topography::theory::{self, Expected};
-use asperity::topography::{HeightMap, Moments, Rows};
+use asperity::topography::theory::Expected;
+use asperity::topography::{
+    Autocorrelation, Drops, Level, Levelled, Moments, RadialSpectrum, RoughnessParameters, Rows, read, theory,
+};
+use asperity::{AsperitySet, HeightMap, Heights, Statistics};
+use std::f64::consts::PI;
 
 const SIGMA: f64 = 2.5e-7;
 
@@ -22,12 +20,12 @@ fn seeds(seed: u8) -> Seeds {
     Seeds { process: [seed; 32], plateau: [seed ^ 0x80; 32] }
 }
 
-fn process(shape: Shape, lay: Lay, heights: Heights) -> Process {
+fn process(shape: SpectrumShape, lay: Lay, heights: Heights) -> Process {
     Process { spectrum: Spectrum::new(shape, lay).unwrap(), of: SpectrumOf::Heights, sigma: SIGMA, heights }
 }
 
 fn surface(points: [usize; 2], pixel: [f64; 2], process: Process, seed: u8) -> HeightMap {
-    Recipe { points, pixel, process, plateau: None }.surface(seeds(seed)).unwrap().0
+    SurfaceGenerator { points, pixel, process, plateau: None }.surface(seeds(seed)).unwrap().0
 }
 
 fn johnson(skewness: f64, kurtosis: f64) -> Heights {
@@ -67,21 +65,31 @@ fn summits_are_those_of_the_five_point_theory() {
     let isotropic = Lay::default();
     let along_x = Lay { elongation: 3.0, angle: 0.0 };
     let cases = [
-        ("exp(-r/h)", Shape::Exponential(H), isotropic, [H, H]),
-        ("exp(-(r/2h)^2)", Shape::Gaussian(2.0 * H), isotropic, [H, H]),
-        ("exp(-(r/h)^2)", Shape::Gaussian(H), isotropic, [H, H]),
-        ("white noise", Shape::Gaussian(0.1 * H), isotropic, [H, H]),
-        ("rectangular pixels", Shape::Gaussian(2.0 * H), isotropic, [H, 0.6 * H]),
-        ("lay along x", Shape::Exponential(1.5 * H), along_x, [H, H]),
-        ("strong lay along x", Shape::Gaussian(1.5 * H), Lay { elongation: 6.0, angle: 0.0 }, [H, H]),
-        ("lay at 45 degrees", Shape::Gaussian(2.0 * H), Lay { elongation: 4.0, angle: 0.25 * PI }, [H, H]),
+        ("exp(-r/h)", SpectrumShape::Exponential(H), isotropic, [H, H]),
+        ("exp(-(r/2h)^2)", SpectrumShape::Gaussian(2.0 * H), isotropic, [H, H]),
+        ("exp(-(r/h)^2)", SpectrumShape::Gaussian(H), isotropic, [H, H]),
+        ("white noise", SpectrumShape::Gaussian(0.1 * H), isotropic, [H, H]),
+        ("rectangular pixels", SpectrumShape::Gaussian(2.0 * H), isotropic, [H, 0.6 * H]),
+        ("lay along x", SpectrumShape::Exponential(1.5 * H), along_x, [H, H]),
+        ("strong lay along x", SpectrumShape::Gaussian(1.5 * H), Lay { elongation: 6.0, angle: 0.0 }, [H, H]),
+        (
+            "lay at 45 degrees",
+            SpectrumShape::Gaussian(2.0 * H),
+            Lay { elongation: 4.0, angle: 0.25 * PI },
+            [H, H],
+        ),
         (
             "long lay at 30 degrees",
-            Shape::Gaussian(4.0 * H),
+            SpectrumShape::Gaussian(4.0 * H),
             Lay { elongation: 5.0, angle: PI / 6.0 },
             [H, H],
         ),
-        ("lay at 0.3 rad", Shape::Exponential(2.0 * H), Lay { elongation: 2.5, angle: 0.3 }, [H, 0.7 * H]),
+        (
+            "lay at 0.3 rad",
+            SpectrumShape::Exponential(2.0 * H),
+            Lay { elongation: 2.5, angle: 0.3 },
+            [H, 0.7 * H],
+        ),
     ];
     let mut checked = 0;
     for (name, shape, lay, pixel) in cases {
@@ -129,7 +137,7 @@ fn summits_become_those_of_nayak_as_the_pixel_shrinks() {
             let map = surface(
                 [points; 2],
                 [pixel; 2],
-                process(Shape::Gaussian(l), Lay::default(), Heights::GAUSSIAN),
+                process(SpectrumShape::Gaussian(l), Lay::default(), Heights::GAUSSIAN),
                 seed,
             );
             for (sum, neighbours) in sums.iter_mut().zip([Neighbours::Eight, Neighbours::Four]) {
@@ -165,7 +173,7 @@ fn both_cases_of_table_1_are_met() {
         (case_1, johnson(1.0, 4.5)),
         (case_1, johnson(0.0, 5.0)),
     ] {
-        let recipe = TargetRecipe {
+        let generator = TargetGenerator {
             points: [1024, 768],
             hurst: 0.8,
             cut_off: 8.0,
@@ -175,7 +183,7 @@ fn both_cases_of_table_1_are_met() {
         };
         let mut first = None;
         for seed in 1..=3 {
-            let reached = recipe.surface(&target, [seed; 32], first).unwrap();
+            let reached = generator.surface(&target, [seed; 32], first).unwrap();
             first = Some(reached.bandwidth);
             let summits = five_point(&reached.map);
             let radii: Vec<f64> = summits.curvatures.iter().map(|k| 1.0 / k).collect();
@@ -195,7 +203,7 @@ fn both_cases_of_table_1_are_met() {
 
 #[test]
 fn what_no_surface_has_is_refused_with_the_range() {
-    let recipe = TargetRecipe {
+    let generator = TargetGenerator {
         points: [512; 2],
         hurst: 0.8,
         cut_off: 8.0,
@@ -205,7 +213,7 @@ fn what_no_surface_has_is_refused_with_the_range() {
     };
     // NUMERICS: with skewness 1 and kurtosis 4.5 the product is at least 0.0425; case 2 asks for 0.03744.
     let case_2 = Target { radius: 1.6e-6, sigma: 2.6e-7, density: 9e10 };
-    let Err(Unreachable::Product { product, least, most, .. }) = recipe.surface(&case_2, [1; 32], None)
+    let Err(Unreachable::Product { product, least, most, .. }) = generator.surface(&case_2, [1; 32], None)
     else {
         panic!("no surface of these heights has it")
     };
@@ -226,7 +234,7 @@ fn heights_have_the_moments_that_were_asked_for() {
         johnson(2.0, 9.5),
         weibull,
     ] {
-        let shape = Shape::Exponential(2e-6);
+        let shape = SpectrumShape::Exponential(2e-6);
         let all: Vec<Moments> = (1..=20)
             .map(|seed| {
                 Moments::of(&surface(
@@ -253,19 +261,19 @@ fn heights_have_the_moments_that_were_asked_for() {
 
 #[test]
 fn a_plateau_is_cut_and_nothing_else() {
-    let coarse = process(Shape::Gaussian(6e-6), Lay::default(), Heights::GAUSSIAN);
+    let coarse = process(SpectrumShape::Gaussian(6e-6), Lay::default(), Heights::GAUSSIAN);
     let fine = Process {
         sigma: 0.1 * SIGMA,
-        ..process(Shape::Exponential(2e-6), Lay::default(), Heights::GAUSSIAN)
+        ..process(SpectrumShape::Exponential(2e-6), Lay::default(), Heights::GAUSSIAN)
     };
-    let recipe = Recipe {
+    let generator = SurfaceGenerator {
         points: [200, 160],
         pixel: [1e-6; 2],
         process: coarse,
         plateau: Some(Plateau { process: fine, height: 0.3 * SIGMA }),
     };
-    let (honed, cut) = recipe.surface(seeds(5)).unwrap();
-    let uncut = Recipe { plateau: None, ..recipe }.surface(seeds(5)).unwrap().0;
+    let (honed, cut) = generator.surface(seeds(5)).unwrap();
+    let uncut = SurfaceGenerator { plateau: None, ..generator }.surface(seeds(5)).unwrap().0;
     let moments = Moments::of(&honed);
     assert!(moments.mean.abs() < 1e-12 * SIGMA);
     assert!(moments.ssk.unwrap() < -0.5, "plateaus with valleys: {:?}", moments.ssk);
@@ -287,7 +295,8 @@ fn a_surface_of_other_heights_has_the_autocorrelation_that_was_asked_for() {
     for (heights, distorted) in [(weibull, 0.04), (johnson(-1.5, 6.5), 0.02)] {
         let mut worst = [0.0f64; 2];
         for (worst, of) in worst.iter_mut().zip([SpectrumOf::Heights, SpectrumOf::Gaussian]) {
-            let process = Process { of, ..process(Shape::Exponential(l), Lay::default(), heights.clone()) };
+            let process =
+                Process { of, ..process(SpectrumShape::Exponential(l), Lay::default(), heights.clone()) };
             let mut mean = [0.0; 20];
             for seed in 1..=24 {
                 let map = surface([512; 2], [pixel; 2], process.clone(), seed);
@@ -309,7 +318,7 @@ fn a_surface_of_other_heights_has_the_autocorrelation_that_was_asked_for() {
 /// A finer grid of the same size shows the same long waves.
 #[test]
 fn a_finer_grid_shows_the_same_surface() {
-    let shape = Shape::SelfAffine { hurst: 0.8, roll_off: 40e-6, cut_off: 8e-6 };
+    let shape = SpectrumShape::SelfAffine { hurst: 0.8, roll_off: 40e-6, cut_off: 8e-6 };
     let make = |points: usize, pixel: f64| {
         surface([points; 2], [pixel; 2], process(shape, Lay::default(), Heights::GAUSSIAN), 3)
     };
@@ -327,16 +336,17 @@ fn a_finer_grid_shows_the_same_surface() {
 fn the_same_bits_on_any_number_of_threads() {
     let all = || {
         let lay = Lay { elongation: 2.0, angle: 0.7 };
-        let rough = process(Shape::Exponential(3e-6), lay, johnson(-1.0, 4.5));
-        let fine = process(Shape::Gaussian(2e-6), Lay::default(), Heights::GAUSSIAN);
+        let rough = process(SpectrumShape::Exponential(3e-6), lay, johnson(-1.0, 4.5));
+        let fine = process(SpectrumShape::Gaussian(2e-6), Lay::default(), Heights::GAUSSIAN);
         let plateau = Some(Plateau { process: Process { sigma: 1e-8, ..fine }, height: 1e-7 });
-        let recipe = Recipe { points: [210, 333], pixel: [1e-6, 1.5e-6], process: rough.clone(), plateau };
-        let map = recipe.surface(seeds(9)).unwrap().0;
+        let generator =
+            SurfaceGenerator { points: [210, 333], pixel: [1e-6, 1.5e-6], process: rough.clone(), plateau };
+        let map = generator.surface(seeds(9)).unwrap().0;
         let open = HeightMap::new(map.points(), map.pixel(), map.heights().to_vec(), 0.0).unwrap();
         let levelled = Level::Quadratic.apply(&open).unwrap();
         let spectrum = rough.spectrum.on_grid(map.points(), map.pixel());
         (
-            format!("{:?} {:?}", Character::of(&map), Character::of(&levelled)),
+            format!("{:?} {:?}", RoughnessParameters::of(&map), RoughnessParameters::of(&levelled)),
             five_point(&map),
             five_point(&levelled),
             Autocorrelation::of(&levelled, 0.0),
@@ -354,7 +364,7 @@ fn the_same_bits_on_any_number_of_threads() {
 #[test]
 fn a_mapped_file_gives_the_same_summits_as_the_map_in_memory() {
     let path = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("../../experiments/surfaces/opd-1.npy");
-    let given = Given { pixel: Some([2e-7, 3e-7]), unit: Some(1e-3) };
+    let given = ReadOptions { pixel: Some([2e-7, 3e-7]), unit: Some(1e-3) };
     let mapped = read::rows(&path, given).unwrap();
     let whole = read::height_map(&path, given).unwrap();
     assert!(mapped.block(0..1).is_none() && whole.block(0..1).is_some(), "one of them is in memory");
@@ -364,20 +374,23 @@ fn a_mapped_file_gives_the_same_summits_as_the_map_in_memory() {
     assert_eq!(summits.heights.len(), 24714);
     assert_eq!(summits, five_point(&map));
     assert_eq!(summits, five_point(&Level::Plane.apply(&whole).unwrap()));
-    assert_eq!(format!("{:?}", Character::of(&rows)), format!("{:?}", Character::of(&map)));
+    assert_eq!(
+        format!("{:?}", RoughnessParameters::of(&rows)),
+        format!("{:?}", RoughnessParameters::of(&map))
+    );
 }
 
 /// Of the same spectrum and the same height, it cuts every other point; if it were the coarser one again, none.
 #[test]
 fn the_finer_process_has_random_numbers_of_its_own() {
-    let process = process(Shape::Exponential(2e-6), Lay::default(), Heights::GAUSSIAN);
+    let process = process(SpectrumShape::Exponential(2e-6), Lay::default(), Heights::GAUSSIAN);
     let plateau = Some(Plateau { process: process.clone(), height: 0.0 });
-    let recipe = Recipe { points: [200, 160], pixel: [1e-6; 2], process, plateau };
-    let cut = recipe.surface(seeds(5)).unwrap().1.unwrap();
+    let generator = SurfaceGenerator { points: [200, 160], pixel: [1e-6; 2], process, plateau };
+    let cut = generator.surface(seeds(5)).unwrap().1.unwrap();
     assert!((cut - 0.5).abs() < 0.1, "{cut}");
 }
 
-/// What a report says of a target is a recipe, which makes the same surface from the same seed.
+/// What a report says of a target is a generator, which makes the same surface from the same seed.
 #[test]
 fn what_meets_a_target_is_made_by_the_recipe_that_is_reported() {
     let target = Target { radius: 2e-5, sigma: 4.8e-8, density: 6e10 };
@@ -385,7 +398,7 @@ fn what_meets_a_target_is_made_by_the_recipe_that_is_reported() {
         [(Heights::GAUSSIAN, Neighbours::Eight), (johnson(-1.0, 4.5), Neighbours::Four)]
     {
         let points = [512, 384];
-        let recipe = TargetRecipe {
+        let generator = TargetGenerator {
             points,
             hurst: 0.8,
             cut_off: 8.0,
@@ -394,12 +407,13 @@ fn what_meets_a_target_is_made_by_the_recipe_that_is_reported() {
             neighbours,
         };
         // A target may lie in a jump of the small map of one seed.
-        let of = |seed| Some((seed, recipe.surface(&target, seeds(seed).process, None).ok()?));
+        let of = |seed| Some((seed, generator.surface(&target, seeds(seed).process, None).ok()?));
         let (seed, reached) = (1..=8).find_map(of).unwrap();
         let [density, _, _, variance] = found(&reached.map, neighbours);
         assert!((density / target.density - 1.0).abs() < 1e-3, "{density}");
         assert!((variance.sqrt() / target.sigma - 1.0).abs() < 1e-3, "{variance}");
-        let shape = Shape::SelfAffine { hurst: 0.8, roll_off: reached.roll_off, cut_off: reached.cut_off };
+        let shape =
+            SpectrumShape::SelfAffine { hurst: 0.8, roll_off: reached.roll_off, cut_off: reached.cut_off };
         let spectrum = Spectrum::new(shape, Lay::default()).unwrap();
         let process = Process { spectrum, of: SpectrumOf::Gaussian, sigma: reached.sigma, heights };
         let again = surface(points, reached.map.pixel(), process, seed);

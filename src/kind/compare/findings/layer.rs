@@ -1,7 +1,7 @@
 //! What the thickness of a layer changes on one surface under one law.
 
+use asperity::Regime;
 use asperity::compare::{GapQuantity, Kind};
-use asperity::contact::Regime;
 
 use super::Recommendation;
 use crate::kind::compare::answers::{CaseResults, Threshold};

@@ -1,6 +1,6 @@
 //! Where a deeper asperity has less area or load.
 
-use asperity::sphere::Falling;
+use asperity::sphere::DecreasingQuantity;
 use asperity_framework::contact::LayerMetadata;
 use asperity_framework::report::format::{listed, percent, quantity, thickness};
 use asperity_framework::report::page::{Page, escape};
@@ -35,8 +35,8 @@ fn line(subject: &str, found: &Decreasing, layer: Option<&LayerMetadata>) -> Str
         _ => (String::new(), String::new()),
     };
     let consequence = match found.of {
-        Falling::Area => "",
-        Falling::Load => {
+        DecreasingQuantity::Area => "",
+        DecreasingQuantity::Load => {
             " A pressure may then be reached more than once on approach; the answers are the first."
         }
     };

@@ -1,8 +1,7 @@
 //! The pictures of a comparison.
 
 use asperity::compare::{Comparison, CurvePoint, Kind, Pair, Pairing};
-use asperity::contact::Regime;
-use asperity::model::INTERACTION;
+use asperity::{INTERACTION, Regime};
 use asperity_plot::{Axis, Colour, Dash, Figure, Layer, Plot};
 
 /// How many standard errors a band shows: 95 % of all draws lie within.

@@ -6,8 +6,8 @@ use crate::kind::compare::page::figures::regime_colour;
 use crate::kind::indentation::run::{IndentationResults, LawCurves, LayerResults};
 use crate::kind::indentation::shown::Shown;
 use crate::kind::indentation::spec::Show;
-use asperity::compare::{GOOD_RATIO, RuleError};
-use asperity::layer::Rule;
+use asperity::ModulusModel;
+use asperity::compare::{GOOD_RATIO, ModulusError};
 use asperity_framework::report::format::number;
 use asperity_plot::{Axis, Colour, Dash, Figure, Layer, Legend, Marker, Plot};
 
@@ -122,7 +122,7 @@ fn measured(points: impl Iterator<Item = (f64, f64)>) -> Layer {
     Layer::points(points.collect::<Line>(), Marker::Cross).coloured(Colour::Series(6)).named("measured")
 }
 
-fn errors(errors: &[RuleError]) -> Layer {
+fn errors(errors: &[ModulusError]) -> Layer {
     Layer::line(errors.iter().map(|error| (error.contact_ratio, error.ratio)).collect::<Line>())
 }
 
@@ -138,17 +138,17 @@ pub fn rule(found: &LayerResults) -> String {
     plot = plot.with(
         Layer::line(exact.collect::<Line>()).coloured(Colour::Neutral).dashed(Dash::Dotted).named("exact"),
     );
-    for ((rule, of), colour) in Rule::ALL.into_iter().zip(&found.errors).zip(colours) {
+    for ((rule, of), colour) in ModulusModel::ALL.into_iter().zip(&found.errors).zip(colours) {
         plot =
             plot.with(errors(of).coloured(colour).dashed(dash(rule)).named(format!("rule {}", rule.name())));
     }
     plot.svg()
 }
 
-fn dash(rule: Rule) -> Dash {
+fn dash(rule: ModulusModel) -> Dash {
     match rule {
-        Rule::Gao => Dash::Solid,
-        Rule::Series => Dash::Dashed,
+        ModulusModel::Gao => Dash::Solid,
+        ModulusModel::Series => Dash::Dashed,
     }
 }
 
@@ -157,7 +157,7 @@ pub fn rules(results: &IndentationResults) -> String {
     let all = || results.layers.iter().flat_map(|found| found.errors.iter().flatten());
     let low = all().map(|error| error.ratio).fold(1.0, f64::min) / 1.1;
     let high = all().map(|error| error.ratio).fold(1.0, f64::max) * 1.1;
-    let panel = |(k, rule): (usize, Rule)| {
+    let panel = |(k, rule): (usize, ModulusModel)| {
         let axis = Axis::log("load by the rule / exact elastic load").range(low, high);
         let title = format!("rule {}", rule.name());
         let mut plot =
@@ -172,7 +172,7 @@ pub fn rules(results: &IndentationResults) -> String {
         }
         plot.legend(if k == 0 { Legend::Below } else { Legend::Hidden })
     };
-    let panels = Rule::ALL.into_iter().enumerate().map(panel).collect();
+    let panels = ModulusModel::ALL.into_iter().enumerate().map(panel).collect();
     let [from, to] = GOOD_RATIO;
     Figure::row(format!("Both rules for all layers; gao is good for E_l/E_s of {from} to {to}"), panels).svg()
 }

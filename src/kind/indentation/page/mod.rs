@@ -6,7 +6,7 @@ mod rule;
 use super::run::{IndentationResults, LawCurves, LayerResults, OverlayFit};
 use crate::kind::indentation::shown::Shown;
 use asperity::layer::exact_sphere::LARGEST_RATIO;
-use asperity::sphere::{Curve, Fall, Falling, LARGEST_SLOPE, RegimeChange};
+use asperity::sphere::{Curve, Decrease, DecreasingQuantity, LARGEST_SLOPE, RegimeChange};
 use asperity_framework::report::format::{count, number, quantity};
 use asperity_framework::report::page::{Page, escape};
 use asperity_framework::report::sections;
@@ -80,14 +80,14 @@ fn in_short(results: &IndentationResults, found: &LayerResults, law: &LawCurves)
         quantity(last(&law.coated), "N"),
         quantity(last(&law.uncoated), "N"),
         quantity(last(&law.all_layer), "N"),
-        law.coated.falls.iter().map(fall).collect::<String>(),
+        law.coated.decreases.iter().map(fall).collect::<String>(),
     )
 }
 
-fn fall(fall: &Fall) -> String {
+fn fall(fall: &Decrease) -> String {
     let unit = match fall.of {
-        Falling::Area => "m²",
-        Falling::Load => "N",
+        DecreasingQuantity::Area => "m²",
+        DecreasingQuantity::Load => "N",
     };
     let value = |contact| quantity(fall.of.of(contact), unit);
     format!(

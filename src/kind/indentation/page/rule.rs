@@ -2,8 +2,8 @@
 
 use super::{figures, subject};
 use crate::kind::indentation::run::{IndentationResults, LayerResults};
-use asperity::compare::{GOOD_RATIO, RuleError};
-use asperity::layer::Rule;
+use asperity::ModulusModel;
+use asperity::compare::{GOOD_RATIO, ModulusError};
 use asperity_framework::report::format::number;
 use asperity_framework::report::page::Page;
 
@@ -11,7 +11,7 @@ use asperity_framework::report::page::Page;
 pub fn sentence(found: &LayerResults) -> String {
     let [from, to] = GOOD_RATIO;
     let place = if found.check.is_good() { "within" } else { "outside" };
-    let worst = |(rule, worst): (Rule, &Option<RuleError>)| {
+    let worst = |(rule, worst): (ModulusModel, &Option<ModulusError>)| {
         let worst = worst.as_ref()?;
         Some(format!(
             "the load by `{}` is {} {} times the exact one (at a/t = {}{})",
@@ -22,7 +22,8 @@ pub fn sentence(found: &LayerResults) -> String {
             if rule == found.rule { ", the rule of this layer" } else { "" },
         ))
     };
-    let worst: Vec<String> = Rule::ALL.into_iter().zip(&found.check.worst).filter_map(worst).collect();
+    let worst: Vec<String> =
+        ModulusModel::ALL.into_iter().zip(&found.check.worst).filter_map(worst).collect();
     let errors = match worst.len() {
         0 => "no contact is small enough for the exact solution".to_owned(),
         _ => format!("without yielding and at equal indentation, {}", worst.join("; ")),
@@ -49,7 +50,7 @@ pub fn section(page: &mut Page, found: &LayerResults, figure: &str) {
     page.paragraph(
         "Both rules take the area of an elastic contact to be π R w, as without a layer; the last column sets it beside the exact one.",
     );
-    let [gao, series] = &found.check.told;
+    let [gao, series] = &found.check.reported;
     page.table(
         ["a/t", "w R/t²", "load: gao / exact", "load: series / exact", "area: π R w / exact"],
         gao.iter().zip(series).map(|(gao, series)| {
@@ -73,7 +74,7 @@ pub fn all(page: &mut Page, results: &IndentationResults) {
         "The elastic load by each rule over the exact elastic load at equal indentation, against the exact contact radius in layer \
          thicknesses: a panel a rule, a line a layer.",
     );
-    let cells = |worst: &Option<RuleError>| match worst {
+    let cells = |worst: &Option<ModulusError>| match worst {
         Some(worst) => [format!("{:.3}", worst.ratio), number(worst.contact_ratio)],
         None => [String::new(), String::new()],
     };

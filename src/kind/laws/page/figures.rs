@@ -3,8 +3,8 @@
 use std::f64::consts::PI;
 
 use crate::kind::laws::results::{LawOnOne, LawsResults};
+use asperity::Contact;
 use asperity::compare::{AtLoad, Influence, Kind, Measure};
-use asperity::contact::Contact;
 use asperity::sphere::LARGEST_SLOPE;
 use asperity_plot::{Axis, Colour, Dash, Figure, Layer, Legend, Marker, Plot};
 
@@ -22,7 +22,7 @@ fn colour(law: usize) -> Colour {
 
 /// Laws of one regime are limits of the others.
 fn dash(law: &LawOnOne) -> Dash {
-    if law.passes_regimes { Dash::Solid } else { Dash::Dashed }
+    if law.is_elastic_plastic { Dash::Solid } else { Dash::Dashed }
 }
 
 /// What a panel of the one asperity shows of a contact at an indentation (m).
@@ -160,7 +160,7 @@ fn shown(measure: Measure, difference: f64) -> f64 {
 fn range(results: &LawsResults, influence: &Influence, measure: Measure) -> Option<[f64; 2]> {
     /// Above and below, of the range.
     const ROOM: f64 = 0.15;
-    let passing = || (0..results.laws.len()).filter(|&law| results.laws[law].passes_regimes);
+    let passing = || (0..results.laws.len()).filter(|&law| results.laws[law].is_elastic_plastic);
     let of_load = |at: &AtLoad| {
         let mut needed = vec![0.0];
         needed.extend(passing().map(|law| at.deviation(measure, law, Kind::Deterministic)));

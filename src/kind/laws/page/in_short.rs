@@ -62,7 +62,7 @@ fn line(found: &SurfaceInfluence, attribution: &Attribution) -> String {
         Measure::Area => "real area and, turned over, mean real pressure",
     };
     let members = match group {
-        Group::Passing => "the laws that go beyond elastic contact",
+        Group::ElasticPlastic => "the laws that go beyond elastic contact",
         Group::All => "the laws",
     };
     let laws = &found.influence.laws;

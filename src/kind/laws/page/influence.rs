@@ -4,7 +4,7 @@ use super::figures;
 use super::words::{short, signed};
 use crate::kind::compare::results::SurfaceResults;
 use crate::kind::laws::results::{LawOnOne, LawsResults, SurfaceInfluence};
-use asperity::compare::{AtLoad, Group, Influence, Kind, Measure, Weight, of_each_decade};
+use asperity::compare::{AtLoad, Effect, Group, Influence, Kind, Measure, of_each_decade};
 use asperity_framework::report::format::{listed, percent, quantity};
 use asperity_framework::report::page::{Page, escape};
 
@@ -91,7 +91,7 @@ fn load_row(at: &AtLoad, measure: Measure) -> Vec<String> {
         let found = at.spread(measure, group, kind);
         found.map_or_else(dash, |spread| signed(measure, spread))
     };
-    let most = at.largest_gap(measure, Group::Passing);
+    let most = at.largest_gap(measure, Group::ElasticPlastic);
     let error = at.sampling_error(measure, 0).map_or_else(dash, |error| match measure {
         Measure::Separation => short(error),
         Measure::Area => percent(error),
@@ -100,8 +100,8 @@ fn load_row(at: &AtLoad, measure: Measure) -> Vec<String> {
         format!("{}{}", quantity(at.pressure, "Pa"), remark(at)),
         spread(Group::All, Kind::Statistical),
         spread(Group::All, Kind::Deterministic),
-        spread(Group::Passing, Kind::Statistical),
-        spread(Group::Passing, Kind::Deterministic),
+        spread(Group::ElasticPlastic, Kind::Statistical),
+        spread(Group::ElasticPlastic, Kind::Deterministic),
         signed(measure, at.gap(measure, 0)),
         most.map_or_else(dash, |(_, gap)| signed(measure, gap)),
         error,
@@ -132,9 +132,9 @@ fn law_by_law(page: &mut Page, results: &LawsResults, influence: &Influence, mea
          itself, over the loads that count.",
         escape(&influence.laws[0])
     ));
-    let told = |weight: Option<Weight>| {
+    let told = |weight: Option<Effect>| {
         let words =
-            |weight: Weight| format!("{} at {}", signed(measure, weight.largest), quantity(weight.at, "Pa"));
+            |weight: Effect| format!("{} at {}", signed(measure, weight.largest), quantity(weight.at, "Pa"));
         weight.map_or_else(|| "-".to_owned(), words)
     };
     let row = |(index, law): (usize, &LawOnOne)| {
@@ -150,7 +150,7 @@ fn law_by_law(page: &mut Page, results: &LawsResults, influence: &Influence, mea
             law.law.clone(),
             choice(Kind::Statistical),
             choice(Kind::Deterministic),
-            told(influence.of_adding_up(measure, index)),
+            told(influence.of_summation(measure, index)),
             errors.map_or_else(|| "-".to_owned(), |errors| format!("{:.1}", errors.largest.abs())),
         ]
     };

@@ -8,8 +8,9 @@ mod words;
 
 use crate::kind::compare::page as compare;
 use crate::kind::laws::results::{LawOnOne, LawsResults};
+use asperity::ContactLaw;
 use asperity::compare::PointCounts;
-use asperity::contact_law::{ContactLaw, registry};
+use asperity::contact_law::registry;
 use asperity::sphere::{Boundary, LARGEST_SLOPE};
 use asperity_framework::report::format::listed;
 use asperity_framework::report::format::{number, percent, quantity};

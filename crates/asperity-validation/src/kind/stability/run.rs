@@ -5,8 +5,8 @@ use std::time::Instant;
 use super::findings::KindFindings;
 use super::plan::StabilityPlan;
 use crate::stability::{CoveredLaw, Failure, Group, GroupFindings, Map, group, maps};
-use asperity::contact_law::{ContactLaw, registry};
-use asperity::literature::{self, Paper};
+use asperity::contact_law::registry;
+use asperity::{ContactLaw, Paper, literature};
 use asperity_framework::RunContext;
 use asperity_framework::metadata::{Metadata, Timing};
 

@@ -7,8 +7,7 @@ use super::{Branch, Exact, Flat};
 use crate::stability::exact::Shape;
 use crate::stability::exact::Total;
 use crate::stability::wide::{PI, Wide, integral};
-use asperity::asperity::Population;
-use asperity::distribution::Heights;
+use asperity::{Heights, Population};
 
 /// A height distribution that an integral can be taken over in about 32 digits.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

@@ -2,14 +2,13 @@
 
 use crate::stability::bodies;
 use crate::stability::wide::{PI, Wide};
-use asperity::layer::Rule;
-use asperity::material::Material;
+use asperity::{Material, ModulusModel};
 
 /// A layer on a substrate.
 #[derive(Debug, Clone)]
 pub(super) struct Layer {
     thickness: Wide,
-    rule: Rule,
+    rule: ModulusModel,
     layer: Body,
     substrate: Body,
 }
@@ -74,11 +73,11 @@ impl Layer {
         let rest = (Wide::ONE - poisson * 2.0) * log - xi / (Wide::ONE + xi * xi);
         let of_modulus = angle + rest / (PI * 2.0 * (Wide::ONE - poisson));
         let compliance = match self.rule {
-            Rule::Gao => {
+            ModulusModel::Gao => {
                 let young = substrate.young + (layer.young - substrate.young) * of_modulus;
                 (Wide::ONE - poisson * poisson) / young
             }
-            Rule::Series => {
+            ModulusModel::Series => {
                 let [of_layer, of_substrate] = [layer, substrate].map(Body::shear_compliance);
                 let shear = of_substrate + (of_layer - of_substrate) * of_modulus;
                 (Wide::ONE - poisson) * shear / 2.0

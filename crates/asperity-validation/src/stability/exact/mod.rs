@@ -20,8 +20,7 @@ pub use sum::Total;
 use super::bodies::Bodies;
 use super::laws::{CoveredLaw, YieldLimits};
 use crate::stability::wide::Wide;
-use asperity::contact::Regime;
-use asperity::material::Material;
+use asperity::{Material, Regime};
 use layer::Layer;
 
 /// The pair that an asperity feels.

@@ -21,7 +21,7 @@ pub struct Curve {
     /// The responses, in the order of the given separations.
     pub responses: Vec<Response>,
     /// The separations at which the model itself was evaluated.
-    pub asked: Vec<f64>,
+    pub evaluated: Vec<f64>,
 }
 
 /// Below this number of separations the model is evaluated at each.
@@ -36,7 +36,7 @@ const FEWEST: usize = 32;
 /// contacts of a sum is counted, not interpolated.
 pub fn respond_within(model: &dyn Model, separations: &[f64], tolerance: f64) -> Curve {
     if separations.len() < FEWEST {
-        return Curve { responses: model.respond_all(separations), asked: separations.to_vec() };
+        return Curve { responses: model.respond_all(separations), evaluated: separations.to_vec() };
     }
     let mut order: Vec<usize> = (0..separations.len()).collect();
     order.sort_by(|&a, &b| separations[a].total_cmp(&separations[b]));
@@ -48,7 +48,7 @@ pub fn respond_within(model: &dyn Model, separations: &[f64], tolerance: f64) ->
     let mut sampler = AdaptiveSampler::new(ascending, bound);
     sampler.refine(model, tolerance);
     let known = &sampler.known;
-    let mut asked: Vec<f64> = known.iter().map(|node| node.response.separation_over_sigma).collect();
+    let mut evaluated: Vec<f64> = known.iter().map(|node| node.response.separation_over_sigma).collect();
     // All other places come by.
     let mut responses = vec![known[0].response; separations.len()];
     for node in known {
@@ -70,6 +70,6 @@ pub fn respond_within(model: &dyn Model, separations: &[f64], tolerance: f64) ->
     for (k, answer) in missing.into_iter().zip(model.respond_all(&missing_separations)) {
         responses[k] = answer;
     }
-    asked.extend(missing_separations);
-    Curve { responses, asked }
+    evaluated.extend(missing_separations);
+    Curve { responses, evaluated }
 }

@@ -75,14 +75,14 @@ fn draw_real(deviations: &[f64], rng: &mut ChaCha8Rng, waves: &mut [Complex<f64>
 mod tests {
     use super::*;
     use crate::topography::fourier::analyse;
-    use crate::topography::spectrum::{Lay, Shape, Spectrum};
+    use crate::topography::spectrum::{Lay, Spectrum, SpectrumShape};
 
     /// Also those that represent no other: at the end of even numbers of points.
     #[test]
     fn each_wave_has_its_variance_and_is_drawn_by_itself() {
         const SEEDS: u32 = 3000;
         let points = [8, 6];
-        let shape = Shape::Gaussian(0.7);
+        let shape = SpectrumShape::Gaussian(0.7);
         let spectrum =
             Spectrum::new(shape, Lay { elongation: 1.5, angle: 0.6 }).unwrap().on_grid(points, [1.0; 2]);
         let mut power = vec![vec![0.0; 8]; 4];

@@ -4,7 +4,7 @@ mod gaussian;
 mod target;
 
 pub use gaussian::gaussian;
-pub use target::{Reached, Target, TargetRecipe, Unreachable};
+pub use target::{Reached, Target, TargetGenerator, Unreachable};
 
 use rayon::prelude::*;
 
@@ -51,7 +51,7 @@ pub struct Plateau {
 
 /// What makes a surface on a grid.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Recipe {
+pub struct SurfaceGenerator {
     /// Points along x and y.
     pub points: [usize; 2],
     /// Their distances along x and y, m.
@@ -71,7 +71,7 @@ pub struct Seeds {
     pub plateau: [u8; 32],
 }
 
-impl Recipe {
+impl SurfaceGenerator {
     /// Whether the grid can show the spectra.
     ///
     /// # Errors

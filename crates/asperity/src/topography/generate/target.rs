@@ -7,7 +7,7 @@
 use super::field;
 use crate::asperity::{AsperitySet, SetError, Statistics};
 use crate::distribution::Heights;
-use crate::topography::spectrum::{Lay, Shape, Spectrum, SpectrumError};
+use crate::topography::spectrum::{Lay, Spectrum, SpectrumError, SpectrumShape};
 use crate::topography::summits::{Detail, Neighbours, find};
 use crate::topography::{HeightMap, MapError};
 
@@ -31,7 +31,7 @@ impl Target {
 
 /// A self-affine surface whose scales and bandwidth are left to the target.
 #[derive(Debug, Clone, PartialEq)]
-pub struct TargetRecipe {
+pub struct TargetGenerator {
     /// Points along x and y.
     pub points: [usize; 2],
     /// Hurst exponent.
@@ -139,7 +139,7 @@ const TOLERANCE: f64 = 5e-5;
 /// Deviation that is accepted where the product jumps.
 const MET: f64 = 1e-3;
 
-impl TargetRecipe {
+impl TargetGenerator {
     /// Whether the grid can show its spectra.
     ///
     /// # Errors
@@ -161,7 +161,7 @@ impl TargetRecipe {
 
     fn spectrum(&self, bandwidth: f64, pixel: f64) -> Result<Spectrum, SpectrumError> {
         let cut_off = self.cut_off * pixel;
-        let shape = Shape::SelfAffine { hurst: self.hurst, roll_off: bandwidth * cut_off, cut_off };
+        let shape = SpectrumShape::SelfAffine { hurst: self.hurst, roll_off: bandwidth * cut_off, cut_off };
         Spectrum::new(shape, self.lay)
     }
 

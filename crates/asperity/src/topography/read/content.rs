@@ -1,10 +1,10 @@
 //! A map as its file holds it.
 
-use super::error::GivenError;
+use super::error::ReadOptionsError;
 
-/// What the head of a file says.
+/// Size, pixel and format of a map, from the header of its file.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Head {
+pub struct Metadata {
     /// Points along x and y.
     pub points: [usize; 2],
     /// Distance of neighbouring points along x and y, where the format holds it: in metres where it
@@ -16,35 +16,35 @@ pub struct Head {
     pub format: &'static str,
 }
 
-/// What is given beside a file that does not hold it.
+/// Pixel and unit of a file whose format does not hold them.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
-pub struct Given {
+pub struct ReadOptions {
     /// Distance of neighbouring points along x and y, m.
     pub pixel: Option<[f64; 2]>,
     /// Unit of all lengths in the file, m; a metre if it is not given.
     pub unit: Option<f64>,
 }
 
-impl Head {
+impl Metadata {
     /// The pixel along x and y, m.
     ///
     /// # Errors
-    /// See [`GivenError`].
-    pub fn pixel(&self, given: &Given) -> Result<[f64; 2], GivenError> {
+    /// See [`ReadOptionsError`].
+    pub fn pixel(&self, options: &ReadOptions) -> Result<[f64; 2], ReadOptionsError> {
         let Self { format, has_unit, .. } = *self;
-        if has_unit && given.unit.is_some() {
-            return Err(GivenError::UnitHeld { format });
+        if has_unit && options.unit.is_some() {
+            return Err(ReadOptionsError::UnitHeld { format });
         }
-        match (self.pixel, given.pixel) {
-            (Some(pixel), Some(_)) => Err(GivenError::PixelHeld { format, pixel, has_unit }),
-            (Some(pixel), None) => Ok(pixel.map(|size| size * self.unit(given))),
+        match (self.pixel, options.pixel) {
+            (Some(pixel), Some(_)) => Err(ReadOptionsError::PixelHeld { format, pixel, has_unit }),
+            (Some(pixel), None) => Ok(pixel.map(|size| size * self.unit(options))),
             (None, Some(pixel)) => Ok(pixel),
-            (None, None) => Err(GivenError::NoPixel),
+            (None, None) => Err(ReadOptionsError::NoPixel),
         }
     }
 
-    pub(super) fn unit(&self, given: &Given) -> f64 {
-        if self.has_unit { 1.0 } else { given.unit.unwrap_or(1.0) }
+    pub(super) fn unit(&self, options: &ReadOptions) -> f64 {
+        if self.has_unit { 1.0 } else { options.unit.unwrap_or(1.0) }
     }
 }
 
@@ -52,7 +52,7 @@ impl Head {
 #[derive(Debug, Clone, PartialEq)]
 pub struct Measured {
     /// Size, pixel and unit.
-    pub head: Head,
+    pub metadata: Metadata,
     /// Heights, the y index running fastest; in metres where the format holds its unit, in the unit of
     /// the file where it does not. Missing points are NaN.
     pub heights: Vec<f64>,

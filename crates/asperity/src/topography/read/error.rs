@@ -42,14 +42,14 @@ pub enum ReadError {
         /// What stands in it.
         found: String,
     },
-    /// What is given beside the file does not go with it.
+    /// The options contradict the file.
     #[error(transparent)]
-    Given(#[from] GivenError),
+    Options(#[from] ReadOptionsError),
 }
 
-/// What is given beside a file does not go with what it holds.
+/// Options that contradict what the file holds.
 #[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
-pub enum GivenError {
+pub enum ReadOptionsError {
     /// Two pixels: one must be wrong.
     #[error(
         "is {format}, which holds its own pixel of {:e} x {:e} {}; allowed: leave pixel out",

@@ -29,9 +29,9 @@ use std::path::Path;
 use super::{HeightMap, MapError, Rows, rows};
 use crate::npy::{self as array, Mapped};
 use crate::numeric::LARGEST;
-pub use content::{Given, Head, Measured};
+pub use content::{Measured, Metadata, ReadOptions};
 use error::{FORMATS, TALLEST};
-pub use error::{GivenError, ReadError};
+pub use error::{ReadError, ReadOptionsError};
 use npy::MappedMap;
 
 /// The formats, as their first bytes tell them apart.
@@ -72,19 +72,19 @@ impl Format {
     }
 }
 
-/// Bytes that are looked at to tell the formats apart.
+/// Bytes that identify the format.
 const BEGIN: u64 = 4096;
 
-/// What the head of a file says, checked against its length. A text is read as a whole.
+/// What the header of a file says, checked against its length. A text is read as a whole.
 ///
 /// # Errors
-/// As [`height_map`], as far as the head and the length of the file tell.
-pub fn head(path: &Path) -> Result<Head, ReadError> {
+/// As [`height_map`], as far as the header and the length of the file tell.
+pub fn metadata(path: &Path) -> Result<Metadata, ReadError> {
     match Format::of(path)? {
-        Format::Npy => npy::head(path),
-        Format::Sdf => sdf::head(path),
-        Format::Text => Ok(text::measured(path)?.head),
-        Format::X3p => x3p::head(path),
+        Format::Npy => npy::metadata(path),
+        Format::Sdf => sdf::metadata(path),
+        Format::Text => Ok(text::measured(path)?.metadata),
+        Format::X3p => x3p::metadata(path),
     }
 }
 
@@ -101,25 +101,25 @@ pub fn measured(path: &Path) -> Result<Measured, ReadError> {
     }
 }
 
-/// Reads a map of heights in metres, with the pixel and the unit `given` where its format holds none.
+/// Reads a map of heights in metres, with the pixel and the unit of `options` where its format holds none.
 ///
 /// # Errors
 /// See [`ReadError`].
-pub fn height_map(path: &Path, given: Given) -> Result<HeightMap, ReadError> {
-    let Measured { head, mut heights, mut precision } = measured(path)?;
-    let pixel = head.pixel(&given)?;
-    let unit = head.unit(&given);
+pub fn height_map(path: &Path, options: ReadOptions) -> Result<HeightMap, ReadError> {
+    let Measured { metadata, mut heights, mut precision } = measured(path)?;
+    let pixel = metadata.pixel(&options)?;
+    let unit = metadata.unit(&options);
     if unit != 1.0 {
         precision = precision.max(f64::EPSILON);
     }
-    check_heights(&mut heights, unit, head.has_unit)?;
-    Ok(HeightMap::new(head.points, pixel, heights, precision)?)
+    check_heights(&mut heights, unit, metadata.has_unit)?;
+    Ok(HeightMap::new(metadata.points, pixel, heights, precision)?)
 }
 
 /// Whether [`rows()`] leaves a map on disk: a `.npy` in C order.
 ///
 /// # Errors
-/// As [`head`].
+/// As [`header`].
 pub fn stays_on_disk(path: &Path) -> Result<bool, ReadError> {
     Ok(Format::of(path)? == Format::Npy && !array::Header::read(path)?.is_fortran())
 }
@@ -129,13 +129,13 @@ pub fn stays_on_disk(path: &Path) -> Result<bool, ReadError> {
 ///
 /// # Errors
 /// As [`height_map`].
-pub fn rows(path: &Path, given: Given) -> Result<Box<dyn Rows>, ReadError> {
+pub fn rows(path: &Path, options: ReadOptions) -> Result<Box<dyn Rows>, ReadError> {
     if !stays_on_disk(path)? {
-        return Ok(Box::new(height_map(path, given)?));
+        return Ok(Box::new(height_map(path, options)?));
     }
-    let head = npy::head(path)?;
+    let metadata = npy::metadata(path)?;
     let array = Mapped::open(path)?;
-    let map = MappedMap { array, pixel: head.pixel(&given)?, unit: head.unit(&given) };
+    let map = MappedMap { array, pixel: metadata.pixel(&options)?, unit: metadata.unit(&options) };
     check_rows(&map)?;
     Ok(Box::new(map))
 }

@@ -2,25 +2,25 @@
 
 use std::path::Path;
 
-use super::content::{Head, Measured};
+use super::content::{Measured, Metadata};
 use super::error::ReadError;
 use crate::npy::{Header, Mapped, Matrix, matrix};
 use crate::topography::{Boundary, Rows};
 
 /// What the header of a file says of a map.
-pub(super) fn head(path: &Path) -> Result<Head, ReadError> {
+pub(super) fn metadata(path: &Path) -> Result<Metadata, ReadError> {
     let Header { rows, columns, .. } = Header::read(path)?;
-    Ok(head_of([rows, columns]))
+    Ok(metadata_of([rows, columns]))
 }
 
-fn head_of(points: [usize; 2]) -> Head {
-    Head { points, pixel: None, has_unit: false, format: ".npy" }
+fn metadata_of(points: [usize; 2]) -> Metadata {
+    Metadata { points, pixel: None, has_unit: false, format: ".npy" }
 }
 
 /// Reads a map, in the unit of the file.
 pub(super) fn measured(path: &Path) -> Result<Measured, ReadError> {
     let Matrix { rows, columns, values, precision } = matrix(path)?;
-    Ok(Measured { head: head_of([rows, columns]), heights: values, precision })
+    Ok(Measured { metadata: metadata_of([rows, columns]), heights: values, precision })
 }
 
 /// A mapped array as a height map.

@@ -10,7 +10,7 @@ use std::fs::File;
 use std::io::Read;
 use std::path::Path;
 
-use super::content::{Head, Measured, transposed};
+use super::content::{Measured, Metadata, transposed};
 use super::error::{ReadError, shortened, too_large};
 use crate::numeric::is_positive;
 use crate::numeric::stored::NumberType;
@@ -20,7 +20,7 @@ const FIELDS: &str = "NumPoints, NumProfiles, Xscale, Yscale, Zscale, Compressio
 const VERSIONS: [&[u8]; 3] = [b"ISO-1.0", b"ISO-2.0", b"BCR-1.0"];
 /// Names of the codes of `DataType` in BCR-1.0.
 const TYPES: [&str; 8] = ["UCHAR", "UINTEGER", "ULONGINT", "FLOAT", "CHAR", "INTEGER", "LONGINT", "DOUBLE"];
-/// Bytes of the head of a binary file, its counts being of two bytes.
+/// Bytes of the header of a binary file, its counts being of two bytes.
 const HEAD: usize = 81;
 
 /// Whether a file begins as a surface data file: a or b, three capitals, a hyphen, two digits.
@@ -75,7 +75,7 @@ struct Fields {
 
 /// Fields that are allowed.
 struct Checked {
-    head: Head,
+    metadata: Metadata,
     count: u64,
     z_scale: f64,
     stored: NumberType,
@@ -83,12 +83,12 @@ struct Checked {
     greatest: bool,
 }
 
-/// The head, checked against the length of the file.
+/// The header, checked against the length of the file.
 ///
 /// # Errors
 /// See [`ReadError`].
-pub(super) fn head(path: &Path) -> Result<Head, ReadError> {
-    Ok(open(path)?.0.head)
+pub(super) fn metadata(path: &Path) -> Result<Metadata, ReadError> {
+    Ok(open(path)?.0.metadata)
 }
 
 /// Reads a map in metres.
@@ -97,7 +97,7 @@ pub(super) fn head(path: &Path) -> Result<Head, ReadError> {
 /// See [`ReadError`].
 pub(super) fn measured(path: &Path) -> Result<Measured, ReadError> {
     let (checked, body) = open(path)?;
-    let Checked { head, count, z_scale, stored, greatest } = checked;
+    let Checked { metadata, count, z_scale, stored, greatest } = checked;
     let mut values = match body {
         Body::Text(text) => text_values(&text, count)?,
         Body::Binary { mut file, begin } => {
@@ -114,8 +114,8 @@ pub(super) fn measured(path: &Path) -> Result<Measured, ReadError> {
     for value in &mut values {
         *value = if marks_missing(stored, *value, greatest) { f64::NAN } else { *value * z_scale };
     }
-    let heights = transposed(&values, head.points[0]);
-    Ok(Measured { head, heights, precision: stored.scaled_precision() })
+    let heights = transposed(&values, metadata.points[0]);
+    Ok(Measured { metadata, heights, precision: stored.scaled_precision() })
 }
 
 /// The numbers, not yet read.
@@ -128,7 +128,7 @@ fn open(path: &Path) -> Result<(Checked, Body), ReadError> {
     let mut file = File::open(path)?;
     let length = file.metadata()?.len();
     let mut begin = Vec::new();
-    // Counts of four bytes make the head of version 2 four bytes longer.
+    // Counts of four bytes make the header of version 2 four bytes longer.
     (&mut file).take(HEAD as u64 + 4).read_to_end(&mut begin)?;
     let (Some(kind), Some(version)) = (begin.first(), begin.get(1..8)) else {
         return Err(ReadError::Mismatch("is no SDF file: it is shorter than a version".to_owned()));
@@ -270,8 +270,8 @@ impl Fields {
             return Err(too_large());
         };
         let pixel = Some([self.x_scale, self.y_scale]);
-        let head = Head { points: [nx, ny], pixel, has_unit: true, format: FORMAT };
-        Ok(Checked { head, count, z_scale: self.z_scale, stored, greatest })
+        let metadata = Metadata { points: [nx, ny], pixel, has_unit: true, format: FORMAT };
+        Ok(Checked { metadata, count, z_scale: self.z_scale, stored, greatest })
     }
 }
 

@@ -23,7 +23,7 @@ pub(super) struct Table {
 /// What stands between numbers.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Separator {
-    Character(char),
+    RoughnessParameters(char),
     Blanks,
 }
 
@@ -188,16 +188,16 @@ impl Separation {
             )));
         }
         let separator = if semicolon {
-            Separator::Character(';')
+            Separator::RoughnessParameters(';')
         } else if tab_gap && !blank_gap {
-            Separator::Character('\t')
+            Separator::RoughnessParameters('\t')
         } else if other || commas == 0 {
             Separator::Blanks
         } else {
-            Separator::Character(',')
+            Separator::RoughnessParameters(',')
         };
         let trailing = match separator {
-            Separator::Character(character) => {
+            Separator::RoughnessParameters(character) => {
                 lines.iter().all(|(_, line)| line.trim_end_matches(' ').ends_with(character))
             }
             Separator::Blanks => false,
@@ -208,7 +208,7 @@ impl Separation {
     fn words<'a>(&self, line: &'a str) -> Box<dyn Iterator<Item = &'a str> + 'a> {
         match self.separator {
             Separator::Blanks => Box::new(line.split_whitespace()),
-            Separator::Character(character) => {
+            Separator::RoughnessParameters(character) => {
                 let line = line.trim_matches(' ');
                 let line = if self.trailing { line.strip_suffix(character).unwrap_or(line) } else { line };
                 Box::new(line.split(character).map(|word| word.trim().trim_matches('"')))

@@ -6,7 +6,7 @@
 
 use std::path::Path;
 
-use super::content::{Head, Measured, transposed};
+use super::content::{Measured, Metadata, transposed};
 use super::error::ReadError;
 use super::table::Table;
 use super::xyz;
@@ -30,14 +30,15 @@ pub(super) fn measured(path: &Path) -> Result<Measured, ReadError> {
         if columns == 3 && rows > 3 {
             return xyz::measured(&values, precision);
         }
-        let head = Head { points: [columns, rows], pixel: None, has_unit: false, format: "a plain text" };
-        return Ok(Measured { head, heights: transposed(&values, columns), precision });
+        let metadata =
+            Metadata { points: [columns, rows], pixel: None, has_unit: false, format: "a plain text" };
+        return Ok(Measured { metadata, heights: transposed(&values, columns), precision });
     };
     let points = [columns, rows];
     let pixel = [header.width / columns as f64, header.height / rows as f64];
     values.iter_mut().for_each(|z| *z *= header.unit);
-    let head = Head { points, pixel: Some(pixel), has_unit: true, format: FORMAT };
-    Ok(Measured { head, heights: transposed(&values, columns), precision })
+    let metadata = Metadata { points, pixel: Some(pixel), has_unit: true, format: FORMAT };
+    Ok(Measured { metadata, heights: transposed(&values, columns), precision })
 }
 
 /// What Gwyddion writes above the numbers, in metres.

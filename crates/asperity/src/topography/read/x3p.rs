@@ -15,7 +15,7 @@ use roxmltree::{Document, Node};
 use zip::ZipArchive;
 use zip::result::ZipError;
 
-use super::content::{Head, Measured, transposed};
+use super::content::{Measured, Metadata, transposed};
 use super::error::{ReadError, shortened, too_large};
 use crate::numeric::stored::NumberType;
 use crate::numeric::{LARGEST, is_positive};
@@ -43,7 +43,7 @@ enum Heights {
 
 /// What `main.xml` says.
 struct Main {
-    head: Head,
+    metadata: Metadata,
     count: u64,
     stored: NumberType,
     increment: f64,
@@ -53,11 +53,11 @@ struct Main {
 
 struct Archive(ZipArchive<BufReader<File>>);
 
-/// The head, its links checked against the sizes of the files in the archive.
+/// The header, its links checked against the sizes of the files in the archive.
 ///
 /// # Errors
 /// See [`ReadError`].
-pub(super) fn head(path: &Path) -> Result<Head, ReadError> {
+pub(super) fn metadata(path: &Path) -> Result<Metadata, ReadError> {
     let mut archive = Archive::open(path)?;
     let main = archive.main()?;
     if let Heights::Linked { heights, valid } = &main.heights {
@@ -66,7 +66,7 @@ pub(super) fn head(path: &Path) -> Result<Head, ReadError> {
             archive.sized(&valid.name, main.count.div_ceil(8))?;
         }
     }
-    Ok(main.head)
+    Ok(main.metadata)
 }
 
 /// Reads a map in metres.
@@ -77,7 +77,7 @@ pub(super) fn measured(path: &Path) -> Result<Measured, ReadError> {
     let mut archive = Archive::open(path)?;
     let main = archive.main()?;
     let bytes = main.bytes()?;
-    let Main { head, count, stored, increment, offset, heights } = main;
+    let Main { metadata, count, stored, increment, offset, heights } = main;
     let mut values = match heights {
         Heights::Listed(values) => values,
         Heights::Linked { heights, valid } => {
@@ -95,7 +95,11 @@ pub(super) fn measured(path: &Path) -> Result<Measured, ReadError> {
     for value in &mut values {
         *value = *value * increment + offset;
     }
-    Ok(Measured { head, heights: transposed(&values, head.points[0]), precision: stored.scaled_precision() })
+    Ok(Measured {
+        metadata,
+        heights: transposed(&values, metadata.points[0]),
+        precision: stored.scaled_precision(),
+    })
 }
 
 impl Archive {
@@ -330,8 +334,8 @@ impl Main {
                 valid: link(&["DataLink", "ValidPointsLink"], "MD5ChecksumValidPoints"),
             }
         };
-        let head = Head { points, pixel: Some(pixel), has_unit: true, format: FORMAT };
-        Ok(Self { head, count, stored, increment, offset, heights })
+        let metadata = Metadata { points, pixel: Some(pixel), has_unit: true, format: FORMAT };
+        Ok(Self { metadata, count, stored, increment, offset, heights })
     }
 }
 

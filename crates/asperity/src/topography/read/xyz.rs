@@ -3,7 +3,7 @@
 //! The lines of the grid are found from the coordinates, which may be rounded: a point may lie a fifth
 //! of a pixel beside its line. Points of the grid that the file leaves out are missing.
 
-use super::content::{Head, Measured};
+use super::content::{Measured, Metadata};
 use super::error::ReadError;
 use crate::numeric::LARGEST;
 
@@ -46,13 +46,13 @@ pub(super) fn measured(values: &[f64], precision: f64) -> Result<Measured, ReadE
         }
         *height = z;
     }
-    let head = Head {
+    let metadata = Metadata {
         points: [x.count, y.count],
         pixel: Some([x.step, y.step]),
         has_unit: false,
         format: "a text of x, y and z",
     };
-    Ok(Measured { head, heights, precision })
+    Ok(Measured { metadata, heights, precision })
 }
 
 fn no_grid(found: &str) -> ReadError {

@@ -1,9 +1,8 @@
 //! One asperity and one pair of bodies.
 
-use asperity::contact::{Contact, Regime};
-use asperity::law::{Body, Hertz, Inapplicable, Law, Pair, YieldLimits};
-use asperity::material::{Material, reduced_modulus};
+use asperity::law::Body;
 use asperity::numeric::LARGEST;
+use asperity::{Contact, Hertz, Inapplicable, Law, Material, Pair, Regime, YieldLimits, reduced_modulus};
 
 use super::laws::{Entry, all};
 use crate::common::{Random, Worst, slope};
@@ -262,7 +261,7 @@ fn regimes_come_in_order_and_know_their_properties() {
             let w = random.log(low, high);
             let found = sample.contact(entry.law(), w);
             assert_eq!(found.regime, regime, "{} at {w:e}", entry.label);
-            if !entry.law.stands_under_layers() {
+            if !entry.law.supports_layers() {
                 continue;
             }
             let Pair { reduced_modulus, yield_limits: YieldLimits { onset, strength } } = sample.pair;

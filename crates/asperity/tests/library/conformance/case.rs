@@ -1,9 +1,8 @@
 //! Random bodies, layers and asperities.
 
-use asperity::interface::{Flat, MicroContact};
-use asperity::law::{Inapplicable, Pair, Shape, YieldLimits};
-use asperity::layer::{Coating, Rule};
-use asperity::material::Material;
+use asperity::{
+    Flat, Inapplicable, LayeredFlat, Material, MicroContact, ModulusModel, Pair, Shape, YieldLimits,
+};
 
 use super::laws::Entry;
 use crate::common::{Random, bodies};
@@ -16,10 +15,10 @@ pub struct Case {
     pub substrate: Material,
     /// m; 0 and infinity included.
     pub thickness: f64,
-    pub rule: Rule,
+    pub rule: ModulusModel,
     pub shape: Shape,
     /// None where the flat is homogeneous.
-    pub coating: Option<Coating>,
+    pub layered: Option<LayeredFlat>,
 }
 
 impl std::fmt::Debug for Case {
@@ -42,7 +41,7 @@ impl Case {
         let radius = random.log(1e-9, 1e-2);
         let many = random.log(1.0, 100.0);
         let shape = Shape { radius, spheres: random.one_of(&[1.0, 1.0, 1.3, many]) };
-        let thickness = if entry.law.stands_under_layers() && random.unit() < 0.5 {
+        let thickness = if entry.law.supports_layers() && random.unit() < 0.5 {
             // In many of them the contact passes through the layer while formulas change.
             let critical = critical(entry, &rough, &random.one_of(&[layer, substrate]), radius);
             let depths = [random.log(1e-10, 1e-4), critical, (critical * radius).sqrt()];
@@ -50,9 +49,9 @@ impl Case {
         } else {
             random.one_of(&[0.0, f64::INFINITY])
         };
-        let rule = random.one_of(&Rule::ALL);
-        let coating = Coating::new(&layer, &substrate, thickness, rule).ok();
-        Self { rough, layer, substrate, thickness, rule, shape, coating }
+        let rule = random.one_of(&ModulusModel::ALL);
+        let layered = LayeredFlat::new(&layer, &substrate, thickness, rule).ok();
+        Self { rough, layer, substrate, thickness, rule, shape, layered }
     }
 
     pub fn flat(&self, thickness: f64) -> Flat {
@@ -74,11 +73,11 @@ impl Case {
 
     /// The homogeneous body that the asperity feels at indentation `w` in place of the flat.
     pub fn felt(&self, w: f64) -> Material {
-        let Some(coating) = &self.coating else {
+        let Some(layered) = &self.layered else {
             return if self.thickness == 0.0 { self.substrate } else { self.layer };
         };
-        let hardness = Some(coating.at(w, self.width()).hardness).filter(|hardness| hardness.is_finite());
-        let (poisson, young) = coating.elasticity(w, self.width());
+        let hardness = Some(layered.at(w, self.width()).hardness).filter(|hardness| hardness.is_finite());
+        let (poisson, young) = layered.elasticity(w, self.width());
         Material::new(young, poisson, hardness, None).unwrap()
     }
 
@@ -122,7 +121,7 @@ impl Case {
     /// thick.
     pub fn scale(&self, entry: &Entry, random: &mut Random) -> f64 {
         let critical = |body: &Material| critical(entry, &self.rough, body, self.shape.radius);
-        if self.coating.is_some() {
+        if self.layered.is_some() {
             let t = self.thickness;
             let all = [t, t.powi(2) / self.width(), critical(&self.layer), critical(&self.substrate)];
             random.one_of(&all)

@@ -1,14 +1,10 @@
 //! One asperity on flats of all kinds: homogeneous, under a layer, all layer.
 
-use asperity::accumulator::{Accumulator, Total};
-use asperity::asperity::{AsperitySet, Draw, Ellipse, Ellipses, Ordered, Population};
-use asperity::contact::Contact;
-use asperity::distribution::Heights;
-use asperity::interface::{MicroContact, Shapes};
-use asperity::law::{Inapplicable, Shape};
-use asperity::material::Material;
-use asperity::model::{Deterministic, Model, ReferencePlane, Statistical};
-use asperity::numeric::interval::Interval;
+use asperity::numeric::Interval;
+use asperity::{
+    Accumulator, AsperitySet, Contact, Deterministic, Draw, Ellipse, Ellipses, Heights, Inapplicable,
+    Material, MicroContact, Model, Ordered, Population, ReferencePlane, Shape, Shapes, Statistical, Total,
+};
 
 use super::case::Case;
 use super::laws::{Entry, all};
@@ -41,7 +37,7 @@ fn the_law_is_asked_with_what_is_felt() {
             let exact = entry.law().contact(w, radius, &case.pair(entry, w));
             // Next to a boundary rounding may lie on its other side.
             if found.regime == exact.regime {
-                let worst = &mut worst[usize::from(case.coating.is_some())];
+                let worst = &mut worst[usize::from(case.layered.is_some())];
                 worst.see(found.area, spheres * exact.area, || {
                     format!("{} at {w:e} of {case:?}", entry.label)
                 });
@@ -210,7 +206,7 @@ fn no_load_falls_but_where_it_is_said_to() {
 fn a_layer_of_the_same_material_is_none() {
     let mut worst = [Worst::default(), Worst::default(), Worst::default()];
     each(7, 60, |entry, case, _, random| {
-        if case.coating.is_none() {
+        if case.layered.is_none() {
             return;
         }
         let same = Case { layer: case.substrate, ..case.clone() };
@@ -235,7 +231,7 @@ fn a_layer_of_the_same_material_is_none() {
 #[test]
 fn thin_and_thick_layers_end_in_their_limits() {
     each(8, 16, |entry, case, _, _| {
-        if case.coating.is_none() {
+        if case.layered.is_none() {
             return;
         }
         let sigma = 1e-2 * case.shape.radius;
@@ -279,9 +275,7 @@ fn a_law_of_homogeneous_bodies_is_refused_under_a_layer() {
             substrate: body(8e9),
             ..Case::of(&entry, &mut Random::new(9))
         };
-        for (thickness, may_be) in
-            [(0.0, true), (1e-7, entry.law.stands_under_layers()), (f64::INFINITY, true)]
-        {
+        for (thickness, may_be) in [(0.0, true), (1e-7, entry.law.supports_layers()), (f64::INFINITY, true)] {
             let found = entry.law.interface(&case.rough, &case.flat(thickness));
             assert_eq!(found.is_ok(), may_be, "{}", entry.label);
             assert!(found.is_ok() || matches!(found, Err(Inapplicable::Layer { .. })), "{}", entry.label);

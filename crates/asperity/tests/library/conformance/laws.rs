@@ -3,10 +3,9 @@
 
 use std::f64::consts::PI;
 
-use asperity::contact::Regime;
-use asperity::contact_law::{ContactLaw, registry};
-use asperity::law::{Law, Pair, Property, YieldLimits, Zmc};
-use asperity::material::Material;
+use asperity::contact_law::registry;
+use asperity::law::Property;
+use asperity::{ContactLaw, Law, Material, Pair, Regime, YieldLimits, Zmc};
 
 use super::own::Abrupt;
 

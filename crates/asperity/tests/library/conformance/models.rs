@@ -1,10 +1,9 @@
 //! Both models.
 
-use asperity::asperity::{AsperitySet, Draw, Ellipse, Ellipses, Population};
-use asperity::distribution::Heights;
-use asperity::interface::MicroContact;
-use asperity::law::Shape;
-use asperity::model::{Deterministic, Model, ReferencePlane, Statistical, at_pressure};
+use asperity::{
+    AsperitySet, Deterministic, Draw, Ellipse, Ellipses, Heights, MicroContact, Model, Population,
+    ReferencePlane, Shape, Statistical, at_pressure,
+};
 
 use super::case::Case;
 use super::contact::each;
@@ -24,7 +23,7 @@ fn exponential_heights_make_area_proportional_to_load() {
     let mut worst = Worst::default();
     each(1, 30, |entry, case, contact, random| {
         let population = Population { heights: Heights::EXPONENTIAL, ..population(entry, case, random) };
-        if case.coating.is_some() {
+        if case.layered.is_some() {
             return;
         }
         let model = Statistical::of_shape(contact, population.clone(), case.shape);

@@ -2,15 +2,10 @@
 
 use std::f64::consts::PI;
 
-use asperity::contact::Contacts;
-use asperity::law::{
-    FullyPlastic, Hertz, Law, LawOption, OptionError, Pair, Property, ScalableLaw, YieldLimits,
-};
-use asperity::literature::Paper;
-use asperity::material::Material;
-use asperity::numeric::LARGEST;
-use asperity::numeric::interval::Interval;
+use asperity::law::{LawOption, OptionError, Property};
 use asperity::numeric::lanes::{Mask, Real};
+use asperity::numeric::{Interval, LARGEST};
+use asperity::{Contacts, FullyPlastic, Hertz, Law, Material, Pair, Paper, ScalableLaw, YieldLimits};
 use std::ops::Bound;
 
 /// Hertz up to w = onset b (H/E*)^2, Abbott and Firestone from there on, with nothing between.

@@ -1,8 +1,8 @@
 //! The registry and what is made of it.
 
-use asperity::contact_law::{ContactLaw, named, registry};
-use asperity::law::{OptionError, Pair, Zmc};
-use asperity::material::Material;
+use asperity::contact_law::{named, registry};
+use asperity::law::OptionError;
+use asperity::{ContactLaw, Material, Pair, Zmc};
 
 use super::own::{Abrupt, jump};
 
@@ -56,7 +56,7 @@ fn facts_follow_from_the_law() {
         registry().iter().filter(|law| holds(law)).map(ContactLaw::name).collect()
     };
     assert_eq!(names(|law| !law.has_ranges()), ["hertz", "fully-plastic", "elliptic-hertz"]);
-    assert_eq!(names(|law| !law.stands_under_layers()), ["jackson-green"]);
+    assert_eq!(names(|law| !law.supports_layers()), ["jackson-green"]);
     assert_eq!(names(ContactLaw::is_greenwood_williamson), ["hertz"]);
     assert_eq!(names(ContactLaw::sees_ellipses), ["elliptic-hertz", "elliptic-zmc"]);
 }

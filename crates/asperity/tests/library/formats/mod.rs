@@ -1,12 +1,10 @@
 //! Measured height maps in every format: known values, round trips, bad input of each kind.
 
-use asperity::topography::character::Character;
-use std::path::{Path, PathBuf};
-
-use asperity::topography::level::Level;
-use asperity::topography::read::{Given, GivenError, Head, ReadError, head, height_map};
+use asperity::HeightMap;
+use asperity::topography::read::{Metadata, ReadError, ReadOptions, ReadOptionsError, height_map, metadata};
 use asperity::topography::summits::five_point;
-use asperity::topography::{HeightMap, Moments, Rows};
+use asperity::topography::{Level, Moments, RoughnessParameters, Rows};
+use std::path::{Path, PathBuf};
 
 /// Asserts that bytes are refused with this kind of error and these words.
 macro_rules! assert_refused {
@@ -42,15 +40,16 @@ fn file(bytes: impl AsRef<[u8]>) -> (tempfile::TempDir, PathBuf) {
 
 fn refused(bytes: impl AsRef<[u8]>) -> ReadError {
     let (_folder, path) = file(bytes);
-    let given = Given { pixel: Some([1e-6; 2]), unit: None };
-    let from_head = head(&path).and_then(|head| Ok(head.pixel(&Given::default()).or(head.pixel(&given))?));
-    from_head.and_then(|_| height_map(&path, Given::default())).unwrap_err()
+    let given = ReadOptions { pixel: Some([1e-6; 2]), unit: None };
+    let from_head =
+        metadata(&path).and_then(|head| Ok(head.pixel(&ReadOptions::default()).or(head.pixel(&given))?));
+    from_head.and_then(|_| height_map(&path, ReadOptions::default())).unwrap_err()
 }
 
 /// Asserts that `bytes` hold the map above, its heights in units of `unit` and its pixel as given.
-fn assert_map(bytes: impl AsRef<[u8]>, given: Given, unit: f64, pixel: [f64; 2]) -> Head {
+fn assert_map(bytes: impl AsRef<[u8]>, given: ReadOptions, unit: f64, pixel: [f64; 2]) -> Metadata {
     let (_folder, path) = file(&bytes);
-    let head = head(&path).unwrap();
+    let head = metadata(&path).unwrap();
     let map = height_map(&path, given).unwrap();
     assert_eq!((head.points, map.points()), ([NX, NY], [NX, NY]));
     let close = |a: f64, b: f64| (a - b).abs() <= 1e-14 * b.abs();
@@ -71,7 +70,7 @@ fn lines(separator: &str, missing: &str) -> String {
 }
 
 const PIXEL: [f64; 2] = [2e-6, 3e-6];
-const IN_NM: Given = Given { pixel: Some(PIXEL), unit: Some(1e-9) };
+const IN_NM: ReadOptions = ReadOptions { pixel: Some(PIXEL), unit: Some(1e-9) };
 
 /// Heights in lines along x, as SDF and X3P store them.
 fn in_lines() -> impl Iterator<Item = f64> {
@@ -84,14 +83,17 @@ fn sample(name: &str) -> PathBuf {
 
 fn opd() -> HeightMap {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../experiments/surfaces/opd-1.npy");
-    height_map(&path, Given { pixel: Some([1.9673303177114576e-7; 2]), unit: None }).unwrap()
+    height_map(&path, ReadOptions { pixel: Some([1.9673303177114576e-7; 2]), unit: None }).unwrap()
 }
 
 /// Asserts that a file gives the heights of opd-1 to the relative precision of its largest height.
-fn assert_opd(bytes: impl AsRef<[u8]>, given: Given, precision: f64) {
+fn assert_opd(bytes: impl AsRef<[u8]>, given: ReadOptions, precision: f64) {
     let (_folder, path) = file(bytes);
     let (opd, map) = (opd(), height_map(&path, given).unwrap());
-    assert_eq!((opd.points(), Character::of(&opd).missing), (map.points(), Character::of(&map).missing));
+    assert_eq!(
+        (opd.points(), RoughnessParameters::of(&opd).missing),
+        (map.points(), RoughnessParameters::of(&map).missing)
+    );
     assert!(map.pixel().iter().all(|size| (size / opd.pixel()[0] - 1.0).abs() < 1e-9), "{:?}", map.pixel());
     let largest = opd.heights().iter().fold(0.0f64, |largest, z| largest.max(z.abs()));
     let far = |(a, b): (&f64, &f64)| (a - b).abs() > precision * largest;
@@ -137,8 +139,8 @@ fn no_damage_to_a_file_is_a_panic() {
                 }
             }
             std::fs::write(&path, &bytes).unwrap();
-            let given = Given { pixel: None, unit: None };
-            let (head, map) = (head(&path), height_map(&path, given));
+            let given = ReadOptions { pixel: None, unit: None };
+            let (head, map) = (metadata(&path), height_map(&path, given));
             // What has been read is as large as its head said.
             if let (Ok(head), Ok(map)) = (head, map) {
                 assert_eq!(head.points, map.points());

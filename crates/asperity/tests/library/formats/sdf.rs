@@ -1,6 +1,6 @@
 //! Surface data files.
 
-use asperity::topography::character::Character;
+use asperity::topography::RoughnessParameters;
 use std::f64::consts::TAU;
 
 use super::*;
@@ -60,8 +60,8 @@ fn sdf_binary_of_every_data_type() {
                 trailed.extend(b"<Comment>after the numbers</Comment>");
                 for bytes in [sdf.binary(&numbers), trailed] {
                     let (_folder, path) = file(bytes);
-                    assert_eq!(head(&path).unwrap().pixel, Some(PIXEL));
-                    let map = height_map(&path, Given::default()).unwrap();
+                    assert_eq!(metadata(&path).unwrap().pixel, Some(PIXEL));
+                    let map = height_map(&path, ReadOptions::default()).unwrap();
                     assert_eq!((map.points(), map.pixel()), ([NX, NY], PIXEL));
                     for (k, found) in map.heights().iter().enumerate() {
                         let wanted = z(k / NY, k % NY);
@@ -86,7 +86,7 @@ fn sdf_binary_of_every_data_type() {
     let numbers: Vec<u8> = in_lines().flat_map(f64::to_le_bytes).collect();
     let olympus = [&[5, 0, 0, 0, 1, 0, 0, 0], &numbers[..]].concat();
     for (version, numbers) in [("ISO-1.0", &numbers), ("ISO-2.0", &numbers), ("ISO-1.0", &olympus)] {
-        assert_map(Sdf::of(version, 7).binary(numbers), Given::default(), 1e-9, PIXEL);
+        assert_map(Sdf::of(version, 7).binary(numbers), ReadOptions::default(), 1e-9, PIXEL);
     }
 }
 
@@ -94,7 +94,8 @@ fn sdf_binary_of_every_data_type() {
 fn sdf_text_and_what_is_given_beside_it() {
     for (version, missing) in [("ISO-1.0", "BAD"), ("ISO-2.0", "NaN"), ("BCR-1.0", "-1.79769313486232e+308")]
     {
-        let head = assert_map(Sdf::of(version, 7).text(&lines(" ", missing)), Given::default(), 1e-9, PIXEL);
+        let head =
+            assert_map(Sdf::of(version, 7).text(&lines(" ", missing)), ReadOptions::default(), 1e-9, PIXEL);
         assert!(head.has_unit);
     }
     let bare = Sdf::of("BCR-1.0", 7).text(&lines(" ", "NaN"));
@@ -102,13 +103,13 @@ fn sdf_text_and_what_is_given_beside_it() {
         .replace("aBCR", "ABCR")
         .replace("\r\n", " ; a comment\n")
         .replace("DataType = 7", "DataType = DOUBLE");
-    assert_map(commented.replace("Type = 0", "Type = NULL"), Given::default(), 1e-9, PIXEL);
+    assert_map(commented.replace("Type = 0", "Type = NULL"), ReadOptions::default(), 1e-9, PIXEL);
     let ones = Sdf::of("ISO-1.0", 1).text(&"1 65535 ".repeat(NX * NY / 2));
     let (_folder, path) = file(ones);
-    assert_eq!(Character::of(&height_map(&path, Given::default()).unwrap()).missing, 10);
-    let given = height_map(&path, Given { pixel: Some(PIXEL), unit: None }).unwrap_err();
+    assert_eq!(RoughnessParameters::of(&height_map(&path, ReadOptions::default()).unwrap()).missing, 10);
+    let given = height_map(&path, ReadOptions { pixel: Some(PIXEL), unit: None }).unwrap_err();
     assert!(given.to_string().contains("holds its own pixel of 2e-6 x 3e-6 m; allowed: leave pixel out"));
-    let given = height_map(&path, Given { pixel: None, unit: Some(1e-6) }).unwrap_err();
+    let given = height_map(&path, ReadOptions { pixel: None, unit: Some(1e-6) }).unwrap_err();
     assert!(given.to_string().contains("holds its own unit of length; allowed: leave unit out"));
 }
 
@@ -135,9 +136,9 @@ fn sdf_samples_hold_the_heights_they_were_made_of() {
         ("bcr1_surface_uint16_binary", 1e-10),
     ] {
         let path = super::sample(&format!("{name}.sdf"));
-        assert_eq!(head(&path).unwrap().pixel, Some([2e-6, 3e-6]));
-        let map = height_map(&path, Given::default()).unwrap();
-        assert_eq!((map.points(), Character::of(&map).missing), ([nx, ny], 40), "{name}");
+        assert_eq!(metadata(&path).unwrap().pixel, Some([2e-6, 3e-6]));
+        let map = height_map(&path, ReadOptions::default()).unwrap();
+        assert_eq!((map.points(), RoughnessParameters::of(&map).missing), ([nx, ny], 40), "{name}");
         // The first profile of the BCR files is that of the greatest y.
         let row = |iy: usize| if name.starts_with("bcr1") { ny - 1 - iy } else { iy };
         let exact: Vec<f64> =
@@ -154,7 +155,7 @@ fn sdf_samples_hold_the_heights_they_were_made_of() {
             );
         }
     }
-    let error = head(&super::sample("iso1_profile_binary.sdf")).unwrap_err();
+    let error = metadata(&super::sample("iso1_profile_binary.sdf")).unwrap_err();
     assert!(matches!(error, ReadError::Unsupported(_)), "{error}");
 }
 
@@ -200,12 +201,12 @@ fn opd_1_as_sdf_is_the_same_surface() {
     let numbers = || (0..nx * ny).map(|k| opd.heights()[k % nx * ny + k / nx] * 1e6);
     assert_opd(
         sdf.binary(&numbers().flat_map(f64::to_le_bytes).collect::<Vec<_>>()),
-        Given::default(),
+        ReadOptions::default(),
         1e-15,
     );
     let words: String =
         numbers().map(|z| if z.is_nan() { "BAD\n".to_owned() } else { format!("{z}\n") }).collect();
-    assert_opd(sdf.text(&words), Given::default(), 1e-15);
+    assert_opd(sdf.text(&words), ReadOptions::default(), 1e-15);
     // 32 bits over the range of the heights.
     let step = 1e-15;
     sdf.scales[2] = step;
@@ -215,7 +216,7 @@ fn opd_1_as_sdf_is_the_same_surface() {
     assert!(largest / step < 2e9, "{largest}");
     assert_opd(
         sdf.binary(&numbers().flat_map(|z| integer(z).to_le_bytes()).collect::<Vec<_>>()),
-        Given::default(),
+        ReadOptions::default(),
         1e-6,
     );
 }
@@ -224,7 +225,7 @@ fn opd_1_as_sdf_is_the_same_surface() {
 #[test]
 fn eight_bytes_after_the_numbers_move_nothing() {
     let numbers: Vec<u8> = in_lines().flat_map(f64::to_le_bytes).chain(*b"the end.").collect();
-    assert_map(Sdf::of("ISO-1.0", 7).binary(&numbers), Given::default(), 1e-9, PIXEL);
+    assert_map(Sdf::of("ISO-1.0", 7).binary(&numbers), ReadOptions::default(), 1e-9, PIXEL);
 }
 
 #[test]
@@ -233,6 +234,6 @@ fn numbers_of_four_bytes_have_their_precision() {
     let eight: Vec<u8> = in_lines().flat_map(f64::to_le_bytes).collect();
     for (data_type, numbers, precision) in [(3, four, f64::from(f32::EPSILON)), (7, eight, f64::EPSILON)] {
         let (_folder, path) = file(Sdf::of("ISO-1.0", data_type).binary(&numbers));
-        assert_eq!(height_map(&path, Given::default()).unwrap().precision(), precision);
+        assert_eq!(height_map(&path, ReadOptions::default()).unwrap().precision(), precision);
     }
 }

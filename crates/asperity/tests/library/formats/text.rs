@@ -1,7 +1,7 @@
 //! Matrices and points in plain text.
 
 use super::*;
-use asperity::topography::character::Character;
+use asperity::topography::RoughnessParameters;
 
 #[test]
 fn a_matrix_of_numbers_with_every_separator() {
@@ -43,28 +43,28 @@ fn a_header_gives_the_size_and_the_unit() {
             lines("\t", "NaN")
         );
         if factor < 1.0 {
-            let head = assert_map(&text, Given::default(), factor, PIXEL);
+            let head = assert_map(&text, ReadOptions::default(), factor, PIXEL);
             assert!(head.has_unit && head.pixel.is_some());
         } else {
             assert_refused!(TooTall, "holds a height of 1.35e1 m", &text);
         }
         // The same in Latin-1.
         let latin: Vec<u8> =
-            text.chars().filter_map(|character| u8::try_from(u32::from(character)).ok()).collect();
+            text.chars().filter_map(|roughness| u8::try_from(u32::from(roughness)).ok()).collect();
         if factor == 1e-9 {
-            assert_map(latin, Given::default(), factor, PIXEL);
+            assert_map(latin, ReadOptions::default(), factor, PIXEL);
         }
     }
     let text = format!("# Width: 1,5 mm\n# Height: 0.012 mm\n# Value units: um\n{}", lines(" ", "NaN"));
     let (_folder, path) = file(&text);
-    assert!((head(&path).unwrap().pixel.unwrap()[0] / 3e-4 - 1.0).abs() < 1e-15);
-    let given = |pixel, unit| height_map(&path, Given { pixel, unit }).unwrap_err();
-    assert!(matches!(given(Some(PIXEL), None), ReadError::Given(GivenError::PixelHeld { .. })));
-    assert!(matches!(given(None, Some(1e-6)), ReadError::Given(GivenError::UnitHeld { .. })));
+    assert!((metadata(&path).unwrap().pixel.unwrap()[0] / 3e-4 - 1.0).abs() < 1e-15);
+    let given = |pixel, unit| height_map(&path, ReadOptions { pixel, unit }).unwrap_err();
+    assert!(matches!(given(Some(PIXEL), None), ReadError::Options(ReadOptionsError::PixelHeld { .. })));
+    assert!(matches!(given(None, Some(1e-6)), ReadError::Options(ReadOptionsError::UnitHeld { .. })));
     // A mark of a missing point, where the unit is held.
     let marked = "# Width: 3 um\n# Height: 3 um\n# Value units: m\n1e-9 2e-9 1e10\n0 0 0\n0 0 3.4e38\n";
     let (_folder, path) = file(marked);
-    assert_eq!(Character::of(&height_map(&path, Given::default()).unwrap()).missing, 2);
+    assert_eq!(RoughnessParameters::of(&height_map(&path, ReadOptions::default()).unwrap()).missing, 2);
 }
 
 #[test]
@@ -113,7 +113,7 @@ pub fn points(step: [f64; 2], round: impl Fn(f64) -> f64) -> String {
 
 #[test]
 fn points_of_a_grid_in_any_order() {
-    let in_um = Given { pixel: None, unit: Some(1e-6) };
+    let in_um = ReadOptions { pixel: None, unit: Some(1e-6) };
     let text = points([0.5, 0.25], |x| x);
     let head = assert_map(&text, in_um, 1e-6, [0.5e-6, 0.25e-6]);
     assert_eq!((head.pixel, head.has_unit), (Some([0.5, 0.25]), false));
@@ -123,7 +123,7 @@ fn points_of_a_grid_in_any_order() {
     let rounded = points([0.337, 0.25], |x| (x * 30.0).round() / 30.0);
     let (_folder, path) = file(&rounded);
     let map = height_map(&path, in_um).unwrap();
-    assert_eq!((map.points(), Character::of(&map).missing), ([NX, NY], 1));
+    assert_eq!((map.points(), RoughnessParameters::of(&map).missing), ([NX, NY], 1));
     assert!((map.pixel()[0] / 0.337e-6 - 1.0).abs() < 0.02);
     // Noise far below a pixel does not make lines of its own.
     let mut noise = 0.0;
@@ -170,9 +170,9 @@ fn opd_1_as_text_and_as_points_is_the_same_surface() {
         }
         matrix += "\n";
     }
-    assert_opd(matrix, Given::default(), 1e-15);
+    assert_opd(matrix, ReadOptions::default(), 1e-15);
     // Coordinates with four decimals of a micrometre; the unit goes for all three columns.
-    let in_um = Given { pixel: None, unit: Some(1e-6) };
+    let in_um = ReadOptions { pixel: None, unit: Some(1e-6) };
     let (_folder, path) = file(&points);
     let pixel = height_map(&path, in_um).unwrap().pixel();
     assert!(pixel.iter().all(|size| (size / opd.pixel()[0] - 1.0).abs() < 1e-5), "{pixel:?}");

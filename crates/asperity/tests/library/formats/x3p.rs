@@ -1,6 +1,6 @@
 //! X3P.
 
-use asperity::topography::character::Character;
+use asperity::topography::RoughnessParameters;
 use std::f64::consts::TAU;
 use std::io::Write;
 
@@ -9,9 +9,9 @@ use super::*;
 #[test]
 fn x3p_of_an_instrument_has_its_known_statistics() {
     let path = sample("x3p-2.x3p");
-    assert_eq!(head(&path).unwrap().points, [650, 650]);
-    let map = height_map(&path, Given::default()).unwrap();
-    assert_eq!((map.points(), Character::of(&map).missing), ([650, 650], 0));
+    assert_eq!(metadata(&path).unwrap().points, [650, 650]);
+    let map = height_map(&path, ReadOptions::default()).unwrap();
+    assert_eq!((map.points(), RoughnessParameters::of(&map).missing), ([650, 650], 0));
     let pixel = map.pixel().map(|size| (size * 1e10).round() / 10.0);
     assert_eq!(pixel, [127.7, 314.6]);
     let levelled = Level::Plane.apply(&map).unwrap();
@@ -40,10 +40,10 @@ fn x3p_samples_hold_the_heights_they_were_made_of() {
         ("surface_extensions_binary", [100, 80], none, 0.0, 1e-13),
     ] {
         let path = sample(&format!("{name}.x3p"));
-        assert_eq!(head(&path).unwrap().points, points);
-        let map = height_map(&path, Given::default()).unwrap();
+        assert_eq!(metadata(&path).unwrap().points, points);
+        let map = height_map(&path, ReadOptions::default()).unwrap();
         assert_eq!((map.points(), map.pixel()), (points, [1e-6; 2]));
-        assert_eq!(Character::of(&map).missing, missing.0.len() * missing.1.len(), "{name}");
+        assert_eq!(RoughnessParameters::of(&map).missing, missing.0.len() * missing.1.len(), "{name}");
         for (k, found) in map.heights().iter().enumerate() {
             let (ix, iy) = (k / points[1], k % points[1]);
             if missing.0.contains(&ix) && missing.1.contains(&iy) {
@@ -56,7 +56,7 @@ fn x3p_samples_hold_the_heights_they_were_made_of() {
     }
     for (name, words) in [("profile_int16_binary", "FeatureType = PRF"), ("point_cloud_int16_binary", "PCL")]
     {
-        let error = head(&sample(&format!("{name}.x3p"))).unwrap_err();
+        let error = metadata(&sample(&format!("{name}.x3p"))).unwrap_err();
         assert!(matches!(&error, ReadError::Unsupported(text) if text.contains(words)), "{error}");
     }
 }
@@ -119,8 +119,8 @@ fn x3p_of_every_data_type_scaled_and_moved() {
             // One bit a point, the lowest first; the point (3, 1) is number 8.
             x3p.files.push(("bindata/valid.bin", vec![0xff, 0xfe, 0x0f]));
             let (_folder, path) = file(x3p.bytes());
-            let map = height_map(&path, Given::default()).unwrap();
-            assert_eq!((map.points(), map.pixel(), Character::of(&map).missing), ([NX, NY], PIXEL, 1));
+            let map = height_map(&path, ReadOptions::default()).unwrap();
+            assert_eq!((map.points(), map.pixel(), RoughnessParameters::of(&map).missing), ([NX, NY], PIXEL, 1));
             for (k, found) in map.heights().iter().enumerate() {
                 let wanted = z(k / NY, k % NY);
                 let near = (found + 2e-6 - wanted * 1e-9).abs() <= 1e-21;
@@ -131,23 +131,23 @@ fn x3p_of_every_data_type_scaled_and_moved() {
     check! { i16, "I"; i32, "L"; f32, "F"; f64, "D"; }
     // NaN and the marks that instruments write; no increment is one metre.
     let numbers: Vec<u8> = in_lines().flat_map(|z| (z * 1e-9).to_le_bytes()).collect();
-    assert_map(X3p::linked("D", "", numbers).bytes(), Given::default(), 1e-9, PIXEL);
+    assert_map(X3p::linked("D", "", numbers).bytes(), ReadOptions::default(), 1e-9, PIXEL);
     let marked: Vec<u8> =
         in_lines().map(|z| if z.is_nan() { 1e10 } else { z * 1e-9 }).flat_map(f64::to_le_bytes).collect();
-    assert_map(X3p::linked("D", "1", marked).bytes(), Given::default(), 1e-9, PIXEL);
+    assert_map(X3p::linked("D", "1", marked).bytes(), ReadOptions::default(), 1e-9, PIXEL);
     let mut listed = X3p::linked("D", "1e-9", Vec::new());
     listed.record3 = in_lines()
         .map(|z| if z.is_nan() { "<Datum/>\n".to_owned() } else { format!("<Datum> {z} </Datum>\n") })
         .collect();
     listed.record3 = format!("<DataList>{}</DataList>", listed.record3);
-    let head = assert_map(listed.bytes(), Given::default(), 1e-9, PIXEL);
+    let head = assert_map(listed.bytes(), ReadOptions::default(), 1e-9, PIXEL);
     assert!(head.has_unit);
     // In another encoding than it says, behind a byte order mark.
     let bom = zipped(&[("main.xml", format!("\u{feff}{}", listed.xml()).into_bytes())]);
-    assert_map(bom, Given::default(), 1e-9, PIXEL);
+    assert_map(bom, ReadOptions::default(), 1e-9, PIXEL);
     let mut latin = listed.xml().into_bytes();
     latin.extend(b"<!-- \xb5m -->");
-    assert_map(zipped(&[("main.xml", latin)]), Given::default(), 1e-9, PIXEL);
+    assert_map(zipped(&[("main.xml", latin)]), ReadOptions::default(), 1e-9, PIXEL);
 }
 
 #[test]
@@ -230,7 +230,7 @@ fn bad_x3p_is_refused() {
         let mut damaged = bytes.clone();
         damaged[place] ^= 0x55;
         let (_folder, path) = file(&damaged);
-        let _ = head(&path).and_then(|_| height_map(&path, Given::default()));
+        let _ = metadata(&path).and_then(|_| height_map(&path, ReadOptions::default()));
     }
 }
 
@@ -245,7 +245,7 @@ fn the_file_of_valid_points_is_checked_as_the_heights_are() {
     assert_refused!(Corrupt, "is damaged: valid.bin has the MD5 sum", x3p.bytes());
     x3p.files[1].1.pop();
     let (_folder, path) = file(x3p.bytes());
-    let error = head(&path).unwrap_err().to_string();
+    let error = metadata(&path).unwrap_err().to_string();
     assert!(error.contains("is truncated: valid.bin holds 2 bytes; allowed: 3"), "{error}");
 }
 

@@ -2,7 +2,7 @@
 
 use super::{Series, depth, figures};
 use asperity::compare::Kind;
-use asperity::model::{INTERACTION, Response};
+use asperity::{INTERACTION, Response};
 use asperity_framework::report::format::{number, quantity, thickness};
 use asperity_framework::report::page::Page;
 

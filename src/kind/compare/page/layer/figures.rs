@@ -4,8 +4,7 @@ use super::Series;
 use crate::kind::compare::answers::CaseResults;
 use crate::kind::compare::page::figures::{curve, shares_of_load};
 use asperity::compare::Kind;
-use asperity::contact::Regime;
-use asperity::model::{INTERACTION, Response};
+use asperity::{INTERACTION, Regime, Response};
 use asperity_framework::report::format::{quantity, thickness};
 use asperity_plot::{Axis, Colour, Dash, Figure, Layer, Marker, Plot};
 

@@ -40,7 +40,7 @@ pub fn rule_section(page: &mut Page, layer: &LayerMetadata) {
         GOOD_RATIO[1],
         layer.rule.name(),
     ));
-    let [gao, series] = &check.told;
+    let [gao, series] = &check.reported;
     page.table(
         ["a/t", "load by rule gao / exact", "load by rule series / exact"],
         gao.iter().zip(series).map(|(gao, series)| {

@@ -1,111 +1,111 @@
-//! How good the rule for a layered flat's modulus is: its elastic load over the exact one.
+//! The error of the effective-modulus models of a layered flat: their elastic load over the exact one.
 //!
 //! Without yielding a sphere on a layered flat is known exactly. The ratio of the loads depends on the materials and
 //! on a/t alone: neither on the radius of the sphere nor on the thickness of the layer.
 
-use crate::interface::{ContactError, Layered, MicroContact};
+use crate::interface::{ContactError, LayeredInterface, MicroContact};
 use crate::law::Hertz;
 use crate::layer::exact_sphere::{ElasticContact, LARGEST_RATIO, LayeredSphere};
-use crate::layer::{Coating, Rule};
+use crate::layer::{LayeredFlat, ModulusModel};
 use crate::literature::Paper;
 use crate::material::Material;
 use crate::shape::Shape;
 
-/// E_l/E_s within which the first-order weights of the paper's rule are good (Perriot and Barthel 2004).
+/// E_l/E_s within which the first-order weights of [`ModulusModel::Gao`] are good (Perriot and Barthel 2004).
 pub const GOOD_RATIO: [f64; 2] = [0.5, 2.0];
 
-/// Both rules beside the exact solution, for one ball, layer and substrate.
-pub struct RuleCheck {
+/// Both effective-modulus models against the exact solution, for one sphere, layer and substrate.
+pub struct ModulusCheck {
     /// Radius and thickness 1 m.
     exact: LayeredSphere,
-    /// As in [`Rule::ALL`].
-    by_rule: [Layered<Hertz>; 2],
+    /// As in [`ModulusModel::ALL`].
+    by_model: [LayeredInterface<Hertz>; 2],
     modulus_ratio: f64,
 }
 
-/// Where the errors of the rules are told, a/t.
-const TOLD: [f64; 12] = [0.05, 0.1, 0.2, 0.5, 1.0, 2.0, 5.0, 10.0, 20.0, 50.0, 100.0, 200.0];
+/// Values of a/t at which errors are reported.
+const REPORTED: [f64; 12] = [0.05, 0.1, 0.2, 0.5, 1.0, 2.0, 5.0, 10.0, 20.0, 50.0, 100.0, 200.0];
 
-/// How wrong each of [`Rule::ALL`] is for a layer, over a range of a/t.
+/// The errors of each of [`ModulusModel::ALL`] for a layer, over a range of a/t.
 #[derive(Debug, Clone)]
-pub struct RuleFindings {
+pub struct ModulusFindings {
     /// E_l/E_s.
     pub modulus_ratio: f64,
     /// a/t, from and to.
     pub range: [f64; 2],
     /// At round a/t within them.
-    pub told: [Vec<RuleError>; 2],
+    pub reported: [Vec<ModulusError>; 2],
     /// The largest within them.
-    pub worst: [Option<RuleError>; 2],
+    pub worst: [Option<ModulusError>; 2],
 }
 
-impl RuleFindings {
-    /// Whether E_l/E_s lies where the paper's rule is good.
+impl ModulusFindings {
+    /// Whether E_l/E_s lies where [`ModulusModel::Gao`] is good.
     pub fn is_good(&self) -> bool {
         (GOOD_RATIO[0]..=GOOD_RATIO[1]).contains(&self.modulus_ratio)
     }
 
-    /// The largest error of `rule`.
-    pub fn worst_of(&self, rule: Rule) -> Option<&RuleError> {
-        Rule::ALL.into_iter().zip(&self.worst).find(|(of, _)| *of == rule)?.1.as_ref()
+    /// The largest error of `model`.
+    pub fn worst_of(&self, model: ModulusModel) -> Option<&ModulusError> {
+        ModulusModel::ALL.into_iter().zip(&self.worst).find(|(of, _)| *of == model)?.1.as_ref()
     }
 }
 
-/// Rule by rule what stands error by error.
-pub fn apart(errors: impl Iterator<Item = [RuleError; 2]>) -> [Vec<RuleError>; 2] {
+/// One list of errors per model, of lists of both.
+pub fn apart(errors: impl Iterator<Item = [ModulusError; 2]>) -> [Vec<ModulusError>; 2] {
     let (gao, series) = errors.map(|[gao, series]| (gao, series)).unzip();
     [gao, series]
 }
 
-/// A rule's elastic load beside the exact one at equal indentation.
+/// A model's elastic load and the exact one at equal indentation.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct RuleError {
+pub struct ModulusError {
     /// a/t of the exact contact.
     pub contact_ratio: f64,
     /// w R/t^2.
     pub indentation_ratio: f64,
-    /// Load by the rule over the exact one.
+    /// Load by the model over the exact one.
     pub ratio: f64,
 }
 
-impl RuleError {
-    /// The factor, at least 1, by which the rule is wrong in one direction or the other.
+impl ModulusError {
+    /// The factor, at least 1, by which the load is too large or too small.
     pub fn factor(&self) -> f64 {
         self.ratio.max(self.ratio.recip())
     }
 }
 
-impl RuleCheck {
+impl ModulusCheck {
     /// A ball of material `rough` on `layer` on `substrate`; whether they yield does not count.
     ///
     /// # Errors
     /// None that materials can cause.
     pub fn new(rough: &Material, layer: &Material, substrate: &Material) -> Result<Self, ContactError> {
         let [rough, layer, substrate] = [rough, layer, substrate].map(Material::without_yielding);
-        let by = |rule| {
-            let coating = Coating::new(&layer, &substrate, 1.0, rule)?;
-            Ok::<_, ContactError>(Layered::new(Hertz, &rough, &substrate, coating)?)
+        let by = |model| {
+            let layered = LayeredFlat::new(&layer, &substrate, 1.0, model)?;
+            Ok::<_, ContactError>(LayeredInterface::new(Hertz, &rough, &substrate, layered)?)
         };
         Ok(Self {
             exact: LayeredSphere::new(Some(&rough), 1.0, &layer, &substrate, 1.0),
-            by_rule: [by(Rule::Gao)?, by(Rule::Series)?],
+            by_model: [by(ModulusModel::Gao)?, by(ModulusModel::Series)?],
             modulus_ratio: layer.young() / substrate.young(),
         })
     }
 
-    /// The errors of both, as in [`Rule::ALL`], where the exact contact has the radius `contact_ratio` times the
+    /// The errors of both, as in [`ModulusModel::ALL`], where the exact contact has the radius `contact_ratio` times the
     /// thickness; `None` unless that is positive and at most [`LARGEST_RATIO`].
-    pub fn at(&self, contact_ratio: f64) -> Option<[RuleError; 2]> {
+    pub fn at(&self, contact_ratio: f64) -> Option<[ModulusError; 2]> {
         self.exact.at_contact_radius(contact_ratio).map(|exact| self.beside(&exact, 1.0, 1.0))
     }
 
-    /// The errors of both, as in [`Rule::ALL`], beside an exact contact of the ball of `radius` (m) on the layer of
+    /// The errors of both, as in [`ModulusModel::ALL`], beside an exact contact of the ball of `radius` (m) on the layer of
     /// `thickness` (m).
-    pub fn beside(&self, exact: &ElasticContact, radius: f64, thickness: f64) -> [RuleError; 2] {
+    pub fn beside(&self, exact: &ElasticContact, radius: f64, thickness: f64) -> [ModulusError; 2] {
         let scale = radius / thickness;
         let indentation_ratio = exact.indentation / thickness * scale;
         let load_ratio = exact.load / thickness / thickness * scale;
-        self.by_rule.each_ref().map(|contact| RuleError {
+        self.by_model.each_ref().map(|contact| ModulusError {
             contact_ratio: exact.contact_radius / thickness,
             indentation_ratio,
             ratio: contact.contact(indentation_ratio, Shape::sphere(1.0)).load / load_ratio,
@@ -114,7 +114,7 @@ impl RuleCheck {
 
     /// The largest error of each over a/t from `from` to `to`, ends included, among points that divide the range evenly in
     /// ln(a/t), at least 20 a decade; `None` of a range beyond [`LARGEST_RATIO`] or an empty one.
-    pub fn worst(&self, from: f64, to: f64) -> [Option<RuleError>; 2] {
+    pub fn worst(&self, from: f64, to: f64) -> [Option<ModulusError>; 2] {
         const A_DECADE: f64 = 20.0;
         /// Errors closer than this are equal: the first is the worst, whatever their rounding.
         const ROUNDING: f64 = 1e-9;
@@ -129,27 +129,27 @@ impl RuleCheck {
             k => from * (to / from).powf(k / steps),
         };
         let errors = (0..=steps as i32).filter_map(|k| self.at(place(k)));
-        let worse = |worst: RuleError, next: RuleError| {
+        let worse = |worst: ModulusError, next: ModulusError| {
             if next.factor() > worst.factor() + ROUNDING { next } else { worst }
         };
         apart(errors).map(|errors| errors.into_iter().reduce(worse))
     }
 
-    /// Both rules over a/t from `from` to `to`; nothing told where the range is empty.
-    pub fn findings(&self, from: f64, to: f64) -> RuleFindings {
-        let told = TOLD.into_iter().filter(|told| (from..=to).contains(told));
-        RuleFindings {
+    /// Both models over a/t from `from` to `to`; no errors where the range is empty.
+    pub fn findings(&self, from: f64, to: f64) -> ModulusFindings {
+        let reported = REPORTED.into_iter().filter(|reported| (from..=to).contains(reported));
+        ModulusFindings {
             modulus_ratio: self.modulus_ratio,
             range: [from, to],
-            told: apart(told.filter_map(|told| self.at(told))),
+            reported: apart(reported.filter_map(|reported| self.at(reported))),
             worst: self.worst(from, to),
         }
     }
 
-    /// The papers behind both rules and the exact solution.
+    /// The papers behind both models and the exact solution.
     pub fn papers(&self) -> Vec<Paper> {
-        let rules = self.by_rule.iter().flat_map(MicroContact::papers);
-        rules.chain(LayeredSphere::papers().iter().copied()).collect()
+        let models = self.by_model.iter().flat_map(MicroContact::papers);
+        models.chain(LayeredSphere::papers().iter().copied()).collect()
     }
 }
 
@@ -162,9 +162,9 @@ mod tests {
     }
 
     #[test]
-    fn the_papers_rule_is_far_too_stiff_for_lead_on_steel() {
+    fn the_papers_model_is_far_too_stiff_for_lead_on_steel() {
         let rigid = body(1e20, 0.3);
-        let check = RuleCheck::new(&rigid, &body(18e9, 0.35), &body(210e9, 0.3)).unwrap();
+        let check = ModulusCheck::new(&rigid, &body(18e9, 0.35), &body(210e9, 0.3)).unwrap();
         assert!(!check.findings(0.1, 10.0).is_good());
         let [gao, _] = check.at(1.0).unwrap();
         assert!((gao.ratio - 2.8).abs() < 0.05, "{gao:?}");
@@ -181,9 +181,9 @@ mod tests {
     #[test]
     fn without_a_difference_there_is_no_error() {
         let steel = body(210e9, 0.3);
-        let check = RuleCheck::new(&steel, &steel, &steel).unwrap();
+        let check = ModulusCheck::new(&steel, &steel, &steel).unwrap();
         let found = check.findings(0.1, 10.0);
-        let worst = found.worst_of(Rule::Gao).unwrap();
+        let worst = found.worst_of(ModulusModel::Gao).unwrap();
         assert!((worst.ratio - 1.0).abs() < 1e-12 && worst.contact_ratio == 0.1 && found.is_good());
         assert_eq!(check.worst(0.0, 1.0), [None; 2]);
         assert_eq!(check.worst(2e3, 3e3), [None; 2]);

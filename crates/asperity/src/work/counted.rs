@@ -1,23 +1,23 @@
-//! A contact that says how often it was asked.
+//! A micro-contact that counts its evaluations.
 
-use super::{LoadBounds, MicroContact, Shapes};
+use super::{Counter, Item};
 use crate::accumulator::Accumulator;
 use crate::asperity::Asperities;
 use crate::contact::Contact;
+use crate::interface::{LoadBounds, MicroContact, Shapes};
 use crate::literature::Paper;
 use crate::numeric::interval::Interval;
 use crate::shape::Shape;
-use crate::work::{Counter, Item};
 
-/// A contact whose answers are counted, those to a block of asperities or nodes at once.
-pub struct Counted<'a> {
+/// A micro-contact whose evaluations are counted, those of a block of asperities or nodes at once.
+pub struct CountedContact<'a> {
     contact: &'a dyn MicroContact,
     is_layered: bool,
     counter: &'a Counter,
 }
 
-impl<'a> Counted<'a> {
-    /// Counts the answers of `contact` in `counter`.
+impl<'a> CountedContact<'a> {
+    /// Counts the evaluations of `contact` in `counter`.
     pub fn new(contact: &'a dyn MicroContact, counter: &'a Counter) -> Self {
         Self { contact, is_layered: contact.is_layered(), counter }
     }
@@ -30,7 +30,7 @@ impl<'a> Counted<'a> {
     }
 }
 
-impl MicroContact for Counted<'_> {
+impl MicroContact for CountedContact<'_> {
     fn contact(&self, w: f64, shape: Shape) -> Contact {
         self.count(Item::SingleContacts, 1);
         self.contact.contact(w, shape)

@@ -21,7 +21,7 @@ pub struct Moments {
 /// Roughness parameters of a map, from two passes over its rows. Every difference is taken where both heights
 /// are present, around the border of a periodic map.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Character {
+pub struct RoughnessParameters {
     /// Missing points.
     pub missing: usize,
     /// Height parameters.
@@ -85,11 +85,11 @@ impl Drops {
 impl Moments {
     /// Moments of the present points, the same to the bit on any number of threads.
     pub fn of(map: &dyn Rows) -> Self {
-        Character::of(map).moments
+        RoughnessParameters::of(map).moments
     }
 }
 
-impl Character {
+impl RoughnessParameters {
     /// The parameters of a map, the same to the bit on any number of threads.
     pub fn of(map: &dyn Rows) -> Self {
         let points = map.points();
@@ -294,7 +294,7 @@ mod tests {
             let close = |found: f64, exact: f64| {
                 assert!((found - exact).abs() < 1e-12 * exact.abs(), "{is_periodic}: {found} for {exact}");
             };
-            let found = Character::of(&map);
+            let found = RoughnessParameters::of(&map);
             for axis in 0..2 {
                 let pixel: f64 = map.pixel()[axis];
                 close(found.drops.first[axis], first[axis]);
@@ -309,7 +309,7 @@ mod tests {
 
     #[test]
     fn spectral_moments_are_means_over_both_axes() {
-        let found = Character::of(&map());
+        let found = RoughnessParameters::of(&map());
         let [m0, m2, m4] = found.spectral_moments();
         assert_eq!(m0, found.moments.sq.powi(2));
         assert_eq!([2.0 * m2, 2.0 * m4], [found.m2, found.m4].map(|m| m[0] + m[1]));

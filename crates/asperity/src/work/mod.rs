@@ -1,5 +1,9 @@
 //! Counts of work: contacts evaluated, files read, surfaces made.
 
+mod counted;
+
+pub use counted::CountedContact;
+
 use std::sync::atomic::{AtomicU64, Ordering};
 
 /// Counts of the work of one run.
