@@ -156,7 +156,7 @@ realisations = 2
 );
 
 const STABILITY: &str =
-    "[stability]\ncontacts = 4\nsums = 2\nintegrals = 2\nloads = 1\nmillions = 1\ncells = 2\n";
+    "[stability]\ncontacts = 4\nsums = 2\nintegrals = 2\nloads = 1\nmillions = 1\ncells = 8\n";
 
 /// The tables of a spec.
 fn tables(spec: &str) -> Vec<(&'static str, Vec<u8>)> {

@@ -5,9 +5,7 @@
 //!
 //! ```
 //! use asperity::contact_law::{ContactLaw, named};
-//! use asperity::interface::Flat;
-//! use asperity::law::{Shape, Zmc};
-//! use asperity::material::Material;
+//! use asperity::{Flat, Material, Shape, Zmc};
 //!
 //! let steel = Material::new(210e9, 0.3, Some(7.6e9), None)?;
 //! let by_name = named("zmc").unwrap().with_options(&[("transition-ratio", 110.0)])?;

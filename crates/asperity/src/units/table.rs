@@ -66,7 +66,7 @@ pub(super) const LENGTH: Units = Units {
     si_unit: "m",
     documented: &["m", "cm", "mm", "um", "nm", "pm", "Å"],
     prefixed: Some(Prefixed { symbol: "m", word: "meter", before: "", power: 1 }),
-    others: &[LENGTHS, ROMAN_LENGTHS],
+    others: &[LENGTHS],
 };
 
 pub(super) const AREA: Units = Units {
@@ -75,7 +75,7 @@ pub(super) const AREA: Units = Units {
     si_unit: "m^2",
     documented: &["m^2", "cm^2", "mm^2", "um^2"],
     prefixed: Some(Prefixed { symbol: "m^2", word: "meter", before: "square ", power: 2 }),
-    others: &[AREAS, ROMAN_AREAS],
+    others: &[AREAS],
 };
 
 /// Counted on any of the areas.
@@ -172,24 +172,6 @@ const LENGTHS: &[Unit] = &[
     ("yd", "yard", "yards", 0.9144),
 ];
 
-/// Roman lengths, accepted since the first version.
-const ROMAN_LENGTHS: &[Unit] = &[
-    ("leuga", "leuga", "leugae", 2220.0),
-    ("mille passus", "mille passus", "mille passa", 1480.0),
-    ("stadium", "stadium", "stadia", 185.0),
-    ("actus", "actus", "acta", 35.52),
-    ("decempeda", "decempeda", "decempedae", 2.96),
-    ("passus", "passus", "passa", 1.48),
-    ("gradus", "gradus", "gradus", 0.74),
-    ("cubitum", "cubitum", "cubita", 0.444),
-    ("palmipes", "palmipes", "palmipedes", 0.37),
-    ("pes", "pes", "pedes", 0.296),
-    ("palmus maior", "palmus maior", "palmas maior", 0.222),
-    ("palmus", "palmus", "palmas", 0.074),
-    ("uncia", "uncia", "unciae", 0.024666666666666663),
-    ("digitus", "digitus", "digiti", 0.0185),
-];
-
 /// Beside those with prefixes.
 const AREAS: &[Unit] = &[
     ("ac", "acre", "acres", 4046.873),
@@ -201,35 +183,6 @@ const AREAS: &[Unit] = &[
     ("in^2", "square inch", "square inches", 6.4516e-4),
     ("mi^2", "square mile", "square miles", 2.589988110336e6),
     ("yd^2", "square yard", "square yards", 0.83612736),
-];
-
-/// Roman areas, accepted since the first version.
-const ROMAN_AREAS: &[Unit] = &[
-    ("saltus", "saltus", "saltus", 2.01867264e6),
-    ("centuria", "centuria", "centuriae", 5.0466816e5),
-    ("heredium", "heredium", "heredia", 5046.6816),
-    ("jugerum", "jugerum", "jugera", 2523.3408),
-    ("deunx", "deunx", "deunces", 2313.0624),
-    ("dextans", "dextans", "dextantes", 2102.784),
-    ("dodrans", "dodrans", "dodrantes", 1892.5056),
-    ("bes", "bes", "besses", 1682.2272),
-    ("septunx", "septunx", "septunces", 1471.9488),
-    ("semis", "semis", "semisses", 1261.6704),
-    ("actus quadratus", "actus quadratus", "acta quadratus", 1261.6704),
-    ("quincunx", "quincunx", "quincunces", 1051.392),
-    ("triens", "triens", "trientes", 841.1136),
-    ("quadrans", "quadrans", "quadrantes", 630.8352),
-    ("sextans", "sextans", "sextantes", 420.5568),
-    ("clima", "clima", "climata", 315.4176),
-    ("uncia", "uncia", "unciae", 210.2784),
-    ("semiuncia", "semiuncia", "semiunciae", 105.1392),
-    ("sicilicus", "sicilicus", "siculi", 52.5696),
-    ("actus simplex", "actus simplex", "acta simplex", 42.05568),
-    ("sextula", "sextula", "sextulae", 35.0464),
-    ("duo scrupulum", "duo scrupulum", "duo scrupula", 17.5232),
-    ("scrupulum", "scrupulum", "scrupula", 8.7616),
-    ("dimidium scrupulum", "dimidium scrupulum", "dimidium scupula", 4.3808),
-    ("pes quadratus", "pes quadratus", "pedes quadratus", 0.087616),
 ];
 
 /// All angles.

@@ -2,6 +2,7 @@
 #![allow(dead_code)]
 
 use std::collections::HashMap;
+use std::path::Path;
 
 use asperity::numeric::Sum;
 use asperity::numeric::quadrature::{Variable, panels};
@@ -24,7 +25,9 @@ impl Row {
 
 /// All rows of `tests/reference/{name}.csv`.
 pub fn rows(name: &str) -> Vec<Row> {
-    let path = format!("{}/../../tests/reference/{name}.csv", env!("CARGO_MANIFEST_DIR"));
+    // Of the package in the root, or of one below crates/.
+    let folders = Path::new(env!("CARGO_MANIFEST_DIR")).ancestors().map(|folder| folder.join("tests/reference"));
+    let path = folders.map(|folder| folder.join(name).with_extension("csv")).find(|path| path.is_file()).unwrap();
     let mut reader = csv::ReaderBuilder::new().comment(Some(b'#')).from_path(path).unwrap();
     reader.deserialize().map(|row| Row(row.unwrap())).collect()
 }
