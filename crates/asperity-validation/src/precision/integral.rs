@@ -6,8 +6,8 @@
 use std::hint::black_box;
 use std::num::NonZeroUsize;
 
+use asperity_fft::Complex;
 use quad_rs::{Integrable, IntegratorConfig, integrate_real};
-use realfft::num_complex::Complex;
 
 use super::Cost;
 use super::rules::{self, Node};

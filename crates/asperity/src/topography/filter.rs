@@ -3,8 +3,7 @@
 
 use std::fmt;
 
-use realfft::num_complex::Complex;
-use rustfft::FftPlanner;
+use asperity_fft::{Complex, FftDirection};
 
 use super::fourier::{analyse, synthesise};
 use super::{Boundary, HeightMap, Rows};
@@ -137,7 +136,7 @@ fn wrapped(weights: &[f64], count: usize) -> Vec<f64> {
             both[(count - k % count) % count].re += weight;
         }
     }
-    FftPlanner::new().plan_fft_forward(count).process(&mut both);
+    asperity_fft::complex(count, FftDirection::Forward).process(&mut both);
     both.into_iter().map(|wave| wave.re).collect()
 }
 

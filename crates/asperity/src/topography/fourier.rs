@@ -4,10 +4,8 @@
 //! it has points: Re 0, then Re k, Im k, and for an even number of points Re of the last at the end.
 //! Columns are worked on in batches that stay in cache, each turned and transformed along x.
 
+use asperity_fft::{Complex, FftDirection};
 use rayon::prelude::*;
-use realfft::RealFftPlanner;
-use realfft::num_complex::Complex;
-use rustfft::{FftDirection, FftPlanner};
 
 use crate::memory::zeros;
 
@@ -43,7 +41,7 @@ pub fn synthesise<T: Send>(
     scale: impl FnOnce(Vec<T>) -> f64,
 ) -> Vec<f64> {
     let [nx, ny] = points;
-    let transform = FftPlanner::new().plan_fft(nx, FftDirection::Inverse);
+    let transform = asperity_fft::complex(nx, FftDirection::Inverse);
     let mut map = zeros(nx * ny);
     let mut answers = Vec::with_capacity(columns(points));
     let width = batch_width(points);
@@ -73,7 +71,7 @@ pub fn synthesise<T: Send>(
         });
     }
     let scale = scale(answers);
-    let along_y = RealFftPlanner::<f64>::new().plan_fft_inverse(ny);
+    let along_y = asperity_fft::complex_to_real(ny);
     map.par_chunks_mut(ny).for_each_init(
         || (along_y.make_input_vec(), along_y.make_scratch_vec()),
         |(half, scratch), row| {
@@ -96,7 +94,7 @@ pub fn analyse<T: Send>(
     each: impl Fn(usize, &[Complex<f64>]) -> T + Sync,
 ) -> Vec<T> {
     let [nx, ny] = points;
-    let along_y = RealFftPlanner::<f64>::new().plan_fft_forward(ny);
+    let along_y = asperity_fft::real_to_complex(ny);
     map.par_chunks_mut(ny).for_each_init(
         || (along_y.make_output_vec(), along_y.make_scratch_vec()),
         |(half, scratch), row| {
@@ -107,7 +105,7 @@ pub fn analyse<T: Send>(
             }
         },
     );
-    let transform = FftPlanner::new().plan_fft(nx, FftDirection::Forward);
+    let transform = asperity_fft::complex(nx, FftDirection::Forward);
     let mut answers = Vec::with_capacity(columns(points));
     let width = batch_width(points);
     let mut batch = vec![Complex::default(); width * nx];

@@ -2,8 +2,8 @@
 
 use std::f64::consts::TAU;
 
+use asperity_fft::Complex;
 use rayon::prelude::*;
-use realfft::num_complex::Complex;
 
 use super::fourier::{analyse, synthesise, weight};
 use super::height_transform::Distortion;

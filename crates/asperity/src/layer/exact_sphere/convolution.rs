@@ -2,8 +2,7 @@
 
 use std::sync::Arc;
 
-use realfft::{ComplexToReal, RealFftPlanner, RealToComplex};
-use rustfft::num_complex::Complex64;
+use asperity_fft::{Complex64, ComplexToReal, RealToComplex};
 
 use crate::numeric::quadrature::{NODES, Panel, Variable, panels};
 
@@ -36,8 +35,8 @@ impl Convolution {
         let panel = panels(0.0, width, Variable::Linear, 1).next().expect("one panel was asked for");
         // Distances from -(count - 1) to count - 1 fit without overlap.
         let length = (2 * count).next_power_of_two();
-        let mut planner = RealFftPlanner::new();
-        let (forward, backward) = (planner.plan_fft_forward(length), planner.plan_fft_inverse(length));
+        let (forward, backward) =
+            (asperity_fft::real_to_complex(length), asperity_fft::complex_to_real(length));
         let mut symbol = Vec::with_capacity(NODES * NODES * (length / 2 + 1));
         let mut transform = forward.make_output_vec();
         for i in 0..NODES {

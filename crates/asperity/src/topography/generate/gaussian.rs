@@ -1,9 +1,9 @@
 //! Periodic Gaussian surfaces: the half spectrum is drawn, then transformed.
 
+use asperity_fft::Complex;
 use rand::SeedableRng;
 use rand_chacha::ChaCha8Rng;
 use rand_distr::{Distribution, StandardNormal};
-use realfft::num_complex::Complex;
 
 use crate::topography::fourier::{synthesise, weight};
 use crate::topography::spectrum::GridSpectrum;
