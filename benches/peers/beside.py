@@ -1,19 +1,19 @@
-"""What the scripts share: our side, told what to do line by line, runs that alternate, and the tables of
-docs/performance.md. Import it before NumPy and numba: it fixes their threads."""
+"""Shared by the scripts: the process of this program, which takes one task per line; alternating runs; and the tables of
+docs/performance.md. Import it before NumPy and numba: it sets their number of threads."""
 
 import os
 
 THREADS = 2
 for variable in ("OMP_NUM_THREADS", "NUMBA_NUM_THREADS", "RAYON_NUM_THREADS"):
     os.environ[variable] = str(THREADS)
-# Within a thread of ours a dot product must not wake more.
+# A dot product within a thread must not start more threads.
 os.environ["OPENBLAS_NUM_THREADS"] = "1"
 
 import sys
 
 AVX2 = "--avx2" in sys.argv
 if AVX2:
-    # As on a machine without AVX-512, for all sides.
+    # As on a machine without AVX-512, for all programs.
     os.environ["ASPERITY_LANES"] = "4"
     os.environ["NUMBA_CPU_NAME"], os.environ["NUMBA_CPU_FEATURES"] = "znver3", ""
     os.environ["NPY_DISABLE_CPU_FEATURES"] = "X86_V4 AVX512_ICL"
@@ -31,7 +31,7 @@ POOL = concurrent.futures.ThreadPoolExecutor(THREADS)
 
 
 class Ours:
-    """The release build, told what to do line by line."""
+    """The release build of this program; takes one task per line."""
 
     def __init__(self):
         build = subprocess.run(
@@ -60,8 +60,8 @@ def timed(what, *arguments):
 
 
 def alternately(ours, peers, rounds=ROUNDS, repeats=1):
-    """Medians of seconds: ours, then each peer. Of several `repeats` in a row, which ours makes by itself, the median counts:
-    threads just woken may share a processor for longer than a short run takes."""
+    """Median seconds: this program, then each comparison program. Of several `repeats` in a row, which this program makes
+    by itself, the median counts: threads just woken may share a processor for longer than a short run takes."""
     times = [[] for _ in range(1 + len(peers))]
     for k in range(rounds):
         times[0].append(ours(k))
@@ -80,7 +80,7 @@ def has_avx512():
 
 
 def machine(*modules):
-    """A sentence on the machine, its threads, its vectors and the versions of the peers."""
+    """A sentence on the machine, its threads, its vector instructions and the versions of the comparison programs."""
     vectors = "AVX-512" if has_avx512() else "AVX2" if "avx2" in _cpu("flags").split() else "no AVX2"
     versions = ", ".join(f"{name} {version}" for name, version in modules)
     return f"{_cpu('model name')} with {vectors}, {THREADS} threads, medians of alternate runs; {versions}."

@@ -1,4 +1,4 @@
-"""What no sum can be faster than: reading the asperities, and the instructions of the contacts."""
+"""Lower bounds of the time of a sum: reading the asperities, and the instructions of the contacts."""
 
 import numba
 import numpy as np
@@ -6,11 +6,11 @@ import numpy as np
 from beside import THREADS, timed
 from zmc import ONSET, TRANSITION
 
-NUMBERS = 1024  # that stay in the first cache
+NUMBERS = 1024  # fit the first-level cache
 TURNS = 200
 RUNS = 200
 
-# Vector instructions of a contact at the least, square roots and others: indentation, area, load, two sums and two
+# Minimum vector instructions of a contact, square roots and others: indentation, area, load, two sums and two
 # sums of squares; elastic-plastic with a cubic and a logarithm (a polynomial of ten terms and its scaling).
 INSTRUCTIONS = {"elastic": (1, 8), "elastic-plastic": (0, 24), "plastic": (0, 7)}
 
@@ -43,7 +43,7 @@ def divisions(x):
 
 @numba.njit(fastmath={"contract"})
 def multiply_adds(x):
-    """Eight for each turn and number."""
+    """Eight per turn and number."""
     for _ in range(TURNS):
         for i in range(x.size):
             v = x[i]
@@ -59,13 +59,13 @@ def multiply_adds(x):
 
 
 def seconds(probe, *arguments):
-    """The least of many runs, compiled before: a floor."""
+    """The minimum of many runs, after compilation: a lower bound."""
     probe(*arguments)
     return min(timed(probe, *arguments)[0] for _ in range(RUNS))
 
 
 def reading(heights, radii):
-    """Seconds in which both threads read all asperities: where the caches hold them, and where they hold something else."""
+    """Seconds in which both threads read all asperities: with the data in cache, and with other data in cache."""
     other = np.ones(8_000_000)
 
     def cold():
@@ -76,7 +76,7 @@ def reading(heights, radii):
 
 
 def instructions():
-    """Seconds that a square root, a division and a multiply-add of a number take one thread, in vectors."""
+    """Seconds per number of a square root, a division and a multiply-add, in vector instructions on one thread."""
     x = np.linspace(1, 2, NUMBERS)
     probes = (square_roots, 1), (divisions, 1), (multiply_adds, 8)
     return tuple(seconds(probe, x) / (NUMBERS * TURNS * times) for probe, times in probes)
@@ -94,6 +94,6 @@ def contacts(heights, radii, separations):
 
 
 def arithmetic(counts, root, other):
-    """Seconds in which both threads do the contacts' instructions."""
+    """Seconds that both threads need for the instructions of the contacts."""
     each = [roots * root + others * other for roots, others in INSTRUCTIONS.values()]
     return sum(n * one for n, one in zip(counts, each)) / THREADS

@@ -1,13 +1,13 @@
-"""The integral beside scipy.integrate.quad, in one run.
+"""The integral compared with scipy.integrate.quad, in one run.
 
     pip install -r benches/peers/requirements.txt
     python benches/peers/integral.py            # prints a table; --write puts it into docs/performance.md
 
-Area and load of both cases of Table 1, steel on steel, bare, at 50 separations from 4 to 0 sigma; one thread. The peer
-integrates over w with the density relative to that at the flat, one call between two breakpoints (`points=` is slower),
+Area and load of both cases of Table 1, steel on steel, uncoated, at 50 separations from 4 to 0 sigma; one thread. The comparison
+program integrates over w with the density relative to that at the flat, one call between two breakpoints (`points=` is slower),
 at a relative tolerance of 1e-13; then the elastic load over w^.5, then with a compiled integrand. Errors are against
-mpmath at 30 digits, and against tests/reference/statistical.csv, which reaches from -10 to 35 sigma. Ours and the peers
-run alternately, 15 times.
+mpmath at 30 digits, and against tests/reference/statistical.csv, which reaches from -10 to 35 sigma. This program and
+the comparison programs run alternately, 15 times.
 """
 
 import beside  # before NumPy
@@ -24,8 +24,8 @@ from scipy.integrate import quad
 
 from zmc import CASES, HARDNESS, MODULUS, ONSET, SEPARATIONS, SLOPE, TRANSITION
 
-REACH = 80.0  # twice the e-foldings of the density that count
-ACCURACY = 1e-13  # that all must have; the peer is also asked for it
+REACH = 80.0  # twice the number of e-foldings of the density that contribute
+ACCURACY = 1e-13  # required of all; also the tolerance passed to quad
 
 
 def pieces(population):
@@ -136,7 +136,7 @@ def exact(population, h):
 
 
 def vectors(population):
-    """Separations of tests/reference/statistical.csv, and what is there."""
+    """Separations of tests/reference/statistical.csv with their area ratios and pressures."""
     lines = (beside.ROOT / "tests" / "reference" / "statistical.csv").read_text().splitlines()
     rows = csv.DictReader(line for line in lines if not line.startswith("#"))
     own = {"young": 210e9, "poisson": 0.3, "hardness": HARDNESS, "radius": population.radius,
@@ -155,7 +155,7 @@ def main():
     ours = beside.Ours()
 
     def asked(case, separations):
-        """Our seconds a separation, and area ratios and pressures."""
+        """Seconds per separation of this program, and area ratios and pressures."""
         seconds, *words = ours("integral", case, *separations)
         rows = [words[7 * k : 7 * k + 7] for k in range(len(separations))]
         return seconds, [(sum(row[1:4]), sum(row[4:7])) for row in rows]
@@ -166,7 +166,7 @@ def main():
         far, vector = vectors(population)
         own = worst(asked(case, SEPARATIONS)[1], truth), worst(asked(case, far)[1], vector)
         slowest = max(asked(case, [h])[0] for h in SEPARATIONS)
-        # With the bound of the ratio: the plain call has one.
+        # With the bound of the ratio: only the plain call has one.
         peers = [
             ("quad", with_quad(population), 200),
             ("quad, elastic load over w^.5", with_quad(population, True), None),

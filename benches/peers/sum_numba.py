@@ -1,7 +1,7 @@
-"""The sums with numba, two threads, all separations of a block of asperities while it stands in cache.
+"""The sums with numba, two threads, all separations of a block of asperities while it is in cache.
 
-Each answers an array of a row a separation: contacts, area elastic, elastic-plastic, plastic, load likewise, sums of the
-squares of area and load.
+Each function returns an array with a row per separation: contacts, area elastic, elastic-plastic, plastic, load likewise,
+sums of the squares of area and load.
 """
 
 import math
@@ -36,7 +36,7 @@ def plastic(w, b):
 
 @numba.njit(inline="always")
 def add_branches(row, heights, radii, d, start, end):
-    """Adds asperities to a row: the law as it is written down, one loop with a branch for each regime."""
+    """Adds asperities to a row: the law as published, one loop with a branch per regime."""
     count = 0
     a0 = a1 = a2 = p0 = p1 = p2 = aa = pp = 0.0
     for i in range(start, end):
@@ -118,8 +118,8 @@ def branches(heights, radii, separations, size):
 
 @numba.njit(parallel=True, fastmath=True, error_model="numpy")
 def survivors(heights, radii, separations, size):
-    """Asperities in any order, from the nearest separation to the farthest: those that still touch move together without
-    a branch, then into one list a regime."""
+    """Asperities in any order, from the nearest separation to the farthest: those still in contact are compacted
+    without a branch, then moved into one list per regime."""
     n = heights.size
     blocks = (n + size - 1) // size
     parts = np.zeros((blocks, separations.size, COLUMNS))
@@ -168,7 +168,7 @@ def block_of(turn, blocks):
 
 @numba.njit(inline="always")
 def prefix(z, d):
-    """How many of the heights, highest first, are above d."""
+    """The number of heights, highest first, above d."""
     low, high = 0, z.size
     if z[high - 1] > d:
         return high
@@ -183,8 +183,8 @@ def prefix(z, d):
 
 @numba.njit(parallel=True, fastmath=True, error_model="numpy")
 def sorted_branches(heights, radii, separations, size):
-    """`branches` over asperities highest first: those that touch are a prefix, and neighbours are mostly in one regime,
-    so that the branches are foreseen."""
+    """`branches` over asperities highest first: those in contact are a prefix, and neighbours are mostly in one regime,
+    so that the branches are predictable."""
     n = heights.size
     blocks = (n + size - 1) // size
     parts = np.zeros((blocks, separations.size, COLUMNS))

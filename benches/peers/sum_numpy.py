@@ -1,4 +1,4 @@
-"""The sums with NumPy: as one would write them down, and tuned for two threads. Answers as of `sum_numba`."""
+"""The sums with NumPy: as one would write them, and tuned for two threads. Returns the same arrays as `sum_numba`."""
 
 import math
 import threading
@@ -32,8 +32,8 @@ def select(heights, radii, d):
 
 
 class Tuned:
-    """Blocks that stay in cache, each ordered once, so that what touches is a slice, and what has yielded lies within a
-    slice of that; arrays for a thread made once and every operation in place."""
+    """Blocks that stay in cache, each ordered once, so that the asperities in contact are a slice, and those that have
+    yielded lie within a slice of it; arrays are allocated once per thread and every operation is in place."""
 
     def __init__(self, size):
         self.size = size

@@ -1,13 +1,13 @@
-"""The sum beside the peers, in one run: NumPy and numba.
+"""The sum compared with NumPy and numba, in one run.
 
     pip install -r benches/peers/requirements.txt
     python benches/peers/sums.py            # prints a table; --write puts it into docs/performance.md;
-                                            # --avx2 leaves AVX-512 out, on all sides
+                                            # --avx2 disables AVX-512 in all programs
 
-A million asperities of each case of Table 1, steel on steel, bare, 50 separations from 4 to 0 sigma: contacts, area and
-load by regime and their sampling errors together, ordering included where the table does not say otherwise. Ours and
-the peers read the same array and run alternately, 15 times, three times in a row each; a peer whose figures are not
-ours to 1e-12 ends the run. Of several sizes of blocks each peer takes the one that is fastest here.
+A million asperities of each case of Table 1, steel on steel, uncoated, 50 separations from 4 to 0 sigma: contacts, area and
+load by regime and their sampling errors together, sorting included unless the table says otherwise. This program and
+the comparison programs read the same array and run alternately, 15 times, three times in a row each; results that
+differ by more than 1e-12 end the run. Each comparison program uses its fastest block size on this machine.
 """
 
 import beside  # before NumPy and numba
@@ -31,20 +31,20 @@ SIZES_OF_NUMPY = (32768, 65536, 131072, 262144)
 
 
 def fastest(function, sizes):
-    """The size of block with which a peer is fastest, after it was compiled."""
+    """The fastest block size of a comparison program, after compilation."""
     function(sizes[0])
     return min(sizes, key=lambda size: min(beside.timed(function, size)[0] for _ in range(5)))
 
 
 def as_ours(rows, area):
-    """Sums as our side answers them: per nominal area, with standard errors for sums of squares."""
+    """Sums in the form that this program returns: per nominal area, with standard errors for sums of squares."""
     totals = np.stack([rows[:, 1:4].sum(axis=1), rows[:, 4:7].sum(axis=1)], axis=1)
     errors = np.sqrt(rows[:, 7:9] - totals**2 / COUNT)
     return np.concatenate([rows[:, :7], errors], axis=1) / area
 
 
 def check(name, rows, ours, area):
-    """Ends the run where a peer's figures are not ours."""
+    """Ends the run if the results of a comparison program differ from those of this program."""
     theirs = as_ours(rows, area)
     error = np.abs(theirs - ours) / np.where(ours == 0, 1, np.abs(ours))
     if not error.max() <= TOLERANCE:
@@ -91,8 +91,8 @@ def main():
             arrays = sum_numba.sort(heights, radii)
             return sum_numba.sorted_extremes(*arrays, separations, size_of[sum_numba.sorted_extremes])
 
-        # Each with the bound of its ratio on a machine with AVX-512; the peers that go further than the law as it is
-        # written down are shown without one.
+        # Each with the bound of its ratio on a machine with AVX-512; variants optimised beyond the law as published
+        # are shown without one.
         peers = [
             ("numba, unsorted", with_numba(sum_numba.branches), 8),
             ("numba, unsorted, a list a regime", with_numba(sum_numba.survivors), None),

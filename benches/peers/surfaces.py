@@ -1,14 +1,14 @@
-"""Surfaces beside the peers, in one run: generation (NumPy with scipy.fft, tamaas) and five-point summits (numba).
+"""Surfaces compared with other programs, in one run: generation (NumPy with scipy.fft, tamaas) and five-point summits (numba).
 
     pip install -r benches/peers/requirements.txt
     python benches/peers/surfaces.py            # prints a table; --write puts it into docs/performance.md
 
-Ours and the peers run alternately, 15 times each (summits three times in a row), on two threads; medians are
-compared. The peers are tuned: half spectra made on two threads, two FFT workers, transforms in place; of two numba
-kernels, one that counts first and one that reads the map once, the faster is taken.
+This program and the comparison programs run alternately, 15 times each (summits three times in a row), on two threads;
+medians are compared. The comparison programs are tuned: half spectra generated on two threads, two FFT workers, transforms
+in place; of two numba kernels, one that counts first and one that reads the map once, the faster is used.
 """
 
-import beside  # before NumPy and numba: it fixes their threads
+import beside  # before NumPy and numba: it sets their number of threads
 
 import numba
 import numpy as np
