@@ -84,7 +84,7 @@ pub fn curves(results: &LawsResults) -> String {
             contact.area / area
         }),
     ];
-    Figure::row("Load and area of one asperity under every law", panels).svg()
+    Figure::row("Load and area of a single asperity, all laws", panels).svg()
 }
 
 /// What tells the laws from each other: mean pressure over hardness, area over the elastic one.
@@ -101,7 +101,7 @@ pub fn differences(results: &LawsResults, hardness: f64) -> String {
         panel(results, pressure, &|_, contact| contact.load / contact.area / hardness),
         panel(results, area, &|w, contact| contact.area / (PI * radius * w)),
     ];
-    Figure::row("Mean pressure and area of one asperity under every law", panels).svg()
+    Figure::row("Mean contact pressure and area of a single asperity, all laws", panels).svg()
 }
 
 /// Load over that of Hertz and area over the elastic one where laws jump.
@@ -122,7 +122,7 @@ pub fn jumps(results: &LawsResults) -> Option<String> {
         panel(results, load.legend(Legend::Below), &|w, contact| contact.load / elastic(w)),
         panel(results, area.legend(Legend::Hidden), &|w, contact| contact.area / (PI * radius * w)),
     ];
-    Some(Figure::row("Where laws jump", panels).svg())
+    Some(Figure::row("Jumps of the laws", panels).svg())
 }
 
 /// On one surface at equal load: each law's sum beside that of the first law, and integral beside sum under the first.
@@ -145,7 +145,7 @@ pub fn law_or_model(results: &LawsResults, influence: &Influence) -> String {
         plot(Measure::Separation, "separation", Legend::Below),
         plot(Measure::Area, "real contact area", Legend::Hidden),
     ];
-    Figure::row("Law against adding-up at equal load", panels).svg()
+    Figure::row("Contact law against summation method at equal load", panels).svg()
 }
 
 /// How a difference is drawn.
