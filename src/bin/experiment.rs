@@ -151,7 +151,7 @@ const INDEX: [&str; 2] = ["README.md", "index.html"];
 
 /// Why a command failed.
 enum Failure {
-    /// The input is errors: exit code 2.
+    /// Invalid input: exit code 2.
     Input(String),
     /// A run failed: exit code 1.
     Run(String),
@@ -236,7 +236,7 @@ fn specs_in(folder: &Path) -> Result<Vec<PathBuf>, Failure> {
     Ok(files)
 }
 
-/// Reads every spec before anything runs: a errors one keeps all from running.
+/// Reads all specs before anything runs: a single invalid one stops the run.
 fn read_all(files: &[PathBuf], extent: &Extent) -> Result<Vec<Experiment>, Failure> {
     let mut experiments: Vec<Experiment> = Vec::new();
     let mut errors = Vec::new();
