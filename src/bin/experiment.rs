@@ -17,7 +17,7 @@ use clap::builder::PossibleValuesParser;
 use clap::{Args, Parser, Subcommand};
 use indicatif::{ProgressBar, ProgressStyle};
 
-/// Where specs are looked for.
+/// Folder of the specs.
 const SPECS: &str = "experiments";
 
 /// Runs the statistical and the deterministic contact model on the same rough surface.
@@ -52,7 +52,7 @@ enum Command {
         #[arg(long, default_value = "reports")]
         out: PathBuf,
     },
-    /// Read specs, say what they would do and need, and run nothing
+    /// Check specs and print what they would run and need, without running them
     Check {
         /// Spec files
         #[arg(required = true)]
@@ -60,32 +60,32 @@ enum Command {
         #[command(flatten)]
         extent: Extent,
     },
-    /// Write a commented spec that runs as it stands
+    /// Write a commented spec that is ready to run
     New {
         /// Name of the spec; NAME.toml is written
         name: PathBuf,
     },
-    /// Look at one surface: of a measured file, or each of a spec
+    /// Analyse the surface of a measured file, or all surfaces of a spec
     Surface {
         /// A height map (.npy, text, XYZ, X3P, SDF), or a spec
         file: PathBuf,
         #[command(flatten)]
-        words: Words,
-        /// What the report's folder is called; after the file if not given
+        arguments: FileArguments,
+        /// Name of the report folder; default: from the name of the file
         #[arg(long)]
         name: Option<String>,
         #[command(flatten)]
         options: RunOptions,
     },
-    /// Print the tables of a report as Markdown: every column with its unit and meaning
+    /// Print a Markdown reference of the report tables: every column with its unit and meaning
     Columns {
-        /// Only those of one kind of experiment
+        /// Only tables of this kind of experiment
         #[arg(value_parser = PossibleValuesParser::new(KINDS.map(|kind| kind.name())))]
         kind: Option<String>,
     },
-    /// Compare freshly made reports with those in another folder, number by number
+    /// Compare new reports with those in another folder, number by number
     Verify {
-        /// Folder of fresh reports
+        /// Folder of new reports
         fresh: PathBuf,
         /// Folder to compare them with
         #[arg(long, default_value = "reports")]
@@ -93,39 +93,39 @@ enum Command {
     },
 }
 
-/// What a spec says of a measured file.
+/// Options of a measured file, as in a spec.
 #[derive(Args)]
-struct Words {
-    /// Distance of points, where the file holds none: "0.8 um", or along x and y "0.8 um, 0.5 um"
+struct FileArguments {
+    /// Pixel size, if the file does not contain it: "0.8 um", or "0.8 um, 0.5 um" along x and y
     #[arg(long, allow_hyphen_values = true)]
     pixel: Option<String>,
-    /// Unit of the lengths in the file, where it holds none: um
+    /// Unit of the lengths in the file, if it does not contain it: um
     #[arg(long, allow_hyphen_values = true)]
     unit: Option<String>,
-    /// Form that is removed: none, mean, plane, quadratic
+    /// Form to remove: none, mean, plane, quadratic
     #[arg(long, allow_hyphen_values = true)]
     level: Option<String>,
-    /// S filter (ISO 16610-61): what is shorter is removed: "2.5 um"
+    /// S filter (ISO 16610-61), removes shorter wavelengths: "2.5 um"
     #[arg(long, allow_hyphen_values = true)]
     s: Option<String>,
-    /// L filter (ISO 16610-61): what is longer is removed: "80 um"
+    /// L filter (ISO 16610-61), removes longer wavelengths: "80 um"
     #[arg(long, allow_hyphen_values = true)]
     l: Option<String>,
-    /// Which neighbours a summit is higher than: four, eight
+    /// Number of neighbours that a summit must exceed: four, eight
     #[arg(long, allow_hyphen_values = true)]
     neighbours: Option<String>,
 }
 
-impl From<Words> for FileOptions {
-    fn from(Words { pixel, unit, level, s, l, neighbours }: Words) -> Self {
+impl From<FileArguments> for FileOptions {
+    fn from(FileArguments { pixel, unit, level, s, l, neighbours }: FileArguments) -> Self {
         Self { pixel, unit, level, s, l, neighbours }
     }
 }
 
-/// How much of a spec is run.
+/// Extent of a run.
 #[derive(Args)]
 struct Extent {
-    /// Run also what takes minutes and gigabytes: the largest sets of a precision experiment
+    /// Include cases that take minutes and gigabytes: the largest sets of a precision experiment
     #[arg(long)]
     full: bool,
 }
@@ -135,23 +135,23 @@ struct RunOptions {
     /// Folder to write reports to
     #[arg(long, default_value = "reports")]
     out: PathBuf,
-    /// Run also what is unchanged
+    /// Run unchanged specs too
     #[arg(long)]
     force: bool,
-    /// Number of threads; all cores if not given. Results do not depend on it
+    /// Number of threads; default: all cores. Results do not depend on it
     #[arg(long, value_parser = clap::value_parser!(u16).range(1..=1024))]
     threads: Option<u16>,
-    /// Print nothing but errors
+    /// Print errors only
     #[arg(long)]
     quiet: bool,
 }
 
-/// The pages that lead to all reports.
+/// The index of all reports.
 const INDEX: [&str; 2] = ["README.md", "index.html"];
 
-/// Why a command did not do what it was asked.
+/// Why a command failed.
 enum Failure {
-    /// The input is wrong: exit code 2.
+    /// Invalid input: exit code 2.
     Input(String),
     /// A run failed: exit code 1.
     Run(String),
@@ -183,8 +183,8 @@ fn main() -> ExitCode {
         Some(Command::List { out }) => list(&out),
         Some(Command::Check { files, extent }) => check(&files, &extent),
         Some(Command::New { name }) => new(&name),
-        Some(Command::Surface { file, words, name, options }) => {
-            surface(&file, words.into(), name.as_deref(), &options)
+        Some(Command::Surface { file, arguments, name, options }) => {
+            surface(&file, arguments.into(), name.as_deref(), &options)
         }
         Some(Command::Columns { kind }) => {
             print(format_args!("{}", columns(kind.as_deref()).trim_end()));
@@ -199,15 +199,15 @@ fn main() -> ExitCode {
 }
 
 impl Failure {
-    /// Says what went wrong and gives the exit code for it.
+    /// Prints the error and returns its exit code.
     fn report(self) -> ExitCode {
         match self {
             Self::Input(message) => {
-                complain(format_args!("error: {message}"));
+                print_error(format_args!("error: {message}"));
                 ExitCode::from(2)
             }
             Self::Run(message) => {
-                complain(format_args!("error: {message}"));
+                print_error(format_args!("error: {message}"));
                 ExitCode::FAILURE
             }
         }
@@ -236,26 +236,26 @@ fn specs_in(folder: &Path) -> Result<Vec<PathBuf>, Failure> {
     Ok(files)
 }
 
-/// Reads every spec before anything runs: a wrong one keeps all from running.
+/// Reads all specs before anything runs: a single invalid one stops the run.
 fn read_all(files: &[PathBuf], extent: &Extent) -> Result<Vec<Experiment>, Failure> {
     let mut experiments: Vec<Experiment> = Vec::new();
-    let mut wrong = Vec::new();
+    let mut errors = Vec::new();
     for file in files {
         let read = if extent.full { Experiment::read_in_full } else { Experiment::read };
         match read(file) {
             Ok(experiment) if experiments.iter().any(|other| other.stem() == experiment.stem()) => {
-                wrong.push(format!(
-                    "{}: another file of this run is called {} too, and both would write the same report; \
-                     allowed: each name once",
+                errors.push(format!(
+                    "{}: found a second file called {} in this run, which would write the same report; allowed: each name \
+                     once",
                     file.display(),
                     experiment.stem()
                 ));
             }
             Ok(experiment) => experiments.push(experiment),
-            Err(error) => wrong.push(error.to_string()),
+            Err(error) => errors.push(error.to_string()),
         }
     }
-    if wrong.is_empty() { Ok(experiments) } else { Err(Failure::Input(wrong.join("\nerror: "))) }
+    if errors.is_empty() { Ok(experiments) } else { Err(Failure::Input(errors.join("\nerror: "))) }
 }
 
 fn run(files: &[PathBuf], extent: &Extent, options: &RunOptions) -> Result<(), Failure> {
@@ -267,7 +267,7 @@ fn run(files: &[PathBuf], extent: &Extent, options: &RunOptions) -> Result<(), F
     if let Err(failure) = write_index(&mut store, &options.out) {
         failures.push(failure);
     }
-    // A run that failed weighs more than input that was refused; it is said last.
+    // A failed run takes precedence over an invalid input and is reported last.
     failures.sort_by_key(|failure| matches!(failure, Failure::Run(_)));
     let Some(last) = failures.pop() else { return Ok(()) };
     for failure in failures {
@@ -284,7 +284,7 @@ fn set_threads(options: &RunOptions) -> Result<(), Failure> {
         .map_err(|error| Failure::Run(error.to_string()))
 }
 
-/// The folder of reports, made whole again if a run was cut off, and ours to write to.
+/// The folder of reports, recovered after an interrupted run, and checked to be writable by this program.
 fn open_store(options: &RunOptions) -> Result<Store, Failure> {
     let mut store = Store::new(&options.out);
     store.recover()?;
@@ -294,10 +294,10 @@ fn open_store(options: &RunOptions) -> Result<Store, Failure> {
     Ok(store)
 }
 
-/// Looks at surfaces: a table in the terminal, pages in the folder of reports.
-fn surface(file: &Path, words: FileOptions, name: Option<&str>, options: &RunOptions) -> Result<(), Failure> {
+/// Describes surfaces: a table in the terminal, pages in the folder of reports.
+fn surface(file: &Path, file_options: FileOptions, name: Option<&str>, options: &RunOptions) -> Result<(), Failure> {
     set_threads(options)?;
-    let experiment = Experiment::describe(file, &words, name)?;
+    let experiment = Experiment::describe(file, &file_options, name)?;
     let mut store = open_store(options)?;
     store.check(experiment.stem())?;
     check_same_file(&experiment, &options.out.join(experiment.stem()))?;
@@ -308,7 +308,7 @@ fn surface(file: &Path, words: FileOptions, name: Option<&str>, options: &RunOpt
     write_index(&mut store, &options.out)
 }
 
-/// A look at one file does not replace the look at another that happens to be called the same.
+/// The report on a file must not replace that on another file of the same name.
 fn check_same_file(experiment: &Experiment, folder: &Path) -> Result<(), Failure> {
     let (Some(now), Some(before)) = (experiment.described_file(), described_file(folder)) else {
         return Ok(());
@@ -318,13 +318,13 @@ fn check_same_file(experiment: &Experiment, folder: &Path) -> Result<(), Failure
         return Ok(());
     }
     Err(Failure::Input(format!(
-        "{} holds the look at {}, another file; allowed: --name NAME for a report beside it",
+        "{} holds the report on another file, {}; allowed: --name NAME for a separate report",
         folder.display(),
         before.display()
     )))
 }
 
-/// Writes the pages that lead to all reports, where they say something else than is there.
+/// Writes the index of all reports, if it has changed.
 fn write_index(store: &mut Store, out: &Path) -> Result<(), Failure> {
     let index = Index::of(out);
     if index.is_empty() {
@@ -338,7 +338,7 @@ fn write_index(store: &mut Store, out: &Path) -> Result<(), Failure> {
     Ok(())
 }
 
-/// Runs an experiment and writes its report, unless an unchanged one is there.
+/// Runs an experiment and writes its report, unless it is up to date.
 fn run_one(experiment: &Experiment, store: &mut Store, options: &RunOptions) -> Result<(), Failure> {
     let start = Instant::now();
     let key = experiment.key()?;
@@ -370,7 +370,7 @@ fn run_and_write(
     };
     if experiment.key()? != key {
         return Err(Failure::Run(format!(
-            "{}: an input file has changed while it was read; run again",
+            "{}: an input file changed while it was read; run again",
             experiment.stem()
         )));
     }
@@ -378,7 +378,7 @@ fn run_and_write(
     store.write(&report)?;
     if !options.quiet {
         for warning in results.warnings() {
-            complain(format_args!("warning: {}: {warning}", experiment.stem()));
+            print_error(format_args!("warning: {}: {warning}", experiment.stem()));
         }
     }
     say(
@@ -388,13 +388,13 @@ fn run_and_write(
     Ok(results)
 }
 
-/// Writes a line. A reader that is gone, as `head` is after some lines, misses the rest.
+/// Prints a line; a closed pipe, as after `head`, is ignored.
 fn print(line: std::fmt::Arguments) {
     let _ = writeln!(std::io::stdout(), "{line}");
 }
 
-/// The same for what is no answer.
-fn complain(line: std::fmt::Arguments) {
+/// The same on standard error.
+fn print_error(line: std::fmt::Arguments) {
     let _ = writeln!(std::io::stderr(), "{line}");
 }
 
@@ -420,7 +420,7 @@ fn list(out: &Path) -> Result<(), Failure> {
                 };
                 print(format_args!("{:<28} {state:<11} {}", experiment.stem(), experiment.title()));
             }
-            Err(error) => print(format_args!("{:<28} refused     {error}", file.display())),
+            Err(error) => print(format_args!("{:<28} invalid     {error}", file.display())),
         }
     }
     Ok(())
@@ -447,11 +447,11 @@ fn verify(fresh: &Path, committed: &Path) -> Result<(), Failure> {
     let differences = verify::differences(fresh, committed)
         .map_err(|error| Failure::Run(format!("{} and {}: {error}", fresh.display(), committed.display())))?;
     if differences.is_empty() {
-        print(format_args!("{} says the same as {}", fresh.display(), committed.display()));
+        print(format_args!("{} agrees with {}", fresh.display(), committed.display()));
         return Ok(());
     }
     for difference in &differences {
-        complain(format_args!("{difference}"));
+        print_error(format_args!("{difference}"));
     }
     Err(Failure::Run(format!(
         "{} differences between {} and {}",

@@ -15,7 +15,7 @@ pub struct LayerPlan {
     pub name: String,
     /// The material.
     pub material: Material,
-    /// How its modulus and that of the substrate are put together.
+    /// Effective-modulus model.
     pub rule: ModulusModel,
     /// Thicknesses, m, ascending; 0 and infinity among them.
     pub thicknesses: Vec<f64>,
@@ -24,7 +24,7 @@ pub struct LayerPlan {
     substrate: Material,
 }
 
-/// A thickness (m) in the words of a spec.
+/// A thickness (m) as a spec gives it.
 pub fn thickness_words(thickness: f64) -> String {
     match thickness {
         0.0 => "0".to_owned(),
@@ -55,11 +55,11 @@ impl fmt::Display for LayerPlan {
 }
 
 /// Resolves a layer on `substrate`.
-pub fn layer(file: &SpecFile, words: &LayerSpec, substrate: &Material) -> Result<LayerPlan, InputError> {
-    let name = words.material.get_ref().clone();
-    let material = file.body(&name, words.material.span())?;
-    let layered = LayeredFlat::new(&material, substrate, 1.0, words.rule)
-        .map_err(|error| file.source.error_at(words.material.span(), format!("found \"{name}\": {error}")))?;
-    let thicknesses = words.thickness.0.clone();
-    Ok(LayerPlan { name, material, rule: words.rule, thicknesses, layered, substrate: *substrate })
+pub fn layer(file: &SpecFile, spec: &LayerSpec, substrate: &Material) -> Result<LayerPlan, InputError> {
+    let name = spec.material.get_ref().clone();
+    let material = file.body(&name, spec.material.span())?;
+    let layered = LayeredFlat::new(&material, substrate, 1.0, spec.rule)
+        .map_err(|error| file.source.error_at(spec.material.span(), format!("found \"{name}\": {error}")))?;
+    let thicknesses = spec.thickness.0.clone();
+    Ok(LayerPlan { name, material, rule: spec.rule, thicknesses, layered, substrate: *substrate })
 }

@@ -22,12 +22,12 @@ pub struct LayerSpec {
     pub material: Spanned<String>,
     /// Its thicknesses.
     pub thickness: Thicknesses,
-    /// How the moduli of layer and substrate are put together.
+    /// Effective-modulus model.
     #[serde(default)]
     pub rule: ModulusModel,
 }
 
-/// One thickness, m: 0 is no layer, infinity nothing but the layer.
+/// One thickness, m: 0 is uncoated, infinity the bulk layer material.
 struct Thickness(f64);
 
 /// What a thickness may be.
@@ -107,7 +107,8 @@ impl<'de> Deserialize<'de> for Thicknesses {
                 while let Some(Thickness(value)) = list.next_element()? {
                     if all.last().is_some_and(|last| *last >= value) {
                         return Err(A::Error::custom(
-                            "found thicknesses that do not grow; allowed: each once, the thinnest first, \"inf\" last",
+                            "found thicknesses that are not ascending; allowed: each once, the thinnest first, \"inf\" \
+                             last",
                         ));
                     }
                     all.push(value);

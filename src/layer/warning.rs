@@ -1,9 +1,9 @@
-//! When the effective modulus of a layered flat is doubtful.
+//! Warning about the effective modulus of a layered flat.
 
 use asperity::ModulusModel;
 use asperity::compare::{GOOD_RATIO, ModulusFindings};
 
-/// What makes `rule` doubtful for the layer called `layer`; `None` where the moduli are near enough.
+/// Warns where `rule` is inaccurate for the layer called `layer`; `None` where the moduli are close enough.
 pub fn rule_warning(findings: &ModulusFindings, layer: &str, rule: ModulusModel) -> Option<String> {
     if findings.is_good() {
         return None;
@@ -11,8 +11,8 @@ pub fn rule_warning(findings: &ModulusFindings, layer: &str, rule: ModulusModel)
     let size = findings.worst_of(rule).map_or_else(String::new, |worst| {
         let direction = if worst.ratio > 1.0 { "stiff" } else { "compliant" };
         format!(
-            ". Without yielding, rule \"{}\" is up to {:.2} times too {direction} (load at equal indentation beside the \
-             exact solution, a/t from {} to {}; most at a/t = {})",
+            ". Without yielding, rule \"{}\" is up to {:.2} times too {direction} (load at equal indentation relative to \
+             the exact solution, a/t from {} to {}; largest at a/t = {})",
             rule.name(),
             worst.factor(),
             short(findings.range[0]),
@@ -22,8 +22,8 @@ pub fn rule_warning(findings: &ModulusFindings, layer: &str, rule: ModulusModel)
     });
     let [from, to] = GOOD_RATIO;
     Some(format!(
-        "layer {layer}: its modulus is {} times the substrate's, outside the {from} to {to} where the paper's rule is \
-         good{size}",
+        "layer {layer}: its modulus is {} times the substrate's, outside the {from} to {to} in which rule \"gao\" is \
+         accurate{size}",
         short(findings.modulus_ratio)
     ))
 }

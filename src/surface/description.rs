@@ -1,4 +1,4 @@
-//! Describing surfaces as closely as can be, without any contact: `experiment surface`.
+//! Full description of surfaces, without any contact: `experiment surface`.
 
 use std::fmt;
 use std::path::{Path, PathBuf};

@@ -78,8 +78,8 @@ impl<'a> SurfaceFactory<'a> {
                 let mut surface = Surface::new(name, set, statistics);
                 if contradictions > 0 {
                     surface.warnings.push(format!(
-                        "{contradictions} of {count} radii lie beyond both 1/kx and 1/ky: laws for spheres take the radius, elliptic \
-                         laws kx and ky, and stand on different asperities there"
+                        "{contradictions} of {count} radii lie beyond both 1/kx and 1/ky: laws for spheres use the radius, \
+                         elliptic laws use kx and ky, so that the two describe different asperities"
                     ));
                 }
                 Ok(surface)

@@ -25,7 +25,7 @@ pub struct Surface {
     pub plane: ReferencePlane,
     /// Height of the mean plane of the surface in the frame of the set's heights, m, where it is known.
     pub mean_plane: Option<f64>,
-    /// The population that it was drawn from: the statistical model then stands on its numbers.
+    /// The population that it was drawn from: its parameters are then the inputs of the statistical model.
     pub nominal: Option<Population>,
     /// The mean shape of its asperities as ellipses, where a law sees them so.
     pub ellipticity: Option<Ellipticity>,
@@ -33,7 +33,7 @@ pub struct Surface {
     pub map: Option<MapFacts>,
     /// How many surfaces of its name there are, of which this is one.
     pub realisations: usize,
-    /// What makes its numbers doubtful.
+    /// Caveats.
     pub warnings: Vec<String>,
 }
 
@@ -46,9 +46,9 @@ pub struct MapFacts {
     pub pixel: [f64; 2],
     /// Points tested for a summit.
     pub tested: usize,
-    /// What was taken out.
+    /// The form removed.
     pub level: Level,
-    /// The filters, in words.
+    /// The filters, as text.
     pub filter: Option<String>,
     /// Of the levelled, filtered map.
     pub roughness: RoughnessParameters,
@@ -71,7 +71,7 @@ pub struct MapFacts {
     pub quantisation: Option<Quantisation>,
     /// Of a random surface, what it was made by.
     pub generation: Option<GenerationFacts>,
-    /// What only a depth at the whole map tells, where it was asked for.
+    /// Overview of the map, where requested.
     pub whole: MapOverview,
 }
 
@@ -80,9 +80,9 @@ pub struct MapFacts {
 pub struct GenerationFacts {
     /// The generator; of a target the one that was found.
     pub generator: SurfaceGenerator,
-    /// What its summits were asked to be, and how many surfaces were tried.
+    /// Target of its summits, and the number of surfaces tried.
     pub target: Option<(Target, usize)>,
-    /// Share of the points that a finer process has cut.
+    /// Share of the points truncated by a finer process.
     pub cut: Option<f64>,
 }
 
@@ -108,7 +108,7 @@ pub(super) enum NoAsperities {
 
 /// How asperities are found on a map.
 pub(super) struct SummitSearch {
-    /// What is taken out first.
+    /// The form removed first.
     pub(super) level: Level,
     /// The filters.
     pub(super) filter: Option<Filter>,
@@ -118,7 +118,7 @@ pub(super) struct SummitSearch {
     pub(super) as_ellipses: bool,
     /// What the map was made by, if it was made.
     pub(super) generation: Option<GenerationFacts>,
-    /// How closely it is looked at.
+    /// Analysis depth.
     pub(super) depth: AnalysisDepth,
 }
 
@@ -189,7 +189,7 @@ impl SummitSearch {
 }
 
 impl MapFacts {
-    /// What makes its numbers doubtful.
+    /// Caveats.
     pub fn warnings(&self) -> Vec<String> {
         /// No measured or machined surface is so steep all over.
         const STEEP: f64 = 1.0;
@@ -199,15 +199,15 @@ impl MapFacts {
         let widest = self.pixel[0].max(self.pixel[1]);
         if widest > WIDE {
             warnings.push(format!(
-                "its points are {widest:.3e} m apart: its lengths are probably in another unit than the file is read in \
-                 (unit = \"um\" beside path says in which).",
+                "its points are {widest:.3e} m apart: the unit of its lengths is probably wrong (set unit = \"um\" beside \
+                 path).",
             ));
         }
         let slope = self.roughness.rms_slope();
         if slope > STEEP {
             warnings.push(format!(
-                "the r.m.s. slope is {slope:.3}: heights and distances of points are probably in different units, or in others than \
-                 the file is read in.",
+                "the r.m.s. slope is {slope:.3}: heights and pixel size are probably in different units, or the unit is \
+                 wrong.",
             ));
         }
         warnings.extend(self.lay_warning());
@@ -215,21 +215,21 @@ impl MapFacts {
         warnings
     }
 
-    /// Why five-point summits may be the grid's.
+    /// Warns that five-point summits may be an artefact of the grid.
     fn lay_warning(&self) -> Option<String> {
         /// There are twice as many five-point summits as with the same lay along an axis.
         const OBLIQUE: f64 = 0.6;
         let correlation = self.roughness.drops.slope_correlation();
         (self.neighbours == Neighbours::Four && correlation > OBLIQUE).then(|| {
             format!(
-                "the lay lies at an angle to the grid (slopes along x and y correlate by {correlation:.2}): five-point summits \
-                 stand in rows along its ridges where the surface has none, and are more than twice too many. \
-                 neighbours = \"eight\" finds far fewer; best is a map that is turned so that the lay lies along x or y."
+                "the lay lies at an angle to the grid (slopes along x and y correlate by {correlation:.2}): five-point \
+                 summits are found in rows along the ridges where the surface has none, more than twice too many. \
+                 neighbours = \"eight\" finds far fewer; best is to rotate the map so that the lay is parallel to x or y."
             )
         })
     }
 
-    /// Why its radii may be the instrument's.
+    /// Warns that the radii may be an artefact of the instrument.
     fn step_warning(&self) -> Option<String> {
         let found = self.quantisation.as_ref()?;
         let nanometres = |length: f64| format!("{:.4} nm", length * 1e9);
@@ -239,8 +239,8 @@ impl MapFacts {
         if let Some(step) = found.step.filter(|_| found.has_coarse_step()) {
             return Some(format!(
                 "the radii are set by the instrument's height step of {}, not by the surface: the median drop from a summit \
-                 to its neighbours is {}, and the {} summits have {} distinct curvatures. Neither model's answer \
-                 describes this surface; measure with a finer step, or filter out the wavelengths that the step spoils.",
+                 to its neighbours is {}, and the {} summits have {} distinct curvatures. Neither model describes this \
+                 surface; measure with a finer step, or filter out the wavelengths affected by it.",
                 nanometres(step),
                 nanometres(found.median_drop),
                 found.summits,
@@ -290,7 +290,7 @@ impl Surface {
         }
     }
 
-    /// What the statistical model stands on: the nominal numbers of a population, the statistics of
+    /// Inputs of the statistical model: the nominal numbers of a population, the statistics of
     /// any other set.
     pub fn population(&self, heights: Option<&Heights>, mean_radius: MeanRadius) -> Population {
         let own = Population {

@@ -1,4 +1,4 @@
-//! Random rough surfaces, planned from their words.
+//! Random rough surfaces, planned from a spec.
 
 use std::f64::consts::TAU;
 use std::ops::Range;
@@ -60,7 +60,7 @@ const FEWEST_POINTS: u64 = 8;
 const MOST_POINTS: u64 = 1 << 20;
 
 impl Generation {
-    /// Resolves the words, which stand at `span`.
+    /// Resolves the spec at `span`.
     ///
     /// # Errors
     /// The first that makes no surface.

@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-/// What a person says of a measured file, besides its path; each as in a spec.
+/// Options for a measured file, besides its path; each as in a spec.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct FileOptions {
     /// A length, or two with a comma between them.

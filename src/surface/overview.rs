@@ -1,4 +1,4 @@
-//! A depth at a map as a whole: spectrum, autocorrelation, picture.
+//! Overview of a map: spectrum, autocorrelation, image.
 
 use asperity::topography::generate::{SpectrumOf, SurfaceGenerator};
 use asperity::topography::{
@@ -6,28 +6,28 @@ use asperity::topography::{
 };
 use asperity::{HeightMap, Heights};
 
-/// How closely a map is looked at, beyond its asperities.
+/// Analysis depth of a map, beyond its asperities.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub enum AnalysisDepth {
-    /// No closer.
+    /// Asperities only.
     Asperities,
-    /// Of a random surface, the spectrum that was asked for and the one that was reached.
+    /// Of a random surface, the target and the obtained spectrum.
     Spectrum,
-    /// Spectrum, autocorrelation and a picture.
+    /// Spectrum, autocorrelation and an image.
     Everything,
 }
 
 /// Beyond so many points a map is not brought into memory for its spectrum and autocorrelation.
 pub(super) const MOST_POINTS_LOOKED_AT: usize = 1 << 26;
 
-/// What a depth at a whole map tells.
+/// Overview of a map.
 #[derive(Debug, Clone, Default)]
 pub struct MapOverview {
-    /// The spectrum that was asked for.
+    /// The target spectrum.
     pub asked: Option<RadialSpectrum>,
-    /// Whether it was asked of the Gaussian field whose heights were mapped, not of the heights.
+    /// Whether it is the target of the Gaussian field before the transform of its heights.
     pub is_asked_of_gaussian: bool,
-    /// The spectrum that was found.
+    /// The obtained spectrum.
     pub spectrum: Option<RadialSpectrum>,
     /// The autocorrelation.
     pub autocorrelation: Option<Autocorrelation>,
@@ -38,14 +38,14 @@ pub struct MapOverview {
 }
 
 impl MapOverview {
-    /// Looks at a map, made by `generator` if it was made, as closely as `depth` says.
+    /// Looks at a map, made by `generator` if it was made, to the given `depth`.
     pub(super) fn of(
         map: &dyn Rows,
         roughness: &RoughnessParameters,
         generator: Option<&SurfaceGenerator>,
         depth: AnalysisDepth,
     ) -> Self {
-        /// Points of a picture along an axis.
+        /// Points of an image along an axis.
         const PICTURE: usize = 512;
         let [nx, ny] = map.points();
         let is_close = depth == AnalysisDepth::Everything;

@@ -1,4 +1,4 @@
-//! The page of a look at surfaces.
+//! The page of a description of surfaces.
 
 use super::results::SurfacesResults;
 use super::section::section;
@@ -17,22 +17,22 @@ pub fn page(results: &SurfacesResults) -> Page {
     for surface in &results.surfaces {
         page.heading(2, &format!("Surface {}", surface.name));
         if surface.realisations > 1 {
-            page.paragraph(&format!("This is the first of {} realisations.", surface.realisations));
+            page.paragraph(&format!("First of {} realisations.", surface.realisations));
         }
         section(&mut page, surface, None);
         if surface.map.as_ref().is_some_and(|map| map.whole.spectrum.is_none()) {
             page.paragraph(
-                "The map is too large for its spectrum and autocorrelation to be looked at in memory.",
+                "The map is too large to compute its spectrum and autocorrelation in memory.",
             );
         }
     }
-    page.heading(2, "How it was made");
+    page.heading(2, "How to reproduce");
     let Metadata { stem, seed, spec_sha256, .. } = &results.metadata;
     let version = env!("CARGO_PKG_VERSION");
     match &results.spec_text {
-        Some(words) => {
-            page.paragraph(&format!("These words in a spec read the same surface. Asperity {version}."));
-            page.code("toml", words);
+        Some(spec) => {
+            page.paragraph(&format!("This spec reads the same surface. Asperity {version}."));
+            page.code("toml", spec);
         }
         None => {
             page.paragraph(&format!(

@@ -1,4 +1,4 @@
-//! Why a measured surface is not read, in the words of a spec.
+//! Why a measured surface is not read, in the keys of a spec.
 
 use asperity::topography::read::{ReadError, ReadOptionsError};
 

@@ -31,7 +31,7 @@ pub enum SurfaceSpec {
     File(FileSpec),
 }
 
-/// The file's words: a table for each kind, of which exactly one may be there.
+/// Raw input: a table for each kind, of which exactly one is allowed.
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
 struct Kinds {
@@ -69,7 +69,7 @@ impl TryFrom<Kinds> for SurfaceSpec {
 pub struct ListSpec {
     /// The file, relative to the spec.
     pub file: Spanned<PathBuf>,
-    /// Nominal area that the asperities stand on.
+    /// Nominal area of the asperities.
     pub nominal_area: Quantity<Area>,
 }
 

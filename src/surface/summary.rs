@@ -80,7 +80,7 @@ impl From<&Statistics> for StatisticsSummary {
     }
 }
 
-/// What the statistical model stood on.
+/// Inputs of the statistical model.
 #[derive(Serialize)]
 pub struct PopulationSummary {
     heights: String,
@@ -203,7 +203,7 @@ impl From<&MapFacts> for MapSummary {
     }
 }
 
-/// What a random surface was made by.
+/// Generator of a random surface.
 #[derive(Serialize)]
 struct GenerationSummary {
     process: ProcessSummary,

@@ -157,7 +157,7 @@ fn area_that_falls_is_told() {
         [DecreasingQuantity::Area]
     );
     let page = written(results, "report.md");
-    assert!(page.contains("The area falls as the ball goes on from w ="), "{page}");
+    assert!(page.contains("The area decreases with increasing indentation from w ="), "{page}");
 }
 
 #[test]

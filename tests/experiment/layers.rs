@@ -127,12 +127,12 @@ fn a_report_of_one_model_shows_one_model() {
         (page, row.matches('|').count())
     };
     let (integral, one) = of("[\"statistical\"]");
-    assert!(integral.contains("Lines: the statistical integral.") && !integral.contains("dashed"));
+    assert!(integral.contains("Lines: statistical model.") && !integral.contains("dashed"));
     assert!(!integral.contains("det. |"), "columns of a model that did not run");
     let (sum, same) = of("[\"deterministic\"]");
-    assert!(sum.contains("Lines: the deterministic sum.") && !sum.contains("dashed"));
+    assert!(sum.contains("Lines: deterministic model.") && !sum.contains("dashed"));
     let (both, more) = of("[\"statistical\", \"deterministic\"]");
-    assert!(both.contains("Solid: the deterministic sum"));
+    assert!(both.contains("Solid: deterministic model"));
     assert_eq!((one, same, more), (8, 8, 12));
 }
 
@@ -228,10 +228,10 @@ fn where_a_load_falls_the_report_says_so() {
     );
     let page = &written(&found, &["report.md"])[0];
     assert!(
-        page.contains("the load of an asperity can fall as it is pressed deeper, with film of 150 nm"),
+        page.contains("the load per asperity can decrease with increasing indentation, with film of 150 nm"),
         "{page}"
     );
-    assert!(page.contains("the answers are the first"));
+    assert!(page.contains("the first on approach is reported"));
 }
 
 #[test]

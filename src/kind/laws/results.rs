@@ -83,7 +83,7 @@ pub struct LawOnOne {
     pub boundaries: Vec<Boundary>,
 }
 
-/// How much law and adding-up matter on one realisation of a surface.
+/// Effect of contact law and summation method on one realisation of a surface.
 #[derive(Debug)]
 pub struct SurfaceInfluence {
     /// The surface.

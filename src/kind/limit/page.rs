@@ -1,4 +1,4 @@
-//! The page of a limit: does the sum approach the integral, and how fast?
+//! The page of a convergence study: does the sum converge to the integral, and at which rate?
 
 use super::findings::{Heights, SlopeRange, series};
 use super::run::LimitResults;
@@ -12,17 +12,17 @@ use asperity_plot::{Axis, Colour, Dash, Figure, Layer, Marker, Plot};
 pub fn page(results: &LimitResults) -> Page {
     let mut page = Page::new(&results.metadata.title);
     sections::notes(&mut page, &results.metadata);
-    page.heading(2, "In short");
+    page.heading(2, "Summary");
     page.bullets(results.slope_ranges.iter().map(finding));
     page.paragraph(&format!(
-        "Sets of equal radii and Gaussian heights are summed and compared with what they must approach: {}. A sum of n \
-         independent draws has an error that falls as n^-½; heights at the quantiles leave one that falls as 1/n. Slopes are \
-         fitted by least squares to the logarithms where more than {FEWEST_CONTACTS} contacts are expected.",
+        "Sets of asperities with equal radii and Gaussian heights are summed and compared with their limit: {}. The error \
+         of a sum of n independent draws decreases as n^-½, that of heights at the quantiles as 1/n. Slopes are \
+         least-squares fits to the logarithms, for points with more than {FEWEST_CONTACTS} expected contacts.",
         results.laws.iter().map(|(law, reference)| format!("for {law}, {reference}")).collect::<Vec<_>>().join("; "),
     ));
     sections::what_was_run(&mut page, &results.metadata, &results.contact);
     page.paragraph(&format!(
-        "Radius {}, σ = {}, η = {} /m²; {} random sets of each size, each from a seed of its own.",
+        "Radius {}, σ = {}, η = {} /m²; {} random sets of each size, each with its own seed.",
         quantity(results.population.radius, "m"),
         quantity(results.population.sigma, "m"),
         number(results.population.density),
@@ -37,7 +37,8 @@ pub fn page(results: &LimitResults) -> Page {
                 figure(results, law, wanted),
                 &format!(
                     "Relative error of the {} against the number of asperities; limit: {reference}. Crosses: single random \
-                     sets; lines: their root mean square. Grey: points with at most {FEWEST_CONTACTS} expected contacts are not fitted.",
+                     sets; lines: their root mean square. Grey: points with at most {FEWEST_CONTACTS} expected contacts, \
+                     not fitted.",
                     wanted.name()
                 ),
             );
@@ -83,7 +84,7 @@ pub fn page(results: &LimitResults) -> Page {
     page
 }
 
-/// The slopes found, in a sentence.
+/// The fitted slopes, in a sentence.
 fn finding(found: &SlopeRange) -> String {
     let SlopeRange { heights, fits, mean, lowest, highest } = found;
     let what = match heights {
@@ -91,7 +92,8 @@ fn finding(found: &SlopeRange) -> String {
         Heights::Quantiles => "heights at the quantiles",
     };
     format!(
-        "**{what}**: the error falls with slope {mean:.3} in the mean of {fits} fits ({lowest:.3} to {highest:.3}); expected {}.",
+        "**{what}**: the error decreases with a mean slope of {mean:.3} over {fits} fits ({lowest:.3} to {highest:.3}); \
+         expected {}.",
         heights.expected_slope()
     )
 }

@@ -1,4 +1,4 @@
-//! Pictures of a surface.
+//! Figures of a surface.
 
 use crate::surface::found::Surface;
 use crate::surface::overview::MapOverview;
@@ -6,9 +6,9 @@ use asperity::topography::{Autocorrelation, RadialSpectrum};
 use asperity::{HeightMap, Heights, Population};
 use asperity_plot::{Axis, Colour, ColourMap, Dash, Figure, Layer, Marker, Plot, Raster};
 
-/// Normalised heights that are shown.
+/// Range of normalised heights on the axis.
 const HEIGHTS: (f64, f64) = (-5.0, 5.0);
-/// Radius ratios that are shown.
+/// Range of radius ratios on the axis.
 const RATIOS: (f64, f64) = (0.0, 5.0);
 
 /// Radius ratio against normalised height (Pasaribu and Schipper 2005, Fig. 3) with both distributions, and
@@ -21,7 +21,7 @@ pub fn asperities(surface: &Surface, assumed: Option<&Population>) -> (String, f
     let x = || Axis::linear("normalised height (z − mean)/σ").range(HEIGHTS.0, HEIGHTS.1);
     let heights: Vec<f64> = points.iter().map(|point| point.0).collect();
     let (edges, density) = histogram(&heights, HEIGHTS);
-    let mut top = Plot::new("Heights of the asperities", x(), Axis::linear("density"))
+    let mut top = Plot::new("Height distribution of the asperities", x(), Axis::linear("density"))
         .with(Layer::bars(&edges, &density).coloured(Colour::Deterministic).named("asperities"));
     if let Some(population) = assumed {
         let curve = (0..=200).map(|k| {
@@ -31,7 +31,7 @@ pub fn asperities(surface: &Surface, assumed: Option<&Population>) -> (String, f
         top = top.with(
             Layer::line(curve.collect::<Vec<_>>())
                 .coloured(Colour::Statistical)
-                .named(format!("{} heights, as it assumes", population.heights.label())),
+                .named(format!("{} heights (statistical model)", population.heights.label())),
         );
     }
     let is_outside = |point: &&(f64, f64)| {
@@ -53,7 +53,7 @@ pub fn asperities(surface: &Surface, assumed: Option<&Population>) -> (String, f
     if let Some(population) = assumed {
         let ratio = population.radius / statistics.mean_radius;
         let line = Layer::line([(HEIGHTS.0, ratio), (HEIGHTS.1, ratio)]).coloured(Colour::Statistical);
-        main = main.with(line.dashed(Dash::Dashed).named("the one radius of the statistical model"));
+        main = main.with(line.dashed(Dash::Dashed).named("radius of the statistical model"));
     }
     let (edges, density) = histogram(&ratios, RATIOS);
     let right = Plot::new("", y(), Axis::linear("density"))
@@ -76,13 +76,13 @@ fn histogram(values: &[f64], (from, to): (f64, f64)) -> (Vec<f64>, Vec<f64>) {
     (edges, density)
 }
 
-/// A length unit in which numbers up to `largest` (m) are read easily, and its name.
+/// A length unit suited to numbers up to `largest` (m), and its name.
 fn unit(largest: f64) -> (f64, &'static str) {
     let units = [(1e-9, "nm"), (1e-6, "µm"), (1e-3, "mm"), (1.0, "m")];
     units.into_iter().rev().find(|(size, _)| largest >= *size).unwrap_or(units[0])
 }
 
-/// The height (m) at which colours end: one point in two hundred lies beyond, so that a few pits do not bleach the rest.
+/// The limit of the colour scale (m): the 99.5 % quantile, so that a few pits do not dominate it.
 fn colour_limit(map: &HeightMap) -> f64 {
     let mut sizes: Vec<f64> = map.heights().iter().filter(|z| !z.is_nan()).map(|z| z.abs()).collect();
     sizes.sort_unstable_by(f64::total_cmp);
@@ -127,7 +127,7 @@ pub fn distribution(counts: &[usize]) -> String {
         (x, Heights::GAUSSIAN.density(x))
     });
     Plot::new(
-        "Heights of the points",
+        "Height distribution of the points",
         Axis::linear("height (z − mean)/Sq").range(HEIGHTS.0, HEIGHTS.1),
         Axis::linear("density"),
     )
@@ -142,11 +142,11 @@ pub fn distribution(counts: &[usize]) -> String {
     .svg()
 }
 
-/// The radial spectrum, asked for and found; `None` where none was looked at.
+/// The radial spectrum, obtained and target; `None` where it was not computed.
 pub fn spectrum(whole: &MapOverview) -> Option<String> {
     let found = whole.spectrum.as_ref()?;
     let line = |spectrum: &RadialSpectrum| {
-        // What is left of rounding beyond a cut-off is no spectrum.
+        // Beyond a cut-off only rounding errors are left.
         let most = spectrum.rings.iter().fold(0.0f64, |a, ring| a.max(ring.1));
         let rings = spectrum.rings.iter().filter(move |ring| ring.1 > 1e-14 * most);
         rings.copied().collect::<Vec<_>>()
@@ -154,14 +154,14 @@ pub fn spectrum(whole: &MapOverview) -> Option<String> {
     let points = Layer::points(line(found), Marker::Circle).coloured(Colour::Deterministic);
     let mut plot =
         Plot::new("Power spectral density", Axis::log("wave number q [rad/m]"), Axis::log("C(q) [m⁴]"))
-            .with(Layer::line(line(found)).coloured(Colour::Deterministic).named("found"))
+            .with(Layer::line(line(found)).coloured(Colour::Deterministic).named("obtained"))
             .with(points);
     if let Some(asked) = &whole.asked {
         let line = Layer::line(line(asked)).coloured(Colour::Statistical).dashed(Dash::Dashed);
         plot = plot.with(line.named(if whole.is_asked_of_gaussian {
-            "asked for, before the heights were mapped"
+            "target of the Gaussian field"
         } else {
-            "asked for"
+            "target"
         }));
     }
     Some(plot.svg())

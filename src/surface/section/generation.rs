@@ -1,4 +1,4 @@
-//! Of a random surface, what was asked for and what was reached.
+//! Target and obtained properties of a random surface.
 
 use super::words::or_dash;
 use crate::surface::found::{GenerationFacts, MapFacts, Surface};
@@ -8,17 +8,17 @@ use asperity::topography::spectrum::SpectrumShape;
 use asperity_framework::report::format::{number, percent, quantity};
 use asperity_framework::report::page::Page;
 
-/// Says how a surface was made, and how far it is from what was asked for.
+/// How a surface was generated, and its deviation from the target.
 pub fn section(page: &mut Page, surface: &Surface, map: &MapFacts, made: &GenerationFacts) {
     page.paragraph(&format!(
-        "{} is a random surface, periodic at its borders: {}.",
+        "{} is a periodic random surface: {}.",
         surface.name,
         generator(&made.generator)
     ));
     if let Some(cut) = made.cut {
         page.paragraph(&format!(
-            "The finer process has cut {} of the points. Standard deviations, heights and spectra asked for are those of the two \
-             processes; what they leave together has Sq, Ssk and Sku as in the table above.",
+            "The finer process has truncated {} of the points. The specified standard deviations, heights and spectra are \
+             those of the two processes; Sq, Ssk and Sku of the resulting surface are in the table above.",
             percent(cut)
         ));
         return;
@@ -26,33 +26,35 @@ pub fn section(page: &mut Page, surface: &Surface, map: &MapFacts, made: &Genera
     page.table(HEAD, rows(surface, map, made));
     if let Some((_, tried)) = made.target {
         page.paragraph(&format!(
-            "With this Hurst exponent, these heights and this cut-off in pixels, density × radius × σ depends on the bandwidth of the \
-             spectrum alone: it was searched for over {tried} surfaces of the same random numbers, then heights were scaled to σ and lengths to the density. What is asked of Sq and the \
-             spectrum is what the search found.",
+            "For this Hurst exponent, height distribution and cut-off in pixels, density × radius × σ depends on the \
+             bandwidth of the spectrum only. The bandwidth was found by iteration over {tried} surfaces from the same \
+             random numbers; heights were then scaled to σ and lengths to the density. The targets of Sq and of the \
+             spectrum result from this iteration.",
         ));
     }
     page.paragraph(
-        "Sq, Ssk, Sku and the spectrum asked for are those of an endless surface; one map, about its own mean, scatters about \
-         them.",
+        "Targets of Sq, Ssk, Sku and the spectrum are those of an infinite surface; a single map, about its own mean, \
+         scatters about them.",
     );
     let process = &made.generator.process;
     if process.heights != Heights::GAUSSIAN {
         page.paragraph(match process.of {
             SpectrumOf::Heights => {
-                "The map from Gaussian to other heights changes a spectrum: the Gaussian field was given the one that becomes what \
-                 was asked for, as far as there is such a field."
+                "The transform from Gaussian to other heights changes the spectrum: the spectrum of the Gaussian field was \
+                 chosen so that the transformed field has the target spectrum, as far as such a field exists."
             }
             SpectrumOf::Gaussian => {
-                "The map from Gaussian to other heights changes a spectrum: the one asked for is that of the Gaussian field before."
+                "The transform from Gaussian to other heights changes the spectrum: the target is that of the Gaussian \
+                 field before the transform."
             }
         });
     }
 }
 
-/// What was asked for and what was reached.
-pub const HEAD: [&str; 4] = ["quantity", "asked", "reached", "off"];
+/// Header of [`rows`].
+pub const HEAD: [&str; 4] = ["quantity", "target", "obtained", "deviation"];
 
-/// Rows below [`HEAD`]; none where a finer process has cut the surface, of which nothing is asked.
+/// Rows below [`HEAD`]; none for a surface truncated by a finer process, which has no target.
 pub fn rows(surface: &Surface, map: &MapFacts, made: &GenerationFacts) -> Vec<Vec<String>> {
     let mut rows = Vec::new();
     if made.cut.is_some() {
@@ -71,7 +73,7 @@ pub fn rows(surface: &Surface, map: &MapFacts, made: &GenerationFacts) -> Vec<Ve
         let [low, high] = asked.quartiles_of(reached).map(number);
         let reached = format!("{low} to {high} times");
         rows.push(vec![
-            "spectrum, middle half of its rings".to_owned(),
+            "spectrum, interquartile range of its rings".to_owned(),
             "1".to_owned(),
             reached,
             String::new(),
@@ -81,7 +83,7 @@ pub fn rows(surface: &Surface, map: &MapFacts, made: &GenerationFacts) -> Vec<Ve
 }
 
 fn ratio(what: &str, asked: f64, reached: f64, unit: &str) -> Vec<String> {
-    /// What is off by less is off by rounding.
+    /// Smaller deviations are rounding.
     const ROUNDING: f64 = 1e-12;
     let off = Some((reached / asked - 1.0).abs()).filter(|&off| off > ROUNDING).unwrap_or(0.0);
     vec![what.to_owned(), quantity(asked, unit), quantity(reached, unit), percent(off)]
@@ -92,7 +94,7 @@ fn difference(what: &str, asked: f64, reached: Option<f64>) -> Vec<String> {
     vec![what.to_owned(), number(asked), or_dash(reached), apart]
 }
 
-/// A generator in words.
+/// Description of a generator.
 fn generator(generator: &SurfaceGenerator) -> String {
     let process = |process: &Process| {
         let length = |length: f64| quantity(length, "m");
@@ -129,7 +131,7 @@ fn generator(generator: &SurfaceGenerator) -> String {
     match &generator.plateau {
         None => process(&generator.process),
         Some(plateau) => format!(
-            "{}; cut by a finer process whose mean plane is {} {}: {}",
+            "{}; truncated by a finer process whose mean plane is {} {}: {}",
             process(&generator.process),
             quantity(plateau.height.abs(), "m"),
             if plateau.height < 0.0 { "lower" } else { "higher" },

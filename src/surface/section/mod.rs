@@ -1,4 +1,4 @@
-//! What a surface is: the same words in the terminal, in a comparison and on a page of its own.
+//! Description of a surface: the same text in the terminal, in a comparison and on a page of its own.
 
 mod figures;
 mod generation;
@@ -10,7 +10,7 @@ use asperity_framework::report::format::{number, percent};
 use asperity_framework::report::page::Page;
 use words::{columns, properties, table};
 
-/// Adds tables and pictures of a surface to a page.
+/// Adds tables and figures of a surface to a page.
 pub fn section(page: &mut Page, surface: &Surface, assumed: Option<&asperity::Population>) {
     page.table(["property", "value"], properties(surface).into_iter().map(Vec::from));
     if let Some(map) = &surface.map {
@@ -20,19 +20,19 @@ pub fn section(page: &mut Page, surface: &Surface, assumed: Option<&asperity::Po
         theory(page, surface, map);
         if let Some(picture) = &map.whole.picture {
             let missing = if map.roughness.missing > 0 {
-                " Where points are missing the picture is white."
+                " Missing points are white."
             } else {
                 ""
             };
             let caption = format!(
-                "Height map of {}; half a percent of the points lies beyond the colours.{missing}",
+                "Height map of {}; the colour scale covers 99.5 % of the points.{missing}",
                 surface.name
             );
             page.figure(&format!("{}-heights.svg", surface.name), figures::heights(picture), &caption);
         }
         if let Some(counts) = &map.whole.distribution {
             let caption =
-                format!("Heights of the points of {}, and a Gaussian of the same Sq.", surface.name);
+                format!("Height distribution of the points of {}, with a Gaussian of equal Sq.", surface.name);
             let svg = figures::distribution(counts);
             page.figure(&format!("{}-height-distribution.svg", surface.name), svg, &caption);
         }
@@ -40,14 +40,14 @@ pub fn section(page: &mut Page, surface: &Surface, assumed: Option<&asperity::Po
             let window = if map.generation.is_some() {
                 ""
             } else {
-                " A Hann window keeps the borders from showing; missing points are taken at the mean."
+                " A Hann window suppresses edge effects; missing points are set to the mean."
             };
             page.figure(
                 &format!("{}-spectrum.svg", surface.name),
                 svg,
                 &format!(
-                    "Power spectral density of {} over rings of wave numbers q; its integral over the plane of wave vectors is \
-                     Sq².{window}",
+                    "Power spectral density of {}, averaged over rings of wave number q; its integral over the plane of \
+                     wave vectors is Sq².{window}",
                     surface.name
                 ),
             );
@@ -57,7 +57,7 @@ pub fn section(page: &mut Page, surface: &Surface, assumed: Option<&asperity::Po
                 &format!("{}-autocorrelation.svg", surface.name),
                 figures::autocorrelation(correlation),
                 &format!(
-                    "Autocorrelation of {} along both axes; Sal is where it first falls to 0.2.",
+                    "Autocorrelation of {} along both axes; Sal is the shortest lag at which it decreases to 0.2.",
                     surface.name
                 ),
             );
@@ -65,23 +65,23 @@ pub fn section(page: &mut Page, surface: &Surface, assumed: Option<&asperity::Po
     }
     let (svg, beyond) = figures::asperities(surface, assumed);
     let beyond = if beyond > 0.0 {
-        format!(" Outside the picture: {} of the asperities.", percent(beyond))
+        format!(" Outside the axes: {} of the asperities.", percent(beyond))
     } else {
         String::new()
     };
     let caption = if surface.statistics.radius_cv == 0.0 {
-        format!("The heights of the asperities of {}; all have one radius.{beyond}", surface.name)
+        format!("Height distribution of the asperities of {}; all have the same radius.{beyond}", surface.name)
     } else {
         format!(
-            "The asperities of {}: radius over mean radius against normalised height, how many lie in each cell, and both \
-         distributions.{beyond}",
+            "Asperities of {}: number per cell of normalised radius and normalised height, with both \
+             distributions.{beyond}",
             surface.name
         )
     };
     page.figure(&format!("{}-asperities.svg", surface.name), svg, &caption);
 }
 
-/// Found summits and those that theory expects of a Gaussian surface: a header and its rows. `None` where there is no theory.
+/// Summits found and expected for a Gaussian surface: header and rows. `None` where there is no theory.
 fn theory_table(surface: &Surface, map: &MapFacts) -> Option<(Vec<&'static str>, Vec<Vec<String>>)> {
     let expected = [
         (map.expected.as_ref(), ["five-point theory", "found / theory"]),
@@ -122,18 +122,18 @@ fn theory_table(surface: &Surface, map: &MapFacts) -> Option<(Vec<&'static str>,
     Some((header, (0..names.len()).map(row).collect()))
 }
 
-/// How far the found summits are from what theory expects of a Gaussian surface.
+/// Summits found compared with theory for a Gaussian surface.
 fn theory(page: &mut Page, surface: &Surface, map: &MapFacts) {
     let Some((header, rows)) = theory_table(surface, map) else { return };
     page.paragraph(&format!(
-        "The {} summits that were found, and those of a Gaussian surface:",
+        "The {} summits found, compared with theory for a Gaussian surface:",
         map.neighbours.name()
     ));
     page.table(header, rows);
     let five_point = "Five-point theory: a Gaussian surface with the autocorrelation of this one at neighbouring points, on the same grid. ";
     page.paragraph(&format!(
-        "{}Nayak: a continuous isotropic Gaussian surface with its m0, m2 and m4; on a fine grid five points count 1.306 times as \
-         many, saddles among them.",
+        "{}Nayak: a continuous isotropic Gaussian surface with the same m0, m2 and m4; on a fine grid the five-point \
+         criterion finds 1.306 times as many summits, because it includes saddles.",
         if map.expected.is_some() { five_point } else { "" }
     ));
 }

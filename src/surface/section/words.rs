@@ -1,4 +1,4 @@
-//! A surface in a table of two columns.
+//! Properties of a surface as a table of two columns.
 
 use crate::surface::found::{MapFacts, Surface};
 use asperity::topography::Quantisation;
@@ -12,7 +12,7 @@ pub fn or_dash(value: Option<f64>) -> String {
     value.map_or_else(|| "-".to_owned(), number)
 }
 
-/// Everything that numbers say of a surface.
+/// All numerical properties of a surface.
 pub fn properties(surface: &Surface) -> Vec<Row> {
     let statistics = &surface.statistics;
     let mut rows = Rows(Vec::new());
@@ -81,7 +81,7 @@ impl Rows {
         self.add(&format!("{} summits, of points tested", map.neighbours.name()), tested);
         self.add("summits whose smaller principal curvature is not positive", count(map.saddles));
         if map.plateaus > 0 {
-            self.add("plateaus, of them dropped", format!("{}, {}", map.plateaus, map.dropped));
+            self.add("plateaus, of which dropped", format!("{}, {}", map.plateaus, map.dropped));
         }
         if let Some(steps) = &map.quantisation {
             self.steps(steps);
@@ -99,7 +99,7 @@ impl Rows {
     }
 }
 
-/// Rows of a table with a header as lines: the first column at its left, the others at their right.
+/// A table as lines of text: the first column left-aligned, the others right-aligned.
 pub fn columns(header: &[&str], rows: &[Vec<String>]) -> String {
     let length = |cell: &str| cell.chars().count();
     let width = |k: usize| {
@@ -117,7 +117,7 @@ pub fn columns(header: &[&str], rows: &[Vec<String>]) -> String {
     line(header) + &rows.collect::<String>()
 }
 
-/// Rows as lines, their values below each other.
+/// Properties as lines of text with aligned values.
 pub fn table(rows: Vec<Row>) -> String {
     let width = rows.iter().map(|row| row[0].chars().count()).max().unwrap_or(0);
     rows.iter().map(|[property, value]| format!("  {property:<width$}  {value}\n")).collect()

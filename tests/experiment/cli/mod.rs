@@ -427,8 +427,8 @@ realisations = 3
     assert_eq!(between(" realisation) at ", ","), "9 MPa");
     let errors: f64 = between("9 MPa, ", " standard errors").parse().unwrap();
     close(errors, mean / (deviation / 3f64.sqrt()), 1e-3);
-    let answers = report.split_once("random, law hertz: the answers").unwrap().1;
-    let cells = row(answers.split_once("stated error").unwrap().1, "9 MPa");
+    let answers = report.split_once("random, law hertz: results").unwrap().1;
+    let cells = row(answers.split_once("estimated error").unwrap().1, "9 MPa");
     for shown in [&cells[4], between("up to ", " σ")] {
         let (shown, scatter) = shown.split_once(" ± ").unwrap();
         close(shown.parse().unwrap(), mean, 1e-3);

@@ -107,7 +107,7 @@ plateau = {{ height = \"-50 nm\", sigma = \"20 nm\", spectrum.exponential.correl
         "of its own name"
     );
     close(number(&surfaces["honed"]["generation"]["plateau_height_m"]), -5e-8, 1e-12);
-    assert!(report.contains("the one asked for is that of the Gaussian field before"));
+    assert!(report.contains("the target is that of the Gaussian field before the transform"));
 
     assert_eq!(surfaces["one"]["height_map"]["summit_definition"], "five-point");
     assert_eq!(surfaces["two"]["height_map"]["summit_definition"], "eight-neighbour");

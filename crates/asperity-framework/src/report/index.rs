@@ -1,4 +1,4 @@
-//! The pages that lead to all reports of a folder.
+//! Index of all reports of a folder.
 
 use std::fs;
 use std::path::Path;
@@ -7,10 +7,10 @@ use serde::Deserialize;
 
 use super::page::{Cell, Page};
 
-/// The name by which a report says that this program wrote it.
+/// The program name in `summary.json`.
 pub const PROGRAM: &str = "asperity";
 
-/// By this an index page is known as one that a run wrote.
+/// Marks an index page as written by a run, so that the next run may replace it.
 pub const MARK: &str = "Written by asperity; the next run writes it anew.";
 
 /// `README.md` and `index.html`.
@@ -23,7 +23,7 @@ pub struct Index {
     pub html: String,
 }
 
-/// What an index says of a report.
+/// A report in the index.
 #[derive(Deserialize)]
 struct Entry {
     program: String,
@@ -35,12 +35,12 @@ struct Entry {
 }
 
 impl Index {
-    /// Whether there is no report to lead to.
+    /// Whether there are no reports.
     pub fn is_empty(&self) -> bool {
         self.reports == 0
     }
 
-    /// The pages for all reports that are in `directory` now.
+    /// The index of all reports in `directory`.
     pub fn of(directory: &Path) -> Self {
         let mut entries: Vec<(String, Entry)> = fs::read_dir(directory)
             .into_iter()
@@ -57,7 +57,7 @@ impl Index {
         let page = |file: &str| {
             let mut page = Page::new("Reports");
             page.table(
-                ["report", "what it answers", "warnings", "numbers"],
+                ["report", "title", "warnings", "data"],
                 entries.iter().map(|(name, entry)| {
                     let link = |text: &str, file: &str| Cell::Link {
                         text: text.to_owned(),
@@ -68,7 +68,7 @@ impl Index {
                         Cell::from(entry.title.as_str()),
                         Cell::from(match entry.warnings.len() {
                             0 => "none".to_owned(),
-                            count => format!("{count}: read them first"),
+                            count => format!("{count} (read first)"),
                         }),
                         match entry.files.iter().any(|file| file == "comparison.csv") {
                             true => link("comparison.csv", "comparison.csv"),

@@ -1,4 +1,4 @@
-//! What every page says: the bodies, the sources, the files.
+//! Sections of all pages: notes, set-up, provenance, references.
 
 use indexmap::IndexMap;
 
@@ -8,16 +8,16 @@ use crate::contact::ContactMetadata;
 use crate::metadata::Metadata;
 use asperity::Material;
 
-/// What the spec's author says of it.
+/// Notes of the author of the spec.
 pub fn notes(page: &mut Page, metadata: &Metadata) {
     for paragraph in metadata.notes.split("\n\n").map(str::trim).filter(|paragraph| !paragraph.is_empty()) {
         page.paragraph(&escape(&paragraph.replace('\n', " ")));
     }
 }
 
-/// The bodies and the spec.
+/// The set-up: bodies and spec.
 pub fn what_was_run(page: &mut Page, metadata: &Metadata, contact: &ContactMetadata) {
-    page.heading(2, "What was run");
+    page.heading(2, "Set-up");
     let layer = contact.layer.as_ref();
     let role = |name: &str| {
         let roles = [
@@ -32,7 +32,7 @@ pub fn what_was_run(page: &mut Page, metadata: &Metadata, contact: &ContactMetad
     if let Some(layer) = layer {
         let thicknesses: Vec<String> = layer.thicknesses.iter().map(|&t| thickness(t)).collect();
         page.paragraph(&format!(
-            "Layer of {}: {}. Its modulus and that of the substrate are put together by rule `{}`.",
+            "Layer of {}: {}. Effective modulus of layer and substrate: rule `{}`.",
             escape(&layer.name),
             thicknesses.join(", "),
             layer.rule.name(),
@@ -47,7 +47,7 @@ pub fn what_was_run(page: &mut Page, metadata: &Metadata, contact: &ContactMetad
     ));
 }
 
-/// The bodies, and the part that each has.
+/// The materials, and the role of each.
 pub fn materials(page: &mut Page, materials: &IndexMap<String, Material>, role: impl Fn(&str) -> String) {
     let has_yield_strength = materials.values().any(|body| body.yield_strength().is_some());
     let row = |(name, body): (&String, &Material)| {
@@ -83,8 +83,8 @@ pub fn provenance(metadata: &Metadata) -> String {
     )
 }
 
-/// The papers behind what was run.
+/// The papers that the experiment is based on.
 pub fn sources(page: &mut Page, metadata: &Metadata) {
-    page.heading(2, "Sources");
+    page.heading(2, "References");
     page.bullets(metadata.papers.iter().map(|paper| paper.full));
 }

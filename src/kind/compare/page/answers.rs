@@ -1,4 +1,4 @@
-//! Both models' answers on one surface under one law: figures and tables.
+//! Results of both models on one surface under one law: figures and tables.
 
 use asperity::compare::{Comparison, Pair, Scatter, of_each_decade};
 use asperity_framework::report::format::{count, number, quantity};
@@ -8,12 +8,12 @@ use super::figures::{self, at_equal_load};
 use super::names::{stem, subject};
 use crate::kind::compare::results::{CompareResults, SurfaceResults};
 
-/// Both models' answers under one law.
+/// Results of both models under one law.
 pub fn answers(page: &mut Page, results: &CompareResults, found: &SurfaceResults, index: usize) {
     let case = &found.first.cases[index];
     let (modulus, comparison) = (results.contact.reduced_modulus, &case.comparison);
     let stem = stem(found, &case.law);
-    page.heading(2, &format!("{}: the answers", subject(results, found, &case.law)));
+    page.heading(2, &format!("{}: results", subject(results, found, &case.law)));
     if let Some(index) = case.plasticity_index {
         page.paragraph(&format!("Plasticity index ψ = (E*/H)(σ/R)^½ = {}.", number(index)));
     }
@@ -24,19 +24,21 @@ pub fn answers(page: &mut Page, results: &CompareResults, found: &SurfaceResults
         found.others.iter().map(|answered| &answered.cases[index].comparison).collect();
     figure(
         "separation",
-        "Separation against load ratio, and the difference at equal load. Bands: 95 % of other samples of the same \
-         surface would lie within, if asperities were independent draws.",
+        "Separation against load, and the difference between the models at equal load (lower panel): the models differ \
+         beyond sampling uncertainty where the band of the difference excludes zero. Bands: 95 % sampling uncertainty for \
+         independent asperities.",
         figures::separation(comparison, &others, modulus, found.surface.plane.sigma),
     );
-    figure("area", "Real contact area against load ratio.", figures::area(comparison, modulus));
-    figure("regimes", "How the load is shared by the regimes.", figures::regimes(comparison, modulus));
+    figure("area", "Real contact area against load. Bands: 95 % sampling uncertainty. In the shaded region (contact area \
+    above 5 %) asperities interact and neither model is valid.", figures::area(comparison, modulus));
+    figure("regimes", "Share of the load carried by elastic, elastic-plastic and plastic contacts, by model.", figures::regimes(comparison, modulus));
     realisations(page, found, index);
     let pairs = of_each_decade(at_equal_load(comparison), |pair| pair.target, STEPS);
     if !pairs.is_empty() {
         page.paragraph(if found.others.is_empty() {
             "Both models at equal load:"
         } else {
-            "Both models at equal load, in full, on the first realisation:"
+            "Both models at equal load, first realisation:"
         });
         let area = found.surface.set.nominal_area();
         page.table(LOAD_TABLE, pairs.iter().map(|pair| load_row(pair)));
@@ -44,7 +46,7 @@ pub fn answers(page: &mut Page, results: &CompareResults, found: &SurfaceResults
     }
 }
 
-/// How far several realisations lie apart, and whether the sums' own sampling errors tell so.
+/// Scatter over several realisations beside the sampling error estimated from a single sum.
 fn realisations(page: &mut Page, found: &SurfaceResults, index: usize) {
     let spread = &found.findings.cases[index].spread;
     if spread.is_empty() {
@@ -53,11 +55,11 @@ fn realisations(page: &mut Page, found: &SurfaceResults, index: usize) {
     let generation = found.surface.map.as_ref().and_then(|map| map.generation.as_ref());
     let is_targeted = generation.is_some_and(|made| made.target.is_some());
     page.paragraph(&format!(
-        "Both models at equal load over {} realisations, each pressed to the same loads: mean ± standard deviation of one \
-         realisation, and beside it the sampling error that the sums state for themselves.{}",
+        "Both models at equal load over {} realisations: mean ± standard deviation of one realisation, and the sampling \
+         error estimated from a single sum.{}",
         found.count(),
         if is_targeted {
-            " All realisations are scaled to the same radius, σ and density, which takes out a part of the scatter."
+            " All realisations are scaled to the same radius, σ and density, which removes part of the scatter."
         } else {
             ""
         }
@@ -65,7 +67,7 @@ fn realisations(page: &mut Page, found: &SurfaceResults, index: usize) {
     let with_scatter =
         |scatter: &Scatter| format!("{} ± {}", number(scatter.mean), number(scatter.deviation));
     page.table(
-        ["p", "d/σ stat.", "d/σ det.", "stated error", "difference", "A/A_nom stat.", "A/A_nom det."],
+        ["p", "d/σ stat.", "d/σ det.", "estimated error", "difference", "A/A_nom stat.", "A/A_nom det."],
         of_each_decade(spread, |at| at.target, STEPS).into_iter().map(|at| {
             vec![
                 quantity(at.target, "Pa"),
@@ -80,7 +82,7 @@ fn realisations(page: &mut Page, found: &SurfaceResults, index: usize) {
     );
 }
 
-/// Steps of a decade that tables show: loads nearest to one and three.
+/// Rows per decade of load: the loads nearest to one and three.
 const STEPS: f64 = 2.0;
 
 const LOAD_TABLE: [&str; 8] = [
@@ -91,7 +93,7 @@ const LOAD_TABLE: [&str; 8] = [
     "A/A_nom stat.",
     "A/A_nom det.",
     "± s.e.",
-    "beyond the models",
+    "remark",
 ];
 
 fn load_row(pair: &Pair) -> Vec<String> {
@@ -112,21 +114,21 @@ const CONTACT_TABLE: [&str; 7] = [
     "p",
     "contacts stat.",
     "contacts det.",
-    "mean real p stat.",
-    "mean real p det.",
+    "mean contact p stat.",
+    "mean contact p det.",
     "−dp/dd stat. [Pa/m]",
     "−dp/dd det. [Pa/m]",
 ];
 
 fn contact_row(pair: &Pair, area: f64) -> Vec<String> {
     let (s, d) = (&pair.statistical, &pair.deterministic);
-    let real = |pressure: Option<f64>| pressure.map_or_else(|| "-".to_owned(), |p| quantity(p, "Pa"));
+    let contact_pressure = |pressure: Option<f64>| pressure.map_or_else(|| "-".to_owned(), |p| quantity(p, "Pa"));
     vec![
         quantity(pair.target, "Pa"),
         number(s.contact_density * area),
         count((d.contact_density * area).round() as usize),
-        real(s.mean_real_pressure()),
-        real(d.mean_real_pressure()),
+        contact_pressure(s.mean_real_pressure()),
+        contact_pressure(d.mean_real_pressure()),
         number(s.stiffness),
         number(d.stiffness),
     ]

@@ -1,4 +1,4 @@
-//! Where a deeper asperity has less area or load.
+//! Area or load that decreases with increasing indentation.
 
 use asperity::sphere::DecreasingQuantity;
 use asperity_framework::contact::LayerMetadata;
@@ -37,18 +37,19 @@ fn line(subject: &str, found: &Decreasing, layer: Option<&LayerMetadata>) -> Str
     let consequence = match found.of {
         DecreasingQuantity::Area => "",
         DecreasingQuantity::Load => {
-            " A pressure may then be reached more than once on approach; the answers are the first."
+            " The same pressure is then reached at several separations; the first on approach is reported."
         }
     };
     let [from, to] = [fall.from.indentation, fall.to.indentation];
     let stretch = if fall.is_jump() {
-        format!("at once at w = {}", quantity(from, "m"))
+        format!("abruptly at w = {}", quantity(from, "m"))
     } else {
         format!("between w = {} and {}", quantity(from, "m"), quantity(to, "m"))
     };
     format!(
-        "**{}**: the {} of an asperity can fall as it is pressed deeper{with}. That of one of radius {}{place} falls by {} {stretch} \
-         (looked at: the sharpest, the mean and the bluntest, as deep as the highest is pressed here).{consequence}",
+        "**{}**: the {} per asperity can decrease with increasing indentation{with}: at radius {}{place} by {} {stretch} \
+         (checked for the smallest, the mean and the largest radius, up to the largest indentation of this \
+         experiment).{consequence}",
         escape(subject),
         found.of.name(),
         quantity(*radius, "m"),

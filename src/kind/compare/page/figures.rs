@@ -1,15 +1,15 @@
-//! The pictures of a comparison.
+//! The figures of a comparison.
 
 use asperity::compare::{Comparison, CurvePoint, Kind, Pair, Pairing};
 use asperity::{INTERACTION, Regime};
 use asperity_plot::{Axis, Colour, Dash, Figure, Layer, Plot};
 
-/// How many standard errors a band shows: 95 % of all draws lie within.
+/// Half-width of a band in standard errors: 95 % of all samples lie within.
 const BAND: f64 = 1.96;
 
-/// The load axis that all pictures of one comparison share, so that they can be laid side by side.
+/// The load axis shared by all figures of one comparison.
 fn load_axis(comparison: &Comparison, modulus: f64) -> Axis {
-    /// Room at both ends, in ratios.
+    /// Margin at both ends, as a ratio.
     const ROOM: f64 = 1.3;
     let loads = || {
         let all = comparison.curves.iter().map(|point| point.response.pressure.total() / modulus);
@@ -26,7 +26,7 @@ fn colour(kind: Kind) -> Colour {
     }
 }
 
-/// The points of one model that carry load, by growing load.
+/// The points of one model that carry load, by increasing load.
 pub fn curve(comparison: &Comparison, kind: Kind) -> Vec<&CurvePoint> {
     let mut points: Vec<&CurvePoint> = comparison
         .curves
@@ -37,7 +37,7 @@ pub fn curve(comparison: &Comparison, kind: Kind) -> Vec<&CurvePoint> {
     points
 }
 
-/// Pairs at equal load, by growing load.
+/// Pairs at equal load, by increasing load.
 pub fn at_equal_load(comparison: &Comparison) -> Vec<&Pair> {
     let mut pairs: Vec<&Pair> =
         comparison.pairs.iter().filter(|pair| pair.pairing == Pairing::Load).collect();
@@ -145,7 +145,7 @@ pub fn shares_of_load(title: &str, x: Axis, shares: impl Iterator<Item = (f64, [
     )
 }
 
-/// Each regime's share of the load, one panel a model.
+/// Each regime's share of the load, one panel per model.
 pub fn regimes(comparison: &Comparison, modulus: f64) -> String {
     let panel = |kind: Kind| {
         let points = curve(comparison, kind);
@@ -157,5 +157,5 @@ pub fn regimes(comparison: &Comparison, modulus: f64) -> String {
     };
     let kinds = [Kind::Statistical, Kind::Deterministic];
     let present = kinds.into_iter().filter(|&kind| !curve(comparison, kind).is_empty());
-    Figure::row("Regimes: shares of the load", present.map(panel).collect()).svg()
+    Figure::row("Share of the load by contact regime", present.map(panel).collect()).svg()
 }

@@ -1,28 +1,54 @@
-//! The findings of one surface under one law in a few sentences.
+//! Summary of one surface under one law.
 
-use asperity::compare::{Departure, Gap, GapQuantity, SpreadFindings};
-use asperity_framework::report::format::{number, quantity};
+use asperity::compare::{Departure, FEWEST_CONTACTS, Gap, GapQuantity, Pair, Pairing, SpreadFindings};
+use asperity_framework::report::format::{number, percent, quantity};
 
 use super::names::subject;
 use crate::kind::compare::findings::Recommendation;
 use crate::kind::compare::results::{CompareResults, SurfaceResults};
 
-/// What a finding rests on.
-pub const CONDITION: &str = "Only loads that at least 30 asperities carry within A/A_nom = 0.05 count.";
+/// Range of validity of a finding.
+pub const CONDITION: &str = "Valid at loads with at least 30 contacts and a contact area of at most 5 %.";
 
-/// How far the models lie apart, and which to use: a line each.
+/// The same with the range of these `loads` (Pa).
+fn validity(loads: impl Iterator<Item = f64>) -> String {
+    let (from, to) = loads.fold((f64::INFINITY, 0.0f64), |(from, to), load| (from.min(load), to.max(load)));
+    if from >= to {
+        return CONDITION.to_owned();
+    }
+    format!(
+        "Valid for {} to {} (at least 30 contacts, contact area at most 5 %).",
+        quantity(from, "Pa"),
+        quantity(to, "Pa")
+    )
+}
+
+/// Difference between the models, and which to use: one line each.
 pub fn in_short(results: &CompareResults, found: &SurfaceResults, index: usize) -> Vec<String> {
     let (case, findings) = (&found.first.cases[index], &found.findings.cases[index]);
     let subject = subject(results, found, &case.law);
     let mut lines = match &findings.over_realisations {
-        Some(over) => over_realisations(&subject, over),
-        None => case.gaps.largest.iter().map(|gap| format!("**{subject}**: {}", sentence(gap))).collect(),
+        Some(over) => {
+            let valid = findings.spread.iter().filter(|at| at.counts()).map(|at| at.target);
+            over_realisations(&subject, over, &validity(valid))
+        }
+        None => {
+            let area = found.surface.set.nominal_area();
+            let is_valid = |pair: &&Pair| {
+                pair.pairing == Pairing::Load
+                    && !pair.is_beyond_model()
+                    && pair.deterministic.contact_density * area >= FEWEST_CONTACTS
+            };
+            let valid = validity(case.comparison.pairs.iter().filter(is_valid).map(|pair| pair.target));
+            let line = |gap: &Gap| format!("**{subject}**: {}", sentence(gap, &valid));
+            case.gaps.largest.iter().map(line).collect()
+        }
     };
     lines.push(match &findings.recommendation {
         Some(recommendation) => trust(&subject, recommendation),
         None => format!(
-            "**{subject}**: no pair of answers rests on at least 30 contacts within 5 % real area, so nothing is said \
-             about the gap between the models."
+            "**{subject}**: no result has at least 30 contacts and a contact area of at most 5 %, so no conclusion on the \
+             difference between the models is drawn."
         ),
     });
     lines
@@ -30,15 +56,15 @@ pub fn in_short(results: &CompareResults, found: &SurfaceResults, index: usize) 
 
 /// Which model to use.
 pub fn trust(subject: &str, recommendation: &Recommendation) -> String {
-    format!("**{subject}, which to trust**: {}", advice(recommendation))
+    format!("**{subject}, recommendation**: {}", advice(recommendation))
 }
 
-fn over_realisations(subject: &str, found: &SpreadFindings) -> Vec<String> {
+fn over_realisations(subject: &str, found: &SpreadFindings, validity: &str) -> Vec<String> {
     let SpreadFindings { realisations, separation, area, .. } = found;
     vec![
         format!(
             "**{subject}**, over {realisations} realisations: at equal load the separations differ by up to {} ± {} σ (mean ± standard deviation of one \
-             realisation) at {}, {} standard errors of the mean: {} σ statistical, {} σ deterministic. {CONDITION}",
+             realisation) at {}, {} standard errors of the mean: {} σ statistical, {} σ deterministic. {validity}",
             number(separation.difference.mean.abs()),
             number(separation.difference.deviation),
             quantity(separation.target, "Pa"),
@@ -47,50 +73,61 @@ fn over_realisations(subject: &str, found: &SpreadFindings) -> Vec<String> {
             number(separation.deterministic_separation.mean),
         ),
         format!(
-            "**{subject}**: at equal load, where the real areas are furthest apart in the mean, the statistical one is {} times the \
-             deterministic one, at {}.",
-            number(area.area_ratio_of_means()),
+            "**{subject}**: at equal load {} at {}, where the mean areas differ most.",
+            deviation("real contact area", area.area_ratio_of_means()),
             quantity(area.target, "Pa")
         ),
     ]
 }
 
-/// The largest gap of a quantity.
-fn sentence(gap: &Gap) -> String {
+/// The largest difference in a quantity.
+fn sentence(gap: &Gap, validity: &str) -> String {
     let errors = match gap.over_sampling_error {
         Some(errors) => format!(" ({} standard errors of the sum)", number(errors)),
         None => String::new(),
     };
     match gap.quantity {
         GapQuantity::Separation => format!(
-            "at equal load the separations differ by up to {} σ: {} σ statistical, {} σ deterministic at {}{errors}. {CONDITION}",
+            "at equal load the separations differ by up to {} σ: {} σ statistical, {} σ deterministic at {}{errors}. {validity}",
             number(gap.difference().abs()),
             number(gap.statistical),
             number(gap.deterministic),
             quantity(gap.target, "Pa"),
         ),
         GapQuantity::AreaRatio => format!(
-            "at equal load, where the real areas are furthest apart, the statistical one is {} times the deterministic one, at {}{errors}.",
-            number(gap.ratio()),
+            "at equal load {} at {}{errors}, where the areas differ most.",
+            deviation("real contact area", gap.ratio()),
             quantity(gap.target, "Pa"),
         ),
         GapQuantity::Pressure => format!(
-            "at equal separation, where the loads are furthest apart, the statistical one is {} times the deterministic one, at d/σ = {}{errors}.",
-            number(gap.ratio()),
+            "at equal separation {} at d/σ = {}{errors}, where the loads differ most.",
+            deviation("load", gap.ratio()),
             number(gap.target),
         ),
     }
 }
 
+/// "the statistical model underestimates the load 170-fold", from statistical over deterministic.
+fn deviation(of: &str, ratio: f64) -> String {
+    if (0.5..=2.0).contains(&ratio) {
+        let direction = if ratio < 1.0 { "lower" } else { "higher" };
+        let size = percent((ratio - 1.0).abs());
+        return format!("the statistical model gives a {of} {size} {direction} than the deterministic model");
+    }
+    let (verb, fold) =
+        if ratio < 1.0 { ("underestimates", ratio.recip()) } else { ("overestimates", ratio) };
+    let fold = number(format!("{fold:.2e}").parse().unwrap_or(fold));
+    format!("the statistical model {verb} the {of} {fold}-fold")
+}
+
 fn advice(recommendation: &Recommendation) -> String {
     match recommendation {
         Recommendation::Neither => {
-            "neither, before the warning above is dealt with: the numbers are not those of the surface."
+            "neither model, until the warning above is resolved: the input data do not represent the surface."
                 .to_owned()
         }
         Recommendation::Either => {
-            "either. The models differ by less than three standard errors of the sum: another sample of the \
-             same surface would move the sum as much."
+            "either model. The difference is within sampling uncertainty (three standard errors of the sum)."
                 .to_owned()
         }
         Recommendation::Deterministic { departures } => {
@@ -98,9 +135,9 @@ fn advice(recommendation: &Recommendation) -> String {
             let why = if causes.is_empty() {
                 String::new()
             } else {
-                format!(" The surface is not what the integral assumes: {}.", causes.join("; "))
+                format!(" The surface departs from the assumptions of the statistical model: {}.", causes.join("; "))
             };
-            format!("the deterministic sum. The gap exceeds its sampling error.{why}")
+            format!("the deterministic model. The models differ beyond sampling uncertainty.{why}")
         }
     }
 }
@@ -108,13 +145,13 @@ fn advice(recommendation: &Recommendation) -> String {
 fn cause(departure: &Departure) -> String {
     match *departure {
         Departure::Heights { skewness, kurtosis } => format!(
-            "its heights have skewness {} and kurtosis {} (0 and 3 if Gaussian)",
+            "heights have skewness {} and kurtosis {} (Gaussian: 0 and 3)",
             number(skewness),
             number(kurtosis)
         ),
-        Departure::Radii(cv) => format!("its radii scatter by {} % of their mean", number(100.0 * cv)),
+        Departure::Radii(cv) => format!("radii scatter by {} % of their mean", number(100.0 * cv)),
         Departure::Correlation(correlation) => {
-            format!("heights and radii correlate ({})", number(correlation))
+            format!("heights and radii are correlated ({})", number(correlation))
         }
     }
 }

@@ -1,4 +1,4 @@
-//! Where the answers of a comparison do not hold.
+//! Limits of validity of a comparison.
 
 use asperity::compare::{Kind, PointCounts};
 use asperity_framework::report::page::Page;
@@ -6,9 +6,9 @@ use asperity_framework::report::page::Page;
 use super::names::subject;
 use crate::kind::compare::results::CompareResults;
 
-/// Where the answers should not be trusted, with numbers.
+/// Limits of validity, with the number of points affected.
 pub fn limits(page: &mut Page, results: &CompareResults) {
-    page.heading(2, "Where not to trust this");
+    page.heading(2, "Limits of validity");
     let mut lines = Vec::new();
     for found in &results.surfaces {
         for findings in &found.findings.laws {
@@ -20,26 +20,26 @@ pub fn limits(page: &mut Page, results: &CompareResults) {
     page.bullets(lines);
 }
 
-/// How far curves are off that were not asked everywhere.
+/// Error of interpolated curves.
 fn tolerance(results: &CompareResults) -> Option<String> {
     let of = |kind: Kind| {
         let tolerance = results.tolerances.of(kind)?;
-        Some(format!("of the {} model within {tolerance:e} of its own answer", kind.name()))
+        Some(format!("to {tolerance:e} for the {} model", kind.name()))
     };
     let held: Vec<String> = [Kind::Statistical, Kind::Deterministic].into_iter().filter_map(of).collect();
     (!held.is_empty()).then(|| {
         format!(
-            "Over d/σ the models were asked at some of the points, the rest is interpolated and checked: load and area are \
-             {}; shares of the regimes, stiffness and sampling errors are interpolated alike.",
+            "Curves over d/σ are evaluated at some of the points and interpolated between them: load and area agree with \
+             direct evaluation {}; shares of the regimes, stiffness and sampling errors are interpolated in the same way.",
             held.join(", ")
         )
     })
 }
 
-/// What all answers take for granted.
+/// Assumptions of all results.
 pub fn assumptions(results: &CompareResults) -> [String; 2] {
     let flat = if results.contact.layer.is_some() {
-        ", its layer bonded everywhere and free of cracks and residual stress"
+        ", its layer perfectly bonded and free of cracks and residual stress"
     } else {
         " and homogeneous"
     };
@@ -47,41 +47,42 @@ pub fn assumptions(results: &CompareResults) -> [String; 2] {
     let asperities = if sees_ellipses { "spheres, or ellipses under elliptic laws," } else { "spheres" };
     [
         format!(
-            "The flat is smooth{flat}; asperities are {asperities} that do not touch each other; there is no adhesion, friction or \
-             hardening.",
+            "The flat is smooth{flat}; asperities are {asperities} and do not interact; adhesion, friction and hardening \
+             are neglected.",
         ),
-        "Standard errors take the asperities as independent draws; those of a real surface are neighbours, and a surface with long \
-         waves scatters more."
+        "Standard errors assume independent asperities; neighbouring asperities of a real surface are correlated, so that \
+         a surface with long wavelengths scatters more."
             .to_owned(),
     ]
 }
 
-/// The points of one surface at which a model does not hold, or does not answer what was asked.
+/// The points of one surface at which a model is not valid, or does not reach the requested load.
 pub fn limits_of(subject: &str, counts: &PointCounts) -> Vec<String> {
     let &PointCounts { points, beyond_model, sum_points, few_contacts, load_points, in_jump, unpaired } =
         counts;
     let mut lines = Vec::new();
     if beyond_model > 0 {
         lines.push(format!(
-            "{subject}: {beyond_model} of {points} points lie beyond A/A_nom = 0.05, where neighbouring asperities interact and \
-             no asperity model holds. They are marked `beyond_model` in the tables."
+            "{subject}: {beyond_model} of {points} points have a contact area above 5 %, where neighbouring asperities \
+             interact and no asperity model is valid. They are marked `beyond_model` in the tables."
         ));
     }
     if few_contacts > 0 {
         lines.push(format!(
-            "{subject}: at {few_contacts} of {sum_points} points fewer than 30 asperities carry the sum; they tell of the highest few."
+            "{subject}: {few_contacts} of {sum_points} points have fewer than 30 contacts. These points depend on a few \
+             peaks."
         ));
     }
     if in_jump > 0 {
         lines.push(format!(
-            "{subject}: at {in_jump} of {load_points} points the load asked for lies in a jump of the law; the answer is the largest \
-             separation that carries at least as much, and `pressure_pa` exceeds `target`."
+            "{subject}: at {in_jump} of {load_points} points the requested load lies within a jump of the law; the result \
+             is the largest separation that carries at least this load, and `pressure_pa` exceeds `target`."
         ));
     }
     if unpaired > 0 {
         lines.push(format!(
-            "{subject}: {unpaired} deterministic pressures have no pair at equal load: one of the models does not reach \
-             them above −10 σ."
+            "{subject}: {unpaired} deterministic pressures have no counterpart at equal load: one of the models does not \
+             reach them at separations above −10 σ."
         ));
     }
     lines

@@ -1,13 +1,13 @@
-//! The page of a comparison: the findings and the answers in words, tables and figures.
+//! The page of a comparison: summary, set-up, results and limits of validity.
 //!
 //! | module | what it writes |
 //! |---|---|
-//! | `in_short` | how far the models lie apart, and which to use |
-//! | `decreasing` | where a deeper asperity has less area or load |
-//! | `layer` | the layer by thickness |
+//! | `in_short` | summary: difference between the models, recommendation |
+//! | `decreasing` | area or load that decreases with increasing indentation |
+//! | `layer` | results by layer thickness |
 //! | `surface` | the surface, and the inputs of the statistical model |
-//! | `answers` | both models' answers |
-//! | `limits` | where the answers do not hold |
+//! | `answers` | results of both models |
+//! | `limits` | limits of validity |
 //! | `figures` | figures of one law and thickness |
 //! | `names` | surfaces, laws and thicknesses |
 
@@ -36,9 +36,9 @@ pub fn page(results: &CompareResults) -> Page {
         page.warning(&escape(&warning));
     }
     let layered = layer::all(results);
-    // A single thickness is shown as closely as no layer.
+    // A single thickness is shown in as much detail as an uncoated flat.
     let in_full = layered.iter().all(|series| !series.has_several());
-    page.heading(2, "In short");
+    page.heading(2, "Summary");
     for series in &layered {
         page.bullets(series.in_short());
     }
@@ -50,7 +50,7 @@ pub fn page(results: &CompareResults) -> Page {
     decreasing::bullets(&mut page, results);
     if results.surfaces.iter().any(|found| found.findings.laws.len() > 1) {
         page.paragraph(
-            "An experiment of the kind `[laws]` sets laws beside each other, and against the adding-up.",
+            "An experiment of kind `[laws]` compares the effect of the contact law with that of the summation method.",
         );
     }
     sections::what_was_run(&mut page, &results.metadata, &results.contact);

@@ -1,4 +1,4 @@
-//! How a page names what it speaks of.
+//! Names of surfaces, laws and thicknesses on a page.
 
 use asperity_framework::contact::LayerMetadata;
 use asperity_framework::report::format::quantity;
@@ -6,7 +6,7 @@ use asperity_framework::report::page::escape;
 
 use crate::kind::compare::results::{CompareResults, SurfaceResults};
 
-/// What a finding is about: the surface, and the law where there are several.
+/// Subject of a finding: the surface, and the law where there are several.
 pub fn subject(results: &CompareResults, found: &SurfaceResults, law: &str) -> String {
     let one_law = results.surfaces.iter().all(|found| found.findings.laws.len() == 1);
     if one_law { found.surface.name.clone() } else { format!("{}, law {law}", found.surface.name) }
@@ -28,8 +28,8 @@ fn slug(label: &str) -> String {
 pub fn under(layer: &LayerMetadata, t: f64) -> String {
     let name = escape(&layer.name);
     match t {
-        0.0 => "without a layer".to_owned(),
-        f64::INFINITY => format!("on nothing but {name}"),
+        0.0 => "on the uncoated flat".to_owned(),
+        f64::INFINITY => format!("on bulk {name}"),
         t => format!("under {} of {name}", quantity(t, "m")),
     }
 }

@@ -1,4 +1,4 @@
-//! The pictures of a sphere on layers.
+//! The figures of a sphere on layers.
 
 use std::f64::consts::PI;
 
@@ -115,7 +115,7 @@ pub fn ratios(results: &IndentationResults, found: &LayerResults, law: &LawCurve
         load = load.with(measured(points.iter().map(|&(w, load)| (w * MICRO, load / hertz_load(w)))));
     }
     let area = lines(area, found, law, |w, _, area| (w * MICRO, area / (PI * radius * w)));
-    Figure::row("Load and real area over those of Hertz without a layer", vec![load, area]).svg()
+    Figure::row("Load and real contact area over those of Hertz without a layer", vec![load, area]).svg()
 }
 
 fn measured(points: impl Iterator<Item = (f64, f64)>) -> Layer {
@@ -126,13 +126,13 @@ fn errors(errors: &[ModulusError]) -> Layer {
     Layer::line(errors.iter().map(|error| (error.contact_ratio, error.ratio)).collect::<Line>())
 }
 
-/// Each rule's load over the exact one for one layer.
+/// Load by each effective-modulus model over the exact one, for one layer.
 pub fn rule(found: &LayerResults) -> String {
     let colours = [Colour::Series(1), Colour::Series(0)];
     let mut plot = Plot::new(
-        "How good is the rule? Elastic load over the exact one at equal indentation",
+        "Effective-modulus models: elastic load over the exact one at equal indentation",
         Axis::log("a/t of the exact contact"),
-        Axis::log("load by the rule / exact elastic load"),
+        Axis::log("load by the model / exact elastic load"),
     );
     let exact = found.errors[0].iter().map(|error| (error.contact_ratio, 1.0));
     plot = plot.with(
@@ -140,7 +140,7 @@ pub fn rule(found: &LayerResults) -> String {
     );
     for ((rule, of), colour) in ModulusModel::ALL.into_iter().zip(&found.errors).zip(colours) {
         plot =
-            plot.with(errors(of).coloured(colour).dashed(dash(rule)).named(format!("rule {}", rule.name())));
+            plot.with(errors(of).coloured(colour).dashed(dash(rule)).named(format!("model {}", rule.name())));
     }
     plot.svg()
 }
@@ -152,14 +152,14 @@ fn dash(rule: ModulusModel) -> Dash {
     }
 }
 
-/// The same for all layers: a panel a rule.
+/// The same for all layers: one panel per effective-modulus model.
 pub fn rules(results: &IndentationResults) -> String {
     let all = || results.layers.iter().flat_map(|found| found.errors.iter().flatten());
     let low = all().map(|error| error.ratio).fold(1.0, f64::min) / 1.1;
     let high = all().map(|error| error.ratio).fold(1.0, f64::max) * 1.1;
     let panel = |(k, rule): (usize, ModulusModel)| {
-        let axis = Axis::log("load by the rule / exact elastic load").range(low, high);
-        let title = format!("rule {}", rule.name());
+        let axis = Axis::log("load by the model / exact elastic load").range(low, high);
+        let title = format!("model {}", rule.name());
         let mut plot =
             Plot::new(title, Axis::log("a/t of the exact contact"), axis).with(Layer::at_y(1.0, ""));
         for (index, found) in results.layers.iter().enumerate() {
@@ -174,5 +174,5 @@ pub fn rules(results: &IndentationResults) -> String {
     };
     let panels = ModulusModel::ALL.into_iter().enumerate().map(panel).collect();
     let [from, to] = GOOD_RATIO;
-    Figure::row(format!("Both rules for all layers; gao is good for E_l/E_s of {from} to {to}"), panels).svg()
+    Figure::row(format!("Both effective-modulus models for all layers; gao is accurate for E_l/E_s from {from} to {to}"), panels).svg()
 }

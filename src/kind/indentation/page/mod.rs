@@ -1,4 +1,4 @@
-//! The page of a sphere on layers: how the load grows, where the regime changes, how good the rule is.
+//! The page of a sphere on layers: load, changes of regime, accuracy of the effective-modulus models.
 
 mod figures;
 mod rule;
@@ -11,7 +11,7 @@ use asperity_framework::report::format::{count, number, quantity};
 use asperity_framework::report::page::{Page, escape};
 use asperity_framework::report::sections;
 
-/// How a sentence names a layer: by what tells it from the others.
+/// Name of a layer in a sentence, with thickness and rule where layers differ in them.
 fn subject(results: &IndentationResults, found: &LayerResults) -> String {
     let same = |other: &&LayerResults| other.name == found.name;
     let others: Vec<&LayerResults> = results.layers.iter().filter(same).collect();
@@ -32,7 +32,7 @@ pub fn page(results: &IndentationResults) -> Page {
     for warning in results.warnings() {
         page.warning(&escape(&warning));
     }
-    page.heading(2, "In short");
+    page.heading(2, "Summary");
     for found in &results.layers {
         page.bullets(found.laws.iter().map(|law| in_short(results, found, law)));
         page.bullets([format!("**{}**: {}", escape(&subject(results, found)), rule::sentence(found))]);
@@ -44,9 +44,9 @@ pub fn page(results: &IndentationResults) -> Page {
     for (k, found) in results.layers.iter().enumerate() {
         page.heading(2, &format!("{}, {}", found.name, quantity(found.thickness, "m")));
         let name = |law: &str, what: &str| {
-            let words = format!("{}-{}{law}-{what}", k + 1, found.name);
+            let label = format!("{}-{}{law}-{what}", k + 1, found.name);
             let plain = |c: char| if c.is_alphanumeric() || c == '-' || c == '_' { c } else { '-' };
-            words.chars().map(plain).collect::<String>() + ".svg"
+            label.chars().map(plain).collect::<String>() + ".svg"
         };
         for law in &found.laws {
             curves(&mut page, results, found, law, &name);
@@ -58,12 +58,12 @@ pub fn page(results: &IndentationResults) -> Page {
     page
 }
 
-/// The loads at the end, and the regimes on the way there.
+/// Regimes up to the largest indentation, and the loads there.
 fn in_short(results: &IndentationResults, found: &LayerResults, law: &LawCurves) -> String {
     let last = |curve: &Curve| curve.points.last().map_or(f64::NAN, |point| point.contact.load);
     let regimes: Vec<&str> = law.coated.sequence().into_iter().map(|regime| regime.name()).collect();
     let change = |change: &RegimeChange| {
-        let beyond = if law.coated.is_within(change) { "" } else { " (beyond the sweep)" };
+        let beyond = if law.coated.is_within(change) { "" } else { " (beyond the indentation range)" };
         format!("{}{beyond}", quantity(change.indentation, "m"))
     };
     let changes: Vec<String> = law.coated.changes.iter().map(change).collect();
@@ -73,7 +73,7 @@ fn in_short(results: &IndentationResults, found: &LayerResults, law: &LawCurves)
     };
     let end = results.indentations.last().copied().unwrap_or(f64::NAN);
     format!(
-        "**{}, law {}**: {changes}. At w = {} the load is {} (uncoated {}, all layer {}).{}",
+        "**{}, law {}**: {changes}. At w = {} the load is {} (uncoated {}, bulk layer material {}).{}",
         escape(&subject(results, found)),
         escape(&law.law),
         quantity(end, "m"),
@@ -91,7 +91,7 @@ fn fall(fall: &Decrease) -> String {
     };
     let value = |contact| quantity(fall.of.of(contact), unit);
     format!(
-        " The {} falls as the ball goes on from w = {} to {}: from {} to {}.",
+        " The {} decreases with increasing indentation from w = {} to {}: from {} to {}.",
         fall.of.name(),
         quantity(fall.from.indentation, "m"),
         quantity(fall.to.indentation, "m"),
@@ -101,7 +101,7 @@ fn fall(fall: &Decrease) -> String {
 }
 
 fn what_was_run(page: &mut Page, results: &IndentationResults) {
-    page.heading(2, "What was run");
+    page.heading(2, "Set-up");
     let role = |name: &str| {
         let is_layer = results.layers.iter().any(|found| found.name == name);
         let roles = [("ball", name == results.ball), ("flat", name == results.flat), ("layer", is_layer)];
@@ -110,7 +110,7 @@ fn what_was_run(page: &mut Page, results: &IndentationResults) {
     };
     sections::materials(page, &results.materials, role);
     let thickness = |found: &LayerResults| {
-        format!("{} {} (rule {})", escape(&found.name), quantity(found.thickness, "m"), found.rule.name())
+        format!("{} {} (effective-modulus model {})", escape(&found.name), quantity(found.thickness, "m"), found.rule.name())
     };
     let layers: Vec<String> = results.layers.iter().map(thickness).collect();
     let [from, to] =
@@ -139,14 +139,14 @@ fn curves(
     page.figure(
         &name(&label, "load"),
         figures::load(results, found, law),
-        "Load and indentation with the layer, its colour telling the regime, and without it; all of the layer's material; the \
-         exact elastic contact of ball, layer and substrate. Left on logarithmic axes, right on linear ones.",
+        "Load and indentation: coated (coloured by regime), uncoated, bulk layer material, and the exact elastic solution \
+         for ball, layer and substrate. Left: logarithmic axes; right: linear axes.",
     );
     page.figure(
         &name(&label, "ratios"),
         figures::ratios(results, found, law),
-        "The same over Hertz without a layer: the load over (4/3) E* R^½ w^(3/2) with E* of the uncoated pair, and the real contact \
-         area over π R w.",
+        "The same curves normalised by Hertz without a layer: load over (4/3) E* R^½ w^(3/2) with E* of the uncoated pair, \
+         and real contact area over π R w.",
     );
     let rows = Shown::of(law).into_iter().flat_map(|(shown, curve)| {
         curve.changes.iter().map(move |change| {
@@ -162,8 +162,8 @@ fn curves(
     });
     let rows: Vec<Vec<String>> = rows.collect();
     if !rows.is_empty() {
-        page.paragraph("All changes of the regime, those outside the indentations that were run too:");
-        page.table(["curve", "indentation", "load", "from", "to", "the sweep"], rows);
+        page.paragraph("All changes of regime, including those outside the indentation range:");
+        page.table(["curve", "indentation", "load", "from", "to", "indentation range"], rows);
     }
     if let Some((file, points)) = &results.overlay {
         overlay(page, file, points, law);
@@ -174,8 +174,8 @@ fn overlay(page: &mut Page, file: &str, points: &[(f64, f64)], law: &LawCurves) 
     let Some(OverlayFit { mean_ratio, largest_factor }) = law.fit else { return };
     let pairs = points.iter().zip(&law.at_overlay).map(|(&(w, measured), &coated)| (w, measured, coated));
     page.paragraph(&format!(
-        "Measured points of {} against the coated curve at the same indentation: in the geometric mean the measured load is {} \
-         times the coated one, and none is off by more than a factor of {}.",
+        "Measured points of {} against the coated curve at the same indentation: the measured load is {} times the coated \
+         one in the geometric mean; the largest deviation is a factor of {}.",
         escape(file),
         number(mean_ratio),
         number(largest_factor),
@@ -194,17 +194,17 @@ fn overlay(page: &mut Page, file: &str, points: &[(f64, f64)], law: &LawCurves) 
 }
 
 fn limits(page: &mut Page, results: &IndentationResults) {
-    page.heading(2, "Where this should not be trusted");
+    page.heading(2, "Limits of validity");
     let mut lines = vec![
-        "`coated` stands on a rule for the modulus and one for the hardness of a layered solid; how good the first is without \
-         yielding is shown above, the second has no exact counterpart here."
+        "`coated` uses an effective-modulus model and a hardness model of the layered solid. The accuracy of the former \
+         without yielding is shown above; the latter is not checked against an exact solution here."
             .to_owned(),
-        "`exact-elastic` knows no yielding: beyond the first change of regime it is what the bodies would carry if they were \
-         elastic throughout. No friction, no adhesion, the layer bonded to its substrate."
+        "`exact-elastic` is purely elastic: beyond the first change of regime it is the load of bodies that remain elastic \
+         throughout. Friction and adhesion are neglected; the layer is perfectly bonded to its substrate."
             .to_owned(),
         format!(
-            "The ball is a paraboloid and strains are small as long as the contact radius is well below the ball's; here it \
-             reaches {} of it ({LARGEST_SLOPE} is where a warning begins).",
+            "The ball is modelled as a paraboloid under small strains, which is valid while the contact radius is well \
+             below the radius of the ball; here it reaches {} of it (a warning is given above {LARGEST_SLOPE}).",
             number(results.largest_slope())
         ),
     ];
@@ -212,7 +212,8 @@ fn limits(page: &mut Page, results: &IndentationResults) {
         let left_out = found.unsolved();
         if left_out > 0 {
             lines.push(format!(
-                "{}: {left_out} of {} exact points are left out, since their contact is wider than {LARGEST_RATIO} thicknesses.",
+                "{}: {left_out} of {} exact points are omitted because the contact radius exceeds {LARGEST_RATIO} layer \
+                 thicknesses.",
                 escape(&subject(results, found)),
                 found.exact.len()
             ));

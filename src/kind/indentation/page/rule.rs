@@ -1,4 +1,4 @@
-//! How good the rule of a layer is, told on the page.
+//! Accuracy of the effective-modulus models.
 
 use super::{figures, subject};
 use crate::kind::indentation::run::{IndentationResults, LayerResults};
@@ -7,7 +7,7 @@ use asperity::compare::{GOOD_RATIO, ModulusError};
 use asperity_framework::report::format::number;
 use asperity_framework::report::page::Page;
 
-/// Modulus ratio, and the largest error of each rule.
+/// Modulus ratio, and the largest error of each effective-modulus model.
 pub fn sentence(found: &LayerResults) -> String {
     let [from, to] = GOOD_RATIO;
     let place = if found.check.is_good() { "within" } else { "outside" };
@@ -19,7 +19,7 @@ pub fn sentence(found: &LayerResults) -> String {
             if worst.ratio < 1.0 { "as little as" } else { "up to" },
             number(worst.ratio),
             number(worst.contact_ratio),
-            if rule == found.rule { ", the rule of this layer" } else { "" },
+            if rule == found.rule { ", the model of this layer" } else { "" },
         ))
     };
     let worst: Vec<String> =
@@ -29,14 +29,15 @@ pub fn sentence(found: &LayerResults) -> String {
         _ => format!("without yielding and at equal indentation, {}", worst.join("; ")),
     };
     format!(
-        "E_l/E_s = {} lies {place} {from} to {to}, where the paper's rule (`gao`) is good (Perriot and Barthel 2004); {errors}.",
+        "E_l/E_s = {} is {place} the range {from} to {to} in which the effective-modulus model `gao` is accurate (Perriot \
+         and Barthel 2004); {errors}.",
         number(found.check.modulus_ratio)
     )
 }
 
-/// The part of the page that is one layer's.
+/// The section on one layer.
 pub fn section(page: &mut Page, found: &LayerResults, figure: &str) {
-    page.heading(3, "How good is the rule here?");
+    page.heading(3, "Accuracy of the effective-modulus model");
     page.paragraph(&sentence(found));
     if found.errors[0].is_empty() {
         return;
@@ -44,11 +45,12 @@ pub fn section(page: &mut Page, found: &LayerResults, figure: &str) {
     page.figure(
         figure,
         figures::rule(found),
-        "The elastic load by each rule for the modulus of the layered flat over the exact elastic load at equal indentation, \
-         against the exact contact radius in layer thicknesses.",
+        "Accuracy of the effective-modulus models: elastic load over the exact elastic load at equal indentation, against \
+         the exact contact radius over the layer thickness.",
     );
     page.paragraph(
-        "Both rules take the area of an elastic contact to be π R w, as without a layer; the last column sets it beside the exact one.",
+        "Both models take the area of an elastic contact as π R w, as without a layer; the last column compares it with \
+         the exact area.",
     );
     let [gao, series] = &found.check.reported;
     page.table(
@@ -65,14 +67,14 @@ pub fn section(page: &mut Page, found: &LayerResults, figure: &str) {
     );
 }
 
-/// All layers beside each other.
+/// Comparison of all layers.
 pub fn all(page: &mut Page, results: &IndentationResults) {
-    page.heading(2, "How good are the rules?");
+    page.heading(2, "Accuracy of the effective-modulus models");
     page.figure(
         "rules.svg",
         figures::rules(results),
-        "The elastic load by each rule over the exact elastic load at equal indentation, against the exact contact radius in layer \
-         thicknesses: a panel a rule, a line a layer.",
+        "Accuracy of the effective-modulus models: elastic load over the exact elastic load at equal indentation, against \
+         the exact contact radius over the layer thickness. One panel per model, one line per layer.",
     );
     let cells = |worst: &Option<ModulusError>| match worst {
         Some(worst) => [format!("{:.3}", worst.ratio), number(worst.contact_ratio)],

@@ -1,4 +1,4 @@
-//! The pictures of several laws.
+//! The figures of several laws.
 
 use std::f64::consts::PI;
 
@@ -8,12 +8,12 @@ use asperity::compare::{AtLoad, Influence, Kind, Measure};
 use asperity::sphere::LARGEST_SLOPE;
 use asperity_plot::{Axis, Colour, Dash, Figure, Layer, Legend, Marker, Plot};
 
-/// How many standard errors a band shows: 95 % of all draws lie within.
+/// Half-width of a band in standard errors: 95 % of all samples lie within.
 const BAND: f64 = 1.96;
 
 type Line = Vec<(f64, f64)>;
 
-/// The colour of a law in every picture: the first, which the others are compared with, is black.
+/// The colour of a law in every figure: the first, which the others are compared with, is black.
 fn colour(law: usize) -> Colour {
     const OTHERS: [usize; 7] = [0, 1, 2, 3, 4, 5, 7];
     const BLACK: usize = 6;
@@ -84,10 +84,10 @@ pub fn curves(results: &LawsResults) -> String {
             contact.area / area
         }),
     ];
-    Figure::row("Load and area of one asperity under every law", panels).svg()
+    Figure::row("Load and area of a single asperity, all laws", panels).svg()
 }
 
-/// What tells the laws from each other: mean pressure over hardness, area over the elastic one.
+/// Differences between the laws: mean pressure over hardness, area over the elastic one.
 pub fn differences(results: &LawsResults, hardness: f64) -> String {
     /// Above twice the elastic area nothing but a fit out of its range, above the hardness nothing but Hertz.
     const HIGHEST: [f64; 2] = [1.3, 3.0];
@@ -101,12 +101,12 @@ pub fn differences(results: &LawsResults, hardness: f64) -> String {
         panel(results, pressure, &|_, contact| contact.load / contact.area / hardness),
         panel(results, area, &|w, contact| contact.area / (PI * radius * w)),
     ];
-    Figure::row("Mean pressure and area of one asperity under every law", panels).svg()
+    Figure::row("Mean contact pressure and area of a single asperity, all laws", panels).svg()
 }
 
 /// Load over that of Hertz and area over the elastic one where laws jump.
 pub fn jumps(results: &LawsResults) -> Option<String> {
-    /// Room at both ends, in ratios.
+    /// Margin at both ends, as a ratio.
     const ROOM: f64 = 1.6;
     let unit = results.critical.indentation;
     let all = || results.laws.iter().flat_map(|law| &law.boundaries).filter(|at| at.is_jump());
@@ -122,7 +122,7 @@ pub fn jumps(results: &LawsResults) -> Option<String> {
         panel(results, load.legend(Legend::Below), &|w, contact| contact.load / elastic(w)),
         panel(results, area.legend(Legend::Hidden), &|w, contact| contact.area / (PI * radius * w)),
     ];
-    Some(Figure::row("Where laws jump", panels).svg())
+    Some(Figure::row("Jumps of the laws", panels).svg())
 }
 
 /// On one surface at equal load: each law's sum beside that of the first law, and integral beside sum under the first.
@@ -145,7 +145,7 @@ pub fn law_or_model(results: &LawsResults, influence: &Influence) -> String {
         plot(Measure::Separation, "separation", Legend::Below),
         plot(Measure::Area, "real contact area", Legend::Hidden),
     ];
-    Figure::row("Law against adding-up at equal load", panels).svg()
+    Figure::row("Contact law against summation method at equal load", panels).svg()
 }
 
 /// How a difference is drawn.
@@ -174,7 +174,7 @@ fn range(results: &LawsResults, influence: &Influence, measure: Measure) -> Opti
     (room > 0.0).then_some([low - room, high + room])
 }
 
-/// The laws whose sums lie outside the picture of a measure wherever loads count, and between which values.
+/// The laws whose sums lie outside the axes of a measure at all valid loads, and between which values.
 pub fn outside(results: &LawsResults, influence: &Influence, measure: Measure) -> Vec<(String, [f64; 2])> {
     let Some([low, high]) = range(results, influence, measure) else { return Vec::new() };
     let of_law = |law: usize| {

@@ -1,4 +1,4 @@
-//! Which matters more, law or summation, in sentences.
+//! Summary: which matters more, contact law or summation method.
 
 use super::words::{short, size};
 use crate::kind::laws::results::{LawsResults, SurfaceInfluence};
@@ -6,7 +6,7 @@ use asperity::compare::{Attribution, Dominant, Group, Measure};
 use asperity_framework::report::format::{listed, quantity};
 use asperity_framework::report::page::escape;
 
-/// Where the law matters more, and where the adding-up: a line a measure.
+/// On which surfaces the law matters more, and on which the summation method: one line per measure.
 pub fn verdict(results: &LawsResults) -> Vec<String> {
     Measure::ALL.into_iter().filter_map(|measure| verdict_by(results, measure)).collect()
 }
@@ -28,12 +28,12 @@ fn verdict_by(results: &LawsResults, measure: Measure) -> Option<String> {
         (!on.is_empty()).then(|| format!("{what} on {}", listed(&on)))
     };
     let parts = [
-        ("the law matters more than the adding-up", Dominant::Law),
-        ("the adding-up matters more than the law", Dominant::Summation),
-        ("the models cannot be told apart for the sampling error of the sum", Dominant::Undecided),
+        ("the contact law matters more than the summation method", Dominant::Law),
+        ("the summation method matters more than the contact law", Dominant::Summation),
+        ("the models cannot be distinguished within sampling uncertainty", Dominant::Undecided),
     ];
     let parts: Vec<String> = parts.into_iter().filter_map(part).collect();
-    // Of the surfaces on which the law matters more: where it still does without the law that lies furthest off.
+    // Of the surfaces on which the law matters more: where it still does without the most deviating law.
     let law = || found.iter().filter(|(_, found)| found.dominant() == Dominant::Law);
     let mut rest = String::new();
     if law().any(|(_, found)| found.without_furthest.is_some()) {
@@ -41,16 +41,17 @@ fn verdict_by(results: &LawsResults, measure: Measure) -> Option<String> {
             found.dominant() == Dominant::Law && found.is_law_without_furthest() == Some(true)
         });
         let on = if on.is_empty() { "none".to_owned() } else { listed(&on) };
-        rest = format!(" Without the one law that lies furthest off, the law matters more on {on}.");
+        rest = format!(" Without the most deviating law, the contact law matters more on {on}.");
     }
     (!parts.is_empty()).then(|| format!("**By {what}** {}.{rest}", parts.join(", ")))
 }
 
-/// Which matters more on one surface, by how much, and how much of it is chance: a line a measure.
+/// Which matters more on one surface, by how much, and within which sampling uncertainty: one line per measure.
 pub fn in_short(results: &LawsResults, surface: &str) -> Vec<String> {
     let Some(found) = results.of_first(surface) else { return Vec::new() };
     if found.attributions.is_empty() {
-        return vec![format!("**{}**: no load counts, so nothing is said of it.", escape(surface))];
+        return vec![format!("**{}**: no load has at least 30 contacts and a contact area of at most 5 %, so no conclusion \
+        is drawn.", escape(surface))];
     }
     found.attributions.iter().map(|attribution| line(found, attribution)).collect()
 }
@@ -59,25 +60,26 @@ fn line(found: &SurfaceInfluence, attribution: &Attribution) -> String {
     let &Attribution { measure, group, law, summation, without_furthest, .. } = attribution;
     let what = match measure {
         Measure::Separation => "d/σ",
-        Measure::Area => "real area and, turned over, mean real pressure",
+        Measure::Area => "real area (inversely, mean contact pressure)",
     };
     let members = match group {
-        Group::ElasticPlastic => "the laws that go beyond elastic contact",
-        Group::All => "the laws",
+        Group::ElasticPlastic => "The elastic-plastic laws",
+        Group::All => "The laws",
     };
     let laws = &found.influence.laws;
     let rest = without_furthest.map_or_else(String::new, |(furthest, rest)| {
         format!(
-            ", {} without {}, which lies furthest from {}",
+            ", {} without {}, which deviates most from {}",
             size(measure, rest.mean),
             escape(&laws[furthest]),
             escape(&laws[0])
         )
     });
     format!(
-        "**{}, {what}**: {members} lie {} apart in the mean under the sum ({} at most, at {}){rest}. Integral and sum under {} lie {} apart \
-         in the mean ({} at most, at {}). {}. {}",
+        "**{}, {what}**: {}. {members} differ by {} on average in the deterministic model (at most {}, at {}){rest}. Under \
+         {} the statistical and the deterministic model differ by {} on average (at most {}, at {}). {}",
         escape(&found.surface),
+        which(attribution),
         size(measure, law.mean),
         size(measure, law.largest),
         quantity(law.at, "Pa"),
@@ -85,7 +87,6 @@ fn line(found: &SurfaceInfluence, attribution: &Attribution) -> String {
         size(measure, summation.mean),
         size(measure, summation.largest),
         quantity(summation.at, "Pa"),
-        which(attribution),
         chance(attribution),
     )
 }
@@ -96,19 +97,20 @@ fn which(attribution: &Attribution) -> String {
     let times = if ratio < 10.0 { format!("{ratio:.1} times") } else { format!("{} times", short(ratio)) };
     let logarithms = match attribution.measure {
         Measure::Separation => "",
-        Measure::Area => ", in logarithms",
+        Measure::Area => " (ratio of logarithms)",
     };
     match attribution.dominant() {
-        Dominant::Law => format!("The law matters {times} as much as the adding-up{logarithms}"),
-        Dominant::Summation => format!("The adding-up matters {times} as much as the law{logarithms}"),
+        Dominant::Law => format!("the contact law matters {times} as much as the summation method{logarithms}"),
+        Dominant::Summation => format!("the summation method matters {times} as much as the contact law{logarithms}"),
         Dominant::Undecided => {
-            "Integral and sum cannot be told apart here, so that nothing is said of which matters more"
+            "the models cannot be distinguished within sampling uncertainty, so no conclusion is drawn on which matters \
+             more"
                 .to_owned()
         }
     }
 }
 
-/// How much of the gap between the models may be chance.
+/// The difference between the models in sampling errors.
 fn chance(attribution: &Attribution) -> String {
     let Some((error, errors)) = attribution.sampling.zip(attribution.standard_errors()) else {
         return String::new();
@@ -117,9 +119,9 @@ fn chance(attribution: &Attribution) -> String {
         Measure::Separation => "is",
         Measure::Area => "is at most",
     };
-    let judged = if attribution.is_significant() { "" } else { ", which leaves room for chance" };
+    let verdict = if attribution.is_significant() { "" } else { ", which is within sampling uncertainty" };
     format!(
-        "The sampling error of the sum {bound} {} in the mean: the gap between the models is {errors:.1} times that{judged}.",
+        "The sampling error of the sum {bound} {} on average: the models differ by {errors:.1} times that{verdict}.",
         size(attribution.measure, error.mean),
     )
 }

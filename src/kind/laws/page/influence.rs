@@ -1,4 +1,4 @@
-//! Law and summation on one surface: figure and tables.
+//! Contact law and summation method on one surface: figure and tables.
 
 use super::figures;
 use super::words::{short, signed};
@@ -8,19 +8,19 @@ use asperity::compare::{AtLoad, Effect, Group, Influence, Kind, Measure, of_each
 use asperity_framework::report::format::{listed, percent, quantity};
 use asperity_framework::report::page::{Page, escape};
 
-/// The picture and the tables of one surface.
+/// The figure and the tables of one surface.
 pub fn section(page: &mut Page, results: &LawsResults, found: &SurfaceResults) {
     let Some(SurfaceInfluence { influence, .. }) = results.of_first(&found.surface.name) else { return };
     let name = &found.surface.name;
-    page.heading(3, &format!("{name}: law or adding-up?"));
+    page.heading(3, &format!("{name}. Contact law or summation method: which matters more?"));
     page.figure(
         &format!("{name}-law-or-model.svg"),
         figures::law_or_model(results, influence),
         &format!(
-            "At equal load, beside the sum under {}: coloured, the sums under the other laws; black, the integral under the same \
-             law, and where 95 % of other samples of the surface would lie, asperities taken as independent draws. Where the \
-             coloured lines lie wider apart than the black one from zero (or one), the law matters more. Shaded: few contacts \
-             (fewer than 30), and asperities that interact.{}",
+            "The contact law matters more where the coloured lines lie further apart than the black line from zero (or \
+             one). All at equal load, relative to the deterministic model under {}. Coloured: deterministic model under \
+             the other laws; black: statistical model under the same law, with its 95 % sampling band for independent \
+             asperities. Shaded: fewer than 30 contacts, and interacting asperities.{}",
             influence.laws[0],
             outside(results, influence)
         ),
@@ -33,15 +33,15 @@ pub fn section(page: &mut Page, results: &LawsResults, found: &SurfaceResults) {
     }
     if let Some(mean) = &found.surface.ellipticity {
         page.paragraph(&format!(
-            "Under an elliptic law the integral stands on the mean curvature, a radius of {}, under the others on the radius {}: this \
-             is a part of what the law changes there.",
+            "Under an elliptic law the statistical model uses the mean curvature (radius {}), under the others the radius \
+             {}; part of the effect of the law is due to this.",
             quantity(mean.mean_curvature.recip(), "m"),
             quantity(found.first.population.radius, "m"),
         ));
     }
 }
 
-/// Which laws the picture leaves out.
+/// Laws outside the axes of the figure.
 fn outside(results: &LawsResults, influence: &Influence) -> String {
     let of = |measure| {
         let all = figures::outside(results, influence, measure).into_iter();
@@ -51,38 +51,40 @@ fn outside(results: &LawsResults, influence: &Influence) -> String {
         };
         let names: Vec<String> =
             all.map(|(law, [low, high])| format!("{law} ({} to {})", short(low), short(high))).collect();
-        (!names.is_empty()).then(|| format!(" Outside the picture of the {what}: {}.", listed(&names)))
+        (!names.is_empty()).then(|| format!(" Outside the axes of the {what}: {}.", listed(&names)))
     };
     Measure::ALL.into_iter().filter_map(of).collect()
 }
 
-/// Spread over the laws, gap between the models and sampling error at loads near the powers of ten.
+/// Range over the laws, difference between the models and sampling error at loads near the powers of ten.
 fn load_by_load(page: &mut Page, influence: &Influence, measure: Measure) {
     let first = escape(&influence.laws[0]);
     page.paragraph(&match measure {
         Measure::Separation => format!(
-            "**d/σ at equal load**: the largest minus the smallest over the laws under each model, all laws and those that go beyond \
-             elastic contact; integral minus sum under {first} and under the passing law where it is largest; the standard error of the \
-             sum under {first}. Last: passing laws under the sum over the gap under {first}. Loads with a word beside them do not count."
+            "**d/σ at equal load**: range over the laws (largest minus smallest) in each model, for all laws and for the \
+             elastic-plastic laws; integral minus sum under {first} and under the elastic-plastic law where it is largest; \
+             standard error of the sum under {first}. Last: range of the elastic-plastic laws in the sum over the \
+             difference between the models under {first}. Loads marked (few) or (interact) are outside the range of \
+             validity."
         ),
-        Measure::Area => "**Real area at equal load**, the same in ratios: the largest over the smallest; integral over sum; the \
-             standard error in percent. The mean real pressure has the same ratios turned over, since it is the nominal pressure \
-             over A/A_nom. Last: the ratio of the logarithms."
+        Measure::Area => "**Real area at equal load**, the same as ratios: largest over smallest; integral over sum; \
+        standard error in percent. The mean contact pressure, the nominal pressure over A/A_nom, has the inverse ratios. \
+        Last: ratio of the logarithms."
             .to_owned(),
     });
-    let metadata = [
+    let header = [
         "p",
         "all laws, integral",
         "all laws, sum",
-        "passing, integral",
-        "passing, sum",
+        "elastic-plastic, integral",
+        "elastic-plastic, sum",
         "models, first law",
-        "models, most",
+        "models, largest",
         "s.e. of the sum",
-        "law / adding-up",
+        "law / summation",
     ];
     let rows = of_each_decade(&influence.loads, |at| at.pressure, 1.0);
-    page.table(metadata, rows.into_iter().map(|at| load_row(at, measure)));
+    page.table(header, rows.into_iter().map(|at| load_row(at, measure)));
 }
 
 fn load_row(at: &AtLoad, measure: Measure) -> Vec<String> {
@@ -105,12 +107,12 @@ fn load_row(at: &AtLoad, measure: Measure) -> Vec<String> {
         signed(measure, at.gap(measure, 0)),
         most.map_or_else(dash, |(_, gap)| signed(measure, gap)),
         error,
-        // Beside a gap that may be none, a ratio says nothing.
+        // Over a difference that may be zero, a ratio is meaningless.
         at.law_over_summation(measure).map_or_else(dash, short),
     ]
 }
 
-/// Why a load does not count, as the picture has it.
+/// Why a load is outside the range of validity, as in the figure.
 fn remark(at: &AtLoad) -> &'static str {
     if at.counts {
         ""
@@ -121,28 +123,28 @@ fn remark(at: &AtLoad) -> &'static str {
     }
 }
 
-/// What the choice of each law instead of the first changes, and the gap between the models under it.
+/// Effect of each law relative to the first, and the difference between the models under it.
 fn law_by_law(page: &mut Page, results: &LawsResults, influence: &Influence, measure: Measure) {
     let what = match measure {
         Measure::Separation => "d/σ, as differences",
         Measure::Area => "real area, as ratios",
     };
     page.paragraph(&format!(
-        "**Law by law, {what}**: the largest deviation from {} under each model, and the largest gap between the models under the law \
-         itself, over the loads that count.",
+        "**Law by law, {what}**: largest deviation from {} in each model, and largest difference between the models under \
+         the law itself, at loads with at least 30 contacts and a contact area of at most 5 %.",
         escape(&influence.laws[0])
     ));
-    let told = |weight: Option<Effect>| {
-        let words =
+    let shown = |weight: Option<Effect>| {
+        let text =
             |weight: Effect| format!("{} at {}", signed(measure, weight.largest), quantity(weight.at, "Pa"));
-        weight.map_or_else(|| "-".to_owned(), words)
+        weight.map_or_else(|| "-".to_owned(), text)
     };
     let row = |(index, law): (usize, &LawOnOne)| {
         let choice = |kind| {
             if index == 0 {
-                "(the first)".to_owned()
+                "(reference)".to_owned()
             } else {
-                told(influence.of_choice(measure, index, kind))
+                shown(influence.of_choice(measure, index, kind))
             }
         };
         let errors = influence.of_standard_errors(measure, index);
@@ -150,17 +152,17 @@ fn law_by_law(page: &mut Page, results: &LawsResults, influence: &Influence, mea
             law.law.clone(),
             choice(Kind::Statistical),
             choice(Kind::Deterministic),
-            told(influence.of_summation(measure, index)),
+            shown(influence.of_summation(measure, index)),
             errors.map_or_else(|| "-".to_owned(), |errors| format!("{:.1}", errors.largest.abs())),
         ]
     };
     page.table(
         [
             "law",
-            "integral, from the first",
-            "sum, from the first",
+            "integral, from reference",
+            "sum, from reference",
             "integral from sum",
-            "most standard errors",
+            "largest in standard errors",
         ],
         results.laws.iter().enumerate().map(row),
     );

@@ -1,5 +1,6 @@
-//! The page of several laws: how they differ on one asperity, and whether that matters on surfaces beside the way of
-//! adding up.
+//! The page of several laws: how they differ on a single asperity, and whether the contact law or the summation \
+method
+//! matters more on surfaces.
 
 mod figures;
 mod in_short;
@@ -25,7 +26,7 @@ pub fn page(results: &LawsResults) -> Page {
     for warning in compared.warnings() {
         page.warning(&escape(&warning));
     }
-    page.heading(2, "In short");
+    page.heading(2, "Summary");
     let verdict = in_short::verdict(results);
     if !verdict.is_empty() {
         page.bullets(verdict);
@@ -47,7 +48,7 @@ pub fn page(results: &LawsResults) -> Page {
     page
 }
 
-/// Where the laws jump, and how far the curves mean something.
+/// Jumps of the laws, and the limit of small strains.
 fn on_one_in_short(results: &LawsResults) -> Vec<String> {
     let unit = results.critical.indentation;
     let jumps = |law: &LawOnOne, of: fn(&Boundary) -> f64| {
@@ -61,13 +62,14 @@ fn on_one_in_short(results: &LawsResults) -> Vec<String> {
         if each.is_empty() { "none".to_owned() } else { each.join("; ") }
     };
     let mut lines = vec![
-        format!("**Jumps of the load** on one asperity, at w/wc: {}.", all(Boundary::load_jump)),
+        format!("**Jumps of the load** per asperity, at w/wc: {}.", all(Boundary::load_jump)),
         format!("**Jumps of the area**: {}.", all(Boundary::area_jump)),
     ];
     if let Some(end) = &results.end_of_small_strains {
         lines.push(format!(
-            "**Small strains** end near w/wc = {}, where the contact radius passes {LARGEST_SLOPE} of the asperity's under the first of \
-             the laws ({}); at {} the indentation is the radius itself. Beyond that the curves show the laws, not contacts.",
+            "Strains are **small** up to about w/wc = {}, where the contact radius exceeds {LARGEST_SLOPE} of the asperity \
+             radius under one of the laws ({}); at {} the indentation equals the radius. Beyond, the curves extrapolate \
+             the laws and are not valid for contacts.",
             number(end.indentation / unit),
             escape(&end.law),
             number(results.radius / unit),
@@ -76,10 +78,10 @@ fn on_one_in_short(results: &LawsResults) -> Vec<String> {
     lines
 }
 
-/// What the laws are.
+/// The laws, their ranges of validity and sources.
 fn laws(page: &mut Page, results: &LawsResults) {
     page.table(
-        ["law", "what it is, and where it holds", "source"],
+        ["law", "description and range of validity", "source"],
         results.laws.iter().map(|law| {
             let papers: Vec<&str> = law.papers.iter().map(|paper| paper.short).collect();
             vec![law.law.clone(), law.about.to_owned(), papers.join("; ")]
@@ -88,29 +90,28 @@ fn laws(page: &mut Page, results: &LawsResults) {
     let first = &results.laws[0].law;
     let of_one_regime = registry().iter().filter(|law| !law.has_ranges() && !law.sees_ellipses());
     page.paragraph(&format!(
-        "The others are compared with the first, {}. Laws of one regime ({}) are limits: what is said of the \
-         laws that go beyond elastic contact leaves them out. Equations and their numbers: docs/theory.md.",
+        "Reference law: {}, the first in the list. Laws of a single regime ({}) are limiting cases and are not counted \
+         among the elastic-plastic laws. Equations and their numbers: docs/theory.md.",
         escape(first),
         of_one_regime.map(ContactLaw::name).collect::<Vec<String>>().join(", ")
     ));
 }
 
-/// The laws by themselves.
+/// The laws on a single asperity.
 fn one_asperity(page: &mut Page, results: &LawsResults) {
     let critical = &results.critical;
-    page.heading(2, "One asperity");
+    page.heading(2, "Single asperity");
     let ellipse = if results.curvature_ratio > 1.0 {
         format!(
-            " Elliptic laws take it with this mean curvature and principal curvatures in the ratio {}.",
+            " Elliptic laws use the same mean curvature and a ratio of principal curvatures of {}.",
             number(results.curvature_ratio)
         )
     } else {
         String::new()
     };
     page.paragraph(&format!(
-        "Radius R = {}. Indentations are in one unit for all laws, the onset of yield of Zhao, Maietta and Chang on a sphere: \
-         wc = (0.3 π)² R (H/E*)² = {}; Pc = {} and Ac = {} are Hertz's load and area there. Laws with another onset begin to \
-         yield at another w/wc.{ellipse}",
+        "Radius R = {}. Indentations are normalised by the onset of yield of a sphere after Zhao, Maietta and Chang: wc = (0.3 π)² R (H/E*)² = {}; Pc = {} and Ac = {} are Hertz's load and area there. Laws \
+         with another onset of yield start to yield at another w/wc.{ellipse}",
         quantity(results.radius, "m"),
         quantity(critical.indentation, "m"),
         quantity(critical.load, "N"),
@@ -119,18 +120,19 @@ fn one_asperity(page: &mut Page, results: &LawsResults) {
     page.figure(
         "asperity-curves.svg",
         figures::curves(results),
-        "Load and real contact area of one asperity under every law. Circles: both sides of each boundary between two formulas.",
+        "Load and real contact area of one asperity under every law. Circles mark both sides of each boundary between two \
+         formulas.",
     );
     if let Some(hardness) = results.compare.contact.hardness {
         page.figure(
             "asperity-differences.svg",
             figures::differences(results, hardness),
-            "What the logarithms hide: the mean pressure over the hardness, and the area over that of an elastic contact.",
+            "Differences between the laws: mean contact pressure over hardness, and area over that of an elastic contact.",
         );
     }
     if let Some(svg) = figures::jumps(results) {
         let caption =
-            "Where laws jump: load and area over those of an elastic contact at the same indentation.";
+            "Jumps of the laws: load and area over those of an elastic contact at equal indentation.";
         page.figure("asperity-jumps.svg", svg, caption);
     }
     let unit = critical.indentation;
@@ -148,7 +150,7 @@ fn one_asperity(page: &mut Page, results: &LawsResults) {
             ]
         })
     });
-    page.paragraph("Every boundary between two formulas, also where both sides count as one regime:");
+    page.paragraph("All boundaries between two formulas, including those within a regime:");
     page.table(
         ["law", "w/wc", "w", "below", "above", "jump of the load", "jump of the area", "strains"],
         rows,
@@ -175,17 +177,17 @@ fn signed_percent(jump: f64) -> String {
     format!("{sign}{}", percent(jump))
 }
 
-/// Where the answers should not be trusted.
+/// Limits of validity.
 fn limits(page: &mut Page, results: &LawsResults) {
-    page.heading(2, "Where not to trust this");
+    page.heading(2, "Limits of validity");
     let mut lines = Vec::new();
     for found in &results.compare.surfaces {
         let counts: PointCounts = found.findings.laws.iter().map(|law| law.counts).sum();
         lines.extend(compare::limits_of(&escape(&found.surface.name), &counts));
     }
     lines.push(
-        "A law is not right because it is near another: what is shown is how much the choice matters, not which is best. \
-         The fits to finite elements were made for a sphere on a rigid flat."
+        "Agreement between laws does not validate them: this report shows how much the choice matters, not which law is \
+         best. The finite-element fits were made for a sphere on a rigid flat."
             .to_owned(),
     );
     lines.extend(compare::assumptions(&results.compare));

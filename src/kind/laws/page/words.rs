@@ -1,4 +1,4 @@
-//! Numbers in the words of a measure.
+//! Formatting of numbers by measure.
 
 use asperity::compare::Measure;
 use asperity_framework::report::format::{number, percent};
@@ -8,7 +8,7 @@ pub fn short(value: f64) -> String {
     number(format!("{value:.2e}").parse().unwrap_or(value))
 }
 
-/// A size in the words of its measure: "0.12 σ", "12.3 %".
+/// A size in the unit of its measure: "0.12 σ", "12.3 %".
 pub fn size(measure: Measure, value: f64) -> String {
     match measure {
         Measure::Separation => format!("{} σ", short(value.abs())),

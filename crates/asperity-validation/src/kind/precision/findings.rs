@@ -1,13 +1,13 @@
-//! What the measurements of one population say: the fastest way at each error, what ordering and threads do.
+//! Findings on one population: the fastest method at each error, the effect of ordering and of threads.
 
 use crate::precision::integral::{Family, IntegralFindings, Rule};
 use crate::precision::sum::{Adding, SumPoint, Sweep, Way};
 use crate::precision::{Cost, LEVELS, fastest};
 
-/// 4 units in the last place: what sums are held to.
+/// 4 units in the last place: the bound of sums.
 pub const FOUR_ULP: f64 = 4.0 * f64::EPSILON;
 
-/// What is added up.
+/// What is summed.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Of {
     /// One contact over the heights.
@@ -26,38 +26,38 @@ impl Of {
     }
 }
 
-/// A way to an answer.
+/// A method.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Candidate {
     /// A rule of quadrature.
     Rule(Rule),
-    /// A way to add up.
+    /// A summation method.
     Way(Way),
 }
 
-/// The fastest way within one error.
+/// The fastest method within one error.
 #[derive(Debug, Clone)]
 pub struct Winner {
-    /// What is added up.
+    /// What is summed.
     pub of: Of,
     /// Of a sum, in the set.
     pub asperities: Option<usize>,
-    /// The largest error that is allowed.
+    /// The largest permitted error.
     pub level: f64,
-    /// The way and its cost; `None` where no way is good enough.
+    /// The method and its cost; `None` where none is accurate enough.
     pub fastest: Option<(Candidate, Cost)>,
-    /// Seconds of the shipped way over those of the fastest; `None` where the shipped one is not good enough.
+    /// Time of the shipped method over that of the fastest; `None` where the shipped one is not accurate enough.
     pub shipped_over_fastest: Option<f64>,
 }
 
 impl Winner {
-    /// Whether the shipped way is the fastest.
+    /// Whether the shipped method is the fastest.
     pub fn is_shipped(&self) -> bool {
         self.shipped_over_fastest == Some(1.0)
     }
 }
 
-/// What ordering the asperities by height first does.
+/// Effect of ordering the asperities by height first.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Ordering {
     /// Asperities in the set.
@@ -79,7 +79,7 @@ pub struct Speedup {
     pub time: f64,
 }
 
-/// What the measurements of one population say.
+/// Findings on one population.
 #[derive(Debug, Clone)]
 pub struct CaseFindings {
     /// Level by level, of the integral and of the sum of the largest set.

@@ -1,4 +1,4 @@
-//! The worst errors kind by kind.
+//! The worst errors by kind.
 
 use crate::stability::{Group, GroupFindings, Kind, Worst};
 
@@ -9,7 +9,7 @@ pub struct KindFindings {
     pub kind: Kind,
     /// The largest error of any quantity, as checked.
     pub largest_error: f64,
-    /// The quantity that uses most of its bound.
+    /// The quantity closest to its bound.
     pub worst: Worst,
     /// Its group.
     pub group: Group,

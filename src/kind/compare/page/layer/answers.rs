@@ -1,4 +1,4 @@
-//! The answers by thickness: figures and tables.
+//! Results by thickness: figures and tables.
 
 use super::{Series, depth, figures};
 use asperity::compare::Kind;
@@ -7,25 +7,25 @@ use asperity_framework::report::format::{number, quantity, thickness};
 use asperity_framework::report::page::Page;
 
 impl Series<'_> {
-    /// The pictures and tables.
+    /// The figures and tables.
     pub fn answers(&self, page: &mut Page) {
-        page.heading(2, &format!("{}: the answers", self.subject));
+        page.heading(2, &format!("{}: results", self.subject));
         page.figure(
             &format!("{}-layers.svg", self.stem),
             figures::by_load(self),
             &format!(
-                "Separation and real area against load, by thickness of the layer. {}",
+                "Separation and real contact area against load, by layer thickness. {}",
                 self.lines_are()
             ),
         );
         let loads = &self.findings.loads;
         if !self.found.others.is_empty() {
-            page.paragraph("Pictures, tables and findings by thickness are of the first realisation; the others are in `curves.csv`.");
+            page.paragraph("Figures, tables and conclusions by thickness are for the first realisation; the others are in `curves.csv`.");
         }
         if loads.is_empty() {
             page.paragraph(
-                "No pressure or force is asked for: nothing can be said at equal load, by thickness. With `pressure = ...` this report has the \
-                 real area, the mean real pressure and the regimes against the thickness.",
+                "The spec gives no pressure or force, so that thicknesses cannot be compared at equal load. Add `pressure \
+                 = ...` to obtain real contact area, mean contact pressure and regimes against thickness.",
             );
             return;
         }
@@ -34,8 +34,8 @@ impl Series<'_> {
                 &format!("{}-thickness.svg", self.stem),
                 figures::by_thickness(self),
                 &format!(
-                    "Real area, mean real pressure and plastic share of the load against thickness, by nominal pressure. {} At the edges: no \
-                     layer (left), all layer (right).",
+                    "Real contact area, mean contact pressure and plastic share of the load against layer thickness, by \
+                     nominal pressure. {} Separate markers at the edges: uncoated (left) and bulk layer material (right).",
                     self.lines_are()
                 ),
             );
@@ -43,7 +43,8 @@ impl Series<'_> {
                 &format!("{}-regimes.svg", self.stem),
                 figures::regimes(self),
                 &format!(
-                    "How the load is shared by the regimes, by thickness, at the least, a middle and the highest load ({}).",
+                    "Share of the load carried by elastic, elastic-plastic and plastic contacts against layer thickness, \
+                     at the lowest, a middle and the highest load ({} model).",
                     self.findings.main_model().name()
                 ),
             );
@@ -56,7 +57,8 @@ impl Series<'_> {
     fn load_table(&self, page: &mut Page) {
         let (loads, kinds) = (&self.findings.loads, &self.findings.models);
         page.paragraph(
-            "All thicknesses at these loads; a/t is that of the mean contact, shares are those of the load, elastic / elastic-plastic / plastic:",
+            "All thicknesses by load. a/t: mean contact radius over layer thickness; shares: load carried by elastic / \
+             elastic-plastic / plastic contacts:",
         );
         type Column = (&'static str, fn(&Response) -> String);
         let columns: [Column; 4] = [
@@ -65,7 +67,7 @@ impl Series<'_> {
                 let mark = if r.is_beyond_model() { " *" } else { "" };
                 format!("{}{mark}", number(r.area_ratio.total()))
             }),
-            ("mean real p", |r| r.mean_real_pressure().map_or_else(|| "–".to_owned(), |p| quantity(p, "Pa"))),
+            ("mean contact p", |r| r.mean_real_pressure().map_or_else(|| "–".to_owned(), |p| quantity(p, "Pa"))),
             ("shares", shares),
         ];
         let short = |kind: Kind| if kind == Kind::Statistical { "stat." } else { "det." };
@@ -91,14 +93,15 @@ impl Series<'_> {
                 row
             }),
         );
-        page.paragraph(&format!("\\* beyond A/A_nom = {INTERACTION}, where asperities interact."));
+        page.paragraph(&format!("\\* A/A_nom above {INTERACTION}: asperities interact."));
     }
 
-    /// Thicknesses below which the layer no longer matters.
+    /// Thicknesses below which the layer has no effect.
     fn threshold_table(&self, page: &mut Page) {
         page.paragraph(
-            "The thickness below which the layer no longer matters: the real area at the same load is within 5 % of the one without a \
-             layer. Sought to 1 % between the thinnest listed one that matters and the one before it, and beyond the list where none does.",
+            "Thickness below which the layer has no effect: at equal load the real contact area is within 5 % of the \
+             uncoated one. Found to within 1 % between the thinnest listed thickness that has an effect and the one before \
+             it, or outside the list if none has.",
         );
         let loads = &self.findings.loads;
         let kinds = &self.findings.models;
@@ -115,12 +118,12 @@ impl Series<'_> {
         );
     }
 
-    /// What the lines of a picture are.
+    /// Line styles of a figure.
     fn lines_are(&self) -> &'static str {
         match self.findings.models[..] {
-            [Kind::Statistical] => "Lines: the statistical integral.",
-            [Kind::Deterministic] => "Lines: the deterministic sum.",
-            _ => "Solid: the deterministic sum, as in the paper's Fig. 6; dashed: the statistical integral.",
+            [Kind::Statistical] => "Lines: statistical model.",
+            [Kind::Deterministic] => "Lines: deterministic model.",
+            _ => "Solid: deterministic model; dashed: statistical model (as in Fig. 6 of Pasaribu and Schipper 2005).",
         }
     }
 }

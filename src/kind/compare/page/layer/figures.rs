@@ -11,7 +11,7 @@ use asperity_plot::{Axis, Colour, Dash, Figure, Layer, Marker, Plot};
 /// Separation and real area against load, by thickness.
 pub fn by_load(series: &Series) -> String {
     let modulus = series.modulus;
-    let axis = || Axis::log("load ratio P/(A_nom E* without layer)");
+    let axis = || Axis::log("load ratio P/(A_nom E*), E* uncoated");
     let mut separation = Plot::new("Separation", axis(), Axis::linear("separation d/σ"));
     let mut area = Plot::new("Real contact area", axis(), Axis::log("area ratio A/A_nom"))
         .with(Layer::region_y(INTERACTION, f64::INFINITY, "asperities interact"));
@@ -34,15 +34,15 @@ pub fn by_load(series: &Series) -> String {
             area = area.with(line(|r| r.area_ratio.total()));
         }
     }
-    Figure::row("Separation and real area by thickness", vec![separation, area]).svg()
+    Figure::row("Separation and real contact area by layer thickness", vec![separation, area]).svg()
 }
 
-/// Real area, mean real pressure and plastic share against thickness, by load.
+/// Real contact area, mean contact pressure and plastic share against layer thickness, by load.
 pub fn by_thickness(series: &Series) -> String {
     type Value = fn(&Response) -> Option<f64>;
     let panels: [(&str, Axis, Value); 3] = [
         ("Real contact area", Axis::log("area ratio A/A_nom"), |r| Some(r.area_ratio.total())),
-        ("Mean real pressure", Axis::log("mean real pressure (GPa)"), |r| {
+        ("Mean contact pressure", Axis::log("mean contact pressure (GPa)"), |r| {
             r.mean_real_pressure().map(|p| p * 1e-9)
         }),
         ("Plastic share", Axis::linear("plastic share of the load").range(0.0, 1.0), |r| {
@@ -50,11 +50,11 @@ pub fn by_thickness(series: &Series) -> String {
         }),
     ];
     let plots = panels.map(|(title, axis, value)| against_thickness(series, title, axis, value));
-    Figure::column("Real area, mean real pressure and plastic share against thickness", plots.to_vec()).svg()
+    Figure::column("Real contact area, mean contact pressure and plastic share against layer thickness", plots.to_vec()).svg()
 }
 
 fn against_thickness(series: &Series, title: &str, axis: Axis, value: fn(&Response) -> Option<f64>) -> Plot {
-    /// Room beside the finite thicknesses for the two limits, as a ratio.
+    /// Margin beside the finite thicknesses for the two limits, as a ratio.
     const ROOM: f64 = 1.6;
     let all: Vec<f64> = series.finite().map(|(t, _)| t).collect();
     let (thin, thick) = (all[0], all[all.len() - 1]);
@@ -94,7 +94,7 @@ fn against_thickness(series: &Series, title: &str, axis: Axis, value: fn(&Respon
 
 /// Shares of the regimes against thickness, at the least, a middle and the highest load.
 pub fn regimes(series: &Series) -> String {
-    /// Panels beside each other.
+    /// Number of panels.
     const PANELS: usize = 3;
     let kind = series.findings.main_model();
     let loads = &series.findings.loads;
@@ -108,11 +108,11 @@ pub fn regimes(series: &Series) -> String {
         });
         shares_of_load(&quantity(load, "Pa"), thickness_axis(), shares)
     };
-    Figure::row("Regimes by thickness", chosen.into_iter().map(panel).collect()).svg()
+    Figure::row("Share of the load by contact regime, against layer thickness", chosen.into_iter().map(panel).collect()).svg()
 }
 
 fn thickness_axis() -> Axis {
-    Axis::log("thickness of the layer (nm)")
+    Axis::log("layer thickness (nm)")
 }
 
 fn nanometres(t: f64) -> f64 {

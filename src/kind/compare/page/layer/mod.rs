@@ -25,16 +25,17 @@ pub struct Series<'a> {
     modulus: f64,
 }
 
-/// How good the rules are, beside the exact solution; nothing where no contact asks for one.
+/// Accuracy of the effective-modulus models against the exact solution; nothing where no contact needs one.
 pub fn rule_section(page: &mut Page, layer: &LayerMetadata) {
     let Some(check) = &layer.check else { return };
-    page.heading(2, "How good is the rule?");
+    page.heading(2, "Accuracy of the effective-modulus model");
     let place = if check.is_good() { "within" } else { "outside" };
     page.paragraph(&format!(
-        "E of the layer is {} of that of the substrate, {place} the {} to {} where the paper's rule (`gao`) is good (Perriot and Barthel 2004). \
-         This is the elastic load by both rules over that of the exact solution at equal indentation, a the exact contact radius; this \
-         experiment uses `{}`. The tables below say which a/t its contacts have. The ball of the exact solution is as elastic as the rough \
-         body. Where a contact is plastic the modulus does not enter its load.",
+        "The layer modulus is {} times the substrate modulus, {place} the range {} to {} in which the model `gao` is \
+         accurate (Perriot and Barthel 2004). Table: elastic load by both effective-modulus models over that of the exact \
+         solution at equal indentation, where a is the exact contact radius. This experiment uses `{}`; a/t of its \
+         contacts is in the tables below. The ball of the exact solution has the elastic constants of the rough body. The \
+         load of a plastic contact does not depend on the modulus.",
         number(check.modulus_ratio),
         GOOD_RATIO[0],
         GOOD_RATIO[1],
@@ -42,7 +43,7 @@ pub fn rule_section(page: &mut Page, layer: &LayerMetadata) {
     ));
     let [gao, series] = &check.reported;
     page.table(
-        ["a/t", "load by rule gao / exact", "load by rule series / exact"],
+        ["a/t", "load by gao / exact", "load by series / exact"],
         gao.iter().zip(series).map(|(gao, series)| {
             vec![number(gao.contact_ratio), format!("{:.3}", gao.ratio), format!("{:.3}", series.ratio)]
         }),
@@ -76,7 +77,7 @@ impl<'a> Series<'a> {
         })
     }
 
-    /// The surface that it is about.
+    /// The surface.
     pub fn found(&self) -> &'a SurfaceResults {
         self.found
     }
@@ -86,7 +87,7 @@ impl<'a> Series<'a> {
         self.cases.len() > 1
     }
 
-    /// The findings, a line each.
+    /// The findings, one line each.
     pub fn in_short(&self) -> Vec<String> {
         let mut lines = Vec::new();
         lines.extend(self.threshold_line());
@@ -106,7 +107,8 @@ impl<'a> Series<'a> {
         let parts: Vec<String> = self.findings.loads.iter().map(at_load).collect();
         (!parts.is_empty()).then(|| {
             format!(
-                "**{}**: the thickness of {} below which it no longer matters, the real area within 5 % of that without a layer, is {}.",
+                "**{}**: the thickness of {} below which the layer has no effect (real contact area within 5 % of the \
+                 uncoated one) is {}.",
                 escape(&self.subject),
                 escape(&self.layer.name),
                 listed(&parts)
@@ -115,9 +117,9 @@ impl<'a> Series<'a> {
     }
 
     fn plastic_line(&self, found: &PlasticRange) -> String {
-        let under = |at: AtThickness| format!("{}, {}", under(self.layer, at.thickness), percent(at.value));
+        let under = |at: AtThickness| format!("{} ({})", under(self.layer, at.thickness), percent(at.value));
         format!(
-            "**{}**: the plastic share of the load at {} ({}) is largest {}, and smallest {}.",
+            "**{}**: the plastic share of the load at {} ({}) is largest {} and smallest {}.",
             escape(&self.subject),
             quantity(found.load, "Pa"),
             found.model.name(),
@@ -131,7 +133,7 @@ impl<'a> Series<'a> {
         let GapRange { largest, smallest, recommendation } = found;
         let least = if largest.value > smallest.value {
             format!(
-                ", and by up to {} σ {}, where they differ least",
+                " and by up to {} σ {} (smallest difference)",
                 number(smallest.value),
                 under(self.layer, smallest.thickness)
             )
@@ -140,7 +142,8 @@ impl<'a> Series<'a> {
         };
         [
             format!(
-                "**{subject}**: the two models' separations at equal load differ by up to {} σ {}, where they differ most{least}. {CONDITION}",
+                "**{subject}**: at equal load the separations of the two models differ by up to {} σ {} (largest \
+                 difference){least}. {CONDITION}",
                 number(largest.value),
                 under(self.layer, largest.thickness),
             ),
@@ -156,11 +159,11 @@ impl<'a> Series<'a> {
     }
 }
 
-/// A threshold in words.
+/// A threshold as text.
 fn depth(thickness: Option<f64>) -> String {
     match thickness {
         None => "less than 1 pm".to_owned(),
-        Some(f64::INFINITY) => "none up to 1 m matters".to_owned(),
+        Some(f64::INFINITY) => "no effect up to 1 m".to_owned(),
         // It is known to 1 %.
         Some(t) => quantity(format!("{t:.1e}").parse().unwrap_or(t), "m"),
     }

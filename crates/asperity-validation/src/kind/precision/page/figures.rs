@@ -1,4 +1,4 @@
-//! The pictures: the error along x, the time along y.
+//! The figures: error along x, time along y.
 
 use crate::kind::precision::run::CasePrecision;
 use crate::precision::curve::{CurveFindings, CurvePoint};
@@ -12,10 +12,10 @@ use crate::precision::{Cost, LEVELS};
 use asperity::compare::{Kind, LimitPoint, Quantity};
 use asperity_plot::{Axis, Colour, Dash, Figure, Layer, Marker, Plot};
 
-/// What is more exact stands here: no `f64` shows it.
+/// Smaller errors are shown at this value.
 const FLOOR: f64 = 3e-17;
 
-/// The colour of what is shipped, wherever it stands.
+/// The colour of the shipped method.
 const SHIPPED: Colour = Colour::Series(6);
 
 fn error_axis() -> Axis {
@@ -38,7 +38,7 @@ fn series(points: Vec<(f64, f64)>, name: &str, colour: Colour, dash: Dash, marke
 type Use = (Family, bool, bool, &'static str);
 
 fn rules_plot(title: &str, found: &IntegralFindings, uses: &[Use]) -> Plot {
-    let mut plot = Plot::new(title, error_axis(), Axis::log("time a separation (µs)")).height(430.0);
+    let mut plot = Plot::new(title, error_axis(), Axis::log("time per separation (µs)")).height(430.0);
     for level in LEVELS {
         plot = plot.with(Layer::at_x(level, ""));
     }
@@ -64,7 +64,7 @@ fn rules_plot(title: &str, found: &IntegralFindings, uses: &[Use]) -> Plot {
 /// Gauss-Legendre, with and without what makes its integrand smooth.
 pub fn legendre(found: &IntegralFindings) -> String {
     let uses = [
-        (Family::Legendre, false, false, "as it is"),
+        (Family::Legendre, false, false, "plain"),
         (Family::Legendre, false, true, "substituted"),
         (Family::Legendre, true, false, "split"),
         (Family::Legendre, true, true, "split and substituted"),
@@ -88,7 +88,7 @@ pub fn rules(found: &IntegralFindings) -> String {
         (Family::Midpoint, true, true, "midpoint"),
         (Family::Trapezoid, true, true, "trapezoid"),
         (Family::Simpson, true, true, "Simpson"),
-        (Family::Kronrod, false, false, "Gauss-Kronrod as it is"),
+        (Family::Kronrod, false, false, "Gauss-Kronrod, plain"),
         (Family::Kronrod, true, false, "Gauss-Kronrod, split"),
         (Family::Kronrod, true, true, "Gauss-Kronrod, split and substituted"),
     ];
@@ -99,7 +99,7 @@ pub fn rules(found: &IntegralFindings) -> String {
     Figure::row("Other rules", plots).svg()
 }
 
-/// Ways that touch every asperity are dashed.
+/// Methods that visit every asperity are dashed.
 fn way_style(way: Way) -> (Colour, Dash, Marker) {
     if way == Way::SHIPPED {
         return (SHIPPED, Dash::Solid, Marker::Cross);
@@ -126,30 +126,30 @@ fn per_asperity(point: &SumPoint) -> f64 {
     1e9 * point.cost.seconds / point.asperities as f64
 }
 
-/// Ways to add up: time against error by the number of asperities, and time against their number.
+/// Summation methods: time against error by the number of asperities, and time against their number.
 pub fn sums(case: &CasePrecision) -> String {
     let points: Vec<&SumPoint> = case.sums.iter().filter(|p| p.sweep == Sweep::Asperities).collect();
-    let axis = || Axis::log("time an asperity and separation (ns)");
+    let axis = || Axis::log("time per asperity and separation (ns)");
     let error = Axis::log("relative error (the larger of area and load)");
     let left = Plot::new("time against error", error, axis());
     let right = Plot::new("time against size", Axis::log("number of asperities"), axis());
     let left = with_ways(left, &points, |p| (p.cost.error.max(FLOOR), per_asperity(p)));
     let right = with_ways(right, &points, |p| (p.asperities as f64, per_asperity(p)));
-    Figure::row("Ways to add up", vec![left, right]).svg()
+    Figure::row("Summation methods", vec![left, right]).svg()
 }
 
-/// How ordering is paid back by the number of separations.
+/// Time by the number of separations, with and without ordering.
 pub fn separations(case: &CasePrecision) -> String {
     let points: Vec<&SumPoint> = case.sums.iter().filter(|p| p.sweep == Sweep::Separations).collect();
     let plot = Plot::new(
         "Time by the number of separations",
         Axis::log("number of separations"),
-        Axis::log("time a separation (µs), ordering included"),
+        Axis::log("time per separation (µs), ordering included"),
     );
     with_ways(plot, &points, |p| (p.separations as f64, 1e6 * p.cost.seconds)).svg()
 }
 
-/// Curves within a tolerance: what they cost by their tolerance and by their error.
+/// Curves within a tolerance: time by tolerance and by error.
 pub fn curves(found: &CurveFindings) -> String {
     let plot = |kind: Kind, title: &str| {
         let milliseconds = |point: &CurvePoint| 1e3 * point.seconds;
@@ -172,7 +172,7 @@ pub fn curves(found: &CurveFindings) -> String {
         plot = plot.with(
             Layer::points(off.collect::<Vec<_>>(), Marker::Cross)
                 .coloured(SHIPPED)
-                .named("error that is found"),
+                .named("error found"),
         );
         let mut exact = of_kind().filter(|point| point.tolerance.is_none());
         if let Some((few, all)) = exact.next().zip(exact.next()) {
@@ -188,7 +188,7 @@ pub fn curves(found: &CurveFindings) -> String {
     Figure::row("Curves within a tolerance", plots).svg()
 }
 
-/// What an asperity of a list costs, by the length of the list.
+/// Time per asperity of a list, by the length of the list.
 pub fn lists(points: &[ListPoint]) -> String {
     let each = |seconds: fn(&ListPoint) -> f64| -> Vec<(f64, f64)> {
         let size = |point: &ListPoint| point.asperities as f64;
@@ -199,11 +199,11 @@ pub fn lists(points: &[ListPoint]) -> String {
     let sum = each(|point| point.sum_seconds);
     let times = || read.iter().chain(&sum).map(|(_, time)| *time);
     let [least, most] = [times().fold(f64::INFINITY, f64::min), times().fold(0.0, f64::max)];
-    // With room on both sides, so that what is nearly level looks so.
-    let axis = Axis::log("time an asperity (ns)").range(0.3 * least, 2.0 * most);
-    let mut plot = Plot::new("Time an asperity of a list", Axis::log("number of asperities"), axis);
-    let adding = format!("adding up at {separations} separations");
-    for (k, (line, name)) in [(read, "reading the file"), (sum, &adding)].into_iter().enumerate() {
+    // With margins, so that nearly horizontal lines look horizontal.
+    let axis = Axis::log("time per asperity (ns)").range(0.3 * least, 2.0 * most);
+    let mut plot = Plot::new("Time per asperity of a list", Axis::log("number of asperities"), axis);
+    let summing = format!("summing at {separations} separations");
+    for (k, (line, name)) in [(read, "reading the file"), (sum, &summing)].into_iter().enumerate() {
         for layer in series(line, name, Colour::Series(k), Dash::Solid, Marker::Circle) {
             plot = plot.with(layer);
         }
@@ -211,7 +211,7 @@ pub fn lists(points: &[ListPoint]) -> String {
     plot.svg()
 }
 
-/// Scatter of random sets, and what they say of it themselves; then what it costs.
+/// Scatter of random sets, measured and estimated; then the time.
 pub fn sampling(found: &SamplingFindings) -> String {
     let mut separations: Vec<f64> = found.points.iter().map(separation).collect();
     separations.sort_by(f64::total_cmp);
@@ -222,7 +222,7 @@ pub fn sampling(found: &SamplingFindings) -> String {
     let mut right = Plot::new(
         "time against error",
         Axis::log("relative error of the load"),
-        Axis::log("time to draw a set and add it up (s)"),
+        Axis::log("time to draw and sum a set (s)"),
     );
     let error = |point: &LimitPoint| point.scatter(Quantity::Load).1;
     for (index, h) in separations.iter().enumerate() {
@@ -236,7 +236,7 @@ pub fn sampling(found: &SamplingFindings) -> String {
                 Layer::line(said.collect::<Vec<_>>())
                     .coloured(colour)
                     .dashed(Dash::Dashed)
-                    .named("as the sums say"),
+                    .named("estimated by the sums"),
             )
             .with(Layer::points(measured, Marker::Circle).coloured(colour).named(&name));
         let time = |point: &&LimitPoint| {
@@ -263,13 +263,13 @@ fn statistic_name(statistic: Statistic) -> &'static str {
     }
 }
 
-/// What a finer grid and a larger map do to the statistics of summits.
+/// Effect of a finer grid and a larger map on the statistics of summits.
 pub fn grid(found: &GridFindings) -> String {
     let largest = found.points.iter().map(|point| point.lengths).fold(0.0, f64::max);
     let of_largest: Vec<&GridPoint> = found.points.iter().filter(|point| point.lengths == largest).collect();
     let mut left = Plot::new(
         "bias of the grid (theory)",
-        Axis::log("points a correlation length"),
+        Axis::log("points per correlation length"),
         Axis::log("relative error, without sign"),
     );
     let mut right = Plot::new(
@@ -313,7 +313,7 @@ pub fn surface_work(found: &GridFindings) -> String {
         let points = found.points.iter().filter(|point| point.per_length == *per_length);
         let line = points.map(|point| (point.error(Statistic::Radius), point.seconds)).collect();
         let unit = if *per_length == 1.0 { "point" } else { "points" };
-        let name = format!("{per_length} {unit} a length");
+        let name = format!("{per_length} {unit} per length");
         let colour = Colour::Ordered { index, of: grids.len() };
         for layer in series(line, &name, colour, Dash::Solid, Marker::Circle) {
             plot = plot.with(layer);

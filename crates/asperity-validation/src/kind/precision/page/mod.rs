@@ -1,10 +1,10 @@
-//! The page of `[precision]`: what integrals, sums and surfaces cost, how exact they are, and what is fastest.
+//! The page of `[precision]`: time and error of integrals, sums and surfaces, and the fastest methods.
 //!
-//! | module | what lives there |
+//! | module | contents |
 //! |---|---|
 //! | `figures` | time against error |
 //! | `scale` | curves of many separations, lists of many asperities |
-//! | `physics` | what one buys with more asperities, points, surface |
+//! | `physics` | effect of more asperities, points, surface |
 
 mod figures;
 mod physics;
@@ -23,13 +23,14 @@ use asperity_framework::report::sections;
 pub fn page(results: &PrecisionResults) -> Page {
     let mut page = Page::new(&results.metadata.title);
     sections::notes(&mut page, &results.metadata);
-    page.heading(2, "In short");
+    page.heading(2, "Summary");
     let mut short: Vec<String> = results.cases.iter().flat_map(in_short).collect();
     short.extend(physics::in_short(results));
     page.bullets(short);
     page.paragraph(
-        "Times are of this program on the machine that wrote this report, each the median of runs in which all candidates took turns; \
-         a measurement lasts 1 ms at the least. They differ from machine to machine and from run to run: trust ratios beyond some 10 %.",
+        "Times were measured on the machine that wrote this report: each is the median of interleaved runs of all \
+         candidates, with at least 1 ms per measurement. They vary between machines and between runs; ratios are \
+         significant beyond about 10 %.",
     );
     sections::what_was_run(&mut page, &results.metadata, &results.contact);
     populations(&mut page, results);
@@ -60,7 +61,7 @@ fn populations(page: &mut Page, results: &PrecisionResults) {
         }),
     );
     page.paragraph(&format!(
-        "Law {}; {} unless the number is given.",
+        "Law {}; {} unless stated otherwise.",
         escape(&results.law),
         thread_count(results.threads)
     ));
@@ -70,12 +71,12 @@ fn thread_count(threads: usize) -> String {
     if threads == 1 { "one thread".to_owned() } else { format!("{threads} threads") }
 }
 
-/// Seconds as people read short times.
+/// A time in seconds with a suitable prefix.
 fn time(seconds: f64) -> String {
     quantity(seconds, "s")
 }
 
-/// The winners of one population, in words.
+/// The fastest methods for one population.
 fn in_short(case: &CasePrecision) -> Vec<String> {
     let of = |what: Of| case.findings.winners.iter().filter(move |winner| winner.of == what);
     let mut lines = Vec::new();
@@ -100,43 +101,43 @@ fn in_short(case: &CasePrecision) -> Vec<String> {
 fn in_words(winner: &Winner) -> String {
     let level = level(winner);
     let Some((fastest, cost)) = &winner.fastest else {
-        return format!("within {level} no way that was looked at");
+        return format!("none of the methods tested is within {level}");
     };
     let (name, time) = (candidate_words(fastest), time(cost.seconds));
     match winner.shipped_over_fastest {
         _ if winner.is_shipped() => {
-            format!("within {level} the shipped one is the fastest ({time} a separation)")
+            format!("within {level} the shipped method is the fastest ({time} per separation)")
         }
         Some(ratio) => format!(
-            "within {level} the fastest is {name} ({time} a separation), and the shipped one takes {} times that",
+            "within {level} the fastest is {name} ({time} per separation), and the shipped method takes {} times that",
             number(two_digits(ratio))
         ),
         None => format!(
-            "within {level} the fastest is {name} ({time} a separation), and the shipped one is not within it"
+            "within {level} the fastest is {name} ({time} per separation), and the shipped method exceeds this error"
         ),
     }
 }
 
-/// A ratio of times, of which more digits say nothing.
+/// A ratio of times to two significant digits.
 fn two_digits(ratio: f64) -> f64 {
     format!("{ratio:.1e}").parse().unwrap_or(ratio)
 }
 
-/// From how many separations on ordering is paid back.
+/// The number of separations beyond which ordering saves time.
 fn ordering_words(case: &CasePrecision, found: Ordering) -> String {
     format!(
-        "**Ordering, {}**: of {} asperities it is {}.",
+        "**Ordering, {}**: for {} asperities it {}.",
         escape(&case.name),
         count(found.asperities),
         match found.paid_back_by {
-            Some(1) => "paid back by the first separation".to_owned(),
-            Some(separations) => format!("paid back by {} separations or fewer", count(separations)),
-            None => "not paid back by any number of separations that was looked at".to_owned(),
+            Some(1) => "saves time from the first separation".to_owned(),
+            Some(separations) => format!("saves time from {} separations or fewer", count(separations)),
+            None => "saves no time for any number of separations tested".to_owned(),
         }
     )
 }
 
-/// What more threads do.
+/// The effect of more threads.
 fn thread_words(case: &CasePrecision, found: Speedup) -> String {
     format!(
         "**Threads, {}**: on {} the shipped sum of {} asperities takes {} of the time that it takes on {}.",
@@ -154,7 +155,7 @@ fn winner_table(page: &mut Page, results: &PrecisionResults, of: Of) {
         winners.map(|winner| winner_row(&case.name, winner)).collect::<Vec<_>>()
     };
     page.table(
-        ["case", "error at most", "fastest", "its error", "time a separation", "shipped over fastest"],
+        ["case", "error at most", "fastest", "its error", "time per separation", "shipped over fastest"],
         results.cases.iter().flat_map(of_case),
     );
 }
@@ -170,7 +171,7 @@ fn winner_row(case: &str, winner: &Winner) -> Vec<String> {
     vec![case.to_owned(), level(winner), name, error, seconds, ratio]
 }
 
-/// The error that is allowed.
+/// The permitted error.
 fn level(winner: &Winner) -> String {
     if winner.level == FOUR_ULP { "4 ulp".to_owned() } else { number(winner.level) }
 }
@@ -179,21 +180,27 @@ fn integrals(page: &mut Page, results: &PrecisionResults) {
     page.heading(2, "The integral");
     let separations: Vec<String> = results.separations.iter().map(|&h| number(h)).collect();
     page.paragraph(&format!(
-        "Area and load at d/σ = {}. The error is the largest over these separations, of area and load; the time is that of one \
-         separation. The reference is a tanh-sinh rule in 32 digits, from the equations of the law alone. Errors below 3e-17 are shown there.",
+        "Area and load at d/σ = {}. Error: the largest over these separations, of area and load. Time: per separation. \
+         Reference: a tanh-sinh rule in 32 digits, from the equations of the law alone. Errors below 3e-17 are shown at \
+         3e-17.",
         separations.join(", ")
     ));
     page.bullets([
-        "All rules evaluate the same contact at their nodes, area and load at once, and nothing else: nodes and weights are made before. \
-         **The shipped rule** is timed as it is shipped, with regimes, contacts and stiffness besides. Its nodes are those of Gauss-Legendre in panels, order 24.",
-        "*Split*: at the indentations where the law changes, w1 and w2. *Substituted*: s = w^½ is the variable, which takes the root out of \
-         the load at w = 0. *In panels*: the density falls by at most exp(-20) over each.",
-        "Rules of a finite domain (Legendre, Chebyshev, midpoint, trapezoid, Simpson, Gauss-Kronrod) end where the density has fallen by exp(-40). \
+        "All rules evaluate area and load of the same contact at their nodes, and nothing else; nodes and weights are \
+         computed beforehand. **The shipped rule** is timed as in production and also returns regimes, contacts and \
+         stiffness. Its nodes are those of Gauss-Legendre in panels, order 24.",
+        "*Split*: at the indentations where the law changes, w1 and w2. *Substituted*: s = w^½ is the variable, which \
+         removes the square root of the load at w = 0. *In panels*: the density decreases by at most exp(-20) over each.",
+        "Rules of a finite domain (Legendre, Chebyshev, midpoint, trapezoid, Simpson, Gauss-Kronrod) end where the density \
+         has decreased by exp(-40). \
          Chebyshev's rules are divided by their weights.",
-        "Gauss-Jacobi has the weight w^½ for the load of the segment that begins at w = 0, and none for its area: two sets of nodes there. It needs no substitution.",
-        "Gauss-Laguerre takes all that lies above the flat at once, or only what lies behind w2, with Gauss-Legendre before it; its scale is the mean \
-         indentation. Gauss-Hermite takes all heights and leaves out those below the flat, where the contact begins with a kink.",
-        "Gauss-Kronrod (quad-rs) is asked for a relative tolerance of area and load together, the density at the flat taken out first.",
+        "Gauss-Jacobi has the weight w^½ for the load of the segment that begins at w = 0, and none for its area, hence \
+         two sets of nodes. It needs no substitution.",
+        "Gauss-Laguerre covers all heights above the flat, or only those beyond w2, with Gauss-Legendre below; its scale \
+         is the mean indentation. Gauss-Hermite covers all heights and omits those below the flat, where the integrand has \
+         a kink.",
+        "Gauss-Kronrod (quad-rs) uses a relative tolerance of area and load together, after division by the density at the \
+         flat.",
     ]);
     for case in &results.cases {
         let Some(found) = &case.integral else { continue };
@@ -201,13 +208,14 @@ fn integrals(page: &mut Page, results: &PrecisionResults) {
         page.figure(
             &format!("{}-legendre.svg", file(&case.name)),
             figures::legendre(found),
-            "Gauss-Legendre of growing order: what splitting and the substitution do. Vertical lines: the errors at which a winner is named. \
+            "Gauss-Legendre by order: effect of splitting and substitution. Vertical lines: the errors at which the \
+             fastest rule is determined. \
              Cross and dotted line: the shipped rule.",
         );
         page.figure(
             &format!("{}-rules.svg", file(&case.name)),
             figures::rules(found),
-            "All other rules, each as well as it can be used. Left: Gauss rules by order; right: equal steps by their number, and adaptive \
+            "All other rules, each in its best form. Left: Gauss rules by order; right: equal steps by their number, and adaptive \
              Gauss-Kronrod by tolerance. Cross and dotted line: the shipped rule.",
         );
         same_nodes(page, found);
@@ -215,11 +223,11 @@ fn integrals(page: &mut Page, results: &PrecisionResults) {
     winner_table(page, results, Of::Integral);
 }
 
-/// The shipped rule beside its own nodes in the loop of all others.
+/// The shipped rule compared with its own nodes in the common loop.
 fn same_nodes(page: &mut Page, found: &IntegralFindings) {
     let Some((shipped, nodes)) = found.shipped().zip(found.shipped_nodes()) else { return };
     page.paragraph(&format!(
-        "The shipped rule takes {} a separation with an error of {}; its nodes in the loop of all others ({}) take {} with {}.",
+        "The shipped rule takes {} per separation with an error of {}; its nodes in the common loop ({}) take {} with {}.",
         time(shipped.cost.seconds),
         number(shipped.cost.error),
         rule_words(&nodes.rule),
@@ -232,32 +240,36 @@ fn sums(page: &mut Page, results: &PrecisionResults) {
     page.heading(2, "The sum");
     let [from, to] = SEPARATIONS;
     page.paragraph(&format!(
-        "Random sets of equal radii. Separations are spread evenly from {from} to {to} σ, {POINTS} of them unless their number is varied, on one \
-         thread unless that is. The error is against the sum of the very same terms in 32 digits, the largest over the separations, of area and load. \
-         Ordering, where a way does it, is part of its time.",
+        "Random sets of equal radii. Separations are spread evenly from {from} to {to} σ, {POINTS} of them on one thread \
+         unless these are varied. Error: relative to the sum of the same terms in 32 digits, the largest over the \
+         separations, of area and load. Times include ordering.",
     ));
     page.bullets([
-        "*Naive*: one term after the other. *Chunks*: 4,096 terms at a time, then the chunks, so that threads can share the work and the order is fixed. \
-         *Compensated*: the same with the rounding error of every addition kept. All ask the law asperity by asperity.",
-        "*Ordered*: asperities are sorted by height first, so that those below the flat are never touched; otherwise each separation looks at all.",
-        "*Vectorised*: the deterministic model, compensated sums in the registers of the machine, each separation by itself. **Shipped**: the same with all \
-         separations at once, blocks of asperities ordered by the separation that first touches them. Both answer regimes, contacts, stiffness and sampling \
-         errors besides.",
+        "*Naive*: one term after the other. *Chunks*: 4,096 terms at a time, then the chunks, so that threads can share \
+         the work and the order is fixed. *Compensated*: the same with compensated summation. All evaluate the law \
+         asperity by asperity.",
+        "*Ordered*: asperities are sorted by height first, so that those below the flat are skipped; otherwise each \
+         separation visits all of them.",
+        "*Vectorised*: the deterministic model, compensated sums in vector registers, one separation at a time. \
+         **Shipped**: the same for all separations at once, with blocks of asperities ordered by the separation of first \
+         contact. Both also return regimes, contacts, stiffness and sampling errors.",
     ]);
     for case in results.cases.iter().filter(|case| !case.sums.is_empty()) {
         page.heading(3, &case.name);
         page.figure(
             &format!("{}-sums.svg", file(&case.name)),
             figures::sums(case),
-            "Time of an asperity and separation, against the error (left; along a line the sets grow) and against the number of asperities (right). \
-             Dashed: every asperity is looked at; solid: asperities are ordered first.",
+            "Time per asperity and separation against the error (left; the number of asperities increases along each line) \
+             and against the number of asperities (right). Dashed: all asperities are visited; solid: asperities are \
+             ordered first.",
         );
         if case.sums.iter().any(|point| point.sweep == Sweep::Separations) {
             page.figure(
                 &format!("{}-separations.svg", file(&case.name)),
                 figures::separations(case),
                 &format!(
-                    "{} asperities: time of a separation when several are asked for at once. Ordering is shared by all of them. One alone is at 2 σ.",
+                    "{} asperities: time per separation against the number of separations evaluated together, which share \
+                     the ordering. A single separation is at 2 σ.",
                     count(ASPERITIES)
                 ),
             );
@@ -266,7 +278,7 @@ fn sums(page: &mut Page, results: &PrecisionResults) {
         let asperities = largest.first().map_or(0, |point| point.asperities);
         page.paragraph(&format!("{} asperities, one thread:", count(asperities)));
         page.table(
-            ["way", "error", "in ulp", "time a separation", "an asperity"],
+            ["way", "error", "in ulp", "time per separation", "an asperity"],
             largest.iter().map(|point| {
                 vec![
                     point.way.name().to_owned(),
@@ -287,10 +299,10 @@ fn threads(page: &mut Page, case: &CasePrecision) {
     let Some(first) = of_sweep().next() else { return };
     let mut numbers: Vec<usize> = of_sweep().map(|point| point.threads).collect();
     numbers.dedup();
-    page.paragraph(&format!("{} asperities on several threads, time a separation:", count(first.asperities)));
-    let metadata = ["way".to_owned()].into_iter().chain(numbers.iter().map(|&n| thread_count(n)));
+    page.paragraph(&format!("{} asperities on several threads, time per separation:", count(first.asperities)));
+    let header = ["method".to_owned()].into_iter().chain(numbers.iter().map(|&n| thread_count(n)));
     page.table(
-        metadata,
+        header,
         Way::ALL.into_iter().filter(|way| of_sweep().any(|point| point.way == *way)).map(|way| {
             let at = |threads: &usize| {
                 let point = of_sweep().find(|point| point.way == way && point.threads == *threads);
@@ -301,7 +313,7 @@ fn threads(page: &mut Page, case: &CasePrecision) {
     );
 }
 
-/// A name of a case as a part of a file's.
+/// A name of a case as part of a file name.
 fn file(name: &str) -> String {
     name.chars().map(|c| if c.is_alphanumeric() || c == '-' || c == '_' { c } else { '-' }).collect()
 }

@@ -1,4 +1,4 @@
-//! What more asperities, more points and more surface buy.
+//! Effect of more asperities, more points and more surface.
 
 use super::{figures, file, time, two_digits};
 use crate::kind::precision::run::{CasePrecision, PrecisionResults};
@@ -8,7 +8,7 @@ use asperity::compare::{FEWEST_CONTACTS, Quantity};
 use asperity_framework::report::format::{count, number, percent};
 use asperity_framework::report::page::{Page, escape};
 
-/// What one buys, in words.
+/// Summary of these effects.
 pub fn in_short(results: &PrecisionResults) -> Vec<String> {
     let mut lines: Vec<String> = results.cases.iter().filter_map(asperities_in_short).collect();
     lines.extend(results.grid.as_ref().and_then(grid_in_short));
@@ -28,8 +28,8 @@ fn asperities_in_short(case: &CasePrecision) -> Option<String> {
 fn grid_in_short(found: &GridFindings) -> Option<String> {
     let Doubling { bias, scatter, time } = found.doubling()?;
     Some(format!(
-        "**Surface**: twice the points a length cost {cost} times the time and make the bias of the radius {} times smaller; twice the side costs as much \
-         and makes the scatter of the density {} times smaller. A finer grid does not help where the map is too small, nor a larger map where the grid is too coarse.",
+        "**Surface**: twice the points per correlation length cost {cost} times the time and make the bias of the radius \
+         {} times smaller; twice the side costs the same and makes the scatter of the density {} times smaller. A finer grid does not help where the map is too small, nor a larger map where the grid is too coarse.",
         number(two_digits(bias)),
         number(two_digits(scatter)),
         cost = number(two_digits(time)),
@@ -39,11 +39,11 @@ fn grid_in_short(found: &GridFindings) -> Option<String> {
 /// The sections on random sets and on random maps.
 pub fn sections(page: &mut Page, results: &PrecisionResults) {
     if results.cases.iter().any(|case| case.sampling.is_some()) {
-        page.heading(2, "How many asperities");
+        page.heading(2, "Number of asperities");
         page.paragraph(&format!(
-            "{} random sets of each size are summed and compared with the integral that they must approach. The root mean square of their errors \
-             is what a single set is off by; each sum also states a sampling error for itself, from its own asperities alone. With fewer than \
-             {FEWEST_CONTACTS} contacts neither says much.",
+            "{} random sets of each size are summed and compared with the integral, their limit. The root mean square of \
+             their errors is the error of a single set; each sum also estimates its sampling error from its own \
+             asperities. With fewer than {FEWEST_CONTACTS} contacts neither is reliable.",
             results.draws
         ));
         for case in &results.cases {
@@ -62,19 +62,19 @@ fn sets(page: &mut Page, case: &CasePrecision, found: &SamplingFindings) {
     page.figure(
         &format!("{}-sampling.svg", file(&case.name)),
         figures::sampling(found),
-        "Left: error of the load by the number of asperities: measured (circles) and as the sums state it (dashed). Right: the time that \
-         it takes to draw a set and add it up at all these separations, against the measured error.",
+        "Left: error of the load against the number of asperities, measured (circles) and estimated by the sums (dashed). \
+         Right: time to draw a set and sum it at all these separations, against the measured error.",
     );
     let largest = found.points.iter().map(|point| point.count).max().unwrap_or(0);
     let seconds =
         found.seconds.iter().find(|(count, _)| *count == largest).map_or(0.0, |(_, seconds)| *seconds);
     page.paragraph(&format!(
-        "Sets of {} asperities, which take {} to draw and add up:",
+        "Sets of {} asperities, {} to draw and sum:",
         count(largest),
         time(seconds)
     ));
     page.table(
-        ["d/σ", "expected contacts", "area off by", "as stated", "load off by", "as stated"],
+        ["d/σ", "expected contacts", "area error", "estimated", "load error", "estimated"],
         found.points.iter().filter(|point| point.count == largest).map(|point| {
             let pair = |quantity| [percent(point.scatter(quantity).1), percent(stated(point, quantity))];
             let mut row = vec![number(separation(point)), number(point.expected_contacts())];
@@ -83,7 +83,7 @@ fn sets(page: &mut Page, case: &CasePrecision, found: &SamplingFindings) {
         }),
     );
     page.paragraph(&format!(
-        "For a load within 1 % at d/σ = {} it takes about {} asperities, within 0.1 % about {}: a hundred times as many.",
+        "A load within 1 % at d/σ = {} requires about {} asperities, within 0.1 % about {}: a hundred times as many.",
         number(found.least_separation()),
         number(two_digits(found.needed(0.01))),
         number(two_digits(found.needed(0.001))),
@@ -91,34 +91,35 @@ fn sets(page: &mut Page, case: &CasePrecision, found: &SamplingFindings) {
 }
 
 fn maps(page: &mut Page, found: &GridFindings) {
-    page.heading(2, "How much surface");
+    page.heading(2, "Size of the surface");
     page.paragraph(
-        "Random Gaussian surfaces with the autocorrelation exp(-(r/l)²), for which the five-point summits on a grid are known in theory. *Bias*: what \
-         theory expects on this grid beside what it expects on a fine one; it does not shrink with the map. *Scatter*: how far a single map is from \
-         theory on its own grid, root mean square; it does not shrink with the grid. The fine grid has 1.306 times the summits of a continuous \
-         surface (Nayak), since five points also count saddles: no grid takes that away.",
+        "Random Gaussian surfaces with the autocorrelation exp(-(r/l)²), for which the five-point summits on a grid are known in theory. *Bias*: \
+         theory on this grid relative to theory on a fine grid; it does not decrease with the size of the map. *Scatter*: \
+         deviation of a single map from theory on its own grid, root mean square; it does not decrease with a finer grid. The fine grid has 1.306 times the summits of a continuous \
+         surface (Nayak), since the five-point criterion also counts saddles, on any grid.",
     );
     page.figure(
         "grid.svg",
         figures::grid(found),
-        "Left: bias by points a correlation length. Right: scatter by the number of summits, maps of all grids.",
+        "Left: bias against points per correlation length. Right: scatter against the number of summits, maps of all \
+         grids.",
     );
     page.figure(
         "surface-work.svg",
         figures::surface_work(found),
-        "Time for a map and its summits against both errors of the radius together. Along a line the map grows; where the line turns up, \
-         only a finer grid helps.",
+        "Time for a map and its summits against both errors of the radius together. The size of the map increases along \
+         each line; where the line turns up, only a finer grid reduces the error.",
     );
     page.table(
         [
-            "points a length",
-            "density off by",
-            "radius off by",
-            "σ off by",
+            "points per length",
+            "density bias",
+            "radius bias",
+            "σ bias",
             "sides [l]",
             "points",
             "summits",
-            "density scatters",
+            "density scatter",
             "radius",
             "σ",
             "time",
@@ -133,8 +134,8 @@ fn maps(page: &mut Page, found: &GridFindings) {
             row
         }),
     );
-    if let Some(words) = cheapest(found) {
-        page.paragraph(&words);
+    if let Some(text) = cheapest(found) {
+        page.paragraph(&text);
     }
 }
 
@@ -143,7 +144,7 @@ fn cheapest(found: &GridFindings) -> Option<String> {
     let best = |error: f64| {
         let best = found.cheapest(error)?;
         Some(format!(
-            "within {} it has {} points a length and {} lengths a side ({})",
+            "within {} it has {} points per length and {} lengths per side ({})",
             percent(error),
             number(best.per_length),
             number(best.lengths),

@@ -9,15 +9,15 @@ use asperity::compare::Kind;
 use asperity_framework::report::format::{count, number, quantity};
 use asperity_framework::report::page::{Page, escape};
 
-/// What curves and lists cost, in words.
+/// Time of curves and lists.
 pub fn in_short(case: &CasePrecision) -> Vec<String> {
     let curve = case.curve.as_ref().and_then(easy_words);
-    let curve = curve.map(|words| format!("**A curve, {}**: {words}.", escape(&case.name)));
-    let list = list_words(&case.lists).map(|words| format!("**Lists, {}**: {words}.", escape(&case.name)));
+    let curve = curve.map(|text| format!("**A curve, {}**: {text}.", escape(&case.name)));
+    let list = list_words(&case.lists).map(|text| format!("**Lists, {}**: {text}.", escape(&case.name)));
     curve.into_iter().chain(list).collect()
 }
 
-/// How the integral or the sum is called here.
+/// Name of the model on this page.
 const fn model(kind: Kind) -> &'static str {
     match kind {
         Kind::Statistical => "integral",
@@ -25,14 +25,14 @@ const fn model(kind: Kind) -> &'static str {
     }
 }
 
-/// The cost at the tolerances of [`EASY`], of those that were looked at.
+/// The cost at the tolerances of [`EASY`], of those tested.
 fn easy_words(found: &CurveFindings) -> Option<String> {
     let at = |(kind, tolerance): (Kind, f64)| {
         let is_it = |point: &&CurvePoint| point.kind == kind && point.tolerance == Some(tolerance);
         let point = found.points.iter().find(is_it)?;
         let beside = found.yardstick(kind)?;
         Some(format!(
-            "{} separations of the {}{} within {} (found: {}) take {} times the time of {} exact ones",
+            "{} separations of the {}{} within {} (error found: {}) take {} times the time of {} exact ones",
             count(point.separations),
             model(kind),
             if kind == Kind::Deterministic {
@@ -46,19 +46,19 @@ fn easy_words(found: &CurveFindings) -> Option<String> {
             count(beside.separations),
         ))
     };
-    let words: Vec<String> = EASY.into_iter().filter_map(at).collect();
-    (!words.is_empty()).then(|| words.join("; "))
+    let parts: Vec<String> = EASY.into_iter().filter_map(at).collect();
+    (!parts.is_empty()).then(|| parts.join("; "))
 }
 
 fn list_words(lists: &[ListPoint]) -> Option<String> {
     let LongLists { shortest: first, longest: last, seconds_per_asperity } = LongLists::of(lists)?;
     let memory = last.peak_bytes.map_or_else(String::new, |bytes| {
-        format!(", with {} of memory at the most", quantity(two_digits(bytes as f64), "B"))
+        format!(", with {} of memory at most", quantity(two_digits(bytes as f64), "B"))
     });
     let [least, most] = seconds_per_asperity.map(|each| time(two_digits(each)));
     let spread = if least == most { most } else { format!("{least} to {most}") };
     let range = if first.asperities == last.asperities {
-        format!("an asperity of {} takes {spread}", count(first.asperities))
+        format!("with {} asperities, each takes {spread}", count(first.asperities))
     } else {
         format!(
             "from {} to {} asperities each takes {spread}",
@@ -67,7 +67,7 @@ fn list_words(lists: &[ListPoint]) -> Option<String> {
         )
     };
     Some(format!(
-        "{range} to be read from a file and added up at {} separations; {} take {}{memory}",
+        "{range} to be read from a file and summed at {} separations; {} take {}{memory}",
         last.separations,
         count(last.asperities),
         time(two_digits(last.read_seconds + last.sum_seconds)),
@@ -82,9 +82,9 @@ pub fn curves(page: &mut Page, results: &PrecisionResults) {
     let [from, to] = SEPARATIONS;
     page.heading(2, "A curve within a tolerance");
     page.paragraph(&format!(
-        "{} separations spread evenly from {from} to {to} σ, of the integral and of the sum of {} asperities, on {}. With a tolerance the model \
-         answers at some of them; the others are interpolated and checked. *Off by*: the largest difference from the exact curve, in parts of it. \
-         The time is held against that of {} separations, all exact.",
+        "{} separations spread evenly from {from} to {to} σ, of the integral and of the sum of {} asperities, on {}. With \
+         a tolerance the model is evaluated at some of them; the others are interpolated and checked. *Error*: the largest \
+         relative difference from the exact curve. Times are relative to {} separations, all exact.",
         count(many.separations),
         count(first.asperities),
         thread_count(results.threads),
@@ -96,7 +96,7 @@ pub fn curves(page: &mut Page, results: &PrecisionResults) {
             &format!("{}-curve.svg", file(&case.name)),
             figures::curves(found),
             &format!(
-                "Time of a curve of {} separations by its tolerance (line) and by the error that is found (crosses). Horizontal lines: {} exact \
+                "Time of a curve of {} separations against its tolerance (line) and against the error found (crosses). Horizontal lines: {} exact \
                  separations, twice that, and all {} exactly.",
                 count(many.separations),
                 count(few.separations),
@@ -108,11 +108,11 @@ pub fn curves(page: &mut Page, results: &PrecisionResults) {
                 "model",
                 "tolerance",
                 "separations",
-                "asked",
-                "area off by",
-                "load off by",
+                "evaluated",
+                "area error",
+                "load error",
                 "time",
-                "times the first",
+                "relative to the first",
             ],
             found.points.iter().map(|point| {
                 vec![
@@ -127,8 +127,8 @@ pub fn curves(page: &mut Page, results: &PrecisionResults) {
                 ]
             }),
         );
-        if let Some(words) = easy_words(found) {
-            page.paragraph(&format!("{words}."));
+        if let Some(text) = easy_words(found) {
+            page.paragraph(&format!("{text}."));
         }
     }
 }
@@ -139,9 +139,10 @@ pub fn lists(page: &mut Page, results: &PrecisionResults) {
     let Some(first) = all().next().and_then(|case| case.lists.first()) else { return };
     page.heading(2, "Lists from files");
     page.paragraph(&format!(
-        "Random sets are written as lists of heights and radii (`.npy`, 16 bytes an asperity), read back and added up at {} separations, on {}. \
-         The file is mapped into memory, not copied, and the system still holds what was just written: a disk may be slower. The sum makes no \
-         copy of the list. *Memory*: the most that the program had meanwhile, the mapped file included; *taken*: how much more than before.",
+        "Random sets are written as lists of heights and radii (`.npy`, 16 bytes per asperity), read back and summed at {} separations, on {}. \
+         The file is mapped into memory, not copied, and is still in the cache of the system: reading from disk may be \
+         slower. The sum makes no copy of the list. *Memory*: peak of the program, the mapped file included; *added*: the \
+         increase over the state before.",
         first.separations,
         thread_count(results.threads),
     ));
@@ -150,18 +151,18 @@ pub fn lists(page: &mut Page, results: &PrecisionResults) {
         page.figure(
             &format!("{}-lists.svg", file(&case.name)),
             figures::lists(&case.lists),
-            "Time an asperity by the length of the list. Level: the cost grows as the list.",
+            "Time per asperity against the length of the list. Horizontal: the time is proportional to the length.",
         );
         page.table(
             [
                 "asperities",
                 "to read",
-                "an asperity",
-                "to add up",
-                "an asperity",
+                "per asperity",
+                "to sum",
+                "per asperity",
                 "memory",
-                "taken",
-                "an asperity",
+                "added",
+                "per asperity",
             ],
             case.lists.iter().map(|point| {
                 let of_each = |value: f64| value / point.asperities as f64;
@@ -177,7 +178,7 @@ pub fn lists(page: &mut Page, results: &PrecisionResults) {
                     time(of_each(point.sum_seconds)),
                     bytes(point.peak_bytes.map(|bytes| bytes as f64)),
                     bytes(taken),
-                    // Of few, chance decides.
+                    // Not reliable for short lists.
                     bytes(taken.filter(|_| point.asperities >= LONG).map(of_each)),
                 ]
             }),

@@ -41,19 +41,20 @@ pub fn map(map: &Map) -> String {
     plot.svg()
 }
 
-/// What a map shows.
+/// Caption of a map.
 pub fn caption(map: &Map) -> &'static str {
     match map.name {
         "separation" => {
-            "The integral of a bare pair of steels under ZMC. White: an error of less than a tenth of a rounding, or none."
+            "Relative error of the integral for steel on steel under ZMC. White: less than a tenth of a rounding, or zero."
         }
         "transition" => {
-            "One contact of that pair for any ratio c = w₂/w₁: elastic left of w₁, plastic right of w₂. Between them the error grows as 1/(c − 1) where c \
-             is near 1: the rounding of w₁ alone moves the area so far."
+            "Relative error of a single contact of that pair for any ratio c = w₂/w₁: elastic left of w₁, plastic right of \
+             w₂. Between them the error increases as 1/(c − 1) where c is near 1, because of the rounding of w₁ alone."
         }
         _ => {
-            "One contact under a layer a tenth as stiff and as hard as the flat: at the left there is next to no layer, at the right nothing but layer. \
-             Stripes: elastic above, where the hardness does not matter, and plastic below, where the modulus does not."
+            "Relative error of a single contact under a layer a tenth as stiff and as hard as the flat, from uncoated \
+             (left) to bulk layer material (right). Stripes: elastic (top), where the hardness has no effect, and plastic \
+             (bottom), where the modulus has none."
         }
     }
 }

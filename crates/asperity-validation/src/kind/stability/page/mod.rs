@@ -1,4 +1,4 @@
-//! The page of stability: how far `f64` is off, and where.
+//! The page of `[stability]`: rounding errors of `f64`.
 
 mod figures;
 
@@ -21,29 +21,31 @@ pub fn page(results: &StabilityResults) -> Page {
     for warning in results.warnings() {
         page.warning(&escape(&warning));
     }
-    page.heading(2, "In short");
+    page.heading(2, "Summary");
     page.bullets(in_short(results));
     page.paragraph(
-        "Every number that the models give is held against one of about 32 digits, made from the equations alone: other formulas, no \
-         tables, double-double arithmetic, the tanh-sinh rule for integrals, slopes by differences. Half an ulp is 1.1e-16 at most.",
+        "All results of the models are compared with values of about 32 digits from an independent evaluation of the \
+         equations: other formulas, no tables, double-double arithmetic, the tanh-sinh rule for integrals, slopes by \
+         differences. Half an ulp is at most 1.1e-16.",
     );
     groups(&mut page, results);
-    page.heading(2, "Where the errors are");
+    page.heading(2, "Error maps");
     for map in &results.maps {
         page.figure(&format!("{}-errors.svg", map.name), figures::map(map), figures::caption(map));
     }
-    page.heading(2, "How it is checked");
-    page.bullets(JUDGED);
+    page.heading(2, "Method");
+    page.bullets(METHOD);
     let uncovered = uncovered_heights();
     if !uncovered.is_empty() {
         page.paragraph(&format!(
-            "Not covered, for want of an evaluation of 32 digits: integrals over the heights {}. Tests hold them against dense \
-             quadrature, within 1e-12.",
+            "Not covered, because there is no evaluation in 32 digits: integrals over the heights {}. Tests compare them \
+             with dense quadrature, within 1e-12.",
             uncovered.join(", ")
         ));
     }
-    page.heading(2, "The worst cases");
-    page.paragraph("Of each kind the case that uses most of its bound; `stability.csv` has that of every quantity of every group, and the medians.");
+    page.heading(2, "Worst cases");
+    page.paragraph("For each kind, the case closest to its bound. `stability.csv` has the worst case of every quantity of \
+    every group, and the medians.");
     for KindFindings { kind, worst, group, .. } in &results.kinds {
         page.paragraph(&format!(
             "**{}**: {} of {}, case {} of \"{}\".",
@@ -60,15 +62,18 @@ pub fn page(results: &StabilityResults) -> Page {
     page
 }
 
-const JUDGED: [&str; 6] = [
-    "An indentation, and d/σ of an integral, go in as they are: nothing is rounded before the first formula.",
-    "Of a sum, the separation d = mean + h σ is rounded once, and w = z − d feels it: by (1 + mean/σ) times as much where heights lie far from \
-     zero. So the answer is right if it lies between the exact answers for d less and more one rounding; \"plain\" errors are from the exact answer to the \
-     unrounded d.",
-    "Within the rounding of a boundary (16 ulp of it bare, 1e-13 under a layer) either side's answer counts: laws that jump there cannot be told apart.",
-    "Where c − 1 is small, the area of ZMC doubles within so narrow a range that the rounding of w₁ alone moves it by 1/(c − 1) roundings: see the map. \
-     The bounds grow by c/(c − 1), and cases have c from 1.01 on.",
-    "Sampling errors are checked as variances over the mean square: of equal asperities the variance is a difference of equal numbers.",
+const METHOD: [&str; 6] = [
+    "An indentation, and d/σ of an integral, are used without prior rounding.",
+    "For a sum, the separation d = mean + h σ is rounded once, which changes w = z − d, (1 + mean/σ) times as much where \
+     heights lie far from zero. A result is therefore correct if it lies between the exact results for d minus and plus \
+     one rounding; \"plain\" errors are relative to the exact result for the unrounded d.",
+    "Within the rounding of a boundary (16 ulp uncoated, 1e-13 under a layer) the results of both sides are accepted, \
+     because the law may jump there.",
+    "Where c − 1 is small, the area of ZMC doubles within so narrow a range that the rounding of w₁ alone changes it by \
+     1/(c − 1) roundings (see the map). \
+     The bounds increase by c/(c − 1), and cases have c from 1.01 on.",
+    "Sampling errors are checked as variances over the mean square, because the variance of equal asperities is a \
+     difference of equal numbers.",
     "Stiffnesses under a layer and under Jackson and Green are slopes of tables: their bound is 1e-11.",
 ];
 
@@ -79,20 +84,20 @@ fn in_short(results: &StabilityResults) -> Vec<String> {
         count(results.cases() as usize),
         results.groups.len(),
         if beyond == 0 {
-            "every one within its bound".to_owned()
+            "all within their bounds".to_owned()
         } else {
             format!("{beyond} of them beyond their bounds")
         },
         match (results.not_finite(), results.failures()) {
-            (0, 0) => "no NaN, no infinity, nothing refused and nothing left unjudged".to_owned(),
+            (0, 0) => "no NaN, no infinity, no failure, and all cases checked".to_owned(),
             (infinite, failures) =>
-                format!("{infinite} with a NaN or an infinity, {failures} not right or not checked in all"),
+                format!("{infinite} with a NaN or an infinity, {failures} failed or unchecked"),
         },
     )];
     lines.extend(results.kinds.iter().map(|found| {
         let KindFindings { kind, largest_error, worst, group } = found;
         format!(
-            "**{}**: relative errors of {} at most; nearest to its bound of {}: {} in \"{}\", {}.",
+            "**{}**: relative errors of at most {}; closest to its bound of {}: {} in \"{}\", {}.",
             kind.name(),
             error(*largest_error),
             error(worst.bound(*group)),
@@ -110,14 +115,14 @@ fn in_short(results: &StabilityResults) -> Vec<String> {
     lines
 }
 
-/// Two tables a kind: what the groups are, and their worst errors.
+/// Two tables per kind: the groups, and their worst errors.
 fn groups(page: &mut Page, results: &StabilityResults) {
     for kind in Kind::ALL {
         page.heading(2, &capital(kind.name()));
         let of_kind: Vec<&GroupFindings> =
             results.groups.iter().filter(|findings| findings.group.kind() == kind).collect();
         page.table(
-            ["group", "what", "cases", "not right"],
+            ["group", "description", "cases", "failures"],
             of_kind.iter().map(|findings| {
                 vec![
                     findings.group.name().to_owned(),
@@ -133,13 +138,13 @@ fn groups(page: &mut Page, results: &StabilityResults) {
         page.paragraph("The worst errors:");
         errors(page, &of_kind, true, |worst| worst.checked);
         if kind == Kind::Sum {
-            page.paragraph("Plain errors, the rounding of the separation not counted as right:");
+            page.paragraph("Plain errors, including the rounding of the separation:");
             errors(page, &of_kind, false, |worst| worst.error);
         }
     }
 }
 
-/// Families by quantities.
+/// Groups by quantities.
 fn errors(page: &mut Page, groups: &[&GroupFindings], bounded: bool, of: impl Fn(&Worst) -> f64) {
     let is_there = |quantity: &Quantity| {
         groups.iter().any(|findings| findings.quantities.iter().any(|worst| worst.quantity == *quantity))
