@@ -295,7 +295,12 @@ fn open_store(options: &RunOptions) -> Result<Store, Failure> {
 }
 
 /// Describes surfaces: a table in the terminal, pages in the folder of reports.
-fn surface(file: &Path, file_options: FileOptions, name: Option<&str>, options: &RunOptions) -> Result<(), Failure> {
+fn surface(
+    file: &Path,
+    file_options: FileOptions,
+    name: Option<&str>,
+    options: &RunOptions,
+) -> Result<(), Failure> {
     set_threads(options)?;
     let experiment = Experiment::describe(file, &file_options, name)?;
     let mut store = open_store(options)?;

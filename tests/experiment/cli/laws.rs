@@ -87,9 +87,13 @@ fn laws_have_their_tables_and_say_what_matters() {
     assert_eq!(summary["laws"]["influence"][0]["loads"], 2);
 
     let page = fs::read_to_string(out.join("laws/report.md")).unwrap();
-    for words in
-        ["By d/σ", "ceb +50 %", "cannot be distinguished within sampling uncertainty", "Contact law or summation method: which matters more?", "mean curvature 50000 /m"]
-    {
+    for words in [
+        "By d/σ",
+        "ceb +50 %",
+        "cannot be distinguished within sampling uncertainty",
+        "Contact law or summation method: which matters more?",
+        "mean curvature 50000 /m",
+    ] {
         assert!(page.contains(words), "{words}");
     }
     assert!(!page.contains("NaN"));

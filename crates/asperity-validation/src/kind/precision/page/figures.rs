@@ -170,9 +170,7 @@ pub fn curves(found: &CurveFindings) -> String {
         }
         let off = within().map(|(_, point)| (point.error().max(FLOOR), milliseconds(point)));
         plot = plot.with(
-            Layer::points(off.collect::<Vec<_>>(), Marker::Cross)
-                .coloured(SHIPPED)
-                .named("error found"),
+            Layer::points(off.collect::<Vec<_>>(), Marker::Cross).coloured(SHIPPED).named("error found"),
         );
         let mut exact = of_kind().filter(|point| point.tolerance.is_none());
         if let Some((few, all)) = exact.next().zip(exact.next()) {

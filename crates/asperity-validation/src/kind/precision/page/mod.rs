@@ -278,7 +278,7 @@ fn sums(page: &mut Page, results: &PrecisionResults) {
         let asperities = largest.first().map_or(0, |point| point.asperities);
         page.paragraph(&format!("{} asperities, one thread:", count(asperities)));
         page.table(
-            ["way", "error", "in ulp", "time per separation", "an asperity"],
+            ["method", "error", "in ulp", "time per separation", "per asperity"],
             largest.iter().map(|point| {
                 vec![
                     point.way.name().to_owned(),
@@ -299,7 +299,10 @@ fn threads(page: &mut Page, case: &CasePrecision) {
     let Some(first) = of_sweep().next() else { return };
     let mut numbers: Vec<usize> = of_sweep().map(|point| point.threads).collect();
     numbers.dedup();
-    page.paragraph(&format!("{} asperities on several threads, time per separation:", count(first.asperities)));
+    page.paragraph(&format!(
+        "{} asperities on several threads, time per separation:",
+        count(first.asperities)
+    ));
     let header = ["method".to_owned()].into_iter().chain(numbers.iter().map(|&n| thread_count(n)));
     page.table(
         header,

@@ -68,11 +68,7 @@ fn sets(page: &mut Page, case: &CasePrecision, found: &SamplingFindings) {
     let largest = found.points.iter().map(|point| point.count).max().unwrap_or(0);
     let seconds =
         found.seconds.iter().find(|(count, _)| *count == largest).map_or(0.0, |(_, seconds)| *seconds);
-    page.paragraph(&format!(
-        "Sets of {} asperities, {} to draw and sum:",
-        count(largest),
-        time(seconds)
-    ));
+    page.paragraph(&format!("Sets of {} asperities, {} to draw and sum:", count(largest), time(seconds)));
     page.table(
         ["d/σ", "expected contacts", "area error", "estimated", "load error", "estimated"],
         found.points.iter().filter(|point| point.count == largest).map(|point| {
