@@ -21,9 +21,7 @@ pub fn page(results: &SurfacesResults) -> Page {
         }
         section(&mut page, surface, None);
         if surface.map.as_ref().is_some_and(|map| map.whole.spectrum.is_none()) {
-            page.paragraph(
-                "The map is too large to compute its spectrum and autocorrelation in memory.",
-            );
+            page.paragraph("The map is too large to compute its spectrum and autocorrelation in memory.");
         }
     }
     page.heading(2, "How to reproduce");

@@ -19,11 +19,7 @@ pub fn section(page: &mut Page, surface: &Surface, assumed: Option<&asperity::Po
         }
         theory(page, surface, map);
         if let Some(picture) = &map.whole.picture {
-            let missing = if map.roughness.missing > 0 {
-                " Missing points are white."
-            } else {
-                ""
-            };
+            let missing = if map.roughness.missing > 0 { " Missing points are white." } else { "" };
             let caption = format!(
                 "Height map of {}; the colour scale covers 99.5 % of the points.{missing}",
                 surface.name
@@ -31,8 +27,10 @@ pub fn section(page: &mut Page, surface: &Surface, assumed: Option<&asperity::Po
             page.figure(&format!("{}-heights.svg", surface.name), figures::heights(picture), &caption);
         }
         if let Some(counts) = &map.whole.distribution {
-            let caption =
-                format!("Height distribution of the points of {}, with a Gaussian of equal Sq.", surface.name);
+            let caption = format!(
+                "Height distribution of the points of {}, with a Gaussian of equal Sq.",
+                surface.name
+            );
             let svg = figures::distribution(counts);
             page.figure(&format!("{}-height-distribution.svg", surface.name), svg, &caption);
         }
@@ -70,7 +68,10 @@ pub fn section(page: &mut Page, surface: &Surface, assumed: Option<&asperity::Po
         String::new()
     };
     let caption = if surface.statistics.radius_cv == 0.0 {
-        format!("Height distribution of the asperities of {}; all have the same radius.{beyond}", surface.name)
+        format!(
+            "Height distribution of the asperities of {}; all have the same radius.{beyond}",
+            surface.name
+        )
     } else {
         format!(
             "Asperities of {}: number per cell of normalised radius and normalised height, with both \

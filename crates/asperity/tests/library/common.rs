@@ -26,10 +26,8 @@ impl Row {
 /// All rows of `tests/reference/{name}.csv`.
 pub fn rows(name: &str) -> Vec<Row> {
     // Of the package in the root, or of one below crates/.
-    let folders =
-        Path::new(env!("CARGO_MANIFEST_DIR")).ancestors().map(|folder| folder.join("tests/reference"));
-    let path =
-        folders.map(|folder| folder.join(name).with_extension("csv")).find(|path| path.is_file()).unwrap();
+    let folders = Path::new(env!("CARGO_MANIFEST_DIR")).ancestors().map(|folder| folder.join("tests/reference"));
+    let path = folders.map(|folder| folder.join(name).with_extension("csv")).find(|path| path.is_file()).unwrap();
     let mut reader = csv::ReaderBuilder::new().comment(Some(b'#')).from_path(path).unwrap();
     reader.deserialize().map(|row| Row(row.unwrap())).collect()
 }

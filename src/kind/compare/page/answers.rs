@@ -29,9 +29,17 @@ pub fn answers(page: &mut Page, results: &CompareResults, found: &SurfaceResults
          independent asperities.",
         figures::separation(comparison, &others, modulus, found.surface.plane.sigma),
     );
-    figure("area", "Real contact area against load. Bands: 95 % sampling uncertainty. In the shaded region (contact area \
-    above 5 %) asperities interact and neither model is valid.", figures::area(comparison, modulus));
-    figure("regimes", "Share of the load carried by elastic, elastic-plastic and plastic contacts, by model.", figures::regimes(comparison, modulus));
+    figure(
+        "area",
+        "Real contact area against load. Bands: 95 % sampling uncertainty. In the shaded region (contact area \
+    above 5 %) asperities interact and neither model is valid.",
+        figures::area(comparison, modulus),
+    );
+    figure(
+        "regimes",
+        "Share of the load carried by elastic, elastic-plastic and plastic contacts, by model.",
+        figures::regimes(comparison, modulus),
+    );
     realisations(page, found, index);
     let pairs = of_each_decade(at_equal_load(comparison), |pair| pair.target, STEPS);
     if !pairs.is_empty() {
@@ -85,16 +93,8 @@ fn realisations(page: &mut Page, found: &SurfaceResults, index: usize) {
 /// Rows per decade of load: the loads nearest to one and three.
 const STEPS: f64 = 2.0;
 
-const LOAD_TABLE: [&str; 8] = [
-    "p",
-    "d/σ stat.",
-    "d/σ det.",
-    "difference",
-    "A/A_nom stat.",
-    "A/A_nom det.",
-    "± s.e.",
-    "remark",
-];
+const LOAD_TABLE: [&str; 8] =
+    ["p", "d/σ stat.", "d/σ det.", "difference", "A/A_nom stat.", "A/A_nom det.", "± s.e.", "remark"];
 
 fn load_row(pair: &Pair) -> Vec<String> {
     let (s, d) = (&pair.statistical, &pair.deterministic);
@@ -122,7 +122,8 @@ const CONTACT_TABLE: [&str; 7] = [
 
 fn contact_row(pair: &Pair, area: f64) -> Vec<String> {
     let (s, d) = (&pair.statistical, &pair.deterministic);
-    let contact_pressure = |pressure: Option<f64>| pressure.map_or_else(|| "-".to_owned(), |p| quantity(p, "Pa"));
+    let contact_pressure =
+        |pressure: Option<f64>| pressure.map_or_else(|| "-".to_owned(), |p| quantity(p, "Pa"));
     vec![
         quantity(pair.target, "Pa"),
         number(s.contact_density * area),

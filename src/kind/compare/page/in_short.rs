@@ -114,8 +114,7 @@ fn deviation(of: &str, ratio: f64) -> String {
         let size = percent((ratio - 1.0).abs());
         return format!("the statistical model gives a {of} {size} {direction} than the deterministic model");
     }
-    let (verb, fold) =
-        if ratio < 1.0 { ("underestimates", ratio.recip()) } else { ("overestimates", ratio) };
+    let (verb, fold) = if ratio < 1.0 { ("underestimates", ratio.recip()) } else { ("overestimates", ratio) };
     let fold = number(format!("{fold:.2e}").parse().unwrap_or(fold));
     format!("the statistical model {verb} the {of} {fold}-fold")
 }
@@ -135,7 +134,10 @@ fn advice(recommendation: &Recommendation) -> String {
             let why = if causes.is_empty() {
                 String::new()
             } else {
-                format!(" The surface departs from the assumptions of the statistical model: {}.", causes.join("; "))
+                format!(
+                    " The surface departs from the assumptions of the statistical model: {}.",
+                    causes.join("; ")
+                )
             };
             format!("the deterministic model. The models differ beyond sampling uncertainty.{why}")
         }

@@ -174,5 +174,11 @@ pub fn rules(results: &IndentationResults) -> String {
     };
     let panels = ModulusModel::ALL.into_iter().enumerate().map(panel).collect();
     let [from, to] = GOOD_RATIO;
-    Figure::row(format!("Both effective-modulus models for all layers; gao is accurate for E_l/E_s from {from} to {to}"), panels).svg()
+    Figure::row(
+        format!(
+            "Both effective-modulus models for all layers; gao is accurate for E_l/E_s from {from} to {to}"
+        ),
+        panels,
+    )
+    .svg()
 }

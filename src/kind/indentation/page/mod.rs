@@ -110,7 +110,12 @@ fn what_was_run(page: &mut Page, results: &IndentationResults) {
     };
     sections::materials(page, &results.materials, role);
     let thickness = |found: &LayerResults| {
-        format!("{} {} (effective-modulus model {})", escape(&found.name), quantity(found.thickness, "m"), found.rule.name())
+        format!(
+            "{} {} (effective-modulus model {})",
+            escape(&found.name),
+            quantity(found.thickness, "m"),
+            found.rule.name()
+        )
     };
     let layers: Vec<String> = results.layers.iter().map(thickness).collect();
     let [from, to] =

@@ -50,8 +50,11 @@ fn verdict_by(results: &LawsResults, measure: Measure) -> Option<String> {
 pub fn in_short(results: &LawsResults, surface: &str) -> Vec<String> {
     let Some(found) = results.of_first(surface) else { return Vec::new() };
     if found.attributions.is_empty() {
-        return vec![format!("**{}**: no load has at least 30 contacts and a contact area of at most 5 %, so no conclusion \
-        is drawn.", escape(surface))];
+        return vec![format!(
+            "**{}**: no load has at least 30 contacts and a contact area of at most 5 %, so no conclusion \
+        is drawn.",
+            escape(surface)
+        )];
     }
     found.attributions.iter().map(|attribution| line(found, attribution)).collect()
 }

@@ -1,5 +1,4 @@
-//! The page of several laws: how they differ on a single asperity, and whether the contact law or the summation \
-method
+//! The page of several laws: how they differ on a single asperity, and whether the contact law or the summation method
 //! matters more on surfaces.
 
 mod figures;

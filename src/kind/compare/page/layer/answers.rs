@@ -67,7 +67,9 @@ impl Series<'_> {
                 let mark = if r.is_beyond_model() { " *" } else { "" };
                 format!("{}{mark}", number(r.area_ratio.total()))
             }),
-            ("mean contact p", |r| r.mean_real_pressure().map_or_else(|| "–".to_owned(), |p| quantity(p, "Pa"))),
+            ("mean contact p", |r| {
+                r.mean_real_pressure().map_or_else(|| "–".to_owned(), |p| quantity(p, "Pa"))
+            }),
             ("shares", shares),
         ];
         let short = |kind: Kind| if kind == Kind::Statistical { "stat." } else { "det." };
@@ -123,7 +125,9 @@ impl Series<'_> {
         match self.findings.models[..] {
             [Kind::Statistical] => "Lines: statistical model.",
             [Kind::Deterministic] => "Lines: deterministic model.",
-            _ => "Solid: deterministic model; dashed: statistical model (as in Fig. 6 of Pasaribu and Schipper 2005).",
+            _ => {
+                "Solid: deterministic model; dashed: statistical model (as in Fig. 6 of Pasaribu and Schipper 2005)."
+            }
         }
     }
 }

@@ -50,7 +50,11 @@ pub fn by_thickness(series: &Series) -> String {
         }),
     ];
     let plots = panels.map(|(title, axis, value)| against_thickness(series, title, axis, value));
-    Figure::column("Real contact area, mean contact pressure and plastic share against layer thickness", plots.to_vec()).svg()
+    Figure::column(
+        "Real contact area, mean contact pressure and plastic share against layer thickness",
+        plots.to_vec(),
+    )
+    .svg()
 }
 
 fn against_thickness(series: &Series, title: &str, axis: Axis, value: fn(&Response) -> Option<f64>) -> Plot {
@@ -92,7 +96,7 @@ fn against_thickness(series: &Series, title: &str, axis: Axis, value: fn(&Respon
     plot
 }
 
-/// Shares of the regimes against thickness, at the least, a middle and the highest load.
+/// Shares of the regimes against thickness, at the lowest, a middle and the highest load.
 pub fn regimes(series: &Series) -> String {
     /// Number of panels.
     const PANELS: usize = 3;
@@ -108,7 +112,11 @@ pub fn regimes(series: &Series) -> String {
         });
         shares_of_load(&quantity(load, "Pa"), thickness_axis(), shares)
     };
-    Figure::row("Share of the load by contact regime, against layer thickness", chosen.into_iter().map(panel).collect()).svg()
+    Figure::row(
+        "Share of the load by contact regime, against layer thickness",
+        chosen.into_iter().map(panel).collect(),
+    )
+    .svg()
 }
 
 fn thickness_axis() -> Axis {
