@@ -136,7 +136,7 @@ impl SummitSearch {
         if roughness.moments.sq <= levelled.form.magnitude() * raw.precision().max(f64::EPSILON) {
             return Err(NoAsperities::Flat);
         }
-        // Only steps of an instrument are told by the drops.
+        // The drops reveal only height steps of an instrument.
         let detail = Detail { positions: false, principal: true, drops: self.generation.is_none() };
         let summits = find(map, self.neighbours, detail);
         if summits.heights.is_empty() {
@@ -309,7 +309,7 @@ impl Surface {
         ReferencePlane { mean, sigma: self.plane.sigma }
     }
 
-    /// How far the mean asperity stands above the mean plane of the surface, m, where that is known.
+    /// Height of the mean asperity above the mean plane of the surface, m, where known.
     pub fn offset_to_mean_plane(&self) -> Option<f64> {
         let mean = if self.nominal.is_some() { 0.0 } else { self.statistics.mean_height };
         self.mean_plane.map(|plane| mean - plane)

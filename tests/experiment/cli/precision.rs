@@ -147,9 +147,9 @@ fn times_and_errors_are_what_they_should_be() {
     let page = fs::read_to_string(report.join("report.md")).unwrap();
     for words in [
         "The integral, one \\| two",
-        "the shipped one",
+        "the shipped method",
         "√10",
-        "How much surface",
+        "Size of the surface",
         "500 separations of the integral within 1e-8",
         "25 exact ones",
     ] {

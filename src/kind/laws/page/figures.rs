@@ -89,7 +89,7 @@ pub fn curves(results: &LawsResults) -> String {
 
 /// Differences between the laws: mean pressure over hardness, area over the elastic one.
 pub fn differences(results: &LawsResults, hardness: f64) -> String {
-    /// Above twice the elastic area nothing but a fit out of its range, above the hardness nothing but Hertz.
+    /// Only a fit out of its range exceeds twice the elastic area, only Hertz the hardness.
     const HIGHEST: [f64; 2] = [1.3, 3.0];
     let radius = results.radius;
     let plot = |title: &str, label: &str, highest: f64| {

@@ -96,7 +96,7 @@ fn against_thickness(series: &Series, title: &str, axis: Axis, value: fn(&Respon
     plot
 }
 
-/// Shares of the regimes against thickness, at the least, a middle and the highest load.
+/// Shares of the regimes against thickness, at the lowest, a middle and the highest load.
 pub fn regimes(series: &Series) -> String {
     /// Number of panels.
     const PANELS: usize = 3;

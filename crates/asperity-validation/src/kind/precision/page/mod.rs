@@ -278,7 +278,7 @@ fn sums(page: &mut Page, results: &PrecisionResults) {
         let asperities = largest.first().map_or(0, |point| point.asperities);
         page.paragraph(&format!("{} asperities, one thread:", count(asperities)));
         page.table(
-            ["way", "error", "in ulp", "time per separation", "an asperity"],
+            ["method", "error", "in ulp", "time per separation", "per asperity"],
             largest.iter().map(|point| {
                 vec![
                     point.way.name().to_owned(),
