@@ -132,7 +132,7 @@ impl ContactLaw {
         format!("{shape}{}", self.law().name())
     }
 
-    /// How tables and plots name it: the options that were given stand behind the name, as in
+    /// The name in tables and plots: the name followed by the options that were set, as in
     /// "zmc(transition-ratio=110)".
     pub fn label(&self) -> String {
         let options: Vec<String> =

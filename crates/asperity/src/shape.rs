@@ -1,11 +1,11 @@
-//! The shape of one asperity, as contact laws take it: a sphere, or so many spheres for an ellipse (elliptic ZMC, derived).
+//! The shape of one asperity, as contact laws take it: a sphere, or a number of equivalent spheres for an ellipse (elliptic ZMC, derived).
 
 use std::ops::Range;
 use std::sync::LazyLock;
 
 use crate::numeric::table::Table;
 
-/// The shape of an asperity as every law takes it: so many equal spheres side by side, all at its indentation.
+/// The shape of an asperity as every law takes it: a number of equal spheres, all at its indentation.
 ///
 /// An elliptic paraboloid of principal curvatures kmax >= kmin > 0 and mean curvature km = (kmax + kmin)/2 touches a
 /// flat in an ellipse of semi-axes a > c and parameter m = 1 - c^2/a^2 (Hertz; Johnson 1985, section 4.2). With the

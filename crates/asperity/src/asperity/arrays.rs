@@ -1,4 +1,4 @@
-//! Asperities as a struct of arrays, as the laws see them: spheres, or so many equal spheres for each ellipse.
+//! Asperities as a struct of arrays, as the laws see them: spheres, or a number of equal spheres for each ellipse.
 
 use std::ops::Range;
 
@@ -16,7 +16,7 @@ pub struct Asperities<'a> {
 }
 
 impl<'a> Asperities<'a> {
-    /// Spheres, or so many `spheres` for each asperity, of as many `heights` and `radii` (m) on a `nominal_area` (m^2).
+    /// One sphere per asperity, or a number of `spheres` each, with `heights` and `radii` (m) on a `nominal_area` (m^2).
     pub(crate) fn new(
         heights: &'a [f64],
         radii: &'a [f64],
@@ -42,12 +42,12 @@ impl<'a> Asperities<'a> {
         self.heights
     }
 
-    /// Radii, m; of ellipses those of the spheres that stand for them.
+    /// Radii, m; of ellipses those of their equivalent spheres.
     pub fn radii(&self) -> &'a [f64] {
         self.radii
     }
 
-    /// How many spheres stand for each; `None` where each is one.
+    /// Number of spheres per asperity; `None` where each is one.
     pub fn spheres(&self) -> Option<&'a [f64]> {
         self.spheres
     }

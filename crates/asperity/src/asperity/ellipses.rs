@@ -1,4 +1,4 @@
-//! A set of ellipses: the spheres that stand for each, and its mean shape.
+//! A set of ellipses: the equivalent spheres of each, and its mean shape.
 
 use rayon::prelude::*;
 
@@ -6,7 +6,7 @@ use super::{Asperities, AsperitySet, Ellipse};
 use crate::numeric::sum::sum_of;
 use crate::shape::Shape;
 
-/// The spheres that stand for the ellipses of a set.
+/// The equivalent spheres of the ellipses of a set.
 #[derive(Debug, Clone)]
 pub struct Ellipses<'a> {
     set: &'a AsperitySet,
@@ -53,7 +53,7 @@ impl Ellipticity {
         })
     }
 
-    /// The asperity that stands for all.
+    /// The mean asperity.
     pub fn shape(&self) -> Shape {
         Shape::ellipse(self.mean_curvature, self.mean_ratio.recip())
     }

@@ -16,7 +16,7 @@ pub struct Ordered {
 }
 
 impl Ordered {
-    /// Equal heights stand in the order of their shapes, so that nothing depends on the order of the input.
+    /// Equal heights are in the order of their shapes, so that nothing depends on the order of the input.
     pub fn new(asperities: Asperities<'_>) -> Self {
         let mut all: Vec<(f64, Shape)> = asperities.each().collect();
         let shape =

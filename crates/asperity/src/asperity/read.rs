@@ -54,7 +54,7 @@ pub enum ListError {
         place: String,
         /// The column.
         column: ListColumn,
-        /// What stands there.
+        /// The text found.
         found: String,
     },
     /// The list has no row.
@@ -132,7 +132,7 @@ pub struct AsperityList {
 
 impl AsperityList {
     /// Reads heights and radii (m), and where `as_ellipses` principal curvatures kx and ky (1/m), from a CSV file or an `.npy`
-    /// with these columns, told apart by their first bytes. Lines of a CSV that begin with `#` are comments; further columns
+    /// with these columns, distinguished by their first bytes. Lines of a CSV that begin with `#` are comments; further columns
     /// are ignored. An `.npy` is mapped: no memory is taken but for the values that are needed.
     ///
     /// # Errors

@@ -16,7 +16,7 @@ pub enum Dominant {
 /// The weights of law and summation by one measure, over the loads that count.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Attribution {
-    /// By what answers are told apart.
+    /// By what responses differ.
     pub measure: Measure,
     /// The laws that the spread is over.
     pub group: Group,

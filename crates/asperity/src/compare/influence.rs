@@ -1,9 +1,9 @@
-//! How much the law matters against how much the adding-up matters: several laws on one surface at equal load.
+//! Contact law or summation method, which matters more: several laws on one surface at equal load.
 
 use super::{FEWEST_CONTACTS, Kind, Pair, Pairing};
 use crate::model::Response;
 
-/// A gap between the models of at most this many sampling errors is not told from none.
+/// A gap between the models of at most this number of sampling errors is not significant.
 pub const DETECTABLE: f64 = 2.0;
 
 /// Quantities in which laws and models are compared at equal load. The mean real pressure is no third: at equal load it is the
@@ -166,7 +166,7 @@ impl AtLoad {
         self.differences(measure).errors[law]
     }
 
-    /// Whether the models are told apart under a law: their gap is more than [`DETECTABLE`] sampling errors of the sum.
+    /// Whether the models differ significantly under a law: their gap is more than [`DETECTABLE`] sampling errors of the sum.
     pub fn is_gap_detectable(&self, measure: Measure, law: usize) -> bool {
         self.gap(measure, law).abs() > DETECTABLE * self.sampling_error(measure, law).unwrap_or(0.0)
     }

@@ -25,7 +25,7 @@ use std::time::{Duration, Instant};
 
 use crate::model::{Model, Reached, Response, Unreachable, at_pressures, reached_at, respond_within};
 
-/// A way of adding up.
+/// The summation method.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "serde", derive(serde::Deserialize))]
 #[cfg_attr(feature = "serde", serde(rename_all = "kebab-case"))]

@@ -99,7 +99,7 @@ impl ModulusCheck {
         self.exact.at_contact_radius(contact_ratio).map(|exact| self.beside(&exact, 1.0, 1.0))
     }
 
-    /// The errors of both, as in [`ModulusModel::ALL`], beside an exact contact of the ball of `radius` (m) on the layer of
+    /// The errors of both, as in [`ModulusModel::ALL`], against an exact contact of the ball of `radius` (m) on the layer of
     /// `thickness` (m).
     pub fn beside(&self, exact: &ElasticContact, radius: f64, thickness: f64) -> [ModulusError; 2] {
         let scale = radius / thickness;

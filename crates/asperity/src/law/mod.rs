@@ -2,7 +2,7 @@
 //!
 //! A law sees the properties of the pair of bodies, an indentation and a radius, and nothing else:
 //! no model, no surface, no coating. Whatever changes the properties from asperity to asperity does
-//! so before the law is asked. An elliptic asperity is so many spheres: its [`Shape`].
+//! so before the law is asked. An elliptic asperity is a number of equal spheres: its [`Shape`].
 //!
 //! | file | law | regimes |
 //! |---|---|---|
@@ -188,7 +188,7 @@ pub trait Law: SingleContact + Send + Sync + 'static {
     /// What the law is and where it holds, in a line of a report.
     fn about(&self) -> &'static str;
 
-    /// What a user may set of it by name; none as a rule.
+    /// The options that a user may set by name; none by default.
     fn options(&self) -> &'static [LawOption] {
         &[]
     }
@@ -256,7 +256,7 @@ pub trait Law: SingleContact + Send + Sync + 'static {
         self
     }
 
-    /// Area, load, stiffness and regime at indentations `w` (m) of spheres of radii `b` (m) side by side. Must be
+    /// Area, load, stiffness and regime at indentations `w` (m) of spheres of radii `b` (m), one per lane. Must be
     /// `#[inline(always)]`, see [`crate::numeric::lanes`].
     fn contacts<N: Real>(&self, w: N, b: N, pair: &Pair<N>) -> Contacts<N>
     where
@@ -326,7 +326,7 @@ impl OfPoisson {
         self.constant + self.slope * nu
     }
 
-    /// The same side by side.
+    /// The same for each lane.
     #[inline(always)]
     pub fn of<N: Real>(self, nu: N) -> N {
         nu * self.slope + self.constant

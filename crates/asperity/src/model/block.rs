@@ -33,7 +33,7 @@ pub(super) type LevelsOfBlock = Levels<PLACES_OF_BLOCK, { CELLS_PER_LEVEL * PLAC
 pub(super) type ManyLevels = Levels<4096, { CELLS_PER_LEVEL * 4096 }>;
 
 impl<const PLACES: usize, const CELLS: usize> Levels<PLACES, CELLS> {
-    /// How many separations there may be at the most.
+    /// The largest number of separations.
     pub(super) const MOST: usize = {
         assert!(PLACES.is_power_of_two() && CELLS == CELLS_PER_LEVEL * PLACES && CELLS <= 1 << 16);
         // One place and one cell more are needed than there are separations, and cells for them.
@@ -191,7 +191,7 @@ fn keep_touched<const MOST: usize>(cells: &[u16], touched: &mut [u16; MOST]) -> 
 }
 
 impl Block {
-    /// How many asperities there may be at the most: they stay in the cache from one separation to the next.
+    /// The largest number of asperities: they stay in the cache from one separation to the next.
     pub(super) const MOST: usize = 8192;
 
     /// Takes in up to [`Self::MOST`] asperities.

@@ -110,7 +110,7 @@ thread_local! {
     static WORKSPACE: Cell<Option<Box<Workspace>>> = const { Cell::new(None) };
 }
 
-/// Blocks that one task adds up, at the most.
+/// The largest number of blocks per task.
 const BLOCKS_PER_TASK: usize = 16;
 
 /// Tasks that a sum is cut into where its blocks are few. Fixed, so that nothing depends on the number of threads.

@@ -1,8 +1,8 @@
-//! Real numbers side by side: a formula is written once, for one number or for as many as a register of the machine
+//! Vector registers: a formula is written once, for one number or for as many lanes as a register of the machine
 //! holds.
 //!
 //! [`run`] chooses the widest registers that the machine has, whatever machine the program was built for. Everything
-//! below it must be `#[inline(always)]`: only what is inlined is compiled for those registers. A closure cannot be told to
+//! below it must be `#[inline(always)]`: only what is inlined is compiled for those registers. A closure cannot be forced to
 //! be, so none takes or gives lanes.
 
 use std::ops::{Add, BitAnd, BitOr, Div, Mul, Neg, Not, Sub};
@@ -15,7 +15,7 @@ use super::WHOLES;
 /// The most lanes that any machine has here.
 pub const MOST: usize = 8;
 
-/// Which of some numbers side by side.
+/// One truth value per lane.
 pub trait Mask: Copy + BitAnd<Output = Self> + BitOr<Output = Self> + Not<Output = Self> {
     /// Whether one at least.
     fn any(self) -> bool;
@@ -27,7 +27,7 @@ pub trait Mask: Copy + BitAnd<Output = Self> + BitOr<Output = Self> + Not<Output
     }
 }
 
-/// One real number, or several side by side.
+/// One real number, or one per lane of a register.
 pub trait Real:
     Copy
     + Add<Output = Self>
@@ -43,7 +43,7 @@ pub trait Real:
     /// Some of the lanes.
     type Mask: Mask;
 
-    /// How many there are side by side, at most [`MOST`].
+    /// Number of lanes, at most [`MOST`].
     const LANES: usize;
 
     /// `value` in every lane of a number such as `self`.
@@ -92,7 +92,7 @@ pub trait Real:
         zero.le(zero)
     }
 
-    /// `of` each lane by itself: for what has no formula side by side.
+    /// `of` each lane by itself: for what has no formula in lanes.
     #[inline(always)]
     fn each<const K: usize>(self, mut of: impl FnMut(f64) -> [f64; K]) -> [Self; K] {
         let mut lanes = [0.0; MOST];
@@ -318,10 +318,10 @@ const LN_2: [f64; 2] = [0.693_147_180_369_123_8, 1.908_214_929_270_587_7e-10];
 /// Bits of the exponent of a number.
 const EXPONENT: u64 = 0x7ff0_0000_0000_0000;
 
-/// Bits of the exponent in the upper half of a number stand after so many bits.
+/// Bits of the exponent in the upper half of a number start at this bit.
 const UPPER_MANTISSA: i32 = 20;
 
-/// [`WHOLES`] with room for negative ones; those in the upper half are worth 2^32 each.
+/// [`WHOLES`] with a margin for negative ones; those in the upper half are worth 2^32 each.
 const SIGNED_WHOLES: f64 = 1.5 * WHOLES;
 
 /// The bits of 2^-.5: what lies so far above them has the exponent of its nearest power of two.
@@ -450,7 +450,7 @@ impl<S: Simd> Real for Register<S> {
     }
 }
 
-/// Work on numbers side by side.
+/// Work that is compiled for each kind of register.
 pub trait Work {
     /// What it gives.
     type Output;

@@ -13,7 +13,7 @@ pub struct Quantisation {
     pub step: Option<f64>,
     /// Number of distinct heights among those looked at.
     pub levels: usize,
-    /// Number of distinct summit curvatures, told apart beyond the rounding of the stored heights.
+    /// Number of distinct summit curvatures, different by more than the rounding of the stored heights.
     pub distinct_curvatures: usize,
     /// Number of summits.
     pub summits: usize,
@@ -63,15 +63,15 @@ impl Quantisation {
     }
 
     /// Whether the curvatures of many summits take fewer than 100 values. A few summits have few
-    /// curvatures for no fault of the instrument, so each value must stand for two at least.
+    /// curvatures for no fault of the instrument, so each value must occur twice at least.
     pub fn has_few_curvatures(&self) -> bool {
         self.distinct_curvatures < FEW_CURVATURES && self.summits >= 2 * self.distinct_curvatures
     }
 }
 
-/// The heights that are there, of all rows or, on a map of very many points, of evenly spaced ones.
+/// The present heights, of all rows or, on a map of very many points, of evenly spaced ones.
 fn sample(map: &dyn Rows) -> Vec<f64> {
-    /// Beyond so many heights, more of them tell nothing new of the instrument.
+    /// Number of heights beyond which more of them add no information on the instrument.
     const ENOUGH: usize = 1 << 24;
     let [nx, ny] = map.points();
     let stride = (nx * ny).div_ceil(ENOUGH);

@@ -83,7 +83,7 @@ impl<G: Iterator<Item = Range<usize>>, F: FnMut(usize, &Row)> Work for Interpola
                     for (row, logarithms) in found.iter().zip(used.chunks_exact_mut(LOGARITHMS)) {
                         logarithms.copy_from_slice(&row.0[..LOGARITHMS]);
                     }
-                    // What the last register holds besides, is not to be out of its exponential's range.
+                    // The unused lanes of the last register must stay in the range of its exponential.
                     unused.fill(0.0);
                     for lane in (0..LOGARITHMS * found.len()).step_by(N::LANES) {
                         exponential(zero.load(&logarithms[lane..])).store(&mut logarithms[lane..]);
@@ -98,7 +98,7 @@ impl<G: Iterator<Item = Range<usize>>, F: FnMut(usize, &Row)> Work for Interpola
     }
 }
 
-/// Nodes that a polynomial goes through at the most.
+/// The largest number of nodes per polynomial.
 pub const MOST_THROUGH: usize = 12;
 
 /// Newton's polynomial through some nodes in a row, from the last of them on.

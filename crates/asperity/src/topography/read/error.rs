@@ -39,7 +39,7 @@ pub enum ReadError {
     UnitsInColumns {
         /// The line, from 1.
         line: usize,
-        /// What stands in it.
+        /// Text of the line.
         found: String,
     },
     /// The options contradict the file.

@@ -1,4 +1,4 @@
-//! Reading measured surfaces: one file a format, told apart by the first bytes, never by a file's name.
+//! Reading measured surfaces: one module per format, identified by the first bytes, never by a file's name.
 //!
 //! | module | format | holds its pixel | holds its unit |
 //! |---|---|---|---|
@@ -172,7 +172,7 @@ fn check_heights(heights: &mut [f64], unit: f64, has_unit: bool) -> Result<(), R
     if tallest > TALLEST { Err(ReadError::TooTall { tallest, has_unit }) } else { Ok(()) }
 }
 
-/// A file that is there and not empty, or why not.
+/// Checks that a path is a file and not empty.
 ///
 /// # Errors
 /// A path that is no file, or an empty one.

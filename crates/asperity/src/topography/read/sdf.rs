@@ -103,7 +103,7 @@ pub(super) fn measured(path: &Path) -> Result<Measured, ReadError> {
         Body::Binary { mut file, begin } => {
             let mut bytes = Vec::new();
             std::io::Seek::seek(&mut file, std::io::SeekFrom::Start(begin))?;
-            // `open` has found so many bytes in the file.
+            // `open` has found that number of bytes in the file.
             file.take(count * stored.bytes()).read_to_end(&mut bytes)?;
             stored.values(&bytes)
         }

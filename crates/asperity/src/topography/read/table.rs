@@ -1,4 +1,4 @@
-//! Lines of numbers in a text: how they are separated, and what stands for a missing one.
+//! Lines of numbers in a text: how they are separated, and the marks of missing ones.
 //!
 //! Semicolons separate if there are any, then tabs, then blanks, then commas. A comma is a decimal
 //! comma where something else separates, every comma stands between two digits and there is no
@@ -35,7 +35,7 @@ struct Separation {
 }
 
 impl Table {
-    /// Reads the lines that are no comments; a first line that names the columns x, y, z is passed over.
+    /// Reads the lines that are no comments; a first line that names the columns x, y, z is skipped.
     pub fn parse(text: &str) -> Result<Self, ReadError> {
         let mut lines: Vec<(usize, &str)> =
             (1..).zip(text.lines()).filter(|(_, line)| !is_comment(line)).collect();
@@ -47,7 +47,7 @@ impl Table {
             }
             lines.remove(0);
         }
-        // Prose is told from numbers before its commas are wondered at.
+        // Prose is recognised before its commas are checked.
         if let Some(&(number, line)) = lines.first() {
             let mut words = line.split([' ', '\t', ',', ';']).map(|word| word.trim_matches('"'));
             if let Some(word) =
@@ -126,7 +126,7 @@ fn no_number(row: usize, line: usize, column: usize, word: &str) -> ReadError {
     ))
 }
 
-/// The relative precision of numbers printed with so many significant digits. Few digits are steps
+/// The relative precision of numbers printed with that number of significant digits. Few digits are steps
 /// that the heights do have, and are to be found as such.
 fn precision(digits: usize) -> f64 {
     const MANY: usize = 6;

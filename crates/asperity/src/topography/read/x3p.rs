@@ -119,7 +119,7 @@ impl Archive {
         (0..self.0.len()).find(|&index| is_wanted(index))
     }
 
-    /// The index of the entry called `name`, which holds so many `bytes`.
+    /// The index of the entry `name`, whose length must be `bytes`.
     fn sized(&mut self, name: &str, bytes: u64) -> Result<usize, ReadError> {
         let index = self.find(name).ok_or_else(|| {
             ReadError::Corrupt(format!(
@@ -154,7 +154,7 @@ impl Archive {
         Ok(content)
     }
 
-    /// What a link leads to: so many `bytes`, their check sum compared.
+    /// The content of a link, whose length must be `bytes`, after its check sum has been compared.
     fn linked(&mut self, link: &Link, bytes: u64) -> Result<Vec<u8>, ReadError> {
         let index = self.sized(&link.name, bytes)?;
         let content = self.content(index, bytes)?;

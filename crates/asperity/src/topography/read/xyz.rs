@@ -7,9 +7,9 @@ use super::content::{Measured, Metadata};
 use super::error::ReadError;
 use crate::numeric::LARGEST;
 
-/// A point may lie so far beside its line of the grid, pixels.
+/// The largest distance of a point from its line of the grid, pixels.
 const TOLERANCE: f64 = 0.2;
-/// A grid has at most so many places for each point that the file holds.
+/// The largest number of grid places per point of the file.
 const SPARSEST: usize = 4;
 
 /// The map of points that are three `values` each, in the unit of the file.
