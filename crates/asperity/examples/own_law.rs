@@ -22,7 +22,8 @@ use asperity::{
 /// P = P(w_y) + pi p_y b (w - w_y)            w > w_y      (Thornton 1997)
 /// ```
 ///
-/// Load and stiffness are continuous. The limit is the hardness of the softer body here.
+/// Load and stiffness are continuous. The limit is the hardness of the softer body here. Equations and reference are quoted
+/// from memory: they show how to plug in a law, not what the paper says.
 #[derive(Debug, Clone, Copy)]
 struct Thornton;
 
@@ -41,6 +42,10 @@ impl Law for Thornton {
             full: "Thornton, C. (1997). Coefficient of restitution for collinear collisions of elastic-perfectly plastic \
                    spheres. ASME Journal of Applied Mechanics 64(2), 383-386. doi:10.1115/1.2787319",
         }]
+    }
+
+    fn yields_by(&self) -> Option<Property> {
+        Some(Property::Hardness)
     }
 
     fn yield_limits(&self, body: &Material) -> Result<YieldLimits, Property> {
