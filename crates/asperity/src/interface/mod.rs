@@ -135,7 +135,7 @@ pub trait MicroContact: Send + Sync {
     /// The papers behind the law and the layer.
     fn papers(&self) -> Vec<Paper>;
 
-    /// Why its results may be inaccurate for this pair, if there is a reason; see [`Law::caveat`].
+    /// Why its results may be inaccurate for this pair, if there is a reason; see [`crate::law::Law::caveat`].
     fn caveat(&self) -> Option<String> {
         None
     }

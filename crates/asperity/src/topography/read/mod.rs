@@ -119,7 +119,7 @@ pub fn height_map(path: &Path, options: ReadOptions) -> Result<HeightMap, ReadEr
 /// Whether [`rows()`] leaves a map on disk: a `.npy` in C order.
 ///
 /// # Errors
-/// As [`header`].
+/// As [`metadata`].
 pub fn stays_on_disk(path: &Path) -> Result<bool, ReadError> {
     Ok(Format::of(path)? == Format::Npy && !array::Header::read(path)?.is_fortran())
 }
