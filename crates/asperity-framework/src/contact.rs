@@ -91,7 +91,7 @@ pub fn contact_metadata(
     bodies: &Bodies,
     layer: Option<LayerMetadata>,
 ) -> ContactMetadata {
-    // Every law of an experiment stands on the same two bodies.
+    // All laws of an experiment have the same two bodies.
     let contact = &laws[0].contact;
     let mut caveats: Vec<String> = laws.iter().filter_map(|law| law.contact.caveat()).collect();
     caveats.extend(apart_in_strength(materials, laws, bodies, layer.as_ref()));
