@@ -52,11 +52,7 @@ impl<'a> SurfaceModels<'a> {
     }
 
     /// The integral over one contact of a law.
-    pub(super) fn statistical<'b>(
-        &self,
-        contact: &'b dyn MicroContact,
-        law: &ContactLaw,
-    ) -> Statistical<'b, dyn MicroContact + 'b> {
+    pub(super) fn statistical<'b>(&self, contact: &'b dyn MicroContact, law: &ContactLaw) -> Statistical<'b> {
         Statistical::of_shape(contact, self.population.clone(), self.mean_shape(law))
             .reported_from(self.surface.reporting_plane())
     }
@@ -66,7 +62,7 @@ impl<'a> SurfaceModels<'a> {
         &'b self,
         contact: &'b dyn MicroContact,
         law: &ContactLaw,
-    ) -> Option<Deterministic<'b, dyn MicroContact + 'b>> {
+    ) -> Option<Deterministic<'b>> {
         let asperities = if law.sees_ellipses() {
             self.ellipses.as_ref().map(Ellipses::asperities)
         } else {

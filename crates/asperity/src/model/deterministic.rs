@@ -21,9 +21,9 @@ use crate::numeric::sum::in_chunks;
 ///
 /// A curve is summed block by block: each block is brought into the order in which the separations touch its asperities
 /// while it is in the cache, so that asperities below the flat are not visited again.
-#[derive(Debug, Clone)]
-pub struct Deterministic<'a, C: ?Sized> {
-    contact: &'a C,
+#[derive(Clone)]
+pub struct Deterministic<'a> {
+    contact: &'a dyn MicroContact,
     asperities: Asperities<'a>,
     plane: ReferencePlane,
     /// Found when a load is first prescribed.
@@ -44,7 +44,7 @@ struct DecreasingLoads {
 
 impl DecreasingLoads {
     /// `None` where no load ever decreases.
-    fn of<C: MicroContact + ?Sized>(contact: &C, asperities: Asperities) -> Option<Self> {
+    fn of(contact: &dyn MicroContact, asperities: Asperities) -> Option<Self> {
         /// Classes of radii at most, so that one sharp asperity does not decide for all.
         const CLASSES: u8 = 32;
         let (radii, spheres) = (asperities.radius_range(), asperities.sphere_range());
@@ -116,9 +116,9 @@ const BLOCKS_PER_TASK: usize = 16;
 /// Tasks that a sum is cut into where its blocks are few. Fixed, so that nothing depends on the number of threads.
 const TASKS: usize = 32;
 
-impl<'a, C: MicroContact + ?Sized> Deterministic<'a, C> {
+impl<'a> Deterministic<'a> {
     /// The model of asperities, with separations measured as `plane` says.
-    pub fn new(contact: &'a C, asperities: Asperities<'a>, plane: ReferencePlane) -> Self {
+    pub fn new(contact: &'a dyn MicroContact, asperities: Asperities<'a>, plane: ReferencePlane) -> Self {
         Self { contact, asperities, plane, decreasing: OnceLock::new() }
     }
 
@@ -235,7 +235,7 @@ impl<'a, C: MicroContact + ?Sized> Deterministic<'a, C> {
     }
 }
 
-impl<C: MicroContact + ?Sized> Model for Deterministic<'_, C> {
+impl Model for Deterministic<'_> {
     fn plane(&self) -> ReferencePlane {
         self.plane
     }

@@ -48,9 +48,9 @@ impl MeanRadius {
 ///
 /// by Gauss-Legendre panels between the breakpoints of the micro-contact, in w with the density
 /// relative to its value at d: the far tail keeps full relative accuracy.
-#[derive(Debug, Clone)]
-pub struct Statistical<'a, C: ?Sized> {
-    contact: &'a C,
+#[derive(Clone)]
+pub struct Statistical<'a> {
+    contact: &'a dyn MicroContact,
     population: Population,
     /// Shape of every asperity.
     shape: Shape,
@@ -61,15 +61,15 @@ pub struct Statistical<'a, C: ?Sized> {
     jumps: Vec<(f64, f64)>,
 }
 
-impl<'a, C: MicroContact + ?Sized> Statistical<'a, C> {
+impl<'a> Statistical<'a> {
     /// The model of a population, with separations from its mean asperity height in its sigma.
-    pub fn new(contact: &'a C, population: Population) -> Self {
+    pub fn new(contact: &'a dyn MicroContact, population: Population) -> Self {
         let shape = Shape::sphere(population.radius);
         Self::of_shape(contact, population, shape)
     }
 
     /// The model of a population of another shape than spheres of its radius.
-    pub fn of_shape(contact: &'a C, population: Population, shape: Shape) -> Self {
+    pub fn of_shape(contact: &'a dyn MicroContact, population: Population, shape: Shape) -> Self {
         let sigma = population.sigma;
         let breakpoints: Vec<f64> = contact.breakpoints(shape).into_iter().map(|w| w / sigma).collect();
         let jump = |&x: &f64| Some((x, jump(contact, shape, x * sigma)?));
@@ -166,7 +166,7 @@ impl<'a, C: MicroContact + ?Sized> Statistical<'a, C> {
 }
 
 /// By how much the load jumps at the indentation `w` (m), N; `None` where it does not.
-fn jump<C: MicroContact + ?Sized>(contact: &C, shape: Shape, w: f64) -> Option<f64> {
+fn jump(contact: &dyn MicroContact, shape: Shape, w: f64) -> Option<f64> {
     /// This part of a breakpoint lies to either side of it: more than the rounding of where a load jumps.
     const BESIDE: f64 = 1e-12;
     /// Loads differ by so much of them through rounding.
@@ -241,7 +241,7 @@ fn spans(from: f64, to: f64, logarithmic: bool) -> impl Iterator<Item = [f64; 2]
     (0..count).map(move |k| [end(k), end(k + 1)])
 }
 
-impl<C: MicroContact + ?Sized> Model for Statistical<'_, C> {
+impl Model for Statistical<'_> {
     fn plane(&self) -> ReferencePlane {
         self.plane
     }
@@ -284,7 +284,7 @@ impl<C: MicroContact + ?Sized> Model for Statistical<'_, C> {
     }
 }
 
-impl<C: MicroContact + ?Sized> Statistical<'_, C> {
+impl Statistical<'_> {
     /// The largest separation with at least `pressure` (Pa) below the mode of the density.
     fn last_reaching_below(&self, mode: f64, pressure: f64) -> Option<f64> {
         /// Steps of the walk, in sigma.
