@@ -1,12 +1,10 @@
 //! How long one micro-contact, one integral and one sum take. Compare them with each other in one
 //! run: this is a ratio, not a promise.
 
-mod cases;
-
 use std::hint::black_box;
 
 use asperity::{Deterministic, Draw, Model, ReferencePlane, Shape, Statistical, Zmc, at_pressure};
-use cases::{CASES, bare, flats, laws};
+use asperity_benches::{CASES, bare, flats, laws};
 use criterion::{BenchmarkId, Criterion, Throughput, criterion_group, criterion_main};
 
 /// The integral at one separation under a layer, and finding its breakpoints, which a model does once.

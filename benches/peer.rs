@@ -1,9 +1,6 @@
 //! Our side of the comparisons under `benches/peers`: does what it is told on standard input, one line a task, and
 //! answers each with the seconds it took and its own figures. The script runs it and its peers alternately.
 
-#[allow(dead_code, reason = "laws and layers are for other benches")]
-mod cases;
-
 use std::hint::black_box;
 use std::io::{BufRead, Write};
 use std::path::Path;
@@ -18,7 +15,6 @@ use asperity::{
 };
 
 fn main() -> std::io::Result<()> {
-    // `cargo bench` and `cargo test` run every bench: without a script there is nothing to answer.
     let mut out = std::io::stdout();
     let mut surface: Option<HeightMap> = None;
     let mut asperities: Option<(Population, AsperitySet)> = None;
@@ -84,7 +80,7 @@ fn read(case: &str, path: &str) -> Option<(Population, AsperitySet)> {
 /// Steel on steel: the sums at all separations (in sigma), ordering included.
 fn sums(population: &Population, set: &AsperitySet, separations: &[&str]) -> Option<String> {
     let separations = numbers(separations)?;
-    let contact = cases::bare(Zmc::default());
+    let contact = asperity_benches::bare(Zmc::default());
     let (seconds, responses) = median_of_three(|| curve(&*contact, set, population.sigma, &separations));
     Some(answer(seconds, &responses))
 }
@@ -99,7 +95,7 @@ fn integral(case: &str, separations: &[&str]) -> Option<String> {
     /// Calls in all.
     const CALLS: usize = 10_000;
     let (population, separations) = (population(case)?, numbers(separations)?);
-    let contact = cases::bare(Zmc::default());
+    let contact = asperity_benches::bare(Zmc::default());
     let model = Statistical::new(&*contact, population);
     let rounds = CALLS.div_ceil(separations.len().max(1));
     let start = Instant::now();
@@ -112,7 +108,7 @@ fn integral(case: &str, separations: &[&str]) -> Option<String> {
 }
 
 fn population(case: &str) -> Option<Population> {
-    cases::CASES.get(case.parse::<usize>().ok()?).map(|(_, population)| population.clone())
+    asperity_benches::CASES.get(case.parse::<usize>().ok()?).map(|(_, population)| population.clone())
 }
 
 fn numbers(words: &[&str]) -> Option<Vec<f64>> {

@@ -1,13 +1,11 @@
 //! What a layer and a law cost: sums over a million asperities at 50 separations from 4 to 0 sigma, medians of runs that
 //! alternate. The same asperities touch, so that a ratio is the one per contacting asperity.
 
-mod cases;
-
 use std::hint::black_box;
 use std::time::Instant;
 
 use asperity::{Asperities, Deterministic, Draw, Ellipse, Ellipses, MicroContact, Model, ReferencePlane};
-use cases::{CASES, flats, laws};
+use asperity_benches::{CASES, flats, laws};
 
 const ROUNDS: usize = 15;
 

@@ -35,7 +35,7 @@ class Ours:
 
     def __init__(self):
         build = subprocess.run(
-            ["cargo", "bench", "--bench", "peer", "--no-run", "--message-format=json"],
+            ["cargo", "build", "--release", "-p", "asperity-benches", "--bin", "peer", "--message-format=json"],
             cwd=ROOT, check=True, capture_output=True, text=True,
         )
         messages = map(json.loads, build.stdout.splitlines())

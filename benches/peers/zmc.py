@@ -1,5 +1,5 @@
 """Table 1 of Pasaribu and Schipper (2005), steel on steel under the law of Zhao, Maietta and Chang: shared by the comparison
-programs of `sums.py` and `integral.py`. The numbers are those of benches/cases/mod.rs."""
+programs of `sums.py` and `integral.py`. The numbers are those of benches/cases.rs."""
 
 import math
 from typing import NamedTuple
