@@ -1,9 +1,9 @@
 //! The layered flat: against vectors at 40 digits, and what must hold for any coating.
 
-use crate::common::{Row, Worst, rows};
+use crate::common::{Row, Worst, contact, rows};
 use asperity::{
-    AsperitySet, Deterministic, Flat, Heights, LayeredFlat, LayeredInterface, Material, MicroContact, Model,
-    ModulusModel, Population, ReferencePlane, Shape, Statistical, Zmc,
+    AsperitySet, Deterministic, Flat, Heights, LayeredFlat, Material, MicroContact, Model, ModulusModel,
+    Population, ReferencePlane, Shape, Statistical,
 };
 
 fn steel() -> Material {
@@ -16,10 +16,7 @@ fn lead() -> Material {
 
 /// ZMC against a flat with a layer of any thickness, 0 and infinity included.
 fn flat(rough: &Material, layer: &Material, substrate: &Material, thickness: f64) -> Box<dyn MicroContact> {
-    Flat::with_layer(layer, substrate, thickness, ModulusModel::Gao)
-        .unwrap()
-        .under(Zmc::default(), rough)
-        .unwrap()
+    contact("zmc", &[], rough, &Flat::with_layer(layer, substrate, thickness, ModulusModel::Gao).unwrap())
 }
 
 fn body(row: &Row, name: &str, strength: Option<f64>) -> Material {
@@ -47,9 +44,8 @@ fn effective_properties_and_the_coated_contact() {
         see(young, "effective_young");
         see(found.hardness, "effective_hardness");
         see((rough.plane_compliance() + found.compliance).recip(), "reduced_modulus");
-        let contact = LayeredInterface::new(Zmc::default(), &rough, &substrate, layered)
-            .unwrap()
-            .contact(w, Shape::sphere(b));
+        let flat = Flat::Layered { substrate, layered };
+        let contact = contact("zmc", &[], &rough, &flat).contact(w, Shape::sphere(b));
         contacts.see(contact.area, row.number("area"), || format!("area of row {k}"));
         contacts.see(contact.load, row.number("load"), || format!("load of row {k}"));
         assert_eq!(contact.regime.name(), row.text("regime"), "row {k}");
@@ -104,24 +100,12 @@ fn sums_over_asperities() {
 /// PHYSICS of the two spheres of Fig. 5: loads at given indentations, and where the regime changes.
 #[test]
 fn the_two_spheres_of_figure_5() {
-    let sherbiny = LayeredInterface::new(
-        Zmc::default(),
-        &steel(),
-        &Material::new(140e9, 0.3, Some(1.86e9), None).unwrap(),
-        LayeredFlat::new(
-            &lead(),
-            &Material::new(140e9, 0.3, Some(1.86e9), None).unwrap(),
-            1.2e-6,
-            ModulusModel::Gao,
-        )
-        .unwrap(),
-    )
-    .unwrap();
+    let copper = Material::new(140e9, 0.3, Some(1.86e9), None).unwrap();
+    let sherbiny = flat(&steel(), &lead(), &copper, 1.2e-6);
     let diamond = Material::new(1140e9, 0.07, None, None).unwrap();
     let ceramic = Material::new(400e9, 0.3, Some(21e9), None).unwrap();
     let substrate = Material::new(200e9, 0.07, Some(7.6e9), None).unwrap();
-    let layered = LayeredFlat::new(&ceramic, &substrate, 1e-6, ModulusModel::Gao).unwrap();
-    let tang_arnell = LayeredInterface::new(Zmc::default(), &diamond, &substrate, layered).unwrap();
+    let tang_arnell = flat(&diamond, &ceramic, &substrate, 1e-6);
     let loads = |contact: &dyn MicroContact, b: f64, known: &[(f64, f64)]| {
         for &(w, load) in known {
             let found = contact.contact(w * 1e-6, Shape::sphere(b)).load;
@@ -129,11 +113,11 @@ fn the_two_spheres_of_figure_5() {
         }
     };
     loads(
-        &sherbiny,
+        &*sherbiny,
         12.75e-3,
         &[(0.1, 0.375385), (0.5, 4.06646), (1.0, 13.6708), (2.0, 39.129), (5.0, 153.356)],
     );
-    loads(&tang_arnell, 100e-6, &[(0.1, 0.0878111), (0.5, 0.908916), (1.0, 2.24359), (2.0, 4.78555)]);
+    loads(&*tang_arnell, 100e-6, &[(0.1, 0.0878111), (0.5, 0.908916), (1.0, 2.24359), (2.0, 4.78555)]);
     let changes = |contact: &dyn MicroContact, b: f64, known: &[f64]| {
         let found: Vec<f64> = contact.regime_changes(Shape::sphere(b)).into_iter().map(|w| w * 1e6).collect();
         assert_eq!(found.len(), known.len(), "{found:?}");
@@ -141,6 +125,6 @@ fn the_two_spheres_of_figure_5() {
             assert!((found / known - 1.0).abs() < 1e-3, "{found} um, expected {known}");
         }
     };
-    changes(&sherbiny, 12.75e-3, &[0.0409, 1.057, 4.627, 248.6]);
-    changes(&tang_arnell, 100e-6, &[0.635, 8.76]);
+    changes(&*sherbiny, 12.75e-3, &[0.0409, 1.057, 4.627, 248.6]);
+    changes(&*tang_arnell, 100e-6, &[0.635, 8.76]);
 }

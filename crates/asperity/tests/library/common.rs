@@ -4,9 +4,10 @@
 use std::collections::HashMap;
 use std::path::Path;
 
+use asperity::contact_law::named;
 use asperity::numeric::Sum;
 use asperity::numeric::quadrature::{Variable, panels};
-use asperity::{Material, MicroContact, Population, Shape};
+use asperity::{Flat, Material, MicroContact, Population, Shape};
 use rand::{Rng, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 
@@ -89,6 +90,16 @@ impl Random {
     pub fn one_of<T: Clone>(&mut self, all: &[T]) -> T {
         all[(self.unit() * all.len() as f64) as usize].clone()
     }
+}
+
+/// The contact of a registered law with some of its options set. Built from the law's type it would be compiled again here.
+pub fn contact(law: &str, options: &[(&str, f64)], rough: &Material, flat: &Flat) -> Box<dyn MicroContact> {
+    named(law).unwrap().with_options(options).unwrap().interface(rough, flat).unwrap()
+}
+
+/// The same of two equal bodies.
+pub fn bare_contact(law: &str, options: &[(&str, f64)], body: &Material) -> Box<dyn MicroContact> {
+    contact(law, options, body, &Flat::Bare(*body))
 }
 
 /// A rough body, a layer and a substrate: moduli over eight decades, hardnesses over six, the rough body harder, softer,

@@ -1,8 +1,9 @@
 //! Curves within a tolerance: how far they are off, and what they cost.
 
+use crate::common::bare_contact;
 use asperity::{
-    AsperitySet, ByRegime, Ceb, Deterministic, Draw, Heights, Hertz, Interface, Law, Material, MicroContact,
-    Model, Population, ReferencePlane, Response, Shape, Statistical, Zmc, respond_within,
+    AsperitySet, ByRegime, Deterministic, Draw, Heights, Material, MicroContact, Model, Population,
+    ReferencePlane, Response, Shape, Statistical, respond_within,
 };
 
 const CASES: [Population; 2] = [
@@ -14,8 +15,8 @@ fn steel() -> Material {
     Material::new(210e9, 0.3, Some(7.6e9), None).unwrap()
 }
 
-fn bare(law: impl Law + Clone) -> impl MicroContact {
-    Interface::bare(law, &steel(), &steel()).unwrap()
+fn bare(law: &str) -> Box<dyn MicroContact> {
+    bare_contact(law, &[], &steel())
 }
 
 fn sweep(points: usize) -> Vec<f64> {
@@ -45,9 +46,9 @@ fn work(model: &dyn Model, separations: &[f64]) -> f64 {
 
 #[test]
 fn a_thousand_integrals_from_fewer_than_a_hundred() {
-    let (zmc, hertz, ceb) = (bare(Zmc::default()), bare(Hertz), bare(Ceb));
+    let (zmc, hertz, ceb) = (bare("zmc"), bare("hertz"), bare("ceb"));
     for population in CASES {
-        for contact in [&zmc as &dyn MicroContact, &hertz, &ceb] {
+        for contact in [&*zmc, &*hertz, &*ceb] {
             let model = Statistical::new(contact, population.clone());
             let curve = respond_within(&model, &sweep(1000), 1e-8);
             let off = errors(&curve.responses, &model.respond_all(&sweep(1000)));
@@ -59,11 +60,11 @@ fn a_thousand_integrals_from_fewer_than_a_hundred() {
 
 #[test]
 fn a_thousand_sums_for_no_more_than_twice_the_contacts_of_fifty() {
-    let zmc = bare(Zmc::default());
+    let zmc = bare("zmc");
     for (population, seed) in CASES.into_iter().zip([1, 2]) {
         let set = population.set(1_000_000, Draw::Random([seed; 32])).unwrap();
         let model =
-            Deterministic::new(&zmc, set.spheres(), ReferencePlane { mean: 0.0, sigma: population.sigma });
+            Deterministic::new(&*zmc, set.spheres(), ReferencePlane { mean: 0.0, sigma: population.sigma });
         let curve = respond_within(&model, &sweep(1000), 1e-4);
         let exact = model.respond_all(&sweep(1000));
         let [off, shares] = errors(&curve.responses, &exact);
@@ -91,14 +92,14 @@ fn a_thousand_sums_for_no_more_than_twice_the_contacts_of_fifty() {
 /// A far flat touches few: what it finds is what those alone carry.
 #[test]
 fn far_separations_are_those_of_the_asperities_that_stand_out() {
-    let zmc = bare(Zmc::default());
+    let zmc = bare("zmc");
     let set = CASES[0].set(300_000, Draw::Random([4; 32])).unwrap();
     let plane = ReferencePlane { mean: 0.0, sigma: CASES[0].sigma };
     let highest = |z: &f64| *z > 2.5 * plane.sigma;
     let heights: Vec<f64> = set.heights().iter().copied().filter(highest).collect();
     let radii = vec![CASES[0].radius; heights.len()];
     let few = AsperitySet::new(heights, radii, set.nominal_area()).unwrap();
-    let [all, few] = [&set, &few].map(|set| Deterministic::new(&zmc, set.spheres(), plane));
+    let [all, few] = [&set, &few].map(|set| Deterministic::new(&*zmc, set.spheres(), plane));
     let far: Vec<f64> = (0..40).map(|k| 2.6 + 0.05 * f64::from(k)).collect();
     let (found, expected) = (all.respond_all(&far), few.respond_all(&far));
     assert!(errors(&found, &expected)[0] < 1e-14);
@@ -117,10 +118,10 @@ fn far_separations_are_those_of_the_asperities_that_stand_out() {
 /// Contacts are counted at thousands of separations at once.
 #[test]
 fn contacts_are_counted_at_any_number_of_separations() {
-    let zmc = bare(Zmc::default());
+    let zmc = bare("zmc");
     let set = CASES[0].set(3000, Draw::Random([6; 32])).unwrap();
     let plane = ReferencePlane { mean: 0.0, sigma: CASES[0].sigma };
-    let model = Deterministic::new(&zmc, set.spheres(), plane);
+    let model = Deterministic::new(&*zmc, set.spheres(), plane);
     let separations: Vec<f64> = (0..5000).map(|k| 5.0 - f64::from((k * 7919) % 5000) * 0.002).collect();
     let counted = model.count_contacts(&separations).unwrap();
     for (h, contacts) in separations.iter().zip(&counted.contacts) {
@@ -132,9 +133,9 @@ fn contacts_are_counted_at_any_number_of_separations() {
 /// Few asperities, and a law whose load jumps: every point is asked for, and exact.
 #[test]
 fn what_cannot_be_foretold_is_asked() {
-    let ceb = bare(Ceb);
+    let ceb = bare("ceb");
     let set = CASES[1].set(30, Draw::Random([3; 32])).unwrap();
-    let model = Deterministic::new(&ceb, set.spheres(), ReferencePlane { mean: 0.0, sigma: CASES[1].sigma });
+    let model = Deterministic::new(&*ceb, set.spheres(), ReferencePlane { mean: 0.0, sigma: CASES[1].sigma });
     let curve = respond_within(&model, &sweep(300), 1e-6);
     assert!(errors(&curve.responses, &model.respond_all(&sweep(300)))[0] <= 1e-6);
     assert!(curve.evaluated.len() > 100);
@@ -191,9 +192,9 @@ fn a_pressure_that_rises_and_falls() {
 /// Whatever the order of the separations, also twice the same, beyond the highest asperity, or few of them.
 #[test]
 fn any_list_of_separations() {
-    let zmc = bare(Zmc::default());
+    let zmc = bare("zmc");
     let set = CASES[0].set(20_000, Draw::Quantiles).unwrap();
-    let model = Deterministic::new(&zmc, set.spheres(), ReferencePlane { mean: 0.0, sigma: CASES[0].sigma });
+    let model = Deterministic::new(&*zmc, set.spheres(), ReferencePlane { mean: 0.0, sigma: CASES[0].sigma });
     let mixed: Vec<f64> = (0..400).map(|k| f64::from((k * 37) % 200) * 0.05 - 2.0).collect();
     for separations in [&mixed[..], &mixed[..5], &[9.0; 40], &[]] {
         let curve = respond_within(&model, separations, 1e-3);

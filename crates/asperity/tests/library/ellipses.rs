@@ -2,11 +2,11 @@
 
 use std::f64::consts::PI;
 
-use crate::common::Worst;
+use crate::common::{Worst, bare_contact, contact};
 use asperity::{
-    Accumulator, AsperitySet, Deterministic, Ellipse, Ellipses, Ellipticity, Heights, Hertz, Interface, Law,
-    LayeredFlat, LayeredInterface, Material, MicroContact, Model, ModulusModel, Ordered, Pair, Population,
-    ReferencePlane, Shape, Statistical, YieldLimits, Zmc,
+    Accumulator, AsperitySet, Deterministic, Ellipse, Ellipses, Ellipticity, Flat, Heights, Law, LayeredFlat,
+    Material, MicroContact, Model, ModulusModel, Ordered, Pair, Population, ReferencePlane, Shape,
+    Statistical, YieldLimits, Zmc,
 };
 
 const STEEL: [f64; 3] = [210e9, 0.3, 7.6e9];
@@ -59,10 +59,10 @@ fn set() -> AsperitySet {
 
 #[test]
 fn a_sum_over_ellipses_is_that_of_hertz() {
-    let contact = Interface::bare(Hertz, &body(STEEL), &body(STEEL)).unwrap();
+    let contact = bare_contact("hertz", &[], &body(STEEL));
     let (set, modulus) = (set(), contact.reference_modulus());
     let ellipses = Ellipses::of(&set).unwrap();
-    let sum = Deterministic::new(&contact, ellipses.asperities(), ReferencePlane { mean: 0.0, sigma: 1e-7 });
+    let sum = Deterministic::new(&*contact, ellipses.asperities(), ReferencePlane { mean: 0.0, sigma: 1e-7 });
     let mut worst = Worst::default();
     for h in [0.0, 3.3, 11.0] {
         let mut expected = [0.0; 2];
@@ -83,14 +83,14 @@ fn a_sum_over_ellipses_is_that_of_hertz() {
 /// n spheres a summit: the integral is n times that over the spheres, and the sum over quantiles tends to it.
 #[test]
 fn an_integral_over_ellipses_is_that_over_their_spheres() {
-    let contact = Interface::bare(Zmc::default(), &body(STEEL), &body(STEEL)).unwrap();
+    let contact = bare_contact("zmc", &[], &body(STEEL));
     let mean = Ellipticity { mean_curvature: 5e4, mean_ratio: 0.2 };
     let shape = mean.shape();
     assert!(shape.spheres > 1.1);
     let population =
         Population { radius: shape.radius, sigma: 5e-8, density: 6e10, heights: Heights::GAUSSIAN };
-    let spheres = Statistical::new(&contact, population.clone());
-    let ellipses = Statistical::of_shape(&contact, Population { radius: 1.0, ..population }, shape);
+    let spheres = Statistical::new(&*contact, population.clone());
+    let ellipses = Statistical::of_shape(&*contact, Population { radius: 1.0, ..population }, shape);
     for h in [-1.0, 0.5, 3.0] {
         let (one, all) = (spheres.respond(h), ellipses.respond(h));
         assert!((all.pressure.total() / one.pressure.total() / shape.spheres - 1.0).abs() < 1e-14);
@@ -104,7 +104,8 @@ fn an_integral_over_ellipses_is_that_over_their_spheres() {
 fn under_a_layer_an_ellipse_feels_the_circle_of_its_area() {
     let (steel, lead) = (body(STEEL), body([18e9, 0.35, 0.17e9]));
     let layered = LayeredFlat::new(&lead, &steel, 5e-8, ModulusModel::Gao).unwrap();
-    let contact = LayeredInterface::new(Zmc::default(), &steel, &steel, layered.clone()).unwrap();
+    let flat = Flat::Layered { substrate: steel, layered: layered.clone() };
+    let contact = contact("zmc", &[], &steel, &flat);
     let set = set();
     let all = Ordered::new(Ellipses::of(&set).unwrap().asperities());
     let touching = all.above(5e-7);
@@ -147,10 +148,10 @@ fn ellipses_of_ratio_one_are_spheres_to_the_bit() {
     let ellipses = radii.iter().map(round).collect();
     let radii = radii.iter().map(|b| b.recip().recip()).collect();
     let set = AsperitySet::new(heights, radii, 1e-8).unwrap().with_ellipses(ellipses).unwrap();
-    let contact = Interface::bare(Zmc::default(), &body(STEEL), &body(STEEL)).unwrap();
+    let contact = bare_contact("zmc", &[], &body(STEEL));
     let ellipses = Ellipses::of(&set).unwrap();
     let plane = ReferencePlane { mean: 0.0, sigma: 1e-7 };
     let [one, other] = [set.spheres(), ellipses.asperities()]
-        .map(|set| Deterministic::new(&contact, set, plane).respond(0.5));
+        .map(|set| Deterministic::new(&*contact, set, plane).respond(0.5));
     assert_eq!(one, other);
 }

@@ -2,13 +2,13 @@
 
 use std::fmt;
 
-use crate::common::{Worst, relative_error};
+use crate::common::{Worst, bare_contact, relative_error};
 use asperity::distribution::{Johnson, REGISTRY, Weibull};
 use asperity::numeric::Sum;
 use asperity::numeric::quadrature::{Variable, panels};
 use asperity::{
-    Ceb, Deterministic, Draw, HeightDistribution, Heights, Hertz, Interface, Material, MicroContact, Model,
-    Paper, Population, ReferencePlane, Shape, Statistical, Zmc,
+    Deterministic, Draw, HeightDistribution, Heights, Material, MicroContact, Model, Paper, Population,
+    ReferencePlane, Shape, Statistical,
 };
 
 const RADIUS: f64 = 2e-5;
@@ -109,11 +109,11 @@ fn separations(heights: &Heights) -> Vec<f64> {
 #[test]
 fn the_integral_is_that_over_the_map_from_the_normal() {
     let steel = steel();
-    let hertz = Interface::bare(Hertz, &steel, &steel).unwrap();
-    let zmc = Interface::bare(Zmc::default(), &steel, &steel).unwrap();
+    let hertz = bare_contact("hertz", &[], &steel);
+    let zmc = bare_contact("zmc", &[], &steel);
     let mut worst = Worst::default();
     for heights in all() {
-        for (contact, sigma) in [(&hertz as &dyn MicroContact, 1e-7), (&zmc, 2e-8), (&zmc, 3e-7)] {
+        for (contact, sigma) in [(&*hertz, 1e-7), (&*zmc, 2e-8), (&*zmc, 3e-7)] {
             let population = unit(sigma, heights.clone());
             let model = Statistical::new(contact, population.clone());
             let kinks = contact.regime_changes(Shape::sphere(RADIUS));
@@ -136,9 +136,9 @@ fn the_integral_is_that_over_the_map_from_the_normal() {
 #[test]
 fn weibull_heights_of_shape_1_are_exponential() {
     let steel = steel();
-    let contact = Interface::bare(Zmc::default(), &steel, &steel).unwrap();
+    let contact = bare_contact("zmc", &[], &steel);
     let [one, other] =
-        [weibull(1.0), Heights::EXPONENTIAL].map(|heights| Statistical::new(&contact, unit(1e-7, heights)));
+        [weibull(1.0), Heights::EXPONENTIAL].map(|heights| Statistical::new(&*contact, unit(1e-7, heights)));
     for h in [-3.0, -1.0, -0.9, 0.0, 2.0, 10.0, 50.0] {
         let [one, other] = [one.respond(h), other.respond(h)];
         assert!(relative_error(one.pressure.total(), other.pressure.total()) < 1e-12, "{h}");
@@ -150,9 +150,9 @@ fn weibull_heights_of_shape_1_are_exponential() {
 #[test]
 fn pressures_lead_back_to_their_separations() {
     let steel = steel();
-    let contact = Interface::bare(Ceb, &steel, &steel).unwrap();
+    let contact = bare_contact("ceb", &[], &steel);
     for heights in all() {
-        let model = Statistical::new(&contact, unit(1e-7, heights.clone()));
+        let model = Statistical::new(&*contact, unit(1e-7, heights.clone()));
         for h in [-9.0, -1.0, 0.0, 0.7, 3.0, 8.0] {
             let pressure = model.respond(h).pressure.total();
             if pressure > 0.0 {
@@ -171,16 +171,16 @@ fn pressures_lead_back_to_their_separations() {
 #[test]
 fn sums_over_quantiles_approach_the_integral() {
     let steel = steel();
-    let contact = Interface::bare(Zmc::default(), &steel, &steel).unwrap();
+    let contact = bare_contact("zmc", &[], &steel);
     for heights in REGISTRY.map(|entry| entry.example().unwrap()).into_iter().chain([
         weibull(0.7),
         weibull(5.0),
         johnson(1.0, 6.0),
     ]) {
         let population = unit(1e-7, heights.clone());
-        let model = Statistical::new(&contact, population.clone());
+        let model = Statistical::new(&*contact, population.clone());
         let set = population.set(400_000, Draw::Quantiles).unwrap();
-        let sum = Deterministic::new(&contact, set.spheres(), ReferencePlane { mean: 0.0, sigma: 1e-7 });
+        let sum = Deterministic::new(&*contact, set.spheres(), ReferencePlane { mean: 0.0, sigma: 1e-7 });
         for h in [-1.0, 0.0, 1.0] {
             let [found, exact] = [sum.respond(h), model.respond(h)].map(|r| r.pressure.total());
             assert!(relative_error(found, exact) < 1e-4, "{heights} at {h}: {found} {exact}");
@@ -252,14 +252,14 @@ impl HeightDistribution for Uniform {
 #[test]
 fn a_distribution_from_outside_is_integrated_and_drawn() {
     let steel = steel();
-    let contact = Interface::bare(Hertz, &steel, &steel).unwrap();
+    let contact = bare_contact("hertz", &[], &steel);
     let heights = Heights::new(Uniform);
     assert_eq!(heights, Heights::new(Uniform));
     assert_ne!(heights, Heights::GAUSSIAN);
     let population = unit(1e-7, heights);
-    let model = Statistical::new(&contact, population.clone());
+    let model = Statistical::new(&*contact, population.clone());
     let set = population.set(100_000, Draw::Quantiles).unwrap();
-    let sum = Deterministic::new(&contact, set.spheres(), ReferencePlane { mean: 0.0, sigma: 1e-7 });
+    let sum = Deterministic::new(&*contact, set.spheres(), ReferencePlane { mean: 0.0, sigma: 1e-7 });
     for h in [-3.0, -1.0, 0.0, 1.7] {
         let excess = |z: f64| (z - h).max(0.0).powf(2.5);
         let moment = (excess(HALF) - excess(-HALF)) / (5.0 * HALF);

@@ -1,10 +1,10 @@
 //! What must hold for any surface, whatever the numbers, beyond what every law must hold (`tests/conformance.rs`).
 
-use crate::common::{Worst, dense, relative_error, rows};
+use crate::common::{Worst, bare_contact, dense, relative_error, rows};
 use asperity::distribution::gaussian_moment;
 use asperity::{
-    AsperitySet, Deterministic, Draw, Heights, Hertz, Interface, Material, MicroContact, Model, Ordered,
-    Population, ReferencePlane, Shape, Statistical, Statistics, SurfaceHeights, Zmc, at_pressure,
+    AsperitySet, Deterministic, Draw, Heights, Material, MicroContact, Model, Ordered, Population,
+    ReferencePlane, Shape, Statistical, Statistics, SurfaceHeights, Zmc, at_pressure,
 };
 
 const CASE_1: Population =
@@ -16,8 +16,8 @@ fn steel() -> Material {
     Material::new(210e9, 0.3, Some(7.6e9), None).unwrap()
 }
 
-fn zmc(onset: f64) -> Interface<Zmc> {
-    Interface::bare(Zmc::new(onset, 54.0).unwrap(), &steel(), &steel()).unwrap()
+fn zmc(onset: f64) -> Box<dyn MicroContact> {
+    bare_contact("zmc", &[("onset", onset)], &steel())
 }
 
 fn drawn(population: Population, count: usize) -> AsperitySet {
@@ -62,7 +62,7 @@ fn a_sum_over_a_million_asperities_is_exact_to_4_ulp() {
         for d in [-1e-6, 0.0, 1e-7] {
             let above = ordered.above(d);
             let contacts = || (0..above.count()).map(|i| law.contact(above.heights()[i] - d, above.shape(i)));
-            let found = Deterministic::new(&law, set.spheres(), plane(CASE_2)).total(d);
+            let found = Deterministic::new(&*law, set.spheres(), plane(CASE_2)).total(d);
             let ulp = |exact: f64| exact * f64::EPSILON;
             let (area, load) = (exact_sum(contacts().map(|c| c.area)), exact_sum(contacts().map(|c| c.load)));
             assert!((found.area().total() - area).abs() <= 4.0 * ulp(area));
@@ -78,7 +78,7 @@ fn a_sum_is_the_same_to_the_bit_on_any_number_of_threads() {
         let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
         pool.install(|| {
             let set = drawn(CASE_1, 300_001);
-            let model = Deterministic::new(&law, set.spheres(), plane(CASE_1));
+            let model = Deterministic::new(&*law, set.spheres(), plane(CASE_1));
             [2.5, 1.0, -0.5].map(|h| format!("{:?}", model.respond(h)))
         })
     };
@@ -96,7 +96,7 @@ fn partial_totals_merge_into_the_whole() {
     let set = |range: std::ops::Range<usize>| {
         AsperitySet::new(heights[range.clone()].to_vec(), radii[range].to_vec(), 1.0).unwrap()
     };
-    let total = |set: &AsperitySet| Deterministic::new(&law, set.spheres(), plane(CASE_1)).total(2e-8);
+    let total = |set: &AsperitySet| Deterministic::new(&*law, set.spheres(), plane(CASE_1)).total(2e-8);
     let mut parts = total(&set(0..400));
     parts.merge(&total(&set(400..1000)));
     let whole = total(&set(0..1000));
@@ -108,10 +108,10 @@ fn partial_totals_merge_into_the_whole() {
 #[test]
 fn exponential_moments_are_gamma_functions() {
     let body = Material::new(2.0, 0.0, None, None).unwrap();
-    let hertz = Interface::bare(Hertz, &body, &body).unwrap();
+    let hertz = bare_contact("hertz", &[], &body);
     let unit = Population { radius: 1.0, sigma: 1.0, density: 1.0, heights: Heights::EXPONENTIAL };
     for h in [-1.0, 0.0, 3.0, 100.0] {
-        let found = Statistical::new(&hertz, unit.clone()).respond(h);
+        let found = Statistical::new(&*hertz, unit.clone()).respond(h);
         let tail = (-(h + 1.0f64)).exp();
         let pi = std::f64::consts::PI;
         assert!(relative_error(found.contact_density, tail) < 1e-14);
@@ -119,7 +119,7 @@ fn exponential_moments_are_gamma_functions() {
         assert!(relative_error(found.pressure.total(), 4.0 / 3.0 * 0.75 * pi.sqrt() * tail) < 1e-14);
     }
     // Everything in contact: the mean indentation is the mean height above the flat.
-    let deep = Statistical::new(&hertz, unit.clone()).respond(-6.0);
+    let deep = Statistical::new(&*hertz, unit.clone()).respond(-6.0);
     assert!(relative_error(deep.area_ratio.total(), 6.0 * std::f64::consts::PI) < 1e-14);
     assert!(relative_error(deep.contact_density, 1.0) < 1e-14);
 }
@@ -141,7 +141,7 @@ fn stiffness_is_the_slope_of_the_pressure() {
     const STEP: f64 = 1e-4;
     let law = zmc(Zmc::ONSET);
     let set = drawn(CASE_2, 20_000);
-    let model = Deterministic::new(&law, set.spheres(), plane(CASE_2));
+    let model = Deterministic::new(&*law, set.spheres(), plane(CASE_2));
     for h in [-3.0, 0.0, 1.0, 2.5] {
         let pressure = |h: f64| model.respond(h).pressure.total();
         let slope = (pressure(h - STEP) - pressure(h + STEP)) / (2.0 * STEP * CASE_2.sigma);
@@ -161,7 +161,7 @@ fn where_the_load_falls_the_first_reach_counts() {
     assert!(zmc(Zmc::ONSET).may_decrease(Shape::sphere(2e-5).into()).is_empty());
     assert!(zmc(0.4).may_decrease(Shape::sphere(2e-5).into()).is_empty());
     let set = AsperitySet::new(vec![0.0, -1e-6], vec![2e-5, 2e-5], 1.0).unwrap();
-    let model = Deterministic::new(&law, set.spheres(), ReferencePlane { mean: 0.0, sigma: 1e-8 });
+    let model = Deterministic::new(&*law, set.spheres(), ReferencePlane { mean: 0.0, sigma: 1e-8 });
     let w1 = law.breakpoints(Shape::sphere(2e-5))[0];
     let before = law.contact(w1 * (1.0 - 1e-9), Shape::sphere(2e-5)).load;
     let after = law.contact(w1 * (1.0 + 1e-9), Shape::sphere(2e-5)).load;
@@ -176,7 +176,7 @@ fn where_the_load_falls_the_first_reach_counts() {
 #[test]
 fn a_pressure_out_of_reach_says_what_can_be_reached() {
     let law = zmc(Zmc::ONSET);
-    let model = Statistical::new(&law, CASE_1);
+    let model = Statistical::new(&*law, CASE_1);
     let error = at_pressure(&model, 1e15).unwrap_err();
     assert_eq!(error.largest, model.respond(-10.0).pressure.total());
     assert!(error.to_string().contains("-10 sigma"), "{error}");
@@ -188,7 +188,7 @@ fn nothing_is_nan_where_nothing_touches() {
     let law = zmc(Zmc::ONSET);
     let set = drawn(CASE_1, 1000);
     let models: [&dyn Model; 2] =
-        [&Statistical::new(&law, CASE_1), &Deterministic::new(&law, set.spheres(), plane(CASE_1))];
+        [&Statistical::new(&*law, CASE_1), &Deterministic::new(&*law, set.spheres(), plane(CASE_1))];
     for model in models {
         let response = model.respond(1000.0);
         assert_eq!(response.pressure.total(), 0.0);
@@ -202,7 +202,7 @@ fn nothing_is_nan_where_nothing_touches() {
 fn asperities_at_or_below_the_flat_do_not_touch() {
     let law = zmc(Zmc::ONSET);
     let set = AsperitySet::new(vec![3.0, -1.0, 2.0, 1.0, 2.0], vec![1.0; 5], 1.0).unwrap();
-    let model = Deterministic::new(&law, set.spheres(), ReferencePlane { mean: 0.0, sigma: 1.0 });
+    let model = Deterministic::new(&*law, set.spheres(), ReferencePlane { mean: 0.0, sigma: 1.0 });
     assert_eq!(model.total(2.0).contacts(), 1.0);
     assert_eq!(model.total(2f64.next_down()).contacts(), 3.0);
     assert_eq!(model.total(3.0).contacts(), 0.0);
@@ -212,11 +212,11 @@ fn asperities_at_or_below_the_flat_do_not_touch() {
 /// not scatter.
 #[test]
 fn the_sampling_error_of_a_few_asperities() {
-    let law = Interface::bare(Hertz, &steel(), &steel()).unwrap();
+    let law = bare_contact("hertz", &[], &steel());
     let error = |radii: Vec<f64>, heights: Vec<f64>| {
         let set = AsperitySet::new(heights, radii, 2.0).unwrap();
         let found =
-            Deterministic::new(&law, set.spheres(), ReferencePlane { mean: 0.0, sigma: 1e-9 }).respond(0.0);
+            Deterministic::new(&*law, set.spheres(), ReferencePlane { mean: 0.0, sigma: 1e-9 }).respond(0.0);
         let sampling = found.sampling.unwrap();
         (sampling.pressure / found.pressure.total(), sampling.area_ratio / found.area_ratio.total())
     };
@@ -236,7 +236,7 @@ fn the_sampling_error_is_the_scatter_of_independent_sets() {
             let mut seed = [0; 32];
             seed[..2].copy_from_slice(&k.to_le_bytes());
             let set = CASE_1.set(2000, Draw::Random(seed)).unwrap();
-            Deterministic::new(&law, set.spheres(), plane(CASE_1)).respond(1.0)
+            Deterministic::new(&*law, set.spheres(), plane(CASE_1)).respond(1.0)
         })
         .collect();
     let mean = answers.iter().map(|r| r.pressure.total()).sum::<f64>() / 400.0;
@@ -249,13 +249,13 @@ fn the_sampling_error_is_the_scatter_of_independent_sets() {
 #[test]
 fn deep_below_the_mean_a_wide_transition_is_resolved_too() {
     for ratio in [2.0, 54.0, 110.0, 1e4, 1e10] {
-        let law = Interface::bare(Zmc::new(Zmc::ONSET, ratio).unwrap(), &steel(), &steel()).unwrap();
+        let law = bare_contact("zmc", &[("transition-ratio", ratio)], &steel());
         for h in [-10.0, -8.0, -5.0, -3.0, -1.0] {
             for radius in [1.6e-6, 1e-4, 1e-2] {
                 let population = Population { radius, ..CASE_2 };
-                let found = Statistical::new(&law, population.clone()).respond(h).pressure.total();
+                let found = Statistical::new(&*law, population.clone()).respond(h).pressure.total();
                 let shape = Shape::sphere(radius);
-                let [_, exact, _] = dense(&law, shape, &law.regime_changes(shape), &population, h);
+                let [_, exact, _] = dense(&*law, shape, &law.regime_changes(shape), &population, h);
                 let error = relative_error(found, exact);
                 assert!(error < 3e-14, "c = {ratio}, h = {h}, R = {radius}: {error:e}");
             }
@@ -266,9 +266,9 @@ fn deep_below_the_mean_a_wide_transition_is_resolved_too() {
 #[test]
 fn breakpoints_next_to_nothing_cost_nothing() {
     let soft = Material::new(1e30, 0.3, Some(1e-30), None).unwrap();
-    let law = Interface::bare(Zmc::default(), &soft, &soft).unwrap();
+    let law = bare_contact("zmc", &[], &soft);
     let population = Population { radius: 1e-30, sigma: 1e30, ..CASE_1 };
-    let found = Statistical::new(&law, population.clone()).respond(1.0);
+    let found = Statistical::new(&*law, population.clone()).respond(1.0);
     assert!(found.area_ratio.0[2] > 0.0 && found.area_ratio.total().is_finite());
 }
 
@@ -277,7 +277,7 @@ fn breakpoints_next_to_nothing_cost_nothing() {
 fn a_peak_within_a_step_of_the_search_is_found() {
     let law = zmc(100.0);
     let sigma = law.breakpoints(Shape::sphere(2e-5))[0] / 2.0;
-    let model = Statistical::new(&law, Population { sigma, ..CASE_1 });
+    let model = Statistical::new(&*law, Population { sigma, ..CASE_1 });
     let pressure = |h: f64| model.respond(h).pressure.total();
     let peak = (0..4000).map(|k| pressure(-1e-3 * f64::from(k))).take_while(|&p| p > 0.0);
     let (mut highest, mut at) = (0.0, 0.0);
@@ -294,12 +294,12 @@ fn a_peak_within_a_step_of_the_search_is_found() {
 /// Rounding of a separation far from zero is no jump.
 #[test]
 fn an_offset_of_the_heights_makes_no_jumps() {
-    let law = Interface::bare(Hertz, &steel(), &steel()).unwrap();
+    let law = bare_contact("hertz", &[], &steel());
     let drawn = CASE_1.set(5000, Draw::Random([9; 32])).unwrap();
     let shifted = drawn.heights().iter().map(|z| z + 1e-3).collect();
     let set = AsperitySet::new(shifted, drawn.radii().to_vec(), drawn.nominal_area()).unwrap();
     let plane = ReferencePlane::from(&Statistics::of(&set));
-    let model = Deterministic::new(&law, set.spheres(), plane);
+    let model = Deterministic::new(&*law, set.spheres(), plane);
     for pressure in [1e-2, 1.0, 1e3, 1e6] {
         assert!(!at_pressure(&model, pressure).unwrap().in_jump, "{pressure}");
     }
@@ -313,15 +313,15 @@ fn surface_heights_are_quoted_alike_by_both_models() {
     let plane = ReferencePlane { mean: -surface.mean_asperity_height(), sigma: CASE_2.sigma };
     let law = zmc(Zmc::ONSET);
     let set = population.set(200_000, Draw::Quantiles).unwrap();
-    let statistical = Statistical::new(&law, population.clone()).reported_from(plane);
-    let deterministic = Deterministic::new(&law, set.spheres(), plane);
+    let statistical = Statistical::new(&*law, population.clone()).reported_from(plane);
+    let deterministic = Deterministic::new(&*law, set.spheres(), plane);
     for h in [0.0, 1.0, 2.0] {
         let (s, d) = (statistical.respond(h), deterministic.respond(h));
         assert!(relative_error(s.pressure.total(), d.pressure.total()) < 2e-4, "h = {h}");
         assert_eq!((s.separation, d.separation), (h * CASE_2.sigma, h * CASE_2.sigma));
         // Seen from the asperities the flat is nearer by the height of their mean.
         let own = (h * CASE_2.sigma - surface.mean_asperity_height()) / population.sigma;
-        let same = Statistical::new(&law, population.clone()).respond(own).pressure.total();
+        let same = Statistical::new(&*law, population.clone()).respond(own).pressure.total();
         assert!(relative_error(s.pressure.total(), same) < 1e-13);
         let reached = at_pressure(&statistical, s.pressure.total()).unwrap().response;
         assert!(reached.pressure.total() >= s.pressure.total());

@@ -2,22 +2,22 @@
 
 use std::sync::atomic::{AtomicUsize, Ordering};
 
-use crate::common::{Random, bodies, dense, relative_error};
+use crate::common::{Random, bodies, contact, dense, relative_error};
 use asperity::numeric::Interval;
 use asperity::{
-    AsperitySet, Ceb, Contact, Deterministic, Draw, Flat, Heights, KogutEtsion, LayeredFlat,
-    LayeredInterface, LoadBounds, Material, MicroContact, Model, ModulusModel, Paper, Population,
-    ReferencePlane, Regime, Shape, Shapes, Statistical, Zmc,
+    AsperitySet, Contact, Deterministic, Draw, Flat, Heights, LayeredFlat, LoadBounds, Material,
+    MicroContact, Model, ModulusModel, Paper, Population, ReferencePlane, Regime, Shape, Shapes, Statistical,
+    Zmc,
 };
 
 fn steel() -> Material {
     Material::new(210e9, 0.3, Some(7.6e9), None).unwrap()
 }
 
-fn under_lead(thickness: f64) -> LayeredInterface<Zmc> {
+fn under_lead(thickness: f64, onset: f64) -> Box<dyn MicroContact> {
     let lead = Material::new(18e9, 0.35, Some(0.17e9), None).unwrap();
-    let layered = LayeredFlat::new(&lead, &steel(), thickness, ModulusModel::Gao).unwrap();
-    LayeredInterface::new(Zmc::default(), &steel(), &steel(), layered).unwrap()
+    let flat = Flat::with_layer(&lead, &steel(), thickness, ModulusModel::Gao).unwrap();
+    contact("zmc", &[("onset", onset)], &steel(), &flat)
 }
 
 /// The regimes of lead on steel that PHYSICS C lists for Table 1, and where its areas fall.
@@ -36,7 +36,7 @@ fn regimes_of_lead_on_steel_come_again() {
     ];
     for (b, thicknesses, expected, falls) in cases {
         for t in thicknesses {
-            let contact = under_lead(t);
+            let contact = under_lead(t, Zmc::ONSET);
             let changes = contact.regime_changes(Shape::sphere(b));
             let ends = [1e-30].into_iter().chain(changes.iter().copied()).chain([1.0]).collect::<Vec<_>>();
             let regimes: Vec<_> = ends
@@ -98,7 +98,7 @@ fn three_roots_that_merge_are_one() {
             LayeredFlat::new(&body(1e9 * MERGING * (1.0 - apart)), &body(1e9), 1e-7, ModulusModel::Gao)
                 .unwrap();
         let b = w * (modulus / layered.at(w, 1e-5).hardness).powi(2) / Zmc::ONSET;
-        let contact = LayeredInterface::new(Zmc::default(), &rough, &body(1e9), layered).unwrap();
+        let contact = contact("zmc", &[], &rough, &Flat::Layered { substrate: body(1e9), layered });
         // Of these one is the end of the elastic-plastic range.
         let found = contact.regime_changes(Shape::sphere(b)).len() - 1;
         assert!(expected.contains(&found), "{found} roots at {apart:e}");
@@ -112,14 +112,14 @@ fn a_harder_flat_may_yield_first() {
     let body = |young, poisson, hardness| Material::new(young, poisson, Some(hardness), None).unwrap();
     let (rough, substrate) = (body(1e8, 0.499, 1e9), body(4e13, 0.14, 1e9));
     let layered = LayeredFlat::new(&body(2e13, 0.25, 2e11), &substrate, 3e-7, ModulusModel::Gao).unwrap();
-    let contact = LayeredInterface::new(Ceb, &rough, &substrate, layered).unwrap();
+    let contact = contact("ceb", &[], &rough, &Flat::Layered { substrate, layered });
     let shape = Shape::sphere(5e-8);
     let population =
         Population { radius: shape.radius, sigma: 2e-3, density: 1e10, heights: Heights::GAUSSIAN };
-    let model = Statistical::new(&contact, population.clone());
+    let model = Statistical::new(&*contact, population.clone());
     for h in [0.0, 10.0, 20.0] {
         let found = model.respond(h);
-        let [area, load, _] = dense(&contact, shape, &contact.breakpoints(shape), &population, h);
+        let [area, load, _] = dense(&*contact, shape, &contact.breakpoints(shape), &population, h);
         assert!(relative_error(found.area_ratio.total(), area) < 1e-13, "h = {h}");
         assert!(relative_error(found.pressure.total(), load) < 1e-13, "h = {h}");
     }
@@ -128,9 +128,7 @@ fn a_harder_flat_may_yield_first() {
 /// Back over the onset of yield, a law whose load jumps up there lets it fall.
 #[test]
 fn a_jump_that_is_passed_backwards_is_a_fall() {
-    let lead = Material::new(18e9, 0.35, Some(0.17e9), None).unwrap();
-    let layered = LayeredFlat::new(&lead, &steel(), 1e-9, ModulusModel::Gao).unwrap();
-    let contact = LayeredInterface::new(Zmc::new(0.4, 54.0).unwrap(), &steel(), &steel(), layered).unwrap();
+    let contact = under_lead(1e-9, 0.4);
     let back = contact.regime_changes(Shape::sphere(2e-5))[1];
     let load = |w: f64| contact.contact(w, Shape::sphere(2e-5)).load;
     assert!(load(back * (1.0 + 1e-9)) < 0.7 * load(back * (1.0 - 1e-9)));
@@ -189,11 +187,10 @@ fn where_the_load_falls_the_first_reach_counts() {
         let onset = random.one_of(&[Zmc::ONSET, Zmc::ONSET, 0.4, 0.89]);
         let flat = Flat::Layered { substrate, layered };
         let contact = match k % 6 {
-            4 => flat.under(Ceb, &rough),
-            5 => flat.under(KogutEtsion, &rough),
-            _ => flat.under(Zmc::new(onset, 54.0).unwrap(), &rough),
+            4 => contact("ceb", &[], &rough, &flat),
+            5 => contact("kogut-etsion", &[], &rough, &flat),
+            _ => contact("zmc", &[("onset", onset)], &rough, &flat),
         };
-        let contact = contact.unwrap();
         let contact = Counted(&*contact, AtomicUsize::new(0));
         let population = Population { radius: 1e-5, sigma, density: 1e10, heights: Heights::GAUSSIAN };
         let count = random.one_of(&[1, 3, 30, 600]);

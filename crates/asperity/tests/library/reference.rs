@@ -1,12 +1,11 @@
 //! The models against vectors computed at 40 digits from the published equations alone
 //! (`tests/reference/README.md`). Every published claim of accuracy is one of these tests.
 
-use crate::common::{Worst, rows};
+use crate::common::{Worst, bare_contact, rows};
 use asperity::numeric::Interval;
 use asperity::{
-    Ceb, Contact, Heights, Hertz, Interface, JacksonGreen, KogutEtsion, Law, LoadBounds, Material,
-    MicroContact, Model, Pair, Paper, Population, Regime, ScalableLaw, Shape, Shapes, Statistical,
-    YieldLimits, Zmc,
+    Ceb, Contact, Heights, JacksonGreen, KogutEtsion, Law, LoadBounds, Material, MicroContact, Model, Pair,
+    Paper, Population, Regime, ScalableLaw, Shape, Shapes, Statistical, YieldLimits, Zmc,
 };
 
 /// The worst error of a law over zmc.csv, given how it is made from a row's transition ratio.
@@ -110,8 +109,8 @@ const UNIT: Population = Population { radius: 1.0, sigma: 1.0, density: 1.0, hei
 fn moments_of_the_gaussian_tail() {
     // E* = 1: two bodies of E = 2, nu = 0.
     let body = Material::new(2.0, 0.0, None, None).unwrap();
-    let hertz = Interface::bare(Hertz, &body, &body).unwrap();
-    let model = Statistical::new(&hertz, UNIT);
+    let hertz = bare_contact("hertz", &[], &body);
+    let model = Statistical::new(&*hertz, UNIT);
     let mut worst = Worst::default();
     for row in rows("gw_integrals") {
         let (n, h) = (row.number("n"), row.number("h"));
@@ -128,7 +127,7 @@ fn moments_of_the_gaussian_tail() {
 
 /// The worst errors of the model over statistical.csv, up to 20 sigma and beyond, given how the
 /// micro-contact is made of two equal bodies.
-fn statistical_error<C: MicroContact>(contact: impl Fn(&Material) -> C) -> [Worst; 2] {
+fn statistical_error(contact: impl Fn(&Material) -> Box<dyn MicroContact>) -> [Worst; 2] {
     let mut worst = [Worst::default(), Worst::default()];
     for row in rows("statistical") {
         let hardness = Some(row.number("hardness"));
@@ -141,7 +140,7 @@ fn statistical_error<C: MicroContact>(contact: impl Fn(&Material) -> C) -> [Wors
             heights: Heights::GAUSSIAN,
         };
         let h = row.number("separation_over_sigma");
-        let found = Statistical::new(&contact, population).respond(h);
+        let found = Statistical::new(&*contact, population).respond(h);
         let worst = &mut worst[usize::from(h > 20.0)];
         worst.see(found.area_ratio.total(), row.number("area_ratio"), || format!("area at h = {h}"));
         worst.see(found.pressure.total(), row.number("pressure"), || format!("pressure at h = {h}"));
@@ -149,20 +148,20 @@ fn statistical_error<C: MicroContact>(contact: impl Fn(&Material) -> C) -> [Wors
     worst
 }
 
-fn bare(law: Zmc) -> impl Fn(&Material) -> Interface<Zmc> {
-    move |body| Interface::bare(law, body, body).unwrap()
+fn zmc(onset: f64, ratio: f64) -> impl Fn(&Material) -> Box<dyn MicroContact> {
+    move |body| bare_contact("zmc", &[("onset", onset), ("transition-ratio", ratio)], body)
 }
 
 #[test]
 fn statistical_zmc() {
-    let [near, far] = statistical_error(bare(Zmc::default()));
+    let [near, far] = statistical_error(zmc(Zmc::ONSET, 54.0));
     near.assert_within(1e-13, 192);
     far.assert_within(2e-13, 16);
 }
 
 /// A micro-contact that keeps one of its breakpoints to itself.
 struct Forgetful {
-    contact: Interface<Zmc>,
+    contact: Box<dyn MicroContact>,
     forgotten: usize,
 }
 
@@ -204,8 +203,8 @@ fn the_references_bite() {
     for mutant in [zmc_error(rounded), zmc_error(early)] {
         assert!(mutant.error() > 1e-10, "{:e}", mutant.error());
     }
-    for mutant in [Zmc::new(0.89, 54.0).unwrap(), Zmc::new(Zmc::ONSET, 53.0).unwrap()] {
-        let [near, far] = statistical_error(bare(mutant));
+    for mutant in [zmc(0.89, 54.0), zmc(Zmc::ONSET, 53.0)] {
+        let [near, far] = statistical_error(mutant);
         assert!(near.error() > 1e-10 && far.error() > 1e-10);
     }
     let nearly = |onset: f64, strength: f64| YieldLimits { onset, strength };
@@ -226,9 +225,8 @@ fn the_references_bite() {
         assert!(mutant.error() > 1e-6, "{:e}", mutant.error());
     }
     for forgotten in [0, 1] {
-        let contact = |body: &Material| Forgetful {
-            contact: Interface::bare(Zmc::default(), body, body).unwrap(),
-            forgotten,
+        let contact = |body: &Material| -> Box<dyn MicroContact> {
+            Box::new(Forgetful { contact: bare_contact("zmc", &[], body), forgotten })
         };
         let [near, _] = statistical_error(contact);
         assert!(near.error() > 1e-10, "breakpoint {forgotten}: {:e}", near.error());

@@ -3,7 +3,7 @@
 
 use std::f64::consts::PI;
 
-use asperity::contact_law::registry;
+use asperity::contact_law::{named, registry};
 use asperity::law::Property;
 use asperity::{ContactLaw, Law, Material, Pair, Regime, YieldLimits, Zmc};
 
@@ -108,7 +108,7 @@ fn zmc(entry: Entry, onset: f64, ratio: f64, jumps: fn(&Pair) -> [f64; 2]) -> En
 
 /// ZMC with options of its own.
 fn zmc_with(label: &str, onset: f64, ratio: f64, jumps: fn(&Pair) -> [f64; 2]) -> Entry {
-    let law = ContactLaw::scalable(Zmc::new(onset, ratio).unwrap());
+    let law = named("zmc").unwrap().with_options(&[("onset", onset), ("transition-ratio", ratio)]).unwrap();
     zmc(Entry { label: label.to_owned(), ..Entry::of(&law) }, onset, ratio, jumps)
 }
 
