@@ -2,10 +2,10 @@
 
 use rand::SeedableRng;
 use rand_chacha::ChaCha8Rng;
-use rayon::prelude::*;
 
 use super::{AsperitySet, SetError};
 use crate::distribution::Heights;
+use crate::numeric::parallel::for_each_row;
 
 /// How many heights one ChaCha stream gives. Every committed random number depends on it.
 const STREAM: usize = 4096;
@@ -40,7 +40,7 @@ impl Population {
     /// A count of 0, or numbers that make no set.
     pub fn set(&self, count: usize, draw: Draw) -> Result<AsperitySet, SetError> {
         let mut heights = vec![0.0; count];
-        heights.par_chunks_mut(STREAM).enumerate().for_each(|(k, chunk)| match draw {
+        for_each_row(&mut heights, STREAM, &|k, chunk| match draw {
             Draw::Random(seed) => self.draw(seed, k, chunk),
             Draw::Quantiles => {
                 for (i, z) in chunk.iter_mut().enumerate() {

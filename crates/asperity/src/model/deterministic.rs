@@ -3,10 +3,8 @@
 use std::cell::Cell;
 use std::sync::OnceLock;
 
-use rayon::prelude::*;
-
 use super::block::{Block, Levels, LevelsOfBlock, ManyLevels};
-use super::load_control::LOWEST_SEPARATION;
+use super::load_control::{LOWEST_SEPARATION, search_missing};
 use super::sparse::SparseSubset;
 use super::{ContactCounts, Model, ReferencePlane, Response, SamplingError};
 use crate::accumulator::{Accumulator, Total};
@@ -14,6 +12,7 @@ use crate::asperity::{Asperities, Ordered};
 use crate::interface::{LoadBounds, MicroContact, Shapes};
 use crate::numeric::Sum;
 use crate::numeric::interval::Interval;
+use crate::numeric::parallel;
 use crate::numeric::root::last_reaching_bounded;
 use crate::numeric::sum::in_chunks;
 
@@ -170,7 +169,7 @@ impl<'a> Deterministic<'a> {
             WORKSPACE.set(Some(workspace));
             totals
         };
-        let parts: Vec<Vec<Total>> = (0..count.div_ceil(per_task)).into_par_iter().map(part).collect();
+        let parts = parallel::map(count.div_ceil(per_task), part);
         let mut totals = vec![Total::default(); levels.separations().len()];
         for part in &parts {
             totals.iter_mut().zip(part).for_each(|(total, part)| total.merge(part));
@@ -251,12 +250,12 @@ impl Model for Deterministic<'_> {
         const HEIGHTS: usize = 1 << 14;
         let absolute: Vec<f64> = separations.iter().map(|&h| self.absolute(h)).collect();
         let counts = on_levels(&absolute, |levels: &ManyLevels| {
-            let parts = self.asperities.heights().par_chunks(HEIGHTS).map(|some| levels.count_above(some));
-            let add = |mut total: Vec<u64>, part: Vec<u64>| {
+            let heights: Vec<&[f64]> = self.asperities.heights().chunks(HEIGHTS).collect();
+            let mut total = vec![0; levels.separations().len()];
+            for part in parallel::map(heights.len(), |k| levels.count_above(heights[k])) {
                 total.iter_mut().zip(part).for_each(|(total, part)| *total += part);
-                total
-            };
-            parts.reduce(|| vec![0; levels.separations().len()], add)
+            }
+            total
         });
         let contacts = counts.into_iter().map(|count| count as f64).collect();
         Some(ContactCounts { contacts, per_area: self.asperities.nominal_area().recip() })
@@ -274,11 +273,10 @@ impl Model for Deterministic<'_> {
         let falling_from = falling_from.clamp(LOWEST_SEPARATION, highest);
         let mut found = self.last_reaching(pressures, falling_from, highest);
         if let Some(decreasing) = decreasing {
-            let missing = found.par_iter_mut().zip(pressures).filter(|(found, _)| found.is_none());
-            missing.for_each(|(found, &pressure)| {
-                let value = |h: f64| self.pressure(h);
-                let bound = |low, high| self.pressure_over(low, high, decreasing);
-                *found = last_reaching_bounded(&value, &bound, pressure, LOWEST_SEPARATION, falling_from);
+            let value = |h: f64| self.pressure(h);
+            let bound = |low, high| self.pressure_over(low, high, decreasing);
+            search_missing(&mut found, pressures, |pressure| {
+                last_reaching_bounded(&value, &bound, pressure, LOWEST_SEPARATION, falling_from)
             });
         }
         found

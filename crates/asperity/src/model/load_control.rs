@@ -1,6 +1,7 @@
 //! The separation at which a surface carries a given load.
 
 use super::{Model, Response};
+use crate::numeric::parallel;
 
 /// Separations below this are not searched, in sigma.
 pub const LOWEST_SEPARATION: f64 = -10.0;
@@ -33,6 +34,17 @@ pub struct Unreachable {
 /// A pressure that is not reached down to [`LOWEST_SEPARATION`], with the largest that is.
 pub fn at_pressure(model: &dyn Model, pressure: f64) -> Result<Reached, Unreachable> {
     at_pressures(model, &[pressure]).remove(0)
+}
+
+/// Searches each pressure that has not been `found` yet, all of them in parallel.
+pub(super) fn search_missing(
+    found: &mut [Option<f64>],
+    pressures: &[f64],
+    search: impl Fn(f64) -> Option<f64> + Sync,
+) {
+    let missing: Vec<usize> = (0..found.len()).filter(|&k| found[k].is_none()).collect();
+    let answers = parallel::map(missing.len(), |k| search(pressures[missing[k]]));
+    missing.into_iter().zip(answers).for_each(|(k, answer)| found[k] = answer);
 }
 
 /// The same for each of many pressures, which are searched together.

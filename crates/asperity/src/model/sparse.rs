@@ -1,8 +1,7 @@
 //! The few asperities that a far flat touches, moved together.
 
-use rayon::prelude::*;
-
 use crate::asperity::Asperities;
+use crate::numeric::parallel;
 
 /// Asperities in columns of their own.
 pub(super) struct SparseSubset {
@@ -29,11 +28,11 @@ impl SparseSubset {
         if step == 0 || heights.iter().step_by(step).filter(is_touched).take(enough).count() == enough {
             return None;
         }
-        let touched = |(task, part): (usize, &[f64])| -> Vec<usize> {
-            let places = part.iter().enumerate().filter(|(_, z)| is_touched(z));
-            places.map(|(place, _)| task * TASK + place).collect()
+        let touched = |task: usize| -> Vec<usize> {
+            let part = task * TASK..heights.len().min((task + 1) * TASK);
+            part.filter(|&place| is_touched(&&heights[place])).collect()
         };
-        let parts: Vec<Vec<usize>> = heights.par_chunks(TASK).enumerate().map(touched).collect();
+        let parts = parallel::map(heights.len().div_ceil(TASK), touched);
         let column = |values: &[f64]| parts.iter().flatten().map(|&place| values[place]).collect();
         Some(Self {
             heights: column(heights),

@@ -1,13 +1,12 @@
 //! The statistical model: a height density and one mean radius (Zhao, Maietta and Chang 2000).
 
-use rayon::prelude::*;
-
-use super::load_control::LOWEST_SEPARATION;
+use super::load_control::{LOWEST_SEPARATION, search_missing};
 use super::{Model, ReferencePlane, Response};
 use crate::accumulator::{Accumulator, Total};
 use crate::asperity::{Population, Statistics};
 use crate::interface::MicroContact;
 use crate::numeric::lanes::{Real, Work, run};
+use crate::numeric::parallel;
 use crate::numeric::quadrature::{NODES, Piece, Variable, pieces};
 use crate::numeric::root::last_reaching;
 use crate::shape::Shape;
@@ -250,15 +249,14 @@ impl Model for Statistical<'_> {
         /// Integrals that are worth a task.
         const MANY: usize = 64;
         let Population { density, ref heights, .. } = self.population;
-        separations
-            .par_iter()
-            .with_min_len(MANY)
-            .map(|&h| {
-                let standardised = self.standardised(h);
-                let per_area = density * heights.scale(standardised);
-                Response::new(h, self.plane, &self.total(standardised), per_area)
-            })
-            .collect()
+        let respond = |&h: &f64| {
+            let standardised = self.standardised(h);
+            let per_area = density * heights.scale(standardised);
+            Response::new(h, self.plane, &self.total(standardised), per_area)
+        };
+        let some: Vec<&[f64]> = separations.chunks(MANY).collect();
+        let responses = parallel::map(some.len(), |k| some[k].iter().map(respond).collect::<Vec<_>>());
+        responses.concat()
     }
 
     /// Where the density falls with height, so does the pressure with the separation, whatever the
@@ -277,8 +275,7 @@ impl Model for Statistical<'_> {
         let low = if may_decrease { mode } else { LOWEST_SEPARATION };
         let mut found = self.last_reaching(pressures, low, highest);
         if may_decrease {
-            let missing = found.par_iter_mut().zip(pressures).filter(|(found, _)| found.is_none());
-            missing.for_each(|(found, &pressure)| *found = self.last_reaching_below(mode, pressure));
+            search_missing(&mut found, pressures, |pressure| self.last_reaching_below(mode, pressure));
         }
         found
     }

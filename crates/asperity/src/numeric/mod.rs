@@ -3,6 +3,7 @@
 pub(crate) mod interval;
 pub mod lanes;
 pub(crate) mod levels;
+pub(crate) mod parallel;
 pub(crate) mod power;
 pub mod quadrature;
 pub(crate) mod root;

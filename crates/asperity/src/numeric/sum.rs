@@ -2,9 +2,8 @@
 
 use std::ops::AddAssign;
 
-use rayon::prelude::*;
-
 use super::lanes::{MOST, Real};
+use super::parallel;
 
 /// How many terms one task adds. Fixed, so that a result does not depend on the thread count.
 pub const CHUNK: usize = 4096;
@@ -115,20 +114,14 @@ impl FromIterator<f64> for Sum {
 /// Folds the index range `0..count` in parallel: `part` gives the result of a chunk, `join` adds
 /// it to the running one. Chunks are fixed and joined in order, so the result is the same to
 /// the bit on any number of threads.
-pub fn in_chunks<T: Default + Send>(
+pub fn in_chunks<T: Default + Send + Sync>(
     count: usize,
     part: impl Fn(std::ops::Range<usize>) -> T + Sync,
     mut join: impl FnMut(&mut T, &T),
 ) -> T {
     let chunk = |k: usize| part(k * CHUNK..count.min((k + 1) * CHUNK));
     let mut total = T::default();
-    let chunks = count.div_ceil(CHUNK);
-    if chunks == 1 {
-        join(&mut total, &chunk(0));
-        return total;
-    }
-    let parts: Vec<T> = (0..chunks).into_par_iter().map(chunk).collect();
-    parts.iter().for_each(|answer| join(&mut total, answer));
+    parallel::map(count.div_ceil(CHUNK), chunk).iter().for_each(|answer| join(&mut total, answer));
     total
 }
 

@@ -3,11 +3,11 @@
 use std::f64::consts::{PI, TAU};
 
 use asperity_fft::Complex;
-use rayon::prelude::*;
 
 use super::fourier::{analyse, columns, synthesise, weight};
 use super::spectrum::GridSpectrum;
 use super::{Boundary, HeightMap, Rows};
+use crate::numeric::parallel::{self, for_each_row};
 
 /// Power spectral density C over rings of wave numbers q, such that the integral of C over the plane of wave
 /// vectors is the variance of the heights.
@@ -81,7 +81,8 @@ impl RadialSpectrum {
             Boundary::Open => hann(points[axis]),
         });
         let mut heights = map.into_heights();
-        heights.par_chunks_mut(points[1]).zip(&window[0]).for_each(|(row, wx)| {
+        for_each_row(&mut heights, points[1], &|ix, row| {
+            let wx = window[0][ix];
             for (z, wy) in row.iter_mut().zip(&window[1]) {
                 *z = if z.is_nan() { 0.0 } else { (*z - mean) * wx * wy };
             }
@@ -97,15 +98,12 @@ impl RadialSpectrum {
     pub fn asked(spectrum: &GridSpectrum, pixel: [f64; 2], sigma: f64) -> Self {
         let points = spectrum.points();
         let rings = Rings::new(points, pixel);
-        let columns: Vec<(Vec<[f64; 3]>, f64)> = (0..columns(points))
-            .into_par_iter()
-            .map(|j| {
-                let mut deviations = vec![0.0; points[0]];
-                spectrum.column(j, &mut deviations);
-                let total = deviations.iter().map(|d| d * d).sum::<f64>() * weight(points, j);
-                (rings.column(j, |i| deviations[i] * deviations[i]), total)
-            })
-            .collect();
+        let columns = parallel::map(columns(points), |j| {
+            let mut deviations = vec![0.0; points[0]];
+            spectrum.column(j, &mut deviations);
+            let total = deviations.iter().map(|d| d * d).sum::<f64>() * weight(points, j);
+            (rings.column(j, |i| deviations[i] * deviations[i]), total)
+        });
         let total = spectrum.mean_variance() + columns.iter().map(|column| column.1).sum::<f64>();
         let mut asked = rings.spectrum(columns.into_iter().map(|column| column.0).collect());
         for ring in &mut asked.rings {

@@ -8,6 +8,7 @@ use asperity_fft::{Complex, FftDirection};
 use rayon::prelude::*;
 
 use crate::memory::zeros;
+use crate::numeric::parallel::Results;
 
 /// Numbers in one batch of columns: 4 MiB.
 const BATCH: usize = 1 << 18;
@@ -35,32 +36,33 @@ fn batch_width(points: [usize; 2]) -> usize {
 ///
 /// The amplitudes are those of exp(2 pi i (i x/nx + j y/ny)); those of column 0, and of the last one if ny
 /// is even, must be those of a real wave. The same to the bit on any number of threads.
-pub fn synthesise<T: Send>(
+pub fn synthesise<T: Send + Sync>(
     points: [usize; 2],
     fill: impl Fn(usize, &mut [Complex<f64>]) -> T + Sync,
     scale: impl FnOnce(Vec<T>) -> f64,
 ) -> Vec<f64> {
+    let results = Results::new(columns(points));
+    let mut map = waves_along_x(points, &|j, column| results.set(j, fill(j, column)));
+    heights_along_y(&mut map, points[1], scale(results.into_vec()));
+    map
+}
+
+/// The first pass: along x, from the amplitudes that `fill` writes.
+fn waves_along_x(points: [usize; 2], fill: &(dyn Fn(usize, &mut [Complex<f64>]) + Sync)) -> Vec<f64> {
     let [nx, ny] = points;
     let transform = asperity_fft::complex(nx, FftDirection::Inverse);
     let mut map = zeros(nx * ny);
-    let mut answers = Vec::with_capacity(columns(points));
     let width = batch_width(points);
     let mut batch = vec![Complex::default(); width * nx];
     for first in (0..columns(points)).step_by(width) {
         let count = width.min(columns(points) - first);
-        let filled: Vec<T> = batch[..count * nx]
-            .par_chunks_mut(nx)
-            .enumerate()
-            .map_init(
-                || vec![Complex::default(); transform.get_inplace_scratch_len()],
-                |scratch, (k, column)| {
-                    let answer = fill(first + k, column);
-                    transform.process_with_scratch(column, scratch);
-                    answer
-                },
-            )
-            .collect();
-        answers.extend(filled);
+        batch[..count * nx].par_chunks_mut(nx).enumerate().for_each_init(
+            || vec![Complex::default(); transform.get_inplace_scratch_len()],
+            |scratch, (k, column)| {
+                fill(first + k, column);
+                transform.process_with_scratch(column, scratch);
+            },
+        );
         map.par_chunks_mut(ROWS * ny).enumerate().for_each(|(block, rows)| {
             for (k, column) in batch[..count * nx].chunks(nx).enumerate() {
                 let column = &column[block * ROWS..];
@@ -70,7 +72,11 @@ pub fn synthesise<T: Send>(
             }
         });
     }
-    let scale = scale(answers);
+    map
+}
+
+/// The second pass: along y, times `scale`.
+fn heights_along_y(map: &mut [f64], ny: usize, scale: f64) {
     let along_y = asperity_fft::complex_to_real(ny);
     map.par_chunks_mut(ny).for_each_init(
         || (along_y.make_input_vec(), along_y.make_scratch_vec()),
@@ -82,17 +88,22 @@ pub fn synthesise<T: Send>(
             let _ = along_y.process_with_scratch(half, row, scratch);
         },
     );
-    map
 }
 
 /// The waves of a map, which is used up: `each` is called with every wave number j along y and the sums of
 /// z exp(-2 pi i (i x/nx + j y/ny)) of all wave numbers i along x, and its results are in the order
 /// of j.
-pub fn analyse<T: Send>(
-    mut map: Vec<f64>,
+pub fn analyse<T: Send + Sync>(
+    map: Vec<f64>,
     points: [usize; 2],
     each: impl Fn(usize, &[Complex<f64>]) -> T + Sync,
 ) -> Vec<T> {
+    let results = Results::new(columns(points));
+    for_each_column(map, points, &|j, waves| results.set(j, each(j, waves)));
+    results.into_vec()
+}
+
+fn for_each_column(mut map: Vec<f64>, points: [usize; 2], each: &(dyn Fn(usize, &[Complex<f64>]) + Sync)) {
     let [nx, ny] = points;
     let along_y = asperity_fft::real_to_complex(ny);
     map.par_chunks_mut(ny).for_each_init(
@@ -106,7 +117,6 @@ pub fn analyse<T: Send>(
         },
     );
     let transform = asperity_fft::complex(nx, FftDirection::Forward);
-    let mut answers = Vec::with_capacity(columns(points));
     let width = batch_width(points);
     let mut batch = vec![Complex::default(); width * nx];
     for first in (0..columns(points)).step_by(width) {
@@ -118,20 +128,14 @@ pub fn analyse<T: Send>(
                 }
             }
         });
-        let answered: Vec<T> = batch[..count * nx]
-            .par_chunks_mut(nx)
-            .enumerate()
-            .map_init(
-                || vec![Complex::default(); transform.get_inplace_scratch_len()],
-                |scratch, (k, column)| {
-                    transform.process_with_scratch(column, scratch);
-                    each(first + k, column)
-                },
-            )
-            .collect();
-        answers.extend(answered);
+        batch[..count * nx].par_chunks_mut(nx).enumerate().for_each_init(
+            || vec![Complex::default(); transform.get_inplace_scratch_len()],
+            |scratch, (k, column)| {
+                transform.process_with_scratch(column, scratch);
+                each(first + k, column);
+            },
+        );
     }
-    answers
 }
 
 /// Wave j of a row.

@@ -4,9 +4,8 @@
 //! The map takes a standard normal g to a height T(g) of zero mean and unit standard deviation, exactly so in the ensemble. A
 //! field of finite size scatters about that, as a Gaussian one does.
 
-use rayon::prelude::*;
-
 use crate::distribution::{HeightDistribution, normal_nodes};
+use crate::numeric::parallel::for_each_row;
 use crate::numeric::root::last_reaching;
 
 /// How many heights one task maps.
@@ -24,7 +23,7 @@ const STEP: f64 = 0.01;
 
 /// Replaces every standard normal number of `field` by `scale` times its height.
 pub fn map_normals(heights: &dyn HeightDistribution, field: &mut [f64], scale: f64) {
-    field.par_chunks_mut(CHUNK).for_each(|field| heights.map_normals(field, scale));
+    for_each_row(field, CHUNK, &|_, field| heights.map_normals(field, scale));
 }
 
 /// The correlation of two heights T(g1), T(g2) as a function of that of g1 and g2.

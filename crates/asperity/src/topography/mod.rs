@@ -31,11 +31,10 @@ use std::io;
 use std::ops::Range;
 use std::path::Path;
 
-use rayon::prelude::*;
-
 use crate::memory::zeros;
 use crate::npy;
 use crate::numeric::is_positive;
+use crate::numeric::parallel::for_each_row;
 pub use correlation::{Autocorrelation, RadialSpectrum};
 pub use filter::{Filter, FilterError};
 pub use level::{Form, Level, Levelled, Undetermined};
@@ -121,7 +120,7 @@ impl HeightMap {
     pub fn of(map: &dyn Rows) -> Self {
         let points = map.points();
         let mut heights = zeros(points[0] * points[1]);
-        heights.par_chunks_mut(points[1]).enumerate().for_each(|(ix, row)| map.read(ix, row));
+        for_each_row(&mut heights, points[1], &|ix, row| map.read(ix, row));
         Self { points, pixel: map.pixel(), heights, precision: map.precision(), boundary: map.boundary() }
     }
 
@@ -163,13 +162,12 @@ impl HeightMap {
     /// `of` each present height, on a grid of as many `points` or more; zero where a height is missing.
     fn embedded(&self, points: [usize; 2], of: impl Fn(f64) -> f64 + Sync) -> Vec<f64> {
         let mut field = zeros(points[0] * points[1]);
-        field.par_chunks_mut(points[1]).zip(self.heights.par_chunks(self.points[1])).for_each(
-            |(row, heights)| {
-                for (value, &z) in row.iter_mut().zip(heights) {
-                    *value = if z.is_nan() { 0.0 } else { of(z) };
-                }
-            },
-        );
+        let ny = self.points[1];
+        for_each_row(&mut field[..self.points[0] * points[1]], points[1], &|ix, row| {
+            for (value, &z) in row.iter_mut().zip(&self.heights[ix * ny..(ix + 1) * ny]) {
+                *value = if z.is_nan() { 0.0 } else { of(z) };
+            }
+        });
         field
     }
 

@@ -1,8 +1,11 @@
 //! Heights row by row: what reads a surface this way works on maps larger than memory.
 
 use std::ops::Range;
+use std::sync::{Mutex, PoisonError};
 
 use rayon::prelude::*;
+
+use crate::numeric::parallel::Results;
 
 /// What lies beyond the border of a map.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -72,11 +75,15 @@ impl Strip<'_> {
 /// Calls `part` with each strip of a map and `halo` rows on both sides of it, in parallel; its results are in
 /// the order of the strips, which does not depend on the number of threads. On a periodic map the halo goes
 /// on at the opposite border.
-pub fn strips<T: Send>(rows: &dyn Rows, halo: usize, part: impl Fn(Strip) -> T + Sync) -> Vec<T> {
-    (0..count(rows))
-        .into_par_iter()
-        .map_init(Vec::new, |buffer, index| part(strip(rows, halo, index, buffer)))
-        .collect()
+pub fn strips<T: Send + Sync>(rows: &dyn Rows, halo: usize, part: impl Fn(Strip) -> T + Sync) -> Vec<T> {
+    let results = Results::new(count(rows));
+    for_each_strip(rows, halo, 0..count(rows), &|index, strip| results.set(index, part(strip)));
+    results.into_vec()
+}
+
+fn for_each_strip(rows: &dyn Rows, halo: usize, indices: Range<usize>, task: &(dyn Fn(usize, Strip) + Sync)) {
+    let strip_of = |buffer: &mut Vec<f64>, index| task(index, strip(rows, halo, index, buffer));
+    indices.into_par_iter().for_each_init(Vec::new, strip_of);
 }
 
 /// The same for results too large to be kept until the end: `part` adds to a result that is empty at first, `take`
@@ -90,20 +97,21 @@ pub fn strips_in_turn<T: Send + Default>(
 ) {
     let count = count(rows);
     let mut taken = 0;
-    let mut take_all = |answers: &mut [T]| {
+    let mut take_all = |answers: &mut [Mutex<T>]| {
         for answer in answers {
             taken += 1;
-            take(answer, taken as f64 / count as f64);
+            take(answer.get_mut().unwrap_or_else(PoisonError::into_inner), taken as f64 / count as f64);
         }
     };
     let (mut filled, mut other) = (Vec::new(), Vec::new());
     for begin in (0..count).step_by(TURN) {
-        other.resize_with(TURN.min(count - begin), T::default);
-        let fill = || {
-            other.par_iter_mut().enumerate().for_each_init(Vec::new, |buffer, (k, answer)| {
-                part(strip(rows, halo, begin + k, buffer), answer);
-            });
+        let end = count.min(begin + TURN);
+        other.resize_with(end - begin, Mutex::default);
+        let task = |index: usize, strip: Strip| {
+            // One task an answer: nobody waits for the lock.
+            part(strip, &mut other[index - begin].lock().unwrap_or_else(PoisonError::into_inner));
         };
+        let fill = || for_each_strip(rows, halo, begin..end, &task);
         rayon::join(fill, || take_all(&mut filled));
         std::mem::swap(&mut filled, &mut other);
     }

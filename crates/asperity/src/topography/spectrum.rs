@@ -3,12 +3,12 @@
 use std::f64::consts::TAU;
 
 use asperity_fft::Complex;
-use rayon::prelude::*;
 
 use super::fourier::{analyse, synthesise, weight};
 use super::height_transform::Distortion;
 use crate::memory::zeros;
 use crate::numeric::is_positive;
+use crate::numeric::parallel::for_each_row;
 use crate::numeric::power::Power;
 
 /// Correlation lengths that fit into each side of a map at least: some hundred patches that are independent.
@@ -241,7 +241,8 @@ impl Spectrum {
             (0..points[axis]).map(all).collect::<Vec<_>>()
         });
         let mut wrapped = zeros(points[0] * points[1]);
-        wrapped.par_chunks_mut(points[1]).zip(&images[0]).for_each(|(row, along_x)| {
+        for_each_row(&mut wrapped, points[1], &|ix, row| {
+            let along_x = &images[0][ix];
             for (value, along_y) in row.iter_mut().zip(&images[1]) {
                 let all = along_x.iter().flat_map(|&x| along_y.iter().map(move |&y| [x, y]));
                 *value = all.filter_map(|distance| self.autocorrelation(distance)).sum();
@@ -338,7 +339,7 @@ impl GridSpectrum {
             },
             |totals| totals.iter().sum::<f64>().recip(),
         );
-        correlation.par_chunks_mut(points[1]).for_each(|row| {
+        for_each_row(&mut correlation, points[1], &|_, row| {
             row.iter_mut().for_each(|rho| *rho = inverse.of(*rho));
         });
         Self { points, kind: Kind::Table(roots(correlation, points)) }

@@ -5,8 +5,8 @@ use std::f64::consts::PI;
 use crate::common::{Worst, bare_contact, contact};
 use asperity::{
     Accumulator, AsperitySet, Deterministic, Ellipse, Ellipses, Ellipticity, Flat, Heights, Law, LayeredFlat,
-    Material, MicroContact, Model, ModulusModel, Ordered, Pair, Population, ReferencePlane, Shape,
-    Statistical, YieldLimits, Zmc,
+    Material, Model, ModulusModel, Ordered, Pair, Population, ReferencePlane, Shape, Statistical,
+    YieldLimits, Zmc,
 };
 
 const STEEL: [f64; 3] = [210e9, 0.3, 7.6e9];

@@ -6,13 +6,14 @@ mod target;
 pub use gaussian::gaussian;
 pub use target::{Reached, Target, TargetGenerator, Unreachable};
 
-use rayon::prelude::*;
+use std::sync::atomic::{AtomicUsize, Ordering};
 
 use super::height_transform::{Distortion, map_normals};
 use super::spectrum::{GridSpectrum, Spectrum, SpectrumError};
 use super::{HeightMap, MapError};
 use crate::distribution::Heights;
-use crate::numeric::sum::sum_of;
+use crate::numeric::parallel::for_each_row;
+use crate::numeric::sum::{CHUNK, sum_of};
 
 /// A process that makes rough surfaces: a Gaussian surface whose heights are mapped to a distribution.
 #[derive(Debug, Clone, PartialEq)]
@@ -93,17 +94,18 @@ impl SurfaceGenerator {
         let mut heights = self.process.heights(self.points, self.pixel, seeds.process);
         let share = self.plateau.as_ref().map(|plateau| {
             let finer = plateau.process.heights(self.points, self.pixel, seeds.plateau);
-            let pairs = heights.par_iter_mut().zip(finer);
-            let cut: usize = pairs
-                .map(|(z, finer)| {
+            let cut = AtomicUsize::new(0);
+            for_each_row(&mut heights, CHUNK, &|k, heights| {
+                for (z, finer) in heights.iter_mut().zip(&finer[k * CHUNK..]) {
                     let finer = finer + plateau.height;
-                    let is_cut = finer < *z;
-                    *z = z.min(finer);
-                    usize::from(is_cut)
-                })
-                .sum();
+                    if finer < *z {
+                        *z = finer;
+                        cut.fetch_add(1, Ordering::Relaxed);
+                    }
+                }
+            });
             centre(&mut heights);
-            cut as f64 / heights.len() as f64
+            cut.into_inner() as f64 / heights.len() as f64
         });
         let map = HeightMap::new(self.points, self.pixel, heights, f64::EPSILON)?.periodic();
         Ok((map, share))
@@ -134,5 +136,5 @@ fn field(spectrum: &GridSpectrum, heights: &Heights, sigma: f64, seed: [u8; 32])
 /// Moves the mean to zero.
 fn centre(heights: &mut [f64]) {
     let mean = sum_of(heights.len(), |k| heights[k]) / heights.len() as f64;
-    heights.par_iter_mut().for_each(|z| *z -= mean);
+    for_each_row(heights, CHUNK, &|_, heights| heights.iter_mut().for_each(|z| *z -= mean));
 }
