@@ -31,7 +31,7 @@ impl GapQuantity {
     }
 }
 
-/// The largest difference of one quantity over all pairs that can be trusted.
+/// The largest difference of one quantity over all valid pairs.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Gap {
     /// The quantity.
@@ -90,10 +90,7 @@ impl Gaps {
     pub fn of(pairs: &[Pair], area: f64, sigma: f64) -> Self {
         /// In sigma, or in parts of the quantity: more than load control leaves.
         const ROUNDING: f64 = 1e-10;
-        let trusted = |pair: &&Pair| {
-            !pair.is_beyond_model() && pair.deterministic.contact_density * area >= FEWEST_CONTACTS
-        };
-        let counted: Vec<&Pair> = pairs.iter().filter(trusted).collect();
+        let counted: Vec<&Pair> = pairs.iter().filter(|pair| pair.is_valid(area)).collect();
         let largest = |gap_of: &dyn Fn(&Pair) -> Gap, pairing, size: fn(&Gap) -> f64| {
             counted
                 .iter()

@@ -19,7 +19,7 @@ pub use limit::{Exact, LimitCase, LimitPoint, Quantity, SlopeFit, convergence};
 pub use modulus_check::{GOOD_RATIO, ModulusCheck, ModulusError, ModulusFindings, apart};
 pub use spread::{Realisation, Scatter, Spread, SpreadFindings, spread};
 pub use threshold::threshold;
-pub use validity::PointCounts;
+pub use validity::{PointCounts, valid_stretches};
 
 use std::time::{Duration, Instant};
 
@@ -160,6 +160,12 @@ impl Pair {
     /// Whether either model is where asperities interact.
     pub fn is_beyond_model(&self) -> bool {
         self.statistical.is_beyond_model() || self.deterministic.is_beyond_model()
+    }
+
+    /// Whether a finding may rest on it: at least [`FEWEST_CONTACTS`] contacts on the nominal area `area` (m^2), and
+    /// asperities that do not interact.
+    pub fn is_valid(&self, area: f64) -> bool {
+        !self.is_beyond_model() && self.deterministic.contact_density * area >= FEWEST_CONTACTS
     }
 }
 

@@ -58,12 +58,28 @@ impl Sum for PointCounts {
     }
 }
 
+/// The first and the last load (Pa) of each stretch of neighbouring loads that are all valid, by growing load, from loads
+/// in any order.
+pub fn valid_stretches(loads: impl IntoIterator<Item = (f64, bool)>) -> Vec<[f64; 2]> {
+    let mut loads: Vec<(f64, bool)> = loads.into_iter().collect();
+    loads.sort_by(|a, b| a.0.total_cmp(&b.0));
+    let stretches = loads.chunk_by(|a, b| a.1 == b.1).filter(|stretch| stretch[0].1);
+    stretches.map(|stretch| [stretch[0].0, stretch[stretch.len() - 1].0]).collect()
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
     use crate::compare::CurvePoint;
     use crate::contact::ByRegime;
     use crate::model::Response;
+
+    #[test]
+    fn loads_between_stretches_are_not_valid() {
+        let loads = [(5.0, true), (1.0, false), (2.0, true), (3.0, true), (4.0, false), (6.0, false)];
+        assert_eq!(valid_stretches(loads), [[2.0, 3.0], [5.0, 5.0]]);
+        assert_eq!(valid_stretches([(1.0, false)]), [[0.0; 2]; 0]);
+    }
 
     #[test]
     fn each_kind_of_point_is_counted_by_itself() {
