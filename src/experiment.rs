@@ -7,7 +7,8 @@ use asperity::Material;
 use asperity_framework::digest::{hexadecimal, sha256, sha256_of_file};
 use asperity_framework::input::{InputError, Source, SpecFile};
 use asperity_framework::progress::Progress;
-use asperity_framework::{Outcome, Plan, RunContext};
+use asperity_framework::report::format::listed;
+use asperity_framework::{Kind, Outcome, Plan, RunContext};
 use indexmap::IndexMap;
 use sha2::{Digest, Sha256};
 
@@ -144,10 +145,15 @@ fn tables() -> Vec<&'static str> {
     KINDS.iter().map(|kind| kind.name()).chain([SURFACES]).collect()
 }
 
+/// The tables of some kinds, as a spec has them.
+fn bracketed(is_among: fn(&dyn Kind) -> bool) -> Vec<String> {
+    let kinds = KINDS.iter().filter(|kind| is_among(**kind));
+    kinds.map(|kind| format!("[{}]", kind.name())).collect()
+}
+
 /// Plans the one experiment that a spec holds.
 fn plan(spec: &SpecFile, full: bool) -> Result<Box<dyn Plan>, InputError> {
-    let all: Vec<String> = KINDS.iter().map(|kind| format!("[{}]", kind.name())).collect();
-    let allowed = format!("exactly one of {}", all.join(", "));
+    let allowed = format!("exactly one of {}", bracketed(|_| true).join(", "));
     let mut found = spec.tables().iter().filter(|(name, _)| name != SURFACES);
     let Some((name, _)) = found.next() else {
         return Err(InputError::file(&spec.source.path, format!("found no experiment; allowed: {allowed}")));
@@ -156,18 +162,11 @@ fn plan(spec: &SpecFile, full: bool) -> Result<Box<dyn Plan>, InputError> {
         let message = format!("found a second experiment; allowed: {allowed} a file");
         return Err(spec.source.error_at(second.clone(), message));
     }
-    let kind = KINDS.into_iter().find(|kind| kind.name() == name).expect("tables are those of kinds");
+    let kind = KINDS.iter().find(|kind| kind.name() == name).expect("tables are those of kinds");
     let reads = kind.reads();
     if let Some((_, span)) = spec.tables().iter().find(|(name, _)| name == SURFACES && !reads.surfaces) {
-        let users: Vec<String> = KINDS
-            .iter()
-            .filter(|kind| kind.reads().surfaces)
-            .map(|kind| format!("[{}]", kind.name()))
-            .collect();
-        let message = format!(
-            "found a surface, which only {} use; allowed: no [surface.NAME] here",
-            users.join(" and ")
-        );
+        let users = listed(&bracketed(|kind| kind.reads().surfaces));
+        let message = format!("found a surface, which only {users} use; allowed: no [surface.NAME] here");
         return Err(spec.source.error_at(span.clone(), message));
     }
     if let Some((name, _)) = spec.materials().next().filter(|_| !reads.materials) {

@@ -80,7 +80,7 @@ enum Command {
     /// Print a Markdown reference of the report tables: every column with its unit and meaning
     Columns {
         /// Only tables of this kind of experiment
-        #[arg(value_parser = PossibleValuesParser::new(KINDS.map(|kind| kind.name())))]
+        #[arg(value_parser = PossibleValuesParser::new(KINDS.iter().map(|kind| kind.name())))]
         kind: Option<String>,
     },
     /// Compare new reports with those in another folder, number by number

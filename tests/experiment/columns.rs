@@ -189,7 +189,7 @@ fn every_kind_writes_the_tables_that_it_declares() {
         ("precision", [bodies, PRECISION].concat()),
         ("stability", STABILITY.to_owned()),
     ];
-    assert_eq!(KINDS.map(|kind| kind.name()), specs.each_ref().map(|(kind, _)| *kind));
+    assert!(KINDS.iter().map(|kind| kind.name()).eq(specs.iter().map(|(kind, _)| *kind)));
     for (kind, (name, spec)) in KINDS.iter().zip(specs) {
         let (declared, written) = (kind.tables(), tables(&spec));
         let files = |schemas: &[Schema]| schemas.iter().map(|schema| schema.file).collect::<Vec<_>>();

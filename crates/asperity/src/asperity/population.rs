@@ -82,7 +82,7 @@ mod tests {
 
     #[test]
     fn draws_have_the_mean_and_deviation_of_their_density() {
-        for heights in REGISTRY.map(|entry| entry.example().unwrap()) {
+        for heights in REGISTRY.iter().map(|entry| entry.example().unwrap()) {
             let population = Population { heights: heights.clone(), ..UNIT };
             let set = population.set(200_000, Draw::Random([3; 32])).unwrap();
             let found = crate::asperity::Statistics::of(&set);

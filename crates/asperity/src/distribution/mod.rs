@@ -205,7 +205,7 @@ impl Entry {
 }
 
 /// All distributions that input files can name.
-pub const REGISTRY: [Entry; 4] = [gaussian::ENTRY, exponential::ENTRY, weibull::ENTRY, johnson::ENTRY];
+pub const REGISTRY: &[Entry] = &[gaussian::ENTRY, exponential::ENTRY, weibull::ENTRY, johnson::ENTRY];
 
 /// ln of a density over its scale, negated.
 trait Exponent: Copy {

@@ -23,6 +23,7 @@ pub(crate) fn all() -> Vec<Heights> {
         .chain([Heights::new(lognormal)])
         .chain([0.5, 1.0, 3.6, 20.0].map(|shape| Heights::new(Weibull::new(shape).unwrap())))
         .chain([Heights::EXPONENTIAL])
+        .chain(REGISTRY.iter().map(|entry| entry.example().unwrap()))
         .collect()
 }
 

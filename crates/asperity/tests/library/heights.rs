@@ -48,7 +48,7 @@ fn all() -> Vec<Heights> {
         (-6.0, 100.0),
         (9.0, 180.0),
     ];
-    let others = REGISTRY.map(|entry| entry.example().unwrap()).into_iter();
+    let others = REGISTRY.iter().map(|entry| entry.example().unwrap());
     others.chain(shapes.map(weibull)).chain(moments.map(|(s, k)| johnson(s, k))).collect()
 }
 
@@ -172,7 +172,7 @@ fn pressures_lead_back_to_their_separations() {
 fn sums_over_quantiles_approach_the_integral() {
     let steel = steel();
     let contact = bare_contact("zmc", &[], &steel);
-    for heights in REGISTRY.map(|entry| entry.example().unwrap()).into_iter().chain([
+    for heights in REGISTRY.iter().map(|entry| entry.example().unwrap()).chain([
         weibull(0.7),
         weibull(5.0),
         johnson(1.0, 6.0),
