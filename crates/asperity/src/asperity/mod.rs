@@ -1,4 +1,4 @@
-//! Asperities: the set, its statistics, populations drawn from three numbers.
+//! Asperities: sets, their statistics, and populations to draw from.
 
 mod arrays;
 mod ellipse;

@@ -1,8 +1,8 @@
-//! Asperity heights from surface heights (Nayak 1971), for a population whose sigma is the surface's.
+//! Asperity heights from surface heights (Nayak 1971), where sigma is that of the surface.
 
 use std::f64::consts::PI;
 
-/// A Gaussian surface by its own deviation and its summits' density and mean curvature.
+/// An isotropic Gaussian surface, given by its standard deviation and the density and mean curvature of its summits.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct SurfaceHeights {
     /// 1/(mean summit curvature), m.
@@ -39,7 +39,7 @@ impl SurfaceHeights {
     /// Standard deviation of the summit heights, m: sigma (1 - (1 + 16/pi - 3 3^.5)/alpha)^.5.
     ///
     /// # Errors
-    /// Numbers whose alpha is at most 1.5: no surface has them.
+    /// `alpha` at most 1.5, which no surface has.
     pub fn asperity_sigma(&self) -> Result<f64, NoSuchSurface> {
         let alpha = self.alpha();
         if alpha > 1.5 {

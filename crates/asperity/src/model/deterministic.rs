@@ -159,7 +159,7 @@ impl<'a> Deterministic<'a> {
                 block.fill(asperities, levels);
                 let each = levels.separations().iter().zip(&mut *accumulators);
                 for (level, (&separation, accumulator)) in each.enumerate() {
-                    ahead.ask_for(level * piece..(level + 1) * piece);
+                    ahead.prefetch(level * piece..(level + 1) * piece);
                     let touching = block.above(level, &asperities);
                     if touching.count() > 0 {
                         self.contact.accumulate(touching, separation, accumulator);

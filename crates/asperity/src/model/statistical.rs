@@ -153,7 +153,7 @@ impl<'a> Statistical<'a> {
     fn accumulate_weighted(&self, h: f64, samples: &mut Samples, accumulator: &mut Accumulator) {
         let Samples { points, weights, count } = samples;
         let (points, weights) = (&mut points[..*count], &mut weights[..*count]);
-        self.population.heights.weigh(h, points, weights);
+        self.population.heights.apply_density(h, points, weights);
         points.iter_mut().for_each(|x| *x *= self.population.sigma);
         self.contact.accumulate_weighted(points, weights, self.shape, accumulator);
         *count = 0;

@@ -246,7 +246,7 @@ impl HeightDistribution for Uniform {
     fn relative_density(&self, _: f64, _: f64) -> f64 {
         1.0
     }
-    fn weigh(&self, _: f64, _: &mut [f64], _: &mut [f64]) {}
+    fn apply_density(&self, _: f64, _: &mut [f64], _: &mut [f64]) {}
 }
 
 #[test]

@@ -1,4 +1,4 @@
-//! The curve of a given skewness and kurtosis.
+//! Fit of a curve to a given skewness and kurtosis.
 
 use super::{Curve, Johnson, STEEPEST};
 use crate::distribution::Moments;
@@ -31,9 +31,9 @@ pub(super) fn unbounded_moments(excess: f64, t: f64) -> [f64; 2] {
     [skewness, 0.5 * fourth / (spread * spread)]
 }
 
-/// (omega - 1)^.5 and t >= 0 of SU. At a given t the kurtosis rises with omega, from 3, and is at
-/// least that of t = 0, which has a closed form; along the curve of the right kurtosis the skewness
-/// rises with t. An end of a bracket can miss its level by rounding only, and is the answer then.
+/// (omega - 1)^.5 and t >= 0 of SU. At a given t the kurtosis rises with omega, from 3, and is at least that of t = 0,
+/// which has a closed form; along the curve of the right kurtosis the skewness rises with t. An end of a bracket can
+/// miss its level by rounding only, and is then the solution.
 pub(super) fn fit_unbounded(skewness: f64, kurtosis: f64) -> (f64, f64) {
     let root = (2.0 * kurtosis - 2.0).sqrt();
     let above = 2.0 * (kurtosis - 3.0) / (root + 2.0);
@@ -52,9 +52,9 @@ pub(super) fn logistic(offset: f64) -> [f64; 2] {
     [1.0 / (1.0 + offset.exp()), 1.0 / (1.0 + (-offset).exp())]
 }
 
-/// 1/delta and gamma/delta >= 0 of SB, `flattest` being 1/delta of the lognormal heights of the same
-/// skewness. For a given delta the skewness rises with gamma up to that of the lognormal; along the
-/// curve of the right skewness the kurtosis falls as delta does. `Err` holds the least kurtosis that is fitted.
+/// 1/delta and gamma/delta >= 0 of SB, `flattest` being 1/delta of the lognormal heights of the same skewness. For a
+/// given delta the skewness rises with gamma up to that of the lognormal; along the curve of the right skewness the
+/// kurtosis falls as delta does. `Err` holds the smallest kurtosis that can be fitted.
 pub(super) fn fit_bounded(skewness: f64, kurtosis: f64, flattest: f64) -> Result<(f64, f64), f64> {
     let shape = |rate: f64, offset: f64| {
         let unit = Johnson {

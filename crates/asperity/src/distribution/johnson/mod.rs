@@ -30,22 +30,22 @@ pub(super) const ENTRY: Entry = Entry {
     make: |values| Ok(Heights::new(Johnson::from_moments(values[0], values[1])?)),
 };
 
-/// How far a fitted skewness or kurtosis may be from the one asked for, relative above 1. Pairs
-/// closer than that to the lognormal line or to the normal count as on it.
+/// Tolerance of a fitted skewness or kurtosis, relative above 1. Pairs within it of the lognormal line or of the normal
+/// count as on it.
 const TOLERANCE: f64 = 1e-9;
 
-/// The largest skewness and kurtosis that are fitted. At a kurtosis of 200 half of the fourth
-/// moment comes from |g| > 4.85, which one point in 800 000 exceeds: beyond, no map shows it.
+/// The largest skewness and kurtosis that are fitted. At a kurtosis of 200 half of the fourth moment comes from |g| >
+/// 4.85, which one point in 800 000 exceeds: no map resolves larger ones.
 pub const LARGEST: [f64; 2] = [10.0, 200.0];
 
-/// The largest 1/delta of SB: its heights are all but two levels then.
+/// The largest 1/delta of SB: the heights are then nearly two levels.
 const STEEPEST: f64 = 20.0;
 
 /// The largest |u|: an SB height is at its bound to rounding there, an SU height beyond |g| = 240, and
 /// squares do not overflow.
 const SATURATED: f64 = 300.0;
 
-/// Standard normal number below which nothing counts: exp(-g^2/2) is exp(-40) there.
+/// Standard normal variable below which the density is negligible: exp(-g^2/2) = exp(-40).
 const LOWEST: f64 = -8.944_271_909_999_16;
 
 /// The load of a contact grows by at most this power of the indentation.
@@ -64,15 +64,15 @@ enum Curve {
     Bounded,
 }
 
-/// Why there is no curve of the skewness and kurtosis asked for.
+/// No curve of the system has the requested skewness and kurtosis.
 #[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
 pub enum NoSuchMoments {
     /// Infinite or not a number.
     #[error("skewness {skewness}, kurtosis {kurtosis}: allowed are finite numbers")]
     NotFinite {
-        /// Asked for.
+        /// The requested value.
         skewness: f64,
-        /// Asked for.
+        /// The requested value.
         kurtosis: f64,
     },
     /// No distribution has these moments (Pearson's inequality).
@@ -81,9 +81,9 @@ pub enum NoSuchMoments {
          a kurtosis is at least skewness^2 + 1 = {bound}"
     )]
     Impossible {
-        /// Asked for.
+        /// The requested value.
         skewness: f64,
-        /// Asked for.
+        /// The requested value.
         kurtosis: f64,
         /// skewness^2 + 1.
         bound: f64,
@@ -94,22 +94,22 @@ pub enum NoSuchMoments {
          allowed at this skewness is a kurtosis from {least:.6} to {}", LARGEST[1]
     )]
     TwoLevels {
-        /// Asked for.
+        /// The requested value.
         skewness: f64,
-        /// Asked for.
+        /// The requested value.
         kurtosis: f64,
-        /// The least kurtosis that is fitted.
+        /// The smallest kurtosis that can be fitted.
         least: f64,
     },
-    /// Too far out.
+    /// Beyond [`LARGEST`].
     #[error(
         "skewness {skewness}, kurtosis {kurtosis}: in heights too rare for any map; \
          allowed are a skewness from -{0} to {0} and a kurtosis up to {1}", LARGEST[0], LARGEST[1]
     )]
     Extreme {
-        /// Asked for.
+        /// The requested value.
         skewness: f64,
-        /// Asked for.
+        /// The requested value.
         kurtosis: f64,
     },
     /// The check of a fit failed.
@@ -118,9 +118,9 @@ pub enum NoSuchMoments {
         found.mean, found.sd, found.skewness, found.kurtosis, asked[0], asked[1]
     )]
     NotReached {
-        /// Skewness and kurtosis asked for.
+        /// The requested skewness and kurtosis.
         asked: [f64; 2],
-        /// Those of the map.
+        /// Moments of the fitted map.
         found: Moments,
     },
 }
@@ -143,8 +143,8 @@ impl Johnson {
     /// The moments of the map itself are checked by quadrature, to 1e-9.
     ///
     /// # Errors
-    /// Numbers that are not finite; kurtosis < skewness^2 + 1, which nothing has; pairs so close to
-    /// that bound that the heights are two levels; pairs beyond [`LARGEST`]; a failed check.
+    /// Numbers that are not finite; kurtosis < skewness^2 + 1, which is impossible; pairs so close to that bound that
+    /// the heights are two levels; pairs beyond [`LARGEST`]; a failed check.
     pub fn from_moments(skewness: f64, kurtosis: f64) -> Result<Self, NoSuchMoments> {
         if !(skewness.is_finite() && kurtosis.is_finite()) {
             return Err(NoSuchMoments::NotFinite { skewness, kurtosis });
@@ -194,7 +194,7 @@ impl Johnson {
         Self { mean, sd, ..unit }
     }
 
-    /// Refuses the map if its own moments are not those asked for.
+    /// Rejects the map if its moments are not the requested ones.
     fn checked(self) -> Result<Self, NoSuchMoments> {
         // Half the step of the fit: an error of the quadrature shows as well.
         let found = Moments::of(0.5 * step(self.rate), |g| self.map(g));
@@ -256,7 +256,7 @@ impl Johnson {
         self.rate / self.sd * slope
     }
 
-    /// The standard normal number of the height `z`; infinite outside the support.
+    /// The standard normal variable of the height `z`; infinite outside the support.
     fn normal_at_height(&self, z: f64) -> f64 {
         let y = z.mul_add(self.sd, self.mean);
         let [p, q] = self.weights;
@@ -277,8 +277,8 @@ impl Johnson {
     }
 }
 
-/// The integral runs over v = g less its value at the separation, both within the range that counts: the density in v is
-/// Gaussian whatever the curve, and the indentation has no end at which it is singular.
+/// The integral runs over v = g minus its value at the separation: the density in v is Gaussian for every curve, and
+/// the indentation is smooth up to the ends.
 impl HeightDistribution for Johnson {
     fn name(&self) -> &'static str {
         ENTRY.name
@@ -395,9 +395,9 @@ impl HeightDistribution for Johnson {
         }
     }
 
-    fn weigh(&self, h: f64, nodes: &mut [f64], weights: &mut [f64]) {
+    fn apply_density(&self, h: f64, nodes: &mut [f64], weights: &mut [f64]) {
         let start = self.start(h);
-        Gaussian.weigh(start.g, nodes, weights);
+        Gaussian.apply_density(start.g, nodes, weights);
         let [p, q] = self.weights;
         match self.curve {
             Curve::Normal => nodes.iter_mut().for_each(|x| *x += start.x),
@@ -420,9 +420,9 @@ impl HeightDistribution for Johnson {
     }
 }
 
-/// Where an integral begins.
+/// The lower end of an integral.
 struct Start {
-    /// The standard normal number of the separation, at least [`LOWEST`].
+    /// The standard normal variable of the separation, at least [`LOWEST`].
     g: f64,
     /// The indentation there.
     x: f64,
@@ -484,7 +484,7 @@ fn exp_m1(u: f64) -> f64 {
     const ROUND: f64 = 6_755_399_441_055_744.0;
     // ln 2 in two parts, the first with trailing zeros so that its multiples are exact.
     const LN_2: [f64; 2] = [6.931_471_803_691_238e-1, 1.908_214_929_270_587_7e-10];
-    // Not f64::min, which would make a number of a NaN.
+    // Not f64::min, which would drop a NaN.
     let u = if u > SATURATED { SATURATED } else { u };
     let shifted = u * std::f64::consts::LOG2_E + ROUND;
     let k = shifted - ROUND;

@@ -9,7 +9,7 @@ mod tests;
 use plateau::LevelPoint;
 
 use super::rows::{Boundary, Rows, Strip, count_missing, strips_in_turn};
-use crate::memory::make_room;
+use crate::memory::reserve;
 
 /// Which neighbours a summit is higher than.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -128,7 +128,7 @@ fn append<T>(list: &mut Vec<T>, more: &mut Vec<T>, done: f64) {
     let count = list.len() + more.len();
     if count > list.capacity() {
         let expected = 1.2 * count as f64 / done;
-        make_room(list, (expected as usize).min(16 * count));
+        reserve(list, (expected as usize).min(16 * count));
     }
     list.append(more);
 }
