@@ -146,7 +146,7 @@ pub enum Inapplicable {
         law: &'static str,
         /// The property.
         property: Property,
-        /// The body that missing it; `None` if both do and at least one must have it.
+        /// The body without it; `None` if neither has it and at least one must.
         body: Option<Body>,
     },
     /// The pair is outside the range of the law.

@@ -1,4 +1,4 @@
-//! What the header of a `.npy` file says of its array.
+//! The header of a `.npy` file.
 
 use std::fs::File;
 use std::io::Read;
@@ -8,10 +8,10 @@ use super::error::{HeaderFault, LONGEST_HEADER, NpyError};
 use super::literal::Literal;
 use crate::numeric::stored::NumberType;
 
-/// How a `.npy` file begins.
+/// The first bytes of a `.npy` file.
 pub(crate) const MAGIC: &[u8; 6] = b"\x93NUMPY";
 
-/// What the header of a file says, checked against the file's length.
+/// Shape and type of an array, checked against the length of the file.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Header {
     /// Length along the first index.
@@ -59,7 +59,7 @@ impl Header {
         Ok(Self { rows, columns, number_type, big_endian, fortran_order, data_start })
     }
 
-    /// Whether the first index runs fastest in the file.
+    /// Whether the array is in Fortran order: the first index runs fastest.
     pub fn is_fortran(&self) -> bool {
         self.fortran_order
     }
@@ -70,7 +70,7 @@ impl Header {
     }
 }
 
-/// What stands before the text of a header.
+/// The fixed part before the text of a header.
 struct Beginning {
     text_start: u64,
     text_length: u64,
@@ -108,7 +108,7 @@ impl Beginning {
     }
 }
 
-/// The type of the numbers and whether their first byte is the greatest.
+/// The type of the numbers, and whether they are big-endian.
 fn number_type(descr: &Literal) -> Result<(NumberType, bool), NpyError> {
     use NumberType::{F32, F64, I8, I16, I32, I64, U8, U16, U32, U64};
     let Literal::Text(name) = descr else {
@@ -157,7 +157,7 @@ fn checked_shape(shape: Vec<u64>, number_type: NumberType, found: u64) -> Result
 
 /// The header, from the first byte of the file, of an array of float64 in C order.
 pub(super) fn of_float64([rows, columns]: [usize; 2]) -> Vec<u8> {
-    /// NumPy's own: the numbers begin at a multiple.
+    /// NumPy's alignment of the data.
     const ALIGNMENT: usize = 64;
     let mut text = format!("{{'descr': '<f8', 'fortran_order': False, 'shape': ({rows}, {columns}), }}");
     let start = MAGIC.len() + 4;

@@ -62,7 +62,7 @@ fn what_a_header_says_wrongly_is_named() {
             "numbers of type '|b1'; allowed: float32",
         ),
         ("{'descr': '<f8', 'fortran_order': False, 'shape': (2, 3)} or more", "from its byte 58 on"),
-        ("", "is no dictionary as Python writes it, from its byte 0 on"),
+        ("", "is not a Python dictionary from byte 0 on"),
     ] {
         let error = header(&under(text)).unwrap_err().to_string();
         assert!(error.contains(words), "{text}: {error}");
