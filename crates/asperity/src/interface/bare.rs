@@ -98,7 +98,7 @@ impl<L: Law + Clone> MicroContact for Interface<L> {
             low: ratio * shapes.radii.low * (1.0 - ROUNDING),
             high: ratio * shapes.radii.high * (1.0 + ROUNDING),
         });
-        Interval::joined(ranges)
+        Interval::union(ranges)
     }
 
     fn load_over(&self, from: f64, to: f64, shape: Shape) -> LoadBounds {

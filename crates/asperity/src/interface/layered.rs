@@ -226,7 +226,7 @@ impl<L: ScalableLaw> LayeredInterface<L> {
     fn highest_load(&self, from: f64, to: f64, shape: Shape, effective: &EffectiveRange) -> f64 {
         let w = Interval { low: from, high: to };
         let u = Self::place(w, Interval::point(shape.radius), effective);
-        let possible = || self.jumps.iter().filter(|jump| u.holds(jump.place));
+        let possible = || self.jumps.iter().filter(|jump| u.contains(jump.place));
         let drops: f64 = possible().map(|jump| jump.factor.low.min(1.0)).product();
         let spread: f64 = self.jumps.iter().map(|jump| jump.factor.high / jump.factor.low).product();
         let strength = self.strength_over_onset * effective.onset.low;
@@ -326,11 +326,11 @@ impl<L: ScalableLaw> MicroContact for LayeredInterface<L> {
             let u = Self::place(*w, shapes.radii, &effective);
             // A boundary crossed backwards turns an increase of the load into a decrease.
             let turns_back = (effective.modulus_slope - effective.onset_slope).low <= -0.5;
-            let drops = |jump: &Jump| u.holds(jump.place) && (jump.factor.low < 1.0 || turns_back);
+            let drops = |jump: &Jump| u.contains(jump.place) && (jump.factor.low < 1.0 || turns_back);
             Self::exponents(self.law.load_exponents(u), &effective).low <= 0.0 || self.jumps.iter().any(drops)
         };
         let pieces = (0..=PIECES).map(|k| Interval { low: place(k), high: place(k + 1) });
-        Interval::joined(pieces.filter(may_decrease))
+        Interval::union(pieces.filter(may_decrease))
     }
 
     fn load_over(&self, from: f64, to: f64, shape: Shape) -> LoadBounds {
@@ -338,7 +338,7 @@ impl<L: ScalableLaw> MicroContact for LayeredInterface<L> {
         let effective = self.effective_over(w, Interval::point(shape.spheres * shape.radius));
         let u = Self::place(w, Interval::point(shape.radius), &effective);
         let exponents = Self::exponents(self.law.load_exponents(u), &effective);
-        if self.jumps.iter().any(|jump| u.holds(jump.place)) || (from == 0.0 && exponents.low < 0.0) {
+        if self.jumps.iter().any(|jump| u.contains(jump.place)) || (from == 0.0 && exponents.low < 0.0) {
             return LoadBounds::any(self.highest_load(from, to, shape, &effective));
         }
         LoadBounds::between(w, [from, to].map(|w| self.contact(w, shape).load), exponents)

@@ -107,7 +107,7 @@ impl Zmc {
         let growth = |x: f64| 1.0 + x * x * (3.0 - 2.0 * x);
         let slope = 0.6 * self.inverse_log_ratio;
         let pressure = |x: f64| slope / (0.4 + slope * (span * x).ln_1p());
-        let steep = x.of_hump(|x| 6.0 * x * (1.0 - x), 0.5);
+        let steep = x.of_unimodal(|x| 6.0 * x * (1.0 - x), 0.5);
         Interval {
             low: 1.0 + pressure(x.high) + (x.low + span.recip()) * steep.low / growth(x.high),
             high: 1.0 + pressure(x.low) + (x.high + span.recip()) * steep.high / growth(x.low),

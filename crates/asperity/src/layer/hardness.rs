@@ -67,7 +67,7 @@ impl EffectiveHardness {
         let [low, high] = ends.map(swell);
         let mut swells = Interval::between(low, high);
         let peak = self.depth(1.0);
-        if depth.holds(peak) {
+        if depth.contains(peak) {
             swells = swells.hull(Interval::point(swell(self.at(peak))));
         }
         let size = swells * hardness.recip();

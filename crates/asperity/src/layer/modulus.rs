@@ -207,7 +207,7 @@ impl Sides {
         let modulus = Interval::between(self.modulus(&thick, poisson.low), self.modulus(&thin, poisson.high));
         let hump = |value: fn(&Weights) -> f64, peak: f64| {
             let ends = Interval::between(value(&thick), value(&thin));
-            if inverse.holds(peak) { ends.hull(Interval::point(value(&Weights::at(peak)))) } else { ends }
+            if inverse.contains(peak) { ends.hull(Interval::point(value(&Weights::at(peak)))) } else { ends }
         };
         let log = hump(|weights| weights.log, LOG_PEAK);
         let pole = hump(|weights| weights.pole, POLE_PEAK);

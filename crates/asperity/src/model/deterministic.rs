@@ -75,7 +75,7 @@ impl DecreasingLoads {
     /// Whether the load of asperity `index` increases throughout `indentations`.
     fn is_monotonic(&self, index: usize, indentations: Interval) -> bool {
         let within = &self.within[usize::from(self.class[index])];
-        !within.iter().any(|range| range.meets(indentations))
+        !within.iter().any(|range| range.overlaps(indentations))
     }
 }
 

@@ -157,7 +157,7 @@ fn where_the_load_falls_the_first_reach_counts() {
     let law = zmc(0.89);
     let w1 = law.breakpoints(Shape::sphere(2e-5))[0];
     let within = law.may_decrease(Shape::sphere(2e-5).into());
-    assert!(within.len() == 1 && within[0].holds(w1) && within[0].high - within[0].low < 1e-12 * w1);
+    assert!(within.len() == 1 && within[0].contains(w1) && within[0].high - within[0].low < 1e-12 * w1);
     assert!(zmc(Zmc::ONSET).may_decrease(Shape::sphere(2e-5).into()).is_empty());
     assert!(zmc(0.4).may_decrease(Shape::sphere(2e-5).into()).is_empty());
     let set = AsperitySet::new(vec![0.0, -1e-6], vec![2e-5, 2e-5], 1.0).unwrap();

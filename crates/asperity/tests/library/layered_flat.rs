@@ -134,7 +134,7 @@ fn a_jump_that_is_passed_backwards_is_a_fall() {
     let back = contact.regime_changes(Shape::sphere(2e-5))[1];
     let load = |w: f64| contact.contact(w, Shape::sphere(2e-5)).load;
     assert!(load(back * (1.0 + 1e-9)) < 0.7 * load(back * (1.0 - 1e-9)));
-    assert!(contact.may_decrease(Shape::sphere(2e-5).into()).iter().any(|range| range.holds(back)));
+    assert!(contact.may_decrease(Shape::sphere(2e-5).into()).iter().any(|range| range.contains(back)));
 }
 
 /// Counts the bounds that a search asks for.
