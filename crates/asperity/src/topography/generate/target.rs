@@ -105,7 +105,7 @@ pub enum Unreachable {
     TooFewPoints {
         /// Points along x and y.
         points: [usize; 2],
-        /// The smallest number of points that would still be too small.
+        /// The number of points that must be exceeded.
         least: usize,
     },
     /// A spectrum that the grid does not resolve.

@@ -1,9 +1,8 @@
-//! X3P (ISO 25178-72): a zip archive of `main.xml` and, mostly, a binary file of heights.
+//! X3P (ISO 25178-72): a zip archive of `main.xml` and usually a binary file of heights.
 //!
-//! A height is stored number x Increment + Offset of the z axis, in metres, whatever the type of the
-//! numbers; a Rotation places the whole map in space, changes no height above its own plane and is not
-//! applied. The archive and the XML are read with zip and roxmltree themselves and not with verity-x3p
-//! 0.2, which leaves out the Increment of floating heights and the file of valid points, allocates the
+//! A height is the stored number x Increment + Offset of the z axis, in metres, for all number types. A Rotation only
+//! places the map in space and is not applied. The archive and the XML are read with zip and roxmltree rather than
+//! verity-x3p 0.2, which ignores the Increment of floating-point heights and the file of valid points, allocates the
 //! size that an entry claims, and reads no heights from XML.
 
 use std::fs::File;
@@ -20,12 +19,12 @@ use super::error::{ReadError, shortened, too_large};
 use crate::numeric::stored::NumberType;
 use crate::numeric::{LARGEST, is_positive};
 
-/// How every zip archive that is not empty begins.
+/// The first bytes of a zip archive that is not empty.
 pub(super) const MAGIC: &[u8; 4] = b"PK\x03\x04";
 
 const FORMAT: &str = "an X3P file";
 const MAIN: &str = "main.xml";
-/// The XML is held as a whole; the standard puts more than 10 000 heights into a binary file.
+/// The largest XML that is read; the standard stores more than 10 000 heights in a binary file.
 const LONGEST_XML: u64 = 32 << 20;
 
 /// A file within the archive, and its check sum if there is one.
@@ -37,11 +36,11 @@ struct Link {
 enum Heights {
     /// In the XML; NaN where missing.
     Listed(Vec<f64>),
-    /// In a file, with a file of one bit a point that is set where the point is valid.
+    /// In a file, with an optional file of one bit per point, set where the point is valid.
     Linked { heights: Link, valid: Option<Link> },
 }
 
-/// What `main.xml` says.
+/// The content of `main.xml`.
 struct Main {
     metadata: Metadata,
     count: u64,
@@ -107,7 +106,7 @@ impl Archive {
         Ok(Self(ZipArchive::new(BufReader::new(File::open(path)?)).map_err(of_zip)?))
     }
 
-    /// The entry called `name`, however its path is written.
+    /// The index of the entry `name`, for either path separator.
     fn find(&self, name: &str) -> Option<usize> {
         let plain = |name: &str| {
             let name = name.trim().replace('\\', "/").to_lowercase();
@@ -141,7 +140,7 @@ impl Archive {
         self.0.file_names().flatten().take(8).collect::<Vec<_>>().join(", ")
     }
 
-    /// What an entry holds, at most `most` bytes, whatever its size is said to be.
+    /// The content of an entry of at most `most` bytes, regardless of its declared size.
     fn content(&mut self, index: usize, most: u64) -> Result<Vec<u8>, ReadError> {
         let mut content = Vec::new();
         let entry = self.0.by_index(index).map_err(of_zip)?;
@@ -154,7 +153,7 @@ impl Archive {
         Ok(content)
     }
 
-    /// The content of a link, whose length must be `bytes`, after its check sum has been compared.
+    /// The content of a link, whose length must be `bytes`, after verification of its check sum.
     fn linked(&mut self, link: &Link, bytes: u64) -> Result<Vec<u8>, ReadError> {
         let index = self.sized(&link.name, bytes)?;
         let content = self.content(index, bytes)?;
@@ -177,7 +176,7 @@ impl Archive {
             ))
         })?;
         let content = self.content(index, LONGEST_XML)?;
-        // Its check sum is in a file beside it: "1234... *main.xml".
+        // Its check sum is in a separate file: "1234... *main.xml".
         if let Some(index) = self.find("md5checksum.hex") {
             let line = String::from_utf8_lossy(&self.content(index, 4096)?).into_owned();
             check_md5(MAIN, &content, line.split_whitespace().next())?;
@@ -226,7 +225,7 @@ fn child<'a>(node: Node<'a, 'a>, name: &str) -> Option<Node<'a, 'a>> {
     node.children().find(|child| child.tag_name().name() == name)
 }
 
-/// The words at the end of a path of names; `None` if there are none.
+/// The text at a path of element names; `None` if there is none.
 fn words<'a>(node: Node<'a, 'a>, path: &[&str]) -> Option<&'a str> {
     let node = path.iter().try_fold(node, |node, name| child(node, name))?;
     node.text().map(str::trim).filter(|text| !text.is_empty())
@@ -240,7 +239,7 @@ fn needed<'a>(node: Node<'a, 'a>, path: &[&str]) -> Result<&'a str, ReadError> {
     words(node, path).ok_or_else(|| missing(path))
 }
 
-/// A finite number, or `default` if it is left out.
+/// A finite number, or `default` if it is missing.
 fn number(node: Node, path: &[&str], default: Option<f64>) -> Result<f64, ReadError> {
     let Some(text) = words(node, path) else { return default.ok_or_else(|| missing(path)) };
     text.parse().ok().filter(|value: &f64| value.abs() <= LARGEST).ok_or_else(|| {
@@ -339,7 +338,7 @@ impl Main {
     }
 }
 
-/// The heights of a DataList: one Datum a point, empty where the point is missing.
+/// The heights of a DataList: one Datum per point, empty where the point is missing.
 fn listed(list: Node, count: u64) -> Result<Vec<f64>, ReadError> {
     let data = list.children().filter(|node| node.tag_name().name() == "Datum");
     let value = |(place, node): (usize, Node)| {
