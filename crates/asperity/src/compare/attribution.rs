@@ -74,7 +74,7 @@ impl Attribution {
         self.sampling.map(|error| self.summation.mean / error.mean)
     }
 
-    /// Whether the gap between the models exceeds the sampling error; true if the sum has none.
+    /// Whether the gap between the models exceeds [`SIGNIFICANT`] sampling errors; true if the sum has none.
     pub fn is_significant(&self) -> bool {
         self.standard_errors().is_none_or(|errors| errors > SIGNIFICANT)
     }

@@ -161,7 +161,7 @@ pub enum Inapplicable {
     },
     /// The law is not defined for a layer of finite thickness.
     #[error(
-        "law {law} under a layer: what it needs is known of a homogeneous body only; allowed: no layer, or thicknesses of 0 and \"inf\""
+        "law {law} under a layer: it is defined for homogeneous bodies only; allowed: no layer, or thicknesses of 0 and \"inf\""
     )]
     Layer {
         /// The law.

@@ -54,7 +54,7 @@ pub enum OptionError {
         allowed: String,
     },
     /// The law has no options.
-    #[error("the option `{option}`; allowed: none of this law")]
+    #[error("the option `{option}`; allowed: none (this law has no options)")]
     NoOptions {
         /// The name that was given.
         option: String,

@@ -18,7 +18,7 @@ pub struct Reached {
 /// A pressure that a model does not reach at any separation from [`LOWEST_SEPARATION`] on.
 #[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
 #[error(
-    "a nominal pressure of {wanted:e} Pa is not reached; the largest that is, from separations of {LOWEST_SEPARATION} sigma on, is {largest:e} Pa"
+    "a nominal pressure of {wanted:e} Pa is not reached; the largest pressure, at separations from {LOWEST_SEPARATION} sigma on, is {largest:e} Pa"
 )]
 pub struct Unreachable {
     /// The prescribed pressure, Pa.

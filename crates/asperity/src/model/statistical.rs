@@ -249,7 +249,7 @@ impl Model for Statistical<'_> {
     }
 
     fn respond_all(&self, separations: &[f64]) -> Vec<Response> {
-        /// Integrals per task.
+        /// The smallest number of integrals per task.
         const MANY: usize = 64;
         let Population { density, ref heights, .. } = self.population;
         separations

@@ -23,7 +23,7 @@ pub enum Level {
 
 /// The present points do not determine the form: too few, or on a line.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, thiserror::Error)]
-#[error("cannot be levelled by a {}: its present points determine none; allowed: more points, or level = \"mean\"", .0.name())]
+#[error("cannot be levelled by a {}: its present points do not determine one; allowed: more points, or level = \"mean\"", .0.name())]
 pub struct Undetermined(Level);
 
 /// Number of terms of the largest form.

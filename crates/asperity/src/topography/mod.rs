@@ -57,7 +57,7 @@ pub struct HeightMap {
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum MapError {
     /// There must be at least 3 x 3 points.
-    #[error("is no height map: {} x {} points; allowed: at least 3 x 3", .0[0], .0[1])]
+    #[error("is not a height map: {} x {} points; allowed: at least 3 x 3", .0[0], .0[1])]
     TooSmall([usize; 2]),
     /// There must be as many heights as points.
     #[error("{found} heights for {} x {} points", points[0], points[1])]

@@ -76,8 +76,8 @@ fn sample(map: &dyn Rows) -> Vec<f64> {
     let stride = (nx * ny).div_ceil(ENOUGH);
     let present = |row: &[f64]| row.iter().copied().filter(|z| !z.is_nan()).collect::<Vec<f64>>();
     let parts = strips(map, 0, |strip| {
-        let asked = (0..strip.count).filter(|k| (strip.first + k).is_multiple_of(stride));
-        asked.filter_map(|k| strip.row(k as isize).map(present)).flatten().collect::<Vec<f64>>()
+        let sampled = (0..strip.count).filter(|k| (strip.first + k).is_multiple_of(stride));
+        sampled.filter_map(|k| strip.row(k as isize).map(present)).flatten().collect::<Vec<f64>>()
     });
     parts.concat()
 }

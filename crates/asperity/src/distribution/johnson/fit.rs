@@ -63,7 +63,7 @@ pub(super) fn fit_bounded(skewness: f64, kurtosis: f64, flattest: f64) -> Result
             weights: logistic(offset),
             mean: 0.0,
             sd: 1.0,
-            asked: [skewness, kurtosis],
+            requested: [skewness, kurtosis],
         };
         Moments::of(step(rate), |g| unit.map(g))
     };

@@ -90,7 +90,7 @@ pub enum NoSuchMoments {
     },
     /// Too close to the bound.
     #[error(
-        "skewness {skewness}, kurtosis {kurtosis}: heights on all but two levels; \
+        "skewness {skewness}, kurtosis {kurtosis}: the heights are nearly on two levels; \
          allowed at this skewness is a kurtosis from {least:.6} to {}", LARGEST[1]
     )]
     TwoLevels {
@@ -103,7 +103,7 @@ pub enum NoSuchMoments {
     },
     /// Beyond [`LARGEST`].
     #[error(
-        "skewness {skewness}, kurtosis {kurtosis}: in heights too rare for any map; \
+        "skewness {skewness}, kurtosis {kurtosis}: beyond the supported range; \
          allowed are a skewness from -{0} to {0} and a kurtosis up to {1}", LARGEST[0], LARGEST[1]
     )]
     Extreme {
@@ -115,11 +115,11 @@ pub enum NoSuchMoments {
     /// The check of a fit failed.
     #[error(
         "the fit reaches mean {}, standard deviation {}, skewness {}, kurtosis {} instead of 0, 1, {}, {}",
-        found.mean, found.sd, found.skewness, found.kurtosis, asked[0], asked[1]
+        found.mean, found.sd, found.skewness, found.kurtosis, requested[0], requested[1]
     )]
     NotReached {
         /// The requested skewness and kurtosis.
-        asked: [f64; 2],
+        requested: [f64; 2],
         /// Moments of the fitted map.
         found: Moments,
     },
@@ -135,7 +135,7 @@ pub struct Johnson {
     weights: [f64; 2],
     mean: f64,
     sd: f64,
-    asked: [f64; 2],
+    requested: [f64; 2],
 }
 
 impl Johnson {
@@ -176,8 +176,8 @@ impl Johnson {
         Self::new(curve, rate, weights, [skewness, kurtosis]).checked()
     }
 
-    fn new(curve: Curve, rate: f64, weights: [f64; 2], asked: [f64; 2]) -> Self {
-        let unit = Self { curve, rate, weights, mean: 0.0, sd: 1.0, asked };
+    fn new(curve: Curve, rate: f64, weights: [f64; 2], requested: [f64; 2]) -> Self {
+        let unit = Self { curve, rate, weights, mean: 0.0, sd: 1.0, requested };
         let (mean, sd) = match curve {
             Curve::Normal => (0.0, 1.0),
             Curve::Lognormal | Curve::Unbounded => {
@@ -198,13 +198,15 @@ impl Johnson {
     fn checked(self) -> Result<Self, NoSuchMoments> {
         // Half the step of the fit: an error of the quadrature shows as well.
         let found = Moments::of(0.5 * step(self.rate), |g| self.map(g));
-        let close = |found: f64, asked: f64| (found - asked).abs() <= 2.0 * TOLERANCE * asked.abs().max(1.0);
-        let [skewness, kurtosis] = self.asked;
+        let close = |found: f64, requested: f64| {
+            (found - requested).abs() <= 2.0 * TOLERANCE * requested.abs().max(1.0)
+        };
+        let [skewness, kurtosis] = self.requested;
         let good = close(found.mean, 0.0)
             && close(found.sd, 1.0)
             && close(found.skewness, skewness)
             && close(found.kurtosis, kurtosis);
-        if good { Ok(self) } else { Err(NoSuchMoments::NotReached { asked: self.asked, found }) }
+        if good { Ok(self) } else { Err(NoSuchMoments::NotReached { requested: self.requested, found }) }
     }
 
     #[inline]
@@ -289,7 +291,7 @@ impl HeightDistribution for Johnson {
     }
 
     fn parameters(&self) -> Vec<(&'static str, f64)> {
-        vec![("skewness", self.asked[0]), ("kurtosis", self.asked[1])]
+        vec![("skewness", self.requested[0]), ("kurtosis", self.requested[1])]
     }
 
     fn papers(&self) -> &'static [Paper] {
@@ -297,11 +299,11 @@ impl HeightDistribution for Johnson {
     }
 
     fn skewness(&self) -> f64 {
-        self.asked[0]
+        self.requested[0]
     }
 
     fn kurtosis(&self) -> f64 {
-        self.asked[1]
+        self.requested[1]
     }
 
     fn support(&self) -> [f64; 2] {
@@ -438,7 +440,7 @@ impl fmt::Display for Johnson {
             Curve::Unbounded => "SU",
             Curve::Bounded => "SB",
         };
-        let ([skewness, kurtosis], [p, q]) = (self.asked, self.weights);
+        let ([skewness, kurtosis], [p, q]) = (self.requested, self.weights);
         write!(f, "Johnson {curve}, skewness {skewness}, kurtosis {kurtosis}")?;
         let delta = self.rate.recip();
         match self.curve {

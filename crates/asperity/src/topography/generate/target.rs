@@ -67,7 +67,7 @@ pub struct Reached {
 pub enum Unreachable {
     /// The product is outside the range found.
     #[error(
-        "density * radius * sigma = {product:.5} is not reached: with this grid, these heights and Hurst exponent it goes from \
+        "density * radius * sigma = {product:.5} is not reached: with this grid, these heights and Hurst exponent it ranges from \
          {least:.5} (a ratio of roll-off to cut-off of {from:.3}) to {most:.5} (of {to:.3}); allowed: a product in this range, or \
          other heights, another Hurst exponent, another cut-off-pixels or more points"
     )]

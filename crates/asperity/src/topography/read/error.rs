@@ -34,7 +34,7 @@ pub enum ReadError {
     },
     /// A text has a header of column names with units, which is not supported.
     #[error(
-        "names columns with units in line {line}: \"{found}\"; allowed: x y z, the unit given beside the file"
+        "names columns with units in line {line}: \"{found}\"; allowed: x y z, with the unit given separately"
     )]
     UnitsInColumns {
         /// Line number, from 1.
@@ -64,7 +64,7 @@ pub enum ReadOptionsError {
         has_unit: bool,
     },
     /// Neither the file nor the options give a pixel.
-    #[error("holds no pixel size, and none is given beside it")]
+    #[error("holds no pixel size, and none is given")]
     NoPixel,
     /// Both the file and the options give a unit.
     #[error("is {format}, which holds its own unit of length; allowed: leave unit out")]

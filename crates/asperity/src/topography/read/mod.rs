@@ -59,7 +59,7 @@ impl Format {
             Ok(Self::Text)
         } else {
             Err(ReadError::Mismatch(format!(
-                "is no height map: it begins with \"{}\"; allowed: {FORMATS}",
+                "is not a height map: it begins with \"{}\"; allowed: {FORMATS}",
                 begin
                     .iter()
                     .take(12)
@@ -177,7 +177,7 @@ fn check_heights(heights: &mut [f64], unit: f64, has_unit: bool) -> Result<(), R
 pub fn existing(path: &Path) -> Result<(), ReadError> {
     let metadata = std::fs::metadata(path)?;
     if !metadata.is_file() {
-        return Err(ReadError::Mismatch("is no file".to_owned()));
+        return Err(ReadError::Mismatch("is not a file".to_owned()));
     }
     if metadata.len() == 0 {
         return Err(ReadError::Corrupt("is empty".to_owned()));

@@ -130,7 +130,7 @@ fn open(path: &Path) -> Result<(Checked, Body), ReadError> {
     // Counts of four bytes make the header of version 2 four bytes longer.
     (&mut file).take(HEAD as u64 + 4).read_to_end(&mut begin)?;
     let (Some(kind), Some(version)) = (begin.first(), begin.get(1..8)) else {
-        return Err(ReadError::Mismatch("is no SDF file: it is shorter than a version".to_owned()));
+        return Err(ReadError::Mismatch("is not an SDF file: it is too short".to_owned()));
     };
     if !VERSIONS.contains(&version) {
         return Err(ReadError::Unsupported(format!(
@@ -242,7 +242,7 @@ impl Fields {
 
     fn check(&self, greatest: bool) -> Result<Checked, ReadError> {
         let unsupported = |what: &str, code: u8| {
-            Err(ReadError::Unsupported(format!("has the {what} {code}; allowed: 0, which is none")))
+            Err(ReadError::Unsupported(format!("has the {what} {code}; allowed: 0 (none)")))
         };
         if self.compression > 0 {
             return unsupported("Compression", self.compression);

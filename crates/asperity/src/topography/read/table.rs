@@ -115,7 +115,7 @@ fn no_number(row: usize, line: usize, column: usize, word: &str) -> ReadError {
     let found = shortened(word);
     if row == 0 {
         return ReadError::Mismatch(format!(
-            "is no height map: line {line} has \"{found}\" for a number; allowed: {}",
+            "is not a height map: line {line} has \"{found}\" for a number; allowed: {}",
             FORMATS
         ));
     }

@@ -147,7 +147,7 @@ impl Archive {
         entry.take(most.saturating_add(1)).read_to_end(&mut content).map_err(of_io)?;
         if content.len() as u64 > most {
             return Err(ReadError::Unsupported(format!(
-                "holds a file of more than {most} bytes; allowed: so many"
+                "holds a file of more than {most} bytes; allowed: at most that"
             )));
         }
         Ok(content)
@@ -171,7 +171,7 @@ impl Archive {
     fn main(&mut self) -> Result<Main, ReadError> {
         let index = self.find(MAIN).ok_or_else(|| {
             ReadError::Mismatch(format!(
-                "is a zip archive without {MAIN}, no X3P file; found: {}",
+                "is a zip archive without {MAIN}, not an X3P file; found: {}",
                 self.names()
             ))
         })?;
@@ -184,7 +184,7 @@ impl Archive {
         let text = String::from_utf8(content)
             .unwrap_or_else(|error| error.into_bytes().iter().map(|&byte| char::from(byte)).collect());
         let document = Document::parse(text.trim_start_matches('\u{feff}'))
-            .map_err(|error| ReadError::Corrupt(format!("holds a {MAIN} that is no XML: {error}")))?;
+            .map_err(|error| ReadError::Corrupt(format!("holds a {MAIN} that is not XML: {error}")))?;
         Main::parse(document.root_element())
     }
 }
@@ -204,18 +204,18 @@ fn of_zip(error: ZipError) -> ReadError {
     match error {
         ZipError::Io(error) => of_io(error),
         ZipError::UnsupportedArchive(reason) => {
-            ReadError::Unsupported(format!("is packed otherwise: {reason}"))
+            ReadError::Unsupported(format!("uses an unsupported zip feature: {reason}"))
         }
-        error => ReadError::Corrupt(format!("is no sound zip archive: {error}")),
+        error => ReadError::Corrupt(format!("is an invalid zip archive: {error}")),
     }
 }
 
 fn of_io(error: std::io::Error) -> ReadError {
     match error.kind() {
         ErrorKind::UnexpectedEof | ErrorKind::InvalidData | ErrorKind::InvalidInput | ErrorKind::Other => {
-            ReadError::Corrupt(format!("is no sound zip archive: {error}"))
+            ReadError::Corrupt(format!("is an invalid zip archive: {error}"))
         }
-        ErrorKind::Unsupported => ReadError::Unsupported(format!("is packed otherwise: {error}")),
+        ErrorKind::Unsupported => ReadError::Unsupported(format!("uses an unsupported zip feature: {error}")),
         _ => ReadError::Io(error),
     }
 }
@@ -265,7 +265,7 @@ impl Main {
         let name = root.tag_name().name();
         if name != "ISO5436_2" {
             return Err(ReadError::Mismatch(format!(
-                "is no X3P file: its {MAIN} is of {name}, not of ISO5436_2"
+                "is not an X3P file: its {MAIN} is of {name}, not of ISO5436_2"
             )));
         }
         let part = |name| child(root, name).ok_or_else(|| missing(&[name]));

@@ -167,7 +167,7 @@ fn bad_sdf_is_refused() {
         change(&mut sdf);
         sdf
     };
-    assert_refused!(Mismatch, "is no height map", "ISO-1.0 without its letter");
+    assert_refused!(Mismatch, "is not a height map", "ISO-1.0 without its letter");
     assert_refused!(Unsupported, "version ISO-9.0; allowed: ISO-1.0", Sdf::of("ISO-9.0", 7).text(&text));
     assert_refused!(Unsupported, "DataType 8; allowed: 0 to 7", with(|sdf| sdf.codes[1] = 8).text(&text));
     assert_refused!(Unsupported, "Compression 1", with(|sdf| sdf.codes[0] = 1).binary(&[0; 160]));

@@ -163,7 +163,7 @@ fn bad_x3p_is_refused() {
     };
     assert_refused!(
         Mismatch,
-        "without main.xml, no X3P file; found: word/document.xml",
+        "without main.xml, not an X3P file; found: word/document.xml",
         zipped(&[("word/document.xml", vec![])])
     );
     assert_refused!(Mismatch, "its main.xml is of html", zipped(&[("main.xml", b"<html/>".to_vec())]));
@@ -263,6 +263,6 @@ fn an_archive_that_is_packed_otherwise_is_not_called_damaged() {
                 _ => {}
             }
         }
-        assert_refused!(Unsupported, "is packed otherwise", bytes);
+        assert_refused!(Unsupported, "uses an unsupported zip feature", bytes);
     }
 }
