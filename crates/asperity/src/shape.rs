@@ -83,8 +83,8 @@ impl Shape {
             let [b, d] = integrals(q);
             let ratio = b / (q * d);
             // Bounded by its limit at m = 0, near which the quotient is rounding error or 0/0.
-            let fall = 1.5 - ((ratio - 1.0) * (ratio.recip() + q) / (2.0 * (1.0 - q))).min(0.75);
-            let step = (ratio / curvature_ratio).ln() / fall;
+            let steepness = 1.5 - ((ratio - 1.0) * (ratio.recip() + q) / (2.0 * (1.0 - q))).min(0.75);
+            let step = (ratio / curvature_ratio).ln() / steepness;
             q *= step.exp();
             if step.abs() <= LAST {
                 break;

@@ -8,7 +8,7 @@ use crate::shape::Shape;
 const PER_PIECE: usize = 160;
 
 /// Relative distance from a boundary at which both of its sides are evaluated.
-const BESIDE: f64 = 1e-12;
+const OFFSET: f64 = 1e-12;
 
 /// Relative threshold of a decrease or jump of area or load.
 const ROUNDING: f64 = 1e-9;
@@ -81,8 +81,8 @@ pub fn boundaries(contact: &dyn MicroContact, shape: Shape) -> Vec<Boundary> {
     let side = |w: f64| contact.contact(w, shape);
     let boundary = |w: f64| Boundary {
         indentation: w,
-        below: side(w * (1.0 - BESIDE)),
-        above: side(w * (1.0 + BESIDE)),
+        below: side(w * (1.0 - OFFSET)),
+        above: side(w * (1.0 + OFFSET)),
     };
     at.into_iter().map(boundary).collect()
 }
@@ -198,14 +198,14 @@ impl Curve {
 fn places(contact: &dyn MicroContact, shape: Shape, first: f64, last: f64) -> Vec<f64> {
     let bends = contact.breakpoints(shape).into_iter();
     let sides =
-        contact.regime_changes(shape).into_iter().flat_map(|w| [w * (1.0 - BESIDE), w * (1.0 + BESIDE)]);
+        contact.regime_changes(shape).into_iter().flat_map(|w| [w * (1.0 - OFFSET), w * (1.0 + OFFSET)]);
     let bends = bends.chain(sides).filter(|&w| w > first && w < last);
     let mut ends: Vec<f64> = [first, last].into_iter().chain(bends).collect();
     ends.sort_unstable_by(f64::total_cmp);
     ends.dedup();
     let piece = |pair: &[f64]| {
         let [from, ratio] = [pair[0], pair[1] / pair[0]];
-        let count = if ratio < 1.0 + 4.0 * BESIDE { 1 } else { PER_PIECE };
+        let count = if ratio < 1.0 + 4.0 * OFFSET { 1 } else { PER_PIECE };
         (0..count).map(move |k| from * ratio.powf(k as f64 / PER_PIECE as f64))
     };
     let mut places: Vec<f64> = ends.windows(2).flat_map(piece).chain([last]).collect();
@@ -225,7 +225,7 @@ fn changes(contact: &dyn MicroContact, shape: Shape) -> Vec<RegimeChange> {
         (None, None) => shape.radius,
     };
     let change = |(k, &w): (usize, &f64)| {
-        let Contact { load, area, .. } = contact.contact(w * (1.0 - BESIDE), shape);
+        let Contact { load, area, .. } = contact.contact(w * (1.0 - OFFSET), shape);
         RegimeChange { indentation: w, load, area, from: regime(between(k)), to: regime(between(k + 1)) }
     };
     at.iter().enumerate().map(change).filter(|change| change.from != change.to).collect()

@@ -83,8 +83,8 @@ impl Attribution {
 fn without_furthest(influence: &Influence, measure: Measure, group: Group) -> Option<(usize, Effect)> {
     let is_member = |law: &usize| group == Group::All || influence.is_elastic_plastic[*law];
     let members = (1..influence.laws.len()).filter(is_member);
-    let weight = |law| Some((law, influence.of_choice(measure, law, Kind::Deterministic)?.mean));
-    let (furthest, _) = members.filter_map(weight).max_by(|a, b| a.1.total_cmp(&b.1))?;
+    let effect = |law| Some((law, influence.of_choice(measure, law, Kind::Deterministic)?.mean));
+    let (furthest, _) = members.filter_map(effect).max_by(|a, b| a.1.total_cmp(&b.1))?;
     let rest =
         influence.effect(|at| at.spread_without(measure, group, Kind::Deterministic, Some(furthest)))?;
     Some((furthest, rest))

@@ -161,20 +161,21 @@ pub fn convergence(
     for &count in counts {
         let random = (0..draws).map(|k| Draw::Random(seed(count, k)));
         // One set at a time, under every law at every separation.
-        let mut answers = Vec::with_capacity(draws + 1);
+        let mut responses = Vec::with_capacity(draws + 1);
         for draw in random.chain([Draw::Quantiles]) {
             let set = population.set(count, draw)?;
-            answers.push(cases.iter().flat_map(|case| respond_to_set(case, &set, plane)).collect::<Vec<_>>());
+            responses
+                .push(cases.iter().flat_map(|case| respond_to_set(case, &set, plane)).collect::<Vec<_>>());
             done(count);
         }
-        let Some(quantiles) = answers.pop() else { continue };
+        let Some(quantiles) = responses.pop() else { continue };
         let limits = cases.iter().flat_map(|case| case.exact.iter().map(|exact| (&case.law, exact)));
         for (k, (law, exact)) in limits.enumerate() {
             points.push(LimitPoint {
                 law: law.clone(),
                 exact: *exact,
                 count,
-                random: answers.iter().map(|set| set[k]).collect(),
+                random: responses.iter().map(|set| set[k]).collect(),
                 quantiles: quantiles[k],
             });
         }

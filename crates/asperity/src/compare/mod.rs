@@ -306,16 +306,16 @@ fn pair_at_loads(models: Models, deterministic: &[CurvePoint], result: &mut Comp
         .map(|point| point.response)
         .collect();
     let pressures: Vec<f64> = points.iter().map(|response| response.pressure.total()).collect();
-    let press = |model: &dyn Model, time: &mut Duration| {
+    let respond = |model: &dyn Model, time: &mut Duration| {
         let start = Instant::now();
         let answers = reached_at(model, &pressures);
         *time += start.elapsed();
         answers
     };
-    let integrals = press(statistical, &mut result.statistical_time);
+    let integrals = respond(statistical, &mut result.statistical_time);
     // A load that never decreases on approach is not reached at a separation larger than that of its point.
     let sums: Vec<Option<Response>> = if sum.may_decrease() {
-        let reached = press(sum, &mut result.deterministic_time);
+        let reached = respond(sum, &mut result.deterministic_time);
         reached.into_iter().map(|reached| reached.map(|reached| reached.response)).collect()
     } else {
         points.into_iter().map(Some).collect()

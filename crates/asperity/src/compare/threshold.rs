@@ -4,7 +4,7 @@
 const RANGE: [f64; 2] = [1e-12, 1.0];
 
 /// Ratio of the two thicknesses that bracket the result.
-const CLOSE: f64 = 1.01;
+const BRACKET_RATIO: f64 = 1.01;
 
 /// The thickness (m) below which a layer does not matter. `listed` are ascending thicknesses and whether each matters;
 /// a thickness of 0 does not. The search is between the thinnest listed thickness that matters and the one before, or
@@ -34,7 +34,7 @@ pub fn threshold(listed: &[(f64, bool)], matters: impl Fn(f64) -> bool) -> Optio
         }
         if matters(trial) { thick = trial } else { thin = trial }
     }
-    while thick > CLOSE * thin {
+    while thick > BRACKET_RATIO * thin {
         let middle = (thin * thick).sqrt();
         if matters(middle) { thick = middle } else { thin = middle }
     }
@@ -70,7 +70,7 @@ mod tests {
         assert_eq!(threshold(&[(0.0, false), (f64::INFINITY, true)], |_| false), Some(f64::INFINITY));
     }
 
-    /// The first one counts where thicker layers take it back.
+    /// The first thickness that matters counts, also if thicker layers do not matter.
     #[test]
     fn the_thinnest_layer_that_matters_counts() {
         let listed = [(0.0, false), (1e-8, false), (1e-7, true), (1e-6, false), (1e-5, true)];

@@ -181,7 +181,7 @@ impl fmt::Display for Heights {
 }
 
 /// Parameters for which a family has no distribution.
-pub type NoSuchHeights = Box<dyn Error + Send + Sync>;
+pub type HeightsError = Box<dyn Error + Send + Sync>;
 
 /// A named family of distributions.
 #[derive(Debug, Clone, Copy)]
@@ -191,7 +191,7 @@ pub struct Entry {
     /// Names of the parameters, each with a typical value.
     pub parameters: &'static [(&'static str, f64)],
     /// Constructs a member of the family from parameter values in the order of `parameters`.
-    pub make: fn(&[f64]) -> Result<Heights, NoSuchHeights>,
+    pub make: fn(&[f64]) -> Result<Heights, HeightsError>,
 }
 
 impl Entry {
@@ -199,7 +199,7 @@ impl Entry {
     ///
     /// # Errors
     /// None for the entries of [`REGISTRY`].
-    pub fn example(&self) -> Result<Heights, NoSuchHeights> {
+    pub fn example(&self) -> Result<Heights, HeightsError> {
         let values: Vec<f64> = self.parameters.iter().map(|(_, value)| *value).collect();
         (self.make)(&values)
     }

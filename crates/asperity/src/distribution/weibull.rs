@@ -22,7 +22,7 @@ pub const SHAPES: [f64; 2] = [0.5, 20.0];
 const NEGLIGIBLE: f64 = 1e-18;
 
 /// A separation is at the lower end of the support if its u is at most this.
-const AT_THE_END: f64 = 1e-30;
+const LOWER_END: f64 = 1e-30;
 
 /// The load of a contact grows by at most this power of the indentation.
 const GROWTH: f64 = 2.0;
@@ -30,7 +30,7 @@ const GROWTH: f64 = 2.0;
 /// A shape outside [`SHAPES`].
 #[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
 #[error("Weibull shape {0}; allowed: {least} to {most}", least = SHAPES[0], most = SHAPES[1])]
-pub struct NoSuchShape(pub f64);
+pub struct ShapeError(pub f64);
 
 /// Weibull's distribution (1951), 1 - exp(-t^k), shifted and scaled to zero mean and unit standard deviation: the height
 /// is (t - mean)/sd.
@@ -52,9 +52,9 @@ impl Weibull {
     ///
     /// # Errors
     /// A shape outside [`SHAPES`].
-    pub fn new(shape: f64) -> Result<Self, NoSuchShape> {
+    pub fn new(shape: f64) -> Result<Self, ShapeError> {
         if !(SHAPES[0]..=SHAPES[1]).contains(&shape) {
-            return Err(NoSuchShape(shape));
+            return Err(ShapeError(shape));
         }
         let raw = |order: f64| gamma(1.0 + order / shape);
         let (mean, second) = (raw(1.0), raw(2.0));
@@ -172,7 +172,7 @@ impl HeightDistribution for Weibull {
 
     fn variable(&self, h: f64, x: f64) -> f64 {
         let (t, u) = (self.t(h), self.u(h));
-        if u > AT_THE_END {
+        if u > LOWER_END {
             u * (self.shape * (x * self.sd / t).ln_1p()).exp_m1()
         } else {
             (x * self.sd + t).max(0.0).powf(self.shape)
@@ -188,7 +188,7 @@ impl HeightDistribution for Weibull {
         let (t, u) = (self.t(h), self.u(h));
         for (node, weight) in nodes.iter_mut().zip(weights) {
             *weight *= (-*node).exp();
-            let x = if u > AT_THE_END {
+            let x = if u > LOWER_END {
                 t * (self.power * (*node / u).ln_1p()).exp_m1()
             } else {
                 node.powf(self.power) - t

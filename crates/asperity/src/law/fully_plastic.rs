@@ -26,14 +26,8 @@ impl FullyPlastic {
     pub(super) fn plastic<N: Real>(w: N, b: N, strength: N) -> Contacts<N> {
         let slope = b * (2.0 * PI);
         let stiffness = strength * slope;
-        let everywhere = w.all_true();
-        Contacts {
-            area: slope * w,
-            load: stiffness * w,
-            stiffness,
-            elastic: !everywhere,
-            plastic: everywhere,
-        }
+        let all = w.all_true();
+        Contacts { area: slope * w, load: stiffness * w, stiffness, elastic: !all, plastic: all }
     }
 }
 

@@ -30,13 +30,13 @@ impl Hertz {
         let square = b * w;
         let radius = square.sqrt();
         let stiffness = reduced_modulus * 2.0 * radius;
-        let everywhere = w.all_true();
+        let all = w.all_true();
         Contacts {
             area: square * PI,
             load: stiffness * w * (2.0 / 3.0),
             stiffness,
-            elastic: everywhere,
-            plastic: !everywhere,
+            elastic: all,
+            plastic: !all,
         }
     }
 }

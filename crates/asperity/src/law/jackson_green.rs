@@ -44,7 +44,7 @@ pub struct JacksonGreen {
 const ELASTIC: f64 = 1.9;
 
 /// The largest Y/E*: beyond it the load would decrease somewhere with indentation.
-const STRONGEST: f64 = 0.065;
+const MAX_STRENGTH_RATIO: f64 = 0.065;
 
 /// Range of Y/E* of the steels of the fit.
 const FITTED: [f64; 2] = [0.001, 0.008];
@@ -167,10 +167,10 @@ impl Law for JacksonGreen {
 
     fn check(&self, pair: &Pair) -> Result<(), Inapplicable> {
         let ratio = pair.yield_limits.strength / pair.reduced_modulus;
-        if ratio <= STRONGEST {
+        if ratio <= MAX_STRENGTH_RATIO {
             Ok(())
         } else {
-            Err(Inapplicable::TooStrong { law: self.name(), ratio, most: STRONGEST })
+            Err(Inapplicable::TooStrong { law: self.name(), ratio, most: MAX_STRENGTH_RATIO })
         }
     }
 
@@ -237,7 +237,7 @@ mod tests {
     #[test]
     fn the_load_falls_beyond_the_strongest_pairs_and_not_before() {
         for poisson in [0.0, 0.3, 0.4999] {
-            assert!(least_exponent(STRONGEST, poisson) > 0.0, "{poisson}");
+            assert!(least_exponent(MAX_STRENGTH_RATIO, poisson) > 0.0, "{poisson}");
         }
         assert!(least_exponent(0.0656, 0.4999) > 0.0 && least_exponent(0.0659, 0.4999) < 0.0);
         assert!(least_exponent(0.0760, 0.0) > 0.0 && least_exponent(0.0763, 0.0) < 0.0);

@@ -102,7 +102,7 @@ impl<N: Real> Pair<N> {
 }
 
 /// Relative distance from a boundary at which both of its sides are evaluated: above the rounding of the boundary.
-const BESIDE: f64 = 8.0 * f64::EPSILON;
+const OFFSET: f64 = 8.0 * f64::EPSILON;
 
 /// A property of a body, by its key in a spec.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
@@ -275,12 +275,12 @@ pub trait Law: SingleContact + Send + Sync + 'static {
     fn jumps(&self, pair: &Pair) -> Vec<f64> {
         let side = |ratio: f64| self.contact(ratio, 1.0, pair).load;
         let ratios = self.critical_ratios(pair).into_iter();
-        ratios.map(|w| side(w * (1.0 + BESIDE)) / side(w * (1.0 - BESIDE))).collect()
+        ratios.map(|w| side(w * (1.0 + OFFSET)) / side(w * (1.0 - OFFSET))).collect()
     }
 
     /// The highest load (N) at indentations from `from` to `to`, `from < to` (m).
     fn highest_load(&self, from: f64, to: f64, b: f64, pair: &Pair) -> f64 {
-        let ends = self.critical_ratios(pair).into_iter().map(|ratio| ratio * b * (1.0 - BESIDE));
+        let ends = self.critical_ratios(pair).into_iter().map(|ratio| ratio * b * (1.0 - OFFSET));
         ends.filter(|w| (from..to).contains(w))
             .chain([from, to])
             .map(|w| self.contact(w, b, pair).load)

@@ -22,7 +22,7 @@ pub(super) struct EffectiveHardness {
 }
 
 /// The exponent x beyond which the layer has no effect, whatever its hardness.
-const GONE: f64 = 180.0;
+const MAX_EXPONENT: f64 = 180.0;
 
 impl EffectiveHardness {
     /// The effective hardness; `None` if neither body has a hardness.
@@ -55,7 +55,7 @@ impl EffectiveHardness {
         // A sum of positive terms in either case.
         let hardness = if self.is_softer { lost * step + self.layer } else { left * step + self.substrate };
         let rate = -step * self.power();
-        (hardness, x.min(x.splat(GONE)) * rate * left / hardness)
+        (hardness, x.min(x.splat(MAX_EXPONENT)) * rate * left / hardness)
     }
 
     /// Bounds of the hardness (Pa) and of d ln H/d ln w over the range `depth` of w/t.
@@ -100,7 +100,7 @@ impl EffectiveHardness {
 
     /// The depth w/t beyond which H_eff is constant.
     pub(super) fn end(&self) -> f64 {
-        self.depth(GONE)
+        self.depth(MAX_EXPONENT)
     }
 }
 

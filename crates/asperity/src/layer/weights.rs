@@ -26,14 +26,14 @@ impl Weights {
         let in_layer = inverse <= 1.0;
         let q = if in_layer { inverse } else { inverse.recip() };
         let small = q * q;
-        let whole = (1.0 + small).recip();
+        let reciprocal = (1.0 + small).recip();
         let [angle, log] = transcendental(inverse);
         Self {
             in_layer,
             angle,
             log,
-            pole: FRAC_1_PI * q * whole,
-            part: if in_layer { small * whole } else { whole },
+            pole: FRAC_1_PI * q * reciprocal,
+            part: if in_layer { small * reciprocal } else { reciprocal },
         }
     }
 

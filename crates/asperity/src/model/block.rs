@@ -1,7 +1,7 @@
 //! Blocks of asperities, sorted by the separation at which an approaching flat touches them.
 
 use crate::asperity::Asperities;
-use crate::numeric::WHOLES;
+use crate::numeric::INTEGER_BIAS;
 use crate::numeric::lanes::{Real, Work, run};
 
 /// The separations of a curve, m, in descending order, and a grid over them. The capacities `PLACES` and `CELLS` are
@@ -111,7 +111,7 @@ impl<const PLACES: usize, const CELLS: usize> Levels<PLACES, CELLS> {
     fn cell_above(&self, height: f64) -> u16 {
         let cell = ((height - self.lowest) * self.cells_per_metre + 1.0).min(self.last_cell);
         // Adding 2^52 leaves the nearest integer in the last bits.
-        (cell + WHOLES).to_bits() as u16
+        (cell + INTEGER_BIAS).to_bits() as u16
     }
 
     /// Number of separations at which an asperity in `cell` is not touched: those in higher cells and, if cells are

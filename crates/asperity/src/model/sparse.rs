@@ -59,12 +59,12 @@ mod tests {
         let radii: Vec<f64> = heights.iter().map(|z| z + 0.5).collect();
         let spheres: Vec<f64> = heights.iter().map(|z| z + 0.25).collect();
         let all = Asperities::new(&heights, &radii, Some(&spheres), 3.0);
-        let few = SparseSubset::above(199_000.0, &all).unwrap();
-        let found: Vec<_> = few.asperities().each().collect();
+        let subset = SparseSubset::above(199_000.0, &all).unwrap();
+        let found: Vec<_> = subset.asperities().each().collect();
         let expected: Vec<_> = all.each().filter(|(z, _)| *z > 199_000.0).collect();
-        assert_eq!((found.len(), few.asperities().nominal_area()), (999, 3.0));
+        assert_eq!((found.len(), subset.asperities().nominal_area()), (999, 3.0));
         assert_eq!(found, expected);
-        // Sorted or not, many are not few.
+        // Sorted or not, many asperities are no sparse subset.
         assert!(SparseSubset::above(150_000.0, &all).is_none());
         let mut sorted = heights.clone();
         sorted.sort_by(f64::total_cmp);

@@ -170,10 +170,10 @@ impl<'a> Statistical<'a> {
 fn jump(contact: &dyn MicroContact, shape: Shape, w: f64) -> Option<f64> {
     /// Relative distance from a breakpoint at which both of its sides are evaluated: above the rounding of the
     /// breakpoint.
-    const BESIDE: f64 = 1e-12;
+    const OFFSET: f64 = 1e-12;
     /// Relative rounding error of the difference of two loads.
     const ROUNDING: f64 = 32.0 * f64::EPSILON;
-    let step = BESIDE * w;
+    let step = OFFSET * w;
     let [below, above] = [-step, step].map(|step| contact.contact(w + step, shape));
     let jump = above.load - below.load - (below.stiffness + above.stiffness) * step;
     (jump.abs() > ROUNDING * above.load).then_some(jump)

@@ -19,7 +19,7 @@ pub enum NpyError {
     TruncatedHeader,
     /// The header is invalid.
     #[error("has an invalid .npy header: {0}")]
-    Header(#[from] HeaderFault),
+    Header(#[from] HeaderError),
     /// The type of the numbers is not supported.
     #[error("holds numbers of type {0}; allowed: float32, float64 and integers")]
     NumberType(String),
@@ -34,9 +34,9 @@ pub enum NpyError {
         "is truncated: its header says {rows} x {columns} numbers in {bytes} bytes, {found} bytes are there"
     )]
     Truncated {
-        /// Length along the first index, as the header says.
+        /// Length along the first index, according to the header.
         rows: u64,
-        /// Length along the second index, as the header says.
+        /// Length along the second index, according to the header.
         columns: u64,
         /// Bytes that these numbers take.
         bytes: u64,
@@ -53,12 +53,12 @@ pub enum NpyError {
 
 /// A defect of a header.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
-pub enum HeaderFault {
+pub enum HeaderError {
     /// Another version of the format.
     #[error("found version {0}.{1}; allowed: 1.0, 2.0 and 3.0")]
     Version(u8, u8),
     /// The header is too long.
-    #[error("it is {0} bytes long; allowed: at most {LONGEST_HEADER}")]
+    #[error("it is {0} bytes long; allowed: at most {MAX_HEADER_BYTES}")]
     TooLong(u64),
     /// The bytes are not UTF-8.
     #[error("it is not UTF-8 text")]
@@ -80,4 +80,4 @@ pub enum HeaderFault {
 }
 
 /// Bytes of the longest header that is read: NumPy's own are below 200 for numbers that are no records.
-pub(super) const LONGEST_HEADER: u64 = 1 << 20;
+pub(super) const MAX_HEADER_BYTES: u64 = 1 << 20;

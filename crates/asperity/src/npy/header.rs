@@ -4,7 +4,7 @@ use std::fs::File;
 use std::io::Read;
 use std::path::Path;
 
-use super::error::{HeaderFault, LONGEST_HEADER, NpyError};
+use super::error::{HeaderError, MAX_HEADER_BYTES, NpyError};
 use super::literal::Literal;
 use crate::numeric::stored::NumberType;
 
@@ -43,15 +43,15 @@ impl Header {
         let begin = Beginning::read(&mut file, length)?;
         let mut text = Vec::new();
         file.take(begin.text_length).read_to_end(&mut text)?;
-        let text = std::str::from_utf8(&text).map_err(|_| HeaderFault::Encoding)?;
-        let entries = Literal::dictionary(text).map_err(HeaderFault::Syntax)?;
+        let text = std::str::from_utf8(&text).map_err(|_| HeaderError::Encoding)?;
+        let entries = Literal::dictionary(text).map_err(HeaderError::Syntax)?;
         let entry = |key: &'static str| {
             let found = entries.iter().find(|(name, _)| name == key).map(|(_, value)| value);
-            found.ok_or(HeaderFault::Missing(key))
+            found.ok_or(HeaderError::Missing(key))
         };
         let (number_type, big_endian) = number_type(entry("descr")?)?;
         let Literal::Bool(fortran_order) = *entry("fortran_order")? else {
-            return Err(HeaderFault::Entry { entry: "fortran_order", allowed: "True or False" }.into());
+            return Err(HeaderError::Entry { entry: "fortran_order", allowed: "True or False" }.into());
         };
         let shape = shape(entry("shape")?)?;
         let data_start = begin.text_start + begin.text_length;
@@ -96,13 +96,13 @@ impl Beginning {
                 file.read_exact(&mut rest).map_err(|_| NpyError::TruncatedHeader)?;
                 (12, u64::from(u32::from_le_bytes([low, high, rest[0], rest[1]])))
             }
-            _ => return Err(HeaderFault::Version(major, minor).into()),
+            _ => return Err(HeaderError::Version(major, minor).into()),
         };
         if text_start + text_length > length {
             return Err(NpyError::TruncatedHeader);
         }
-        if text_length > LONGEST_HEADER {
-            return Err(HeaderFault::TooLong(text_length).into());
+        if text_length > MAX_HEADER_BYTES {
+            return Err(HeaderError::TooLong(text_length).into());
         }
         Ok(Self { text_start, text_length })
     }
@@ -136,8 +136,8 @@ fn number_type(descr: &Literal) -> Result<(NumberType, bool), NpyError> {
     }
 }
 
-fn shape(shape: &Literal) -> Result<Vec<u64>, HeaderFault> {
-    let fault = HeaderFault::Entry { entry: "shape", allowed: "a tuple of whole numbers" };
+fn shape(shape: &Literal) -> Result<Vec<u64>, HeaderError> {
+    let fault = HeaderError::Entry { entry: "shape", allowed: "a tuple of whole numbers" };
     let Literal::Sequence(lengths) = shape else { return Err(fault) };
     let length = |length: &Literal| if let Literal::Integer(length) = length { *length } else { None };
     lengths.iter().map(length).collect::<Option<_>>().ok_or(fault)

@@ -13,7 +13,7 @@ pub(super) enum Literal {
 }
 
 /// The deepest nesting: that of record types.
-const DEEPEST: usize = 32;
+const MAX_DEPTH: usize = 32;
 
 impl Literal {
     /// Parses a text that is one dictionary.
@@ -56,7 +56,7 @@ impl Parser<'_> {
     }
 
     fn literal(&mut self, depth: usize) -> Option<Literal> {
-        if depth > DEEPEST {
+        if depth > MAX_DEPTH {
             return None;
         }
         match self.peek()? {

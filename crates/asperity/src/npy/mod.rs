@@ -17,7 +17,7 @@ use std::io::{self, BufWriter, Read, Seek, SeekFrom, Write};
 use std::path::Path;
 
 use crate::memory::zeros;
-pub use error::{HeaderFault, NpyError};
+pub use error::{HeaderError, NpyError};
 pub use header::Header;
 pub(crate) use header::MAGIC;
 pub use mapped::Mapped;

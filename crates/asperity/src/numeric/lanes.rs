@@ -9,7 +9,7 @@ use std::sync::LazyLock;
 
 use pulp::{Arch, Simd, WithSimd};
 
-use super::WHOLES;
+use super::INTEGER_BIAS;
 
 /// The largest number of lanes of any supported register.
 pub const MOST: usize = 8;
@@ -320,8 +320,8 @@ const EXPONENT: u64 = 0x7ff0_0000_0000_0000;
 /// Bits of the exponent in the upper half of a number start at this bit.
 const UPPER_MANTISSA: i32 = 20;
 
-/// [`WHOLES`] with a margin for negative integers.
-const SIGNED_WHOLES: f64 = 1.5 * WHOLES;
+/// [`INTEGER_BIAS`] with a margin for negative integers.
+const SIGNED_INTEGER_BIAS: f64 = 1.5 * INTEGER_BIAS;
 
 /// The bits of 2^-.5: subtracting them gives the exponent of the nearest power of two.
 const ROOT_HALF: u64 = std::f64::consts::FRAC_1_SQRT_2.to_bits();
@@ -397,9 +397,9 @@ impl<S: Simd> Real for Register<S> {
         let bits = simd.add_u64s(self.bits(), simd.splat_u64s(1f64.to_bits() - ROOT_HALF));
         let exponents =
             self.shift_upper::<{ -UPPER_MANTISSA }>(simd.and_u64s(bits, simd.splat_u64s(EXPONENT)));
-        let exponents = self.of_bits(simd.or_u64s(exponents, simd.splat_u64s(WHOLES.to_bits())));
+        let exponents = self.of_bits(simd.or_u64s(exponents, simd.splat_u64s(INTEGER_BIAS.to_bits())));
         // k 2^32, exactly.
-        let k = exponents - (WHOLES + 1023.0 * TWO_TO_32);
+        let k = exponents - (INTEGER_BIAS + 1023.0 * TWO_TO_32);
         let mantissas = simd.and_u64s(bits, simd.splat_u64s(!EXPONENT));
         let f = self.of_bits(simd.add_u64s(mantissas, simd.splat_u64s(ROOT_HALF))) - 1.0;
         let s = f / (f + 2.0);
@@ -412,13 +412,13 @@ impl<S: Simd> Real for Register<S> {
     #[inline(always)]
     fn exp_and_exp_m1(self) -> (Self, Self) {
         let simd = self.simd;
-        let magic = self.splat(SIGNED_WHOLES);
-        let nearest = self * std::f64::consts::LOG2_E + SIGNED_WHOLES;
+        let magic = self.splat(SIGNED_INTEGER_BIAS);
+        let nearest = self * std::f64::consts::LOG2_E + SIGNED_INTEGER_BIAS;
         let k = nearest - magic;
         let r = (-k).mul_add(self.splat(LN_2[0]), self);
         let r = (-k).mul_add(self.splat(LN_2[1]), r);
         let wholes = (k * TWO_TO_32 + magic).bits();
-        let wholes = simd.sub_u64s(wholes, simd.splat_u64s(SIGNED_WHOLES.to_bits()));
+        let wholes = simd.sub_u64s(wholes, simd.splat_u64s(SIGNED_INTEGER_BIAS.to_bits()));
         let power =
             simd.add_u64s(self.shift_upper::<UPPER_MANTISSA>(wholes), simd.splat_u64s(1f64.to_bits()));
         let power = self.of_bits(power);

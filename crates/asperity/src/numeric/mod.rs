@@ -18,7 +18,7 @@ pub use sum::{Sum, in_chunks};
 pub const LARGEST: f64 = 1e30;
 
 /// 2^52: the sum with a smaller number has the nearest integer in its last bits.
-pub(crate) const WHOLES: f64 = 4_503_599_627_370_496.0;
+pub(crate) const INTEGER_BIAS: f64 = 4_503_599_627_370_496.0;
 
 /// Whether `value` is positive and within a range in which no product overflows or underflows.
 pub fn is_positive(value: f64) -> bool {

@@ -94,7 +94,7 @@ impl RadialSpectrum {
     }
 
     /// The prescribed spectrum of a Gaussian surface of standard deviation `sigma` (m).
-    pub fn asked(spectrum: &GridSpectrum, pixel: [f64; 2], sigma: f64) -> Self {
+    pub fn prescribed(spectrum: &GridSpectrum, pixel: [f64; 2], sigma: f64) -> Self {
         let points = spectrum.points();
         let rings = Rings::new(points, pixel);
         let columns: Vec<(Vec<[f64; 3]>, f64)> = (0..columns(points))
@@ -107,11 +107,11 @@ impl RadialSpectrum {
             })
             .collect();
         let total = spectrum.mean_variance() + columns.iter().map(|column| column.1).sum::<f64>();
-        let mut asked = rings.spectrum(columns.into_iter().map(|column| column.0).collect());
-        for ring in &mut asked.rings {
+        let mut prescribed = rings.spectrum(columns.into_iter().map(|column| column.0).collect());
+        for ring in &mut prescribed.rings {
             ring.1 *= sigma * sigma / total;
         }
-        asked
+        prescribed
     }
 
     /// Quartiles of the ratio of another spectrum to this one, over the rings whose density is at least a thousandth of
@@ -119,8 +119,8 @@ impl RadialSpectrum {
     pub fn quartiles_of(&self, other: &Self) -> [f64; 2] {
         const NEGLIGIBLE: f64 = 1e-3;
         let largest = self.rings.iter().fold(0.0f64, |a, ring| a.max(ring.1));
-        let pairs = self.rings.iter().zip(&other.rings).filter(|(asked, _)| asked.1 > NEGLIGIBLE * largest);
-        let mut ratios: Vec<f64> = pairs.map(|(asked, found)| found.1 / asked.1).collect();
+        let pairs = self.rings.iter().zip(&other.rings).filter(|(own, _)| own.1 > NEGLIGIBLE * largest);
+        let mut ratios: Vec<f64> = pairs.map(|(own, other)| other.1 / own.1).collect();
         ratios.sort_unstable_by(f64::total_cmp);
         [1, 3].map(|quarter| ratios.get(quarter * ratios.len() / 4).copied().unwrap_or(f64::NAN))
     }
@@ -255,7 +255,7 @@ mod tests {
         let (hurst, roll_off, cut_off) = (0.7, 20.0, 2.0);
         let shape = SpectrumShape::SelfAffine { hurst, roll_off, cut_off };
         let (_, grid) = surface(shape, Lay::default(), 1);
-        let asked = RadialSpectrum::asked(&grid, PIXEL, 3.0);
+        let asked = RadialSpectrum::prescribed(&grid, PIXEL, 3.0);
         let mut reached = vec![0.0; asked.rings.len()];
         for seed in 0..20 {
             let map = surface(shape, Lay::default(), seed).0;
@@ -361,7 +361,7 @@ mod tests {
     #[test]
     fn the_spectrum_asked_for_is_that_of_an_endless_surface() {
         let spectrum = Spectrum::new(SpectrumShape::Gaussian(10.0), Lay::default()).unwrap();
-        let (q, density) = RadialSpectrum::asked(&spectrum.on_grid(POINTS, PIXEL), PIXEL, 3.0).rings[0];
+        let (q, density) = RadialSpectrum::prescribed(&spectrum.on_grid(POINTS, PIXEL), PIXEL, 3.0).rings[0];
         assert!((q / (TAU / 160.0) - 1.0).abs() < 1e-12);
         let exact = 9.0 * 100.0 / (4.0 * PI) * (-(5.0 * q).powi(2)).exp();
         assert!((density / exact - 1.0).abs() < 1e-6, "{density} for {exact}");

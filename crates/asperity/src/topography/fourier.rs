@@ -43,7 +43,7 @@ pub fn synthesise<T: Send>(
     let [nx, ny] = points;
     let transform = asperity_fft::complex(nx, FftDirection::Inverse);
     let mut map = zeros(nx * ny);
-    let mut answers = Vec::with_capacity(columns(points));
+    let mut results = Vec::with_capacity(columns(points));
     let width = batch_width(points);
     let mut batch = vec![Complex::default(); width * nx];
     for first in (0..columns(points)).step_by(width) {
@@ -54,13 +54,13 @@ pub fn synthesise<T: Send>(
             .map_init(
                 || vec![Complex::default(); transform.get_inplace_scratch_len()],
                 |scratch, (k, column)| {
-                    let answer = fill(first + k, column);
+                    let result = fill(first + k, column);
                     transform.process_with_scratch(column, scratch);
-                    answer
+                    result
                 },
             )
             .collect();
-        answers.extend(filled);
+        results.extend(filled);
         map.par_chunks_mut(ROWS * ny).enumerate().for_each(|(block, rows)| {
             for (k, column) in batch[..count * nx].chunks(nx).enumerate() {
                 let column = &column[block * ROWS..];
@@ -70,7 +70,7 @@ pub fn synthesise<T: Send>(
             }
         });
     }
-    let scale = scale(answers);
+    let scale = scale(results);
     let along_y = asperity_fft::complex_to_real(ny);
     map.par_chunks_mut(ny).for_each_init(
         || (along_y.make_input_vec(), along_y.make_scratch_vec()),
@@ -105,7 +105,7 @@ pub fn analyse<T: Send>(
         },
     );
     let transform = asperity_fft::complex(nx, FftDirection::Forward);
-    let mut answers = Vec::with_capacity(columns(points));
+    let mut results = Vec::with_capacity(columns(points));
     let width = batch_width(points);
     let mut batch = vec![Complex::default(); width * nx];
     for first in (0..columns(points)).step_by(width) {
@@ -128,9 +128,9 @@ pub fn analyse<T: Send>(
                 },
             )
             .collect();
-        answers.extend(answered);
+        results.extend(answered);
     }
-    answers
+    results
 }
 
 /// Wave j of a row.

@@ -13,7 +13,7 @@ use crate::numeric::root::last_reaching;
 const CHUNK: usize = 1 << 14;
 
 /// The part of the variance that the truncated series may omit.
-const LEFT_OUT: f64 = 1e-7;
+const TRUNCATION: f64 = 1e-7;
 
 /// The largest number of terms. The steepest map needs about 2200, common ones 5 to 100.
 const MOST: usize = 4000;
@@ -49,7 +49,7 @@ impl Distortion {
         let mut latest = vec![1.0; nodes.len()];
         let mut squares = Vec::new();
         let mut sum = 0.0;
-        while sum < 1.0 - LEFT_OUT && squares.len() < MOST {
+        while sum < 1.0 - TRUNCATION && squares.len() < MOST {
             let order = squares.len() as f64;
             let (root, next_root) = (order.sqrt(), (order + 1.0).sqrt());
             let mut coefficient = 0.0;

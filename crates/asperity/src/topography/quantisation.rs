@@ -123,7 +123,7 @@ mod tests {
     use crate::topography::summits::five_point;
     use rand::{RngExt, SeedableRng};
 
-    fn look(points: [usize; 2], step: Option<f64>, precision: f64) -> Quantisation {
+    fn analyse(points: [usize; 2], step: Option<f64>, precision: f64) -> Quantisation {
         let mut rng = rand_chacha::ChaCha8Rng::seed_from_u64(1);
         let heights = (0..points[0] * points[1])
             .map(|_| {
@@ -139,7 +139,7 @@ mod tests {
     #[test]
     fn continuous_maps_raise_no_alarm() {
         for points in [[5, 5], [8, 9], [30, 30], [300, 200]] {
-            let found = look(points, None, f64::EPSILON);
+            let found = analyse(points, None, f64::EPSILON);
             assert_eq!(found.step, None, "{points:?}");
             assert!(!found.has_coarse_step() && !found.has_few_curvatures(), "{points:?}: {found:?}");
         }
@@ -149,7 +149,7 @@ mod tests {
     fn coarse_steps_are_found_in_either_precision() {
         for precision in [f64::EPSILON, f64::from(f32::EPSILON)] {
             for step in [0.8, 0.13] {
-                let found = look([200, 150], Some(step), precision);
+                let found = analyse([200, 150], Some(step), precision);
                 assert!((found.step.unwrap() / (step * 1e-7) - 1.0).abs() < 1e-4, "{found:?}");
                 assert_eq!(found.has_coarse_step(), step == 0.8);
                 assert_eq!(found.has_few_curvatures(), step == 0.8);
@@ -159,7 +159,7 @@ mod tests {
 
     #[test]
     fn fine_steps_do_no_harm() {
-        let found = look([200, 150], Some(1e-3), f64::EPSILON);
+        let found = analyse([200, 150], Some(1e-3), f64::EPSILON);
         assert!((found.step.unwrap() / 1e-10 - 1.0).abs() < 1e-6);
         assert!(!found.has_coarse_step() && !found.has_few_curvatures(), "{found:?}");
     }

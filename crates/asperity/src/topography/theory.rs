@@ -120,11 +120,11 @@ impl Model {
             [[1.0, 0.0], [1.0, 1.0]],
             [[1.0, 1.0], [0.0, 1.0]],
         ] {
-            for (angle, across) in RULE.nodes(angle(from), angle(to)) {
+            for (angle, across) in QUADRATURE.nodes(angle(from), angle(to)) {
                 let (sin, cos) = angle.sin_cos();
                 let t = [root * cos, slant * cos + rest * sin];
                 let fall = 1.0 - t[0] * t[0] - t[1] * t[1];
-                for (r, along) in RULE.nodes(0.0, REACH) {
+                for (r, along) in QUADRATURE.nodes(0.0, REACH) {
                     let weight = across * along * r * (-0.5 * fall * r * r).exp() / (PI * determinant.sqrt());
                     sums.add(weight, &Beyond::new(t.map(|t| r * t.abs()), self.sums));
                 }
@@ -210,15 +210,15 @@ fn both_above(t1: f64, t2: f64, r: f64) -> f64 {
         let (sin, cos) = angle.sin_cos();
         (-(t1 * t1 - 2.0 * t1 * t2 * sin + t2 * t2) / (2.0 * cos * cos)).exp()
     };
-    normal(t1) * normal(t2) + RULE.integrate(0.0, r.asin(), at) / (2.0 * PI)
+    normal(t1) * normal(t2) + QUADRATURE.integrate(0.0, r.asin(), at) / (2.0 * PI)
 }
 
 /// Quadrature with an error of 1e-11, and of 1e-8 for an elongation of 1000.
-static RULE: LazyLock<Rule> = LazyLock::new(Rule::new);
+static QUADRATURE: LazyLock<Quadrature> = LazyLock::new(Quadrature::new);
 
-struct Rule(Vec<(f64, f64)>);
+struct Quadrature(Vec<(f64, f64)>);
 
-impl Rule {
+impl Quadrature {
     const NODES: std::num::NonZeroUsize = std::num::NonZeroUsize::new(48).unwrap();
 
     fn new() -> Self {

@@ -351,7 +351,7 @@ fn the_same_bits_on_any_number_of_threads() {
             five_point(&levelled),
             Autocorrelation::of(&levelled, 0.0),
             RadialSpectrum::of(map.clone(), 0.0),
-            RadialSpectrum::asked(&spectrum, map.pixel(), SIGMA),
+            RadialSpectrum::prescribed(&spectrum, map.pixel(), SIGMA),
             map,
             gaussian(&spectrum, 1.0, [3; 32]),
         )

@@ -10,8 +10,8 @@
 //! | SL | SU with p = 1, or q = 1 for a negative skewness | |
 //! | SB | expm1(u)/(1 + p expm1(u)) | q/p = exp(gamma/delta) |
 //!
-//! Written so, y = u + O(u^2) without cancellation however large delta is, swapping the weights
-//! mirrors the heights, and the three curves pass smoothly into each other and into the normal.
+//! In this form y = u + O(u^2) without cancellation for any delta, swapping the weights mirrors the heights, and the
+//! three curves join smoothly with each other and with the normal.
 
 mod fit;
 
@@ -39,7 +39,7 @@ const TOLERANCE: f64 = 1e-9;
 pub const LARGEST: [f64; 2] = [10.0, 200.0];
 
 /// The largest 1/delta of SB: the heights are then nearly two levels.
-const STEEPEST: f64 = 20.0;
+const MAX_RATE: f64 = 20.0;
 
 /// The largest |u|: an SB height is at its bound to rounding there, an SU height beyond |g| = 240, and
 /// squares do not overflow.
@@ -66,7 +66,7 @@ enum Curve {
 
 /// No curve of the system has the requested skewness and kurtosis.
 #[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
-pub enum NoSuchMoments {
+pub enum MomentsError {
     /// Infinite or not a number.
     #[error("skewness {skewness}, kurtosis {kurtosis}: allowed are finite numbers")]
     NotFinite {
@@ -145,16 +145,16 @@ impl Johnson {
     /// # Errors
     /// Numbers that are not finite; kurtosis < skewness^2 + 1, which is impossible; pairs so close to that bound that
     /// the heights are two levels; pairs beyond [`LARGEST`]; a failed check.
-    pub fn from_moments(skewness: f64, kurtosis: f64) -> Result<Self, NoSuchMoments> {
+    pub fn from_moments(skewness: f64, kurtosis: f64) -> Result<Self, MomentsError> {
         if !(skewness.is_finite() && kurtosis.is_finite()) {
-            return Err(NoSuchMoments::NotFinite { skewness, kurtosis });
+            return Err(MomentsError::NotFinite { skewness, kurtosis });
         }
         let bound = skewness * skewness + 1.0;
         if kurtosis < bound {
-            return Err(NoSuchMoments::Impossible { skewness, kurtosis, bound });
+            return Err(MomentsError::Impossible { skewness, kurtosis, bound });
         }
         if skewness.abs() > LARGEST[0] || kurtosis > LARGEST[1] {
-            return Err(NoSuchMoments::Extreme { skewness, kurtosis });
+            return Err(MomentsError::Extreme { skewness, kurtosis });
         }
         let size = skewness.abs();
         let excess = lognormal_excess(size);
@@ -168,7 +168,7 @@ impl Johnson {
             (Curve::Unbounded, rate_of(excess), [0.5 * (1.0 + asymmetry), 0.5 * (1.0 - asymmetry)])
         } else {
             let (rate, offset) = fit_bounded(size, kurtosis, rate_of(excess))
-                .map_err(|least| NoSuchMoments::TwoLevels { skewness, kurtosis, least })?;
+                .map_err(|least| MomentsError::TwoLevels { skewness, kurtosis, least })?;
             (Curve::Bounded, rate, logistic(offset))
         };
         let [p, q] = weights;
@@ -195,7 +195,7 @@ impl Johnson {
     }
 
     /// Rejects the map if its moments are not the requested ones.
-    fn checked(self) -> Result<Self, NoSuchMoments> {
+    fn checked(self) -> Result<Self, MomentsError> {
         // Half the step of the fit: an error of the quadrature shows as well.
         let found = Moments::of(0.5 * step(self.rate), |g| self.map(g));
         let close = |found: f64, requested: f64| {
@@ -206,7 +206,7 @@ impl Johnson {
             && close(found.sd, 1.0)
             && close(found.skewness, skewness)
             && close(found.kurtosis, kurtosis);
-        if good { Ok(self) } else { Err(NoSuchMoments::NotReached { requested: self.requested, found }) }
+        if good { Ok(self) } else { Err(MomentsError::NotReached { requested: self.requested, found }) }
     }
 
     #[inline]

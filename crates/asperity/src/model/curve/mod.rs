@@ -25,7 +25,7 @@ pub struct Curve {
 }
 
 /// Below this number of separations the model is evaluated at each.
-const FEWEST: usize = 32;
+const MIN_SEPARATIONS: usize = 32;
 
 /// The responses at `separations` (d/sigma). Pressure and area ratio have a relative error of at most `tolerance`, and
 /// for an integral the shares of their regimes an absolute error of at most that.
@@ -35,7 +35,7 @@ const FEWEST: usize = 32;
 /// matter (`DiscretisationBound`). Where interpolation fails, the model is evaluated at each separation. The number of
 /// contacts of a sum is counted, not interpolated.
 pub fn respond_within(model: &dyn Model, separations: &[f64], tolerance: f64) -> Curve {
-    if separations.len() < FEWEST {
+    if separations.len() < MIN_SEPARATIONS {
         return Curve { responses: model.respond_all(separations), evaluated: separations.to_vec() };
     }
     let mut order: Vec<usize> = (0..separations.len()).collect();
@@ -67,8 +67,8 @@ pub fn respond_within(model: &dyn Model, separations: &[f64], tolerance: f64) ->
         }
     });
     let missing_separations: Vec<f64> = missing.iter().map(|&k| separations[k]).collect();
-    for (k, answer) in missing.into_iter().zip(model.respond_all(&missing_separations)) {
-        responses[k] = answer;
+    for (k, response) in missing.into_iter().zip(model.respond_all(&missing_separations)) {
+        responses[k] = response;
     }
     evaluated.extend(missing_separations);
     Curve { responses, evaluated }

@@ -75,8 +75,8 @@ impl AdaptiveSampler {
 
     fn evaluate(&self, model: &dyn Model, places: &[usize]) -> Vec<Node> {
         let separations: Vec<f64> = places.iter().map(|&place| self.separations[place]).collect();
-        let answers = model.respond_all(&separations);
-        places.iter().zip(answers).map(|(&place, response)| Node::new(place, response)).collect()
+        let responses = model.respond_all(&separations);
+        places.iter().zip(responses).map(|(&place, response)| Node::new(place, response)).collect()
     }
 
     fn insert(&mut self, nodes: Vec<Node>) {

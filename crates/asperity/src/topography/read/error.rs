@@ -25,7 +25,7 @@ pub enum ReadError {
     #[error(transparent)]
     Map(#[from] MapError),
     /// A height too large for a rough surface.
-    #[error("holds a height of {tallest:e} m; allowed: at most {TALLEST} m")]
+    #[error("holds a height of {tallest:e} m; allowed: at most {MAX_HEIGHT} m")]
     TooTall {
         /// The largest height, m.
         tallest: f64,
@@ -75,7 +75,7 @@ pub enum ReadOptionsError {
 }
 
 /// The largest height allowed, m: beyond it the unit is wrong.
-pub(super) const TALLEST: f64 = 10.0;
+pub(super) const MAX_HEIGHT: f64 = 10.0;
 
 /// The supported formats.
 pub(super) const FORMATS: &str = ".npy, X3P, SDF, a matrix of numbers or columns x y z as text";

@@ -29,7 +29,7 @@ use super::{HeightMap, MapError, Rows, rows};
 use crate::npy::{self as array, Mapped};
 use crate::numeric::LARGEST;
 pub use content::{Measured, Metadata, ReadOptions};
-use error::{FORMATS, TALLEST};
+use error::{FORMATS, MAX_HEIGHT};
 pub use error::{ReadError, ReadOptionsError};
 use npy::MappedMap;
 
@@ -147,7 +147,7 @@ fn check_rows(map: &dyn Rows) -> Result<(), ReadError> {
     };
     match rows::strips(map, 0, tallest).into_iter().flatten().reduce(f64::max) {
         None => Err(MapError::AllMissing.into()),
-        Some(tallest) if tallest > TALLEST => Err(ReadError::TooTall { tallest, has_unit: false }),
+        Some(tallest) if tallest > MAX_HEIGHT => Err(ReadError::TooTall { tallest, has_unit: false }),
         Some(_) => Ok(()),
     }
 }
@@ -167,7 +167,7 @@ fn check_heights(heights: &mut [f64], unit: f64, has_unit: bool) -> Result<(), R
             *z = f64::NAN;
         }
     }
-    if tallest > TALLEST { Err(ReadError::TooTall { tallest, has_unit }) } else { Ok(()) }
+    if tallest > MAX_HEIGHT { Err(ReadError::TooTall { tallest, has_unit }) } else { Ok(()) }
 }
 
 /// Checks that a path is a file that is not empty.

@@ -25,7 +25,7 @@ pub(super) const MAGIC: &[u8; 4] = b"PK\x03\x04";
 const FORMAT: &str = "an X3P file";
 const MAIN: &str = "main.xml";
 /// The largest XML that is read; the standard stores more than 10 000 heights in a binary file.
-const LONGEST_XML: u64 = 32 << 20;
+const MAX_XML_BYTES: u64 = 32 << 20;
 
 /// A file within the archive, and its check sum if there is one.
 struct Link {
@@ -175,7 +175,7 @@ impl Archive {
                 self.names()
             ))
         })?;
-        let content = self.content(index, LONGEST_XML)?;
+        let content = self.content(index, MAX_XML_BYTES)?;
         // Its check sum is in a separate file: "1234... *main.xml".
         if let Some(index) = self.find("md5checksum.hex") {
             let line = String::from_utf8_lossy(&self.content(index, 4096)?).into_owned();
@@ -226,7 +226,7 @@ fn child<'a>(node: Node<'a, 'a>, name: &str) -> Option<Node<'a, 'a>> {
 }
 
 /// The text at a path of element names; `None` if there is none.
-fn words<'a>(node: Node<'a, 'a>, path: &[&str]) -> Option<&'a str> {
+fn text_at<'a>(node: Node<'a, 'a>, path: &[&str]) -> Option<&'a str> {
     let node = path.iter().try_fold(node, |node, name| child(node, name))?;
     node.text().map(str::trim).filter(|text| !text.is_empty())
 }
@@ -236,12 +236,12 @@ fn missing(path: &[&str]) -> ReadError {
 }
 
 fn needed<'a>(node: Node<'a, 'a>, path: &[&str]) -> Result<&'a str, ReadError> {
-    words(node, path).ok_or_else(|| missing(path))
+    text_at(node, path).ok_or_else(|| missing(path))
 }
 
 /// A finite number, or `default` if it is missing.
 fn number(node: Node, path: &[&str], default: Option<f64>) -> Result<f64, ReadError> {
-    let Some(text) = words(node, path) else { return default.ok_or_else(|| missing(path)) };
+    let Some(text) = text_at(node, path) else { return default.ok_or_else(|| missing(path)) };
     text.parse().ok().filter(|value: &f64| value.abs() <= LARGEST).ok_or_else(|| {
         ReadError::Corrupt(format!("has {} = \"{text}\" in {MAIN}; allowed: a finite number", path.join("/")))
     })
@@ -271,7 +271,7 @@ impl Main {
         let part = |name| child(root, name).ok_or_else(|| missing(&[name]));
         let (header, data) = (part("Record1")?, part("Record3")?);
         let only = |path: &[&str], allowed: &str, meaning: &str, default: Option<&'static str>| {
-            let found = words(header, path).or(default).ok_or_else(|| missing(path))?;
+            let found = text_at(header, path).or(default).ok_or_else(|| missing(path))?;
             if found == allowed {
                 return Ok(());
             }
@@ -303,7 +303,7 @@ impl Main {
             return Err(ReadError::Corrupt("has Axes/CZ/Increment = 0; allowed: other than zero".to_owned()));
         }
         let offset = number(header, &["Axes", "CZ", "Offset"], Some(0.0))?;
-        let stored = match words(header, &["Axes", "CZ", "DataType"]).unwrap_or("D") {
+        let stored = match text_at(header, &["Axes", "CZ", "DataType"]).unwrap_or("D") {
             "I" => NumberType::I16,
             "L" => NumberType::I32,
             "F" => NumberType::F32,
@@ -322,9 +322,9 @@ impl Main {
             Heights::Listed(listed(list, count)?)
         } else {
             let link = |path: &[&str], md5: &str| {
-                words(data, path).map(|name| Link {
+                text_at(data, path).map(|name| Link {
                     name: name.to_owned(),
-                    md5: words(data, &["DataLink", md5]).map(str::to_owned),
+                    md5: text_at(data, &["DataLink", md5]).map(str::to_owned),
                 })
             };
             let path = ["DataLink", "PointDataLink"];
