@@ -108,7 +108,7 @@ pub enum DecreasingQuantity {
 }
 
 impl DecreasingQuantity {
-    /// Both.
+    /// Both quantities.
     pub const ALL: [Self; 2] = [Self::Area, Self::Load];
 
     /// The name in reports.

@@ -17,7 +17,7 @@ pub enum Measure {
 }
 
 impl Measure {
-    /// Both.
+    /// Both variants.
     pub const ALL: [Self; 2] = [Self::Separation, Self::Area];
 
     /// As tables name it.
@@ -30,7 +30,7 @@ impl Measure {
 
     /// The difference of `value` from `other`; 0 if they differ by rounding only.
     fn difference(self, value: &Response, other: &Response) -> f64 {
-        /// Of a separation at a given load.
+        /// Rounding error of a separation at a given load.
         const ROUNDING: f64 = 1e-9;
         let difference = match self {
             Self::Separation => value.separation_over_sigma - other.separation_over_sigma,
@@ -63,14 +63,14 @@ pub struct UnderLaw<'a> {
 /// The laws included in a spread.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Group {
-    /// All.
+    /// All laws.
     All,
     /// Elastic-plastic laws only.
     ElasticPlastic,
 }
 
 impl Group {
-    /// Both.
+    /// Both variants.
     pub const ALL: [Self; 2] = [Self::All, Self::ElasticPlastic];
 
     /// As tables name it.
@@ -135,7 +135,7 @@ impl AtLoad {
         self.spread_without(measure, group, kind, None)
     }
 
-    /// The same with a law left out.
+    /// The spread over the group except one law.
     pub fn spread_without(
         &self,
         measure: Measure,

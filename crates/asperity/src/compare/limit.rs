@@ -45,7 +45,7 @@ impl Exact {
 /// Sets of one size at one separation under one law.
 #[derive(Debug, Clone, PartialEq)]
 pub struct LimitPoint {
-    /// The law.
+    /// The law, as tables name it.
     pub law: String,
     /// The limit of the sets' responses.
     pub exact: Exact,
@@ -67,7 +67,7 @@ pub enum Quantity {
 }
 
 impl Quantity {
-    /// Both.
+    /// Both quantities.
     pub const ALL: [Self; 2] = [Self::Area, Self::Load];
 
     /// As tables name it.

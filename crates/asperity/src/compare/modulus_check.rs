@@ -170,7 +170,7 @@ mod tests {
         assert!((gao.ratio - 2.8).abs() < 0.05, "{gao:?}");
         // w R/t^2 of the exact table.
         assert!((gao.indentation_ratio - 0.67683676).abs() < 1e-8);
-        // The same in any size.
+        // The ratio does not depend on the size.
         let sphere = LayeredSphere::new(Some(&rigid), 3e-6, &body(18e9, 0.35), &body(210e9, 0.3), 2e-8);
         let [same, _] = check.beside(&sphere.at_contact_radius(2e-8).unwrap(), 3e-6, 2e-8);
         assert!((same.ratio / gao.ratio - 1.0).abs() < 1e-12 && (same.contact_ratio - 1.0).abs() < 1e-15);

@@ -17,7 +17,7 @@ pub struct PointCounts {
     pub few_contacts: usize,
     /// Points prescribed by a pressure or a force.
     pub load_points: usize,
-    /// Of these, in a jump of the law.
+    /// Of these, within a load jump of the law.
     pub in_jump: usize,
     /// Pressures of the deterministic model without a pair at equal load.
     pub unpaired: usize,

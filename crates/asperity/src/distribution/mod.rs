@@ -57,7 +57,7 @@ pub trait HeightDistribution: fmt::Debug + fmt::Display + Send + Sync {
         Vec::new()
     }
 
-    /// Its sources.
+    /// The sources of the distribution.
     fn papers(&self) -> &'static [Paper];
 
     /// Skewness: third standardised moment.

@@ -83,7 +83,7 @@ impl Pair {
         law.check(&pair).map(|()| pair)
     }
 
-    /// The same pair for every lane of a number such as `zero`.
+    /// The same pair in every lane; `zero` gives the type of register.
     #[inline(always)]
     pub fn splat<N: Real>(&self, zero: N) -> Pair<N> {
         let YieldLimits { onset, strength } = self.yield_limits;
@@ -114,7 +114,7 @@ pub enum Property {
 }
 
 impl Property {
-    /// The key.
+    /// The key in specs.
     pub const fn key(self) -> &'static str {
         match self {
             Self::Hardness => "hardness",
@@ -142,9 +142,9 @@ pub enum Inapplicable {
         None => "one of the two bodies at least",
     })]
     Lacking {
-        /// The law.
+        /// Name of the law.
         law: &'static str,
-        /// The property.
+        /// The missing property.
         property: Property,
         /// The body without it; `None` if neither has it and at least one must.
         body: Option<Body>,
@@ -152,7 +152,7 @@ pub enum Inapplicable {
     /// The pair is outside the range of the law.
     #[error("a yield strength of {ratio:.3} E*, beyond the range of law {law}; allowed: at most {most} E*")]
     TooStrong {
-        /// The law.
+        /// Name of the law.
         law: &'static str,
         /// Yield strength over reduced modulus.
         ratio: f64,
@@ -164,7 +164,7 @@ pub enum Inapplicable {
         "law {law} under a layer: it is defined for homogeneous bodies only; allowed: no layer, or thicknesses of 0 and \"inf\""
     )]
     Layer {
-        /// The law.
+        /// Name of the law.
         law: &'static str,
     },
 }

@@ -138,7 +138,7 @@ impl LayeredFlat {
         (poisson, (1.0 - poisson) * (1.0 + poisson) / self.at(w, b).compliance)
     }
 
-    /// The same layer in another thickness (m).
+    /// The same layer with another thickness (m).
     ///
     /// # Errors
     /// A thickness that is not positive and finite.

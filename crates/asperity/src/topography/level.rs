@@ -147,7 +147,7 @@ impl Form {
 pub struct Levelled<'a> {
     /// The map.
     pub map: &'a dyn Rows,
-    /// Its form.
+    /// The form to subtract.
     pub form: Form,
 }
 

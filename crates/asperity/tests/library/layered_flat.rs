@@ -1,4 +1,4 @@
-//! What must hold for a layered flat beyond what every law must hold on it (`tests/conformance.rs`).
+//! Properties of a layered flat, beyond those of every law on it (`conformance`).
 
 use std::sync::atomic::{AtomicUsize, Ordering};
 
@@ -125,7 +125,7 @@ fn a_harder_flat_may_yield_first() {
     }
 }
 
-/// Back over the onset of yield, a law whose load jumps up there lets it fall.
+/// Crossing the onset of yield backwards turns an upward jump of the load into a drop.
 #[test]
 fn a_jump_that_is_passed_backwards_is_a_fall() {
     let lead = Material::new(18e9, 0.35, Some(0.17e9), None).unwrap();
@@ -137,7 +137,7 @@ fn a_jump_that_is_passed_backwards_is_a_fall() {
     assert!(contact.may_decrease(Shape::sphere(2e-5).into()).iter().any(|range| range.contains(back)));
 }
 
-/// Counts the bounds that a search asks for.
+/// Counts the bounds that a search evaluates.
 struct Counted<'a>(&'a dyn MicroContact, AtomicUsize);
 
 impl MicroContact for Counted<'_> {

@@ -1,4 +1,4 @@
-//! Headers of `.npy` files: what is written reads back, what is damaged is refused.
+//! Headers of `.npy` files: round trips, and errors for damaged ones.
 
 use asperity::HeightMap;
 use asperity::npy::{Header, HeaderError, Mapped, NpyError, matrix, write};

@@ -25,7 +25,7 @@ fn values(contact: &Contact) -> [f64; 3] {
     [contact.area, contact.load, contact.stiffness]
 }
 
-/// An asperity is so many spheres, each on the homogeneous body that a contact as wide as the asperity's feels.
+/// An asperity is a number of spheres, each on the effective homogeneous body of a contact of the asperity's width.
 #[test]
 fn the_law_is_asked_with_what_is_felt() {
     let mut worst = [Worst::default(), Worst::default()];
@@ -201,7 +201,7 @@ fn no_load_falls_but_where_it_is_said_to() {
     assert!(free > 200 && falling > 200, "{free} {falling}");
 }
 
-/// A layer that is what it lies on.
+/// A layer of the substrate's material.
 #[test]
 fn a_layer_of_the_same_material_is_none() {
     let mut worst = [Worst::default(), Worst::default(), Worst::default()];

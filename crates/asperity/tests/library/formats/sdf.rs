@@ -221,7 +221,7 @@ fn opd_1_as_sdf_is_the_same_surface() {
     );
 }
 
-/// Only the two counts that Olympus writes stand before the numbers; what else is there comes after them.
+/// Only the two counts written by Olympus precede the numbers; other extra bytes follow them.
 #[test]
 fn eight_bytes_after_the_numbers_move_nothing() {
     let numbers: Vec<u8> = in_lines().flat_map(f64::to_le_bytes).chain(*b"the end.").collect();
