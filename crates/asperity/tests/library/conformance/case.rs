@@ -22,7 +22,7 @@ pub struct Case {
 }
 
 impl std::fmt::Debug for Case {
-    /// The seed of the case.
+    /// The data of the case, to reproduce it.
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         let Self { rough, layer, substrate, thickness, rule, shape, .. } = self;
         write!(f, "{rough:?}, {layer:?}, {substrate:?}, {thickness:e} m, {rule:?}, {shape:?}")
