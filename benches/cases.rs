@@ -27,7 +27,7 @@ pub fn bare(law: impl Law + Clone) -> Box<dyn MicroContact> {
 /// Every law for spheres, or for ellipses, ZMC first: those that others are measured by.
 pub fn laws(of_ellipses: bool) -> Vec<(String, Box<dyn MicroContact>)> {
     let mut laws: Vec<&ContactLaw> =
-        registry().iter().filter(|law| law.sees_ellipses() == of_ellipses).collect();
+        registry().iter().filter(|law| law.is_elliptic() == of_ellipses).collect();
     laws.sort_by_key(|law| law.law().name() != "zmc");
     let on_steel =
         |law: &ContactLaw| law.interface(&steel(), &Flat::Bare(steel())).expect("every law knows steel");

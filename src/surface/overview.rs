@@ -63,7 +63,7 @@ impl MapOverview {
         // Two processes have two spectra: neither is that of what they leave.
         whole.asked = generator.filter(|generator| generator.plateau.is_none()).map(|generator| {
             let &SurfaceGenerator { points, pixel, ref process, .. } = generator;
-            RadialSpectrum::asked(&process.spectrum.on_grid(points, pixel), pixel, process.sigma)
+            RadialSpectrum::prescribed(&process.spectrum.on_grid(points, pixel), pixel, process.sigma)
         });
         whole.is_asked_of_gaussian = generator.is_some_and(|SurfaceGenerator { process, .. }| {
             process.of == SpectrumOf::Gaussian && process.heights != Heights::GAUSSIAN

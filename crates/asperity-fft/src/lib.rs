@@ -1,7 +1,7 @@
 //! Plans of Fourier transforms in `f64`.
 //!
-//! rustfft and realfft are generic over the number; their code for `f64` is more than a third of what a crate that plans
-//! transforms compiles. It is compiled here, once, so that an edit of the library does not compile it again.
+//! rustfft and realfft are generic over the number type; their code for `f64` would be more than a third of the code of
+//! the crate that plans transforms. It is compiled in this crate, so that changes of the library do not recompile it.
 #![deny(unsafe_code)]
 #![warn(missing_docs)]
 
@@ -14,7 +14,7 @@ pub use realfft::{ComplexToReal, RealToComplex};
 pub use rustfft::num_complex::{Complex, Complex64};
 pub use rustfft::{Fft, FftDirection};
 
-/// A transform of `length` complex numbers, in place and not normalised.
+/// An in-place transform of `length` complex numbers, not normalised.
 pub fn complex(length: usize, direction: FftDirection) -> Arc<dyn Fft<f64>> {
     FftPlanner::new().plan_fft(length, direction)
 }

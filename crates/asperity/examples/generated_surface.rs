@@ -1,4 +1,4 @@
-//! A random rough surface of a given spectrum, written to a `.npy` that NumPy and this crate read, and its summits.
+//! A random rough surface of a given spectrum, its summits, and its output to a `.npy` file.
 //!
 //! `cargo run --release -p asperity --example generated_surface [FILE]`
 
@@ -16,7 +16,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     let temporary = || std::env::temp_dir().join("generated-surface.npy");
     let path = std::env::args().nth(1).map_or_else(temporary, PathBuf::from);
 
-    // Self-affine between two wavelengths, isotropic; the two seeds decide every height.
+    // Self-affine between two wavelengths, isotropic; the seeds determine all heights.
     let (points, pixel) = ([512; 2], [0.5e-6; 2]);
     let shape = SpectrumShape::SelfAffine { hurst: 0.8, roll_off: 20e-6, cut_off: 4e-6 };
     let process = Process {
@@ -29,7 +29,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     generator.check()?;
     let (map, _) = generator.surface(Seeds { process: [1; 32], plateau: [2; 32] })?;
 
-    // A .npy holds heights only: the pixel is given again where it is read. The first index is x.
+    // A .npy file stores heights only: the pixel is given again on reading. The first index is x.
     npy::write(File::create(&path)?, points, map.heights().iter().copied())?;
     let read = height_map(&path, ReadOptions { pixel: Some(pixel), unit: None })?;
     println!(
@@ -44,7 +44,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         "{:>9} {:>8} {:>11} {:>17} {:>14}",
         "borders", "summits", "sigma [nm]", "mean radius [um]", "density [/m^2]"
     );
-    // A file does not say that opposite borders fit: summits on the border are lost.
+    // The file does not record that the map is periodic: summits on the border are lost.
     for (borders, map) in [("periodic", &map), ("open", &read)] {
         let summits = five_point(map);
         let radii = summits.curvatures.iter().map(|curvature| curvature.recip()).collect();

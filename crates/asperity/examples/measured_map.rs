@@ -1,5 +1,5 @@
-//! A measured surface, from its file over its summits to both models: does a Gaussian density with one mean radius answer
-//! for the real asperities?
+//! A measured surface: from its file through its summits to both models. Compares a Gaussian density with a mean radius
+//! against the sum over the measured asperities.
 //!
 //! `cargo run --release -p asperity --example measured_map [FILE PIXEL_IN_UM]`
 
@@ -18,14 +18,14 @@ fn main() -> Result<(), Box<dyn Error>> {
     let mut arguments = std::env::args().skip(1);
     let (path, pixel) = match (arguments.next(), arguments.next()) {
         (Some(path), Some(pixel)) => (PathBuf::from(path), 1e-6 * pixel.parse::<f64>()?),
-        // A fine finish; experiments/surfaces/README.md says where it comes from.
+        // A finely finished surface; see experiments/surfaces/README.md for its source.
         _ => (
             concat!(env!("CARGO_MANIFEST_DIR"), "/../../experiments/surfaces/opd-1.npy").into(),
             1.9673303e-7,
         ),
     };
 
-    // A .npy holds neither pixel nor unit: both are given beside it. Its heights are in m here.
+    // A .npy file stores neither pixel nor unit: both are options. Its heights are in m here.
     let map = height_map(&path, ReadOptions { pixel: Some([pixel; 2]), unit: None })?;
     let summits = five_point(&Level::Plane.apply(&map)?);
     let radii = summits.curvatures.iter().map(|curvature| curvature.recip()).collect();

@@ -1,5 +1,5 @@
-//! A law of one's own: Thornton's elastic, perfectly plastic sphere, used by granular mechanics and not in this crate. It
-//! runs under both models like the laws that are.
+//! A user-defined law: Thornton's elastic, perfectly plastic sphere, common in granular mechanics. It is used in both
+//! models like the laws of this crate.
 //!
 //! `cargo run --release -p asperity --example own_law`
 
@@ -13,8 +13,8 @@ use asperity::{
     Statistical, YieldLimits,
 };
 
-/// Hertz up to w_y, where the pressure in the middle of the contact reaches the limit p_y; from there on the pressure is cut
-/// off at p_y, and each part of the area that is added carries it:
+/// Hertz up to w_y, where the pressure at the centre of the contact reaches the limit p_y; beyond it the pressure is
+/// limited to p_y, which every increment of area carries:
 ///
 /// ```text
 /// A = pi b w
@@ -22,8 +22,8 @@ use asperity::{
 /// P = P(w_y) + pi p_y b (w - w_y)            w > w_y      (Thornton 1997)
 /// ```
 ///
-/// Load and stiffness are continuous. The limit is the hardness of the softer body here. Equations and reference are quoted
-/// from memory: they show how to plug in a law, not what the paper says.
+/// Load and stiffness are continuous. The limit is the hardness of the softer body here. Equations and reference have
+/// not been checked against the paper; they only show how to add a law.
 #[derive(Debug, Clone, Copy)]
 struct Thornton;
 
@@ -53,14 +53,14 @@ impl Law for Thornton {
         Ok(body.hardness().map_or(YieldLimits::NEVER_YIELDS, limit))
     }
 
-    // One formula for a number and for a register of them: no branches, both sides of w_y are selected from.
+    // One formula for scalars and vector registers: no branches, but a selection between both sides of w_y.
     #[inline(always)]
     fn contacts<N: Real>(&self, w: N, b: N, pair: &Pair<N>) -> Contacts<N> {
         let limit = pair.yield_limits.onset;
         let strain = limit / pair.reduced_modulus * FRAC_PI_2;
         let w_y = b * strain * strain;
         let is_elastic = w.lt(w_y);
-        // Hertz at w, or at w_y where that is less.
+        // Hertz at min(w, w_y).
         let hertz = N::select(is_elastic, w, w_y);
         let slope = pair.reduced_modulus * 2.0 * (b * hertz).sqrt();
         Contacts {

@@ -1,5 +1,5 @@
-//! A population of asperities with Gaussian heights under both models: the integral over the density, and the sum over ten
-//! thousand asperities drawn from it.
+//! A population of asperities with Gaussian heights in both models: the integral over the density, and the sum over 10
+//! 000 asperities drawn from it.
 //!
 //! `cargo run --release -p asperity --example population`
 
@@ -19,7 +19,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     let sum = Deterministic::new(&contact, set.spheres(), (&population).into());
     let integral = Statistical::new(&contact, population);
 
-    println!("At equal separation: the pressure p, and the standard error of a sum of so few asperities.\n");
+    println!("At equal separation: the pressure p, and the standard error of the sum.\n");
     println!("{:>9} {:>16} {:>10} {:>12}", "d [sigma]", "integral p [MPa]", "sum p", "error of sum");
     let separations = [3.0, 2.5, 2.0, 1.5, 1.0];
     for (a, b) in integral.respond_all(&separations).iter().zip(sum.respond_all(&separations)) {
@@ -40,7 +40,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     );
     let pressures = [1e5, 1e6, 1e7, 1e8];
     for (a, b) in at_pressures(&integral, &pressures).into_iter().zip(at_pressures(&sum, &pressures)) {
-        // A load that the asperities cannot carry is an error that says how much they can.
+        // A pressure that is not reached is an error that states the largest one.
         let (a, b) = (a?.response, b?.response);
         println!(
             "{:7.1} {:18.3} {:6.3} {:20.4} {:8.4}",

@@ -1,4 +1,4 @@
-//! One steel sphere pressed into a steel flat: area, load and regime over the indentation, under the elastic-plastic law of
+//! A steel sphere pressed into a steel flat: area, load and regime against indentation, by the elastic-plastic law of
 //! Zhao, Maietta and Chang.
 //!
 //! `cargo run --release -p asperity --example sphere`
@@ -12,7 +12,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     let contact = Interface::bare(Zmc::default(), &steel, &steel)?;
     let sphere = Shape::sphere(20e-6);
 
-    // Where the regime changes: the onset of yield w1, and w2, from which the whole contact is plastic.
+    // The changes of regime: the onset of yield w1, and full plasticity from w2 on.
     let critical = contact.regime_changes(sphere);
     let [onset, .., fully_plastic] = &critical[..] else { return Err("the law has one regime only".into()) };
     println!("onset of yield at {:.3} nm, fully plastic from {:.1} nm\n", 1e9 * onset, 1e9 * fully_plastic);

@@ -1,4 +1,4 @@
-//! What many micro-contacts add up to: number, area, load and stiffness.
+//! Sums over micro-contacts: number, area, load and stiffness.
 
 use std::ops::AddAssign;
 
@@ -6,8 +6,8 @@ use crate::contact::{ByRegime, Contact, Contacts, Regime};
 use crate::numeric::lanes::{Mask, Real};
 use crate::numeric::sum::{LaneSum, Sum};
 
-/// The sums over contacts, area and load by regime. `S` is how each of them is summed: [`Total`] and [`Accumulator`] for
-/// the models, and in the registers of the machine plain numbers for a few contacts, compensated sums for many.
+/// The sums over contacts, area and load by regime. `S` is the type of each sum: see [`Total`] and [`Accumulator`];
+/// within a vector register, plain numbers for up to 16 contacts and compensated sums for more.
 #[derive(Debug, Clone, Copy, Default)]
 pub struct ContactSums<S> {
     contacts: S,
@@ -20,18 +20,18 @@ pub struct ContactSums<S> {
     load_squared: S,
 }
 
-/// The sums over one part of the contacts. Totals of parts merge into the total of the whole; the order of merging is the
-/// caller's to fix.
+/// The sums over a part of the contacts. Parts are added with [`ContactSums::merge`], in an order that the caller
+/// fixes.
 pub type Total = ContactSums<Sum>;
 
-/// Sums that contacts are added to, one by one or many at once.
+/// Running sums, to which contacts are added one by one or a register at a time.
 pub type Accumulator = ContactSums<LaneSum>;
 
-/// Contacts that a lane adds plainly: a sum of 16 positive terms is off by 15 roundings at most.
+/// The largest number of contacts that a lane adds without compensation: at most 15 rounding errors.
 pub(crate) const PLAIN_TERMS: usize = 16;
 
 impl<S: Copy> ContactSums<S> {
-    /// The sums over no contact, with the lanes of `zero`.
+    /// Empty sums with the lanes of `zero`.
     #[inline(always)]
     pub(crate) fn new(zero: S) -> Self {
         Self {
@@ -57,7 +57,8 @@ impl<S: Copy> ContactSums<S> {
         self.load_squared += part.load_squared;
     }
 
-    /// The same without the number of contacts, and without the squares, which have no meaning for weighted contacts.
+    /// Like [`Self::merge`], without the number of contacts and without the squares, which have no meaning for weighted
+    /// contacts.
     #[inline(always)]
     pub(crate) fn merge_weighted<T: Copy>(&mut self, part: &ContactSums<T>)
     where
@@ -107,14 +108,14 @@ impl Total {
     }
 }
 
-/// Equal terms leave a difference of pure rounding, possibly below zero: that is no scatter.
+/// The difference of equal terms is a rounding error, possibly negative; it counts as 0.
 fn sampling_error(squares: f64, total: f64, count: usize) -> f64 {
     let scatter = squares - total * total / count as f64;
     if scatter > 16.0 * f64::EPSILON * squares { scatter.sqrt() } else { 0.0 }
 }
 
 impl Accumulator {
-    /// Adds `weight` contacts of one kind (a quadrature weight, in the statistical model).
+    /// Adds `contact` times `weight` (a quadrature weight of the statistical model).
     #[inline]
     pub fn accumulate_weighted(&mut self, contact: &Contact, weight: f64) {
         let regime = contact.regime as usize;
@@ -125,7 +126,7 @@ impl Accumulator {
         self.stiffness += weight * contact.stiffness;
     }
 
-    /// Adds one real contact, squares included: they give the sampling error.
+    /// Adds one contact, with its squares, from which the sampling error follows.
     #[inline]
     pub fn add(&mut self, contact: &Contact) {
         self.accumulate_weighted(contact, 1.0);
@@ -133,7 +134,7 @@ impl Accumulator {
         self.load_squared += contact.load * contact.load;
     }
 
-    /// Adds a load that appears at once, where a law jumps, to the stiffness (N/m).
+    /// Adds the contribution of a load jump to the stiffness (N/m).
     pub fn add_jump(&mut self, stiffness: f64) {
         self.stiffness += stiffness;
     }
@@ -152,41 +153,41 @@ impl Accumulator {
     }
 }
 
-/// In registers, many contacts.
+/// In registers, any number of contacts.
 impl<N: Real> ContactSums<Sum<N>> {
-    /// Adds the real contacts of the lanes that are `present`.
+    /// Adds the contacts of the lanes in `present`.
     #[inline(always)]
     pub(crate) fn add_present(&mut self, contact: &Contacts<N>, present: N::Mask) {
         let zero = contact.area.splat(0.0);
-        let mut few = ContactSums::new(zero);
-        few.add_terms(&Contacts {
+        let mut plain = ContactSums::new(zero);
+        plain.add_terms(&Contacts {
             area: N::select(present, contact.area, zero),
             load: N::select(present, contact.load, zero),
             stiffness: N::select(present, contact.stiffness, zero),
             elastic: contact.elastic | !present,
             plastic: contact.plastic & present,
         });
-        few.contacts = N::select(present, zero + 1.0, zero);
-        self.merge(&few);
+        plain.contacts = N::select(present, zero + 1.0, zero);
+        self.merge(&plain);
     }
 
-    /// Adds to `few` contacts times `weights` (quadrature weights, in the statistical model); the weights themselves are
-    /// summed here, each to its last digit. [`Self::merge_weighted`] adds the rest.
+    /// Adds contacts times `weights` (quadrature weights of the statistical model) to `plain`. Only the weights are
+    /// summed here, with compensation; [`Self::merge_weighted`] adds the rest.
     #[inline(always)]
     pub(crate) fn accumulate_weighted(
         &mut self,
-        few: &mut ContactSums<N>,
+        plain: &mut ContactSums<N>,
         contact: &Contacts<N>,
         weights: N,
     ) {
         self.contacts += weights;
-        few.add_terms(&contact.times(weights));
+        plain.add_terms(&contact.times(weights));
     }
 }
 
 /// In registers, at most [`PLAIN_TERMS`] contacts per lane.
 impl<N: Real> ContactSums<N> {
-    /// Adds the real contacts of all lanes.
+    /// Adds the contacts of all lanes.
     #[inline(always)]
     pub(crate) fn add(&mut self, contact: &Contacts<N>) {
         self.contacts = self.contacts + 1.0;
@@ -200,7 +201,7 @@ impl<N: Real> ContactSums<N> {
         self.area_squared = area.mul_add(area, self.area_squared);
         self.load_squared = load.mul_add(load, self.load_squared);
         let between = !(elastic | plastic);
-        // Most often all are of one regime.
+        // Usually all lanes are in one regime.
         let of_one = self.add_if_all(Regime::Elastic, elastic, area, load)
             || self.add_if_all(Regime::ElasticPlastic, between, area, load)
             || self.add_if_all(Regime::Plastic, plastic, area, load);

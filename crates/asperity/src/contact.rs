@@ -2,22 +2,22 @@
 
 use crate::numeric::lanes::Real;
 
-/// How an asperity carries its load.
+/// The deformation regime of an asperity.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum Regime {
     /// Fully recoverable.
     Elastic,
-    /// Contained plastic flow.
+    /// Contained plastic deformation.
     ElasticPlastic,
     /// The mean pressure has reached the hardness.
     Plastic,
 }
 
 impl Regime {
-    /// All regimes, in the order in which a growing indentation passes them.
+    /// All regimes, in the order of increasing indentation.
     pub const ALL: [Self; 3] = [Self::Elastic, Self::ElasticPlastic, Self::Plastic];
 
-    /// The regime's name as reports and tables write it.
+    /// The name in reports and tables.
     pub const fn name(self) -> &'static str {
         match self {
             Self::Elastic => "elastic",
@@ -27,20 +27,20 @@ impl Regime {
     }
 }
 
-/// One asperity pressed by `w > 0` into the flat.
+/// The contact of one asperity at an indentation `w > 0`.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Contact {
     /// Real contact area, m^2.
     pub area: f64,
     /// Normal load, N.
     pub load: f64,
-    /// dP/dw on the side of the indentation's own regime, N/m.
+    /// dP/dw, N/m; at a boundary, within `regime`.
     pub stiffness: f64,
-    /// How it carries the load.
+    /// Deformation regime.
     pub regime: Regime,
 }
 
-/// One asperity per lane of a register, each pressed into the flat.
+/// The contacts of one asperity per lane of a register.
 #[derive(Debug, Clone, Copy)]
 pub struct Contacts<N: Real> {
     /// Real contact areas, m^2.
@@ -56,7 +56,7 @@ pub struct Contacts<N: Real> {
 }
 
 impl<N: Real> Contacts<N> {
-    /// In each lane the contact of `yes` where `mask` is set, that of `no` elsewhere.
+    /// Selects per lane the contact of `yes` where `mask` is set, and that of `no` elsewhere.
     #[inline(always)]
     pub fn select(mask: N::Mask, yes: &Self, no: &Self) -> Self {
         Self {
@@ -68,7 +68,7 @@ impl<N: Real> Contacts<N> {
         }
     }
 
-    /// `count` times each contact.
+    /// Area, load and stiffness multiplied by `count`.
     #[inline(always)]
     pub fn times(self, count: N) -> Self {
         Self { area: self.area * count, load: self.load * count, stiffness: self.stiffness * count, ..self }
@@ -87,7 +87,7 @@ impl From<Contacts<f64>> for Contact {
     }
 }
 
-/// One quantity split by regime; its total is the sum of the parts.
+/// A quantity by regime, in the order of [`Regime::ALL`].
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct ByRegime(pub [f64; 3]);
 
@@ -97,7 +97,7 @@ impl ByRegime {
         self.0[0] + self.0[1] + self.0[2]
     }
 
-    /// Each regime's part of the total, from 0 to 1; `None` where the total is zero.
+    /// The fraction of each regime in the total, 0 to 1; `None` if the total is zero.
     pub fn shares(&self) -> Option<[f64; 3]> {
         let total = self.total();
         (total > 0.0).then(|| self.0.map(|part| part / total))

@@ -1,7 +1,7 @@
-//! The registry: every contact law by its name, to be chosen while the program runs.
+//! The registry of contact laws, chosen by name at run time.
 //!
-//! A law stands here by one line of [`registry`]; whatever works on all laws - specs, conformance tests, benchmarks -
-//! takes them from there. A law from another crate becomes a [`ContactLaw`] the same way:
+//! Each law is one line of [`registry`], over which specs, conformance tests and benchmarks iterate. A law of another
+//! crate becomes a [`ContactLaw`] in the same way:
 //!
 //! ```
 //! use asperity::contact_law::{ContactLaw, named};
@@ -41,30 +41,30 @@ pub fn registry() -> &'static [ContactLaw] {
     &LAWS
 }
 
-/// The law of a name, with its default options.
+/// The law called `name`, with its default options; `None` if there is none.
 pub fn named(name: &str) -> Option<ContactLaw> {
     registry().iter().find(|law| law.name() == name).cloned()
 }
 
-/// A contact law of any type with its options, and the shape that it takes asperities for.
+/// A contact law of any type, with its options, for spheres or for ellipses.
 ///
-/// Two are equal if their names and the values of all their options are.
+/// Two laws are equal if their names and all option values are.
 #[derive(Clone)]
 pub struct ContactLaw {
     law: Arc<dyn AnyLaw>,
     /// Names of the options that were given.
     given: Vec<&'static str>,
-    /// What the law is on ellipses; `None` of a law for spheres.
+    /// Description of the law for ellipses; `None` for a law on spheres.
     on_ellipses: Option<&'static str>,
 }
 
 impl ContactLaw {
-    /// A law that may be asked under a layer.
+    /// A law that applies to homogeneous bodies and to layered flats.
     pub fn scalable(law: impl ScalableLaw) -> Self {
         Self::new(OnFlat { law, on: Flat::under, supports_layers: true })
     }
 
-    /// A law that does not say what a layer of finite thickness does to it.
+    /// A law that applies to homogeneous bodies only.
     pub fn homogeneous(law: impl Law + Clone) -> Self {
         Self::new(OnFlat { law, on: Flat::homogeneous_under, supports_layers: false })
     }
@@ -73,15 +73,15 @@ impl ContactLaw {
         Self { law: Arc::new(law), given: Vec::new(), on_ellipses: None }
     }
 
-    /// The same law for paraboloids of two principal curvatures (see [`Shape`]); `about` says what it is there.
+    /// The same law for elliptic paraboloids (see [`Shape`]), described by `about`.
     pub fn on_ellipses(self, about: &'static str) -> Self {
         Self { on_ellipses: Some(about), ..self }
     }
 
-    /// The same law with options set by name, the others as they are.
+    /// The same law with options set by name; the others are unchanged.
     ///
     /// # Errors
-    /// An option that the law does not have, a value that is not allowed.
+    /// An unknown option, or a value out of range.
     pub fn with_options(&self, options: &[(&str, f64)]) -> Result<Self, OptionError> {
         let (mut values, mut given) = (self.law().option_values(), self.given.clone());
         for (name, value) in options {
@@ -92,10 +92,10 @@ impl ContactLaw {
         Ok(Self { law: self.law.with_options(&values)?, given, ..self.clone() })
     }
 
-    /// The place of an option of a name among [`Law::options`].
+    /// The index of the option called `name` in [`Law::options`].
     ///
     /// # Errors
-    /// There is none.
+    /// The law has no such option.
     pub fn option(&self, name: &str) -> Result<usize, OptionError> {
         let options = self.law().options();
         options.iter().position(|option| option.name == name).ok_or_else(|| {
@@ -116,19 +116,19 @@ impl ContactLaw {
         given.map(|(option, value)| (option.name, value))
     }
 
-    /// The value of an option among those.
+    /// The value of an option that was given or differs from its default.
     pub fn given(&self, option: &str) -> Option<f64> {
         self.options_given().find(|(name, _)| *name == option).map(|(_, value)| value)
     }
 
-    /// The law itself: what it answers for one sphere, and what it takes from the bodies.
+    /// The law itself.
     pub fn law(&self) -> &dyn Law {
         self.law.law()
     }
 
-    /// Its name in a spec.
+    /// The name in specs.
     pub fn name(&self) -> String {
-        let shape = if self.sees_ellipses() { "elliptic-" } else { "" };
+        let shape = if self.is_elliptic() { "elliptic-" } else { "" };
         format!("{shape}{}", self.law().name())
     }
 
@@ -141,48 +141,49 @@ impl ContactLaw {
         if options.is_empty() { name } else { format!("{name}({})", options.join(" ")) }
     }
 
-    /// What it is and where it holds, in a line of a report.
+    /// One-line description and range of validity, for reports.
     pub fn about(&self) -> &'static str {
         self.on_ellipses.unwrap_or_else(|| self.law().about())
     }
 
-    /// The papers behind it.
+    /// The sources of the law.
     pub fn papers(&self) -> Vec<Paper> {
-        let ellipse = self.sees_ellipses().then_some(literature::JOHNSON_1985);
+        let ellipse = self.is_elliptic().then_some(literature::JOHNSON_1985);
         self.law().papers().iter().copied().chain(ellipse).collect()
     }
 
-    /// Whether it takes asperities for paraboloids of two principal curvatures, not for spheres of the mean one.
-    pub fn sees_ellipses(&self) -> bool {
+    /// Whether asperities are elliptic paraboloids rather than spheres of the mean curvature.
+    pub fn is_elliptic(&self) -> bool {
         self.on_ellipses.is_some()
     }
 
-    /// An asperity of mean curvature 1/`radius` (m) and a ratio of principal curvatures, as the law sees it.
+    /// The shape of an asperity of mean curvature 1/`radius` (m) and a ratio of principal curvatures: a sphere unless
+    /// [`Self::is_elliptic`].
     pub fn shape(&self, radius: f64, curvature_ratio: f64) -> Shape {
-        if self.sees_ellipses() {
+        if self.is_elliptic() {
             Shape::ellipse(radius.recip(), curvature_ratio)
         } else {
             Shape::sphere(radius)
         }
     }
 
-    /// Whether it may be asked under a layer of finite thickness.
+    /// Whether the law applies to a flat with a layer of finite thickness.
     pub fn supports_layers(&self) -> bool {
         self.law.supports_layers()
     }
 
-    /// Whether contacts pass from one range into another, as from elastic to plastic.
+    /// Whether the law has several ranges, such as elastic and plastic.
     pub fn has_ranges(&self) -> bool {
         let yielding = Pair { reduced_modulus: 1.0, yield_limits: YieldLimits { onset: 1.0, strength: 1.0 } };
         !self.law().critical_ratios(&yielding).is_empty()
     }
 
-    /// Whether it is purely elastic spheres, with a closed form for Gaussian heights.
+    /// Whether the law is Hertz on spheres, whose sums over Gaussian heights have a closed form.
     pub fn is_greenwood_williamson(&self) -> bool {
-        self.law().is_hertz() && !self.sees_ellipses()
+        self.law().is_hertz() && !self.is_elliptic()
     }
 
-    /// Whether the law says anything of a rough and a homogeneous flat body.
+    /// Checks whether the law applies to a rough and a homogeneous flat body.
     ///
     /// # Errors
     /// See [`Inapplicable`].
@@ -190,7 +191,7 @@ impl ContactLaw {
         Pair::between(self.law(), rough, flat).map(|_| ())
     }
 
-    /// The micro-contact of a rough and a flat body under this law. The law is chosen here, once for all asperities.
+    /// The micro-contact of a rough and a flat body under this law.
     ///
     /// # Errors
     /// See [`Inapplicable`].
@@ -216,7 +217,7 @@ impl fmt::Debug for ContactLaw {
     }
 }
 
-/// A law whose type is forgotten, and what needs the type.
+/// Type-erased operations on a law.
 trait AnyLaw: Send + Sync {
     fn law(&self) -> &dyn Law;
     fn supports_layers(&self) -> bool;
@@ -225,10 +226,10 @@ trait AnyLaw: Send + Sync {
     fn on(&self, flat: &Flat, rough: &Material) -> Result<Box<dyn MicroContact>, Inapplicable>;
 }
 
-/// How a law is put on a flat.
+/// Constructs the micro-contact of a law on a flat.
 type PutOnFlat<L> = fn(&Flat, L, &Material) -> Result<Box<dyn MicroContact>, Inapplicable>;
 
-/// A law and how it is put on a flat.
+/// A law and the constructor of its micro-contacts.
 #[derive(Clone)]
 struct OnFlat<L> {
     law: L,

@@ -1,6 +1,6 @@
-//! Contact of a rough surface with a flat one, computed two ways from the same micro-contact law: by the statistical
-//! integral over a height density (Greenwood and Williamson 1966; Zhao, Maietta and Chang 2000) and by the deterministic sum
-//! over the real asperities (Pasaribu and Schipper 2005).
+//! Contact of a rough surface with a flat, computed in two ways from the same micro-contact law: by the statistical
+//! integral over a height density (Greenwood and Williamson 1966; Zhao, Maietta and Chang 2000) and by the
+//! deterministic sum over the individual asperities (Pasaribu and Schipper 2005).
 //!
 //! ```
 //! use asperity::{Deterministic, Draw, Heights, Interface, Material, Model, Population, Statistical, Zmc};
@@ -20,10 +20,10 @@
 //!
 //! # How it fits together
 //!
-//! One idea carries the crate: **one micro-contact, two ways of summing it.** A [`MicroContact`] answers "indentation w,
-//! asperity of radius b: what area, what load, which regime?". The [`Statistical`] model integrates that answer over a height
-//! density, the [`Deterministic`] one sums it over asperities. Neither knows which law or layer it holds, so a difference
-//! between the two can come only from the summation.
+//! **One micro-contact, two ways of summing it.** A [`MicroContact`] gives area, load, stiffness and regime of one
+//! asperity as functions of its indentation w and radius b. The [`Statistical`] model integrates it over a height
+//! density, the [`Deterministic`] model sums it over asperities. Both use the same micro-contact, so that any
+//! difference between them is due to the summation.
 //!
 //! ```text
 //! HeightMap --> summits --> AsperitySet --> Deterministic --\
@@ -32,41 +32,43 @@
 //! Material, LayeredFlat, Law --> MicroContact --> (both models)
 //! ```
 //!
-//! | step | here |
+//! | step | items |
 //! |---|---|
 //! | two bodies | [`Material`]; a layer on the flat: [`Flat::with_layer`], [`layer`] |
 //! | a law | [`Zmc`], [`Hertz`], [`Ceb`], [`KogutEtsion`], [`JacksonGreen`], [`FullyPlastic`], by name in [`contact_law`], or your own [`Law`] |
-//! | the micro-contact | [`Interface::bare`]; [`Flat::under`] where the flat may be layered |
-//! | asperities | [`Population`] by three numbers and a distribution of heights ([`distribution`]), [`AsperitySet`] by lists, or the summits of a [`HeightMap`] ([`topography`]) |
-//! | the models | [`Statistical`], [`Deterministic`], both a [`Model`]: [`Model::respond`] at a separation, [`at_pressure`] at a load, [`respond_within`] for a curve to a tolerance |
-//! | the answer | [`Response`]: contacts, area, pressure, stiffness, shares of the regimes, sampling errors |
+//! | the micro-contact | [`Interface::bare`]; [`Flat::under`] for a flat that may be layered |
+//! | asperities | a [`Population`] with a height distribution ([`distribution`]), an [`AsperitySet`] from lists, or the summits of a [`HeightMap`] ([`topography`]) |
+//! | the models | [`Statistical`] and [`Deterministic`] implement [`Model`]: [`Model::respond`] at a separation, [`at_pressure`] at a load, [`respond_within`] for a curve to a tolerance |
+//! | the result | [`Response`]: contacts, area, pressure, stiffness, shares of the regimes, sampling errors |
 //! | one asperity | [`sphere`]: its curve, its critical indentations |
-//! | both models against each other | [`compare`] |
+//! | comparison of both models | [`compare`] |
 //! | files and units | [`topography::read`], [`AsperityList::read`], [`npy`], [`units`] |
 //! | tools | [`numeric`], [`literature`], [`work`] |
 //!
-//! The package's `examples/` hold a sphere, a population, a measured map, a law of one's own and a generated surface.
+//! The directory `examples/` has a sphere, a population, a measured map, a user-defined law and a generated surface.
 //!
 //! # Units, signs, errors
 //!
-//! - Everything is SI in `f64`: m, Pa, N, 1/m^2. A *separation* is the distance of the flat from the mean **asperity**
-//!   height; the models take it as d/sigma, in units of the standard deviation of the asperity heights
+//! - All quantities are SI in `f64`: m, Pa, N, 1/m^2. A *separation* is the distance of the flat from the mean
+//!   **asperity** height; the models take it as d/sigma, in units of the standard deviation of the asperity heights
 //!   ([`ReferencePlane`]). Indentation w = z - d is positive in contact.
-//! - Loads and areas of a surface are per nominal area: a pressure and an area ratio. The ratio is never clamped; beyond
-//!   [`INTERACTION`] neighbouring asperities interact and no asperity model holds ([`Response::is_beyond_model`]).
-//! - What cannot give a number is refused when it is made, with an error that says what was found and what is allowed
-//!   ([`MaterialError`], [`SetError`], [`MapError`], [`Inapplicable`], ...). No answer is NaN, and nothing panics on input.
+//! - Loads and areas of a surface are per nominal area: a pressure and an area ratio. The area ratio is never clamped;
+//!   beyond [`INTERACTION`] neighbouring asperities interact and asperity models are not valid
+//!   ([`Response::is_beyond_model`]).
+//! - Invalid input is rejected by the constructors, with an error that states what was found and what is allowed
+//!   ([`MaterialError`], [`SetError`], [`MapError`], [`Inapplicable`], ...). No result is NaN, and no input causes a
+//!   panic.
 //!
 //! # Accuracy, threads, reproducibility
 //!
-//! The integral has a relative error of at most 1e-13 from d = -10 to 20 sigma and of 2e-13 to 35 sigma; the sum is within
-//! 4 ulp of the exact sum of its terms. Models run on rayon's threads and the widest vector registers of the machine. Results
-//! and random numbers are **the same to the last bit for any number of threads**; across machines they may differ in the last
-//! digits, by the registers and the system's elementary functions.
+//! The integral has a relative error of at most 1e-13 from d = -10 to 20 sigma and of 2e-13 to 35 sigma; the sum is
+//! within 4 ulp of the exact sum of its terms. Models run on rayon's threads and the widest vector registers of the
+//! machine. Results and random numbers are **the same to the last bit for any number of threads**; across machines they
+//! may differ in the last digits, depending on the registers and the system's elementary functions.
 //!
 //! # Features
 //!
-//! `serde` (off by default): options can be read from files, and counts of work written to them.
+//! `serde` (off by default): deserialisation of options and serialisation of work counts.
 #![deny(unsafe_code)]
 #![warn(missing_docs)]
 
@@ -94,7 +96,7 @@ pub mod work;
 pub use accumulator::{Accumulator, ContactSums, Total};
 pub use asperity::{
     Asperities, AsperityList, AsperitySet, Draw, Ellipse, Ellipses, Ellipticity, ListColumn, ListError,
-    NoSuchSurface, Ordered, Population, SetError, Statistics, SurfaceHeights,
+    Ordered, Population, SetError, Statistics, SurfaceHeights, SurfaceHeightsError,
 };
 pub use contact::{ByRegime, Contact, Contacts, Regime};
 pub use contact_law::ContactLaw;

@@ -1,15 +1,15 @@
-//! The papers behind the equations. A report lists those that its run used.
+//! The sources of the equations.
 
-/// One source, as a report cites it.
+/// One source, as cited in reports.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub struct Paper {
-    /// Authors and year, as the text refers to it.
+    /// Authors and year.
     pub short: &'static str,
     /// Authors, year, title, journal, pages, DOI.
     pub full: &'static str,
 }
 
-/// The deterministic model, and both models' notation.
+/// The deterministic model, the layered flat, and the notation of both models.
 pub const PASARIBU_SCHIPPER_2005: Paper = Paper {
     short: "Pasaribu and Schipper 2005",
     full: "Pasaribu, H. R., Schipper, D. J. (2005). Application of a deterministic contact model to analyze the contact of a rough surface against a flat layered surface. ASME Journal of Tribology 127(2), 451-455. doi:10.1115/1.1866163",
@@ -87,19 +87,19 @@ pub const PERRIOT_BARTHEL_2004: Paper = Paper {
     full: "Perriot, A., Barthel, E. (2004). Elastic contact to a coated half-space: Effective elastic modulus and real penetration. Journal of Materials Research 19(2), 600-608. doi:10.1557/jmr.2004.19.2.600",
 };
 
-/// The elastic-plastic law with conserved volume, and the onset of yield that others took over.
+/// The elastic-plastic law of conserved volume, and an onset of yield used by later laws.
 pub const CHANG_ETSION_BOGY_1987: Paper = Paper {
     short: "Chang, Etsion and Bogy 1987",
     full: "Chang, W. R., Etsion, I., Bogy, D. B. (1987). An elastic-plastic model for the contact of rough surfaces. ASME Journal of Tribology 109(2), 257-263. doi:10.1115/1.3261348",
 };
 
-/// Powers fitted to finite elements.
+/// The elastic-plastic law of powers fitted to finite-element results.
 pub const KOGUT_ETSION_2002: Paper = Paper {
     short: "Kogut and Etsion 2002",
     full: "Kogut, L., Etsion, I. (2002). Elastic-plastic contact analysis of a sphere and a rigid flat. ASME Journal of Applied Mechanics 69(5), 657-662. doi:10.1115/1.1490373",
 };
 
-/// A hardness that falls as the contact grows.
+/// The elastic-plastic law whose hardness decreases with the contact radius.
 pub const JACKSON_GREEN_2005: Paper = Paper {
     short: "Jackson and Green 2005",
     full: "Jackson, R. L., Green, I. (2005). A finite element study of elasto-plastic hemispherical contact against a rigid flat. ASME Journal of Tribology 127(2), 343-354. doi:10.1115/1.1866166",

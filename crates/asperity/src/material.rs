@@ -1,8 +1,8 @@
-//! Bodies and what a pair of them is to a micro-contact.
+//! Materials and the reduced properties of a pair.
 
 use crate::numeric::is_positive;
 
-/// One body. Build it with [`Material::new`]: a value of this type is always usable.
+/// The elastic and plastic properties of one body, checked by [`Material::new`].
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Material {
     young: f64,
@@ -11,7 +11,7 @@ pub struct Material {
     yield_strength: Option<f64>,
 }
 
-/// A property that no body can have.
+/// A property out of its physical range.
 #[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
 pub enum MaterialError {
     /// Young's modulus must be positive and finite.
@@ -76,12 +76,12 @@ impl Material {
         self.yield_strength
     }
 
-    /// The same body if it never yielded.
+    /// The same body without hardness and yield strength.
     pub fn without_yielding(&self) -> Self {
         Self { hardness: None, yield_strength: None, ..*self }
     }
 
-    /// What the body contributes to 1/E*: (1 - nu^2)/E, 1/Pa.
+    /// The body's contribution (1 - nu^2)/E to 1/E*, 1/Pa.
     pub fn plane_compliance(&self) -> f64 {
         (1.0 - self.poisson) * (1.0 + self.poisson) / self.young
     }
@@ -93,7 +93,7 @@ pub fn reduced_modulus(one: &Material, other: &Material) -> f64 {
     (one.plane_compliance() + other.plane_compliance()).recip()
 }
 
-/// Hardness of the softer body, Pa; infinite where neither yields.
+/// Hardness of the softer body, Pa; infinite if neither yields.
 pub fn softer_hardness(one: &Material, other: &Material) -> f64 {
     let hardness = |body: &Material| body.hardness.unwrap_or(f64::INFINITY);
     hardness(one).min(hardness(other))

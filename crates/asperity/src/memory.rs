@@ -1,6 +1,6 @@
-//! Memory of large arrays.
+//! Memory for large arrays.
 
-/// Bytes of a huge page on the processors that most run on.
+/// Bytes of a huge page on common processors.
 #[cfg(target_os = "linux")]
 const HUGE: usize = 2 << 20;
 
@@ -11,14 +11,14 @@ pub fn zeros(count: usize) -> Vec<f64> {
     list
 }
 
-/// Reserves capacity for `count` values in all, in huge pages where [`advise`] gets them.
-pub fn make_room<T>(list: &mut Vec<T>, count: usize) {
+/// Reserves a total capacity of `count` values, in huge pages where [`advise`] gets them.
+pub fn reserve<T>(list: &mut Vec<T>, count: usize) {
     list.reserve_exact(count.saturating_sub(list.len()));
     advise(list);
 }
 
-/// Asks Linux for huge pages: a large array is then first touched, and walked along its columns, with far fewer page
-/// faults. Elsewhere, and for what is smaller, it does nothing.
+/// Requests huge pages from Linux, which reduces the page faults of the first access and of column-wise access. Does
+/// nothing on other systems and for small arrays.
 #[cfg(target_os = "linux")]
 fn advise<T>(list: &Vec<T>) {
     use rustix::mm::{Advice, madvise};
@@ -30,7 +30,7 @@ fn advise<T>(list: &Vec<T>) {
         // SAFETY: the range lies in the list's own allocation, and this advice changes no value there.
         #[allow(unsafe_code)]
         let advised = unsafe { madvise(place, end - begin, Advice::LinuxHugepage) };
-        // A kernel without huge pages refuses; nothing is lost.
+        // A kernel without huge pages returns an error, which does no harm.
         let _ = advised;
     }
 }
@@ -40,13 +40,13 @@ fn advise<T>(_: &Vec<T>) {}
 
 /// Prefetches values that will be needed soon, where the processor has an instruction for it.
 #[inline]
-pub fn ask_for(values: &[f64]) {
+pub fn prefetch(values: &[f64]) {
     /// Values per cache line.
     const LINE: usize = 8;
     #[cfg(target_arch = "x86_64")]
     for line in values.chunks(LINE) {
         use std::arch::x86_64::{_MM_HINT_T1, _mm_prefetch};
-        // SAFETY: this reads nothing; it may be asked of any address, and this one is that of a value.
+        // SAFETY: a prefetch reads nothing and is valid for any address.
         #[allow(unsafe_code)]
         unsafe {
             _mm_prefetch::<_MM_HINT_T1>(line.as_ptr().cast());
@@ -65,7 +65,7 @@ mod tests {
         for count in [0, 1, 1000, HUGE_LIST] {
             assert_eq!(zeros(count), vec![0.0; count]);
             let mut list = vec![1.0, 2.0];
-            make_room(&mut list, count);
+            reserve(&mut list, count);
             assert!(list == [1.0, 2.0] && list.capacity() >= count.max(2));
         }
     }

@@ -1,11 +1,11 @@
-//! The shape of one asperity, as contact laws take it: a sphere, or a number of equivalent spheres for an ellipse (elliptic ZMC, derived).
+//! The shape of one asperity: a sphere, or a number of equivalent spheres for an ellipse (elliptic ZMC, derived).
 
 use std::ops::Range;
 use std::sync::LazyLock;
 
 use crate::numeric::table::Table;
 
-/// The shape of an asperity as every law takes it: a number of equal spheres, all at its indentation.
+/// The shape of an asperity: a number of equal spheres at the same indentation.
 ///
 /// An elliptic paraboloid of principal curvatures kmax >= kmin > 0 and mean curvature km = (kmax + kmin)/2 touches a
 /// flat in an ellipse of semi-axes a > c and parameter m = 1 - c^2/a^2 (Hertz; Johnson 1985, section 4.2). With the
@@ -21,22 +21,22 @@ use crate::numeric::table::Table;
 /// b = (4/pi^2) K E/km,  n = (pi/2K)^2/(1-m)^.5
 /// ```
 ///
-/// n b w = a c at every w: the mean pressure at w, too, is that of the sphere, and a law that yields at a mean pressure
-/// yields at the w1 of b, for ZMC w1 = (0.6 H/E*)^2 K E/km.
+/// Since n b w = a c at every w, the mean pressure is also that of the sphere, and a law that yields at a given mean
+/// pressure yields at the w1 of b, for ZMC w1 = (0.6 H/E*)^2 K E/km.
 ///
-/// Exact for elastic contacts, with w small beside both radii. To go on as n spheres beyond w1 is our own step: Jeng
-/// and Wang (2003) fitted a law of their own, which was not seen. It neglects that yield begins at another mean
-/// pressure as ellipses grow longer, and a plastic area n 2 pi b w is smaller than the section 2 pi w/(kmax kmin)^.5
+/// Exact for elastic contacts with w much smaller than both radii. Using n spheres beyond w1 is an assumption made
+/// here: Jeng and Wang (2003) fitted a law for ellipses, which was not available. It neglects that the mean pressure at
+/// yield depends on the ellipticity, and the plastic area n 2 pi b w is smaller than the section 2 pi w/(kmax kmin)^.5
 /// of the paraboloid: by 0.65 % at kmax/kmin = 2, 5.9 % at 10.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Shape {
     /// b, m.
     pub radius: f64,
-    /// n, 1 of a sphere.
+    /// n; 1 for a sphere.
     pub spheres: f64,
 }
 
-/// The octaves of kmax/kmin that tables cover.
+/// The octaves of kmax/kmin covered by the tables.
 const OCTAVES: Range<i32> = 0..24;
 
 /// b km and n as functions of kmax/kmin.
@@ -55,7 +55,7 @@ impl Shape {
     /// to 1e300: up to 2^24 by a table, within 4e-15 of [`Self::solved`].
     #[inline]
     pub fn ellipse(mean_curvature: f64, curvature_ratio: f64) -> Self {
-        // Exactly, where a table would be so but for rounding.
+        // Exact, unlike the table.
         if curvature_ratio == 1.0 {
             return Self::sphere(mean_curvature.recip());
         }
@@ -66,25 +66,25 @@ impl Shape {
         }
     }
 
-    /// The same from the equations, within 2e-15.
+    /// [`Self::ellipse`] from the equations instead of the table, within 2e-15.
     ///
-    /// ln(kmax/kmin) is a convex function of ln(1 - m), its slope from -3/4 at a sphere to -1. So Newton's method from
-    /// 1 - m = kmin/kmax, which is too large, steps below the solution once and then rises to it; no step is longer
-    /// than a third of the one before.
+    /// ln(kmax/kmin) is a convex function of ln(1 - m), its slope from -3/4 at a sphere to -1. Hence Newton's method
+    /// from 1 - m = kmin/kmax, which is too large, passes the solution once and then converges monotonically; each step
+    /// is at most a third of the previous one.
     pub fn solved(mean_curvature: f64, curvature_ratio: f64) -> Self {
-        /// The square of the last step is below rounding.
+        /// The square of a smaller step is below rounding.
         const LAST: f64 = 1e-8;
-        /// The first step is shorter than 6, so the last is among these.
+        /// Sufficient, since the first step is shorter than 6.
         const MOST: usize = 20;
         debug_assert!((1.0..=1e300).contains(&curvature_ratio));
-        // 1 - m, which keeps its digits where m is next to 1.
+        // 1 - m, accurate also for m near 1.
         let mut q = curvature_ratio.recip();
         for _ in 0..MOST {
             let [b, d] = integrals(q);
             let ratio = b / (q * d);
-            // The bound is its limit at m = 0; next to it what is left is rounding, and 0/0 at last.
-            let fall = 1.5 - ((ratio - 1.0) * (ratio.recip() + q) / (2.0 * (1.0 - q))).min(0.75);
-            let step = (ratio / curvature_ratio).ln() / fall;
+            // Bounded by its limit at m = 0, near which the quotient is rounding error or 0/0.
+            let steepness = 1.5 - ((ratio - 1.0) * (ratio.recip() + q) / (2.0 * (1.0 - q))).min(0.75);
+            let step = (ratio / curvature_ratio).ln() / steepness;
             q *= step.exp();
             if step.abs() <= LAST {
                 break;
@@ -99,13 +99,13 @@ impl Shape {
 /// 2/pi times the complete elliptic integrals B = (E - (1-m) K)/m and D = (K - E)/m, where `q` = 1 - m > 0: B + D = K,
 /// B + q D = E, and B/(q D) = kmax/kmin.
 ///
-/// By the arithmetic-geometric mean in a form that only adds (Bulirsch, Numerische Mathematik 7, 78, 1965): no m
-/// takes digits away.
+/// By the arithmetic-geometric mean without subtractions (Bulirsch, Numerische Mathematik 7, 78, 1965), accurate for
+/// any m.
 fn integrals(q: f64) -> [f64; 2] {
-    /// Where the two means differ by less, the next step would leave less than rounding.
+    /// Relative difference of the two means from which the next step is below rounding.
     const CLOSE: f64 = 1e-8;
     let mut means = [1.0, q.sqrt()];
-    // Of B and of D.
+    // For B and for D.
     let (mut sum, mut last, mut rest) = ([1.0; 2], [1.0, 0.0], [0.0, 1.0]);
     loop {
         let [arithmetic, geometric] = means;

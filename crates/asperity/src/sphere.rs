@@ -1,19 +1,19 @@
-//! One sphere pressed into a flat: its curve, where its regime changes, where its area or its load falls.
+//! One asperity pressed into a flat: its curve, changes of regime, and decreases of area or load.
 
 use crate::contact::{Contact, Regime};
 use crate::interface::MicroContact;
 use crate::shape::Shape;
 
-/// Points of the trace between two places at which a curve bends.
+/// Points of the trace between two breakpoints.
 const PER_PIECE: usize = 160;
 
-/// On both sides of a boundary, where a law may jump.
-const BESIDE: f64 = 1e-12;
+/// Relative distance from a boundary at which both of its sides are evaluated.
+const OFFSET: f64 = 1e-12;
 
-/// A decrease, or a jump, is more than the rounding of an area or load.
+/// Relative threshold of a decrease or jump of area or load.
 const ROUNDING: f64 = 1e-9;
 
-/// Contact radius over radius, a/R, beyond which the sphere is no paraboloid and strains are not small.
+/// Contact radius over sphere radius, a/R, beyond which the paraboloid approximation fails and strains are not small.
 pub const LARGEST_SLOPE: f64 = 0.3;
 
 /// The contact at one indentation.
@@ -21,11 +21,11 @@ pub const LARGEST_SLOPE: f64 = 0.3;
 pub struct Point {
     /// w, m.
     pub indentation: f64,
-    /// Area, load, stiffness, regime.
+    /// The contact there.
     pub contact: Contact,
 }
 
-/// Where the regime changes.
+/// A change of regime.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct RegimeChange {
     /// w, m.
@@ -34,71 +34,71 @@ pub struct RegimeChange {
     pub load: f64,
     /// A just below it, m^2.
     pub area: f64,
-    /// Below it.
+    /// Regime below.
     pub from: Regime,
-    /// Above it.
+    /// Regime above.
     pub to: Regime,
 }
 
-/// Where one formula gives way to another, with or without a change of the regime; a law may jump there.
+/// A boundary between two formulas of a law, with or without a change of regime; area or load may jump there.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Boundary {
     /// w, m.
     pub indentation: f64,
-    /// Just below it.
+    /// The contact just below.
     pub below: Contact,
-    /// Just above it.
+    /// The contact just above.
     pub above: Contact,
 }
 
 impl Boundary {
-    /// How much larger the load is above than below, of the load below; 0 where it does not jump.
+    /// The relative jump of the load, (above - below)/below; 0 if it is continuous.
     pub fn load_jump(&self) -> f64 {
         jump(self.below.load, self.above.load)
     }
 
-    /// The same of the area.
+    /// The relative jump of the area, (above - below)/below; 0 if it is continuous.
     pub fn area_jump(&self) -> f64 {
         jump(self.below.area, self.above.area)
     }
 
-    /// Whether load or area jumps.
+    /// Whether the load or the area jumps.
     pub fn is_jump(&self) -> bool {
         self.load_jump() != 0.0 || self.area_jump() != 0.0
     }
 }
 
-/// A smaller change is the slope of the curve between both sides.
+/// A change below the threshold is due to the slope of the curve.
 fn jump(below: f64, above: f64) -> f64 {
     let jump = above / below - 1.0;
     if jump.abs() > ROUNDING { jump } else { 0.0 }
 }
 
-/// All boundaries of an asperity, ascending.
+/// All boundaries of an asperity, by ascending indentation.
 pub fn boundaries(contact: &dyn MicroContact, shape: Shape) -> Vec<Boundary> {
     let mut at = contact.regime_changes(shape);
     at.dedup();
     let side = |w: f64| contact.contact(w, shape);
     let boundary = |w: f64| Boundary {
         indentation: w,
-        below: side(w * (1.0 - BESIDE)),
-        above: side(w * (1.0 + BESIDE)),
+        below: side(w * (1.0 - OFFSET)),
+        above: side(w * (1.0 + OFFSET)),
     };
     at.into_iter().map(boundary).collect()
 }
 
-/// A stretch on which area or load falls as the indentation grows.
+/// A range in which the area or load decreases with increasing indentation.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Decrease {
-    /// `area` or `load`.
+    /// The decreasing quantity.
     pub of: DecreasingQuantity,
-    /// Where it begins.
+    /// The first point.
     pub from: Point,
-    /// Where it ends.
+    /// The last point.
     pub to: Point,
 }
 
-/// What falls.
+/// The quantity that decreases.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum DecreasingQuantity {
     /// Real contact area.
@@ -108,10 +108,10 @@ pub enum DecreasingQuantity {
 }
 
 impl DecreasingQuantity {
-    /// Both.
+    /// Both quantities.
     pub const ALL: [Self; 2] = [Self::Area, Self::Load];
 
-    /// As reports name it.
+    /// The name in reports.
     pub const fn name(self) -> &'static str {
         match self {
             Self::Area => "area",
@@ -128,21 +128,21 @@ impl DecreasingQuantity {
     }
 }
 
-/// One sphere on one flat under one law.
+/// The curve of one asperity on one flat under one law.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Curve {
-    /// At the requested indentations.
+    /// Contacts at the requested indentations.
     pub points: Vec<Point>,
-    /// From the first of them to the last, close together; each place where the curve bends is one of them.
+    /// Closely spaced points over the range of the requested indentations, including all breakpoints.
     pub trace: Vec<Point>,
-    /// All changes of the regime, also outside the requested indentations; ascending.
+    /// All changes of regime, also outside the requested indentations; ascending.
     pub changes: Vec<RegimeChange>,
-    /// Where area or load falls along the trace.
+    /// Decreases of area or load along the trace.
     pub decreases: Vec<Decrease>,
 }
 
 impl Curve {
-    /// An asperity at `indentations` (m), which ascend.
+    /// The curve of an asperity at `indentations` (m), which must be ascending.
     pub fn of(contact: &dyn MicroContact, shape: Shape, indentations: &[f64]) -> Self {
         let at = |w: f64| Point { indentation: w, contact: contact.contact(w, shape) };
         let trace: Vec<Point> = match indentations {
@@ -158,7 +158,7 @@ impl Curve {
         }
     }
 
-    /// The trace regime by regime; neighbours share the point between them.
+    /// The trace divided by regime; neighbouring parts share a point.
     pub fn stretches(&self) -> Vec<(Regime, &[Point])> {
         let is_change = |point: &Point| self.changes.iter().any(|at| at.indentation == point.indentation);
         let inner = 1..self.trace.len().saturating_sub(1);
@@ -167,7 +167,7 @@ impl Curve {
         ends.push(self.trace.len().saturating_sub(1));
         let stretch = |pair: &[usize]| {
             let points = &self.trace[pair[0]..=pair[1]];
-            // The ends may belong to either side.
+            // The end points may have either regime.
             points.get(points.len() / 2).map(|middle| (middle.contact.regime, points))
         };
         ends.windows(2).filter(|pair| pair[1] > pair[0]).filter_map(stretch).collect()
@@ -186,7 +186,7 @@ impl Curve {
         }
     }
 
-    /// The regimes that the curve passes from w = 0 on.
+    /// The regimes from w = 0 on, in order.
     pub fn sequence(&self) -> Vec<Regime> {
         let first = self.changes.first().map(|change| change.from);
         let first = first.or_else(|| self.points.first().map(|point| point.contact.regime));
@@ -194,22 +194,22 @@ impl Curve {
     }
 }
 
-/// From `first` to `last`, evenly in ln w between the places at which the curve bends, which are among them.
+/// Indentations from `first` to `last`, equally spaced in ln w between breakpoints, which are included.
 fn places(contact: &dyn MicroContact, shape: Shape, first: f64, last: f64) -> Vec<f64> {
     let bends = contact.breakpoints(shape).into_iter();
     let sides =
-        contact.regime_changes(shape).into_iter().flat_map(|w| [w * (1.0 - BESIDE), w * (1.0 + BESIDE)]);
+        contact.regime_changes(shape).into_iter().flat_map(|w| [w * (1.0 - OFFSET), w * (1.0 + OFFSET)]);
     let bends = bends.chain(sides).filter(|&w| w > first && w < last);
     let mut ends: Vec<f64> = [first, last].into_iter().chain(bends).collect();
     ends.sort_unstable_by(f64::total_cmp);
     ends.dedup();
     let piece = |pair: &[f64]| {
         let [from, ratio] = [pair[0], pair[1] / pair[0]];
-        let count = if ratio < 1.0 + 4.0 * BESIDE { 1 } else { PER_PIECE };
+        let count = if ratio < 1.0 + 4.0 * OFFSET { 1 } else { PER_PIECE };
         (0..count).map(move |k| from * ratio.powf(k as f64 / PER_PIECE as f64))
     };
     let mut places: Vec<f64> = ends.windows(2).flat_map(piece).chain([last]).collect();
-    // A piece as short as the rounding of its ends may not grow.
+    // Points of a piece as short as rounding may coincide.
     places.dedup_by(|next, previous| *next <= *previous);
     places
 }
@@ -225,7 +225,7 @@ fn changes(contact: &dyn MicroContact, shape: Shape) -> Vec<RegimeChange> {
         (None, None) => shape.radius,
     };
     let change = |(k, &w): (usize, &f64)| {
-        let Contact { load, area, .. } = contact.contact(w * (1.0 - BESIDE), shape);
+        let Contact { load, area, .. } = contact.contact(w * (1.0 - OFFSET), shape);
         RegimeChange { indentation: w, load, area, from: regime(between(k)), to: regime(between(k + 1)) }
     };
     at.iter().enumerate().map(change).filter(|change| change.from != change.to).collect()
@@ -248,12 +248,12 @@ fn decreases(trace: &[Point], of: DecreasingQuantity) -> Vec<Decrease> {
 }
 
 impl Decrease {
-    /// The part of area or load that is lost.
+    /// The relative decrease of area or load.
     pub fn loss(&self) -> f64 {
         1.0 - self.of.of(&self.to.contact) / self.of.of(&self.from.contact)
     }
 
-    /// Whether it happens at one indentation, to rounding: a jump of the law.
+    /// Whether the decrease is a jump of the law: at one indentation, to rounding.
     pub fn is_jump(&self) -> bool {
         self.to.indentation <= self.from.indentation * (1.0 + ROUNDING)
     }
@@ -305,7 +305,7 @@ mod tests {
         );
     }
 
-    /// The rounded onset of yield leaves a fall of 0.0976 %, whether there is a layer or not.
+    /// The rounded onset of yield causes a drop of 0.0976 %, with or without a layer.
     #[test]
     fn a_fall_at_a_jump_is_seen() {
         let lead = Material::new(18e9, 0.35, Some(0.17e9), None).unwrap();

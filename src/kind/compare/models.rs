@@ -19,8 +19,8 @@ impl<'a> SurfaceModels<'a> {
         laws: &[ContactLaw],
         is_summed: bool,
     ) -> Self {
-        let sees_ellipses = is_summed && laws.iter().any(ContactLaw::sees_ellipses);
-        let ellipses = if sees_ellipses { Ellipses::of(&surface.set) } else { None };
+        let is_elliptic = is_summed && laws.iter().any(ContactLaw::is_elliptic);
+        let ellipses = if is_elliptic { Ellipses::of(&surface.set) } else { None };
         Self { surface, population, is_summed, ellipses }
     }
 
@@ -31,7 +31,7 @@ impl<'a> SurfaceModels<'a> {
 
     /// The asperity that stands for all under a law.
     pub(super) fn mean_shape(&self, law: &ContactLaw) -> Shape {
-        let ellipticity = self.surface.ellipticity.filter(|_| law.sees_ellipses());
+        let ellipticity = self.surface.ellipticity.filter(|_| law.is_elliptic());
         ellipticity.map_or(Shape::sphere(self.population.radius), |mean| mean.shape())
     }
 
@@ -45,7 +45,7 @@ impl<'a> SurfaceModels<'a> {
                 [std::cmp::min_by(low, shape, by_radius), std::cmp::max_by(high, shape, by_radius)]
             })
         };
-        match set.ellipses().filter(|_| law.sees_ellipses()) {
+        match set.ellipses().filter(|_| law.is_elliptic()) {
             Some(ellipses) => extremes(&mut ellipses.iter().map(Ellipse::shape)),
             None => extremes(&mut set.radii().iter().copied().map(Shape::sphere)),
         }
@@ -63,7 +63,7 @@ impl<'a> SurfaceModels<'a> {
         contact: &'b dyn MicroContact,
         law: &ContactLaw,
     ) -> Option<Deterministic<'b>> {
-        let asperities = if law.sees_ellipses() {
+        let asperities = if law.is_elliptic() {
             self.ellipses.as_ref().map(Ellipses::asperities)
         } else {
             self.is_summed.then(|| self.surface.set.spheres())

@@ -118,7 +118,7 @@ pub(crate) fn compared(
     let met: Vec<_> = substrate.into_iter().chain(coat).collect();
     file.check_laws(&words.law, (rough_name, &rough), &met)?;
     let law_specs = words.law.get_ref().0.clone();
-    let as_ellipses = law_specs.iter().any(ContactLaw::sees_ellipses);
+    let as_ellipses = law_specs.iter().any(ContactLaw::is_elliptic);
     Ok(ComparePlan {
         bodies: Bodies { rough: rough_name.clone(), flat: flat_name.clone() },
         pair: [rough, flat],

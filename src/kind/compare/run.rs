@@ -156,7 +156,7 @@ fn falls(
     let mut found = Vec::new();
     let cases: Vec<_> = plan.laws.iter().zip(&answered.cases).collect();
     // Laws that see the same asperities, whatever the layer.
-    for alike in cases.chunk_by(|a, b| a.0.spec.sees_ellipses() == b.0.spec.sees_ellipses()) {
+    for alike in cases.chunk_by(|a, b| a.0.spec.is_elliptic() == b.0.spec.is_elliptic()) {
         let spec = &alike[0].0.spec;
         let [sharpest, bluntest] = models.extreme_shapes(spec);
         let mut shapes = vec![sharpest, models.mean_shape(spec), bluntest];

@@ -98,14 +98,14 @@ pub(super) fn plan(file: &SpecFile) -> Result<LawsPlan, InputError> {
         return Err(file.source.error_at(at, message));
     };
     let asperity = words.asperity.get_ref();
-    let sees_ellipses = laws.iter().any(ContactLaw::sees_ellipses);
+    let is_elliptic = laws.iter().any(ContactLaw::is_elliptic);
     let given = asperity.curvature_ratio.as_ref();
-    let ratio = curvature_ratio(&file.source, &words.asperity.span(), given, sees_ellipses)?;
+    let ratio = curvature_ratio(&file.source, &words.asperity.span(), given, is_elliptic)?;
     let radius = asperity.radius.value();
     Ok(LawsPlan {
         critical: Critical::of(&pair, radius),
         radius,
-        curvature_ratio: ratio.filter(|_| sees_ellipses).unwrap_or(1.0),
+        curvature_ratio: ratio.filter(|_| is_elliptic).unwrap_or(1.0),
         ratios: file.growing(&words.indentation)?,
         compare,
     })

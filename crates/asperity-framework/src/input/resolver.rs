@@ -118,7 +118,7 @@ impl SpecFile {
 
     /// Refuses laws for ellipses where all asperities are spheres.
     pub fn spheres_only(&self, laws: &Spanned<Laws>, what: &str) -> Result<(), InputError> {
-        match laws.get_ref().0.iter().find(|law| law.sees_ellipses()) {
+        match laws.get_ref().0.iter().find(|law| law.is_elliptic()) {
             Some(law) => {
                 let message = format!("found \"{}\", but {what}; allowed: a law for spheres", law.label());
                 Err(self.source.error_at(laws.span(), message))

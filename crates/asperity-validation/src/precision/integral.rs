@@ -209,8 +209,8 @@ impl<'a> Problem<'a> {
             let nodes = &rule.segments[usize::from(from > 0.0)];
             let panels = match rule.rule.family {
                 Family::Panels => {
-                    let foldings = FOLDINGS[usize::from(Gaussian.turns(h, from, to))];
-                    (Gaussian.foldings(h, from, to) / foldings).ceil().max(1.0) as usize
+                    let foldings = FOLDINGS[usize::from(Gaussian.contains_peak(h, from, to))];
+                    (Gaussian.e_foldings(h, from, to) / foldings).ceil().max(1.0) as usize
                 }
                 _ => 1,
             };

@@ -1,12 +1,12 @@
-//! Asperities as a struct of arrays, as the laws see them: spheres, or a number of equal spheres for each ellipse.
+//! Asperities as a struct of arrays: spheres, or a number of equal spheres for each ellipse.
 
 use std::ops::Range;
 
-use crate::memory::ask_for;
+use crate::memory::prefetch;
 use crate::numeric::interval::Interval;
 use crate::shape::Shape;
 
-/// Some asperities on a nominal area.
+/// Borrowed heights and shapes of asperities on a nominal area.
 #[derive(Debug, Clone, Copy)]
 pub struct Asperities<'a> {
     heights: &'a [f64],
@@ -42,12 +42,12 @@ impl<'a> Asperities<'a> {
         self.heights
     }
 
-    /// Radii, m; of ellipses those of their equivalent spheres.
+    /// Radii, m; for ellipses, of their equivalent spheres.
     pub fn radii(&self) -> &'a [f64] {
         self.radii
     }
 
-    /// Number of spheres per asperity; `None` where each is one.
+    /// Number of spheres per asperity; `None` if every asperity is one sphere.
     pub fn spheres(&self) -> Option<&'a [f64]> {
         self.spheres
     }
@@ -67,14 +67,14 @@ impl<'a> Asperities<'a> {
         self.spheres.map_or(Interval::point(1.0), Interval::of)
     }
 
-    /// The shape of one.
+    /// The shape of asperity `index`.
     #[inline]
     pub fn shape(&self, index: usize) -> Shape {
         let spheres = self.spheres.map_or(1.0, |spheres| spheres[index]);
         Shape { radius: self.radii[index], spheres }
     }
 
-    /// Those of a range.
+    /// The asperities of an index range, on the same nominal area.
     pub fn part(&self, range: Range<usize>) -> Self {
         Self {
             heights: &self.heights[range.clone()],
@@ -84,15 +84,15 @@ impl<'a> Asperities<'a> {
         }
     }
 
-    /// Asks the processor for those of a range, as far as there are any, before they are needed.
-    pub(crate) fn ask_for(&self, range: Range<usize>) {
+    /// Prefetches the asperities of an index range, clipped to those that exist.
+    pub(crate) fn prefetch(&self, range: Range<usize>) {
         let range = range.start.min(self.count())..range.end.min(self.count());
         for values in [Some(self.heights), Some(self.radii), self.spheres].into_iter().flatten() {
-            ask_for(&values[range.clone()]);
+            prefetch(&values[range.clone()]);
         }
     }
 
-    /// Each height (m) and shape.
+    /// Iterates over heights (m) and shapes.
     pub fn each(self) -> impl Iterator<Item = (f64, Shape)> + 'a {
         (0..self.count()).map(move |index| (self.heights[index], self.shape(index)))
     }

@@ -11,8 +11,8 @@ pub struct Ellipse {
     pub curvature_ratio: f64,
 }
 
-/// The largest ratio of principal curvatures that a summit keeps.
-const LONGEST: f64 = 1e6;
+/// The largest ratio of principal curvatures of an elliptic summit.
+const MAX_CURVATURE_RATIO: f64 = 1e6;
 
 impl Ellipse {
     /// From positive principal curvatures (1/m).
@@ -20,18 +20,17 @@ impl Ellipse {
         Self { mean_curvature: 0.5 * (kx + ky), curvature_ratio: kx.max(ky) / kx.min(ky) }
     }
 
-    /// From the principal curvatures (1/m, the larger first) of a summit, whose mean is positive. A summit that is no
-    /// ellipse, since the smaller curvature is not positive or next to nothing, is taken as the sphere of its mean
-    /// curvature.
+    /// From the principal curvatures (1/m, the larger first) of a summit, whose mean is positive. A summit whose
+    /// smaller curvature is not positive, or negligible, becomes a sphere of its mean curvature.
     pub fn of_summit(principal: [f64; 2]) -> Self {
         let [larger, smaller] = principal;
         let mean_curvature = 0.5 * (larger + smaller);
         let ratio = larger / smaller;
-        let is_ellipse = smaller > 0.0 && ratio <= LONGEST;
+        let is_ellipse = smaller > 0.0 && ratio <= MAX_CURVATURE_RATIO;
         Self { mean_curvature, curvature_ratio: if is_ellipse { ratio.max(1.0) } else { 1.0 } }
     }
 
-    /// As the laws see it.
+    /// The equivalent spheres of the paraboloid.
     pub fn shape(&self) -> Shape {
         Shape::ellipse(self.mean_curvature, self.curvature_ratio)
     }

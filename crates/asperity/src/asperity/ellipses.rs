@@ -15,7 +15,7 @@ pub struct Ellipses<'a> {
 }
 
 impl<'a> Ellipses<'a> {
-    /// Those of a set; `None` where it does not know its principal curvatures.
+    /// The equivalent spheres of a set; `None` if its principal curvatures are unknown.
     pub fn of(set: &'a AsperitySet) -> Option<Self> {
         let (radii, spheres) = set
             .ellipses()?
@@ -31,7 +31,7 @@ impl<'a> Ellipses<'a> {
     }
 }
 
-/// The mean shape of a set of ellipses, on which the statistical model stands.
+/// The mean shape of a set of ellipses: the input of the statistical model.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Ellipticity {
     /// Mean of the mean curvatures, 1/m.
@@ -41,7 +41,7 @@ pub struct Ellipticity {
 }
 
 impl Ellipticity {
-    /// Of a set; `None` where it has no ellipses.
+    /// The mean shape of a set; `None` if it has no ellipses.
     pub fn of(set: &AsperitySet) -> Option<Self> {
         let ellipses = set.ellipses()?;
         let mean = |term: fn(&Ellipse) -> f64| {
@@ -53,7 +53,7 @@ impl Ellipticity {
         })
     }
 
-    /// The mean asperity.
+    /// The shape of the mean asperity.
     pub fn shape(&self) -> Shape {
         Shape::ellipse(self.mean_curvature, self.mean_ratio.recip())
     }

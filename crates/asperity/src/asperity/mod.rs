@@ -1,4 +1,4 @@
-//! Asperities: the set, its statistics, populations drawn from three numbers.
+//! Asperities: sets, their statistics, and populations to draw from.
 
 mod arrays;
 mod ellipse;
@@ -13,7 +13,7 @@ mod statistics;
 pub use arrays::Asperities;
 pub use ellipse::Ellipse;
 pub use ellipses::{Ellipses, Ellipticity};
-pub use nayak::{NoSuchSurface, SurfaceHeights};
+pub use nayak::{SurfaceHeights, SurfaceHeightsError};
 pub use ordered::Ordered;
 pub use population::{Draw, Population};
 pub use read::{AsperityList, ListColumn, ListError};

@@ -1,8 +1,8 @@
-//! Asperity heights from surface heights (Nayak 1971), for a population whose sigma is the surface's.
+//! Asperity heights from surface heights (Nayak 1971), where sigma is that of the surface.
 
 use std::f64::consts::PI;
 
-/// A Gaussian surface by its own deviation and its summits' density and mean curvature.
+/// An isotropic Gaussian surface, given by its standard deviation and the density and mean curvature of its summits.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct SurfaceHeights {
     /// 1/(mean summit curvature), m.
@@ -16,14 +16,14 @@ pub struct SurfaceHeights {
 /// No isotropic Gaussian surface has these three numbers.
 #[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
 #[error(
-    "density * radius * sigma = {product:.4} with heights = \"surface\"; allowed: above {LEAST:.4}, where Nayak's alpha reaches 1.5"
+    "density * radius * sigma = {product:.4} with heights = \"surface\"; allowed: above {MIN_PRODUCT:.4}, where Nayak's alpha reaches 1.5"
 )]
-pub struct NoSuchSurface {
+pub struct SurfaceHeightsError {
     product: f64,
 }
 
 /// (density radius sigma)^2 = alpha/(768 pi), and alpha is at least 1.5.
-const LEAST: f64 = 0.024934;
+const MIN_PRODUCT: f64 = 0.024934;
 
 impl SurfaceHeights {
     fn product(&self) -> f64 {
@@ -39,13 +39,13 @@ impl SurfaceHeights {
     /// Standard deviation of the summit heights, m: sigma (1 - (1 + 16/pi - 3 3^.5)/alpha)^.5.
     ///
     /// # Errors
-    /// Numbers whose alpha is at most 1.5: no surface has them.
-    pub fn asperity_sigma(&self) -> Result<f64, NoSuchSurface> {
+    /// `alpha` at most 1.5, which no surface has.
+    pub fn asperity_sigma(&self) -> Result<f64, SurfaceHeightsError> {
         let alpha = self.alpha();
         if alpha > 1.5 {
             Ok(self.sigma * (1.0 - (1.0 + 16.0 / PI - 3.0 * 3f64.sqrt()) / alpha).sqrt())
         } else {
-            Err(NoSuchSurface { product: self.product() })
+            Err(SurfaceHeightsError { product: self.product() })
         }
     }
 
@@ -75,7 +75,7 @@ mod tests {
     #[test]
     fn the_least_product_is_that_of_alpha_1_5() {
         let at = |product| SurfaceHeights { radius: product, sigma: 1.0, density: 1.0 };
-        assert!((at(LEAST).alpha() - 1.5).abs() < 1e-4);
-        assert!(at(0.99 * LEAST).asperity_sigma().is_err());
+        assert!((at(MIN_PRODUCT).alpha() - 1.5).abs() < 1e-4);
+        assert!(at(0.99 * MIN_PRODUCT).asperity_sigma().is_err());
     }
 }

@@ -5,8 +5,8 @@ use rayon::prelude::*;
 use super::Asperities;
 use crate::shape::Shape;
 
-/// Asperities highest first, so that those in contact at any separation are a prefix: for searches that look at
-/// few of them again and again.
+/// Asperities in descending order of height, so that those in contact at a separation are a prefix. For searches that
+/// repeatedly evaluate the highest asperities.
 #[derive(Debug, Clone)]
 pub struct Ordered {
     heights: Vec<f64>,
@@ -16,7 +16,7 @@ pub struct Ordered {
 }
 
 impl Ordered {
-    /// Equal heights are in the order of their shapes, so that nothing depends on the order of the input.
+    /// Sorts asperities; equal heights are ordered by shape, so that the result does not depend on the input order.
     pub fn new(asperities: Asperities<'_>) -> Self {
         let mut all: Vec<(f64, Shape)> = asperities.each().collect();
         let shape =
@@ -30,7 +30,7 @@ impl Ordered {
         }
     }
 
-    /// The asperities above `separation` (m, in the frame of the heights), highest first.
+    /// The asperities above `separation` (m, in the frame of the heights), in descending order.
     pub fn above(&self, separation: f64) -> Asperities<'_> {
         let count = self.heights.partition_point(|&z| z > separation);
         Asperities::new(&self.heights, &self.radii, self.spheres.as_deref(), self.nominal_area).part(0..count)

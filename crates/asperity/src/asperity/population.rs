@@ -1,4 +1,4 @@
-//! A population of asperities by its three numbers, and sets drawn from it.
+//! A population of asperities, and sets drawn from it.
 
 use rand::SeedableRng;
 use rand_chacha::ChaCha8Rng;
@@ -7,7 +7,7 @@ use super::{AsperitySet, SetError};
 use crate::distribution::Heights;
 use crate::numeric::parallel::for_each_row;
 
-/// How many heights one ChaCha stream gives. Every committed random number depends on it.
+/// Heights per ChaCha stream. All published random results depend on it.
 const STREAM: usize = 4096;
 
 /// Asperities of one radius whose heights follow a distribution (Greenwood and Williamson 1966).
@@ -19,16 +19,16 @@ pub struct Population {
     pub sigma: f64,
     /// Asperities per nominal area, 1/m^2.
     pub density: f64,
-    /// Distribution of the heights over sigma.
+    /// Distribution of height/sigma.
     pub heights: Heights,
 }
 
 /// How the heights of a set are taken from a population.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Draw {
-    /// Independent draws; the seed decides them all.
+    /// Independent random draws, determined by the seed.
     Random([u8; 32]),
-    /// One asperity at the middle of each of n equally probable strata.
+    /// The quantiles at the middle of n equally probable strata.
     Quantiles,
 }
 
@@ -37,7 +37,7 @@ impl Population {
     /// threads.
     ///
     /// # Errors
-    /// A count of 0, or numbers that make no set.
+    /// A count of 0, or values that [`AsperitySet::new`] rejects.
     pub fn set(&self, count: usize, draw: Draw) -> Result<AsperitySet, SetError> {
         let mut heights = vec![0.0; count];
         for_each_row(&mut heights, STREAM, &|k, chunk| match draw {

@@ -1,5 +1,5 @@
-//! Reading a list of asperities: CSV with the columns `height` and `radius`, or an n x 2 `.npy`; of ellipses with `kx`
-//! and `ky` behind them.
+//! Reading a list of asperities: CSV with the columns `height` and `radius`, or an n x 2 `.npy`; for ellipses, followed
+//! by `kx` and `ky`.
 
 use std::fs::File;
 use std::path::Path;
@@ -11,7 +11,7 @@ use crate::memory::zeros;
 use crate::npy::{self, NpyError};
 use crate::numeric::{LARGEST, is_positive};
 
-/// Why a file gives no list of asperities.
+/// An error in reading a list of asperities.
 #[derive(Debug, thiserror::Error)]
 pub enum ListError {
     /// The file cannot be opened or read.
@@ -20,7 +20,7 @@ pub enum ListError {
     /// The file is a `.npy` whose array cannot be read.
     #[error(transparent)]
     Npy(#[from] NpyError),
-    /// The `.npy` array has other columns than those that are needed.
+    /// The `.npy` array has too few or too many columns.
     #[error("holds an array of shape {rows} x {columns}; allowed: n x {}, with the columns {}", needed.len(), ListColumn::names(needed))]
     Shape {
         /// Rows found.
@@ -30,7 +30,7 @@ pub enum ListError {
         /// The columns that are needed.
         needed: &'static [ListColumn],
     },
-    /// A column is not there.
+    /// A column is missing.
     #[error(
         "has no column `{}` (found: {found}); allowed: a header line with the columns {}",
         column.name(),
@@ -44,13 +44,13 @@ pub enum ListError {
         /// The columns that are needed.
         needed: &'static [ListColumn],
     },
-    /// A line is not CSV.
+    /// A line is not valid CSV.
     #[error("{0}")]
     Csv(#[from] csv::Error),
-    /// A cell holds no number that is allowed there.
+    /// A cell holds no number, or one out of range.
     #[error("{place}, column `{}`: found {found}; allowed: {}", column.name(), column.allowed())]
     Cell {
-        /// The row, as its reader finds it.
+        /// The row or line of the file.
         place: String,
         /// The column.
         column: ListColumn,
@@ -76,7 +76,7 @@ pub enum ListColumn {
 }
 
 impl ListColumn {
-    /// Those of spheres, then those of ellipses too, in the order of an array.
+    /// All columns in the order of an array; the first two suffice for spheres.
     const ALL: &'static [Self] = &[Self::Height, Self::Radius, Self::Kx, Self::Ky];
 
     /// The name in a header.
@@ -118,10 +118,10 @@ impl ListColumn {
     }
 }
 
-/// The values of [`ListColumn::ALL`], asperity by asperity; none of one that was not asked for.
+/// The values of each of [`ListColumn::ALL`], per asperity; empty if not requested.
 type Columns = [Vec<f64>; ListColumn::ALL.len()];
 
-/// What a list holds.
+/// A list of asperities as read from a file.
 #[derive(Debug, Clone, PartialEq)]
 pub struct AsperityList {
     heights: Vec<f64>,
@@ -131,12 +131,12 @@ pub struct AsperityList {
 }
 
 impl AsperityList {
-    /// Reads heights and radii (m), and where `as_ellipses` principal curvatures kx and ky (1/m), from a CSV file or an `.npy`
-    /// with these columns, distinguished by their first bytes. Lines of a CSV that begin with `#` are comments; further columns
-    /// are ignored. An `.npy` is mapped: no memory is taken but for the values that are needed.
+    /// Reads heights and radii (m), and if `as_ellipses` principal curvatures kx and ky (1/m), from a CSV or `.npy`
+    /// file with these columns; the first bytes of the file decide which. Lines of a CSV that begin with `#` are
+    /// comments; further columns are ignored. An `.npy` is memory-mapped: memory is used only for the columns returned.
     ///
     /// # Errors
-    /// See [`ListError`]; a bad value is named with its row.
+    /// See [`ListError`]; an invalid value is reported with its row.
     pub fn read(path: &Path, as_ellipses: bool) -> Result<Self, ListError> {
         let needed = needed(as_ellipses);
         let is_npy = npy::is_npy(path)?;
@@ -165,8 +165,8 @@ impl AsperityList {
         Ok(usize::try_from(bytes / BYTES_PER_ROW).unwrap_or(usize::MAX))
     }
 
-    /// How many radii lie beyond both principal radii of curvature, 1/kx and 1/ky: spheres and ellipses of such a row are
-    /// different asperities.
+    /// Number of rows whose radius does not lie between the principal radii of curvature 1/kx and 1/ky: their sphere
+    /// and ellipse are different asperities.
     pub fn contradictions(&self) -> usize {
         /// The rounding of a radius in a file.
         const ROUNDING: f64 = 1e-3;
@@ -222,7 +222,7 @@ fn read_npy(path: &Path, needed: &'static [ListColumn]) -> Result<Columns, ListE
     bad.map_or(Ok(found), Err)
 }
 
-/// An array of ellipses is one of spheres too.
+/// An array of ellipses may also be read as spheres.
 fn check_shape(rows: usize, columns: usize, needed: &'static [ListColumn]) -> Result<(), ListError> {
     if columns == needed.len() || columns == ListColumn::ALL.len() {
         return Ok(());
@@ -234,7 +234,7 @@ fn csv_reader(path: &Path) -> Result<csv::Reader<File>, csv::Error> {
     csv::ReaderBuilder::new().comment(Some(b'#')).trim(csv::Trim::All).from_path(path)
 }
 
-/// Where the needed columns are.
+/// The indices of the needed columns.
 fn places(reader: &mut csv::Reader<File>, needed: &'static [ListColumn]) -> Result<Vec<usize>, ListError> {
     let header = reader.headers()?.clone();
     let place_of = |&column: &ListColumn| {

@@ -12,13 +12,13 @@ pub struct AsperitySet {
     nominal_area: f64,
 }
 
-/// A set that no model can run on.
+/// Values that form no valid set.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum SetError {
-    /// There must be an asperity.
+    /// There must be at least one asperity.
     #[error("no asperity")]
     Empty,
-    /// As many heights as radii.
+    /// There must be as many heights as radii.
     #[error("{heights} heights but {radii} radii")]
     Lengths {
         /// Number of heights.
@@ -26,7 +26,7 @@ pub enum SetError {
         /// Number of radii.
         radii: usize,
     },
-    /// As many heights as ellipses.
+    /// There must be as many heights as ellipses.
     #[error("{heights} heights but {ellipses} ellipses")]
     Ellipses {
         /// Number of heights.
@@ -34,23 +34,23 @@ pub enum SetError {
         /// Number of ellipses.
         ellipses: usize,
     },
-    /// Heights are finite.
+    /// Heights must be finite.
     #[error("asperity {index}: height {height} m; allowed: a finite number")]
     Height {
         /// Index of the asperity, from 0.
         index: usize,
-        /// What was found, m.
+        /// The invalid value, m.
         height: f64,
     },
-    /// Radii are positive and finite.
+    /// Radii must be positive and finite.
     #[error("asperity {index}: radius {radius} m; allowed: positive and finite")]
     Radius {
         /// Index of the asperity, from 0.
         index: usize,
-        /// What was found, m.
+        /// The invalid value, m.
         radius: f64,
     },
-    /// The nominal area is positive and finite.
+    /// The nominal area must be positive and finite.
     #[error("nominal area {0} m^2; allowed: positive and finite")]
     NominalArea(f64),
 }
@@ -59,7 +59,7 @@ impl AsperitySet {
     /// Asperities of the given heights and radii (m) on a nominal area (m^2).
     ///
     /// # Errors
-    /// The first thing that makes the set unusable.
+    /// The first invalid value; see [`SetError`].
     pub fn new(heights: Vec<f64>, radii: Vec<f64>, nominal_area: f64) -> Result<Self, SetError> {
         if heights.len() != radii.len() {
             return Err(SetError::Lengths { heights: heights.len(), radii: radii.len() });
@@ -89,10 +89,10 @@ impl AsperitySet {
         &self.radii
     }
 
-    /// The same set with an ellipse for each asperity, which laws for ellipses see in place of its sphere.
+    /// The same set with an ellipse for each asperity, used instead of its sphere by laws for ellipses.
     ///
     /// # Errors
-    /// Fewer or more ellipses than asperities.
+    /// A number of ellipses other than that of asperities.
     pub fn with_ellipses(self, ellipses: Vec<Ellipse>) -> Result<Self, SetError> {
         if ellipses.len() != self.count() {
             return Err(SetError::Ellipses { heights: self.count(), ellipses: ellipses.len() });

@@ -1,18 +1,18 @@
-//! What a set of asperities is, in a few numbers.
+//! Statistics of a set of asperities.
 
 use super::AsperitySet;
 use crate::numeric::sum::sum_of;
 
-/// Statistics of a set; deviations are divided by n.
+/// Mean values and central moments of a set, with divisor n.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Statistics {
     /// Mean height, m, in the frame of the set's heights.
     pub mean_height: f64,
     /// Standard deviation of the heights, m.
     pub sigma: f64,
-    /// Skewness of the heights; `None` where all are equal.
+    /// Skewness of the heights; `None` if all are equal.
     pub skewness: Option<f64>,
-    /// Kurtosis of the heights (3 for Gaussian ones); `None` where all are equal.
+    /// Kurtosis of the heights (3 if Gaussian); `None` if all are equal.
     pub kurtosis: Option<f64>,
     /// Arithmetic mean of the radii, m (Pasaribu and Schipper 2005, Table 1).
     pub mean_radius: f64,
@@ -20,7 +20,7 @@ pub struct Statistics {
     pub radius_of_mean_curvature: f64,
     /// Standard deviation of the radii over their mean.
     pub radius_cv: f64,
-    /// Pearson's correlation of heights and radii; `None` where either are all equal.
+    /// Pearson correlation of heights and radii; `None` if all heights or all radii are equal.
     pub height_radius_correlation: Option<f64>,
 }
 
@@ -53,8 +53,7 @@ impl Statistics {
     }
 }
 
-/// The mean, taken about the first value: equal values have exactly that mean, and a large offset
-/// costs nothing.
+/// The mean, computed about the first value: exact for equal values, and accurate for a large offset.
 fn mean_about(values: &[f64]) -> f64 {
     let origin = values[0];
     origin + sum_of(values.len(), |i| values[i] - origin) / values.len() as f64

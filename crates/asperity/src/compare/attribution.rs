@@ -1,38 +1,38 @@
-//! Which matters more on a surface: the contact law, or whether asperities are integrated or summed.
+//! Whether the contact law or the summation method (statistical or deterministic) has the larger effect on a surface.
 
 use super::{DETECTABLE, Effect, Group, Influence, Kind, Measure, SIGNIFICANT};
 
-/// What changes the answer more.
+/// The choice with the larger effect.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Dominant {
     /// The contact law.
     Law,
     /// Integral against sum.
     Summation,
-    /// The sampling error of the sum leaves it open.
+    /// Not decidable within the sampling error of the sum.
     Undecided,
 }
 
-/// The weights of law and summation by one measure, over the loads that count.
+/// The effects of contact law and summation method on one measure, over the valid loads.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Attribution {
-    /// By what responses differ.
+    /// The quantity compared.
     pub measure: Measure,
-    /// The laws that the spread is over.
+    /// The laws included in the spread.
     pub group: Group,
-    /// Spread of these laws under the sum.
+    /// Spread of these laws in the deterministic model.
     pub law: Effect,
     /// Gap between the models under the first law.
     pub summation: Effect,
     /// Sampling error of the sum under the first law, where it has one.
     pub sampling: Option<Effect>,
-    /// The law of the group that lies furthest from the first under the sum, and the spread without it; `None` where
-    /// fewer than two laws are left.
+    /// The law of the group that differs most from the first in the deterministic model, and the spread without it;
+    /// `None` if fewer than two laws remain.
     pub without_furthest: Option<(usize, Effect)>,
 }
 
 impl Attribution {
-    /// By one measure; `None` where no load counts, or laws are too few to compare.
+    /// The effects on one measure; `None` if no load is valid or fewer than two laws are compared.
     pub fn of(influence: &Influence, measure: Measure) -> Option<Self> {
         let group = influence.group();
         Some(Self {
@@ -45,7 +45,7 @@ impl Attribution {
         })
     }
 
-    /// Which matters more in the mean.
+    /// The choice with the larger mean effect.
     pub fn dominant(&self) -> Dominant {
         let error = self.sampling.map_or(0.0, |error| error.mean);
         let is_detectable = self.summation.mean > DETECTABLE * error;
@@ -58,23 +58,23 @@ impl Attribution {
         }
     }
 
-    /// The larger mean weight over the smaller one.
+    /// The larger mean effect over the smaller one.
     pub fn ratio(&self) -> f64 {
         let (law, summation) = (self.law.mean, self.summation.mean);
         if law > summation { law / summation } else { summation / law }
     }
 
-    /// Whether the law matters more without the one that lies furthest off too; `None` where fewer than two are left.
+    /// Whether the law still dominates without the one that differs most; `None` if fewer than two laws remain.
     pub fn is_law_without_furthest(&self) -> Option<bool> {
         self.without_furthest.map(|(_, rest)| rest.mean > self.summation.mean)
     }
 
-    /// The mean gap between the models in mean sampling errors of the sum.
+    /// The mean gap between the models over the mean sampling error of the sum.
     pub fn standard_errors(&self) -> Option<f64> {
         self.sampling.map(|error| self.summation.mean / error.mean)
     }
 
-    /// Whether the gap between the models is more than chance; so taken where the sum has no sampling error.
+    /// Whether the gap between the models exceeds [`SIGNIFICANT`] sampling errors; true if the sum has none.
     pub fn is_significant(&self) -> bool {
         self.standard_errors().is_none_or(|errors| errors > SIGNIFICANT)
     }
@@ -83,8 +83,8 @@ impl Attribution {
 fn without_furthest(influence: &Influence, measure: Measure, group: Group) -> Option<(usize, Effect)> {
     let is_member = |law: &usize| group == Group::All || influence.is_elastic_plastic[*law];
     let members = (1..influence.laws.len()).filter(is_member);
-    let weight = |law| Some((law, influence.of_choice(measure, law, Kind::Deterministic)?.mean));
-    let (furthest, _) = members.filter_map(weight).max_by(|a, b| a.1.total_cmp(&b.1))?;
+    let effect = |law| Some((law, influence.of_choice(measure, law, Kind::Deterministic)?.mean));
+    let (furthest, _) = members.filter_map(effect).max_by(|a, b| a.1.total_cmp(&b.1))?;
     let rest =
         influence.effect(|at| at.spread_without(measure, group, Kind::Deterministic, Some(furthest)))?;
     Some((furthest, rest))

@@ -1,27 +1,27 @@
-//! How the asperities of a surface differ from what the statistical model assumes of them.
+//! Departures of a surface's asperities from the assumptions of the statistical model.
 
 use crate::asperity::Statistics;
 
-/// One assumption of the statistical model that a surface departs from.
+/// An assumption of the statistical model that a surface violates.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Departure {
-    /// Heights that are not Gaussian: skewness is not near 0, or kurtosis not near 3.
+    /// Heights that are not Gaussian: skewness far from 0, or kurtosis far from 3.
     Heights {
         /// Skewness of the heights.
         skewness: f64,
         /// Kurtosis of the heights.
         kurtosis: f64,
     },
-    /// Radii that are not equal: their standard deviation over their mean.
+    /// Unequal radii: their standard deviation over their mean.
     Radii(f64),
-    /// Heights and radii that are not independent: their correlation.
+    /// Correlated heights and radii: the correlation coefficient.
     Correlation(f64),
 }
 
 impl Departure {
     /// All departures of asperities with these statistics.
     pub fn of(statistics: &Statistics) -> Vec<Self> {
-        /// Below these a departure changes loads and areas by little.
+        /// Departures below these thresholds have little effect on loads and areas.
         const SKEWNESS: f64 = 0.1;
         const EXCESS_KURTOSIS: f64 = 0.2;
         const RADIUS_CV: f64 = 0.1;

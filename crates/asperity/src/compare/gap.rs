@@ -2,14 +2,13 @@
 
 use super::{Pair, Pairing};
 
-/// With fewer contacts than this the sum depends more on its few highest asperities than on the
-/// surface.
+/// With fewer contacts the sum depends on a few of the highest asperities.
 pub const FEWEST_CONTACTS: f64 = 30.0;
 
-/// A difference of at most this many standard errors may be chance.
+/// A difference of at most this number of standard errors is not significant.
 pub const SIGNIFICANT: f64 = 3.0;
 
-/// A quantity whose largest difference is sought.
+/// A quantity in which the models are compared.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum GapQuantity {
     /// d/sigma at equal load.
@@ -31,14 +30,14 @@ impl GapQuantity {
     }
 }
 
-/// The largest difference of one quantity over all valid pairs.
+/// The largest difference of one quantity over the valid pairs.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Gap {
     /// The quantity.
     pub quantity: GapQuantity,
-    /// What the models have in common there.
+    /// Whether the pair is at equal load or equal separation.
     pub pairing: Pairing,
-    /// Its value, Pa or in sigma.
+    /// The common load (Pa) or separation (in sigma).
     pub target: f64,
     /// Value under the statistical model.
     pub statistical: f64,
@@ -59,19 +58,19 @@ impl Gap {
         self.statistical / self.deterministic
     }
 
-    /// Whether it is more than chance; so taken where the deterministic model has no standard error.
+    /// Whether the difference exceeds [`SIGNIFICANT`] standard errors; true if the deterministic model has none.
     pub fn is_significant(&self) -> bool {
         self.over_sampling_error.is_none_or(|errors| errors > SIGNIFICANT)
     }
 }
 
-/// The largest gaps among the pairs that neither model's assumptions nor a handful of contacts
-/// spoil: real area at most 5 % of the nominal, at least [`FEWEST_CONTACTS`] contacts.
+/// The largest gaps over the valid pairs: real area at most 5 % of the nominal area, and at least [`FEWEST_CONTACTS`]
+/// contacts.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Gaps {
-    /// Number of pairs that count.
+    /// Number of valid pairs.
     pub pairs: usize,
-    /// One for each quantity that differs by more than rounding, whose largest place would be chance.
+    /// One for each quantity that differs by more than rounding.
     pub largest: Vec<Gap>,
 }
 
@@ -81,14 +80,14 @@ impl Gaps {
         self.largest.iter().find(|gap| gap.quantity == quantity)
     }
 
-    /// Whether one of the largest gaps is more than chance.
+    /// Whether one of the largest gaps is significant.
     pub fn is_significant(&self) -> bool {
         self.largest.iter().any(Gap::is_significant)
     }
 
     /// The largest gaps of `pairs` on the nominal area `area` (m^2), separations in units of `sigma` (m).
     pub fn of(pairs: &[Pair], area: f64, sigma: f64) -> Self {
-        /// In sigma, or in parts of the quantity: more than load control leaves.
+        /// In sigma, or relative to the quantity: above the tolerance of load control.
         const ROUNDING: f64 = 1e-10;
         let counted: Vec<&Pair> = pairs.iter().filter(|pair| pair.is_valid(area)).collect();
         let largest = |gap_of: &dyn Fn(&Pair) -> Gap, pairing, size: fn(&Gap) -> f64| {
@@ -115,8 +114,7 @@ impl Gaps {
     }
 }
 
-/// At equal load the separations differ by what the sampling error of the pressure, over the
-/// stiffness, is the scatter of.
+/// At equal load the standard error of the separation is that of the pressure over the stiffness.
 fn separation_gap(pair: &Pair, sigma: f64) -> Gap {
     let (s, d) = (&pair.statistical, &pair.deterministic);
     let error = d.separation_error(sigma);
@@ -125,8 +123,7 @@ fn separation_gap(pair: &Pair, sigma: f64) -> Gap {
 
 fn area_gap(pair: &Pair) -> Gap {
     let (s, d) = (&pair.statistical, &pair.deterministic);
-    // At equal load the scatter of the area is that of the area at equal separation less what the
-    // load explains; the larger, simpler bound is used.
+    // At equal load the area scatters less than at equal separation; the latter is used as an upper bound.
     let error = d.sampling.map(|sampling| sampling.area_ratio);
     gap(pair, GapQuantity::AreaRatio, s.area_ratio.total(), d.area_ratio.total(), error)
 }

@@ -1,4 +1,4 @@
-//! Contact law or summation method, which matters more: several laws on one surface at equal load.
+//! Effects of contact law and summation method: several laws on one surface at equal load.
 
 use super::{FEWEST_CONTACTS, Kind, Pair, Pairing};
 use crate::model::Response;
@@ -6,18 +6,18 @@ use crate::model::Response;
 /// A gap between the models of at most this number of sampling errors is not significant.
 pub const DETECTABLE: f64 = 2.0;
 
-/// Quantities in which laws and models are compared at equal load. The mean real pressure is no third: at equal load it is the
-/// nominal pressure over the area ratio, so that its ratios are those of the areas turned over.
+/// Quantities in which laws and models are compared at equal load. The mean contact pressure is not listed separately:
+/// at equal load it is inversely proportional to the area.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Measure {
-    /// d/sigma; two of them differ by their difference.
+    /// d/sigma, compared by difference.
     Separation,
-    /// A/A_nom; two of them differ by the logarithm of their ratio, which is the same either way round.
+    /// A/A_nom, compared by the logarithm of the ratio.
     Area,
 }
 
 impl Measure {
-    /// Both.
+    /// Both variants.
     pub const ALL: [Self; 2] = [Self::Separation, Self::Area];
 
     /// As tables name it.
@@ -28,18 +28,18 @@ impl Measure {
         }
     }
 
-    /// How far `value` lies above `other`; 0 if they differ by rounding only.
-    fn apart(self, value: &Response, other: &Response) -> f64 {
-        /// Of a separation at a given load.
+    /// The difference of `value` from `other`; 0 if they differ by rounding only.
+    fn difference(self, value: &Response, other: &Response) -> f64 {
+        /// Rounding error of a separation at a given load.
         const ROUNDING: f64 = 1e-9;
-        let apart = match self {
+        let difference = match self {
             Self::Separation => value.separation_over_sigma - other.separation_over_sigma,
             Self::Area => (value.area_ratio.total() / other.area_ratio.total()).ln(),
         };
-        if apart.abs() > ROUNDING { apart } else { 0.0 }
+        if difference.abs() > ROUNDING { difference } else { 0.0 }
     }
 
-    /// The sampling error of a sum, as far as it has one; `sigma` (m) is what d is measured in.
+    /// The sampling error of a sum, if it has one; `sigma` (m) is the unit of d.
     fn sampling_error(self, sum: &Response, sigma: f64) -> Option<f64> {
         match self {
             Self::Separation => sum.separation_error(sigma),
@@ -54,23 +54,23 @@ impl Measure {
 pub struct UnderLaw<'a> {
     /// The law, as tables name it.
     pub law: &'a str,
-    /// Whether its contacts pass from elastic to something else: a law of one regime is a limit of the others.
+    /// Whether contacts change from elastic to another regime; a law of one regime is a limiting case.
     pub is_elastic_plastic: bool,
     /// All pairs; those at equal load are used.
     pub pairs: &'a [Pair],
 }
 
-/// Which laws a spread is over.
+/// The laws included in a spread.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Group {
-    /// All.
+    /// All laws.
     All,
-    /// Those that pass from elastic to something else.
+    /// Elastic-plastic laws only.
     ElasticPlastic,
 }
 
 impl Group {
-    /// Both.
+    /// Both variants.
     pub const ALL: [Self; 2] = [Self::All, Self::ElasticPlastic];
 
     /// As tables name it.
@@ -82,14 +82,14 @@ impl Group {
     }
 }
 
-/// Differences are in the measure's own way: see [`Measure`].
+/// Differences between laws and between models, each defined by its [`Measure`].
 #[derive(Debug, Clone, PartialEq)]
 pub struct Influence {
     /// The laws; the others are compared with the first.
     pub laws: Vec<String>,
-    /// Law by law, whether its contacts pass from elastic to something else.
+    /// Whether contacts change from elastic to another regime, by law.
     pub is_elastic_plastic: Vec<bool>,
-    /// Load by load, ascending, the same loads under every law.
+    /// The loads, ascending; the same for every law.
     pub loads: Vec<AtLoad>,
 }
 
@@ -98,13 +98,13 @@ pub struct Influence {
 pub struct AtLoad {
     /// Nominal pressure, Pa.
     pub pressure: f64,
-    /// The fewest contacts that a sum rests on.
+    /// The smallest number of contacts over the laws.
     pub fewest_contacts: f64,
-    /// Whether it counts in a finding: at least 30 contacts, and asperities that do not interact, under every law.
+    /// Whether the load is valid: at least 30 contacts and no interaction of asperities under every law.
     pub counts: bool,
-    /// A/A_nom of the first law's sum.
+    /// A/A_nom of the deterministic model under the first law.
     pub area_ratio: f64,
-    /// Which laws pass from elastic to something else.
+    /// Which laws are elastic-plastic.
     elastic_plastic: Vec<bool>,
     /// By measure.
     differences: [Differences; 2],
@@ -113,11 +113,11 @@ pub struct AtLoad {
 /// All laws and both models at one load by one measure.
 #[derive(Debug, Clone, PartialEq)]
 struct Differences {
-    /// Above the first law, law by law, under both models.
+    /// Deviation of each law from the first, in both models.
     deviations: Vec<[f64; 2]>,
-    /// Statistical above deterministic, law by law.
+    /// Statistical minus deterministic, by law.
     gaps: Vec<f64>,
-    /// Of the sums, law by law.
+    /// Sampling errors of the sums, by law.
     errors: Vec<Option<f64>>,
 }
 
@@ -130,12 +130,12 @@ impl AtLoad {
         group == Group::All || self.elastic_plastic[law]
     }
 
-    /// How far the laws of a group lie apart under a model, from the lowest to the highest; `None` of fewer than two.
+    /// The range of the laws of a group under a model, from lowest to highest; `None` for fewer than two laws.
     pub fn spread(&self, measure: Measure, group: Group, kind: Kind) -> Option<f64> {
         self.spread_without(measure, group, kind, None)
     }
 
-    /// The same with a law left out.
+    /// The spread over the group except one law.
     pub fn spread_without(
         &self,
         measure: Measure,
@@ -156,7 +156,7 @@ impl AtLoad {
         self.differences(measure).deviations[law][kind as usize]
     }
 
-    /// How far the integral lies above the sum under a law.
+    /// Statistical minus deterministic under a law.
     pub fn gap(&self, measure: Measure, law: usize) -> f64 {
         self.differences(measure).gaps[law]
     }
@@ -171,40 +171,40 @@ impl AtLoad {
         self.gap(measure, law).abs() > DETECTABLE * self.sampling_error(measure, law).unwrap_or(0.0)
     }
 
-    /// Spread of the passing laws under the sum over the gap between the models under the first law; `None` where that
-    /// gap may be none.
+    /// Spread of the elastic-plastic laws in the deterministic model over the gap between the models under the first
+    /// law; `None` if that gap is not significant.
     pub fn law_over_summation(&self, measure: Measure) -> Option<f64> {
         let law = self.spread(measure, Group::ElasticPlastic, Kind::Deterministic)?;
         self.is_gap_detectable(measure, 0).then(|| law / self.gap(measure, 0).abs())
     }
 
-    /// Whether a sum rests on fewer than [`FEWEST_CONTACTS`] contacts; of a load that does not count for another reason,
-    /// asperities interact.
+    /// Whether there are fewer than [`FEWEST_CONTACTS`] contacts. If not, an invalid load is one at which asperities
+    /// interact.
     pub fn has_few_contacts(&self) -> bool {
-        // Contacts are counted: the rounding of their density goes.
+        // A contact count is an integer; rounding removes the error of its density.
         self.fewest_contacts.round() < FEWEST_CONTACTS
     }
 
-    /// The law of a group under which the models lie furthest apart, and how far.
+    /// The law of a group with the largest gap between the models, and that gap.
     pub fn largest_gap(&self, measure: Measure, group: Group) -> Option<(usize, f64)> {
         let gaps = self.differences(measure).gaps.iter().copied().enumerate();
         gaps.filter(|(law, _)| self.is_in(group, *law)).max_by(|a, b| a.1.abs().total_cmp(&b.1.abs()))
     }
 }
 
-/// A difference over the loads that count.
+/// A difference over the valid loads.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Effect {
-    /// Mean of its sizes.
+    /// Mean magnitude.
     pub mean: f64,
-    /// The largest, with its sign.
+    /// The value of largest magnitude, signed.
     pub largest: f64,
-    /// Where that is, Pa.
+    /// The load of the largest magnitude, Pa.
     pub at: f64,
 }
 
 impl Influence {
-    /// Of at least one law on a surface of nominal area `area` (m^2) whose separations are in units of `sigma` (m).
+    /// Compares at least one law on a surface of nominal area `area` (m^2), with separations in units of `sigma` (m).
     pub fn of(laws: &[UnderLaw], area: f64, sigma: f64) -> Self {
         let at_load = |pairs: &'_ [Pair], target: f64| {
             pairs.iter().find(|pair| pair.pairing == Pairing::Load && pair.target == target).copied()
@@ -226,12 +226,12 @@ impl Influence {
         }
     }
 
-    /// The loads that count.
+    /// The valid loads.
     pub fn counting(&self) -> impl Iterator<Item = &AtLoad> {
         self.loads.iter().filter(|at| at.counts)
     }
 
-    /// Mean and largest magnitude of a difference over the loads that count; `None` where it is known at no load.
+    /// Mean and largest magnitude of a difference over the valid loads; `None` if it is known at none.
     pub fn effect(&self, difference: impl Fn(&AtLoad) -> Option<f64>) -> Option<Effect> {
         let known: Vec<(f64, f64)> =
             self.counting().filter_map(|at| Some((at.pressure, difference(at)?))).collect();
@@ -260,7 +260,7 @@ impl Influence {
         self.effect(|at| Some(at.gap(measure, law) / at.sampling_error(measure, law)?))
     }
 
-    /// The laws that a finding is over: those that pass from elastic to something else, or all where fewer than two do.
+    /// The laws to compare: the elastic-plastic ones, or all if fewer than two are.
     pub fn group(&self) -> Group {
         let elastic_plastic = self.is_elastic_plastic.iter().filter(|passes| **passes).count();
         if elastic_plastic > 1 { Group::ElasticPlastic } else { Group::All }
@@ -272,7 +272,7 @@ impl Influence {
     }
 }
 
-/// One pair a law at the load `pressure`.
+/// Compares one pair per law at the load `pressure`.
 fn compared(pressure: f64, pairs: &[Pair], elastic_plastic: &[bool], area: f64, sigma: f64) -> AtLoad {
     let contacts = pairs.iter().map(|pair| pair.deterministic.contact_density * area);
     let fewest_contacts = contacts.fold(f64::INFINITY, f64::min);
@@ -280,7 +280,7 @@ fn compared(pressure: f64, pairs: &[Pair], elastic_plastic: &[bool], area: f64, 
     AtLoad {
         pressure,
         fewest_contacts,
-        // Contacts are counted: the rounding of their density goes.
+        // A contact count is an integer; rounding removes the error of its density.
         counts: fewest_contacts.round() >= FEWEST_CONTACTS && !interact,
         area_ratio: pairs.first().map_or(0.0, |pair| pair.deterministic.area_ratio.total()),
         elastic_plastic: elastic_plastic.to_vec(),
@@ -292,13 +292,13 @@ fn differences(measure: Measure, pairs: &[Pair], sigma: f64) -> Differences {
     let from_first = |pair: &Pair| {
         let first = &pairs[0];
         [
-            measure.apart(&pair.statistical, &first.statistical),
-            measure.apart(&pair.deterministic, &first.deterministic),
+            measure.difference(&pair.statistical, &first.statistical),
+            measure.difference(&pair.deterministic, &first.deterministic),
         ]
     };
     Differences {
         deviations: pairs.iter().map(from_first).collect(),
-        gaps: pairs.iter().map(|pair| measure.apart(&pair.statistical, &pair.deterministic)).collect(),
+        gaps: pairs.iter().map(|pair| measure.difference(&pair.statistical, &pair.deterministic)).collect(),
         errors: pairs.iter().map(|pair| measure.sampling_error(&pair.deterministic, sigma)).collect(),
     }
 }

@@ -1,5 +1,5 @@
-//! How the deterministic model approaches the statistical one as the number of asperities grows:
-//! equal radii, heights of the density that the integral runs over.
+//! Convergence of the deterministic model to the statistical one as the number of asperities grows, for equal radii and
+//! heights drawn from the density of the integral.
 
 use crate::asperity::{AsperitySet, Draw, Population, SetError};
 use crate::interface::MicroContact;
@@ -13,7 +13,7 @@ pub struct LimitCase<'a> {
     pub law: String,
     /// The micro-contact.
     pub contact: &'a dyn MicroContact,
-    /// What the sum must approach, one a separation.
+    /// The limit of the sum at each separation.
     pub exact: Vec<Exact>,
 }
 
@@ -22,7 +22,7 @@ pub struct LimitCase<'a> {
 pub struct Exact {
     /// Response of the statistical model.
     pub statistical: Response,
-    /// Contacting fraction of all asperities.
+    /// Fraction of asperities in contact.
     pub contact_fraction: f64,
     /// Real over nominal area.
     pub area_ratio: f64,
@@ -31,7 +31,7 @@ pub struct Exact {
 }
 
 impl Exact {
-    /// Where the integral itself is the limit, `density` asperities a nominal area (1/m^2).
+    /// The integral itself as the limit, with `density` asperities per nominal area (1/m^2).
     pub fn of_integral(statistical: Response, density: f64) -> Self {
         Self {
             statistical,
@@ -45,9 +45,9 @@ impl Exact {
 /// Sets of one size at one separation under one law.
 #[derive(Debug, Clone, PartialEq)]
 pub struct LimitPoint {
-    /// The law.
+    /// The law, as tables name it.
     pub law: String,
-    /// What the sets must approach.
+    /// The limit of the sets' responses.
     pub exact: Exact,
     /// Asperities in a set.
     pub count: usize,
@@ -57,7 +57,7 @@ pub struct LimitPoint {
     pub quantiles: Response,
 }
 
-/// A quantity whose error is followed.
+/// A quantity whose error is evaluated.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Quantity {
     /// Real contact area.
@@ -67,7 +67,7 @@ pub enum Quantity {
 }
 
 impl Quantity {
-    /// Both.
+    /// Both quantities.
     pub const ALL: [Self; 2] = [Self::Area, Self::Load];
 
     /// As tables name it.
@@ -105,7 +105,7 @@ impl LimitPoint {
         (errors().sum::<f64>() / count, (errors().map(|error| error * error).sum::<f64>() / count).sqrt())
     }
 
-    /// Relative error of the set with heights at the quantiles, without its sign.
+    /// Magnitude of the relative error of the set with heights at the quantiles.
     pub fn quantile_error(&self, quantity: Quantity) -> f64 {
         self.error(&self.quantiles, quantity).abs()
     }
@@ -142,12 +142,12 @@ impl SlopeFit {
     }
 }
 
-/// Presses sets of `counts` asperities of `population`, `draws` random ones of each size and one at
-/// the quantiles, under every law to every separation. `seed(count, draw)` decides a random set;
-/// `done` is called after each set.
+/// Responses of sets of `counts` asperities of `population` under every law at every separation: `draws` random sets of
+/// each size and one at the quantiles. `seed(count, draw)` is the seed of a random set; `done` is called after each
+/// set.
 ///
 /// # Errors
-/// A population or count that makes no set.
+/// See [`Population::set`].
 pub fn convergence(
     cases: &[LimitCase],
     population: &Population,
@@ -160,21 +160,22 @@ pub fn convergence(
     let mut points = Vec::new();
     for &count in counts {
         let random = (0..draws).map(|k| Draw::Random(seed(count, k)));
-        // Set after set, each under every law at every separation.
-        let mut answers = Vec::with_capacity(draws + 1);
+        // One set at a time, under every law at every separation.
+        let mut responses = Vec::with_capacity(draws + 1);
         for draw in random.chain([Draw::Quantiles]) {
             let set = population.set(count, draw)?;
-            answers.push(cases.iter().flat_map(|case| respond_to_set(case, &set, plane)).collect::<Vec<_>>());
+            responses
+                .push(cases.iter().flat_map(|case| respond_to_set(case, &set, plane)).collect::<Vec<_>>());
             done(count);
         }
-        let Some(quantiles) = answers.pop() else { continue };
+        let Some(quantiles) = responses.pop() else { continue };
         let limits = cases.iter().flat_map(|case| case.exact.iter().map(|exact| (&case.law, exact)));
         for (k, (law, exact)) in limits.enumerate() {
             points.push(LimitPoint {
                 law: law.clone(),
                 exact: *exact,
                 count,
-                random: answers.iter().map(|set| set[k]).collect(),
+                random: responses.iter().map(|set| set[k]).collect(),
                 quantiles: quantiles[k],
             });
         }

@@ -1,5 +1,5 @@
-//! Both models on one surface under one law: their curves, paired at equal load and at equal
-//! separation, and how far apart they are.
+//! Comparison of both models on one surface under one law: their curves, paired at equal load and at equal separation,
+//! and the differences.
 
 mod attribution;
 mod departure;
@@ -37,7 +37,7 @@ pub enum Kind {
 }
 
 impl Kind {
-    /// As the tables name it.
+    /// The name in tables.
     pub const fn name(self) -> &'static str {
         match self {
             Self::Statistical => "statistical",
@@ -58,7 +58,7 @@ pub enum Control {
 }
 
 impl Control {
-    /// As the tables name it.
+    /// The name in tables.
     pub const fn name(self) -> &'static str {
         match self {
             Self::Separation => "separation",
@@ -68,17 +68,17 @@ impl Control {
     }
 }
 
-/// How far the curve of a separation sweep may be off, in parts of the load and of the area; `None` where it is exact.
+/// Relative tolerances in load and area of the curve of a separation sweep; `None` for an exact curve.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Tolerances {
-    /// Of the integral.
+    /// Tolerance of the statistical model.
     pub statistical: Option<f64>,
-    /// Of the sum.
+    /// Tolerance of the deterministic model.
     pub deterministic: Option<f64>,
 }
 
 impl Tolerances {
-    /// Of one model.
+    /// The tolerance of one model.
     pub fn of(&self, kind: Kind) -> Option<f64> {
         match kind {
             Kind::Statistical => self.statistical,
@@ -96,7 +96,7 @@ pub struct Controls {
     pub pressures: Vec<f64>,
     /// Forces on the nominal area, N.
     pub forces: Vec<f64>,
-    /// Of the responses at `separations`.
+    /// Tolerances of the responses at `separations`.
     pub tolerances: Tolerances,
 }
 
@@ -110,11 +110,11 @@ impl Controls {
 /// One point of a model's curve.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct CurvePoint {
-    /// Which model.
+    /// The model.
     pub kind: Kind,
     /// The prescribed value.
     pub control: Control,
-    /// Its value, in sigma, Pa or N.
+    /// Its value: d/sigma, Pa or N.
     pub target: f64,
     /// The prescribed nominal pressure, Pa; `None` under separation control.
     pub prescribed_pressure: Option<f64>,
@@ -124,7 +124,7 @@ pub struct CurvePoint {
     pub in_jump: bool,
 }
 
-/// What the two models have in common in a pair.
+/// The quantity that is equal in a pair.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum Pairing {
     /// The nominal pressure, Pa.
@@ -134,7 +134,7 @@ pub enum Pairing {
 }
 
 impl Pairing {
-    /// As the tables name it.
+    /// The name in tables.
     pub const fn name(self) -> &'static str {
         match self {
             Self::Load => "load",
@@ -146,9 +146,9 @@ impl Pairing {
 /// Both models at equal load or at equal separation.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Pair {
-    /// What they have in common.
+    /// The quantity that is equal.
     pub pairing: Pairing,
-    /// Its value, Pa or in sigma.
+    /// Its value, Pa or d/sigma.
     pub target: f64,
     /// Response of the statistical model.
     pub statistical: Response,
@@ -157,7 +157,7 @@ pub struct Pair {
 }
 
 impl Pair {
-    /// Whether either model is where asperities interact.
+    /// Whether asperities interact in either model.
     pub fn is_beyond_model(&self) -> bool {
         self.statistical.is_beyond_model() || self.deterministic.is_beyond_model()
     }
@@ -173,7 +173,7 @@ impl Pair {
 #[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
 #[error("{} model: {unreachable}", kind.name())]
 pub struct NotReached {
-    /// Which model.
+    /// The model.
     pub kind: Kind,
     /// Whether a pressure or a force was prescribed.
     pub control: Control,
@@ -193,12 +193,12 @@ pub struct Models<'a> {
 /// Curves and pairs on one surface under one law.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Comparison {
-    /// Curve by curve, in the order of the controls.
+    /// The points of all curves, in the order of the controls.
     pub curves: Vec<CurvePoint>,
     /// Pairs at equal separation, then at equal load.
     pub pairs: Vec<Pair>,
-    /// Deterministic pressures of a separation sweep that one of the models does not reach at the
-    /// separations that are searched, Pa: they have no pair.
+    /// Pressures (Pa) of the deterministic separation sweep without a pair, since one of the models does not reach
+    /// them.
     pub unpaired: Vec<f64>,
     /// Time spent in the statistical model.
     pub statistical_time: Duration,
@@ -206,7 +206,7 @@ pub struct Comparison {
     pub deterministic_time: Duration,
 }
 
-/// Of items whose loads grow, those whose loads are nearest to the `steps` equal steps of each decade.
+/// Selects, from items of ascending load, those nearest to `steps` equal logarithmic steps per decade.
 pub fn of_each_decade<T>(items: impl IntoIterator<Item = T>, load: impl Fn(&T) -> f64, steps: f64) -> Vec<T> {
     let step = |item: &T| (steps * load(item).log10()).round();
     let away = |item: &T| (steps * load(item).log10() - step(item)).abs();
@@ -303,7 +303,7 @@ fn pair(statistical: &CurvePoint, deterministic: &CurvePoint) -> Pair {
     Pair { pairing, target, statistical: statistical.response, deterministic: deterministic.response }
 }
 
-/// A separation sweep also gives pairs at the deterministic pressures of its points, zeros left out.
+/// A separation sweep also gives pairs at the deterministic pressures of its points, except zero.
 fn pair_at_loads(models: Models, deterministic: &[CurvePoint], result: &mut Comparison) {
     let (Some(statistical), Some(sum)) = (models.statistical, models.deterministic) else { return };
     let points: Vec<Response> = deterministic
@@ -312,16 +312,16 @@ fn pair_at_loads(models: Models, deterministic: &[CurvePoint], result: &mut Comp
         .map(|point| point.response)
         .collect();
     let pressures: Vec<f64> = points.iter().map(|response| response.pressure.total()).collect();
-    let press = |model: &dyn Model, time: &mut Duration| {
+    let respond = |model: &dyn Model, time: &mut Duration| {
         let start = Instant::now();
         let answers = reached_at(model, &pressures);
         *time += start.elapsed();
         answers
     };
-    let integrals = press(statistical, &mut result.statistical_time);
-    // A load that never falls is carried at no larger separation than that of its own point.
+    let integrals = respond(statistical, &mut result.statistical_time);
+    // A load that never decreases on approach is not reached at a separation larger than that of its point.
     let sums: Vec<Option<Response>> = if sum.may_decrease() {
-        let reached = press(sum, &mut result.deterministic_time);
+        let reached = respond(sum, &mut result.deterministic_time);
         reached.into_iter().map(|reached| reached.map(|reached| reached.response)).collect()
     } else {
         points.into_iter().map(Some).collect()

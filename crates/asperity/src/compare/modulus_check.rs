@@ -1,7 +1,7 @@
-//! The error of the effective-modulus models of a layered flat: their elastic load over the exact one.
+//! Error of the effective-modulus models of a layered flat: their elastic load over the exact one.
 //!
-//! Without yielding a sphere on a layered flat is known exactly. The ratio of the loads depends on the materials and
-//! on a/t alone: neither on the radius of the sphere nor on the thickness of the layer.
+//! The elastic contact of a sphere with a layered flat has an exact solution. The load ratio depends on the materials
+//! and a/t only, not on the sphere radius or the layer thickness.
 
 use crate::interface::{ContactError, LayeredInterface, MicroContact};
 use crate::law::Hertz;
@@ -11,14 +11,14 @@ use crate::literature::Paper;
 use crate::material::Material;
 use crate::shape::Shape;
 
-/// E_l/E_s within which the first-order weights of [`ModulusModel::Gao`] are good (Perriot and Barthel 2004).
+/// Range of E_l/E_s in which the first-order weights of [`ModulusModel::Gao`] are accurate (Perriot and Barthel 2004).
 pub const GOOD_RATIO: [f64; 2] = [0.5, 2.0];
 
 /// Both effective-modulus models against the exact solution, for one sphere, layer and substrate.
 pub struct ModulusCheck {
-    /// Radius and thickness 1 m.
+    /// Solved for a radius and a thickness of 1 m.
     exact: LayeredSphere,
-    /// As in [`ModulusModel::ALL`].
+    /// In the order of [`ModulusModel::ALL`].
     by_model: [LayeredInterface<Hertz>; 2],
     modulus_ratio: f64,
 }
@@ -31,16 +31,16 @@ const REPORTED: [f64; 12] = [0.05, 0.1, 0.2, 0.5, 1.0, 2.0, 5.0, 10.0, 20.0, 50.
 pub struct ModulusFindings {
     /// E_l/E_s.
     pub modulus_ratio: f64,
-    /// a/t, from and to.
+    /// The range of a/t.
     pub range: [f64; 2],
-    /// At round a/t within them.
+    /// Errors at round values of a/t within the range.
     pub reported: [Vec<ModulusError>; 2],
-    /// The largest within them.
+    /// The largest errors within the range.
     pub worst: [Option<ModulusError>; 2],
 }
 
 impl ModulusFindings {
-    /// Whether E_l/E_s lies where [`ModulusModel::Gao`] is good.
+    /// Whether E_l/E_s lies within [`GOOD_RATIO`].
     pub fn is_good(&self) -> bool {
         (GOOD_RATIO[0]..=GOOD_RATIO[1]).contains(&self.modulus_ratio)
     }
@@ -51,7 +51,7 @@ impl ModulusFindings {
     }
 }
 
-/// One list of errors per model, of lists of both.
+/// Separates the errors of the two models.
 pub fn apart(errors: impl Iterator<Item = [ModulusError; 2]>) -> [Vec<ModulusError>; 2] {
     let (gao, series) = errors.map(|[gao, series]| (gao, series)).unzip();
     [gao, series]
@@ -76,10 +76,10 @@ impl ModulusError {
 }
 
 impl ModulusCheck {
-    /// A ball of material `rough` on `layer` on `substrate`; whether they yield does not count.
+    /// An elastic sphere of material `rough` on `layer` on `substrate`; hardnesses are ignored.
     ///
     /// # Errors
-    /// None that materials can cause.
+    /// None for valid materials.
     pub fn new(rough: &Material, layer: &Material, substrate: &Material) -> Result<Self, ContactError> {
         let [rough, layer, substrate] = [rough, layer, substrate].map(Material::without_yielding);
         let by = |model| {
@@ -93,14 +93,14 @@ impl ModulusCheck {
         })
     }
 
-    /// The errors of both, as in [`ModulusModel::ALL`], where the exact contact has the radius `contact_ratio` times the
-    /// thickness; `None` unless that is positive and at most [`LARGEST_RATIO`].
+    /// The errors of both models, in the order of [`ModulusModel::ALL`], for an exact contact radius of `contact_ratio`
+    /// layer thicknesses; `None` unless it is positive and at most [`LARGEST_RATIO`].
     pub fn at(&self, contact_ratio: f64) -> Option<[ModulusError; 2]> {
         self.exact.at_contact_radius(contact_ratio).map(|exact| self.beside(&exact, 1.0, 1.0))
     }
 
-    /// The errors of both, as in [`ModulusModel::ALL`], against an exact contact of the ball of `radius` (m) on the layer of
-    /// `thickness` (m).
+    /// The errors of both models, in the order of [`ModulusModel::ALL`], against an exact contact of a sphere of
+    /// `radius` (m) on a layer of `thickness` (m).
     pub fn beside(&self, exact: &ElasticContact, radius: f64, thickness: f64) -> [ModulusError; 2] {
         let scale = radius / thickness;
         let indentation_ratio = exact.indentation / thickness * scale;
@@ -112,17 +112,17 @@ impl ModulusCheck {
         })
     }
 
-    /// The largest error of each over a/t from `from` to `to`, ends included, among points that divide the range evenly in
-    /// ln(a/t), at least 20 a decade; `None` of a range beyond [`LARGEST_RATIO`] or an empty one.
+    /// The largest error of each model over a/t from `from` to `to`, at logarithmically spaced points including both
+    /// ends, at least 20 per decade; `None` for an empty range or one beyond [`LARGEST_RATIO`].
     pub fn worst(&self, from: f64, to: f64) -> [Option<ModulusError>; 2] {
-        const A_DECADE: f64 = 20.0;
-        /// Errors closer than this are equal: the first is the worst, whatever their rounding.
+        const PER_DECADE: f64 = 20.0;
+        /// Errors within this tolerance are equal, so that rounding does not choose the worst.
         const ROUNDING: f64 = 1e-9;
         let to = to.min(LARGEST_RATIO);
         if !(from > 0.0 && from <= to) {
             return [None; 2];
         }
-        let steps = ((to / from).log10() * A_DECADE).ceil();
+        let steps = ((to / from).log10() * PER_DECADE).ceil();
         let place = |k: i32| match f64::from(k) {
             0.0 => from,
             k if k == steps => to,
@@ -170,7 +170,7 @@ mod tests {
         assert!((gao.ratio - 2.8).abs() < 0.05, "{gao:?}");
         // w R/t^2 of the exact table.
         assert!((gao.indentation_ratio - 0.67683676).abs() < 1e-8);
-        // The same in any size.
+        // The ratio does not depend on the size.
         let sphere = LayeredSphere::new(Some(&rigid), 3e-6, &body(18e9, 0.35), &body(210e9, 0.3), 2e-8);
         let [same, _] = check.beside(&sphere.at_contact_radius(2e-8).unwrap(), 3e-6, 2e-8);
         assert!((same.ratio / gao.ratio - 1.0).abs() < 1e-12 && (same.contact_ratio - 1.0).abs() < 1e-15);

@@ -1,4 +1,4 @@
-//! How far the realisations of one surface lie apart.
+//! Scatter over realisations of one surface.
 
 use super::{FEWEST_CONTACTS, Pair, Pairing, SIGNIFICANT};
 use crate::model::INTERACTION;
@@ -8,7 +8,7 @@ use crate::model::INTERACTION;
 pub struct Scatter {
     /// Mean.
     pub mean: f64,
-    /// Standard deviation of one realisation, by n - 1.
+    /// Standard deviation of one realisation, with divisor n - 1.
     pub deviation: f64,
 }
 
@@ -26,14 +26,14 @@ impl Scatter {
 pub struct Spread {
     /// The load, Pa.
     pub target: f64,
-    /// d/sigma of the statistical model: its populations differ where the realisations do.
+    /// d/sigma of the statistical model, whose population is that of each realisation.
     pub statistical_separation: Scatter,
     /// d/sigma of the deterministic model.
     pub deterministic_separation: Scatter,
     /// Statistical minus deterministic.
     pub difference: Scatter,
-    /// Mean of the sampling errors of d/sigma that each sum states for itself; a scatter beyond it comes from
-    /// long waves, which make neighbours alike.
+    /// Mean sampling error of d/sigma of the sums. Scatter beyond it comes from long wavelengths, which correlate
+    /// neighbouring asperities.
     pub sampling_error: f64,
     /// Mean number of contacts of the deterministic model.
     pub contacts: f64,
@@ -44,14 +44,14 @@ pub struct Spread {
 }
 
 impl Spread {
-    /// Standard errors of the mean over `count` realisations that the mean difference of the separations is; a
-    /// realisation scatters at least by its stated error.
+    /// The mean difference of the separations, in standard errors of the mean over `count` realisations; the scatter of
+    /// a realisation is taken as at least its sampling error.
     pub fn standard_errors(&self, count: usize) -> f64 {
         let scatter = self.difference.deviation.max(self.sampling_error);
         self.difference.mean.abs() / (scatter / (count as f64).sqrt())
     }
 
-    /// Whether it counts in a finding: at least 30 contacts, and asperities that do not interact.
+    /// Whether the load is valid: at least 30 contacts and no interaction of asperities.
     pub fn counts(&self) -> bool {
         let area = self.deterministic_area.mean.max(self.statistical_area.mean);
         self.contacts >= FEWEST_CONTACTS && area <= INTERACTION
@@ -63,7 +63,7 @@ impl Spread {
     }
 }
 
-/// How far the models lie apart in the mean of several realisations, over the loads that count.
+/// Mean differences between the models over several realisations, at the valid loads.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct SpreadFindings {
     /// Number of realisations.
@@ -72,12 +72,12 @@ pub struct SpreadFindings {
     pub separation: Spread,
     /// The load at which the ratio of the mean areas is furthest from 1.
     pub area: Spread,
-    /// Standard errors of the mean that the difference of the separations is, at the load where these are most.
+    /// The largest difference of the separations in standard errors of the mean.
     pub most_standard_errors: f64,
 }
 
 impl SpreadFindings {
-    /// Of the loads that `realisations` have in common; `None` where none of them counts.
+    /// Over the loads common to all realisations; `None` if none is valid.
     pub fn of(spread: &[Spread], realisations: usize) -> Option<Self> {
         let largest = |size: &dyn Fn(&Spread) -> f64| {
             let counting = spread.iter().filter(|at| at.counts());
@@ -92,22 +92,21 @@ impl SpreadFindings {
         })
     }
 
-    /// Standard errors of the mean that the largest difference of the separations is.
+    /// The difference at [`Self::separation`] in standard errors of the mean.
     pub fn separation_standard_errors(&self) -> f64 {
         self.separation.standard_errors(self.realisations)
     }
 
-    /// Whether the separations differ by more than chance at one of the loads.
+    /// Whether the separations differ significantly at one of the loads.
     pub fn is_significant(&self) -> bool {
         self.most_standard_errors > SIGNIFICANT
     }
 }
 
-/// One realisation: its pairs, the deviation of heights (m) that d is measured in, and its nominal area (m^2).
+/// One realisation: its pairs, the standard deviation of heights (m) that is the unit of d, and its nominal area (m^2).
 pub type Realisation<'a> = (&'a [Pair], f64, f64);
 
-/// Both models at the loads that all realisations have in common, by growing load; nothing for fewer than
-/// two realisations.
+/// Both models at the loads common to all realisations, ascending; empty for fewer than two realisations.
 pub fn spread(realisations: &[Realisation]) -> Vec<Spread> {
     let Some(((first, ..), others)) = realisations.split_first() else { return Vec::new() };
     if others.is_empty() {

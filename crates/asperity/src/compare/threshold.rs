@@ -1,22 +1,22 @@
-//! Up to which thickness a layer does not matter.
+//! The largest thickness at which a layer has no effect.
 
-/// Where the search gives up: no layer is thinner than that, none thicker.
+/// The range searched, m.
 const RANGE: [f64; 2] = [1e-12, 1.0];
 
 /// Ratio of the two thicknesses that bracket the result.
-const CLOSE: f64 = 1.01;
+const BRACKET_RATIO: f64 = 1.01;
 
-/// The thickness (m) below which a layer does not matter, between the thinnest of `listed` that does and the one before
-/// it, beyond the list in decades; `listed` are thicknesses, ascending, and whether each matters, of which 0 does not.
-/// Between two trials it is taken to begin to matter once. Infinite where none matters, `None` where one of a picometre still
-/// does.
+/// The thickness (m) below which a layer does not matter. `listed` are ascending thicknesses and whether each matters;
+/// a thickness of 0 does not. The search is between the thinnest listed thickness that matters and the one before, or
+/// in decades beyond the list, and assumes a single transition in between. Infinite if no thickness matters, `None` if
+/// a picometre still does.
 pub fn threshold(listed: &[(f64, bool)], matters: impl Fn(f64) -> bool) -> Option<f64> {
     let first = listed.iter().position(|(_, matters)| *matters);
     let mut thick = first.map_or(f64::INFINITY, |first| listed[first].0);
     let below = &listed[..first.unwrap_or(listed.len())];
     let mut thin = below.iter().map(|(t, _)| *t).filter(|t| t.is_finite()).fold(0.0, f64::max);
     if thick == f64::INFINITY {
-        // Up from the last one that does not matter, in decades.
+        // In decades, up from the last one that does not matter.
         let mut trial = if thin > 0.0 { 10.0 * thin } else { RANGE[0] };
         while !matters(trial) {
             thin = trial;
@@ -34,7 +34,7 @@ pub fn threshold(listed: &[(f64, bool)], matters: impl Fn(f64) -> bool) -> Optio
         }
         if matters(trial) { thick = trial } else { thin = trial }
     }
-    while thick > CLOSE * thin {
+    while thick > BRACKET_RATIO * thin {
         let middle = (thin * thick).sqrt();
         if matters(middle) { thick = middle } else { thin = middle }
     }
@@ -70,7 +70,7 @@ mod tests {
         assert_eq!(threshold(&[(0.0, false), (f64::INFINITY, true)], |_| false), Some(f64::INFINITY));
     }
 
-    /// The first one counts where thicker layers take it back.
+    /// The first thickness that matters counts, also if thicker layers do not matter.
     #[test]
     fn the_thinnest_layer_that_matters_counts() {
         let listed = [(0.0, false), (1e-8, false), (1e-7, true), (1e-6, false), (1e-5, true)];

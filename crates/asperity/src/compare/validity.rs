@@ -1,4 +1,4 @@
-//! At how many points of a comparison the models do not hold, or do not answer what was asked.
+//! Numbers of points of a comparison at which the models are not valid, or do not reach the prescribed value.
 
 use std::iter::Sum;
 
@@ -11,20 +11,20 @@ pub struct PointCounts {
     pub points: usize,
     /// Of these, beyond the contact area at which asperities interact.
     pub beyond_model: usize,
-    /// Points of the sum.
+    /// Points of the deterministic model.
     pub sum_points: usize,
     /// Of these, with a contact, but fewer than [`FEWEST_CONTACTS`].
     pub few_contacts: usize,
-    /// Points that were asked for by a pressure or a force.
+    /// Points prescribed by a pressure or a force.
     pub load_points: usize,
-    /// Of these, in a jump of the law.
+    /// Of these, within a load jump of the law.
     pub in_jump: usize,
-    /// Pressures of the sum without a pair at equal load.
+    /// Pressures of the deterministic model without a pair at equal load.
     pub unpaired: usize,
 }
 
 impl PointCounts {
-    /// Of one comparison on the nominal area `area` (m^2).
+    /// Counts the points of one comparison on the nominal area `area` (m^2).
     pub fn of(comparison: &Comparison, area: f64) -> Self {
         let mut counts = Self { unpaired: comparison.unpaired.len(), ..Self::default() };
         for point in &comparison.curves {

@@ -14,8 +14,8 @@ use crate::numeric::lanes::Real;
 pub(super) const ENTRY: Entry =
     Entry { name: "exponential", parameters: &[], make: |_| Ok(Heights::EXPONENTIAL) };
 
-/// Exponential heights, z >= -1: every homogeneous micro-contact then gives an area exactly
-/// proportional to the load (Greenwood and Williamson 1966).
+/// Exponential heights, z >= -1. For homogeneous bodies the area is then exactly proportional to the load under any law
+/// (Greenwood and Williamson 1966).
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Exponential;
 
@@ -109,7 +109,7 @@ impl HeightDistribution for Exponential {
         (-self.exponent(h, x)).exp()
     }
 
-    fn weigh(&self, h: f64, nodes: &mut [f64], weights: &mut [f64]) {
-        self.weigh_nodes(h, nodes, weights);
+    fn apply_density(&self, h: f64, nodes: &mut [f64], weights: &mut [f64]) {
+        self.apply_exponent(h, nodes, weights);
     }
 }

@@ -23,27 +23,27 @@ impl Exponent for Gaussian {
 }
 
 impl Gaussian {
-    /// ln of the density at the height h + x over its [`scale`](HeightDistribution::scale), negated.
+    /// -ln of the density at the height h + x relative to [`scale`](HeightDistribution::scale).
     #[inline(always)]
     pub fn exponent<N: Real>(self, h: f64, x: N) -> N {
         Exponent::exponent(self, h, x)
     }
 
-    /// Whether the density rises and falls again between the indentations `from` and `to`.
-    pub fn turns(self, h: f64, from: f64, to: f64) -> bool {
+    /// Whether the density has its maximum between the indentations `from` and `to`.
+    pub fn contains_peak(self, h: f64, from: f64, to: f64) -> bool {
         from < -h && -h < to
     }
 
-    /// How many times the density changes by a factor e between the indentations `from` and `to`.
-    pub fn foldings(self, h: f64, from: f64, to: f64) -> f64 {
+    /// The change of ln(density) between the indentations `from` and `to`: its e-foldings.
+    pub fn e_foldings(self, h: f64, from: f64, to: f64) -> f64 {
         let (start, end) = (self.exponent(h, from), self.exponent(h, to));
-        if self.turns(h, from, to) { start + end } else { (end - start).abs() }
+        if self.contains_peak(h, from, to) { start + end } else { (end - start).abs() }
     }
 
-    /// Panels, as a fraction, that resolve the density between the indentations `from` and `to`.
+    /// Number of panels, not rounded, that resolve the density between the indentations `from` and `to`.
     pub(super) fn fractional_panels(self, h: f64, from: f64, to: f64) -> f64 {
-        let resolved = if self.turns(h, from, to) { FOLDINGS_PER_BELL } else { FOLDINGS_PER_PANEL };
-        self.foldings(h, from, to) / resolved
+        let resolved = if self.contains_peak(h, from, to) { FOLDINGS_PER_BELL } else { FOLDINGS_PER_PANEL };
+        self.e_foldings(h, from, to) / resolved
     }
 }
 
@@ -126,17 +126,17 @@ impl HeightDistribution for Gaussian {
         (-self.exponent(h, x)).exp()
     }
 
-    fn weigh(&self, h: f64, nodes: &mut [f64], weights: &mut [f64]) {
-        self.weigh_nodes(h, nodes, weights);
+    fn apply_density(&self, h: f64, nodes: &mut [f64], weights: &mut [f64]) {
+        self.apply_exponent(h, nodes, weights);
     }
 }
 
 /// F_n(h) = int_h^inf (s - h)^n phi(s) ds, phi the standard normal density, for real n > -1, in
 /// closed form through the parabolic cylinder function (DLMF 12.4.1, 12.7.12, 12.7.13).
 ///
-/// Greenwood and Williamson's elastic contact is P/A_nom = (4/3) eta E* R^.5 sigma^1.5 F_1.5(h),
-/// A/A_nom = pi eta R sigma F_1(h). The two series cancel as h grows: for n up to 1.5
-/// the relative error is below 3e-11 up to h = 3. It shares nothing with the quadrature and is there to check it.
+/// Greenwood and Williamson's elastic contact is P/A_nom = (4/3) eta E* R^.5 sigma^1.5 F_1.5(h), A/A_nom = pi eta R
+/// sigma F_1(h). The two series cancel as h grows: for n up to 1.5 the relative error is below 3e-11 up to h = 3.
+/// Independent of the quadrature, for checks of it.
 pub fn gaussian_moment(n: f64, h: f64) -> f64 {
     use statrs::function::gamma::gamma;
     let z = 0.5 * h * h;

@@ -1,4 +1,5 @@
-//! -ln Phi(-g): the standard exponential number that as many lie above as standard normal ones above g.
+//! The cumulative hazard -ln Phi(-g) of the standard normal distribution: the standard exponential variable of equal
+//! probability.
 
 use std::array::from_fn;
 use std::f64::consts::{PI, SQRT_2};
@@ -6,14 +7,14 @@ use std::sync::LazyLock;
 
 use libm::erfc;
 
-/// -ln Phi(-g), from the tail that is the smaller, so that neither loses a digit. The error function
-/// is that of libm, to an ulp; that of statrs 0.19 is off by up to 2e-9 in the tail.
+/// -ln Phi(-g), computed from the smaller tail without cancellation. The error function is that of libm, to an ulp;
+/// that of statrs 0.19 is off by up to 2e-9 in the tail.
 fn hazard(g: f64) -> f64 {
     let tail = 0.5 * erfc(g.abs() / SQRT_2);
     if g < 0.0 { -(-tail).ln_1p() } else { -tail.ln() }
 }
 
-/// Half the number of panels, and where they end.
+/// Half the number of panels, and the largest |g|.
 const HALF: usize = 36;
 const END: f64 = 9.0;
 
@@ -30,7 +31,7 @@ pub(super) static PANELS: LazyLock<Panels> = LazyLock::new(|| {
     let angle = |node: usize| PI * (node as f64 + 0.5) / TERMS as f64;
     from_fn(|panel| {
         let at = |t: f64| hazard((panel as f64 + 0.5 + 0.5 * t) * (END / HALF as f64) - END).ln();
-        // Less the value in the middle, so that roundings are relative to the change across a panel.
+        // Relative to the value in the middle: rounding errors are then relative to the change across a panel.
         let middle = at(0.0);
         let values: [f64; TERMS] = from_fn(|node| at(angle(node).cos()) - middle);
         from_fn(|order| {
@@ -44,7 +45,7 @@ pub(super) static PANELS: LazyLock<Panels> = LazyLock::new(|| {
 #[inline]
 pub(super) fn log_hazard(panels: &Panels, g: f64) -> f64 {
     let place = (g + END) * (HALF as f64 / END);
-    // A negative or missing place becomes a panel whose t is out of range.
+    // A negative place or a NaN becomes a panel whose t is out of range.
     let panel = place as usize;
     let t = 2.0 * (place - panel as f64) - 1.0;
     match panels.get(panel) {

@@ -1,7 +1,7 @@
 //! Distributions of heights, standardised: zero mean, unit standard deviation.
 //!
-//! One file per distribution and one line in [`REGISTRY`]; a distribution of one's own needs neither, see [`Heights::new`].
-//! The statistical model integrates it, [`Population`](crate::asperity::Population) draws from it, and
+//! Each distribution is one file and one line in [`REGISTRY`]; for one of another crate see [`Heights::new`]. The
+//! statistical model integrates it, [`Population`](crate::asperity::Population) draws from it, and
 //! [`generate`](crate::topography::generate) maps Gaussian surfaces to it.
 //!
 //! Heights z, separations h and indentations x = z - h are in units of sigma here.
@@ -31,13 +31,13 @@ pub use moments::Moments;
 pub(crate) use moments::normal_nodes;
 pub use weibull::Weibull;
 
-/// E-foldings of a density that count: exp(-40) = 4e-18 of its largest value.
+/// E-foldings of a density that are integrated: to exp(-40) = 4e-18 of its largest value.
 const FOLDINGS: f64 = 40.0;
 
 /// E-foldings of a density that one panel resolves to full accuracy.
 const FOLDINGS_PER_PANEL: f64 = 20.0;
 
-/// The same where the density rises and falls again within the panel's segment.
+/// The same where the segment of the panel contains the maximum of the density.
 const FOLDINGS_PER_BELL: f64 = 8.0;
 
 /// A distribution of heights of zero mean and unit standard deviation.
@@ -52,38 +52,38 @@ pub trait HeightDistribution: fmt::Debug + fmt::Display + Send + Sync {
     /// The name in sentences.
     fn label(&self) -> &'static str;
 
-    /// What the members of its family differ by.
+    /// Names and values of the parameters of the family; empty by default.
     fn parameters(&self) -> Vec<(&'static str, f64)> {
         Vec::new()
     }
 
-    /// Its sources.
+    /// The sources of the distribution.
     fn papers(&self) -> &'static [Paper];
 
-    /// Third standardised moment.
+    /// Skewness: third standardised moment.
     fn skewness(&self) -> f64;
 
-    /// Fourth standardised moment, 3 if Gaussian.
+    /// Kurtosis: fourth standardised moment, 3 if Gaussian.
     fn kurtosis(&self) -> f64;
 
-    /// The lowest and the highest height, which may be infinite.
+    /// The lowest and the highest height; either may be infinite.
     fn support(&self) -> [f64; 2];
 
     /// Density at the height `z`; 0 outside the support.
     fn density(&self, z: f64) -> f64;
 
-    /// The fraction of all heights above `z`.
+    /// Survival function: the fraction of heights above `z`.
     fn survival(&self, z: f64) -> f64;
 
-    /// The height that a fraction `p` in (0, 1) of all heights lies below.
+    /// Quantile function: the height below which a fraction `p` in (0, 1) of all heights lies.
     fn quantile(&self, p: f64) -> f64 {
         self.height_at_normal(Normal::standard().inverse_cdf(p))
     }
 
-    /// The height T(g) that as many heights lie below as standard normal numbers below `g`.
+    /// The height T(g) of the same cumulative probability as the standard normal variable `g`.
     fn height_at_normal(&self, g: f64) -> f64;
 
-    /// Replaces every standard normal number of `field` by `scale` times its height.
+    /// Replaces each standard normal value g of `field` by `scale` T(g).
     fn map_normals(&self, field: &mut [f64], scale: f64) {
         field.iter_mut().for_each(|z| *z = scale * self.height_at_normal(*z));
     }
@@ -93,23 +93,24 @@ pub trait HeightDistribution: fmt::Debug + fmt::Display + Send + Sync {
         heights.iter_mut().for_each(|z| *z = self.height_at_normal(StandardNormal.sample(rng)));
     }
 
-    /// A height from which on the density does not increase: the mode of a density with one peak.
+    /// A height above which the density does not increase: the mode of a unimodal density.
     fn decreasing_from(&self) -> f64;
 
-    /// A separation at and beyond which [`scale`](Self::scale) is 0.
+    /// A separation from which on [`scale`](Self::scale) is 0.
     fn highest_separation(&self) -> f64;
 
-    /// The factor of the density that does not depend on v; 0 where no height above `h` is left.
+    /// The factor of the density that does not depend on v; 0 if there are no heights above `h`.
     fn scale(&self, h: f64) -> f64;
 
-    /// The range of v in which the density is not negligible, nor the load of the asperities there.
+    /// The range of v outside which density and load are negligible.
     fn window(&self, h: f64) -> [f64; 2];
 
-    /// How many panels of [`quadrature`](crate::numeric::quadrature) in v^.5 resolve the density between two values of v.
+    /// Number of panels of [`quadrature`](crate::numeric::quadrature) in v^.5 that resolve the density between two
+    /// values of v.
     fn panels(&self, h: f64, from: f64, to: f64) -> usize;
 
-    /// Values of v > 0, ascending, at which the density or its scale of length changes. Between those above the first one
-    /// panels have ends of a bounded ratio.
+    /// Values of v > 0, ascending, at which the density or its length scale changes. Above the first one, panels have
+    /// ends of a bounded ratio.
     fn breakpoints(&self, _h: f64) -> Vec<f64> {
         Vec::new()
     }
@@ -119,15 +120,15 @@ pub trait HeightDistribution: fmt::Debug + fmt::Display + Send + Sync {
         x
     }
 
-    /// The density at the height h + x, in x, relative to [`scale`](Self::scale), for x within the window.
+    /// The density in x at the height h + x, relative to [`scale`](Self::scale), for x within the window.
     fn relative_density(&self, h: f64, x: f64) -> f64;
 
     /// Multiplies the weight of each node by the density in v relative to [`scale`](Self::scale), and replaces its v in
     /// `nodes`, within the window, by the indentation x.
-    fn weigh(&self, h: f64, nodes: &mut [f64], weights: &mut [f64]);
+    fn apply_density(&self, h: f64, nodes: &mut [f64], weights: &mut [f64]);
 }
 
-/// A distribution, shared. Two are equal that have name and parameters in common.
+/// A shared height distribution. Two are equal if their names and parameters are.
 #[derive(Clone)]
 pub struct Heights(Holder);
 
@@ -144,7 +145,7 @@ impl Heights {
     /// Exponential heights.
     pub const EXPONENTIAL: Self = Self(Holder::Static(&Exponential));
 
-    /// Any distribution, be it of this library or not.
+    /// Wraps any distribution, also of another crate.
     pub fn new(distribution: impl HeightDistribution + 'static) -> Self {
         Self(Holder::Shared(Arc::new(distribution)))
     }
@@ -179,53 +180,53 @@ impl fmt::Display for Heights {
     }
 }
 
-/// Why there is no distribution of the parameters asked for.
-pub type NoSuchHeights = Box<dyn Error + Send + Sync>;
+/// Parameters for which a family has no distribution.
+pub type HeightsError = Box<dyn Error + Send + Sync>;
 
-/// A family of distributions that input files can name.
+/// A named family of distributions.
 #[derive(Debug, Clone, Copy)]
 pub struct Entry {
-    /// Its name.
+    /// Name of the family.
     pub name: &'static str,
-    /// Its parameters by name, each with a common value.
+    /// Names of the parameters, each with a typical value.
     pub parameters: &'static [(&'static str, f64)],
-    /// The member of the family with these values of the parameters, in their order.
-    pub make: fn(&[f64]) -> Result<Heights, NoSuchHeights>,
+    /// Constructs a member of the family from parameter values in the order of `parameters`.
+    pub make: fn(&[f64]) -> Result<Heights, HeightsError>,
 }
 
 impl Entry {
-    /// The member of common values.
+    /// The member with typical parameter values.
     ///
     /// # Errors
-    /// None, in the entries of [`REGISTRY`].
-    pub fn example(&self) -> Result<Heights, NoSuchHeights> {
+    /// None for the entries of [`REGISTRY`].
+    pub fn example(&self) -> Result<Heights, HeightsError> {
         let values: Vec<f64> = self.parameters.iter().map(|(_, value)| *value).collect();
         (self.make)(&values)
     }
 }
 
-/// All distributions that input files can name.
+/// All families, by name.
 pub const REGISTRY: &[Entry] = &[gaussian::ENTRY, exponential::ENTRY, weibull::ENTRY, johnson::ENTRY];
 
-/// ln of a density over its scale, negated.
+/// -ln of a density relative to its scale.
 trait Exponent: Copy {
-    /// At v, for the separation `h`.
+    /// The exponent at v for the separation `h`.
     fn exponent<N: Real>(self, h: f64, v: N) -> N;
 
-    /// Multiplies weights by exp(-exponent) at their nodes.
-    fn weigh_nodes(self, h: f64, nodes: &[f64], weights: &mut [f64]) {
-        run(Weigh { density: self, h, nodes, weights });
+    /// Multiplies each weight by exp(-exponent) at its node.
+    fn apply_exponent(self, h: f64, nodes: &[f64], weights: &mut [f64]) {
+        run(ApplyExponent { density: self, h, nodes, weights });
     }
 }
 
-struct Weigh<'a, E> {
+struct ApplyExponent<'a, E> {
     density: E,
     h: f64,
     nodes: &'a [f64],
     weights: &'a mut [f64],
 }
 
-impl<E: Exponent> Work for Weigh<'_, E> {
+impl<E: Exponent> Work for ApplyExponent<'_, E> {
     type Output = ();
 
     #[inline(always)]

@@ -18,7 +18,7 @@ pub struct Moments {
 }
 
 impl Moments {
-    /// Of `map(g)`, g standard normal, by the trapezoidal rule of this step.
+    /// Moments of `map(g)` for standard normal g, by the trapezoidal rule with this step.
     pub(super) fn of(step: f64, map: impl Fn(f64) -> f64) -> Self {
         let values: Vec<[f64; 2]> = normal_nodes(step).map(|[g, weight]| [map(g), weight]).collect();
         let mean_of = |term: &dyn Fn(f64) -> f64| {
@@ -32,8 +32,8 @@ impl Moments {
     }
 }
 
-/// Where the trapezoidal rule ends: exp(4 u) times the normal density has no f64 left there for the
-/// largest kurtosis, u = 1.22 g.
+/// The largest |g| of the trapezoidal rule: beyond it exp(4 u) times the normal density underflows for the largest
+/// kurtosis, u = 1.22 g.
 const END: f64 = 14.0;
 
 /// Abscissae g and weights of a mean over a standard normal variable: the trapezoidal rule, which

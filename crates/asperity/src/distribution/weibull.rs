@@ -1,4 +1,4 @@
-//! Weibull heights: worn surfaces from sharp peaks (small shapes) to plateaus (large ones).
+//! Weibull heights, for worn surfaces: from sharp peaks (small shape) to plateaus (large shape).
 
 use std::fmt;
 
@@ -14,16 +14,15 @@ pub(super) const ENTRY: Entry = Entry {
     make: |values| Ok(Heights::new(Weibull::new(values[0])?)),
 };
 
-/// The shapes that are allowed. At 0.5 the kurtosis is 88, and nearly all of the fourth moment lies in
-/// heights that no map has for smaller ones; from 20 on the heights hardly differ from their limit
-/// (Gumbel's, skewness -1.14), and the moments cancel.
+/// The range of the shape k. Below 0.5 (kurtosis 88) nearly all of the fourth moment lies in heights that no map has;
+/// above 20 the heights are close to their limit (Gumbel, skewness -1.14), and the moments cancel.
 pub const SHAPES: [f64; 2] = [0.5, 20.0];
 
-/// Number of a standard exponential variable below which nothing counts.
+/// Value of a standard exponential variable that is negligible.
 const NEGLIGIBLE: f64 = 1e-18;
 
-/// A separation is at the lower end of the support if its number of the standard exponential variable is at most this.
-const AT_THE_END: f64 = 1e-30;
+/// A separation is at the lower end of the support if its u is at most this.
+const LOWER_END: f64 = 1e-30;
 
 /// The load of a contact grows by at most this power of the indentation.
 const GROWTH: f64 = 2.0;
@@ -31,13 +30,13 @@ const GROWTH: f64 = 2.0;
 /// A shape outside [`SHAPES`].
 #[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
 #[error("Weibull shape {0}; allowed: {least} to {most}", least = SHAPES[0], most = SHAPES[1])]
-pub struct NoSuchShape(pub f64);
+pub struct ShapeError(pub f64);
 
 /// Weibull's distribution (1951), 1 - exp(-t^k), shifted and scaled to zero mean and unit standard deviation: the height
 /// is (t - mean)/sd.
 ///
-/// u = t^k is a standard exponential variable, and the integral runs over v = u less its value at the separation: the
-/// density in v is exp(-v) whatever the shape, and what the shape makes singular in x, at t = 0, is a power of u.
+/// u = t^k is a standard exponential variable, and the integral runs over v = u minus its value at the separation: the
+/// density in v is exp(-v) for every shape, and the singularity in x at t = 0 becomes a power of u.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Weibull {
     shape: f64,
@@ -53,9 +52,9 @@ impl Weibull {
     ///
     /// # Errors
     /// A shape outside [`SHAPES`].
-    pub fn new(shape: f64) -> Result<Self, NoSuchShape> {
+    pub fn new(shape: f64) -> Result<Self, ShapeError> {
         if !(SHAPES[0]..=SHAPES[1]).contains(&shape) {
-            return Err(NoSuchShape(shape));
+            return Err(ShapeError(shape));
         }
         let raw = |order: f64| gamma(1.0 + order / shape);
         let (mean, second) = (raw(1.0), raw(2.0));
@@ -173,7 +172,7 @@ impl HeightDistribution for Weibull {
 
     fn variable(&self, h: f64, x: f64) -> f64 {
         let (t, u) = (self.t(h), self.u(h));
-        if u > AT_THE_END {
+        if u > LOWER_END {
             u * (self.shape * (x * self.sd / t).ln_1p()).exp_m1()
         } else {
             (x * self.sd + t).max(0.0).powf(self.shape)
@@ -185,11 +184,11 @@ impl HeightDistribution for Weibull {
         if t > 0.0 { self.sd * self.shape * (self.u(h) + v) / t * (-v).exp() } else { 0.0 }
     }
 
-    fn weigh(&self, h: f64, nodes: &mut [f64], weights: &mut [f64]) {
+    fn apply_density(&self, h: f64, nodes: &mut [f64], weights: &mut [f64]) {
         let (t, u) = (self.t(h), self.u(h));
         for (node, weight) in nodes.iter_mut().zip(weights) {
             *weight *= (-*node).exp();
-            let x = if u > AT_THE_END {
+            let x = if u > LOWER_END {
                 t * (self.power * (*node / u).ln_1p()).exp_m1()
             } else {
                 node.powf(self.power) - t

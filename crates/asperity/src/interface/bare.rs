@@ -29,7 +29,7 @@ impl<L: Law + Clone> Interface<L> {
         Self::all_layer(law, rough, flat, flat)
     }
 
-    /// The same with the flat all of `layer`; load ratios still refer to `flat`.
+    /// The contact with a flat that consists of `layer` only; load ratios still refer to `flat`.
     ///
     /// # Errors
     /// As [`Self::bare`].
@@ -44,7 +44,7 @@ impl<L: Law + Clone> Interface<L> {
     }
 }
 
-/// A law and the pair it is evaluated for, by value, so that compilers keep both in registers.
+/// A law and its pair by value, so that the compiler keeps both in registers.
 struct LawOfPair<L>(L, Pair);
 
 impl<L: Law> LaneContacts for LawOfPair<L> {
@@ -88,9 +88,9 @@ impl<L: Law + Clone> MicroContact for Interface<L> {
         self.regime_changes(shape)
     }
 
-    /// Within a range no law falls, so only at boundaries where the load drops.
+    /// Within a range the load of every law increases; it can decrease only at boundaries.
     fn may_decrease(&self, shapes: Shapes) -> Vec<Interval> {
-        /// Of a critical indentation, and of the jump that is measured beside it.
+        /// Relative rounding error of a critical indentation and of the load jump there.
         const ROUNDING: f64 = 1e-14;
         let boundaries = self.law.critical_ratios(&self.pair).into_iter().zip(self.law.jumps(&self.pair));
         let dropping = boundaries.filter(|(_, jump)| *jump < 1.0 - JUMP);
@@ -98,7 +98,7 @@ impl<L: Law + Clone> MicroContact for Interface<L> {
             low: ratio * shapes.radii.low * (1.0 - ROUNDING),
             high: ratio * shapes.radii.high * (1.0 + ROUNDING),
         });
-        Interval::joined(ranges)
+        Interval::union(ranges)
     }
 
     fn load_over(&self, from: f64, to: f64, shape: Shape) -> LoadBounds {

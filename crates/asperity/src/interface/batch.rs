@@ -1,4 +1,4 @@
-//! The contacts of many asperities, in the registers of the machine.
+//! The contacts of many asperities, evaluated in vector registers.
 
 use crate::accumulator::{Accumulator, ContactSums, PLAIN_TERMS};
 use crate::asperity::Asperities;
@@ -14,7 +14,7 @@ pub(super) trait LaneContacts {
     fn contacts<N: Real>(&self, w: N, radius: N, spheres: N) -> Contacts<N>;
 }
 
-/// [`super::MicroContact::accumulate`].
+/// Implements [`super::MicroContact::accumulate`].
 pub(super) fn accumulate<A: LaneContacts>(
     contact: A,
     asperities: Asperities<'_>,
@@ -24,7 +24,7 @@ pub(super) fn accumulate<A: LaneContacts>(
     run(Accumulate { contact, asperities, separation, accumulator });
 }
 
-/// [`super::MicroContact::accumulate_weighted`].
+/// Implements [`super::MicroContact::accumulate_weighted`].
 pub(super) fn accumulate_weighted<A: LaneContacts>(
     contact: A,
     indentations: &[f64],
@@ -59,7 +59,7 @@ impl<A: LaneContacts> Work for Accumulate<'_, A> {
     }
 }
 
-/// The last numbers of `values`, one per lane, after repetitions of the first where there are too few.
+/// The last numbers of `values`, one per lane, preceded by copies of the first if there are too plain.
 #[inline(always)]
 fn last<N: Real>(values: &[f64], zero: N) -> N {
     if let Some(first) = values.len().checked_sub(N::LANES) {
@@ -70,7 +70,7 @@ fn last<N: Real>(values: &[f64], zero: N) -> N {
     zero.load(&lanes)
 }
 
-/// The sums over asperities of some heights and radii, each a sphere or, with `ELLIPSES`, a number of equal spheres.
+/// Adds the contacts of asperities, each a sphere or, with `ELLIPSES`, a number of equal spheres.
 #[inline(always)]
 fn accumulate_lanes<N: Real, A: LaneContacts, const ELLIPSES: bool>(
     contact: A,
@@ -82,20 +82,20 @@ fn accumulate_lanes<N: Real, A: LaneContacts, const ELLIPSES: bool>(
     let mut lanes = ContactSums::new(Sum::new(zero));
     let mut start = 0;
     while start + N::LANES <= count {
-        let mut few = ContactSums::new(zero);
+        let mut plain = ContactSums::new(zero);
         for _ in 0..PLAIN_TERMS {
             if start + N::LANES <= count {
                 let w = zero.load(&heights[start..]) - separation;
-                // The compiler leaves out a multiplication by one.
+                // The compiler removes a multiplication by one.
                 let n = if ELLIPSES { zero.load(&spheres[start..]) } else { zero.splat(1.0) };
-                few.add(&contact.contacts(w, zero.load(&radii[start..]), n));
+                plain.add(&contact.contacts(w, zero.load(&radii[start..]), n));
                 start += N::LANES;
             }
         }
-        lanes.merge(&few);
+        lanes.merge(&plain);
     }
     if start < count {
-        // Lanes before the rest are of asperities that were added already.
+        // Lanes before the rest hold asperities already added.
         let rest = zero.lanes_from(N::LANES - (count - start));
         let n = if ELLIPSES { last(spheres, zero) } else { zero.splat(1.0) };
         let contacts = contact.contacts(last(heights, zero) - separation, last(radii, zero), n);
@@ -122,26 +122,26 @@ impl<A: LaneContacts> Work for AccumulateWeighted<'_, A> {
         let mut lanes = ContactSums::new(Sum::new(zero));
         let mut start = 0;
         while start + N::LANES <= indentations.len() {
-            let mut few = ContactSums::new(zero);
+            let mut plain = ContactSums::new(zero);
             for _ in 0..PLAIN_TERMS {
                 if start + N::LANES <= indentations.len() {
                     let w = zero.load(&indentations[start..]);
                     lanes.accumulate_weighted(
-                        &mut few,
+                        &mut plain,
                         &contact.contacts(w, radius, spheres),
                         zero.load(&weights[start..]),
                     );
                     start += N::LANES;
                 }
             }
-            lanes.merge_weighted(&few);
+            lanes.merge_weighted(&plain);
         }
         if start < indentations.len() {
             let rest = zero.lanes_from(N::LANES - (indentations.len() - start));
             let contacts = contact.contacts(last(indentations, zero), radius, spheres);
-            let mut few = ContactSums::new(zero);
-            lanes.accumulate_weighted(&mut few, &contacts, N::select(rest, last(weights, zero), zero));
-            lanes.merge_weighted(&few);
+            let mut plain = ContactSums::new(zero);
+            lanes.accumulate_weighted(&mut plain, &contacts, N::select(rest, last(weights, zero), zero));
+            lanes.merge_weighted(&plain);
         }
         accumulator.merge(&lanes);
     }

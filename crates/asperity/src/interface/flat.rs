@@ -12,14 +12,14 @@ pub enum Flat {
     Bare(Material),
     /// A substrate under a layer of finite thickness.
     Layered {
-        /// The body below.
+        /// Material of the substrate.
         substrate: Material,
         /// Effective properties of layer and substrate.
         layered: LayeredFlat,
     },
-    /// Layer throughout (thickness infinity). Load ratios still refer to the substrate.
+    /// A layer of infinite thickness. Load ratios still refer to the substrate.
     AllLayer {
-        /// The body below, too deep to matter.
+        /// Material of the substrate, for load ratios only.
         substrate: Material,
         /// Material of the layer.
         layer: Material,
@@ -27,7 +27,7 @@ pub enum Flat {
 }
 
 impl Flat {
-    /// A layer of `thickness` (m) on a substrate: 0 is the substrate and infinity the layer, exactly.
+    /// A layer of `thickness` (m) on a substrate: exactly the substrate for 0 and the layer for infinity.
     ///
     /// # Errors
     /// See [`LayerError`].
@@ -42,7 +42,7 @@ impl Flat {
         })
     }
 
-    /// The same; `coating` is called for a finite, positive thickness only.
+    /// Like [`Self::with_layer`], with `coating` giving the layered flat of a finite, positive thickness.
     ///
     /// # Errors
     /// Those of `coating`.
@@ -60,7 +60,7 @@ impl Flat {
         })
     }
 
-    /// The micro-contact of a rough body with it under `law`.
+    /// The micro-contact of a rough body with this flat under `law`.
     ///
     /// # Errors
     /// See [`Inapplicable`].
@@ -77,10 +77,10 @@ impl Flat {
         }
     }
 
-    /// The same under a law that does not say what a layer of finite thickness does to it.
+    /// The micro-contact under a law that applies to homogeneous bodies only.
     ///
     /// # Errors
-    /// Such a layer, and see [`Inapplicable`].
+    /// A layer of finite thickness; see [`Inapplicable`].
     pub fn homogeneous_under<L: Law + Clone>(
         &self,
         law: L,

@@ -14,22 +14,22 @@ use crate::numeric::lanes::Real;
 use crate::numeric::root::sign_changes;
 use crate::shape::Shape;
 
-/// A homogeneous rough body on a layered flat under one law: the law sees the effective pair of each asperity at its
-/// own indentation (Pasaribu and Schipper 2005, Eqs. 5, 9 with E_eff, nu_eff, H_eff).
+/// A homogeneous rough body on a layered flat under one law, evaluated with the effective properties of each asperity
+/// at its own indentation (Pasaribu and Schipper 2005, Eqs. 5, 9 with E_eff, nu_eff, H_eff).
 ///
-/// For the layer an elliptic asperity is the sphere whose elastic contact has the same area.
+/// For the effective properties an elliptic asperity is replaced by the sphere of equal elastic contact area.
 #[derive(Debug, Clone)]
 pub struct LayeredInterface<L> {
     law: L,
     layered: LayeredFlat,
     /// (1 - nu^2)/E of the rough body, 1/Pa.
     rough_compliance: f64,
-    /// Of the rough body.
+    /// Yield limits of the rough body.
     rough: YieldLimits,
     reference: Reference,
-    /// Where the load of the law jumps.
+    /// Load jumps of the law.
     jumps: Vec<Jump>,
-    /// Strength over onset of one of the bodies; see [`Self::highest_load`].
+    /// Ratio of strength to onset of one of the bodies; see [`Self::highest_load`].
     strength_over_onset: f64,
 }
 
@@ -38,11 +38,11 @@ pub struct LayeredInterface<L> {
 struct Jump {
     /// (w/b) (E*/onset)^2.
     place: f64,
-    /// By what factor, whichever body yields.
+    /// Range of the load factor, whichever body yields.
     factor: Interval,
 }
 
-/// A pair with onset/E* = 1: its critical ratios are the factors before (onset/E*)^2.
+/// A pair with onset/E* = 1: its critical ratios are the coefficients of (onset/E*)^2.
 fn unit(strength: f64) -> Pair {
     Pair { reduced_modulus: 1.0, yield_limits: YieldLimits { onset: 1.0, strength } }
 }
@@ -114,7 +114,7 @@ impl<L: ScalableLaw> LayeredInterface<L> {
         let rough = w.splat(self.rough.onset);
         let yields_first = of_flat.onset.lt(rough);
         let onset = N::select(yields_first, of_flat.onset, rough);
-        // Where the onset is the strength itself, nothing is compared twice.
+        // If the onset equals the strength, one comparison suffices.
         let (mut strength, mut onset_slope, mut is_weaker) = (onset, flat.hardness_slope, yields_first);
         if L::depends_on_poisson() {
             let rough = w.splat(self.rough.strength);
@@ -147,8 +147,8 @@ impl<L: ScalableLaw> LayeredInterface<L> {
         (hardness * factor, hardness_slope + poisson_slope * factor.recip() * L::ONSET.slope)
     }
 
-    /// With P = E* b^.5 w^1.5 g(u), u = (w/b) (E*/onset)^2, and e = d ln P/d ln w of the fixed pair, the load goes with
-    /// the (2e - 2)th power of E* and the (3 - 2e)th of the onset, in a plastic contact of the strength.
+    /// With P = E* b^.5 w^1.5 g(u), u = (w/b) (E*/onset)^2, and e = d ln P/d ln w of the fixed pair, the load is
+    /// proportional to E*^(2e - 2) onset^(3 - 2e), with the strength in place of the onset in a plastic contact.
     #[inline(always)]
     fn contacts_of<N: Real>(&self, w: N, radius: N, effective: &EffectivePair<N>) -> Contacts<N> {
         let contacts = self.law.contacts(w, radius, &effective.pair);
@@ -167,15 +167,15 @@ impl<L: ScalableLaw> LayeredInterface<L> {
         w * strain * strain * b.recip()
     }
 
-    /// d ln P/d ln w = e + (2e - 2) d ln E*/d ln w + (3 - 2e) d ln(onset or strength)/d ln w (see [`Self::contacts_of`]) is
-    /// linear in each of the three: it is least and greatest at corners of their ranges.
+    /// d ln P/d ln w = e + (2e - 2) d ln E*/d ln w + (3 - 2e) d ln(onset or strength)/d ln w (see
+    /// [`Self::contacts_of`]) is linear in each of the three: its extremes are at corners of their ranges.
     fn exponents(e: Interval, effective: &EffectiveRange) -> Interval {
         let slope = effective.onset_slope.hull(effective.strength_slope);
         let at = |e: f64| effective.modulus_slope * (2.0 * e - 2.0) + slope * (3.0 - 2.0 * e) + e;
         at(e.low).hull(at(e.high))
     }
 
-    /// Where w = `ratio` b (onset/E*)^2: every root, by the sign of ln w - 2 ln onset + 2 ln E* - ln(ratio b) over ln w.
+    /// All roots of w = `ratio` b (onset/E*)^2: sign changes of ln w - 2 ln onset + 2 ln E* - ln(ratio b) in ln w.
     fn crossings(&self, ratio: f64, shape: Shape) -> Vec<f64> {
         let level = (ratio * shape.radius).ln();
         let b = shape.spheres * shape.radius;
@@ -203,9 +203,9 @@ impl<L: ScalableLaw> LayeredInterface<L> {
         self.law.limits_at(self.layered.at(w, b).hardness, poisson)
     }
 
-    /// Where the other body begins to yield first.
+    /// Indentations at which the body that yields first changes.
     fn onset_switches(&self, b: f64) -> Vec<f64> {
-        /// Of ln w, w in m.
+        /// Range of ln w, w in m.
         const RANGE: [f64; 2] = [-100.0, 50.0];
         if !(L::depends_on_poisson() && self.rough.onset.is_finite()) {
             return Vec::new();
@@ -220,13 +220,13 @@ impl<L: ScalableLaw> LayeredInterface<L> {
         sign_changes(&value, &over, RANGE[0], RANGE[1]).into_iter().map(f64::exp).collect()
     }
 
-    /// An upper bound of the load at indentations from `from` to `to` (m), the pair being any within `effective`. Of the
-    /// same strength over the onset, a load over the onset falls as that grows, but for drops at boundaries; of another
-    /// strength it differs by no more than the jumps do.
+    /// An upper bound of the load at indentations from `from` to `to` (m) for any pair within `effective`. For a fixed
+    /// ratio of strength to onset, load/onset decreases with increasing onset except for drops at boundaries; for
+    /// another strength it differs by at most the jumps.
     fn highest_load(&self, from: f64, to: f64, shape: Shape, effective: &EffectiveRange) -> f64 {
         let w = Interval { low: from, high: to };
         let u = Self::place(w, Interval::point(shape.radius), effective);
-        let possible = || self.jumps.iter().filter(|jump| u.holds(jump.place));
+        let possible = || self.jumps.iter().filter(|jump| u.contains(jump.place));
         let drops: f64 = possible().map(|jump| jump.factor.low.min(1.0)).product();
         let spread: f64 = self.jumps.iter().map(|jump| jump.factor.high / jump.factor.low).product();
         let strength = self.strength_over_onset * effective.onset.low;
@@ -241,7 +241,7 @@ impl<L: ScalableLaw> LayeredInterface<L> {
     }
 }
 
-/// The min of `value`, with d ln value/d ln w `slope`, and a constant.
+/// The minimum of a constant and `value` with d ln value/d ln w = `slope`, and the slope of the minimum.
 fn weaker(value: Interval, slope: Interval, constant: f64) -> (Interval, Interval) {
     if value.high < constant {
         (value, slope)
@@ -294,7 +294,7 @@ impl<L: ScalableLaw> MicroContact for LayeredInterface<L> {
     fn breakpoints(&self, shape: Shape) -> Vec<f64> {
         let mut points = self.regime_changes(shape);
         let b = shape.spheres * shape.radius;
-        // An elastic contact does not depend on the hardness, nor a plastic one on the modulus.
+        // An elastic contact does not depend on the hardness, and a plastic one not on the modulus.
         let regime = |w: f64| self.contact(w, shape).regime;
         let modulus = self.layered.modulus_scales(b, self.rough_compliance);
         points.extend(modulus.filter(|&w| regime(w) != Regime::Plastic));
@@ -311,11 +311,11 @@ impl<L: ScalableLaw> MicroContact for LayeredInterface<L> {
     }
 
     fn may_decrease(&self, shapes: Shapes) -> Vec<Interval> {
-        /// Pieces of the depth on which the hardness changes.
+        /// Number of intervals of the depth over which the hardness changes.
         const PIECES: i32 = 400;
         let end = self.layered.depth();
         let wide = shapes.radii * shapes.spheres;
-        // From a depth at which next to nothing of the layer is gone, to any.
+        // From a depth at which the hardness is still that of the layer, to infinity.
         let place = |k: i32| match k {
             0 => 0.0,
             k if k > PIECES => 1e200,
@@ -324,13 +324,13 @@ impl<L: ScalableLaw> MicroContact for LayeredInterface<L> {
         let may_decrease = |w: &Interval| {
             let effective = self.effective_over(*w, wide);
             let u = Self::place(*w, shapes.radii, &effective);
-            // Back over a boundary, a rise of the load is a fall.
+            // A boundary crossed backwards turns an increase of the load into a decrease.
             let turns_back = (effective.modulus_slope - effective.onset_slope).low <= -0.5;
-            let drops = |jump: &Jump| u.holds(jump.place) && (jump.factor.low < 1.0 || turns_back);
+            let drops = |jump: &Jump| u.contains(jump.place) && (jump.factor.low < 1.0 || turns_back);
             Self::exponents(self.law.load_exponents(u), &effective).low <= 0.0 || self.jumps.iter().any(drops)
         };
         let pieces = (0..=PIECES).map(|k| Interval { low: place(k), high: place(k + 1) });
-        Interval::joined(pieces.filter(may_decrease))
+        Interval::union(pieces.filter(may_decrease))
     }
 
     fn load_over(&self, from: f64, to: f64, shape: Shape) -> LoadBounds {
@@ -338,7 +338,7 @@ impl<L: ScalableLaw> MicroContact for LayeredInterface<L> {
         let effective = self.effective_over(w, Interval::point(shape.spheres * shape.radius));
         let u = Self::place(w, Interval::point(shape.radius), &effective);
         let exponents = Self::exponents(self.law.load_exponents(u), &effective);
-        if self.jumps.iter().any(|jump| u.holds(jump.place)) || (from == 0.0 && exponents.low < 0.0) {
+        if self.jumps.iter().any(|jump| u.contains(jump.place)) || (from == 0.0 && exponents.low < 0.0) {
             return LoadBounds::any(self.highest_load(from, to, shape, &effective));
         }
         LoadBounds::between(w, [from, to].map(|w| self.contact(w, shape).load), exponents)

@@ -1,4 +1,4 @@
-//! Materials, layer and law together: the micro-contact that both models sum.
+//! The micro-contact of two bodies under a law, which both models sum.
 
 mod bare;
 mod batch;
@@ -19,12 +19,12 @@ use crate::material::{Material, reduced_modulus, softer_hardness};
 use crate::numeric::interval::Interval;
 use crate::shape::Shape;
 
-/// The pair that load ratios and the plasticity index refer to: without a layer, whatever the law.
+/// Properties of the uncoated pair, to which load ratios and the plasticity index refer.
 #[derive(Debug, Clone, Copy, PartialEq)]
 struct Reference {
     /// E*, Pa.
     modulus: f64,
-    /// Of the softer body, Pa; infinite where neither has one.
+    /// Hardness of the softer body, Pa; infinite if neither has one.
     hardness: f64,
 }
 
@@ -34,7 +34,7 @@ impl Reference {
     }
 }
 
-/// No micro-contact exists for these bodies under this law.
+/// Bodies and a law that form no micro-contact.
 #[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
 pub enum ContactError {
     /// The layered flat has no effective properties.
@@ -45,7 +45,7 @@ pub enum ContactError {
     Law(#[from] Inapplicable),
 }
 
-/// Ranges of shapes.
+/// Ranges of asperity shapes.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Shapes {
     /// Radii, m.
@@ -60,22 +60,22 @@ impl From<Shape> for Shapes {
     }
 }
 
-/// What the load of an asperity does over a range of indentations.
+/// Bounds of the load of an asperity and of its slope over a range of indentations.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct LoadBounds {
     /// An upper bound of the load, N.
     pub highest: f64,
-    /// All dP/dw, N/m; every number where the load may jump.
+    /// Bounds of dP/dw, N/m; unbounded where the load may jump.
     pub slopes: Interval,
 }
 
 impl LoadBounds {
-    /// Where nothing is known of the slopes.
+    /// Bounds with unknown slopes.
     fn any(highest: f64) -> Self {
         Self { highest, slopes: Interval { low: f64::NEG_INFINITY, high: f64::INFINITY } }
     }
 
-    /// From the `loads` at the ends of the range `w` and all d ln P/d ln w on it.
+    /// Bounds from the `loads` at the ends of the range `w` and the range of d ln P/d ln w in it.
     fn between(w: Interval, loads: [f64; 2], exponents: Interval) -> Self {
         let [first, last] = loads;
         let ratio = w.high / w.low;
@@ -100,52 +100,52 @@ impl LoadBounds {
     }
 }
 
-/// What the models know of a contact: at indentation `w` and of a shape, what area, what load,
-/// which regime? Neither model knows which law it is, or whether there is a layer on the flat.
+/// Area, load, stiffness and regime of one asperity as a function of its indentation `w` and shape. The models use only
+/// this trait; they do not depend on the law or on a layer.
 ///
-/// The provided methods work on blocks of asperities: through `dyn MicroContact` the law is chosen
-/// once a block, never once an asperity.
+/// The provided methods work on blocks of asperities: through `dyn MicroContact` the law is dispatched once per block,
+/// not per asperity.
 pub trait MicroContact: Send + Sync {
     /// The contact of an asperity at indentation `w > 0` (m).
     fn contact(&self, w: f64, shape: Shape) -> Contact;
 
-    /// The indentations (m, ascending) at which one formula of the law gives way to another, as it does where the regime
-    /// changes: all of them, a regime that is entered again included.
+    /// All indentations (m, ascending) at which the law changes from one formula to another, as at a change of regime.
+    /// A regime may be entered more than once.
     fn regime_changes(&self, shape: Shape) -> Vec<f64>;
 
-    /// The indentations (m, ascending) that an integral over w splits at: between them area and load of an asperity
-    /// are smooth in w^.5, up to the first as far as 0, behind it on the scale of w itself.
+    /// The indentations (m, ascending) at which an integral over w is split. Area and load are smooth in w^.5 from 0 to
+    /// the first, and smooth on the scale of w between the others.
     fn breakpoints(&self, shape: Shape) -> Vec<f64>;
 
-    /// The ranges of indentation (m), ascending and apart, within which the load of an asperity may fall as the
-    /// indentation grows, of asperities whose shapes lie within `shapes`. Where there is one, a pressure may be reached
-    /// more than once on approach.
+    /// The disjoint ranges of indentation (m), ascending, within which the load may decrease with increasing
+    /// indentation for an asperity within `shapes`. If there is one, a pressure may be reached more than once on
+    /// approach.
     fn may_decrease(&self, shapes: Shapes) -> Vec<Interval>;
 
-    /// Bounds of the load at indentations from `from` to `to`, `from < to` (m), that close with the range.
+    /// Bounds of the load at indentations from `from` to `to`, `from < to` (m), which tighten as the range shrinks.
     fn load_over(&self, from: f64, to: f64, shape: Shape) -> LoadBounds;
 
-    /// Reduced modulus that load ratios refer to, Pa: that of the uncoated pair.
+    /// Reduced modulus of the uncoated pair, Pa, to which load ratios refer.
     fn reference_modulus(&self) -> f64;
 
-    /// Hardness that the plasticity index refers to, Pa: that of the softer body of the uncoated
-    /// pair, infinite where neither has one.
+    /// Hardness of the softer body of the uncoated pair, Pa, to which the plasticity index refers; infinite if neither
+    /// has one.
     fn reference_hardness(&self) -> f64;
 
-    /// The papers behind the law and the layer.
+    /// The sources of the law and of the layer.
     fn papers(&self) -> Vec<Paper>;
 
-    /// Why its results may be inaccurate for this pair, if there is a reason; see [`crate::law::Law::caveat`].
+    /// A reason why results may be inaccurate for this pair, if any; see [`crate::law::Law::caveat`].
     fn caveat(&self) -> Option<String> {
         None
     }
 
-    /// Whether there is a layer of finite thickness, so that each contact needs its effective properties.
+    /// Whether the flat has a layer of finite thickness, so that each contact needs effective properties.
     fn is_layered(&self) -> bool {
         false
     }
 
-    /// Adds `weights[i]` contacts of one shape at `indentations[i]` to the accumulator.
+    /// Adds the contact at `indentations[i]` (m) of an asperity of one shape, times `weights[i]`, to the accumulator.
     fn accumulate_weighted(
         &self,
         indentations: &[f64],
@@ -158,19 +158,19 @@ pub trait MicroContact: Send + Sync {
         }
     }
 
-    /// Adds the contacts of asperities that all stand above the flat at `separation` (m, in the
-    /// frame of their heights) to the accumulator.
+    /// Adds the contacts of asperities at `separation` (m, in the frame of their heights) to the accumulator. All
+    /// heights must be above it.
     fn accumulate(&self, asperities: Asperities<'_>, separation: f64, accumulator: &mut Accumulator) {
         asperities.each().for_each(|(z, shape)| accumulator.add(&self.contact(z - separation, shape)));
     }
 }
 
-/// Plasticity index psi = (E*/H) (sigma/R)^.5 (Greenwood and Williamson 1966) of asperities of mean
-/// radius `radius` (m) and height deviation `sigma` (m); `None` where nothing yields.
+/// Plasticity index psi = (E*/H) (sigma/R)^.5 (Greenwood and Williamson 1966) of asperities of mean radius `radius` (m)
+/// and standard deviation of heights `sigma` (m); `None` if neither body yields.
 pub fn plasticity_index(contact: &dyn MicroContact, sigma: f64, radius: f64) -> Option<f64> {
     let hardness = contact.reference_hardness();
     hardness.is_finite().then(|| contact.reference_modulus() / hardness * (sigma / radius).sqrt())
 }
 
-/// Wider than the rounding of a load, narrower than any jump that a law states.
+/// Relative threshold of a load jump: above rounding, below every jump of a law.
 const JUMP: f64 = 1e-12;

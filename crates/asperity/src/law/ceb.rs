@@ -1,4 +1,4 @@
-//! Chang, Etsion and Bogy: volume is conserved once an asperity yields.
+//! Chang, Etsion and Bogy: volume conservation of a yielding asperity.
 
 use std::f64::consts::PI;
 
@@ -18,18 +18,17 @@ use crate::numeric::lanes::{Mask, Real};
 /// w >  wc:  A = pi b w (2 - wc/w),   P = K H A
 /// ```
 ///
-/// K H is the greatest pressure when yield begins, nu and H those of the body that yields first: the one of the smaller
-/// K H. The paper takes H = 2.8 Y; here a hardness is used as it is given, never made from a yield strength.
+/// K H is the maximum pressure at the onset of yield, with nu and H of the body that yields first (the smaller K H).
+/// The paper takes H = 2.8 Y; here the given hardness is used, never one derived from a yield strength.
 ///
-/// Beyond wc the mean pressure stays at K H, below the hardness: those contacts count as elastic-plastic at any
-/// indentation, and the regime plastic is never reached.
+/// Beyond wc the mean pressure stays at K H, below the hardness: contacts remain elastic-plastic at any indentation.
 ///
-/// Valid for w much smaller than b. Jumps: the load by 1.5 at wc, where the mean pressure goes from (2/3) K H to K H at
-/// once; the area is continuous there, its slope doubles. The jump is the model's own and stays.
+/// Valid for w much smaller than b. Jumps: the load by 1.5 at wc, where the mean pressure jumps from (2/3) K H to K H;
+/// the area is continuous there, its slope doubles. The jump is part of the published model.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub struct Ceb;
 
-/// K of Chang, Etsion and Bogy (1987), fitted to the greatest shear stress under a Hertz contact.
+/// K of Chang, Etsion and Bogy (1987), fitted to the maximum shear stress under a Hertz contact.
 pub(super) const HARDNESS_FACTOR: OfPoisson = OfPoisson { constant: 0.454, slope: 0.41 };
 
 /// wc/b over (onset/E*)^2.

@@ -1,4 +1,4 @@
-//! Abbott and Firestone: the flat wears a profile down without deforming what is left.
+//! Abbott and Firestone: the truncated profile of a fully plastic asperity.
 
 use std::f64::consts::PI;
 
@@ -9,31 +9,25 @@ use crate::material::Material;
 use crate::numeric::interval::Interval;
 use crate::numeric::lanes::Real;
 
-/// A sphere that is plastic from the first touch on, on the truncated area of the profile (Abbott and Firestone 1933):
+/// A sphere that is plastic from first contact on, with the truncated area of its profile (Abbott and Firestone 1933):
 ///
 /// ```text
 /// A = 2 pi b w,   P = H A          (Pasaribu and Schipper 2005, Eqs. 8, 12)
 /// ```
 ///
-/// Valid for w much smaller than b, and far beyond the onset of yield: a limit to compare with. H is that of the softer
-/// body. No elastic range, no jumps; the modulus is not used.
+/// Valid for w much smaller than b and far beyond the onset of yield: a limiting case. H is that of the softer body. No
+/// elastic range, no jumps; the modulus is not used.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub struct FullyPlastic;
 
 impl FullyPlastic {
-    /// The section of the sphere in the plane of the flat, at the mean pressure `strength` (Pa).
+    /// The contact of a sphere truncated at the flat, at the mean pressure `strength` (Pa).
     #[inline(always)]
     pub(super) fn plastic<N: Real>(w: N, b: N, strength: N) -> Contacts<N> {
         let slope = b * (2.0 * PI);
         let stiffness = strength * slope;
-        let everywhere = w.all_true();
-        Contacts {
-            area: slope * w,
-            load: stiffness * w,
-            stiffness,
-            elastic: !everywhere,
-            plastic: everywhere,
-        }
+        let all = w.all_true();
+        Contacts { area: slope * w, load: stiffness * w, stiffness, elastic: !all, plastic: all }
     }
 }
 

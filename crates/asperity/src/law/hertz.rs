@@ -16,27 +16,27 @@ use crate::numeric::lanes::Real;
 /// P = (4/3) E* b^.5 w^1.5          (Eq. 10)
 /// ```
 ///
-/// Valid for w much smaller than b and while nothing yields. No jumps; hardness is not used.
+/// Valid for w much smaller than b and below the onset of yield. No jumps; hardness is not used.
 #[derive(Debug, Clone, Copy, Default)]
 pub struct Hertz;
 
 impl Hertz {
-    /// What it is on elliptic paraboloids.
+    /// Description of the law for ellipses.
     pub(crate) const ON_ELLIPSES: &str = "Hertz's elastic contact of an elliptic paraboloid of two principal curvatures. Holds below the onset of yield.";
 
-    /// The elastic contact, shared with the laws that begin as Hertz does.
+    /// The elastic contact, also the elastic range of other laws.
     #[inline(always)]
     pub(super) fn elastic<N: Real>(w: N, b: N, reduced_modulus: N) -> Contacts<N> {
         let square = b * w;
         let radius = square.sqrt();
         let stiffness = reduced_modulus * 2.0 * radius;
-        let everywhere = w.all_true();
+        let all = w.all_true();
         Contacts {
             area: square * PI,
             load: stiffness * w * (2.0 / 3.0),
             stiffness,
-            elastic: everywhere,
-            plastic: !everywhere,
+            elastic: all,
+            plastic: !all,
         }
     }
 }

@@ -1,4 +1,4 @@
-//! Jackson and Green: a fit to finite elements in which the hardness falls as the contact grows.
+//! Jackson and Green: a finite-element fit in which the hardness decreases with the contact radius.
 
 use std::f64::consts::PI;
 use std::sync::Arc;
@@ -22,19 +22,19 @@ use crate::numeric::table::Table;
 /// ```
 ///
 /// C Y is that of the body that yields first (the smaller C Y), Y alone that of the weaker one. A body without yield
-/// strength and hardness never yields; one that has a hardness must have its yield strength too, which is not guessed.
+/// strength and hardness never yields; one with a hardness must also have a yield strength, which is never derived.
 ///
 /// The fit was made for steels with Y/E* from about 0.001 to 0.008, against a rigid flat, up to a/b = 0.41. Far beyond
-/// that, near u = 1800, its load would fall with the indentation, from Y/E* = 0.0657 on for nu = 0.5 and from 0.0761 on
-/// for nu = 0: pairs above 0.065 are refused. The mean pressure tends to HG, which
-/// falls as the contact grows: no contact counts as plastic.
+/// that, near u = 1800, its load would decrease with indentation, for Y/E* above 0.0657 at nu = 0.5 and above 0.0761 at
+/// nu = 0: pairs above 0.065 are rejected. The mean pressure tends to HG, which decreases with the contact radius: no
+/// contact counts as plastic.
 ///
-/// Jumps: the area is continuous; at u = 1.9 the load jumps by exp(-1.9^(5/12)/4) + (4 HG/(C Y)) [1 - exp(-1.9^(5/9)/25)]
-/// 1.9^-.5, where a/b is small by 1.0047 for nu = 0.3, by 1.0748 for 0, by 0.9678 for 0.49: it falls for nu above 0.3229,
-/// and where a/b is not small, as HG is less there, for smaller nu too (for 0.3 from Y/E* = 0.029 on).
+/// Jumps: the area is continuous; at u = 1.9 the load jumps by exp(-1.9^(5/12)/4) + (4 HG/(C Y)) [1 -
+/// exp(-1.9^(5/9)/25)] 1.9^-.5, for small a/b by 1.0047 at nu = 0.3, by 1.0748 at 0, by 0.9678 at 0.49: it decreases
+/// for nu above 0.3229, and for larger a/b, where HG is smaller, at smaller nu too (at 0.3 from Y/E* = 0.029 on).
 ///
-/// Contacts are not similar in u alone, since HG depends on a/b and B on Y/E*. For one pair of bodies a/b follows from u,
-/// and so does the whole law: [`Law::tuned`] makes a table of it. No rule says what yields under a layer.
+/// The law does not depend on u alone, since HG depends on a/b and B on Y/E*. For one pair of bodies a/b follows from
+/// u, so that [`Law::tuned`] tabulates the law. It is not defined for layered bodies.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct JacksonGreen {
     tuned: Option<Arc<Tuned>>,
@@ -43,52 +43,52 @@ pub struct JacksonGreen {
 /// w/wc up to which the contact is Hertz's.
 const ELASTIC: f64 = 1.9;
 
-/// The largest Y/E*: somewhere beyond it the load would fall with the indentation.
-const STRONGEST: f64 = 0.065;
+/// The largest Y/E*: beyond it the load would decrease somewhere with indentation.
+const MAX_STRENGTH_RATIO: f64 = 0.065;
 
-/// Y/E* of the steels that the fit was made for.
+/// Range of Y/E* of the steels of the fit.
 const FITTED: [f64; 2] = [0.001, 0.008];
 
 /// P/Pc, d(P/Pc)/d ln w, and A/(pi b w).
 #[derive(Debug, Clone, Copy)]
-struct Answer<N = f64> {
+struct Normalised<N = f64> {
     load: N,
     load_slope: N,
     growth: N,
 }
 
-/// The answers for one pair.
+/// The law tabulated for one pair.
 #[derive(Debug, PartialEq)]
 struct Tuned {
     pair: Pair,
-    /// Of u/1.9.
+    /// P/Pc against u/1.9.
     load: Table,
     growth: Table,
 }
 
 impl Tuned {
-    /// u up to 2e12: far beyond w = b for any metal.
+    /// The octaves of u/1.9: u up to 2e12, far beyond w = b for any metal.
     const OCTAVES: std::ops::Range<i32> = 0..40;
 
     fn new(pair: &Pair) -> Self {
-        let answer = |v: f64| answer(ELASTIC * v, pair);
+        let normalised = |v: f64| normalised(ELASTIC * v, pair);
         Self {
             pair: *pair,
-            load: Table::of(Self::OCTAVES, |v| answer(v).load),
-            growth: Table::of(Self::OCTAVES, |v| answer(v).growth),
+            load: Table::of(Self::OCTAVES, |v| normalised(v).load),
+            growth: Table::of(Self::OCTAVES, |v| normalised(v).growth),
         }
     }
 
     #[inline(always)]
-    fn at<N: Real>(&self, v: N) -> Option<Answer<N>> {
+    fn at<N: Real>(&self, v: N) -> Option<Normalised<N>> {
         let (load, load_slope) = self.load.at(v)?;
         let (growth, _) = self.growth.at(v)?;
-        Some(Answer { load, load_slope, growth })
+        Some(Normalised { load, load_slope, growth })
     }
 }
 
 /// The law itself at `u` >= 1.9.
-fn answer(u: f64, pair: &Pair) -> Answer {
+fn normalised(u: f64, pair: &Pair) -> Normalised {
     let YieldLimits { onset, strength } = pair.yield_limits;
     let exponent = 0.14 * (23.0 * strength / pair.reduced_modulus).exp();
     let growth = (u / ELASTIC).powf(exponent);
@@ -107,7 +107,7 @@ fn answer(u: f64, pair: &Pair) -> Answer {
     let plastic_slope = (-spread).exp() * (5.0 / 9.0) * spread;
 
     let factor = 4.0 * 2.84 * strength / onset * u;
-    Answer {
+    Normalised {
         load: elastic + factor * hardness * plastic,
         load_slope: elastic_slope
             + factor * (hardness * plastic + hardness_slope * plastic + hardness * plastic_slope),
@@ -118,21 +118,21 @@ fn answer(u: f64, pair: &Pair) -> Answer {
 impl JacksonGreen {
     /// Beyond the elastic range, at `v` = u/1.9.
     #[inline(always)]
-    fn at<N: Real>(&self, v: N, pair: &Pair<N>) -> Answer<N> {
-        // The law is not one that is asked under a layer: the pair is the same in every lane.
+    fn at<N: Real>(&self, v: N, pair: &Pair<N>) -> Normalised<N> {
+        // The law is not used under a layer: the pair is the same in every lane.
         let YieldLimits { onset, strength } = pair.yield_limits;
         let yield_limits = YieldLimits { onset: onset.first(), strength: strength.first() };
         let pair = Pair { reduced_modulus: pair.reduced_modulus.first(), yield_limits };
         if let Some(tuned) = self.tuned.as_ref().filter(|tuned| tuned.pair == pair)
-            && let Some(answer) = tuned.at(v)
+            && let Some(normalised) = tuned.at(v)
         {
-            return answer;
+            return normalised;
         }
         let [load, load_slope, growth] = v.each(|v| {
-            let Answer { load, load_slope, growth } = answer(ELASTIC * v, &pair);
+            let Normalised { load, load_slope, growth } = normalised(ELASTIC * v, &pair);
             [load, load_slope, growth]
         });
-        Answer { load, load_slope, growth }
+        Normalised { load, load_slope, growth }
     }
 }
 
@@ -167,10 +167,10 @@ impl Law for JacksonGreen {
 
     fn check(&self, pair: &Pair) -> Result<(), Inapplicable> {
         let ratio = pair.yield_limits.strength / pair.reduced_modulus;
-        if ratio <= STRONGEST {
+        if ratio <= MAX_STRENGTH_RATIO {
             Ok(())
         } else {
-            Err(Inapplicable::TooStrong { law: self.name(), ratio, most: STRONGEST })
+            Err(Inapplicable::TooStrong { law: self.name(), ratio, most: MAX_STRENGTH_RATIO })
         }
     }
 
@@ -188,20 +188,20 @@ impl Law for JacksonGreen {
     #[inline(always)]
     fn contacts<N: Real>(&self, w: N, b: N, pair: &Pair<N>) -> Contacts<N> {
         let critical = pair.ratio(CRITICAL) * b;
-        // 0 where the pair never yields.
+        // 0 if the pair never yields.
         let u = w / critical;
         let elastic = u.lt(w.splat(ELASTIC));
         if elastic.all() {
             return Hertz::elastic(w, b, pair.reduced_modulus);
         }
         let v = N::select(elastic, w.splat(1.0), u / ELASTIC);
-        let answer = self.at(v, pair);
+        let normalised = self.at(v, pair);
         let critical_load = pair.yield_limits.onset * (2.0 / 3.0 * PI) * b * critical;
         let nowhere = !w.all_true();
         let between = Contacts {
-            area: b * PI * w * answer.growth,
-            load: critical_load * answer.load,
-            stiffness: critical_load * answer.load_slope / w,
+            area: b * PI * w * normalised.growth,
+            load: critical_load * normalised.load,
+            stiffness: critical_load * normalised.load_slope / w,
             elastic: nowhere,
             plastic: nowhere,
         };
@@ -228,7 +228,7 @@ mod tests {
         let onset = 1.295 * f64::exp(0.736 * poisson) * strength;
         let pair = Pair { reduced_modulus: modulus, yield_limits: YieldLimits { onset, strength } };
         let exponent = |k: i32| {
-            let found = answer(ELASTIC * 1.003f64.powi(k), &pair);
+            let found = normalised(ELASTIC * 1.003f64.powi(k), &pair);
             found.load_slope / found.load
         };
         (0..5900).map(exponent).fold(f64::INFINITY, f64::min)
@@ -237,7 +237,7 @@ mod tests {
     #[test]
     fn the_load_falls_beyond_the_strongest_pairs_and_not_before() {
         for poisson in [0.0, 0.3, 0.4999] {
-            assert!(least_exponent(STRONGEST, poisson) > 0.0, "{poisson}");
+            assert!(least_exponent(MAX_STRENGTH_RATIO, poisson) > 0.0, "{poisson}");
         }
         assert!(least_exponent(0.0656, 0.4999) > 0.0 && least_exponent(0.0659, 0.4999) < 0.0);
         assert!(least_exponent(0.0760, 0.0) > 0.0 && least_exponent(0.0763, 0.0) < 0.0);

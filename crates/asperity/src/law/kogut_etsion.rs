@@ -1,4 +1,4 @@
-//! Kogut and Etsion: powers fitted to finite elements.
+//! Kogut and Etsion: power laws fitted to finite-element results.
 
 use std::f64::consts::PI;
 
@@ -22,7 +22,7 @@ use crate::numeric::lanes::{Mask, Real};
 /// u >= 110:       A = 2 pi b w,             P = H A        (Abbott and Firestone)
 /// ```
 ///
-/// The loads and limits are as published; the coefficients of the areas are those commonly reported, not seen in the
+/// The loads and limits are as published; the area coefficients are those commonly reported, not checked against the
 /// original, and agree with the published mean pressures. K H is that of the body that yields first (the smaller K H),
 /// H that of the softer one.
 ///
@@ -30,33 +30,33 @@ use crate::numeric::lanes::{Mask, Real};
 ///
 /// Jumps, from below to above: at u = 1 the load by 1.03, the area by 0.93; at 6 by 1.0168 and 1.0290; at 110 the area
 /// by 1.0712, and the load by (3/K) 110/(1.40 110^1.263), which is 1.0788 for nu = 0.3, 1.3710 for 0, and below 1 (the
-/// load falls) for nu above 0.4108.
+/// load drops) for nu above 0.4108.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub struct KogutEtsion;
 
-/// A range from u on: A/Ac and P/Pc are coefficient u^exponent.
+/// A range that begins at u: A/Ac and P/Pc are coefficient u^exponent.
 struct Range {
     from: f64,
     area: [f64; 2],
     load: [f64; 2],
 }
 
-/// Contained plastic flow below the surface, then at it too.
+/// The two elastic-plastic ranges: plastic flow below the surface, then also at the surface.
 const RANGES: [Range; 2] = [
     Range { from: 1.0, area: [0.93, 1.136], load: [1.03, 1.425] },
     Range { from: 6.0, area: [0.94, 1.146], load: [1.40, 1.263] },
 ];
 
-/// w/wc from which on all is plastic.
+/// w/wc at which the contact becomes plastic.
 const PLASTIC: f64 = 110.0;
 
-/// One of two numbers.
+/// `far` where `is_far`, otherwise `near`.
 #[inline(always)]
 fn either<N: Real>(is_far: N::Mask, [near, far]: [f64; 2], zero: N) -> N {
     N::select(is_far, zero.splat(far), zero.splat(near))
 }
 
-/// A coefficient times a power, of either range.
+/// A coefficient times a power, for either range.
 #[inline(always)]
 fn power<N: Real>(is_far: N::Mask, [near, far]: [[f64; 2]; 2], ln_u: N) -> N {
     either(is_far, [near[0], far[0]], ln_u) * (either(is_far, [near[1], far[1]], ln_u) * ln_u).exp()

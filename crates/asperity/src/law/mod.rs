@@ -1,8 +1,8 @@
-//! Micro-contact laws: what one spherical asperity answers to an indentation. One file a law.
+//! Micro-contact laws: area, load and regime of one spherical asperity at an indentation. One file per law.
 //!
-//! A law sees the properties of the pair of bodies, an indentation and a radius, and nothing else:
-//! no model, no surface, no coating. Whatever changes the properties from asperity to asperity does
-//! so before the law is asked. An elliptic asperity is a number of equal spheres: its [`Shape`].
+//! A law depends on the properties of the pair of bodies, an indentation and a radius only, not on a model, surface or
+//! layer. Properties that differ between asperities are computed before the law is evaluated. An elliptic asperity is a
+//! number of equal spheres: its [`Shape`].
 //!
 //! | file | law | regimes |
 //! |---|---|---|
@@ -37,53 +37,53 @@ use crate::numeric::interval::Interval;
 use crate::numeric::lanes::Real;
 pub use crate::shape::Shape;
 
-/// What a body sets against yielding, as a law sees it. Of a pair, the onset is that of the body that yields first, the
-/// strength that of the weaker one.
+/// The pressures at which a body, or a pair of bodies, yields under a law. For a pair, the onset is that of the body
+/// that yields first, the strength that of the weaker one.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct YieldLimits<N = f64> {
-    /// The pressure that sets where yield begins, Pa: H, K(nu) H or C(nu) Y, as the law has it.
+    /// The pressure that determines the onset of yield, Pa: H, K(nu) H or C(nu) Y, depending on the law.
     pub onset: N,
-    /// What limits the mean pressure of a plastic contact, Pa: H, or Y.
+    /// The limit of the mean pressure of a plastic contact, Pa: H or Y.
     pub strength: N,
 }
 
 impl YieldLimits {
-    /// Of a body that never yields.
+    /// The limits of a body that never yields.
     pub const NEVER_YIELDS: Self = Self { onset: f64::INFINITY, strength: f64::INFINITY };
 
-    /// Of two bodies in contact.
+    /// The limits of two bodies in contact.
     #[inline(always)]
     pub fn with(self, other: Self) -> Self {
         Self { onset: self.onset.min(other.onset), strength: self.strength.min(other.strength) }
     }
 }
 
-/// The pair of bodies as a law sees it.
+/// The properties of a pair of bodies that a law needs.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Pair<N = f64> {
     /// Reduced modulus E*, Pa (Pasaribu and Schipper 2005, Eq. 3).
     pub reduced_modulus: N,
-    /// What they set against yielding; infinite where neither body yields.
+    /// Yield limits; infinite if neither body yields.
     pub yield_limits: YieldLimits<N>,
 }
 
 impl Pair {
-    /// What a rough and a homogeneous flat body are to `law`.
+    /// The pair of a rough and a homogeneous flat body under `law`.
     ///
     /// # Errors
     /// See [`Inapplicable`].
     pub fn between(law: &dyn Law, rough: &Material, flat: &Material) -> Result<Self, Inapplicable> {
-        let of = |material, body| law.yield_limits(material).map_err(|key| law.lacks(key, Some(body)));
+        let of = |material, body| law.yield_limits(material).map_err(|key| law.missing(key, Some(body)));
         let (rough_resistance, flat_resistance) = (of(rough, Body::Rough)?, of(flat, Body::Flat)?);
         let yield_limits = rough_resistance.with(flat_resistance);
         if let Some(key) = law.needs().filter(|_| yield_limits == YieldLimits::NEVER_YIELDS) {
-            return Err(law.lacks(key, None));
+            return Err(law.missing(key, None));
         }
         let pair = Self { reduced_modulus: reduced_modulus(rough, flat), yield_limits };
         law.check(&pair).map(|()| pair)
     }
 
-    /// The same pair for every lane of a number such as `zero`.
+    /// The same pair in every lane; `zero` gives the type of register.
     #[inline(always)]
     pub fn splat<N: Real>(&self, zero: N) -> Pair<N> {
         let YieldLimits { onset, strength } = self.yield_limits;
@@ -93,7 +93,7 @@ impl Pair {
 }
 
 impl<N: Real> Pair<N> {
-    /// (w/b) (E*/onset)^2 = `u` at the indentation w = ratio b.
+    /// The ratio w/b at which (w/b) (E*/onset)^2 = `u`.
     #[inline(always)]
     pub fn ratio(&self, u: f64) -> N {
         let strain = self.yield_limits.onset / self.reduced_modulus;
@@ -101,9 +101,8 @@ impl<N: Real> Pair<N> {
     }
 }
 
-/// This part of a critical indentation lies between a place beside a boundary and the boundary: more than the rounding
-/// of where a formula gives way to another.
-const BESIDE: f64 = 8.0 * f64::EPSILON;
+/// Relative distance from a boundary at which both of its sides are evaluated: above the rounding of the boundary.
+const OFFSET: f64 = 8.0 * f64::EPSILON;
 
 /// A property of a body, by its key in a spec.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
@@ -115,7 +114,7 @@ pub enum Property {
 }
 
 impl Property {
-    /// The key.
+    /// The key in specs.
     pub const fn key(self) -> &'static str {
         match self {
             Self::Hardness => "hardness",
@@ -133,39 +132,39 @@ pub enum Body {
     Flat,
 }
 
-/// Bodies that a law says nothing of.
+/// Bodies to which a law does not apply.
 #[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
 pub enum Inapplicable {
-    /// A property is not known that the law needs.
+    /// A property that the law needs is unknown.
     #[error("no {}, which law {law} needs of {}", property.key(), match body {
         Some(Body::Rough) => "the rough body",
         Some(Body::Flat) => "the flat body",
         None => "one of the two bodies at least",
     })]
     Lacking {
-        /// The law.
+        /// Name of the law.
         law: &'static str,
-        /// The property.
+        /// The missing property.
         property: Property,
-        /// The body that lacks it; `None` where both do and one of them must have it.
+        /// The body without it; `None` if neither has it and at least one must.
         body: Option<Body>,
     },
-    /// The pair lies beyond what the law was made for.
+    /// The pair is outside the range of the law.
     #[error("a yield strength of {ratio:.3} E*, beyond the range of law {law}; allowed: at most {most} E*")]
     TooStrong {
-        /// The law.
+        /// Name of the law.
         law: &'static str,
         /// Yield strength over reduced modulus.
         ratio: f64,
         /// The largest that is allowed.
         most: f64,
     },
-    /// The law does not say what a layer of finite thickness does to it.
+    /// The law is not defined for a layer of finite thickness.
     #[error(
-        "law {law} under a layer: what it needs is known of a homogeneous body only; allowed: no layer, or thicknesses of 0 and \"inf\""
+        "law {law} under a layer: it is defined for homogeneous bodies only; allowed: no layer, or thicknesses of 0 and \"inf\""
     )]
     Layer {
-        /// The law.
+        /// Name of the law.
         law: &'static str,
     },
 }
@@ -173,35 +172,35 @@ pub enum Inapplicable {
 /// One micro-contact law.
 ///
 /// # Contract
-/// For `w > 0`, `b > 0` every answer is finite and non-negative, and within a range between critical indentations
-/// neither area nor load decreases with `w`. A jump at a boundary is stated in the law's own documentation. Lengths
-/// scale: with w and b both doubled, area and load are four times as large; with E* and the yield_limits doubled, the load
-/// is.
+/// For `w > 0`, `b > 0` area, load and stiffness are finite and non-negative, and between critical indentations neither
+/// area nor load decreases with `w`. Jumps at a boundary are stated in the documentation of the law. Lengths scale:
+/// doubling w and b multiplies area and load by four. Pressures scale: doubling E* and the yield limits doubles the
+/// load.
 ///
-/// `tests/library/conformance` holds every law of the registry ([`crate::contact_law`]) to it.
+/// `tests/library/conformance` checks this for every law of the registry ([`crate::contact_law`]).
 ///
-/// Models hold a law by its type; `dyn Law` answers for single spheres.
+/// Interfaces hold a law by its type; `dyn Law` evaluates single spheres.
 pub trait Law: SingleContact + Send + Sync + 'static {
     /// The law's name in a spec.
     fn name(&self) -> &'static str;
 
-    /// What the law is and where it holds, in a line of a report.
+    /// One-line description and range of validity, for reports.
     fn about(&self) -> &'static str;
 
-    /// The options that a user may set by name; none by default.
+    /// The options of the law, set by name; none by default.
     fn options(&self) -> &'static [LawOption] {
         &[]
     }
 
-    /// The values of its options, in their order.
+    /// The values of the options, in the order of [`Self::options`].
     fn option_values(&self) -> Vec<f64> {
         Vec::new()
     }
 
-    /// The same law with other values of its options.
+    /// The same law with other option values, in the order of [`Self::options`].
     ///
     /// # Errors
-    /// A value out of the range of its option.
+    /// A value outside the range of its option.
     fn with_options(self, _: &[f64]) -> Result<Self, OptionError>
     where
         Self: Sized,
@@ -209,38 +208,38 @@ pub trait Law: SingleContact + Send + Sync + 'static {
         Ok(self)
     }
 
-    /// What makes answers for a pair doubtful though the law gives them: beyond what it was fitted for.
+    /// A reason to doubt results for a pair, such as properties outside the range of a fit; `None` by default.
     fn caveat(&self, _: &Pair) -> Option<String> {
         None
     }
 
-    /// The papers that the law's equations are from.
+    /// The sources of the law's equations.
     fn papers(&self) -> &'static [Paper];
 
-    /// What one body sets against yielding; [`YieldLimits::NEVER_YIELDS`] if it never yields.
+    /// The yield limits of one body; [`YieldLimits::NEVER_YIELDS`] if it never yields.
     ///
     /// # Errors
-    /// The property that is needed to tell.
+    /// The missing property.
     fn yield_limits(&self, body: &Material) -> Result<YieldLimits, Property>;
 
-    /// The property that one of the two bodies must have at least; `None` where the law also says what bodies do that
-    /// never yield.
+    /// The property that at least one of the two bodies must have; `None` if the law also applies to bodies that never
+    /// yield.
     fn needs(&self) -> Option<Property> {
         None
     }
 
-    /// The property of the bodies that yielding follows from; `None` where contacts never yield.
+    /// The property that determines yielding; `None` if contacts never yield.
     fn yields_by(&self) -> Option<Property> {
         self.needs()
     }
 
-    /// Whether contacts are those of [`Hertz`] at any indentation: their sums over Gaussian heights then have a closed form
-    /// (Greenwood and Williamson 1966).
+    /// Whether contacts are those of [`Hertz`] at any indentation, so that their sums over Gaussian heights have a
+    /// closed form (Greenwood and Williamson 1966).
     fn is_hertz(&self) -> bool {
         false
     }
 
-    /// Whether the law says anything of a pair.
+    /// Checks whether the law applies to a pair.
     ///
     /// # Errors
     /// See [`Inapplicable`].
@@ -248,7 +247,7 @@ pub trait Law: SingleContact + Send + Sync + 'static {
         Ok(())
     }
 
-    /// The same law with everything worked out that only the pair decides: contacts of this pair then cost less.
+    /// The same law with all quantities that depend on the pair only precomputed, for faster evaluation of this pair.
     fn tuned(self, _: &Pair) -> Self
     where
         Self: Sized,
@@ -262,39 +261,39 @@ pub trait Law: SingleContact + Send + Sync + 'static {
     where
         Self: Sized;
 
-    /// The same of one sphere.
+    /// Area, load, stiffness and regime of one sphere at indentation `w` (m), radius `b` (m).
     #[inline]
     fn contact(&self, w: f64, b: f64, pair: &Pair) -> Contact {
         self.single_contact(w, b, pair)
     }
 
-    /// The indentations at which one formula gives way to another, as ratios w/b, ascending; each is proportional to
-    /// (onset/E*)^2. Empty where the law has one range only.
+    /// The critical indentations, at which the law changes from one formula to another, as ratios w/b, ascending; each
+    /// is proportional to (onset/E*)^2. Empty for a law of one range.
     fn critical_ratios(&self, pair: &Pair) -> Vec<f64>;
 
-    /// The load just above each boundary over that just below it.
+    /// The ratio of the loads just above and just below each critical indentation.
     fn jumps(&self, pair: &Pair) -> Vec<f64> {
         let side = |ratio: f64| self.contact(ratio, 1.0, pair).load;
         let ratios = self.critical_ratios(pair).into_iter();
-        ratios.map(|w| side(w * (1.0 + BESIDE)) / side(w * (1.0 - BESIDE))).collect()
+        ratios.map(|w| side(w * (1.0 + OFFSET)) / side(w * (1.0 - OFFSET))).collect()
     }
 
-    /// The highest load at indentations from `from` to `to`, `from < to` (m): within a range it is at the end.
+    /// The highest load (N) at indentations from `from` to `to`, `from < to` (m).
     fn highest_load(&self, from: f64, to: f64, b: f64, pair: &Pair) -> f64 {
-        let ends = self.critical_ratios(pair).into_iter().map(|ratio| ratio * b * (1.0 - BESIDE));
+        let ends = self.critical_ratios(pair).into_iter().map(|ratio| ratio * b * (1.0 - OFFSET));
         ends.filter(|w| (from..to).contains(w))
             .chain([from, to])
             .map(|w| self.contact(w, b, pair).load)
             .fold(0.0, f64::max)
     }
 
-    /// A property that is missing.
-    fn lacks(&self, property: Property, body: Option<Body>) -> Inapplicable {
+    /// The error of a missing property.
+    fn missing(&self, property: Property, body: Option<Body>) -> Inapplicable {
         Inapplicable::Lacking { law: self.name(), property, body }
     }
 }
 
-/// [`Law::contact`] by way of [`Law::contacts`]: implemented for every law, so that `dyn Law` has it.
+/// [`Law::contact`] by means of [`Law::contacts`], implemented for every law, so that `dyn Law` has it.
 pub trait SingleContact {
     /// See [`Law::contact`].
     fn single_contact(&self, w: f64, b: f64, pair: &Pair) -> Contact;
@@ -307,46 +306,45 @@ impl<L: Law> SingleContact for L {
     }
 }
 
-/// constant + slope nu: a factor before the hardness.
+/// A factor of the hardness that is linear in Poisson's ratio: constant + slope nu.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct OfPoisson {
-    /// At nu = 0.
+    /// Value at nu = 0.
     pub constant: f64,
     /// d/d nu, not negative.
     pub slope: f64,
 }
 
 impl OfPoisson {
-    /// The hardness itself.
+    /// The factor 1: the hardness itself.
     pub const ONE: Self = Self { constant: 1.0, slope: 0.0 };
 
-    /// At Poisson's ratio `nu`.
+    /// The factor at Poisson's ratio `nu`.
     #[inline(always)]
     pub const fn at(self, nu: f64) -> f64 {
         self.constant + self.slope * nu
     }
 
-    /// The same for each lane.
+    /// The factor at Poisson's ratio `nu` per lane.
     #[inline(always)]
     pub fn of<N: Real>(self, nu: N) -> N {
         nu * self.slope + self.constant
     }
 }
 
-/// A law whose contacts are similar, so that it can be asked with properties that change with the indentation: under a
-/// layer.
+/// A dimensionally similar law, which also applies to properties that change with the indentation, as under a layer.
 ///
 /// # Contract
-/// A = b w f(u) and P = E* b^.5 w^1.5 g(u), where u = (w/b) (E*/onset)^2 is where w stands among the critical
-/// indentations. An elastic contact depends on E* alone, an elastic-plastic one on E* and the onset, a plastic one on
-/// the strength alone. So at a fixed w the load grows as E* does, but for drops at boundaries, and P over the yield_limits
-/// falls as that grows. The strength is the hardness, the onset a factor of it.
+/// A = b w f(u) and P = E* b^.5 w^1.5 g(u), where u = (w/b) (E*/onset)^2 is the normalised indentation. An elastic
+/// contact depends on E* alone, an elastic-plastic one on E* and the onset, a plastic one on the strength alone. Hence
+/// at fixed w the load increases with E*, and P/onset decreases with increasing onset, both except for drops at
+/// boundaries. The strength is the hardness, the onset proportional to it.
 pub trait ScalableLaw: Law + Clone {
     /// The onset over the hardness.
     const ONSET: OfPoisson = OfPoisson::ONE;
 
-    /// Bounds of d ln P/d ln w within the ranges that `u` = (w/b) (E*/onset)^2 passes, the pair being fixed; they close
-    /// with `u`.
+    /// Bounds of d ln P/d ln w for a fixed pair over a range of `u` = (w/b) (E*/onset)^2, which tighten as the range
+    /// shrinks.
     fn load_exponents(&self, u: Interval) -> Interval;
 
     /// Whether the onset depends on Poisson's ratio.
@@ -354,13 +352,13 @@ pub trait ScalableLaw: Law + Clone {
         Self::ONSET.slope != 0.0
     }
 
-    /// What a hardness (Pa) at a Poisson's ratio is to the law.
+    /// The yield limits of a hardness (Pa) and a Poisson's ratio.
     #[inline(always)]
     fn limits_at<N: Real>(&self, hardness: N, poisson: N) -> YieldLimits<N> {
         YieldLimits { onset: Self::ONSET.of(poisson) * hardness, strength: hardness }
     }
 
-    /// [`Law::yield_limits`] of such a law.
+    /// Implements [`Law::yield_limits`] for a scalable law.
     fn yield_limits_by_hardness(&self, body: &Material) -> YieldLimits {
         body.hardness().map_or(YieldLimits::NEVER_YIELDS, |hardness| self.limits_at(hardness, body.poisson()))
     }

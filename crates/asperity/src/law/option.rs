@@ -1,26 +1,26 @@
-//! What a user may set of a law.
+//! Options of a law.
 
 use std::ops::{Bound, RangeBounds};
 
-/// A number that a user may set of a law by its name.
+/// A parameter of a law that can be set by name.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct LawOption {
-    /// Its key, as specs and tables write it.
+    /// The key in specs and tables.
     pub name: &'static str,
     /// Symbol and meaning.
     pub about: &'static str,
-    /// Its value where none is given.
+    /// The default value.
     pub default: f64,
-    /// A value that a user might give, for messages.
+    /// An example value, for messages.
     pub example: f64,
-    /// All values that it may have.
+    /// The range of allowed values.
     pub range: (Bound<f64>, Bound<f64>),
     /// The range in words, for errors.
     pub allowed: &'static str,
 }
 
 impl LawOption {
-    /// Whether it may have this value.
+    /// Checks whether `value` is in the range.
     ///
     /// # Errors
     /// [`OptionError::OutOfRange`]
@@ -54,7 +54,7 @@ pub enum OptionError {
         allowed: String,
     },
     /// The law has no options.
-    #[error("the option `{option}`; allowed: none of this law")]
+    #[error("the option `{option}`; allowed: none, as this law has no options")]
     NoOptions {
         /// The name that was given.
         option: String,

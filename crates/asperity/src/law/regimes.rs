@@ -1,4 +1,4 @@
-//! What laws share whose contacts pass from one regime to another.
+//! Common parts of laws with several regimes.
 
 use super::{FullyPlastic, Hertz, Pair};
 use crate::contact::Contacts;
@@ -25,7 +25,7 @@ pub(super) fn in_range<N: Real>(
     contacts
 }
 
-/// The hull of `exponents` (each from its u on, ascending, the first from 0) over the ranges that `u` passes.
+/// The hull of those `exponents` whose ranges overlap `u`; each range begins at the given value, ascending from 0.
 pub(super) fn exponents_passed(u: Interval, exponents: &[(f64, Interval)]) -> Interval {
     let ends = exponents.iter().skip(1).map(|(from, _)| *from).chain([f64::INFINITY]);
     let passed = exponents.iter().zip(ends).filter(|((from, _), to)| u.high >= *from && u.low <= *to);

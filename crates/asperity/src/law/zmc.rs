@@ -23,9 +23,9 @@ use crate::numeric::lanes::{Mask, Real};
 /// with x = (w - w1)/(w2 - w1)
 /// ```
 ///
-/// Jumps: none with the default onset (0.3 pi)^2. The area is C1 at w1 and C0 at w2; of the load,
-/// d ln P/d ln w drops at both. With the rounded onset 0.89 the load falls by 0.0976 % at w1; with
-/// any other onset k it changes there by the factor 0.3 pi/k^.5.
+/// Jumps: none with the default onset (0.3 pi)^2. The area is C1 at w1 and C0 at w2; of the load, d ln P/d ln w drops
+/// at both. With the rounded onset 0.89 the load drops by 0.0976 % at w1; with any other onset k it changes there by
+/// the factor 0.3 pi/k^.5.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Zmc {
     onset: f64,
@@ -54,7 +54,7 @@ const TRANSITION_RATIO: LawOption = LawOption {
 };
 
 impl Zmc {
-    /// What it is on elliptic paraboloids.
+    /// Description of the law for ellipses.
     pub(crate) const ON_ELLIPSES: &str = "The regimes of Zhao, Maietta and Chang on an elliptic paraboloid: Hertz's ellipse of the two principal \
          curvatures, its own onset of yield. Derived here from Hertz's solution, not fitted.";
 
@@ -64,7 +64,7 @@ impl Zmc {
     /// w2/w1 of Zhao, Maietta and Chang (2000), Eq. 4 of Pasaribu and Schipper (2005).
     pub const TRANSITION_RATIO: f64 = 54.0;
 
-    /// A law with its own onset coefficient w1 E*^2/(b H^2) and transition ratio c = w2/w1.
+    /// The law with the onset coefficient w1 E*^2/(b H^2) and the transition ratio c = w2/w1.
     ///
     /// # Errors
     /// An onset that is not positive and finite; a ratio that is not finite and above 1.
@@ -107,7 +107,7 @@ impl Zmc {
         let growth = |x: f64| 1.0 + x * x * (3.0 - 2.0 * x);
         let slope = 0.6 * self.inverse_log_ratio;
         let pressure = |x: f64| slope / (0.4 + slope * (span * x).ln_1p());
-        let steep = x.of_hump(|x| 6.0 * x * (1.0 - x), 0.5);
+        let steep = x.of_unimodal(|x| 6.0 * x * (1.0 - x), 0.5);
         Interval {
             low: 1.0 + pressure(x.high) + (x.low + span.recip()) * steep.low / growth(x.high),
             high: 1.0 + pressure(x.low) + (x.high + span.recip()) * steep.high / growth(x.low),
@@ -181,10 +181,10 @@ impl Law for Zmc {
 }
 
 impl ScalableLaw for Zmc {
-    /// 1.5 where nothing is plastic, 1 where all is. Between, mean pressure and area add to 1: bounded on pieces of
-    /// x, on each by the terms' own least and greatest values.
+    /// 1.5 in the elastic and 1 in the plastic range. In between it is 1 plus terms of mean pressure and area, each
+    /// bounded by its extremes on pieces of x.
     fn load_exponents(&self, u: Interval) -> Interval {
-        /// Pieces of x from 0 to 1.
+        /// Number of pieces of x from 0 to 1.
         const PIECES: f64 = 64.0;
         let span = self.transition_ratio - 1.0;
         let place = |u: f64| ((u / self.onset - 1.0) / span).clamp(0.0, 1.0);

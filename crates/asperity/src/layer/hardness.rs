@@ -11,21 +11,21 @@ use crate::numeric::lanes::Real;
 /// harder layer:  H_s + (H_l - H_s) exp(-x),  x = (H_l/H_s)/((Y_l/Y_s) (E_l/E_s)^.5) (w/t)
 /// ```
 ///
-/// It goes from H_l to H_s as w grows, and nowhere back. A yield strength that is not given is H/3.
+/// It changes monotonically from H_l to H_s with increasing w. A yield strength that is not given is taken as H/3.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct EffectiveHardness {
     layer: f64,
     substrate: f64,
-    /// Of x in (w/t)^power.
+    /// The coefficient of (w/t)^power in x.
     factor: f64,
     is_softer: bool,
 }
 
-/// Beyond this exponent nothing is left of the layer, however hard it is.
-const GONE: f64 = 180.0;
+/// The exponent x beyond which the layer has no effect, whatever its hardness.
+const MAX_EXPONENT: f64 = 180.0;
 
 impl EffectiveHardness {
-    /// `None` where neither body has a hardness.
+    /// The effective hardness; `None` if neither body has a hardness.
     pub(super) fn new(layer: &Material, substrate: &Material) -> Option<Self> {
         let (of_layer, of_substrate) = layer.hardness().zip(substrate.hardness())?;
         let strength = |body: &Material, hardness: f64| body.yield_strength().unwrap_or(hardness / 3.0);
@@ -49,16 +49,16 @@ impl EffectiveHardness {
     pub(super) fn at<N: Real>(&self, depth: N) -> (N, N) {
         let linear = depth * self.factor;
         let x = if self.is_softer { linear * depth } else { linear };
-        // How much of the layer is left, and the change of that.
+        // exp(-x) and exp(-x) - 1.
         let (left, lost) = (-x).exp_and_exp_m1();
         let step = self.layer - self.substrate;
-        // Positive terms only, whichever body is the harder.
+        // A sum of positive terms in either case.
         let hardness = if self.is_softer { lost * step + self.layer } else { left * step + self.substrate };
         let rate = -step * self.power();
-        (hardness, x.min(x.splat(GONE)) * rate * left / hardness)
+        (hardness, x.min(x.splat(MAX_EXPONENT)) * rate * left / hardness)
     }
 
-    /// All hardnesses over the range `depth` of w/t, and all d ln H/d ln w.
+    /// Bounds of the hardness (Pa) and of d ln H/d ln w over the range `depth` of w/t.
     pub(super) fn over(&self, depth: Interval) -> (Interval, Interval) {
         let ends = [self.at(depth.low), self.at(depth.high)];
         let hardness = Interval::between(ends[0].0, ends[1].0);
@@ -67,14 +67,14 @@ impl EffectiveHardness {
         let [low, high] = ends.map(swell);
         let mut swells = Interval::between(low, high);
         let peak = self.depth(1.0);
-        if depth.holds(peak) {
+        if depth.contains(peak) {
             swells = swells.hull(Interval::point(swell(self.at(peak))));
         }
         let size = swells * hardness.recip();
         (hardness, if self.is_softer { size } else { -size })
     }
 
-    /// The depth w/t at which the flat is as hard as `hardness` (Pa); `None` if it nowhere is.
+    /// The depth w/t at which H_eff equals `hardness` (Pa); `None` if there is none.
     pub(super) fn reaching(&self, hardness: f64) -> Option<f64> {
         let left = (hardness - self.substrate) / (self.layer - self.substrate);
         (left > 0.0 && left < 1.0).then(|| self.depth(-left.ln()))
@@ -84,9 +84,8 @@ impl EffectiveHardness {
         (x / self.factor).powf(self.power().recip())
     }
 
-    /// Depths w/t, ascending, between which H, 1/H and ln H are smooth enough for a quadrature panel: they
-    /// have singularities beside the axis where H_eff would vanish, 2 pi apart in x, the first one next to where a
-    /// much softer layer gives way.
+    /// Depths w/t, ascending, between which H, 1/H and ln H are smooth enough for a quadrature panel. Their
+    /// singularities are the complex zeros of H_eff, 2 pi apart in x.
     pub(super) fn scales(&self) -> Vec<f64> {
         const STEPS: [f64; 5] = [0.5, 4.0, 10.0, 20.0, 40.0];
         let ratio = self.layer / self.substrate;
@@ -94,14 +93,14 @@ impl EffectiveHardness {
         first.into_iter().chain(STEPS).map(|x| self.depth(x)).collect()
     }
 
-    /// The hardnesses at both ends, Pa.
+    /// The range from H_l to H_s, Pa.
     pub(super) fn range(&self) -> Interval {
         Interval::between(self.layer, self.substrate)
     }
 
-    /// From this depth w/t on H_eff no longer changes.
+    /// The depth w/t beyond which H_eff is constant.
     pub(super) fn end(&self) -> f64 {
-        self.depth(GONE)
+        self.depth(MAX_EXPONENT)
     }
 }
 

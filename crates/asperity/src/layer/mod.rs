@@ -22,7 +22,7 @@ use crate::numeric::lanes::Real;
 use hardness::EffectiveHardness;
 use modulus::EffectiveModulus;
 
-/// The effective properties of a layer of finite thickness on a substrate, whatever rough body presses on it.
+/// The effective properties of a layer of finite thickness on a substrate, independent of the rough body.
 #[derive(Debug, Clone, PartialEq)]
 pub struct LayeredFlat {
     inverse_thickness: f64,
@@ -30,10 +30,10 @@ pub struct LayeredFlat {
     hardness: Option<EffectiveHardness>,
 }
 
-/// A layered flat that has no effective properties.
+/// A layered flat whose effective properties are undefined.
 #[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
 pub enum LayerError {
-    /// The thickness must be positive and finite; without a layer, and all layer, the flat is homogeneous.
+    /// The thickness must be positive and finite; a flat of thickness 0 or infinity is homogeneous.
     #[error("thickness {0} m; allowed: positive and finite")]
     Thickness(f64),
     /// Both bodies must have a hardness, or neither.
@@ -41,7 +41,7 @@ pub enum LayerError {
     OneHardness,
 }
 
-/// From this part of the distance to +-i on, a panel to there resolves a pole beyond 0 as well.
+/// Fraction of the distance to the singularities +-i from which on a panel also resolves the pole beyond 0.
 const FAR: f64 = 0.3;
 
 /// Effective properties of the layered flat under one asperity.
@@ -51,26 +51,26 @@ pub struct Effective<N = f64> {
     pub compliance: N,
     /// d(compliance)/d ln w, 1/Pa.
     pub compliance_slope: N,
-    /// H_eff (Eq. 16), Pa; infinite where neither body yields.
+    /// H_eff (Eq. 16), Pa; infinite if neither body yields.
     pub hardness: N,
     /// d ln H_eff/d ln w.
     pub hardness_slope: N,
 }
 
-/// Bounds of the same over a range of indentations and radii.
+/// Bounds of the effective properties over a range of indentations and radii.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Bounds {
-    /// Of the compliance, 1/Pa.
+    /// Compliance, 1/Pa.
     pub compliance: Interval,
-    /// Of d(compliance)/d ln w, 1/Pa.
+    /// d(compliance)/d ln w, 1/Pa.
     pub compliance_slope: Interval,
-    /// Of nu_eff.
+    /// nu_eff.
     pub poisson: Interval,
-    /// Of d nu_eff/d ln w.
+    /// d nu_eff/d ln w.
     pub poisson_slope: Interval,
-    /// Of H_eff, Pa.
+    /// H_eff, Pa.
     pub hardness: Interval,
-    /// Of d ln H_eff/d ln w.
+    /// d ln H_eff/d ln w.
     pub hardness_slope: Interval,
 }
 
@@ -98,7 +98,7 @@ impl LayeredFlat {
         })
     }
 
-    /// The papers that its equations are from.
+    /// The sources of the equations.
     pub fn papers(&self) -> Vec<Paper> {
         let mut papers = vec![literature::PASARIBU_SCHIPPER_2005, literature::GAO_CHIU_LEE_1992];
         papers.push(match self.modulus.model() {
@@ -126,7 +126,7 @@ impl LayeredFlat {
         Effective { compliance, compliance_slope, hardness, hardness_slope }
     }
 
-    /// nu_eff (Eq. 14) under the same asperities, and d nu_eff/d ln w.
+    /// nu_eff (Eq. 14) under asperities of radii `b` (m) at indentations `w` (m), and d nu_eff/d ln w.
     #[inline(always)]
     pub fn poisson<N: Real>(&self, w: N, b: N) -> (N, N) {
         self.modulus.poisson_and_slope(self.inverse(w, b))
@@ -138,7 +138,7 @@ impl LayeredFlat {
         (poisson, (1.0 - poisson) * (1.0 + poisson) / self.at(w, b).compliance)
     }
 
-    /// The same layer in another thickness (m).
+    /// The same layer with another thickness (m).
     ///
     /// # Errors
     /// A thickness that is not positive and finite.
@@ -160,37 +160,37 @@ impl LayeredFlat {
         Bounds { compliance, compliance_slope, poisson, poisson_slope, hardness, hardness_slope }
     }
 
-    /// Hardnesses at any indentation, Pa.
+    /// The range of H_eff over all indentations, Pa.
     pub fn hardness_range(&self) -> Interval {
         self.hardness.as_ref().map_or(Interval::point(f64::INFINITY), EffectiveHardness::range)
     }
 
-    /// Poisson's ratios at any indentation.
+    /// The range of nu_eff over all indentations.
     pub fn poisson_range(&self) -> Interval {
         self.modulus.poisson_range()
     }
 
-    /// The indentation (m) at which the flat is as hard as `hardness` (Pa); `None` if it nowhere is.
+    /// The indentation (m) at which H_eff equals `hardness` (Pa); `None` if there is none.
     pub fn indentation_of_hardness(&self, hardness: f64) -> Option<f64> {
         Some(self.hardness.as_ref()?.reaching(hardness)? / self.inverse_thickness)
     }
 
-    /// The indentation (m) beyond which the hardness is that of the substrate; 0 where nothing yields.
+    /// The indentation (m) beyond which the hardness is that of the substrate; 0 if neither body yields.
     pub fn depth(&self) -> f64 {
         self.hardness.as_ref().map_or(0.0, EffectiveHardness::end) / self.inverse_thickness
     }
 
-    /// Indentations (m) that separate ranges over which the effective modulus under an asperity of radius `b` (m) changes
-    /// smoothly, with `beside` (1/Pa) the compliance of the other body: in w^.5 it has its singularities at a = +-i t,
-    /// and a pole beyond a = 0 where the two compliances are opposite.
-    pub fn modulus_scales(&self, b: f64, beside: f64) -> impl Iterator<Item = f64> {
-        let pole = self.modulus.pole(beside).min(1.0);
+    /// Indentations (m) between which the reduced modulus under an asperity of radius `b` (m) is smooth, where `other`
+    /// (1/Pa) is the compliance of the other body. In w^.5 its singularities are at a = +-i t, with a pole at the a < 0
+    /// where the two compliances cancel.
+    pub fn modulus_scales(&self, b: f64, other: f64) -> impl Iterator<Item = f64> {
+        let pole = self.modulus.pole(other).min(1.0);
         let thickness = self.inverse_thickness.recip();
         let scales = [pole, 1.0].into_iter().skip(usize::from(pole > FAR));
         scales.map(move |inverse| (inverse * thickness).powi(2) / b)
     }
 
-    /// The same for the hardness: those of 1/H_eff.
+    /// Indentations (m) between which 1/H_eff is smooth.
     pub fn hardness_scales(&self) -> Vec<f64> {
         let depths = self.hardness.as_ref().map(EffectiveHardness::scales).unwrap_or_default();
         depths.into_iter().map(|depth| depth / self.inverse_thickness).collect()

@@ -12,16 +12,17 @@ use crate::numeric::table::Table;
 /// The octaves of a/t that the tables cover.
 const OCTAVES: Range<i32> = -24..24;
 
-/// The effective-modulus model: how the moduli of layer and substrate combine.
+/// The effective-modulus model, which combines the moduli of layer and substrate.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
 #[cfg_attr(feature = "serde", derive(serde::Deserialize))]
 #[cfg_attr(feature = "serde", serde(rename_all = "kebab-case"))]
 pub enum ModulusModel {
-    /// E_eff = E_s + (E_l - E_s) I0 (Eq. 15; Gao, Chiu and Lee 1992, Swain and Mencik 1994): exact to first order
-    /// in the mismatch, good for E_l/E_s of 0.5 to 2.
+    /// E_eff = E_s + (E_l - E_s) I0 (Eq. 15; Gao, Chiu and Lee 1992, Swain and Mencik 1994): exact to first order in
+    /// the mismatch, accurate for E_l/E_s of 0.5 to 2.
     #[default]
     Gao,
-    /// 1/mu = (1 - I0)/mu_s + I0/mu_l, mu the shear modulus (Song and Pharr 1999): the same weights in series.
+    /// 1/mu = (1 - I0)/mu_s + I0/mu_l, mu the shear modulus (Song and Pharr 1999): compliances in series with the same
+    /// weights.
     Series,
 }
 
@@ -29,7 +30,7 @@ impl ModulusModel {
     /// Both.
     pub const ALL: [Self; 2] = [Self::Gao, Self::Series];
 
-    /// The name that specs and tables use.
+    /// The name in specs and tables.
     pub const fn name(self) -> &'static str {
         match self {
             Self::Gao => "gao",
@@ -38,7 +39,7 @@ impl ModulusModel {
     }
 }
 
-/// One of the two bodies, and its differences to the other.
+/// One of the two bodies, and its differences from the other.
 #[derive(Debug, Clone, Copy, PartialEq)]
 struct Side {
     poisson: f64,
@@ -48,14 +49,14 @@ struct Side {
     modulus_step: f64,
 }
 
-/// Effective modulus and Poisson's ratio of a pair of materials as functions of a/t, whatever the thickness.
+/// Effective modulus and Poisson's ratio of a pair of materials as functions of a/t, independent of the thickness.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct EffectiveModulus {
     sides: Sides,
-    /// The compliance. It is analytic but at 0, at +-i, and where E_eff vanishes, which is never nearer to the positive
-    /// axis than to 0. One polynomial takes the place of an arctangent, a logarithm and ten divisions.
+    /// The compliance, analytic except at 0, at +-i and at zeros of E_eff, none of which is nearer to the positive axis
+    /// than to 0. One polynomial replaces an arctangent, a logarithm and ten divisions.
     table: Arc<Table>,
-    /// Of nu_eff; made when a law first needs it.
+    /// nu_eff, tabulated when a law first needs it.
     poisson: Arc<OnceLock<Table>>,
 }
 
@@ -82,8 +83,8 @@ impl EffectiveModulus {
         self.sides.poisson(&Weights::at(inverse))
     }
 
-    /// What the flat contributes to 1/E*, (1 - nu_eff^2)/E_eff in 1/Pa, and d/d ln w of it, at each `inverse` =
-    /// 1/xi = a/t.
+    /// The contribution (1 - nu_eff^2)/E_eff of the flat to 1/E*, 1/Pa, and its d/d ln w, at each `inverse` = 1/xi =
+    /// a/t.
     #[inline(always)]
     pub(super) fn compliance<N: Real>(&self, inverse: N) -> (N, N) {
         let (value, slope) = match self.table.at(inverse) {
@@ -100,7 +101,7 @@ impl EffectiveModulus {
         (value, slope)
     }
 
-    /// nu_eff (Eq. 14) and d/d ln w of it at each `inverse` = 1/xi = a/t.
+    /// nu_eff (Eq. 14) and its d/d ln w at each `inverse` = 1/xi = a/t.
     #[inline(always)]
     pub(super) fn poisson_and_slope<N: Real>(&self, inverse: N) -> (N, N) {
         let sides = &self.sides;
@@ -109,33 +110,33 @@ impl EffectiveModulus {
             Some(found) => found.into(),
             None => inverse.each(|inverse| {
                 let weights = Weights::at(inverse);
-                // ln xi falls as ln a grows.
+                // ln xi decreases with ln a.
                 [sides.poisson(&weights), -sides.substrate.poisson_step * weights.log]
             }),
         };
         (value, slope * 0.5)
     }
 
-    /// Those of layer and substrate, and all between.
+    /// The range between Poisson's ratios of layer and substrate.
     pub(super) fn poisson_range(&self) -> Interval {
         Interval::between(self.sides.layer.poisson, self.sides.substrate.poisson)
     }
 
-    /// How far beyond 0 the compliance is -`beside` (1/Pa), in a/t: E_eff, or 1/mu_eff in series, grows linearly from
-    /// that of the layer. Infinite where it falls instead.
-    pub(super) fn pole(&self, beside: f64) -> f64 {
-        /// Where what is not linear is below rounding.
+    /// The distance beyond 0, in a/t, at which the compliance is -`other` (1/Pa), with E_eff, or 1/mu_eff in series,
+    /// extrapolated linearly from that of the layer. Infinite if it decreases instead.
+    pub(super) fn pole(&self, other: f64) -> f64 {
+        /// Where the nonlinear part is below rounding.
         const NEAR: f64 = 1e-9;
         let (value, slope) = self.sides.at(NEAR);
         let growth = slope / (value * NEAR);
         let pole = match self.sides.model {
-            ModulusModel::Gao => (1.0 + value / beside) / -growth,
-            ModulusModel::Series => (1.0 + beside / value) / growth,
+            ModulusModel::Gao => (1.0 + value / other) / -growth,
+            ModulusModel::Series => (1.0 + other / value) / growth,
         };
         if pole > 0.0 { pole } else { f64::INFINITY }
     }
 
-    /// All compliances and nu_eff at the 1/xi of `inverse`, each with all its d/d ln w.
+    /// Bounds of compliance and nu_eff over a range of `inverse` = 1/xi, each with bounds of its d/d ln w.
     pub(super) fn over(&self, inverse: Interval) -> [(Interval, Interval); 2] {
         self.sides.over(inverse).map(|(value, slope)| (value, slope * 0.5))
     }
@@ -156,7 +157,7 @@ impl Sides {
         Self { model, layer: side(layer, substrate), substrate: side(substrate, layer) }
     }
 
-    /// The body that weighs more.
+    /// The body of larger weight.
     #[inline]
     fn side(&self, weights: &Weights) -> &Side {
         if weights.in_layer { &self.layer } else { &self.substrate }
@@ -197,15 +198,16 @@ impl Sides {
         (value, -value * slope)
     }
 
-    /// All values of [`Self::at`], and of nu_eff and its d/d ln(1/xi): nu_eff follows I1, which grows with xi; I0 grows
-    /// with xi and falls with nu. The three humps in the slope are bounded by their ends and peaks.
+    /// Bounds of the values of [`Self::at`], and of nu_eff and its d/d ln(1/xi): nu_eff is linear in I1, which
+    /// increases with xi; I0 increases with xi and decreases with nu. The three unimodal terms of the slope are bounded
+    /// by their ends and peaks.
     fn over(&self, inverse: Interval) -> [(Interval, Interval); 2] {
         let (thick, thin) = (Weights::at(inverse.low), Weights::at(inverse.high));
         let poisson = Interval::between(self.poisson(&thick), self.poisson(&thin));
         let modulus = Interval::between(self.modulus(&thick, poisson.low), self.modulus(&thin, poisson.high));
         let hump = |value: fn(&Weights) -> f64, peak: f64| {
             let ends = Interval::between(value(&thick), value(&thin));
-            if inverse.holds(peak) { ends.hull(Interval::point(value(&Weights::at(peak)))) } else { ends }
+            if inverse.contains(peak) { ends.hull(Interval::point(value(&Weights::at(peak)))) } else { ends }
         };
         let log = hump(|weights| weights.log, LOG_PEAK);
         let pole = hump(|weights| weights.pole, POLE_PEAK);
@@ -227,7 +229,7 @@ impl Sides {
             }
             ModulusModel::Series => ((-poisson + 1.0) * modulus * 0.5, modulus_slope - rest * poisson_slope),
         };
-        // ln xi falls as ln(1/xi) grows.
+        // ln xi = -ln(1/xi).
         [(value, -(value * slope)), (poisson, -poisson_slope)]
     }
 }

@@ -2,12 +2,12 @@
 
 use std::f64::consts::{FRAC_1_PI, FRAC_2_PI};
 
-/// The parts of the weights I1 (Eq. 17) and I0 (Eq. 18) that no material enters.
+/// The parts of the weights I1 (Eq. 17) and I0 (Eq. 18) that do not depend on materials.
 ///
-/// With q = min(xi, 1/xi), nothing in them or in what is made of them cancels, from xi = 1e-300 to 1e300.
+/// With q = min(xi, 1/xi), they are computed without cancellation from xi = 1e-300 to 1e300.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Weights {
-    /// Whether the layer weighs more: xi >= 1. The weights below are then those of the substrate.
+    /// Whether the layer has the larger weight: xi >= 1. The weights below are then those of the substrate.
     pub(super) in_layer: bool,
     /// (2/pi) arctan q.
     angle: f64,
@@ -26,25 +26,24 @@ impl Weights {
         let in_layer = inverse <= 1.0;
         let q = if in_layer { inverse } else { inverse.recip() };
         let small = q * q;
-        let whole = (1.0 + small).recip();
+        let reciprocal = (1.0 + small).recip();
         let [angle, log] = transcendental(inverse);
         Self {
             in_layer,
             angle,
             log,
-            pole: FRAC_1_PI * q * whole,
-            part: if in_layer { small * whole } else { whole },
+            pole: FRAC_1_PI * q * reciprocal,
+            part: if in_layer { small * reciprocal } else { reciprocal },
         }
     }
 
-    /// Weight of the body that weighs less in nu_eff: I1 of the layer, 1 - I1 of the substrate (Eqs. 14, 17).
+    /// The smaller weight in nu_eff: I1 of the layer, 1 - I1 of the substrate (Eqs. 14, 17).
     #[inline]
     pub(super) fn of_poisson(&self) -> f64 {
         self.angle + self.signed(self.log)
     }
 
-    /// Weight of the body that weighs less in E_eff: I0 of the layer, 1 - I0 of the substrate (Eqs. 15, 18),
-    /// given nu_eff.
+    /// The smaller weight in E_eff: I0 of the layer, 1 - I0 of the substrate (Eqs. 15, 18), given nu_eff.
     #[inline]
     pub(super) fn of_modulus(&self, poisson: f64) -> f64 {
         self.angle + self.signed((1.0 - 2.0 * poisson) * self.log - self.pole) / (2.0 * (1.0 - poisson))

@@ -1,29 +1,29 @@
-//! Some asperities in the order in which an approaching flat touches them.
+//! Blocks of asperities, sorted by the separation at which an approaching flat touches them.
 
 use crate::asperity::Asperities;
-use crate::numeric::WHOLES;
+use crate::numeric::INTEGER_BIAS;
 use crate::numeric::lanes::{Real, Work, run};
 
-/// The separations of a curve, m, largest first, with capacity for `PLACES` of them and for `CELLS` of a grid over them: powers
-/// of two, so that what is taken modulo them needs no check.
+/// The separations of a curve, m, in descending order, and a grid over them. The capacities `PLACES` and `CELLS` are
+/// powers of two, so that indices modulo them need no bounds check.
 pub(super) struct Levels<const PLACES: usize, const CELLS: usize> {
     count: usize,
-    /// Below all heights from the end on.
+    /// Beyond the last separation, -infinity.
     separations: Box<[f64; PLACES]>,
     /// The smallest separation, m.
     lowest: f64,
-    /// Of each cell, how many separations lie in cells above it.
+    /// For each cell, the number of separations in higher cells.
     above: Box<[u16; CELLS]>,
-    /// Whether a cell holds more than one.
+    /// Whether a cell holds more than one separation.
     is_crowded: bool,
     cells_per_metre: f64,
     last_cell: f64,
 }
 
-/// Cells a separation: most hold none, so that a height is seldom compared twice.
+/// Cells per separation: most are empty, so that a height is rarely compared twice.
 const CELLS_PER_LEVEL: usize = 16;
 
-/// Places of the separations that the blocks of a sum are ordered by.
+/// Capacity for the separations of a sum over blocks.
 const PLACES_OF_BLOCK: usize = 256;
 
 /// The separations of a sum over blocks.
@@ -36,17 +36,17 @@ impl<const PLACES: usize, const CELLS: usize> Levels<PLACES, CELLS> {
     /// The largest number of separations.
     pub(super) const MOST: usize = {
         assert!(PLACES.is_power_of_two() && CELLS == CELLS_PER_LEVEL * PLACES && CELLS <= 1 << 16);
-        // One place and one cell more are needed than there are separations, and cells for them.
+        // One place and one cell more than separations are needed.
         PLACES / 2
     };
 
-    /// From 1 to [`Self::MOST`] separations, largest first.
+    /// Takes 1 to [`Self::MOST`] separations in descending order.
     pub(super) fn new(separations: &[f64]) -> Self {
         let count = separations.len();
         assert!((1..=Self::MOST).contains(&count), "{count} separations");
         let last_cell = (CELLS_PER_LEVEL * count) as f64;
         let span = separations[0] - separations[count - 1];
-        // Finite also where separations are next to each other.
+        // Finite also for adjacent separations.
         let cells_per_metre = if span > 0.0 { ((last_cell - 1.0) / span).min(f64::MAX) } else { 0.0 };
         let mut levels = Self {
             count,
@@ -66,12 +66,12 @@ impl<const PLACES: usize, const CELLS: usize> Levels<PLACES, CELLS> {
         levels
     }
 
-    /// The separations, m, largest first.
+    /// The separations, m, in descending order.
     pub(super) fn separations(&self) -> &[f64] {
         &self.separations[..self.count]
     }
 
-    /// How many of `heights` (m) lie above each separation.
+    /// Number of `heights` (m) above each separation.
     pub(super) fn count_above(&self, heights: &[f64]) -> Vec<u64> {
         let mut counts =
             if self.is_crowded { self.count_by::<true>(heights) } else { self.count_by::<false>(heights) };
@@ -83,9 +83,9 @@ impl<const PLACES: usize, const CELLS: usize> Levels<PLACES, CELLS> {
         counts
     }
 
-    /// How many of `heights` (m) lie between each separation and the next larger one.
+    /// Number of `heights` (m) between each separation and the next larger one.
     fn count_by<const CROWDED: bool>(&self, heights: &[f64]) -> Vec<u64> {
-        /// Heights at a time, which stay in the cache.
+        /// Heights per pass, which fit in the cache.
         const TOGETHER: usize = 1024;
         let mut counts = vec![0; self.count];
         let (mut cells, mut touched) = ([0; TOGETHER], [0; TOGETHER]);
@@ -100,7 +100,7 @@ impl<const PLACES: usize, const CELLS: usize> Levels<PLACES, CELLS> {
         counts
     }
 
-    /// The cell of a height (m): 0 up to the lowest separation, from there on the higher the greater.
+    /// The cell of a height (m): 0 up to the lowest separation, then increasing with height.
     #[inline(always)]
     fn cell(&self, height: f64) -> u16 {
         let cell = self.cell_above(height);
@@ -110,16 +110,16 @@ impl<const PLACES: usize, const CELLS: usize> Levels<PLACES, CELLS> {
     #[inline(always)]
     fn cell_above(&self, height: f64) -> u16 {
         let cell = ((height - self.lowest) * self.cells_per_metre + 1.0).min(self.last_cell);
-        // Adding 2^52 leaves the nearest whole number in the last bits.
-        (cell + WHOLES).to_bits() as u16
+        // Adding 2^52 leaves the nearest integer in the last bits.
+        (cell + INTEGER_BIAS).to_bits() as u16
     }
 
-    /// How many separations an asperity in `cell` is not touched at; all that lie in cells above its own are among them,
-    /// and where cells are `CROWDED` perhaps several within it.
+    /// Number of separations at which an asperity in `cell` is not touched: those in higher cells and, if cells are
+    /// `CROWDED`, possibly several in its own.
     #[inline(always)]
     fn untouched<const CROWDED: bool>(&self, height: f64, cell: u16) -> u16 {
         let mut place = self.above[usize::from(cell) % CELLS];
-        // Without a branch, since one cannot be foreseen.
+        // Branch-free, since the branch would be unpredictable.
         place += u16::from(self.separations[usize::from(place) % PLACES] >= height);
         while CROWDED && self.separations[usize::from(place) % PLACES] >= height {
             place += 1;
@@ -128,18 +128,18 @@ impl<const PLACES: usize, const CELLS: usize> Levels<PLACES, CELLS> {
     }
 }
 
-/// A block of asperities, those that the first separation touches first: at each they are a prefix. Arrays are as long as
-/// can be, and indices taken modulo that, so that none is checked.
+/// A block of asperities sorted by the separation at which they are touched: those in contact at a separation are a
+/// prefix. Arrays have their maximum length, and indices are taken modulo it, so that bounds checks are removed.
 pub(super) struct Block {
     heights: Box<[f64; Self::MOST]>,
     radii: Box<[f64; Self::MOST]>,
     spheres: Box<[f64; Self::MOST]>,
     /// The cell of each asperity.
     cells: Box<[u16; Self::MOST]>,
-    /// Which are touched, and at how many separations each of them is not.
+    /// Indices of the asperities touched, and the number of separations at which each is not.
     touched: Box<[u16; Self::MOST]>,
     places: Box<[u16; Self::MOST]>,
-    /// How many are touched at each separation.
+    /// Number touched at each separation.
     ends: [usize; PLACES_OF_BLOCK],
 }
 
@@ -161,7 +161,7 @@ fn zeroed<T: Default + Copy>() -> Box<[T; Block::MOST]> {
     Box::new([T::default(); Block::MOST])
 }
 
-/// Finds the cells of heights, in the registers of the machine.
+/// Computes the cells of heights in vector registers.
 struct FindCells<'a, const PLACES: usize, const CELLS: usize> {
     levels: &'a Levels<PLACES, CELLS>,
     heights: &'a [f64],
@@ -191,10 +191,10 @@ fn keep_touched<const MOST: usize>(cells: &[u16], touched: &mut [u16; MOST]) -> 
 }
 
 impl Block {
-    /// The largest number of asperities: they stay in the cache from one separation to the next.
+    /// The largest number of asperities, which fit in the cache.
     pub(super) const MOST: usize = 8192;
 
-    /// Takes in up to [`Self::MOST`] asperities.
+    /// Fills the block with up to [`Self::MOST`] asperities.
     pub(super) fn fill(&mut self, asperities: Asperities<'_>, levels: &LevelsOfBlock) {
         if levels.is_crowded {
             self.fill_by::<true>(asperities, levels);
@@ -223,7 +223,7 @@ impl Block {
             (*end, start) = (start, start + *end);
         }
 
-        // Each start moves on to become an end.
+        // Each start advances to the end of its range.
         let order = places.iter().zip(touched).map(|(&place, &index)| {
             let end = &mut ends[usize::from(place) % PLACES_OF_BLOCK];
             let to = *end % Self::MOST;
@@ -238,7 +238,7 @@ impl Block {
         }
     }
 
-    /// Those that are touched at the separation `level`, in the arrays and on the area of `asperities`.
+    /// The asperities touched at the separation `level`, from the arrays of `asperities`.
     pub(super) fn above(&self, level: usize, asperities: &Asperities<'_>) -> Asperities<'_> {
         let count = self.ends[level];
         let spheres = asperities.spheres().map(|_| &self.spheres[..count]);

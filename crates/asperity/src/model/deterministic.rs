@@ -1,4 +1,4 @@
-//! The deterministic model: a sum over the real asperities (Pasaribu and Schipper 2005, Eqs. 1, 13).
+//! The deterministic model: a sum over the individual asperities (Pasaribu and Schipper 2005, Eqs. 1, 13).
 
 use std::cell::Cell;
 use std::sync::OnceLock;
@@ -16,16 +16,16 @@ use crate::numeric::parallel;
 use crate::numeric::root::last_reaching_bounded;
 use crate::numeric::sum::in_chunks;
 
-/// The micro-contact summed over the asperities that stand above the flat.
+/// The sum of the micro-contact over the asperities above the flat.
 ///
-/// A curve is summed block by block: each block is brought into the order in which the separations touch its asperities
-/// while it is in the cache, so that asperities below the flat are not visited again.
+/// A curve is summed block by block: each block is sorted, within the cache, by the separation at which its asperities
+/// are touched, so that only asperities in contact are visited.
 #[derive(Clone)]
 pub struct Deterministic<'a> {
     contact: &'a dyn MicroContact,
     asperities: Asperities<'a>,
     plane: ReferencePlane,
-    /// Found when a load is first prescribed.
+    /// Determined when a load is first prescribed.
     decreasing: OnceLock<Option<DecreasingLoads>>,
 }
 
@@ -33,7 +33,7 @@ pub struct Deterministic<'a> {
 #[derive(Debug, Clone)]
 struct DecreasingLoads {
     ordered: Ordered,
-    /// Of each class of radii, ranges of indentation, m.
+    /// The ranges of indentation (m) for each class of radii.
     within: Vec<Vec<Interval>>,
     /// The class of each asperity.
     class: Vec<u8>,
@@ -44,7 +44,7 @@ struct DecreasingLoads {
 impl DecreasingLoads {
     /// `None` where no load ever decreases.
     fn of(contact: &dyn MicroContact, asperities: Asperities) -> Option<Self> {
-        /// Classes of radii at most, so that one sharp asperity does not decide for all.
+        /// The largest number of classes of radii, so that one sharp asperity does not affect all others.
         const CLASSES: u8 = 32;
         let (radii, spheres) = (asperities.radius_range(), asperities.sphere_range());
         if contact.may_decrease(Shapes { radii, spheres }).is_empty() {
@@ -54,7 +54,7 @@ impl DecreasingLoads {
         let classes = if octaves > 0.0 { CLASSES } else { 1 };
         let step = octaves / f64::from(classes);
         let end = |k: u8| radii.low * (step * f64::from(k)).exp2();
-        // Ends are rounded: classes overlap a little.
+        // Ends are rounded, so that classes overlap slightly.
         let shapes = |k: u8| Shapes {
             radii: Interval { low: end(k) * (1.0 - 1e-9), high: end(k + 1) * (1.0 + 1e-9) },
             spheres,
@@ -71,14 +71,14 @@ impl DecreasingLoads {
         Some(Self { ordered, within, class, from })
     }
 
-    /// Whether the load of asperity `index` rises throughout `indentations`.
+    /// Whether the load of asperity `index` increases throughout `indentations`.
     fn is_monotonic(&self, index: usize, indentations: Interval) -> bool {
         let within = &self.within[usize::from(self.class[index])];
-        !within.iter().any(|range| range.meets(indentations))
+        !within.iter().any(|range| range.overlaps(indentations))
     }
 }
 
-/// Evaluates `of` at `separations` (m), a few of them at a time and the largest first; the results are in the order of
+/// Evaluates `of` at `separations` (m) in groups of descending separation; the results are in the order of
 /// `separations`.
 fn on_levels<T: Clone + Default, const PLACES: usize, const CELLS: usize>(
     separations: &[f64],
@@ -105,18 +105,18 @@ struct Workspace {
 }
 
 thread_local! {
-    /// Kept from one sum to the next: fresh memory takes a tenth of the time of a million asperities.
+    /// Reused between sums: allocation takes a tenth of the time of a million asperities.
     static WORKSPACE: Cell<Option<Box<Workspace>>> = const { Cell::new(None) };
 }
 
 /// The largest number of blocks per task.
 const BLOCKS_PER_TASK: usize = 16;
 
-/// Tasks that a sum is cut into where its blocks are few. Fixed, so that nothing depends on the number of threads.
+/// Number of tasks of a sum of few blocks. Fixed, so that results do not depend on the number of threads.
 const TASKS: usize = 32;
 
 impl<'a> Deterministic<'a> {
-    /// The model of asperities, with separations measured as `plane` says.
+    /// The model of `asperities`, with separations measured from and in units of `plane`.
     pub fn new(contact: &'a dyn MicroContact, asperities: Asperities<'a>, plane: ReferencePlane) -> Self {
         Self { contact, asperities, plane, decreasing: OnceLock::new() }
     }
@@ -126,19 +126,19 @@ impl<'a> Deterministic<'a> {
         self.totals(&[separation])[0]
     }
 
-    /// The same at each of many separations.
+    /// The sums at each of many separations (m, in the frame of the set's heights).
     pub fn totals(&self, separations: &[f64]) -> Vec<Total> {
         on_levels(separations, |levels| {
             let lowest = levels.separations()[levels.separations().len() - 1];
             match SparseSubset::above(lowest, &self.asperities) {
-                // Blocks that hold next to nothing are not gone through separation by separation.
+                // Blocks almost without contacts are not processed separation by separation.
                 Some(few) => Deterministic::new(self.contact, few.asperities(), self.plane).descend(levels),
                 None => self.descend(levels),
             }
         })
     }
 
-    /// The same on the way down through few separations.
+    /// The sums at descending separations.
     fn descend(&self, levels: &LevelsOfBlock) -> Vec<Total> {
         let count = self.asperities.count();
         let blocks = count.div_ceil(Block::MOST);
@@ -152,13 +152,13 @@ impl<'a> Deterministic<'a> {
             for start in (task * per_task..end).step_by(Block::MOST) {
                 let next = end.min(start + Block::MOST);
                 let asperities = self.asperities.part(start..next);
-                // The next block, a piece at each separation.
+                // Prefetches the next block, a part at each separation.
                 let ahead = self.asperities.part(next..end.min(next + Block::MOST));
                 let piece = ahead.count().div_ceil(levels.separations().len());
                 block.fill(asperities, levels);
                 let each = levels.separations().iter().zip(&mut *accumulators);
                 for (level, (&separation, accumulator)) in each.enumerate() {
-                    ahead.ask_for(level * piece..(level + 1) * piece);
+                    ahead.prefetch(level * piece..(level + 1) * piece);
                     let touching = block.above(level, &asperities);
                     if touching.count() > 0 {
                         self.contact.accumulate(touching, separation, accumulator);
@@ -199,8 +199,8 @@ impl<'a> Deterministic<'a> {
         Response { sampling: Some(sampling), ..Response::new(h, self.plane, total, per_area) }
     }
 
-    /// The highest pressure that any separation from `low` to `high` could carry, were each asperity at its own
-    /// worst, and bounds of the sum of all dP/dd (N/m) over them.
+    /// An upper bound of the pressure (Pa) at separations from `low` to `high`, from the highest load of each asperity,
+    /// and bounds of the sum of dP/dd (N/m).
     fn pressure_over(&self, low: f64, high: f64, decreasing: &DecreasingLoads) -> (f64, Interval) {
         let (near, far) = (self.absolute(low), self.absolute(high));
         let touching = decreasing.ordered.above(near);
@@ -211,7 +211,7 @@ impl<'a> Deterministic<'a> {
                 for i in chunk {
                     let (z, shape) = (touching.heights()[i], touching.shape(i));
                     let indentations = Interval { low: (z - far).max(0.0), high: z - near };
-                    // Where the load rises it is highest at the end, and no slope is below zero.
+                    // An increasing load is highest at the end and has no negative slope.
                     let bounds = if decreasing.is_monotonic(i, indentations) {
                         LoadBounds {
                             highest: self.contact.contact(z - near, shape).load,
@@ -246,7 +246,7 @@ impl Model for Deterministic<'_> {
     }
 
     fn count_contacts(&self, separations: &[f64]) -> Option<ContactCounts> {
-        /// Heights that one task counts.
+        /// Heights counted per task.
         const HEIGHTS: usize = 1 << 14;
         let absolute: Vec<f64> = separations.iter().map(|&h| self.absolute(h)).collect();
         let counts = on_levels(&absolute, |levels: &ManyLevels| {

@@ -1,4 +1,4 @@
-//! The separation at which a surface carries a given load.
+//! The separation of a prescribed load.
 
 use super::{Model, Response};
 use crate::numeric::parallel;
@@ -9,17 +9,17 @@ pub const LOWEST_SEPARATION: f64 = -10.0;
 /// The response at a prescribed pressure.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Reached {
-    /// The response at the largest separation that carries the pressure.
+    /// The response at the largest separation of at least the prescribed pressure.
     pub response: Response,
-    /// Whether the pressure lies in a jump of the law: the response carries more than that,
-    /// and any larger separation less.
+    /// Whether the pressure lies within a load jump of the law: the response then has a higher pressure, and any larger
+    /// separation a lower one.
     pub in_jump: bool,
 }
 
-/// A pressure that a model does not carry at any separation that is searched.
+/// A pressure that a model does not reach at any separation from [`LOWEST_SEPARATION`] on.
 #[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
 #[error(
-    "a nominal pressure of {wanted:e} Pa is not reached; the largest that is, from separations of {LOWEST_SEPARATION} sigma on, is {largest:e} Pa"
+    "a nominal pressure of {wanted:e} Pa is not reached; the largest pressure, at separations from {LOWEST_SEPARATION} sigma on, is {largest:e} Pa"
 )]
 pub struct Unreachable {
     /// The prescribed pressure, Pa.
@@ -28,10 +28,10 @@ pub struct Unreachable {
     pub largest: f64,
 }
 
-/// The response of `model` at the largest separation with at least `pressure` (Pa, positive).
+/// The response of `model` at the largest separation where its pressure is at least `pressure` (Pa, positive).
 ///
 /// # Errors
-/// A pressure that is not reached down to [`LOWEST_SEPARATION`], with the largest that is.
+/// A pressure that is not reached from [`LOWEST_SEPARATION`] on; the error holds the largest pressure.
 pub fn at_pressure(model: &dyn Model, pressure: f64) -> Result<Reached, Unreachable> {
     at_pressures(model, &[pressure]).remove(0)
 }
@@ -47,7 +47,7 @@ pub(super) fn search_missing(
     missing.into_iter().zip(answers).for_each(|(k, answer)| found[k] = answer);
 }
 
-/// The same for each of many pressures, which are searched together.
+/// [`at_pressure`] for each of many pressures (Pa, positive), searched together.
 pub fn at_pressures(model: &dyn Model, pressures: &[f64]) -> Vec<Result<Reached, Unreachable>> {
     let found = reached_at(model, pressures);
     let largest = if found.contains(&None) { largest_pressure(model) } else { 0.0 };
@@ -55,7 +55,7 @@ pub fn at_pressures(model: &dyn Model, pressures: &[f64]) -> Vec<Result<Reached,
     found.into_iter().zip(pressures).map(answer).collect()
 }
 
-/// The same; `None` for a pressure that is not reached, without a search for the largest that is.
+/// [`at_pressures`] with `None` for a pressure that is not reached, without a search for the largest pressure.
 pub fn reached_at(model: &dyn Model, pressures: &[f64]) -> Vec<Option<Reached>> {
     if pressures.is_empty() {
         return Vec::new();
@@ -71,19 +71,19 @@ pub fn reached_at(model: &dyn Model, pressures: &[f64]) -> Vec<Option<Reached>> 
     found.iter().zip(pressures).map(answer).collect()
 }
 
-/// What the rounding of a separation, in the frame that its heights are in, does to a pressure, Pa.
+/// The error of a pressure (Pa) due to rounding of the separation in the frame of the heights.
 fn rounding(model: &dyn Model, response: &Response) -> f64 {
-    /// Rounding of a pressure at a given separation, far in the tail.
+    /// Relative rounding error of a pressure at a given separation, far in the tail.
     const RELATIVE: f64 = 1e-11;
     let plane = model.plane();
     let step = 8.0 * f64::EPSILON * (response.separation.abs() + plane.mean.abs() + plane.sigma);
     response.stiffness * step + RELATIVE * response.pressure.total()
 }
 
-/// The largest pressure on a grid over what is searched, Pa; where the load never falls, that at the
+/// The largest pressure (Pa) on a grid over the range searched; if the load never decreases on approach, that at the
 /// lowest separation.
 fn largest_pressure(model: &dyn Model) -> f64 {
-    /// Grid points a sigma.
+    /// Grid points per sigma.
     const PER_SIGMA: i32 = 16;
     let steps = 2 * PER_SIGMA * LOWEST_SEPARATION.abs() as i32;
     let grid: Vec<f64> =

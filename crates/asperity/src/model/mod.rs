@@ -1,5 +1,4 @@
-//! Two ways of summing one micro-contact: the integral over a height density and the sum over
-//! real asperities.
+//! Two ways of summing one micro-contact: the integral over a height density and the sum over individual asperities.
 
 mod block;
 mod curve;
@@ -19,33 +18,33 @@ pub use statistical::{MeanRadius, Statistical};
 
 use crate::numeric::levels::{Point, last_reaching_all};
 
-/// Numbers of contacts.
+/// Counted contacts of a sum.
 #[derive(Debug, Clone, PartialEq)]
 pub struct ContactCounts {
     /// Number of contacts at each separation.
     pub contacts: Vec<f64>,
-    /// One over the nominal area, 1/m^2.
+    /// The density of one contact, 1/(nominal area), 1/m^2.
     pub per_area: f64,
 }
 
-/// A way of summing a micro-contact over a rough surface. Separations are d/sigma, from the plane's mean height.
+/// A way of summing a micro-contact over a rough surface. Separations are d/sigma, measured from [`Self::plane`].
 pub trait Model: Sync {
     /// Where separations are measured from.
     fn plane(&self) -> ReferencePlane;
 
-    /// The responses at the separations d/sigma: a curve costs less at once than point by point.
+    /// The responses at the separations d/sigma; faster than point by point.
     fn respond_all(&self, separations: &[f64]) -> Vec<Response>;
 
-    /// The contacts at each of the separations d/sigma, where they can be counted without the rest.
+    /// The number of contacts at each of the separations d/sigma; `None` if the model cannot count them separately.
     fn count_contacts(&self, _: &[f64]) -> Option<ContactCounts> {
         None
     }
 
-    /// Whether the load of an asperity may decrease as the flat comes nearer, so that a pressure may be reached more than once.
+    /// Whether the load may decrease on approach, so that a pressure may be reached more than once.
     fn may_decrease(&self) -> bool;
 
-    /// For each of the pressures (Pa, positive) the largest separation with at least that in
-    /// [[`LOWEST_SEPARATION`], infinity), `None` if there is none.
+    /// For each of the pressures (Pa, positive) the largest separation d/sigma in [[`LOWEST_SEPARATION`], infinity)
+    /// with at least that pressure; `None` if there is none.
     fn separations_at(&self, pressures: &[f64]) -> Vec<Option<f64>>;
 
     /// The response at the separation `h` = d/sigma.
@@ -58,8 +57,8 @@ pub trait Model: Sync {
         self.separations_at(&[pressure])[0]
     }
 
-    /// The largest separations in [`low`, `high`] with at least each of `pressures` (Pa), `None` where it is not reached at
-    /// `low`, of a pressure that nowhere there rises with the separation.
+    /// For each of `pressures` (Pa) the largest separation in [`low`, `high`] with at least that pressure; `None` if it
+    /// is not reached at `low`. The pressure must not increase with the separation in this range.
     fn last_reaching(&self, pressures: &[f64], low: f64, high: f64) -> Vec<Option<f64>> {
         let sigma = self.plane().sigma;
         let curve = |separations: &[f64]| -> Vec<Point> {
@@ -76,9 +75,9 @@ pub trait Model: Sync {
 
 /// Separations from `high` down to `low`, in steps of a quarter of sigma where contacts begin and of one far out.
 fn descent(low: f64, high: f64) -> Vec<f64> {
-    /// Few asperities are higher.
+    /// The separation (in sigma) above which steps are 1 sigma.
     const FAR: f64 = 6.0;
-    /// Beyond that most densities are gone; what is left is one step.
+    /// The separation beyond which densities are negligible: one last step.
     const END: f64 = 48.0;
     let mut grid = vec![high];
     let mut next = if high > END { END } else { high.ceil() - 1.0 };

@@ -1,11 +1,11 @@
-//! The frame of separations.
+//! The reference plane of separations.
 
 use crate::asperity::{Population, Statistics};
 
-/// Where separations are measured from, and in what unit they are reported.
+/// The plane from which separations are measured, and the unit in which they are reported.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct ReferencePlane {
-    /// The height that separation 0 means, m: the mean asperity height.
+    /// The height of separation 0, m: the mean asperity height.
     pub mean: f64,
     /// Standard deviation of the asperity heights, m.
     pub sigma: f64,
@@ -17,7 +17,7 @@ impl From<&Statistics> for ReferencePlane {
     }
 }
 
-/// Separations from the nominal mean height, in the nominal sigma.
+/// The nominal mean height and sigma of a population.
 impl From<&Population> for ReferencePlane {
     fn from(population: &Population) -> Self {
         Self { mean: 0.0, sigma: population.sigma }

@@ -19,31 +19,29 @@ pub struct Response {
     pub pressure: ByRegime,
     /// -dp/dd, Pa/m.
     pub stiffness: f64,
-    /// Standard errors; a sum has them, an integral does not.
+    /// Standard errors of a sum; `None` for an integral.
     pub sampling: Option<SamplingError>,
 }
 
-/// Standard errors of a sum at a fixed separation, its asperities taken as independent draws of a
-/// fixed number.
+/// Standard errors of a sum at a fixed separation, with its asperities taken as a fixed number of independent draws.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct SamplingError {
-    /// Of the nominal pressure, Pa.
+    /// Standard error of the nominal pressure, Pa.
     pub pressure: f64,
-    /// Of the area ratio.
+    /// Standard error of the area ratio.
     pub area_ratio: f64,
 }
 
-/// Beyond this area ratio neighbouring asperities interact, and no asperity model holds.
+/// The area ratio beyond which neighbouring asperities interact and asperity models are not valid.
 pub const INTERACTION: f64 = 0.05;
 
 impl Response {
-    /// Standard error of d/sigma at a fixed load, where the response has standard errors; `sigma` (m) is what d is
-    /// measured in.
+    /// Standard error of d/sigma at a fixed load, if the response has standard errors; `sigma` (m) is the unit of d.
     pub fn separation_error(&self, sigma: f64) -> Option<f64> {
         self.sampling.map(|error| error.pressure / (self.stiffness * sigma))
     }
 
-    /// The response at separation `h` = d/sigma whose sums are `total` times `per_area` (1/m^2).
+    /// The response at separation `h` = d/sigma from the sums `total` times `per_area` (1/m^2).
     pub(super) fn new(h: f64, plane: ReferencePlane, total: &Total, per_area: f64) -> Self {
         Self {
             separation_over_sigma: h,
@@ -56,19 +54,19 @@ impl Response {
         }
     }
 
-    /// Mean pressure on the real contact area, Pa; `None` where nothing touches.
+    /// Mean pressure on the real contact area, Pa; `None` without contact.
     pub fn mean_real_pressure(&self) -> Option<f64> {
         let area = self.area_ratio.total();
         (area > 0.0).then(|| self.pressure.total() / area)
     }
 
-    /// Radius of a circular contact of the mean area, m; `None` where nothing touches.
+    /// Radius of a circular contact of the mean area, m; `None` without contact.
     pub fn mean_contact_radius(&self) -> Option<f64> {
         let area = self.area_ratio.total() / self.contact_density;
         area.is_finite().then(|| (area / std::f64::consts::PI).sqrt())
     }
 
-    /// Whether so much is in contact that asperities interact.
+    /// Whether the area ratio exceeds [`INTERACTION`].
     pub fn is_beyond_model(&self) -> bool {
         self.area_ratio.total() > INTERACTION
     }

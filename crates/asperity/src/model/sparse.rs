@@ -1,9 +1,9 @@
-//! The few asperities that a far flat touches, moved together.
+//! A compact copy of the asperities touched at a large separation.
 
 use crate::asperity::Asperities;
 use crate::numeric::parallel;
 
-/// Asperities in columns of their own.
+/// A subset of asperities, copied to its own arrays.
 pub(super) struct SparseSubset {
     heights: Vec<f64>,
     radii: Vec<f64>,
@@ -12,19 +12,19 @@ pub(super) struct SparseSubset {
 }
 
 impl SparseSubset {
-    /// The asperities of `all` above `lowest` (m), in their order; `None` where they are more than a small part, or `all` is
-    /// small itself. Which it is does not depend on threads.
+    /// The asperities of `all` above `lowest` (m), in their order; `None` if they are more than a small fraction, or if
+    /// `all` is small. The result does not depend on the number of threads.
     pub(super) fn above(lowest: f64, all: &Asperities<'_>) -> Option<Self> {
-        /// A small part is less than one in 64.
-        const FEW: usize = 64;
-        /// Heights that are sampled before all are scanned.
+        /// A small fraction is less than 1/64.
+        const FRACTION: usize = 64;
+        /// Heights sampled before all are scanned.
         const SAMPLE: usize = 4096;
         /// Asperities per task.
         const TASK: usize = 1 << 16;
         let heights = all.heights();
         let step = heights.len() / SAMPLE;
         let is_touched = |z: &&f64| **z > lowest;
-        let enough = SAMPLE / FEW + 1;
+        let enough = SAMPLE / FRACTION + 1;
         if step == 0 || heights.iter().step_by(step).filter(is_touched).take(enough).count() == enough {
             return None;
         }
@@ -42,7 +42,7 @@ impl SparseSubset {
         })
     }
 
-    /// All of them.
+    /// The asperities of the subset.
     pub(super) fn asperities(&self) -> Asperities<'_> {
         Asperities::new(&self.heights, &self.radii, self.spheres.as_deref(), self.nominal_area)
     }
@@ -58,12 +58,12 @@ mod tests {
         let radii: Vec<f64> = heights.iter().map(|z| z + 0.5).collect();
         let spheres: Vec<f64> = heights.iter().map(|z| z + 0.25).collect();
         let all = Asperities::new(&heights, &radii, Some(&spheres), 3.0);
-        let few = SparseSubset::above(199_000.0, &all).unwrap();
-        let found: Vec<_> = few.asperities().each().collect();
+        let subset = SparseSubset::above(199_000.0, &all).unwrap();
+        let found: Vec<_> = subset.asperities().each().collect();
         let expected: Vec<_> = all.each().filter(|(z, _)| *z > 199_000.0).collect();
-        assert_eq!((found.len(), few.asperities().nominal_area()), (999, 3.0));
+        assert_eq!((found.len(), subset.asperities().nominal_area()), (999, 3.0));
         assert_eq!(found, expected);
-        // Sorted or not, many are not few.
+        // Sorted or not, many asperities are no sparse subset.
         assert!(SparseSubset::above(150_000.0, &all).is_none());
         let mut sorted = heights.clone();
         sorted.sort_by(f64::total_cmp);

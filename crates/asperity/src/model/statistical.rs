@@ -11,13 +11,13 @@ use crate::numeric::quadrature::{NODES, Piece, Variable, pieces};
 use crate::numeric::root::last_reaching;
 use crate::shape::Shape;
 
-/// Breakpoints below this part of the window are left out.
+/// Breakpoints below this fraction of the window are omitted.
 const NEGLIGIBLE: f64 = 1e-40;
 
-/// Ratio of a panel's ends up to which it resolves a logarithm in w to full accuracy.
+/// The largest ratio of a panel's ends at which it resolves a logarithm in w to full accuracy.
 const RATIO_PER_PANEL: f64 = 56.0;
 
-/// Which mean of the radii the integral uses.
+/// The mean radius used by the statistical model.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
 #[cfg_attr(feature = "serde", derive(serde::Deserialize))]
 #[cfg_attr(feature = "serde", serde(rename_all = "kebab-case"))]
@@ -45,8 +45,8 @@ impl MeanRadius {
 /// A/A_nom = eta int A(z - d) f(z) dz,   p = eta int P(z - d) f(z) dz,   z from d
 /// ```
 ///
-/// by Gauss-Legendre panels between the breakpoints of the micro-contact, in w with the density
-/// relative to its value at d: the far tail keeps full relative accuracy.
+/// by Gauss-Legendre panels in w between the breakpoints of the micro-contact, with the density relative to its value
+/// at d, so that the far tail keeps full relative accuracy.
 #[derive(Clone)]
 pub struct Statistical<'a> {
     contact: &'a dyn MicroContact,
@@ -54,20 +54,21 @@ pub struct Statistical<'a> {
     /// Shape of every asperity.
     shape: Shape,
     plane: ReferencePlane,
-    /// Of the contact of one asperity, in units of sigma.
+    /// Breakpoints of the micro-contact, in units of sigma.
     breakpoints: Vec<f64>,
-    /// Those at which the load jumps, and by how much, N.
+    /// Breakpoints at which the load jumps, and the jump (N).
     jumps: Vec<(f64, f64)>,
 }
 
 impl<'a> Statistical<'a> {
-    /// The model of a population, with separations from its mean asperity height in its sigma.
+    /// The model of a population of spheres, with separations measured from its mean asperity height in units of its
+    /// sigma.
     pub fn new(contact: &'a dyn MicroContact, population: Population) -> Self {
         let shape = Shape::sphere(population.radius);
         Self::of_shape(contact, population, shape)
     }
 
-    /// The model of a population of another shape than spheres of its radius.
+    /// The model of a population of asperities of `shape`, in place of spheres of its radius.
     pub fn of_shape(contact: &'a dyn MicroContact, population: Population, shape: Shape) -> Self {
         let sigma = population.sigma;
         let breakpoints: Vec<f64> = contact.breakpoints(shape).into_iter().map(|w| w / sigma).collect();
@@ -76,15 +77,15 @@ impl<'a> Statistical<'a> {
         Self { contact, population, shape, plane: ReferencePlane { mean: 0.0, sigma }, breakpoints, jumps }
     }
 
-    /// The same model with separations measured as `plane` says, its mean relative to the mean
+    /// The same model with separations measured from and in units of `plane`, whose mean is relative to the mean
     /// asperity height.
     pub fn reported_from(self, plane: ReferencePlane) -> Self {
         Self { plane, ..self }
     }
 
-    /// A reported separation as the standardised one that the density knows.
+    /// Converts a reported separation to the standardised one of the density.
     fn standardised(&self, h: f64) -> f64 {
-        if self.is_quoted_as_it_is() {
+        if self.is_standardised() {
             h
         } else {
             (self.plane.mean + h * self.plane.sigma) / self.population.sigma
@@ -93,21 +94,21 @@ impl<'a> Statistical<'a> {
 
     /// The inverse of [`Statistical::standardised`].
     fn reported(&self, h: f64) -> f64 {
-        if self.is_quoted_as_it_is() {
+        if self.is_standardised() {
             h
         } else {
             (h * self.population.sigma - self.plane.mean) / self.plane.sigma
         }
     }
 
-    /// Then d/sigma goes through unrounded, which the far tail needs.
-    fn is_quoted_as_it_is(&self) -> bool {
+    /// Whether reported and standardised separations are equal; the far tail needs d/sigma without rounding.
+    fn is_standardised(&self) -> bool {
         self.plane == ReferencePlane { mean: 0.0, sigma: self.population.sigma }
     }
 
-    /// The total at the standardised separation `h`, per asperity, over the density's factor
-    /// [`HeightDistribution::scale`](crate::distribution::HeightDistribution::scale):
-    /// with it, the part of one asperity is denormal in the far tail though that of all is not.
+    /// The total at the standardised separation `h`, per asperity and without the density's factor
+    /// [`HeightDistribution::scale`](crate::distribution::HeightDistribution::scale), with which it would underflow in
+    /// the far tail.
     fn total(&self, h: f64) -> Total {
         let heights = &*self.population.heights;
         let mut accumulator = Accumulator::default();
@@ -115,7 +116,7 @@ impl<'a> Statistical<'a> {
             return accumulator.total();
         }
         let [start, end] = heights.window(h);
-        // What lies nearer to zero than this carries nothing, and would take panels without end.
+        // Below this the load is negligible, and the number of panels would be unbounded.
         let nearest = NEGLIGIBLE * end;
         let of_contact = self.breakpoints.iter().map(|&x| heights.variable(h, x));
         let breakpoints = merged(of_contact.skip_while(|&v| v <= nearest), heights.breakpoints(h));
@@ -138,7 +139,7 @@ impl<'a> Statistical<'a> {
             from = to;
         }
         self.accumulate_weighted(h, &mut samples, &mut accumulator);
-        // dp/dd has a contribution of its own where the load jumps.
+        // A load jump contributes to dp/dd.
         for &(x, load) in &self.jumps {
             let v = heights.variable(h, x);
             if v > nearest && (start..end).contains(&v) {
@@ -152,7 +153,7 @@ impl<'a> Statistical<'a> {
     fn accumulate_weighted(&self, h: f64, samples: &mut Samples, accumulator: &mut Accumulator) {
         let Samples { points, weights, count } = samples;
         let (points, weights) = (&mut points[..*count], &mut weights[..*count]);
-        self.population.heights.weigh(h, points, weights);
+        self.population.heights.apply_density(h, points, weights);
         points.iter_mut().for_each(|x| *x *= self.population.sigma);
         self.contact.accumulate_weighted(points, weights, self.shape, accumulator);
         *count = 0;
@@ -164,28 +165,29 @@ impl<'a> Statistical<'a> {
     }
 }
 
-/// By how much the load jumps at the indentation `w` (m), N; `None` where it does not.
+/// The load jump (N) at the indentation `w` (m); `None` if the load is continuous.
 fn jump(contact: &dyn MicroContact, shape: Shape, w: f64) -> Option<f64> {
-    /// This part of a breakpoint lies to either side of it: more than the rounding of where a load jumps.
-    const BESIDE: f64 = 1e-12;
-    /// Loads differ by so much of them through rounding.
+    /// Relative distance from a breakpoint at which both of its sides are evaluated: above the rounding of the
+    /// breakpoint.
+    const OFFSET: f64 = 1e-12;
+    /// Relative rounding error of the difference of two loads.
     const ROUNDING: f64 = 32.0 * f64::EPSILON;
-    let step = BESIDE * w;
+    let step = OFFSET * w;
     let [below, above] = [-step, step].map(|step| contact.contact(w + step, shape));
     let jump = above.load - below.load - (below.stiffness + above.stiffness) * step;
     (jump.abs() > ROUNDING * above.load).then_some(jump)
 }
 
-/// Nodes of some panels, whose contacts are evaluated together.
+/// Quadrature nodes whose contacts are evaluated together.
 struct Samples {
-    /// The variable that is integrated over.
+    /// Abscissae, in the variable of integration.
     points: [f64; Self::MOST],
     weights: [f64; Self::MOST],
     count: usize,
 }
 
 impl Samples {
-    /// The nodes of four panels; more are evaluated in turns.
+    /// The nodes of four panels.
     const MOST: usize = 4 * NODES;
 }
 
@@ -195,7 +197,7 @@ impl Default for Samples {
     }
 }
 
-/// Adds the nodes of a piece.
+/// Appends the nodes of a piece.
 struct Sampled<'a> {
     piece: Piece,
     samples: &'a mut Samples,
@@ -218,7 +220,7 @@ impl Work for Sampled<'_> {
     }
 }
 
-/// Two ascending sequences as one.
+/// Merges two ascending sequences.
 fn merged(a: impl Iterator<Item = f64>, b: Vec<f64>) -> impl Iterator<Item = f64> {
     let (mut a, mut b) = (a.peekable(), b.into_iter().peekable());
     std::iter::from_fn(move || match (a.peek(), b.peek()) {
@@ -228,7 +230,7 @@ fn merged(a: impl Iterator<Item = f64>, b: Vec<f64>) -> impl Iterator<Item = f64
     })
 }
 
-/// [from, to] in pieces whose ends have a bounded ratio, where the integrand holds a logarithm of w.
+/// Divides [from, to] into pieces, of a bounded ratio of their ends if the integrand contains a logarithm of w.
 fn spans(from: f64, to: f64, logarithmic: bool) -> impl Iterator<Item = [f64; 2]> {
     let ratio = to / from;
     let count = if logarithmic { (ratio.ln() / RATIO_PER_PANEL.ln()).ceil().max(1.0) as i32 } else { 1 };
@@ -246,7 +248,7 @@ impl Model for Statistical<'_> {
     }
 
     fn respond_all(&self, separations: &[f64]) -> Vec<Response> {
-        /// Integrals that are worth a task.
+        /// The smallest number of integrals per task.
         const MANY: usize = 64;
         let Population { density, ref heights, .. } = self.population;
         let respond = |&h: &f64| {
@@ -259,10 +261,9 @@ impl Model for Statistical<'_> {
         responses.concat()
     }
 
-    /// Where the density falls with height, so does the pressure with the separation, whatever the
-    /// load does with w: -dp/dd = -int P f' dz. Nearer than the mode a falling load can make it fall.
-    /// The density is smooth there on the scale of sigma: within a small step the pressure turns once
-    /// at most, and the slopes at both ends decide.
+    /// Above the mode the pressure decreases with the separation for any load: -dp/dd = -int P f' dz with f' <= 0.
+    /// Below the mode a load that decreases with w can make it increase. The density is smooth on the scale of sigma,
+    /// so that within a small step the pressure has at most one extremum, which the slopes at both ends reveal.
     fn may_decrease(&self) -> bool {
         !self.contact.may_decrease(self.shape.into()).is_empty()
     }
@@ -284,7 +285,7 @@ impl Model for Statistical<'_> {
 impl Statistical<'_> {
     /// The largest separation with at least `pressure` (Pa) below the mode of the density.
     fn last_reaching_below(&self, mode: f64, pressure: f64) -> Option<f64> {
-        /// Steps of the walk, in sigma.
+        /// Step of the search, in sigma.
         const STEP: f64 = 1.0 / 16.0;
         let search = |low, high| last_reaching(|h| self.pressure(h), pressure, low, high);
         let steps = ((mode - LOWEST_SEPARATION) / STEP).ceil() as i32;
@@ -295,10 +296,10 @@ impl Statistical<'_> {
         })
     }
 
-    /// The separation between `low` and `high` at which the pressure is highest, if it rises on
-    /// approach from `high` and has fallen at `low`.
+    /// The separation of highest pressure between `low` and `high`, if the pressure increases on approach at `high` and
+    /// decreases at `low`.
     fn peak(&self, low: f64, high: f64) -> Option<f64> {
-        /// Halvings of a step, down to rounding.
+        /// Bisections of a step, down to rounding.
         const HALVINGS: usize = 50;
         let rises = |h: f64| self.respond(h).stiffness > 0.0;
         if rises(low) || !rises(high) {

@@ -1,8 +1,8 @@
-//! Why a file gives no array.
+//! Errors in reading `.npy` files.
 
 use std::io;
 
-/// Why a file gives no array. The caller says which file.
+/// An error in reading a `.npy` file. Texts are predicates without the file name: "is empty".
 #[derive(Debug, thiserror::Error)]
 pub enum NpyError {
     /// The file cannot be opened or read.
@@ -12,72 +12,72 @@ pub enum NpyError {
     #[error("is empty")]
     Empty,
     /// The file does not begin as a `.npy` does.
-    #[error("is no .npy file: it does not begin with \\x93NUMPY")]
+    #[error("is not a .npy file: it does not begin with \\x93NUMPY")]
     NotNpy,
     /// The file ends before its header does.
-    #[error("is truncated: it ends within its head")]
+    #[error("is truncated: it ends within its header")]
     TruncatedHeader,
-    /// The header does not say what is in the file.
-    #[error("has a head that is no .npy head: {0}")]
-    Header(#[from] HeaderFault),
-    /// The numbers are of no supported type.
+    /// The header is invalid.
+    #[error("has an invalid .npy header: {0}")]
+    Header(#[from] HeaderError),
+    /// The type of the numbers is not supported.
     #[error("holds numbers of type {0}; allowed: float32, float64 and integers")]
     NumberType(String),
-    /// The array is no table.
+    /// The array is not two-dimensional.
     #[error("holds an array of shape ({}); allowed: two dimensions", .0.iter().map(u64::to_string).collect::<Vec<_>>().join(", "))]
     Dimensions(Vec<u64>),
-    /// No file has so many bytes.
+    /// The size in the header exceeds any possible file.
     #[error("claims to hold more numbers than any file can")]
     TooLarge,
     /// The file ends before its last number.
     #[error(
-        "is truncated: its head says {rows} x {columns} numbers in {bytes} bytes, {found} bytes are there"
+        "is truncated: its header says {rows} x {columns} numbers in {bytes} bytes, {found} bytes are there"
     )]
     Truncated {
-        /// Length along the first index, as the header says.
+        /// Length along the first index, according to the header.
         rows: u64,
-        /// Length along the second index, as the header says.
+        /// Length along the second index, according to the header.
         columns: u64,
         /// Bytes that these numbers take.
         bytes: u64,
-        /// Bytes that are behind the header.
+        /// Bytes after the header.
         found: u64,
     },
     /// The file was cut after its header had been checked.
-    #[error("is truncated: it became shorter while it was opened")]
+    #[error("is truncated: it became shorter while it was being opened")]
     Shortened,
-    /// Rows are scattered over the file.
+    /// The array is in Fortran order, so that rows are not contiguous.
     #[error("is in Fortran order; allowed here: C order")]
     FortranOrder,
 }
 
-/// Why a header says nothing of an array.
+/// A defect of a header.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
-pub enum HeaderFault {
+pub enum HeaderError {
     /// Another version of the format.
     #[error("found version {0}.{1}; allowed: 1.0, 2.0 and 3.0")]
     Version(u8, u8),
-    /// The header is longer than any of an array of numbers.
-    #[error("it is {0} bytes long; allowed: at most {LONGEST_HEADER}")]
+    /// The header is too long.
+    #[error("it is {0} bytes long; allowed: at most {MAX_HEADER_BYTES}")]
     TooLong(u64),
-    /// The bytes are no text.
-    #[error("it is no text in UTF-8")]
+    /// The bytes are not UTF-8.
+    #[error("it is not UTF-8 text")]
     Encoding,
-    /// The text is no dictionary.
-    #[error("it is no dictionary as Python writes it, from its byte {0} on")]
+    /// The text is not a dictionary.
+    #[error("it is not a Python dictionary from byte {0} on")]
     Syntax(usize),
-    /// The dictionary lacks an entry.
+    /// An entry of the dictionary is missing.
     #[error("it has no entry '{0}'")]
     Missing(&'static str),
-    /// An entry has no value that makes sense.
+    /// An entry has an invalid value.
     #[error("its entry '{entry}' is not {allowed}")]
     Entry {
-        /// The entry.
+        /// Name of the entry.
         entry: &'static str,
-        /// What it should be.
+        /// The allowed values.
         allowed: &'static str,
     },
 }
 
 /// Bytes of the longest header that is read: NumPy's own are below 200 for numbers that are no records.
-pub(super) const LONGEST_HEADER: u64 = 1 << 20;
+pub(super) const MAX_HEADER_BYTES: u64 = 1 << 20;

@@ -1,17 +1,17 @@
-//! What the header of a `.npy` file says of its array.
+//! The header of a `.npy` file.
 
 use std::fs::File;
 use std::io::Read;
 use std::path::Path;
 
-use super::error::{HeaderFault, LONGEST_HEADER, NpyError};
+use super::error::{HeaderError, MAX_HEADER_BYTES, NpyError};
 use super::literal::Literal;
 use crate::numeric::stored::NumberType;
 
-/// How a `.npy` file begins.
+/// The first bytes of a `.npy` file.
 pub(crate) const MAGIC: &[u8; 6] = b"\x93NUMPY";
 
-/// What the header of a file says, checked against the file's length.
+/// Shape and type of an array, checked against the length of the file.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Header {
     /// Length along the first index.
@@ -43,15 +43,15 @@ impl Header {
         let begin = Beginning::read(&mut file, length)?;
         let mut text = Vec::new();
         file.take(begin.text_length).read_to_end(&mut text)?;
-        let text = std::str::from_utf8(&text).map_err(|_| HeaderFault::Encoding)?;
-        let entries = Literal::dictionary(text).map_err(HeaderFault::Syntax)?;
+        let text = std::str::from_utf8(&text).map_err(|_| HeaderError::Encoding)?;
+        let entries = Literal::dictionary(text).map_err(HeaderError::Syntax)?;
         let entry = |key: &'static str| {
             let found = entries.iter().find(|(name, _)| name == key).map(|(_, value)| value);
-            found.ok_or(HeaderFault::Missing(key))
+            found.ok_or(HeaderError::Missing(key))
         };
         let (number_type, big_endian) = number_type(entry("descr")?)?;
         let Literal::Bool(fortran_order) = *entry("fortran_order")? else {
-            return Err(HeaderFault::Entry { entry: "fortran_order", allowed: "True or False" }.into());
+            return Err(HeaderError::Entry { entry: "fortran_order", allowed: "True or False" }.into());
         };
         let shape = shape(entry("shape")?)?;
         let data_start = begin.text_start + begin.text_length;
@@ -59,7 +59,7 @@ impl Header {
         Ok(Self { rows, columns, number_type, big_endian, fortran_order, data_start })
     }
 
-    /// Whether the first index runs fastest in the file.
+    /// Whether the array is in Fortran order: the first index runs fastest.
     pub fn is_fortran(&self) -> bool {
         self.fortran_order
     }
@@ -70,7 +70,7 @@ impl Header {
     }
 }
 
-/// What stands before the text of a header.
+/// The fixed part before the text of a header.
 struct Beginning {
     text_start: u64,
     text_length: u64,
@@ -96,19 +96,19 @@ impl Beginning {
                 file.read_exact(&mut rest).map_err(|_| NpyError::TruncatedHeader)?;
                 (12, u64::from(u32::from_le_bytes([low, high, rest[0], rest[1]])))
             }
-            _ => return Err(HeaderFault::Version(major, minor).into()),
+            _ => return Err(HeaderError::Version(major, minor).into()),
         };
         if text_start + text_length > length {
             return Err(NpyError::TruncatedHeader);
         }
-        if text_length > LONGEST_HEADER {
-            return Err(HeaderFault::TooLong(text_length).into());
+        if text_length > MAX_HEADER_BYTES {
+            return Err(HeaderError::TooLong(text_length).into());
         }
         Ok(Self { text_start, text_length })
     }
 }
 
-/// The type of the numbers and whether their first byte is the greatest.
+/// The type of the numbers, and whether they are big-endian.
 fn number_type(descr: &Literal) -> Result<(NumberType, bool), NpyError> {
     use NumberType::{F32, F64, I8, I16, I32, I64, U8, U16, U32, U64};
     let Literal::Text(name) = descr else {
@@ -136,8 +136,8 @@ fn number_type(descr: &Literal) -> Result<(NumberType, bool), NpyError> {
     }
 }
 
-fn shape(shape: &Literal) -> Result<Vec<u64>, HeaderFault> {
-    let fault = HeaderFault::Entry { entry: "shape", allowed: "a tuple of whole numbers" };
+fn shape(shape: &Literal) -> Result<Vec<u64>, HeaderError> {
+    let fault = HeaderError::Entry { entry: "shape", allowed: "a tuple of whole numbers" };
     let Literal::Sequence(lengths) = shape else { return Err(fault) };
     let length = |length: &Literal| if let Literal::Integer(length) = length { *length } else { None };
     lengths.iter().map(length).collect::<Option<_>>().ok_or(fault)
@@ -157,7 +157,7 @@ fn checked_shape(shape: Vec<u64>, number_type: NumberType, found: u64) -> Result
 
 /// The header, from the first byte of the file, of an array of float64 in C order.
 pub(super) fn of_float64([rows, columns]: [usize; 2]) -> Vec<u8> {
-    /// NumPy's own: the numbers begin at a multiple.
+    /// NumPy's alignment of the data.
     const ALIGNMENT: usize = 64;
     let mut text = format!("{{'descr': '<f8', 'fortran_order': False, 'shape': ({rows}, {columns}), }}");
     let start = MAGIC.len() + 4;

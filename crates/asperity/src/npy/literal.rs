@@ -1,26 +1,25 @@
-//! The literals of Python that a header is written in: a dictionary of texts, truth values, whole numbers, tuples and
-//! lists.
+//! A parser for the Python literals of a header: a dictionary of strings, booleans, integers, tuples and lists.
 
 /// A literal.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) enum Literal {
     Text(String),
     Bool(bool),
-    /// `None` where it is negative, or beyond 64 bits.
+    /// `None` if it is negative or beyond 64 bits.
     Integer(Option<u64>),
     /// A tuple or a list.
     Sequence(Vec<Literal>),
     Dictionary(Vec<(String, Literal)>),
 }
 
-/// Types of records are the deepest that NumPy writes; deeper ones are no header.
-const DEEPEST: usize = 32;
+/// The deepest nesting: that of record types.
+const MAX_DEPTH: usize = 32;
 
 impl Literal {
-    /// The dictionary that a text is.
+    /// Parses a text that is one dictionary.
     ///
     /// # Errors
-    /// The byte from which on it is none.
+    /// The byte at which parsing failed.
     pub(super) fn dictionary(text: &str) -> Result<Vec<(String, Self)>, usize> {
         let mut parser = Parser { text, place: 0 };
         match parser.literal(0) {
@@ -36,7 +35,7 @@ struct Parser<'a> {
 }
 
 impl Parser<'_> {
-    /// The next roughness that is no space.
+    /// The next character that is not a space.
     fn peek(&mut self) -> Option<char> {
         let rest = self.rest();
         self.place += rest.len() - rest.trim_start().len();
@@ -47,7 +46,7 @@ impl Parser<'_> {
         &self.text[self.place..]
     }
 
-    /// Passes `wanted` if it comes next.
+    /// Consumes `wanted` if it comes next.
     fn takes(&mut self, wanted: char) -> bool {
         let is_next = self.peek() == Some(wanted);
         if is_next {
@@ -57,7 +56,7 @@ impl Parser<'_> {
     }
 
     fn literal(&mut self, depth: usize) -> Option<Literal> {
-        if depth > DEEPEST {
+        if depth > MAX_DEPTH {
             return None;
         }
         match self.peek()? {
@@ -83,7 +82,7 @@ impl Parser<'_> {
         is_next
     }
 
-    /// A text in quotes; escapes stand only in names of fields, whose records are not read.
+    /// A quoted string. Escapes occur only in field names of records, which are not supported.
     fn text(&mut self) -> Option<String> {
         let quote = self.peek()?;
         let begin = self.place + quote.len_utf8();
@@ -107,7 +106,7 @@ impl Parser<'_> {
         (digits > 0).then_some(Literal::Integer(number))
     }
 
-    /// A tuple, or what stands in brackets.
+    /// A tuple, or a literal in parentheses.
     fn tuple(&mut self, depth: usize) -> Option<Literal> {
         let (mut all, has_comma) = self.elements(')', |parser| parser.literal(depth + 1))?;
         if all.len() == 1 && !has_comma { all.pop() } else { Some(Literal::Sequence(all)) }
@@ -119,7 +118,7 @@ impl Parser<'_> {
         self.takes(':').then(|| self.literal(depth))?.map(|value| (key, value))
     }
 
-    /// What stands between a bracket and the one that closes it, with commas between, and whether a comma was there.
+    /// The comma-separated elements up to the closing bracket, and whether there was a comma.
     fn elements<T>(&mut self, close: char, one: impl Fn(&mut Self) -> Option<T>) -> Option<(Vec<T>, bool)> {
         self.place += 1;
         let (mut all, mut has_comma) = (Vec::new(), false);

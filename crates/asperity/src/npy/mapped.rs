@@ -1,9 +1,8 @@
-//! Rows and columns of a `.npy` array that is too large to be read as a whole, taken from a memory map.
+//! Rows and columns of a memory-mapped `.npy` array, which may be larger than memory.
 //!
-//! Mapping is unsafe: the compiler cannot know that no other process cuts the file while it is mapped.
-//! Here the bytes are only ever copied out and any bytes make a number, so that another process that
-//! writes can change heights but break no rule of the language; one that cuts the file ends this
-//! program with a bus error, as any reader of a map.
+//! Mapping is unsafe because another process may change or truncate the file. Here bytes are only copied out, and every
+//! bit pattern is a valid number: concurrent writes can change values but cause no undefined behaviour; truncation ends
+//! the program with a bus error, as for any memory map.
 
 use std::fs::File;
 use std::ops::Range;
@@ -15,7 +14,7 @@ use super::error::NpyError;
 use super::header::Header;
 use crate::numeric::LARGEST;
 
-/// A two-dimensional array, opened once; its rows may be taken from any thread.
+/// A memory-mapped two-dimensional array; rows may be read from any thread.
 #[derive(Debug)]
 pub struct Mapped {
     header: Header,
@@ -24,16 +23,16 @@ pub struct Mapped {
 }
 
 impl Mapped {
-    /// Opens a `.npy` file, to take its rows.
+    /// Opens a `.npy` file in C order, to read rows.
     ///
     /// # Errors
-    /// See [`NpyError`]; an array in Fortran order is unsupported, its rows being scattered.
+    /// See [`NpyError`]; Fortran order is not supported.
     pub fn open(path: &Path) -> Result<Self, NpyError> {
         let array = Self::in_either_order(path)?;
         if array.header.is_fortran() { Err(NpyError::FortranOrder) } else { Ok(array) }
     }
 
-    /// Opens a `.npy` file in C or Fortran order, to take its columns.
+    /// Opens a `.npy` file in C or Fortran order, to read columns.
     ///
     /// # Errors
     /// See [`NpyError`].
@@ -43,7 +42,7 @@ impl Mapped {
         // SAFETY: the map is read only and private to this value, see the head of this module.
         #[allow(unsafe_code)]
         let map = unsafe { Mmap::map(&file) }?;
-        // The file may have been changed since its head was read.
+        // The file may have changed since its header was read.
         let begin = usize::try_from(header.data_start).unwrap_or(usize::MAX);
         let count = header.rows.checked_mul(header.columns);
         let length = count.and_then(|count| count.checked_mul(header.number_type.bytes() as usize));
@@ -53,7 +52,7 @@ impl Mapped {
         Ok(Self { header, begin, map })
     }
 
-    /// Points along x, which is the first index, and y.
+    /// Lengths along the first index (x of a map) and the second (y).
     pub fn points(&self) -> [usize; 2] {
         [self.header.rows, self.header.columns]
     }
@@ -63,11 +62,11 @@ impl Mapped {
         self.header.precision()
     }
 
-    /// Copies the heights at the index `ix` along x to `out`, in the unit of the file. Missing points,
-    /// and what is too large to be a height, are NaN.
+    /// Copies the heights at the index `ix` along x to `out`, in the unit of the file. Missing points and values too
+    /// large to be a height are NaN.
     ///
     /// # Panics
-    /// If `ix` is no row, or `out` has another length than the points along y.
+    /// If `ix` is out of range, or the length of `out` is not the number of points along y.
     pub fn row(&self, ix: usize, out: &mut [f64]) {
         let [rows, columns] = self.points();
         assert!(ix < rows && out.len() == columns, "row {ix} of {rows}, {} of {columns} points", out.len());
@@ -77,7 +76,7 @@ impl Mapped {
         }
     }
 
-    /// Copies a piece of each of the first columns to `out`, from the row `first` on, as they are in the file.
+    /// Copies a range of rows, from `first` on, of the first columns to `out`, one slice per column.
     ///
     /// # Panics
     /// If there are fewer rows or columns.
@@ -101,7 +100,7 @@ impl Mapped {
     /// Copies the numbers at `places` in the file.
     fn decode(&self, places: Range<usize>, out: &mut [f64]) {
         let size = self.header.number_type.bytes() as usize;
-        // All are there, since the file was opened.
+        // The length was checked when the file was opened.
         let bytes = &self.map[self.begin + places.start * size..self.begin + places.end * size];
         self.header.number_type.decode(bytes, self.header.big_endian, out);
     }

@@ -3,8 +3,8 @@
 //!
 //! | function | what it does |
 //! |---|---|
-//! | [`matrix`] | reads an array as a whole |
-//! | [`Mapped`] | maps an array and takes rows or columns of it |
+//! | [`matrix`] | reads an entire array |
+//! | [`Mapped`] | memory-maps an array to read rows or columns |
 //! | [`write()`] | writes an array of float64 |
 
 mod error;
@@ -17,12 +17,12 @@ use std::io::{self, BufWriter, Read, Seek, SeekFrom, Write};
 use std::path::Path;
 
 use crate::memory::zeros;
-pub use error::{HeaderFault, NpyError};
+pub use error::{HeaderError, NpyError};
 pub use header::Header;
 pub(crate) use header::MAGIC;
 pub use mapped::Mapped;
 
-/// A table of numbers as a file holds it.
+/// A two-dimensional array.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Matrix {
     /// Length along the first index.
@@ -35,7 +35,7 @@ pub struct Matrix {
     pub precision: f64,
 }
 
-/// Whether a file begins as a `.npy` does.
+/// Whether a file begins with the magic bytes of `.npy`.
 ///
 /// # Errors
 /// A file that cannot be read.
@@ -48,7 +48,7 @@ pub fn is_npy(path: &Path) -> io::Result<bool> {
 /// Reads a two-dimensional array.
 ///
 /// # Errors
-/// See [`NpyError`]; a file that is shorter than its header says is refused before anything is allocated.
+/// See [`NpyError`]; a truncated file is rejected before memory is allocated.
 pub fn matrix(path: &Path) -> Result<Matrix, NpyError> {
     let mut file = File::open(path)?;
     let header = Header::parse(&mut file, std::fs::metadata(path)?.len())?;
@@ -66,9 +66,9 @@ pub fn matrix(path: &Path) -> Result<Matrix, NpyError> {
     Ok(Matrix { rows, columns, values, precision: header.precision() })
 }
 
-/// The numbers of an array in the order of its file, whose header has been checked against its length.
+/// The numbers of an array in file order; the header has been checked against the file length.
 fn stored_values(file: &mut File, header: &Header) -> io::Result<Vec<f64>> {
-    /// Numbers that are read at a time.
+    /// Numbers read at a time.
     const NUMBERS: usize = 1 << 16;
     let size = header.number_type.bytes() as usize;
     let mut values = zeros(header.rows * header.columns);
@@ -81,11 +81,11 @@ fn stored_values(file: &mut File, header: &Header) -> io::Result<Vec<f64>> {
     Ok(values)
 }
 
-/// Writes a two-dimensional array of float64 of the shape `[rows, columns]`, version 1.0, little-endian; of `values` the
-/// second index runs fastest.
+/// Writes a two-dimensional array of float64 of the shape `[rows, columns]`, version 1.0, little-endian; the second
+/// index of `values` runs fastest.
 ///
 /// # Errors
-/// What cannot be written; fewer or more values than the shape has ([`io::ErrorKind::InvalidInput`]).
+/// A file that cannot be written; a number of values that does not match the shape ([`io::ErrorKind::InvalidInput`]).
 pub fn write(
     out: impl Write,
     [rows, columns]: [usize; 2],

@@ -1,30 +1,30 @@
-//! Ranges of numbers, and what arithmetic makes of them.
+//! Interval arithmetic.
 
 use std::ops::{Add, Mul, Neg, Sub};
 
-/// All numbers from `low` to `high`. Sums and products hold every result that numbers of their ranges have, but
-/// for the rounding of the ends.
+/// The closed interval from `low` to `high`. Results of arithmetic contain all results of their operands, up to
+/// rounding of the ends.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub struct Interval {
-    /// The least number.
+    /// Lower end.
     pub low: f64,
-    /// The greatest.
+    /// Upper end.
     pub high: f64,
 }
 
 impl Interval {
-    /// The range between two numbers, in any order.
+    /// The interval between two numbers in any order.
     pub fn between(a: f64, b: f64) -> Self {
         Self { low: a.min(b), high: a.max(b) }
     }
 
-    /// The least range that holds all `values`, of which there is one.
+    /// The smallest interval that contains all `values`, of which there must be at least one.
     pub fn of(values: &[f64]) -> Self {
         values.iter().map(|&x| Self::point(x)).reduce(Self::hull).unwrap_or_default()
     }
 
-    /// Ranges, of which each begins no earlier than the one before, with those that touch made one.
-    pub fn joined(ranges: impl IntoIterator<Item = Self>) -> Vec<Self> {
+    /// The union of intervals sorted by their lower ends, with overlapping or touching ones merged.
+    pub fn union(ranges: impl IntoIterator<Item = Self>) -> Vec<Self> {
         let mut apart: Vec<Self> = Vec::new();
         for range in ranges {
             match apart.last_mut() {
@@ -35,40 +35,40 @@ impl Interval {
         apart
     }
 
-    /// One number.
+    /// The interval of one number.
     pub fn point(x: f64) -> Self {
         Self { low: x, high: x }
     }
 
-    /// Whether `x` lies in it.
-    pub fn holds(self, x: f64) -> bool {
+    /// Whether the interval contains `x`.
+    pub fn contains(self, x: f64) -> bool {
         self.low <= x && x <= self.high
     }
 
-    /// Whether some number lies in both.
-    pub fn meets(self, other: Self) -> bool {
+    /// Whether the intervals overlap.
+    pub fn overlaps(self, other: Self) -> bool {
         self.low <= other.high && other.low <= self.high
     }
 
-    /// The least range that holds both.
+    /// The smallest interval that contains both.
     pub fn hull(self, other: Self) -> Self {
         Self { low: self.low.min(other.low), high: self.high.max(other.high) }
     }
 
-    /// The range of 1/x; `self` is positive.
+    /// The range of 1/x; `self` must be positive.
     pub fn recip(self) -> Self {
         Self { low: self.high.recip(), high: self.low.recip() }
     }
 
-    /// The range of ln x; `self` is not negative.
+    /// The range of ln x; `self` must not be negative.
     pub fn ln(self) -> Self {
         Self { low: self.low.ln(), high: self.high.ln() }
     }
 
-    /// The values that a function takes on a range, which rises up to `peak` and falls behind it.
-    pub fn of_hump(self, value: impl Fn(f64) -> f64, peak: f64) -> Self {
+    /// The range of a function that increases up to `peak` and decreases beyond it.
+    pub fn of_unimodal(self, value: impl Fn(f64) -> f64, peak: f64) -> Self {
         let ends = Self::between(value(self.low), value(self.high));
-        if self.holds(peak) { ends.hull(Self::point(value(peak))) } else { ends }
+        if self.contains(peak) { ends.hull(Self::point(value(peak))) } else { ends }
     }
 }
 
@@ -143,15 +143,21 @@ mod tests {
     #[test]
     fn ranges_that_touch_are_one() {
         let range = |low, high| Interval { low, high };
-        let joined = Interval::joined([range(0.0, 2.0), range(1.0, 1.5), range(2.0, 3.0), range(4.0, 5.0)]);
-        assert_eq!(joined, [range(0.0, 3.0), range(4.0, 5.0)]);
-        assert!(joined[0].meets(range(3.0, 3.5)) && !joined[0].meets(joined[1]));
+        let union = Interval::union([range(0.0, 2.0), range(1.0, 1.5), range(2.0, 3.0), range(4.0, 5.0)]);
+        assert_eq!(union, [range(0.0, 3.0), range(4.0, 5.0)]);
+        assert!(union[0].overlaps(range(3.0, 3.5)) && !union[0].overlaps(union[1]));
     }
 
     #[test]
     fn a_hump_is_highest_at_its_peak() {
         let hump = |x: f64| -(x - 1.0).powi(2);
-        assert_eq!(Interval { low: 0.0, high: 3.0 }.of_hump(hump, 1.0), Interval { low: -4.0, high: 0.0 });
-        assert_eq!(Interval { low: 2.0, high: 3.0 }.of_hump(hump, 1.0), Interval { low: -4.0, high: -1.0 });
+        assert_eq!(
+            Interval { low: 0.0, high: 3.0 }.of_unimodal(hump, 1.0),
+            Interval { low: -4.0, high: 0.0 }
+        );
+        assert_eq!(
+            Interval { low: 2.0, high: 3.0 }.of_unimodal(hump, 1.0),
+            Interval { low: -4.0, high: -1.0 }
+        );
     }
 }

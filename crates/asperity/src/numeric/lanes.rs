@@ -1,26 +1,25 @@
-//! Vector registers: a formula is written once, for one number or for as many lanes as a register of the machine
-//! holds.
+//! Vector registers: a formula is written once, for one number or for all lanes of a register.
 //!
-//! [`run`] chooses the widest registers that the machine has, whatever machine the program was built for. Everything
-//! below it must be `#[inline(always)]`: only what is inlined is compiled for those registers. A closure cannot be forced to
-//! be, so none takes or gives lanes.
+//! [`run`] selects the widest registers of the machine at run time. Every function called within it must be
+//! `#[inline(always)]`, since only inlined code is compiled for those registers. Closures cannot be forced inline, so
+//! none may take or return lanes.
 
 use std::ops::{Add, BitAnd, BitOr, Div, Mul, Neg, Not, Sub};
 use std::sync::LazyLock;
 
 use pulp::{Arch, Simd, WithSimd};
 
-use super::WHOLES;
+use super::INTEGER_BIAS;
 
-/// The most lanes that any machine has here.
+/// The largest number of lanes of any supported register.
 pub const MOST: usize = 8;
 
-/// One truth value per lane.
+/// One boolean per lane.
 pub trait Mask: Copy + BitAnd<Output = Self> + BitOr<Output = Self> + Not<Output = Self> {
-    /// Whether one at least.
+    /// Whether at least one lane is true.
     fn any(self) -> bool;
 
-    /// Whether every one.
+    /// Whether all lanes are true.
     #[inline(always)]
     fn all(self) -> bool {
         !(!self).any()
@@ -40,22 +39,22 @@ pub trait Real:
     + Mul<f64, Output = Self>
     + Div<f64, Output = Self>
 {
-    /// Some of the lanes.
+    /// A mask of the lanes.
     type Mask: Mask;
 
     /// Number of lanes, at most [`MOST`].
     const LANES: usize;
 
-    /// `value` in every lane of a number such as `self`.
+    /// `value` in every lane; `self` gives the type of register.
     fn splat(self, value: f64) -> Self;
 
-    /// The first numbers of `values`, which holds as many as there are lanes at least.
+    /// Loads the first numbers of `values`, which must have at least [`Self::LANES`].
     fn load(self, values: &[f64]) -> Self;
 
-    /// The lanes from `lane` on, which there is.
+    /// A mask of the lanes from `lane` on, which must exist.
     fn lanes_from(self, lane: usize) -> Self::Mask;
 
-    /// Writes all lanes to the first places of `values`.
+    /// Stores all lanes to the beginning of `values`.
     fn store(self, values: &mut [f64]);
 
     /// The square root.
@@ -64,35 +63,35 @@ pub trait Real:
     /// The natural logarithm of a positive, normal number, within 1 ulp.
     fn ln(self) -> Self;
 
-    /// e to the power of a number from -700 to 700, within 1 ulp; below that next to 0.
+    /// exp(x) for x from -700 to 700, within 1 ulp; below that a number near 0.
     #[inline(always)]
     fn exp(self) -> Self {
         self.exp_and_exp_m1().0
     }
 
-    /// The same, and what it is less 1, within 2 ulp.
+    /// exp(x), and exp(x) - 1 within 2 ulp.
     fn exp_and_exp_m1(self) -> (Self, Self);
 
-    /// self * factor + term, rounded once where the machine can.
+    /// self * factor + term, with a single rounding if the machine supports it.
     fn mul_add(self, factor: Self, term: Self) -> Self;
 
-    /// Where it is below `other`.
+    /// Lanes where `self` < `other`.
     fn lt(self, other: Self) -> Self::Mask;
 
-    /// Where it is below `other` or equal.
+    /// Lanes where `self` <= `other`.
     fn le(self, other: Self) -> Self::Mask;
 
-    /// The numbers of `yes` where `mask` is, those of `no` elsewhere.
+    /// `yes` in the lanes of `mask`, `no` elsewhere.
     fn select(mask: Self::Mask, yes: Self, no: Self) -> Self;
 
-    /// All lanes.
+    /// The mask of all lanes.
     #[inline(always)]
     fn all_true(self) -> Self::Mask {
         let zero = self.splat(0.0);
         zero.le(zero)
     }
 
-    /// `of` each lane by itself: for what has no formula in lanes.
+    /// Applies the scalar function `of` to each lane.
     #[inline(always)]
     fn each<const K: usize>(self, mut of: impl FnMut(f64) -> [f64; K]) -> [Self; K] {
         let mut lanes = [0.0; MOST];
@@ -101,7 +100,7 @@ pub trait Real:
         for (row, &x) in rows.iter_mut().zip(&lanes[..Self::LANES]) {
             *row = of(x);
         }
-        // Written out, compilers put a column together in a register.
+        // Written out, so that compilers assemble each column in a register.
         let [a, b, c, d, e, f, g, h] = &rows;
         let mut columns = [self; K];
         for (k, column) in columns.iter_mut().enumerate() {
@@ -118,13 +117,13 @@ pub trait Real:
         lanes[0]
     }
 
-    /// The smaller of both.
+    /// The lane-wise minimum.
     #[inline(always)]
     fn min(self, other: Self) -> Self {
         Self::select(other.lt(self), other, self)
     }
 
-    /// A polynomial, its coefficients from the highest power down.
+    /// A polynomial with coefficients from the highest power down.
     #[inline(always)]
     fn polynomial(self, coefficients: &[f64]) -> Self {
         let mut sum = self.splat(coefficients[0]);
@@ -203,14 +202,14 @@ impl Real for f64 {
     }
 }
 
-/// As many numbers as a register holds.
+/// A vector register.
 #[derive(Clone, Copy)]
 pub struct Register<S: Simd> {
     simd: S,
     lanes: S::f64s,
 }
 
-/// Some lanes of a register.
+/// A mask of a vector register.
 #[derive(Clone, Copy)]
 pub struct RegisterMask<S: Simd> {
     simd: S,
@@ -251,7 +250,7 @@ impl<S: Simd> Not for RegisterMask<S> {
     }
 }
 
-/// An operation on two registers, and on a register and one number.
+/// Implements an operation on two registers, and on a register and a scalar.
 macro_rules! operation {
     ($trait:ident, $method:ident, $on_lanes:ident) => {
         impl<S: Simd> $trait for Register<S> {
@@ -312,7 +311,7 @@ impl<S: Simd> Register<S> {
     }
 }
 
-/// ln 2 in two parts, the first of few digits, so that a whole number times it is exact.
+/// ln 2 in two parts, the first of few digits, so that integer multiples of it are exact.
 const LN_2: [f64; 2] = [0.693_147_180_369_123_8, 1.908_214_929_270_587_7e-10];
 
 /// Bits of the exponent of a number.
@@ -321,10 +320,10 @@ const EXPONENT: u64 = 0x7ff0_0000_0000_0000;
 /// Bits of the exponent in the upper half of a number start at this bit.
 const UPPER_MANTISSA: i32 = 20;
 
-/// [`WHOLES`] with a margin for negative ones; those in the upper half are worth 2^32 each.
-const SIGNED_WHOLES: f64 = 1.5 * WHOLES;
+/// [`INTEGER_BIAS`] with a margin for negative integers.
+const SIGNED_INTEGER_BIAS: f64 = 1.5 * INTEGER_BIAS;
 
-/// The bits of 2^-.5: what lies so far above them has the exponent of its nearest power of two.
+/// The bits of 2^-.5: subtracting them gives the exponent of the nearest power of two.
 const ROOT_HALF: u64 = std::f64::consts::FRAC_1_SQRT_2.to_bits();
 
 const TWO_TO_32: f64 = 4_294_967_296.0;
@@ -398,9 +397,9 @@ impl<S: Simd> Real for Register<S> {
         let bits = simd.add_u64s(self.bits(), simd.splat_u64s(1f64.to_bits() - ROOT_HALF));
         let exponents =
             self.shift_upper::<{ -UPPER_MANTISSA }>(simd.and_u64s(bits, simd.splat_u64s(EXPONENT)));
-        let exponents = self.of_bits(simd.or_u64s(exponents, simd.splat_u64s(WHOLES.to_bits())));
+        let exponents = self.of_bits(simd.or_u64s(exponents, simd.splat_u64s(INTEGER_BIAS.to_bits())));
         // k 2^32, exactly.
-        let k = exponents - (WHOLES + 1023.0 * TWO_TO_32);
+        let k = exponents - (INTEGER_BIAS + 1023.0 * TWO_TO_32);
         let mantissas = simd.and_u64s(bits, simd.splat_u64s(!EXPONENT));
         let f = self.of_bits(simd.add_u64s(mantissas, simd.splat_u64s(ROOT_HALF))) - 1.0;
         let s = f / (f + 2.0);
@@ -409,17 +408,17 @@ impl<S: Simd> Real for Register<S> {
         k.mul_add(self.splat(std::f64::consts::LN_2 / TWO_TO_32), (-s).mul_add(rest, f))
     }
 
-    /// 2^k exp(r), k the whole number nearest to x/ln 2.
+    /// 2^k exp(r), k the integer nearest to x/ln 2.
     #[inline(always)]
     fn exp_and_exp_m1(self) -> (Self, Self) {
         let simd = self.simd;
-        let magic = self.splat(SIGNED_WHOLES);
-        let nearest = self * std::f64::consts::LOG2_E + SIGNED_WHOLES;
+        let magic = self.splat(SIGNED_INTEGER_BIAS);
+        let nearest = self * std::f64::consts::LOG2_E + SIGNED_INTEGER_BIAS;
         let k = nearest - magic;
         let r = (-k).mul_add(self.splat(LN_2[0]), self);
         let r = (-k).mul_add(self.splat(LN_2[1]), r);
         let wholes = (k * TWO_TO_32 + magic).bits();
-        let wholes = simd.sub_u64s(wholes, simd.splat_u64s(SIGNED_WHOLES.to_bits()));
+        let wholes = simd.sub_u64s(wholes, simd.splat_u64s(SIGNED_INTEGER_BIAS.to_bits()));
         let power =
             simd.add_u64s(self.shift_upper::<UPPER_MANTISSA>(wholes), simd.splat_u64s(1f64.to_bits()));
         let power = self.of_bits(power);
@@ -450,12 +449,12 @@ impl<S: Simd> Real for Register<S> {
     }
 }
 
-/// Work that is compiled for each kind of register.
+/// Work that is compiled for each register width.
 pub trait Work {
-    /// What it gives.
+    /// The result.
     type Output;
 
-    /// Does it with numbers such as `zero`.
+    /// Performs the work with numbers of the type of `zero`.
     fn with<N: Real>(self, zero: N) -> Self::Output;
 }
 
@@ -474,15 +473,15 @@ impl<W: Work> WithSimd for OfWork<W> {
     }
 }
 
-/// The widest registers of this machine, or narrower ones where the environment asks for them.
+/// The widest registers of this machine, or narrower ones if set by [`NARROWER`].
 static REGISTERS: LazyLock<Arch> = LazyLock::new(|| match std::env::var(NARROWER).as_deref() {
     Ok("1") => Arch::Scalar,
     Ok("4") => four().unwrap_or_default(),
     _ => Arch::new(),
 });
 
-/// Says how many lanes, 1 or 4, on a machine that has more: to measure what they are worth, and to see the last digits
-/// that another machine gives.
+/// Environment variable that limits the number of lanes to 1 or 4, to measure their benefit or to reproduce the last
+/// digits of another machine.
 const NARROWER: &str = "ASPERITY_LANES";
 
 #[cfg(target_arch = "x86_64")]
@@ -495,7 +494,7 @@ fn four() -> Option<Arch> {
     None
 }
 
-/// Does `work` in the widest registers of this machine.
+/// Performs `work` in the widest registers of this machine.
 #[inline(always)]
 pub fn run<W: Work>(work: W) -> W::Output {
     REGISTERS.dispatch(OfWork(work))
@@ -506,7 +505,7 @@ mod tests {
     use super::*;
     use xprec::Df64 as Wide;
 
-    /// A function of each of some numbers.
+    /// Applies a function to each number.
     struct Each<'a, F>(&'a [f64], F);
 
     trait Function {
@@ -550,7 +549,7 @@ mod tests {
         }
     }
 
-    /// Of rounding to nearest, half an ulp, the largest is 2^-53.
+    /// The relative rounding error: half an ulp is at most 2^-53.
     const HALF_ULP: f64 = 0.5 * f64::EPSILON;
 
     fn worst(found: &[f64], exact: impl Iterator<Item = Wide>) -> f64 {
@@ -577,7 +576,7 @@ mod tests {
         for (x, found) in all.iter().zip(run(Each(&all, Exp))) {
             assert!((found / x.exp() - 1.0).abs() <= 4.0 * HALF_ULP, "exp {x} = {found}");
         }
-        // Below the range what is left does not matter.
+        // Below the range results are negligible.
         let far = run(Each(&[-701.0, -1e5, -1e300, 0.0, 0.0, 0.0, 0.0, 0.0], Exp));
         assert!(far[..3].iter().all(|value| (0.0..1e-304).contains(value)) && far[3] == 1.0);
     }

@@ -1,30 +1,28 @@
-//! Where a falling curve last reaches each of many levels, found together: every round evaluates one place per level, all
-//! at once.
+//! Simultaneous search for the last points at which a decreasing curve reaches many levels: each round evaluates one
+//! point per level.
 
 use super::root::{WIDTH, closed};
 
-/// A place, the curve's value there and its slope.
+/// A point of a curve and its slope.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Point {
-    /// The place.
+    /// The abscissa.
     pub x: f64,
-    /// The value, not negative.
+    /// The value, at least 0.
     pub value: f64,
-    /// The slope; any number where it is not known.
+    /// The slope; any number if it is unknown.
     pub slope: f64,
 }
 
-/// Places that are evaluated at a time on the way down.
+/// Grid points evaluated at a time.
 const WAVE: usize = 16;
 
-/// For each of `levels` (positive) the largest `x`, to rounding, with a value of at least that, of a curve that nowhere rises
-/// with `x`; where it jumps over the level, the near side of the jump. `None` for a level that is not reached at the
-/// last place of `grid`.
+/// For each of `levels` (positive) the largest `x`, to rounding, at which a non-increasing curve is at least the level;
+/// at a jump, the side that reaches the level. `None` for a level that is not reached at the last point of `grid`.
 ///
-/// `grid` descends from the largest `x` that is searched to the smallest; its places are evaluated in turn until all levels
-/// are reached. From there each level keeps a bracket: Newton's method on ln(value/level), each step lengthened by its
-/// own square so that it ends beyond the root and the bracket closes from both sides; the middle wherever that does not
-/// halve the bracket.
+/// `grid` descends from the largest `x` searched to the smallest; its points are evaluated in turn until all levels are
+/// bracketed. Each bracket is closed by Newton's method on ln(value/level), with each step extended by its square so
+/// that it passes the root, and by bisection where that does not halve the bracket.
 pub fn last_reaching_all(
     mut curve: impl FnMut(&[f64]) -> Vec<Point>,
     levels: &[f64],
@@ -53,7 +51,7 @@ pub fn last_reaching_all(
         }
         let places: Vec<f64> = open.iter().map(|search| search.next()).collect();
         for (search, point) in open.iter_mut().zip(curve(&places)) {
-            search.tell(point);
+            search.update(point);
         }
     }
 }
@@ -62,11 +60,11 @@ pub fn last_reaching_all(
 #[derive(Debug)]
 struct Search {
     level: f64,
-    /// Where the level is reached.
+    /// The end at which the level is reached.
     near: Point,
-    /// Where it is not; the same if the search began where it is reached.
+    /// The end at which it is not; equal to `near` if the search began where the level is reached.
     far: Point,
-    /// Whether `near` moved last.
+    /// Whether `near` was updated last.
     near_is_latest: bool,
     /// Whether the last step left more than half of the bracket.
     is_slow: bool,
@@ -86,7 +84,7 @@ impl Search {
         closed(self.near.x, self.far.x)
     }
 
-    /// The next place to evaluate, inside the bracket.
+    /// The next point to evaluate, inside the bracket.
     fn next(&self) -> f64 {
         let (low, high) = (self.near.x, self.far.x);
         let latest = if self.near_is_latest { self.near } else { self.far };
@@ -99,7 +97,7 @@ impl Search {
         x.max(low + least).min(high - least)
     }
 
-    fn tell(&mut self, point: Point) {
+    fn update(&mut self, point: Point) {
         let before = self.width();
         self.near_is_latest = point.value >= self.level;
         if self.near_is_latest {
@@ -146,7 +144,7 @@ mod tests {
         assert!(rounds <= 12, "{rounds} rounds");
     }
 
-    /// Whatever is said of the slope.
+    /// For any reported slope.
     #[test]
     fn wrong_slopes_and_jumps_do_not_lead_astray() {
         for slope in [0.0, -1e300, 1.0, f64::NAN, f64::INFINITY] {

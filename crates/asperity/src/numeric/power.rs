@@ -1,15 +1,15 @@
-//! Many powers of one exponent.
+//! Fast powers of a fixed exponent.
 
-/// x^s for a fixed s and many x: the mantissa's power from a table and a short series about its nearest entry, that of
-/// the exponent from a second table. Within 2e-15 of `powf`, at a third of its cost.
+/// x^s for a fixed s and many x: the power of the mantissa from a table and a short series, that of the exponent from a
+/// second table. Within 2e-15 of `powf`, at a third of its cost.
 #[derive(Debug, Clone)]
 pub struct Power {
     exponent: f64,
-    /// Middle of each interval of mantissas, its reciprocal, and its power.
+    /// Middle of each interval of the mantissa, its reciprocal, and its power.
     middles: Vec<[f64; 3]>,
     /// Powers of 1, 2, 4, ...
     octaves: Vec<f64>,
-    /// Coefficients of the binomial series, each over the one before.
+    /// Ratios of successive coefficients of the binomial series.
     ratios: [f64; TERMS],
 }
 
@@ -35,7 +35,7 @@ impl Power {
     pub fn of(&self, x: f64) -> f64 {
         let bits = x.to_bits();
         let octave = (bits >> MANTISSA_BITS).wrapping_sub(1023);
-        // Below 1, beyond the table, negative or no number: seldom.
+        // Rare: below 1, beyond the table, negative or NaN.
         let Some(octave) = usize::try_from(octave).ok().and_then(|octave| self.octaves.get(octave)) else {
             return x.powf(self.exponent);
         };

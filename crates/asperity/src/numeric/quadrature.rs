@@ -25,7 +25,7 @@ static LEGENDRE: LazyLock<([f64; NODES], [f64; NODES])> = LazyLock::new(|| {
 pub enum Variable {
     /// x itself.
     Linear,
-    /// s = x^.5: takes away the square-root singularity at x = 0.
+    /// s = x^.5, which removes a square-root singularity at x = 0.
     SquareRoot,
 }
 
@@ -35,11 +35,11 @@ pub enum Variable {
 pub struct Panel {
     /// Abscissae.
     pub points: [f64; NODES],
-    /// Weights, those of the substitution included.
+    /// Weights, including those of the substitution.
     pub weights: [f64; NODES],
 }
 
-/// What one panel covers, of its variable.
+/// The range of one panel in its variable.
 #[derive(Debug, Clone, Copy)]
 pub struct Piece {
     variable: Variable,
@@ -60,7 +60,7 @@ impl Piece {
         }
     }
 
-    /// All of them.
+    /// All abscissae and weights.
     pub fn panel(&self) -> Panel {
         let mut panel = Panel::default();
         for k in 0..NODES {
@@ -70,7 +70,7 @@ impl Piece {
     }
 }
 
-/// Cuts [from, to], 0 <= from < to, into `count` pieces of equal length in `variable`.
+/// Divides [from, to], 0 <= from < to, into `count` pieces of equal length in `variable`.
 pub fn pieces(from: f64, to: f64, variable: Variable, count: usize) -> impl Iterator<Item = Piece> {
     let (start, end) = match variable {
         Variable::Linear => (from, to),
@@ -80,7 +80,7 @@ pub fn pieces(from: f64, to: f64, variable: Variable, count: usize) -> impl Iter
     (0..count).map(move |k| Piece { variable, centre: start + half * (2 * k + 1) as f64, half })
 }
 
-/// The same, as panels.
+/// The panels of [`pieces`].
 pub fn panels(from: f64, to: f64, variable: Variable, count: usize) -> impl Iterator<Item = Panel> {
     pieces(from, to, variable, count).map(|piece| piece.panel())
 }

@@ -1,24 +1,22 @@
-//! Searches for where a curve reaches a level: where a falling one first does, and where any curve does.
+//! Searches for the point at which a curve reaches a level, for decreasing and for arbitrary curves.
 //!
-//! All keep a bracket from the first to the last step, so they end at a place whose value has been seen to reach the
-//! level; none can fail silently.
+//! All methods keep a bracket, so that the value at the result has been evaluated and reaches the level.
 
 use super::interval::Interval;
 
 /// Relative width of the last bracket, a few units of rounding.
 pub(super) const WIDTH: f64 = 4.0 * f64::EPSILON;
 
-/// Whether a bracket cannot be closed further.
+/// Whether a bracket is closed to rounding.
 pub(super) fn closed(low: f64, high: f64) -> bool {
     high - low <= WIDTH * low.abs().max(high.abs()).max(1.0)
 }
 
-/// The largest `x` in [low, high], to rounding, with `value(x) >= level`, for a `value` that
-/// nowhere rises with `x`; where it jumps over the level, the near side of the jump. `None` if
-/// `value(low)` does not reach the level.
+/// The largest `x` in [low, high], to rounding, with `value(x) >= level`, for a non-increasing `value`; at a jump, the
+/// side that reaches the level. `None` if `value(low)` does not reach the level.
 ///
-/// Chandrupatla's method (Advances in Engineering Software 28, 145, 1997) on ln(value/level), with
-/// bisection wherever a value is zero or infinite.
+/// Chandrupatla's method (Advances in Engineering Software 28, 145, 1997) on ln(value/level), with bisection where a
+/// value is zero or infinite.
 pub fn last_reaching(value: impl Fn(f64) -> f64, level: f64, low: f64, high: f64) -> Option<f64> {
     let gap = |x: f64| (value(x) / level).ln();
     let near_gap = gap(low);
@@ -32,8 +30,8 @@ pub fn last_reaching(value: impl Fn(f64) -> f64, level: f64, low: f64, high: f64
     Some(crossing(gap, [low, near_gap], [high, far_gap]))
 }
 
-/// The last place from `low` on, to rounding, where `gap` is not negative, of two ends `[x, gap]` of which the first
-/// is not negative and the second is.
+/// The last point, to rounding, at which `gap` is not negative, between two ends `[x, gap]` with a non-negative and a
+/// negative gap.
 fn crossing(gap: impl Fn(f64) -> f64, low: [f64; 2], high: [f64; 2]) -> f64 {
     let ([mut near, mut near_gap], [mut far, mut far_gap]) = (low, high);
     // `latest` is the end that moved last, `other` the opposite end, `before` the one it replaced.
@@ -62,19 +60,18 @@ fn crossing(gap: impl Fn(f64) -> f64, low: [f64; 2], high: [f64; 2]) -> f64 {
     near
 }
 
-/// Every place in [low, high] where `value`, of order 1 to 100, changes its sign, ascending, given `over(a, b)`, ranges
-/// that hold all values and all slopes of `value` on [a, b] and close as the interval shrinks.
+/// All points in [low, high], ascending, at which `value`, of order 1 to 100, changes its sign. `over(a, b)` gives
+/// bounds of the values and slopes of `value` on [a, b], which tighten as the interval shrinks.
 ///
-/// A piece whose values keep their sign is left; in one whose slopes do, the sign changes once or not at all; any other
-/// is halved. So no root can be stepped over, unless two lie so close together that nothing changes between
-/// them but rounding.
+/// An interval whose values have one sign is discarded; one whose slopes have one sign has at most one root; any other
+/// is bisected. Hence no root is missed, except pairs closer than rounding can separate.
 pub fn sign_changes(
     value: &impl Fn(f64) -> f64,
     over: &impl Fn(f64, f64) -> [Interval; 2],
     low: f64,
     high: f64,
 ) -> Vec<f64> {
-    /// Of a value.
+    /// Rounding error of a value.
     const ROUNDING: f64 = 1e-13;
     let mut found = Vec::new();
     let mut pieces = vec![(low, high)];
@@ -82,14 +79,14 @@ pub fn sign_changes(
         let [values, slopes] = over(from, to);
         let values = values + Interval { low: -ROUNDING, high: ROUNDING };
         let start = value(from);
-        // Next to a multiple root the slopes bound the values better than their own range does.
+        // Near a multiple root the slopes bound the values more tightly than the bounds of the values.
         let change = slopes.low.abs().max(slopes.high.abs()) * (to - from);
-        if !values.holds(0.0) || start.abs() > change + ROUNDING {
+        if !values.contains(0.0) || start.abs() > change + ROUNDING {
             continue;
         }
-        if !slopes.holds(0.0) || change <= ROUNDING || closed(from, to) {
+        if !slopes.contains(0.0) || change <= ROUNDING || closed(from, to) {
             let end = value(to);
-            // A zero counts as positive, from whichever side.
+            // Zero counts as positive.
             if start >= 0.0 && end < 0.0 {
                 found.push(crossing(value, [from, start], [to, end]));
             } else if start < 0.0 && end >= 0.0 {
@@ -103,8 +100,8 @@ pub fn sign_changes(
     found
 }
 
-/// Inverse quadratic interpolation through the last three points, as a fraction of the way from
-/// `a` to `b`; `None` where Chandrupatla's criterion does not trust it.
+/// Inverse quadratic interpolation through the last three points, as a fraction of the distance from `a` to `b`; `None`
+/// if Chandrupatla's criterion rejects it.
 fn interpolate(a: f64, fa: f64, b: f64, fb: f64, c: f64, fc: f64) -> Option<f64> {
     if !(fa.is_finite() && fb.is_finite() && fc.is_finite()) {
         return None;
@@ -118,10 +115,10 @@ fn interpolate(a: f64, fa: f64, b: f64, fb: f64, c: f64, fc: f64) -> Option<f64>
     t.is_finite().then_some(t)
 }
 
-/// The largest `x` in [low, high], to rounding, with `value(x) >= level`, for a `value` that may
-/// rise and fall, given `bound(a, b)`, an upper bound of `value` on [a, b] and a range of its slopes that tighten as
-/// the interval shrinks. Halves are searched from above; one whose bound lies below the level is not
-/// entered, and one where all slopes have one sign is not halved. `None` if the level is reached nowhere.
+/// The largest `x` in [low, high], to rounding, with `value(x) >= level`, for an arbitrary `value`. `bound(a, b)` gives
+/// an upper bound of `value` and bounds of its slopes on [a, b], which tighten as the interval shrinks. Halves are
+/// searched from above; an interval whose bound is below the level is skipped, and one whose slopes have one sign is
+/// not bisected. `None` if the level is not reached.
 pub fn last_reaching_bounded(
     value: &impl Fn(f64) -> f64,
     bound: &impl Fn(f64, f64) -> (f64, Interval),
@@ -193,7 +190,7 @@ mod tests {
             let over = |a: f64, b: f64| {
                 let x = Interval { low: a, high: b };
                 let less = x + -1.0;
-                let square = if less.holds(0.0) {
+                let square = if less.contains(0.0) {
                     Interval { low: 0.0, high: (less * less).high }
                 } else {
                     less * less

@@ -1,4 +1,4 @@
-//! Numbers as files store them.
+//! Number types of files.
 
 /// The type of stored numbers.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -15,7 +15,7 @@ pub(crate) enum NumberType {
     F64,
 }
 
-/// Evaluates an expression with the type of the numbers in place of a name.
+/// Evaluates an expression with the Rust type of the numbers bound to a name.
 macro_rules! with_type {
     ($stored:expr, $kind:ident => $value:expr) => {{
         macro_rules! of {
@@ -44,7 +44,7 @@ impl NumberType {
         with_type!(self, T => size_of::<T>() as u64)
     }
 
-    /// The least and the greatest number of the type.
+    /// The smallest and largest number of the type.
     pub(crate) const fn range(self) -> [f64; 2] {
         with_type!(self, T => [T::MIN as f64, T::MAX as f64])
     }
@@ -53,17 +53,17 @@ impl NumberType {
         !matches!(self, Self::F32 | Self::F64)
     }
 
-    /// Relative precision of the numbers as they are; 0 for integers.
+    /// Relative precision of the stored numbers; 0 for integers.
     pub(crate) const fn precision(self) -> f64 {
         if self.is_integer() { 0.0 } else { self.scaled_precision() }
     }
 
-    /// Relative precision of the numbers once they are multiplied, which rounds.
+    /// Relative precision of the numbers after scaling, which rounds.
     pub(crate) const fn scaled_precision(self) -> f64 {
         if matches!(self, Self::F32) { f32::EPSILON as f64 } else { f64::EPSILON }
     }
 
-    /// Copies as many numbers as `out` has room for.
+    /// Decodes as many numbers as `out` holds.
     pub(crate) fn decode(self, bytes: &[u8], big_endian: bool, out: &mut [f64]) {
         with_type!(self, T => {
             let numbers = bytes.as_chunks().0.iter().zip(out);

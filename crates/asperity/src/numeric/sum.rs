@@ -1,16 +1,16 @@
-//! Sums that do not depend on the number of threads and lose nothing to rounding.
+//! Compensated sums that do not depend on the number of threads.
 
 use std::ops::AddAssign;
 
 use super::lanes::{MOST, Real};
 use super::parallel;
 
-/// How many terms one task adds. Fixed, so that a result does not depend on the thread count.
+/// Terms per task. Fixed, so that results do not depend on the number of threads.
 pub const CHUNK: usize = 4096;
 
-/// A compensated sum, or one in every lane: the rounding error of every addition is kept (Knuth's TwoSum, The Art of
-/// Computer Programming 2, section 4.2.2, theorem B), so the result is the exact sum of its terms
-/// to within a few ulp whatever their number.
+/// A compensated sum, or one per lane: the rounding error of each addition is kept (Knuth's TwoSum, The Art of Computer
+/// Programming 2, section 4.2.2, theorem B), so that the result is within a few ulp of the exact sum for any number of
+/// terms.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub struct Sum<N = f64> {
     high: N,
@@ -18,7 +18,7 @@ pub struct Sum<N = f64> {
 }
 
 impl<N: Real> Sum<N> {
-    /// The sum that has no terms yet, with the lanes of `zero`.
+    /// An empty sum with the lanes of `zero`.
     #[inline(always)]
     pub fn new(zero: N) -> Self {
         Self { high: zero, low: zero }
@@ -43,7 +43,7 @@ impl<N: Real> AddAssign<N> for Sum<N> {
     }
 }
 
-/// The sum of another part.
+/// Adds the sum of another part.
 impl<N: Real> AddAssign<Sum<N>> for Sum<N> {
     #[inline(always)]
     fn add_assign(&mut self, part: Self) {
@@ -52,8 +52,7 @@ impl<N: Real> AddAssign<Sum<N>> for Sum<N> {
     }
 }
 
-/// A sum in as many parts as the widest register has lanes, so that lanes are not added to each other before a total is
-/// asked for.
+/// A sum in as many parts as the widest register has lanes, which are added only for the total.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub struct LaneSum {
     high: [f64; MOST],
@@ -66,7 +65,7 @@ impl LaneSum {
         let mut parts = *self;
         let mut count = MOST;
         while count > 1 {
-            // In halves, so that no addition waits for the one before.
+            // Pairwise, so that additions are independent.
             count /= 2;
             for k in 0..count {
                 let mut sum = parts.part(k);
@@ -92,7 +91,7 @@ impl AddAssign<f64> for LaneSum {
     }
 }
 
-/// Each lane goes to a part of its own.
+/// Adds each lane to a separate part.
 impl<N: Real> AddAssign<Sum<N>> for LaneSum {
     #[inline(always)]
     fn add_assign(&mut self, lanes: Sum<N>) {
@@ -111,9 +110,8 @@ impl FromIterator<f64> for Sum {
     }
 }
 
-/// Folds the index range `0..count` in parallel: `part` gives the result of a chunk, `join` adds
-/// it to the running one. Chunks are fixed and joined in order, so the result is the same to
-/// the bit on any number of threads.
+/// Folds the index range `0..count` in parallel: `part` gives the result of a chunk, `join` adds it to the running
+/// result. Chunks are fixed and joined in order, so that the result is bit-identical for any number of threads.
 pub fn in_chunks<T: Default + Send + Sync>(
     count: usize,
     part: impl Fn(std::ops::Range<usize>) -> T + Sync,

@@ -1,4 +1,4 @@
-//! A function as short polynomials.
+//! A function tabulated as piecewise polynomials.
 
 use std::ops::Range;
 
@@ -8,29 +8,29 @@ const INTERVALS: usize = 32;
 const TERMS: usize = 8;
 const MANTISSA_BITS: u32 = f64::MANTISSA_DIGITS - 1;
 
-/// A smooth positive function of x > 0 and its slope, by a polynomial for each 32nd of an octave.
+/// A smooth positive function of x > 0 and its slope, with 32 polynomials per octave.
 ///
-/// To rounding where the function, continued to complex arguments, is analytic nearer to x than 0 is: on so short an
-/// interval eight terms leave 130^-8 of it.
+/// Accurate to rounding where the function is analytic within a complex disc around x of radius |x|: the truncation
+/// error of eight terms is then 130^-8.
 #[derive(Debug, PartialEq)]
 pub struct Table {
-    /// Exponent and leading bits of the mantissa where the table begins.
+    /// Exponent and leading mantissa bits of the start of the table.
     first: u64,
     pieces: Vec<Piece>,
 }
 
-/// The middle, the inverse of the half width, and the coefficients.
+/// Middle, inverse half width, and coefficients.
 #[derive(Debug, PartialEq)]
 struct Piece([f64; TERMS + 2]);
 
-/// The interval of `x` among those of all numbers: they follow each other as the bits of numbers do.
+/// The index of the interval of `x`: exponent and leading mantissa bits.
 #[inline(always)]
 fn place(x: f64) -> u64 {
     x.to_bits() >> (MANTISSA_BITS - INTERVALS.ilog2())
 }
 
 impl Table {
-    /// A table of `value` from 2^start on and below 2^end, of normal numbers.
+    /// A table of `value` from 2^start (included) to 2^end, which must be normal numbers.
     pub fn of(octaves: Range<i32>, value: impl Fn(f64) -> f64) -> Self {
         let octave = |power: i32| (0..INTERVALS).map(move |k| (power, k));
         let piece = |(power, k): (i32, usize)| {
@@ -69,7 +69,7 @@ impl Piece {
     fn through(value: &impl Fn(f64) -> f64, middle: f64, half: f64) -> Self {
         use std::f64::consts::PI;
         let angle = |j: usize| PI * (j as f64 + 0.5) / TERMS as f64;
-        // Away from the middle values differ by a 64th: sums of differences round that much less.
+        // Values differ from that in the middle by 1/64 at most: differences have smaller rounding errors.
         let centre = value(middle);
         let steps: [f64; TERMS] = std::array::from_fn(|j| value(middle + half * angle(j).cos()) - centre);
         let mut coefficients = [0.0; TERMS];

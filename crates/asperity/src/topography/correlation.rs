@@ -9,11 +9,11 @@ use super::spectrum::GridSpectrum;
 use super::{Boundary, HeightMap, Rows};
 use crate::numeric::parallel::{self, for_each_row};
 
-/// Power spectral density C over rings of wave numbers q, such that the integral of C over the plane of wave
-/// vectors is the variance of the heights.
+/// Radially averaged power spectral density C(q), normalised so that its integral over the plane of wave vectors is the
+/// variance of the heights.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct RadialSpectrum {
-    /// Wave number, rad/m, and density, m^4, of each ring that holds waves.
+    /// Wave number (rad/m) and density (m^4) of each ring that contains waves.
     pub rings: Vec<(f64, f64)>,
 }
 
@@ -37,8 +37,8 @@ impl Rings {
         Self { points, step, first, ratio: count / (last / first).ln(), count: count as usize }
     }
 
-    /// Sums of wave numbers and variances of column `j`, and numbers of waves, by ring. `variance` is given the
-    /// wave number along x by its index.
+    /// Sums of wave numbers, of variances and of numbers of waves of column `j`, by ring. `variance` takes the index of
+    /// the wave number along x.
     fn column(&self, j: usize, variance: impl Fn(usize) -> f64) -> Vec<[f64; 3]> {
         let mut sums = vec![[0.0; 3]; self.count];
         let y = self.step[1] * j as f64;
@@ -71,8 +71,8 @@ impl Rings {
 }
 
 impl RadialSpectrum {
-    /// The spectrum of a map, which is used up, about its `mean` (m). An open map is seen through a Hann window, so that its borders do
-    /// not show; missing points are taken at the mean.
+    /// The spectrum of a map about its `mean` (m). A Hann window is applied to an open map; missing points are replaced
+    /// by the mean.
     pub fn of(map: HeightMap, mean: f64) -> Self {
         let points = map.points();
         let rings = Rings::new(points, map.pixel());
@@ -94,8 +94,8 @@ impl RadialSpectrum {
         rings.spectrum(columns)
     }
 
-    /// The spectrum that a Gaussian surface of standard deviation `sigma` (m) is drawn from.
-    pub fn asked(spectrum: &GridSpectrum, pixel: [f64; 2], sigma: f64) -> Self {
+    /// The prescribed spectrum of a Gaussian surface of standard deviation `sigma` (m).
+    pub fn prescribed(spectrum: &GridSpectrum, pixel: [f64; 2], sigma: f64) -> Self {
         let points = spectrum.points();
         let rings = Rings::new(points, pixel);
         let columns = parallel::map(columns(points), |j| {
@@ -105,26 +105,26 @@ impl RadialSpectrum {
             (rings.column(j, |i| deviations[i] * deviations[i]), total)
         });
         let total = spectrum.mean_variance() + columns.iter().map(|column| column.1).sum::<f64>();
-        let mut asked = rings.spectrum(columns.into_iter().map(|column| column.0).collect());
-        for ring in &mut asked.rings {
+        let mut prescribed = rings.spectrum(columns.into_iter().map(|column| column.0).collect());
+        for ring in &mut prescribed.rings {
             ring.1 *= sigma * sigma / total;
         }
-        asked
+        prescribed
     }
 
     /// Quartiles of the ratio of another spectrum to this one, over the rings whose density is at least a thousandth of
-    /// the largest one.
+    /// the largest.
     pub fn quartiles_of(&self, other: &Self) -> [f64; 2] {
         const NEGLIGIBLE: f64 = 1e-3;
         let largest = self.rings.iter().fold(0.0f64, |a, ring| a.max(ring.1));
-        let pairs = self.rings.iter().zip(&other.rings).filter(|(asked, _)| asked.1 > NEGLIGIBLE * largest);
-        let mut ratios: Vec<f64> = pairs.map(|(asked, found)| found.1 / asked.1).collect();
+        let pairs = self.rings.iter().zip(&other.rings).filter(|(own, _)| own.1 > NEGLIGIBLE * largest);
+        let mut ratios: Vec<f64> = pairs.map(|(own, other)| other.1 / own.1).collect();
         ratios.sort_unstable_by(f64::total_cmp);
         [1, 3].map(|quarter| ratios.get(quarter * ratios.len() / 4).copied().unwrap_or(f64::NAN))
     }
 }
 
-/// The Hann window, at the middles of the points.
+/// The Hann window, sampled at the centres of the pixels.
 fn hann(count: usize) -> Vec<f64> {
     (0..count).map(|k| (PI * (k as f64 + 0.5) / count as f64).sin().powi(2)).collect()
 }
@@ -132,26 +132,26 @@ fn hann(count: usize) -> Vec<f64> {
 /// The autocorrelation of a map.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Autocorrelation {
-    /// Lag (m) and autocorrelation along x, up to half of the side.
+    /// Lag (m) and autocorrelation along x, up to half of the map.
     pub along_x: Vec<(f64, f64)>,
-    /// The same along y.
+    /// Lag (m) and autocorrelation along y.
     pub along_y: Vec<(f64, f64)>,
-    /// Autocorrelation length Sal (ISO 25178-2, s = 0.2): the shortest distance at which it has fallen to
-    /// 0.2, m; `None` where it does not fall so far within half of the map.
+    /// Autocorrelation length Sal (ISO 25178-2, s = 0.2): the shortest distance at which the autocorrelation has
+    /// decayed to 0.2, m; `None` if it does not within half of the map.
     pub length: Option<f64>,
-    /// Texture aspect ratio Str: the shortest such distance over the longest; `None` where in some direction it
-    /// does not fall so far.
+    /// Texture aspect ratio Str: the shortest such distance over the longest; `None` if it does not decay to 0.2 in
+    /// some direction.
     pub aspect: Option<f64>,
 }
 
 impl Autocorrelation {
-    /// The autocorrelation of the present points, about their `mean` (m). Beyond an open border nothing is known:
-    /// only pairs of points within the map count. `None` on a flat map.
+    /// The autocorrelation of the present points, about their `mean` (m). On an open map only pairs of points within
+    /// the map are included. `None` for a flat map.
     pub fn of(map: &HeightMap, mean: f64) -> Option<Self> {
         let points = map.points();
         let padded = match map.boundary() {
             Boundary::Periodic => points,
-            // Lags up to half of the side do not meet around the border.
+            // Zero padding: lags up to half of the map do not wrap around.
             Boundary::Open => points.map(|count| (count + count / 2 + 1).next_multiple_of(8)),
         };
         let products = pairs(map.embedded(padded, |z| z - mean), padded);
@@ -199,9 +199,9 @@ fn pairs(field: Vec<f64>, points: [usize; 2]) -> Vec<f64> {
     synthesise(points, fill, |_| count.recip())
 }
 
-/// The distance (m) at which the autocorrelation first falls to 0.2, in each of 180 directions over the half plane.
+/// The distance (m) at which the autocorrelation first decays to 0.2, in each of 180 directions over the half plane.
 fn decay(rho: &impl Fn(isize, isize) -> f64, half: [usize; 2], pixel: [f64; 2]) -> Vec<Option<f64>> {
-    const FALLEN: f64 = 0.2;
+    const DECAYED: f64 = 0.2;
     const DIRECTIONS: u32 = 180;
     let stride = 0.5 * pixel[0].min(pixel[1]);
     let along = |direction: u32| {
@@ -214,8 +214,8 @@ fn decay(rho: &impl Fn(isize, isize) -> f64, half: [usize; 2], pixel: [f64; 2]) 
         let mut before = 1.0;
         for step in 1.. {
             let now = value(stride * f64::from(step))?;
-            if now <= FALLEN {
-                let part = (before - FALLEN) / (before - now);
+            if now <= DECAYED {
+                let part = (before - DECAYED) / (before - now);
                 return Some(stride * (f64::from(step) - 1.0 + part));
             }
             before = now;
@@ -253,7 +253,7 @@ mod tests {
         let (hurst, roll_off, cut_off) = (0.7, 20.0, 2.0);
         let shape = SpectrumShape::SelfAffine { hurst, roll_off, cut_off };
         let (_, grid) = surface(shape, Lay::default(), 1);
-        let asked = RadialSpectrum::asked(&grid, PIXEL, 3.0);
+        let asked = RadialSpectrum::prescribed(&grid, PIXEL, 3.0);
         let mut reached = vec![0.0; asked.rings.len()];
         for seed in 0..20 {
             let map = surface(shape, Lay::default(), seed).0;
@@ -359,7 +359,7 @@ mod tests {
     #[test]
     fn the_spectrum_asked_for_is_that_of_an_endless_surface() {
         let spectrum = Spectrum::new(SpectrumShape::Gaussian(10.0), Lay::default()).unwrap();
-        let (q, density) = RadialSpectrum::asked(&spectrum.on_grid(POINTS, PIXEL), PIXEL, 3.0).rings[0];
+        let (q, density) = RadialSpectrum::prescribed(&spectrum.on_grid(POINTS, PIXEL), PIXEL, 3.0).rings[0];
         assert!((q / (TAU / 160.0) - 1.0).abs() < 1e-12);
         let exact = 9.0 * 100.0 / (4.0 * PI) * (-(5.0 * q).powi(2)).exp();
         assert!((density / exact - 1.0).abs() < 1e-6, "{density} for {exact}");

@@ -1,5 +1,5 @@
-//! Areal Gaussian filters (ISO 16610-61): an S filter takes out what is shorter than its nesting
-//! index, an L filter what is longer.
+//! Areal Gaussian filters (ISO 16610-61): an S filter removes wavelengths shorter than its nesting index, an L filter
+//! longer ones.
 
 use std::fmt;
 
@@ -8,20 +8,20 @@ use asperity_fft::{Complex, FftDirection};
 use super::fourier::{analyse, synthesise};
 use super::{Boundary, HeightMap, Rows};
 
-/// An S and an L filter, either or both.
+/// An S filter, an L filter, or both.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Filter {
     s: Option<f64>,
     l: Option<f64>,
 }
 
-/// Nesting indices that make no filter.
+/// Invalid nesting indices.
 #[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
 pub enum FilterError {
-    /// There is an index.
+    /// At least one index is required.
     #[error("found no nesting index; allowed: s, l, or both")]
     Missing,
-    /// Short comes before long.
+    /// The S index must be below the L index.
     #[error("found s = {s:.4e} m and l = {l:.4e} m; allowed: s below l")]
     Order {
         /// The S index, m.
@@ -29,7 +29,7 @@ pub enum FilterError {
         /// The L index, m.
         l: f64,
     },
-    /// The map is larger than what is taken out.
+    /// An index must not exceed the map.
     #[error("found a nesting index of {index:.4e} m on a map of {:.4e} x {:.4e} m; allowed: at most its shorter side", size[0], size[1])]
     TooLarge {
         /// The index, m.
@@ -52,7 +52,7 @@ impl Filter {
         }
     }
 
-    /// Whether it suits a map of `points` that are `pixel` (m) apart.
+    /// Checks the filter for a map of `points` at a distance of `pixel` (m).
     ///
     /// # Errors
     /// An index larger than the map.
@@ -65,8 +65,7 @@ impl Filter {
         }
     }
 
-    /// The filtered map; missing points stay missing and do not count. The same to the bit on any
-    /// number of threads.
+    /// The filtered map; missing points stay missing and are ignored. Bit-identical for any number of threads.
     ///
     /// # Errors
     /// An index larger than the map.
@@ -100,7 +99,7 @@ impl fmt::Display for Filter {
 fn low_pass(map: &HeightMap, index: f64) -> HeightMap {
     let weights = map.pixel().map(|pixel| weights(index / pixel));
     let smoothed = |of: &(dyn Fn(f64) -> f64 + Sync)| smoothed(map, &weights, of);
-    // Heights and presence go the same way; their quotient is the mean.
+    // Heights and a mask of present points are smoothed alike; their quotient is the mean.
     let sums = smoothed(&|z| z);
     let presence = smoothed(&|_| 1.0);
     let means = sums.iter().zip(&presence).map(|(sum, weight)| sum / weight);
@@ -108,11 +107,11 @@ fn low_pass(map: &HeightMap, index: f64) -> HeightMap {
     map.with_heights(heights.collect())
 }
 
-/// Weighted sums over the neighbourhood of each point of `of` the present heights: a
-/// product of transforms, so that the cost does not grow with the nesting index.
+/// Weighted sums of `of(height)` over the neighbourhood of each point, computed by Fourier transforms, so that the cost
+/// does not depend on the nesting index.
 fn smoothed(map: &HeightMap, weights: &[Vec<f64>; 2], of: &(dyn Fn(f64) -> f64 + Sync)) -> Vec<f64> {
     let [nx, ny] = map.points();
-    // Beyond an open border there is nothing: zeros as far as the weights reach keep the borders apart.
+    // Zero padding of an open map over the range of the weights, against wrap-around.
     let points = [0, 1].map(|axis| match map.boundary() {
         Boundary::Periodic => map.points()[axis],
         Boundary::Open => (map.points()[axis] + weights[axis].len()).next_multiple_of(16),
@@ -127,7 +126,7 @@ fn smoothed(map: &HeightMap, weights: &[Vec<f64>; 2], of: &(dyn Fn(f64) -> f64 +
     sums.chunks(points[1]).take(nx).flat_map(|row| &row[..ny]).copied().collect()
 }
 
-/// The transform of weights on both sides of a point, around a border of `count` points.
+/// The transform of symmetric weights on a periodic axis of `count` points.
 fn wrapped(weights: &[f64], count: usize) -> Vec<f64> {
     let mut both = vec![Complex::default(); count];
     for (k, &weight) in weights.iter().enumerate() {
@@ -140,10 +139,9 @@ fn wrapped(weights: &[f64], count: usize) -> Vec<f64> {
     both.into_iter().map(|wave| wave.re).collect()
 }
 
-/// Weights at 0, 1, 2, ... pixels, up to where they fall below 1e-12 of the first. The index is in
-/// pixels.
+/// Weights at 0, 1, 2, ... pixels, down to 1e-12 of the first. The index is in pixels.
 fn weights(index: f64) -> Vec<f64> {
-    /// alpha = (ln 2/pi)^.5: a wave of the cut-off length is halved.
+    /// alpha = (ln 2/pi)^.5: the amplitude transmission is 50 % at the cut-off wavelength.
     const ALPHA_SQUARED: f64 = std::f64::consts::LN_2 / std::f64::consts::PI;
     const NEGLIGIBLE: f64 = 1e-12;
     (0..)

@@ -1,8 +1,8 @@
-//! Fourier transforms of maps, in the memory of the map.
+//! In-place Fourier transforms of maps.
 //!
-//! Between the two passes of a transform a row holds its half spectrum along y in as many numbers as
-//! it has points: Re 0, then Re k, Im k, and for an even number of points Re of the last at the end.
-//! Columns are worked on in batches that stay in cache, each turned and transformed along x.
+//! Between the two passes of a transform a row holds its half spectrum along y in as many numbers as it has points: Re
+//! 0, then Re k, Im k, and for an even number of points Re of the last at the end. Columns are transposed and
+//! transformed along x in batches that fit in the cache.
 
 use asperity_fft::{Complex, FftDirection};
 use rayon::prelude::*;
@@ -13,15 +13,15 @@ use crate::numeric::parallel::Results;
 /// Numbers in one batch of columns: 4 MiB.
 const BATCH: usize = 1 << 18;
 
-/// Rows, or columns, that are turned together: eight complex numbers are two cache lines.
+/// Rows or columns transposed together: eight complex numbers are two cache lines.
 const ROWS: usize = 8;
 
-/// How many columns of wave numbers along y a map of real heights has: 0 to half of its points.
+/// Number of wave numbers along y of a map of real heights: 0 to half of its points.
 pub const fn columns(points: [usize; 2]) -> usize {
     points[1] / 2 + 1
 }
 
-/// How often column `j` counts in a sum over all waves: twice if it represents -j too.
+/// The weight of column `j` in a sum over all waves: 2 if it also represents -j.
 pub const fn weight(points: [usize; 2], j: usize) -> f64 {
     if j == 0 || 2 * j == points[1] { 1.0 } else { 2.0 }
 }
@@ -30,12 +30,12 @@ fn batch_width(points: [usize; 2]) -> usize {
     (BATCH / points[0]).clamp(ROWS, columns(points).max(ROWS))
 }
 
-/// The map whose waves `fill` gives: called with each wave number j along y and the amplitudes of all
-/// wave numbers along x (0, 1, ..., -2, -1) to write to, it returns a number of its own. `scale` makes
-/// of these numbers, in the order of j, the factor that every height is multiplied by.
+/// Synthesises a map from its waves. `fill` is called with each wave number j along y and writes the amplitudes of all
+/// wave numbers along x (0, 1, ..., -2, -1). From its return values, in the order of j, `scale` computes the factor of
+/// all heights.
 ///
-/// The amplitudes are those of exp(2 pi i (i x/nx + j y/ny)); those of column 0, and of the last one if ny
-/// is even, must be those of a real wave. The same to the bit on any number of threads.
+/// The amplitudes are those of exp(2 pi i (i x/nx + j y/ny)); those of column 0, and of the last one if ny is even,
+/// must be those of a real wave. Bit-identical for any number of threads.
 pub fn synthesise<T: Send + Sync>(
     points: [usize; 2],
     fill: impl Fn(usize, &mut [Complex<f64>]) -> T + Sync,
@@ -84,15 +84,14 @@ fn heights_along_y(map: &mut [f64], ny: usize, scale: f64) {
             for (j, wave) in half.iter_mut().enumerate() {
                 *wave = scale * get(row, j);
             }
-            // The lengths are the plan's own and the ends are real: nothing is left to go wrong.
+            // Cannot fail: the lengths are those of the plan, and the ends are real.
             let _ = along_y.process_with_scratch(half, row, scratch);
         },
     );
 }
 
-/// The waves of a map, which is used up: `each` is called with every wave number j along y and the sums of
-/// z exp(-2 pi i (i x/nx + j y/ny)) of all wave numbers i along x, and its results are in the order
-/// of j.
+/// Analyses a map into waves: `each` is called with each wave number j along y and the sums of z exp(-2 pi i (i x/nx +
+/// j y/ny)) for all wave numbers i along x. The results are in the order of j.
 pub fn analyse<T: Send + Sync>(
     map: Vec<f64>,
     points: [usize; 2],
@@ -109,7 +108,7 @@ fn for_each_column(mut map: Vec<f64>, points: [usize; 2], each: &(dyn Fn(usize, 
     map.par_chunks_mut(ny).for_each_init(
         || (along_y.make_output_vec(), along_y.make_scratch_vec()),
         |(half, scratch), row| {
-            // The lengths are the plan's own.
+            // Cannot fail: the lengths are those of the plan.
             let _ = along_y.process_with_scratch(row, half, scratch);
             for (j, wave) in half.iter().enumerate() {
                 put(row, j, *wave);

@@ -1,37 +1,36 @@
-//! Gaussian fields with the heights of another distribution: a monotone map, what it does to the autocorrelation, and how to
-//! undo that beforehand.
+//! Transform of a Gaussian field to another height distribution: a monotone map, its effect on the autocorrelation, and
+//! the correction of the Gaussian field for that effect.
 //!
-//! The map takes a standard normal g to a height T(g) of zero mean and unit standard deviation, exactly so in the ensemble. A
-//! field of finite size scatters about that, as a Gaussian one does.
+//! The map takes a standard normal g to a height T(g) of zero mean and unit standard deviation. These are exact for the
+//! ensemble; a finite field scatters about them, as a Gaussian one does.
 
 use crate::distribution::{HeightDistribution, normal_nodes};
 use crate::numeric::parallel::for_each_row;
 use crate::numeric::root::last_reaching;
 
-/// How many heights one task maps.
+/// Heights mapped per task.
 const CHUNK: usize = 1 << 14;
 
-/// How much of the variance may be left out of the series.
-const LEFT_OUT: f64 = 1e-7;
+/// The part of the variance that the truncated series may omit.
+const TRUNCATION: f64 = 1e-7;
 
-/// A guard: no map needs more terms, the steepest about 2200, common ones 5 to 100.
+/// The largest number of terms. The steepest map needs about 2200, common ones 5 to 100.
 const MOST: usize = 4000;
 
-/// Step of the quadrature in g: half that of the steepest map, and a tenth of the shortest wave of
+/// Step of the quadrature in g: half the step that the steepest map needs, and a tenth of the shortest wavelength of
 /// the highest Hermite polynomial.
 const STEP: f64 = 0.01;
 
-/// Replaces every standard normal number of `field` by `scale` times its height.
+/// Replaces each standard normal value g of `field` by `scale` T(g).
 pub fn map_normals(heights: &dyn HeightDistribution, field: &mut [f64], scale: f64) {
     for_each_row(field, CHUNK, &|_, field| heights.map_normals(field, scale));
 }
 
 /// The correlation of two heights T(g1), T(g2) as a function of that of g1 and g2.
 ///
-/// With the Hermite coefficients c_n = E[T(g) He_n(g)]/(n!)^.5 it is the sum over n >= 1 of
-/// c_n^2 rho^n (Mehler's formula). The c_n^2 add up to the variance, 1, so what a cut-off series
-/// leaves out is known: terms are added until it is below 1e-7, and their sum is then made 1.
-/// The correlation is good to 2e-7.
+/// With the Hermite coefficients c_n = E[T(g) He_n(g)]/(n!)^.5 it is the sum over n >= 1 of c_n^2 rho^n (Mehler's
+/// formula). Since the c_n^2 add up to the variance, 1, the truncation error is known: terms are added until it is
+/// below 1e-7, then normalised to a sum of 1. The error of the correlation is at most 2e-7.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Distortion {
     /// c_n^2 from n = 1.
@@ -39,7 +38,7 @@ pub struct Distortion {
 }
 
 impl Distortion {
-    /// That of the map to `distribution`.
+    /// The distortion by the map to `distribution`.
     pub fn new(distribution: &dyn HeightDistribution) -> Self {
         let nodes: Vec<[f64; 2]> = normal_nodes(STEP).collect();
         let heights: Vec<f64> =
@@ -49,7 +48,7 @@ impl Distortion {
         let mut latest = vec![1.0; nodes.len()];
         let mut squares = Vec::new();
         let mut sum = 0.0;
-        while sum < 1.0 - LEFT_OUT && squares.len() < MOST {
+        while sum < 1.0 - TRUNCATION && squares.len() < MOST {
             let order = squares.len() as f64;
             let (root, next_root) = (order.sqrt(), (order + 1.0).sqrt());
             let mut coefficient = 0.0;
@@ -65,29 +64,28 @@ impl Distortion {
         Self { squares }
     }
 
-    /// The correlation of the heights where that of the normal variables is `rho`, from -1 to 1.
+    /// The correlation of heights for a correlation `rho` of the normal variables, from -1 to 1.
     pub fn of(&self, rho: f64) -> f64 {
         rho * self.squares.iter().rev().fold(0.0, |sum, square| sum * rho + square)
     }
 
-    /// The lowest correlation that heights of this distribution can have: an asymmetric one has no
-    /// perfect negative correlation.
+    /// The lowest possible correlation of heights, which is above -1 for an asymmetric distribution.
     pub fn least(&self) -> f64 {
         self.of(-1.0)
     }
 
-    /// The correlation of the normal variables that gives heights of the correlation `wanted`; `None`
-    /// below the least one and above 1. It rises with `wanted`, as T rises (Price's theorem).
+    /// The correlation of the normal variables for a correlation `wanted` of heights; `None` below the lowest possible
+    /// one and above 1. It increases with `wanted`, since T is increasing (Price's theorem).
     pub fn before(&self, wanted: f64) -> Option<f64> {
         if !(self.least()..=1.0).contains(&wanted) {
             return None;
         }
-        // Shifted to be positive and mirrored to fall, as the search needs it.
+        // Shifted and mirrored to be positive and decreasing, as the search requires.
         let found = last_reaching(|x| 2.0 + self.of(-x), 2.0 + wanted, -1.0, 1.0)?;
         Some(-found)
     }
 
-    /// [`Self::before`] by cubic interpolation between many values, good to 1e-9 where the map is not steep.
+    /// [`Self::before`] by cubic interpolation, with an error of 1e-9 unless the map is steep.
     pub fn inverse(&self) -> Inverse {
         const INTERVALS: usize = 4096;
         let least = self.least();
@@ -108,25 +106,24 @@ impl Distortion {
     }
 }
 
-/// What undoes a [`Distortion`].
+/// The tabulated inverse of a [`Distortion`].
 #[derive(Debug, Clone)]
 pub struct Inverse {
     least: f64,
     step: f64,
-    /// The correlation before, and its change over a step, at equal steps of the correlation after.
+    /// The correlation of the normal variables, and its derivative times the step, at equal steps of that of heights.
     nodes: Vec<[f64; 2]>,
 }
 
 impl Inverse {
-    /// The correlation of the normal variables that gives heights of the correlation `wanted`, or of the nearest
-    /// one that they can have.
+    /// The correlation of the normal variables for a correlation `wanted` of heights, or for the nearest possible one.
     pub fn of(&self, wanted: f64) -> f64 {
         let last = self.nodes.len() - 2;
         let place = ((wanted - self.least) / self.step).clamp(0.0, (last + 1) as f64);
         let k = (place as usize).min(last);
         let (t, [[a, da], [b, db]]) = (place - k as f64, [self.nodes[k], self.nodes[k + 1]]);
         let s = 1.0 - t;
-        // Hermite's cubic, about the nearer end so that nothing cancels there.
+        // The Hermite cubic about the nearer end, to avoid cancellation there.
         s * s * (a * (1.0 + 2.0 * t) + da * t) + t * t * (b * (1.0 + 2.0 * s) - db * s)
     }
 }

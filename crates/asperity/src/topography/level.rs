@@ -1,11 +1,11 @@
-//! Taking the form out of a map by least squares.
+//! Levelling: removal of the form of a map by least squares.
 
 use nalgebra::{DMatrix, DVector};
 
 use super::HeightMap;
 use super::rows::{Boundary, Rows, Strip, first_present, strips};
 
-/// The form that is taken out.
+/// The form to remove.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
 #[cfg_attr(feature = "serde", derive(serde::Deserialize))]
 #[cfg_attr(feature = "serde", serde(rename_all = "kebab-case"))]
@@ -21,16 +21,16 @@ pub enum Level {
     Quadratic,
 }
 
-/// Too few points, or points on a line, determine no such form.
+/// The present points do not determine the form: too few, or on a line.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, thiserror::Error)]
-#[error("cannot be levelled by a {}: its present points determine none; allowed: more points, or level = \"mean\"", .0.name())]
+#[error("cannot be levelled by a {}: its present points do not determine one; allowed: more points, or level = \"mean\"", .0.name())]
 pub struct Undetermined(Level);
 
 /// Number of terms of the largest form.
 const TERMS: usize = 6;
 
 impl Level {
-    /// As specs and reports name it.
+    /// The name in specs and reports.
     pub const fn name(self) -> &'static str {
         match self {
             Self::None => "none",
@@ -49,10 +49,10 @@ impl Level {
         }
     }
 
-    /// The least-squares form of a map; the same to the bit on any number of threads.
+    /// The least-squares form of a map; bit-identical for any number of threads.
     ///
     /// # Errors
-    /// Points that determine no such form.
+    /// Points that do not determine the form.
     pub fn form(self, map: &dyn Rows) -> Result<Form, Undetermined> {
         let terms = self.terms();
         let mut form = Form {
@@ -80,16 +80,16 @@ impl Level {
     /// The map without its form, in memory.
     ///
     /// # Errors
-    /// Points that determine no such form.
+    /// Points that do not determine the form.
     pub fn apply(self, map: &HeightMap) -> Result<HeightMap, Undetermined> {
         Ok(HeightMap::of(&Levelled { map, form: self.form(map)? }))
     }
 }
 
-/// A polynomial over a map.
+/// A polynomial over the grid of a map.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Form {
-    /// A height that is taken off before, m.
+    /// A height subtracted before the fit, m.
     origin: f64,
     centre: [f64; 2],
     coefficients: [f64; TERMS],
@@ -97,7 +97,7 @@ pub struct Form {
 }
 
 impl Form {
-    /// The largest height that was taken off, m: differences below its rounding mean nothing.
+    /// The largest height subtracted, m: differences below its rounding error are meaningless.
     pub fn magnitude(&self) -> f64 {
         self.origin.abs() + self.coefficients.iter().map(|c| c.abs()).sum::<f64>()
     }
@@ -111,7 +111,7 @@ impl Form {
         for k in 0..strip.count {
             let u = self.coordinate(strip.first + k, 0);
             let row = strip.row(k as isize).unwrap_or_default();
-            // In a row only v varies: its powers are added, those of u multiplied in at the end.
+            // In a row only v varies: powers of v are summed, those of u are factors.
             let (mut powers, mut heights) = ([0.0; 5], [0.0; 3]);
             for (iy, z) in row.iter().enumerate().filter(|(_, z)| !z.is_nan()) {
                 let v = self.coordinate(iy, 1);
@@ -128,8 +128,8 @@ impl Form {
         sums
     }
 
-    /// Takes the form off a row of heights (m) at the x index `ix`.
-    pub fn take_off(&self, ix: usize, row: &mut [f64]) {
+    /// Subtracts the form from a row of heights (m) at the x index `ix`.
+    pub fn subtract(&self, ix: usize, row: &mut [f64]) {
         if self.terms == 0 {
             return;
         }
@@ -143,11 +143,11 @@ impl Form {
     }
 }
 
-/// A map without its form, taken off row by row.
+/// A map minus its form, row by row.
 pub struct Levelled<'a> {
     /// The map.
     pub map: &'a dyn Rows,
-    /// Its form.
+    /// The form to subtract.
     pub form: Form,
 }
 
@@ -170,7 +170,7 @@ impl Rows for Levelled<'_> {
 
     fn read(&self, ix: usize, row: &mut [f64]) {
         self.map.read(ix, row);
-        self.form.take_off(ix, row);
+        self.form.subtract(ix, row);
     }
 
     fn block(&self, rows: std::ops::Range<usize>) -> Option<&[f64]> {
@@ -178,11 +178,11 @@ impl Rows for Levelled<'_> {
     }
 }
 
-/// The factors of normal equations that are not singular to rounding.
+/// The factorisation of normal equations; an error if they are singular to rounding.
 fn determined(
     matrix: DMatrix<f64>,
 ) -> Option<nalgebra::linalg::FullPivLU<f64, nalgebra::Dyn, nalgebra::Dyn>> {
-    /// Smaller pivots than this, relative to the largest, are rounding.
+    /// Pivots below this, relative to the largest, count as zero.
     const SINGULAR: f64 = 1e-12;
     let factors = matrix.full_piv_lu();
     let pivots = factors.u().diagonal().map(f64::abs);

@@ -1,16 +1,16 @@
-//! Height maps: what a measured surface is, and how asperities are found on it.
+//! Height maps: reading, levelling, filtering and generating them, and finding their summits.
 //!
-//! | here | what it is |
+//! | item | content |
 //! |---|---|
-//! | [`HeightMap`], [`Rows`] | heights in memory, and row by row, so that a map need not be in memory |
+//! | [`HeightMap`], [`Rows`] | heights in memory; heights row by row, for maps larger than memory |
 //! | [`read`] | measured maps, one file per format |
 //! | [`Level`], [`Filter`] | removing the form; Gaussian S and L filters |
 //! | [`summits`] | summits and their curvatures |
 //! | [`RoughnessParameters`], [`Moments`], [`Drops`] | height and spectral moments, the autocorrelation at neighbours |
-//! | [`RadialSpectrum`], [`Autocorrelation`] | of a map |
+//! | [`RadialSpectrum`], [`Autocorrelation`] | power spectrum and autocorrelation of a map |
 //! | [`theory`] | the summits of a Gaussian surface of given spectral moments or autocorrelation |
-//! | [`Quantisation`] | whether the heights lie on steps of the instrument |
-//! | [`generate`], [`spectrum`] | random rough surfaces, and how much of the height variance each wave carries |
+//! | [`Quantisation`] | height steps of the instrument |
+//! | [`generate`], [`spectrum`] | random rough surfaces and their spectra |
 
 mod correlation;
 mod filter;
@@ -52,13 +52,13 @@ pub struct HeightMap {
     boundary: Boundary,
 }
 
-/// Heights that make no map.
+/// Values that form no valid map.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum MapError {
-    /// A summit needs neighbours.
-    #[error("is no height map: {} x {} points; allowed: at least 3 x 3", .0[0], .0[1])]
+    /// There must be at least 3 x 3 points.
+    #[error("is not a height map: {} x {} points; allowed: at least 3 x 3", .0[0], .0[1])]
     TooSmall([usize; 2]),
-    /// As many heights as points.
+    /// There must be as many heights as points.
     #[error("{found} heights for {} x {} points", points[0], points[1])]
     Length {
         /// Points along x and y.
@@ -66,7 +66,7 @@ pub enum MapError {
         /// Heights found.
         found: usize,
     },
-    /// Pixels are positive.
+    /// Pixels must be positive and finite.
     #[error("pixel {} x {} m; allowed: positive and finite", .0[0], .0[1])]
     Pixel([f64; 2]),
     /// All points are missing.
@@ -75,9 +75,9 @@ pub enum MapError {
 }
 
 impl HeightMap {
-    /// A map of `points` along x and y, `pixel` (m) apart, of `heights` (m) with the y index running
-    /// fastest, stored with the relative `precision` (0 for integers). What is not finite, or too
-    /// large to be a height, is missing.
+    /// A map of `points` along x and y at a distance of `pixel` (m), from `heights` (m) with the y index running
+    /// fastest and the relative `precision` of their storage (0 for integers). Values that are not finite, or too large
+    /// to be a height, count as missing.
     ///
     /// # Errors
     /// See [`MapError`].
@@ -102,10 +102,10 @@ impl HeightMap {
         Ok(Self { points, pixel, heights, precision, boundary: Boundary::Open })
     }
 
-    /// Whether there can be a map of `points` that are `pixel` (m) apart.
+    /// Checks a grid of `points` at a distance of `pixel` (m).
     ///
     /// # Errors
-    /// Fewer than 3 points along an axis, or a pixel that is not positive.
+    /// Fewer than 3 points along an axis, or a pixel that is not positive and finite.
     pub fn check_grid(points: [usize; 2], pixel: [f64; 2]) -> Result<(), MapError> {
         if points.iter().any(|&count| count < 3) {
             return Err(MapError::TooSmall(points));
@@ -116,7 +116,7 @@ impl HeightMap {
         Ok(())
     }
 
-    /// All rows of `map`, in memory.
+    /// Reads all rows of `map` into memory.
     pub fn of(map: &dyn Rows) -> Self {
         let points = map.points();
         let mut heights = zeros(points[0] * points[1]);
@@ -124,7 +124,7 @@ impl HeightMap {
         Self { points, pixel: map.pixel(), heights, precision: map.precision(), boundary: map.boundary() }
     }
 
-    /// The same map, its opposite borders being neighbours.
+    /// The same map with periodic boundaries.
     #[must_use]
     pub fn periodic(self) -> Self {
         Self { boundary: Boundary::Periodic, ..self }
@@ -145,13 +145,13 @@ impl HeightMap {
         &self.heights
     }
 
-    /// The heights, m, without the rest.
+    /// The heights, m, with the y index running fastest.
     pub fn into_heights(self) -> Vec<f64> {
         self.heights
     }
 
-    /// Writes the heights (m) as a NumPy array of float64 whose first index is x, missing points being NaN. A `.npy` does
-    /// not hold the pixel size, which its reader must be given.
+    /// Writes the heights (m) as a NumPy array of float64 whose first index is x, missing points being NaN. A `.npy`
+    /// file does not store the pixel size.
     ///
     /// # Errors
     /// A file that cannot be written.
@@ -159,7 +159,7 @@ impl HeightMap {
         npy::write(File::create(path)?, self.points, self.heights.iter().copied())
     }
 
-    /// `of` each present height, on a grid of as many `points` or more; zero where a height is missing.
+    /// `of(height)` on a grid of at least as many `points`; zero where a height is missing.
     fn embedded(&self, points: [usize; 2], of: impl Fn(f64) -> f64 + Sync) -> Vec<f64> {
         let mut field = zeros(points[0] * points[1]);
         let ny = self.points[1];
@@ -171,7 +171,7 @@ impl HeightMap {
         field
     }
 
-    /// The same map with other heights, the same points missing.
+    /// The same map with other heights.
     fn with_heights(&self, heights: Vec<f64>) -> Self {
         Self { heights, ..*self }
     }

@@ -1,17 +1,17 @@
-//! Are the heights on steps of the instrument? Then levelling makes summits of the steps, and their
-//! radii are the instrument's, not the surface's.
+//! Detection of height steps of the instrument. On a quantised map levelling turns steps into summits, whose radii are
+//! artefacts.
 
 use rayon::prelude::*;
 
 use super::rows::{Rows, strips};
 use super::summits::Summits;
 
-/// What the heights of a map and the curvatures of its summits say about its instrument.
+/// Quantisation of the heights of a map and of the curvatures of its summits.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Quantisation {
-    /// Step between neighbouring height levels, m; `None` if the heights lie on no lattice.
+    /// Step between neighbouring height levels, m; `None` if the heights are not quantised.
     pub step: Option<f64>,
-    /// Number of distinct heights among those looked at.
+    /// Number of distinct heights in the sample.
     pub levels: usize,
     /// Number of distinct summit curvatures, different by more than the rounding of the stored heights.
     pub distinct_curvatures: usize,
@@ -21,20 +21,20 @@ pub struct Quantisation {
     pub median_drop: f64,
 }
 
-/// Fewer distinct curvatures than this are no continuum.
+/// Fewer distinct curvatures indicate quantisation.
 const FEW_CURVATURES: usize = 100;
 
-/// A step above this part of the median drop shapes the summits.
+/// A step above this fraction of the median drop affects the summits.
 const COARSE_STEP: f64 = 1.0 / 3.0;
 
 impl Quantisation {
-    /// Looks at the raw heights of `map` and at the summits found on it after levelling.
+    /// Analyses the raw heights of `map` and the summits found on it after levelling.
     pub fn of(map: &dyn Rows, summits: &Summits) -> Self {
         let mut heights = sample(map);
         heights.par_sort_unstable_by(f64::total_cmp);
         let points = heights.len();
         let largest = heights.iter().fold(0.0f64, |a, z| a.max(z.abs()));
-        // Rounding of a stored height, with a margin for the one of an offset taken off before.
+        // Rounding error of a stored height, with a margin for an offset subtracted before.
         let rounding = 4.0 * map.precision() * largest;
         let step = lattice(&distinct(&heights, rounding), points);
 
@@ -62,29 +62,28 @@ impl Quantisation {
         self.step.is_some_and(|step| step > COARSE_STEP * self.median_drop)
     }
 
-    /// Whether the curvatures of many summits take fewer than 100 values. A few summits have few
-    /// curvatures for no fault of the instrument, so each value must occur twice at least.
+    /// Whether the curvatures of the summits take fewer than 100 values, each on average at least twice.
     pub fn has_few_curvatures(&self) -> bool {
         self.distinct_curvatures < FEW_CURVATURES && self.summits >= 2 * self.distinct_curvatures
     }
 }
 
-/// The present heights, of all rows or, on a map of very many points, of evenly spaced ones.
+/// The present heights of all rows or, on a very large map, of evenly spaced rows.
 fn sample(map: &dyn Rows) -> Vec<f64> {
-    /// Number of heights beyond which more of them add no information on the instrument.
+    /// The approximate largest number of heights sampled.
     const ENOUGH: usize = 1 << 24;
     let [nx, ny] = map.points();
     let stride = (nx * ny).div_ceil(ENOUGH);
     let present = |row: &[f64]| row.iter().copied().filter(|z| !z.is_nan()).collect::<Vec<f64>>();
     let parts = strips(map, 0, |strip| {
-        let asked = (0..strip.count).filter(|k| (strip.first + k).is_multiple_of(stride));
-        asked.filter_map(|k| strip.row(k as isize).map(present)).flatten().collect::<Vec<f64>>()
+        let sampled = (0..strip.count).filter(|k| (strip.first + k).is_multiple_of(stride));
+        sampled.filter_map(|k| strip.row(k as isize).map(present)).flatten().collect::<Vec<f64>>()
     });
     parts.concat()
 }
 
-/// The first of each cluster of sorted values; a cluster ends `tolerance` beyond its first value, so
-/// that clusters cannot chain.
+/// The first value of each cluster of sorted values. A cluster ends `tolerance` above its first value, so that clusters
+/// do not chain.
 fn distinct(sorted: &[f64], tolerance: f64) -> Vec<f64> {
     let mut firsts: Vec<f64> = Vec::new();
     for &value in sorted {
@@ -95,11 +94,11 @@ fn distinct(sorted: &[f64], tolerance: f64) -> Vec<f64> {
     firsts
 }
 
-/// The step of the lattice that all levels lie on, if they do.
+/// The step of the lattice of all levels; `None` if they form none.
 fn lattice(levels: &[f64], points: usize) -> Option<f64> {
-    /// R.m.s. distance of gaps from whole steps: 0 on a lattice, 0.289 for heights on none.
+    /// RMS deviation of gaps from integer steps: 0 on a lattice, 0.289 for continuous heights.
     const ON_LATTICE: f64 = 0.1;
-    /// With fewer gaps a chance agreement is possible, unless each level holds many points.
+    /// With fewer gaps agreement may be by chance, unless each level has many points.
     const MANY_GAPS: usize = 20;
     const POINTS_PER_LEVEL: usize = 4;
     let gaps: Vec<f64> = levels.windows(2).map(|pair| pair[1] - pair[0]).collect();
@@ -124,7 +123,7 @@ mod tests {
     use crate::topography::summits::five_point;
     use rand::{RngExt, SeedableRng};
 
-    fn look(points: [usize; 2], step: Option<f64>, precision: f64) -> Quantisation {
+    fn analyse(points: [usize; 2], step: Option<f64>, precision: f64) -> Quantisation {
         let mut rng = rand_chacha::ChaCha8Rng::seed_from_u64(1);
         let heights = (0..points[0] * points[1])
             .map(|_| {
@@ -140,7 +139,7 @@ mod tests {
     #[test]
     fn continuous_maps_raise_no_alarm() {
         for points in [[5, 5], [8, 9], [30, 30], [300, 200]] {
-            let found = look(points, None, f64::EPSILON);
+            let found = analyse(points, None, f64::EPSILON);
             assert_eq!(found.step, None, "{points:?}");
             assert!(!found.has_coarse_step() && !found.has_few_curvatures(), "{points:?}: {found:?}");
         }
@@ -150,7 +149,7 @@ mod tests {
     fn coarse_steps_are_found_in_either_precision() {
         for precision in [f64::EPSILON, f64::from(f32::EPSILON)] {
             for step in [0.8, 0.13] {
-                let found = look([200, 150], Some(step), precision);
+                let found = analyse([200, 150], Some(step), precision);
                 assert!((found.step.unwrap() / (step * 1e-7) - 1.0).abs() < 1e-4, "{found:?}");
                 assert_eq!(found.has_coarse_step(), step == 0.8);
                 assert_eq!(found.has_few_curvatures(), step == 0.8);
@@ -160,7 +159,7 @@ mod tests {
 
     #[test]
     fn fine_steps_do_no_harm() {
-        let found = look([200, 150], Some(1e-3), f64::EPSILON);
+        let found = analyse([200, 150], Some(1e-3), f64::EPSILON);
         assert!((found.step.unwrap() / 1e-10 - 1.0).abs() < 1e-6);
         assert!(!found.has_coarse_step() && !found.has_few_curvatures(), "{found:?}");
     }

@@ -3,7 +3,7 @@
 use super::rows::{Rows, Strip, count_missing, first_present, strips};
 use crate::numeric::sum::Sum;
 
-/// Height parameters of a map (ISO 25178-2), about its mean, divided by the number of points.
+/// Height parameters of a map (ISO 25178-2), about its mean, with divisor n.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Moments {
     /// Mean height, m.
@@ -12,14 +12,14 @@ pub struct Moments {
     pub sa: f64,
     /// Standard deviation Sq, m.
     pub sq: f64,
-    /// Skewness Ssk; `None` on a flat map.
+    /// Skewness Ssk; `None` for a flat map.
     pub ssk: Option<f64>,
-    /// Kurtosis Sku (3 if Gaussian); `None` on a flat map.
+    /// Kurtosis Sku (3 if Gaussian); `None` for a flat map.
     pub sku: Option<f64>,
 }
 
-/// Roughness parameters of a map, from two passes over its rows. Every difference is taken where both heights
-/// are present, around the border of a periodic map.
+/// Roughness parameters of a map, from two passes over its rows. Differences are taken where all heights are present,
+/// also across the border of a periodic map.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct RoughnessParameters {
     /// Missing points.
@@ -31,12 +31,12 @@ pub struct RoughnessParameters {
     /// Mean square of the curvature along x and along y, by second differences, 1/m^2: the profiles' fourth
     /// spectral moment.
     pub m4: [f64; 2],
-    /// How heights drop from a point to its neighbours.
+    /// Mean square differences between neighbours.
     pub drops: Drops,
 }
 
-/// Mean squares of differences between neighbouring heights, m^2: what a Gaussian surface's five-point summits
-/// depend on. Taken as they are, and not from an autocorrelation near 1, they lose no digits on a fine grid.
+/// Mean squares of differences between neighbouring heights, m^2: on which the five-point summits of a Gaussian surface
+/// depend. Computed directly, not from an autocorrelation near 1, they lose no digits on a fine grid.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Drops {
     /// First differences along x, along y.
@@ -45,8 +45,8 @@ pub struct Drops {
     pub second: [f64; 2],
     /// Mixed differences, of four points in a square: the difference along y of that along x.
     pub mixed: f64,
-    /// Along the diagonal on which x and y rise together, less that along the other: positive where heights change
-    /// more along the first.
+    /// Difference along the diagonal of increasing x and y minus that along the other diagonal: positive if heights
+    /// change more along the first.
     pub skew: f64,
 }
 
@@ -66,15 +66,15 @@ impl Drops {
         }
     }
 
-    /// Mean squares of the differences over two points along x and along y, and the mean of their product, but for its
-    /// sign: those of the gradient times two pixels.
+    /// Mean squares of the differences over two points along x and along y, and the negated mean of their product:
+    /// those of the gradient times two pixels.
     pub fn over_two(&self) -> [f64; 3] {
         let [x, y] = [0, 1].map(|axis| 4.0 * self.first[axis] - self.second[axis]);
         [x, y, self.skew]
     }
 
-    /// How closely slopes along x and along y correlate, from 0 to 1: the lay then lies at an angle to both. 0 on a map
-    /// without slopes.
+    /// Magnitude of the correlation of slopes along x and along y, from 0 to 1; above 0 if the lay is oblique to both
+    /// axes. 0 for a flat map.
     pub fn slope_correlation(&self) -> f64 {
         let [x, y, product] = self.over_two();
         let scale = (x * y).sqrt();
@@ -83,17 +83,17 @@ impl Drops {
 }
 
 impl Moments {
-    /// Moments of the present points, the same to the bit on any number of threads.
+    /// Moments of the present points, bit-identical for any number of threads.
     pub fn of(map: &dyn Rows) -> Self {
         RoughnessParameters::of(map).moments
     }
 }
 
 impl RoughnessParameters {
-    /// The parameters of a map, the same to the bit on any number of threads.
+    /// The parameters of a map, bit-identical for any number of threads.
     pub fn of(map: &dyn Rows) -> Self {
         let points = map.points();
-        // About a height of the map: a large offset costs nothing.
+        // Relative to a height of the map, so that a large offset costs no accuracy.
         let origin = first_present(map);
         let (mut total, mut present) = (Sum::default(), 0);
         for (sum, count) in strips(map, 0, |strip| row_sums(&strip, origin)).into_iter().flatten() {
@@ -132,7 +132,7 @@ impl RoughnessParameters {
         [self.moments.sq.powi(2), 0.5 * (self.m2[0] + self.m2[1]), 0.5 * (self.m4[0] + self.m4[1])]
     }
 
-    /// Nayak's bandwidth parameter alpha = m0 m4/m2^2; `None` on a flat map.
+    /// Nayak's bandwidth parameter alpha = m0 m4/m2^2; `None` for a flat map.
     pub fn alpha(&self) -> Option<f64> {
         let [m0, m2, m4] = self.spectral_moments();
         (m2 > 0.0).then(|| m0 * m4 / (m2 * m2))
@@ -144,7 +144,7 @@ impl RoughnessParameters {
     }
 }
 
-/// What is differenced.
+/// The points of a difference.
 #[derive(Clone, Copy)]
 enum Lag {
     X,
@@ -246,7 +246,7 @@ impl Sums {
     }
 }
 
-/// For each row the sum of its heights over `origin` and how many there are.
+/// For each row the sum of its heights above `origin` and their number.
 fn row_sums(strip: &Strip, origin: f64) -> Vec<(f64, usize)> {
     let sum = |row: &[f64]| {
         let heights = row.iter().map(|&z| if z.is_nan() { 0.0 } else { z - origin });

@@ -1,4 +1,4 @@
-//! Heights row by row: what reads a surface this way works on maps larger than memory.
+//! Heights row by row, for maps larger than memory.
 
 use std::ops::Range;
 use std::sync::{Mutex, PoisonError};
@@ -7,17 +7,17 @@ use rayon::prelude::*;
 
 use crate::numeric::parallel::Results;
 
-/// What lies beyond the border of a map.
+/// The boundary condition of a map.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Boundary {
-    /// Nothing that is known.
+    /// Unknown heights beyond the border.
     #[default]
     Open,
-    /// The opposite border.
+    /// Periodic: the opposite border follows.
     Periodic,
 }
 
-/// A source of heights on a rectangular grid, x by x. A missing point is NaN.
+/// A source of heights on a rectangular grid, read by rows of constant x. A missing point is NaN.
 pub trait Rows: Sync {
     /// Points along x and y.
     fn points(&self) -> [usize; 2];
@@ -28,31 +28,31 @@ pub trait Rows: Sync {
     /// Relative precision of the stored heights; 0 for integers.
     fn precision(&self) -> f64;
 
-    /// What lies beyond the border.
+    /// The boundary condition.
     fn boundary(&self) -> Boundary;
 
-    /// Writes the heights (m) at the x index `ix`, by their y index.
+    /// Writes the heights (m) at the x index `ix` to `row`, in the order of y.
     fn read(&self, ix: usize, row: &mut [f64]);
 
-    /// Those rows one after another, if they lie in memory so.
+    /// The heights of contiguous rows, if they are in memory.
     fn block(&self, _rows: Range<usize>) -> Option<&[f64]> {
         None
     }
 }
 
-/// Rows that one task works on. Fixed, so that sums do not depend on the number of threads.
+/// Rows per task. Fixed, so that sums do not depend on the number of threads.
 const STRIP: usize = 32;
 
-/// Strips whose results are held at a time.
+/// Strips processed at a time.
 const TURN: usize = 16;
 
-/// Some neighbouring rows of a map and what lies beside them.
+/// Consecutive rows of a map with a halo of neighbouring rows.
 pub struct Strip<'a> {
     /// Index of the first row.
     pub first: usize,
     /// Number of rows.
     pub count: usize,
-    /// How many rows of the halo lie before the first.
+    /// Number of halo rows before the first.
     before: usize,
     columns: usize,
     is_periodic: bool,
@@ -60,7 +60,7 @@ pub struct Strip<'a> {
 }
 
 impl Strip<'_> {
-    /// Whether the map goes on at its opposite border.
+    /// Whether the map is periodic.
     pub fn is_periodic(&self) -> bool {
         self.is_periodic
     }
@@ -72,9 +72,8 @@ impl Strip<'_> {
     }
 }
 
-/// Calls `part` with each strip of a map and `halo` rows on both sides of it, in parallel; its results are in
-/// the order of the strips, which does not depend on the number of threads. On a periodic map the halo goes
-/// on at the opposite border.
+/// Calls `part` with each strip of a map and `halo` rows on both sides of it, in parallel; its results are in the order
+/// of the strips, which do not depend on the number of threads. On a periodic map the halo wraps around the border.
 pub fn strips<T: Send + Sync>(rows: &dyn Rows, halo: usize, part: impl Fn(Strip) -> T + Sync) -> Vec<T> {
     let results = Results::new(count(rows));
     for_each_strip(rows, halo, 0..count(rows), &|index, strip| results.set(index, part(strip)));
@@ -86,9 +85,8 @@ fn for_each_strip(rows: &dyn Rows, halo: usize, indices: Range<usize>, task: &(d
     indices.into_par_iter().for_each_init(Vec::new, strip_of);
 }
 
-/// The same for results too large to be kept until the end: `part` adds to a result that is empty at first, `take`
-/// gets the results in the order of the strips, with the share of the strips that is done then, and leaves them empty,
-/// with their memory, for later strips.
+/// [`strips`] for large results: `part` adds to an empty result; `take` receives each result in the order of the
+/// strips, with the fraction of strips done, and empties it for reuse of its memory.
 pub fn strips_in_turn<T: Send + Default>(
     rows: &dyn Rows,
     halo: usize,
@@ -118,12 +116,12 @@ pub fn strips_in_turn<T: Send + Default>(
     take_all(&mut filled);
 }
 
-/// How many strips a map has.
+/// Number of strips of a map.
 fn count(rows: &dyn Rows) -> usize {
     rows.points()[0].div_ceil(STRIP)
 }
 
-/// The strip `index` of a map, in `buffer` unless it lies in memory.
+/// The strip `index` of a map, read into `buffer` unless it is in memory.
 fn strip<'a>(rows: &'a dyn Rows, halo: usize, index: usize, buffer: &'a mut Vec<f64>) -> Strip<'a> {
     let [nx, columns] = rows.points();
     let is_periodic = rows.boundary() == Boundary::Periodic;

@@ -1,4 +1,4 @@
-//! Spectra of random rough surfaces: how much of the height variance each wave carries.
+//! Spectra of random rough surfaces: the distribution of the height variance over wave vectors.
 
 use std::f64::consts::TAU;
 
@@ -11,10 +11,10 @@ use crate::numeric::is_positive;
 use crate::numeric::parallel::for_each_row;
 use crate::numeric::power::Power;
 
-/// Correlation lengths that fit into each side of a map at least: some hundred patches that are independent.
+/// The smallest number of correlation lengths along each side of a map: about a hundred independent patches.
 const LENGTHS_ACROSS: f64 = 10.0;
 
-/// A spectrum of unit variance, by its shape and its lay.
+/// A spectrum of unit variance, given by shape and lay.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Spectrum {
     shape: SpectrumShape,
@@ -24,8 +24,8 @@ pub struct Spectrum {
 /// The shape of a spectrum.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum SpectrumShape {
-    /// Power spectral density constant up to the wave number of `roll_off`, falling as q^(-2 (1 + hurst)) to that of
-    /// `cut_off`, zero beyond (Persson et al. 2005, section 2). Wavelengths in m.
+    /// Power spectral density constant up to the wave number of `roll_off`, proportional to q^(-2 (1 + hurst)) up to
+    /// that of `cut_off`, zero beyond (Persson et al. 2005, section 2). Wavelengths in m.
     SelfAffine {
         /// Hurst exponent, 0 to 1.
         hurst: f64,
@@ -40,12 +40,12 @@ pub enum SpectrumShape {
     Exponential(f64),
 }
 
-/// The lay: lengths along it are `elongation` times those of the [`SpectrumShape`], which are across it.
+/// The lay: lengths along it are `elongation` times those of the [`SpectrumShape`], which apply across it.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Lay {
     /// Lengths along the lay over those across it.
     pub elongation: f64,
-    /// From the x axis to the lay, rad.
+    /// Angle from the x axis to the lay, rad.
     pub angle: f64,
 }
 
@@ -55,7 +55,7 @@ impl Default for Lay {
     }
 }
 
-/// Numbers that make no spectrum.
+/// Invalid parameters of a spectrum, or a grid that does not resolve it.
 #[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
 pub enum SpectrumError {
     /// A Hurst exponent outside 0 to 1.
@@ -90,7 +90,7 @@ pub enum SpectrumError {
         "found a correlation length of {length:.3e} m on pixels of {pixel:.3e} m; allowed: at least a pixel"
     )]
     Unresolved {
-        /// Along an axis, m.
+        /// The correlation length along an axis, m.
         length: f64,
         /// The pixel along it, m.
         pixel: f64,
@@ -106,7 +106,7 @@ pub enum SpectrumError {
         length: f64,
         /// The map's shorter side, m.
         size: f64,
-        /// How much of the side is allowed.
+        /// The fraction of the side that is allowed.
         part: &'static str,
     },
 }
@@ -115,7 +115,7 @@ impl Spectrum {
     /// A spectrum of a shape with a lay.
     ///
     /// # Errors
-    /// Numbers outside the ranges of [`SpectrumError`].
+    /// Parameters outside the ranges of [`SpectrumError`].
     pub fn new(shape: SpectrumShape, lay: Lay) -> Result<Self, SpectrumError> {
         let lengths = match shape {
             SpectrumShape::SelfAffine { hurst, roll_off, cut_off } => {
@@ -138,44 +138,44 @@ impl Spectrum {
         Ok(Self { shape, lay })
     }
 
-    /// Its shape.
+    /// The shape across the lay.
     pub fn shape(&self) -> SpectrumShape {
         self.shape
     }
 
-    /// Its lay.
+    /// The lay.
     pub fn lay(&self) -> Lay {
         self.lay
     }
 
-    /// Whether a grid of `points` that are `pixel` (m) apart can show it: along each axis by the extent that lengths have
-    /// there under the lay.
+    /// Checks whether a grid of `points` at a distance of `pixel` (m) resolves the spectrum, along each axis with the
+    /// lengths that the lay gives there.
     ///
     /// # Errors
     /// Waves below two pixels; a roll-off beyond the map, or a correlation length beyond a tenth of it.
     pub fn check(&self, points: [usize; 2], pixel: [f64; 2]) -> Result<(), SpectrumError> {
-        /// A length that fits but for rounding fits.
-        const ROOM: f64 = 1.0 + 1e-9;
+        /// Allowance for rounding.
+        const ROUNDING: f64 = 1.0 + 1e-9;
         for axis in 0..2 {
             let (size, pixel) = (points[axis] as f64 * pixel[axis], pixel[axis]);
             let extent = self.lay.extent(axis);
             match self.shape {
                 SpectrumShape::SelfAffine { roll_off, cut_off, .. } => {
                     let cut_off = cut_off / self.lay.shortening(axis);
-                    if cut_off * ROOM < 2.0 * pixel {
+                    if cut_off * ROUNDING < 2.0 * pixel {
                         return Err(SpectrumError::BelowPixel { cut_off, pixel });
                     }
                     let length = roll_off * extent;
-                    if length > size * ROOM {
+                    if length > size * ROUNDING {
                         return Err(SpectrumError::TooLong { what: "roll-off", length, size, part: "all" });
                     }
                 }
                 SpectrumShape::Gaussian(length) | SpectrumShape::Exponential(length) => {
                     let length = length * extent;
-                    if length * ROOM < pixel {
+                    if length * ROUNDING < pixel {
                         return Err(SpectrumError::Unresolved { length, pixel });
                     }
-                    if LENGTHS_ACROSS * length > size * ROOM {
+                    if LENGTHS_ACROSS * length > size * ROUNDING {
                         let what = "correlation length";
                         return Err(SpectrumError::TooLong { what, length, size, part: "a tenth" });
                     }
@@ -185,8 +185,7 @@ impl Spectrum {
         Ok(())
     }
 
-    /// Autocorrelation at a distance (m, along x and y) on an endless surface; `None` where it has no
-    /// closed form.
+    /// Autocorrelation at a distance (m, along x and y) of an infinite surface; `None` if it has no closed form.
     pub fn autocorrelation(&self, distance: [f64; 2]) -> Option<f64> {
         let r = self.lay.squared(distance, self.lay.elongation.recip()).sqrt();
         match self.shape {
@@ -196,14 +195,14 @@ impl Spectrum {
         }
     }
 
-    /// The spectrum on a periodic grid of `points` that are `pixel` (m) apart.
+    /// The spectrum on a periodic grid of `points` at a distance of `pixel` (m).
     pub fn on_grid(&self, points: [usize; 2], pixel: [f64; 2]) -> GridSpectrum {
         let kind = match self.shape {
             SpectrumShape::SelfAffine { hurst, roll_off, cut_off } => Kind::PowerLaw {
                 step: [0, 1].map(|axis| TAU / (points[axis] as f64 * pixel[axis])),
                 lay: self.lay,
                 roll_off: (TAU / roll_off).powi(2),
-                // Waves on the edge are in, rounding or not.
+                // Waves at the limit are included regardless of rounding.
                 cut_off: (TAU / cut_off).powi(2) * (1.0 + 1e-12),
                 power: Power::new(-0.5 * (1.0 + hurst)),
             },
@@ -212,7 +211,7 @@ impl Spectrum {
         GridSpectrum { points, kind }
     }
 
-    /// Where the autocorrelation has fallen below 1e-14, m across the lay.
+    /// The distance across the lay (m) at which the autocorrelation is below 1e-14.
     fn reach(&self) -> f64 {
         match self.shape {
             SpectrumShape::SelfAffine { roll_off, .. } => roll_off,
@@ -226,7 +225,7 @@ impl Spectrum {
     fn table(&self, points: [usize; 2], pixel: [f64; 2]) -> Vec<f64> {
         let size = [points[0] as f64 * pixel[0], points[1] as f64 * pixel[1]];
         let reach = self.reach();
-        // Every lag in its nearest image first: what is summed is then the same at opposite lags.
+        // The nearest image of each lag first, so that sums at opposite lags are equal.
         let images = [0, 1].map(|axis| {
             let reach = reach * self.lay.extent(axis);
             let most = (reach / size[axis]).ceil() as i32;
@@ -252,8 +251,8 @@ impl Spectrum {
     }
 }
 
-/// Amplitudes of the waves of a field with this autocorrelation, column by column. Its transform is real; where it
-/// is negative no field has it.
+/// Amplitudes of the waves of a field with this autocorrelation, column by column. Its transform is real; negative
+/// values, which no field has, are set to 0.
 fn roots(correlation: Vec<f64>, points: [usize; 2]) -> Vec<f64> {
     let column = |_, column: &[Complex<f64>]| -> Vec<f64> {
         column.iter().map(|wave| wave.re.max(0.0).sqrt()).collect()
@@ -262,7 +261,7 @@ fn roots(correlation: Vec<f64>, points: [usize; 2]) -> Vec<f64> {
 }
 
 impl Lay {
-    /// Squared length of a vector whose part along the lay is multiplied by `factor`.
+    /// Squared length of a vector whose component along the lay is multiplied by `factor`.
     fn squared(&self, [x, y]: [f64; 2], factor: f64) -> f64 {
         if self.elongation == 1.0 {
             return x * x + y * y;
@@ -278,19 +277,19 @@ impl Lay {
         if axis == 0 { [cos, sin] } else { [sin, cos] }
     }
 
-    /// How far a length of 1 across the lay extends along an axis.
+    /// The extent along an axis of a unit length across the lay.
     fn extent(&self, axis: usize) -> f64 {
         let [along, across] = self.components(axis);
         (self.elongation * along).hypot(across)
     }
 
-    /// How much shorter along an axis waves may be than across the lay.
+    /// The factor by which waves may be shorter along an axis than across the lay.
     fn shortening(&self, axis: usize) -> f64 {
         let [along, across] = self.components(axis);
         (along / self.elongation).hypot(across)
     }
 
-    /// Whether waves i and -i along x are alike.
+    /// Whether waves i and -i along x have equal deviations.
     fn is_mirrored(&self) -> bool {
         self.elongation == 1.0 || self.angle == 0.0
     }
@@ -305,7 +304,7 @@ pub struct GridSpectrum {
 
 #[derive(Debug, Clone)]
 enum Kind {
-    /// Squared wave numbers in rad^2/m^2; the power is that of the amplitude over the squared wave number.
+    /// Squared wave numbers in rad^2/m^2; `power` gives the amplitude from the squared wave number.
     PowerLaw { step: [f64; 2], lay: Lay, roll_off: f64, cut_off: f64, power: Power },
     /// Column by column.
     Table(Vec<f64>),
@@ -317,8 +316,8 @@ impl GridSpectrum {
         self.points
     }
 
-    /// The spectrum of the Gaussian field that a map of heights turns into a field of this one, as far as there is
-    /// one: autocorrelations that no Gaussian field can have are brought to the nearest that it can (Grigoriu 1998).
+    /// The spectrum of the Gaussian field that a transform of heights turns into a field of this spectrum.
+    /// Autocorrelations impossible for a Gaussian field are replaced by the nearest possible ones (Grigoriu 1998).
     pub fn before(&self, map: &Distortion) -> Self {
         let points = self.points;
         let inverse = map.inverse();
@@ -345,9 +344,8 @@ impl GridSpectrum {
         Self { points, kind: Kind::Table(roots(correlation, points)) }
     }
 
-    /// The share of the mean wave in the variance, up to the factor that all waves have. A map has none of it, its mean
-    /// plane being at zero: its heights deviate by less than those of an endless surface, while neighbours differ by as
-    /// much.
+    /// The variance of the wave of zero wave number, up to the factor common to all waves. A map of zero mean lacks it:
+    /// its variance is smaller than that of an infinite surface, while differences between neighbours are the same.
     pub fn mean_variance(&self) -> f64 {
         match &self.kind {
             Kind::PowerLaw { .. } => 0.0,

@@ -1,5 +1,5 @@
-//! The summits that theory expects on a Gaussian surface: five-point summits on a grid (after Greenwood
-//! 1984) and Nayak's on a continuous surface.
+//! Expected summits of a Gaussian surface: five-point summits on a grid (after Greenwood 1984) and Nayak's on a
+//! continuous surface.
 
 use std::f64::consts::{FRAC_1_SQRT_2, PI};
 use std::sync::LazyLock;
@@ -9,7 +9,7 @@ use libm::erfc;
 
 use super::roughness::Drops;
 
-/// Statistics of summits.
+/// Expected statistics of summits.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Expected {
     /// Summits per area, 1/m^2.
@@ -22,9 +22,9 @@ pub struct Expected {
     pub height_variance: f64,
 }
 
-/// Summits of a continuous isotropic Gaussian surface (Nayak 1971) with the profile moments m0 (m^2), m2, m4
-/// (1/m^2): density m4/(6 pi 3^.5 m2), mean curvature (8/3)(m4/pi)^.5, mean height 4 (m0/(pi alpha))^.5, variance
-/// m0 (1 - (1 + 16/pi - 3 3^.5)/alpha). `None` if alpha = m0 m4/m2^2 is not above 1.5, which no such surface has.
+/// Summits of a continuous isotropic Gaussian surface (Nayak 1971) with the profile moments m0 (m^2), m2, m4 (1/m^2):
+/// density m4/(6 pi 3^.5 m2), mean curvature (8/3)(m4/pi)^.5, mean height 4 (m0/(pi alpha))^.5, variance m0 (1 - (1 +
+/// 16/pi - 3 3^.5)/alpha). `None` unless alpha = m0 m4/m2^2 is above 1.5, as for every such surface.
 pub fn nayak([m0, m2, m4]: [f64; 3]) -> Option<Expected> {
     let alpha = m0 * m4 / (m2 * m2);
     (alpha > 1.5).then(|| Expected {
@@ -38,17 +38,18 @@ pub fn nayak([m0, m2, m4]: [f64; 3]) -> Option<Expected> {
 /// Five-point summits of a Gaussian surface of standard deviation `sigma` (m) on a grid of `pixel` (m), from the mean
 /// squares of its differences between neighbours (m^2).
 ///
-/// A point is a summit if its drops to the four neighbours are all positive. Sums of opposite drops, second differences,
-/// are independent of their differences: the drops are positive where each sum exceeds the size of its difference. Means
-/// over summits are integrals over the two differences of moments of a bivariate normal beyond a corner, which have a
-/// closed form. `None` where heights vary along one direction alone, or the differences are those of no surface.
+/// A point is a summit if its drops to the four neighbours are all positive. Sums of opposite drops, second
+/// differences, are independent of their differences: the drops are positive where each sum exceeds the magnitude of
+/// its difference. Means over summits are integrals over the two differences of moments of a bivariate normal beyond a
+/// corner, which have a closed form. `None` if heights vary along one direction only, or if no surface has these
+/// differences.
 pub fn five_point(drops: &Drops, sigma: f64, pixel: [f64; 2]) -> Option<Expected> {
     let model = Model::new(drops)?;
     let sums = model.over_summits();
-    // Sums are in units of their deviations.
+    // Sums are in units of their standard deviations.
     let unit = drops.second.map(f64::sqrt);
     let bend = [0, 1].map(|axis| 0.5 * unit[axis] / (pixel[axis] * pixel[axis]));
-    // The height follows the sums by linear regression; it covaries with each by the variance of one drop.
+    // The height is given by linear regression on the sums; its covariance with each is the mean square of one drop.
     let covariances = [0, 1].map(|axis| drops.first[axis] / unit[axis]);
     let free = 1.0 - model.sums * model.sums;
     let weights = [
@@ -77,7 +78,7 @@ struct Model {
 
 impl Model {
     fn new(drops: &Drops) -> Option<Self> {
-        /// A correlation closer to 1 is that of profiles.
+        /// A larger correlation is that of a profile.
         const PROFILE: f64 = 1.0 - 1e-9;
         let Drops { first, second, mixed, .. } = *drops;
         if first.iter().chain(&second).any(|&square| square.is_nan() || square <= 0.0) {
@@ -93,10 +94,10 @@ impl Model {
         is_possible.then_some(Self { sums, differences: [variances[0], variances[1], covariance] })
     }
 
-    /// Integrates over the differences t, in polar coordinates in which their density times the share of summits falls
-    /// off alike in all directions: with their covariance V, t = L u where L L' = V (V + 1)^-1.
+    /// Integrates over the differences t, in polar coordinates in which their density times the fraction of summits is
+    /// isotropic: with their covariance V, t = L u where L L' = V (V + 1)^-1.
     fn over_summits(&self) -> Moments {
-        /// Beyond, the share is below 1e-16.
+        /// Beyond it the fraction is below 1e-16.
         const REACH: f64 = 12.5;
         let [xx, yy, xy] = self.differences;
         let determinant = (xx + 1.0) * (yy + 1.0) - xy * xy;
@@ -112,18 +113,18 @@ impl Model {
         // The angle of u for a direction of t.
         let angle = |[x, y]: [f64; 2]| (y * root - x * slant).atan2(x * rest);
         let mut sums = Moments::default();
-        // Half of the plane represents the other; borders where the size of a difference, or the larger, changes.
+        // By symmetry half of the plane suffices; it is split where the integrand is not smooth.
         for [from, to] in [
             [[0.0, -1.0], [1.0, -1.0]],
             [[1.0, -1.0], [1.0, 0.0]],
             [[1.0, 0.0], [1.0, 1.0]],
             [[1.0, 1.0], [0.0, 1.0]],
         ] {
-            for (angle, across) in RULE.nodes(angle(from), angle(to)) {
+            for (angle, across) in QUADRATURE.nodes(angle(from), angle(to)) {
                 let (sin, cos) = angle.sin_cos();
                 let t = [root * cos, slant * cos + rest * sin];
                 let fall = 1.0 - t[0] * t[0] - t[1] * t[1];
-                for (r, along) in RULE.nodes(0.0, REACH) {
+                for (r, along) in QUADRATURE.nodes(0.0, REACH) {
                     let weight = across * along * r * (-0.5 * fall * r * r).exp() / (PI * determinant.sqrt());
                     sums.add(weight, &Beyond::new(t.map(|t| r * t.abs()), self.sums));
                 }
@@ -174,11 +175,11 @@ impl Moments {
 /// Moments of standard normals X and Y of correlation r where X > a and Y > b (Rosenbaum 1961).
 struct Beyond {
     probability: f64,
-    /// Of X, of Y.
+    /// Means of X and of Y.
     first: [f64; 2],
-    /// Of their squares.
+    /// Means of their squares.
     second: [f64; 2],
-    /// Of their product.
+    /// Mean of their product.
     product: f64,
 }
 
@@ -202,22 +203,22 @@ impl Beyond {
     }
 }
 
-/// Probability that standard normals of correlation r exceed -t1 and -t2: the product of the single ones, and
-/// what their correlation adds (Plackett 1954), with r = sin(angle).
+/// Probability that standard normals of correlation r exceed -t1 and -t2: the product of the single probabilities plus
+/// an integral over the correlation (Plackett 1954), with r = sin(angle).
 fn both_above(t1: f64, t2: f64, r: f64) -> f64 {
     let at = |angle: f64| {
         let (sin, cos) = angle.sin_cos();
         (-(t1 * t1 - 2.0 * t1 * t2 * sin + t2 * t2) / (2.0 * cos * cos)).exp()
     };
-    normal(t1) * normal(t2) + RULE.integrate(0.0, r.asin(), at) / (2.0 * PI)
+    normal(t1) * normal(t2) + QUADRATURE.integrate(0.0, r.asin(), at) / (2.0 * PI)
 }
 
-/// Enough nodes for 1e-11, and for 1e-8 on a lay a thousand times as long as it is wide.
-static RULE: LazyLock<Rule> = LazyLock::new(Rule::new);
+/// Quadrature with an error of 1e-11, and of 1e-8 for an elongation of 1000.
+static QUADRATURE: LazyLock<Quadrature> = LazyLock::new(Quadrature::new);
 
-struct Rule(Vec<(f64, f64)>);
+struct Quadrature(Vec<(f64, f64)>);
 
-impl Rule {
+impl Quadrature {
     const NODES: std::num::NonZeroUsize = std::num::NonZeroUsize::new(48).unwrap();
 
     fn new() -> Self {

@@ -1,4 +1,4 @@
-//! Quantities with units, as files and specs hold them; inside the library everything is SI in plain `f64`.
+//! Parsing of quantities with units. Inside the library all quantities are SI in `f64`.
 //!
 //! | dimension | documented units | bare number |
 //! |---|---|---|
@@ -9,8 +9,8 @@
 //! | angle | deg, rad | rad |
 //! | force | N, mN, uN, kN | N |
 //!
-//! Pa, m, m^2 and N take every SI prefix, in symbols or in words (`megapascals`), and the common units of other
-//! systems are known too (`psi`, `in`, `lbf`). `u` may be `µ`, `^2` may be `²`, and `/m^2` may be `1/m^2` or `m⁻²`.
+//! Pa, m, m^2 and N take every SI prefix, in symbols or in words (`megapascals`), and common units of other systems are
+//! supported (`psi`, `in`, `lbf`). `u` may be `µ`, `^2` may be `²`, and `/m^2` may be `1/m^2` or `m⁻²`.
 //!
 //! ```
 //! use asperity::units::Dimension;
@@ -24,25 +24,25 @@ mod table;
 
 use table::{ANGLE, AREA, DENSITY, FORCE, LENGTH, PREFIXES, PRESSURE, Unit, Units};
 
-/// A kind of quantity.
+/// A physical dimension.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum Dimension {
-    /// Moduli, hardnesses, pressures.
+    /// Pressure, modulus or hardness.
     Pressure,
-    /// Lengths.
+    /// Length.
     Length,
-    /// Areas.
+    /// Area.
     Area,
-    /// Numbers per area.
+    /// Number per area.
     ArealNumberDensity,
-    /// Angles.
+    /// Angle.
     Angle,
-    /// Forces.
+    /// Force.
     Force,
 }
 
 impl Dimension {
-    /// All of them.
+    /// All dimensions.
     pub const ALL: [Self; 6] =
         [Self::Pressure, Self::Length, Self::Area, Self::ArealNumberDensity, Self::Angle, Self::Force];
 
@@ -57,43 +57,42 @@ impl Dimension {
         }
     }
 
-    /// What messages call it.
+    /// The name in messages.
     pub const fn name(self) -> &'static str {
         self.units().name
     }
 
-    /// A quantity as it is written, such as "210 GPa".
+    /// An example of a quantity, such as "210 GPa".
     pub const fn example(self) -> &'static str {
         self.units().example
     }
 
-    /// The SI unit, which a bare number is in.
+    /// The SI unit, assumed for a bare number.
     pub const fn si_unit(self) -> &'static str {
         self.units().si_unit
     }
 
-    /// The units that documents and messages list; more are accepted.
+    /// The units listed in documentation and messages; more are accepted.
     pub const fn documented(self) -> &'static [&'static str] {
         self.units().documented
     }
 
-    /// The SI value of one `unit`; `None` where it is none of this dimension.
+    /// The SI value of one `unit`; `None` if it is not a unit of this dimension.
     pub fn factor(self, unit: &str) -> Option<f64> {
         self.canonical_factor(&canonical(unit.trim()))
     }
 
-    /// The SI value of one `unit`, which must be among the [documented](Self::documented) ones.
+    /// The SI value of one `unit`; `None` unless it is one of the [documented](Self::documented) ones.
     pub fn documented_factor(self, unit: &str) -> Option<f64> {
         let unit = canonical(unit);
         self.documented().contains(&unit.as_str()).then(|| self.canonical_factor(&unit))?
     }
 
-    /// The SI value of a number and its unit, such as "1.2 um"; `None` where there is no number in front, or no unit of
-    /// this dimension behind it. Where the unit is a power of ten, it is the double that is nearest to the decimal
-    /// number: "50 nm" is 5e-8.
+    /// The SI value of a number followed by a unit, such as "1.2 um"; `None` if the number or a unit of this dimension
+    /// is missing. For a unit that is a power of ten the result is correctly rounded: "50 nm" is 5e-8.
     pub fn parse(self, text: &str) -> Option<f64> {
         let text = text.trim();
-        // "6e10 /m^2", but also "210GPa": the number is the longest beginning that reads as one.
+        // "6e10 /m^2", but also "210GPa": the number is the longest prefix that parses as one.
         let end = (1..=text.len()).rev().find(|&end| text.get(..end).is_some_and(is_number))?;
         let (number, unit) = text.split_at(end);
         Some(scaled(number, self.factor(unit)?))
@@ -109,7 +108,7 @@ impl Dimension {
     }
 }
 
-/// The area that a density is counted on: of "/mm^2", "1/mm^2" and "mm^-2" it is "mm^2", of "per acre" "acre".
+/// The area unit of a density unit: "mm^2" for "/mm^2", "1/mm^2" and "mm^-2", "acre" for "per acre".
 fn area_of_density(unit: &str) -> Option<String> {
     if let Some(length) = unit.strip_suffix("^-2") {
         return Some(format!("{length}^2"));
@@ -119,7 +118,7 @@ fn area_of_density(unit: &str) -> Option<String> {
 }
 
 impl Units {
-    /// The SI value of one `unit` if it is the SI unit, with or without a prefix, in symbols or in words.
+    /// The SI value of one `unit` if it is the SI unit, with or without a prefix, as a symbol or a word.
     fn prefixed(&self, unit: &str) -> Option<f64> {
         let base = self.prefixed.as_ref()?;
         let symbol = unit.strip_suffix(base.symbol);
@@ -131,7 +130,8 @@ impl Units {
     }
 }
 
-/// A unit as the table spells it: `u` for both signs of micro, `^2` for `²`, `^-2` for `⁻²`, the letter Å for the sign.
+/// The spelling of a unit in the table: `u` for both signs of micro, `^2` for `²`, `^-2` for `⁻²`, the letter Å for the
+/// ångström sign.
 fn canonical(unit: &str) -> String {
     let plain = unit.replace(['µ', 'μ'], "u").replace('\u{212b}', "\u{c5}");
     plain.replace('⁻', "^-").replace('²', "^2").replace("^-^2", "^-2")
@@ -143,11 +143,12 @@ fn is_number(text: &str) -> bool {
 
 /// The double nearest to 10^`exponent`.
 fn power_of_ten(exponent: i32) -> f64 {
-    // It reads as a number.
+    // Always parses.
     format!("1e{exponent}").parse().unwrap_or(f64::NAN)
 }
 
-/// `number` times `factor`. Where that is a power of ten, the number is read with another exponent: this rounds once.
+/// `number` times `factor`. If the factor is a power of ten, the number is parsed with another exponent, which rounds
+/// once.
 fn scaled(number: &str, factor: f64) -> f64 {
     let power = factor.log10().round() as i32;
     if (factor / power_of_ten(power) - 1.0).abs() < 1e-12 {

@@ -1,17 +1,17 @@
-//! The units: one line each.
+//! The table of units.
 
 use std::f64::consts::{PI, TAU};
 
-/// Symbol, word, plural and SI value. What has no symbol of its own, or one that reads as a number, has its word twice.
+/// Symbol, word, plural and SI value. A unit without a symbol, or with one that parses as a number, repeats its word.
 pub(super) type Unit = (&'static str, &'static str, &'static str, f64);
 
-/// What may be written for a dimension.
+/// The units of a dimension.
 pub(super) struct Units {
     pub name: &'static str,
     pub example: &'static str,
     pub si_unit: &'static str,
     pub documented: &'static [&'static str],
-    /// The SI unit, where it takes prefixes.
+    /// The SI unit, if it takes prefixes.
     pub prefixed: Option<Prefixed>,
     pub others: &'static [&'static [Unit]],
 }
@@ -20,9 +20,9 @@ pub(super) struct Units {
 pub(super) struct Prefixed {
     pub symbol: &'static str,
     pub word: &'static str,
-    /// What stands before the prefix in words.
+    /// Words before the prefix, such as "square ".
     pub before: &'static str,
-    /// The power that the prefix is raised to.
+    /// The power of the prefix.
     pub power: i32,
 }
 
@@ -78,7 +78,7 @@ pub(super) const AREA: Units = Units {
     others: &[AREAS],
 };
 
-/// Counted on any of the areas.
+/// Per any unit of area.
 pub(super) const DENSITY: Units = Units {
     name: "density",
     example: "6e10 /m^2",
@@ -106,7 +106,7 @@ pub(super) const FORCE: Units = Units {
     others: &[FORCES],
 };
 
-/// Of Vickers and newton per square millimetre to columns of mercury and water.
+/// Units of pressure without SI prefixes.
 const PRESSURES: &[Unit] = &[
     ("HV", "HV", "HV", 9.80665e6),
     ("N/mm^2", "newton per square millimeter", "newtons per square millimeter", 1e6),
@@ -143,7 +143,7 @@ const PRESSURES: &[Unit] = &[
     ("Torr", "torr", "torr", 133.3224),
 ];
 
-/// Beside those with prefixes.
+/// Units without SI prefixes.
 const LENGTHS: &[Unit] = &[
     ("Å", "ångström", "ångströms", 1e-10),
     ("a₀", "bohr radius", "bohr radiuses", 5.29177210903e-11),
@@ -172,7 +172,7 @@ const LENGTHS: &[Unit] = &[
     ("yd", "yard", "yards", 0.9144),
 ];
 
-/// Beside those with prefixes.
+/// Units without SI prefixes.
 const AREAS: &[Unit] = &[
     ("ac", "acre", "acres", 4046.873),
     ("a", "are", "ares", 100.0),
@@ -197,7 +197,7 @@ const ANGLES: &[Unit] = &[
     ("°", "°", "°", PI / 180.0),
 ];
 
-/// Beside those with prefixes.
+/// Units without SI prefixes.
 const FORCES: &[Unit] = &[
     ("dyn", "dyne", "dynes", 1e-5),
     ("kgf", "kilogram-force", "kilograms-force", 9.80665),

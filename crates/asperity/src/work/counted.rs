@@ -9,7 +9,7 @@ use crate::literature::Paper;
 use crate::numeric::interval::Interval;
 use crate::shape::Shape;
 
-/// A micro-contact whose evaluations are counted, those of a block of asperities or nodes at once.
+/// A micro-contact that counts its evaluations, those of a block at once.
 pub struct CountedContact<'a> {
     contact: &'a dyn MicroContact,
     is_layered: bool,

@@ -8,26 +8,27 @@ use std::sync::atomic::{AtomicU64, Ordering};
 
 /// Counts of the work of one run.
 ///
-/// A contact counts in one of `asperities_touched`, `nodes` and `single_contacts`. Effective properties that a layer
-/// evaluates for itself count in none.
+/// A contact is counted in one of `asperities_touched`, `nodes` and `single_contacts`. Evaluations of effective
+/// properties without a contact are not counted.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Work {
-    /// Contacts of asperities that sums added up: each asperity above the flat at each separation.
+    /// Contacts of asperities in sums: each asperity above the flat at each separation.
     pub asperities_touched: u64,
-    /// Contacts at the points of quadrature of integrals.
+    /// Contacts at quadrature nodes of integrals.
     pub nodes: u64,
-    /// Contacts evaluated one by one: the curve of one asperity, both sides of a jump, bounds of a load that may fall.
+    /// Contacts evaluated one by one: the curve of one asperity, both sides of a jump, bounds of a load that may
+    /// decrease.
     pub single_contacts: u64,
-    /// How many of all these were under a layer of finite thickness.
+    /// Number of these contacts on a layer of finite thickness.
     pub coating_calls: u64,
-    /// Files whose data were read.
+    /// Files read.
     pub files_read: u64,
-    /// Sets of asperities that were drawn, listed or found on a map, each realisation by itself.
+    /// Sets of asperities drawn, read from lists or found on maps, per realisation.
     pub surfaces_made: u64,
 }
 
-/// What is counted; see [`Work`].
+/// The item counted; see [`Work`].
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Item {
     /// [`Work::asperities_touched`]
@@ -48,10 +49,10 @@ pub enum Item {
 #[derive(Debug, Default)]
 pub struct Counter([Part; PARTS]);
 
-/// Threads that do not wait for each other.
+/// Number of separate counters, to avoid contention between threads.
 const PARTS: usize = 16;
 
-/// What one thread has counted, apart from what others write to.
+/// The counts of one thread, on a cache line of their own.
 #[derive(Debug, Default)]
 #[repr(align(128))]
 struct Part([AtomicU64; 6]);
@@ -64,7 +65,7 @@ impl Counter {
         self.0[part].0[item as usize].fetch_add(count as u64, Ordering::Relaxed);
     }
 
-    /// All that was counted so far.
+    /// The counts so far.
     pub fn work(&self) -> Work {
         let total =
             |item: Item| self.0.iter().map(|part| part.0[item as usize].load(Ordering::Relaxed)).sum();

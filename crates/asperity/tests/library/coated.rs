@@ -1,4 +1,4 @@
-//! The layered flat: against vectors at 40 digits, and what must hold for any coating.
+//! The layered flat: against vectors of 40 digits, and properties of any layer.
 
 use crate::common::{Row, Worst, contact, rows};
 use asperity::{

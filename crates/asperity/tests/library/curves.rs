@@ -1,4 +1,4 @@
-//! Curves within a tolerance: how far they are off, and what they cost.
+//! Curves within a tolerance: their errors and numbers of evaluations.
 
 use crate::common::bare_contact;
 use asperity::{
@@ -39,7 +39,7 @@ fn errors(found: &[Response], exact: &[Response]) -> [f64; 2] {
     worst
 }
 
-/// The contacts that are pressed for answers at so many separations, per area.
+/// The number of contacts evaluated, per area.
 fn work(model: &dyn Model, separations: &[f64]) -> f64 {
     model.count_contacts(separations).unwrap().contacts.iter().sum()
 }
@@ -89,7 +89,7 @@ fn a_thousand_sums_for_no_more_than_twice_the_contacts_of_fifty() {
     }
 }
 
-/// A far flat touches few: what it finds is what those alone carry.
+/// At a large separation few asperities are touched: the response is that of these only.
 #[test]
 fn far_separations_are_those_of_the_asperities_that_stand_out() {
     let zmc = bare("zmc");
@@ -130,7 +130,7 @@ fn contacts_are_counted_at_any_number_of_separations() {
     }
 }
 
-/// Few asperities, and a law whose load jumps: every point is asked for, and exact.
+/// For few asperities, and a law whose load jumps, every point is evaluated and exact.
 #[test]
 fn what_cannot_be_foretold_is_asked() {
     let ceb = bare("ceb");
@@ -141,7 +141,7 @@ fn what_cannot_be_foretold_is_asked() {
     assert!(curve.evaluated.len() > 100);
 }
 
-/// A smooth pressure that rises and falls, of which the regimes change faster.
+/// A smooth pressure with a maximum, whose regimes change faster.
 struct Wave;
 
 impl Model for Wave {
@@ -175,7 +175,7 @@ impl Model for Wave {
     }
 }
 
-/// A stiffness is negative where a load falls.
+/// A stiffness is negative where the load decreases.
 #[test]
 fn a_pressure_that_rises_and_falls() {
     let curve = respond_within(&Wave, &sweep(1000), 1e-8);
@@ -189,7 +189,7 @@ fn a_pressure_that_rises_and_falls() {
     assert!(curve.evaluated.len() < 400, "{}", curve.evaluated.len());
 }
 
-/// Whatever the order of the separations, also twice the same, beyond the highest asperity, or few of them.
+/// Separations in any order, repeated, beyond the highest asperity, or few.
 #[test]
 fn any_list_of_separations() {
     let zmc = bare("zmc");

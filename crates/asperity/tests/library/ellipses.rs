@@ -15,7 +15,7 @@ fn body([young, poisson, hardness]: [f64; 3]) -> Material {
     Material::new(young, poisson, Some(hardness), None).unwrap()
 }
 
-/// K(m) and E(m) at q = 1 - m, by the arithmetic-geometric mean as the textbooks have it.
+/// K(m) and E(m) at q = 1 - m, by the arithmetic-geometric mean in its textbook form.
 fn complete(q: f64) -> [f64; 2] {
     let (mut a, mut g, mut c, mut sum, mut power) = (1.0, q.sqrt(), (1.0 - q).sqrt(), 0.0, 0.5);
     for _ in 0..12 {
@@ -80,7 +80,7 @@ fn a_sum_over_ellipses_is_that_of_hertz() {
     worst.assert_within(1e-11, 6);
 }
 
-/// n spheres a summit: the integral is n times that over the spheres, and the sum over quantiles tends to it.
+/// n spheres per summit: the integral is n times that over the spheres, and the sum over quantiles converges to it.
 #[test]
 fn an_integral_over_ellipses_is_that_over_their_spheres() {
     let contact = bare_contact("zmc", &[], &body(STEEL));
@@ -99,7 +99,8 @@ fn an_integral_over_ellipses_is_that_over_their_spheres() {
     }
 }
 
-/// Under a layer an ellipse feels what a sphere of the same elastic area does, in single contacts and in blocks.
+/// On a layer an ellipse has the effective properties of a sphere of equal elastic area, in single contacts and in
+/// blocks.
 #[test]
 fn under_a_layer_an_ellipse_feels_the_circle_of_its_area() {
     let (steel, lead) = (body(STEEL), body([18e9, 0.35, 0.17e9]));

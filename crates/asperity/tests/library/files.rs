@@ -105,7 +105,7 @@ fn what_is_given_beside_an_array_is_its_pixel_and_its_unit() {
     assert!(map.pixel() == [1e-6, 2e-6] && map.heights().iter().all(|z| (z / 20e-9 - 1.0).abs() < 1e-15));
     let refused = |given| height_map(&path, given).unwrap_err().to_string();
     assert!(refused(ReadOptions { pixel: None, unit: None }).contains("holds no pixel size"));
-    // Twenty metres: micrometres that nobody named.
+    // Twenty metres: micrometres without their unit.
     assert!(
         refused(ReadOptions { pixel, unit: None }).contains("holds a height of 2e1 m; allowed: at most 10 m")
     );
@@ -140,7 +140,7 @@ fn what_is_no_array_is_told_apart() {
     assert!(matches!(refused(b"height,radius\n"), NpyError::NotNpy));
     assert!(matches!(refused(&array("<c16", false, "(2, 3)", &[0; 96])), NpyError::NumberType(_)));
     assert!(matches!(refused(&array("<f8", false, "(6,)", &[0; 48])), NpyError::Dimensions(_)));
-    // Cut anywhere, also within its head, it is corrupt; never a panic.
+    // A file truncated anywhere, also within its header, is an error, never a panic.
     for length in [0, 6, 9, 11, 40, 127, whole.len() - 1] {
         let error = refused(&whole[..length]);
         let is_short = match length {
@@ -154,7 +154,7 @@ fn what_is_no_array_is_told_apart() {
         let error = refused(&array("<f8", false, shape, &[0; 8]));
         assert!(matches!(error, NpyError::Truncated { .. } | NpyError::TooLarge), "{shape}: {error}");
     }
-    // A head that claims four gigabytes for itself.
+    // A header that claims a length of four gigabytes.
     let mut long = b"\x93NUMPY\x02\x00".to_vec();
     long.extend(u32::MAX.to_le_bytes());
     assert!(matches!(refused(&long), NpyError::TruncatedHeader));
@@ -225,7 +225,7 @@ fn a_list_of_ellipses_has_two_curvatures_more() {
         let set = AsperityList::read(&path, true).unwrap().set(1.0).unwrap();
         assert_eq!(set.ellipses(), Some(&[Ellipse::new(1e6, 4e6), Ellipse::new(5e5, 5e5)][..]));
         assert_eq!((set.heights(), set.radii()), (&[2e-9, -3e-9][..], &[1e-6, 2e-6][..]));
-        // As spheres they have no use for them.
+        // Spheres ignore the curvatures.
         assert_eq!(spheres(&path), (vec![2e-9, -3e-9], vec![1e-6, 2e-6]));
         assert_eq!(AsperityList::read(&path, false).unwrap().set(1.0).unwrap().ellipses(), None);
     }
@@ -265,7 +265,7 @@ fn curvatures_that_are_missing_or_none_are_refused() {
     }
 }
 
-/// Versions 2 and 3 say the length of the head in four bytes.
+/// Versions 2 and 3 store the length of the header in four bytes.
 #[test]
 fn later_versions_have_a_longer_head() {
     let data: Vec<u8> = VALUES.iter().flat_map(|&v| f64::from(v).to_le_bytes()).collect();

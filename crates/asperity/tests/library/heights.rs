@@ -25,7 +25,7 @@ fn johnson(skewness: f64, kurtosis: f64) -> Heights {
     Heights::new(Johnson::from_moments(skewness, kurtosis).unwrap())
 }
 
-/// Shapes and moments over all that is allowed.
+/// Shapes and moments over their allowed ranges.
 fn all() -> Vec<Heights> {
     let shapes = [0.5, 0.6, 0.75, 0.999, 1.0, 1.5, 2.0, 3.6, 7.3, 20.0];
     let moments = [
@@ -52,8 +52,9 @@ fn all() -> Vec<Heights> {
     others.chain(shapes.map(weibull)).chain(moments.map(|(s, k)| johnson(s, k))).collect()
 }
 
-/// Area, load and stiffness per nominal area at the separation `h`: the contact at the height of each standard normal number, by
-/// dense panels between those of the separation and of the indentations `kinks` (m). It knows the distribution by its map alone.
+/// Area, load and stiffness per nominal area at the separation `h`: the contact at the height of each standard normal
+/// number, by dense panels between those of the separation and of the indentations `kinks` (m). It uses the map of the
+/// distribution only.
 fn dense(contact: &dyn MicroContact, population: &Population, kinks: &[f64], h: f64) -> [f64; 3] {
     let Population { sigma, density, heights, .. } = population;
     let normal = |x: f64| {
@@ -94,8 +95,9 @@ fn steel() -> Material {
     Material::new(210e9, 0.3, Some(7.6e9), None).unwrap()
 }
 
-/// Separations from below the support to where 1e-19 of the heights are left, but for those within 0.001 of the highest height, and of
-/// the lowest one where many heights crowd: there the rounding of the separation decides how far they are pressed.
+/// Separations from below the support to where 1e-19 of the heights are left, but for those within 0.001 of the highest
+/// height, and of the lowest one where many heights crowd: there the indentation is dominated by rounding of the
+/// separation.
 fn separations(heights: &Heights) -> Vec<f64> {
     let [low, high] = heights.support();
     let crowded = if heights.name() == "johnson" { 1e-3 } else { 0.0 };
@@ -188,7 +190,7 @@ fn sums_over_quantiles_approach_the_integral() {
     }
 }
 
-/// Uniform heights, in a file of one's own.
+/// Uniform heights: a user-defined distribution.
 #[derive(Debug)]
 struct Uniform;
 
@@ -246,7 +248,7 @@ impl HeightDistribution for Uniform {
     fn relative_density(&self, _: f64, _: f64) -> f64 {
         1.0
     }
-    fn weigh(&self, _: f64, _: &mut [f64], _: &mut [f64]) {}
+    fn apply_density(&self, _: f64, _: &mut [f64], _: &mut [f64]) {}
 }
 
 #[test]

@@ -1,4 +1,4 @@
-//! What must hold for any surface, whatever the numbers, beyond what every law must hold (`tests/conformance.rs`).
+//! Properties of any surface, beyond those of every law (`conformance`).
 
 use crate::common::{Worst, bare_contact, dense, relative_error, rows};
 use asperity::distribution::gaussian_moment;
@@ -150,14 +150,14 @@ fn stiffness_is_the_slope_of_the_pressure() {
     }
 }
 
-/// With the rounded onset each asperity's load falls by 0.1 % as it begins to yield. Where only few
-/// carry the load it is then reached more than once, and the first counts.
+/// With the rounded onset the load of each asperity drops by 0.1 % at the onset of yield. If few asperities carry the
+/// load, it is then reached more than once, and the largest separation counts.
 #[test]
 fn where_the_load_falls_the_first_reach_counts() {
     let law = zmc(0.89);
     let w1 = law.breakpoints(Shape::sphere(2e-5))[0];
     let within = law.may_decrease(Shape::sphere(2e-5).into());
-    assert!(within.len() == 1 && within[0].holds(w1) && within[0].high - within[0].low < 1e-12 * w1);
+    assert!(within.len() == 1 && within[0].contains(w1) && within[0].high - within[0].low < 1e-12 * w1);
     assert!(zmc(Zmc::ONSET).may_decrease(Shape::sphere(2e-5).into()).is_empty());
     assert!(zmc(0.4).may_decrease(Shape::sphere(2e-5).into()).is_empty());
     let set = AsperitySet::new(vec![0.0, -1e-6], vec![2e-5, 2e-5], 1.0).unwrap();
@@ -197,7 +197,7 @@ fn nothing_is_nan_where_nothing_touches() {
     }
 }
 
-/// Contacts are exactly those above the flat; the flat itself touches nobody.
+/// Contacts are exactly the asperities above the flat; one at its height is not in contact.
 #[test]
 fn asperities_at_or_below_the_flat_do_not_touch() {
     let law = zmc(Zmc::ONSET);
@@ -208,8 +208,7 @@ fn asperities_at_or_below_the_flat_do_not_touch() {
     assert_eq!(model.total(3.0).contacts(), 0.0);
 }
 
-/// Two contacts of loads P and 2P among three asperities: P^2 + 4P^2 - 9P^2/3 = 2P^2. Equal ones do
-/// not scatter.
+/// Two contacts of loads P and 2P among three asperities: P^2 + 4P^2 - 9P^2/3 = 2P^2. Equal loads have no scatter.
 #[test]
 fn the_sampling_error_of_a_few_asperities() {
     let law = bare_contact("hertz", &[], &steel());
@@ -242,7 +241,7 @@ fn the_sampling_error_is_the_scatter_of_independent_sets() {
     let mean = answers.iter().map(|r| r.pressure.total()).sum::<f64>() / 400.0;
     let scatter = (answers.iter().map(|r| (r.pressure.total() - mean).powi(2)).sum::<f64>() / 399.0).sqrt();
     let claimed = answers.iter().map(|r| r.sampling.unwrap().pressure).sum::<f64>() / 400.0;
-    // 400 draws know a deviation to 3.5 %.
+    // A standard deviation from 400 draws has an error of 3.5 %.
     assert!((scatter / claimed - 1.0).abs() < 0.15, "{scatter:e} {claimed:e}");
 }
 
@@ -272,7 +271,7 @@ fn breakpoints_next_to_nothing_cost_nothing() {
     assert!(found.area_ratio.0[2] > 0.0 && found.area_ratio.total().is_finite());
 }
 
-/// A law whose load falls a lot: the pressure rises to a peak below the mean, and falls again.
+/// A law whose load drops strongly: the pressure has a maximum below the mean height.
 #[test]
 fn a_peak_within_a_step_of_the_search_is_found() {
     let law = zmc(100.0);
@@ -305,7 +304,7 @@ fn an_offset_of_the_heights_makes_no_jumps() {
     }
 }
 
-/// A population whose sigma is the surface's: both models quote separations from the mean plane.
+/// A population whose sigma is the surface's: both models report separations from the mean plane.
 #[test]
 fn surface_heights_are_quoted_alike_by_both_models() {
     let surface = SurfaceHeights { radius: CASE_2.radius, sigma: CASE_2.sigma, density: CASE_2.density };
@@ -319,7 +318,7 @@ fn surface_heights_are_quoted_alike_by_both_models() {
         let (s, d) = (statistical.respond(h), deterministic.respond(h));
         assert!(relative_error(s.pressure.total(), d.pressure.total()) < 2e-4, "h = {h}");
         assert_eq!((s.separation, d.separation), (h * CASE_2.sigma, h * CASE_2.sigma));
-        // Seen from the asperities the flat is nearer by the height of their mean.
+        // From the mean asperity height the flat is nearer by that height.
         let own = (h * CASE_2.sigma - surface.mean_asperity_height()) / population.sigma;
         let same = Statistical::new(&*law, population.clone()).respond(own).pressure.total();
         assert!(relative_error(s.pressure.total(), same) < 1e-13);

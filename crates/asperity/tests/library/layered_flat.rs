@@ -1,4 +1,4 @@
-//! What must hold for a layered flat beyond what every law must hold on it (`tests/conformance.rs`).
+//! Properties of a layered flat, beyond those of every law on it (`conformance`).
 
 use std::sync::atomic::{AtomicUsize, Ordering};
 
@@ -125,17 +125,17 @@ fn a_harder_flat_may_yield_first() {
     }
 }
 
-/// Back over the onset of yield, a law whose load jumps up there lets it fall.
+/// Crossing the onset of yield backwards turns an upward jump of the load into a drop.
 #[test]
 fn a_jump_that_is_passed_backwards_is_a_fall() {
     let contact = under_lead(1e-9, 0.4);
     let back = contact.regime_changes(Shape::sphere(2e-5))[1];
     let load = |w: f64| contact.contact(w, Shape::sphere(2e-5)).load;
     assert!(load(back * (1.0 + 1e-9)) < 0.7 * load(back * (1.0 - 1e-9)));
-    assert!(contact.may_decrease(Shape::sphere(2e-5).into()).iter().any(|range| range.holds(back)));
+    assert!(contact.may_decrease(Shape::sphere(2e-5).into()).iter().any(|range| range.contains(back)));
 }
 
-/// Counts the bounds that a search asks for.
+/// Counts the bounds that a search evaluates.
 struct Counted<'a>(&'a dyn MicroContact, AtomicUsize);
 
 impl MicroContact for Counted<'_> {

@@ -1,4 +1,4 @@
-//! The measured surfaces of `experiments/surfaces/` against what is known of them (README there).
+//! The measured surfaces of `experiments/surfaces/` against their documented properties (README there).
 
 use std::path::{Path, PathBuf};
 

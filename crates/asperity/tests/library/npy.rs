@@ -1,7 +1,7 @@
-//! Headers of `.npy` files: what is written reads back, what is damaged is refused.
+//! Headers of `.npy` files: round trips, and errors for damaged ones.
 
 use asperity::HeightMap;
-use asperity::npy::{Header, HeaderFault, Mapped, NpyError, matrix, write};
+use asperity::npy::{Header, HeaderError, Mapped, NpyError, matrix, write};
 use asperity::topography::read::{ReadOptions, height_map};
 
 use super::files::array;
@@ -62,19 +62,19 @@ fn what_a_header_says_wrongly_is_named() {
             "numbers of type '|b1'; allowed: float32",
         ),
         ("{'descr': '<f8', 'fortran_order': False, 'shape': (2, 3)} or more", "from its byte 58 on"),
-        ("", "is no dictionary as Python writes it, from its byte 0 on"),
+        ("", "is not a Python dictionary from byte 0 on"),
     ] {
         let error = header(&under(text)).unwrap_err().to_string();
         assert!(error.contains(words), "{text}: {error}");
     }
     let mut bytes = array("<f8", false, "(2, 3)", &[0; 48]);
     (bytes[6], bytes[7]) = (4, 1);
-    assert!(matches!(header(&bytes), Err(NpyError::Header(HeaderFault::Version(4, 1)))));
+    assert!(matches!(header(&bytes), Err(NpyError::Header(HeaderError::Version(4, 1)))));
     let mut bytes = array("<f8", false, "(2, 3)", &[0; 48]);
     bytes[12] = 0xff;
-    assert!(matches!(header(&bytes), Err(NpyError::Header(HeaderFault::Encoding))));
+    assert!(matches!(header(&bytes), Err(NpyError::Header(HeaderError::Encoding))));
     let long = [b"\x93NUMPY\x02\x00", &(1u32 << 21).to_le_bytes()[..], &vec![b' '; 1 << 21]].concat();
-    assert!(matches!(header(&long), Err(NpyError::Header(HeaderFault::TooLong(2097152)))));
+    assert!(matches!(header(&long), Err(NpyError::Header(HeaderError::TooLong(2097152)))));
 }
 
 #[test]

@@ -159,7 +159,7 @@ fn statistical_zmc() {
     far.assert_within(2e-13, 16);
 }
 
-/// A micro-contact that keeps one of its breakpoints to itself.
+/// A micro-contact that does not report one of its breakpoints.
 struct Forgetful {
     contact: Box<dyn MicroContact>,
     forgotten: usize,
@@ -194,8 +194,8 @@ impl MicroContact for Forgetful {
     }
 }
 
-/// Each slip that the program could make is far outside the bounds above: they would not let it
-/// pass. (Deviations divided by n - 1 are caught by the statistics' own tests, which are exact.)
+/// Plausible mistakes give errors far outside the bounds above. (A divisor of n - 1 is caught by the exact tests of the
+/// statistics.)
 #[test]
 fn the_references_bite() {
     let rounded = |ratio| Zmc::new(0.89, ratio).unwrap();

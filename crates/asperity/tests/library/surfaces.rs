@@ -1,4 +1,4 @@
-//! Random surfaces and the summits that are found on them, against theory and against themselves.
+//! Random surfaces and their summits, against theory and for consistency.
 
 use asperity::distribution::{Johnson, Weibull};
 use asperity::topography::generate::{
@@ -156,7 +156,7 @@ fn summits_become_those_of_nayak_as_the_pixel_shrinks() {
     }
     assert!((finest[0][3] - 1.0).abs() < 0.08, "variance: {}", finest[0][3]);
     assert!((finest[1][0] / 1.30639 - 1.0).abs() < 0.02, "five points: {}", finest[1][0]);
-    // And the approach is an approach: the coarsest pixel is far off.
+    // The coarsest pixel is far from the limit.
     assert!((off[0][0][1] - 1.0).abs() > 4.0 * (finest[0][1] - 1.0).abs());
 }
 
@@ -287,7 +287,7 @@ fn a_plateau_is_cut_and_nothing_else() {
     assert!((cut.unwrap() + share - 1.0).abs() < 1e-12, "{cut:?}");
 }
 
-/// A map of heights distorts the autocorrelation of a Gaussian field; one that is made for it does not end distorted.
+/// A transform of heights distorts the autocorrelation of a Gaussian field; a corrected field has the prescribed one.
 #[test]
 fn a_surface_of_other_heights_has_the_autocorrelation_that_was_asked_for() {
     let (l, pixel) = (6e-6, 1e-6);
@@ -351,7 +351,7 @@ fn the_same_bits_on_any_number_of_threads() {
             five_point(&levelled),
             Autocorrelation::of(&levelled, 0.0),
             RadialSpectrum::of(map.clone(), 0.0),
-            RadialSpectrum::asked(&spectrum, map.pixel(), SIGMA),
+            RadialSpectrum::prescribed(&spectrum, map.pixel(), SIGMA),
             map,
             gaussian(&spectrum, 1.0, [3; 32]),
         )
@@ -380,7 +380,7 @@ fn a_mapped_file_gives_the_same_summits_as_the_map_in_memory() {
     );
 }
 
-/// Of the same spectrum and the same height, it cuts every other point; if it were the coarser one again, none.
+/// A plateau process of the same spectrum and height cuts every other point; the same process, none.
 #[test]
 fn the_finer_process_has_random_numbers_of_its_own() {
     let process = process(SpectrumShape::Exponential(2e-6), Lay::default(), Heights::GAUSSIAN);

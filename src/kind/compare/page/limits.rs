@@ -43,8 +43,8 @@ pub fn assumptions(results: &CompareResults) -> [String; 2] {
     } else {
         " and homogeneous"
     };
-    let sees_ellipses = results.surfaces.iter().any(|found| found.surface.ellipticity.is_some());
-    let asperities = if sees_ellipses { "spheres, or ellipses under elliptic laws," } else { "spheres" };
+    let is_elliptic = results.surfaces.iter().any(|found| found.surface.ellipticity.is_some());
+    let asperities = if is_elliptic { "spheres, or ellipses under elliptic laws," } else { "spheres" };
     [
         format!(
             "The flat is smooth{flat}; asperities are {asperities} and do not interact; adhesion, friction and hardening \

@@ -87,7 +87,7 @@ fn laws(page: &mut Page, results: &LawsResults) {
         }),
     );
     let first = &results.laws[0].law;
-    let of_one_regime = registry().iter().filter(|law| !law.has_ranges() && !law.sees_ellipses());
+    let of_one_regime = registry().iter().filter(|law| !law.has_ranges() && !law.is_elliptic());
     page.paragraph(&format!(
         "Reference law: {}, the first in the list. Laws of a single regime ({}) are limiting cases and are not counted \
          among the elastic-plastic laws. Equations and their numbers: docs/theory.md.",

@@ -1,6 +1,6 @@
-//! The curve of a given skewness and kurtosis.
+//! Fit of a curve to a given skewness and kurtosis.
 
-use super::{Curve, Johnson, STEEPEST};
+use super::{Curve, Johnson, MAX_RATE};
 use crate::distribution::Moments;
 use crate::numeric::root::last_reaching;
 
@@ -31,9 +31,9 @@ pub(super) fn unbounded_moments(excess: f64, t: f64) -> [f64; 2] {
     [skewness, 0.5 * fourth / (spread * spread)]
 }
 
-/// (omega - 1)^.5 and t >= 0 of SU. At a given t the kurtosis rises with omega, from 3, and is at
-/// least that of t = 0, which has a closed form; along the curve of the right kurtosis the skewness
-/// rises with t. An end of a bracket can miss its level by rounding only, and is the answer then.
+/// (omega - 1)^.5 and t >= 0 of SU. At a given t the kurtosis increases with omega, from 3, and is at least that of t =
+/// 0, which has a closed form; along the curve of the prescribed kurtosis the skewness increases with t. An end of a
+/// bracket can miss its level by rounding only, and is then the solution.
 pub(super) fn fit_unbounded(skewness: f64, kurtosis: f64) -> (f64, f64) {
     let root = (2.0 * kurtosis - 2.0).sqrt();
     let above = 2.0 * (kurtosis - 3.0) / (root + 2.0);
@@ -52,9 +52,9 @@ pub(super) fn logistic(offset: f64) -> [f64; 2] {
     [1.0 / (1.0 + offset.exp()), 1.0 / (1.0 + (-offset).exp())]
 }
 
-/// 1/delta and gamma/delta >= 0 of SB, `flattest` being 1/delta of the lognormal heights of the same
-/// skewness. For a given delta the skewness rises with gamma up to that of the lognormal; along the
-/// curve of the right skewness the kurtosis falls as delta does. `Err` holds the least kurtosis that is fitted.
+/// 1/delta and gamma/delta >= 0 of SB, `flattest` being 1/delta of the lognormal heights of the same skewness. For a
+/// given delta the skewness increases with gamma up to that of the lognormal; along the curve of the prescribed
+/// skewness the kurtosis decreases with delta. `Err` holds the smallest kurtosis that can be fitted.
 pub(super) fn fit_bounded(skewness: f64, kurtosis: f64, flattest: f64) -> Result<(f64, f64), f64> {
     let shape = |rate: f64, offset: f64| {
         let unit = Johnson {
@@ -63,7 +63,7 @@ pub(super) fn fit_bounded(skewness: f64, kurtosis: f64, flattest: f64) -> Result
             weights: logistic(offset),
             mean: 0.0,
             sd: 1.0,
-            asked: [skewness, kurtosis],
+            requested: [skewness, kurtosis],
         };
         Moments::of(step(rate), |g| unit.map(g))
     };
@@ -77,16 +77,16 @@ pub(super) fn fit_bounded(skewness: f64, kurtosis: f64, flattest: f64) -> Result
         }
     };
     let reached = |rate: f64| if rate == 0.0 { 3.0 } else { shape(rate, offset(rate)).kurtosis };
-    let least = reached(STEEPEST);
+    let least = reached(MAX_RATE);
     if kurtosis < least {
         return Err(least);
     }
-    let rate = last_reaching(reached, kurtosis, flattest, STEEPEST).unwrap_or(flattest);
+    let rate = last_reaching(reached, kurtosis, flattest, MAX_RATE).unwrap_or(flattest);
     Ok((rate, offset(rate)))
 }
 
-/// The trapezoidal rule errs by exp(-2 pi d/step), d the distance of the nearest pole from the real
-/// axis; that of SB is pi delta.
+/// The step of the trapezoidal rule, whose error is exp(-2 pi d/step) with d the distance of the nearest pole from the
+/// real axis, pi delta for SB.
 pub(super) fn step(rate: f64) -> f64 {
     (0.4 / rate).min(0.25)
 }

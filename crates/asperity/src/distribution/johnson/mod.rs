@@ -10,8 +10,8 @@
 //! | SL | SU with p = 1, or q = 1 for a negative skewness | |
 //! | SB | expm1(u)/(1 + p expm1(u)) | q/p = exp(gamma/delta) |
 //!
-//! Written so, y = u + O(u^2) without cancellation however large delta is, swapping the weights
-//! mirrors the heights, and the three curves pass smoothly into each other and into the normal.
+//! In this form y = u + O(u^2) without cancellation for any delta, swapping the weights mirrors the heights, and the
+//! three curves join smoothly with each other and with the normal.
 
 mod fit;
 
@@ -30,22 +30,22 @@ pub(super) const ENTRY: Entry = Entry {
     make: |values| Ok(Heights::new(Johnson::from_moments(values[0], values[1])?)),
 };
 
-/// How far a fitted skewness or kurtosis may be from the one asked for, relative above 1. Pairs
-/// closer than that to the lognormal line or to the normal count as on it.
+/// Tolerance of a fitted skewness or kurtosis, relative above 1. Pairs within it of the lognormal line or of the normal
+/// count as on it.
 const TOLERANCE: f64 = 1e-9;
 
-/// The largest skewness and kurtosis that are fitted. At a kurtosis of 200 half of the fourth
-/// moment comes from |g| > 4.85, which one point in 800 000 exceeds: beyond, no map shows it.
+/// The largest skewness and kurtosis that are fitted. At a kurtosis of 200 half of the fourth moment comes from |g| >
+/// 4.85, which one point in 800 000 exceeds: no map resolves larger ones.
 pub const LARGEST: [f64; 2] = [10.0, 200.0];
 
-/// The largest 1/delta of SB: its heights are all but two levels then.
-const STEEPEST: f64 = 20.0;
+/// The largest 1/delta of SB: the heights are then nearly two levels.
+const MAX_RATE: f64 = 20.0;
 
 /// The largest |u|: an SB height is at its bound to rounding there, an SU height beyond |g| = 240, and
 /// squares do not overflow.
 const SATURATED: f64 = 300.0;
 
-/// Standard normal number below which nothing counts: exp(-g^2/2) is exp(-40) there.
+/// Standard normal variable below which the density is negligible: exp(-g^2/2) = exp(-40).
 const LOWEST: f64 = -8.944_271_909_999_16;
 
 /// The load of a contact grows by at most this power of the indentation.
@@ -64,15 +64,15 @@ enum Curve {
     Bounded,
 }
 
-/// Why there is no curve of the skewness and kurtosis asked for.
+/// No curve of the system has the requested skewness and kurtosis.
 #[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
-pub enum NoSuchMoments {
+pub enum MomentsError {
     /// Infinite or not a number.
     #[error("skewness {skewness}, kurtosis {kurtosis}: allowed are finite numbers")]
     NotFinite {
-        /// Asked for.
+        /// The requested value.
         skewness: f64,
-        /// Asked for.
+        /// The requested value.
         kurtosis: f64,
     },
     /// No distribution has these moments (Pearson's inequality).
@@ -81,46 +81,46 @@ pub enum NoSuchMoments {
          a kurtosis is at least skewness^2 + 1 = {bound}"
     )]
     Impossible {
-        /// Asked for.
+        /// The requested value.
         skewness: f64,
-        /// Asked for.
+        /// The requested value.
         kurtosis: f64,
         /// skewness^2 + 1.
         bound: f64,
     },
     /// Too close to the bound.
     #[error(
-        "skewness {skewness}, kurtosis {kurtosis}: heights on all but two levels; \
+        "skewness {skewness}, kurtosis {kurtosis}: the heights are nearly on two levels; \
          allowed at this skewness is a kurtosis from {least:.6} to {}", LARGEST[1]
     )]
     TwoLevels {
-        /// Asked for.
+        /// The requested value.
         skewness: f64,
-        /// Asked for.
+        /// The requested value.
         kurtosis: f64,
-        /// The least kurtosis that is fitted.
+        /// The smallest kurtosis that can be fitted.
         least: f64,
     },
-    /// Too far out.
+    /// Beyond [`LARGEST`].
     #[error(
-        "skewness {skewness}, kurtosis {kurtosis}: in heights too rare for any map; \
+        "skewness {skewness}, kurtosis {kurtosis}: beyond the supported range; \
          allowed are a skewness from -{0} to {0} and a kurtosis up to {1}", LARGEST[0], LARGEST[1]
     )]
     Extreme {
-        /// Asked for.
+        /// The requested value.
         skewness: f64,
-        /// Asked for.
+        /// The requested value.
         kurtosis: f64,
     },
     /// The check of a fit failed.
     #[error(
         "the fit reaches mean {}, standard deviation {}, skewness {}, kurtosis {} instead of 0, 1, {}, {}",
-        found.mean, found.sd, found.skewness, found.kurtosis, asked[0], asked[1]
+        found.mean, found.sd, found.skewness, found.kurtosis, requested[0], requested[1]
     )]
     NotReached {
-        /// Skewness and kurtosis asked for.
-        asked: [f64; 2],
-        /// Those of the map.
+        /// The requested skewness and kurtosis.
+        requested: [f64; 2],
+        /// Moments of the fitted map.
         found: Moments,
     },
 }
@@ -135,7 +135,7 @@ pub struct Johnson {
     weights: [f64; 2],
     mean: f64,
     sd: f64,
-    asked: [f64; 2],
+    requested: [f64; 2],
 }
 
 impl Johnson {
@@ -143,18 +143,18 @@ impl Johnson {
     /// The moments of the map itself are checked by quadrature, to 1e-9.
     ///
     /// # Errors
-    /// Numbers that are not finite; kurtosis < skewness^2 + 1, which nothing has; pairs so close to
-    /// that bound that the heights are two levels; pairs beyond [`LARGEST`]; a failed check.
-    pub fn from_moments(skewness: f64, kurtosis: f64) -> Result<Self, NoSuchMoments> {
+    /// Numbers that are not finite; kurtosis < skewness^2 + 1, which is impossible; pairs so close to that bound that
+    /// the heights are two levels; pairs beyond [`LARGEST`]; a failed check.
+    pub fn from_moments(skewness: f64, kurtosis: f64) -> Result<Self, MomentsError> {
         if !(skewness.is_finite() && kurtosis.is_finite()) {
-            return Err(NoSuchMoments::NotFinite { skewness, kurtosis });
+            return Err(MomentsError::NotFinite { skewness, kurtosis });
         }
         let bound = skewness * skewness + 1.0;
         if kurtosis < bound {
-            return Err(NoSuchMoments::Impossible { skewness, kurtosis, bound });
+            return Err(MomentsError::Impossible { skewness, kurtosis, bound });
         }
         if skewness.abs() > LARGEST[0] || kurtosis > LARGEST[1] {
-            return Err(NoSuchMoments::Extreme { skewness, kurtosis });
+            return Err(MomentsError::Extreme { skewness, kurtosis });
         }
         let size = skewness.abs();
         let excess = lognormal_excess(size);
@@ -168,7 +168,7 @@ impl Johnson {
             (Curve::Unbounded, rate_of(excess), [0.5 * (1.0 + asymmetry), 0.5 * (1.0 - asymmetry)])
         } else {
             let (rate, offset) = fit_bounded(size, kurtosis, rate_of(excess))
-                .map_err(|least| NoSuchMoments::TwoLevels { skewness, kurtosis, least })?;
+                .map_err(|least| MomentsError::TwoLevels { skewness, kurtosis, least })?;
             (Curve::Bounded, rate, logistic(offset))
         };
         let [p, q] = weights;
@@ -176,8 +176,8 @@ impl Johnson {
         Self::new(curve, rate, weights, [skewness, kurtosis]).checked()
     }
 
-    fn new(curve: Curve, rate: f64, weights: [f64; 2], asked: [f64; 2]) -> Self {
-        let unit = Self { curve, rate, weights, mean: 0.0, sd: 1.0, asked };
+    fn new(curve: Curve, rate: f64, weights: [f64; 2], requested: [f64; 2]) -> Self {
+        let unit = Self { curve, rate, weights, mean: 0.0, sd: 1.0, requested };
         let (mean, sd) = match curve {
             Curve::Normal => (0.0, 1.0),
             Curve::Lognormal | Curve::Unbounded => {
@@ -194,17 +194,19 @@ impl Johnson {
         Self { mean, sd, ..unit }
     }
 
-    /// Refuses the map if its own moments are not those asked for.
-    fn checked(self) -> Result<Self, NoSuchMoments> {
+    /// Rejects the map if its moments are not the requested ones.
+    fn checked(self) -> Result<Self, MomentsError> {
         // Half the step of the fit: an error of the quadrature shows as well.
         let found = Moments::of(0.5 * step(self.rate), |g| self.map(g));
-        let close = |found: f64, asked: f64| (found - asked).abs() <= 2.0 * TOLERANCE * asked.abs().max(1.0);
-        let [skewness, kurtosis] = self.asked;
+        let close = |found: f64, requested: f64| {
+            (found - requested).abs() <= 2.0 * TOLERANCE * requested.abs().max(1.0)
+        };
+        let [skewness, kurtosis] = self.requested;
         let good = close(found.mean, 0.0)
             && close(found.sd, 1.0)
             && close(found.skewness, skewness)
             && close(found.kurtosis, kurtosis);
-        if good { Ok(self) } else { Err(NoSuchMoments::NotReached { asked: self.asked, found }) }
+        if good { Ok(self) } else { Err(MomentsError::NotReached { requested: self.requested, found }) }
     }
 
     #[inline]
@@ -256,7 +258,7 @@ impl Johnson {
         self.rate / self.sd * slope
     }
 
-    /// The standard normal number of the height `z`; infinite outside the support.
+    /// The standard normal variable of the height `z`; infinite outside the support.
     fn normal_at_height(&self, z: f64) -> f64 {
         let y = z.mul_add(self.sd, self.mean);
         let [p, q] = self.weights;
@@ -277,8 +279,8 @@ impl Johnson {
     }
 }
 
-/// The integral runs over v = g less its value at the separation, both within the range that counts: the density in v is
-/// Gaussian whatever the curve, and the indentation has no end at which it is singular.
+/// The integral runs over v = g minus its value at the separation: the density in v is Gaussian for every curve, and
+/// the indentation is smooth up to the ends.
 impl HeightDistribution for Johnson {
     fn name(&self) -> &'static str {
         ENTRY.name
@@ -289,7 +291,7 @@ impl HeightDistribution for Johnson {
     }
 
     fn parameters(&self) -> Vec<(&'static str, f64)> {
-        vec![("skewness", self.asked[0]), ("kurtosis", self.asked[1])]
+        vec![("skewness", self.requested[0]), ("kurtosis", self.requested[1])]
     }
 
     fn papers(&self) -> &'static [Paper] {
@@ -297,11 +299,11 @@ impl HeightDistribution for Johnson {
     }
 
     fn skewness(&self) -> f64 {
-        self.asked[0]
+        self.requested[0]
     }
 
     fn kurtosis(&self) -> f64 {
-        self.asked[1]
+        self.requested[1]
     }
 
     fn support(&self) -> [f64; 2] {
@@ -395,9 +397,9 @@ impl HeightDistribution for Johnson {
         }
     }
 
-    fn weigh(&self, h: f64, nodes: &mut [f64], weights: &mut [f64]) {
+    fn apply_density(&self, h: f64, nodes: &mut [f64], weights: &mut [f64]) {
         let start = self.start(h);
-        Gaussian.weigh(start.g, nodes, weights);
+        Gaussian.apply_density(start.g, nodes, weights);
         let [p, q] = self.weights;
         match self.curve {
             Curve::Normal => nodes.iter_mut().for_each(|x| *x += start.x),
@@ -420,9 +422,9 @@ impl HeightDistribution for Johnson {
     }
 }
 
-/// Where an integral begins.
+/// The lower end of an integral.
 struct Start {
-    /// The standard normal number of the separation, at least [`LOWEST`].
+    /// The standard normal variable of the separation, at least [`LOWEST`].
     g: f64,
     /// The indentation there.
     x: f64,
@@ -438,7 +440,7 @@ impl fmt::Display for Johnson {
             Curve::Unbounded => "SU",
             Curve::Bounded => "SB",
         };
-        let ([skewness, kurtosis], [p, q]) = (self.asked, self.weights);
+        let ([skewness, kurtosis], [p, q]) = (self.requested, self.weights);
         write!(f, "Johnson {curve}, skewness {skewness}, kurtosis {kurtosis}")?;
         let delta = self.rate.recip();
         match self.curve {
@@ -484,7 +486,7 @@ fn exp_m1(u: f64) -> f64 {
     const ROUND: f64 = 6_755_399_441_055_744.0;
     // ln 2 in two parts, the first with trailing zeros so that its multiples are exact.
     const LN_2: [f64; 2] = [6.931_471_803_691_238e-1, 1.908_214_929_270_587_7e-10];
-    // Not f64::min, which would make a number of a NaN.
+    // Not f64::min, which would drop a NaN.
     let u = if u > SATURATED { SATURATED } else { u };
     let shifted = u * std::f64::consts::LOG2_E + ROUND;
     let k = shifted - ROUND;

@@ -24,10 +24,10 @@ fn every_pair_is_fitted_or_refused_with_the_reason() {
                         assert!((found - wanted).abs() < 1e-11 * kurtosis, "{johnson}: {found}");
                     }
                 }
-                Err(NoSuchMoments::TwoLevels { least, .. }) => {
+                Err(MomentsError::TwoLevels { least, .. }) => {
                     assert!(kurtosis < least && least < bound + 0.09 + 0.02 * skewness * skewness);
                     let least = fit(skewness, least * (1.0 + 1e-12));
-                    assert!((least.rate - STEEPEST).abs() < 1e-8, "{least}");
+                    assert!((least.rate - MAX_RATE).abs() < 1e-8, "{least}");
                 }
                 Err(error) => panic!("{error}"),
             }
@@ -121,5 +121,5 @@ fn what_nothing_has_is_refused_and_said() {
         assert!(say(skewness, kurtosis).ends_with("allowed are finite numbers"));
     }
     let wrong = Johnson::new(Curve::Unbounded, 0.5, [0.5, 0.5], [0.0, 3.5]);
-    assert!(matches!(wrong.checked(), Err(NoSuchMoments::NotReached { found, .. }) if found.kurtosis > 4.0));
+    assert!(matches!(wrong.checked(), Err(MomentsError::NotReached { found, .. }) if found.kurtosis > 4.0));
 }

@@ -6,16 +6,16 @@ use asperity_fft::{Complex64, ComplexToReal, RealToComplex};
 
 use crate::numeric::quadrature::{NODES, Panel, Variable, panels};
 
-/// Products after which a system counts as unsolved.
+/// The largest number of iterations (products with the matrix).
 const PRODUCTS: usize = 20_000;
 
-/// Where the residual, relative to the right-hand side, is rounding.
+/// Tolerance of the residual relative to the right-hand side.
 const RESIDUAL: f64 = 1e-15;
 
-/// The operator (shift + k *) on [-a, a], (k * g)(y) = int k(|y - y'|) g(y') dy', by Nystrom's method on
-/// equal Gauss-Legendre panels. Between panels it depends on their distance alone (a Toeplitz matrix of
-/// blocks), so a product is a product of discrete Fourier transforms. Unknowns carry the root of their
-/// weight, which makes the matrix symmetric.
+/// The operator (shift + k *) on [-a, a], (k * g)(y) = int k(|y - y'|) g(y') dy', by Nystrom's method on equal
+/// Gauss-Legendre panels. Blocks depend on the distance of their panels only (a block Toeplitz matrix), so that
+/// products are computed by fast Fourier transforms. Unknowns are scaled by the square root of their weight, which
+/// makes the matrix symmetric.
 pub struct Convolution {
     panel: Panel,
     width: f64,
@@ -78,8 +78,8 @@ impl Convolution {
 
     /// g at the nodes with (shift + k *) g = f; `None` if the iteration does not converge.
     ///
-    /// Conjugate gradients (Hestenes and Stiefel 1952): products grow as the square root of the condition
-    /// number, which is at most that of shift + the transform of k.
+    /// Conjugate gradients (Hestenes and Stiefel 1952): the number of iterations grows as the square root of the
+    /// condition number, which is at most that of shift + the transform of k.
     pub fn solve(&self, f: impl Fn(f64) -> f64) -> Option<Vec<f64>> {
         let mut residual: Vec<f64> = self.nodes().map(|(y, weight)| f(y) * weight.sqrt()).collect();
         let mut direction = residual.clone();

@@ -1,5 +1,4 @@
-//! What pressure at one place of a layered surface adds to the displacement at another, in Abel's
-//! coordinates.
+//! The influence function of a layered surface: displacement from pressure, in Abel's coordinates.
 
 use std::f64::consts::PI;
 use std::sync::OnceLock;
@@ -15,9 +14,9 @@ const TERMS: usize = 20;
 
 /// m(y) = int_0^inf (kappa(x) - 1) cos(x y) dx for 0 <= y <= reach; lengths in layer thicknesses.
 ///
-/// Its nearest singularities lie at y = +-2i, so that Chebyshev series on [0, 1], [1, 2] and from there on
-/// pieces half as long as their distance from 0 meet rounding, 1e-15 of the largest |m|. A piece is computed
-/// when it is first needed: small contacts never pay for large ones.
+/// Its nearest singularities lie at y = +-2i, so that Chebyshev series on [0, 1], [1, 2] and from there on pieces half
+/// as long as their distance from 0 meet rounding, 1e-15 of the largest |m|. A piece is computed when it is first
+/// needed.
 #[derive(Debug, Clone)]
 pub struct Influence {
     kernel: Kernel,
@@ -72,10 +71,10 @@ fn chebyshev(kernel: &Kernel, from: f64, to: f64) -> [f64; TERMS] {
     })
 }
 
-/// Calls `node` with every abscissa and its weight, kappa - 1 included, of a rule for cosines up to x y.
+/// Calls `node` with each abscissa and its weight times kappa - 1, of a quadrature for cosines up to x y.
 ///
-/// Octaves down to where the stretching of a stiff layer, the kernel's slowest feature (x ~ 1/alpha), is
-/// smooth; each is cut so that a panel of 24 nodes sees at most 24 radians.
+/// Octaves extend down to where the kernel is smooth, below its feature from the stretching of a stiff layer at x ~
+/// 1/alpha; each is divided so that a panel of 24 nodes covers at most 24 radians.
 fn integrate(kernel: &Kernel, y: f64, mut node: impl FnMut(f64, f64)) {
     let least = 1.0 / (16.0 * (1.0 + kernel.shear_ratio()));
     let mut to = CUTOFF;

@@ -1,19 +1,18 @@
-//! The surface of a layered half-space under a wave of pressure.
+//! Surface compliance of a layered half-space to a sinusoidal pressure.
 
 use crate::material::Material;
 
-/// kappa(x): how much deeper a pressure of wave number s dents a layer of thickness t, x = s t, than a
-/// half-space of the layer's material. The Hankel transforms of displacement and pressure are in the ratio
-/// u/p = 2 kappa/(E1* s). Perriot and Barthel 2004, with alpha = mu1/mu0 (layer over substrate) and g = 3 - 4
-/// nu:
+/// kappa(x), x = s t: the displacement of a layer of thickness t under a pressure of wave number s, relative to a
+/// half-space of the layer's material. The Hankel transforms of displacement and pressure are in the ratio u/p = 2
+/// kappa/(E1* s). Perriot and Barthel 2004, with alpha = mu1/mu0 (layer over substrate) and g = 3 - 4 nu:
 ///
 /// ```text
 /// kappa = [1 + 4 b x e - a b e^2]/[1 - (a + b + 4 b x^2) e + a b e^2],   e = exp(-2 x)
 /// a = (alpha g0 - g1)/(1 + alpha g0),   b = (alpha - 1)/(alpha + g1)
 /// ```
 ///
-/// kappa(0) = alpha (1 - nu0)/(1 - nu1), kappa(inf) = 1, positive between. Evaluated to 1e-14 relative for
-/// any x and alpha: a, b near 1 (stiff layer) and a b near 1 (soft layer) enter by their differences from 1.
+/// kappa(0) = alpha (1 - nu0)/(1 - nu1), kappa(inf) = 1, positive in between. Relative error 1e-14 for any x and alpha:
+/// a, b near 1 (stiff layer) and a b near 1 (soft layer) are represented by their differences from 1.
 #[derive(Debug, Clone, Copy)]
 pub struct Kernel {
     alpha: f64,

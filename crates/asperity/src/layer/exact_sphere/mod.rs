@@ -1,9 +1,8 @@
 //! A sphere on an elastic layer bonded to an elastic half-space: the exact frictionless contact.
 //!
-//! With the pressure p(r) = -int_r^a g'(tau) (tau^2 - r^2)^-.5 dtau, which vanishes outside the contact by
-//! itself, one integral equation of the second kind is left for g inside (Perriot and Barthel 2004). It is
-//! solved to rounding, not to a fit: 1e-12 relative for moduli in the ratio 1:1000 to 1000:1, the range that is
-//! tested.
+//! With the pressure p(r) = -int_r^a g'(tau) (tau^2 - r^2)^-.5 dtau, which vanishes outside the contact, the problem
+//! reduces to one integral equation of the second kind for g (Perriot and Barthel 2004). Relative error 1e-12 for
+//! moduli in the ratio 1:1000 to 1000:1, the tested range.
 
 mod convolution;
 mod influence;
@@ -16,24 +15,23 @@ use influence::Influence;
 use kernel::Kernel;
 use state::State;
 
-/// The largest contact radius that is solved, in layer thicknesses.
+/// The largest contact radius supported, in layer thicknesses.
 pub const LARGEST_RATIO: f64 = 1000.0;
 
-/// |ln| of the wanted indentation over the found one from which a linear step ends at rounding.
+/// |ln(prescribed/found indentation)| from which one linear step reaches rounding.
 const CLOSE: f64 = 1e-8;
 
-/// A sphere, rigid or elastic, on an elastic layer bonded to an elastic half-space; no friction, no adhesion,
-/// small strains. The ball deforms as a half-space.
+/// A sphere, rigid or elastic, on an elastic layer bonded to an elastic half-space; no friction, no adhesion, small
+/// strains. The sphere deforms as a half-space.
 ///
-/// The contact is taken to be a full disc: a layer far stiffer than its substrate that would lift off in a ring is
-/// not followed.
+/// The contact area is assumed to be a full disc; separation of a very stiff layer within it is not modelled.
 ///
-/// Many contacts of one `LayeredSphere` share what depends on the materials alone, from any number of
+/// Quantities that depend on the materials only are shared by all contacts of one `LayeredSphere`, from any number of
 /// threads.
 #[derive(Debug, Clone)]
 pub struct LayeredSphere {
     influence: Influence,
-    /// 1 + E1*/E* of the ball.
+    /// 1 + E1*/E* of the sphere.
     shift: f64,
     /// E1*, Pa.
     modulus: f64,
@@ -43,7 +41,7 @@ pub struct LayeredSphere {
     thickness: f64,
 }
 
-/// One state of the contact.
+/// The contact at one indentation.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct ElasticContact {
     /// Radius of the contact a, m.
@@ -57,7 +55,7 @@ pub struct ElasticContact {
 }
 
 impl LayeredSphere {
-    /// A ball (`None`: rigid) of `radius` m on a layer of `thickness` m, both positive and finite.
+    /// A sphere (rigid if `None`) of `radius` (m) on a layer of `thickness` (m), both positive and finite.
     pub fn new(
         ball: Option<&Material>,
         radius: f64,
@@ -75,8 +73,8 @@ impl LayeredSphere {
         }
     }
 
-    /// The contact of radius `a`, m. `None` unless 0 < a <= [`LARGEST_RATIO`] t: beyond, the layer is a film
-    /// whose effect the half-space of the substrate hides, and the effort grows without bound.
+    /// The contact of radius `a`, m. `None` unless 0 < a <= [`LARGEST_RATIO`] t: beyond, the layer has a negligible
+    /// effect.
     pub fn at_contact_radius(&self, a: f64) -> Option<ElasticContact> {
         self.solve(a / self.thickness).map(|state| self.contact(a / self.thickness, &state))
     }
@@ -121,7 +119,7 @@ impl LayeredSphere {
         }
     }
 
-    /// The papers behind it.
+    /// The sources of the solution.
     pub fn papers() -> &'static [Paper] {
         &[literature::PERRIOT_BARTHEL_2004]
     }

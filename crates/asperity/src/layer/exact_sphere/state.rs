@@ -5,8 +5,8 @@ use std::f64::consts::PI;
 use super::convolution::Convolution;
 use super::influence::Influence;
 
-/// Width of a panel of 24 nodes. The solution is analytic within 2i of the contact (as far as the influence
-/// function is), and a rule of this width converges by 2.4 a node twice over: below rounding.
+/// Width of a panel of 24 nodes. The solution is analytic within 2i of the contact, as is the influence function; the
+/// quadrature error decreases by 2.4^2 per node, to below rounding.
 const PANEL: f64 = 4.0;
 
 /// A contact of given radius: lengths in t, w in t^2/R, P in E1* t^3/R, dP/dw in E1* t.
@@ -45,7 +45,7 @@ impl State {
         let kernel = |y: f64| influence.at(y) / PI;
         let operator = Convolution::new(shift, kernel, a, count);
         let flat = operator.solve(|_| 1.0)?;
-        // In units of a^2, which underflows nowhere.
+        // In units of a^2, to avoid underflow.
         let round = operator.solve(|y| (y / a) * (y / a))?;
         // Nystrom's interpolation: the equation itself at its end.
         let end = |g: &[f64]| {

@@ -6,24 +6,24 @@ use super::quantities::{Quantities, Row};
 use crate::model::Response;
 use crate::numeric::lanes::{Mask, Real, Work};
 
-/// A response of the model, and what is interpolated of it.
+/// A response of the model and the quantities interpolated from it.
 #[derive(Debug, Clone, Copy)]
 pub struct Node {
     /// Index among all separations, ascending.
     pub place: usize,
     /// The response of the model there.
     pub response: Response,
-    /// What is interpolated of it.
+    /// The interpolated quantities.
     pub row: Row,
 }
 
 impl Node {
-    /// A response at a place.
+    /// A node from the response at `place`.
     pub fn new(place: usize, response: Response) -> Self {
         Self { place, response, row: Quantities::of(&response).into() }
     }
 
-    /// Its separation.
+    /// The separation.
     fn x(&self) -> f64 {
         self.response.separation_over_sigma
     }
@@ -34,25 +34,25 @@ impl Node {
 pub enum Scale {
     /// As logarithms.
     Logarithms,
-    /// As exponentials of them.
+    /// As the quantities themselves.
     Plain,
 }
 
-/// Newton's polynomials through the nearest nodes (DLMF 3.3.38), one quantity per lane.
+/// Newton polynomials through the nearest nodes (DLMF 3.3.38), one quantity per lane.
 pub struct Interpolation<'a, G, F> {
-    /// Ascending, one at the least.
+    /// The nodes, ascending; at least one.
     pub known: &'a [Node],
-    /// Nodes that each polynomial goes through, of those and at most [`MOST_THROUGH`].
+    /// Number of nodes per polynomial, at most [`MOST_THROUGH`].
     pub through: usize,
-    /// Places of each row that are interpolated: those of an integral or of a sum.
+    /// Number of entries of each row that are interpolated: those of an integral or of a sum.
     pub places: usize,
-    /// Of all places, ascending.
+    /// All separations, ascending.
     pub separations: &'a [f64],
-    /// Places between two nodes, ascending.
+    /// Ranges of places between two nodes, ascending.
     pub gaps: G,
     /// How the quantities that are interpolated as logarithms are returned.
     pub scale: Scale,
-    /// Takes each place of the gaps with the quantities there.
+    /// Called with each place of the gaps and its quantities.
     pub take: F,
 }
 
@@ -61,7 +61,7 @@ impl<G: Iterator<Item = Range<usize>>, F: FnMut(usize, &Row)> Work for Interpola
 
     #[inline(always)]
     fn with<N: Real>(self, zero: N) {
-        /// Places that are worked on together, so that none waits for another.
+        /// Places evaluated together, to hide latency.
         const TOGETHER: usize = 48;
         const LOGARITHMS: usize = Row::LOGARITHMS;
         let Self { known, through, places, separations, gaps, scale, mut take } = self;
@@ -83,7 +83,7 @@ impl<G: Iterator<Item = Range<usize>>, F: FnMut(usize, &Row)> Work for Interpola
                     for (row, logarithms) in found.iter().zip(used.chunks_exact_mut(LOGARITHMS)) {
                         logarithms.copy_from_slice(&row.0[..LOGARITHMS]);
                     }
-                    // The unused lanes of the last register must stay in the range of its exponential.
+                    // Unused lanes of the last register must stay in the range of the exponential.
                     unused.fill(0.0);
                     for lane in (0..LOGARITHMS * found.len()).step_by(N::LANES) {
                         exponential(zero.load(&logarithms[lane..])).store(&mut logarithms[lane..]);
@@ -101,12 +101,12 @@ impl<G: Iterator<Item = Range<usize>>, F: FnMut(usize, &Row)> Work for Interpola
 /// The largest number of nodes per polynomial.
 pub const MOST_THROUGH: usize = 12;
 
-/// Newton's polynomial through some nodes in a row, from the last of them on.
+/// A Newton polynomial through consecutive nodes, from the last of them.
 struct Newton<'a> {
     known: &'a [Node],
-    /// How many of them it goes through.
+    /// Number of nodes.
     through: usize,
-    /// Places of each row that are interpolated.
+    /// Number of entries of each row that are interpolated.
     places: usize,
     /// The node after its last.
     end: usize,
@@ -122,7 +122,7 @@ impl<'a> Newton<'a> {
         Self { known, through, places, end: 0, nodes: [0.0; MOST_THROUGH], differences }
     }
 
-    /// Makes it the one around the gap below the node `after`, which is not below the last one.
+    /// Moves the polynomial to the gap below the node `after`, which must not be below the previous one.
     #[inline(always)]
     fn go_to<N: Real>(&mut self, after: usize, zero: N) {
         let end = (after + self.through.div_ceil(2)).clamp(self.through, self.known.len());
@@ -155,7 +155,7 @@ impl<'a> Newton<'a> {
         }
     }
 
-    /// The same at `K` separations, so that none waits for another.
+    /// The rows at `K` separations, evaluated together to hide latency.
     #[inline(always)]
     fn evaluate_at<N: Real, const K: usize>(&self, h: &[f64; K], rows: &mut [Row; K], zero: N) {
         for lane in (0..self.places).step_by(N::LANES) {
@@ -173,10 +173,10 @@ impl<'a> Newton<'a> {
     }
 }
 
-/// e to the power of any number.
+/// exp(x) for any x.
 #[inline(always)]
 fn exponential<N: Real>(x: N) -> N {
-    /// That of lanes is good up to here.
+    /// The range of [`Real::exp`].
     const LARGEST: f64 = 700.0;
     let largest = x.splat(LARGEST);
     if (x.le(largest) & (-largest).le(x)).all() {

@@ -1,10 +1,10 @@
-//! A curve of many separations from responses at few of them, to a tolerance that is checked.
+//! A curve at many separations, interpolated between responses at some of them to a given tolerance.
 //!
-//! | module | what it holds |
+//! | module | content |
 //! |---|---|
-//! | `sampler` | where the model is evaluated, and until when |
-//! | `interpolation` | polynomials between its responses |
-//! | `quantities` | what is interpolated |
+//! | `sampler` | adaptive choice of the separations evaluated |
+//! | `interpolation` | polynomials between the responses |
+//! | `quantities` | the interpolated quantities |
 
 mod interpolation;
 mod quantities;
@@ -15,7 +15,7 @@ use sampler::{AdaptiveSampler, DiscretisationBound};
 
 use super::{Model, Response};
 
-/// A curve within a tolerance.
+/// A curve computed to a tolerance.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Curve {
     /// The responses, in the order of the given separations.
@@ -25,17 +25,17 @@ pub struct Curve {
 }
 
 /// Below this number of separations the model is evaluated at each.
-const FEWEST: usize = 32;
+const MIN_SEPARATIONS: usize = 32;
 
-/// The responses at `separations` (in sigma), of which pressure and area ratio, of an integral also the shares of their regimes
-/// (in parts of the total), are within `tolerance` of the model's own.
+/// The responses at `separations` (d/sigma). Pressure and area ratio have a relative error of at most `tolerance`, and
+/// for an integral the shares of their regimes an absolute error of at most that.
 ///
-/// The model is evaluated at some of the separations, the rest is interpolated: an interval between two responses is evaluated
-/// in its middle and halved, until the response there is what its neighbours predicted, and of a sum until the asperities
-/// between two responses are too few to matter (`DiscretisationBound`). What cannot be predicted is evaluated everywhere. The number of
+/// The model is evaluated at some of the separations and interpolated at the rest. An interval is bisected until the
+/// response in its middle agrees with the interpolation and, for a sum, until the asperities within it are too few to
+/// matter (`DiscretisationBound`). Where interpolation fails, the model is evaluated at each separation. The number of
 /// contacts of a sum is counted, not interpolated.
 pub fn respond_within(model: &dyn Model, separations: &[f64], tolerance: f64) -> Curve {
-    if separations.len() < FEWEST {
+    if separations.len() < MIN_SEPARATIONS {
         return Curve { responses: model.respond_all(separations), evaluated: separations.to_vec() };
     }
     let mut order: Vec<usize> = (0..separations.len()).collect();
@@ -49,13 +49,13 @@ pub fn respond_within(model: &dyn Model, separations: &[f64], tolerance: f64) ->
     sampler.refine(model, tolerance);
     let known = &sampler.known;
     let mut evaluated: Vec<f64> = known.iter().map(|node| node.response.separation_over_sigma).collect();
-    // All other places come by.
+    // Every other place is overwritten below.
     let mut responses = vec![known[0].response; separations.len()];
     for node in known {
         responses[order[node.place]] = node.response;
     }
     let sigma = model.plane().sigma;
-    // Next to where nothing touches there is nothing to interpolate.
+    // Quantities without contact cannot be interpolated.
     let mut missing = Vec::new();
     let gaps = known.windows(2).map(|pair| pair[0].place + 1..pair[1].place);
     sampler.interpolate(gaps, Scale::Plain, |place, row| {
@@ -67,8 +67,8 @@ pub fn respond_within(model: &dyn Model, separations: &[f64], tolerance: f64) ->
         }
     });
     let missing_separations: Vec<f64> = missing.iter().map(|&k| separations[k]).collect();
-    for (k, answer) in missing.into_iter().zip(model.respond_all(&missing_separations)) {
-        responses[k] = answer;
+    for (k, response) in missing.into_iter().zip(model.respond_all(&missing_separations)) {
+        responses[k] = response;
     }
     evaluated.extend(missing_separations);
     Curve { responses, evaluated }

@@ -1,4 +1,4 @@
-//! What is interpolated of a response.
+//! The interpolated quantities of a response.
 
 use std::mem::{offset_of, size_of};
 
@@ -6,22 +6,22 @@ use crate::contact::ByRegime;
 use crate::model::{Response, SamplingError};
 use crate::numeric::lanes::MOST;
 
-/// What is interpolated of a response, by name; [`Row`] holds the same for the registers. The quantities of both
-/// models come first, those of a sum alone last; first of all those interpolated as logarithms, because they span decades.
+/// The interpolated quantities of a response; [`Row`] holds the same as an array. Those interpolated as logarithms,
+/// since they span decades, come first; those of a sum only come last.
 #[derive(Debug, Clone, Copy)]
 #[repr(C)]
 pub struct Quantities {
-    /// ln of the nominal pressure (Pa), or that itself: see [`super::interpolation::Scale`].
+    /// Nominal pressure (Pa) or its logarithm: see [`super::interpolation::Scale`].
     pub pressure: f64,
-    /// ln of the area ratio, or that itself.
+    /// Area ratio or its logarithm.
     pub area_ratio: f64,
-    /// ln of the contact density (1/m^2), or that itself.
+    /// Contact density (1/m^2) or its logarithm.
     pub contact_density: f64,
-    /// Stiffness over pressure, 1/m: it may be negative, so that it has no logarithm.
+    /// Stiffness over pressure, 1/m; may be negative, hence no logarithm.
     pub relative_stiffness: f64,
-    /// The elastic-plastic and the plastic part of the pressure; the elastic one is the rest.
+    /// The elastic-plastic and plastic shares of the pressure; the elastic one is the rest.
     pub pressure_shares: [f64; 2],
-    /// The same of the area.
+    /// The elastic-plastic and plastic shares of the area.
     pub area_shares: [f64; 2],
     /// Relative standard error of the pressure of a sum.
     pub pressure_error: f64,
@@ -53,8 +53,8 @@ impl Quantities {
         }
     }
 
-    /// The response at the separation `h`, in units of `sigma` (m), the first quantities being no logarithms any more;
-    /// `counted_density` (1/m^2) is that of the contacts where they were counted. `None` where a quantity is not a number.
+    /// The response at the separation `h` = d/`sigma` (sigma in m), from quantities that are not logarithms;
+    /// `counted_density` (1/m^2) is the contact density if it was counted. `None` if a quantity is NaN.
     #[inline(always)]
     pub fn response(&self, h: f64, sigma: f64, counted_density: Option<f64>) -> Option<Response> {
         let &Self { pressure, area_ratio, pressure_error, area_error, .. } = self;
@@ -73,7 +73,7 @@ impl Quantities {
             area_ratio: parts(area_ratio, self.area_shares),
             pressure: parts(pressure, self.pressure_shares),
             stiffness: self.relative_stiffness * pressure,
-            // Only a sum has its contacts counted.
+            // Contacts are counted for a sum only.
             sampling: counted_density.map(|_| SamplingError {
                 pressure: pressure_error * pressure,
                 area_ratio: area_error * area_ratio,
@@ -82,8 +82,8 @@ impl Quantities {
     }
 }
 
-/// [`Quantities`] in the order of their declaration, in whole registers of the widest: the quantities of an integral fill
-/// the first [`Self::OF_AN_INTEGRAL`] places.
+/// [`Quantities`] as an array in the order of declaration, padded to the widest registers; those of an integral fill
+/// the first [`Self::OF_AN_INTEGRAL`] entries.
 #[derive(Debug, Clone, Copy)]
 #[repr(align(64))]
 pub struct Row(pub [f64; Self::OF_A_SUM]);
@@ -93,13 +93,13 @@ const fn places(bytes: usize) -> usize {
 }
 
 impl Row {
-    /// How many of the first are interpolated as logarithms.
+    /// Number of leading entries that are interpolated as logarithms.
     pub const LOGARITHMS: usize = places(offset_of!(Quantities, relative_stiffness));
 
-    /// Places of the quantities of an integral.
+    /// Number of entries of an integral.
     pub const OF_AN_INTEGRAL: usize = places(offset_of!(Quantities, pressure_error)).next_multiple_of(MOST);
 
-    /// Places of the quantities of a sum: all.
+    /// Number of entries of a sum: all.
     pub const OF_A_SUM: usize = Self::COUNT.next_multiple_of(MOST);
 
     const COUNT: usize = places(size_of::<Quantities>());

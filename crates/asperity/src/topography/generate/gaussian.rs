@@ -8,11 +8,12 @@ use rand_distr::{Distribution, StandardNormal};
 use crate::topography::fourier::{synthesise, weight};
 use crate::topography::spectrum::GridSpectrum;
 
-/// Heights (m) of a Gaussian surface whose standard deviation is `sigma` (m) on an endless surface of the spectrum;
-/// that of a map, about its own mean, scatters about a little less. The seed decides them all, on any number of threads.
+/// Heights (m) of a periodic Gaussian surface of a spectrum. `sigma` (m) is the standard deviation of an infinite
+/// surface; that of a map about its own mean is slightly smaller on average. Determined by the seed, for any number of
+/// threads.
 ///
-/// Each wave number along y has a random stream of its own, and in it waves are drawn by growing wave
-/// number along x: a map of the same size on a finer grid has the same long waves.
+/// Each wave number along y has its own random stream, in which waves are drawn by increasing wave number along x: a
+/// map of the same size on a finer grid has the same long waves.
 pub fn gaussian(spectrum: &GridSpectrum, sigma: f64, seed: [u8; 32]) -> Vec<f64> {
     let points = spectrum.points();
     let draw = |j: usize, waves: &mut [Complex<f64>]| {
@@ -20,7 +21,7 @@ pub fn gaussian(spectrum: &GridSpectrum, sigma: f64, seed: [u8; 32]) -> Vec<f64>
         spectrum.column(j, &mut deviations);
         let mut rng = ChaCha8Rng::from_seed(seed);
         rng.set_stream(j as u64);
-        // Column 0 and the last of an even number are waves along x alone: those of -i follow from i.
+        // Column 0, and the last of an even number, are real along y: waves -i follow from i.
         if weight(points, j) == 1.0 {
             draw_real(&deviations, &mut rng, waves);
         } else {
@@ -45,7 +46,7 @@ fn wave(deviation: f64, rng: &mut ChaCha8Rng) -> Complex<f64> {
     Complex::new(part * normal(rng), part * normal(rng))
 }
 
-/// Waves that are independent of each other: i = 0, 1, -1, 2, -2, ...
+/// Draws independent waves in the order i = 0, 1, -1, 2, -2, ...
 fn draw_complex(deviations: &[f64], rng: &mut ChaCha8Rng, waves: &mut [Complex<f64>]) {
     let count = waves.len();
     waves[0] = wave(deviations[0], rng);
@@ -57,7 +58,7 @@ fn draw_complex(deviations: &[f64], rng: &mut ChaCha8Rng, waves: &mut [Complex<f
     }
 }
 
-/// Waves of a real profile: that of -i is the conjugate of that of i.
+/// Draws the waves of a real profile: wave -i is the conjugate of wave i.
 fn draw_real(deviations: &[f64], rng: &mut ChaCha8Rng, waves: &mut [Complex<f64>]) {
     let count = waves.len();
     waves[0] = Complex::new(deviations[0] * normal(rng), 0.0);

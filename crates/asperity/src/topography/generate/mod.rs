@@ -1,4 +1,4 @@
-//! Random rough surfaces: periodic, of a given spectrum, with Gaussian or other heights.
+//! Periodic random rough surfaces of a given spectrum and height distribution.
 
 mod gaussian;
 mod target;
@@ -15,51 +15,50 @@ use crate::distribution::Heights;
 use crate::numeric::parallel::for_each_row;
 use crate::numeric::sum::{CHUNK, sum_of};
 
-/// A process that makes rough surfaces: a Gaussian surface whose heights are mapped to a distribution.
+/// A random process: a Gaussian surface whose heights are transformed to a distribution.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Process {
-    /// How the variance is spread over the waves, of the field that [`Self::of`] names.
+    /// The prescribed spectrum, of the field given by [`Self::of`].
     pub spectrum: Spectrum,
-    /// Whose spectrum it is.
+    /// The field that has the spectrum.
     pub of: SpectrumOf,
-    /// Standard deviation of the heights of an endless surface, m.
+    /// Standard deviation of the heights of an infinite surface, m.
     pub sigma: f64,
     /// Distribution of the heights.
     pub heights: Heights,
 }
 
-/// The field that has the prescribed spectrum. Mapping the heights to a distribution distorts it.
+/// The field that has the prescribed spectrum, which the transform of heights distorts.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 #[cfg_attr(feature = "serde", derive(serde::Deserialize))]
 #[cfg_attr(feature = "serde", serde(rename_all = "kebab-case"))]
 pub enum SpectrumOf {
-    /// The surface: the Gaussian field is given the spectrum that becomes it, as far as there is one.
+    /// The surface: the spectrum of the Gaussian field is corrected for the transform, as far as possible.
     #[default]
     Heights,
-    /// The Gaussian field before its heights are mapped.
+    /// The Gaussian field, before its heights are transformed.
     Gaussian,
 }
 
-/// A finer process that cuts the summits of a coarser one, as honing does: the lower of the two surfaces is
-/// left.
+/// A finer process that truncates the summits of a coarser one, as in plateau honing: the surface is the lower of both.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Plateau {
-    /// The process that cuts.
+    /// The finer process.
     pub process: Process,
     /// Height of its mean plane above that of the coarser surface, m.
     pub height: f64,
 }
 
-/// What makes a surface on a grid.
+/// A generator of surfaces on a grid.
 #[derive(Debug, Clone, PartialEq)]
 pub struct SurfaceGenerator {
     /// Points along x and y.
     pub points: [usize; 2],
-    /// Their distances along x and y, m.
+    /// Distance of neighbouring points along x and y, m.
     pub pixel: [f64; 2],
-    /// The process, the coarser one of two.
+    /// The process; the coarser one of two.
     pub process: Process,
-    /// The process that cuts it.
+    /// The process that truncates it.
     pub plateau: Option<Plateau>,
 }
 
@@ -68,15 +67,15 @@ pub struct SurfaceGenerator {
 pub struct Seeds {
     /// Seed of the process.
     pub process: [u8; 32],
-    /// Seed of the process that cuts it.
+    /// Seed of the process that truncates it.
     pub plateau: [u8; 32],
 }
 
 impl SurfaceGenerator {
-    /// Whether the grid can show the spectra.
+    /// Checks whether the grid resolves the spectra.
     ///
     /// # Errors
-    /// The first that it cannot.
+    /// The first spectrum that it does not resolve.
     pub fn check(&self) -> Result<(), SpectrumError> {
         self.process.spectrum.check(self.points, self.pixel)?;
         match &self.plateau {
@@ -85,11 +84,11 @@ impl SurfaceGenerator {
         }
     }
 
-    /// The surface, periodic, its mean plane at zero, and which share of its points a finer process has cut; the same to
-    /// the bit on any number of threads.
+    /// The periodic surface, of zero mean, and the fraction of its points that belong to the plateau process, if any.
+    /// Bit-identical for any number of threads.
     ///
     /// # Errors
-    /// A grid that makes no map.
+    /// See [`MapError`].
     pub fn surface(&self, seeds: Seeds) -> Result<(HeightMap, Option<f64>), MapError> {
         let mut heights = self.process.heights(self.points, self.pixel, seeds.process);
         let share = self.plateau.as_ref().map(|plateau| {
@@ -122,7 +121,7 @@ impl Process {
     }
 }
 
-/// Heights of a distribution on a Gaussian surface of a spectrum.
+/// A Gaussian surface of a spectrum with its heights transformed to a distribution.
 fn field(spectrum: &GridSpectrum, heights: &Heights, sigma: f64, seed: [u8; 32]) -> Vec<f64> {
     if *heights == Heights::GAUSSIAN {
         return gaussian(spectrum, sigma, seed);

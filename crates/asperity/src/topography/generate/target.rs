@@ -1,8 +1,7 @@
-//! A surface whose found summits have a given mean radius, standard deviation of heights and density.
+//! Surfaces whose summits have a prescribed mean radius, standard deviation of heights and density.
 //!
-//! Their product density * radius * sigma changes neither with the scale of heights nor with that of lengths: it
-//! depends on the bandwidth of the spectrum alone, which is searched for; then heights are scaled to
-//! sigma and lengths to the density.
+//! The product density * radius * sigma is invariant to scaling of heights and lengths and depends on the bandwidth of
+//! the spectrum only. The bandwidth is found by a search; then heights are scaled to sigma and lengths to the density.
 
 use super::field;
 use crate::asperity::{AsperitySet, SetError, Statistics};
@@ -29,7 +28,7 @@ impl Target {
     }
 }
 
-/// A self-affine surface whose scales and bandwidth are left to the target.
+/// A generator of self-affine surfaces whose scales and bandwidth follow from a [`Target`].
 #[derive(Debug, Clone, PartialEq)]
 pub struct TargetGenerator {
     /// Points along x and y.
@@ -42,11 +41,11 @@ pub struct TargetGenerator {
     pub lay: Lay,
     /// Distribution of the heights.
     pub heights: Heights,
-    /// What a summit is.
+    /// Neighbours that define a summit.
     pub neighbours: Neighbours,
 }
 
-/// A surface that meets its target.
+/// A surface that meets a target.
 #[derive(Debug, Clone)]
 pub struct Reached {
     /// The surface.
@@ -57,34 +56,34 @@ pub struct Reached {
     pub roll_off: f64,
     /// Cut-off wavelength, m.
     pub cut_off: f64,
-    /// Standard deviation of the surface heights over all surfaces of the process, m.
+    /// Standard deviation of the surface heights of the process, m.
     pub sigma: f64,
-    /// Surfaces that were made to find it.
+    /// Number of trial surfaces.
     pub tried: usize,
 }
 
-/// A target that no such surface meets.
+/// A target that cannot be met.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum Unreachable {
-    /// The product is out of reach.
+    /// The product is outside the range found.
     #[error(
-        "density * radius * sigma = {product:.5} is not reached: with this grid, these heights and Hurst exponent it goes from \
+        "density * radius * sigma = {product:.5} is not reached: with this grid, these heights and Hurst exponent it ranges from \
          {least:.5} (a ratio of roll-off to cut-off of {from:.3}) to {most:.5} (of {to:.3}); allowed: a product in this range, or \
          other heights, another Hurst exponent, another cut-off-pixels or more points"
     )]
     Product {
         /// The prescribed product.
         product: f64,
-        /// The least that was found.
+        /// The smallest product found.
         least: f64,
         /// Its ratio of roll-off to cut-off wavelength.
         from: f64,
-        /// The most that was found.
+        /// The largest product found.
         most: f64,
         /// Its ratio of roll-off to cut-off wavelength.
         to: f64,
     },
-    /// The product jumps over the prescribed one.
+    /// The product jumps across the prescribed value.
     #[error(
         "density * radius * sigma = {product:.5} lies in a jump, from {below:.5} to {above:.5}: the map holds too few summits; \
          allowed: more points"
@@ -97,7 +96,7 @@ pub enum Unreachable {
         /// The nearest product above.
         above: f64,
     },
-    /// The longest wave is the shortest.
+    /// The map is too small for a bandwidth above 1.
     #[error(
         "found {} x {} points; allowed with summits: more than {least} along each axis, so that four waves of the cut-off, and longer \
          ones, fit (fewer with a smaller cut-off-pixels or elongation)",
@@ -106,13 +105,13 @@ pub enum Unreachable {
     TooFewPoints {
         /// Points along x and y.
         points: [usize; 2],
-        /// Number of points that is still too small.
+        /// The number of points that must be exceeded.
         least: usize,
     },
-    /// A spectrum that the grid cannot show.
+    /// A spectrum that the grid does not resolve.
     #[error(transparent)]
     Spectrum(#[from] SpectrumError),
-    /// A grid that makes no map.
+    /// An invalid grid.
     #[error(transparent)]
     Map(#[from] MapError),
     /// No summit was found.
@@ -120,7 +119,7 @@ pub enum Unreachable {
     Set(#[from] SetError),
 }
 
-/// One surface of unit pixel and unit deviation.
+/// A surface of unit pixel and unit standard deviation.
 struct Trial {
     log_bandwidth: f64,
     map: HeightMap,
@@ -134,16 +133,16 @@ impl Trial {
     }
 }
 
-/// Relative deviation of the product, and so of the radius.
+/// Tolerance of the product, and thus of the radius, relative.
 const TOLERANCE: f64 = 5e-5;
-/// Deviation that is accepted where the product jumps.
-const MET: f64 = 1e-3;
+/// Relative deviation accepted where the product jumps.
+const TOLERANCE_AT_JUMP: f64 = 1e-3;
 
 impl TargetGenerator {
-    /// Whether the grid can show its spectra.
+    /// Checks whether the grid resolves the spectra.
     ///
     /// # Errors
-    /// A cut-off below two pixels, numbers that make no spectrum, or a map too small for longer waves.
+    /// A cut-off below two pixels, an invalid spectrum, or a map too small for longer waves.
     pub fn check(&self) -> Result<(), Unreachable> {
         self.spectrum(1.0, 1.0)?.check(self.points, [1.0; 2])?;
         if self.widest() > 1.0 {
@@ -176,9 +175,9 @@ impl TargetGenerator {
         Ok(Trial { log_bandwidth, map, statistics: Statistics::of(&set), density: set.density() })
     }
 
-    /// The surface of a seed that meets the target. All trials share their random numbers, so that the product is a
-    /// function of the bandwidth alone; it is searched for from narrow to wide, `first` (a bandwidth that met the
-    /// target of another seed) being tried before.
+    /// The surface of a seed that meets the target. All trials use the same random numbers, so that the product is a
+    /// function of the bandwidth only. Bandwidths are searched from narrow to wide, after those near `first`, a
+    /// bandwidth that met the target with another seed.
     ///
     /// # Errors
     /// See [`Unreachable`].
@@ -201,14 +200,14 @@ impl TargetGenerator {
         self.scaled(found, target, tried)
     }
 
-    /// A bracket about a bandwidth that met the target of another seed.
+    /// A bracket about a bandwidth that met the target with another seed.
     fn near(
         &self,
         target: &Target,
         first: Option<f64>,
         trial: &mut impl FnMut(f64) -> Result<Trial, Unreachable>,
     ) -> Result<Option<[Trial; 2]>, Unreachable> {
-        /// Seeds differ by some percent in bandwidth.
+        /// Relative half width: bandwidths of different seeds differ by some percent.
         const NEAR: f64 = 0.1;
         let Some(first) = first.map(f64::ln) else { return Ok(None) };
         let low = trial((first - NEAR).max(0.0))?;
@@ -217,7 +216,7 @@ impl TargetGenerator {
         Ok(holds.then_some([low, high]))
     }
 
-    /// The first two bandwidths, from narrow to wide, between which the product passes the target.
+    /// The first two bandwidths, from narrow to wide, that bracket the target.
     fn bracket(
         &self,
         target: &Target,
@@ -274,7 +273,7 @@ fn refine(
     mut above: Trial,
     trial: &mut impl FnMut(f64) -> Result<Trial, Unreachable>,
 ) -> Result<Trial, Unreachable> {
-    /// The product is a step function on the scale of single summits.
+    /// Smallest bracket: the product is a step function on the scale of single summits.
     const CLOSEST: f64 = 1e-7;
     let off = |trial: &Trial| trial.product() / target.product() - 1.0;
     let (mut low, mut high) = (off(&below), off(&above));
@@ -282,7 +281,7 @@ fn refine(
     loop {
         let nearest = if off(&below).abs() < off(&above).abs() { &below } else { &above };
         let is_closed = (above.log_bandwidth - below.log_bandwidth).abs() < CLOSEST;
-        if off(nearest).abs() < TOLERANCE || (is_closed && off(nearest).abs() < MET) {
+        if off(nearest).abs() < TOLERANCE || (is_closed && off(nearest).abs() < TOLERANCE_AT_JUMP) {
             return Ok(if off(&below).abs() < off(&above).abs() { below } else { above });
         }
         if is_closed {
@@ -293,7 +292,7 @@ fn refine(
         let next = trial(secant)?;
         let found = off(&next);
         let is_below = found <= 0.0;
-        // An end that stays twice counts half.
+        // The Illinois weight: an end retained twice counts half.
         let stays = if last == Some(is_below) { 0.5 } else { 1.0 };
         if is_below {
             (below, low) = (next, found);

@@ -1,4 +1,4 @@
-//! A map as its file holds it.
+//! Content of a map file.
 
 use super::error::ReadOptionsError;
 
@@ -7,16 +7,16 @@ use super::error::ReadOptionsError;
 pub struct Metadata {
     /// Points along x and y.
     pub points: [usize; 2],
-    /// Distance of neighbouring points along x and y, where the format holds it: in metres where it
-    /// holds its unit, in the unit of the file where it does not.
+    /// Distance of neighbouring points along x and y, if the format stores it; in metres if it also stores the unit,
+    /// otherwise in the unit of the file.
     pub pixel: Option<[f64; 2]>,
-    /// Whether the format holds its unit of length.
+    /// Whether the format stores its unit of length.
     pub has_unit: bool,
-    /// What the format is called.
+    /// Name of the format.
     pub format: &'static str,
 }
 
-/// Pixel and unit of a file whose format does not hold them.
+/// Pixel and unit for a file whose format does not store them.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct ReadOptions {
     /// Distance of neighbouring points along x and y, m.
@@ -48,19 +48,19 @@ impl Metadata {
     }
 }
 
-/// A map as a file holds it.
+/// A map as stored in a file.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Measured {
     /// Size, pixel and unit.
     pub metadata: Metadata,
-    /// Heights, the y index running fastest; in metres where the format holds its unit, in the unit of
-    /// the file where it does not. Missing points are NaN.
+    /// Heights, the y index running fastest; in metres if the format stores its unit, otherwise in the unit of the
+    /// file. Missing points are NaN.
     pub heights: Vec<f64>,
-    /// Relative precision of the stored numbers; 0 for integers that are not scaled.
+    /// Relative precision of the stored numbers; 0 for unscaled integers.
     pub precision: f64,
 }
 
-/// Heights with the y index running fastest, of heights in lines of `points_x` along x.
+/// Transposes heights in lines of `points_x` along x, so that the y index runs fastest.
 pub(super) fn transposed(lines: &[f64], points_x: usize) -> Vec<f64> {
     (0..points_x).flat_map(|ix| lines.iter().skip(ix).step_by(points_x)).copied().collect()
 }

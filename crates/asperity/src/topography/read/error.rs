@@ -1,43 +1,43 @@
-//! Why a file gives no heights.
+//! Errors in reading a map.
 
 use crate::npy::NpyError;
 use crate::topography::MapError;
 
-/// Why a file gives no heights. The caller says which file.
+/// An error in reading a map. Texts are predicates without the file name: "is empty".
 #[derive(Debug, thiserror::Error)]
 pub enum ReadError {
     /// The file cannot be opened or read.
     #[error("cannot be read: {0}")]
     Io(#[from] std::io::Error),
-    /// The file is of another format.
+    /// The format of the file is not known.
     #[error("{0}")]
     Mismatch(String),
-    /// The format is known, what the file holds is not supported.
+    /// The format is known, but the content is not supported.
     #[error("{0}")]
     Unsupported(String),
-    /// The file does not hold what it says it holds.
+    /// The content is inconsistent or damaged.
     #[error("{0}")]
     Corrupt(String),
     /// The file is a `.npy` whose array cannot be read.
     #[error(transparent)]
     Npy(#[from] NpyError),
-    /// The heights make no map.
+    /// The heights form no valid map.
     #[error(transparent)]
     Map(#[from] MapError),
-    /// A height that no roughness has.
-    #[error("holds a height of {tallest:e} m; allowed: at most {TALLEST} m")]
+    /// A height too large for a rough surface.
+    #[error("holds a height of {tallest:e} m; allowed: at most {MAX_HEIGHT} m")]
     TooTall {
         /// The largest height, m.
         tallest: f64,
-        /// Whether the format holds its unit; elsewhere another unit may be meant.
+        /// Whether the format stores its unit; otherwise the unit given may be wrong.
         has_unit: bool,
     },
-    /// A text names its columns and their units, which are not read there.
+    /// A text has a header of column names with units, which is not supported.
     #[error(
-        "names columns with units in line {line}: \"{found}\"; allowed: x y z, the unit given beside the file"
+        "names columns with units in line {line}: \"{found}\"; allowed: x y z, with the unit given separately"
     )]
     UnitsInColumns {
-        /// The line, from 1.
+        /// Line number, from 1.
         line: usize,
         /// Text of the line.
         found: String,
@@ -47,44 +47,44 @@ pub enum ReadError {
     Options(#[from] ReadOptionsError),
 }
 
-/// Options that contradict what the file holds.
+/// Options that contradict the content of the file.
 #[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
 pub enum ReadOptionsError {
-    /// Two pixels: one must be wrong.
+    /// Both the file and the options give a pixel.
     #[error(
         "is {format}, which holds its own pixel of {:e} x {:e} {}; allowed: leave pixel out",
         pixel[0], pixel[1], if *has_unit { "m" } else { "units" }
     )]
     PixelHeld {
-        /// The format.
+        /// Name of the format.
         format: &'static str,
-        /// The pixel held.
+        /// The pixel of the file.
         pixel: [f64; 2],
-        /// Whether that is in metres.
+        /// Whether it is in metres.
         has_unit: bool,
     },
-    /// No pixel.
-    #[error("holds no pixel size, and none is given beside it")]
+    /// Neither the file nor the options give a pixel.
+    #[error("holds no pixel size, and none is given")]
     NoPixel,
-    /// Two units: one must be wrong.
+    /// Both the file and the options give a unit.
     #[error("is {format}, which holds its own unit of length; allowed: leave unit out")]
     UnitHeld {
-        /// The format.
+        /// Name of the format.
         format: &'static str,
     },
 }
 
-/// No rough surface is so high (m): its unit is wrong.
-pub(super) const TALLEST: f64 = 10.0;
+/// The largest height allowed, m: beyond it the unit is wrong.
+pub(super) const MAX_HEIGHT: f64 = 10.0;
 
-/// The formats that are read.
+/// The supported formats.
 pub(super) const FORMATS: &str = ".npy, X3P, SDF, a matrix of numbers or columns x y z as text";
 
 pub(super) fn too_large() -> ReadError {
     ReadError::Corrupt("claims to hold more numbers than any file can".to_owned())
 }
 
-/// What was found, not too long for a message.
+/// A text shortened for a message.
 pub(super) fn shortened(text: &str) -> String {
     text.trim().chars().take(40).collect()
 }

@@ -1,6 +1,6 @@
-//! Reading measured surfaces: one module per format, identified by the first bytes, never by a file's name.
+//! Reading measured surfaces: one module per format, identified by the first bytes of the file, not by its name.
 //!
-//! | module | format | holds its pixel | holds its unit |
+//! | module | format | stores the pixel | stores the unit |
 //! |---|---|---|---|
 //! | `npy` | NumPy array, whole or row by row | no | no |
 //! | `text` | matrix of numbers; with Gwyddion's header | no; yes | no; yes |
@@ -8,10 +8,9 @@
 //! | `x3p` | ISO 25178-72 | yes | yes |
 //! | `sdf` | ISO 25178-71 | yes | yes |
 //!
-//! Where a format holds its unit, a height beyond 1 km is the mark of a missing point. Heights beyond
-//! 10 m that are left are refused in every format: there a unit is wrong. The first index of a map is
-//! x; files have x running fastest, so that all but `.npy` are transposed. Nothing is mirrored: the
-//! first line of a file is the first y.
+//! If the format stores its unit, a height beyond 1 km marks a missing point. Other heights beyond 10 m are rejected in
+//! every format, since the unit must be wrong. The first index of a map is x; in files x runs fastest, so that all
+//! formats but `.npy` are transposed. Nothing is mirrored: the first line of a file is the first y.
 
 mod content;
 mod error;
@@ -30,11 +29,11 @@ use super::{HeightMap, MapError, Rows, rows};
 use crate::npy::{self as array, Mapped};
 use crate::numeric::LARGEST;
 pub use content::{Measured, Metadata, ReadOptions};
-use error::{FORMATS, TALLEST};
+use error::{FORMATS, MAX_HEIGHT};
 pub use error::{ReadError, ReadOptionsError};
 use npy::MappedMap;
 
-/// The formats, as their first bytes tell them apart.
+/// The formats, identified by their first bytes.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Format {
     Npy,
@@ -60,7 +59,7 @@ impl Format {
             Ok(Self::Text)
         } else {
             Err(ReadError::Mismatch(format!(
-                "is no height map: it begins with \"{}\"; allowed: {FORMATS}",
+                "is not a height map: it begins with \"{}\"; allowed: {FORMATS}",
                 begin
                     .iter()
                     .take(12)
@@ -75,10 +74,10 @@ impl Format {
 /// Bytes that identify the format.
 const BEGIN: u64 = 4096;
 
-/// What the header of a file says, checked against its length. A text is read as a whole.
+/// Size, pixel and format from the header of a file, checked against its length. A text is read completely.
 ///
 /// # Errors
-/// As [`height_map`], as far as the header and the length of the file tell.
+/// Those of [`height_map`] that follow from the header and the length of the file.
 pub fn metadata(path: &Path) -> Result<Metadata, ReadError> {
     match Format::of(path)? {
         Format::Npy => npy::metadata(path),
@@ -88,7 +87,7 @@ pub fn metadata(path: &Path) -> Result<Metadata, ReadError> {
     }
 }
 
-/// Reads a map as its file holds it.
+/// Reads a map as stored in its file.
 ///
 /// # Errors
 /// See [`ReadError`].
@@ -101,7 +100,7 @@ pub fn measured(path: &Path) -> Result<Measured, ReadError> {
     }
 }
 
-/// Reads a map of heights in metres, with the pixel and the unit of `options` where its format holds none.
+/// Reads a map of heights in metres, with the pixel and unit of `options` if the format does not store them.
 ///
 /// # Errors
 /// See [`ReadError`].
@@ -124,8 +123,7 @@ pub fn stays_on_disk(path: &Path) -> Result<bool, ReadError> {
     Ok(Format::of(path)? == Format::Npy && !array::Header::read(path)?.is_fortran())
 }
 
-/// Opens a map without reading more of it than must be: one that stays on disk is read row by row, whatever its
-/// size.
+/// Opens a map for reading by rows. One that stays on disk ([`stays_on_disk`]) may be larger than memory.
 ///
 /// # Errors
 /// As [`height_map`].
@@ -140,7 +138,7 @@ pub fn rows(path: &Path, options: ReadOptions) -> Result<Box<dyn Rows>, ReadErro
     Ok(Box::new(map))
 }
 
-/// As [`check_heights`] and [`HeightMap::new`], row by row.
+/// The checks of [`check_heights`] and [`HeightMap::new`], row by row.
 fn check_rows(map: &dyn Rows) -> Result<(), ReadError> {
     HeightMap::check_grid(map.points(), map.pixel())?;
     let tallest = |strip: rows::Strip| {
@@ -149,15 +147,15 @@ fn check_rows(map: &dyn Rows) -> Result<(), ReadError> {
     };
     match rows::strips(map, 0, tallest).into_iter().flatten().reduce(f64::max) {
         None => Err(MapError::AllMissing.into()),
-        Some(tallest) if tallest > TALLEST => Err(ReadError::TooTall { tallest, has_unit: false }),
+        Some(tallest) if tallest > MAX_HEIGHT => Err(ReadError::TooTall { tallest, has_unit: false }),
         Some(_) => Ok(()),
     }
 }
 
-/// Takes out the marks of missing points, brings heights from the unit of their file to metres, and refuses those that
-/// no roughness has.
+/// Replaces marks of missing points by NaN, converts heights from the unit of their file to metres, and rejects those
+/// too large for a rough surface.
 fn check_heights(heights: &mut [f64], unit: f64, has_unit: bool) -> Result<(), ReadError> {
-    /// Beyond it a height in metres is the mark of a missing point, such as 1e10.
+    /// A larger height in metres marks a missing point, such as 1e10.
     const MARK: f64 = 1e3;
     let mark = if has_unit { MARK } else { LARGEST };
     let mut tallest = 0.0f64;
@@ -169,17 +167,17 @@ fn check_heights(heights: &mut [f64], unit: f64, has_unit: bool) -> Result<(), R
             *z = f64::NAN;
         }
     }
-    if tallest > TALLEST { Err(ReadError::TooTall { tallest, has_unit }) } else { Ok(()) }
+    if tallest > MAX_HEIGHT { Err(ReadError::TooTall { tallest, has_unit }) } else { Ok(()) }
 }
 
-/// Checks that a path is a file and not empty.
+/// Checks that a path is a file that is not empty.
 ///
 /// # Errors
-/// A path that is no file, or an empty one.
+/// A path that is not a file; an empty file.
 pub fn existing(path: &Path) -> Result<(), ReadError> {
     let metadata = std::fs::metadata(path)?;
     if !metadata.is_file() {
-        return Err(ReadError::Mismatch("is no file".to_owned()));
+        return Err(ReadError::Mismatch("is not a file".to_owned()));
     }
     if metadata.len() == 0 {
         return Err(ReadError::Corrupt("is empty".to_owned()));

@@ -7,7 +7,7 @@ use super::error::ReadError;
 use crate::npy::{Header, Mapped, Matrix, matrix};
 use crate::topography::{Boundary, Rows};
 
-/// What the header of a file says of a map.
+/// Size and format of a map from its header.
 pub(super) fn metadata(path: &Path) -> Result<Metadata, ReadError> {
     let Header { rows, columns, .. } = Header::read(path)?;
     Ok(metadata_of([rows, columns]))

@@ -1,9 +1,8 @@
-//! Surface data files (ISO 25178-71), as text and binary: versions ISO-1.0 and ISO-2.0, and BCR-1.0
-//! that they come from.
+//! Surface data files (ISO 25178-71), text and binary: versions ISO-1.0, ISO-2.0 and their predecessor BCR-1.0.
 //!
-//! Scales are in metres. What marks a missing point: in a text BAD or NaN, in both kinds of ISO-1.0
-//! and ISO-2.0 the least number of the type, in BCR-1.0 and in the unsigned types, which only BCR-1.0
-//! defines, the greatest. Compression and check sums, which only BCR-1.0 defines, are refused.
+//! Scales are in metres. A missing point is BAD or NaN in a text, the smallest number of the type in ISO-1.0 and
+//! ISO-2.0, and the largest in BCR-1.0 and for the unsigned types, which only BCR-1.0 defines. Compression and check
+//! sums, which only BCR-1.0 defines, are not supported.
 
 use std::borrow::Cow;
 use std::fs::File;
@@ -20,7 +19,7 @@ const FIELDS: &str = "NumPoints, NumProfiles, Xscale, Yscale, Zscale, Compressio
 const VERSIONS: [&[u8]; 3] = [b"ISO-1.0", b"ISO-2.0", b"BCR-1.0"];
 /// Names of the codes of `DataType` in BCR-1.0.
 const TYPES: [&str; 8] = ["UCHAR", "UINTEGER", "ULONGINT", "FLOAT", "CHAR", "INTEGER", "LONGINT", "DOUBLE"];
-/// Bytes of the header of a binary file, its counts being of two bytes.
+/// Bytes of the header of a binary file with two-byte counts.
 const HEAD: usize = 81;
 
 /// Whether a file begins as a surface data file: a or b, three capitals, a hyphen, two digits.
@@ -49,19 +48,19 @@ fn stored(code: u8) -> Result<NumberType, ReadError> {
     })
 }
 
-/// Whether a number marks a missing point: the least or, if so said, the greatest of the type; of the unsigned
-/// types always the greatest.
+/// Whether a number marks a missing point: the smallest number of the type, or the largest if `greatest` or if the type
+/// is unsigned.
 fn marks_missing(stored: NumberType, value: f64, greatest: bool) -> bool {
     let [least, most] = stored.range();
     if stored.is_integer() {
         value == if greatest || least == 0.0 { most } else { least }
     } else {
-        // A text may print the extreme number with fewer digits; no height is near either.
+        // A text may print the extreme number with fewer digits.
         value.abs() > 0.99 * most
     }
 }
 
-/// What stands before the numbers.
+/// The header fields.
 struct Fields {
     points: u64,
     profiles: u64,
@@ -73,13 +72,13 @@ struct Fields {
     check_type: u8,
 }
 
-/// Fields that are allowed.
+/// Validated header fields.
 struct Checked {
     metadata: Metadata,
     count: u64,
     z_scale: f64,
     stored: NumberType,
-    /// Whether the greatest number of a signed type marks a missing point.
+    /// Whether the largest number of a signed type marks a missing point.
     greatest: bool,
 }
 
@@ -103,7 +102,7 @@ pub(super) fn measured(path: &Path) -> Result<Measured, ReadError> {
         Body::Binary { mut file, begin } => {
             let mut bytes = Vec::new();
             std::io::Seek::seek(&mut file, std::io::SeekFrom::Start(begin))?;
-            // `open` has found that number of bytes in the file.
+            // `open` has checked the number of bytes.
             file.take(count * stored.bytes()).read_to_end(&mut bytes)?;
             stored.values(&bytes)
         }
@@ -118,7 +117,7 @@ pub(super) fn measured(path: &Path) -> Result<Measured, ReadError> {
     Ok(Measured { metadata, heights, precision: stored.scaled_precision() })
 }
 
-/// The numbers, not yet read.
+/// The data, not yet read.
 enum Body {
     Text(String),
     Binary { file: File, begin: u64 },
@@ -131,7 +130,7 @@ fn open(path: &Path) -> Result<(Checked, Body), ReadError> {
     // Counts of four bytes make the header of version 2 four bytes longer.
     (&mut file).take(HEAD as u64 + 4).read_to_end(&mut begin)?;
     let (Some(kind), Some(version)) = (begin.first(), begin.get(1..8)) else {
-        return Err(ReadError::Mismatch("is no SDF file: it is shorter than a version".to_owned()));
+        return Err(ReadError::Mismatch("is not an SDF file: it is too short".to_owned()));
     };
     if !VERSIONS.contains(&version) {
         return Err(ReadError::Unsupported(format!(
@@ -163,13 +162,12 @@ fn open(path: &Path) -> Result<(Checked, Body), ReadError> {
     let body = length.saturating_sub(head_length);
     let bytes = checked.count.checked_mul(checked.stored.bytes()).filter(|&bytes| bytes <= body);
     let bytes = bytes.ok_or_else(|| truncated(checked.count, &format!("{body} bytes")))?;
-    // Microscopes of Olympus write eight bytes more before the numbers, two counts of 5 and 1; nothing
-    // is said of them but their size.
+    // Olympus microscopes write eight undocumented bytes before the numbers, two counts of 5 and 1.
     let extra = if version == b"ISO-1.0" && body == bytes + 8 && is_olympus(&mut file)? { 8 } else { 0 };
     Ok((checked, Body::Binary { file, begin: head_length + extra }))
 }
 
-/// BCR-1.0 lets a semicolon begin a comment in every line.
+/// Removes the comments of BCR-1.0, which begin with a semicolon.
 fn without_comments(text: &str) -> Cow<'_, str> {
     if !text.contains(';') {
         return Cow::Borrowed(text);
@@ -217,7 +215,7 @@ impl Fields {
                 ReadError::Corrupt(format!("has {key} = \"{found}\"; allowed: a number"))
             })
         }
-        // BCR-1.0 may write a name for a code.
+        // BCR-1.0 may write a name instead of a code.
         let code = |header, key, names: &[&str]| {
             let word: String = field(header, key)?;
             let word = if word == "NULL" { "NONE".to_owned() } else { word };
@@ -244,7 +242,7 @@ impl Fields {
 
     fn check(&self, greatest: bool) -> Result<Checked, ReadError> {
         let unsupported = |what: &str, code: u8| {
-            Err(ReadError::Unsupported(format!("has the {what} {code}; allowed: 0, which is none")))
+            Err(ReadError::Unsupported(format!("has the {what} {code}; allowed: 0 (none)")))
         };
         if self.compression > 0 {
             return unsupported("Compression", self.compression);
@@ -275,7 +273,7 @@ impl Fields {
     }
 }
 
-/// The numbers of a text up to the asterisk after them.
+/// The numbers of a text up to the closing asterisk.
 fn text_values(numbers: &str, count: u64) -> Result<Vec<f64>, ReadError> {
     let value = |(place, word): (usize, &str)| {
         if word.eq_ignore_ascii_case("BAD") {

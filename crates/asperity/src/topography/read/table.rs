@@ -1,8 +1,7 @@
-//! Lines of numbers in a text: how they are separated, and the marks of missing ones.
+//! Tables of numbers in a text: separators and marks of missing numbers.
 //!
-//! Semicolons separate if there are any, then tabs, then blanks, then commas. A comma is a decimal
-//! comma where something else separates, every comma stands between two digits and there is no
-//! decimal point; what could be read in two ways is refused.
+//! The separator is the first of semicolon, tab, blank and comma that occurs. Commas are decimal commas if another
+//! separator is used, every comma is between two digits, and there is no decimal point; ambiguous texts are rejected.
 
 use super::error::{FORMATS, ReadError, shortened};
 
@@ -14,13 +13,13 @@ const MISSING: [&str; 14] =
 pub(super) struct Table {
     pub rows: usize,
     pub columns: usize,
-    /// The numbers of a line after those of the line before; NaN where missing.
+    /// The numbers line by line; NaN where missing.
     pub values: Vec<f64>,
     /// Relative precision of the numbers printed.
     pub precision: f64,
 }
 
-/// What stands between numbers.
+/// The separator of numbers.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Separator {
     RoughnessParameters(char),
@@ -35,7 +34,7 @@ struct Separation {
 }
 
 impl Table {
-    /// Reads the lines that are no comments; a first line that names the columns x, y, z is skipped.
+    /// Parses a text, skipping comments and a first line that names the columns x, y, z.
     pub fn parse(text: &str) -> Result<Self, ReadError> {
         let mut lines: Vec<(usize, &str)> =
             (1..).zip(text.lines()).filter(|(_, line)| !is_comment(line)).collect();
@@ -47,7 +46,7 @@ impl Table {
             }
             lines.remove(0);
         }
-        // Prose is recognised before its commas are checked.
+        // Reject prose before checking its commas.
         if let Some(&(number, line)) = lines.first() {
             let mut words = line.split([' ', '\t', ',', ';']).map(|word| word.trim_matches('"'));
             if let Some(word) =
@@ -96,7 +95,7 @@ fn is_comment(line: &str) -> bool {
     line.is_empty() || line.starts_with('#')
 }
 
-/// Whether a line has the names x, y and z in this order, and no number.
+/// Whether a line contains the names x, y and z in this order and no number.
 fn names_columns(line: &str) -> bool {
     let initials = line
         .split([' ', '\t', ',', ';'])
@@ -116,7 +115,7 @@ fn no_number(row: usize, line: usize, column: usize, word: &str) -> ReadError {
     let found = shortened(word);
     if row == 0 {
         return ReadError::Mismatch(format!(
-            "is no height map: line {line} has \"{found}\" for a number; allowed: {}",
+            "is not a height map: line {line} has \"{found}\" for a number; allowed: {}",
             FORMATS
         ));
     }
@@ -126,8 +125,8 @@ fn no_number(row: usize, line: usize, column: usize, word: &str) -> ReadError {
     ))
 }
 
-/// The relative precision of numbers printed with that number of significant digits. Few digits are steps
-/// that the heights do have, and are to be found as such.
+/// The relative precision of numbers printed with `digits` significant digits; 0 for few digits, whose steps count as
+/// quantisation.
 fn precision(digits: usize) -> f64 {
     const MANY: usize = 6;
     if digits < MANY { f64::EPSILON } else { 0.5 * 0.1f64.powi(digits as i32 - 1) }.max(f64::EPSILON)

@@ -1,8 +1,7 @@
-//! Plain text: a matrix of heights, one line a y, with or without the header that Gwyddion writes.
+//! Plain text: a matrix of heights, one line per y, with or without the header of Gwyddion.
 //!
-//! The header (`# Width: 12.5 µm`, `# Height: 10 µm`, `# Value units: nm`) holds the size of the whole
-//! map, which is divided by the number of points. Without it three columns of more than three lines are
-//! coordinates, see [`xyz`](super::xyz).
+//! The header (`# Width: 12.5 µm`, `# Height: 10 µm`, `# Value units: nm`) gives the size of the map, which is divided
+//! by the number of points. Without it three columns of more than three lines are coordinates, see [`xyz`](super::xyz).
 
 use std::path::Path;
 
@@ -20,7 +19,7 @@ const FORMAT: &str = "a text with a header of sizes";
 /// See [`ReadError`].
 pub(super) fn measured(path: &Path) -> Result<Measured, ReadError> {
     let bytes = std::fs::read(path)?;
-    // Not every program writes its µ in UTF-8; Latin-1 is the other one in use.
+    // Some programs write µ in Latin-1.
     let text = String::from_utf8(bytes)
         .unwrap_or_else(|error| error.into_bytes().iter().map(|&byte| char::from(byte)).collect());
     let text = text.trim_start_matches('\u{feff}');
@@ -41,7 +40,7 @@ pub(super) fn measured(path: &Path) -> Result<Measured, ReadError> {
     Ok(Measured { metadata, heights: transposed(&values, columns), precision })
 }
 
-/// What Gwyddion writes above the numbers, in metres.
+/// The header of Gwyddion, in metres.
 struct Header {
     width: f64,
     height: f64,
@@ -49,7 +48,7 @@ struct Header {
 }
 
 impl Header {
-    /// The header, `None` if there is none.
+    /// Parses the header; `None` if there is none.
     fn parse(text: &str) -> Result<Option<Self>, ReadError> {
         let entry = |key: &str| {
             text.lines().map_while(|line| line.trim().strip_prefix('#')).find_map(|line| {
@@ -80,7 +79,7 @@ impl Header {
     }
 }
 
-/// "12.5 µm" in metres.
+/// Converts a length such as "12.5 µm" to metres.
 fn length(key: &str, words: &str) -> Result<f64, ReadError> {
     let (number, unit) = words.split_once([' ', '\t', '\u{a0}']).unwrap_or((words, ""));
     let number = number.replace(',', ".").parse::<f64>().ok().filter(|number| number.is_finite());

@@ -1,9 +1,8 @@
-//! X3P (ISO 25178-72): a zip archive of `main.xml` and, mostly, a binary file of heights.
+//! X3P (ISO 25178-72): a zip archive of `main.xml` and usually a binary file of heights.
 //!
-//! A height is stored number x Increment + Offset of the z axis, in metres, whatever the type of the
-//! numbers; a Rotation places the whole map in space, changes no height above its own plane and is not
-//! applied. The archive and the XML are read with zip and roxmltree themselves and not with verity-x3p
-//! 0.2, which leaves out the Increment of floating heights and the file of valid points, allocates the
+//! A height is the stored number x Increment + Offset of the z axis, in metres, for all number types. A Rotation only
+//! places the map in space and is not applied. The archive and the XML are read with zip and roxmltree rather than
+//! verity-x3p 0.2, which ignores the Increment of floating-point heights and the file of valid points, allocates the
 //! size that an entry claims, and reads no heights from XML.
 
 use std::fs::File;
@@ -20,13 +19,13 @@ use super::error::{ReadError, shortened, too_large};
 use crate::numeric::stored::NumberType;
 use crate::numeric::{LARGEST, is_positive};
 
-/// How every zip archive that is not empty begins.
+/// The first bytes of a zip archive that is not empty.
 pub(super) const MAGIC: &[u8; 4] = b"PK\x03\x04";
 
 const FORMAT: &str = "an X3P file";
 const MAIN: &str = "main.xml";
-/// The XML is held as a whole; the standard puts more than 10 000 heights into a binary file.
-const LONGEST_XML: u64 = 32 << 20;
+/// The largest XML that is read; the standard stores more than 10 000 heights in a binary file.
+const MAX_XML_BYTES: u64 = 32 << 20;
 
 /// A file within the archive, and its check sum if there is one.
 struct Link {
@@ -37,11 +36,11 @@ struct Link {
 enum Heights {
     /// In the XML; NaN where missing.
     Listed(Vec<f64>),
-    /// In a file, with a file of one bit a point that is set where the point is valid.
+    /// In a file, with an optional file of one bit per point, set where the point is valid.
     Linked { heights: Link, valid: Option<Link> },
 }
 
-/// What `main.xml` says.
+/// The content of `main.xml`.
 struct Main {
     metadata: Metadata,
     count: u64,
@@ -107,7 +106,7 @@ impl Archive {
         Ok(Self(ZipArchive::new(BufReader::new(File::open(path)?)).map_err(of_zip)?))
     }
 
-    /// The entry called `name`, however its path is written.
+    /// The index of the entry `name`, for either path separator.
     fn find(&self, name: &str) -> Option<usize> {
         let plain = |name: &str| {
             let name = name.trim().replace('\\', "/").to_lowercase();
@@ -141,20 +140,20 @@ impl Archive {
         self.0.file_names().flatten().take(8).collect::<Vec<_>>().join(", ")
     }
 
-    /// What an entry holds, at most `most` bytes, whatever its size is said to be.
+    /// The content of an entry of at most `most` bytes, regardless of its declared size.
     fn content(&mut self, index: usize, most: u64) -> Result<Vec<u8>, ReadError> {
         let mut content = Vec::new();
         let entry = self.0.by_index(index).map_err(of_zip)?;
         entry.take(most.saturating_add(1)).read_to_end(&mut content).map_err(of_io)?;
         if content.len() as u64 > most {
             return Err(ReadError::Unsupported(format!(
-                "holds a file of more than {most} bytes; allowed: so many"
+                "holds a file of more than {most} bytes; allowed: at most that"
             )));
         }
         Ok(content)
     }
 
-    /// The content of a link, whose length must be `bytes`, after its check sum has been compared.
+    /// The content of a link, whose length must be `bytes`, after verification of its check sum.
     fn linked(&mut self, link: &Link, bytes: u64) -> Result<Vec<u8>, ReadError> {
         let index = self.sized(&link.name, bytes)?;
         let content = self.content(index, bytes)?;
@@ -172,12 +171,12 @@ impl Archive {
     fn main(&mut self) -> Result<Main, ReadError> {
         let index = self.find(MAIN).ok_or_else(|| {
             ReadError::Mismatch(format!(
-                "is a zip archive without {MAIN}, no X3P file; found: {}",
+                "is a zip archive without {MAIN}, not an X3P file; found: {}",
                 self.names()
             ))
         })?;
-        let content = self.content(index, LONGEST_XML)?;
-        // Its check sum is in a file beside it: "1234... *main.xml".
+        let content = self.content(index, MAX_XML_BYTES)?;
+        // Its check sum is in a separate file: "1234... *main.xml".
         if let Some(index) = self.find("md5checksum.hex") {
             let line = String::from_utf8_lossy(&self.content(index, 4096)?).into_owned();
             check_md5(MAIN, &content, line.split_whitespace().next())?;
@@ -185,7 +184,7 @@ impl Archive {
         let text = String::from_utf8(content)
             .unwrap_or_else(|error| error.into_bytes().iter().map(|&byte| char::from(byte)).collect());
         let document = Document::parse(text.trim_start_matches('\u{feff}'))
-            .map_err(|error| ReadError::Corrupt(format!("holds a {MAIN} that is no XML: {error}")))?;
+            .map_err(|error| ReadError::Corrupt(format!("holds a {MAIN} that is not XML: {error}")))?;
         Main::parse(document.root_element())
     }
 }
@@ -205,18 +204,18 @@ fn of_zip(error: ZipError) -> ReadError {
     match error {
         ZipError::Io(error) => of_io(error),
         ZipError::UnsupportedArchive(reason) => {
-            ReadError::Unsupported(format!("is packed otherwise: {reason}"))
+            ReadError::Unsupported(format!("uses an unsupported zip feature: {reason}"))
         }
-        error => ReadError::Corrupt(format!("is no sound zip archive: {error}")),
+        error => ReadError::Corrupt(format!("is an invalid zip archive: {error}")),
     }
 }
 
 fn of_io(error: std::io::Error) -> ReadError {
     match error.kind() {
         ErrorKind::UnexpectedEof | ErrorKind::InvalidData | ErrorKind::InvalidInput | ErrorKind::Other => {
-            ReadError::Corrupt(format!("is no sound zip archive: {error}"))
+            ReadError::Corrupt(format!("is an invalid zip archive: {error}"))
         }
-        ErrorKind::Unsupported => ReadError::Unsupported(format!("is packed otherwise: {error}")),
+        ErrorKind::Unsupported => ReadError::Unsupported(format!("uses an unsupported zip feature: {error}")),
         _ => ReadError::Io(error),
     }
 }
@@ -226,8 +225,8 @@ fn child<'a>(node: Node<'a, 'a>, name: &str) -> Option<Node<'a, 'a>> {
     node.children().find(|child| child.tag_name().name() == name)
 }
 
-/// The words at the end of a path of names; `None` if there are none.
-fn words<'a>(node: Node<'a, 'a>, path: &[&str]) -> Option<&'a str> {
+/// The text at a path of element names; `None` if there is none.
+fn text_at<'a>(node: Node<'a, 'a>, path: &[&str]) -> Option<&'a str> {
     let node = path.iter().try_fold(node, |node, name| child(node, name))?;
     node.text().map(str::trim).filter(|text| !text.is_empty())
 }
@@ -237,12 +236,12 @@ fn missing(path: &[&str]) -> ReadError {
 }
 
 fn needed<'a>(node: Node<'a, 'a>, path: &[&str]) -> Result<&'a str, ReadError> {
-    words(node, path).ok_or_else(|| missing(path))
+    text_at(node, path).ok_or_else(|| missing(path))
 }
 
-/// A finite number, or `default` if it is left out.
+/// A finite number, or `default` if it is missing.
 fn number(node: Node, path: &[&str], default: Option<f64>) -> Result<f64, ReadError> {
-    let Some(text) = words(node, path) else { return default.ok_or_else(|| missing(path)) };
+    let Some(text) = text_at(node, path) else { return default.ok_or_else(|| missing(path)) };
     text.parse().ok().filter(|value: &f64| value.abs() <= LARGEST).ok_or_else(|| {
         ReadError::Corrupt(format!("has {} = \"{text}\" in {MAIN}; allowed: a finite number", path.join("/")))
     })
@@ -266,13 +265,13 @@ impl Main {
         let name = root.tag_name().name();
         if name != "ISO5436_2" {
             return Err(ReadError::Mismatch(format!(
-                "is no X3P file: its {MAIN} is of {name}, not of ISO5436_2"
+                "is not an X3P file: its {MAIN} is of {name}, not of ISO5436_2"
             )));
         }
         let part = |name| child(root, name).ok_or_else(|| missing(&[name]));
         let (header, data) = (part("Record1")?, part("Record3")?);
         let only = |path: &[&str], allowed: &str, meaning: &str, default: Option<&'static str>| {
-            let found = words(header, path).or(default).ok_or_else(|| missing(path))?;
+            let found = text_at(header, path).or(default).ok_or_else(|| missing(path))?;
             if found == allowed {
                 return Ok(());
             }
@@ -304,7 +303,7 @@ impl Main {
             return Err(ReadError::Corrupt("has Axes/CZ/Increment = 0; allowed: other than zero".to_owned()));
         }
         let offset = number(header, &["Axes", "CZ", "Offset"], Some(0.0))?;
-        let stored = match words(header, &["Axes", "CZ", "DataType"]).unwrap_or("D") {
+        let stored = match text_at(header, &["Axes", "CZ", "DataType"]).unwrap_or("D") {
             "I" => NumberType::I16,
             "L" => NumberType::I32,
             "F" => NumberType::F32,
@@ -323,9 +322,9 @@ impl Main {
             Heights::Listed(listed(list, count)?)
         } else {
             let link = |path: &[&str], md5: &str| {
-                words(data, path).map(|name| Link {
+                text_at(data, path).map(|name| Link {
                     name: name.to_owned(),
-                    md5: words(data, &["DataLink", md5]).map(str::to_owned),
+                    md5: text_at(data, &["DataLink", md5]).map(str::to_owned),
                 })
             };
             let path = ["DataLink", "PointDataLink"];
@@ -339,7 +338,7 @@ impl Main {
     }
 }
 
-/// The heights of a DataList: one Datum a point, empty where the point is missing.
+/// The heights of a DataList: one Datum per point, empty where the point is missing.
 fn listed(list: Node, count: u64) -> Result<Vec<f64>, ReadError> {
     let data = list.children().filter(|node| node.tag_name().name() == "Datum");
     let value = |(place, node): (usize, Node)| {

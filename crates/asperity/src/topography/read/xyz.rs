@@ -1,7 +1,7 @@
 //! Three columns of text: x, y and z of the points of a regular grid, in any order and one unit.
 //!
-//! The lines of the grid are found from the coordinates, which may be rounded: a point may lie a fifth
-//! of a pixel beside its line. Points of the grid that the file leaves out are missing.
+//! The lines of the grid are determined from the coordinates, which may be rounded: a point may be up to a fifth of a
+//! pixel off its line. Grid points that are not in the file are missing.
 
 use super::content::{Measured, Metadata};
 use super::error::ReadError;
@@ -12,7 +12,7 @@ const TOLERANCE: f64 = 0.2;
 /// The largest number of grid places per point of the file.
 const SPARSEST: usize = 4;
 
-/// The map of points that are three `values` each, in the unit of the file.
+/// The map of points given as triples in `values`, in the unit of the file.
 pub(super) fn measured(values: &[f64], precision: f64) -> Result<Measured, ReadError> {
     let (points, _) = values.as_chunks::<3>();
     for (row, point) in (1..).zip(points) {
@@ -71,8 +71,8 @@ struct Axis {
 }
 
 impl Axis {
-    /// Finds the lines that all `positions` lie on. Rounded positions of one line are first taken
-    /// together: those that are closer than a trial distance, which is raised until lines appear.
+    /// Finds the lines that all `positions` lie on. Rounded positions of one line are first clustered by a trial
+    /// distance, which is increased until equidistant lines result.
     fn find(name: &str, mut positions: Vec<f64>) -> Result<Self, ReadError> {
         positions.sort_unstable_by(f64::total_cmp);
         let (Some(&first), Some(&last)) = (positions.first(), positions.last()) else {
@@ -92,14 +92,14 @@ impl Axis {
             .map(|line| line.iter().map(|x| x / line.len() as f64).sum())
             .collect();
         let (&first, &last) = (lines.first()?, lines.last()?);
-        // Most gaps that are about the smallest are one step; their median is the best first estimate.
+        // Gaps close to the smallest are mostly one step; their median is the first estimate.
         let mut gaps: Vec<f64> = lines.windows(2).map(|pair| pair[1] - pair[0]).collect();
         gaps.sort_unstable_by(f64::total_cmp);
         let smallest = *gaps.first()?;
         let single = gaps.partition_point(|&gap| gap < 1.5 * smallest);
         let estimate = *gaps.get(single / 2)?;
         let steps: f64 = lines.windows(2).map(|pair| ((pair[1] - pair[0]) / estimate).round()).sum();
-        // A stray point would make a finer grid, most of whose lines hold no point.
+        // A stray point would result in a finer grid of mostly empty lines.
         if steps.is_nan() || steps >= 2.0 * lines.len() as f64 {
             return None;
         }

@@ -9,22 +9,22 @@ mod tests;
 use plateau::LevelPoint;
 
 use super::rows::{Boundary, Rows, Strip, count_missing, strips_in_turn};
-use crate::memory::make_room;
+use crate::memory::reserve;
 
-/// Which neighbours a summit is higher than.
+/// The neighbours that a summit must be higher than.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 #[cfg_attr(feature = "serde", derive(serde::Deserialize))]
 #[cfg_attr(feature = "serde", serde(rename_all = "kebab-case"))]
 pub enum Neighbours {
-    /// The four beside it along x and y: five-point summits (Greenwood 1984).
+    /// The four nearest along x and y: five-point summits (Greenwood 1984).
     #[default]
     Four,
-    /// The diagonal ones too.
+    /// Also the four diagonal ones.
     Eight,
 }
 
 impl Neighbours {
-    /// As reports name the summits.
+    /// The name of the summits in reports.
     pub const fn name(self) -> &'static str {
         match self {
             Self::Four => "five-point",
@@ -43,10 +43,10 @@ impl Neighbours {
 /// Steps to the neighbours along x and y, the four nearest first.
 const STEPS: [[isize; 2]; 8] = [[-1, 0], [1, 0], [0, -1], [0, 1], [-1, -1], [-1, 1], [1, -1], [1, 1]];
 
-/// What is determined for each summit besides height and curvature.
+/// Properties computed for each summit besides height and curvature.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub struct Detail {
-    /// Where the summits are.
+    /// Positions of the summits.
     pub positions: bool,
     /// Both principal curvatures.
     pub principal: bool,
@@ -62,31 +62,31 @@ impl Detail {
 /// The summits of a map, in file order.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Summits {
-    /// Index of each summit, the y index running fastest; of a plateau its first point. Empty unless requested.
+    /// Index of each summit, the y index running fastest; for a plateau, of its first point. Empty unless requested.
     pub positions: Vec<usize>,
     /// Heights, m.
     pub heights: Vec<f64>,
     /// Curvatures, 1/m, positive: the mean of those along x and y.
     pub curvatures: Vec<f64>,
-    /// Principal curvatures, 1/m, the larger first; empty unless requested. The smaller one is not
-    /// positive where four lower neighbours hide a saddle between them.
+    /// Principal curvatures, 1/m, the larger first; empty unless requested. The smaller one is not positive at a saddle
+    /// between the four lower neighbours.
     pub principal: Vec<[f64; 2]>,
     /// Drops from the summits to each of their lower neighbours, m; empty unless requested.
     pub drops: Vec<f64>,
-    /// Number of points that were tested: those that are present, inside an open border, and have all
-    /// neighbours. The nominal area is this many pixels.
+    /// Number of points tested: those present with all neighbours present, inside an open border. The nominal area is
+    /// this number of pixels.
     pub tested: usize,
-    /// Plateaus of equal heights among the summits, dropped ones included.
+    /// Number of plateaus of equal heights, including dropped ones.
     pub plateaus: usize,
-    /// Plateaus left out because their mean curvature is not positive.
+    /// Number of plateaus dropped because their mean curvature is not positive.
     pub dropped: usize,
 }
 
-/// Second derivatives at a point with the sign of a curvature, 1/m: along x, along y, mixed.
+/// Curvature tensor at a point, 1/m: along x, along y, mixed.
 #[derive(Debug, Clone, Copy, Default)]
-struct Bend([f64; 3]);
+struct CurvatureTensor([f64; 3]);
 
-impl Bend {
+impl CurvatureTensor {
     fn curvature(self) -> f64 {
         0.5 * (self.0[0] + self.0[1])
     }
@@ -99,7 +99,7 @@ impl Bend {
     }
 }
 
-/// What one strip of rows holds, or all strips so far.
+/// Summits of one strip of rows, or of all strips so far.
 #[derive(Default)]
 struct Part {
     summits: Summits,
@@ -107,10 +107,10 @@ struct Part {
 }
 
 impl Part {
-    /// Moves the next strip's summits to the end; then the share `done` of the map has been searched.
+    /// Appends the summits of the next strip, after which the fraction `done` of the map has been searched.
     fn append(&mut self, part: &mut Self, done: f64) {
         let (summits, more) = (&mut self.summits, &mut part.summits);
-        // A plateau's place is after the summits that the strips before it hold too.
+        // The rank of a plateau includes the summits of previous strips.
         let before = summits.heights.len();
         self.level
             .extend(part.level.drain(..).map(|point| LevelPoint { rank: before + point.rank, ..point }));
@@ -123,12 +123,12 @@ impl Part {
     }
 }
 
-/// The first strips predict how many summits the map holds: lists are seldom reallocated.
+/// Appends a list, reserving memory by extrapolation of the number of summits.
 fn append<T>(list: &mut Vec<T>, more: &mut Vec<T>, done: f64) {
     let count = list.len() + more.len();
     if count > list.capacity() {
         let expected = 1.2 * count as f64 / done;
-        make_room(list, (expected as usize).min(16 * count));
+        reserve(list, (expected as usize).min(16 * count));
     }
     list.append(more);
 }
@@ -138,15 +138,15 @@ pub fn five_point(map: &dyn Rows) -> Summits {
     find(map, Neighbours::Four, Detail::ALL)
 }
 
-/// Finds the points that are strictly higher than their neighbours. Equal heights form a plateau: if
-/// all points around it are lower, it counts once, at its first point in file order, with the mean of
-/// its points' curvatures; where that is not positive it is dropped.
+/// Finds the points that are strictly higher than their neighbours. Equal heights form a plateau: if all points around
+/// it are lower, it counts as one summit, at its first point in file order, with the mean curvature of its points; if
+/// that is not positive, it is dropped.
 ///
-/// The curvature of a point is the mean of (2 z0 - zW - zE)/dx^2 and (2 z0 - zS - zN)/dy^2. Principal curvatures
-/// take the mixed derivative from the diagonal neighbours, (zNW + zSE - zNE - zSW)/(4 dx dy); where some
-/// of these are missing, from the quadrants that are whole.
+/// The curvature of a point is the mean of (2 z0 - zW - zE)/dx^2 and (2 z0 - zS - zN)/dy^2. Principal curvatures take
+/// the mixed derivative from the diagonal neighbours, (zNW + zSE - zNE - zSW)/(4 dx dy); where some of these are
+/// missing, from the complete quadrants.
 ///
-/// Rows are read once, strip by strip; the same on any number of threads.
+/// Rows are read once, strip by strip. The result does not depend on the number of threads.
 pub fn find(map: &dyn Rows, neighbours: Neighbours, detail: Detail) -> Summits {
     let finder = Finder {
         points: map.points(),
@@ -178,17 +178,17 @@ struct Finder {
     detail: Detail,
 }
 
-/// A row and the two beside it.
+/// A row and its two neighbours.
 #[derive(Clone, Copy)]
 struct Window<'a>([&'a [f64]; 3]);
 
 impl Window<'_> {
-    /// The height `step` away from the point `iy` of the middle row; around the border on a periodic map,
-    /// which is never crossed on an open one.
+    /// The height at `step` from the point `iy` of the middle row, wrapped around the border (which is not reached on
+    /// an open map).
     fn at(&self, iy: usize, [dx, dy]: [isize; 2]) -> f64 {
         let row = self.0[(1 + dx) as usize];
         let place = iy.wrapping_add_signed(dy);
-        // Beyond the last point comes the first, before the first (which wraps to a huge index) the last.
+        // The first point follows the last; before the first (an index that wraps to a huge one) is the last.
         row[if place < row.len() {
             place
         } else if dy > 0 {
@@ -206,7 +206,7 @@ impl Finder {
         let mut whole = [strip.row(-1).is_some_and(is_whole), strip.row(0).is_some_and(is_whole), false];
         for k in 0..strip.count as isize {
             whole[2] = strip.row(k + 1).is_some_and(is_whole);
-            // An open map ends where there is no next row.
+            // The first and last rows of an open map lack a neighbour.
             if let (Some(before), Some(row), Some(after)) = (strip.row(k - 1), strip.row(k), strip.row(k + 1))
             {
                 let window = Window([before, row, after]);
@@ -218,7 +218,7 @@ impl Finder {
         }
     }
 
-    /// How many points of the middle row can be tested.
+    /// Number of points of the middle row that can be tested.
     fn tested(&self, window: Window, is_whole: bool) -> usize {
         let inside = if self.is_periodic { 0..self.points[1] } else { 1..self.points[1] - 1 };
         if is_whole {
@@ -231,8 +231,8 @@ impl Finder {
         inside.filter(is_there).count()
     }
 
-    /// Keeps the points of one row that are flagged, and the first and the last of a periodic map where they
-    /// should be. The row's first point has the position `start`.
+    /// Keeps the flagged points of one row and, on a periodic map, its first and last point if they qualify. The row's
+    /// first point has the position `start`.
     fn row(&self, window: Window, start: usize, flags: &mut [bool], part: &mut Part) {
         let count = self.points[1];
         let steps = self.neighbours.steps();
@@ -250,16 +250,16 @@ impl Finder {
         }
     }
 
-    /// Keeps a point that is lower than none of its neighbours.
+    /// Keeps a point that is not lower than any of its neighbours.
     #[inline]
     fn keep(&self, window: Window, start: usize, iy: usize, part: &mut Part) {
         let steps = self.neighbours.steps();
         let z = window.0[1][iy];
         let nearest = [0, 1, 2, 3].map(|k| window.at(iy, STEPS[k]));
         let is_level = nearest.contains(&z) || steps[4..].iter().any(|&step| window.at(iy, step) == z);
-        let mut bend = self.bend(z, nearest);
+        let mut curvature_tensor = self.curvature_tensor(z, nearest);
         if self.detail.principal {
-            bend.0[2] = mixed(window, iy) / (self.pixel[0] * self.pixel[1]);
+            curvature_tensor.0[2] = mixed(window, iy) / (self.pixel[0] * self.pixel[1]);
         }
         let drops = nearest.map(|other| z - other);
         let position = start + iy;
@@ -268,7 +268,7 @@ impl Finder {
                 .zip(steps)
                 .fold(0, |equal, (bit, &step)| equal | u8::from(window.at(iy, step) == z) << bit);
             let rank = part.summits.heights.len();
-            part.level.push(LevelPoint { position, rank, height: z, bend, equal, drops });
+            part.level.push(LevelPoint { position, rank, height: z, curvature_tensor, equal, drops });
             return;
         }
         let summits = &mut part.summits;
@@ -276,26 +276,26 @@ impl Finder {
             summits.positions.push(position);
         }
         summits.heights.push(z);
-        summits.curvatures.push(bend.curvature());
+        summits.curvatures.push(curvature_tensor.curvature());
         if self.detail.principal {
-            summits.principal.push(bend.principal());
+            summits.principal.push(curvature_tensor.principal());
         }
         if self.detail.drops {
             summits.drops.extend(drops);
         }
     }
 
-    /// Second derivatives along x and y, of a height and those west, east, south and north of it.
+    /// Curvatures along x and y from a height and its four nearest neighbours.
     #[inline]
-    fn bend(&self, z: f64, [west, east, south, north]: [f64; 4]) -> Bend {
+    fn curvature_tensor(&self, z: f64, [west, east, south, north]: [f64; 4]) -> CurvatureTensor {
         let [dx, dy] = self.pixel;
-        Bend([(2.0 * z - west - east) / (dx * dx), (2.0 * z - south - north) / (dy * dy), 0.0])
+        CurvatureTensor([(2.0 * z - west - east) / (dx * dx), (2.0 * z - south - north) / (dy * dy), 0.0])
     }
 }
 
-/// A bit for each of up to 64 flags.
+/// Packs up to 64 flags into bits.
 fn bits(flags: &[bool]) -> u64 {
-    /// Gathers the low bits of eight bytes in the highest byte, the first lowest.
+    /// Multiplier that gathers the low bits of eight bytes in the highest byte, in order.
     const GATHER: u64 = 0x0102_0408_1020_4080;
     let (bytes, rest) = flags.as_chunks::<8>();
     let eight = |flags: &[bool; 8]| u64::from_le_bytes(flags.map(u8::from)).wrapping_mul(GATHER) >> 56;
@@ -303,8 +303,8 @@ fn bits(flags: &[bool]) -> u64 {
     rest.iter().zip(8 * bytes.len()..).fold(whole, |all, (&flag, k)| all | u64::from(flag) << k)
 }
 
-/// Marks the inner points of the middle row that are lower than none of their neighbours. Written so that
-/// compilers make it comparisons of many points at a time, as wide as the machine has them.
+/// Marks the inner points of the middle row that are not lower than any of their neighbours. Written to be vectorised
+/// by the compiler.
 struct Mark<'a> {
     window: Window<'a>,
     neighbours: Neighbours,
@@ -349,8 +349,7 @@ impl WithSimd for IsWhole<'_> {
     }
 }
 
-/// The mixed second difference with the sign of a curvature: the mean over the quadrants whose corner is
-/// there; 0 if none is.
+/// The mixed curvature, 1/m: the mean over the quadrants whose corner is present; 0 if none is.
 fn mixed(window: Window, iy: usize) -> f64 {
     let z = window.0[1][iy];
     let quadrant = |&[dx, dy]: &[isize; 2]| {

@@ -1,21 +1,21 @@
-//! Plateaus: points of equal height that together are a summit, or none.
+//! Plateaus: connected points of equal height, which may form a summit.
 
-use super::{Bend, Finder, Summits};
+use super::{CurvatureTensor, Finder, Summits};
 
-/// A point that is as high as some of its neighbours and lower than none.
+/// A point that is equal to some of its neighbours and not lower than any.
 pub(super) struct LevelPoint {
     pub(super) position: usize,
-    /// How many summits, plateaus not counted, come before it in file order.
+    /// Number of summits, without plateaus, before it in file order.
     pub(super) rank: usize,
     pub(super) height: f64,
-    pub(super) bend: Bend,
-    /// A bit for each neighbour that is as high.
+    pub(super) curvature_tensor: CurvatureTensor,
+    /// A bit for each neighbour of equal height.
     pub(super) equal: u8,
     pub(super) drops: [f64; 4],
 }
 
 impl Finder {
-    /// The position `step` away, around the border of a periodic map; `None` beyond an open one.
+    /// The position at `step`, wrapped around a periodic border; `None` beyond an open one.
     fn neighbour(&self, position: usize, step: [isize; 2]) -> Option<usize> {
         let here = [position / self.points[1], position % self.points[1]];
         let mut there = [0; 2];
@@ -30,10 +30,10 @@ impl Finder {
         Some(there[0] * self.points[1] + there[1])
     }
 
-    /// Each plateau is walked once, over its points that are lower than none of their neighbours; it is a
-    /// summit if all its points are such. `level` is in file order.
+    /// Adds the plateaus that are summits: those whose points are all in `level`, a list in file order. Each plateau is
+    /// traversed once.
     pub(super) fn add_plateaus(&self, level: &[LevelPoint], found: &mut Summits) {
-        // Where each row of the map begins in the list: a neighbour is searched in its row alone.
+        // The start of each row of the map in the list, so that a neighbour is searched in its row only.
         let columns = self.points[1];
         let mut starts = vec![0; self.points[0] + 1];
         for point in level {
@@ -43,7 +43,7 @@ impl Finder {
             starts[row + 1] += starts[row];
         }
         let place = |position: usize, from: usize| {
-            // On a wide plateau the neighbour along the row is the next of the list.
+            // On a wide plateau the neighbour along the row is adjacent in the list.
             for near in [from.wrapping_sub(1), from + 1] {
                 if level.get(near).is_some_and(|point| point.position == position) {
                     return Some(near);
@@ -71,8 +71,8 @@ impl Finder {
                     if point.equal & (1 << bit) == 0 {
                         continue;
                     }
-                    // A point as high that is not in the list is lower than another, or was not tested: the
-                    // plateau rises there, or may.
+                    // An equal point that is not in the list has a higher neighbour or was not tested: the plateau is
+                    // not a summit.
                     let neighbour = self.neighbour(point.position, step);
                     match neighbour.and_then(|position| place(position, member)) {
                         Some(other) if !seen[other] => {
@@ -91,9 +91,9 @@ impl Finder {
         found.plateaus = summits.len();
         let mut kept = Vec::new();
         for plateau in summits {
-            let mut mean = Bend::default();
+            let mut mean = CurvatureTensor::default();
             for &member in &plateau {
-                for (sum, part) in mean.0.iter_mut().zip(level[member].bend.0) {
+                for (sum, part) in mean.0.iter_mut().zip(level[member].curvature_tensor.0) {
                     *sum += part / plateau.len() as f64;
                 }
             }
@@ -105,30 +105,30 @@ impl Finder {
                 let drops = plateau.iter().flat_map(|&member| level[member].drops);
                 found.drops.extend(drops.filter(|&drop| drop > 0.0));
             }
-            // Walking began at its first point in file order.
+            // The traversal began at its first point in file order.
             kept.push((&level[plateau[0]], mean));
         }
         self.merge(found, &kept);
     }
 
-    /// Puts plateaus, which are in file order, among the other summits.
-    fn merge(&self, found: &mut Summits, plateaus: &[(&LevelPoint, Bend)]) {
+    /// Merges plateaus, in file order, into the other summits.
+    fn merge(&self, found: &mut Summits, plateaus: &[(&LevelPoint, CurvatureTensor)]) {
         insert(&mut found.heights, plateaus, |(point, _)| point.height);
-        insert(&mut found.curvatures, plateaus, |(_, bend)| bend.curvature());
+        insert(&mut found.curvatures, plateaus, |(_, curvature_tensor)| curvature_tensor.curvature());
         if self.detail.positions {
             insert(&mut found.positions, plateaus, |(point, _)| point.position);
         }
         if self.detail.principal {
-            insert(&mut found.principal, plateaus, |(_, bend)| bend.principal());
+            insert(&mut found.principal, plateaus, |(_, curvature_tensor)| curvature_tensor.principal());
         }
     }
 }
 
-/// Puts a value for each plateau at its place in a list of the other summits.
+/// Inserts a value for each plateau at its rank in a list of the other summits.
 fn insert<T: Copy>(
     list: &mut Vec<T>,
-    plateaus: &[(&LevelPoint, Bend)],
-    value: impl Fn(&(&LevelPoint, Bend)) -> T,
+    plateaus: &[(&LevelPoint, CurvatureTensor)],
+    value: impl Fn(&(&LevelPoint, CurvatureTensor)) -> T,
 ) {
     let mut all = Vec::with_capacity(list.len() + plateaus.len());
     let mut from = 0;

@@ -22,7 +22,7 @@ pub struct Case {
 }
 
 impl std::fmt::Debug for Case {
-    /// What it takes to make it again.
+    /// The data of the case, to reproduce it.
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         let Self { rough, layer, substrate, thickness, rule, shape, .. } = self;
         write!(f, "{rough:?}, {layer:?}, {substrate:?}, {thickness:e} m, {rule:?}, {shape:?}")
@@ -30,7 +30,7 @@ impl std::fmt::Debug for Case {
 }
 
 impl Case {
-    /// Of which the law says something, half of them with a layer of finite thickness where it may be.
+    /// Bodies to which the law applies, half of them with a layer of finite thickness if the law allows it.
     pub fn of(entry: &Entry, random: &mut Random) -> Self {
         let mut all = std::iter::repeat_with(|| Self::any(entry, random)).take(10_000);
         all.find(|case| case.try_contact(entry).is_ok()).unwrap()
@@ -71,7 +71,7 @@ impl Case {
         self.shape.spheres * self.shape.radius
     }
 
-    /// The homogeneous body that the asperity feels at indentation `w` in place of the flat.
+    /// The effective homogeneous body of the flat for the asperity at indentation `w`.
     pub fn felt(&self, w: f64) -> Material {
         let Some(layered) = &self.layered else {
             return if self.thickness == 0.0 { self.substrate } else { self.layer };

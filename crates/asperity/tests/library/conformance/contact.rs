@@ -25,7 +25,7 @@ fn values(contact: &Contact) -> [f64; 3] {
     [contact.area, contact.load, contact.stiffness]
 }
 
-/// An asperity is so many spheres, each on the homogeneous body that a contact as wide as the asperity's feels.
+/// An asperity is a number of spheres, each on the effective homogeneous body of a contact of the asperity's width.
 #[test]
 fn the_law_is_asked_with_what_is_felt() {
     let mut worst = [Worst::default(), Worst::default()];
@@ -192,7 +192,7 @@ fn no_load_falls_but_where_it_is_said_to() {
                 let [low, high] = [place(k), place(k + 1)];
                 if contact.contact(high, shape).load < contact.contact(low, shape).load * (1.0 - 1e-12) {
                     falling += 1;
-                    let is_said = within.iter().any(|range| range.meets(Interval { low, high }));
+                    let is_said = within.iter().any(|range| range.overlaps(Interval { low, high }));
                     assert!(is_said, "{} falls at {low:e}, said {within:?}: {case:?}", entry.label);
                 }
             }
@@ -201,7 +201,7 @@ fn no_load_falls_but_where_it_is_said_to() {
     assert!(free > 200 && falling > 200, "{free} {falling}");
 }
 
-/// A layer that is what it lies on.
+/// A layer of the substrate's material.
 #[test]
 fn a_layer_of_the_same_material_is_none() {
     let mut worst = [Worst::default(), Worst::default(), Worst::default()];

@@ -175,7 +175,7 @@ fn stated(entry: Entry) -> Entry {
 
 /// Every law of the registry, ZMC with options, and one from outside of which nothing is stated. An ellipse is so many spheres: laws differ for spheres alone.
 pub fn all() -> Vec<Entry> {
-    let spheres = registry().iter().filter(|law| !law.sees_ellipses());
+    let spheres = registry().iter().filter(|law| !law.is_elliptic());
     let with_options = [
         zmc_with("zmc, 110", Zmc::ONSET, 110.0, smooth),
         zmc_with("zmc, wide", Zmc::ONSET, 1e4, smooth),

@@ -58,7 +58,7 @@ fn facts_follow_from_the_law() {
     assert_eq!(names(|law| !law.has_ranges()), ["hertz", "fully-plastic", "elliptic-hertz"]);
     assert_eq!(names(|law| !law.supports_layers()), ["jackson-green"]);
     assert_eq!(names(ContactLaw::is_greenwood_williamson), ["hertz"]);
-    assert_eq!(names(ContactLaw::sees_ellipses), ["elliptic-hertz", "elliptic-zmc"]);
+    assert_eq!(names(ContactLaw::is_elliptic), ["elliptic-hertz", "elliptic-zmc"]);
 }
 
 #[test]

@@ -6,7 +6,7 @@ use asperity::topography::summits::five_point;
 use asperity::topography::{Level, Moments, RoughnessParameters, Rows};
 use std::path::{Path, PathBuf};
 
-/// Asserts that bytes are refused with this kind of error and these words.
+/// Asserts that reading bytes fails with this kind of error and this text.
 macro_rules! assert_refused {
     ($kind:ident, $words:expr, $bytes:expr) => {
         let error = $crate::formats::refused($bytes);
@@ -32,7 +32,7 @@ fn z(ix: usize, iy: usize) -> f64 {
 
 fn file(bytes: impl AsRef<[u8]>) -> (tempfile::TempDir, PathBuf) {
     let folder = tempfile::tempdir().unwrap();
-    // The name says nothing: formats are told apart by what is in them.
+    // The name is arbitrary: formats are identified by their content.
     let path = folder.path().join("map.dat");
     std::fs::write(&path, bytes).unwrap();
     (folder, path)
@@ -141,7 +141,7 @@ fn no_damage_to_a_file_is_a_panic() {
             std::fs::write(&path, &bytes).unwrap();
             let given = ReadOptions { pixel: None, unit: None };
             let (head, map) = (metadata(&path), height_map(&path, given));
-            // What has been read is as large as its head said.
+            // The size read is that of the header.
             if let (Ok(head), Ok(map)) = (head, map) {
                 assert_eq!(head.points, map.points());
             }

@@ -167,7 +167,7 @@ fn bad_sdf_is_refused() {
         change(&mut sdf);
         sdf
     };
-    assert_refused!(Mismatch, "is no height map", "ISO-1.0 without its letter");
+    assert_refused!(Mismatch, "is not a height map", "ISO-1.0 without its letter");
     assert_refused!(Unsupported, "version ISO-9.0; allowed: ISO-1.0", Sdf::of("ISO-9.0", 7).text(&text));
     assert_refused!(Unsupported, "DataType 8; allowed: 0 to 7", with(|sdf| sdf.codes[1] = 8).text(&text));
     assert_refused!(Unsupported, "Compression 1", with(|sdf| sdf.codes[0] = 1).binary(&[0; 160]));
@@ -221,7 +221,7 @@ fn opd_1_as_sdf_is_the_same_surface() {
     );
 }
 
-/// Only the two counts that Olympus writes stand before the numbers; what else is there comes after them.
+/// Only the two counts written by Olympus precede the numbers; other extra bytes follow them.
 #[test]
 fn eight_bytes_after_the_numbers_move_nothing() {
     let numbers: Vec<u8> = in_lines().flat_map(f64::to_le_bytes).chain(*b"the end.").collect();

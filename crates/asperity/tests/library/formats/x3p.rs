@@ -142,7 +142,7 @@ fn x3p_of_every_data_type_scaled_and_moved() {
     listed.record3 = format!("<DataList>{}</DataList>", listed.record3);
     let head = assert_map(listed.bytes(), ReadOptions::default(), 1e-9, PIXEL);
     assert!(head.has_unit);
-    // In another encoding than it says, behind a byte order mark.
+    // An encoding other than declared, after a byte order mark.
     let bom = zipped(&[("main.xml", format!("\u{feff}{}", listed.xml()).into_bytes())]);
     assert_map(bom, ReadOptions::default(), 1e-9, PIXEL);
     let mut latin = listed.xml().into_bytes();
@@ -163,7 +163,7 @@ fn bad_x3p_is_refused() {
     };
     assert_refused!(
         Mismatch,
-        "without main.xml, no X3P file; found: word/document.xml",
+        "without main.xml, not an X3P file; found: word/document.xml",
         zipped(&[("word/document.xml", vec![])])
     );
     assert_refused!(Mismatch, "its main.xml is of html", zipped(&[("main.xml", b"<html/>".to_vec())]));
@@ -225,7 +225,7 @@ fn bad_x3p_is_refused() {
         let error = refused(&bytes[..length]);
         assert!(matches!(error, ReadError::Corrupt(_)), "{length}: {error:?}");
     }
-    // Each byte changed is refused or read, never a panic.
+    // A file with any byte changed is an error or is read, never a panic.
     for place in 4..bytes.len() {
         let mut damaged = bytes.clone();
         damaged[place] ^= 0x55;
@@ -263,6 +263,6 @@ fn an_archive_that_is_packed_otherwise_is_not_called_damaged() {
                 _ => {}
             }
         }
-        assert_refused!(Unsupported, "is packed otherwise", bytes);
+        assert_refused!(Unsupported, "uses an unsupported zip feature", bytes);
     }
 }
