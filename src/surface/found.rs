@@ -11,6 +11,7 @@ use asperity::{
     AsperitySet, Ellipse, Ellipticity, HeightMap, Heights, MeanRadius, Paper, Population, ReferencePlane,
     SetError, Statistics, literature,
 };
+use asperity_framework::report::format::{number, quantity};
 
 /// Asperities with their statistics and origin.
 #[derive(Debug)]
@@ -199,15 +200,15 @@ impl MapFacts {
         let widest = self.pixel[0].max(self.pixel[1]);
         if widest > WIDE {
             warnings.push(format!(
-                "its points are {widest:.3e} m apart: the unit of its lengths is probably wrong (set unit = \"um\" beside \
-                 path).",
+                "its points are {} apart: the unit of its lengths is probably wrong (set unit = \"um\" beside path).",
+                quantity(widest, "m"),
             ));
         }
         let slope = self.roughness.rms_slope();
         if slope > STEEP {
             warnings.push(format!(
-                "the r.m.s. slope is {slope:.3}: heights and pixel size are probably in different units, or the unit is \
-                 wrong.",
+                "the r.m.s. slope is {}: heights and pixel size are probably in different units, or the unit is wrong.",
+                number(slope),
             ));
         }
         warnings.extend(self.lay_warning());
@@ -232,17 +233,16 @@ impl MapFacts {
     /// Warns that the radii may be an artefact of the instrument.
     fn step_warning(&self) -> Option<String> {
         let found = self.quantisation.as_ref()?;
-        let nanometres = |length: f64| format!("{:.4} nm", length * 1e9);
         let step = found.step.map_or_else(String::new, |step| {
-            format!(" The instrument stores one height level every {}.", nanometres(step))
+            format!(" The instrument stores one height level every {}.", quantity(step, "m"))
         });
         if let Some(step) = found.step.filter(|_| found.has_coarse_step()) {
             return Some(format!(
                 "the radii are set by the instrument's height step of {}, not by the surface: the median drop from a summit \
                  to its neighbours is {}, and the {} summits have {} distinct curvatures. Neither model describes this \
                  surface; measure with a finer step, or filter out the wavelengths affected by it.",
-                nanometres(step),
-                nanometres(found.median_drop),
+                quantity(step, "m"),
+                quantity(found.median_drop, "m"),
                 found.summits,
                 found.distinct_curvatures,
             ));

@@ -2,7 +2,7 @@
 
 use asperity::sphere::DecreasingQuantity;
 use asperity_framework::contact::LayerMetadata;
-use asperity_framework::report::format::{listed, percent, quantity, thickness};
+use asperity_framework::report::format::{input_quantity, listed, percent, quantity, thickness};
 use asperity_framework::report::page::{Page, escape};
 
 use super::names::{subject, under};
@@ -52,7 +52,7 @@ fn line(subject: &str, found: &Decreasing, layer: Option<&LayerMetadata>) -> Str
          experiment).{consequence}",
         escape(subject),
         found.of.name(),
-        quantity(*radius, "m"),
+        input_quantity(*radius, "m"),
         percent(fall.loss()),
     )
 }

@@ -7,7 +7,7 @@ use super::run::{IndentationResults, LawCurves, LayerResults, OverlayFit};
 use crate::kind::indentation::shown::Shown;
 use asperity::layer::exact_sphere::LARGEST_RATIO;
 use asperity::sphere::{Curve, Decrease, DecreasingQuantity, LARGEST_SLOPE, RegimeChange};
-use asperity_framework::report::format::{count, number, quantity};
+use asperity_framework::report::format::{count, input_quantity, number, quantity, ratio};
 use asperity_framework::report::page::{Page, escape};
 use asperity_framework::report::sections;
 
@@ -17,7 +17,7 @@ fn subject(results: &IndentationResults, found: &LayerResults) -> String {
     let others: Vec<&LayerResults> = results.layers.iter().filter(same).collect();
     let mut subject = found.name.clone();
     if others.iter().any(|other| other.thickness != found.thickness) {
-        subject.push_str(&format!(" {}", quantity(found.thickness, "m")));
+        subject.push_str(&format!(" {}", input_quantity(found.thickness, "m")));
     }
     if others.iter().any(|other| other.rule != found.rule) {
         subject.push_str(&format!(" by {}", found.rule.name()));
@@ -42,7 +42,7 @@ pub fn page(results: &IndentationResults) -> Page {
         rule::all(&mut page, results);
     }
     for (k, found) in results.layers.iter().enumerate() {
-        page.heading(2, &format!("{}, {}", found.name, quantity(found.thickness, "m")));
+        page.heading(2, &format!("{}, {}", found.name, input_quantity(found.thickness, "m")));
         let name = |law: &str, what: &str| {
             let label = format!("{}-{}{law}-{what}", k + 1, found.name);
             let plain = |c: char| if c.is_alphanumeric() || c == '-' || c == '_' { c } else { '-' };
@@ -76,7 +76,7 @@ fn in_short(results: &IndentationResults, found: &LayerResults, law: &LawCurves)
         "**{}, law {}**: {changes}. At w = {} the load is {} (uncoated {}, bulk layer material {}).{}",
         escape(&subject(results, found)),
         escape(&law.law),
-        quantity(end, "m"),
+        input_quantity(end, "m"),
         quantity(last(&law.coated), "N"),
         quantity(last(&law.uncoated), "N"),
         quantity(last(&law.all_layer), "N"),
@@ -113,7 +113,7 @@ fn what_was_run(page: &mut Page, results: &IndentationResults) {
         format!(
             "{} {} (effective-modulus model {})",
             escape(&found.name),
-            quantity(found.thickness, "m"),
+            input_quantity(found.thickness, "m"),
             found.rule.name()
         )
     };
@@ -122,12 +122,12 @@ fn what_was_run(page: &mut Page, results: &IndentationResults) {
         [results.indentations.first(), results.indentations.last()].map(|w| w.copied().unwrap_or(f64::NAN));
     page.paragraph(&format!(
         "A ball of radius {} on a flat of {} under {}; {} indentations from {} to {}. {}",
-        quantity(results.radius, "m"),
+        input_quantity(results.radius, "m"),
         escape(&results.flat),
         layers.join(", "),
         count(results.indentations.len()),
-        quantity(from, "m"),
-        quantity(to, "m"),
+        input_quantity(from, "m"),
+        input_quantity(to, "m"),
         sections::provenance(&results.metadata),
     ));
 }
@@ -189,10 +189,10 @@ fn overlay(page: &mut Page, file: &str, points: &[(f64, f64)], law: &LawCurves) 
         ["indentation", "measured load", "coated load", "measured / coated"],
         pairs.map(|(w, measured, coated)| {
             vec![
-                quantity(w, "m"),
+                input_quantity(w, "m"),
                 quantity(measured, "N"),
                 quantity(coated, "N"),
-                format!("{:.3}", measured / coated),
+                ratio(measured / coated),
             ]
         }),
     );

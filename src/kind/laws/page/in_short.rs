@@ -1,9 +1,9 @@
 //! Summary: which matters more, contact law or summation method.
 
-use super::words::{short, size};
+use super::words::size;
 use crate::kind::laws::results::{LawsResults, SurfaceInfluence};
 use asperity::compare::{Attribution, Dominant, Group, Measure};
-use asperity_framework::report::format::{listed, quantity};
+use asperity_framework::report::format::{input_quantity, listed, number};
 use asperity_framework::report::page::escape;
 
 /// On which surfaces the law matters more, and on which the summation method: one line per measure.
@@ -85,11 +85,11 @@ fn line(found: &SurfaceInfluence, attribution: &Attribution) -> String {
         which(attribution),
         size(measure, law.mean),
         size(measure, law.largest),
-        quantity(law.at, "Pa"),
+        input_quantity(law.at, "Pa"),
         escape(&laws[0]),
         size(measure, summation.mean),
         size(measure, summation.largest),
-        quantity(summation.at, "Pa"),
+        input_quantity(summation.at, "Pa"),
         chance(attribution),
     )
 }
@@ -97,7 +97,7 @@ fn line(found: &SurfaceInfluence, attribution: &Attribution) -> String {
 /// Which matters more, and how many times as much.
 fn which(attribution: &Attribution) -> String {
     let ratio = attribution.ratio();
-    let times = if ratio < 10.0 { format!("{ratio:.1} times") } else { format!("{} times", short(ratio)) };
+    let times = if ratio < 10.0 { format!("{ratio:.1} times") } else { format!("{} times", number(ratio)) };
     let logarithms = match attribution.measure {
         Measure::Separation => "",
         Measure::Area => " (ratio of logarithms)",
@@ -124,7 +124,8 @@ fn chance(attribution: &Attribution) -> String {
     };
     let verdict = if attribution.is_significant() { "" } else { ", which is within sampling uncertainty" };
     format!(
-        "The sampling error of the sum {bound} {} on average: the models differ by {errors:.1} times that{verdict}.",
+        "The sampling error of the sum {bound} {} on average: the models differ by {} times that{verdict}.",
         size(attribution.measure, error.mean),
+        number(errors),
     )
 }

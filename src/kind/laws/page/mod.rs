@@ -12,8 +12,7 @@ use asperity::ContactLaw;
 use asperity::compare::PointCounts;
 use asperity::contact_law::registry;
 use asperity::sphere::{Boundary, LARGEST_SLOPE};
-use asperity_framework::report::format::listed;
-use asperity_framework::report::format::{number, percent, quantity};
+use asperity_framework::report::format::{input_number, input_quantity, listed, number, percent, quantity};
 use asperity_framework::report::page::{Page, escape};
 use asperity_framework::report::sections;
 
@@ -103,7 +102,7 @@ fn one_asperity(page: &mut Page, results: &LawsResults) {
     let ellipse = if results.curvature_ratio > 1.0 {
         format!(
             " Elliptic laws use the same mean curvature and a ratio of principal curvatures of {}.",
-            number(results.curvature_ratio)
+            input_number(results.curvature_ratio)
         )
     } else {
         String::new()
@@ -111,7 +110,7 @@ fn one_asperity(page: &mut Page, results: &LawsResults) {
     page.paragraph(&format!(
         "Radius R = {}. Indentations are normalised by the onset of yield of a sphere after Zhao, Maietta and Chang: wc = (0.3 π)² R (H/E*)² = {}; Pc = {} and Ac = {} are Hertz's load and area there. Laws \
          with another onset of yield start to yield at another w/wc.{ellipse}",
-        quantity(results.radius, "m"),
+        input_quantity(results.radius, "m"),
         quantity(critical.indentation, "m"),
         quantity(critical.load, "N"),
         quantity(critical.area, "m²"),

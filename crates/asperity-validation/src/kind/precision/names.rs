@@ -2,7 +2,7 @@
 
 use super::findings::Candidate;
 use crate::precision::integral::{Effort, Family, Rule};
-use asperity_framework::report::format::number;
+use asperity_framework::report::format::input_number;
 
 /// The name of a rule or a way.
 pub fn candidate_words(candidate: &Candidate) -> String {
@@ -20,7 +20,7 @@ pub fn rule_words(rule: &Rule) -> String {
     };
     let effort = match rule.effort {
         Effort::Order(order) => format!(", order {order}"),
-        Effort::Tolerance(tolerance) => format!(", tolerance {}", number(tolerance)),
+        Effort::Tolerance(tolerance) => format!(", tolerance {}", input_number(tolerance)),
         Effort::Fixed => String::new(),
     };
     let used = match (rule.family, rule.split, rule.substituted) {

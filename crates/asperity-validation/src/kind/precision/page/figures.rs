@@ -10,6 +10,7 @@ use crate::precision::sampling::{SamplingFindings, separation, stated};
 use crate::precision::sum::{SumPoint, Sweep, Way};
 use crate::precision::{Cost, LEVELS};
 use asperity::compare::{Kind, LimitPoint, Quantity};
+use asperity_framework::report::format::input_number;
 use asperity_plot::{Axis, Colour, Dash, Figure, Layer, Marker, Plot};
 
 /// Smaller errors are shown at this value.
@@ -228,7 +229,7 @@ pub fn sampling(found: &SamplingFindings) -> String {
         let points: Vec<&LimitPoint> = found.points.iter().filter(|point| separation(point) == *h).collect();
         let measured: Vec<_> = points.iter().map(|point| (point.count as f64, error(point))).collect();
         let said = points.iter().map(|point| (point.count as f64, stated(point, Quantity::Load)));
-        let name = format!("d/σ = {h}");
+        let name = format!("d/σ = {}", input_number(*h));
         left = left
             .with(
                 Layer::line(said.collect::<Vec<_>>())
@@ -311,7 +312,7 @@ pub fn surface_work(found: &GridFindings) -> String {
         let points = found.points.iter().filter(|point| point.per_length == *per_length);
         let line = points.map(|point| (point.error(Statistic::Radius), point.seconds)).collect();
         let unit = if *per_length == 1.0 { "point" } else { "points" };
-        let name = format!("{per_length} {unit} per length");
+        let name = format!("{} {unit} per length", input_number(*per_length));
         let colour = Colour::Ordered { index, of: grids.len() };
         for layer in series(line, &name, colour, Dash::Solid, Marker::Circle) {
             plot = plot.with(layer);

@@ -15,7 +15,7 @@ use crate::kind::precision::names::{candidate_words, rule_words};
 use crate::kind::precision::run::{CasePrecision, PrecisionResults};
 use crate::precision::integral::IntegralFindings;
 use crate::precision::sum::{ASPERITIES, POINTS, SEPARATIONS, Sweep, Way};
-use asperity_framework::report::format::{count, number, quantity};
+use asperity_framework::report::format::{count, input_number, input_quantity, number, quantity};
 use asperity_framework::report::page::{Page, escape};
 use asperity_framework::report::sections;
 
@@ -53,9 +53,9 @@ fn populations(page: &mut Page, results: &PrecisionResults) {
         results.cases.iter().map(|case| {
             vec![
                 case.name.clone(),
-                quantity(case.population.radius, "m"),
-                quantity(case.population.sigma, "m"),
-                number(case.population.density),
+                input_quantity(case.population.radius, "m"),
+                input_quantity(case.population.sigma, "m"),
+                input_number(case.population.density),
                 case.plasticity_index.map_or_else(|| "-".to_owned(), number),
             ]
         }),
@@ -173,12 +173,12 @@ fn winner_row(case: &str, winner: &Winner) -> Vec<String> {
 
 /// The permitted error.
 fn level(winner: &Winner) -> String {
-    if winner.level == FOUR_ULP { "4 ulp".to_owned() } else { number(winner.level) }
+    if winner.level == FOUR_ULP { "4 ulp".to_owned() } else { input_number(winner.level) }
 }
 
 fn integrals(page: &mut Page, results: &PrecisionResults) {
     page.heading(2, "The integral");
-    let separations: Vec<String> = results.separations.iter().map(|&h| number(h)).collect();
+    let separations: Vec<String> = results.separations.iter().map(|&h| input_number(h)).collect();
     page.paragraph(&format!(
         "Area and load at d/σ = {}. Error: the largest over these separations, of area and load. Time: per separation. \
          Reference: a tanh-sinh rule in 32 digits, from the equations of the law alone. Errors below 3e-17 are shown at \

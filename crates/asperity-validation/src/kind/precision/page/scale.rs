@@ -6,7 +6,7 @@ use crate::precision::curve::{CurveFindings, CurvePoint, EASY};
 use crate::precision::list::{LONG, ListPoint, LongLists};
 use crate::precision::sum::SEPARATIONS;
 use asperity::compare::Kind;
-use asperity_framework::report::format::{count, number, quantity};
+use asperity_framework::report::format::{count, input_number, number, quantity};
 use asperity_framework::report::page::{Page, escape};
 
 /// Time of curves and lists.
@@ -40,7 +40,7 @@ fn easy_words(found: &CurveFindings) -> Option<String> {
             } else {
                 String::new()
             },
-            number(tolerance),
+            input_number(tolerance),
             number(two_digits(point.error())),
             number(two_digits(found.times(point))),
             count(beside.separations),
@@ -117,7 +117,7 @@ pub fn curves(page: &mut Page, results: &PrecisionResults) {
             found.points.iter().map(|point| {
                 vec![
                     model(point.kind).to_owned(),
-                    point.tolerance.map_or_else(|| "exact".to_owned(), number),
+                    point.tolerance.map_or_else(|| "exact".to_owned(), input_number),
                     count(point.separations),
                     count(point.asked),
                     number(two_digits(point.area_error)),

@@ -5,7 +5,7 @@ mod figures;
 use crate::kind::stability::findings::KindFindings;
 use crate::kind::stability::run::StabilityResults;
 use crate::stability::{GroupFindings, Kind, Quantity, Worst, uncovered_heights};
-use asperity_framework::report::format::{count, number};
+use asperity_framework::report::format::count;
 use asperity_framework::report::page::{Page, escape};
 use asperity_framework::report::sections;
 
@@ -130,7 +130,7 @@ fn groups(page: &mut Page, results: &StabilityResults) {
                     count(findings.cases as usize),
                     match findings.failures.len() {
                         0 => "none".to_owned(),
-                        several => number(several as f64),
+                        several => count(several),
                     },
                 ]
             }),
