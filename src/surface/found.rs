@@ -200,7 +200,7 @@ impl MapFacts {
         let widest = self.pixel[0].max(self.pixel[1]);
         if widest > WIDE {
             warnings.push(format!(
-                "its points are {} apart: the unit of its lengths is probably wrong (set unit = \"um\" beside path).",
+                "its points are {} apart: the unit of its lengths is probably wrong (set unit = \"um\" next to path).",
                 quantity(widest, "m"),
             ));
         }

@@ -262,8 +262,8 @@ fn lay(elongation: f64, angle: Option<Quantity<Angle, Finite>>) -> Result<Lay, S
         ));
     }
     if elongation == 1.0 {
-        return Err("found an angle without a lay; allowed: beside two different correlation lengths, along the lay and across \
-                    it, or beside an elongation"
+        return Err("found an angle without a lay; allowed: with two different correlation lengths, along the lay and across \
+                    it, or with an elongation"
             .to_owned());
     }
     Ok(Lay { elongation, angle })
@@ -279,7 +279,10 @@ fn target_recipe(
     /// A quarter of the Nyquist wave number: summits are well resolved.
     const CUT_OFF: f64 = 8.0;
     let with_summits = |span: Range<usize>, key: &str| {
-        source.error_at(span, format!("found {key} beside summits, which decide it; allowed: one of the two"))
+        source.error_at(
+            span,
+            format!("found {key} together with summits, which determine it; allowed: one of the two"),
+        )
     };
     if let Some(pixel) = &words.pixel {
         return Err(with_summits(pixel.span(), "pixel"));
@@ -293,18 +296,18 @@ fn target_recipe(
     if let Some(plateau) = &words.plateau {
         return Err(source.error_at(
             plateau.span(),
-            "found plateau beside summits, which are searched for on the surfaces of one process; allowed: one of the two",
+            "found plateau together with summits, which are only available for a single process; allowed: one of the two",
         ));
     }
     let refuse = |message: &dyn std::fmt::Display| source.error_at(words.spectrum.span(), message);
     let SpectrumSpec::SelfAffine(self_affine) = words.spectrum.get_ref() else {
         return Err(refuse(
-            &"found a spectrum whose bandwidth is fixed; allowed with summits: self-affine, whose bandwidth is searched for",
+            &"found a spectrum of fixed bandwidth; allowed with summits: self-affine, whose bandwidth can be adjusted",
         ));
     };
     if self_affine.roll_off.is_some() || self_affine.cut_off.is_some() {
         return Err(refuse(
-            &"found roll-off or cut-off beside summits, which decide them; allowed: hurst, cut-off-pixels, elongation, angle",
+            &"found roll-off or cut-off together with summits, which determine them; allowed: hurst, cut-off-pixels, elongation, angle",
         ));
     }
     let generator = TargetGenerator {

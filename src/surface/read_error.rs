@@ -7,10 +7,10 @@ pub fn in_spec_words(error: &ReadError) -> String {
     match error {
         ReadError::Options(error) => given_in_spec_words(error),
         ReadError::TooTall { has_unit: false, .. } => {
-            format!("{error} (unit = \"um\" beside path says in which unit it is)")
+            format!("{error} (unit = \"um\" next to path sets the unit)")
         }
         ReadError::UnitsInColumns { line, found } => format!(
-            "names columns with units in line {line}: \"{found}\"; allowed: x y z, the unit as unit = \"um\" beside path"
+            "names columns with units in line {line}: \"{found}\"; allowed: x y z, the unit as unit = \"um\" next to path"
         ),
         _ => error.to_string(),
     }
@@ -20,7 +20,7 @@ pub fn in_spec_words(error: &ReadError) -> String {
 pub fn given_in_spec_words(error: &ReadOptionsError) -> String {
     match error {
         ReadOptionsError::NoPixel => {
-            "holds no pixel size; allowed: pixel = \"0.8 um\", or [\"0.8 um\", \"0.5 um\"], beside \
+            "holds no pixel size; allowed: pixel = \"0.8 um\", or [\"0.8 um\", \"0.5 um\"], next to \
                                 path (--pixel \"0.8 um\" on the command line)"
                 .to_owned()
         }
@@ -36,7 +36,7 @@ mod tests {
     fn keys_are_named_where_they_help() {
         let tall = |has_unit| in_spec_words(&ReadError::TooTall { tallest: 20.0, has_unit });
         assert_eq!(tall(true), "holds a height of 2e1 m; allowed: at most 10 m");
-        assert!(tall(false).ends_with("at most 10 m (unit = \"um\" beside path says in which unit it is)"));
+        assert!(tall(false).ends_with("at most 10 m (unit = \"um\" next to path sets the unit)"));
         assert!(in_spec_words(&ReadOptionsError::NoPixel.into()).contains("allowed: pixel = "));
         let columns = ReadError::UnitsInColumns { line: 3, found: "x [um]".to_owned() };
         assert!(

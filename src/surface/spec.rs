@@ -55,8 +55,8 @@ impl TryFrom<Kinds> for SurfaceSpec {
         let mut given = given.into_iter().flatten();
         match (given.next(), given.next()) {
             (Some(kind), None) => Ok(kind),
-            _ => Err("found none or several kinds; allowed: exactly one of asperities, population, generate, file a \
-                      surface name"
+            _ => Err("found none or several kinds; allowed: exactly one of asperities, population, generate, file per \
+                      surface"
                 .to_owned()),
         }
     }

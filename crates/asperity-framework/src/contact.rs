@@ -127,8 +127,8 @@ fn apart_in_strength(
         let [from, to] = METALS;
         (!(from..=to).contains(&ratio)).then(|| {
             format!(
-                "{name}: the hardness is {ratio:.2} times the yield strength, where metals have {from} to {to}: laws that take the one \
-                 and laws that take the other speak of different bodies"
+                "{name}: the hardness is {ratio:.2} times the yield strength (metals: {from} to {to}); laws that use the hardness \
+                 and laws that use the yield strength then describe different materials"
             )
         })
     };

@@ -96,7 +96,7 @@ pub(crate) fn compared(
     if controls.points() == 0 {
         return Err(file.source.error_at(
             span,
-            "found nothing to press the surfaces to; allowed: at least one of separation, pressure, force",
+            "found no separation, pressure or force; allowed: at least one of separation, pressure, force",
         ));
     }
     let layer = words.layer.as_ref().map(|words| layer(file, words, &flat).map(Box::new)).transpose()?;

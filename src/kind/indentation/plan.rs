@@ -123,8 +123,8 @@ pub(super) fn plan(file: &SpecFile) -> Result<IndentationPlan, InputError> {
         law.interface(&ball.1, &coated).map_err(|error| match error {
             Inapplicable::Layer { law } => {
                 let message = format!(
-                    "found law {law}, which says nothing of a layer; allowed: a law that does, for [indentation] is about layers \
-                     of finite thickness ([laws] shows one asperity without a layer)"
+                    "found law {law}, which is not defined under a layer; allowed: a law that is ([laws] shows one asperity without \
+                     a layer)"
                 );
                 file.source.error_at(words.law.span(), message)
             }
@@ -152,7 +152,7 @@ pub(super) fn plan(file: &SpecFile) -> Result<IndentationPlan, InputError> {
         }
         Some(measured) if plan.cases() > 1 => {
             let message = format!(
-                "found measured points beside {} layers; allowed: one layer in one thickness with them",
+                "found measured points with {} layers; allowed: a single layer of one thickness",
                 plan.cases()
             );
             Err(file.source.error_at(measured.span(), message))
@@ -167,8 +167,8 @@ fn check_layers(file: &SpecFile, words: &IndentationSpec, layers: &[LayerPlan]) 
     for (k, layer) in layers.iter().enumerate() {
         if let Some(t) = layer.thicknesses.iter().find(|t| !is_positive(**t)) {
             return refuse(format!(
-                "layer {}: found a thickness of {t}; allowed: positive and finite (the flat without a layer and \
-                 all of the layer's material are shown beside each)",
+                "layer {}: found a thickness of {t}; allowed: positive and finite (the uncoated flat and the bulk layer \
+                 material are always shown too)",
                 layer.name
             ));
         }
@@ -177,7 +177,10 @@ fn check_layers(file: &SpecFile, words: &IndentationSpec, layers: &[LayerPlan]) 
                 && other.thicknesses.iter().any(|t| layer.thicknesses.contains(t))
         };
         if layers[..k].iter().any(same) {
-            return refuse(format!("found layer {} twice in one thickness; allowed: once", layer.name));
+            return refuse(format!(
+                "found layer {} twice with the same thickness; allowed: once",
+                layer.name
+            ));
         }
     }
     Ok(())

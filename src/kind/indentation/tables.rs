@@ -107,7 +107,7 @@ impl Row for ChangeRow<'_> {
             load_n["N"] = row.change.load, "Load just below that indentation.";
             from["text"] = row.change.from.name(), "Regime below it.";
             to["text"] = row.change.to.name(), "Regime above it.";
-            within_sweep["true/false"] = row.is_within, "Whether it lies within the indentations that were asked for.";
+            within_sweep["true/false"] = row.is_within, "Whether it lies within the specified indentations.";
         });
         columns
     }

@@ -62,7 +62,7 @@ impl fmt::Display for LawsPlan {
         write!(f, "{}", self.compare)?;
         writeln!(
             f,
-            "  one asperity of radius {:e} m at {} indentations of {:e} to {:e} wc, wc = {:.4e} m",
+            "  one asperity of radius {:e} m at {} indentations of {:e} to {:e} wc, wc = {:.2e} m",
             self.radius,
             self.ratios.len(),
             self.ratios[0],
@@ -79,7 +79,7 @@ pub(super) fn plan(file: &SpecFile) -> Result<LawsPlan, InputError> {
     let laws = &words.law.get_ref().0;
     if let [only] = &laws[..] {
         let message = format!(
-            "found \"{}\" alone; allowed: a list of at least two laws, the first of which the others are compared with",
+            "found only \"{}\"; allowed: a list of at least two laws, the first of which is the reference",
             only.label()
         );
         return Err(file.source.error_at(words.law.span(), message));
@@ -90,8 +90,8 @@ pub(super) fn plan(file: &SpecFile) -> Result<LawsPlan, InputError> {
     let pair = Pair::between(&zmc, rough, flat).ok().filter(|pair| pair.yield_limits.onset.is_finite());
     let Some(pair) = pair else {
         let message = format!(
-            "found no `hardness` in {}, which [laws] needs of one body at least, since it measures indentations by the \
-             onset of yield; allowed: hardness = \"...\" with a unit of pressure",
+            "found no `hardness` in {}, which [laws] needs for at least one body to normalise indentations by the onset of \
+             yield; allowed: hardness = \"...\" with a unit of pressure",
             materials(&compare.bodies.rough, &compare.bodies.flat)
         );
         let at = file.material_at(&compare.bodies.rough).unwrap_or_else(|| words.rough.span());

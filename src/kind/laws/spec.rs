@@ -38,7 +38,7 @@ pub struct LawsSpec {
 #[serde(
     deny_unknown_fields,
     rename_all = "kebab-case",
-    expecting = "a table such as { radius = \"20 um\" }, with curvature-ratio beside it for laws that see ellipses"
+    expecting = "a table such as { radius = \"20 um\" }, and curvature-ratio for elliptic laws"
 )]
 pub struct AsperitySpec {
     /// 1/(mean curvature).

@@ -30,7 +30,7 @@ impl fmt::Display for LimitPlan {
         writeln!(f, "  {} on {}, law {}", self.bodies.rough, self.bodies.flat, laws.join(", "))?;
         writeln!(
             f,
-            "  {} random sets and one at the quantiles of each of {:?} asperities",
+            "  {} random sets and one set at the quantiles for each size, {:?} asperities",
             self.draws, self.counts
         )
     }
@@ -44,7 +44,7 @@ pub(super) fn plan(file: &SpecFile) -> Result<LimitPlan, InputError> {
     let flat = file.body(words.flat.get_ref(), words.flat.span())?;
     let counts = file.counts(&words.count)?;
     let draws = file.several(&words.draws, "random sets of each size")?;
-    file.spheres_only(&words.law, "the sets of [limit] are spheres of one radius")?;
+    file.spheres_only(&words.law, "the asperities of [limit] are spheres of equal radius")?;
     let (rough_name, flat_name) = (words.rough.get_ref(), words.flat.get_ref());
     file.check_laws(&words.law, (rough_name, &rough), &[(flat_name, &flat)])?;
     let laws = file.law_plans(&words.law, (rough_name, &rough), &[(None, Flat::Bare(flat))], flat_name)?;

@@ -49,8 +49,8 @@ fn a_look_at_a_surface() {
         (&[opd][..], "holds no pixel size"),
         (&[opd, "--pixel", "0.2 um", "--level", "cubic"], "cubic"),
         (&[opd, "--pixel", "0.2 um", "--s", "3 um", "--l", "2 um"], "s below l"),
-        (&[opd, "--pixel", "0.2 um", "--name", ""], "found the name \"\" for its report"),
-        (&[opd, "--pixel", "0.2 um", "--name", "../up"], "found the name \"../up\" for its report"),
+        (&[opd, "--pixel", "0.2 um", "--name", ""], "found the report name \"\""),
+        (&[opd, "--pixel", "0.2 um", "--name", "../up"], "found the report name \"../up\""),
         (&["nowhere.npy"], "nowhere.npy"),
         (&[root.join("Cargo.lock").to_str().unwrap()], "Cargo.lock"),
     ] {
@@ -212,8 +212,8 @@ fn maps_of_doubtful_numbers_are_told() {
         let line = |top: &str| format!("0 0 0 0 0 0 0\n0 1.0 0 {top} 0 2.0 0\n");
         line("1.5") + &line(flat) + &line("1.7") + "0 0 0 0 0 0 0\n"
     };
-    assert!(!warned("nm", &tops("0.9")).contains("nearly flat tops"));
-    assert!(warned("nm", &tops("0.001")).contains("a few nearly flat tops set it"));
+    assert!(!warned("nm", &tops("0.9")).contains("nearly flat summits"));
+    assert!(warned("nm", &tops("0.001")).contains("it is dominated by a few nearly flat summits"));
     let (_folder, output) = looked_at(
         &words("nm"),
         &tops("1.5").replace("2.0", "1.5").replace("1.0", "1.5").replace("1.7", "1.5"),

@@ -108,9 +108,9 @@ fn in_our_words(message: &str) -> String {
         "wanted exactly 1 element, found 0 elements" => {
             Some("found an empty table; allowed: one key and its value")
         }
-        "invalid type: unit variant, expected newtype variant" => Some(
-            "found a name alone; allowed: a table that has the name as its key, and the numbers below it",
-        ),
+        "invalid type: unit variant, expected newtype variant" => {
+            Some("found only a name; allowed: a table with the name as its key and the parameters in it")
+        }
         _ => None,
     };
     if let Some(plain) = plain {

@@ -80,7 +80,7 @@ impl SpecFile {
                 }
             ),
             None => format!(
-                "found no `{key}` in {}, which law {law} needs of one body at least; allowed: {key} = \"...\" with a unit of \
+                "found no `{key}` in {}, which law {law} needs for at least one body; allowed: {key} = \"...\" with a unit of \
                  pressure",
                 materials(rough, flat)
             ),
@@ -170,8 +170,7 @@ impl SpecFile {
     pub fn growing<D>(&self, words: &Spanned<LogSweep<D>>) -> Result<Vec<f64>, InputError> {
         let indentations = &words.get_ref().values;
         if indentations.len() < 2 || indentations.windows(2).any(|pair| pair[0] >= pair[1]) {
-            let message =
-                "found indentations that do not grow, or one alone; allowed: two or more, the smallest first";
+            let message = "found fewer than two indentations, or not in ascending order; allowed: two or more, the smallest first";
             return Err(self.source.error_at(words.span(), message));
         }
         Ok(indentations.clone())

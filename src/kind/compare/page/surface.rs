@@ -13,7 +13,7 @@ pub fn surface(page: &mut Page, found: &SurfaceResults) {
     page.heading(2, &format!("Surface {}", surface.name));
     if !found.others.is_empty() {
         page.paragraph(&format!(
-            "First of {} realisations; all are in `summary.json` and the tables.",
+            "Shown: the first of {} realisations; all are in `summary.json` and the tables.",
             found.count()
         ));
     }

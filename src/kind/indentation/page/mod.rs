@@ -111,7 +111,7 @@ fn what_was_run(page: &mut Page, results: &IndentationResults) {
     sections::materials(page, &results.materials, role);
     let thickness = |found: &LayerResults| {
         format!(
-            "{} {} (effective-modulus model {})",
+            "{}, {} (effective-modulus model {})",
             escape(&found.name),
             input_quantity(found.thickness, "m"),
             found.rule.name()
@@ -121,10 +121,10 @@ fn what_was_run(page: &mut Page, results: &IndentationResults) {
     let [from, to] =
         [results.indentations.first(), results.indentations.last()].map(|w| w.copied().unwrap_or(f64::NAN));
     page.paragraph(&format!(
-        "A ball of radius {} on a flat of {} under {}; {} indentations from {} to {}. {}",
+        "Ball of radius {} on a flat of {}; layers: {}; {} indentations from {} to {}. {}",
         input_quantity(results.radius, "m"),
         escape(&results.flat),
-        layers.join(", "),
+        layers.join("; "),
         count(results.indentations.len()),
         input_quantity(from, "m"),
         input_quantity(to, "m"),

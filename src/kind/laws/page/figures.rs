@@ -96,7 +96,7 @@ pub fn differences(results: &LawsResults, hardness: f64) -> String {
         Plot::new(title, indentation_axis(), Axis::linear(label).range(0.0, highest)).height(420.0)
     };
     let pressure = plot("mean pressure", "mean pressure P/(A H)", HIGHEST[0]).legend(Legend::Below);
-    let area = plot("area over the elastic one", "area A/(π R w)", HIGHEST[1]).legend(Legend::Hidden);
+    let area = plot("area over elastic area", "area A/(π R w)", HIGHEST[1]).legend(Legend::Hidden);
     let panels = vec![
         panel(results, pressure, &|_, contact| contact.load / contact.area / hardness),
         panel(results, area, &|w, contact| contact.area / (PI * radius * w)),
@@ -116,8 +116,8 @@ pub fn jumps(results: &LawsResults) -> Option<String> {
     let (critical, radius) = (results.critical, results.radius);
     let elastic = move |w: f64| critical.load * (w / unit).powf(1.5);
     let plot = |title: &str, y: Axis| Plot::new(title, indentation_axis().range(from, to), y).height(420.0);
-    let load = plot("load over the elastic one", Axis::linear("load over Hertz's").range(0.0, 1.7));
-    let area = plot("area over the elastic one", Axis::linear("area A/(π R w)").range(0.8, 2.4));
+    let load = plot("load over elastic load", Axis::linear("load over Hertz load").range(0.0, 1.7));
+    let area = plot("area over elastic area", Axis::linear("area A/(π R w)").range(0.8, 2.4));
     let panels = vec![
         panel(results, load.legend(Legend::Below), &|w, contact| contact.load / elastic(w)),
         panel(results, area.legend(Legend::Hidden), &|w, contact| contact.area / (PI * radius * w)),
@@ -129,8 +129,8 @@ pub fn jumps(results: &LawsResults) -> Option<String> {
 pub fn law_or_model(results: &LawsResults, influence: &Influence) -> String {
     let first = &influence.laws[0];
     let label = |measure| match measure {
-        Measure::Separation => format!("d/σ minus that of the sum under {first}"),
-        Measure::Area => format!("real area over that of the sum under {first}"),
+        Measure::Separation => format!("d/σ − d/σ of the sum under {first}"),
+        Measure::Area => format!("real area / area of the sum under {first}"),
     };
     let plot = |measure, title: &str, legend| {
         let y = Axis::linear(label(measure));
@@ -199,10 +199,10 @@ fn beside(results: &LawsResults, influence: &Influence, measure: Measure, plot: 
     if let (Some(&lowest), Some(&highest)) = (counting.first(), counting.last()) {
         let loads = || influence.loads.iter().map(|at| at.pressure / MEGA);
         if loads().any(|load| load < lowest) {
-            plot = plot.with(Layer::region_x(0.0, lowest, "few"));
+            plot = plot.with(Layer::region_x(0.0, lowest, "< 30 contacts"));
         }
         if loads().any(|load| load > highest) {
-            plot = plot.with(Layer::region_x(highest, f64::INFINITY, "interact"));
+            plot = plot.with(Layer::region_x(highest, f64::INFINITY, "asperities interact"));
         }
     }
     let name = format!("{}, integral", influence.laws[0]);

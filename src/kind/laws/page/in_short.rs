@@ -40,7 +40,7 @@ fn verdict_by(results: &LawsResults, measure: Measure) -> Option<String> {
         let on = names(&|found| {
             found.dominant() == Dominant::Law && found.is_law_without_furthest() == Some(true)
         });
-        let on = if on.is_empty() { "none".to_owned() } else { listed(&on) };
+        let on = if on.is_empty() { "no surface".to_owned() } else { listed(&on) };
         rest = format!(" Without the most deviating law, the contact law matters more on {on}.");
     }
     (!parts.is_empty()).then(|| format!("**By {what}** {}.{rest}", parts.join(", ")))

@@ -63,13 +63,12 @@ fn load_by_load(page: &mut Page, influence: &Influence, measure: Measure) {
         Measure::Separation => format!(
             "**d/σ at equal load**: range over the laws (largest minus smallest) in each model, for all laws and for the \
              elastic-plastic laws; integral minus sum under {first} and under the elastic-plastic law where it is largest; \
-             standard error of the sum under {first}. Last: range of the elastic-plastic laws in the sum over the \
-             difference between the models under {first}. Loads marked (few) or (interact) are outside the range of \
-             validity."
+             standard error of the sum under {first}. Last column: range of the elastic-plastic laws in the sum over the \
+             difference between the models under {first}. Loads with a remark are outside the range of validity."
         ),
         Measure::Area => "**Real area at equal load**, the same as ratios: largest over smallest; integral over sum; \
         standard error in percent. The mean contact pressure, the nominal pressure over A/A_nom, has the inverse ratios. \
-        Last: ratio of the logarithms."
+        Last column: ratio of the logarithms."
             .to_owned(),
     });
     let header = [
@@ -78,8 +77,8 @@ fn load_by_load(page: &mut Page, influence: &Influence, measure: Measure) {
         "all laws, sum",
         "elastic-plastic, integral",
         "elastic-plastic, sum",
-        "models, first law",
-        "models, largest",
+        "model difference, reference law",
+        "model difference, largest",
         "s.e. of the sum",
         "law / summation",
     ];
@@ -117,9 +116,9 @@ fn remark(at: &AtLoad) -> &'static str {
     if at.counts {
         ""
     } else if at.has_few_contacts() {
-        " (few)"
+        " (< 30 contacts)"
     } else {
-        " (interact)"
+        " (asperities interact)"
     }
 }
 
@@ -160,9 +159,9 @@ fn law_by_law(page: &mut Page, results: &LawsResults, influence: &Influence, mea
     page.table(
         [
             "law",
-            "integral, from reference",
-            "sum, from reference",
-            "integral from sum",
+            "integral, relative to reference",
+            "sum, relative to reference",
+            "integral, relative to sum",
             "largest in standard errors",
         ],
         results.laws.iter().enumerate().map(row),

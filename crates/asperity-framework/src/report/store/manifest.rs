@@ -61,12 +61,12 @@ pub(super) fn check_ours(path: &Path) -> Result<(), StoreError> {
         Ok(found) if found.is_dir() => {}
         Ok(_) => return Err(StoreError::NotOurs(path.into())),
         Err(error) if error.kind() == ErrorKind::NotFound => return Ok(()),
-        Err(error) => return failed("look at", path, error),
+        Err(error) => return failed("inspect", path, error),
     }
     let ours = written(path);
     for entry in fs::read_dir(path).or_else(|e| failed("list", path, e))? {
         let entry = entry.or_else(|e| failed("list", path, e))?;
-        let is_file = entry.file_type().or_else(|e| failed("look at", &entry.path(), e))?.is_file();
+        let is_file = entry.file_type().or_else(|e| failed("inspect", &entry.path(), e))?.is_file();
         let known = entry.file_name().to_str().is_some_and(|name| ours.contains(name));
         if !is_file || !known {
             return Err(StoreError::NotOurs(entry.path()));

@@ -144,7 +144,7 @@ impl Store {
                 if ours { Ok(()) } else { Err(StoreError::NotOurs(path)) }
             }
             Err(error) if error.kind() == io::ErrorKind::NotFound => Ok(()),
-            Err(error) => failed("look at", &path, error),
+            Err(error) => failed("inspect", &path, error),
         }
     }
 

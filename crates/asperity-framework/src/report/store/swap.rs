@@ -126,7 +126,7 @@ fn exists(path: &Path) -> Result<bool, StoreError> {
     match fs::symlink_metadata(path) {
         Ok(_) => Ok(true),
         Err(error) if error.kind() == ErrorKind::NotFound => Ok(false),
-        Err(error) => failed("look at", path, error),
+        Err(error) => failed("inspect", path, error),
     }
 }
 

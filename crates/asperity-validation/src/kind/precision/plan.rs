@@ -119,7 +119,7 @@ impl fmt::Display for PrecisionPlan {
             names.join(", ")
         )?;
         if !self.separations.is_empty() {
-            writeln!(f, "  rules of quadrature at {} separations", self.separations.len())?;
+            writeln!(f, "  quadrature rules at {} separations", self.separations.len())?;
         }
         if let Some(task) = &self.sum {
             writeln!(
@@ -131,7 +131,7 @@ impl fmt::Display for PrecisionPlan {
         if let Some(task) = &self.curve {
             writeln!(
                 f,
-                "  curves of {} separations, the sum of {} asperities, within {} tolerances, beside {} separations",
+                "  curves of {} separations, the sum of {} asperities, within {} tolerances, compared with {} separations",
                 task.separations,
                 task.asperities,
                 task.tolerances.len(),
@@ -148,12 +148,12 @@ impl fmt::Display for PrecisionPlan {
             )?;
         }
         if let Some(task) = &self.sampling {
-            writeln!(f, "  {} random sets of each of {:?} asperities", task.draws, task.counts)?;
+            writeln!(f, "  {} random sets for each size, {:?} asperities", task.draws, task.counts)?;
         }
         if let Some(task) = &self.grid {
             writeln!(
                 f,
-                "  {} maps of each of {:?} points a correlation length, {:?} lengths a side",
+                "  {} maps of each size: {:?} points per correlation length, {:?} correlation lengths per side",
                 task.realisations, task.per_length, task.lengths
             )?;
         }
@@ -221,7 +221,7 @@ fn one_law(
         let message = format!("found {} laws; allowed: one", words.law.get_ref().0.len());
         return Err(file.source.error_at(words.law.span(), message));
     };
-    file.spheres_only(&words.law, "the asperities of [precision] are spheres of one radius")?;
+    file.spheres_only(&words.law, "the asperities of [precision] are spheres of equal radius")?;
     let covered = stability::CoveredLaw::of(law).ok_or_else(|| {
         let [covered, _] = stability::CoveredLaw::coverage();
         let message = format!(
@@ -336,7 +336,7 @@ fn grid(file: &SpecFile, words: &spec::GridSpec) -> Result<GridTask, InputError>
     };
     let (per_length, lengths) = (sorted(&words.points_per_length), sorted(&words.lengths));
     if per_length[0] < 1.0 {
-        let message = format!("found {}; allowed: at least one point a correlation length", per_length[0]);
+        let message = format!("found {}; allowed: at least one point per correlation length", per_length[0]);
         return Err(file.source.error_at(words.points_per_length.span(), message));
     }
     if lengths[0] < 10.0 {
@@ -351,6 +351,6 @@ fn grid(file: &SpecFile, words: &spec::GridSpec) -> Result<GridTask, InputError>
         );
         return Err(file.source.error_at(words.lengths.span(), message));
     }
-    let realisations = file.several(&words.realisations, "maps of each kind")?;
+    let realisations = file.several(&words.realisations, "maps of each size")?;
     Ok(GridTask { per_length, lengths, realisations })
 }

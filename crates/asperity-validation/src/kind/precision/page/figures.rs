@@ -69,7 +69,7 @@ pub fn legendre(found: &IntegralFindings) -> String {
         (Family::Legendre, false, true, "substituted"),
         (Family::Legendre, true, false, "split"),
         (Family::Legendre, true, true, "split and substituted"),
-        (Family::Panels, true, true, "the same, in panels"),
+        (Family::Panels, true, true, "split and substituted, in panels"),
     ];
     rules_plot("Gauss-Legendre by order", found, &uses).svg()
 }
@@ -82,7 +82,7 @@ pub fn rules(found: &IntegralFindings) -> String {
         (Family::ChebyshevFirst, true, true, "Chebyshev, first kind"),
         (Family::ChebyshevSecond, true, true, "Chebyshev, second kind"),
         (Family::Laguerre, false, false, "Laguerre"),
-        (Family::Laguerre, true, true, "Laguerre behind Legendre"),
+        (Family::Laguerre, true, true, "Legendre, then Laguerre"),
         (Family::Hermite, false, false, "Hermite"),
     ];
     let others = [
@@ -269,7 +269,7 @@ pub fn grid(found: &GridFindings) -> String {
     let mut left = Plot::new(
         "bias of the grid (theory)",
         Axis::log("points per correlation length"),
-        Axis::log("relative error, without sign"),
+        Axis::log("absolute value of the relative error"),
     );
     let mut right = Plot::new(
         "scatter of the maps (measured)",

@@ -126,13 +126,13 @@ fn two_digits(ratio: f64) -> f64 {
 /// The number of separations beyond which ordering saves time.
 fn ordering_words(case: &CasePrecision, found: Ordering) -> String {
     format!(
-        "**Ordering, {}**: for {} asperities it {}.",
+        "**Ordering, {}**: for {} asperities, sorting by height first {}.",
         escape(&case.name),
         count(found.asperities),
         match found.paid_back_by {
             Some(1) => "saves time from the first separation".to_owned(),
-            Some(separations) => format!("saves time from {} separations or fewer", count(separations)),
-            None => "saves no time for any number of separations tested".to_owned(),
+            Some(separations) => format!("saves time from at most {} separations on", count(separations)),
+            None => "saves no time at any number of separations tested".to_owned(),
         }
     )
 }
@@ -140,7 +140,7 @@ fn ordering_words(case: &CasePrecision, found: Ordering) -> String {
 /// The effect of more threads.
 fn thread_words(case: &CasePrecision, found: Speedup) -> String {
     format!(
-        "**Threads, {}**: on {} the shipped sum of {} asperities takes {} of the time that it takes on {}.",
+        "**Threads, {}**: on {} the shipped sum of {} asperities takes {} times as long as on {}.",
         escape(&case.name),
         thread_count(found.to),
         count(found.asperities),
@@ -181,7 +181,7 @@ fn integrals(page: &mut Page, results: &PrecisionResults) {
     let separations: Vec<String> = results.separations.iter().map(|&h| input_number(h)).collect();
     page.paragraph(&format!(
         "Area and load at d/σ = {}. Error: the largest over these separations, of area and load. Time: per separation. \
-         Reference: a tanh-sinh rule in 32 digits, from the equations of the law alone. Errors below 3e-17 are shown at \
+         Reference: a tanh-sinh rule in 32 digits, from the equations of the law only. Errors below 3e-17 are shown at \
          3e-17.",
         separations.join(", ")
     ));
@@ -227,7 +227,8 @@ fn integrals(page: &mut Page, results: &PrecisionResults) {
 fn same_nodes(page: &mut Page, found: &IntegralFindings) {
     let Some((shipped, nodes)) = found.shipped().zip(found.shipped_nodes()) else { return };
     page.paragraph(&format!(
-        "The shipped rule takes {} per separation with an error of {}; its nodes in the common loop ({}) take {} with {}.",
+        "The shipped rule takes {} per separation with an error of {}; the same nodes in the loop used for all \
+         rules ({}) take {} with an error of {}.",
         time(shipped.cost.seconds),
         number(shipped.cost.error),
         rule_words(&nodes.rule),

@@ -53,21 +53,21 @@ fn easy_words(found: &CurveFindings) -> Option<String> {
 fn list_words(lists: &[ListPoint]) -> Option<String> {
     let LongLists { shortest: first, longest: last, seconds_per_asperity } = LongLists::of(lists)?;
     let memory = last.peak_bytes.map_or_else(String::new, |bytes| {
-        format!(", with {} of memory at most", quantity(two_digits(bytes as f64), "B"))
+        format!(" and at most {} of memory", quantity(two_digits(bytes as f64), "B"))
     });
     let [least, most] = seconds_per_asperity.map(|each| time(two_digits(each)));
     let spread = if least == most { most } else { format!("{least} to {most}") };
     let range = if first.asperities == last.asperities {
-        format!("with {} asperities, each takes {spread}", count(first.asperities))
+        format!("{spread} per asperity with {} asperities", count(first.asperities))
     } else {
         format!(
-            "from {} to {} asperities each takes {spread}",
+            "{spread} per asperity from {} to {} asperities",
             count(first.asperities),
             count(last.asperities)
         )
     };
     Some(format!(
-        "{range} to be read from a file and summed at {} separations; {} take {}{memory}",
+        "reading a file and summing at {} separations takes {range}; {} asperities take {}{memory}",
         last.separations,
         count(last.asperities),
         time(two_digits(last.read_seconds + last.sum_seconds)),
