@@ -13,7 +13,7 @@ use super::files::Files;
 use super::found::{NoAsperities, SummitSearch, Surface};
 use super::overview::AnalysisDepth;
 use super::plan::{Origin, SurfacePlan};
-use super::read_error::in_spec_words;
+use super::read_error::spec_message;
 use super::spec::DrawSpec;
 
 /// Makes or reads the realisations of a surface.
@@ -128,7 +128,7 @@ impl<'a> SurfaceFactory<'a> {
             Origin::Map(map) => {
                 let refuse =
                     |error: &dyn std::fmt::Display| refuse(&format!("{} {error}", map.path.display()));
-                let rows = files.map(&map.path, map.given).map_err(|error| refuse(&in_spec_words(&error)))?;
+                let rows = files.map(&map.path, map.given).map_err(|error| refuse(&spec_message(&error)))?;
                 timing.read += start.elapsed();
                 let search = SummitSearch {
                     level: map.level,

@@ -49,7 +49,7 @@ impl TryFrom<Kinds> for SurfaceSpec {
         let given = [
             asperities.map(Self::Asperities),
             population.map(Self::Population),
-            generate.map(|words| Self::Generate(Box::new(words))),
+            generate.map(|raw| Self::Generate(Box::new(raw))),
             file.map(Self::File),
         ];
         let mut given = given.into_iter().flatten();

@@ -153,7 +153,7 @@ fn area_that_falls_is_told() {
     let layer = &results.layers[0];
     assert!(layer.laws[0].coated.decreases.is_empty());
     assert_eq!(
-        layer.laws[1].coated.decreases.iter().map(|fall| fall.of).collect::<Vec<_>>(),
+        layer.laws[1].coated.decreases.iter().map(|decrease| decrease.of).collect::<Vec<_>>(),
         [DecreasingQuantity::Area]
     );
     let page = written(results, "report.md");

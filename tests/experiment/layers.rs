@@ -221,10 +221,10 @@ fn a_threshold_is_sought_beyond_the_list() {
 fn where_a_load_falls_the_report_says_so() {
     let flat = "flat = \"soft\"\nlayer = { material = \"film\", thickness = \"150 nm\" }";
     let found = compared(flat);
-    let falls = &found.surfaces[0].falls;
+    let decreases = &found.surfaces[0].decreases;
     assert!(
-        falls.iter().any(|one| one.fall.of == DecreasingQuantity::Load && one.fall.loss() > 0.01),
-        "{falls:?}"
+        decreases.iter().any(|one| one.decrease.of == DecreasingQuantity::Load && one.decrease.loss() > 0.01),
+        "{decreases:?}"
     );
     let page = &written(&found, &["report.md"])[0];
     assert!(

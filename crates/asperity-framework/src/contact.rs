@@ -94,7 +94,7 @@ pub fn contact_metadata(
     // All laws of an experiment have the same two bodies.
     let contact = &laws[0].contact;
     let mut caveats: Vec<String> = laws.iter().filter_map(|law| law.contact.caveat()).collect();
-    caveats.extend(apart_in_strength(materials, laws, bodies, layer.as_ref()));
+    caveats.extend(inconsistent_strengths(materials, laws, bodies, layer.as_ref()));
     caveats.sort_unstable();
     caveats.dedup();
     ContactMetadata {
@@ -108,7 +108,7 @@ pub fn contact_metadata(
 }
 
 /// Bodies of which laws that take the hardness and one that takes the yield strength make two different ones.
-fn apart_in_strength(
+fn inconsistent_strengths(
     materials: &IndexMap<String, Material>,
     laws: &[LawPlan],
     bodies: &Bodies,

@@ -7,7 +7,7 @@ use asperity::{Population, Statistics};
 
 /// A stretch on which area or load of an asperity falls.
 #[derive(Debug, Clone)]
-pub struct FallResults {
+pub struct DecreaseResults {
     /// The law.
     pub law: String,
     /// Thickness of the layer, m; `None` where no layer is asked for.
@@ -15,7 +15,7 @@ pub struct FallResults {
     /// Of the asperity, m.
     pub radius: f64,
     /// The stretch.
-    pub fall: Decrease,
+    pub decrease: Decrease,
 }
 
 /// Up to which thickness the real area stays within 5 % of the one without a layer.

@@ -4,7 +4,7 @@ use asperity::compare::Tolerances;
 use asperity_framework::contact::ContactMetadata;
 use asperity_framework::metadata::Metadata;
 
-use super::answers::{FallResults, RealisationResults, Threshold};
+use super::answers::{DecreaseResults, RealisationResults, Threshold};
 use super::findings::SurfaceFindings;
 use crate::layer::rule_warning;
 use crate::surface::{Surface, warnings};
@@ -50,7 +50,7 @@ pub struct SurfaceResults {
     pub thresholds: Vec<Threshold>,
     /// Where the sharpest, a mean and the bluntest asperity of the first carry less, or touch on less, as they are
     /// pressed deeper.
-    pub falls: Vec<FallResults>,
+    pub decreases: Vec<DecreaseResults>,
     /// What all this says.
     pub findings: SurfaceFindings,
 }

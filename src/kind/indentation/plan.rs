@@ -98,37 +98,37 @@ impl fmt::Display for IndentationPlan {
 /// Reads `[indentation]`.
 pub(super) fn plan(file: &SpecFile) -> Result<IndentationPlan, InputError> {
     let table = file.required_table::<IndentationSpec>("indentation")?;
-    let words = table.get_ref();
+    let raw = table.get_ref();
     let body = |name: &Spanned<String>| Ok((name.get_ref().clone(), file.body(name.get_ref(), name.span())?));
-    let (ball, flat) = (body(&words.ball)?, body(&words.flat)?);
-    let radius = words.radius.value();
-    let layers = words.layer.get_ref().0.iter().map(|words| layer(file, words, &flat.1));
+    let (ball, flat) = (body(&raw.ball)?, body(&raw.flat)?);
+    let radius = raw.radius.value();
+    let layers = raw.layer.get_ref().0.iter().map(|raw| layer(file, raw, &flat.1));
     let layers = layers.collect::<Result<Vec<_>, _>>()?;
-    check_layers(file, words, &layers)?;
-    let indentations = file.growing(&words.indentation)?;
+    check_layers(file, raw, &layers)?;
+    let indentations = file.growing(&raw.indentation)?;
     let last = indentations[indentations.len() - 1];
     if last > radius {
         let message =
             format!("found an indentation of {last:e} m; allowed: at most the radius, {radius:e} m");
-        return Err(file.source.error_at(words.indentation.span(), message));
+        return Err(file.source.error_at(raw.indentation.span(), message));
     }
-    file.spheres_only(&words.law, "a ball is a sphere")?;
-    let met = layers.iter().map(|layer| (layer.name.as_str(), &layer.material));
-    let met: Vec<_> = std::iter::once((flat.0.as_str(), &flat.1)).chain(met).collect();
-    file.check_laws(&words.law, (&ball.0, &ball.1), &met)?;
+    file.spheres_only(&raw.law, "a ball is a sphere")?;
+    let flat_materials = layers.iter().map(|layer| (layer.name.as_str(), &layer.material));
+    let flat_materials: Vec<_> = std::iter::once((flat.0.as_str(), &flat.1)).chain(flat_materials).collect();
+    file.check_laws(&raw.law, (&ball.0, &ball.1), &flat_materials)?;
     // Each layer is of finite thickness.
     let coated = layers[0].flat(layers[0].thicknesses[0]);
     let coated = coated.map_err(|error| InputError::file(&file.source.path, error))?;
-    for law in &words.law.get_ref().0 {
+    for law in &raw.law.get_ref().0 {
         law.interface(&ball.1, &coated).map_err(|error| match error {
             Inapplicable::Layer { law } => {
                 let message = format!(
                     "found law {law}, which is not defined under a layer; allowed: a law that is ([laws] shows one asperity without \
                      a layer)"
                 );
-                file.source.error_at(words.law.span(), message)
+                file.source.error_at(raw.law.span(), message)
             }
-            _ => file.inapplicable(&words.law, &error, &ball.0, &flat.0),
+            _ => file.inapplicable(&raw.law, &error, &ball.0, &flat.0),
         })?;
     }
     let plan = IndentationPlan {
@@ -136,14 +136,14 @@ pub(super) fn plan(file: &SpecFile) -> Result<IndentationPlan, InputError> {
         radius,
         flat,
         layers,
-        laws: words.law.get_ref().0.clone(),
+        laws: raw.law.get_ref().0.clone(),
         indentations,
-        overlay: words.overlay.as_ref().map(|measured| overlay(&file.source, measured)).transpose()?,
-        show: words.show,
+        overlay: raw.overlay.as_ref().map(|measured| overlay(&file.source, measured)).transpose()?,
+        show: raw.show,
     };
     let deepest =
         plan.overlay.iter().flat_map(|overlay| &overlay.points).map(|(w, _)| *w).fold(0.0, f64::max);
-    match &words.overlay {
+    match &raw.overlay {
         Some(measured) if deepest > radius => {
             let message = format!(
                 "found a measured indentation of {deepest:e} m; allowed: at most the radius, {radius:e} m (the columns are in m and N)"
@@ -162,8 +162,8 @@ pub(super) fn plan(file: &SpecFile) -> Result<IndentationPlan, InputError> {
 }
 
 /// The limits of no layer and nothing but the layer stand beside every layer by themselves.
-fn check_layers(file: &SpecFile, words: &IndentationSpec, layers: &[LayerPlan]) -> Result<(), InputError> {
-    let refuse = |message: String| Err(file.source.error_at(words.layer.span(), message));
+fn check_layers(file: &SpecFile, raw: &IndentationSpec, layers: &[LayerPlan]) -> Result<(), InputError> {
+    let refuse = |message: String| Err(file.source.error_at(raw.layer.span(), message));
     for (k, layer) in layers.iter().enumerate() {
         if let Some(t) = layer.thicknesses.iter().find(|t| !is_positive(**t)) {
             return refuse(format!(

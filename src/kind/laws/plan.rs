@@ -75,16 +75,16 @@ impl fmt::Display for LawsPlan {
 /// Reads `[laws]`.
 pub(super) fn plan(file: &SpecFile) -> Result<LawsPlan, InputError> {
     let table = file.required_table::<LawsSpec>("laws")?;
-    let (words, span) = (table.get_ref(), table.span());
-    let laws = &words.law.get_ref().0;
+    let (raw, span) = (table.get_ref(), table.span());
+    let laws = &raw.law.get_ref().0;
     if let [only] = &laws[..] {
         let message = format!(
             "found only \"{}\"; allowed: a list of at least two laws, the first of which is the reference",
             only.label()
         );
-        return Err(file.source.error_at(words.law.span(), message));
+        return Err(file.source.error_at(raw.law.span(), message));
     }
-    let compare = compared(file, &words.compared(), span)?;
+    let compare = compared(file, &raw.compared(), span)?;
     let [rough, flat] = &compare.pair;
     let zmc = Zmc::default();
     let pair = Pair::between(&zmc, rough, flat).ok().filter(|pair| pair.yield_limits.onset.is_finite());
@@ -94,19 +94,19 @@ pub(super) fn plan(file: &SpecFile) -> Result<LawsPlan, InputError> {
              yield; allowed: hardness = \"...\" with a unit of pressure",
             materials(&compare.bodies.rough, &compare.bodies.flat)
         );
-        let at = file.material_at(&compare.bodies.rough).unwrap_or_else(|| words.rough.span());
+        let at = file.material_at(&compare.bodies.rough).unwrap_or_else(|| raw.rough.span());
         return Err(file.source.error_at(at, message));
     };
-    let asperity = words.asperity.get_ref();
+    let asperity = raw.asperity.get_ref();
     let sees_ellipses = laws.iter().any(ContactLaw::sees_ellipses);
     let given = asperity.curvature_ratio.as_ref();
-    let ratio = curvature_ratio(&file.source, &words.asperity.span(), given, sees_ellipses)?;
+    let ratio = curvature_ratio(&file.source, &raw.asperity.span(), given, sees_ellipses)?;
     let radius = asperity.radius.value();
     Ok(LawsPlan {
         critical: Critical::of(&pair, radius),
         radius,
         curvature_ratio: ratio.filter(|_| sees_ellipses).unwrap_or(1.0),
-        ratios: file.growing(&words.indentation)?,
+        ratios: file.growing(&raw.indentation)?,
         compare,
     })
 }

@@ -39,25 +39,25 @@ impl fmt::Display for LimitPlan {
 /// Reads `[limit]`.
 pub(super) fn plan(file: &SpecFile) -> Result<LimitPlan, InputError> {
     let table = file.required_table::<LimitSpec>("limit")?;
-    let words = table.get_ref();
-    let rough = file.body(words.rough.get_ref(), words.rough.span())?;
-    let flat = file.body(words.flat.get_ref(), words.flat.span())?;
-    let counts = file.counts(&words.count)?;
-    let draws = file.several(&words.draws, "random sets of each size")?;
-    file.spheres_only(&words.law, "the asperities of [limit] are spheres of equal radius")?;
-    let (rough_name, flat_name) = (words.rough.get_ref(), words.flat.get_ref());
-    file.check_laws(&words.law, (rough_name, &rough), &[(flat_name, &flat)])?;
-    let laws = file.law_plans(&words.law, (rough_name, &rough), &[(None, Flat::Bare(flat))], flat_name)?;
+    let raw = table.get_ref();
+    let rough = file.body(raw.rough.get_ref(), raw.rough.span())?;
+    let flat = file.body(raw.flat.get_ref(), raw.flat.span())?;
+    let counts = file.counts(&raw.count)?;
+    let draws = file.several(&raw.draws, "random sets of each size")?;
+    file.spheres_only(&raw.law, "the asperities of [limit] are spheres of equal radius")?;
+    let (rough_name, flat_name) = (raw.rough.get_ref(), raw.flat.get_ref());
+    file.check_laws(&raw.law, (rough_name, &rough), &[(flat_name, &flat)])?;
+    let laws = file.law_plans(&raw.law, (rough_name, &rough), &[(None, Flat::Bare(flat))], flat_name)?;
     Ok(LimitPlan {
-        bodies: Bodies { rough: words.rough.get_ref().clone(), flat: words.flat.get_ref().clone() },
+        bodies: Bodies { rough: raw.rough.get_ref().clone(), flat: raw.flat.get_ref().clone() },
         laws,
         population: Population {
-            radius: words.radius.value(),
-            sigma: words.sigma.value(),
-            density: words.density.value(),
+            radius: raw.radius.value(),
+            sigma: raw.sigma.value(),
+            density: raw.density.value(),
             heights: Heights::GAUSSIAN,
         },
-        separations: words.separation.0.clone(),
+        separations: raw.separation.0.clone(),
         counts,
         draws,
     })

@@ -1,6 +1,6 @@
 //! Target and obtained properties of a random surface.
 
-use super::words::or_dash;
+use super::properties::or_dash;
 use crate::surface::found::{GenerationFacts, MapFacts, Surface};
 use asperity::Heights;
 use asperity::topography::generate::{Process, SpectrumOf, SurfaceGenerator};
@@ -69,29 +69,29 @@ pub fn rows(surface: &Surface, map: &MapFacts, made: &GenerationFacts) -> Vec<Ve
     rows.push(ratio("Sq", process.sigma, moments.sq, "m"));
     rows.push(difference("Ssk", process.heights.skewness(), moments.ssk));
     rows.push(difference("Sku", process.heights.kurtosis(), moments.sku));
-    if let (Some(asked), Some(reached)) = (&map.whole.asked, &map.whole.spectrum) {
-        let [low, high] = asked.quartiles_of(reached).map(number);
-        let reached = format!("{low} to {high} times");
+    if let (Some(target), Some(obtained)) = (&map.whole.target, &map.whole.spectrum) {
+        let [low, high] = target.quartiles_of(obtained).map(number);
+        let obtained = format!("{low} to {high} times");
         rows.push(vec![
             "spectrum, interquartile range of its rings".to_owned(),
             "1".to_owned(),
-            reached,
+            obtained,
             String::new(),
         ]);
     }
     rows
 }
 
-fn ratio(what: &str, asked: f64, reached: f64, unit: &str) -> Vec<String> {
+fn ratio(what: &str, target: f64, obtained: f64, unit: &str) -> Vec<String> {
     /// Smaller deviations are rounding.
     const ROUNDING: f64 = 1e-12;
-    let off = Some((reached / asked - 1.0).abs()).filter(|&off| off > ROUNDING).unwrap_or(0.0);
-    vec![what.to_owned(), input_quantity(asked, unit), quantity(reached, unit), percent(off)]
+    let off = Some((obtained / target - 1.0).abs()).filter(|&off| off > ROUNDING).unwrap_or(0.0);
+    vec![what.to_owned(), input_quantity(target, unit), quantity(obtained, unit), percent(off)]
 }
 
-fn difference(what: &str, asked: f64, reached: Option<f64>) -> Vec<String> {
-    let apart = reached.map_or_else(String::new, |reached| number((reached - asked).abs()));
-    vec![what.to_owned(), input_number(asked), or_dash(reached), apart]
+fn difference(what: &str, target: f64, obtained: Option<f64>) -> Vec<String> {
+    let apart = obtained.map_or_else(String::new, |obtained| number((obtained - target).abs()));
+    vec![what.to_owned(), input_number(target), or_dash(obtained), apart]
 }
 
 /// Description of a generator.

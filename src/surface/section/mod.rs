@@ -2,13 +2,13 @@
 
 mod figures;
 mod generation;
-mod words;
+mod properties;
 
 use crate::surface::found::{MapFacts, Surface};
 use asperity::topography::theory::Expected;
 use asperity_framework::report::format::{number, percent, ratio};
 use asperity_framework::report::page::Page;
-use words::{columns, properties, table};
+use properties::{columns, properties, table};
 
 /// Adds tables and figures of a surface to a page.
 pub fn section(page: &mut Page, surface: &Surface, assumed: Option<&asperity::Population>) {

@@ -87,7 +87,7 @@ impl Source {
 
     /// Refuses the spec as its parser did.
     pub fn parse_error(&self, error: &toml::de::Error) -> InputError {
-        let message = in_our_words(error.message());
+        let message = plain_message(error.message());
         match error.span() {
             Some(span) => self.error_at(span, message),
             None => InputError::file(&self.path, message),
@@ -96,7 +96,7 @@ impl Source {
 }
 
 /// What the parser says, as what was found and what is allowed.
-fn in_our_words(message: &str) -> String {
+fn plain_message(message: &str) -> String {
     let plain = match message {
         "wanted string or table" => {
             Some("found neither a name nor a table; allowed: a name in quotes, or a table")

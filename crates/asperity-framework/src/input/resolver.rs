@@ -128,24 +128,24 @@ impl SpecFile {
     }
 
     /// Sizes of sets.
-    pub fn counts(&self, words: &Spanned<LogSweep<Pure>>) -> Result<Vec<usize>, InputError> {
+    pub fn counts(&self, raw: &Spanned<LogSweep<Pure>>) -> Result<Vec<usize>, InputError> {
         /// Beyond this, counts are no longer exact as f64, and no memory holds them.
         const LARGEST_COUNT: f64 = 1e12;
-        self.whole(words, "a count of", LARGEST_COUNT)
+        self.whole(raw, "a count of", LARGEST_COUNT)
     }
 
     /// A sweep of whole numbers from 1 to `most`. Close ones may round to one: it stands once.
     pub fn whole(
         &self,
-        words: &Spanned<LogSweep<Pure>>,
+        raw: &Spanned<LogSweep<Pure>>,
         what: &str,
         most: f64,
     ) -> Result<Vec<usize>, InputError> {
-        let values = &words.get_ref().values;
+        let values = &raw.get_ref().values;
         if let Some(value) = values.iter().find(|value| !(1.0..=most).contains(*value)) {
             return Err(self
                 .source
-                .error_at(words.span(), format!("found {what} {value:e}; allowed: 1 to {most:e}")));
+                .error_at(raw.span(), format!("found {what} {value:e}; allowed: 1 to {most:e}")));
         }
         let mut whole: Vec<usize> = values.iter().map(|value| value.round() as usize).collect();
         whole.dedup();
@@ -153,12 +153,12 @@ impl SpecFile {
     }
 
     /// How many random ones of a kind.
-    pub fn several(&self, words: &Spanned<u64>, what: &str) -> Result<usize, InputError> {
-        let count = *words.get_ref();
+    pub fn several(&self, raw: &Spanned<u64>, what: &str) -> Result<usize, InputError> {
+        let count = *raw.get_ref();
         if !(2..=1000).contains(&count) {
             return Err(self
                 .source
-                .error_at(words.span(), format!("found {count}; allowed: 2 to 1000 {what}")));
+                .error_at(raw.span(), format!("found {count}; allowed: 2 to 1000 {what}")));
         }
         Ok(count as usize)
     }
@@ -167,11 +167,11 @@ impl SpecFile {
     ///
     /// # Errors
     /// Others.
-    pub fn growing<D>(&self, words: &Spanned<LogSweep<D>>) -> Result<Vec<f64>, InputError> {
-        let indentations = &words.get_ref().values;
+    pub fn growing<D>(&self, raw: &Spanned<LogSweep<D>>) -> Result<Vec<f64>, InputError> {
+        let indentations = &raw.get_ref().values;
         if indentations.len() < 2 || indentations.windows(2).any(|pair| pair[0] >= pair[1]) {
             let message = "found fewer than two indentations, or not in ascending order; allowed: two or more, the smallest first";
-            return Err(self.source.error_at(words.span(), message));
+            return Err(self.source.error_at(raw.span(), message));
         }
         Ok(indentations.clone())
     }

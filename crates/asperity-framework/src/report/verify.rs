@@ -170,9 +170,9 @@ fn compare_values(new: &Value, old: &Value, shape_only: bool, place: &str, found
             let same = match (a.as_u64(), b.as_u64(), a.as_f64(), b.as_f64()) {
                 (Some(a), Some(b), ..) => a == b,
                 (_, _, Some(a), Some(b)) => {
-                    let is_told =
+                    let is_of_laws =
                         [", laws, influence[", ", laws, boundaries["].iter().any(|part| place.contains(part));
-                    same_number(a, b, if is_told { LAW_SCALE } else { 0.0 })
+                    same_number(a, b, if is_of_laws { LAW_SCALE } else { 0.0 })
                 }
                 _ => false,
             };

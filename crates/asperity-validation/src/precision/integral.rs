@@ -298,7 +298,7 @@ pub fn rules_on(
     let reference = |&separation: &f64| {
         let integral = Integral::of(population, separation)?;
         let total = exact.integral(&integral, &exact::Shape::sphere(population.radius))?;
-        Some([total.whole_area(), total.whole_load()])
+        Some([total.total_area(), total.total_load()])
     };
     let exact: Vec<[Wide; 2]> = separations.iter().map(reference).collect::<Option<_>>()?;
     let problem = Problem::new(contact, population);

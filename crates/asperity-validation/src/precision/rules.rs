@@ -144,10 +144,10 @@ fn as_nodes(integrate: impl Fn(&mut dyn FnMut(f64) -> f64) -> f64) -> Vec<Node> 
         0.0
     });
     let weight = |k: usize| {
-        let mut asked = 0;
+        let mut calls = 0;
         integrate(&mut |_| {
-            asked += 1;
-            if asked == k + 1 { 1.0 } else { 0.0 }
+            calls += 1;
+            if calls == k + 1 { 1.0 } else { 0.0 }
         })
     };
     places.iter().enumerate().map(|(k, &at)| Node::plain(at, weight(k))).collect()

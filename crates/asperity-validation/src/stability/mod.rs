@@ -23,7 +23,7 @@ mod quantity;
 pub mod wide;
 
 pub use bodies::{Bodies, Layer};
-pub use cases::{Asked, Case, Layout, SetWords};
+pub use cases::{Case, CaseInput, Layout, SetParameters};
 pub use check::{CheckedCase, Deviation, Failure};
 pub use exact::Density;
 pub use group::{Group, Kind};

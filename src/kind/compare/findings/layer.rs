@@ -62,10 +62,10 @@ impl LayerFindings {
         let mut loads: Vec<f64> = thresholds.iter().map(|threshold| threshold.pressure).collect();
         loads.sort_unstable_by(f64::total_cmp);
         loads.dedup();
-        let is_asked = |kind: &Kind| {
+        let is_used = |kind: &Kind| {
             cases.iter().any(|case| case.comparison.curves.iter().any(|point| point.kind == *kind))
         };
-        let models = [Kind::Statistical, Kind::Deterministic].into_iter().filter(is_asked).collect();
+        let models = [Kind::Statistical, Kind::Deterministic].into_iter().filter(is_used).collect();
         let mut found = Self { models, loads, plastic: None, gap: None };
         if cases.len() > 1 {
             found.plastic = found.plastic_range(cases);

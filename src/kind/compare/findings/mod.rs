@@ -16,7 +16,7 @@ pub use recommendation::Recommendation;
 
 use asperity::compare::{PointCounts, Realisation, Spread, SpreadFindings, spread};
 
-use super::answers::{CaseResults, FallResults, RealisationResults, Threshold};
+use super::answers::{CaseResults, DecreaseResults, RealisationResults, Threshold};
 use crate::surface::Surface;
 
 /// What a comparison says of one surface.
@@ -58,7 +58,7 @@ impl SurfaceFindings {
         surface: &Surface,
         realisations: &[&RealisationResults],
         thresholds: &[Threshold],
-        falls: &[FallResults],
+        decreases: &[DecreaseResults],
     ) -> Self {
         let first = realisations[0];
         let mut laws: Vec<&str> = first.cases.iter().map(|case| case.law.as_str()).collect();
@@ -69,7 +69,7 @@ impl SurfaceFindings {
                 .collect(),
             laws: laws
                 .into_iter()
-                .map(|law| LawFindings::of(surface, first, law, thresholds, falls))
+                .map(|law| LawFindings::of(surface, first, law, thresholds, decreases))
                 .collect(),
         }
     }
@@ -102,16 +102,16 @@ impl LawFindings {
         first: &RealisationResults,
         law: &str,
         thresholds: &[Threshold],
-        falls: &[FallResults],
+        decreases: &[DecreaseResults],
     ) -> Self {
         let cases: Vec<_> = first.cases.iter().filter(|case| case.law == law).collect();
         let thresholds: Vec<_> = thresholds.iter().filter(|threshold| threshold.law == law).collect();
-        let falls: Vec<_> = falls.iter().filter(|found| found.law == law).collect();
+        let decreases: Vec<_> = decreases.iter().filter(|found| found.law == law).collect();
         let counts = |case: &&CaseResults| PointCounts::of(&case.comparison, surface.set.nominal_area());
         Self {
             law: law.to_owned(),
             counts: cases.iter().map(counts).sum(),
-            decreasing: Decreasing::among(&falls),
+            decreasing: Decreasing::among(&decreases),
             layer: LayerFindings::of(surface, &cases, &thresholds),
         }
     }

@@ -6,7 +6,7 @@ use asperity_framework::report::format::{input_quantity, listed, percent, quanti
 use asperity_framework::report::page::{Page, escape};
 
 use super::names::{subject, under};
-use crate::kind::compare::answers::FallResults;
+use crate::kind::compare::answers::DecreaseResults;
 use crate::kind::compare::findings::Decreasing;
 use crate::kind::compare::results::CompareResults;
 
@@ -26,7 +26,7 @@ pub fn bullets(page: &mut Page, results: &CompareResults) {
 }
 
 fn line(subject: &str, found: &Decreasing, layer: Option<&LayerMetadata>) -> String {
-    let FallResults { radius, fall, thickness: under_it, .. } = &found.worst;
+    let DecreaseResults { radius, decrease, thickness: under_it, .. } = &found.worst;
     let names: Vec<String> = found.thicknesses.iter().copied().map(thickness).collect();
     let (with, place) = match (layer, *under_it) {
         (Some(layer), Some(t)) => {
@@ -40,8 +40,8 @@ fn line(subject: &str, found: &Decreasing, layer: Option<&LayerMetadata>) -> Str
             " The same pressure is then reached at several separations; the first on approach is reported."
         }
     };
-    let [from, to] = [fall.from.indentation, fall.to.indentation];
-    let stretch = if fall.is_jump() {
+    let [from, to] = [decrease.from.indentation, decrease.to.indentation];
+    let stretch = if decrease.is_jump() {
         format!("abruptly at w = {}", quantity(from, "m"))
     } else {
         format!("between w = {} and {}", quantity(from, "m"), quantity(to, "m"))
@@ -53,6 +53,6 @@ fn line(subject: &str, found: &Decreasing, layer: Option<&LayerMetadata>) -> Str
         escape(subject),
         found.of.name(),
         input_quantity(*radius, "m"),
-        percent(fall.loss()),
+        percent(decrease.loss()),
     )
 }

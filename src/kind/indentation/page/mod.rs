@@ -34,7 +34,7 @@ pub fn page(results: &IndentationResults) -> Page {
     }
     page.heading(2, "Summary");
     for found in &results.layers {
-        page.bullets(found.laws.iter().map(|law| in_short(results, found, law)));
+        page.bullets(found.laws.iter().map(|law| summary_lines(results, found, law)));
         page.bullets([format!("**{}**: {}", escape(&subject(results, found)), rule::sentence(found))]);
     }
     what_was_run(&mut page, results);
@@ -59,7 +59,7 @@ pub fn page(results: &IndentationResults) -> Page {
 }
 
 /// Regimes up to the largest indentation, and the loads there.
-fn in_short(results: &IndentationResults, found: &LayerResults, law: &LawCurves) -> String {
+fn summary_lines(results: &IndentationResults, found: &LayerResults, law: &LawCurves) -> String {
     let last = |curve: &Curve| curve.points.last().map_or(f64::NAN, |point| point.contact.load);
     let regimes: Vec<&str> = law.coated.sequence().into_iter().map(|regime| regime.name()).collect();
     let change = |change: &RegimeChange| {
@@ -80,23 +80,23 @@ fn in_short(results: &IndentationResults, found: &LayerResults, law: &LawCurves)
         quantity(last(&law.coated), "N"),
         quantity(last(&law.uncoated), "N"),
         quantity(last(&law.all_layer), "N"),
-        law.coated.decreases.iter().map(fall).collect::<String>(),
+        law.coated.decreases.iter().map(decrease).collect::<String>(),
     )
 }
 
-fn fall(fall: &Decrease) -> String {
-    let unit = match fall.of {
+fn decrease(decrease: &Decrease) -> String {
+    let unit = match decrease.of {
         DecreasingQuantity::Area => "m²",
         DecreasingQuantity::Load => "N",
     };
-    let value = |contact| quantity(fall.of.of(contact), unit);
+    let value = |contact| quantity(decrease.of.of(contact), unit);
     format!(
         " The {} decreases with increasing indentation from w = {} to {}: from {} to {}.",
-        fall.of.name(),
-        quantity(fall.from.indentation, "m"),
-        quantity(fall.to.indentation, "m"),
-        value(&fall.from.contact),
-        value(&fall.to.contact),
+        decrease.of.name(),
+        quantity(decrease.from.indentation, "m"),
+        quantity(decrease.to.indentation, "m"),
+        value(&decrease.from.contact),
+        value(&decrease.to.contact),
     )
 }
 

@@ -1,7 +1,7 @@
 //! Contact law and summation method on one surface: figure and tables.
 
 use super::figures;
-use super::words::signed;
+use super::measures::signed;
 use crate::kind::compare::results::SurfaceResults;
 use crate::kind::laws::results::{LawOnOne, LawsResults, SurfaceInfluence};
 use asperity::compare::{AtLoad, Effect, Group, Influence, Kind, Measure, of_each_decade};

@@ -2,9 +2,9 @@
 //! matters more on surfaces.
 
 mod figures;
-mod in_short;
 mod influence;
-mod words;
+mod measures;
+mod summary;
 
 use crate::kind::compare::page as compare;
 use crate::kind::laws::results::{LawOnOne, LawsResults};
@@ -25,14 +25,14 @@ pub fn page(results: &LawsResults) -> Page {
         page.warning(&escape(&warning));
     }
     page.heading(2, "Summary");
-    let verdict = in_short::verdict(results);
+    let verdict = summary::verdict(results);
     if !verdict.is_empty() {
         page.bullets(verdict);
     }
     for found in &compared.surfaces {
-        page.bullets(in_short::in_short(results, &found.surface.name));
+        page.bullets(summary::summary_lines(results, &found.surface.name));
     }
-    page.bullets(on_one_in_short(results));
+    page.bullets(single_asperity_lines(results));
     page.paragraph(compare::CONDITION);
     sections::what_was_run(&mut page, &compared.metadata, &compared.contact);
     laws(&mut page, results);
@@ -47,7 +47,7 @@ pub fn page(results: &LawsResults) -> Page {
 }
 
 /// Jumps of the laws, and the limit of small strains.
-fn on_one_in_short(results: &LawsResults) -> Vec<String> {
+fn single_asperity_lines(results: &LawsResults) -> Vec<String> {
     let unit = results.critical.indentation;
     let jumps = |law: &LawOnOne, of: fn(&Boundary) -> f64| {
         let at = |at: &Boundary| format!("{} at {}", signed_percent(of(at)), number(at.indentation / unit));

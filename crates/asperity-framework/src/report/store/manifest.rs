@@ -56,20 +56,20 @@ struct Summary {
 }
 
 /// Whether there is nothing at `path`, or a folder that holds only files that a run wrote.
-pub(super) fn check_ours(path: &Path) -> Result<(), StoreError> {
+pub(super) fn check_generated(path: &Path) -> Result<(), StoreError> {
     match fs::symlink_metadata(path) {
         Ok(found) if found.is_dir() => {}
-        Ok(_) => return Err(StoreError::NotOurs(path.into())),
+        Ok(_) => return Err(StoreError::NotGenerated(path.into())),
         Err(error) if error.kind() == ErrorKind::NotFound => return Ok(()),
         Err(error) => return failed("inspect", path, error),
     }
-    let ours = written(path);
+    let generated = written(path);
     for entry in fs::read_dir(path).or_else(|e| failed("list", path, e))? {
         let entry = entry.or_else(|e| failed("list", path, e))?;
         let is_file = entry.file_type().or_else(|e| failed("inspect", &entry.path(), e))?.is_file();
-        let known = entry.file_name().to_str().is_some_and(|name| ours.contains(name));
+        let known = entry.file_name().to_str().is_some_and(|name| generated.contains(name));
         if !is_file || !known {
-            return Err(StoreError::NotOurs(entry.path()));
+            return Err(StoreError::NotGenerated(entry.path()));
         }
     }
     Ok(())

@@ -41,7 +41,7 @@ pub enum StoreError {
     Busy(PathBuf),
     /// A report would replace something that no run has written.
     #[error("{} was not written by a run and would be lost; move it away or choose another --out", .0.display())]
-    NotOurs(PathBuf),
+    NotGenerated(PathBuf),
     /// A name that cannot be that of a report or of one of its files.
     #[error("{0:?} cannot name a report or a file in it")]
     BadName(String),
@@ -96,13 +96,13 @@ impl Store {
                 .is_some_and(|manifest| manifest.key == key && manifest.matches(&self.directory.join(stem)))
     }
 
-    /// Whether a report of this name may be written: [`StoreError::NotOurs`] if something is in the
+    /// Whether a report of this name may be written: [`StoreError::NotGenerated`] if something is in the
     /// way, [`StoreError::BadName`], or [`StoreError::Io`] if that cannot be told. Writes nothing.
     pub fn check(&self, stem: &str) -> Result<(), StoreError> {
         if !is_plain(stem) {
             return Err(StoreError::BadName(stem.into()));
         }
-        manifest::check_ours(&self.directory.join(stem))
+        manifest::check_generated(&self.directory.join(stem))
     }
 
     /// Writes a report in place of the one of the same name, whole or not at all, with its
@@ -127,7 +127,7 @@ impl Store {
         done
     }
 
-    /// Whether a page of this name may be written: [`StoreError::NotOurs`] if a file is in the way that
+    /// Whether a page of this name may be written: [`StoreError::NotGenerated`] if a file is in the way that
     /// does not hold `mark`, by which pages of runs are known. Writes nothing.
     pub fn check_page(&self, name: &str, mark: &str) -> Result<(), StoreError> {
         if !is_plain(name) {
@@ -136,12 +136,12 @@ impl Store {
         let path = self.directory.join(name);
         match fs::symlink_metadata(&path) {
             Ok(found) => {
-                let ours = found.is_file()
+                let generated = found.is_file()
                     && fs::read(&path)
                         .or_else(|e| failed("read", &path, e))?
                         .windows(mark.len().max(1))
                         .any(|part| part == mark.as_bytes());
-                if ours { Ok(()) } else { Err(StoreError::NotOurs(path)) }
+                if generated { Ok(()) } else { Err(StoreError::NotGenerated(path)) }
             }
             Err(error) if error.kind() == io::ErrorKind::NotFound => Ok(()),
             Err(error) => failed("inspect", &path, error),

@@ -5,15 +5,15 @@ use crate::precision::integral::{Effort, Family, Rule};
 use asperity_framework::report::format::input_number;
 
 /// The name of a rule or a way.
-pub fn candidate_words(candidate: &Candidate) -> String {
+pub fn candidate_name(candidate: &Candidate) -> String {
     match candidate {
-        Candidate::Rule(rule) => rule_words(rule),
+        Candidate::Rule(rule) => rule_name(rule),
         Candidate::Way(way) => way.name().to_owned(),
     }
 }
 
 /// A rule with its effort, in words.
-pub fn rule_words(rule: &Rule) -> String {
+pub fn rule_name(rule: &Rule) -> String {
     let family = match (rule.family, rule.split) {
         (Family::Laguerre, true) => "gauss-laguerre behind gauss-legendre",
         (family, _) => family.name(),

@@ -1,7 +1,7 @@
 //! Every time and every error, for machines.
 
 use super::findings::Winner;
-use super::names::candidate_words;
+use super::names::candidate_name;
 use crate::kind::precision::run::{CasePrecision, PrecisionResults};
 use crate::precision::curve::CurvePoint;
 use crate::precision::grid::GridPoint;
@@ -100,7 +100,7 @@ impl Row for CurveRow<'_> {
             asperities["count"] = (row.point.1.kind == Kind::Deterministic).then_some(row.point.0), "Asperities in the set; empty for the integral.";
             tolerance["1"] = row.point.1.tolerance, "Relative tolerance of the curve; empty where every separation is evaluated.";
             separations["count"] = row.point.1.separations, "Separations of the curve.";
-            asked["count"] = row.point.1.asked, "Separations at which the model was evaluated.";
+            asked["count"] = row.point.1.evaluated, "Separations at which the model was evaluated.";
             area_error["1"] = row.point.1.area_error, "Largest relative error of the area against the exact curve.";
             load_error["1"] = row.point.1.load_error, "Largest relative error of the load against the exact curve.";
             seconds_per_curve["s"] = row.point.1.seconds, "Time for the whole curve.";
@@ -188,7 +188,7 @@ impl Row for WinnerRow<'_> {
             of["text"] = row.point.of.name(), "What is timed: `integral` or `sum`.";
             asperities["count"] = row.point.asperities, "Asperities in the set; empty for the integral.";
             largest_error["1"] = row.point.level, "Largest relative error that is allowed.";
-            fastest["text"] = row.point.fastest.map(|(candidate, _)| candidate_words(&candidate)), "The fastest rule or method within it; empty where there is none.";
+            fastest["text"] = row.point.fastest.map(|(candidate, _)| candidate_name(&candidate)), "The fastest rule or method within it; empty where there is none.";
             error["1"] = row.point.fastest.map(|(_, cost)| cost.error), "Its error, the larger of area and load.";
             seconds_per_separation["s"] = row.point.fastest.map(|(_, cost)| cost.seconds), "Its time per separation.";
             shipped_over_fastest["1"] = row.point.shipped_over_fastest, "Time of the default rule or method over that of the fastest; empty where the default exceeds the error.";

@@ -160,9 +160,9 @@ impl Exact {
         let end = of.window()[1];
         if let Flat::Homogeneous { .. } = self.flat {
             let w = Wide::new(end * of.sigma);
-            let felt = self.felt(w, shape);
-            let first = felt.flat_is_lesser(|yield_limits| yield_limits.onset);
-            let Some(u) = Self::place(w, shape, &felt, first) else { return Vec::new() };
+            let effective = self.effective(w, shape);
+            let first = effective.flat_has_smaller(|yield_limits| yield_limits.onset);
+            let Some(u) = Self::place(w, shape, &effective, first) else { return Vec::new() };
             return self.boundaries.iter().map(|boundary| *boundary / u * end).collect();
         }
         let steps = (PER_DECADE * -NEGLIGIBLE.log10()) as i32;

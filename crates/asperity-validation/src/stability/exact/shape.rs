@@ -35,11 +35,11 @@ impl Shape {
         let (mut before, mut now) = (low, high);
         let (mut of_before, mut of_now) = (value(before), value(now));
         for _ in 0..6 {
-            let fall = of_now - of_before;
-            if fall == Wide::ZERO || of_now == Wide::ZERO {
+            let change = of_now - of_before;
+            if change == Wide::ZERO || of_now == Wide::ZERO {
                 break;
             }
-            let next = now - of_now * (now - before) / fall;
+            let next = now - of_now * (now - before) / change;
             (before, of_before) = (now, of_now);
             (now, of_now) = (next, value(next));
         }

@@ -31,12 +31,12 @@ impl Total {
     };
 
     /// Over all regimes.
-    pub fn whole_area(&self) -> Wide {
+    pub fn total_area(&self) -> Wide {
         self.area[0] + self.area[1] + self.area[2]
     }
 
     /// Over all regimes.
-    pub fn whole_load(&self) -> Wide {
+    pub fn total_load(&self) -> Wide {
         self.load[0] + self.load[1] + self.load[2]
     }
 

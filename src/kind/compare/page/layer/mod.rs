@@ -3,8 +3,8 @@
 mod answers;
 mod figures;
 
-use super::in_short::{CONDITION, trust};
 use super::names::{stem, subject, under};
+use super::summary::{CONDITION, trust};
 use crate::kind::compare::answers::{CaseResults, Threshold};
 use crate::kind::compare::findings::{AtThickness, GapRange, LawFindings, LayerFindings, PlasticRange};
 use crate::kind::compare::results::{CompareResults, SurfaceResults};
@@ -88,7 +88,7 @@ impl<'a> Series<'a> {
     }
 
     /// The findings, one line each.
-    pub fn in_short(&self) -> Vec<String> {
+    pub fn summary_lines(&self) -> Vec<String> {
         let mut lines = Vec::new();
         lines.extend(self.threshold_line());
         lines.extend(self.findings.plastic.as_ref().map(|found| self.plastic_line(found)));

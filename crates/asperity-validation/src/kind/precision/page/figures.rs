@@ -165,8 +165,9 @@ pub fn curves(found: &CurveFindings) -> String {
             Axis::log("time of the curve (ms)").range(0.6 * least, 1.6 * most),
         );
         let within = || of_kind().filter_map(|point| Some((point.tolerance?, point)));
-        let asked: Vec<_> = within().map(|(tolerance, point)| (tolerance, milliseconds(point))).collect();
-        for layer in series(asked, "tolerance", Colour::Series(0), Dash::Solid, Marker::Circle) {
+        let by_tolerance: Vec<_> =
+            within().map(|(tolerance, point)| (tolerance, milliseconds(point))).collect();
+        for layer in series(by_tolerance, "tolerance", Colour::Series(0), Dash::Solid, Marker::Circle) {
             plot = plot.with(layer);
         }
         let off = within().map(|(_, point)| (point.error().max(FLOOR), milliseconds(point)));

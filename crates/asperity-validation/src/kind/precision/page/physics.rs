@@ -9,13 +9,13 @@ use asperity_framework::report::format::{count, input_number, number, percent};
 use asperity_framework::report::page::{Page, escape};
 
 /// Summary of these effects.
-pub fn in_short(results: &PrecisionResults) -> Vec<String> {
-    let mut lines: Vec<String> = results.cases.iter().filter_map(asperities_in_short).collect();
-    lines.extend(results.grid.as_ref().and_then(grid_in_short));
+pub fn summary_lines(results: &PrecisionResults) -> Vec<String> {
+    let mut lines: Vec<String> = results.cases.iter().filter_map(asperities_line).collect();
+    lines.extend(results.grid.as_ref().and_then(grid_line));
     lines
 }
 
-fn asperities_in_short(case: &CasePrecision) -> Option<String> {
+fn asperities_line(case: &CasePrecision) -> Option<String> {
     let tenfold = case.sampling.as_ref()?.tenfold()?;
     Some(format!(
         "**Asperities, {}**: ten times as many cost {} times the time and make the sampling error of the load {} times smaller (theory: √10 = 3.16).",
@@ -25,7 +25,7 @@ fn asperities_in_short(case: &CasePrecision) -> Option<String> {
     ))
 }
 
-fn grid_in_short(found: &GridFindings) -> Option<String> {
+fn grid_line(found: &GridFindings) -> Option<String> {
     let Doubling { bias, scatter, time } = found.doubling()?;
     Some(format!(
         "**Surface**: twice the points per correlation length cost {cost} times the time and make the bias of the radius \

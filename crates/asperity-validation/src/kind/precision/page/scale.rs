@@ -10,10 +10,10 @@ use asperity_framework::report::format::{count, input_number, number, quantity};
 use asperity_framework::report::page::{Page, escape};
 
 /// Time of curves and lists.
-pub fn in_short(case: &CasePrecision) -> Vec<String> {
-    let curve = case.curve.as_ref().and_then(easy_words);
+pub fn summary_lines(case: &CasePrecision) -> Vec<String> {
+    let curve = case.curve.as_ref().and_then(curve_cost);
     let curve = curve.map(|text| format!("**A curve, {}**: {text}.", escape(&case.name)));
-    let list = list_words(&case.lists).map(|text| format!("**Lists, {}**: {text}.", escape(&case.name)));
+    let list = list_cost(&case.lists).map(|text| format!("**Lists, {}**: {text}.", escape(&case.name)));
     curve.into_iter().chain(list).collect()
 }
 
@@ -26,7 +26,7 @@ const fn model(kind: Kind) -> &'static str {
 }
 
 /// The cost at the tolerances of [`EASY`], of those tested.
-fn easy_words(found: &CurveFindings) -> Option<String> {
+fn curve_cost(found: &CurveFindings) -> Option<String> {
     let at = |(kind, tolerance): (Kind, f64)| {
         let is_it = |point: &&CurvePoint| point.kind == kind && point.tolerance == Some(tolerance);
         let point = found.points.iter().find(is_it)?;
@@ -50,7 +50,7 @@ fn easy_words(found: &CurveFindings) -> Option<String> {
     (!parts.is_empty()).then(|| parts.join("; "))
 }
 
-fn list_words(lists: &[ListPoint]) -> Option<String> {
+fn list_cost(lists: &[ListPoint]) -> Option<String> {
     let LongLists { shortest: first, longest: last, seconds_per_asperity } = LongLists::of(lists)?;
     let memory = last.peak_bytes.map_or_else(String::new, |bytes| {
         format!(" and at most {} of memory", quantity(two_digits(bytes as f64), "B"))
@@ -119,7 +119,7 @@ pub fn curves(page: &mut Page, results: &PrecisionResults) {
                     model(point.kind).to_owned(),
                     point.tolerance.map_or_else(|| "exact".to_owned(), input_number),
                     count(point.separations),
-                    count(point.asked),
+                    count(point.evaluated),
                     number(two_digits(point.area_error)),
                     number(two_digits(point.load_error)),
                     time(point.seconds),
@@ -127,7 +127,7 @@ pub fn curves(page: &mut Page, results: &PrecisionResults) {
                 ]
             }),
         );
-        if let Some(text) = easy_words(found) {
+        if let Some(text) = curve_cost(found) {
             page.paragraph(&format!("{text}."));
         }
     }

@@ -22,7 +22,7 @@ pub fn page(results: &StabilityResults) -> Page {
         page.warning(&escape(&warning));
     }
     page.heading(2, "Summary");
-    page.bullets(in_short(results));
+    page.bullets(summary_lines(results));
     page.paragraph(
         "All results of the models are compared with values of about 32 digits from an independent evaluation of the \
          equations: other formulas, no tables, double-double arithmetic, the tanh-sinh rule for integrals, slopes by \
@@ -77,7 +77,7 @@ const METHOD: [&str; 6] = [
     "Stiffnesses under a layer and under Jackson and Green are slopes of tables: their bound is 1e-11.",
 ];
 
-fn in_short(results: &StabilityResults) -> Vec<String> {
+fn summary_lines(results: &StabilityResults) -> Vec<String> {
     let beyond = results.beyond().count();
     let mut lines = vec![format!(
         "**{} cases** in {} groups: {}; {}.",

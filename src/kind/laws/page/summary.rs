@@ -1,6 +1,6 @@
 //! Summary: which matters more, contact law or summation method.
 
-use super::words::size;
+use super::measures::size;
 use crate::kind::laws::results::{LawsResults, SurfaceInfluence};
 use asperity::compare::{Attribution, Dominant, Group, Measure};
 use asperity_framework::report::format::{input_quantity, listed, number};
@@ -47,7 +47,7 @@ fn verdict_by(results: &LawsResults, measure: Measure) -> Option<String> {
 }
 
 /// Which matters more on one surface, by how much, and within which sampling uncertainty: one line per measure.
-pub fn in_short(results: &LawsResults, surface: &str) -> Vec<String> {
+pub fn summary_lines(results: &LawsResults, surface: &str) -> Vec<String> {
     let Some(found) = results.of_first(surface) else { return Vec::new() };
     if found.attributions.is_empty() {
         return vec![format!(

@@ -24,7 +24,7 @@ fn validity(loads: impl Iterator<Item = f64>) -> String {
 }
 
 /// Difference between the models, and which to use: one line each.
-pub fn in_short(results: &CompareResults, found: &SurfaceResults, index: usize) -> Vec<String> {
+pub fn summary_lines(results: &CompareResults, found: &SurfaceResults, index: usize) -> Vec<String> {
     let (case, findings) = (&found.first.cases[index], &found.findings.cases[index]);
     let subject = subject(results, found, &case.law);
     let mut lines = match &findings.over_realisations {
