@@ -1,4 +1,4 @@
-//! From a spec file to results: read, plan, run. Nothing here knows a terminal or writes a file.
+//! From a spec file to results: read, plan, run. No output to terminal or files.
 
 use std::fmt;
 use std::path::{Path, PathBuf};
@@ -20,7 +20,7 @@ const SOURCES: &str = env!("ASPERITY_SOURCES");
 /// A commented spec that runs as it stands.
 pub const TEMPLATE: &str = include_str!("template.toml");
 
-/// An experiment that can be run. `Display` says what it will do and need.
+/// An experiment that can be run. `Display` prints what it will do and need.
 pub struct Experiment {
     source: Source,
     stem: String,
@@ -138,7 +138,7 @@ impl Experiment {
     }
 }
 
-/// Names of the tables that a spec may hold beside the common keys.
+/// Names of the tables that a spec may contain besides the common keys.
 fn tables() -> Vec<&'static str> {
     KINDS.iter().map(|kind| kind.name()).chain([SURFACES]).collect()
 }
@@ -185,7 +185,7 @@ fn check_memory(plan: &dyn Plan, source: &Source) -> Result<(), InputError> {
     system.refresh_memory();
     let available = u128::from(system.available_memory());
     let needed = plan.memory();
-    // A system that does not tell how much there is refuses nothing.
+    // Without a known limit nothing is refused.
     if available == 0 || needed.bytes <= available {
         return Ok(());
     }

@@ -8,7 +8,7 @@ use asperity_framework::input::InputError;
 
 use asperity_framework::input::SpecFile;
 
-/// A layer in one thickness or several.
+/// A layer of one thickness or several.
 #[derive(Debug, Clone)]
 pub struct LayerPlan {
     /// Name of its material.

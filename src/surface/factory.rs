@@ -22,7 +22,7 @@ pub struct SurfaceFactory<'a> {
     source: &'a Source,
     seed: u64,
     counter: &'a Counter,
-    /// That met a target before.
+    /// A bandwidth that met the target before.
     bandwidth: Option<f64>,
 }
 

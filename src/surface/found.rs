@@ -1,4 +1,4 @@
-//! A surface as the models and the report see it: its asperities and what is known of them.
+//! A surface for models and report: its asperities and their properties.
 
 use super::overview::{AnalysisDepth, MapOverview};
 use asperity::topography::generate::{SurfaceGenerator, Target};
@@ -28,11 +28,11 @@ pub struct Surface {
     pub mean_plane: Option<f64>,
     /// The population that it was drawn from: its parameters are then the inputs of the statistical model.
     pub nominal: Option<Population>,
-    /// The mean shape of its asperities as ellipses, where a law sees them so.
+    /// The mean shape of its asperities as ellipses, for elliptic laws.
     pub ellipticity: Option<Ellipticity>,
     /// The map that it was found on.
     pub map: Option<MapFacts>,
-    /// How many surfaces of its name there are, of which this is one.
+    /// Number of realisations of this surface.
     pub realisations: usize,
     /// Caveats.
     pub warnings: Vec<String>,
@@ -64,7 +64,7 @@ pub struct MapFacts {
     /// Summits whose smaller principal curvature is not positive.
     pub saddles: usize,
     /// Five-point summits of a Gaussian surface with the same autocorrelation at neighbours; `None` where other
-    /// summits were looked for.
+    /// summits were searched.
     pub expected: Option<Expected>,
     /// Summits of a continuous isotropic Gaussian surface with the same spectral moments.
     pub nayak: Option<Expected>,
@@ -79,7 +79,7 @@ pub struct MapFacts {
 /// What a random surface was made by.
 #[derive(Debug, Clone)]
 pub struct GenerationFacts {
-    /// The generator; of a target the one that was found.
+    /// The generator; for a target, the one found.
     pub generator: SurfaceGenerator,
     /// Target of its summits, and the number of surfaces tried.
     pub target: Option<(Target, usize)>,
@@ -192,9 +192,9 @@ impl SummitSearch {
 impl MapFacts {
     /// Caveats.
     pub fn warnings(&self) -> Vec<String> {
-        /// No measured or machined surface is so steep all over.
+        /// Largest plausible r.m.s. slope.
         const STEEP: f64 = 1.0;
-        /// Nobody measures roughness at points so far apart, m.
+        /// Largest plausible point spacing, m.
         const WIDE: f64 = 1e-3;
         let mut warnings = Vec::new();
         let widest = self.pixel[0].max(self.pixel[1]);
@@ -256,7 +256,7 @@ impl MapFacts {
         })
     }
 
-    /// The papers behind it.
+    /// References.
     fn papers(&self) -> Vec<Paper> {
         let mut papers = vec![literature::GREENWOOD_1984, literature::NAYAK_1971];
         if self.filter.is_some() {
@@ -320,7 +320,7 @@ impl Surface {
         self.nominal.is_some() && self.mean_plane.is_some()
     }
 
-    /// The papers behind its asperities.
+    /// References for its asperities.
     pub fn papers(&self) -> Vec<Paper> {
         let mut papers: Vec<Paper> = self.map.iter().flat_map(MapFacts::papers).collect();
         if self.is_quoted_as_surface() {

@@ -65,7 +65,7 @@ pub struct PlateauSpec {
     pub height: Quantity<Length, Finite>,
 }
 
-/// A spectrum: a one-key table names it and holds its numbers.
+/// A spectrum: a table with its name as the only key.
 #[derive(Debug, Clone, Copy, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum SpectrumSpec {

@@ -22,15 +22,15 @@ use asperity_framework::input::{InputError, Source};
 /// How a random surface is made.
 #[derive(Debug, Clone)]
 pub struct Generation {
-    /// The way.
+    /// The method.
     pub way: Way,
     /// What a summit is.
     pub neighbours: Neighbours,
-    /// What the spec says of its size, or of its summits.
+    /// Position of its size, or of its summits, in the spec.
     pub key: Range<usize>,
 }
 
-/// The two ways to a surface.
+/// How a surface is generated.
 #[derive(Debug, Clone)]
 pub enum Way {
     /// By what it is.
@@ -56,7 +56,7 @@ pub struct Generated {
 
 /// A grid that is worth making.
 const FEWEST_POINTS: u64 = 8;
-/// Beyond, no memory holds a map.
+/// Larger maps do not fit in memory.
 const MOST_POINTS: u64 = 1 << 20;
 
 impl Generation {
@@ -269,7 +269,7 @@ fn lay(elongation: f64, angle: Option<Quantity<Angle, Finite>>) -> Result<Lay, S
     Ok(Lay { elongation, angle })
 }
 
-/// A target leaves scales and bandwidth open.
+/// A generator whose scales and bandwidth follow from a target.
 fn target_recipe(
     source: &Source,
     raw: &GenerateSpec,

@@ -33,12 +33,12 @@ pub struct MapOverview {
     pub autocorrelation: Option<Autocorrelation>,
     /// The heights, at most 512 along each axis.
     pub picture: Option<HeightMap>,
-    /// How many heights lie in each of equal intervals over 5 Sq on both sides of the mean.
+    /// Number of heights in each of equal intervals over 5 Sq on both sides of the mean.
     pub distribution: Option<Vec<usize>>,
 }
 
 impl MapOverview {
-    /// Looks at a map, made by `generator` if it was made, to the given `depth`.
+    /// Analyses a map to the given `depth`; `generator` is set for a generated one.
     pub(super) fn of(
         map: &dyn Rows,
         roughness: &RoughnessParameters,

@@ -24,11 +24,11 @@ use asperity_framework::{Memory, set_memory};
 pub struct SurfacePlan {
     /// Its name in the spec.
     pub name: String,
-    /// Where the spec says what it is made of.
+    /// Its position in the spec.
     pub size_key: Range<usize>,
-    /// How many surfaces of this name are made; a given or measured one is its own only realisation.
+    /// Number of realisations; 1 for a given or measured surface.
     pub realisations: usize,
-    /// Whether a law sees its asperities as ellipses.
+    /// Whether a law treats its asperities as ellipses.
     pub(super) as_ellipses: bool,
     pub(super) origin: Origin,
 }
@@ -68,7 +68,7 @@ pub(super) struct MapPlan {
 const MOST_REALISATIONS: u64 = 1000;
 
 impl SurfacePlan {
-    /// Looks at everything about a surface that can be known before it is made.
+    /// Checks everything about a surface that is known before it is made.
     ///
     /// # Errors
     /// A file that is missing or is not what it should be; numbers that make no surface.
@@ -241,7 +241,7 @@ impl SurfacePlan {
     /// An estimate of the memory that it needs at its peak, bytes, with as many summits as a rough surface has: on
     /// noise there are twice as many.
     pub fn memory(&self, depth: AnalysisDepth) -> u128 {
-        /// A map that is read as a whole, and turned.
+        /// A map that is read at once and transposed.
         const BYTES_PER_POINT: u128 = 32;
         /// The transforms of an autocorrelation, over one and a half times the side of an open map.
         const BYTES_PER_ANALYSED_POINT: u128 = 96;

@@ -2,7 +2,7 @@
 
 use asperity::topography::read::{ReadError, ReadOptionsError};
 
-/// What is wrong with a file, and the keys that mend it.
+/// What is wrong with a file, and the keys that correct it.
 pub fn spec_message(error: &ReadError) -> String {
     match error {
         ReadError::Options(error) => options_message(error),
@@ -16,7 +16,7 @@ pub fn spec_message(error: &ReadError) -> String {
     }
 }
 
-/// What is wrong with the keys beside a file.
+/// What is wrong with the keys of a file.
 pub fn options_message(error: &ReadOptionsError) -> String {
     match error {
         ReadOptionsError::NoPixel => {

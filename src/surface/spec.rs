@@ -17,7 +17,7 @@ use asperity::units::Dimension;
 use asperity_framework::input::heights::HeightsSpec;
 use asperity_framework::input::quantity::{Area, ArealNumberDensity, Length, Pure, Quantity};
 
-/// One surface: exactly one kind a name.
+/// One surface: exactly one kind per name.
 #[derive(Debug, Deserialize)]
 #[serde(try_from = "Kinds")]
 pub enum SurfaceSpec {
@@ -62,7 +62,7 @@ impl TryFrom<Kinds> for SurfaceSpec {
     }
 }
 
-/// A list of asperities: CSV with columns height and radius, or an n x 2 `.npy`; for laws that see ellipses with kx and
+/// A list of asperities: CSV with columns height and radius, or an n x 2 `.npy`; for elliptic laws with kx and
 /// ky too.
 #[derive(Debug, Deserialize)]
 #[serde(deny_unknown_fields, rename_all = "kebab-case", expecting = "a table { file, nominal-area }")]
@@ -83,7 +83,7 @@ pub struct ListSpec {
 pub struct PopulationSpec {
     /// Radius of every asperity: 1/(mean curvature).
     pub radius: Quantity<Length>,
-    /// The larger principal curvature of every asperity over the smaller one, for laws that see ellipses.
+    /// The larger principal curvature of every asperity over the smaller one, for elliptic laws.
     pub curvature_ratio: Option<Spanned<Quantity<Pure>>>,
     /// Standard deviation of the heights.
     pub sigma: Quantity<Length>,
@@ -160,9 +160,9 @@ pub enum DrawSpec {
 pub struct FileSpec {
     /// The file, relative to the spec.
     pub path: Spanned<PathBuf>,
-    /// Pixel size along x and y; only where the format holds none.
+    /// Pixel size along x and y; only where the format contains none.
     pub pixel: Option<Spanned<PixelSpec>>,
-    /// Unit of the lengths in the file; only where the format holds none.
+    /// Unit of the lengths in the file; only where the format contains none.
     pub unit: Option<Spanned<UnitSpec>>,
     /// Form that is removed.
     #[serde(default)]

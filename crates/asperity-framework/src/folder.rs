@@ -17,7 +17,7 @@ pub enum ReportError {
     Summary(#[from] serde_json::Error),
 }
 
-/// The whole report on `outcome`, to be written under `key`, which stands for all that it depends on.
+/// The complete report on `outcome`; `key` identifies everything that it depends on.
 ///
 /// # Errors
 /// See [`ReportError`].

@@ -145,13 +145,13 @@ impl Plot {
         self
     }
 
-    /// Where the names of the layers stand; [`Legend::Auto`] unless told otherwise.
+    /// Where the names of the layers stand; [`Legend::Auto`] by default.
     pub fn legend(mut self, legend: Legend) -> Self {
         self.legend = legend;
         self
     }
 
-    /// Height between the axes in CSS pixels, from 60 to 2000; 380 unless told otherwise.
+    /// Height between the axes in CSS pixels, from 60 to 2000; 380 by default.
     pub fn height(mut self, pixels: f64) -> Self {
         self.height = pixels.clamp(60.0, 2000.0);
         self

@@ -27,7 +27,7 @@ pub(super) struct LayerSummary<'a> {
     rule_errors: Vec<RuleErrorSummary>,
 }
 
-/// A rule's elastic load beside the exact one.
+/// Elastic load by an effective-modulus model over the exact one.
 #[derive(Serialize)]
 struct RuleErrorSummary {
     rule: &'static str,
@@ -35,7 +35,7 @@ struct RuleErrorSummary {
     load_over_exact: f64,
 }
 
-/// Up to which thickness the real area stays within 5 % of the one without a layer; empty where the thinnest matters.
+/// Largest thickness at which the real area is within 5 % of the uncoated one; empty where even the thinnest has an effect.
 #[derive(Serialize)]
 pub(super) struct ThresholdSummary<'a> {
     surface: &'a str,

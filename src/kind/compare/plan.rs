@@ -15,25 +15,25 @@ use crate::surface::{SurfacePlan, describe, surfaces};
 
 /// Both models on given surfaces.
 pub struct ComparePlan {
-    /// Who touches whom.
+    /// Names of the two bodies.
     pub bodies: Bodies,
     /// The rough body and the flat.
     pub pair: [Material; 2],
-    /// What lies on the flat.
+    /// The layer on the flat.
     pub layer: Option<Box<LayerPlan>>,
     /// The laws, each under every thickness of the layer.
     pub laws: Vec<LawPlan>,
     /// The laws alone.
     pub law_specs: Vec<ContactLaw>,
-    /// The models that are asked for.
+    /// The models to run.
     pub models: Vec<Kind>,
     /// Height density of the statistical model, where the spec names one.
     pub heights: Option<Heights>,
-    /// Which mean stands for the radii.
+    /// Which mean radius the statistical model uses.
     pub mean_radius: MeanRadius,
     /// What the surfaces are pressed to.
     pub controls: Controls,
-    /// Where the spec asks for pressures and forces, for a load that is not reached.
+    /// Position of pressures and forces in the spec, for errors about loads out of reach.
     pub load_keys: [Option<std::ops::Range<usize>>; 2],
     /// The surfaces.
     pub surfaces: Vec<SurfacePlan>,
@@ -78,7 +78,7 @@ pub(super) fn plan(file: &SpecFile) -> Result<ComparePlan, InputError> {
     compared(file, table.get_ref(), table.span())
 }
 
-/// Resolves what stands at `span`.
+/// Resolves the table at `span`.
 pub(crate) fn compared(
     file: &SpecFile,
     raw: &CompareSpec,
@@ -109,7 +109,7 @@ pub(crate) fn compared(
         }
     };
     let flat_name = raw.flat.get_ref();
-    // Under a layer of no thickness nothing feels it, under one of any nothing the substrate.
+    // Zero thickness needs no layer properties, infinite thickness no substrate properties.
     let coat = layer.as_deref().filter(|layer| layer.thicknesses.iter().any(|&t| t > 0.0));
     let feels_substrate =
         layer.as_deref().is_none_or(|layer| layer.thicknesses.iter().any(|t| t.is_finite()));

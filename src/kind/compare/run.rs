@@ -153,7 +153,7 @@ fn decreases(
     answered: &RealisationResults,
     counter: &Counter,
 ) -> Vec<DecreaseResults> {
-    /// The first indentation that is looked at, of the deepest.
+    /// Smallest indentation examined over the largest.
     const SHALLOWEST: f64 = 1e-4;
     let extremes = |values: &[f64]| {
         let ends = (f64::INFINITY, f64::NEG_INFINITY);
@@ -162,7 +162,7 @@ fn decreases(
     let highest = extremes(surface.set.heights()).1 - surface.plane.mean;
     let mut found = Vec::new();
     let cases: Vec<_> = plan.laws.iter().zip(&answered.cases).collect();
-    // Laws that see the same asperities, whatever the layer.
+    // Laws of the same kind of asperities, for any layer.
     for alike in cases.chunk_by(|a, b| a.0.spec.sees_ellipses() == b.0.spec.sees_ellipses()) {
         let spec = &alike[0].0.spec;
         let [sharpest, bluntest] = models.extreme_shapes(spec);
@@ -189,7 +189,7 @@ fn decreases(
     found
 }
 
-/// Points at the sweep that asks for more than a model reaches.
+/// Points at the sweep with a load out of reach.
 fn unreachable_load(
     context: &RunContext,
     compare: &ComparePlan,

@@ -93,7 +93,7 @@ pub(crate) struct PairRow {
     pub(crate) plasticity_index: Option<f64>,
 }
 
-/// The answer of one model of a pair.
+/// Result of one model of a pair.
 struct Answer {
     model: Kind,
     response: Response,

@@ -31,7 +31,7 @@ pub(super) fn thresholds(
         return Vec::new();
     }
     let mut searches = Vec::new();
-    // A law that stands under no layer of finite thickness is asked of none.
+    // Only laws under a layer of finite thickness have a threshold.
     let stands =
         |law: &&ContactLaw| layer.flat(1.0).is_ok_and(|finite| law.interface(&plan.pair[0], &finite).is_ok());
     for law in plan.law_specs.iter().filter(stands) {

@@ -29,7 +29,7 @@ pub struct IndentationPlan {
     pub indentations: Vec<f64>,
     /// Measured points, where there are some.
     pub overlay: Option<OverlayPlan>,
-    /// Which way round the curves are drawn.
+    /// Axes of the load figure.
     pub show: Show,
 }
 
@@ -51,7 +51,7 @@ impl IndentationPlan {
 
     /// Micro-contacts that are evaluated, each exact one counted as one.
     pub fn work(&self) -> u128 {
-        /// Uncoated, coated, all layer; the exact contact and two rules beside it for all laws.
+        /// Uncoated, coated, all layer; plus the exact contact and both effective-modulus models.
         const CURVES: usize = 3;
         let a_case = CURVES * (self.laws.len() + 1) * self.indentations.len();
         a_case as u128 * self.cases() as u128
@@ -161,7 +161,7 @@ pub(super) fn plan(file: &SpecFile) -> Result<IndentationPlan, InputError> {
     }
 }
 
-/// The limits of no layer and nothing but the layer stand beside every layer by themselves.
+/// The uncoated flat and the bulk layer material are always included.
 fn check_layers(file: &SpecFile, raw: &IndentationSpec, layers: &[LayerPlan]) -> Result<(), InputError> {
     let refuse = |message: String| Err(file.source.error_at(raw.layer.span(), message));
     for (k, layer) in layers.iter().enumerate() {
@@ -186,7 +186,7 @@ fn check_layers(file: &SpecFile, raw: &IndentationSpec, layers: &[LayerPlan]) ->
     Ok(())
 }
 
-/// Reads measured points beside the spec.
+/// Reads measured points from a file next to the spec.
 fn overlay(source: &Source, file: &Spanned<PathBuf>) -> Result<OverlayPlan, InputError> {
     let path = beside(source, file)?;
     let points = read_points(&path)

@@ -1,4 +1,4 @@
-//! What a summary says of a sphere on layers.
+//! Summary of a sphere on layers.
 
 use serde::Serialize;
 use serde_json::{Map, Value};
@@ -9,7 +9,7 @@ use asperity::compare::ModulusError;
 use asperity::sphere::{Curve, Decrease, RegimeChange};
 use asperity_framework::fields;
 
-/// One layer in one thickness.
+/// A layer of one thickness.
 #[derive(Serialize)]
 struct SphereSummary<'a> {
     layer: &'a str,

@@ -113,7 +113,7 @@ impl Row for ChangeRow<'_> {
     }
 }
 
-/// An effective-modulus model beside the exact elastic contact.
+/// An effective-modulus model and the exact elastic contact.
 struct RuleRow<'a> {
     layer: &'a LayerResults,
     rule: ModulusModel,
@@ -137,7 +137,7 @@ impl Row for RuleRow<'_> {
     }
 }
 
-/// A measured point beside the coated curve.
+/// A measured point and the coated curve.
 struct OverlayRow<'a> {
     layer: &'a LayerResults,
     law: &'a str,

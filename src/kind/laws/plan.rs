@@ -16,7 +16,7 @@ pub struct LawsPlan {
     pub compare: ComparePlan,
     /// 1/(mean curvature) of the asperity, m.
     pub radius: f64,
-    /// Its larger principal curvature over the smaller one; 1 where no law sees ellipses.
+    /// Its larger principal curvature over the smaller one; 1 without elliptic laws.
     pub curvature_ratio: f64,
     /// The unit of indentation.
     pub critical: Critical,
@@ -46,12 +46,12 @@ impl Critical {
 }
 
 impl LawsPlan {
-    /// The asperity as a law sees it.
+    /// The asperity as a sphere or an ellipse, as the law requires.
     pub fn shape(&self, law: &ContactLaw) -> Shape {
         law.shape(self.radius, self.curvature_ratio)
     }
 
-    /// Points of the curves of the one asperity.
+    /// Points of the curves of the single asperity.
     pub fn points(&self) -> u128 {
         (self.ratios.len() * self.compare.laws.len()) as u128
     }

@@ -55,7 +55,7 @@ pub struct Slope {
     pub fit: SlopeFit,
 }
 
-/// The slopes for one way of taking the heights.
+/// The slopes for one choice of heights.
 #[derive(Debug, Clone, Copy)]
 pub struct SlopeRange {
     /// How the heights were taken.
@@ -104,7 +104,7 @@ pub fn slopes<'a>(
     slopes
 }
 
-/// The range of the slopes for each way of taking the heights that has some.
+/// The range of the slopes for each choice of heights.
 pub fn ranges(slopes: &[Slope]) -> Vec<SlopeRange> {
     let range = |heights| {
         let of_heights = slopes.iter().filter(|slope| slope.heights == heights);

@@ -10,7 +10,7 @@ use super::spec::LimitSpec;
 
 /// Sets of growing size against their limit.
 pub struct LimitPlan {
-    /// Who touches whom.
+    /// Names of the two bodies.
     pub bodies: Bodies,
     /// The laws.
     pub laws: Vec<LawPlan>,

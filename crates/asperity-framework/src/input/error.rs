@@ -23,7 +23,7 @@ struct Place {
 }
 
 impl InputError {
-    /// A file that is refused as a whole.
+    /// An error about a file, without a line.
     pub fn file(file: &Path, message: impl fmt::Display) -> Self {
         Self { file: file.to_owned(), place: None, message: message.to_string() }
     }
@@ -60,7 +60,7 @@ pub struct Source {
 }
 
 impl Source {
-    /// Words that the command line made; what they name is relative to the working directory.
+    /// A spec made from the command line; its paths are relative to the working directory.
     pub fn command_line(text: String) -> Self {
         Self { path: COMMAND_LINE.into(), text }
     }
@@ -70,7 +70,7 @@ impl Source {
         self.path.as_os_str() == COMMAND_LINE
     }
 
-    /// Refuses what stands at `span` (bytes of the text).
+    /// Error at `span` (bytes of the text).
     pub fn error_at(&self, span: Range<usize>, message: impl fmt::Display) -> InputError {
         let start = span.start.min(self.text.len());
         // A span may end up inside a character only if the parser is wrong; then line 1 is named.
@@ -95,7 +95,7 @@ impl Source {
     }
 }
 
-/// What the parser says, as what was found and what is allowed.
+/// Message of the parser as what was found and what is allowed.
 fn plain_message(message: &str) -> String {
     let plain = match message {
         "wanted string or table" => {

@@ -24,7 +24,7 @@ impl HeightsSpec {
         heights.map(Self).ok_or_else(|| format!("found \"{name}\"; allowed: {}", Self::allowed(also)))
     }
 
-    /// What a spec may say.
+    /// Allowed values.
     pub fn allowed(also: &[&str]) -> String {
         let forms = REGISTRY.iter().map(|entry| match entry.parameters {
             [] => format!("\"{}\"", entry.name),

@@ -13,7 +13,7 @@ use crate::contact::LawPlan;
 use asperity::law::{Body, Property};
 use asperity::{ContactLaw, Flat, Inapplicable, Material};
 
-/// Two materials as an error names them, or one that both bodies are of.
+/// Names of two materials for an error, or of the one used for both bodies.
 pub fn materials(rough: &str, flat: &str) -> String {
     if rough == flat {
         format!("[material.{rough}]")
@@ -23,7 +23,7 @@ pub fn materials(rough: &str, flat: &str) -> String {
 }
 
 impl SpecFile {
-    /// The material `name`, which stands at `span`.
+    /// The material `name`; `span` is where it is used.
     ///
     /// # Errors
     /// A name that the file does not define.
@@ -40,8 +40,8 @@ impl SpecFile {
         })
     }
 
-    /// Holds each law against the bodies that it will meet, as if each flat were homogeneous. Whether it stands under a
-    /// layer of finite thickness is seen when the contact is made.
+    /// Checks each law against its bodies, as if each flat were homogeneous. Whether it is valid under a
+    /// layer of finite thickness is checked when the contact is built.
     pub fn check_laws(
         &self,
         laws: &Spanned<Laws>,
@@ -93,7 +93,7 @@ impl SpecFile {
         self.materials().find(|(defined, _)| defined.get_ref() == name).map(|(defined, _)| defined.span())
     }
 
-    /// Each law against each flat, which has a layer of the thickness beside it.
+    /// Each law on each flat, given with its layer thickness.
     ///
     /// # Errors
     /// A law that does not apply to the bodies, or not under a layer.
@@ -129,12 +129,12 @@ impl SpecFile {
 
     /// Sizes of sets.
     pub fn counts(&self, raw: &Spanned<LogSweep<Pure>>) -> Result<Vec<usize>, InputError> {
-        /// Beyond this, counts are no longer exact as f64, and no memory holds them.
+        /// Larger sets do not fit in memory.
         const LARGEST_COUNT: f64 = 1e12;
         self.whole(raw, "a count of", LARGEST_COUNT)
     }
 
-    /// A sweep of whole numbers from 1 to `most`. Close ones may round to one: it stands once.
+    /// A sweep of whole numbers from 1 to `most`. Values that round to the same number are merged.
     pub fn whole(
         &self,
         raw: &Spanned<LogSweep<Pure>>,
@@ -152,7 +152,7 @@ impl SpecFile {
         Ok(whole)
     }
 
-    /// How many random ones of a kind.
+    /// Number of random realisations, 2 to 1000.
     pub fn several(&self, raw: &Spanned<u64>, what: &str) -> Result<usize, InputError> {
         let count = *raw.get_ref();
         if !(2..=1000).contains(&count) {

@@ -1,4 +1,4 @@
-//! A report page: one content in two forms.
+//! A report page in two formats.
 //!
 //! A [`Page`] is a list of blocks. Its Markdown is what people read in the repository, with pictures
 //! beside it; its HTML is the same content in one file that needs nothing else. Names come from
@@ -8,7 +8,7 @@ use pulldown_cmark::{CowStr, Event, Options, Parser, Tag, TagEnd};
 
 const STYLE: &str = include_str!("page.css");
 
-/// One cell of a table: plain text, or plain text that leads somewhere.
+/// One cell of a table: plain text, or a link.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Cell {
     /// Text as it is; nothing in it is markup.
@@ -55,7 +55,7 @@ impl Page {
         Self { title, blocks: vec![heading] }
     }
 
-    /// Adds a heading, plain text; level 2 stands below the title, 6 is the lowest.
+    /// Adds a heading, plain text; levels 2 (below the title) to 6.
     pub fn heading(&mut self, level: u8, text: &str) -> &mut Self {
         let marks = "#".repeat(level.clamp(2, 6).into());
         self.markdown_block(format!("{marks} {}", escape(text)))

@@ -1,4 +1,4 @@
-//! Do freshly made reports say the same as the committed ones? Structure and counts exactly, numbers
+//! Comparison of new reports with committed ones: structure and counts exactly, numbers
 //! to 1e-9, timings and reports on them for their shape only, errors of the size of a rounding and where they occur
 //! not at all (the summary says whether they are within their bounds), pictures and pages neither. Of contacts that were
 //! counted only whether there were any: the rounds of a search for a load end by the last digits, which machines with
@@ -17,7 +17,7 @@ const TOLERANCE: f64 = 1e-9;
 /// Scale of a relative error, whose own rounding is that of the numbers near 1 that it compares.
 const ERROR_SCALE: f64 = 1e-3;
 
-/// Scale of what several laws are told apart by: separations in sigma, ratios, jumps of a law, all of answers near 1.
+/// Scale of differences between laws: separations in sigma, ratios and jumps of a law are of order 1.
 const LAW_SCALE: f64 = 1.0;
 
 /// The key of a summary by which a report is known to be one on times and errors (`[precision]`).

@@ -1,4 +1,4 @@
-//! What a curve of many separations costs within a tolerance, beside all of them exact and beside few of them exact.
+//! Cost of a curve of many separations within a tolerance, compared with all of them and with a few of them exact.
 
 use std::hint::black_box;
 
@@ -14,7 +14,7 @@ use asperity::{
 /// at every asperity, an integral has none.
 pub const EASY: [(Kind, f64); 2] = [(Kind::Statistical, 1e-8), (Kind::Deterministic, 1e-4)];
 
-/// What is asked of a curve.
+/// Settings of the curve benchmark.
 #[derive(Debug, Clone, PartialEq)]
 pub struct CurveTask {
     /// Asperities in the set that is summed.
@@ -36,7 +36,7 @@ pub struct CurvePoint {
     pub tolerance: Option<f64>,
     /// Separations.
     pub separations: usize,
-    /// Separations at which the model itself answered.
+    /// Separations at which the model was evaluated.
     pub evaluated: usize,
     /// The largest relative error of the area against the exact curve.
     pub area_error: f64,

@@ -1,4 +1,4 @@
-//! Scenes: random ones over the whole representable range, and groups that look for trouble.
+//! Cases: random ones over the whole representable range, and adversarial groups.
 
 use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
@@ -11,20 +11,20 @@ use asperity::contact_law::registry;
 use asperity::law::Property;
 use asperity::{Heights, Material, ModulusModel, Population, Shape, reduced_modulus};
 
-/// One question, with every number that goes into it.
+/// One case with all its input numbers.
 #[derive(Debug, Clone)]
 pub struct Case {
     /// Where it belongs.
     pub group: Group,
     /// Its number there.
     pub index: u64,
-    /// Who touches whom.
+    /// Names of the two bodies.
     pub bodies: Bodies,
-    /// What is asked.
+    /// The input.
     pub input: CaseInput,
 }
 
-/// What is asked of the bodies; lengths in m.
+/// Input of a case besides the bodies; lengths in m.
 #[derive(Debug, Clone)]
 pub enum CaseInput {
     /// One contact of a sphere.
@@ -53,7 +53,7 @@ pub enum CaseInput {
     LoadOfSum(SetParameters, f64),
 }
 
-/// How the heights of a set lie.
+/// Layout of the heights of a set.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Layout {
     /// Gaussian, about the mean.
@@ -69,7 +69,7 @@ pub enum Layout {
 /// A set by a few numbers; its heights and radii are drawn from `seed`.
 #[derive(Debug, Clone, Copy)]
 pub struct SetParameters {
-    /// How the heights lie.
+    /// Layout of the heights.
     pub heights: Layout,
     /// Asperities.
     pub count: usize,
@@ -77,7 +77,7 @@ pub struct SetParameters {
     pub mean: f64,
     /// What separations are in, m.
     pub sigma: f64,
-    /// Radii lie from a half to the double of this, m; all equal for equal heights.
+    /// Radii are from half to twice this, m; all equal for equal heights.
     pub radius: f64,
     /// Of the set.
     pub seed: u64,
@@ -96,7 +96,7 @@ impl SetParameters {
                         self.mean + self.sigma * (6.0 * k as f64 / (self.count - 1).max(1) as f64 - 3.0)
                     }
                     Layout::Equal => self.mean,
-                    // The first stands well above.
+                    // The first is well above the flat.
                     Layout::Touching if k == 0 => flat + self.sigma,
                     Layout::Touching => flat + (rng.below(9) as f64 - 4.0) * f64::EPSILON * flat.abs(),
                 };
@@ -285,7 +285,7 @@ impl CaseFactory<'_> {
     }
 }
 
-/// Any law by its weight; in place of one that says nothing of layers ZMC.
+/// Any law by its weight; ZMC in place of a law without layers.
 fn law(rng: &mut CaseRng, layered: bool) -> CoveredLaw {
     let total = TWINS.iter().map(|twin| twin.weight).sum();
     let mut drawn = rng.below(total);

@@ -1,4 +1,4 @@
-//! How far an answer is off.
+//! Error of a result.
 
 use rayon::prelude::*;
 
@@ -16,15 +16,15 @@ use asperity::{
     at_pressure, law,
 };
 
-/// How far one quantity is off.
+/// Error of one quantity.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Deviation {
     /// Of what.
     pub quantity: Quantity,
-    /// From the exact answer to exactly what was asked, relative.
+    /// Relative error against the exact result for the unrounded input.
     pub error: f64,
-    /// From the exact answers to all separations within the rounding of the one that was asked, relative; the same as
-    /// `error` where what is asked goes in unrounded.
+    /// Relative error against the exact results for all separations within rounding of the input; the same as
+    /// `error` where the input is not rounded.
     pub checked: f64,
 }
 
@@ -50,11 +50,11 @@ pub enum Failure {
 pub struct CheckedCase {
     /// The case.
     pub case: Case,
-    /// How far off, or why that cannot be said.
+    /// Errors, or why they are not known.
     pub outcome: Result<Vec<Deviation>, Failure>,
 }
 
-/// Judges one case.
+/// Checks one case.
 pub(super) fn check(case: Case) -> CheckedCase {
     let outcome = match case.bodies.contact() {
         Err(error) => Err(Failure::Refused(error.to_string())),
@@ -127,7 +127,7 @@ fn finite(values: &[(Quantity, f64)]) -> Result<(), Failure> {
     }
 }
 
-/// m^2, N, N/m: what lies far below it counts as nothing.
+/// m^2, N, N/m: values far below it count as zero.
 const NOTHING: f64 = 1e-130;
 
 /// Lengths go in, areas and loads come out 2^600 and 2^1200 times as large: every law scales so.
@@ -227,7 +227,7 @@ fn of_integral(
     let total = at(h).ok_or(Failure::Unsettled)?;
     let of = exact_values(&total);
     if case.group == Group::Vanishing {
-        // Absolute, over the answer where it is the last to be checked by its own size.
+        // Absolute, over the result at the last separation that is checked relatively.
         let whole = exact_values(&at(37.0).ok_or(Failure::Unsettled)?);
         let error = |value: f64, of: Wide, whole: Wide| ((of - value) / whole).abs().hi();
         let each = values.iter().zip(of.iter().zip(whole));
@@ -286,7 +286,7 @@ fn of_sum(
         .collect();
     let exact_shares = totals.map(|total| shares(total.area, total.load));
     found.push(absolute(Quantity::Shares, found_shares(&response), &exact_shares));
-    // Variances over the mean square of what was asked.
+    // Variances over the mean square.
     let squares = totals[0].squares.map(|squares| if squares > Wide::ZERO { squares } else { Wide::ONE });
     let variances = totals.map(|total| {
         let totals = [total.total_area(), total.total_load()];
@@ -297,7 +297,7 @@ fn of_sum(
     Ok(found)
 }
 
-/// How far `value` lies outside of all between the `exact` ones, relative to the nearest.
+/// Distance of `value` from the interval of the `exact` ones, relative to the nearest.
 fn outside(value: f64, exact: [Wide; 3]) -> f64 {
     let wide = Wide::new(value);
     let is_between = exact.iter().any(|of| *of <= wide) && exact.iter().any(|of| *of >= wide);

@@ -3,7 +3,7 @@
 use super::laws::CoveredLaw;
 use super::quantity::Quantity;
 
-/// What a case asks for.
+/// What a case evaluates.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Kind {
     /// Single contacts.
@@ -41,7 +41,7 @@ pub enum Group {
     Contacts,
     /// Anything, under a layer.
     LayeredContacts,
-    /// Within 1e-15 of where one formula gives way to another.
+    /// Within 1e-15 of a boundary between two formulas.
     Boundaries,
     /// The same under a layer.
     LayeredBoundaries,
@@ -181,7 +181,7 @@ impl Group {
         }
     }
 
-    /// What it asks for.
+    /// What it evaluates.
     pub const fn kind(self) -> Kind {
         match self {
             Self::Contacts

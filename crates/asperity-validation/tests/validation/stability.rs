@@ -47,7 +47,7 @@ fn every_family_holds_its_bound() {
     assert!(broken.is_empty(), "{} beyond:\n{}", broken.len(), broken.join("\n"));
 }
 
-/// Heights far from zero: nothing but the rounding of d and z makes the answer worse, by 1 + |mean|/sigma.
+/// Heights far from zero: nothing but the rounding of d and z increases the error, by 1 + |mean|/sigma.
 #[test]
 fn the_error_of_offset_heights_grows_as_the_offset() {
     let steel = Material::new(210e9, 0.3, Some(7.6e9), None).unwrap();
@@ -139,7 +139,7 @@ fn the_wide_integrals_are_those_of_the_vectors() {
     worst.assert_within(3e-16, 100);
 }
 
-/// All laws that ship are covered; one from elsewhere is reported, not checked.
+/// All laws of the library are covered; any other is reported as not covered.
 #[test]
 fn laws_are_covered_or_reported() {
     let [covered, others] = CoveredLaw::coverage();

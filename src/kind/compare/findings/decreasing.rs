@@ -9,14 +9,14 @@ use crate::kind::compare::answers::DecreaseResults;
 pub struct Decreasing {
     /// Which of the two.
     pub of: DecreasingQuantity,
-    /// Thicknesses of the layer under which it decreases, m; empty where no layer is asked for.
+    /// Thicknesses of the layer under which it decreases, m; empty without a layer in the spec.
     pub thicknesses: Vec<f64>,
-    /// The stretch on which most is lost.
+    /// The range with the largest relative decrease.
     pub worst: DecreaseResults,
 }
 
 impl Decreasing {
-    /// Area, then load, as far as they decrease on these stretches of one law.
+    /// Area, then load, where they decrease in these ranges of one law.
     pub fn among(decreases: &[&DecreaseResults]) -> Vec<Self> {
         DecreasingQuantity::ALL.into_iter().filter_map(|of| Self::of(decreases, of)).collect()
     }

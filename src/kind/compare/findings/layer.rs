@@ -1,4 +1,4 @@
-//! What the thickness of a layer changes on one surface under one law.
+//! Effect of the layer thickness on one surface under one law.
 
 use asperity::Regime;
 use asperity::compare::{GapQuantity, Kind};
@@ -10,13 +10,13 @@ use crate::surface::Surface;
 /// What the thickness changes.
 #[derive(Debug)]
 pub struct LayerFindings {
-    /// The models that were asked, the statistical one first.
+    /// The models that were run, the statistical one first.
     pub models: Vec<Kind>,
     /// Loads at which thicknesses are compared, Pa, ascending.
     pub loads: Vec<f64>,
     /// How the plastic share of the load changes; `None` of one thickness, or where nothing is plastic.
     pub plastic: Option<PlasticRange>,
-    /// How the difference between the models changes; `None` of one thickness, or where no answer counts.
+    /// How the difference between the models changes; `None` of one thickness, or without a valid result.
     pub gap: Option<GapRange>,
 }
 
@@ -54,7 +54,7 @@ pub struct GapRange {
 }
 
 impl LayerFindings {
-    /// Of the `cases` and `thresholds` of one law; `None` where no layer is asked for.
+    /// Of the `cases` and `thresholds` of one law; `None` without a layer in the spec.
     pub fn of(surface: &Surface, cases: &[&CaseResults], thresholds: &[&Threshold]) -> Option<Self> {
         if cases.iter().any(|case| case.thickness.is_none()) {
             return None;
@@ -74,7 +74,7 @@ impl LayerFindings {
         Some(found)
     }
 
-    /// The model that stands for both where only one is shown: the sum, or the integral where it is alone.
+    /// The model shown where only one is: the sum, or the integral if it is the only one.
     pub fn main_model(&self) -> Kind {
         if self.models.contains(&Kind::Deterministic) { Kind::Deterministic } else { Kind::Statistical }
     }

@@ -54,7 +54,7 @@ pub fn answers(page: &mut Page, results: &CompareResults, found: &SurfaceResults
     }
 }
 
-/// Scatter over several realisations beside the sampling error estimated from a single sum.
+/// Scatter over several realisations, and the sampling error estimated from a single sum.
 fn realisations(page: &mut Page, found: &SurfaceResults, index: usize) {
     let spread = &found.findings.cases[index].spread;
     if spread.is_empty() {

@@ -47,7 +47,7 @@ impl Manifest {
     }
 }
 
-/// What tells in a `summary.json` that a run wrote it; a fresh clone has no manifest.
+/// Fields of `summary.json` that identify it as written by a run; a fresh clone has no manifest.
 #[derive(Deserialize)]
 struct Summary {
     program: String,

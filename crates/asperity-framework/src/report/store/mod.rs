@@ -121,14 +121,14 @@ impl Store {
         let places = Places::new(&self.directory, &folder.stem);
         let done = write_all(&places.new, folder).and_then(|()| swap::replace(&places));
         if done.is_err() {
-            // The first error tells more than one that clearing up may meet.
+            // The first error is more informative than one during cleanup.
             swap::recover_one(&places).ok();
         }
         done
     }
 
     /// Whether a page of this name may be written: [`StoreError::NotGenerated`] if a file is in the way that
-    /// does not hold `mark`, by which pages of runs are known. Writes nothing.
+    /// does not hold `mark`, which identifies generated pages. Writes nothing.
     pub fn check_page(&self, name: &str, mark: &str) -> Result<(), StoreError> {
         if !is_plain(name) {
             return Err(StoreError::BadName(name.into()));

@@ -1,10 +1,10 @@
-//! What rules and ways are called, in reports and tables alike.
+//! Names of quadrature rules and summation methods, in reports and tables.
 
 use super::findings::Candidate;
 use crate::precision::integral::{Effort, Family, Rule};
 use asperity_framework::report::format::input_number;
 
-/// The name of a rule or a way.
+/// Name of a rule or a summation method.
 pub fn candidate_name(candidate: &Candidate) -> String {
     match candidate {
         Candidate::Rule(rule) => rule_name(rule),
@@ -12,7 +12,7 @@ pub fn candidate_name(candidate: &Candidate) -> String {
     }
 }
 
-/// A rule with its effort, in words.
+/// Name of a rule with its order or tolerance.
 pub fn rule_name(rule: &Rule) -> String {
     let family = match (rule.family, rule.split) {
         (Family::Laguerre, true) => "gauss-laguerre behind gauss-legendre",

@@ -29,7 +29,7 @@ const MOST_ASPERITIES: u64 = 1_000_000_000_000;
 
 /// Run time against error of integrals, sums and surfaces.
 pub struct PrecisionPlan {
-    /// Who touches whom.
+    /// Names of the two bodies.
     pub bodies: Bodies,
     /// The law.
     pub law: LawPlan,
@@ -37,7 +37,7 @@ pub struct PrecisionPlan {
     pub exact: stability::Bodies,
     /// Populations by name.
     pub cases: Vec<(String, Population)>,
-    /// d/sigma of the integrals; empty if none is asked for.
+    /// d/sigma of the integrals; empty unless the spec requests them.
     pub separations: Vec<f64>,
     /// The sums.
     pub sum: Option<SumTask>,
@@ -49,7 +49,7 @@ pub struct PrecisionPlan {
     pub sampling: Option<SamplingTask>,
     /// Random maps.
     pub grid: Option<GridTask>,
-    /// Whether the largest sizes are asked for.
+    /// Whether the largest sizes are included (`--full`).
     pub full: bool,
 }
 

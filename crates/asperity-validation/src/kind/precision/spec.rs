@@ -22,7 +22,7 @@ pub struct PrecisionSpec {
     pub case: Spanned<IndexMap<Spanned<String>, CaseSpec>>,
     /// Rules of quadrature.
     pub integral: Option<IntegralSpec>,
-    /// Ways to add up.
+    /// Summation methods.
     pub sum: Option<SumSpec>,
     /// Curves of many separations.
     pub curve: Option<CurveSpec>,

@@ -1,4 +1,4 @@
-//! What a summary says of run times and errors.
+//! Summary of run times and errors.
 
 use serde::Serialize;
 
@@ -37,7 +37,7 @@ struct WinnerSummary<'a> {
     shipped_over_fastest: Option<f64>,
 }
 
-/// A curve within a tolerance beside few separations, exactly.
+/// Cost of a curve within a tolerance and of a few exact separations.
 #[derive(Serialize)]
 struct CurveSummary<'a> {
     case: &'a str,

@@ -210,7 +210,7 @@ pub(super) fn schemas() -> Vec<Schema> {
     ]
 }
 
-/// The files of [`schemas`], of what was asked for.
+/// The files of [`schemas`] that the spec requests.
 ///
 /// # Errors
 /// See [`TableError`].

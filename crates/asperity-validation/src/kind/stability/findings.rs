@@ -2,7 +2,7 @@
 
 use crate::stability::{Group, GroupFindings, Kind, Worst};
 
-/// The worst of one kind of case.
+/// Worst case of a kind.
 #[derive(Debug, Clone)]
 pub struct KindFindings {
     /// The kind.

@@ -1,4 +1,4 @@
-//! What a summary says of stability.
+//! Summary of `[stability]`.
 
 use asperity_framework::fields;
 use serde::Serialize;

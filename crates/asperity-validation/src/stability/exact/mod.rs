@@ -1,4 +1,4 @@
-//! The same answers in about 32 digits, straight from the equations of docs/theory.md: nothing here is shared with
+//! Results in about 32 digits, from the equations of docs/theory.md; no code is shared with
 //! what the models compute, neither formulas nor tables nor quadrature.
 //!
 //! | file | what lives there |
@@ -31,7 +31,7 @@ struct EffectivePair {
     flat: Option<YieldLimits>,
 }
 
-/// Which formula holds: the range of the law, and which body yields first and is weaker.
+/// The valid formula: the range of the law, and which body yields first and is weaker.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 struct Branch {
     range: usize,
@@ -68,7 +68,7 @@ enum Flat {
     Layered(Layer),
 }
 
-/// How near to a boundary, relative to the place itself, either side's answer counts: the rounding of the boundary.
+/// How near to a boundary, relative to the place itself, the results of both sides are accepted: the rounding of the boundary.
 const BESIDE: f64 = 16.0 * f64::EPSILON;
 /// The same under a layer, whose effective properties go into it.
 const BESIDE_LAYERED: f64 = 1e-13;
@@ -138,7 +138,7 @@ impl Exact {
         Branch { range, flat_yields_first, flat_is_weaker: effective.flat_has_smaller(|r| r.strength) }
     }
 
-    /// The branch at `w`, and those that lie within the rounding of where one gives way to another.
+    /// The branch at `w`, and those within rounding of a boundary.
     fn branches(&self, w: Wide, shape: &Shape) -> Vec<Branch> {
         let near = |place: Wide, boundary: Wide| (place - boundary).abs() <= boundary * self.beside();
         let effective = self.effective(w, shape);
@@ -190,7 +190,7 @@ impl Exact {
         (near * 8.0 - far) / (w * 12.0 * STEP)
     }
 
-    /// The contact at `w` (m); next to where a formula gives way to another, both.
+    /// The contact at `w` (m); next to a boundary between two formulas, both.
     pub fn contacts(&self, w: f64, shape: &Shape) -> Vec<Contact> {
         let w = Wide::new(w);
         self.branches(w, shape).into_iter().map(|branch| self.contact_by(w, shape, branch)).collect()
@@ -202,7 +202,7 @@ impl EffectivePair {
         if flat { self.flat } else { self.rough }
     }
 
-    /// Whether the flat has the lesser of something.
+    /// Whether the flat has the smaller value.
     fn flat_has_smaller(&self, of: impl Fn(&YieldLimits) -> Wide) -> bool {
         match (&self.rough, &self.flat) {
             (Some(rough), Some(flat)) => of(flat) < of(rough),

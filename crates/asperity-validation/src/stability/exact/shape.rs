@@ -21,7 +21,7 @@ impl Shape {
     /// `ratio`, by bisection of ln(1 - m) and then by secants.
     pub fn ellipse(mean_curvature: f64, ratio: f64) -> Self {
         let wanted = Wide::new(ratio).ln();
-        // ln(ratio) falls as v = ln(1 - m) grows, by 3/4 at a circle to 1.
+        // ln(ratio) decreases as v = ln(1 - m) grows, by 3/4 at a circle to 1.
         let value = |v: Wide| {
             let [k, e] = complete(v.exp());
             let minor = v.exp();

@@ -64,8 +64,8 @@ impl Total {
 }
 
 impl Exact {
-    /// The asperities (height and radius, m) that stand above the flat at `separation` (m). The stiffness costs four
-    /// contacts more an asperity: it is zero unless `stiff` asks for it.
+    /// The asperities (height and radius, m) that stand above the flat at `separation` (m). The stiffness takes four
+    /// more contacts per asperity; it is zero unless `stiff`.
     pub fn total(&self, asperities: &[(f64, f64)], separation: Wide, stiff: bool) -> Total {
         const CHUNK: usize = 4096;
         let parts: Vec<Total> = asperities

@@ -58,7 +58,7 @@ pub fn by_thickness(series: &Series) -> String {
 }
 
 fn against_thickness(series: &Series, title: &str, axis: Axis, value: fn(&Response) -> Option<f64>) -> Plot {
-    /// Margin beside the finite thicknesses for the two limits, as a ratio.
+    /// Margin for the two limiting cases at the ends of the thickness axis, as a ratio.
     const ROOM: f64 = 1.6;
     let all: Vec<f64> = series.finite().map(|(t, _)| t).collect();
     let (thin, thick) = (all[0], all[all.len() - 1]);
