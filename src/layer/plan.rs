@@ -13,9 +13,7 @@ use asperity_framework::input::SpecFile;
 pub struct LayerPlan {
     /// Name of its material.
     pub name: String,
-    /// The material.
     pub material: Material,
-    /// Effective-modulus model.
     pub rule: ModulusModel,
     /// Thicknesses, m, ascending; 0 and infinity among them.
     pub thicknesses: Vec<f64>,

@@ -20,9 +20,7 @@ use asperity_framework::input::quantity::{Length, NotNegative, Quantity};
 pub struct LayerSpec {
     /// Name of its material.
     pub material: Spanned<String>,
-    /// Its thicknesses.
     pub thickness: Thicknesses,
-    /// Effective-modulus model.
     #[serde(default)]
     pub rule: ModulusModel,
 }

@@ -111,7 +111,6 @@ pub(super) enum NoAsperities {
 pub(super) struct SummitSearch {
     /// The form removed first.
     pub(super) level: Level,
-    /// The filters.
     pub(super) filter: Option<Filter>,
     /// What a summit is.
     pub(super) neighbours: Neighbours,
@@ -119,7 +118,6 @@ pub(super) struct SummitSearch {
     pub(super) as_ellipses: bool,
     /// What the map was made by, if it was made.
     pub(super) generation: Option<GenerationFacts>,
-    /// Analysis depth.
     pub(super) depth: AnalysisDepth,
 }
 
@@ -256,7 +254,6 @@ impl MapFacts {
         })
     }
 
-    /// References.
     fn papers(&self) -> Vec<Paper> {
         let mut papers = vec![literature::GREENWOOD_1984, literature::NAYAK_1971];
         if self.filter.is_some() {

@@ -22,7 +22,6 @@ use asperity_framework::input::{InputError, Source};
 /// How a random surface is made.
 #[derive(Debug, Clone)]
 pub struct Generation {
-    /// The method.
     pub way: Way,
     /// What a summit is.
     pub neighbours: Neighbours,
@@ -46,7 +45,6 @@ pub enum Way {
 
 /// A surface and what it was made by.
 pub struct Generated {
-    /// The surface.
     pub map: HeightMap,
     /// What it was made by.
     pub facts: GenerationFacts,

@@ -51,7 +51,6 @@ pub(super) enum Origin {
     Map(MapPlan),
 }
 
-/// A measured map.
 #[derive(Debug)]
 pub(super) struct MapPlan {
     pub(super) path: PathBuf,

@@ -154,7 +154,6 @@ pub enum DrawSpec {
     Quantiles,
 }
 
-/// A measured topography.
 #[derive(Debug, Deserialize)]
 #[serde(deny_unknown_fields, rename_all = "kebab-case", expecting = "a table { path }")]
 pub struct FileSpec {

@@ -24,7 +24,6 @@ pub enum Colour {
     Ordered {
         /// Place in the order, from 0.
         index: usize,
-        /// Number of series.
         of: usize,
     },
 }

@@ -7,9 +7,7 @@ use super::{Colour, Raster};
 pub enum Dash {
     /// Unbroken.
     Solid,
-    /// Dashes.
     Dashed,
-    /// Dots.
     Dotted,
 }
 
@@ -168,7 +166,6 @@ impl Layer {
         self
     }
 
-    /// Sets the colour.
     pub fn coloured(mut self, colour: Colour) -> Self {
         self.colour = colour;
         self

@@ -20,7 +20,6 @@ pub struct Raster {
     /// A value for each cell, x fastest; NaN is transparent. A list of another length than
     /// `columns * rows` is not shown.
     pub values: Vec<f64>,
-    /// The colours.
     pub map: ColourMap,
     /// The values at the two ends of the map; values beyond have the colour of the nearer end. Unless
     /// given, the values' own range: from zero where none is negative, symmetric about zero for

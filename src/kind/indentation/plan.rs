@@ -23,7 +23,6 @@ pub struct IndentationPlan {
     pub flat: (String, Material),
     /// The layers, each in thicknesses that are positive and finite.
     pub layers: Vec<LayerPlan>,
-    /// The laws.
     pub laws: Vec<ContactLaw>,
     /// m, ascending, at least two, none beyond the radius.
     pub indentations: Vec<f64>,
@@ -33,7 +32,6 @@ pub struct IndentationPlan {
     pub show: Show,
 }
 
-/// Measured points.
 pub struct OverlayPlan {
     /// The file that they are from, as the spec names it.
     pub name: String,

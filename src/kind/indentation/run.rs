@@ -139,7 +139,6 @@ impl LayerResults {
     }
 }
 
-/// Runs the plan.
 pub(super) fn run(
     context: &RunContext,
     indentation: &IndentationPlan,

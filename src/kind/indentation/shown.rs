@@ -4,7 +4,6 @@ use asperity::sphere::Curve;
 
 use super::run::LawCurves;
 
-/// The compared curves.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub enum Shown {
     Coated,

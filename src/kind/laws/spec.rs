@@ -33,7 +33,6 @@ pub struct LawsSpec {
     pub surfaces: Option<Vec<Spanned<String>>>,
 }
 
-/// One asperity.
 #[derive(Debug, Deserialize)]
 #[serde(
     deny_unknown_fields,

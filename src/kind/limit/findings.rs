@@ -40,7 +40,6 @@ impl Heights {
     }
 }
 
-/// One fitted slope.
 #[derive(Debug, Clone)]
 pub struct Slope {
     /// The law, as tables name it.
@@ -51,7 +50,6 @@ pub struct Slope {
     pub heights: Heights,
     /// d/sigma.
     pub separation: f64,
-    /// The fit.
     pub fit: SlopeFit,
 }
 
@@ -60,9 +58,7 @@ pub struct Slope {
 pub struct SlopeRange {
     /// How the heights were taken.
     pub heights: Heights,
-    /// Number of fits.
     pub fits: usize,
-    /// Mean slope.
     pub mean: f64,
     /// Steepest slope.
     pub lowest: f64,

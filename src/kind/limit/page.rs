@@ -8,7 +8,6 @@ use asperity_framework::report::page::Page;
 use asperity_framework::report::sections;
 use asperity_plot::{Axis, Colour, Dash, Figure, Layer, Marker, Plot};
 
-/// The page.
 pub fn page(results: &LimitResults) -> Page {
     let mut page = Page::new(&results.metadata.title);
     sections::notes(&mut page, &results.metadata);

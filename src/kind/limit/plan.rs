@@ -12,7 +12,6 @@ use super::spec::LimitSpec;
 pub struct LimitPlan {
     /// Names of the two bodies.
     pub bodies: Bodies,
-    /// The laws.
     pub laws: Vec<LawPlan>,
     /// What the sets are drawn from.
     pub population: Population,

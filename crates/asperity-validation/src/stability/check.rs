@@ -54,7 +54,6 @@ pub struct CheckedCase {
     pub outcome: Result<Vec<Deviation>, Failure>,
 }
 
-/// Checks one case.
 pub(super) fn check(case: Case) -> CheckedCase {
     let outcome = match case.bodies.contact() {
         Err(error) => Err(Failure::Refused(error.to_string())),

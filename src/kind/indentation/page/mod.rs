@@ -25,7 +25,6 @@ fn subject(results: &IndentationResults, found: &LayerResults) -> String {
     subject
 }
 
-/// The page.
 pub fn page(results: &IndentationResults) -> Page {
     let mut page = Page::new(&results.metadata.title);
     sections::notes(&mut page, &results.metadata);

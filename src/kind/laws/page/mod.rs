@@ -16,7 +16,6 @@ use asperity_framework::report::format::{input_number, input_quantity, listed, n
 use asperity_framework::report::page::{Page, escape};
 use asperity_framework::report::sections;
 
-/// The page.
 pub fn page(results: &LawsResults) -> Page {
     let compared = &results.compare;
     let mut page = Page::new(&compared.metadata.title);
@@ -175,7 +174,6 @@ fn signed_percent(jump: f64) -> String {
     format!("{sign}{}", percent(jump))
 }
 
-/// Limits of validity.
 fn limits(page: &mut Page, results: &LawsResults) {
     page.heading(2, "Limits of validity");
     let mut lines = Vec::new();

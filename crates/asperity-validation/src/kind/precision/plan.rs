@@ -31,7 +31,6 @@ const MOST_ASPERITIES: u64 = 1_000_000_000_000;
 pub struct PrecisionPlan {
     /// Names of the two bodies.
     pub bodies: Bodies,
-    /// The law.
     pub law: LawPlan,
     /// Law and bodies for the reference.
     pub exact: stability::Bodies,
@@ -39,15 +38,12 @@ pub struct PrecisionPlan {
     pub cases: Vec<(String, Population)>,
     /// d/sigma of the integrals; empty unless the spec requests them.
     pub separations: Vec<f64>,
-    /// The sums.
     pub sum: Option<SumTask>,
     /// Curves within a tolerance.
     pub curve: Option<CurveTask>,
     /// Lists in files.
     pub list: Option<ListTask>,
-    /// Random sets.
     pub sampling: Option<SamplingTask>,
-    /// Random maps.
     pub grid: Option<GridTask>,
     /// Whether the largest sizes are included (`--full`).
     pub full: bool,

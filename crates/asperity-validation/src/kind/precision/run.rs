@@ -25,7 +25,6 @@ use asperity_framework::{
 pub struct PrecisionResults {
     /// What every experiment has.
     pub metadata: Metadata,
-    /// The bodies.
     pub contact: ContactMetadata,
     /// The law, as tables name it.
     pub law: String,
@@ -43,7 +42,6 @@ pub struct PrecisionResults {
     pub threads: usize,
 }
 
-/// One population.
 #[derive(Debug)]
 pub struct CasePrecision {
     /// Its name in the spec.

@@ -5,13 +5,11 @@ use crate::stability::{Group, GroupFindings, Kind, Worst};
 /// Worst case of a kind.
 #[derive(Debug, Clone)]
 pub struct KindFindings {
-    /// The kind.
     pub kind: Kind,
     /// The largest error of any quantity, as checked.
     pub largest_error: f64,
     /// The quantity closest to its bound.
     pub worst: Worst,
-    /// Its group.
     pub group: Group,
 }
 

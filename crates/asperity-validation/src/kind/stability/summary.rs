@@ -11,7 +11,6 @@ struct Summary {
     stability: StabilitySummary,
 }
 
-/// Group by group.
 #[derive(Serialize)]
 struct StabilitySummary {
     cases: u64,

@@ -98,7 +98,6 @@ fn against_thickness(series: &Series, title: &str, axis: Axis, value: fn(&Respon
 
 /// Shares of the regimes against thickness, at the lowest, a middle and the highest load.
 pub fn regimes(series: &Series) -> String {
-    /// Number of panels.
     const PANELS: usize = 3;
     let kind = series.findings.main_model();
     let loads = &series.findings.loads;

@@ -77,7 +77,6 @@ impl<'a> Series<'a> {
         })
     }
 
-    /// The surface.
     pub fn found(&self) -> &'a SurfaceResults {
         self.found
     }

@@ -19,7 +19,6 @@ use asperity_framework::report::format::{count, input_number, input_quantity, nu
 use asperity_framework::report::page::{Page, escape};
 use asperity_framework::report::sections;
 
-/// The page.
 pub fn page(results: &PrecisionResults) -> Page {
     let mut page = Page::new(&results.metadata.title);
     sections::notes(&mut page, &results.metadata);

@@ -6,7 +6,6 @@ use asperity_plot::{Axis, Colour, ColourMap, Dash, Layer, Plot, Raster};
 /// log10 of the errors at both ends of the colours: a tenth of a rounding, and a hundred roundings or the worst.
 const COLOURS: (f64, f64) = (-17.0, -14.0);
 
-/// One map.
 pub fn map(map: &Map) -> String {
     let [columns, rows] = map.cells;
     // Outer edges of the outermost cells.

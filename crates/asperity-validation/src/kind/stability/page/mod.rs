@@ -14,7 +14,6 @@ fn error(value: f64) -> String {
     if value == 0.0 { "0".to_owned() } else { format!("{value:.0e}") }
 }
 
-/// The page.
 pub fn page(results: &StabilityResults) -> Page {
     let mut page = Page::new(&results.metadata.title);
     sections::notes(&mut page, &results.metadata);
