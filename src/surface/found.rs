@@ -360,7 +360,7 @@ mod tests {
     }
 
     #[test]
-    fn a_surface_of_two_processes_has_no_spectrum_that_was_asked_for() {
+    fn a_surface_of_two_processes_has_no_target_spectrum() {
         let one = facts(None, Neighbours::Four).1;
         assert!(one.whole.target.is_some() && !one.whole.is_target_of_gaussian);
         let two = facts(Some(Plateau { process: process(2.0), height: 0.0 }), Neighbours::Four).1;

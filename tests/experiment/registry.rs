@@ -6,7 +6,7 @@ use asperity::ContactLaw;
 use asperity::contact_law::registry;
 
 #[test]
-fn every_law_stands_in_the_documents() {
+fn every_law_is_documented() {
     for file in ["README.md", "docs/theory.md"] {
         let text = fs::read_to_string(file).unwrap();
         for name in registry().iter().map(ContactLaw::name) {

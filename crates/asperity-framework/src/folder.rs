@@ -1,4 +1,4 @@
-//! The report on an outcome: page, tables, figures and summaries in one folder.
+//! The report of a run: page, tables, figures and summaries in one folder.
 
 use std::time::Instant;
 

@@ -153,8 +153,8 @@ impl RunContext<'_> {
         }
     }
 
-    /// The seed of one stream of random numbers: it depends on the spec's seed and on what is drawn, not on what else the
-    /// spec holds.
+    /// The seed of one stream of random numbers: it depends on the spec's seed and on what is drawn, not on the rest of the
+    /// spec.
     pub fn stream_seed(&self, what: &str) -> [u8; 32] {
         stream_seed(self.seed, what)
     }

@@ -31,7 +31,7 @@ pub struct Raster {
 
 /// Counts are binned into at most so many columns, and rows.
 const MOST_BINS: usize = 2000;
-/// Cells of fewer pixels of the page are not told apart.
+/// Smallest cell size in pixels of the page.
 const FINE: f64 = 2.0;
 /// No image is made wider or higher than this by giving a cell many pixels.
 const MOST_PIXELS: usize = 2000;
@@ -128,7 +128,7 @@ impl Raster {
         Some(Scale::new(&axis, [own.0, own.1].into_iter(), false))
     }
 
-    /// The image as a PNG in a data URI, for a place of `size` pixels. `falling` says along which axis
+    /// The image as a PNG in a data URI, for a place of `size` pixels. `reversed` says which axis
     /// the field begins at the right, and at the top.
     pub(super) fn image(&self, scale: &Scale, reversed: (bool, bool), size: (f64, f64)) -> Option<String> {
         // Viewers blend neighbouring pixels: large cells are made of many, to keep their edges.

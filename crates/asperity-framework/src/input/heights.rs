@@ -14,7 +14,7 @@ use asperity::distribution::{Entry, REGISTRY};
 pub struct HeightsSpec(pub Heights);
 
 impl HeightsSpec {
-    /// The distribution of a name alone.
+    /// The distribution without parameters called `name`.
     ///
     /// # Errors
     /// A name that no distribution has, or whose distribution needs parameters; `also` are further names for the message.

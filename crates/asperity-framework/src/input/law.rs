@@ -11,7 +11,7 @@ use asperity::ContactLaw;
 use asperity::contact_law::{named, registry};
 use asperity::law::{LawOption, OptionError};
 
-/// One law or a list of them, none twice.
+/// One law, or a list of distinct laws.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Laws(pub Vec<ContactLaw>);
 

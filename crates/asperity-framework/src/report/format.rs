@@ -96,11 +96,11 @@ pub fn count(value: usize) -> String {
     grouped
 }
 
-/// Name of a layer thickness that the user gave.
+/// Name of a layer thickness that the user gave: "uncoated" for 0, "bulk" for infinity.
 pub fn thickness(value: f64) -> String {
     match value {
-        0.0 => "no layer".to_owned(),
-        f64::INFINITY => "all layer".to_owned(),
+        0.0 => "uncoated".to_owned(),
+        f64::INFINITY => "bulk".to_owned(),
         value => input_quantity(value, "m"),
     }
 }

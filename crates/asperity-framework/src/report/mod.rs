@@ -10,7 +10,7 @@
 //! | [`table`] | columns with unit and meaning; CSV, for machines |
 //! | [`table_docs`] | the documentation of tables |
 //! | `index` | the pages that lead to all reports of a folder |
-//! | [`store`] | the only place that touches the disk: a folder is replaced whole or not at all |
+//! | [`store`] | the only module that writes to disk: a folder is replaced atomically |
 //! | [`verify`] | comparison of new reports with committed ones |
 
 pub mod format;

@@ -115,13 +115,13 @@ impl Page {
         self.markdown_block(lines.join("\n"))
     }
 
-    /// Adds a picture: the file beside the page, its SVG text and a caption in plain text.
+    /// Adds a figure: the file next to the page, its SVG text and a caption in plain text.
     pub fn figure(&mut self, file: &str, svg: impl Into<String>, caption: &str) -> &mut Self {
         self.blocks.push(Block::Figure { file: file.into(), svg: svg.into(), caption: one_line(caption) });
         self
     }
 
-    /// File names and SVG texts of the pictures, which must stand beside the Markdown.
+    /// File names and SVG texts of the pictures, which must be next to the Markdown file.
     pub fn figures(&self) -> impl Iterator<Item = (&str, &str)> {
         self.blocks.iter().filter_map(|block| match block {
             Block::Figure { file, svg, .. } => Some((file.as_str(), svg.as_str())),
@@ -141,7 +141,7 @@ impl Page {
         blocks.collect::<Vec<_>>().join("\n\n") + "\n"
     }
 
-    /// The page as HTML that holds its pictures and its style, and fetches nothing.
+    /// The page as self-contained HTML with embedded figures and style.
     pub fn html(&self) -> String {
         let mut body = String::new();
         let mut figures = 0;
@@ -241,7 +241,7 @@ fn line_of(cells: impl Iterator<Item = String>) -> String {
     format!("| {} |", cells.collect::<Vec<_>>().join(" | "))
 }
 
-/// Whether a column holds numbers, with or without a unit or a percent sign behind, and no text.
+/// Whether a column holds numbers, with or without a unit or a percent sign, and no text.
 fn is_numeric(rows: &[Vec<Cell>], column: usize) -> bool {
     let mut any = false;
     for row in rows {

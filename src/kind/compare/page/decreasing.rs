@@ -30,7 +30,13 @@ fn line(subject: &str, found: &Decreasing, layer: Option<&LayerMetadata>) -> Str
     let names: Vec<String> = found.thicknesses.iter().copied().map(thickness).collect();
     let (with, place) = match (layer, *under_it) {
         (Some(layer), Some(t)) => {
-            (format!(", with {} of {}", escape(&layer.name), listed(&names)), format!(" {}", under(layer, t)))
+            let is_finite = found.thicknesses.iter().all(|t| *t > 0.0 && t.is_finite());
+            let places = if is_finite {
+                format!("with {} of {}", escape(&layer.name), listed(&names))
+            } else {
+                listed(&found.thicknesses.iter().map(|&t| under(layer, t)).collect::<Vec<_>>())
+            };
+            (format!(", {places}"), format!(" {}", under(layer, t)))
         }
         _ => (String::new(), String::new()),
     };

@@ -27,7 +27,7 @@ impl Manifest {
         Self { program: PROGRAM.into(), key: key.into(), files }
     }
 
-    /// The manifest of a folder, if it holds one of this program.
+    /// The manifest of a folder, if this program wrote one.
     pub(super) fn read(folder: &Path) -> Option<Self> {
         let manifest: Self = serde_json::from_slice(&fs::read(folder.join(MANIFEST)).ok()?).ok()?;
         (manifest.program == PROGRAM).then_some(manifest)
@@ -38,7 +38,7 @@ impl Manifest {
         serde_json::to_string_pretty(self).unwrap_or_default() + "\n"
     }
 
-    /// Whether every file is there and holds what was written.
+    /// Whether every file exists with the content that was written.
     pub(super) fn matches(&self, folder: &Path) -> bool {
         self.files.iter().all(|(name, written)| {
             // A name that leads out of the folder was not written by a run.
@@ -55,7 +55,7 @@ struct Summary {
     files: Vec<String>,
 }
 
-/// Whether there is nothing at `path`, or a folder that holds only files that a run wrote.
+/// Checks that `path` is free, or a folder with generated files only.
 pub(super) fn check_generated(path: &Path) -> Result<(), StoreError> {
     match fs::symlink_metadata(path) {
         Ok(found) if found.is_dir() => {}
@@ -75,7 +75,7 @@ pub(super) fn check_generated(path: &Path) -> Result<(), StoreError> {
     Ok(())
 }
 
-/// Names of the files in a folder that its own records say a run wrote.
+/// Names of the generated files in a folder, by its manifest or summary.
 fn written(folder: &Path) -> BTreeSet<String> {
     let mut names = BTreeSet::new();
     if let Some(manifest) = Manifest::read(folder) {
