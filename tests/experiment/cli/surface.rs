@@ -139,7 +139,7 @@ summits = { radius = \"20 um\", sigma = \"48 nm\", density = \"6e10 /m^2\" }
         1e-12,
     );
     let cells = row(&report, "density \\[1/m²\\]");
-    let [found, theory, nayak] = [&met, &map["five_point_theory"], &map["nayak_theory"]]
+    let [found, theory, nayak] = [met, &map["five_point_theory"], &map["nayak_theory"]]
         .map(|expected| number(&expected["density_per_m2"]));
     assert_eq!([1, 2, 4].map(|k| cells[k].clone()), [found, theory, nayak].map(format::number));
     assert_eq!([3, 5].map(|k| cells[k].clone()), [found / theory, found / nayak].map(format::ratio));

@@ -264,12 +264,15 @@ fn one_run_writes_at_a_time() {
 fn only_pages_of_runs_are_replaced() {
     let home = tempfile::tempdir().unwrap();
     let mut store = Store::new(home.path().join("out"));
-    store.write_page("README.md", b"<!-- ours --> one", "<!-- ours -->").unwrap();
-    store.write_page("README.md", b"<!-- ours --> two", "<!-- ours -->").unwrap();
+    store.write_page("README.md", b"<!-- generated --> one", "<!-- generated -->").unwrap();
+    store.write_page("README.md", b"<!-- generated --> two", "<!-- generated -->").unwrap();
     let path = store.directory.join("README.md");
-    assert_eq!(fs::read(&path).unwrap(), b"<!-- ours --> two");
+    assert_eq!(fs::read(&path).unwrap(), b"<!-- generated --> two");
     fs::write(&path, "mine").unwrap();
-    assert_eq!(not_generated(store.write_page("README.md", b"<!-- ours --> three", "<!-- ours -->")), path);
+    assert_eq!(
+        not_generated(store.write_page("README.md", b"<!-- generated --> three", "<!-- generated -->")),
+        path
+    );
     assert_eq!(fs::read(&path).unwrap(), b"mine");
     assert_eq!(entries(&store), [".lock", "README.md"]);
 }
