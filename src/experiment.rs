@@ -1,4 +1,4 @@
-//! From a spec file to results: read, plan, run. Nothing here knows a terminal or writes a file.
+//! From a spec file to results: read, plan, run. No output to terminal or files.
 
 use std::fmt;
 use std::path::{Path, PathBuf};
@@ -21,7 +21,7 @@ const SOURCES: &str = env!("ASPERITY_SOURCES");
 /// A commented spec that runs as it stands.
 pub const TEMPLATE: &str = include_str!("template.toml");
 
-/// An experiment that can be run. `Display` says what it will do and need.
+/// An experiment that can be run. `Display` prints what it will do and need.
 pub struct Experiment {
     source: Source,
     stem: String,
@@ -66,8 +66,8 @@ impl Experiment {
         if is_spec && *options != FileOptions::default() {
             return Err(InputError::file(
                 path,
-                "is a spec, which says everything of its surfaces itself; allowed with a spec: no pixel, unit, level, \
-                 filter or neighbours beside it",
+                "is a spec, which defines its surfaces completely; pixel, unit, level, filter and neighbours are allowed only with \
+                 a measured file",
             ));
         }
         let (spec, stem) = if is_spec {
@@ -79,8 +79,7 @@ impl Experiment {
         let stem = match name {
             None => stem,
             Some(name) if name.is_empty() || Path::new(name).file_name() != Some(name.as_ref()) => {
-                let message =
-                    format!("found the name \"{name}\" for its report; allowed: one such as my-surface");
+                let message = format!("found the report name \"{name}\"; allowed: a name such as my-surface");
                 return Err(InputError::file(path, message));
             }
             Some(name) => stem_of(Path::new(&format!("{name}.toml")))?,
@@ -140,7 +139,7 @@ impl Experiment {
     }
 }
 
-/// Names of the tables that a spec may hold beside the common keys.
+/// Names of the tables that a spec may contain besides the common keys.
 fn tables() -> Vec<&'static str> {
     KINDS.iter().map(|kind| kind.name()).chain([SURFACES]).collect()
 }
@@ -159,7 +158,7 @@ fn plan(spec: &SpecFile, full: bool) -> Result<Box<dyn Plan>, InputError> {
         return Err(InputError::file(&spec.source.path, format!("found no experiment; allowed: {allowed}")));
     };
     if let Some((_, second)) = found.next() {
-        let message = format!("found a second experiment; allowed: {allowed} a file");
+        let message = format!("found a second experiment; allowed: {allowed} per file");
         return Err(spec.source.error_at(second.clone(), message));
     }
     let kind = KINDS.iter().find(|kind| kind.name() == name).expect("tables are those of kinds");
@@ -171,7 +170,7 @@ fn plan(spec: &SpecFile, full: bool) -> Result<Box<dyn Plan>, InputError> {
     }
     if let Some((name, _)) = spec.materials().next().filter(|_| !reads.materials) {
         let message = format!(
-            "found a material, where [{}] draws its own; allowed: no [material.NAME] here",
+            "found a material, but [{}] draws its own at random; allowed: no [material.NAME] here",
             kind.name()
         );
         return Err(spec.source.error_at(name.span(), message));
@@ -185,7 +184,7 @@ fn check_memory(plan: &dyn Plan, source: &Source) -> Result<(), InputError> {
     system.refresh_memory();
     let available = u128::from(system.available_memory());
     let needed = plan.memory();
-    // A system that does not tell how much there is refuses nothing.
+    // Without a known limit nothing is refused.
     if available == 0 || needed.bytes <= available {
         return Ok(());
     }
@@ -206,7 +205,7 @@ fn stem_of(path: &Path) -> Result<String, InputError> {
     stem.map(str::to_owned).ok_or_else(|| {
         InputError::file(
             path,
-            "has no name to call the report by; allowed: a file name such as my-surface.toml",
+            "has no name that its report can take; allowed: a file name such as my-surface.toml",
         )
     })
 }
@@ -218,7 +217,7 @@ impl fmt::Display for Experiment {
         write!(f, "{}", self.plan)?;
         writeln!(
             f,
-            "  memory: at most {:.1} MB; work: at most {:.1e} micro-contacts a pass",
+            "  memory: at most {:.1} MB; work: at most {:.1e} micro-contacts per pass",
             self.plan.memory().bytes as f64 / 1e6,
             self.plan.work() as f64
         )

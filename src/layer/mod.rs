@@ -1,4 +1,4 @@
-//! A layer on the flat: what a spec says of it, and what is made of that.
+//! A layer on the flat: its spec and its plan.
 
 mod plan;
 mod spec;

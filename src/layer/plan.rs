@@ -8,14 +8,12 @@ use asperity_framework::input::InputError;
 
 use asperity_framework::input::SpecFile;
 
-/// A layer in one thickness or several.
+/// A layer of one thickness or several.
 #[derive(Debug, Clone)]
 pub struct LayerPlan {
     /// Name of its material.
     pub name: String,
-    /// The material.
     pub material: Material,
-    /// Effective-modulus model.
     pub rule: ModulusModel,
     /// Thicknesses, m, ascending; 0 and infinity among them.
     pub thicknesses: Vec<f64>,

@@ -1,4 +1,4 @@
-//! `layer = { material = "lead", thickness = [0, "50 nm", "inf"] }`: what lies on the flat.
+//! `layer = { material = "lead", thickness = [0, "50 nm", "inf"] }`: the layer on the flat.
 
 use std::fmt;
 
@@ -10,7 +10,7 @@ use toml::Spanned;
 use asperity::{ModulusModel, units};
 use asperity_framework::input::quantity::{Length, NotNegative, Quantity};
 
-/// A layer on the flat, in one thickness or several.
+/// A layer on the flat, of one thickness or several.
 #[derive(Debug, Deserialize)]
 #[serde(
     deny_unknown_fields,
@@ -20,9 +20,7 @@ use asperity_framework::input::quantity::{Length, NotNegative, Quantity};
 pub struct LayerSpec {
     /// Name of its material.
     pub material: Spanned<String>,
-    /// Its thicknesses.
     pub thickness: Thicknesses,
-    /// Effective-modulus model.
     #[serde(default)]
     pub rule: ModulusModel,
 }

@@ -2,6 +2,7 @@
 
 use asperity::ModulusModel;
 use asperity::compare::{GOOD_RATIO, ModulusFindings};
+use asperity_framework::report::format::number;
 
 /// Warns where `rule` is inaccurate for the layer called `layer`; `None` where the moduli are close enough.
 pub fn rule_warning(findings: &ModulusFindings, layer: &str, rule: ModulusModel) -> Option<String> {
@@ -15,20 +16,15 @@ pub fn rule_warning(findings: &ModulusFindings, layer: &str, rule: ModulusModel)
              the exact solution, a/t from {} to {}; largest at a/t = {})",
             rule.name(),
             worst.factor(),
-            short(findings.range[0]),
-            short(findings.range[1]),
-            short(worst.contact_ratio),
+            number(findings.range[0]),
+            number(findings.range[1]),
+            number(worst.contact_ratio),
         )
     });
     let [from, to] = GOOD_RATIO;
     Some(format!(
         "layer {layer}: its modulus is {} times the substrate's, outside the {from} to {to} in which rule \"gao\" is \
          accurate{size}",
-        short(findings.modulus_ratio)
+        number(findings.modulus_ratio)
     ))
-}
-
-/// To three digits.
-fn short(value: f64) -> String {
-    format!("{value:.2e}").parse::<f64>().unwrap_or(value).to_string()
 }

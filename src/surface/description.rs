@@ -31,7 +31,7 @@ impl SurfacesPlan {
     /// All surfaces of a spec.
     ///
     /// # Errors
-    /// What keeps one of them from being made.
+    /// Why one of them cannot be made.
     pub fn new(spec: &SpecFile) -> Result<Self, InputError> {
         let surfaces = surfaces(spec, None, 0..0, false)?;
         let measured = surfaces.first().and_then(SurfacePlan::input);

@@ -13,7 +13,7 @@ use super::files::Files;
 use super::found::{NoAsperities, SummitSearch, Surface};
 use super::overview::AnalysisDepth;
 use super::plan::{Origin, SurfacePlan};
-use super::read_error::in_spec_words;
+use super::read_error::spec_message;
 use super::spec::DrawSpec;
 
 /// Makes or reads the realisations of a surface.
@@ -22,7 +22,7 @@ pub struct SurfaceFactory<'a> {
     source: &'a Source,
     seed: u64,
     counter: &'a Counter,
-    /// That met a target before.
+    /// A bandwidth that met the target before.
     bandwidth: Option<f64>,
 }
 
@@ -78,7 +78,7 @@ impl<'a> SurfaceFactory<'a> {
                 let mut surface = Surface::new(name, set, statistics);
                 if contradictions > 0 {
                     surface.warnings.push(format!(
-                        "{contradictions} of {count} radii lie beyond both 1/kx and 1/ky: laws for spheres use the radius, \
+                        "{contradictions} of {count} radii are outside the range from 1/kx to 1/ky: laws for spheres use the radius, \
                          elliptic laws use kx and ky, so that the two describe different asperities"
                     ));
                 }
@@ -128,7 +128,7 @@ impl<'a> SurfaceFactory<'a> {
             Origin::Map(map) => {
                 let refuse =
                     |error: &dyn std::fmt::Display| refuse(&format!("{} {error}", map.path.display()));
-                let rows = files.map(&map.path, map.given).map_err(|error| refuse(&in_spec_words(&error)))?;
+                let rows = files.map(&map.path, map.given).map_err(|error| refuse(&spec_message(&error)))?;
                 timing.read += start.elapsed();
                 let search = SummitSearch {
                     level: map.level,
@@ -170,8 +170,8 @@ fn found(
     let spread = statistics.mean_radius / statistics.radius_of_mean_curvature;
     if spread > FEW_FLAT_TOPS {
         surface.warnings.push(format!(
-            "the mean radius is {spread:.1} times the radius of the mean curvature: a few nearly flat tops set it. \
-             statistical.mean-radius = \"inverse-mean-curvature\" takes the other mean.",
+            "the mean radius is {spread:.1} times the radius of the mean curvature: it is dominated by a few nearly flat summits. \
+             statistical.mean-radius = \"inverse-mean-curvature\" selects the other mean.",
         ));
     }
     surface.mean_plane = Some(facts.roughness.moments.mean);

@@ -13,7 +13,6 @@ use asperity::{AsperityList, ListError};
 pub enum Reading {
     /// A list of asperities, with the curvatures of ellipses or without.
     List(PathBuf, bool),
-    /// A height map.
     Map(PathBuf, ReadOptions),
 }
 

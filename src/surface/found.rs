@@ -1,4 +1,4 @@
-//! A surface as the models and the report see it: its asperities and what is known of them.
+//! A surface for models and report: its asperities and their properties.
 
 use super::overview::{AnalysisDepth, MapOverview};
 use asperity::topography::generate::{SurfaceGenerator, Target};
@@ -11,6 +11,7 @@ use asperity::{
     AsperitySet, Ellipse, Ellipticity, HeightMap, Heights, MeanRadius, Paper, Population, ReferencePlane,
     SetError, Statistics, literature,
 };
+use asperity_framework::report::format::{number, quantity};
 
 /// Asperities with their statistics and origin.
 #[derive(Debug)]
@@ -27,11 +28,11 @@ pub struct Surface {
     pub mean_plane: Option<f64>,
     /// The population that it was drawn from: its parameters are then the inputs of the statistical model.
     pub nominal: Option<Population>,
-    /// The mean shape of its asperities as ellipses, where a law sees them so.
+    /// The mean shape of its asperities as ellipses, for elliptic laws.
     pub ellipticity: Option<Ellipticity>,
     /// The map that it was found on.
     pub map: Option<MapFacts>,
-    /// How many surfaces of its name there are, of which this is one.
+    /// Number of realisations of this surface.
     pub realisations: usize,
     /// Caveats.
     pub warnings: Vec<String>,
@@ -63,7 +64,7 @@ pub struct MapFacts {
     /// Summits whose smaller principal curvature is not positive.
     pub saddles: usize,
     /// Five-point summits of a Gaussian surface with the same autocorrelation at neighbours; `None` where other
-    /// summits were looked for.
+    /// summits were searched.
     pub expected: Option<Expected>,
     /// Summits of a continuous isotropic Gaussian surface with the same spectral moments.
     pub nayak: Option<Expected>,
@@ -78,7 +79,7 @@ pub struct MapFacts {
 /// What a random surface was made by.
 #[derive(Debug, Clone)]
 pub struct GenerationFacts {
-    /// The generator; of a target the one that was found.
+    /// The generator; for a target, the one found.
     pub generator: SurfaceGenerator,
     /// Target of its summits, and the number of surfaces tried.
     pub target: Option<(Target, usize)>,
@@ -110,7 +111,6 @@ pub(super) enum NoAsperities {
 pub(super) struct SummitSearch {
     /// The form removed first.
     pub(super) level: Level,
-    /// The filters.
     pub(super) filter: Option<Filter>,
     /// What a summit is.
     pub(super) neighbours: Neighbours,
@@ -118,7 +118,6 @@ pub(super) struct SummitSearch {
     pub(super) as_ellipses: bool,
     /// What the map was made by, if it was made.
     pub(super) generation: Option<GenerationFacts>,
-    /// Analysis depth.
     pub(super) depth: AnalysisDepth,
 }
 
@@ -191,23 +190,23 @@ impl SummitSearch {
 impl MapFacts {
     /// Caveats.
     pub fn warnings(&self) -> Vec<String> {
-        /// No measured or machined surface is so steep all over.
+        /// Largest plausible r.m.s. slope.
         const STEEP: f64 = 1.0;
-        /// Nobody measures roughness at points so far apart, m.
+        /// Largest plausible point spacing, m.
         const WIDE: f64 = 1e-3;
         let mut warnings = Vec::new();
         let widest = self.pixel[0].max(self.pixel[1]);
         if widest > WIDE {
             warnings.push(format!(
-                "its points are {widest:.3e} m apart: the unit of its lengths is probably wrong (set unit = \"um\" beside \
-                 path).",
+                "its points are {} apart: the unit of its lengths is probably wrong (set unit = \"um\" next to path).",
+                quantity(widest, "m"),
             ));
         }
         let slope = self.roughness.rms_slope();
         if slope > STEEP {
             warnings.push(format!(
-                "the r.m.s. slope is {slope:.3}: heights and pixel size are probably in different units, or the unit is \
-                 wrong.",
+                "the r.m.s. slope is {}: heights and pixel size are probably in different units, or the unit is wrong.",
+                number(slope),
             ));
         }
         warnings.extend(self.lay_warning());
@@ -232,17 +231,16 @@ impl MapFacts {
     /// Warns that the radii may be an artefact of the instrument.
     fn step_warning(&self) -> Option<String> {
         let found = self.quantisation.as_ref()?;
-        let nanometres = |length: f64| format!("{:.4} nm", length * 1e9);
         let step = found.step.map_or_else(String::new, |step| {
-            format!(" The instrument stores one height level every {}.", nanometres(step))
+            format!(" The instrument stores one height level every {}.", quantity(step, "m"))
         });
         if let Some(step) = found.step.filter(|_| found.has_coarse_step()) {
             return Some(format!(
                 "the radii are set by the instrument's height step of {}, not by the surface: the median drop from a summit \
                  to its neighbours is {}, and the {} summits have {} distinct curvatures. Neither model describes this \
                  surface; measure with a finer step, or filter out the wavelengths affected by it.",
-                nanometres(step),
-                nanometres(found.median_drop),
+                quantity(step, "m"),
+                quantity(found.median_drop, "m"),
                 found.summits,
                 found.distinct_curvatures,
             ));
@@ -256,7 +254,6 @@ impl MapFacts {
         })
     }
 
-    /// The papers behind it.
     fn papers(&self) -> Vec<Paper> {
         let mut papers = vec![literature::GREENWOOD_1984, literature::NAYAK_1971];
         if self.filter.is_some() {
@@ -320,7 +317,7 @@ impl Surface {
         self.nominal.is_some() && self.mean_plane.is_some()
     }
 
-    /// The papers behind its asperities.
+    /// References for its asperities.
     pub fn papers(&self) -> Vec<Paper> {
         let mut papers: Vec<Paper> = self.map.iter().flat_map(MapFacts::papers).collect();
         if self.is_quoted_as_surface() {
@@ -363,11 +360,11 @@ mod tests {
     }
 
     #[test]
-    fn a_surface_of_two_processes_has_no_spectrum_that_was_asked_for() {
+    fn a_surface_of_two_processes_has_no_target_spectrum() {
         let one = facts(None, Neighbours::Four).1;
-        assert!(one.whole.asked.is_some() && !one.whole.is_asked_of_gaussian);
+        assert!(one.whole.target.is_some() && !one.whole.is_target_of_gaussian);
         let two = facts(Some(Plateau { process: process(2.0), height: 0.0 }), Neighbours::Four).1;
-        assert!(two.whole.asked.is_none() && two.whole.spectrum.is_some());
+        assert!(two.whole.target.is_none() && two.whole.spectrum.is_some());
     }
 
     #[test]

@@ -59,21 +59,17 @@ pub struct TargetSpec {
 pub struct PlateauSpec {
     /// Standard deviation of its heights.
     pub sigma: Quantity<Length>,
-    /// Its spectrum.
     pub spectrum: Spanned<SpectrumSpec>,
     /// Height of its mean plane above that of the surface that it cuts.
     pub height: Quantity<Length, Finite>,
 }
 
-/// A spectrum: a one-key table names it and holds its numbers.
+/// A spectrum: a table with its name as the only key.
 #[derive(Debug, Clone, Copy, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum SpectrumSpec {
-    /// Self-affine.
     SelfAffine(SelfAffineSpec),
-    /// Gaussian autocorrelation.
     Gaussian(CorrelationSpec),
-    /// Exponential autocorrelation.
     Exponential(CorrelationSpec),
 }
 
@@ -81,7 +77,6 @@ pub enum SpectrumSpec {
 #[derive(Debug, Clone, Copy, Deserialize)]
 #[serde(deny_unknown_fields, rename_all = "kebab-case", expecting = "a table { hurst, roll-off, cut-off }")]
 pub struct SelfAffineSpec {
-    /// Hurst exponent.
     pub hurst: Quantity<Pure, Finite>,
     /// Longest wavelength of the power law.
     pub roll_off: Option<Quantity<Length>>,

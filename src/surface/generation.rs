@@ -22,15 +22,14 @@ use asperity_framework::input::{InputError, Source};
 /// How a random surface is made.
 #[derive(Debug, Clone)]
 pub struct Generation {
-    /// The way.
     pub way: Way,
     /// What a summit is.
     pub neighbours: Neighbours,
-    /// What the spec says of its size, or of its summits.
+    /// Position of its size, or of its summits, in the spec.
     pub key: Range<usize>,
 }
 
-/// The two ways to a surface.
+/// How a surface is generated.
 #[derive(Debug, Clone)]
 pub enum Way {
     /// By what it is.
@@ -46,7 +45,6 @@ pub enum Way {
 
 /// A surface and what it was made by.
 pub struct Generated {
-    /// The surface.
     pub map: HeightMap,
     /// What it was made by.
     pub facts: GenerationFacts,
@@ -56,7 +54,7 @@ pub struct Generated {
 
 /// A grid that is worth making.
 const FEWEST_POINTS: u64 = 8;
-/// Beyond, no memory holds a map.
+/// Larger maps do not fit in memory.
 const MOST_POINTS: u64 = 1 << 20;
 
 impl Generation {
@@ -64,23 +62,23 @@ impl Generation {
     ///
     /// # Errors
     /// The first that makes no surface.
-    pub fn new(source: &Source, span: Range<usize>, words: &GenerateSpec) -> Result<Self, InputError> {
-        let points = points(source, words)?;
-        let heights = words.heights.as_ref().map_or(Heights::GAUSSIAN, |heights| heights.0.clone());
-        let way = match &words.summits {
+    pub fn new(source: &Source, span: Range<usize>, raw: &GenerateSpec) -> Result<Self, InputError> {
+        let points = points(source, raw)?;
+        let heights = raw.heights.as_ref().map_or(Heights::GAUSSIAN, |heights| heights.0.clone());
+        let way = match &raw.summits {
             Some(summits) => {
                 let target = Target {
                     radius: summits.get_ref().radius.value(),
                     sigma: summits.get_ref().sigma.value(),
                     density: summits.get_ref().density.value(),
                 };
-                let generator = target_recipe(source, words, points, heights)?;
+                let generator = target_recipe(source, raw, points, heights)?;
                 Way::Target { generator, target }
             }
-            None => Way::SurfaceGenerator(generator(source, span, words, points, heights)?),
+            None => Way::SurfaceGenerator(generator(source, span, raw, points, heights)?),
         };
-        let key = words.summits.as_ref().map_or_else(|| words.points.span(), Spanned::span);
-        Ok(Self { way, neighbours: words.neighbours, key })
+        let key = raw.summits.as_ref().map_or_else(|| raw.points.span(), Spanned::span);
+        Ok(Self { way, neighbours: raw.neighbours, key })
     }
 
     /// Points along x and y.
@@ -170,8 +168,8 @@ impl Generation {
     }
 }
 
-fn points(source: &Source, words: &GenerateSpec) -> Result<[usize; 2], InputError> {
-    let counts = words.points.get_ref().0;
+fn points(source: &Source, raw: &GenerateSpec) -> Result<[usize; 2], InputError> {
+    let counts = raw.points.get_ref().0;
     if counts.iter().all(|count| (FEWEST_POINTS..=MOST_POINTS).contains(count)) {
         return Ok(counts.map(|count| count as usize));
     }
@@ -179,13 +177,13 @@ fn points(source: &Source, words: &GenerateSpec) -> Result<[usize; 2], InputErro
         "found {} x {} points; allowed: {FEWEST_POINTS} to {MOST_POINTS} along x and y",
         counts[0], counts[1]
     );
-    Err(source.error_at(words.points.span(), message))
+    Err(source.error_at(raw.points.span(), message))
 }
 
 fn generator(
     source: &Source,
     span: Range<usize>,
-    words: &GenerateSpec,
+    raw: &GenerateSpec,
     points: [usize; 2],
     heights: Heights,
 ) -> Result<SurfaceGenerator, InputError> {
@@ -195,13 +193,13 @@ fn generator(
             format!("found no {key}; allowed: pixel and sigma, or summits = {{ radius, sigma, density }}"),
         )
     };
-    let pixel = words.pixel.as_ref().ok_or_else(|| missing("pixel"))?.get_ref().0;
-    let sigma = words.sigma.as_ref().ok_or_else(|| missing("sigma"))?.get_ref().value();
-    let of = words.spectrum_of.as_ref().map(|of| *of.get_ref()).unwrap_or_default();
-    let process = Process { spectrum: spectrum(source, &words.spectrum, points, pixel)?, of, sigma, heights };
-    let plateau = words.plateau.as_ref().map(|plateau| {
-        let PlateauSpec { sigma, spectrum: words, height } = plateau.get_ref();
-        let spectrum = spectrum(source, words, points, pixel)?;
+    let pixel = raw.pixel.as_ref().ok_or_else(|| missing("pixel"))?.get_ref().0;
+    let sigma = raw.sigma.as_ref().ok_or_else(|| missing("sigma"))?.get_ref().value();
+    let of = raw.spectrum_of.as_ref().map(|of| *of.get_ref()).unwrap_or_default();
+    let process = Process { spectrum: spectrum(source, &raw.spectrum, points, pixel)?, of, sigma, heights };
+    let plateau = raw.plateau.as_ref().map(|plateau| {
+        let PlateauSpec { sigma, spectrum: raw, height } = plateau.get_ref();
+        let spectrum = spectrum(source, raw, points, pixel)?;
         let process =
             Process { spectrum, of: SpectrumOf::Heights, sigma: sigma.value(), heights: Heights::GAUSSIAN };
         Ok(Plateau { process, height: height.value() })
@@ -212,12 +210,12 @@ fn generator(
 /// A spectrum by its lengths, which the grid must show.
 fn spectrum(
     source: &Source,
-    words: &Spanned<SpectrumSpec>,
+    raw: &Spanned<SpectrumSpec>,
     points: [usize; 2],
     pixel: [f64; 2],
 ) -> Result<Spectrum, InputError> {
-    let refuse = |message: &dyn std::fmt::Display| source.error_at(words.span(), message);
-    let made = match words.get_ref() {
+    let refuse = |message: &dyn std::fmt::Display| source.error_at(raw.span(), message);
+    let made = match raw.get_ref() {
         SpectrumSpec::SelfAffine(self_affine) => {
             let SelfAffineSpec { hurst, roll_off, cut_off, cut_off_pixels, .. } = self_affine;
             if cut_off_pixels.is_some() {
@@ -240,7 +238,7 @@ fn spectrum(
         SpectrumSpec::Gaussian(CorrelationSpec { correlation_length, angle })
         | SpectrumSpec::Exponential(CorrelationSpec { correlation_length, angle }) => {
             let [along, across] = correlation_length.0;
-            let is_gaussian = matches!(words.get_ref(), SpectrumSpec::Gaussian(_));
+            let is_gaussian = matches!(raw.get_ref(), SpectrumSpec::Gaussian(_));
             let shape = if is_gaussian {
                 SpectrumShape::Gaussian(across)
             } else {
@@ -262,49 +260,52 @@ fn lay(elongation: f64, angle: Option<Quantity<Angle, Finite>>) -> Result<Lay, S
         ));
     }
     if elongation == 1.0 {
-        return Err("found an angle without a lay; allowed: beside two different correlation lengths, along the lay and across \
-                    it, or beside an elongation"
+        return Err("found an angle without a lay; allowed: with two different correlation lengths, along the lay and across \
+                    it, or with an elongation"
             .to_owned());
     }
     Ok(Lay { elongation, angle })
 }
 
-/// A target leaves scales and bandwidth open.
+/// A generator whose scales and bandwidth follow from a target.
 fn target_recipe(
     source: &Source,
-    words: &GenerateSpec,
+    raw: &GenerateSpec,
     points: [usize; 2],
     heights: Heights,
 ) -> Result<TargetGenerator, InputError> {
     /// A quarter of the Nyquist wave number: summits are well resolved.
     const CUT_OFF: f64 = 8.0;
     let with_summits = |span: Range<usize>, key: &str| {
-        source.error_at(span, format!("found {key} beside summits, which decide it; allowed: one of the two"))
+        source.error_at(
+            span,
+            format!("found {key} together with summits, which determine it; allowed: one of the two"),
+        )
     };
-    if let Some(pixel) = &words.pixel {
+    if let Some(pixel) = &raw.pixel {
         return Err(with_summits(pixel.span(), "pixel"));
     }
-    if let Some(sigma) = &words.sigma {
+    if let Some(sigma) = &raw.sigma {
         return Err(with_summits(sigma.span(), "sigma"));
     }
-    if let Some(of) = &words.spectrum_of {
+    if let Some(of) = &raw.spectrum_of {
         return Err(with_summits(of.span(), "spectrum-of"));
     }
-    if let Some(plateau) = &words.plateau {
+    if let Some(plateau) = &raw.plateau {
         return Err(source.error_at(
             plateau.span(),
-            "found plateau beside summits, which are searched for on the surfaces of one process; allowed: one of the two",
+            "found plateau together with summits, which are only available for a single process; allowed: one of the two",
         ));
     }
-    let refuse = |message: &dyn std::fmt::Display| source.error_at(words.spectrum.span(), message);
-    let SpectrumSpec::SelfAffine(self_affine) = words.spectrum.get_ref() else {
+    let refuse = |message: &dyn std::fmt::Display| source.error_at(raw.spectrum.span(), message);
+    let SpectrumSpec::SelfAffine(self_affine) = raw.spectrum.get_ref() else {
         return Err(refuse(
-            &"found a spectrum whose bandwidth is fixed; allowed with summits: self-affine, whose bandwidth is searched for",
+            &"found a spectrum of fixed bandwidth; allowed with summits: self-affine, whose bandwidth can be adjusted",
         ));
     };
     if self_affine.roll_off.is_some() || self_affine.cut_off.is_some() {
         return Err(refuse(
-            &"found roll-off or cut-off beside summits, which decide them; allowed: hurst, cut-off-pixels, elongation, angle",
+            &"found roll-off or cut-off together with summits, which determine them; allowed: hurst, cut-off-pixels, elongation, angle",
         ));
     }
     let generator = TargetGenerator {
@@ -314,7 +315,7 @@ fn target_recipe(
         lay: lay(self_affine.elongation.map_or(1.0, |e| e.value()), self_affine.angle)
             .map_err(|error| refuse(&error))?,
         heights,
-        neighbours: words.neighbours,
+        neighbours: raw.neighbours,
     };
     generator.check().map_err(|error| refuse(&error))?;
     Ok(generator)

@@ -18,27 +18,27 @@ pub enum AnalysisDepth {
 }
 
 /// Beyond so many points a map is not brought into memory for its spectrum and autocorrelation.
-pub(super) const MOST_POINTS_LOOKED_AT: usize = 1 << 26;
+pub(super) const MOST_ANALYSED_POINTS: usize = 1 << 26;
 
 /// Overview of a map.
 #[derive(Debug, Clone, Default)]
 pub struct MapOverview {
     /// The target spectrum.
-    pub asked: Option<RadialSpectrum>,
+    pub target: Option<RadialSpectrum>,
     /// Whether it is the target of the Gaussian field before the transform of its heights.
-    pub is_asked_of_gaussian: bool,
+    pub is_target_of_gaussian: bool,
     /// The obtained spectrum.
     pub spectrum: Option<RadialSpectrum>,
     /// The autocorrelation.
     pub autocorrelation: Option<Autocorrelation>,
     /// The heights, at most 512 along each axis.
     pub picture: Option<HeightMap>,
-    /// How many heights lie in each of equal intervals over 5 Sq on both sides of the mean.
+    /// Number of heights in each of equal intervals over 5 Sq on both sides of the mean.
     pub distribution: Option<Vec<usize>>,
 }
 
 impl MapOverview {
-    /// Looks at a map, made by `generator` if it was made, to the given `depth`.
+    /// Analyses a map to the given `depth`; `generator` is set for a generated one.
     pub(super) fn of(
         map: &dyn Rows,
         roughness: &RoughnessParameters,
@@ -56,16 +56,16 @@ impl MapOverview {
         };
         if depth == AnalysisDepth::Asperities
             || (!is_close && generator.is_none())
-            || nx * ny > MOST_POINTS_LOOKED_AT
+            || nx * ny > MOST_ANALYSED_POINTS
         {
             return whole;
         }
         // Two processes have two spectra: neither is that of what they leave.
-        whole.asked = generator.filter(|generator| generator.plateau.is_none()).map(|generator| {
+        whole.target = generator.filter(|generator| generator.plateau.is_none()).map(|generator| {
             let &SurfaceGenerator { points, pixel, ref process, .. } = generator;
             RadialSpectrum::prescribed(&process.spectrum.on_grid(points, pixel), pixel, process.sigma)
         });
-        whole.is_asked_of_gaussian = generator.is_some_and(|SurfaceGenerator { process, .. }| {
+        whole.is_target_of_gaussian = generator.is_some_and(|SurfaceGenerator { process, .. }| {
             process.of == SpectrumOf::Gaussian && process.heights != Heights::GAUSSIAN
         });
         let (map, mean) = (HeightMap::of(map), roughness.moments.mean);

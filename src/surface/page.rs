@@ -7,7 +7,6 @@ use asperity_framework::metadata::Metadata;
 use asperity_framework::report::page::{Page, escape};
 use asperity_framework::report::sections;
 
-/// The page.
 pub fn page(results: &SurfacesResults) -> Page {
     let mut page = Page::new(&results.metadata.title);
     sections::notes(&mut page, &results.metadata);

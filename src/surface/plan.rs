@@ -8,8 +8,8 @@ use toml::Spanned;
 
 use crate::surface::files::Reading;
 use crate::surface::generation::Generation;
-use crate::surface::overview::{AnalysisDepth, MOST_POINTS_LOOKED_AT};
-use crate::surface::read_error::{given_in_spec_words, in_spec_words};
+use crate::surface::overview::{AnalysisDepth, MOST_ANALYSED_POINTS};
+use crate::surface::read_error::{options_message, spec_message};
 use crate::surface::spec::{DrawSpec, FileSpec, ListSpec, PopulationHeights, PopulationSpec, SurfaceSpec};
 use asperity::topography::read::{ReadOptions, ReadOptionsError};
 use asperity::topography::summits::Neighbours;
@@ -24,11 +24,11 @@ use asperity_framework::{Memory, set_memory};
 pub struct SurfacePlan {
     /// Its name in the spec.
     pub name: String,
-    /// Where the spec says what it is made of.
+    /// Its position in the spec.
     pub size_key: Range<usize>,
-    /// How many surfaces of this name are made; a given or measured one is its own only realisation.
+    /// Number of realisations; 1 for a given or measured surface.
     pub realisations: usize,
-    /// Whether a law sees its asperities as ellipses.
+    /// Whether a law treats its asperities as ellipses.
     pub(super) as_ellipses: bool,
     pub(super) origin: Origin,
 }
@@ -51,7 +51,6 @@ pub(super) enum Origin {
     Map(MapPlan),
 }
 
-/// A measured map.
 #[derive(Debug)]
 pub(super) struct MapPlan {
     pub(super) path: PathBuf,
@@ -68,14 +67,14 @@ pub(super) struct MapPlan {
 const MOST_REALISATIONS: u64 = 1000;
 
 impl SurfacePlan {
-    /// Looks at everything about a surface that can be known before it is made.
+    /// Checks everything about a surface that is known before it is made.
     ///
     /// # Errors
     /// A file that is missing or is not what it should be; numbers that make no surface.
     pub fn new(
         source: &Source,
         name: &Spanned<String>,
-        words: &Spanned<SurfaceSpec>,
+        raw: &Spanned<SurfaceSpec>,
         as_ellipses: bool,
     ) -> Result<Self, InputError> {
         // The name becomes part of file names.
@@ -88,16 +87,16 @@ impl SurfacePlan {
                 format!("found the surface name \"{}\"; allowed: letters, digits, - and _", name.get_ref()),
             ));
         }
-        let (origin, size_key, realisations) = match words.get_ref() {
+        let (origin, size_key, realisations) = match raw.get_ref() {
             SurfaceSpec::Asperities(list) => {
                 (Self::list(source, list, as_ellipses)?, list.file.span(), &None)
             }
             SurfaceSpec::Population(population) => {
-                let origin = Self::population(source, words.span(), population, as_ellipses)?;
+                let origin = Self::population(source, raw.span(), population, as_ellipses)?;
                 (origin, population.count.span(), &population.realisations)
             }
             SurfaceSpec::Generate(generate) => {
-                let origin = Origin::Generated(Box::new(Generation::new(source, words.span(), generate)?));
+                let origin = Origin::Generated(Box::new(Generation::new(source, raw.span(), generate)?));
                 (origin, generate.points.span(), &generate.realisations)
             }
             SurfaceSpec::File(file) => (Self::map(source, file)?, file.path.span(), &None),
@@ -113,28 +112,28 @@ impl SurfacePlan {
         Ok(Self { name: name.get_ref().clone(), size_key, realisations, as_ellipses, origin })
     }
 
-    fn list(source: &Source, words: &ListSpec, as_ellipses: bool) -> Result<Origin, InputError> {
-        let path = beside(source, &words.file)?;
+    fn list(source: &Source, raw: &ListSpec, as_ellipses: bool) -> Result<Origin, InputError> {
+        let path = beside(source, &raw.file)?;
         let most_rows = AsperityList::check(&path, as_ellipses)
-            .map_err(|error| source.error_at(words.file.span(), format!("{} {error}", path.display())))?;
-        Ok(Origin::List { path, most_rows, nominal_area: words.nominal_area.value() })
+            .map_err(|error| source.error_at(raw.file.span(), format!("{} {error}", path.display())))?;
+        Ok(Origin::List { path, most_rows, nominal_area: raw.nominal_area.value() })
     }
 
     fn population(
         source: &Source,
         span: Range<usize>,
-        words: &PopulationSpec,
+        raw: &PopulationSpec,
         as_ellipses: bool,
     ) -> Result<Origin, InputError> {
-        let ratio = curvature_ratio(source, &span, words.curvature_ratio.as_ref(), as_ellipses)?;
-        let count = *words.count.get_ref();
+        let ratio = curvature_ratio(source, &span, raw.curvature_ratio.as_ref(), as_ellipses)?;
+        let count = *raw.count.get_ref();
         let count = usize::try_from(count).ok().filter(|&count| count > 0).ok_or_else(|| {
-            source.error_at(words.count.span(), format!("found {count}; allowed: at least one asperity"))
+            source.error_at(raw.count.span(), format!("found {count}; allowed: at least one asperity"))
         })?;
-        let (radius, sigma, density) = (words.radius.value(), words.sigma.value(), words.density.value());
+        let (radius, sigma, density) = (raw.radius.value(), raw.sigma.value(), raw.density.value());
         let mut population = Population { radius, sigma, density, heights: Heights::GAUSSIAN };
         let mut plane = ReferencePlane { mean: 0.0, sigma };
-        match &words.heights {
+        match &raw.heights {
             PopulationHeights::Asperities(heights) => population.heights = heights.clone(),
             PopulationHeights::Surface => {
                 let surface = SurfaceHeights { radius, sigma, density };
@@ -142,33 +141,33 @@ impl SurfacePlan {
                 plane.mean = -surface.mean_asperity_height();
             }
         }
-        Ok(Origin::Population { population, ratio, count, draw: words.draw, plane })
+        Ok(Origin::Population { population, ratio, count, draw: raw.draw, plane })
     }
 
-    fn map(source: &Source, words: &FileSpec) -> Result<Origin, InputError> {
-        let path = beside(source, &words.path)?;
+    fn map(source: &Source, raw: &FileSpec) -> Result<Origin, InputError> {
+        let path = beside(source, &raw.path)?;
         let refuse = |error: &dyn std::fmt::Display| {
-            source.error_at(words.path.span(), format!("{} {error}", path.display()))
+            source.error_at(raw.path.span(), format!("{} {error}", path.display()))
         };
-        let metadata = read::metadata(&path).map_err(|error| refuse(&in_spec_words(&error)))?;
+        let metadata = read::metadata(&path).map_err(|error| refuse(&spec_message(&error)))?;
         let points = metadata.points;
         if points.iter().any(|&count| count < 3) {
             return Err(refuse(&MapError::TooSmall(points)));
         }
         let given = ReadOptions {
-            pixel: words.pixel.as_ref().map(|pixel| pixel.get_ref().0),
-            unit: words.unit.as_ref().map(|unit| unit.get_ref().0),
+            pixel: raw.pixel.as_ref().map(|pixel| pixel.get_ref().0),
+            unit: raw.unit.as_ref().map(|unit| unit.get_ref().0),
         };
         let pixel = metadata.pixel(&given).map_err(|error| {
             let key = match error {
-                ReadOptionsError::PixelHeld { .. } => words.pixel.as_ref().map(Spanned::span),
-                ReadOptionsError::UnitHeld { .. } => words.unit.as_ref().map(Spanned::span),
+                ReadOptionsError::PixelHeld { .. } => raw.pixel.as_ref().map(Spanned::span),
+                ReadOptionsError::UnitHeld { .. } => raw.unit.as_ref().map(Spanned::span),
                 ReadOptionsError::NoPixel => None,
             };
-            let message = format!("{} {}", path.display(), given_in_spec_words(&error));
-            source.error_at(key.unwrap_or_else(|| words.path.span()), message)
+            let message = format!("{} {}", path.display(), options_message(&error));
+            source.error_at(key.unwrap_or_else(|| raw.path.span()), message)
         })?;
-        let filter = match &words.filter {
+        let filter = match &raw.filter {
             None => None,
             Some(filter) => {
                 let index = |quantity: Option<Quantity<Length>>| quantity.map(|q| q.value());
@@ -182,9 +181,9 @@ impl SurfacePlan {
         };
         // The head of a file has been checked against its length: the product fits.
         let points = points[0] * points[1];
-        let neighbours = words.neighbours;
-        let is_on_disk = read::stays_on_disk(&path).map_err(|error| refuse(&in_spec_words(&error)))?;
-        Ok(Origin::Map(MapPlan { path, points, is_on_disk, given, level: words.level, filter, neighbours }))
+        let neighbours = raw.neighbours;
+        let is_on_disk = read::stays_on_disk(&path).map_err(|error| refuse(&spec_message(&error)))?;
+        Ok(Origin::Map(MapPlan { path, points, is_on_disk, given, level: raw.level, filter, neighbours }))
     }
 
     /// The file that it is read from.
@@ -241,10 +240,10 @@ impl SurfacePlan {
     /// An estimate of the memory that it needs at its peak, bytes, with as many summits as a rough surface has: on
     /// noise there are twice as many.
     pub fn memory(&self, depth: AnalysisDepth) -> u128 {
-        /// A map that is read as a whole, and turned.
+        /// A map that is read at once and transposed.
         const BYTES_PER_POINT: u128 = 32;
         /// The transforms of an autocorrelation, over one and a half times the side of an open map.
-        const BYTES_PER_POINT_LOOKED_AT: u128 = 96;
+        const BYTES_PER_ANALYSED_POINT: u128 = 96;
         /// A copy of a random surface, which its spectrum is made from.
         const BYTES_PER_POINT_OF_SPECTRUM: u128 = 8;
         /// The transforms of a filter.
@@ -262,13 +261,13 @@ impl SurfacePlan {
                     (None, false) => BYTES_PER_POINT,
                     (None, true) => 0,
                 };
-                let looked_at = depth == AnalysisDepth::Everything && *points <= MOST_POINTS_LOOKED_AT;
-                let bytes = bytes + if looked_at { BYTES_PER_POINT_LOOKED_AT } else { 0 };
+                let is_analysed = depth == AnalysisDepth::Everything && *points <= MOST_ANALYSED_POINTS;
+                let bytes = bytes + if is_analysed { BYTES_PER_ANALYSED_POINT } else { 0 };
                 *points as u128 * bytes + found
             }
             Origin::Generated(generation) => {
                 let depth = match depth {
-                    AnalysisDepth::Everything => BYTES_PER_POINT_LOOKED_AT,
+                    AnalysisDepth::Everything => BYTES_PER_ANALYSED_POINT,
                     _ => BYTES_PER_POINT_OF_SPECTRUM,
                 };
                 area(generation.points()) * (BYTES_PER_HEIGHT * generation.arrays() + depth) + found
@@ -313,7 +312,7 @@ pub fn surfaces(
     as_ellipses: bool,
 ) -> Result<Vec<SurfacePlan>, InputError> {
     let all: Surfaces = file.table("surface")?.map(Spanned::into_inner).unwrap_or_default();
-    let plan = |name: &Spanned<String>, words| SurfacePlan::new(&file.source, name, words, as_ellipses);
+    let plan = |name: &Spanned<String>, raw| SurfacePlan::new(&file.source, name, raw, as_ellipses);
     let Some(named) = named else {
         if all.is_empty() {
             return Err(file.source.error_at(
@@ -322,7 +321,7 @@ pub fn surfaces(
                  [surface.NAME.generate] or [surface.NAME.file]",
             ));
         }
-        return all.iter().map(|(name, words)| plan(name, words)).collect();
+        return all.iter().map(|(name, raw)| plan(name, raw)).collect();
     };
     if named.is_empty() {
         return Err(file.source.error_at(span, "found an empty list of surfaces; allowed: at least one"));
@@ -334,7 +333,7 @@ pub fn surfaces(
             return Err(file.source.error_at(wanted.span(), message));
         }
         let found = all.iter().find(|(name, _)| name.get_ref() == wanted.get_ref());
-        let (name, words) = found.ok_or_else(|| {
+        let (name, raw) = found.ok_or_else(|| {
             let defined: Vec<&str> = all.keys().map(|name| name.get_ref().as_str()).collect();
             let message = format!(
                 "found \"{}\"; allowed: a surface of this file ({})",
@@ -343,7 +342,7 @@ pub fn surfaces(
             );
             file.source.error_at(wanted.span(), message)
         })?;
-        surfaces.push(plan(name, words)?);
+        surfaces.push(plan(name, raw)?);
     }
     Ok(surfaces)
 }
@@ -383,21 +382,21 @@ pub fn describe(surfaces: &[SurfacePlan], f: &mut fmt::Formatter) -> fmt::Result
 pub fn curvature_ratio(
     source: &Source,
     span: &Range<usize>,
-    words: Option<&Spanned<Quantity<Pure>>>,
+    raw: Option<&Spanned<Quantity<Pure>>>,
     is_needed: bool,
 ) -> Result<Option<f64>, InputError> {
     /// Beyond this an asperity is a ridge.
     const LONGEST: f64 = 1e6;
-    let Some(words) = words else {
+    let Some(raw) = raw else {
         let message = "found no `curvature-ratio`, which a law for ellipses needs; allowed: curvature-ratio = 1 or \
                        above, the larger principal curvature of an asperity over the smaller one";
         return if is_needed { Err(source.error_at(span.clone(), message)) } else { Ok(None) };
     };
-    let ratio = words.get_ref().value();
+    let ratio = raw.get_ref().value();
     if (1.0..=LONGEST).contains(&ratio) {
         return Ok(Some(ratio));
     }
-    Err(source.error_at(words.span(), format!("found {ratio}; allowed: 1 to {LONGEST:e}")))
+    Err(source.error_at(raw.span(), format!("found {ratio}; allowed: 1 to {LONGEST:e}")))
 }
 
 fn area([nx, ny]: [usize; 2]) -> u128 {
@@ -405,10 +404,10 @@ fn area([nx, ny]: [usize; 2]) -> u128 {
 }
 
 /// A file named relative to the spec, there and not empty.
-pub fn beside(source: &Source, words: &Spanned<PathBuf>) -> Result<PathBuf, InputError> {
+pub fn beside(source: &Source, raw: &Spanned<PathBuf>) -> Result<PathBuf, InputError> {
     let folder = source.path.parent().unwrap_or_else(|| std::path::Path::new(""));
-    let path = folder.join(words.get_ref());
+    let path = folder.join(raw.get_ref());
     read::existing(&path)
-        .map_err(|error| source.error_at(words.span(), format!("{} {error}", path.display())))?;
+        .map_err(|error| source.error_at(raw.span(), format!("{} {error}", path.display())))?;
     Ok(path)
 }

@@ -2,25 +2,25 @@
 
 use asperity::topography::read::{ReadError, ReadOptionsError};
 
-/// What is wrong with a file, and the keys that mend it.
-pub fn in_spec_words(error: &ReadError) -> String {
+/// What is wrong with a file, and the keys that correct it.
+pub fn spec_message(error: &ReadError) -> String {
     match error {
-        ReadError::Options(error) => given_in_spec_words(error),
+        ReadError::Options(error) => options_message(error),
         ReadError::TooTall { has_unit: false, .. } => {
-            format!("{error} (unit = \"um\" beside path says in which unit it is)")
+            format!("{error} (unit = \"um\" next to path sets the unit)")
         }
         ReadError::UnitsInColumns { line, found } => format!(
-            "names columns with units in line {line}: \"{found}\"; allowed: x y z, the unit as unit = \"um\" beside path"
+            "names columns with units in line {line}: \"{found}\"; allowed: x y z, the unit as unit = \"um\" next to path"
         ),
         _ => error.to_string(),
     }
 }
 
-/// What is wrong with the keys beside a file.
-pub fn given_in_spec_words(error: &ReadOptionsError) -> String {
+/// What is wrong with the keys of a file.
+pub fn options_message(error: &ReadOptionsError) -> String {
     match error {
         ReadOptionsError::NoPixel => {
-            "holds no pixel size; allowed: pixel = \"0.8 um\", or [\"0.8 um\", \"0.5 um\"], beside \
+            "holds no pixel size; allowed: pixel = \"0.8 um\", or [\"0.8 um\", \"0.5 um\"], next to \
                                 path (--pixel \"0.8 um\" on the command line)"
                 .to_owned()
         }
@@ -34,13 +34,13 @@ mod tests {
 
     #[test]
     fn keys_are_named_where_they_help() {
-        let tall = |has_unit| in_spec_words(&ReadError::TooTall { tallest: 20.0, has_unit });
+        let tall = |has_unit| spec_message(&ReadError::TooTall { tallest: 20.0, has_unit });
         assert_eq!(tall(true), "holds a height of 2e1 m; allowed: at most 10 m");
-        assert!(tall(false).ends_with("at most 10 m (unit = \"um\" beside path says in which unit it is)"));
-        assert!(in_spec_words(&ReadOptionsError::NoPixel.into()).contains("allowed: pixel = "));
+        assert!(tall(false).ends_with("at most 10 m (unit = \"um\" next to path sets the unit)"));
+        assert!(spec_message(&ReadOptionsError::NoPixel.into()).contains("allowed: pixel = "));
         let columns = ReadError::UnitsInColumns { line: 3, found: "x [um]".to_owned() };
         assert!(
-            in_spec_words(&columns).contains("in line 3: \"x [um]\"; allowed: x y z, the unit as unit = ")
+            spec_message(&columns).contains("in line 3: \"x [um]\"; allowed: x y z, the unit as unit = ")
         );
     }
 }

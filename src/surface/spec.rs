@@ -17,7 +17,7 @@ use asperity::units::Dimension;
 use asperity_framework::input::heights::HeightsSpec;
 use asperity_framework::input::quantity::{Area, ArealNumberDensity, Length, Pure, Quantity};
 
-/// One surface: exactly one kind a name.
+/// One surface: exactly one kind per name.
 #[derive(Debug, Deserialize)]
 #[serde(try_from = "Kinds")]
 pub enum SurfaceSpec {
@@ -49,20 +49,20 @@ impl TryFrom<Kinds> for SurfaceSpec {
         let given = [
             asperities.map(Self::Asperities),
             population.map(Self::Population),
-            generate.map(|words| Self::Generate(Box::new(words))),
+            generate.map(|raw| Self::Generate(Box::new(raw))),
             file.map(Self::File),
         ];
         let mut given = given.into_iter().flatten();
         match (given.next(), given.next()) {
             (Some(kind), None) => Ok(kind),
-            _ => Err("found none or several kinds; allowed: exactly one of asperities, population, generate, file a \
-                      surface name"
+            _ => Err("found none or several kinds; allowed: exactly one of asperities, population, generate, file per \
+                      surface"
                 .to_owned()),
         }
     }
 }
 
-/// A list of asperities: CSV with columns height and radius, or an n x 2 `.npy`; for laws that see ellipses with kx and
+/// A list of asperities: CSV with columns height and radius, or an n x 2 `.npy`; for elliptic laws with kx and
 /// ky too.
 #[derive(Debug, Deserialize)]
 #[serde(deny_unknown_fields, rename_all = "kebab-case", expecting = "a table { file, nominal-area }")]
@@ -83,7 +83,7 @@ pub struct ListSpec {
 pub struct PopulationSpec {
     /// Radius of every asperity: 1/(mean curvature).
     pub radius: Quantity<Length>,
-    /// The larger principal curvature of every asperity over the smaller one, for laws that see ellipses.
+    /// The larger principal curvature of every asperity over the smaller one, for elliptic laws.
     pub curvature_ratio: Option<Spanned<Quantity<Pure>>>,
     /// Standard deviation of the heights.
     pub sigma: Quantity<Length>,
@@ -154,15 +154,14 @@ pub enum DrawSpec {
     Quantiles,
 }
 
-/// A measured topography.
 #[derive(Debug, Deserialize)]
 #[serde(deny_unknown_fields, rename_all = "kebab-case", expecting = "a table { path }")]
 pub struct FileSpec {
     /// The file, relative to the spec.
     pub path: Spanned<PathBuf>,
-    /// Pixel size along x and y; only where the format holds none.
+    /// Pixel size along x and y; only where the format contains none.
     pub pixel: Option<Spanned<PixelSpec>>,
-    /// Unit of the lengths in the file; only where the format holds none.
+    /// Unit of the lengths in the file; only where the format contains none.
     pub unit: Option<Spanned<UnitSpec>>,
     /// Form that is removed.
     #[serde(default)]

@@ -36,7 +36,7 @@ pub struct SurfaceSummary<'a> {
     warnings: &'a [String],
 }
 
-/// The mean shape of asperities that a law sees as ellipses.
+/// The mean shape of asperities that a law treats as ellipses.
 #[derive(Serialize)]
 struct EllipticitySummary {
     mean_curvature_per_m: f64,

@@ -33,7 +33,7 @@ law = ["hertz", "zmc"]
 "#
 );
 
-/// Runs the words of `[indentation]` beside a file of measured points.
+/// Runs an `[indentation]` table with a file of measured points.
 fn run_words(words: &str, points: &str) -> (tempfile::TempDir, IndentationResults) {
     let folder = tempfile::tempdir().unwrap();
     fs::write(folder.path().join("points.csv"), points).unwrap();
@@ -146,14 +146,14 @@ fn an_exact_contact_that_is_too_wide_is_left_out() {
 }
 
 #[test]
-fn area_that_falls_is_told() {
+fn a_decreasing_area_is_reported() {
     let words = "radius = \"20 um\"\nlayer = { material = \"lead\", thickness = \"100 nm\" }\n\
                  indentation = { from = \"0.1 nm\", to = \"1 um\", points = 41 }\n";
     let (_folder, results) = run_words(words, "");
     let layer = &results.layers[0];
     assert!(layer.laws[0].coated.decreases.is_empty());
     assert_eq!(
-        layer.laws[1].coated.decreases.iter().map(|fall| fall.of).collect::<Vec<_>>(),
+        layer.laws[1].coated.decreases.iter().map(|decrease| decrease.of).collect::<Vec<_>>(),
         [DecreasingQuantity::Area]
     );
     let page = written(results, "report.md");
@@ -161,7 +161,7 @@ fn area_that_falls_is_told() {
 }
 
 #[test]
-fn measured_points_stand_beside_the_curve() {
+fn measured_points_are_compared_with_the_curve() {
     let words = "radius = \"12.75 mm\"\nlayer = { material = \"lead\", thickness = \"1.2 um\" }\n\
                  indentation = { from = \"10 nm\", to = \"5 um\", points = 11 }\noverlay = \"points.csv\"\n";
     let (_folder, results) = run_words(words, "# mine\nlot, load, indentation\na, 2.5, 1e-7\nb, 20, 1e-6\n");

@@ -8,7 +8,7 @@ use asperity_framework::Outcome;
 use asperity_framework::progress::Silent;
 use asperity_framework::report::store::Store;
 
-/// A steel population on a flat, with the words of the flat.
+/// A steel population on a flat; the keys of the flat are given.
 fn spec(flat: &str) -> String {
     // Under a film the rough body never yields, and is pressed deep.
     let (rough, nearest) = if flat.contains("film") { ("hard", -9.0) } else { ("steel", 1.0) };
@@ -103,7 +103,7 @@ fn no_layer_is_the_substrate_and_all_layer_the_layer_to_the_bit() {
     assert_eq!(layered.contact.reduced_modulus, steel.contact.reduced_modulus);
 }
 
-/// A report of one model speaks of that model alone, and tells how wide its contacts are.
+/// A report of one model shows that model only, with a/t of its contacts.
 #[test]
 fn a_report_of_one_model_shows_one_model() {
     let of = |models: &str| {
@@ -167,7 +167,7 @@ fn a_threshold_is_where_the_area_has_changed_by_5_percent() {
     }
 }
 
-/// Jackson and Green's law says nothing of a layer of finite thickness, and so nothing of where one begins to matter.
+/// Jackson and Green's law is not defined under a finite layer, so it has no threshold.
 #[test]
 fn a_law_without_layers_has_no_threshold() {
     let folder = tempfile::tempdir().unwrap();
@@ -184,7 +184,7 @@ fn a_law_without_layers_has_no_threshold() {
 }
 
 #[test]
-fn a_rule_outside_its_range_is_said_with_its_error() {
+fn a_rule_outside_its_range_is_reported_with_its_error() {
     let layer = |name: &str, rule: &str| {
         let flat = format!(
             "flat = \"steel\"\nlayer = {{ material = \"{name}\", thickness = \"50 nm\", rule = \"{rule}\" }}"
@@ -199,7 +199,7 @@ fn a_rule_outside_its_range_is_said_with_its_error() {
     assert_eq!(layer("titanium", "gao"), Vec::<String>::new());
 }
 
-/// One thin layer alone that does not matter says where a thicker one would.
+/// A single layer without effect: the threshold is found beyond the list.
 #[test]
 fn a_threshold_is_sought_beyond_the_list() {
     let of = |list: &str| {
@@ -218,13 +218,13 @@ fn a_threshold_is_sought_beyond_the_list() {
 
 /// A plastic film 20 times as hard as its substrate.
 #[test]
-fn where_a_load_falls_the_report_says_so() {
+fn a_decreasing_load_is_reported() {
     let flat = "flat = \"soft\"\nlayer = { material = \"film\", thickness = \"150 nm\" }";
     let found = compared(flat);
-    let falls = &found.surfaces[0].falls;
+    let decreases = &found.surfaces[0].decreases;
     assert!(
-        falls.iter().any(|one| one.fall.of == DecreasingQuantity::Load && one.fall.loss() > 0.01),
-        "{falls:?}"
+        decreases.iter().any(|one| one.decrease.of == DecreasingQuantity::Load && one.decrease.loss() > 0.01),
+        "{decreases:?}"
     );
     let page = &written(&found, &["report.md"])[0];
     assert!(
@@ -242,7 +242,7 @@ fn the_summary_holds_the_layer() {
     assert_eq!(summary["layer"]["material"], "lead");
     assert_eq!(summary["layer"]["rule_errors"].as_array().unwrap().len(), 14);
     assert_eq!(summary["layer_thresholds"].as_array().unwrap().len(), 8);
-    // PHYSICS: under 50 nm of lead the area of an asperity of 20 um falls somewhere.
+    // PHYSICS: under 50 nm of lead the area of an asperity of 20 um decreases somewhere.
     let falls = summary["falls"].as_array().unwrap();
     assert!(falls.iter().any(|fall| fall["of"] == "area" && fall["layer_thickness_m"] == 50e-9), "{falls:?}");
     assert!(falls.iter().all(|fall| fall["of"] == "area"), "no load falls under lead");

@@ -28,7 +28,7 @@ mod layers;
 mod registry;
 mod work;
 
-/// What came out of a run, which is a `T`.
+/// Results of a run, which is a `T`.
 fn downcast<T: std::any::Any>(outcome: Box<dyn asperity_framework::Outcome>) -> T {
     *(outcome as Box<dyn std::any::Any>).downcast().expect("the results of this kind")
 }

@@ -55,13 +55,13 @@ fn work_of(spec: &str) -> Work {
     run(spec).metadata().work.unwrap()
 }
 
-/// What `[compare]` of steel on steel finds.
+/// Results of `[compare]` for steel on steel.
 fn compare(words: &str, surfaces: &str) -> (Work, CompareResults) {
     let results: CompareResults = crate::downcast(run(&format!("{BODIES}{words}\n{surfaces}")));
     (results.metadata.work.unwrap(), results)
 }
 
-/// How many asperities of all surfaces stand above the flat, separation by separation.
+/// Number of asperities of all surfaces above the flat, separation by separation.
 fn above(results: &CompareResults, separations: &[f64]) -> u64 {
     let mut count = 0;
     for found in &results.surfaces {
@@ -78,7 +78,7 @@ fn above(results: &CompareResults, separations: &[f64]) -> u64 {
 fn a_sum_touches_each_asperity_above_the_flat_once_and_nothing_below() {
     let separations = [3.0, 1.5, 0.0, -1.0];
     let list = "[surface.list.asperities]\nfile = \"list.csv\"\nnominal-area = \"1e-8 m^2\"";
-    // A law whose load never falls is not searched for the loads of its own points.
+    // A law whose load never decreases is not searched for the loads of its own points.
     for models in ["[\"deterministic\"]", "[\"statistical\", \"deterministic\"]"] {
         let words = format!(
             "law = [\"hertz\", \"kogut-etsion\", \"zmc\"]\nmodels = {models}\nseparation = {{ values = [3, 1.5, 0, -1] }}"
@@ -101,7 +101,7 @@ fn a_flat_above_all_asperities_touches_none() {
 }
 
 #[test]
-fn no_model_works_that_is_not_asked() {
+fn models_that_are_not_requested_do_not_run() {
     let words = |model: &str| {
         format!(
             "law = [\"hertz\", \"zmc\"]\nmodels = [\"{model}\"]\nseparation = {{ values = [3, 0] }}\npressure = {{ values = [\"1 MPa\"] }}"
@@ -119,7 +119,7 @@ fn no_model_works_that_is_not_asked() {
 
 /// Separation by separation, no load is searched.
 #[test]
-fn no_load_is_searched_that_is_not_asked() {
+fn loads_that_are_not_requested_are_not_searched() {
     let words = |separations: &str, more: &str| {
         format!(
             "law = \"zmc\"\nmodels = [\"statistical\"]\nseparation = {{ values = {separations} }}\n{more}"
@@ -251,7 +251,7 @@ fn a_ball_is_pressed_once_into_the_flat_without_a_layer_and_all_of_it() {
 }
 
 #[test]
-fn a_look_touches_nothing() {
+fn a_surface_description_evaluates_no_contacts() {
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("map.txt");
     let height = |ix: u32, iy: u32| format!("{:e}", f64::from((ix * 37 + iy * 91) % 53) * 1e-9);
@@ -262,9 +262,9 @@ fn a_look_touches_nothing() {
     assert_eq!(found.metadata().work, Some(Work { files_read: 1, surfaces_made: 1, ..Work::default() }));
 }
 
-/// Counting changes no bit of an answer.
+/// Counting changes no bit of a result.
 #[test]
-fn a_contact_that_is_counted_answers_the_same() {
+fn counting_does_not_change_results() {
     let mut random = Random::new(7);
     let [rough, layer, substrate] = bodies(&mut random);
     for thickness in [0.0, 3e-8, f64::INFINITY] {

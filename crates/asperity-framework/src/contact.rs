@@ -1,4 +1,4 @@
-//! The bodies of an experiment, its laws, and what a report says of them.
+//! The bodies of an experiment and its laws, as reports describe them.
 
 use indexmap::IndexMap;
 use serde::Serialize;
@@ -18,26 +18,26 @@ pub struct Bodies {
 
 /// A law and the micro-contact that it makes of the two bodies.
 pub struct LawPlan {
-    /// How tables and plots name it.
+    /// Name in tables and plots.
     pub label: String,
-    /// Thickness of the layer, m; `None` where no layer is asked for.
+    /// Thickness of the layer, m; `None` without a layer in the spec.
     pub thickness: Option<f64>,
     /// The micro-contact.
     pub contact: Box<dyn MicroContact>,
-    /// The law in the words of a spec.
+    /// The law as given in the spec.
     pub spec: ContactLaw,
 }
 
-/// What lies on the flat.
+/// The layer on the flat.
 #[derive(Debug, Clone)]
 pub struct LayerMetadata {
     /// Name of its material.
     pub name: String,
-    /// How its modulus and that of the substrate are put together.
+    /// Effective-modulus model.
     pub rule: ModulusModel,
     /// Thicknesses, m, ascending; 0 and infinity among them.
     pub thicknesses: Vec<f64>,
-    /// How good the rules are for these materials, over a/t from 0.1 to 10; `None` where no thickness asks for one.
+    /// Accuracy of the effective-modulus models for these materials, a/t from 0.1 to 10; `None` without a finite thickness.
     pub check: Option<ModulusFindings>,
 }
 
@@ -46,15 +46,15 @@ pub struct LayerMetadata {
 pub struct ContactMetadata {
     /// The bodies of the spec.
     pub materials: IndexMap<String, Material>,
-    /// Who touches whom.
+    /// Names of the two bodies.
     pub bodies: Bodies,
     /// Reduced modulus of the pair, Pa.
     pub reduced_modulus: f64,
     /// Hardness of the softer body, Pa.
     pub hardness: Option<f64>,
-    /// What lies on the flat.
+    /// The layer on the flat.
     pub layer: Option<LayerMetadata>,
-    /// Laws that are asked beyond what they were made for, a line each.
+    /// Laws used outside their range of validity, one per line.
     pub caveats: Vec<String>,
 }
 
@@ -73,18 +73,18 @@ impl ContactSummary {
     }
 }
 
-/// The papers behind laws and both models.
+/// References for the laws and both models.
 pub fn papers_of(laws: &[LawPlan]) -> Vec<Paper> {
     let models = [literature::PASARIBU_SCHIPPER_2005, literature::ZHAO_MAIETTA_CHANG_2000];
     laws.iter().flat_map(papers_of_law).chain(models).collect()
 }
 
-/// The papers behind one law.
+/// References for one law.
 fn papers_of_law(law: &LawPlan) -> Vec<Paper> {
     law.contact.papers().into_iter().chain(law.spec.papers()).collect()
 }
 
-/// What a report says of two bodies under laws.
+/// Description of two bodies under laws, for a report.
 pub fn contact_metadata(
     materials: &IndexMap<String, Material>,
     laws: &[LawPlan],
@@ -94,7 +94,7 @@ pub fn contact_metadata(
     // All laws of an experiment have the same two bodies.
     let contact = &laws[0].contact;
     let mut caveats: Vec<String> = laws.iter().filter_map(|law| law.contact.caveat()).collect();
-    caveats.extend(apart_in_strength(materials, laws, bodies, layer.as_ref()));
+    caveats.extend(inconsistent_strengths(materials, laws, bodies, layer.as_ref()));
     caveats.sort_unstable();
     caveats.dedup();
     ContactMetadata {
@@ -107,8 +107,8 @@ pub fn contact_metadata(
     }
 }
 
-/// Bodies of which laws that take the hardness and one that takes the yield strength make two different ones.
-fn apart_in_strength(
+/// Warns of materials whose hardness and yield strength are inconsistent, where laws use both.
+fn inconsistent_strengths(
     materials: &IndexMap<String, Material>,
     laws: &[LawPlan],
     bodies: &Bodies,
@@ -127,8 +127,8 @@ fn apart_in_strength(
         let [from, to] = METALS;
         (!(from..=to).contains(&ratio)).then(|| {
             format!(
-                "{name}: the hardness is {ratio:.2} times the yield strength, where metals have {from} to {to}: laws that take the one \
-                 and laws that take the other speak of different bodies"
+                "{name}: the hardness is {ratio:.2} times the yield strength (metals: {from} to {to}); laws that use the hardness \
+                 and laws that use the yield strength then describe different materials"
             )
         })
     };

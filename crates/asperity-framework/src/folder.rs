@@ -1,4 +1,4 @@
-//! The report on an outcome: page, tables, figures and summaries in one folder.
+//! The report of a run: page, tables, figures and summaries in one folder.
 
 use std::time::Instant;
 
@@ -17,7 +17,7 @@ pub enum ReportError {
     Summary(#[from] serde_json::Error),
 }
 
-/// The whole report on `outcome`, to be written under `key`, which stands for all that it depends on.
+/// The complete report on `outcome`; `key` identifies everything that it depends on.
 ///
 /// # Errors
 /// See [`ReportError`].

@@ -1,4 +1,4 @@
-//! What an experiment kind is: one trait for what a spec's table means, one for what will run, one for what came out.
+//! What an experiment kind is: one trait for reading a spec's table, one for the plan of a run, one for its results.
 
 use std::any::Any;
 use std::fmt;
@@ -18,7 +18,7 @@ use crate::report::table::{Schema, TableError};
 use asperity::work::Work;
 use asperity::{Material, Paper};
 
-/// Tables of a spec that a kind reads beside its own.
+/// Tables of a spec that a kind reads besides its own.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Reads {
     /// `[material.NAME]`
@@ -32,11 +32,11 @@ pub trait Kind: Sync {
     /// Name of its table.
     fn name(&self) -> &'static str;
 
-    /// What it reads beside its table.
+    /// What it reads besides its table.
     fn reads(&self) -> Reads;
 
-    /// Reads the table and what it refers to, and checks everything that can be known without running it; `full` asks also
-    /// for what takes minutes and gigabytes.
+    /// Reads the table and what it refers to, and checks everything that can be checked without running it; `full` includes
+    /// parts that take minutes and gigabytes.
     ///
     /// # Errors
     /// The first thing that keeps it from running.
@@ -51,11 +51,11 @@ pub trait Kind: Sync {
 pub struct Memory {
     /// Bytes.
     pub bytes: u128,
-    /// Where the spec asks for the largest part of it.
+    /// Position in the spec of the largest part of it.
     pub key: Option<Range<usize>>,
 }
 
-/// An experiment that can be run. `Display` says what it will do, a line each, for `experiment check`.
+/// An experiment that can be run. `Display` prints what it will do, one line per item, for `experiment check`.
 pub trait Plan: fmt::Display {
     /// The files that it reads, each once.
     fn inputs(&self) -> Vec<PathBuf> {
@@ -68,7 +68,7 @@ pub trait Plan: fmt::Display {
     /// An estimate of the work: micro-contacts evaluated.
     fn work(&self) -> u128;
 
-    /// What tells its report from that of the same spec run otherwise; empty if nothing does.
+    /// Distinguishes its report from that of the same spec run in another way; empty if there is only one.
     fn variant(&self) -> &'static str {
         ""
     }
@@ -85,13 +85,13 @@ pub trait Plan: fmt::Display {
     fn run(&self, context: &RunContext) -> Result<Box<dyn Outcome>, InputError>;
 }
 
-/// What came out of a run, as a report writes it down. A program that knows the kind can cast it to the kind's own type
+/// Results of a run, for the report. A program that knows the kind can cast it to the kind's own type
 /// through [`Any`].
 pub trait Outcome: Any + Sync {
     /// What every experiment has.
     fn metadata(&self) -> &Metadata;
 
-    /// What makes the answers doubtful, a line each.
+    /// Warnings about the results, one per line.
     fn warnings(&self) -> Vec<String>;
 
     /// The page.
@@ -153,8 +153,8 @@ impl RunContext<'_> {
         }
     }
 
-    /// The seed of one stream of random numbers: it depends on the spec's seed and on what is drawn, not on what else the
-    /// spec holds.
+    /// The seed of one stream of random numbers: it depends on the spec's seed and on what is drawn, not on the rest of the
+    /// spec.
     pub fn stream_seed(&self, what: &str) -> [u8; 32] {
         stream_seed(self.seed, what)
     }

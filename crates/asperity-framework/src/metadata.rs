@@ -12,13 +12,13 @@ pub struct Metadata {
     pub title: String,
     /// Name of the spec's file, without its ending.
     pub stem: String,
-    /// What the spec's author says of it.
+    /// Notes of the spec's author.
     pub notes: String,
     /// SHA-256 of the spec, hexadecimal.
     pub spec_sha256: String,
     /// Every random number came from it.
     pub seed: u64,
-    /// The papers behind what was run.
+    /// References for the run.
     pub papers: Vec<Paper>,
     /// Where the time went.
     pub timing: Timing,

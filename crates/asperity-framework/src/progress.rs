@@ -1,6 +1,6 @@
 //! Telling whoever watches how far a run is, without knowing who watches.
 
-/// A watcher of a run. All methods do nothing unless told otherwise.
+/// Progress of a run. All methods do nothing by default.
 pub trait Progress: Sync {
     /// A stage begins, of so many steps.
     fn stage(&self, _what: &str, _steps: u64) {}

@@ -58,7 +58,7 @@ impl Frame {
     }
 }
 
-/// Divides the x axis so that its labels stand apart.
+/// Ticks of the x axis with labels that do not overlap.
 pub(super) fn x_ticks(scale: &Scale, length: f64) -> Vec<Tick> {
     x_ticks_up_to((length / 45.0) as usize, scale, length)
 }
@@ -75,7 +75,7 @@ pub(super) fn x_ticks_up_to(most: usize, scale: &Scale, length: f64) -> Vec<Tick
     })
 }
 
-/// Divides the y axis so that its labels stand apart.
+/// Ticks of the y axis with labels that do not overlap.
 pub(super) fn y_ticks(scale: &Scale, length: f64) -> Vec<Tick> {
     y_ticks_up_to((length / 36.0) as usize, scale, length)
 }
@@ -93,14 +93,14 @@ pub(super) fn labelled(ticks: &[Tick]) -> impl Iterator<Item = (f64, &str)> {
     ticks.iter().filter_map(|tick| tick.label.as_deref().map(|label| (tick.place, label)))
 }
 
-/// Room that the y axis takes left of the frame.
+/// Width of the y axis left of the frame.
 pub(super) fn left_margin(y: &Axis, ticks: &[Tick]) -> f64 {
     let widest = labelled(ticks).map(|(_, label)| width(label, TICK)).fold(0.0, f64::max);
     let label = if y.label.is_empty() { 0.0 } else { LABEL + 8.0 };
     8.0 + label + widest + MARK + 5.0
 }
 
-/// Room right of the frame: half of the last label of x may stand out.
+/// Margin right of the frame: half of the last x label may extend beyond it.
 pub(super) fn right_margin(x_ticks: &[Tick]) -> f64 {
     let out = labelled(x_ticks).filter(|(place, _)| *place > 0.9).map(|(_, label)| width(label, TICK) / 2.0);
     out.fold(14.0, f64::max) + 4.0

@@ -24,7 +24,7 @@ impl<'a> Bar<'a> {
         Some(Self { raster, ticks: axes::y_ticks(&scale, length) })
     }
 
-    /// Room that it takes right of the frame.
+    /// Its width right of the frame.
     pub(super) fn room(&self) -> f64 {
         GAP + WIDTH + self.numbers() + if self.raster.label.is_empty() { 0.0 } else { LABEL + 6.0 } + 6.0
     }

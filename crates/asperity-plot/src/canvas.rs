@@ -79,7 +79,7 @@ impl Stroke {
     }
 }
 
-/// Which end of a text stands at its place.
+/// Alignment of a text at its position.
 #[derive(Clone, Copy, PartialEq)]
 pub(super) enum Align {
     Left,

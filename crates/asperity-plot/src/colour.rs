@@ -24,7 +24,6 @@ pub enum Colour {
     Ordered {
         /// Place in the order, from 0.
         index: usize,
-        /// Number of series.
         of: usize,
     },
 }
@@ -44,7 +43,7 @@ const SERIES: [RGBColor; 8] = [
     RGBColor(0x8c, 0x6d, 0x1f),
 ];
 
-/// Steps of falling darkness, so that an order shows without colour too; none too light for white.
+/// Steps of decreasing darkness, so that an order shows without colour too; none too light for white.
 const ORDERED: [(f64, f64, f64); 5] =
     [(68.0, 1.0, 84.0), (59.0, 82.0, 139.0), (33.0, 144.0, 141.0), (74.0, 182.0, 96.0), (190.0, 200.0, 30.0)];
 

@@ -1,4 +1,4 @@
-//! Texts beside references, in regions and at points.
+//! Labels of reference lines, regions and points.
 
 use super::axes::Frame;
 use super::canvas::{Align, Canvas, Rect, Type};

@@ -7,9 +7,7 @@ use super::{Colour, Raster};
 pub enum Dash {
     /// Unbroken.
     Solid,
-    /// Dashes.
     Dashed,
-    /// Dots.
     Dotted,
 }
 
@@ -75,7 +73,7 @@ pub(super) enum Shape {
 pub struct Layer {
     pub(super) shape: Shape,
     pub(super) name: Option<String>,
-    /// Text beside the thing itself.
+    /// Label at the layer itself.
     pub(super) label: String,
     pub(super) colour: Colour,
     pub(super) dash: Dash,
@@ -168,7 +166,6 @@ impl Layer {
         self
     }
 
-    /// Sets the colour.
     pub fn coloured(mut self, colour: Colour) -> Self {
         self.colour = colour;
         self
@@ -226,7 +223,7 @@ impl Layer {
         }
     }
 
-    /// The points that the axes must reach; references and regions ask for none.
+    /// The points that the axes must include; none for references and regions.
     pub(super) fn reach(&self) -> Vec<(f64, f64)> {
         match &self.shape {
             Shape::Line(points) | Shape::Points(points, _) => points.clone(),

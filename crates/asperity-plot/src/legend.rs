@@ -7,7 +7,7 @@ use super::marks::draw_key;
 use super::text::{fit, width};
 use plotters::style::RGBColor;
 
-/// Where the legend stands.
+/// Position of the legend.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Legend {
     /// In a corner that is clear of the data, else below the plot.

@@ -1,4 +1,4 @@
-//! Figures: say what to show, get SVG text.
+//! Figures as SVG text from a description of their content.
 //!
 //! A [`Figure`] is one [`Plot`] or several in a row or a column; a plot is two [`Axis`] and a list
 //! of [`Layer`]s. Drawing is pure and depends on nothing but the description, so the same figure
@@ -10,7 +10,7 @@
 //! | `layer` | what can be shown: lines, points, bands, bars, regions, references |
 //! | `colour` | the palette and its fixed roles |
 //! | `scale` | from a value to a place on the page |
-//! | `ticks` | where an axis is divided and what stands there |
+//! | `ticks` | positions and labels of ticks |
 //! | `raster` | fields of values and their images |
 //! | `png` | small PNG files as data URIs |
 //! | `bar` | the colour bar |
@@ -20,9 +20,9 @@
 //! | `canvas` | elements of SVG, written by plotters |
 //! | `axes` | the frame, its grid, ticks and labels |
 //! | `marks` | the layers on the page |
-//! | `place` | where labels and legend stand clear of the data |
+//! | `place` | positions of labels and legend away from the data |
 //! | `legend` | names of the layers |
-//! | `label` | texts beside references, in regions and at points |
+//! | `label` | labels of reference lines, regions and points |
 //! | `layout` | one plot: its scales and margins, then its place and its marks |
 //! | `joint` | a plot with the distributions of its two quantities |
 //! | `draw` | puts a figure together |
@@ -83,7 +83,7 @@ impl Axis {
     }
 
     /// Shows exactly this range instead of the range of the data; the first value stands left (or
-    /// at the bottom), so that a falling range turns the axis round. A range that the axis cannot
+    /// at the bottom), so that a decreasing range reverses the axis. A range that the axis cannot
     /// show is ignored.
     pub fn range(mut self, from: f64, to: f64) -> Self {
         self.range = Some((from, to));
@@ -145,13 +145,13 @@ impl Plot {
         self
     }
 
-    /// Where the names of the layers stand; [`Legend::Auto`] unless told otherwise.
+    /// Where the names of the layers stand; [`Legend::Auto`] by default.
     pub fn legend(mut self, legend: Legend) -> Self {
         self.legend = legend;
         self
     }
 
-    /// Height between the axes in CSS pixels, from 60 to 2000; 380 unless told otherwise.
+    /// Height between the axes in CSS pixels, from 60 to 2000; 380 by default.
     pub fn height(mut self, pixels: f64) -> Self {
         self.height = pixels.clamp(60.0, 2000.0);
         self

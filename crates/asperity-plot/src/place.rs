@@ -1,4 +1,4 @@
-//! Where labels and legend stand clear of the data.
+//! Positions of labels and legend away from the data.
 
 use super::canvas::{Rect, Spot};
 

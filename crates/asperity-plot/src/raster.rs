@@ -20,7 +20,6 @@ pub struct Raster {
     /// A value for each cell, x fastest; NaN is transparent. A list of another length than
     /// `columns * rows` is not shown.
     pub values: Vec<f64>,
-    /// The colours.
     pub map: ColourMap,
     /// The values at the two ends of the map; values beyond have the colour of the nearer end. Unless
     /// given, the values' own range: from zero where none is negative, symmetric about zero for
@@ -32,7 +31,7 @@ pub struct Raster {
 
 /// Counts are binned into at most so many columns, and rows.
 const MOST_BINS: usize = 2000;
-/// Cells of fewer pixels of the page are not told apart.
+/// Smallest cell size in pixels of the page.
 const FINE: f64 = 2.0;
 /// No image is made wider or higher than this by giving a cell many pixels.
 const MOST_PIXELS: usize = 2000;
@@ -129,9 +128,9 @@ impl Raster {
         Some(Scale::new(&axis, [own.0, own.1].into_iter(), false))
     }
 
-    /// The image as a PNG in a data URI, for a place of `size` pixels. `falling` says along which axis
+    /// The image as a PNG in a data URI, for a place of `size` pixels. `reversed` says which axis
     /// the field begins at the right, and at the top.
-    pub(super) fn image(&self, scale: &Scale, falling: (bool, bool), size: (f64, f64)) -> Option<String> {
+    pub(super) fn image(&self, scale: &Scale, reversed: (bool, bool), size: (f64, f64)) -> Option<String> {
         // Viewers blend neighbouring pixels: large cells are made of many, to keep their edges.
         let pixels = |length: f64, cells: usize| {
             let cell = length / cells as f64;
@@ -139,8 +138,8 @@ impl Raster {
         };
         let (wide, high) = (pixels(size.0, self.columns), pixels(size.1, self.rows));
         let index = |column: usize, row: usize| {
-            let column = if falling.0 { self.columns - 1 - column } else { column };
-            let row = if falling.1 { row } else { self.rows - 1 - row };
+            let column = if reversed.0 { self.columns - 1 - column } else { column };
+            let row = if reversed.1 { row } else { self.rows - 1 - row };
             let place = scale.place(self.values[row * self.columns + column])?;
             Some(1 + (place.clamp(0.0, 1.0) * f64::from(COLOURS - 1)).round() as u8)
         };
@@ -235,8 +234,8 @@ mod tests {
     fn the_first_cell_stands_at_the_lower_left() {
         use base64::Engine;
         let field = raster(2, 3, vec![5.0, 1.0, 2.0, 2.0, 3.0, 4.0]);
-        let corners = |falling| {
-            let uri = field.image(&field.scale().unwrap(), falling, (2.0, 3.0)).unwrap();
+        let corners = |reversed| {
+            let uri = field.image(&field.scale().unwrap(), reversed, (2.0, 3.0)).unwrap();
             let file = uri.strip_prefix("data:image/png;base64,").unwrap();
             let file = base64::engine::general_purpose::STANDARD.decode(file).unwrap();
             let mut decoder = png::Decoder::new(std::io::Cursor::new(file));

@@ -47,7 +47,7 @@ impl Scale {
         Self { spread, from, to: high + room }
     }
 
-    /// Where a value stands, 0 at the beginning of the axis and 1 at its end; values outside lie
+    /// Position of a value, 0 at the beginning of the axis and 1 at its end; values outside lie
     /// beyond. None for what the axis cannot show.
     pub(super) fn place(&self, value: f64) -> Option<f64> {
         measure(self.spread, value).map(|value| self.place_measured(value))

@@ -270,10 +270,10 @@ fn an_image_stands_upright() {
         let svg = Plot::new("", Axis::linear(""), Axis::linear("")).with(Layer::raster(raster)).svg();
         svg.split_once("base64,").unwrap().1.split_once('"').unwrap().0.to_owned()
     };
-    let (rising, falling) = (Axis::linear("").range(0.0, 2.0), Axis::linear("").range(2.0, 0.0));
+    let (rising, reversed) = (Axis::linear("").range(0.0, 2.0), Axis::linear("").range(2.0, 0.0));
     assert_eq!(image(rising.clone(), rising.clone()), turned([0, 1, 2, 3]));
-    assert_eq!(image(falling.clone(), rising.clone()), turned([1, 0, 3, 2]));
-    assert_eq!(image(rising, falling), turned([2, 3, 0, 1]));
+    assert_eq!(image(reversed.clone(), rising.clone()), turned([1, 0, 3, 2]));
+    assert_eq!(image(rising, reversed), turned([2, 3, 0, 1]));
 }
 
 #[test]

@@ -1,4 +1,4 @@
-//! Where an axis is divided, and what stands there.
+//! Positions and labels of the ticks of an axis.
 
 use super::{Spread, scale::Scale};
 

@@ -1,24 +1,24 @@
-//! What both models answered on the realisations of a surface.
+//! Results of both models on the realisations of a surface.
 
 use asperity::compare::{Comparison, Gaps, Kind};
 use asperity::sphere::Decrease;
 use asperity::topography::Moments;
 use asperity::{Population, Statistics};
 
-/// A stretch on which area or load of an asperity falls.
+/// A range of indentations in which area or load of an asperity decreases.
 #[derive(Debug, Clone)]
-pub struct FallResults {
+pub struct DecreaseResults {
     /// The law.
     pub law: String,
-    /// Thickness of the layer, m; `None` where no layer is asked for.
+    /// Thickness of the layer, m; `None` without a layer in the spec.
     pub thickness: Option<f64>,
     /// Of the asperity, m.
     pub radius: f64,
-    /// The stretch.
-    pub fall: Decrease,
+    /// The range.
+    pub decrease: Decrease,
 }
 
-/// Up to which thickness the real area stays within 5 % of the one without a layer.
+/// Largest thickness at which the real area is within 5 % of the uncoated one.
 #[derive(Debug, Clone)]
 pub struct Threshold {
     /// The law.
@@ -27,11 +27,11 @@ pub struct Threshold {
     pub kind: Kind,
     /// The nominal pressure, Pa.
     pub pressure: f64,
-    /// The thickness, m: infinite where no layer matters, `None` where the thinnest layer that was looked at does.
+    /// The thickness, m: infinite where no layer has an effect, `None` where the thinnest one tested has.
     pub thickness: Option<f64>,
 }
 
-/// One realisation of a surface and what it answered.
+/// Results on one realisation of a surface.
 #[derive(Debug)]
 pub struct RealisationResults {
     /// Number of asperities.
@@ -44,7 +44,7 @@ pub struct RealisationResults {
     pub sigma: f64,
     /// Of the map that they were found on.
     pub moments: Option<Moments>,
-    /// The population that the statistical model stands on.
+    /// Input of the statistical model.
     pub population: Population,
     /// Law by law.
     pub cases: Vec<CaseResults>,
@@ -55,11 +55,11 @@ pub struct RealisationResults {
 pub struct CaseResults {
     /// The law, as tables name it.
     pub law: String,
-    /// Thickness of the layer, m; `None` where no layer is asked for.
+    /// Thickness of the layer, m; `None` without a layer in the spec.
     pub thickness: Option<f64>,
     /// Greenwood and Williamson's plasticity index; `None` where nothing yields.
     pub plasticity_index: Option<f64>,
-    /// Both models' answers.
+    /// Results of both models.
     pub comparison: Comparison,
     /// The largest gaps between them.
     pub gaps: Gaps,

@@ -27,7 +27,7 @@ pub(super) struct LayerSummary<'a> {
     rule_errors: Vec<RuleErrorSummary>,
 }
 
-/// A rule's elastic load beside the exact one.
+/// Elastic load by an effective-modulus model over the exact one.
 #[derive(Serialize)]
 struct RuleErrorSummary {
     rule: &'static str,
@@ -35,7 +35,7 @@ struct RuleErrorSummary {
     load_over_exact: f64,
 }
 
-/// Up to which thickness the real area stays within 5 % of the one without a layer; empty where the thinnest matters.
+/// Largest thickness at which the real area is within 5 % of the uncoated one; empty where even the thinnest has an effect.
 #[derive(Serialize)]
 pub(super) struct ThresholdSummary<'a> {
     surface: &'a str,
@@ -47,7 +47,7 @@ pub(super) struct ThresholdSummary<'a> {
 
 /// Where a deeper asperity has less area or load.
 #[derive(Serialize)]
-pub(super) struct FallSummary<'a> {
+pub(super) struct DecreaseSummary<'a> {
     surface: &'a str,
     law: &'a str,
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -86,15 +86,15 @@ pub(super) fn thresholds(found: &SurfaceResults) -> impl Iterator<Item = Thresho
     })
 }
 
-pub(super) fn falls(found: &SurfaceResults) -> impl Iterator<Item = FallSummary<'_>> {
-    found.falls.iter().map(|one| FallSummary {
+pub(super) fn decreases(found: &SurfaceResults) -> impl Iterator<Item = DecreaseSummary<'_>> {
+    found.decreases.iter().map(|one| DecreaseSummary {
         surface: &found.surface.name,
         law: &one.law,
         layer_thickness_m: one.thickness.map(Thickness),
         radius_m: one.radius,
-        of: one.fall.of.name(),
-        from_m: one.fall.from.indentation,
-        to_m: one.fall.to.indentation,
-        loss: one.fall.loss(),
+        of: one.decrease.of.name(),
+        from_m: one.decrease.from.indentation,
+        to_m: one.decrease.to.indentation,
+        loss: one.decrease.loss(),
     })
 }

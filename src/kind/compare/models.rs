@@ -1,4 +1,4 @@
-//! Both models on one surface, whichever way a law sees its asperities.
+//! Both models on one surface, for laws of spheres and of ellipses.
 
 use crate::surface::Surface;
 use asperity::{ContactLaw, Deterministic, Ellipse, Ellipses, MicroContact, Population, Shape, Statistical};
@@ -12,7 +12,7 @@ pub(super) struct SurfaceModels<'a> {
 }
 
 impl<'a> SurfaceModels<'a> {
-    /// The models of `laws` on a surface, of which the statistical one stands on `population`.
+    /// The models of `laws` on a surface, with `population` as input of the statistical one.
     pub(super) fn new(
         surface: &'a Surface,
         population: Population,
@@ -24,12 +24,12 @@ impl<'a> SurfaceModels<'a> {
         Self { surface, population, is_summed, ellipses }
     }
 
-    /// The population that the statistical model stands on.
+    /// Input of the statistical model.
     pub(super) fn population(&self) -> &Population {
         &self.population
     }
 
-    /// The asperity that stands for all under a law.
+    /// The mean asperity under a law.
     pub(super) fn mean_shape(&self, law: &ContactLaw) -> Shape {
         let ellipticity = self.surface.ellipticity.filter(|_| law.is_elliptic());
         ellipticity.map_or(Shape::sphere(self.population.radius), |mean| mean.shape())
@@ -57,7 +57,7 @@ impl<'a> SurfaceModels<'a> {
             .reported_from(self.surface.reporting_plane())
     }
 
-    /// The sum of one contact of a law; `None` where no sum was asked for.
+    /// The sum of one contact of a law; `None` unless the sum is requested.
     pub(super) fn deterministic<'b>(
         &'b self,
         contact: &'b dyn MicroContact,

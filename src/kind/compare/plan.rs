@@ -15,25 +15,25 @@ use crate::surface::{SurfacePlan, describe, surfaces};
 
 /// Both models on given surfaces.
 pub struct ComparePlan {
-    /// Who touches whom.
+    /// Names of the two bodies.
     pub bodies: Bodies,
     /// The rough body and the flat.
     pub pair: [Material; 2],
-    /// What lies on the flat.
+    /// The layer on the flat.
     pub layer: Option<Box<LayerPlan>>,
     /// The laws, each under every thickness of the layer.
     pub laws: Vec<LawPlan>,
     /// The laws alone.
     pub law_specs: Vec<ContactLaw>,
-    /// The models that are asked for.
+    /// The models to run.
     pub models: Vec<Kind>,
     /// Height density of the statistical model, where the spec names one.
     pub heights: Option<Heights>,
-    /// Which mean stands for the radii.
+    /// Which mean radius the statistical model uses.
     pub mean_radius: MeanRadius,
     /// What the surfaces are pressed to.
     pub controls: Controls,
-    /// Where the spec asks for pressures and forces, for a load that is not reached.
+    /// Position of pressures and forces in the spec, for errors about loads out of reach.
     pub load_keys: [Option<std::ops::Range<usize>>; 2],
     /// The surfaces.
     pub surfaces: Vec<SurfacePlan>,
@@ -78,28 +78,28 @@ pub(super) fn plan(file: &SpecFile) -> Result<ComparePlan, InputError> {
     compared(file, table.get_ref(), table.span())
 }
 
-/// Resolves what stands at `span`.
+/// Resolves the table at `span`.
 pub(crate) fn compared(
     file: &SpecFile,
-    words: &CompareSpec,
+    raw: &CompareSpec,
     span: Range<usize>,
 ) -> Result<ComparePlan, InputError> {
-    let rough_name = &words.rough.get_ref().0;
-    let rough = file.body(rough_name, words.rough.span())?;
-    let flat = file.body(words.flat.get_ref(), words.flat.span())?;
+    let rough_name = &raw.rough.get_ref().0;
+    let rough = file.body(rough_name, raw.rough.span())?;
+    let flat = file.body(raw.flat.get_ref(), raw.flat.span())?;
     let controls = Controls {
-        separations: words.separation.as_ref().map(|sweep| sweep.0.clone()).unwrap_or_default(),
-        pressures: words.pressure.as_ref().map(|sweep| sweep.get_ref().values.clone()).unwrap_or_default(),
-        forces: words.force.as_ref().map(|sweep| sweep.get_ref().values.clone()).unwrap_or_default(),
-        tolerances: words.tolerance.0,
+        separations: raw.separation.as_ref().map(|sweep| sweep.0.clone()).unwrap_or_default(),
+        pressures: raw.pressure.as_ref().map(|sweep| sweep.get_ref().values.clone()).unwrap_or_default(),
+        forces: raw.force.as_ref().map(|sweep| sweep.get_ref().values.clone()).unwrap_or_default(),
+        tolerances: raw.tolerance.0,
     };
     if controls.points() == 0 {
         return Err(file.source.error_at(
             span,
-            "found nothing to press the surfaces to; allowed: at least one of separation, pressure, force",
+            "found no separation, pressure or force; allowed: at least one of separation, pressure, force",
         ));
     }
-    let layer = words.layer.as_ref().map(|words| layer(file, words, &flat).map(Box::new)).transpose()?;
+    let layer = raw.layer.as_ref().map(|raw| layer(file, raw, &flat).map(Box::new)).transpose()?;
     let flats = match &layer {
         None => vec![(None, Flat::Bare(flat))],
         Some(layer) => {
@@ -108,28 +108,28 @@ pub(crate) fn compared(
             flats.map_err(|error| InputError::file(&file.source.path, error))?
         }
     };
-    let flat_name = words.flat.get_ref();
-    // Under a layer of no thickness nothing feels it, under one of any nothing the substrate.
+    let flat_name = raw.flat.get_ref();
+    // Zero thickness needs no layer properties, infinite thickness no substrate properties.
     let coat = layer.as_deref().filter(|layer| layer.thicknesses.iter().any(|&t| t > 0.0));
     let feels_substrate =
         layer.as_deref().is_none_or(|layer| layer.thicknesses.iter().any(|t| t.is_finite()));
     let substrate = feels_substrate.then_some((flat_name.as_str(), &flat));
     let coat = coat.map(|layer| (layer.name.as_str(), &layer.material));
-    let met: Vec<_> = substrate.into_iter().chain(coat).collect();
-    file.check_laws(&words.law, (rough_name, &rough), &met)?;
-    let law_specs = words.law.get_ref().0.clone();
+    let flat_materials: Vec<_> = substrate.into_iter().chain(coat).collect();
+    file.check_laws(&raw.law, (rough_name, &rough), &flat_materials)?;
+    let law_specs = raw.law.get_ref().0.clone();
     let as_ellipses = law_specs.iter().any(ContactLaw::is_elliptic);
     Ok(ComparePlan {
         bodies: Bodies { rough: rough_name.clone(), flat: flat_name.clone() },
         pair: [rough, flat],
         law_specs,
-        laws: file.law_plans(&words.law, (rough_name, &rough), &flats, flat_name)?,
+        laws: file.law_plans(&raw.law, (rough_name, &rough), &flats, flat_name)?,
         layer,
-        models: words.models.0.clone(),
-        heights: words.statistical.heights.as_ref().map(|heights| heights.0.clone()),
-        mean_radius: words.statistical.mean_radius,
+        models: raw.models.0.clone(),
+        heights: raw.statistical.heights.as_ref().map(|heights| heights.0.clone()),
+        mean_radius: raw.statistical.mean_radius,
         controls,
-        load_keys: [words.pressure.as_ref().map(Spanned::span), words.force.as_ref().map(Spanned::span)],
-        surfaces: surfaces(file, words.surfaces.as_deref(), span, as_ellipses)?,
+        load_keys: [raw.pressure.as_ref().map(Spanned::span), raw.force.as_ref().map(Spanned::span)],
+        surfaces: surfaces(file, raw.surfaces.as_deref(), span, as_ellipses)?,
     })
 }

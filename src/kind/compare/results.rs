@@ -1,10 +1,10 @@
-//! What a comparison found: everything that its report may say.
+//! Results of a comparison: everything that its report contains.
 
 use asperity::compare::Tolerances;
 use asperity_framework::contact::ContactMetadata;
 use asperity_framework::metadata::Metadata;
 
-use super::answers::{FallResults, RealisationResults, Threshold};
+use super::answers::{DecreaseResults, RealisationResults, Threshold};
 use super::findings::SurfaceFindings;
 use crate::layer::rule_warning;
 use crate::surface::{Surface, warnings};
@@ -23,7 +23,7 @@ pub struct CompareResults {
 }
 
 impl CompareResults {
-    /// What makes the answers doubtful, a line each.
+    /// Warnings about the results, one per line.
     pub fn warnings(&self) -> Vec<String> {
         let mut lines = warnings(self.surfaces.iter().map(|found| &found.surface));
         lines.extend(self.contact.caveats.iter().cloned());
@@ -37,12 +37,12 @@ impl CompareResults {
     }
 }
 
-/// One surface, all its realisations, and what they answered.
+/// Results on one surface and all its realisations.
 #[derive(Debug)]
 pub struct SurfaceResults {
     /// The first realisation, with its asperities.
     pub surface: Surface,
-    /// What the first answered.
+    /// Results on the first realisation.
     pub first: RealisationResults,
     /// The others: their asperities are not kept.
     pub others: Vec<RealisationResults>,
@@ -50,8 +50,8 @@ pub struct SurfaceResults {
     pub thresholds: Vec<Threshold>,
     /// Where the sharpest, a mean and the bluntest asperity of the first carry less, or touch on less, as they are
     /// pressed deeper.
-    pub falls: Vec<FallResults>,
-    /// What all this says.
+    pub decreases: Vec<DecreaseResults>,
+    /// Findings.
     pub findings: SurfaceFindings,
 }
 

@@ -11,7 +11,7 @@ use asperity_framework::contact::{LawPlan, LayerMetadata, contact_metadata, pape
 use asperity_framework::input::InputError;
 use asperity_framework::metadata::Timing;
 
-use super::answers::{CaseResults, FallResults, RealisationResults};
+use super::answers::{CaseResults, DecreaseResults, RealisationResults};
 use super::findings::SurfaceFindings;
 use super::models::SurfaceModels;
 use super::plan::ComparePlan;
@@ -42,7 +42,7 @@ pub fn run(
         let models = models_of(compare, &first_surface, &mut timing);
         let first = run_surface(context, compare, &first_surface, &models, counter, &mut timing)?;
         let thresholds = threshold::thresholds(compare, &first_surface, &models, &first, counter);
-        let falls = falls(compare, &first_surface, &models, &first, counter);
+        let decreases = decreases(compare, &first_surface, &models, &first, counter);
         let heights = &models.population().heights;
         if *heights != Heights::GAUSSIAN {
             papers.extend(heights.papers());
@@ -58,8 +58,15 @@ pub fn run(
         }
         papers.extend(first_surface.papers());
         let all: Vec<&RealisationResults> = std::iter::once(&first).chain(&others).collect();
-        let findings = SurfaceFindings::of(&first_surface, &all, &thresholds, &falls);
-        surfaces.push(SurfaceResults { surface: first_surface, first, others, thresholds, falls, findings });
+        let findings = SurfaceFindings::of(&first_surface, &all, &thresholds, &decreases);
+        surfaces.push(SurfaceResults {
+            surface: first_surface,
+            first,
+            others,
+            thresholds,
+            decreases,
+            findings,
+        });
     }
     timing.total = start.elapsed();
     let mut layer_metadata = None;
@@ -102,13 +109,13 @@ fn run_surface(
     counter: &Counter,
     timing: &mut Timing,
 ) -> Result<RealisationResults, InputError> {
-    let asked = |kind| compare_plan.models.contains(&kind);
+    let is_run = |kind| compare_plan.models.contains(&kind);
     let population = models.population();
     let area = surface.set.nominal_area();
     let mut cases = Vec::new();
     for law in &compare_plan.laws {
         let contact = &CountedContact::new(&*law.contact, counter);
-        let statistical = asked(Kind::Statistical).then(|| models.statistical(contact, &law.spec));
+        let statistical = is_run(Kind::Statistical).then(|| models.statistical(contact, &law.spec));
         let deterministic = models.deterministic(contact, &law.spec);
         let models = Models {
             statistical: statistical.as_ref().map(|model| model as &dyn Model),
@@ -139,14 +146,14 @@ fn run_surface(
 
 /// Where area or load of the sharpest asperity, of one of the mean radius and of the bluntest falls, as deep as the
 /// highest asperity is pressed.
-fn falls(
+fn decreases(
     plan: &ComparePlan,
     surface: &Surface,
     models: &SurfaceModels,
     answered: &RealisationResults,
     counter: &Counter,
-) -> Vec<FallResults> {
-    /// The first indentation that is looked at, of the deepest.
+) -> Vec<DecreaseResults> {
+    /// Smallest indentation examined over the largest.
     const SHALLOWEST: f64 = 1e-4;
     let extremes = |values: &[f64]| {
         let ends = (f64::INFINITY, f64::NEG_INFINITY);
@@ -155,7 +162,7 @@ fn falls(
     let highest = extremes(surface.set.heights()).1 - surface.plane.mean;
     let mut found = Vec::new();
     let cases: Vec<_> = plan.laws.iter().zip(&answered.cases).collect();
-    // Laws that see the same asperities, whatever the layer.
+    // Laws of the same kind of asperities, for any layer.
     for alike in cases.chunk_by(|a, b| a.0.spec.is_elliptic() == b.0.spec.is_elliptic()) {
         let spec = &alike[0].0.spec;
         let [sharpest, bluntest] = models.extreme_shapes(spec);
@@ -169,12 +176,12 @@ fn falls(
             }
             let contact = CountedContact::new(&*law.contact, counter);
             for &shape in &shapes {
-                let falls = Curve::of(&contact, shape, &[SHALLOWEST * deepest, deepest]).decreases;
-                found.extend(falls.into_iter().map(|fall| FallResults {
+                let decreases = Curve::of(&contact, shape, &[SHALLOWEST * deepest, deepest]).decreases;
+                found.extend(decreases.into_iter().map(|decrease| DecreaseResults {
                     law: case.law.clone(),
                     thickness: case.thickness,
                     radius: shape.radius,
-                    fall,
+                    decrease,
                 }));
             }
         }
@@ -182,7 +189,7 @@ fn falls(
     found
 }
 
-/// Points at the sweep that asks for more than a model reaches.
+/// Points at the sweep with a load out of reach.
 fn unreachable_load(
     context: &RunContext,
     compare: &ComparePlan,

@@ -25,19 +25,19 @@ pub struct CompareSpec {
     pub flat: Spanned<String>,
     /// The laws to run.
     pub law: Spanned<Laws>,
-    /// What lies on the flat.
+    /// The layer on the flat.
     pub layer: Option<LayerSpec>,
-    /// The models to run; both unless told otherwise.
+    /// The models to run; both by default.
     #[serde(default)]
     pub models: Models,
-    /// How the statistical model stands for a surface.
+    /// Inputs of the statistical model.
     #[serde(default)]
     pub statistical: StatisticalSpec,
-    /// The surfaces to run on; all of the file unless told otherwise.
+    /// The surfaces to run on; all of the file by default.
     pub surfaces: Option<Vec<Spanned<String>>>,
     /// d/sigma.
     pub separation: Option<LinearSweep>,
-    /// How far the curves over d/sigma may be off; exact unless told otherwise.
+    /// Tolerance of the curves over d/sigma; exact by default.
     #[serde(default)]
     pub tolerance: ToleranceSpec,
     /// Nominal pressures.
@@ -100,13 +100,13 @@ impl TryFrom<Vec<Kind>> for Models {
     }
 }
 
-/// How the statistical model stands for a surface.
+/// Inputs of the statistical model.
 #[derive(Debug, Clone, Default, Deserialize)]
 #[serde(deny_unknown_fields, rename_all = "kebab-case")]
 pub struct StatisticalSpec {
-    /// Height distribution; Gaussian, or a population's own, unless told otherwise.
+    /// Height distribution; Gaussian, or a population's own, by default.
     pub heights: Option<HeightsSpec>,
-    /// Which mean stands for the radii.
+    /// Which mean radius the statistical model uses.
     #[serde(default)]
     pub mean_radius: MeanRadius,
 }

@@ -8,7 +8,7 @@ use serde::Serialize;
 use serde_json::{Map, Value};
 
 use super::layer_summary as layer;
-use super::layer_summary::{FallSummary, LayerSummary, Thickness, ThresholdSummary};
+use super::layer_summary::{DecreaseSummary, LayerSummary, Thickness, ThresholdSummary};
 use super::results::{CompareResults, SurfaceResults};
 use crate::surface::{PopulationSummary, RealisationSummary, SurfaceSummary};
 
@@ -25,7 +25,7 @@ struct CompareSummary<'a> {
     #[serde(skip_serializing_if = "Vec::is_empty")]
     layer_thresholds: Vec<ThresholdSummary<'a>>,
     #[serde(skip_serializing_if = "Vec::is_empty")]
-    falls: Vec<FallSummary<'a>>,
+    falls: Vec<DecreaseSummary<'a>>,
 }
 
 /// Of the curves over d/sigma; `None` where they are exact.
@@ -61,7 +61,7 @@ pub fn summary(results: &CompareResults) -> serde_json::Result<Map<String, Value
         surfaces: results.surfaces.iter().map(|found| (&*found.surface.name, surface(found))).collect(),
         largest_gaps: results.surfaces.iter().flat_map(gaps).collect(),
         layer_thresholds: results.surfaces.iter().flat_map(layer::thresholds).collect(),
-        falls: results.surfaces.iter().flat_map(layer::falls).collect(),
+        falls: results.surfaces.iter().flat_map(layer::decreases).collect(),
     })
 }
 

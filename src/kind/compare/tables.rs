@@ -33,7 +33,7 @@ impl Case {
             surface["text"] = case(row).surface.as_str(), "Name of the surface; in `[limit]` the set of asperities, `random-N` or `quantiles-N`, or `population` for the integral.";
             realisation["count"] = case(row).realisation, "Number of the realisation of the surface, from 1; a given or measured surface has one.";
             law["text"] = case(row).law.as_str(), "Contact law of an asperity.";
-            layer_thickness_m["m"] = case(row).thickness, "Thickness of the layer, 0 for the bare substrate and inf for a flat of the layer's material; empty where no layer is asked for.";
+            layer_thickness_m["m"] = case(row).thickness, "Thickness of the layer, 0 for the bare substrate and inf for a flat of the layer's material; empty where the spec has no layer.";
         }
     }
 }
@@ -64,16 +64,16 @@ impl Row for CurveRow {
             area_ratio["1"] = row.point.response.area_ratio.total(), "Real contact area over nominal area, never clamped.";
             contact_density_per_m2["1/m²"] = row.point.response.contact_density, "Contacts per nominal area.";
             mean_real_pressure_pa["Pa"] = row.point.response.mean_real_pressure(), "Load over real contact area; empty where there is no contact.";
-            stiffness_pa_per_m["Pa/m"] = row.point.response.stiffness, "Contact stiffness -dp/dd per nominal area; where a law jumps, that of the sum leaves the jumps out and that of the integral holds them.";
+            stiffness_pa_per_m["Pa/m"] = row.point.response.stiffness, "Contact stiffness -dp/dd per nominal area; jumps of a law are excluded for the sum and included for the integral.";
             elastic_load_share["1"] = share(&row.point.response.pressure, 0), "Share of the load in elastic contacts; empty where there is no contact.";
             elastic_plastic_load_share["1"] = share(&row.point.response.pressure, 1), "Share of the load in elastic-plastic contacts.";
             plastic_load_share["1"] = share(&row.point.response.pressure, 2), "Share of the load in plastic contacts.";
             elastic_area_share["1"] = share(&row.point.response.area_ratio, 0), "Share of the real contact area in elastic contacts; empty where there is no contact.";
             elastic_plastic_area_share["1"] = share(&row.point.response.area_ratio, 1), "Share of the real contact area in elastic-plastic contacts.";
             plastic_area_share["1"] = share(&row.point.response.area_ratio, 2), "Share of the real contact area in plastic contacts.";
-            pressure_standard_error_pa["Pa"] = row.point.response.sampling.map(|error| error.pressure), "Standard error of the nominal pressure of the sum at fixed separation, its asperities taken as independent draws; empty for the integral.";
+            pressure_standard_error_pa["Pa"] = row.point.response.sampling.map(|error| error.pressure), "Standard error of the nominal pressure of the sum at fixed separation, for independent asperities; empty for the integral.";
             area_ratio_standard_error["1"] = row.point.response.sampling.map(|error| error.area_ratio), "Standard error of the area ratio of the sum, likewise.";
-            beyond_model["true/false"] = row.point.response.is_beyond_model(), "Whether the area ratio exceeds 0.05, where neighbouring asperities interact and no asperity model holds.";
+            beyond_model["true/false"] = row.point.response.is_beyond_model(), "Whether the area ratio exceeds 0.05, where neighbouring asperities interact and no asperity model is valid.";
         });
         columns
     }
@@ -93,7 +93,7 @@ pub(crate) struct PairRow {
     pub(crate) plasticity_index: Option<f64>,
 }
 
-/// The answer of one model of a pair.
+/// Result of one model of a pair.
 struct Answer {
     model: Kind,
     response: Response,
@@ -164,7 +164,7 @@ impl PairRow {
 
 impl Row for PairRow {
     const FILE: &'static str = "comparison.csv";
-    const ROWS: &'static str = "One row for each surface, realisation, law, layer thickness and pair of answers; a separation sweep also gives pairs at the loads of the deterministic model.";
+    const ROWS: &'static str = "One row for each surface, realisation, law, layer thickness and pair of results; a separation sweep also gives pairs at the loads of the deterministic model.";
 
     fn columns() -> Vec<Column<Self>> {
         let mut columns = Case::columns(|row: &Self| &row.case);
@@ -175,7 +175,7 @@ impl Row for PairRow {
         columns.extend(Answer::columns().iter().flat_map(Self::compared));
         columns.extend(columns! { row: Self =>
             plasticity_index["1"] = row.plasticity_index, "Plasticity index (E*/H)(sigma/R)^0.5 of Greenwood and Williamson (1966); empty where nothing yields.";
-            beyond_model["true/false"] = row.pair.is_beyond_model(), "Whether either area ratio exceeds 0.05, where neighbouring asperities interact and no asperity model holds.";
+            beyond_model["true/false"] = row.pair.is_beyond_model(), "Whether either area ratio exceeds 0.05, where neighbouring asperities interact and no asperity model is valid.";
         });
         columns
     }

@@ -30,20 +30,20 @@ pub(super) fn thresholds(
     if layer.thicknesses == [0.0] {
         return Vec::new();
     }
-    let mut asked = Vec::new();
-    // A law that stands under no layer of finite thickness is asked of none.
+    let mut searches = Vec::new();
+    // Only laws under a layer of finite thickness have a threshold.
     let stands =
         |law: &&ContactLaw| layer.flat(1.0).is_ok_and(|finite| law.interface(&plan.pair[0], &finite).is_ok());
     for law in plan.law_specs.iter().filter(stands) {
         for &pressure in &pressures {
-            asked.extend(plan.models.iter().map(|&kind| (law, pressure, kind)));
+            searches.extend(plan.models.iter().map(|&kind| (law, pressure, kind)));
         }
     }
     let one = |&(law, pressure, kind): &(&ContactLaw, f64, Kind)| {
         let question = Question { plan, layer, models, answered, counter, law, pressure, kind };
         question.threshold()
     };
-    asked.par_iter().filter_map(one).collect()
+    searches.par_iter().filter_map(one).collect()
 }
 
 /// All loads (Pa) of a short list; of a long one those nearest to the powers of ten.

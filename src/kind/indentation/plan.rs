@@ -23,17 +23,15 @@ pub struct IndentationPlan {
     pub flat: (String, Material),
     /// The layers, each in thicknesses that are positive and finite.
     pub layers: Vec<LayerPlan>,
-    /// The laws.
     pub laws: Vec<ContactLaw>,
     /// m, ascending, at least two, none beyond the radius.
     pub indentations: Vec<f64>,
     /// Measured points, where there are some.
     pub overlay: Option<OverlayPlan>,
-    /// Which way round the curves are drawn.
+    /// Axes of the load figure.
     pub show: Show,
 }
 
-/// Measured points.
 pub struct OverlayPlan {
     /// The file that they are from, as the spec names it.
     pub name: String,
@@ -51,7 +49,7 @@ impl IndentationPlan {
 
     /// Micro-contacts that are evaluated, each exact one counted as one.
     pub fn work(&self) -> u128 {
-        /// Uncoated, coated, all layer; the exact contact and two rules beside it for all laws.
+        /// Uncoated, coated, all layer; plus the exact contact and both effective-modulus models.
         const CURVES: usize = 3;
         let a_case = CURVES * (self.laws.len() + 1) * self.indentations.len();
         a_case as u128 * self.cases() as u128
@@ -98,37 +96,37 @@ impl fmt::Display for IndentationPlan {
 /// Reads `[indentation]`.
 pub(super) fn plan(file: &SpecFile) -> Result<IndentationPlan, InputError> {
     let table = file.required_table::<IndentationSpec>("indentation")?;
-    let words = table.get_ref();
+    let raw = table.get_ref();
     let body = |name: &Spanned<String>| Ok((name.get_ref().clone(), file.body(name.get_ref(), name.span())?));
-    let (ball, flat) = (body(&words.ball)?, body(&words.flat)?);
-    let radius = words.radius.value();
-    let layers = words.layer.get_ref().0.iter().map(|words| layer(file, words, &flat.1));
+    let (ball, flat) = (body(&raw.ball)?, body(&raw.flat)?);
+    let radius = raw.radius.value();
+    let layers = raw.layer.get_ref().0.iter().map(|raw| layer(file, raw, &flat.1));
     let layers = layers.collect::<Result<Vec<_>, _>>()?;
-    check_layers(file, words, &layers)?;
-    let indentations = file.growing(&words.indentation)?;
+    check_layers(file, raw, &layers)?;
+    let indentations = file.growing(&raw.indentation)?;
     let last = indentations[indentations.len() - 1];
     if last > radius {
         let message =
             format!("found an indentation of {last:e} m; allowed: at most the radius, {radius:e} m");
-        return Err(file.source.error_at(words.indentation.span(), message));
+        return Err(file.source.error_at(raw.indentation.span(), message));
     }
-    file.spheres_only(&words.law, "a ball is a sphere")?;
-    let met = layers.iter().map(|layer| (layer.name.as_str(), &layer.material));
-    let met: Vec<_> = std::iter::once((flat.0.as_str(), &flat.1)).chain(met).collect();
-    file.check_laws(&words.law, (&ball.0, &ball.1), &met)?;
+    file.spheres_only(&raw.law, "a ball is a sphere")?;
+    let flat_materials = layers.iter().map(|layer| (layer.name.as_str(), &layer.material));
+    let flat_materials: Vec<_> = std::iter::once((flat.0.as_str(), &flat.1)).chain(flat_materials).collect();
+    file.check_laws(&raw.law, (&ball.0, &ball.1), &flat_materials)?;
     // Each layer is of finite thickness.
     let coated = layers[0].flat(layers[0].thicknesses[0]);
     let coated = coated.map_err(|error| InputError::file(&file.source.path, error))?;
-    for law in &words.law.get_ref().0 {
+    for law in &raw.law.get_ref().0 {
         law.interface(&ball.1, &coated).map_err(|error| match error {
             Inapplicable::Layer { law } => {
                 let message = format!(
-                    "found law {law}, which says nothing of a layer; allowed: a law that does, for [indentation] is about layers \
-                     of finite thickness ([laws] shows one asperity without a layer)"
+                    "found law {law}, which is not defined under a layer; allowed: a law that is ([laws] shows one asperity without \
+                     a layer)"
                 );
-                file.source.error_at(words.law.span(), message)
+                file.source.error_at(raw.law.span(), message)
             }
-            _ => file.inapplicable(&words.law, &error, &ball.0, &flat.0),
+            _ => file.inapplicable(&raw.law, &error, &ball.0, &flat.0),
         })?;
     }
     let plan = IndentationPlan {
@@ -136,14 +134,14 @@ pub(super) fn plan(file: &SpecFile) -> Result<IndentationPlan, InputError> {
         radius,
         flat,
         layers,
-        laws: words.law.get_ref().0.clone(),
+        laws: raw.law.get_ref().0.clone(),
         indentations,
-        overlay: words.overlay.as_ref().map(|measured| overlay(&file.source, measured)).transpose()?,
-        show: words.show,
+        overlay: raw.overlay.as_ref().map(|measured| overlay(&file.source, measured)).transpose()?,
+        show: raw.show,
     };
     let deepest =
         plan.overlay.iter().flat_map(|overlay| &overlay.points).map(|(w, _)| *w).fold(0.0, f64::max);
-    match &words.overlay {
+    match &raw.overlay {
         Some(measured) if deepest > radius => {
             let message = format!(
                 "found a measured indentation of {deepest:e} m; allowed: at most the radius, {radius:e} m (the columns are in m and N)"
@@ -152,7 +150,7 @@ pub(super) fn plan(file: &SpecFile) -> Result<IndentationPlan, InputError> {
         }
         Some(measured) if plan.cases() > 1 => {
             let message = format!(
-                "found measured points beside {} layers; allowed: one layer in one thickness with them",
+                "found measured points with {} layers; allowed: a single layer of one thickness",
                 plan.cases()
             );
             Err(file.source.error_at(measured.span(), message))
@@ -161,14 +159,14 @@ pub(super) fn plan(file: &SpecFile) -> Result<IndentationPlan, InputError> {
     }
 }
 
-/// The limits of no layer and nothing but the layer stand beside every layer by themselves.
-fn check_layers(file: &SpecFile, words: &IndentationSpec, layers: &[LayerPlan]) -> Result<(), InputError> {
-    let refuse = |message: String| Err(file.source.error_at(words.layer.span(), message));
+/// The uncoated flat and the bulk layer material are always included.
+fn check_layers(file: &SpecFile, raw: &IndentationSpec, layers: &[LayerPlan]) -> Result<(), InputError> {
+    let refuse = |message: String| Err(file.source.error_at(raw.layer.span(), message));
     for (k, layer) in layers.iter().enumerate() {
         if let Some(t) = layer.thicknesses.iter().find(|t| !is_positive(**t)) {
             return refuse(format!(
-                "layer {}: found a thickness of {t}; allowed: positive and finite (the flat without a layer and \
-                 all of the layer's material are shown beside each)",
+                "layer {}: found a thickness of {t}; allowed: positive and finite (the uncoated flat and the bulk layer \
+                 material are always shown too)",
                 layer.name
             ));
         }
@@ -177,13 +175,16 @@ fn check_layers(file: &SpecFile, words: &IndentationSpec, layers: &[LayerPlan]) 
                 && other.thicknesses.iter().any(|t| layer.thicknesses.contains(t))
         };
         if layers[..k].iter().any(same) {
-            return refuse(format!("found layer {} twice in one thickness; allowed: once", layer.name));
+            return refuse(format!(
+                "found layer {} twice with the same thickness; allowed: once",
+                layer.name
+            ));
         }
     }
     Ok(())
 }
 
-/// Reads measured points beside the spec.
+/// Reads measured points from a file next to the spec.
 fn overlay(source: &Source, file: &Spanned<PathBuf>) -> Result<OverlayPlan, InputError> {
     let path = beside(source, file)?;
     let points = read_points(&path)

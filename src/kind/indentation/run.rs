@@ -1,4 +1,4 @@
-//! Running `[indentation]`: one sphere on layered flats, and how good the rule of each layer is.
+//! Running `[indentation]`: one sphere on layered flats, and the accuracy of the effective-modulus model of each layer.
 
 use std::time::Instant;
 
@@ -37,22 +37,22 @@ pub struct IndentationResults {
     pub reduced_modulus: f64,
     /// m, ascending.
     pub indentations: Vec<f64>,
-    /// Which way round the curves are drawn.
+    /// Axes of the load figure.
     pub show: Show,
     /// Layer by layer, thickness by thickness.
     pub layers: Vec<LayerResults>,
-    /// Measured points, m and N, and their file in the words of the spec.
+    /// Measured points, m and N, and their file as named in the spec.
     pub overlay: Option<(String, Vec<(f64, f64)>)>,
 }
 
-/// One layer in one thickness.
+/// A layer of one thickness.
 #[derive(Debug)]
 pub struct LayerResults {
     /// Its material.
     pub name: String,
     /// m.
     pub thickness: f64,
-    /// How its modulus and that of the substrate are put together.
+    /// Effective-modulus model.
     pub rule: ModulusModel,
     /// Law by law.
     pub laws: Vec<LawCurves>,
@@ -60,7 +60,7 @@ pub struct LayerResults {
     pub exact: Vec<Option<ElasticContact>>,
     /// Both rules over the contacts of the sweep that are solved exactly.
     pub check: ModulusFindings,
-    /// The errors of both at the indentations that were asked for, as far as the exact contact is solved.
+    /// The errors of both at the specified indentations at which the exact contact is solved.
     pub errors: [Vec<ModulusError>; 2],
 }
 
@@ -101,7 +101,7 @@ impl OverlayFit {
 }
 
 impl IndentationResults {
-    /// What makes the answers doubtful, a line each.
+    /// Warnings about the results, one per line.
     pub fn warnings(&self) -> Vec<String> {
         let mut warnings = Vec::new();
         for found in &self.layers {
@@ -139,7 +139,6 @@ impl LayerResults {
     }
 }
 
-/// Runs the plan.
 pub(super) fn run(
     context: &RunContext,
     indentation: &IndentationPlan,

@@ -1,10 +1,9 @@
-//! Which curves of a layered sphere are shown beside each other.
+//! Which curves of a layered sphere are compared.
 
 use asperity::sphere::Curve;
 
 use super::run::LawCurves;
 
-/// The curves that stand beside each other.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub enum Shown {
     Coated,

@@ -23,7 +23,7 @@ pub struct IndentationSpec {
     pub radius: Quantity<Length>,
     /// Name of the substrate's material.
     pub flat: Spanned<String>,
-    /// What lies on the flat: each layer by itself.
+    /// The layers on the flat: each layer by itself.
     pub layer: Spanned<Layers>,
     /// The laws to run.
     pub law: Spanned<Laws>,
@@ -31,12 +31,12 @@ pub struct IndentationSpec {
     pub indentation: Spanned<LogSweep<Length>>,
     /// A file of measured points, laid over the curves.
     pub overlay: Option<Spanned<PathBuf>>,
-    /// Which way round the curves are drawn.
+    /// Axes of the load figure.
     #[serde(default)]
     pub show: Show,
 }
 
-/// Which way round the curves are drawn.
+/// Axes of the load figure.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Show {

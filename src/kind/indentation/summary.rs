@@ -1,4 +1,4 @@
-//! What a summary says of a sphere on layers.
+//! Summary of a sphere on layers.
 
 use serde::Serialize;
 use serde_json::{Map, Value};
@@ -9,7 +9,7 @@ use asperity::compare::ModulusError;
 use asperity::sphere::{Curve, Decrease, RegimeChange};
 use asperity_framework::fields;
 
-/// One layer in one thickness.
+/// A layer of one thickness.
 #[derive(Serialize)]
 struct SphereSummary<'a> {
     layer: &'a str,
@@ -36,7 +36,7 @@ struct LawSummary<'a> {
     law: &'a str,
     regimes: Vec<&'static str>,
     changes: Vec<ChangeSummary>,
-    falls: Vec<FallSummary>,
+    falls: Vec<DecreaseSummary>,
 }
 
 #[derive(Serialize)]
@@ -49,7 +49,7 @@ struct ChangeSummary {
 }
 
 #[derive(Serialize)]
-struct FallSummary {
+struct DecreaseSummary {
     of: &'static str,
     from_indentation_m: f64,
     to_indentation_m: f64,
@@ -103,17 +103,17 @@ fn curve<'a>(law: &'a str, coated: &Curve) -> LawSummary<'a> {
         to: change.to.name(),
         within_sweep: coated.is_within(change),
     };
-    let fall = |fall: &Decrease| FallSummary {
-        of: fall.of.name(),
-        from_indentation_m: fall.from.indentation,
-        to_indentation_m: fall.to.indentation,
-        from: fall.of.of(&fall.from.contact),
-        to: fall.of.of(&fall.to.contact),
+    let decrease = |decrease: &Decrease| DecreaseSummary {
+        of: decrease.of.name(),
+        from_indentation_m: decrease.from.indentation,
+        to_indentation_m: decrease.to.indentation,
+        from: decrease.of.of(&decrease.from.contact),
+        to: decrease.of.of(&decrease.to.contact),
     };
     LawSummary {
         law,
         regimes: coated.sequence().into_iter().map(|regime| regime.name()).collect(),
         changes: coated.changes.iter().map(change).collect(),
-        falls: coated.decreases.iter().map(fall).collect(),
+        falls: coated.decreases.iter().map(decrease).collect(),
     }
 }

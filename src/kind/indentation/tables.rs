@@ -107,13 +107,13 @@ impl Row for ChangeRow<'_> {
             load_n["N"] = row.change.load, "Load just below that indentation.";
             from["text"] = row.change.from.name(), "Regime below it.";
             to["text"] = row.change.to.name(), "Regime above it.";
-            within_sweep["true/false"] = row.is_within, "Whether it lies within the indentations that were asked for.";
+            within_sweep["true/false"] = row.is_within, "Whether it lies within the specified indentations.";
         });
         columns
     }
 }
 
-/// An effective-modulus model beside the exact elastic contact.
+/// An effective-modulus model and the exact elastic contact.
 struct RuleRow<'a> {
     layer: &'a LayerResults,
     rule: ModulusModel,
@@ -137,7 +137,7 @@ impl Row for RuleRow<'_> {
     }
 }
 
-/// A measured point beside the coated curve.
+/// A measured point and the coated curve.
 struct OverlayRow<'a> {
     layer: &'a LayerResults,
     law: &'a str,

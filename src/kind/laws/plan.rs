@@ -16,7 +16,7 @@ pub struct LawsPlan {
     pub compare: ComparePlan,
     /// 1/(mean curvature) of the asperity, m.
     pub radius: f64,
-    /// Its larger principal curvature over the smaller one; 1 where no law sees ellipses.
+    /// Its larger principal curvature over the smaller one; 1 without elliptic laws.
     pub curvature_ratio: f64,
     /// The unit of indentation.
     pub critical: Critical,
@@ -46,12 +46,12 @@ impl Critical {
 }
 
 impl LawsPlan {
-    /// The asperity as a law sees it.
+    /// The asperity as a sphere or an ellipse, as the law requires.
     pub fn shape(&self, law: &ContactLaw) -> Shape {
         law.shape(self.radius, self.curvature_ratio)
     }
 
-    /// Points of the curves of the one asperity.
+    /// Points of the curves of the single asperity.
     pub fn points(&self) -> u128 {
         (self.ratios.len() * self.compare.laws.len()) as u128
     }
@@ -62,7 +62,7 @@ impl fmt::Display for LawsPlan {
         write!(f, "{}", self.compare)?;
         writeln!(
             f,
-            "  one asperity of radius {:e} m at {} indentations of {:e} to {:e} wc, wc = {:.4e} m",
+            "  one asperity of radius {:e} m at {} indentations of {:e} to {:e} wc, wc = {:.2e} m",
             self.radius,
             self.ratios.len(),
             self.ratios[0],
@@ -75,38 +75,38 @@ impl fmt::Display for LawsPlan {
 /// Reads `[laws]`.
 pub(super) fn plan(file: &SpecFile) -> Result<LawsPlan, InputError> {
     let table = file.required_table::<LawsSpec>("laws")?;
-    let (words, span) = (table.get_ref(), table.span());
-    let laws = &words.law.get_ref().0;
+    let (raw, span) = (table.get_ref(), table.span());
+    let laws = &raw.law.get_ref().0;
     if let [only] = &laws[..] {
         let message = format!(
-            "found \"{}\" alone; allowed: a list of at least two laws, the first of which the others are compared with",
+            "found only \"{}\"; allowed: a list of at least two laws, the first of which is the reference",
             only.label()
         );
-        return Err(file.source.error_at(words.law.span(), message));
+        return Err(file.source.error_at(raw.law.span(), message));
     }
-    let compare = compared(file, &words.compared(), span)?;
+    let compare = compared(file, &raw.compared(), span)?;
     let [rough, flat] = &compare.pair;
     let zmc = Zmc::default();
     let pair = Pair::between(&zmc, rough, flat).ok().filter(|pair| pair.yield_limits.onset.is_finite());
     let Some(pair) = pair else {
         let message = format!(
-            "found no `hardness` in {}, which [laws] needs of one body at least, since it measures indentations by the \
-             onset of yield; allowed: hardness = \"...\" with a unit of pressure",
+            "found no `hardness` in {}, which [laws] needs for at least one body to normalise indentations by the onset of \
+             yield; allowed: hardness = \"...\" with a unit of pressure",
             materials(&compare.bodies.rough, &compare.bodies.flat)
         );
-        let at = file.material_at(&compare.bodies.rough).unwrap_or_else(|| words.rough.span());
+        let at = file.material_at(&compare.bodies.rough).unwrap_or_else(|| raw.rough.span());
         return Err(file.source.error_at(at, message));
     };
-    let asperity = words.asperity.get_ref();
+    let asperity = raw.asperity.get_ref();
     let is_elliptic = laws.iter().any(ContactLaw::is_elliptic);
     let given = asperity.curvature_ratio.as_ref();
-    let ratio = curvature_ratio(&file.source, &words.asperity.span(), given, is_elliptic)?;
+    let ratio = curvature_ratio(&file.source, &raw.asperity.span(), given, is_elliptic)?;
     let radius = asperity.radius.value();
     Ok(LawsPlan {
         critical: Critical::of(&pair, radius),
         radius,
         curvature_ratio: ratio.filter(|_| is_elliptic).unwrap_or(1.0),
-        ratios: file.growing(&words.indentation)?,
+        ratios: file.growing(&raw.indentation)?,
         compare,
     })
 }

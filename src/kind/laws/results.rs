@@ -1,4 +1,4 @@
-//! What several laws do on one asperity and on surfaces: everything that their report may say.
+//! Results of several laws on one asperity and on surfaces: everything that their report contains.
 
 use std::f64::consts::PI;
 
@@ -13,7 +13,7 @@ use asperity::{Contact, Paper};
 pub struct LawsResults {
     /// Both models on the surfaces under every law.
     pub compare: CompareResults,
-    /// 1/(mean curvature) of the one asperity, m.
+    /// 1/(mean curvature) of the single asperity, m.
     pub radius: f64,
     /// Its larger principal curvature over the smaller one.
     pub curvature_ratio: f64,
@@ -23,7 +23,7 @@ pub struct LawsResults {
     pub laws: Vec<LawOnOne>,
     /// Surface by surface, realisation by realisation.
     pub influences: Vec<SurfaceInfluence>,
-    /// Where small strains end on the one asperity under the first of the laws that leaves them; `None` where none does.
+    /// Where small strains end on the single asperity under the first law to exceed them; `None` if none does.
     pub end_of_small_strains: Option<SmallStrainEnd>,
 }
 
@@ -33,7 +33,7 @@ impl LawsResults {
         self.influences.iter().find(|found| found.surface == surface)
     }
 
-    /// Whether strains are not small in a contact on the one asperity.
+    /// Whether strains are not small in a contact on the single asperity.
     pub fn is_beyond_small_strains(&self, contact: &Contact) -> bool {
         is_beyond_small_strains(contact, self.radius)
     }
@@ -45,7 +45,7 @@ fn is_beyond_small_strains(contact: &Contact, radius: f64) -> bool {
     (contact.area / PI).sqrt() / radius > LARGEST_SLOPE
 }
 
-/// Where small strains end on the one asperity.
+/// Where small strains end on the single asperity.
 #[derive(Debug, Clone)]
 pub struct SmallStrainEnd {
     /// The law, as tables name it.
@@ -66,12 +66,12 @@ impl SmallStrainEnd {
     }
 }
 
-/// The one asperity under one law.
+/// The single asperity under one law.
 #[derive(Debug)]
 pub struct LawOnOne {
     /// The law, as tables name it.
     pub law: String,
-    /// What it is and where it holds, in a line.
+    /// Description and range of validity, in one line.
     pub about: &'static str,
     /// Its papers.
     pub papers: Vec<Paper>,
@@ -79,7 +79,7 @@ pub struct LawOnOne {
     pub is_elastic_plastic: bool,
     /// Load, area and regime against indentation.
     pub curve: Curve,
-    /// Where one formula gives way to another.
+    /// Boundaries between formulas.
     pub boundaries: Vec<Boundary>,
 }
 
@@ -92,7 +92,7 @@ pub struct SurfaceInfluence {
     pub realisation: usize,
     /// The numbers, load by load.
     pub influence: Influence,
-    /// Which of the two matters more: by each measure by which that can be said.
+    /// Which of the two matters more: one per measure that allows a conclusion.
     pub attributions: Vec<Attribution>,
 }
 

@@ -10,7 +10,7 @@ use asperity_framework::input::quantity::{Length, Pressure, Pure, Quantity};
 use asperity_framework::input::sweep::LogSweep;
 use asperity_framework::input::tolerance::ToleranceSpec;
 
-/// Two bodies, laws, one asperity, and the loads that surfaces are pressed to.
+/// Two bodies, laws, one asperity, and the loads on the surfaces.
 #[derive(Debug, Deserialize)]
 #[serde(deny_unknown_fields, rename_all = "kebab-case")]
 pub struct LawsSpec {
@@ -26,29 +26,28 @@ pub struct LawsSpec {
     pub indentation: Spanned<LogSweep<Pure>>,
     /// Nominal pressures at which the laws are compared on surfaces.
     pub pressure: Spanned<LogSweep<Pressure>>,
-    /// How the statistical model stands for a surface.
+    /// Inputs of the statistical model.
     #[serde(default)]
     pub statistical: StatisticalSpec,
-    /// The surfaces to run on; all of the file unless told otherwise.
+    /// The surfaces to run on; all of the file by default.
     pub surfaces: Option<Vec<Spanned<String>>>,
 }
 
-/// One asperity.
 #[derive(Debug, Deserialize)]
 #[serde(
     deny_unknown_fields,
     rename_all = "kebab-case",
-    expecting = "a table such as { radius = \"20 um\" }, with curvature-ratio beside it for laws that see ellipses"
+    expecting = "a table such as { radius = \"20 um\" }, and curvature-ratio for elliptic laws"
 )]
 pub struct AsperitySpec {
     /// 1/(mean curvature).
     pub radius: Quantity<Length>,
-    /// The larger principal curvature over the smaller one, for laws that see ellipses.
+    /// The larger principal curvature over the smaller one, for elliptic laws.
     pub curvature_ratio: Option<Spanned<Quantity<Pure>>>,
 }
 
 impl LawsSpec {
-    /// What is asked of the surfaces, in the words of `[compare]`.
+    /// The part on surfaces, as a `[compare]` table.
     pub fn compared(&self) -> CompareSpec {
         CompareSpec {
             rough: self.rough.clone(),

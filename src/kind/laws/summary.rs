@@ -1,4 +1,4 @@
-//! What a summary says of several laws.
+//! Summary of several laws.
 
 use serde::Serialize;
 use serde_json::{Map, Value};

@@ -16,12 +16,12 @@ struct LawRow<'a> {
 
 impl Row for LawRow<'_> {
     const FILE: &'static str = "laws.csv";
-    const ROWS: &'static str = "One row for each law and indentation of the one asperity.";
+    const ROWS: &'static str = "One row for each law and indentation of the single asperity.";
 
     fn columns() -> Vec<Column<Self>> {
         columns! { row: Self =>
             law["text"] = row.law, "Contact law.";
-            indentation_over_critical["1"] = row.point.indentation / row.results.critical.indentation, "Indentation over the critical one, at which yield begins.";
+            indentation_over_critical["1"] = row.point.indentation / row.results.critical.indentation, "Indentation over the critical indentation, at which yield begins.";
             indentation_m["m"] = row.point.indentation, "Indentation w (Eq. 1).";
             load_n["N"] = row.point.contact.load, "Load P of the asperity.";
             area_m2["m²"] = row.point.contact.area, "Real contact area A of the asperity.";
@@ -45,12 +45,12 @@ struct BoundaryRow<'a> {
 impl Row for BoundaryRow<'_> {
     const FILE: &'static str = "boundaries.csv";
     const ROWS: &'static str =
-        "One row for each indentation at which one formula of a law gives way to the next.";
+        "One row for each indentation at which a law changes from one formula to the next.";
 
     fn columns() -> Vec<Column<Self>> {
         columns! { row: Self =>
             law["text"] = row.law, "Contact law.";
-            indentation_over_critical["1"] = row.boundary.indentation / row.results.critical.indentation, "Indentation of the boundary over the critical one, at which yield begins.";
+            indentation_over_critical["1"] = row.boundary.indentation / row.results.critical.indentation, "Indentation of the boundary over the critical indentation, at which yield begins.";
             indentation_m["m"] = row.boundary.indentation, "Indentation w of the boundary.";
             regime_below["text"] = row.boundary.below.regime.name(), "Regime just below the boundary.";
             regime_above["text"] = row.boundary.above.regime.name(), "Regime just above the boundary.";
@@ -74,7 +74,7 @@ struct InfluenceRow<'a> {
 
 impl Row for InfluenceRow<'_> {
     const FILE: &'static str = "influence.csv";
-    const ROWS: &'static str = "One row for each surface, realisation, measure and load: how far the laws lie apart under each model, and how far the models under each law. Separations are compared by their difference, areas by their ratio.";
+    const ROWS: &'static str = "One row for each surface, realisation, measure and load: the range of the laws under each model, and the difference between the models under each law. Separations are compared by their difference, areas by their ratio.";
 
     fn columns() -> Vec<Column<Self>> {
         columns! { row: Self =>

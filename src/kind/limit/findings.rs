@@ -40,7 +40,6 @@ impl Heights {
     }
 }
 
-/// One fitted slope.
 #[derive(Debug, Clone)]
 pub struct Slope {
     /// The law, as tables name it.
@@ -51,18 +50,15 @@ pub struct Slope {
     pub heights: Heights,
     /// d/sigma.
     pub separation: f64,
-    /// The fit.
     pub fit: SlopeFit,
 }
 
-/// The slopes for one way of taking the heights.
+/// The slopes for one choice of heights.
 #[derive(Debug, Clone, Copy)]
 pub struct SlopeRange {
     /// How the heights were taken.
     pub heights: Heights,
-    /// Number of fits.
     pub fits: usize,
-    /// Mean slope.
     pub mean: f64,
     /// Steepest slope.
     pub lowest: f64,
@@ -104,7 +100,7 @@ pub fn slopes<'a>(
     slopes
 }
 
-/// The range of the slopes for each way of taking the heights that has some.
+/// The range of the slopes for each choice of heights.
 pub fn ranges(slopes: &[Slope]) -> Vec<SlopeRange> {
     let range = |heights| {
         let of_heights = slopes.iter().filter(|slope| slope.heights == heights);

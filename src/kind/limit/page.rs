@@ -3,12 +3,11 @@
 use super::findings::{Heights, SlopeRange, series};
 use super::run::LimitResults;
 use asperity::compare::{FEWEST_CONTACTS, LimitPoint, Quantity};
-use asperity_framework::report::format::{number, quantity};
+use asperity_framework::report::format::{input_number, input_quantity, number};
 use asperity_framework::report::page::Page;
 use asperity_framework::report::sections;
 use asperity_plot::{Axis, Colour, Dash, Figure, Layer, Marker, Plot};
 
-/// The page.
 pub fn page(results: &LimitResults) -> Page {
     let mut page = Page::new(&results.metadata.title);
     sections::notes(&mut page, &results.metadata);
@@ -23,9 +22,9 @@ pub fn page(results: &LimitResults) -> Page {
     sections::what_was_run(&mut page, &results.metadata, &results.contact);
     page.paragraph(&format!(
         "Radius {}, σ = {}, η = {} /m²; {} random sets of each size, each with its own seed.",
-        quantity(results.population.radius, "m"),
-        quantity(results.population.sigma, "m"),
-        number(results.population.density),
+        input_quantity(results.population.radius, "m"),
+        input_quantity(results.population.sigma, "m"),
+        input_number(results.population.density),
         results.draws,
     ));
     for (law, reference) in &results.laws {
@@ -47,7 +46,7 @@ pub fn page(results: &LimitResults) -> Page {
             ["d/σ", "quantity", "heights", "slope", "± s.e.", "expected", "points"],
             results.slopes.iter().filter(|slope| slope.law == *law).map(|slope| {
                 vec![
-                    number(slope.separation),
+                    input_number(slope.separation),
                     slope.quantity.name().to_owned(),
                     slope.heights.name().to_owned(),
                     format!("{:.3}", slope.fit.slope),
@@ -71,7 +70,7 @@ pub fn page(results: &LimitResults) -> Page {
                 let (mean, scatter) = point.scatter(Quantity::Load);
                 vec![
                     point.count.to_string(),
-                    number(point.exact.statistical.separation_over_sigma),
+                    input_number(point.exact.statistical.separation_over_sigma),
                     number(point.expected_contacts()),
                     number(mean),
                     number(scatter),
@@ -92,8 +91,10 @@ fn finding(found: &SlopeRange) -> String {
         Heights::Quantiles => "heights at the quantiles",
     };
     format!(
-        "**{what}**: the error decreases with a mean slope of {mean:.3} over {fits} fits ({lowest:.3} to {highest:.3}); \
-         expected {}.",
+        "**{what}**: the error decreases with a mean slope of {} over {fits} fits ({} to {}); expected {}.",
+        number(*mean),
+        number(*lowest),
+        number(*highest),
         heights.expected_slope()
     )
 }
@@ -122,7 +123,11 @@ fn figure(results: &LimitResults, law: &str, quantity: Quantity) -> String {
             let fitted = points.iter().filter(|point| point.is_fitted());
             let fitted: Vec<_> = fitted.map(|p| (p.count as f64, heights.error(p, quantity))).collect();
             plot = plot
-                .with(Layer::line(fitted.clone()).coloured(colour).named(format!("d/σ = {separation}")))
+                .with(
+                    Layer::line(fitted.clone())
+                        .coloured(colour)
+                        .named(format!("d/σ = {}", input_number(separation))),
+                )
                 .with(Layer::points(fitted, Marker::Circle).coloured(colour));
         }
         let reference = series(&results.points, law, results.separations[0]).find(|point| point.is_fitted());

@@ -10,9 +10,8 @@ use super::spec::LimitSpec;
 
 /// Sets of growing size against their limit.
 pub struct LimitPlan {
-    /// Who touches whom.
+    /// Names of the two bodies.
     pub bodies: Bodies,
-    /// The laws.
     pub laws: Vec<LawPlan>,
     /// What the sets are drawn from.
     pub population: Population,
@@ -30,7 +29,7 @@ impl fmt::Display for LimitPlan {
         writeln!(f, "  {} on {}, law {}", self.bodies.rough, self.bodies.flat, laws.join(", "))?;
         writeln!(
             f,
-            "  {} random sets and one at the quantiles of each of {:?} asperities",
+            "  {} random sets and one set at the quantiles for each size, {:?} asperities",
             self.draws, self.counts
         )
     }
@@ -39,25 +38,25 @@ impl fmt::Display for LimitPlan {
 /// Reads `[limit]`.
 pub(super) fn plan(file: &SpecFile) -> Result<LimitPlan, InputError> {
     let table = file.required_table::<LimitSpec>("limit")?;
-    let words = table.get_ref();
-    let rough = file.body(words.rough.get_ref(), words.rough.span())?;
-    let flat = file.body(words.flat.get_ref(), words.flat.span())?;
-    let counts = file.counts(&words.count)?;
-    let draws = file.several(&words.draws, "random sets of each size")?;
-    file.spheres_only(&words.law, "the sets of [limit] are spheres of one radius")?;
-    let (rough_name, flat_name) = (words.rough.get_ref(), words.flat.get_ref());
-    file.check_laws(&words.law, (rough_name, &rough), &[(flat_name, &flat)])?;
-    let laws = file.law_plans(&words.law, (rough_name, &rough), &[(None, Flat::Bare(flat))], flat_name)?;
+    let raw = table.get_ref();
+    let rough = file.body(raw.rough.get_ref(), raw.rough.span())?;
+    let flat = file.body(raw.flat.get_ref(), raw.flat.span())?;
+    let counts = file.counts(&raw.count)?;
+    let draws = file.several(&raw.draws, "random sets of each size")?;
+    file.spheres_only(&raw.law, "the asperities of [limit] are spheres of equal radius")?;
+    let (rough_name, flat_name) = (raw.rough.get_ref(), raw.flat.get_ref());
+    file.check_laws(&raw.law, (rough_name, &rough), &[(flat_name, &flat)])?;
+    let laws = file.law_plans(&raw.law, (rough_name, &rough), &[(None, Flat::Bare(flat))], flat_name)?;
     Ok(LimitPlan {
-        bodies: Bodies { rough: words.rough.get_ref().clone(), flat: words.flat.get_ref().clone() },
+        bodies: Bodies { rough: raw.rough.get_ref().clone(), flat: raw.flat.get_ref().clone() },
         laws,
         population: Population {
-            radius: words.radius.value(),
-            sigma: words.sigma.value(),
-            density: words.density.value(),
+            radius: raw.radius.value(),
+            sigma: raw.sigma.value(),
+            density: raw.density.value(),
             heights: Heights::GAUSSIAN,
         },
-        separations: words.separation.0.clone(),
+        separations: raw.separation.0.clone(),
         counts,
         draws,
     })

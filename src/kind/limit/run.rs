@@ -23,7 +23,7 @@ pub struct LimitResults {
     pub contact: ContactMetadata,
     /// What the sets were drawn from.
     pub population: Population,
-    /// The laws, and what each one's limit was taken from.
+    /// The laws, and the reference of each.
     pub laws: Vec<(String, &'static str)>,
     /// Greenwood and Williamson's plasticity index; `None` where nothing yields.
     pub plasticity_index: Option<f64>,
@@ -39,7 +39,7 @@ pub struct LimitResults {
     pub slope_ranges: Vec<SlopeRange>,
 }
 
-/// Draws the sets and holds them against their limit.
+/// Draws the sets and compares them with their limit.
 pub(super) fn run(context: &RunContext, limit: &LimitPlan) -> Result<LimitResults, InputError> {
     let start = Instant::now();
     let mut timing = Timing::default();

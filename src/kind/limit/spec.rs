@@ -1,4 +1,4 @@
-//! `[limit]`: the deterministic model against the statistical one, which it must approach as the
+//! `[limit]`: the deterministic model against the statistical one, to which it converges as the
 //! number of asperities grows.
 
 use serde::Deserialize;

@@ -33,7 +33,7 @@ impl Row for ConvergenceRow<'_> {
     }
 }
 
-/// Each set of a limit as the surface and realisation that tables call it by, and its answer.
+/// Each set with its surface and realisation in the tables, and its result.
 fn sets(point: &LimitPoint) -> impl Iterator<Item = (Case, &Response)> {
     let random = (1..)
         .zip(&point.random)

@@ -156,9 +156,9 @@ pub fn spectrum(whole: &MapOverview) -> Option<String> {
         Plot::new("Power spectral density", Axis::log("wave number q [rad/m]"), Axis::log("C(q) [m⁴]"))
             .with(Layer::line(line(found)).coloured(Colour::Deterministic).named("obtained"))
             .with(points);
-    if let Some(asked) = &whole.asked {
-        let line = Layer::line(line(asked)).coloured(Colour::Statistical).dashed(Dash::Dashed);
-        plot = plot.with(line.named(if whole.is_asked_of_gaussian {
+    if let Some(target) = &whole.target {
+        let line = Layer::line(line(target)).coloured(Colour::Statistical).dashed(Dash::Dashed);
+        plot = plot.with(line.named(if whole.is_target_of_gaussian {
             "target of the Gaussian field"
         } else {
             "target"

@@ -1,11 +1,11 @@
 //! Target and obtained properties of a random surface.
 
-use super::words::or_dash;
+use super::properties::or_dash;
 use crate::surface::found::{GenerationFacts, MapFacts, Surface};
 use asperity::Heights;
 use asperity::topography::generate::{Process, SpectrumOf, SurfaceGenerator};
 use asperity::topography::spectrum::SpectrumShape;
-use asperity_framework::report::format::{number, percent, quantity};
+use asperity_framework::report::format::{input_number, input_quantity, number, percent, quantity};
 use asperity_framework::report::page::Page;
 
 /// How a surface was generated, and its deviation from the target.
@@ -69,40 +69,40 @@ pub fn rows(surface: &Surface, map: &MapFacts, made: &GenerationFacts) -> Vec<Ve
     rows.push(ratio("Sq", process.sigma, moments.sq, "m"));
     rows.push(difference("Ssk", process.heights.skewness(), moments.ssk));
     rows.push(difference("Sku", process.heights.kurtosis(), moments.sku));
-    if let (Some(asked), Some(reached)) = (&map.whole.asked, &map.whole.spectrum) {
-        let [low, high] = asked.quartiles_of(reached).map(number);
-        let reached = format!("{low} to {high} times");
+    if let (Some(target), Some(obtained)) = (&map.whole.target, &map.whole.spectrum) {
+        let [low, high] = target.quartiles_of(obtained).map(number);
+        let obtained = format!("{low} to {high} times");
         rows.push(vec![
             "spectrum, interquartile range of its rings".to_owned(),
             "1".to_owned(),
-            reached,
+            obtained,
             String::new(),
         ]);
     }
     rows
 }
 
-fn ratio(what: &str, asked: f64, reached: f64, unit: &str) -> Vec<String> {
+fn ratio(what: &str, target: f64, obtained: f64, unit: &str) -> Vec<String> {
     /// Smaller deviations are rounding.
     const ROUNDING: f64 = 1e-12;
-    let off = Some((reached / asked - 1.0).abs()).filter(|&off| off > ROUNDING).unwrap_or(0.0);
-    vec![what.to_owned(), quantity(asked, unit), quantity(reached, unit), percent(off)]
+    let off = Some((obtained / target - 1.0).abs()).filter(|&off| off > ROUNDING).unwrap_or(0.0);
+    vec![what.to_owned(), input_quantity(target, unit), quantity(obtained, unit), percent(off)]
 }
 
-fn difference(what: &str, asked: f64, reached: Option<f64>) -> Vec<String> {
-    let apart = reached.map_or_else(String::new, |reached| number((reached - asked).abs()));
-    vec![what.to_owned(), number(asked), or_dash(reached), apart]
+fn difference(what: &str, target: f64, obtained: Option<f64>) -> Vec<String> {
+    let apart = obtained.map_or_else(String::new, |obtained| number((obtained - target).abs()));
+    vec![what.to_owned(), input_number(target), or_dash(obtained), apart]
 }
 
 /// Description of a generator.
 fn generator(generator: &SurfaceGenerator) -> String {
     let process = |process: &Process| {
-        let length = |length: f64| quantity(length, "m");
+        let length = |length: f64| input_quantity(length, "m");
         let shape = match process.spectrum.shape() {
             SpectrumShape::SelfAffine { hurst, roll_off, cut_off } => format!(
                 "self-affine spectrum with Hurst exponent {}, roll-off at a wavelength of {} and cut-off at {} ({} times \
                  shorter)",
-                number(hurst),
+                input_number(hurst),
                 length(roll_off),
                 length(cut_off),
                 number(roll_off / cut_off)
@@ -123,8 +123,11 @@ fn generator(generator: &SurfaceGenerator) -> String {
             } else {
                 (lay.elongation.recip(), "shorter")
             };
-            let angle = number(lay.angle.to_degrees());
-            format!(" across a lay at {angle}° to the x axis, {} times {comparative} along it", number(times))
+            let angle = input_number(lay.angle.to_degrees());
+            format!(
+                " across a lay at {angle}° to the x axis, {} times {comparative} along it",
+                input_number(times)
+            )
         };
         format!("{shape}{lay}; heights {} with standard deviation {}", process.heights, length(process.sigma))
     };
@@ -133,7 +136,7 @@ fn generator(generator: &SurfaceGenerator) -> String {
         Some(plateau) => format!(
             "{}; truncated by a finer process whose mean plane is {} {}: {}",
             process(&generator.process),
-            quantity(plateau.height.abs(), "m"),
+            input_quantity(plateau.height.abs(), "m"),
             if plateau.height < 0.0 { "lower" } else { "higher" },
             process(&plateau.process)
         ),

@@ -2,13 +2,13 @@
 
 mod figures;
 mod generation;
-mod words;
+mod properties;
 
 use crate::surface::found::{MapFacts, Surface};
 use asperity::topography::theory::Expected;
-use asperity_framework::report::format::{number, percent};
+use asperity_framework::report::format::{number, percent, ratio};
 use asperity_framework::report::page::Page;
-use words::{columns, properties, table};
+use properties::{columns, properties, table};
 
 /// Adds tables and figures of a surface to a page.
 pub fn section(page: &mut Page, surface: &Surface, assumed: Option<&asperity::Population>) {
@@ -116,7 +116,7 @@ fn theory_table(surface: &Surface, map: &MapFacts) -> Option<(Vec<&'static str>,
     let row = |k: usize| {
         let mut row = vec![names[k].to_owned(), number(found[k])];
         for (theory, _) in &expected {
-            row.extend([number(of(theory)[k]), format!("{:.3}", found[k] / of(theory)[k])]);
+            row.extend([number(of(theory)[k]), ratio(found[k] / of(theory)[k])]);
         }
         row
     };

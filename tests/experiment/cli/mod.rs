@@ -4,6 +4,8 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
 
+use asperity_framework::report::format;
+
 mod heights;
 mod laws;
 mod precision;
@@ -37,7 +39,7 @@ fn specs(kind: &str) -> Vec<PathBuf> {
     files
 }
 
-/// Each bad spec begins with comments that say what its error must say.
+/// Each bad spec begins with comments with the parts of its error message.
 #[test]
 fn every_bad_spec_is_refused_with_its_reason_and_writes_nothing() {
     let folder = tempfile::tempdir().unwrap();
@@ -64,7 +66,7 @@ fn every_bad_spec_is_refused_with_its_reason_and_writes_nothing() {
 }
 
 #[test]
-fn a_new_spec_runs_as_it_stands_and_is_not_written_over() {
+fn a_new_spec_runs_unchanged_and_is_not_overwritten() {
     let folder = tempfile::tempdir().unwrap();
     assert!(experiment(&["new", "mine"], folder.path()).status.success());
     let output = experiment(&["run", "mine.toml"], folder.path());
@@ -266,7 +268,7 @@ fn check_runs_nothing_and_list_says_what_is_up_to_date() {
 }
 
 #[test]
-fn verify_tells_a_report_that_no_longer_matches() {
+fn verify_finds_a_report_that_no_longer_matches() {
     let (folder, spec, out) = small();
     let fresh = folder.path().join("fresh");
     assert!(run(&spec, &out, &[]).status.success());
@@ -284,7 +286,7 @@ fn summary(out: &Path, stem: &str) -> serde_json::Value {
     serde_json::from_slice(&fs::read(out.join(stem).join("summary.json")).unwrap()).unwrap()
 }
 
-/// A draw depends on the seed and on the surface's own name, not on what else the spec holds.
+/// A draw depends on the seed and on the surface's own name, not on the rest of the spec.
 /// The cells of the first row of a report that begins with these words.
 fn row(report: &str, name: &str) -> Vec<String> {
     let line = report.lines().find(|line| line.starts_with(&format!("| {name} |")));
@@ -336,11 +338,10 @@ fn the_measured_surfaces_end_to_end() {
     assert_eq!(fine["warnings"].as_array().unwrap().len(), 0);
 
     // The instrument's step is said in the terminal, the summary and the report.
-    assert!(text(&output.stderr).contains("height step of 3.9062 nm"), "{}", text(&output.stderr));
+    assert!(text(&output.stderr).contains("height step of 3.91 nm"), "{}", text(&output.stderr));
     let report = fs::read_to_string(out.join("quantised-ground/report.md")).unwrap();
     assert!(
-        report.contains("> [!WARNING]")
-            && report.contains("set by the instrument's height step of 3.9062 nm")
+        report.contains("> [!WARNING]") && report.contains("set by the instrument's height step of 3.91 nm")
     );
     let warnings = &summary(&out, "quantised-ground")["surfaces"]["ground"]["warnings"];
     assert!(warnings[0].as_str().unwrap().contains("20 distinct curvatures"));
@@ -359,7 +360,7 @@ fn the_measured_surfaces_end_to_end() {
 
 /// Two realisations of a random surface and of a population in one report.
 #[test]
-fn realisations_stand_in_every_table_and_differ() {
+fn realisations_are_in_every_table_and_differ() {
     let folder = tempfile::tempdir().unwrap();
     let (spec, out) = (folder.path().join("several.toml"), folder.path().join("reports"));
     let words = format!(
@@ -425,20 +426,18 @@ realisations = 3
     let finding = report.lines().find(|line| line.starts_with("- **random, law hertz**, over 3")).unwrap();
     let between = |from: &str, to: &str| finding.split_once(from).unwrap().1.split_once(to).unwrap().0;
     assert_eq!(between(" realisation) at ", ","), "9 MPa");
-    let errors: f64 = between("9 MPa, ", " standard errors").parse().unwrap();
-    close(errors, mean / (deviation / 3f64.sqrt()), 1e-3);
+    let errors = mean / (deviation / 3f64.sqrt());
+    assert_eq!(between("9 MPa, ", " standard errors"), format::number(errors));
     let answers = report.split_once("random, law hertz: results").unwrap().1;
     let cells = row(answers.split_once("estimated error").unwrap().1, "9 MPa");
     for shown in [&cells[4], between("up to ", " σ")] {
-        let (shown, scatter) = shown.split_once(" ± ").unwrap();
-        close(shown.parse().unwrap(), mean, 1e-3);
-        close(scatter.parse().unwrap(), deviation, 1e-3);
+        assert_eq!(shown, format::mean_and_deviation(mean, deviation));
     }
     assert_eq!(random["generation"]["process"]["skewness"], -1.0);
     assert!(random["height_map"]["five_point_theory"]["density_per_m2"].as_f64().unwrap() > 0.0);
 }
 
-/// As `head` does it: the reader leaves before all is said.
+/// As under `head`: the reader closes the pipe early.
 #[test]
 fn a_reader_may_leave() {
     let root = Path::new(env!("CARGO_MANIFEST_DIR"));

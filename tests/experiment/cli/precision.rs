@@ -184,7 +184,7 @@ fn the_largest_sets_are_run_only_in_full() {
     assert!(!check(&[]).contains("60000") && check(&["--full"]).contains("60000"));
 }
 
-/// A list is not left behind, whether it could be written or not.
+/// Lists are removed, whether they could be written or not.
 #[test]
 fn lists_are_removed() {
     let folder = tempfile::tempdir().unwrap();
@@ -216,7 +216,7 @@ fn lists_are_removed() {
     assert!(message.contains("with room for 16000 bytes"), "{message}");
 }
 
-/// What a list needs follows from the rows that its head tells: 56 bytes each, and 16 that are kept.
+/// The memory for a list follows from the rows in its header: 56 bytes each, 16 of them kept.
 #[test]
 fn a_long_list_is_no_more_than_its_asperities() {
     const ROWS: u64 = 10_000_000;
@@ -238,7 +238,7 @@ fn a_long_list_is_no_more_than_its_asperities() {
     assert!(text(&output.stdout).contains("memory: at most 720.0 MB;"), "{}", text(&output.stdout));
 }
 
-/// What a curve or a list cannot be is refused with its place.
+/// Invalid curves and lists are rejected with their position.
 #[test]
 fn curves_and_lists_have_their_limits() {
     let folder = tempfile::tempdir().unwrap();
@@ -261,7 +261,7 @@ fn curves_and_lists_have_their_limits() {
     }
 }
 
-/// A report on times is never the same twice: only its shape is compared.
+/// Times differ between runs: only the structure is compared.
 #[test]
 fn verify_compares_times_by_their_shape() {
     let (folder, _) = written(&["--quiet"]);

@@ -3,7 +3,7 @@
 use super::*;
 
 #[test]
-fn a_look_at_a_surface() {
+fn a_surface_is_described() {
     let folder = tempfile::tempdir().unwrap();
     let out = folder.path().join("reports");
     let root = Path::new(env!("CARGO_MANIFEST_DIR"));
@@ -17,7 +17,7 @@ fn a_look_at_a_surface() {
     let output = look(&[opd, "--pixel", "196.73303177114576 nm"]);
     assert!(output.status.success(), "{}", text(&output.stderr));
     let said = text(&output.stdout);
-    for words in ["24,714 of 304,784", "6.711 nm", "-0.3667, 4.538", "autocorrelation length Sal"] {
+    for words in ["24,714 of 304,784", "6.71 nm", "-0.367, 4.54", "autocorrelation length Sal"] {
         assert!(said.contains(words), "{words}: {said}");
     }
     for file in
@@ -49,8 +49,8 @@ fn a_look_at_a_surface() {
         (&[opd][..], "holds no pixel size"),
         (&[opd, "--pixel", "0.2 um", "--level", "cubic"], "cubic"),
         (&[opd, "--pixel", "0.2 um", "--s", "3 um", "--l", "2 um"], "s below l"),
-        (&[opd, "--pixel", "0.2 um", "--name", ""], "found the name \"\" for its report"),
-        (&[opd, "--pixel", "0.2 um", "--name", "../up"], "found the name \"../up\" for its report"),
+        (&[opd, "--pixel", "0.2 um", "--name", ""], "found the report name \"\""),
+        (&[opd, "--pixel", "0.2 um", "--name", "../up"], "found the report name \"../up\""),
         (&["nowhere.npy"], "nowhere.npy"),
         (&[root.join("Cargo.lock").to_str().unwrap()], "Cargo.lock"),
     ] {
@@ -64,8 +64,8 @@ fn a_look_at_a_surface() {
     assert!(text(&both.stderr).contains("is a spec"), "{}", text(&both.stderr));
 }
 
-/// A look at surfaces in these words, and how it ends; `map.txt` holds these heights.
-fn looked_at(words: &str, heights: &str) -> (tempfile::TempDir, Output) {
+/// Runs `surface` on these surfaces; `map.txt` holds these heights.
+fn described(words: &str, heights: &str) -> (tempfile::TempDir, Output) {
     let folder = tempfile::tempdir().unwrap();
     let bodies = SMALL.split("[surface.list").next().unwrap();
     fs::write(folder.path().join("look.toml"), format!("{bodies}{words}")).unwrap();
@@ -74,9 +74,9 @@ fn looked_at(words: &str, heights: &str) -> (tempfile::TempDir, Output) {
     (folder, output)
 }
 
-/// The summary and the report of a look that succeeds.
+/// The summary and the report of a successful `surface` run.
 fn look(words: &str, heights: &str) -> (serde_json::Value, String) {
-    let (folder, output) = looked_at(words, heights);
+    let (folder, output) = described(words, heights);
     assert!(output.status.success(), "{}", text(&output.stderr));
     let out = folder.path().join("reports");
     let report = fs::read_to_string(out.join("look-surfaces/report.md")).unwrap();
@@ -84,7 +84,7 @@ fn look(words: &str, heights: &str) -> (serde_json::Value, String) {
 }
 
 #[test]
-fn a_random_surface_is_made_as_its_words_say() {
+fn a_random_surface_is_generated_as_specified() {
     let grid = "points = [128, 96]\npixel = [\"1 um\", \"0.8 um\"]\nsigma = \"0.2 um\"\n";
     let lay = "spectrum.gaussian = { correlation-length = [\"8 um\", \"3 um\"], angle = \"30 deg\" }";
     let (surfaces, report) = look(
@@ -116,7 +116,7 @@ plateau = {{ height = \"-50 nm\", sigma = \"20 nm\", spectrum.exponential.correl
 }
 
 #[test]
-fn tables_of_a_surface_say_what_its_summary_says() {
+fn tables_of_a_surface_agree_with_its_summary() {
     let (surfaces, report) = look(
         "[surface.met.generate]
 points = 512
@@ -131,24 +131,18 @@ summits = { radius = \"20 um\", sigma = \"48 nm\", density = \"6e10 /m^2\" }
         let cells = row(&report, name);
         assert_eq!(cells[1], cells[2], "{name}");
     }
-    let along: Vec<f64> =
-        row(&report, "m2 along x, y")[1].split(", ").map(|number| number.parse().unwrap()).collect();
-    for (axis, along) in along.into_iter().enumerate() {
-        close(along, number(&map["m2_along_x_y"][axis]), 1e-3);
-    }
+    let along = [0, 1].map(|axis| format::number(number(&map["m2_along_x_y"][axis])));
+    assert_eq!(row(&report, "m2 along x, y")[1], along.join(", "));
     close(
         2.0 * number(&map["m4_per_m2"]),
         (0..2).map(|k| number(&map["m4_along_x_y_per_m2"][k])).sum(),
         1e-12,
     );
     let cells = row(&report, "density \\[1/m²\\]");
-    let [found, theory, over_theory, nayak, over_nayak] =
-        [1, 2, 3, 4, 5].map(|k| cells[k].parse::<f64>().unwrap());
-    close(found, number(&met["density_per_m2"]), 1e-3);
-    close(theory, number(&map["five_point_theory"]["density_per_m2"]), 1e-3);
-    close(nayak, number(&map["nayak_theory"]["density_per_m2"]), 1e-3);
-    close(over_theory, found / theory, 2e-3);
-    close(over_nayak, found / nayak, 2e-3);
+    let [found, theory, nayak] = [met, &map["five_point_theory"], &map["nayak_theory"]]
+        .map(|expected| number(&expected["density_per_m2"]));
+    assert_eq!([1, 2, 4].map(|k| cells[k].clone()), [found, theory, nayak].map(format::number));
+    assert_eq!([3, 5].map(|k| cells[k].clone()), [found / theory, found / nayak].map(format::ratio));
     let saddles = &row(&report, "summits whose smaller principal curvature is not positive")[1];
     assert_eq!(saddles.replace(',', ""), map["summits_with_a_saddle"].to_string());
     assert!(number(&met["offset_to_mean_plane_m"]) > 0.0, "summits are above the mean plane");
@@ -165,7 +159,7 @@ fn rough() -> String {
 }
 
 #[test]
-fn a_measured_map_is_treated_as_its_words_say() {
+fn a_measured_map_is_processed_as_specified() {
     let file = "path = \"map.txt\"\npixel = \"1 um\"\nunit = \"nm\"\n";
     let (surfaces, report) = look(
         &format!(
@@ -181,15 +175,15 @@ fn a_measured_map_is_treated_as_its_words_say() {
     assert!(number("raw", "mean_height_m") > 5e-7 && number("level", "mean_height_m") < 1e-7);
     close(number("raw", "offset_to_mean_plane_m"), number("level", "offset_to_mean_plane_m"), 0.05);
     let sq = map("raw")["sq_m"].as_f64().unwrap();
-    let found: f64 = row(&report, "mean height above the mean plane / Sq")[1].parse().unwrap();
-    close(found, number("raw", "offset_to_mean_plane_m") / sq, 1e-3);
+    let found = &row(&report, "mean height above the mean plane / Sq")[1];
+    assert_eq!(*found, format::number(number("raw", "offset_to_mean_plane_m") / sq));
     assert_eq!(map("bowl")["summit_definition"], "eight-neighbour");
     assert!(map("bowl")["filter"].as_str().unwrap().starts_with("S = 3"));
     assert!(map("bowl")["sq_m"].as_f64().unwrap() < 0.7 * map("level")["sq_m"].as_f64().unwrap());
 }
 
 #[test]
-fn maps_of_doubtful_numbers_are_told() {
+fn doubtful_maps_are_reported() {
     let words = |unit: &str| {
         format!(
             "[surface.a.file]\npath = \"map.txt\"\npixel = \"1 um\"\nlevel = \"none\"\nunit = \"{unit}\"\n"
@@ -212,9 +206,9 @@ fn maps_of_doubtful_numbers_are_told() {
         let line = |top: &str| format!("0 0 0 0 0 0 0\n0 1.0 0 {top} 0 2.0 0\n");
         line("1.5") + &line(flat) + &line("1.7") + "0 0 0 0 0 0 0\n"
     };
-    assert!(!warned("nm", &tops("0.9")).contains("nearly flat tops"));
-    assert!(warned("nm", &tops("0.001")).contains("a few nearly flat tops set it"));
-    let (_folder, output) = looked_at(
+    assert!(!warned("nm", &tops("0.9")).contains("nearly flat summits"));
+    assert!(warned("nm", &tops("0.001")).contains("it is dominated by a few nearly flat summits"));
+    let (_folder, output) = described(
         &words("nm"),
         &tops("1.5").replace("2.0", "1.5").replace("1.0", "1.5").replace("1.7", "1.5"),
     );

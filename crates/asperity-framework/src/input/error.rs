@@ -23,7 +23,7 @@ struct Place {
 }
 
 impl InputError {
-    /// A file that is refused as a whole.
+    /// An error about a file, without a line.
     pub fn file(file: &Path, message: impl fmt::Display) -> Self {
         Self { file: file.to_owned(), place: None, message: message.to_string() }
     }
@@ -60,7 +60,7 @@ pub struct Source {
 }
 
 impl Source {
-    /// Words that the command line made; what they name is relative to the working directory.
+    /// A spec made from the command line; its paths are relative to the working directory.
     pub fn command_line(text: String) -> Self {
         Self { path: COMMAND_LINE.into(), text }
     }
@@ -70,7 +70,7 @@ impl Source {
         self.path.as_os_str() == COMMAND_LINE
     }
 
-    /// Refuses what stands at `span` (bytes of the text).
+    /// Error at `span` (bytes of the text).
     pub fn error_at(&self, span: Range<usize>, message: impl fmt::Display) -> InputError {
         let start = span.start.min(self.text.len());
         // A span may end up inside a character only if the parser is wrong; then line 1 is named.
@@ -87,7 +87,7 @@ impl Source {
 
     /// Refuses the spec as its parser did.
     pub fn parse_error(&self, error: &toml::de::Error) -> InputError {
-        let message = in_our_words(error.message());
+        let message = plain_message(error.message());
         match error.span() {
             Some(span) => self.error_at(span, message),
             None => InputError::file(&self.path, message),
@@ -95,8 +95,8 @@ impl Source {
     }
 }
 
-/// What the parser says, as what was found and what is allowed.
-fn in_our_words(message: &str) -> String {
+/// Message of the parser as what was found and what is allowed.
+fn plain_message(message: &str) -> String {
     let plain = match message {
         "wanted string or table" => {
             Some("found neither a name nor a table; allowed: a name in quotes, or a table")
@@ -108,9 +108,9 @@ fn in_our_words(message: &str) -> String {
         "wanted exactly 1 element, found 0 elements" => {
             Some("found an empty table; allowed: one key and its value")
         }
-        "invalid type: unit variant, expected newtype variant" => Some(
-            "found a name alone; allowed: a table that has the name as its key, and the numbers below it",
-        ),
+        "invalid type: unit variant, expected newtype variant" => {
+            Some("found only a name; allowed: a table with the name as its key and the parameters in it")
+        }
         _ => None,
     };
     if let Some(plain) = plain {

@@ -25,7 +25,7 @@ pub struct SpecFile {
     /// Every random number is drawn from it.
     pub seed: u64,
     materials: IndexMap<Spanned<String>, MaterialSpec>,
-    /// Names of the other tables and where they stand, in file order.
+    /// Names and positions of the other tables, in file order.
     tables: Vec<(String, Range<usize>)>,
 }
 
@@ -49,7 +49,7 @@ impl SpecFile {
     /// Reads a spec that may hold, besides the common keys, the tables named in `tables`.
     ///
     /// # Errors
-    /// A file that cannot be read, is not TOML, or holds another key or a wrong value.
+    /// A file that cannot be read, is not TOML, or has an unknown key or an invalid value.
     pub fn read(path: &Path, tables: &[&str]) -> Result<Self, InputError> {
         let bytes = std::fs::read(path)
             .map_err(|error| InputError::file(path, format!("cannot be read: {error}")))?;
@@ -86,7 +86,7 @@ impl SpecFile {
         Ok(Self { source, title, notes, seed, materials: material, tables: found })
     }
 
-    /// Names of the tables beside the common keys and where they stand, in file order.
+    /// Names and positions of the tables besides the common keys, in file order.
     pub fn tables(&self) -> &[(String, Range<usize>)] {
         &self.tables
     }
@@ -103,7 +103,7 @@ impl SpecFile {
         read.map_err(|error| self.source.parse_error(&error))
     }
 
-    /// The table `name`, which the file holds.
+    /// The table `name`, which must be present.
     ///
     /// # Errors
     /// As [`SpecFile::table`], and a file without it.

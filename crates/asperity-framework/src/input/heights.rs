@@ -14,7 +14,7 @@ use asperity::distribution::{Entry, REGISTRY};
 pub struct HeightsSpec(pub Heights);
 
 impl HeightsSpec {
-    /// The distribution of a name alone.
+    /// The distribution without parameters called `name`.
     ///
     /// # Errors
     /// A name that no distribution has, or whose distribution needs parameters; `also` are further names for the message.
@@ -24,7 +24,7 @@ impl HeightsSpec {
         heights.map(Self).ok_or_else(|| format!("found \"{name}\"; allowed: {}", Self::allowed(also)))
     }
 
-    /// What a spec may say.
+    /// Allowed values.
     pub fn allowed(also: &[&str]) -> String {
         let forms = REGISTRY.iter().map(|entry| match entry.parameters {
             [] => format!("\"{}\"", entry.name),

@@ -11,7 +11,7 @@ use asperity::ContactLaw;
 use asperity::contact_law::{named, registry};
 use asperity::law::{LawOption, OptionError};
 
-/// One law or a list of them, none twice.
+/// One law, or a list of distinct laws.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Laws(pub Vec<ContactLaw>);
 
@@ -108,7 +108,7 @@ impl<'de> Deserialize<'de> for OneLaw {
             }
             fn visit_map<A: MapAccess<'de>>(self, mut map: A) -> Result<OneLaw, A::Error> {
                 const ALLOWED: &str =
-                    "allowed: one law a table; several laws as a list, each in a table or in quotes";
+                    "allowed: one law per table; several laws as a list, each in a table or in quotes";
                 let Some(name) = map.next_key::<String>()? else {
                     return Err(A::Error::custom(format!("found an empty table; {ALLOWED}")));
                 };

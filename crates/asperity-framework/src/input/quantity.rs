@@ -102,7 +102,7 @@ impl Range for NotNegative {
     }
 }
 
-/// A separation in units of sigma: beyond, rounding of d/sigma leaves nothing of the heights.
+/// A separation in units of sigma; beyond this range d/sigma is rounded more coarsely than the heights.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum SeparationRange {}
 

@@ -13,7 +13,7 @@ use crate::contact::LawPlan;
 use asperity::law::{Body, Property};
 use asperity::{ContactLaw, Flat, Inapplicable, Material};
 
-/// Two materials as an error names them, or one that both bodies are of.
+/// Names of two materials for an error, or of the one used for both bodies.
 pub fn materials(rough: &str, flat: &str) -> String {
     if rough == flat {
         format!("[material.{rough}]")
@@ -23,7 +23,7 @@ pub fn materials(rough: &str, flat: &str) -> String {
 }
 
 impl SpecFile {
-    /// The material `name`, which stands at `span`.
+    /// The material `name`; `span` is where it is used.
     ///
     /// # Errors
     /// A name that the file does not define.
@@ -40,8 +40,8 @@ impl SpecFile {
         })
     }
 
-    /// Holds each law against the bodies that it will meet, as if each flat were homogeneous. Whether it stands under a
-    /// layer of finite thickness is seen when the contact is made.
+    /// Checks each law against its bodies, as if each flat were homogeneous. Whether it is valid under a
+    /// layer of finite thickness is checked when the contact is built.
     pub fn check_laws(
         &self,
         laws: &Spanned<Laws>,
@@ -80,7 +80,7 @@ impl SpecFile {
                 }
             ),
             None => format!(
-                "found no `{key}` in {}, which law {law} needs of one body at least; allowed: {key} = \"...\" with a unit of \
+                "found no `{key}` in {}, which law {law} needs for at least one body; allowed: {key} = \"...\" with a unit of \
                  pressure",
                 materials(rough, flat)
             ),
@@ -93,7 +93,7 @@ impl SpecFile {
         self.materials().find(|(defined, _)| defined.get_ref() == name).map(|(defined, _)| defined.span())
     }
 
-    /// Each law against each flat, which has a layer of the thickness beside it.
+    /// Each law on each flat, given with its layer thickness.
     ///
     /// # Errors
     /// A law that does not apply to the bodies, or not under a layer.
@@ -128,37 +128,37 @@ impl SpecFile {
     }
 
     /// Sizes of sets.
-    pub fn counts(&self, words: &Spanned<LogSweep<Pure>>) -> Result<Vec<usize>, InputError> {
-        /// Beyond this, counts are no longer exact as f64, and no memory holds them.
+    pub fn counts(&self, raw: &Spanned<LogSweep<Pure>>) -> Result<Vec<usize>, InputError> {
+        /// Larger sets do not fit in memory.
         const LARGEST_COUNT: f64 = 1e12;
-        self.whole(words, "a count of", LARGEST_COUNT)
+        self.whole(raw, "a count of", LARGEST_COUNT)
     }
 
-    /// A sweep of whole numbers from 1 to `most`. Close ones may round to one: it stands once.
+    /// A sweep of whole numbers from 1 to `most`. Values that round to the same number are merged.
     pub fn whole(
         &self,
-        words: &Spanned<LogSweep<Pure>>,
+        raw: &Spanned<LogSweep<Pure>>,
         what: &str,
         most: f64,
     ) -> Result<Vec<usize>, InputError> {
-        let values = &words.get_ref().values;
+        let values = &raw.get_ref().values;
         if let Some(value) = values.iter().find(|value| !(1.0..=most).contains(*value)) {
             return Err(self
                 .source
-                .error_at(words.span(), format!("found {what} {value:e}; allowed: 1 to {most:e}")));
+                .error_at(raw.span(), format!("found {what} {value:e}; allowed: 1 to {most:e}")));
         }
         let mut whole: Vec<usize> = values.iter().map(|value| value.round() as usize).collect();
         whole.dedup();
         Ok(whole)
     }
 
-    /// How many random ones of a kind.
-    pub fn several(&self, words: &Spanned<u64>, what: &str) -> Result<usize, InputError> {
-        let count = *words.get_ref();
+    /// Number of random realisations, 2 to 1000.
+    pub fn several(&self, raw: &Spanned<u64>, what: &str) -> Result<usize, InputError> {
+        let count = *raw.get_ref();
         if !(2..=1000).contains(&count) {
             return Err(self
                 .source
-                .error_at(words.span(), format!("found {count}; allowed: 2 to 1000 {what}")));
+                .error_at(raw.span(), format!("found {count}; allowed: 2 to 1000 {what}")));
         }
         Ok(count as usize)
     }
@@ -167,12 +167,11 @@ impl SpecFile {
     ///
     /// # Errors
     /// Others.
-    pub fn growing<D>(&self, words: &Spanned<LogSweep<D>>) -> Result<Vec<f64>, InputError> {
-        let indentations = &words.get_ref().values;
+    pub fn growing<D>(&self, raw: &Spanned<LogSweep<D>>) -> Result<Vec<f64>, InputError> {
+        let indentations = &raw.get_ref().values;
         if indentations.len() < 2 || indentations.windows(2).any(|pair| pair[0] >= pair[1]) {
-            let message =
-                "found indentations that do not grow, or one alone; allowed: two or more, the smallest first";
-            return Err(self.source.error_at(words.span(), message));
+            let message = "found fewer than two indentations, or not in ascending order; allowed: two or more, the smallest first";
+            return Err(self.source.error_at(raw.span(), message));
         }
         Ok(indentations.clone())
     }

@@ -41,7 +41,7 @@ impl<D: Dimension, R: Range> Keys<D, R> {
                 Ok((0..points).map(value).collect())
             }
             (None, None, None, None) => Err(format!("found nothing; {ALLOWED}")),
-            (.., Some(_)) => Err(format!("found `values` beside `from`, `to` or `points`; {ALLOWED}")),
+            (.., Some(_)) => Err(format!("found `values` together with `from`, `to` or `points`; {ALLOWED}")),
             _ => Err(format!("found only some of `from`, `to` and `points`; {ALLOWED}")),
         }
     }

@@ -1,9 +1,47 @@
 //! Numbers and quantities as people read them. Files for machines carry full digits instead.
 
-/// A number with at most four significant digits: plain between 0.001 and 100,000, else with a power
-/// of ten. `1.234567e-6` gives "1.235e-6", 210 gives "210", infinity "∞" and NaN "–".
+/// Significant digits of a result.
+const RESULT_DIGITS: usize = 3;
+/// Most significant digits of an input.
+const INPUT_DIGITS: usize = 6;
+
+/// A result with at most three significant digits: plain between 0.001 and 100,000, else with a power
+/// of ten. `1.234567e-6` gives "1.23e-6", 210 gives "210", infinity "∞" and NaN "–".
 pub fn number(value: f64) -> String {
-    match decimal(value) {
+    plain_number(value, RESULT_DIGITS)
+}
+
+/// A result with the prefix that suits it, at most three significant digits: 4.8e-8 m gives
+/// "48 nm", 2.1e11 Pa "210 GPa", 1e-6 m² "1 mm²". `unit` is an SI unit without prefix; prefixes of
+/// squares step by a million. A compound unit such as "1/m²" takes a power of ten instead.
+pub fn quantity(value: f64, unit: &str) -> String {
+    with_prefix(value, unit, RESULT_DIGITS)
+}
+
+/// An input as the user gave it, with up to six significant digits: 7.625 gives "7.625". Values that have more, such
+/// as the inner points of a logarithmic sweep, are written like a result.
+pub fn input_number(value: f64) -> String {
+    plain_number(value, input_digits(value))
+}
+
+/// An input with the prefix that suits it; digits as in [`input_number`].
+pub fn input_quantity(value: f64, unit: &str) -> String {
+    with_prefix(value, unit, input_digits(value))
+}
+
+/// A mean with three and its standard deviation with two significant digits: "0.131 ± 0.0035".
+pub fn mean_and_deviation(mean: f64, deviation: f64) -> String {
+    format!("{} ± {}", number(mean), plain_number(deviation, 2))
+}
+
+/// Six digits where they are exact up to the rounding of a conversion of units.
+fn input_digits(value: f64) -> usize {
+    let rounded = format!("{value:.*e}", INPUT_DIGITS - 1).parse().unwrap_or(value);
+    if (rounded - value).abs() <= 1e-12 * value.abs() { INPUT_DIGITS } else { RESULT_DIGITS }
+}
+
+fn plain_number(value: f64, significant: usize) -> String {
+    match decimal(value, significant) {
         Ok(digits) => {
             let exponent = digits.exponent;
             if (-3..5).contains(&exponent) {
@@ -16,30 +54,33 @@ pub fn number(value: f64) -> String {
     }
 }
 
-/// A quantity with the prefix that suits it, at most four significant digits: 4.8e-8 m gives
-/// "48 nm", 2.1e11 Pa "210 GPa", 1e-6 m² "1 mm²". `unit` is an SI unit without prefix; prefixes of
-/// squares step by a million. A compound unit such as "1/m²" takes a power of ten instead.
-pub fn quantity(value: f64, unit: &str) -> String {
-    let digits = match decimal(value) {
+fn with_prefix(value: f64, unit: &str, significant: usize) -> String {
+    let digits = match decimal(value, significant) {
         Ok(digits) => digits,
         Err(name) => return format!("{name} {unit}"),
     };
     let letters = unit.trim_end_matches('²');
     if letters.is_empty() || !letters.chars().all(char::is_alphabetic) || digits.value == 0.0 {
-        return format!("{} {unit}", number(value));
+        return format!("{} {unit}", plain_number(value, significant));
     }
     let step = if unit.ends_with('²') { 6 } else { 3 };
     let prefix = digits.exponent.div_euclid(step);
     let Some(name) = usize::try_from(prefix + 5).ok().and_then(|place| PREFIXES.get(place)) else {
-        return format!("{} {unit}", number(value));
+        return format!("{} {unit}", plain_number(value, significant));
     };
     format!("{} {name}{unit}", digits.plain(digits.exponent - step * prefix))
 }
 
+/// A ratio with three significant digits, zeros included, for columns of ratios near one: "1.00", "0.998".
+pub fn ratio(value: f64) -> String {
+    let magnitude = decimal(value, RESULT_DIGITS).map_or(0, |digits| digits.exponent);
+    let decimals = (RESULT_DIGITS as i32 - 1 - magnitude).max(0) as usize;
+    format!("{value:.decimals$}")
+}
+
 /// A share of one in percent, with at most three significant digits: 0.1234 gives "12.3 %".
 pub fn percent(share: f64) -> String {
-    let rounded = format!("{:.2e}", 100.0 * share).parse().unwrap_or(100.0 * share);
-    format!("{} %", number(rounded))
+    format!("{} %", number(100.0 * share))
 }
 
 /// A count with commas between thousands: 1234567 gives "1,234,567".
@@ -55,16 +96,16 @@ pub fn count(value: usize) -> String {
     grouped
 }
 
-/// How a thickness is named.
+/// Name of a layer thickness that the user gave: "uncoated" for 0, "bulk" for infinity.
 pub fn thickness(value: f64) -> String {
     match value {
-        0.0 => "no layer".to_owned(),
-        f64::INFINITY => "all layer".to_owned(),
-        value => quantity(value, "m"),
+        0.0 => "uncoated".to_owned(),
+        f64::INFINITY => "bulk".to_owned(),
+        value => input_quantity(value, "m"),
     }
 }
 
-/// A list as a sentence has it.
+/// A list as in a sentence: "a, b and c".
 pub fn listed(names: &[String]) -> String {
     match names {
         [] => String::new(),
@@ -75,13 +116,14 @@ pub fn listed(names: &[String]) -> String {
 
 const PREFIXES: [&str; 10] = ["f", "p", "n", "µ", "m", "", "k", "M", "G", "T"];
 
-/// A finite number rounded to four significant digits: value * 10^exponent, |value| from 1 to 10.
+/// A finite number rounded to some significant digits: value * 10^exponent, |value| from 1 to 10.
 struct Digits {
     value: f64,
     exponent: i32,
+    significant: usize,
 }
 
-fn decimal(value: f64) -> Result<Digits, &'static str> {
+fn decimal(value: f64, significant: usize) -> Result<Digits, &'static str> {
     if value.is_nan() {
         return Err("–");
     }
@@ -89,18 +131,18 @@ fn decimal(value: f64) -> Result<Digits, &'static str> {
         return Err(if value > 0.0 { "∞" } else { "−∞" });
     }
     // Rounding comes first: 999.99 belongs to the next power of ten.
-    let text = format!("{value:.3e}");
+    let text = format!("{value:.*e}", significant - 1);
     let parts =
         text.split_once('e').and_then(|(lead, power)| Some((lead.parse().ok()?, power.parse().ok()?)));
     let (value, exponent) = parts.unwrap_or((value, 0));
     // No minus in front of zero.
-    Ok(Digits { value: value + 0.0, exponent })
+    Ok(Digits { value: value + 0.0, exponent, significant })
 }
 
 impl Digits {
     /// The digits times 10^shift, without trailing zeros.
     fn plain(&self, shift: i32) -> String {
-        let decimals = (3 - shift).max(0) as usize;
+        let decimals = (self.significant as i32 - 1 - shift).max(0) as usize;
         let text = format!("{:.decimals$}", self.value * 10f64.powi(shift));
         if text.contains('.') { text.trim_end_matches('0').trim_end_matches('.').to_owned() } else { text }
     }
@@ -113,18 +155,18 @@ mod tests {
     #[test]
     fn numbers() {
         for (value, text) in [
-            (1.234567e-6, "1.235e-6"),
+            (1.234567e-6, "1.23e-6"),
             (0.0, "0"),
             (-0.0, "0"),
             (210.0, "210"),
             (0.05, "0.05"),
-            (0.0012345, "0.001234"),
+            (0.0012345, "0.00123"),
             (99999.0, "1e5"),
-            (12345.0, "12340"),
+            (12345.0, "12300"),
             (-3.2e20, "-3.2e20"),
             (f64::NAN, "–"),
             (f64::INFINITY, "∞"),
-            (5e-324, "4.941e-324"),
+            (5e-324, "4.94e-324"),
         ] {
             assert_eq!(number(value), text, "{value:e}");
         }
@@ -137,7 +179,7 @@ mod tests {
             (2.1e11, "Pa", "210 GPa"),
             (1e-6, "m²", "1 mm²"),
             (2.5e-7, "m²", "250000 µm²"),
-            (999.96e-9, "m", "1 µm"),
+            (999.6e-9, "m", "1 µm"),
             (6e10, "1/m²", "6e10 1/m²"),
             (0.0, "Pa", "0 Pa"),
             (f64::INFINITY, "m", "∞ m"),
@@ -146,6 +188,46 @@ mod tests {
             (-1.5e-6, "m", "-1.5 µm"),
         ] {
             assert_eq!(quantity(value, unit), text, "{value:e} {unit}");
+        }
+    }
+
+    #[test]
+    fn inputs() {
+        for (value, text) in [
+            (7.625, "7.625"),
+            (0.123456, "0.123456"),
+            (1e6 / 3.0, "3.33e5"),
+            (0.1 + 0.2, "0.3"),
+            (123456.0, "1.23456e5"),
+            (f64::NAN, "–"),
+            (f64::INFINITY, "∞"),
+            (0.0, "0"),
+        ] {
+            assert_eq!(input_number(value), text, "{value:e}");
+        }
+        assert_eq!(input_quantity(196.75e-9, "m"), "196.75 nm");
+        assert_eq!(input_quantity(2.71429e9, "Pa"), "2.71429 GPa");
+        assert_eq!(input_quantity(10f64.powf(5.5), "Pa"), "316 kPa");
+        assert_eq!(thickness(1.25e-9), "1.25 nm");
+    }
+
+    #[test]
+    fn deviations_have_two_digits() {
+        assert_eq!(mean_and_deviation(0.13084, 0.003507), "0.131 ± 0.0035");
+        assert_eq!(mean_and_deviation(4.2311e-4, 9.267e-6), "4.23e-4 ± 9.3e-6");
+    }
+
+    #[test]
+    fn ratios_keep_their_zeros() {
+        for (value, text) in [
+            (1.004, "1.00"),
+            (0.9984, "0.998"),
+            (0.9996, "1.00"),
+            (2.349, "2.35"),
+            (0.04, "0.0400"),
+            (250.0, "250"),
+        ] {
+            assert_eq!(ratio(value), text);
         }
     }
 

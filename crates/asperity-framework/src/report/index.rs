@@ -10,8 +10,8 @@ use super::page::{Cell, Page};
 /// The program name in `summary.json`.
 pub const PROGRAM: &str = "asperity";
 
-/// Marks an index page as written by a run, so that the next run may replace it.
-pub const MARK: &str = "Written by asperity; the next run writes it anew.";
+/// Begins the last line of an index page; a page with this text may be replaced by the next run.
+pub const MARK: &str = "Written by asperity;";
 
 /// `README.md` and `index.html`.
 #[derive(Debug)]
@@ -77,7 +77,7 @@ impl Index {
                     ]
                 }),
             );
-            page.paragraph(MARK);
+            page.paragraph(&format!("{MARK} overwritten by the next run."));
             page
         };
         Self {

@@ -1,17 +1,17 @@
-//! What a run tells: pages, tables, summaries, and the folder that holds them.
+//! Output of a run: pages, tables, summaries, and their folder.
 //!
 //! Everything but [`store`] is pure: results in, bytes out.
 //!
 //! | module | what lives there |
 //! |---|---|
-//! | `page` | one content in two forms, Markdown and self-contained HTML |
+//! | `page` | a page as Markdown and as self-contained HTML |
 //! | [`mod@format`] | numbers and quantities as people read them |
-//! | [`sections`] | what every page says: the bodies, the sources, the files |
+//! | [`sections`] | sections of every page: set-up, provenance, references |
 //! | [`table`] | columns with unit and meaning; CSV, for machines |
 //! | [`table_docs`] | the documentation of tables |
 //! | `index` | the pages that lead to all reports of a folder |
-//! | [`store`] | the only place that touches the disk: a folder is replaced whole or not at all |
-//! | [`verify`] | do fresh reports say the same as committed ones? |
+//! | [`store`] | the only module that writes to disk: a folder is replaced atomically |
+//! | [`verify`] | comparison of new reports with committed ones |
 
 pub mod format;
 mod index;

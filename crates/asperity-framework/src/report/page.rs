@@ -1,4 +1,4 @@
-//! A report page: one content in two forms.
+//! A report page in two formats.
 //!
 //! A [`Page`] is a list of blocks. Its Markdown is what people read in the repository, with pictures
 //! beside it; its HTML is the same content in one file that needs nothing else. Names come from
@@ -8,7 +8,7 @@ use pulldown_cmark::{CowStr, Event, Options, Parser, Tag, TagEnd};
 
 const STYLE: &str = include_str!("page.css");
 
-/// One cell of a table: plain text, or plain text that leads somewhere.
+/// One cell of a table: plain text, or a link.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Cell {
     /// Text as it is; nothing in it is markup.
@@ -55,7 +55,7 @@ impl Page {
         Self { title, blocks: vec![heading] }
     }
 
-    /// Adds a heading, plain text; level 2 stands below the title, 6 is the lowest.
+    /// Adds a heading, plain text; levels 2 (below the title) to 6.
     pub fn heading(&mut self, level: u8, text: &str) -> &mut Self {
         let marks = "#".repeat(level.clamp(2, 6).into());
         self.markdown_block(format!("{marks} {}", escape(text)))
@@ -115,13 +115,13 @@ impl Page {
         self.markdown_block(lines.join("\n"))
     }
 
-    /// Adds a picture: the file beside the page, its SVG text and a caption in plain text.
+    /// Adds a figure: the file next to the page, its SVG text and a caption in plain text.
     pub fn figure(&mut self, file: &str, svg: impl Into<String>, caption: &str) -> &mut Self {
         self.blocks.push(Block::Figure { file: file.into(), svg: svg.into(), caption: one_line(caption) });
         self
     }
 
-    /// File names and SVG texts of the pictures, which must stand beside the Markdown.
+    /// File names and SVG texts of the pictures, which must be next to the Markdown file.
     pub fn figures(&self) -> impl Iterator<Item = (&str, &str)> {
         self.blocks.iter().filter_map(|block| match block {
             Block::Figure { file, svg, .. } => Some((file.as_str(), svg.as_str())),
@@ -141,7 +141,7 @@ impl Page {
         blocks.collect::<Vec<_>>().join("\n\n") + "\n"
     }
 
-    /// The page as HTML that holds its pictures and its style, and fetches nothing.
+    /// The page as self-contained HTML with embedded figures and style.
     pub fn html(&self) -> String {
         let mut body = String::new();
         let mut figures = 0;
@@ -241,7 +241,7 @@ fn line_of(cells: impl Iterator<Item = String>) -> String {
     format!("| {} |", cells.collect::<Vec<_>>().join(" | "))
 }
 
-/// Whether a column holds numbers, with or without a unit or a percent sign behind, and no text.
+/// Whether a column holds numbers, with or without a unit or a percent sign, and no text.
 fn is_numeric(rows: &[Vec<Cell>], column: usize) -> bool {
     let mut any = false;
     for row in rows {

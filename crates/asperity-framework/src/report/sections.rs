@@ -2,7 +2,7 @@
 
 use indexmap::IndexMap;
 
-use super::format::{number, quantity, thickness};
+use super::format::{input_number, input_quantity, quantity, thickness};
 use super::page::{Page, escape};
 use crate::contact::ContactMetadata;
 use crate::metadata::Metadata;
@@ -54,12 +54,12 @@ pub fn materials(page: &mut Page, materials: &IndexMap<String, Material>, role: 
         let mut row = vec![
             name.clone(),
             role(name),
-            quantity(body.young(), "Pa"),
-            number(body.poisson()),
+            input_quantity(body.young(), "Pa"),
+            input_number(body.poisson()),
             hardness(body.hardness()),
         ];
         if has_yield_strength {
-            row.push(body.yield_strength().map_or_else(|| "-".to_owned(), |y| quantity(y, "Pa")));
+            row.push(body.yield_strength().map_or_else(|| "-".to_owned(), |y| input_quantity(y, "Pa")));
         }
         row
     };
@@ -69,7 +69,7 @@ pub fn materials(page: &mut Page, materials: &IndexMap<String, Material>, role: 
 }
 
 fn hardness(value: Option<f64>) -> String {
-    value.map_or_else(|| "never yields".to_owned(), |v| quantity(v, "Pa"))
+    value.map_or_else(|| "never yields".to_owned(), |v| input_quantity(v, "Pa"))
 }
 
 /// Seed, spec and program, in a sentence.

@@ -78,7 +78,7 @@ impl<T: Into<Self>> From<Option<T>> for Value {
     }
 }
 
-/// What a column is called and what stands in it.
+/// Name, unit, meaning and value of a column.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Heading {
     /// Name in the header line; a unit is its suffix.
@@ -142,19 +142,19 @@ pub trait Row: Sized {
     /// Name of its file.
     const FILE: &'static str;
 
-    /// What a row stands for, in one sentence that begins with "One row".
+    /// Meaning of a row, in one sentence that begins with "One row".
     const ROWS: &'static str;
 
     /// Its columns, in file order.
     fn columns() -> Vec<Column<Self>>;
 }
 
-/// What a table holds, for its documentation.
+/// Documentation of a table.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Schema {
     /// Name of its file.
     pub file: &'static str,
-    /// What a row stands for.
+    /// Meaning of a row.
     pub rows: &'static str,
     /// Its columns, in file order.
     pub columns: Vec<Heading>,

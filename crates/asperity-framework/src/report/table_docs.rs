@@ -2,7 +2,7 @@
 
 use super::table::Schema;
 
-/// What holds for every table.
+/// Text common to all tables.
 const INTRODUCTION: &str = "\
 # The tables of a report
 

@@ -1,4 +1,4 @@
-//! Do freshly made reports say the same as the committed ones? Structure and counts exactly, numbers
+//! Comparison of new reports with committed ones: structure and counts exactly, numbers
 //! to 1e-9, timings and reports on them for their shape only, errors of the size of a rounding and where they occur
 //! not at all (the summary says whether they are within their bounds), pictures and pages neither. Of contacts that were
 //! counted only whether there were any: the rounds of a search for a load end by the last digits, which machines with
@@ -17,13 +17,13 @@ const TOLERANCE: f64 = 1e-9;
 /// Scale of a relative error, whose own rounding is that of the numbers near 1 that it compares.
 const ERROR_SCALE: f64 = 1e-3;
 
-/// Scale of what several laws are told apart by: separations in sigma, ratios, jumps of a law, all of answers near 1.
+/// Scale of differences between laws: separations in sigma, ratios and jumps of a law are of order 1.
 const LAW_SCALE: f64 = 1.0;
 
-/// The key of a summary by which a report is known to be one on times and errors (`[precision]`).
+/// The key of a summary that identifies a report of `[precision]`.
 const ON_TIMES: &str = "precision";
 
-/// What differs between the reports in `fresh` and those in `committed`, one line each; empty if
+/// Differences between the reports in `fresh` and those in `committed`, one line each; empty if
 /// nothing does.
 ///
 /// # Errors
@@ -61,7 +61,7 @@ fn compare_folders(fresh: &Path, committed: &Path, name: &str, found: &mut Vec<S
     let (new, old) = (files(fresh)?, files(committed)?);
     found.extend(new.symmetric_difference(&old).map(|file| format!("{name}/{file}: in one of them only")));
     let read_json = |path: &Path| -> io::Result<Value> { Ok(serde_json::from_slice(&fs::read(path)?)?) };
-    // Of a report on times and errors, one line may name another way as the fastest on another machine.
+    // In a report of `[precision]` the fastest method may differ between machines.
     let is_on_times = read_json(&committed.join("summary.json"))?.get(ON_TIMES).is_some();
     for file in new.intersection(&old) {
         let place = format!("{name}/{file}");
@@ -97,7 +97,7 @@ fn compare_tables(
     }
     for (line, (a, b)) in new.iter().zip(&old).enumerate().skip(1) {
         for (k, column) in header.iter().enumerate() {
-            // A difference of two answers is as exact as they are, not as itself.
+            // A difference of two results is as accurate as they are, not relative to itself.
             let scale = match column.strip_prefix("difference_") {
                 Some(quantity) => header
                     .iter()
@@ -120,13 +120,13 @@ fn compare_tables(
     Ok(())
 }
 
-/// Whether a column holds differences between laws or jumps of one.
+/// Whether a column contains differences between laws or jumps of one.
 fn is_between_laws(place: &str, column: &str) -> bool {
     (place.ends_with("boundaries.csv") && column.ends_with("_jump"))
         || (place.ends_with("influence.csv") && !column.ends_with("_pa"))
 }
 
-/// Whether a column holds errors of the size of a rounding, which machines do not share, or where they occur.
+/// Whether a column contains rounding errors, which vary between machines, or their positions.
 fn is_of_rounding(place: &str, column: &str) -> bool {
     let is_either = |tables: [&str; 2]| tables.iter().any(|table| place.ends_with(table));
     is_either(["stability.csv", "maps.csv"]) && (column.ends_with("_error") || column.starts_with("worst_"))
@@ -170,9 +170,9 @@ fn compare_values(new: &Value, old: &Value, shape_only: bool, place: &str, found
             let same = match (a.as_u64(), b.as_u64(), a.as_f64(), b.as_f64()) {
                 (Some(a), Some(b), ..) => a == b,
                 (_, _, Some(a), Some(b)) => {
-                    let is_told =
+                    let is_of_laws =
                         [", laws, influence[", ", laws, boundaries["].iter().any(|part| place.contains(part));
-                    same_number(a, b, if is_told { LAW_SCALE } else { 0.0 })
+                    same_number(a, b, if is_of_laws { LAW_SCALE } else { 0.0 })
                 }
                 _ => false,
             };
@@ -183,7 +183,7 @@ fn compare_values(new: &Value, old: &Value, shape_only: bool, place: &str, found
             }
         }
         _ if new == old => {}
-        // Another way may be the fastest, or none good enough.
+        // Another method may be the fastest, or none accurate enough.
         (
             Value::String(_) | Value::Number(_) | Value::Null,
             Value::String(_) | Value::Number(_) | Value::Null,

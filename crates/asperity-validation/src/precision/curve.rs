@@ -1,4 +1,4 @@
-//! What a curve of many separations costs within a tolerance, beside all of them exact and beside few of them exact.
+//! Cost of a curve of many separations within a tolerance, compared with all of them and with a few of them exact.
 
 use std::hint::black_box;
 
@@ -14,7 +14,7 @@ use asperity::{
 /// at every asperity, an integral has none.
 pub const EASY: [(Kind, f64); 2] = [(Kind::Statistical, 1e-8), (Kind::Deterministic, 1e-4)];
 
-/// What is asked of a curve.
+/// Settings of the curve benchmark.
 #[derive(Debug, Clone, PartialEq)]
 pub struct CurveTask {
     /// Asperities in the set that is summed.
@@ -36,8 +36,8 @@ pub struct CurvePoint {
     pub tolerance: Option<f64>,
     /// Separations.
     pub separations: usize,
-    /// Separations at which the model itself answered.
-    pub asked: usize,
+    /// Separations at which the model was evaluated.
+    pub evaluated: usize,
     /// The largest relative error of the area against the exact curve.
     pub area_error: f64,
     /// The same of the load.
@@ -120,7 +120,7 @@ fn curves(kind: Kind, model: &dyn Model, task: &CurveTask) -> Vec<CurvePoint> {
             kind,
             tolerance,
             separations: curve.responses.len(),
-            asked: curve.evaluated.len(),
+            evaluated: curve.evaluated.len(),
             area_error: error(|response| response.area_ratio.total()),
             load_error: error(|response| response.pressure.total()),
             seconds,
@@ -155,8 +155,8 @@ mod tests {
         assert_eq!(found.points.len(), 2 * 5);
         for curves in found.points.chunks(5) {
             let [few, all, within @ ..] = curves else { unreachable!() };
-            assert_eq!((few.separations, few.asked, few.error()), (20, 20, 0.0));
-            assert_eq!((all.separations, all.asked, all.error()), (400, 400, 0.0));
+            assert_eq!((few.separations, few.evaluated, few.error()), (20, 20, 0.0));
+            assert_eq!((all.separations, all.evaluated, all.error()), (400, 400, 0.0));
             let timed = [(few, 2.0), (all, 7.0)].map(|(point, seconds)| CurvePoint { seconds, ..*point });
             let timed = CurveFindings { asperities: 1, points: timed.to_vec() };
             assert_eq!(timed.times(&timed.points[1]), 3.5);
@@ -165,7 +165,7 @@ mod tests {
                 assert!(point.error() <= tolerance, "{point:?}");
                 assert!(point.separations == 400 && point.seconds > 0.0);
             }
-            assert!(within[0].asked > within[2].asked, "{within:?}");
+            assert!(within[0].evaluated > within[2].evaluated, "{within:?}");
             // What is interpolated is not exact.
             assert!(within[2].area_error > 0.0 && within[2].load_error > 0.0);
         }

@@ -14,7 +14,7 @@ use asperity::topography::summits::{Detail, Neighbours, Summits, find};
 use asperity::topography::theory::{Expected, five_point};
 use asperity::{Heights, MapError};
 
-/// Points a correlation length that stand for a fine grid: so many change the answers by 1e-4 at the most.
+/// Points per correlation length of the fine grid; more change the results by at most 1e-4.
 const FINE: f64 = 200.0;
 
 /// A statistic of summits.
@@ -42,7 +42,7 @@ impl Statistic {
     }
 }
 
-/// What is asked.
+/// The input.
 #[derive(Debug, Clone, PartialEq)]
 pub struct GridTask {
     /// Points a correlation length, ascending.
@@ -64,7 +64,7 @@ pub struct GridPoint {
     pub points: usize,
     /// Summits found, in the mean.
     pub summits: f64,
-    /// Of [`Statistic::ALL`]: what theory expects on this grid over what it expects on a fine one, less 1.
+    /// Of [`Statistic::ALL`]: expected value on this grid over that on a fine grid, minus 1.
     pub bias: [f64; 3],
     /// Of each: root mean square of what is found over what theory expects on this grid, less 1.
     pub scatter: [f64; 3],
@@ -140,7 +140,7 @@ fn found(summits: &Summits, pixel: f64) -> [f64; 3] {
 }
 
 /// Makes maps of every grid and size; `seed(per_length, lengths, realisation)` decides a map by places in the task,
-/// `done` is told the points of each.
+/// `done` is called with the points of each.
 ///
 /// # Errors
 /// See [`GridError`].
@@ -199,7 +199,7 @@ fn generator(count: usize, per_length: f64) -> Result<SurfaceGenerator, Spectrum
 }
 
 impl GridFindings {
-    /// Of a statistic: by what power of the points a length its bias falls on the finer half of the grids.
+    /// Of a statistic: exponent with which its bias decreases with the points per length, on the finer half of the grids.
     pub fn bias_slope(&self, statistic: Statistic) -> Option<f64> {
         let largest = self.points.iter().map(|point| point.lengths).fold(0.0, f64::max);
         let one_size: Vec<&GridPoint> = self.points.iter().filter(|point| point.lengths == largest).collect();
@@ -208,7 +208,7 @@ impl GridFindings {
         SlopeFit::through(bias).map(|fit| fit.slope)
     }
 
-    /// Of a statistic: by what power of the number of summits its scatter falls, over all maps.
+    /// Of a statistic: exponent with which its scatter decreases with the number of summits, over all maps.
     pub fn scatter_slope(&self, statistic: Statistic) -> Option<f64> {
         let scatter = self.points.iter().map(|point| (point.summits, point.scatter[statistic as usize]));
         SlopeFit::through(scatter).map(|fit| fit.slope)

@@ -1,7 +1,7 @@
-//! What it costs to integrate one micro-contact over the heights, by rule and order.
+//! Cost of integrating one micro-contact over the heights, by rule and order.
 //!
-//! Every rule is asked for area and load and evaluates the same contact, node by node. Only the rule of
-//! the statistical model runs as it is shipped, with all that it answers besides.
+//! Every rule gives area and load and evaluates the same contact, node by node. Only the rule of
+//! the statistical model runs as in production, with all its other results.
 
 use std::hint::black_box;
 use std::num::NonZeroUsize;
@@ -41,11 +41,11 @@ pub struct Rule {
     pub split: bool,
     /// Whether the variable is w^.5 (Laguerre: up to the last breakpoint).
     pub substituted: bool,
-    /// How much it is asked for.
+    /// Its order or tolerance.
     pub effort: Effort,
 }
 
-/// How much a rule is asked for.
+/// Order or tolerance of a rule.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Effort {
     /// Nodes or steps of each panel.
@@ -61,7 +61,7 @@ pub enum Effort {
 pub struct IntegralPoint {
     /// The rule.
     pub rule: Rule,
-    /// Contacts evaluated, in the mean of the separations; `None` where the rule does not tell.
+    /// Contacts evaluated, in the mean of the separations; `None` where the rule does not report it.
     pub evaluations: Option<f64>,
     /// The largest relative error of the area over the separations.
     pub area_error: f64,
@@ -92,7 +92,7 @@ impl IntegralFindings {
     }
 }
 
-/// The rules that are looked at: those that can integrate from the flat upwards.
+/// The rules compared: those that can integrate from the flat upwards.
 fn rules() -> Vec<Rule> {
     let of = |family, [split, substituted]: [bool; 2], orders: &[usize]| {
         let rule = move |order: &usize| Rule { family, split, substituted, effort: Effort::Order(*order) };
@@ -181,7 +181,7 @@ impl<'a> Problem<'a> {
         [start].into_iter().chain(between).chain([end])
     }
 
-    /// The answer of a rule that has nodes at `h` = d/sigma.
+    /// Result of a rule with nodes at `h` = d/sigma.
     fn answer(&self, rule: &Prepared, h: f64) -> Answer {
         let (mut sums, mut count) = ([0.0; 2], 0);
         if let Some(nodes) = &rule.heights {
@@ -241,7 +241,7 @@ impl<'a> Problem<'a> {
         /// Evaluations before it gives up.
         const MOST: usize = 100_000;
         let ends = self.ends(h, rule.split).map(|x| if rule.substituted { x.sqrt() } else { x }).collect();
-        // Both answers near 1 together: the tolerance is that of their joint length.
+        // Area and load are scaled to near 1; the tolerance applies to the norm of both.
         let unit = self.values(1.0);
         let problem = Above { problem: self, h, substituted: rule.substituted, unit };
         let config = IntegratorConfig::default()
@@ -262,7 +262,7 @@ fn add(sums: &mut [f64; 2], weights: [f64; 2], values: [f64; 2]) {
     sums[1] += weights[1] * values[1];
 }
 
-/// Area and load of what lies above the flat, as quad-rs asks for it.
+/// Area and load above the flat, as the integrand of quad-rs.
 struct Above<'a> {
     problem: &'a Problem<'a>,
     h: f64,
@@ -298,7 +298,7 @@ pub fn rules_on(
     let reference = |&separation: &f64| {
         let integral = Integral::of(population, separation)?;
         let total = exact.integral(&integral, &exact::Shape::sphere(population.radius))?;
-        Some([total.whole_area(), total.whole_load()])
+        Some([total.total_area(), total.total_load()])
     };
     let exact: Vec<[Wide; 2]> = separations.iter().map(reference).collect::<Option<_>>()?;
     let problem = Problem::new(contact, population);
@@ -312,7 +312,7 @@ pub fn rules_on(
         (_, Effort::Tolerance(tolerance)) => problem.adaptive(&rule.rule, tolerance, h),
         _ => Some(problem.answer(rule, h)),
     };
-    // Rules that answer at every separation, with what they answer.
+    // Rules with a result at every separation.
     let answered: Vec<(&Prepared, Vec<Answer>)> = rules
         .iter()
         .filter_map(|rule| Some((rule, separations.iter().map(|&h| answer(rule, h)).collect::<Option<_>>()?)))

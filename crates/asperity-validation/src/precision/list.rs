@@ -14,7 +14,7 @@ use asperity::{
     ReferencePlane, Response, SetError, npy,
 };
 
-/// What is asked of lists.
+/// Settings of the list benchmark.
 #[derive(Debug, Clone, PartialEq)]
 pub struct ListTask {
     /// Asperities in the lists, ascending.
@@ -30,11 +30,11 @@ pub struct ListPoint {
     pub asperities: usize,
     /// Separations.
     pub separations: usize,
-    /// Seconds to read the file, which the system still holds in memory.
+    /// Seconds to read the file, cached by the system.
     pub read_seconds: f64,
     /// Seconds to add up at all separations.
     pub sum_seconds: f64,
-    /// The most memory that the program had while it read and added up, bytes; `None` where the system does not say.
+    /// Peak memory while reading and summing, bytes; `None` where the system does not report it.
     pub peak_bytes: Option<u64>,
     /// So much more than just before, bytes.
     pub added_bytes: Option<u64>,
@@ -47,7 +47,7 @@ impl ListPoint {
     }
 }
 
-/// From so many asperities on, a list costs what its asperities cost: what every run costs is little beside it.
+/// From this many asperities on, fixed costs of a run are negligible.
 pub const LONG: usize = 100_000;
 
 /// What long lists cost.
@@ -89,7 +89,7 @@ pub enum Unlisted {
     Written {
         /// Asperities in the list.
         count: usize,
-        /// What the system says.
+        /// Reason given by the system.
         error: io::Error,
     },
     /// The file is not what was written.
@@ -97,8 +97,8 @@ pub enum Unlisted {
     Read(#[from] ListError),
 }
 
-/// Writes random sets of growing size as lists, reads them back and adds them up; `seed(count)` decides a set, `done` is
-/// told after each. A list is removed whether or not it could be read.
+/// Writes random sets of growing size as lists, reads them back and adds them up; `seed(count)` seeds a set, `done` is
+/// called after each. A list is removed whether or not it could be read.
 ///
 /// # Errors
 /// See [`Unlisted`].

@@ -9,8 +9,8 @@ pub struct Peak {
     pub highest: u64,
 }
 
-/// Does some work and says what memory this process had, mapped files in memory included; `None` where the system does not
-/// say. What other threads take meanwhile counts.
+/// Runs `work` and reports the memory of this process, mapped files included; `None` where the system does not
+/// report it. Memory taken by other threads meanwhile is included.
 pub fn peak_of<T>(work: impl FnOnce() -> T) -> (T, Option<Peak>) {
     let before = forget_peak();
     let value = work();
@@ -24,7 +24,7 @@ fn forget_peak() -> Option<u64> {
     status("VmRSS:")
 }
 
-/// Bytes that Linux says of this process.
+/// Bytes that Linux reports for this process.
 fn status(key: &str) -> Option<u64> {
     let status = std::fs::read_to_string("/proc/self/status").ok()?;
     let line = status.lines().find_map(|line| line.strip_prefix(key))?;

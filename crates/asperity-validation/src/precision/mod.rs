@@ -1,17 +1,17 @@
 //! Run time against error: what an integral, a sum and a random surface cost, and how exact they are for it.
 //!
 //! Times are medians of runs made in alternation (`timing`); errors are against evaluations in about 32
-//! digits that share neither the rule nor the code with what they judge
+//! digits that share neither the rule nor the code with what they check
 //! ([`exact`](crate::stability::exact), and the exact sums of [`sum`]).
 //!
 //! | module | what is measured |
 //! |---|---|
 //! | [`integral`] | rules of quadrature, by order or tolerance |
-//! | [`sum`] | ways to add up asperities, by their number, that of the separations, and threads |
+//! | [`sum`] | summation methods, by number of asperities, that of the separations, and threads |
 //! | [`curve`] | curves of many separations, by their tolerance |
 //! | [`list`] | lists of asperities read from a file, by their length |
 //! | [`sampling`] | how far a random set is from its population, by the number of asperities |
-//! | [`grid`] | how far the summits of a random map are from those of an endless one on a fine grid |
+//! | [`grid`] | error of the summits of a random map relative to an infinite one on a fine grid |
 
 pub mod curve;
 pub mod grid;
@@ -23,10 +23,10 @@ pub mod sampling;
 pub mod sum;
 mod timing;
 
-/// How exact answers should be: the levels at which a winner is named.
+/// Error levels at which the fastest method is determined.
 pub const LEVELS: [f64; 3] = [1e-4, 1e-8, 1e-12];
 
-/// What a way to an answer costs and how far it is off.
+/// Cost and error of a method.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Cost {
     /// Seconds a separation.
@@ -35,7 +35,7 @@ pub struct Cost {
     pub error: f64,
 }
 
-/// The fastest of several ways whose error is at most `level`, by its place.
+/// Index of the fastest method whose error is at most `level`.
 pub fn fastest<'a>(ways: impl IntoIterator<Item = &'a Cost>, level: f64) -> Option<usize> {
     let good = ways.into_iter().enumerate().filter(|(_, cost)| cost.error <= level);
     good.min_by(|a, b| a.1.seconds.total_cmp(&b.1.seconds)).map(|(place, _)| place)

@@ -12,7 +12,7 @@ use gauss_quad::{
 pub enum Family {
     /// Gauss-Legendre, one panel a segment.
     Legendre,
-    /// Gauss-Legendre in panels over which the density falls by at most exp(-20).
+    /// Gauss-Legendre in panels over which the density decreases by at most exp(-20).
     Panels,
     /// Gauss-Jacobi with the weight w^.5 for the load, Gauss-Legendre for the area, of the segment that
     /// begins at w = 0; Gauss-Legendre elsewhere.
@@ -34,7 +34,7 @@ pub enum Family {
     Simpson,
     /// Adaptive Gauss-Kronrod (quad-rs), by its relative tolerance.
     Kronrod,
-    /// The rule of the statistical model, with all that it answers.
+    /// The rule of the statistical model, with all its results.
     Shipped,
 }
 
@@ -136,7 +136,7 @@ pub(super) fn hermite(order: NonZeroUsize) -> Vec<Node> {
     rule.as_node_weight_pairs().iter().map(node).collect()
 }
 
-/// The nodes of a rule that only integrates: where it asks, and what it makes of an answer of 1 to each question.
+/// The nodes of a rule that only integrates: positions and weights, found by integrating unit values.
 fn as_nodes(integrate: impl Fn(&mut dyn FnMut(f64) -> f64) -> f64) -> Vec<Node> {
     let mut places = Vec::new();
     integrate(&mut |x| {
@@ -144,10 +144,10 @@ fn as_nodes(integrate: impl Fn(&mut dyn FnMut(f64) -> f64) -> f64) -> Vec<Node> 
         0.0
     });
     let weight = |k: usize| {
-        let mut asked = 0;
+        let mut calls = 0;
         integrate(&mut |_| {
-            asked += 1;
-            if asked == k + 1 { 1.0 } else { 0.0 }
+            calls += 1;
+            if calls == k + 1 { 1.0 } else { 0.0 }
         })
     };
     places.iter().enumerate().map(|(k, &at)| Node::plain(at, weight(k))).collect()
@@ -199,7 +199,7 @@ mod tests {
         assert!((integral(&hermite(order(20)), 0, |z| z * z) - 1.0).abs() < 1e-13);
     }
 
-    /// Simpson asks at ends and middles of each interval.
+    /// Simpson evaluates ends and middles of each interval.
     #[test]
     fn a_rule_that_only_integrates_is_its_nodes() {
         let nodes = as_nodes(|f| Simpson::new(NonZeroU32::new(2).unwrap()).integrate(0.0, 1.0, f));

@@ -8,7 +8,7 @@ use asperity::{
     Deterministic, Draw, MicroContact, Model, Population, ReferencePlane, Response, SetError, Statistical,
 };
 
-/// What is asked.
+/// The input.
 #[derive(Debug, Clone, PartialEq)]
 pub struct SamplingTask {
     /// Sizes of the sets, ascending.
@@ -92,7 +92,7 @@ pub fn separation(point: &LimitPoint) -> f64 {
     point.exact.statistical.separation_over_sigma
 }
 
-/// Draws and presses sets of growing size; `seed(count, draw)` decides a set, `done` is told after each.
+/// Draws and sums sets of increasing size; `seed(count, draw)` seeds a set, `done` is called after each.
 ///
 /// # Errors
 /// A population or count that makes no set.

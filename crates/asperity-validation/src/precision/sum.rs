@@ -1,7 +1,7 @@
-//! What it costs to add up asperities, by the way of adding, and how exact it is.
+//! Cost and error of summing asperities, by method.
 //!
-//! All ways add the area and the load of every asperity above the flat, asked one by one. Only the
-//! deterministic model runs as it is shipped, with all that it answers besides.
+//! All methods add area and load of every asperity above the flat, evaluated one by one. Only the
+//! deterministic model runs as in production, with all its other results.
 
 use std::hint::black_box;
 use std::ops::Range;
@@ -40,7 +40,7 @@ pub enum Adding {
     Model,
 }
 
-/// A way to add up.
+/// A summation method.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub struct Way {
     /// How terms are added.
@@ -68,7 +68,7 @@ impl Way {
         ]
     };
 
-    /// The way of the deterministic model.
+    /// The method of the deterministic model.
     pub const SHIPPED: Self = Self { adding: Adding::Model, ordered: true };
 
     /// As tables name it.
@@ -173,7 +173,7 @@ impl<'a> Problem<'a> {
         }
     }
 
-    /// Area and load at one separation: the very terms that all ways add, in about 32 digits.
+    /// Area and load at one separation: the sum of the same terms in about 32 digits.
     fn exact(&self, h: f64) -> [Wide; 2] {
         /// Zero for a chunk to begin with.
         #[derive(Clone, Copy)]
@@ -198,16 +198,16 @@ impl<'a> Problem<'a> {
     }
 }
 
-/// One way on one set.
+/// Cost of one method on one set.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct SumPoint {
     /// What is varied.
     pub sweep: Sweep,
-    /// The way.
+    /// The method.
     pub way: Way,
     /// Asperities in the set.
     pub asperities: usize,
-    /// Separations asked for at once.
+    /// Separations evaluated together.
     pub separations: usize,
     /// Threads.
     pub threads: usize,
@@ -241,7 +241,7 @@ impl Sweep {
     }
 }
 
-/// What is asked of the sums.
+/// Settings of the sum benchmark.
 #[derive(Debug, Clone, PartialEq)]
 pub struct SumTask {
     /// Sizes of the sets, ascending.
@@ -274,7 +274,7 @@ pub(super) fn spread(count: usize) -> Vec<f64> {
     }
 }
 
-/// Runs every way on random sets of a population; `seed(count)` decides a set, `done` is told after each.
+/// Runs every method on random sets of a population; `seed(count)` seeds a set, `done` is called after each.
 ///
 /// # Errors
 /// See [`SumError`].
@@ -308,7 +308,7 @@ pub fn ways_on(
     Ok(points)
 }
 
-/// Runs some ways at so many separations, on the threads of the pool that it runs in.
+/// Runs methods at this many separations, on the threads of the pool that it runs in.
 fn run(problem: &Problem, sweep: Sweep, ways: &[Way], separations: usize) -> Vec<SumPoint> {
     let separations = spread(separations);
     // Of many separations, some are checked.

@@ -2,10 +2,10 @@
 
 use std::time::Instant;
 
-/// A way to an answer, ready to run.
+/// A method, ready to run.
 pub type Candidate<'a> = Box<dyn FnMut() + 'a>;
 
-/// One measurement takes at least so long, s: a clock and a loop around a call are then nothing beside it.
+/// Shortest duration of a measurement, s, which makes the overhead of clock and loop negligible.
 const SHORTEST: f64 = 1e-3;
 
 /// What takes longer is run fewer times, and what takes longer still once, s.
@@ -18,7 +18,7 @@ const RUNS: [usize; 3] = [5, 3, 1];
 /// the machine for a while disturbs all alike.
 pub fn medians(candidates: &mut [Candidate]) -> Vec<f64> {
     let mut times = vec![Vec::new(); candidates.len()];
-    // The first call of a short one fetches code and data; the second tells how many make a measurement.
+    // The first call of a short one fetches code and data; the second determines the number of calls per measurement.
     let mut calls = Vec::new();
     for (candidate, times) in candidates.iter_mut().zip(&mut times) {
         let first = seconds(candidate, 1);
@@ -49,7 +49,7 @@ fn seconds(candidate: &mut Candidate, calls: usize) -> f64 {
     start.elapsed().as_secs_f64() / calls as f64
 }
 
-/// The middle one of an odd number of values.
+/// Median of an odd number of values.
 fn median(mut values: Vec<f64>) -> f64 {
     values.sort_unstable_by(f64::total_cmp);
     values[values.len() / 2]

@@ -5,14 +5,14 @@ use std::fmt;
 use super::laws::CoveredLaw;
 use asperity::{ContactError, Flat, Material, MicroContact, ModulusModel};
 
-/// What lies on the flat.
+/// The layer on the flat.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Layer {
     /// Of what.
     pub material: Material,
     /// m; 0 and infinity are no layer and all layer.
     pub thickness: f64,
-    /// How its modulus and that of the substrate are put together.
+    /// Effective-modulus model.
     pub rule: ModulusModel,
 }
 
@@ -25,7 +25,7 @@ pub struct Bodies {
     pub rough: Material,
     /// The flat, or what is below its layer.
     pub flat: Material,
-    /// What lies on it.
+    /// The layer on it.
     pub layer: Option<Layer>,
 }
 
@@ -33,7 +33,7 @@ impl Bodies {
     /// The micro-contact that both models add up.
     ///
     /// # Errors
-    /// Bodies that the law says nothing of.
+    /// Bodies to which the law does not apply.
     pub fn contact(&self) -> Result<Box<dyn MicroContact>, ContactError> {
         let flat = match &self.layer {
             Some(layer) => Flat::with_layer(&layer.material, &self.flat, layer.thickness, layer.rule)?,

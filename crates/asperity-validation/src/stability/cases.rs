@@ -1,4 +1,4 @@
-//! Scenes: random ones over the whole representable range, and groups that look for trouble.
+//! Cases: random ones over the whole representable range, and adversarial groups.
 
 use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
@@ -11,22 +11,22 @@ use asperity::contact_law::registry;
 use asperity::law::Property;
 use asperity::{Heights, Material, ModulusModel, Population, Shape, reduced_modulus};
 
-/// One question, with every number that goes into it.
+/// One case with all its input numbers.
 #[derive(Debug, Clone)]
 pub struct Case {
     /// Where it belongs.
     pub group: Group,
     /// Its number there.
     pub index: u64,
-    /// Who touches whom.
+    /// Names of the two bodies.
     pub bodies: Bodies,
-    /// What is asked.
-    pub asked: Asked,
+    /// The input.
+    pub input: CaseInput,
 }
 
-/// What is asked of the bodies; lengths in m.
+/// Input of a case besides the bodies; lengths in m.
 #[derive(Debug, Clone)]
-pub enum Asked {
+pub enum CaseInput {
     /// One contact of a sphere.
     Contact {
         /// Indentation.
@@ -44,16 +44,16 @@ pub enum Asked {
         ratio: f64,
     },
     /// A sum at one separation.
-    Sum(SetWords, f64),
+    Sum(SetParameters, f64),
     /// An integral at one separation.
     Integral(Population, f64),
     /// The pressure of an integral at a separation, to be reached again.
     LoadOfIntegral(Population, f64),
     /// The pressure of a sum at a separation, to be reached again.
-    LoadOfSum(SetWords, f64),
+    LoadOfSum(SetParameters, f64),
 }
 
-/// How the heights of a set lie.
+/// Layout of the heights of a set.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Layout {
     /// Gaussian, about the mean.
@@ -68,8 +68,8 @@ pub enum Layout {
 
 /// A set by a few numbers; its heights and radii are drawn from `seed`.
 #[derive(Debug, Clone, Copy)]
-pub struct SetWords {
-    /// How the heights lie.
+pub struct SetParameters {
+    /// Layout of the heights.
     pub heights: Layout,
     /// Asperities.
     pub count: usize,
@@ -77,13 +77,13 @@ pub struct SetWords {
     pub mean: f64,
     /// What separations are in, m.
     pub sigma: f64,
-    /// Radii lie from a half to the double of this, m; all equal for equal heights.
+    /// Radii are from half to twice this, m; all equal for equal heights.
     pub radius: f64,
     /// Of the set.
     pub seed: u64,
 }
 
-impl SetWords {
+impl SetParameters {
     /// Layout and radii, m, for the separation `h`.
     pub fn asperities(&self, h: f64) -> Vec<(f64, f64)> {
         let mut rng = CaseRng(ChaCha8Rng::seed_from_u64(self.seed));
@@ -96,7 +96,7 @@ impl SetWords {
                         self.mean + self.sigma * (6.0 * k as f64 / (self.count - 1).max(1) as f64 - 3.0)
                     }
                     Layout::Equal => self.mean,
-                    // The first stands well above.
+                    // The first is well above the flat.
                     Layout::Touching if k == 0 => flat + self.sigma,
                     Layout::Touching => flat + (rng.below(9) as f64 - 4.0) * f64::EPSILON * flat.abs(),
                 };
@@ -163,9 +163,9 @@ impl CaseFactory<'_> {
         rng.set_stream(index);
         let mut rng = CaseRng(rng);
         let bodies = self.bodies(&mut rng, group);
-        let asked = self.asked(&mut rng, group, &bodies);
-        let (bodies, asked) = meet(&mut rng, group, bodies, asked);
-        Case { group, index, bodies, asked }
+        let input = self.input(&mut rng, group, &bodies);
+        let (bodies, input) = meet(&mut rng, group, bodies, input);
+        Case { group, index, bodies, input }
     }
 
     fn bodies(&self, rng: &mut CaseRng, group: Group) -> Bodies {
@@ -201,7 +201,7 @@ impl CaseFactory<'_> {
         Bodies { law, rough, flat, layer }
     }
 
-    fn asked(&self, rng: &mut CaseRng, group: Group, bodies: &Bodies) -> Asked {
+    fn input(&self, rng: &mut CaseRng, group: Group, bodies: &Bodies) -> CaseInput {
         let sigma = rng.ratio(SIGMA);
         let radius = sigma * rng.ratio(self.ranges.radius_over_sigma);
         let heights = if group == Group::Exponential { Heights::EXPONENTIAL } else { Heights::GAUSSIAN };
@@ -210,7 +210,7 @@ impl CaseFactory<'_> {
         let within = |rng: &mut CaseRng, from: f64, to: f64| {
             rng.between(from.clamp(nearest, furthest), to.clamp(nearest, furthest))
         };
-        let set = |rng: &mut CaseRng, heights: Layout| SetWords {
+        let set = |rng: &mut CaseRng, heights: Layout| SetParameters {
             heights,
             count: rng.ratio(FEW).round() as usize,
             mean: 0.0,
@@ -220,10 +220,10 @@ impl CaseFactory<'_> {
         };
         match group {
             Group::Contacts | Group::LayeredContacts | Group::Boundaries | Group::LayeredBoundaries => {
-                Asked::Contact { w: self.indentation(rng, bodies, radius), radius }
+                CaseInput::Contact { w: self.indentation(rng, bodies, radius), radius }
             }
-            Group::Scales => Asked::Contact { w: radius * rng.ratio([1e-12, 1.0]), radius },
-            Group::Ellipses => Asked::Ellipse {
+            Group::Scales => CaseInput::Contact { w: radius * rng.ratio([1e-12, 1.0]), radius },
+            Group::Ellipses => CaseInput::Ellipse {
                 w: radius * rng.ratio([1e-12, 1.0]),
                 mean_curvature: radius.recip(),
                 ratio: if rng.chance(0.1) { 1.0 + rng.ratio([1e-15, 1e-3]) } else { rng.ratio([1.0, 1e12]) },
@@ -234,37 +234,40 @@ impl CaseFactory<'_> {
                 } else {
                     f64::MIN_POSITIVE * rng.ratio([1e-15, 1e15])
                 };
-                Asked::Contact { w, radius }
+                CaseInput::Contact { w, radius }
             }
             Group::Sums | Group::LayeredSums => {
-                Asked::Sum(set(rng, Layout::Gaussian), within(rng, -3.0, 3.0))
+                CaseInput::Sum(set(rng, Layout::Gaussian), within(rng, -3.0, 3.0))
             }
-            Group::OneAsperity => {
-                Asked::Sum(SetWords { count: 1, ..set(rng, Layout::Equal) }, -rng.ratio([1e-12, 20.0]))
-            }
+            Group::OneAsperity => CaseInput::Sum(
+                SetParameters { count: 1, ..set(rng, Layout::Equal) },
+                -rng.ratio([1e-12, 20.0]),
+            ),
             Group::Offset => {
                 let sign = if rng.chance(0.5) { 1.0 } else { -1.0 };
                 let mean = sign * sigma * rng.ratio([1.0, 1e6]);
-                Asked::Sum(SetWords { mean, ..set(rng, Layout::Gaussian) }, within(rng, -3.0, 2.0))
+                CaseInput::Sum(SetParameters { mean, ..set(rng, Layout::Gaussian) }, within(rng, -3.0, 2.0))
             }
-            Group::Line => Asked::Sum(set(rng, Layout::Line), within(rng, -4.0, 3.0)),
-            Group::Touching => Asked::Sum(set(rng, Layout::Touching), within(rng, -4.0, 4.0)),
-            Group::Equal => Asked::Sum(set(rng, Layout::Equal), -rng.ratio([1e-6, 20.0])),
-            Group::MillionEqual => {
-                Asked::Sum(SetWords { count: 1_000_000, ..set(rng, Layout::Equal) }, -rng.ratio([1e-3, 20.0]))
-            }
-            Group::MillionLine => {
-                Asked::Sum(SetWords { count: 1_000_000, ..set(rng, Layout::Line) }, within(rng, -4.0, 3.0))
-            }
+            Group::Line => CaseInput::Sum(set(rng, Layout::Line), within(rng, -4.0, 3.0)),
+            Group::Touching => CaseInput::Sum(set(rng, Layout::Touching), within(rng, -4.0, 4.0)),
+            Group::Equal => CaseInput::Sum(set(rng, Layout::Equal), -rng.ratio([1e-6, 20.0])),
+            Group::MillionEqual => CaseInput::Sum(
+                SetParameters { count: 1_000_000, ..set(rng, Layout::Equal) },
+                -rng.ratio([1e-3, 20.0]),
+            ),
+            Group::MillionLine => CaseInput::Sum(
+                SetParameters { count: 1_000_000, ..set(rng, Layout::Line) },
+                within(rng, -4.0, 3.0),
+            ),
             Group::Integrals | Group::LayeredIntegrals | Group::Exponential => {
-                Asked::Integral(population, within(rng, -10.0, 20.0))
+                CaseInput::Integral(population, within(rng, -10.0, 20.0))
             }
-            Group::Deep => Asked::Integral(population, within(rng, -20.0, -10.0)),
-            Group::Tail => Asked::Integral(population, within(rng, 20.0, 35.0)),
-            Group::Last => Asked::Integral(population, within(rng, 35.0, 37.0)),
-            Group::Vanishing => Asked::Integral(population, rng.between(37.0, 40.0)),
-            Group::LoadsOfIntegrals => Asked::LoadOfIntegral(population, within(rng, -8.0, 20.0)),
-            Group::LoadsOfSums => Asked::LoadOfSum(set(rng, Layout::Gaussian), within(rng, -4.0, 2.0)),
+            Group::Deep => CaseInput::Integral(population, within(rng, -20.0, -10.0)),
+            Group::Tail => CaseInput::Integral(population, within(rng, 20.0, 35.0)),
+            Group::Last => CaseInput::Integral(population, within(rng, 35.0, 37.0)),
+            Group::Vanishing => CaseInput::Integral(population, rng.between(37.0, 40.0)),
+            Group::LoadsOfIntegrals => CaseInput::LoadOfIntegral(population, within(rng, -8.0, 20.0)),
+            Group::LoadsOfSums => CaseInput::LoadOfSum(set(rng, Layout::Gaussian), within(rng, -4.0, 2.0)),
         }
     }
 
@@ -282,7 +285,7 @@ impl CaseFactory<'_> {
     }
 }
 
-/// Any law by its weight; in place of one that says nothing of layers ZMC.
+/// Any law by its weight; ZMC in place of a law without layers.
 fn law(rng: &mut CaseRng, layered: bool) -> CoveredLaw {
     let total = TWINS.iter().map(|twin| twin.weight).sum();
     let mut drawn = rng.below(total);
@@ -326,8 +329,8 @@ fn unyielding(young: f64, poisson: f64) -> Material {
 }
 
 /// Moves an indentation to within 1e-15 of a boundary, or a thickness to where the weights turn.
-fn meet(rng: &mut CaseRng, group: Group, mut bodies: Bodies, mut asked: Asked) -> (Bodies, Asked) {
-    let Asked::Contact { w, radius } = &mut asked else { return (bodies, asked) };
+fn meet(rng: &mut CaseRng, group: Group, mut bodies: Bodies, mut input: CaseInput) -> (Bodies, CaseInput) {
+    let CaseInput::Contact { w, radius } = &mut input else { return (bodies, input) };
     match group {
         Group::Boundaries | Group::LayeredBoundaries => {
             let boundaries = bodies
@@ -354,13 +357,13 @@ fn meet(rng: &mut CaseRng, group: Group, mut bodies: Bodies, mut asked: Asked) -
         }
         _ => {}
     }
-    (bodies, asked)
+    (bodies, input)
 }
 
 impl Case {
     /// Every number that goes in, so that it reads back to the same `f64`.
     pub fn inputs(&self) -> String {
-        let set = |set: &SetWords, h: f64| {
+        let set = |set: &SetParameters, h: f64| {
             format!(
                 "{} heights {:?}, mean = {:e}, sigma = {:e}, radius = {:e}, seed {}; d/sigma = {h:e}",
                 set.count, set.heights, set.mean, set.sigma, set.radius, set.seed
@@ -375,14 +378,14 @@ impl Case {
                 of.density
             )
         };
-        let asked = match &self.asked {
-            Asked::Contact { w, radius } => format!("w = {w:e}, radius = {radius:e}"),
-            Asked::Ellipse { w, mean_curvature, ratio } => {
+        let input = match &self.input {
+            CaseInput::Contact { w, radius } => format!("w = {w:e}, radius = {radius:e}"),
+            CaseInput::Ellipse { w, mean_curvature, ratio } => {
                 format!("w = {w:e}, mean curvature = {mean_curvature:e}, curvature-ratio = {ratio:e}")
             }
-            Asked::Sum(of, h) | Asked::LoadOfSum(of, h) => set(of, *h),
-            Asked::Integral(of, h) | Asked::LoadOfIntegral(of, h) => population(of, *h),
+            CaseInput::Sum(of, h) | CaseInput::LoadOfSum(of, h) => set(of, *h),
+            CaseInput::Integral(of, h) | CaseInput::LoadOfIntegral(of, h) => population(of, *h),
         };
-        format!("{}; {asked}", self.bodies)
+        format!("{}; {input}", self.bodies)
     }
 }

@@ -1,9 +1,9 @@
-//! How far an answer is off.
+//! Error of a result.
 
 use rayon::prelude::*;
 
 use super::bodies::Bodies;
-use super::cases::{Asked, Case, SetWords};
+use super::cases::{Case, CaseInput, SetParameters};
 use super::exact::{Contact, Exact};
 use super::group::Group;
 use super::quantity::Quantity;
@@ -16,15 +16,15 @@ use asperity::{
     at_pressure, law,
 };
 
-/// How far one quantity is off.
+/// Error of one quantity.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Deviation {
     /// Of what.
     pub quantity: Quantity,
-    /// From the exact answer to exactly what was asked, relative.
+    /// Relative error against the exact result for the unrounded input.
     pub error: f64,
-    /// From the exact answers to all separations within the rounding of the one that was asked, relative; the same as
-    /// `error` where what is asked goes in unrounded.
+    /// Relative error against the exact results for all separations within rounding of the input; the same as
+    /// `error` where the input is not rounded.
     pub checked: f64,
 }
 
@@ -50,11 +50,10 @@ pub enum Failure {
 pub struct CheckedCase {
     /// The case.
     pub case: Case,
-    /// How far off, or why that cannot be said.
+    /// Errors, or why they are not known.
     pub outcome: Result<Vec<Deviation>, Failure>,
 }
 
-/// Judges one case.
 pub(super) fn check(case: Case) -> CheckedCase {
     let outcome = match case.bodies.contact() {
         Err(error) => Err(Failure::Refused(error.to_string())),
@@ -64,33 +63,33 @@ pub(super) fn check(case: Case) -> CheckedCase {
 }
 
 fn of(case: &Case, contact: &dyn MicroContact) -> Result<Vec<Deviation>, Failure> {
-    match &case.asked {
-        Asked::Contact { w, radius } if case.group == Group::Denormals => {
+    match &case.input {
+        CaseInput::Contact { w, radius } if case.group == Group::Denormals => {
             of_denormal(&case.bodies, contact, *w, *radius)
         }
-        Asked::Contact { w, radius } => {
+        CaseInput::Contact { w, radius } => {
             let exact = Exact::new(&case.bodies).contacts(*w, &Shape::sphere(*radius));
             of_contact(&contact.contact(*w, law::Shape::sphere(*radius)), &exact)
         }
-        Asked::Ellipse { w, mean_curvature, ratio } => {
+        CaseInput::Ellipse { w, mean_curvature, ratio } => {
             let exact = Exact::new(&case.bodies).contacts(*w, &Shape::ellipse(*mean_curvature, *ratio));
             of_contact(&contact.contact(*w, law::Shape::ellipse(*mean_curvature, *ratio)), &exact)
         }
-        Asked::Sum(set, h) if case.group.is_large() => of_terms(contact, set, *h),
-        Asked::Sum(set, h) => of_sum(&case.bodies, contact, set, *h),
-        Asked::Integral(population, h) => of_integral(case, contact, population, *h),
-        Asked::LoadOfIntegral(population, h) => {
+        CaseInput::Sum(set, h) if case.group.is_large() => of_terms(contact, set, *h),
+        CaseInput::Sum(set, h) => of_sum(&case.bodies, contact, set, *h),
+        CaseInput::Integral(population, h) => of_integral(case, contact, population, *h),
+        CaseInput::LoadOfIntegral(population, h) => {
             let exact = Exact::new(&case.bodies);
             let shape = Shape::sphere(population.radius);
-            let pressure = |h: f64| Some(exact.integral(&Integral::of(population, h)?, &shape)?.whole_load());
+            let pressure = |h: f64| Some(exact.integral(&Integral::of(population, h)?, &shape)?.total_load());
             of_load(&Statistical::new(contact, population.clone()), *h, 0.0, &pressure)
         }
-        Asked::LoadOfSum(set, h) => {
+        CaseInput::LoadOfSum(set, h) => {
             let exact = Exact::new(&case.bodies);
             let asperities = set.asperities(*h);
             let pressure = |h: f64| {
                 let separation = Wide::new(h) * set.sigma + set.mean;
-                Some(exact.total(&asperities, separation, false).whole_load())
+                Some(exact.total(&asperities, separation, false).total_load())
             };
             with_sum(contact, set, &asperities, |model| {
                 of_load(model, *h, set.mean.abs() / set.sigma, &pressure)
@@ -127,7 +126,7 @@ fn finite(values: &[(Quantity, f64)]) -> Result<(), Failure> {
     }
 }
 
-/// m^2, N, N/m: what lies far below it counts as nothing.
+/// m^2, N, N/m: values far below it count as zero.
 const NOTHING: f64 = 1e-130;
 
 /// Lengths go in, areas and loads come out 2^600 and 2^1200 times as large: every law scales so.
@@ -181,7 +180,7 @@ fn derived(response: &Response, sigma: f64) -> Vec<(Quantity, f64)> {
 }
 
 fn exact_values(total: &Total) -> [Wide; 4] {
-    [total.whole_area(), total.whole_load(), total.stiffness, total.contacts]
+    [total.total_area(), total.total_load(), total.stiffness, total.contacts]
 }
 
 /// The parts that each regime has of area and load.
@@ -227,7 +226,7 @@ fn of_integral(
     let total = at(h).ok_or(Failure::Unsettled)?;
     let of = exact_values(&total);
     if case.group == Group::Vanishing {
-        // Absolute, over the answer where it is the last to be checked by its own size.
+        // Absolute, over the result at the last separation that is checked relatively.
         let whole = exact_values(&at(37.0).ok_or(Failure::Unsettled)?);
         let error = |value: f64, of: Wide, whole: Wide| ((of - value) / whole).abs().hi();
         let each = values.iter().zip(of.iter().zip(whole));
@@ -245,7 +244,7 @@ fn of_integral(
 /// Does something with the model of a sum on the nominal area 1 m^2.
 fn with_sum<T>(
     contact: &dyn MicroContact,
-    set: &SetWords,
+    set: &SetParameters,
     asperities: &[(f64, f64)],
     act: impl FnOnce(&dyn Model) -> Result<T, Failure>,
 ) -> Result<T, Failure> {
@@ -260,7 +259,7 @@ const ROUNDING: f64 = f64::EPSILON;
 fn of_sum(
     bodies: &Bodies,
     contact: &dyn MicroContact,
-    set: &SetWords,
+    set: &SetParameters,
     h: f64,
 ) -> Result<Vec<Deviation>, Failure> {
     let asperities = set.asperities(h);
@@ -286,18 +285,18 @@ fn of_sum(
         .collect();
     let exact_shares = totals.map(|total| shares(total.area, total.load));
     found.push(absolute(Quantity::Shares, found_shares(&response), &exact_shares));
-    // Variances over the mean square of what was asked.
+    // Variances over the mean square.
     let squares = totals[0].squares.map(|squares| if squares > Wide::ZERO { squares } else { Wide::ONE });
     let variances = totals.map(|total| {
-        let wholes = [total.whole_area(), total.whole_load()];
-        [0, 1].map(|k| (total.squares[k] - wholes[k] * wholes[k] / set.count as f64) / squares[k])
+        let totals = [total.total_area(), total.total_load()];
+        [0, 1].map(|k| (total.squares[k] - totals[k] * totals[k] / set.count as f64) / squares[k])
     });
     let sampled = [0, 1].map(|k| (Wide::new(sampling[k]) * sampling[k] / squares[k]).hi());
     found.push(absolute(Quantity::Sampling, sampled, &variances));
     Ok(found)
 }
 
-/// How far `value` lies outside of all between the `exact` ones, relative to the nearest.
+/// Distance of `value` from the interval of the `exact` ones, relative to the nearest.
 fn outside(value: f64, exact: [Wide; 3]) -> f64 {
     let wide = Wide::new(value);
     let is_between = exact.iter().any(|of| *of <= wide) && exact.iter().any(|of| *of >= wide);
@@ -306,7 +305,7 @@ fn outside(value: f64, exact: [Wide; 3]) -> f64 {
 }
 
 /// A large sum against the exact sum of the very terms that it is of.
-fn of_terms(contact: &dyn MicroContact, set: &SetWords, h: f64) -> Result<Vec<Deviation>, Failure> {
+fn of_terms(contact: &dyn MicroContact, set: &SetParameters, h: f64) -> Result<Vec<Deviation>, Failure> {
     const CHUNK: usize = 1 << 14;
     let asperities = set.asperities(h);
     let response = with_sum(contact, set, &asperities, |model| Ok(model.respond(h)))?;

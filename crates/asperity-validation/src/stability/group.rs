@@ -3,7 +3,7 @@
 use super::laws::CoveredLaw;
 use super::quantity::Quantity;
 
-/// What a case asks for.
+/// What a case evaluates.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Kind {
     /// Single contacts.
@@ -41,7 +41,7 @@ pub enum Group {
     Contacts,
     /// Anything, under a layer.
     LayeredContacts,
-    /// Within 1e-15 of where one formula gives way to another.
+    /// Within 1e-15 of a boundary between two formulas.
     Boundaries,
     /// The same under a layer.
     LayeredBoundaries,
@@ -155,20 +155,20 @@ impl Group {
         match self {
             Self::Contacts => "any law, any pair, w from 1e-15 to 10 radii",
             Self::LayeredContacts => "the same under a layer",
-            Self::Boundaries => "w within 1e-15 of where a formula gives way to another",
+            Self::Boundaries => "w within 1e-15 of a boundary between two formulas",
             Self::LayeredBoundaries => "the same under a layer, at every crossing",
-            Self::Scales => "a/t = 1 to the last bits, layers 1e15 times thinner or thicker, w beside t",
+            Self::Scales => "a/t within a few ulp of 1, layers 1e15 times thinner or thicker, w close to t",
             Self::Ellipses => "curvature ratios from 1 + 1e-15 to 1e12",
-            Self::Denormals => "w from 5e-324 to 2e-293 m; errors over the answer plus 1e-130, SI",
+            Self::Denormals => "w from 5e-324 to 2e-293 m; errors relative to the result plus 1e-130 (SI)",
             Self::Sums => "1 to 300 Gaussian heights, radii within a factor of 4",
             Self::LayeredSums => "the same under a layer",
-            Self::OneAsperity => "pressed by 1e-12 to 20 sigma",
+            Self::OneAsperity => "indentations of 1e-12 to 20 sigma",
             Self::Offset => "mean height of 1 to 1e6 sigma, either side of zero",
             Self::Line => "evenly spaced heights",
             Self::Touching => "all but one within 4 ulp of the flat",
-            Self::Equal => "1 to 300 of one height and radius",
-            Self::MillionEqual => "against the exact sum of their terms",
-            Self::MillionLine => "against the exact sum of their terms",
+            Self::Equal => "1 to 300 asperities of equal height and radius",
+            Self::MillionEqual => "compared with the exact sum of the terms",
+            Self::MillionLine => "compared with the exact sum of the terms",
             Self::Integrals => "Gaussian heights, d from -10 to 20 sigma",
             Self::LayeredIntegrals => "the same under a layer",
             Self::Exponential => "d from -10 to 20 sigma",
@@ -176,12 +176,12 @@ impl Group {
             Self::Tail => "d from 20 to 35 sigma",
             Self::Last => "d from 35 to 37 sigma",
             Self::Vanishing => "d from 37 to 40 sigma; absolute error over that at 37 sigma",
-            Self::LoadsOfIntegrals => "that of d from -8 to 20 sigma, reached again",
-            Self::LoadsOfSums => "that of d from -4 to 2 sigma, reached again",
+            Self::LoadsOfIntegrals => "search for the pressure at d from -8 to 20 sigma",
+            Self::LoadsOfSums => "search for the pressure at d from -4 to 2 sigma",
         }
     }
 
-    /// What it asks for.
+    /// What it evaluates.
     pub const fn kind(self) -> Kind {
         match self {
             Self::Contacts

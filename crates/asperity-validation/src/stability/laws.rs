@@ -106,9 +106,9 @@ pub(super) struct Twin {
     pub(super) yield_limits: fn(Wide, Option<Wide>, Option<Wide>) -> Option<YieldLimits>,
     boundaries: fn(&ContactLaw) -> Vec<Wide>,
     answer: fn(&Sphere) -> Answer,
-    /// How many roundings of its boundaries an answer may be off.
+    /// Accepted error at its boundaries, in roundings.
     pub(super) steepness: fn(&ContactLaw) -> f64,
-    /// Whether the law answers from tables, whose slopes hold fewer digits.
+    /// Whether the law uses tables, whose slopes have fewer digits.
     pub(super) has_tables: bool,
 }
 
@@ -129,7 +129,7 @@ const ZMC: Twin = Twin {
     yield_limits: by_hardness,
     boundaries: |law| zmc_boundaries(law).to_vec(),
     answer: zmc,
-    // Between w1 and c w1 the area doubles: w1 is known to rounding alone.
+    // Between w1 and c w1 the area doubles: w1 is rounded.
     steepness: |law| transition_ratio(law) / (transition_ratio(law) - 1.0),
     ..HERTZ
 };

@@ -93,7 +93,7 @@ fn separations(ranges: &Ranges, cells: usize) -> Map {
             let found = Statistical::new(&**contact, population.clone()).respond(h).pressure.total();
             let of = Integral::of(population, h);
             let of = of.and_then(|of| exact.integral(&of, &Shape::sphere(population.radius)));
-            of.map_or(f64::NAN, |of| relative_error(found, of.whole_load()))
+            of.map_or(f64::NAN, |of| relative_error(found, of.total_load()))
         },
     )
 }

@@ -1,4 +1,4 @@
-//! How far `f64` is off: thousands of cases, random ones and such as look for trouble, each checked by an evaluation of
+//! Numerical error of `f64`: thousands of random and adversarial cases, each checked by an evaluation of
 //! about 32 digits that shares nothing with the models.
 //!
 //! | file | what lives there |
@@ -8,8 +8,8 @@
 //! | `bodies` | bodies and law of a case |
 //! | `cases` | the cases themselves, each from the seed, its group and its number |
 //! | `laws` | the laws that are covered: their equations in about 32 digits, one table |
-//! | [`exact`] | the same answers in about 32 digits |
-//! | `check` | how far an answer is off |
+//! | [`exact`] | results in about 32 digits |
+//! | `check` | error of a result |
 //! | `maps` | errors over a plane |
 
 mod bodies;
@@ -23,7 +23,7 @@ mod quantity;
 pub mod wide;
 
 pub use bodies::{Bodies, Layer};
-pub use cases::{Asked, Case, Layout, SetWords};
+pub use cases::{Case, CaseInput, Layout, SetParameters};
 pub use check::{CheckedCase, Deviation, Failure};
 pub use exact::Density;
 pub use group::{Group, Kind};
@@ -65,7 +65,7 @@ impl Default for Ranges {
     }
 }
 
-/// Scenes of each group, by what they ask for.
+/// Cases of each group, by what they evaluate.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Counts {
     /// Of each group of single contacts; a quarter of it under a layer.
@@ -134,7 +134,7 @@ impl Worst {
     }
 }
 
-/// The worst of one quantity.
+/// Worst case of one quantity.
 #[derive(Debug, Clone)]
 pub struct Worst {
     /// Which.
@@ -149,7 +149,7 @@ pub struct Worst {
     pub error: f64,
 }
 
-/// Judges `count` cases of one group.
+/// Checks `count` cases of one group.
 pub fn group(group: Group, count: u64, seed: [u8; 32], ranges: &Ranges) -> GroupFindings {
     let maker = cases::CaseFactory { seed, ranges };
     let checked: Vec<CheckedCase> =

@@ -1,4 +1,4 @@
-//! The quantities of an answer whose errors are measured.
+//! The quantities whose errors are measured.
 
 /// What is measured.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]

@@ -9,7 +9,7 @@ use asperity_validation::stability::exact::{Density, Integral};
 use asperity_validation::stability::wide::{Wide, relative_error};
 use asperity_validation::stability::{Bodies, CoveredLaw, Layer};
 use asperity_validation::stability::{Counts, Ranges, group};
-use asperity_validation::stability::{Layout, SetWords};
+use asperity_validation::stability::{Layout, SetParameters};
 
 const SEED: [u8; 32] = [17; 32];
 
@@ -47,7 +47,7 @@ fn every_family_holds_its_bound() {
     assert!(broken.is_empty(), "{} beyond:\n{}", broken.len(), broken.join("\n"));
 }
 
-/// Heights far from zero: nothing but the rounding of d and z makes the answer worse, by 1 + |mean|/sigma.
+/// Heights far from zero: nothing but the rounding of d and z increases the error, by 1 + |mean|/sigma.
 #[test]
 fn the_error_of_offset_heights_grows_as_the_offset() {
     let steel = Material::new(210e9, 0.3, Some(7.6e9), None).unwrap();
@@ -58,7 +58,7 @@ fn the_error_of_offset_heights_grows_as_the_offset() {
             let ratio = sign * 10f64.powi(exponent);
             let (sigma, radius) = (1e-7, 2e-5);
             let mean = ratio * sigma;
-            let set = SetWords { heights: Layout::Gaussian, count: 1000, mean, sigma, radius, seed: 3 };
+            let set = SetParameters { heights: Layout::Gaussian, count: 1000, mean, sigma, radius, seed: 3 };
             let asperities = set.asperities(0.5);
             let (heights, radii) = asperities.iter().copied().unzip();
             let set = AsperitySet::new(heights, radii, 1.0).unwrap();
@@ -66,8 +66,8 @@ fn the_error_of_offset_heights_grows_as_the_offset() {
                 Deterministic::new(&*contact, set.spheres(), ReferencePlane { mean, sigma }).respond(0.5);
             let total = exact.total(&asperities, Wide::new(0.5) * sigma + mean, false);
             let bound = 4.0 * f64::EPSILON * (1.0 + ratio.abs());
-            assert!(relative_error(found.pressure.total(), total.whole_load()) <= bound, "{ratio}");
-            assert!(relative_error(found.area_ratio.total(), total.whole_area()) <= bound, "{ratio}");
+            assert!(relative_error(found.pressure.total(), total.total_load()) <= bound, "{ratio}");
+            assert!(relative_error(found.area_ratio.total(), total.total_area()) <= bound, "{ratio}");
         }
     }
 }
@@ -120,8 +120,8 @@ fn the_wide_integrals_are_those_of_the_vectors() {
             separation: row.number("separation_over_sigma"),
         };
         let total = Exact::new(&bodies).integral(&of, &Shape::sphere(row.number("radius"))).unwrap();
-        worst.see(total.whole_area().hi(), row.number("area_ratio"), || format!("area of row {k}"));
-        worst.see(total.whole_load().hi(), row.number("pressure"), || format!("pressure of row {k}"));
+        worst.see(total.total_area().hi(), row.number("area_ratio"), || format!("area of row {k}"));
+        worst.see(total.total_load().hi(), row.number("pressure"), || format!("pressure of row {k}"));
     };
     for (k, row) in rows("statistical").iter().enumerate() {
         let number = |key: &str| row.number(key);
@@ -139,7 +139,7 @@ fn the_wide_integrals_are_those_of_the_vectors() {
     worst.assert_within(3e-16, 100);
 }
 
-/// All laws that ship are covered; one from elsewhere is reported, not checked.
+/// All laws of the library are covered; any other is reported as not covered.
 #[test]
 fn laws_are_covered_or_reported() {
     let [covered, others] = CoveredLaw::coverage();

@@ -1,4 +1,4 @@
-//! What the thickness of a layer changes on one surface under one law.
+//! Effect of the layer thickness on one surface under one law.
 
 use asperity::Regime;
 use asperity::compare::{GapQuantity, Kind};
@@ -10,13 +10,13 @@ use crate::surface::Surface;
 /// What the thickness changes.
 #[derive(Debug)]
 pub struct LayerFindings {
-    /// The models that were asked, the statistical one first.
+    /// The models that were run, the statistical one first.
     pub models: Vec<Kind>,
     /// Loads at which thicknesses are compared, Pa, ascending.
     pub loads: Vec<f64>,
     /// How the plastic share of the load changes; `None` of one thickness, or where nothing is plastic.
     pub plastic: Option<PlasticRange>,
-    /// How the difference between the models changes; `None` of one thickness, or where no answer counts.
+    /// How the difference between the models changes; `None` of one thickness, or without a valid result.
     pub gap: Option<GapRange>,
 }
 
@@ -54,7 +54,7 @@ pub struct GapRange {
 }
 
 impl LayerFindings {
-    /// Of the `cases` and `thresholds` of one law; `None` where no layer is asked for.
+    /// Of the `cases` and `thresholds` of one law; `None` without a layer in the spec.
     pub fn of(surface: &Surface, cases: &[&CaseResults], thresholds: &[&Threshold]) -> Option<Self> {
         if cases.iter().any(|case| case.thickness.is_none()) {
             return None;
@@ -62,10 +62,10 @@ impl LayerFindings {
         let mut loads: Vec<f64> = thresholds.iter().map(|threshold| threshold.pressure).collect();
         loads.sort_unstable_by(f64::total_cmp);
         loads.dedup();
-        let is_asked = |kind: &Kind| {
+        let is_used = |kind: &Kind| {
             cases.iter().any(|case| case.comparison.curves.iter().any(|point| point.kind == *kind))
         };
-        let models = [Kind::Statistical, Kind::Deterministic].into_iter().filter(is_asked).collect();
+        let models = [Kind::Statistical, Kind::Deterministic].into_iter().filter(is_used).collect();
         let mut found = Self { models, loads, plastic: None, gap: None };
         if cases.len() > 1 {
             found.plastic = found.plastic_range(cases);
@@ -74,7 +74,7 @@ impl LayerFindings {
         Some(found)
     }
 
-    /// The model that stands for both where only one is shown: the sum, or the integral where it is alone.
+    /// The model shown where only one is: the sum, or the integral if it is the only one.
     pub fn main_model(&self) -> Kind {
         if self.models.contains(&Kind::Deterministic) { Kind::Deterministic } else { Kind::Statistical }
     }

@@ -1,4 +1,4 @@
-//! What a comparison says of a surface, as typed facts: the report only puts them into words.
+//! Findings of a comparison as typed facts; the report only phrases them.
 //!
 //! | file | what lives there |
 //! |---|---|
@@ -16,13 +16,13 @@ pub use recommendation::Recommendation;
 
 use asperity::compare::{PointCounts, Realisation, Spread, SpreadFindings, spread};
 
-use super::answers::{CaseResults, FallResults, RealisationResults, Threshold};
+use super::answers::{CaseResults, DecreaseResults, RealisationResults, Threshold};
 use crate::surface::Surface;
 
-/// What a comparison says of one surface.
+/// Findings on one surface.
 #[derive(Debug)]
 pub struct SurfaceFindings {
-    /// Case by case, as in the answers of each realisation.
+    /// One per case, in the order of the results.
     pub cases: Vec<CaseFindings>,
     /// Law by law, in file order.
     pub laws: Vec<LawFindings>,
@@ -33,9 +33,9 @@ pub struct SurfaceFindings {
 pub struct CaseFindings {
     /// Both models at the loads that all realisations have in common; empty for a single realisation.
     pub spread: Vec<Spread>,
-    /// How far the models lie apart over the realisations; `None` where no load in common counts.
+    /// Difference between the models over the realisations; `None` without a common valid load.
     pub over_realisations: Option<SpreadFindings>,
-    /// Which model to use; `None` where no answer counts.
+    /// Which model to use; `None` without a valid result.
     pub recommendation: Option<Recommendation>,
 }
 
@@ -48,17 +48,17 @@ pub struct LawFindings {
     pub counts: PointCounts,
     /// What decreases with growing indentation, area before load.
     pub decreasing: Vec<Decreasing>,
-    /// What the thickness of the layer changes; `None` where no layer is asked for.
+    /// Effect of the layer thickness; `None` without a layer in the spec.
     pub layer: Option<LayerFindings>,
 }
 
 impl SurfaceFindings {
-    /// Of the first realisation `surface`, the answers of all `realisations`, and what was found on the first.
+    /// Of the first realisation `surface`, the results of all `realisations`, and the findings on the first.
     pub fn of(
         surface: &Surface,
         realisations: &[&RealisationResults],
         thresholds: &[Threshold],
-        falls: &[FallResults],
+        decreases: &[DecreaseResults],
     ) -> Self {
         let first = realisations[0];
         let mut laws: Vec<&str> = first.cases.iter().map(|case| case.law.as_str()).collect();
@@ -69,7 +69,7 @@ impl SurfaceFindings {
                 .collect(),
             laws: laws
                 .into_iter()
-                .map(|law| LawFindings::of(surface, first, law, thresholds, falls))
+                .map(|law| LawFindings::of(surface, first, law, thresholds, decreases))
                 .collect(),
         }
     }
@@ -102,16 +102,16 @@ impl LawFindings {
         first: &RealisationResults,
         law: &str,
         thresholds: &[Threshold],
-        falls: &[FallResults],
+        decreases: &[DecreaseResults],
     ) -> Self {
         let cases: Vec<_> = first.cases.iter().filter(|case| case.law == law).collect();
         let thresholds: Vec<_> = thresholds.iter().filter(|threshold| threshold.law == law).collect();
-        let falls: Vec<_> = falls.iter().filter(|found| found.law == law).collect();
+        let decreases: Vec<_> = decreases.iter().filter(|found| found.law == law).collect();
         let counts = |case: &&CaseResults| PointCounts::of(&case.comparison, surface.set.nominal_area());
         Self {
             law: law.to_owned(),
             counts: cases.iter().map(counts).sum(),
-            decreasing: Decreasing::among(&falls),
+            decreasing: Decreasing::among(&decreases),
             layer: LayerFindings::of(surface, &cases, &thresholds),
         }
     }

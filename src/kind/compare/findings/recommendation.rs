@@ -9,9 +9,9 @@ use crate::surface::Surface;
 pub enum Recommendation {
     /// Neither: the numbers of the surface themselves are doubtful.
     Neither,
-    /// Either: the models differ by no more than chance.
+    /// Either: the difference is within sampling uncertainty.
     Either,
-    /// The deterministic sum: the models differ by more than chance.
+    /// The deterministic sum: the models differ beyond sampling uncertainty.
     Deterministic {
         /// In what the surface is not what the statistical model assumes.
         departures: Vec<Departure>,
@@ -19,7 +19,7 @@ pub enum Recommendation {
 }
 
 impl Recommendation {
-    /// For a surface on which the models differ by more than chance, or not.
+    /// `is_significant`: whether the models differ beyond sampling uncertainty on `surface`.
     pub fn new(surface: &Surface, is_significant: bool) -> Self {
         if !surface.warnings.is_empty() {
             Self::Neither

@@ -1,7 +1,7 @@
 //! Results of both models on one surface under one law: figures and tables.
 
 use asperity::compare::{Comparison, Pair, Scatter, of_each_decade};
-use asperity_framework::report::format::{count, number, quantity};
+use asperity_framework::report::format::{count, input_quantity, mean_and_deviation, number, quantity};
 use asperity_framework::report::page::Page;
 
 use super::figures::{self, at_equal_load};
@@ -54,7 +54,7 @@ pub fn answers(page: &mut Page, results: &CompareResults, found: &SurfaceResults
     }
 }
 
-/// Scatter over several realisations beside the sampling error estimated from a single sum.
+/// Scatter over several realisations, and the sampling error estimated from a single sum.
 fn realisations(page: &mut Page, found: &SurfaceResults, index: usize) {
     let spread = &found.findings.cases[index].spread;
     if spread.is_empty() {
@@ -72,13 +72,12 @@ fn realisations(page: &mut Page, found: &SurfaceResults, index: usize) {
             ""
         }
     ));
-    let with_scatter =
-        |scatter: &Scatter| format!("{} ± {}", number(scatter.mean), number(scatter.deviation));
+    let with_scatter = |scatter: &Scatter| mean_and_deviation(scatter.mean, scatter.deviation);
     page.table(
         ["p", "d/σ stat.", "d/σ det.", "estimated error", "difference", "A/A_nom stat.", "A/A_nom det."],
         of_each_decade(spread, |at| at.target, STEPS).into_iter().map(|at| {
             vec![
-                quantity(at.target, "Pa"),
+                input_quantity(at.target, "Pa"),
                 number(at.statistical_separation.mean),
                 with_scatter(&at.deterministic_separation),
                 number(at.sampling_error),
@@ -99,7 +98,7 @@ const LOAD_TABLE: [&str; 8] =
 fn load_row(pair: &Pair) -> Vec<String> {
     let (s, d) = (&pair.statistical, &pair.deterministic);
     vec![
-        quantity(pair.target, "Pa"),
+        input_quantity(pair.target, "Pa"),
         number(s.separation_over_sigma),
         number(d.separation_over_sigma),
         number(s.separation_over_sigma - d.separation_over_sigma),
@@ -125,7 +124,7 @@ fn contact_row(pair: &Pair, area: f64) -> Vec<String> {
     let contact_pressure =
         |pressure: Option<f64>| pressure.map_or_else(|| "-".to_owned(), |p| quantity(p, "Pa"));
     vec![
-        quantity(pair.target, "Pa"),
+        input_quantity(pair.target, "Pa"),
         number(s.contact_density * area),
         count((d.contact_density * area).round() as usize),
         contact_pressure(s.mean_real_pressure()),

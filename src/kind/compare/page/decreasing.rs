@@ -2,11 +2,11 @@
 
 use asperity::sphere::DecreasingQuantity;
 use asperity_framework::contact::LayerMetadata;
-use asperity_framework::report::format::{listed, percent, quantity, thickness};
+use asperity_framework::report::format::{input_quantity, listed, percent, quantity, thickness};
 use asperity_framework::report::page::{Page, escape};
 
 use super::names::{subject, under};
-use crate::kind::compare::answers::FallResults;
+use crate::kind::compare::answers::DecreaseResults;
 use crate::kind::compare::findings::Decreasing;
 use crate::kind::compare::results::CompareResults;
 
@@ -26,11 +26,17 @@ pub fn bullets(page: &mut Page, results: &CompareResults) {
 }
 
 fn line(subject: &str, found: &Decreasing, layer: Option<&LayerMetadata>) -> String {
-    let FallResults { radius, fall, thickness: under_it, .. } = &found.worst;
+    let DecreaseResults { radius, decrease, thickness: under_it, .. } = &found.worst;
     let names: Vec<String> = found.thicknesses.iter().copied().map(thickness).collect();
     let (with, place) = match (layer, *under_it) {
         (Some(layer), Some(t)) => {
-            (format!(", with {} of {}", escape(&layer.name), listed(&names)), format!(" {}", under(layer, t)))
+            let is_finite = found.thicknesses.iter().all(|t| *t > 0.0 && t.is_finite());
+            let places = if is_finite {
+                format!("with {} of {}", escape(&layer.name), listed(&names))
+            } else {
+                listed(&found.thicknesses.iter().map(|&t| under(layer, t)).collect::<Vec<_>>())
+            };
+            (format!(", {places}"), format!(" {}", under(layer, t)))
         }
         _ => (String::new(), String::new()),
     };
@@ -40,8 +46,8 @@ fn line(subject: &str, found: &Decreasing, layer: Option<&LayerMetadata>) -> Str
             " The same pressure is then reached at several separations; the first on approach is reported."
         }
     };
-    let [from, to] = [fall.from.indentation, fall.to.indentation];
-    let stretch = if fall.is_jump() {
+    let [from, to] = [decrease.from.indentation, decrease.to.indentation];
+    let stretch = if decrease.is_jump() {
         format!("abruptly at w = {}", quantity(from, "m"))
     } else {
         format!("between w = {} and {}", quantity(from, "m"), quantity(to, "m"))
@@ -52,7 +58,7 @@ fn line(subject: &str, found: &Decreasing, layer: Option<&LayerMetadata>) -> Str
          experiment).{consequence}",
         escape(subject),
         found.of.name(),
-        quantity(*radius, "m"),
-        percent(fall.loss()),
+        input_quantity(*radius, "m"),
+        percent(decrease.loss()),
     )
 }

@@ -46,7 +46,7 @@ pub fn at_equal_load(comparison: &Comparison) -> Vec<&Pair> {
 }
 
 /// d/sigma against load (Pasaribu and Schipper 2005, Fig. 4), the difference at equal load below; the deterministic
-/// answers of other realisations are thin dots.
+/// results of other realisations are thin dots.
 pub fn separation(comparison: &Comparison, others: &[&Comparison], modulus: f64, sigma: f64) -> String {
     const OTHERS: &str = "other realisations";
     let axis = || load_axis(comparison, modulus);

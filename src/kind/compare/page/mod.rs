@@ -2,7 +2,7 @@
 //!
 //! | module | what it writes |
 //! |---|---|
-//! | `in_short` | summary: difference between the models, recommendation |
+//! | `summary` | summary: difference between the models, recommendation |
 //! | `decreasing` | area or load that decreases with increasing indentation |
 //! | `layer` | results by layer thickness |
 //! | `surface` | the surface, and the inputs of the statistical model |
@@ -14,14 +14,14 @@
 mod answers;
 mod decreasing;
 pub mod figures;
-mod in_short;
 mod layer;
 mod limits;
 mod names;
+mod summary;
 mod surface;
 
-pub use in_short::CONDITION;
 pub use limits::{assumptions, limits_of};
+pub use summary::CONDITION;
 pub use surface::surface;
 
 use crate::kind::compare::results::CompareResults;
@@ -40,11 +40,11 @@ pub fn page(results: &CompareResults) -> Page {
     let in_full = layered.iter().all(|series| !series.has_several());
     page.heading(2, "Summary");
     for series in &layered {
-        page.bullets(series.in_short());
+        page.bullets(series.summary_lines());
     }
     for found in results.surfaces.iter().filter(|_| in_full) {
         for index in 0..found.first.cases.len() {
-            page.bullets(in_short::in_short(results, found, index));
+            page.bullets(summary::summary_lines(results, found, index));
         }
     }
     decreasing::bullets(&mut page, results);

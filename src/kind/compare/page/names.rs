@@ -1,7 +1,7 @@
 //! Names of surfaces, laws and thicknesses on a page.
 
 use asperity_framework::contact::LayerMetadata;
-use asperity_framework::report::format::quantity;
+use asperity_framework::report::format::input_quantity;
 use asperity_framework::report::page::escape;
 
 use crate::kind::compare::results::{CompareResults, SurfaceResults};
@@ -30,6 +30,6 @@ pub fn under(layer: &LayerMetadata, t: f64) -> String {
     match t {
         0.0 => "on the uncoated flat".to_owned(),
         f64::INFINITY => format!("on bulk {name}"),
-        t => format!("under {} of {name}", quantity(t, "m")),
+        t => format!("under {} of {name}", input_quantity(t, "m")),
     }
 }

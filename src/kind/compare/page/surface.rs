@@ -1,6 +1,6 @@
 //! The section on a surface.
 
-use asperity_framework::report::format::{count, number, quantity};
+use asperity_framework::report::format::{count, input_number, input_quantity, number, quantity};
 use asperity_framework::report::page::Page;
 
 use crate::kind::compare::results::SurfaceResults;
@@ -13,7 +13,7 @@ pub fn surface(page: &mut Page, found: &SurfaceResults) {
     page.heading(2, &format!("Surface {}", surface.name));
     if !found.others.is_empty() {
         page.paragraph(&format!(
-            "First of {} realisations; all are in `summary.json` and the tables.",
+            "Shown: the first of {} realisations; all are in `summary.json` and the tables.",
             found.count()
         ));
     }
@@ -27,9 +27,9 @@ pub fn surface(page: &mut Page, found: &SurfaceResults) {
     page.paragraph(&format!(
         "Inputs of the statistical model: {} heights with σ = {}, radius {}, density η = {} /m².",
         population.heights.label(),
-        quantity(population.sigma, "m"),
-        quantity(population.radius, "m"),
-        number(population.density),
+        input_quantity(population.sigma, "m"),
+        input_quantity(population.radius, "m"),
+        input_number(population.density),
     ));
     if let Some(mean) = &surface.ellipticity {
         let spheres = surface.map.as_ref().filter(|map| map.saddles > 0).map(|map| {

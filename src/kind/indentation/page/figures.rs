@@ -33,7 +33,7 @@ fn style(shown: Shown) -> Dash {
     }
 }
 
-/// The curves of one law, each as (w, P, A): `turn` says where a point stands.
+/// The curves of one law, each as (w, P, A): `turn` gives the coordinates of a point.
 fn lines(
     plot: Plot,
     found: &LayerResults,

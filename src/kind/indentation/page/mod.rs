@@ -7,7 +7,7 @@ use super::run::{IndentationResults, LawCurves, LayerResults, OverlayFit};
 use crate::kind::indentation::shown::Shown;
 use asperity::layer::exact_sphere::LARGEST_RATIO;
 use asperity::sphere::{Curve, Decrease, DecreasingQuantity, LARGEST_SLOPE, RegimeChange};
-use asperity_framework::report::format::{count, number, quantity};
+use asperity_framework::report::format::{count, input_quantity, number, quantity, ratio};
 use asperity_framework::report::page::{Page, escape};
 use asperity_framework::report::sections;
 
@@ -17,7 +17,7 @@ fn subject(results: &IndentationResults, found: &LayerResults) -> String {
     let others: Vec<&LayerResults> = results.layers.iter().filter(same).collect();
     let mut subject = found.name.clone();
     if others.iter().any(|other| other.thickness != found.thickness) {
-        subject.push_str(&format!(" {}", quantity(found.thickness, "m")));
+        subject.push_str(&format!(" {}", input_quantity(found.thickness, "m")));
     }
     if others.iter().any(|other| other.rule != found.rule) {
         subject.push_str(&format!(" by {}", found.rule.name()));
@@ -25,7 +25,6 @@ fn subject(results: &IndentationResults, found: &LayerResults) -> String {
     subject
 }
 
-/// The page.
 pub fn page(results: &IndentationResults) -> Page {
     let mut page = Page::new(&results.metadata.title);
     sections::notes(&mut page, &results.metadata);
@@ -34,7 +33,7 @@ pub fn page(results: &IndentationResults) -> Page {
     }
     page.heading(2, "Summary");
     for found in &results.layers {
-        page.bullets(found.laws.iter().map(|law| in_short(results, found, law)));
+        page.bullets(found.laws.iter().map(|law| summary_lines(results, found, law)));
         page.bullets([format!("**{}**: {}", escape(&subject(results, found)), rule::sentence(found))]);
     }
     what_was_run(&mut page, results);
@@ -42,7 +41,7 @@ pub fn page(results: &IndentationResults) -> Page {
         rule::all(&mut page, results);
     }
     for (k, found) in results.layers.iter().enumerate() {
-        page.heading(2, &format!("{}, {}", found.name, quantity(found.thickness, "m")));
+        page.heading(2, &format!("{}, {}", found.name, input_quantity(found.thickness, "m")));
         let name = |law: &str, what: &str| {
             let label = format!("{}-{}{law}-{what}", k + 1, found.name);
             let plain = |c: char| if c.is_alphanumeric() || c == '-' || c == '_' { c } else { '-' };
@@ -59,7 +58,7 @@ pub fn page(results: &IndentationResults) -> Page {
 }
 
 /// Regimes up to the largest indentation, and the loads there.
-fn in_short(results: &IndentationResults, found: &LayerResults, law: &LawCurves) -> String {
+fn summary_lines(results: &IndentationResults, found: &LayerResults, law: &LawCurves) -> String {
     let last = |curve: &Curve| curve.points.last().map_or(f64::NAN, |point| point.contact.load);
     let regimes: Vec<&str> = law.coated.sequence().into_iter().map(|regime| regime.name()).collect();
     let change = |change: &RegimeChange| {
@@ -76,27 +75,27 @@ fn in_short(results: &IndentationResults, found: &LayerResults, law: &LawCurves)
         "**{}, law {}**: {changes}. At w = {} the load is {} (uncoated {}, bulk layer material {}).{}",
         escape(&subject(results, found)),
         escape(&law.law),
-        quantity(end, "m"),
+        input_quantity(end, "m"),
         quantity(last(&law.coated), "N"),
         quantity(last(&law.uncoated), "N"),
         quantity(last(&law.all_layer), "N"),
-        law.coated.decreases.iter().map(fall).collect::<String>(),
+        law.coated.decreases.iter().map(decrease).collect::<String>(),
     )
 }
 
-fn fall(fall: &Decrease) -> String {
-    let unit = match fall.of {
+fn decrease(decrease: &Decrease) -> String {
+    let unit = match decrease.of {
         DecreasingQuantity::Area => "m²",
         DecreasingQuantity::Load => "N",
     };
-    let value = |contact| quantity(fall.of.of(contact), unit);
+    let value = |contact| quantity(decrease.of.of(contact), unit);
     format!(
         " The {} decreases with increasing indentation from w = {} to {}: from {} to {}.",
-        fall.of.name(),
-        quantity(fall.from.indentation, "m"),
-        quantity(fall.to.indentation, "m"),
-        value(&fall.from.contact),
-        value(&fall.to.contact),
+        decrease.of.name(),
+        quantity(decrease.from.indentation, "m"),
+        quantity(decrease.to.indentation, "m"),
+        value(&decrease.from.contact),
+        value(&decrease.to.contact),
     )
 }
 
@@ -111,9 +110,9 @@ fn what_was_run(page: &mut Page, results: &IndentationResults) {
     sections::materials(page, &results.materials, role);
     let thickness = |found: &LayerResults| {
         format!(
-            "{} {} (effective-modulus model {})",
+            "{}, {} (effective-modulus model {})",
             escape(&found.name),
-            quantity(found.thickness, "m"),
+            input_quantity(found.thickness, "m"),
             found.rule.name()
         )
     };
@@ -121,13 +120,13 @@ fn what_was_run(page: &mut Page, results: &IndentationResults) {
     let [from, to] =
         [results.indentations.first(), results.indentations.last()].map(|w| w.copied().unwrap_or(f64::NAN));
     page.paragraph(&format!(
-        "A ball of radius {} on a flat of {} under {}; {} indentations from {} to {}. {}",
-        quantity(results.radius, "m"),
+        "Ball of radius {} on a flat of {}; layers: {}; {} indentations from {} to {}. {}",
+        input_quantity(results.radius, "m"),
         escape(&results.flat),
-        layers.join(", "),
+        layers.join("; "),
         count(results.indentations.len()),
-        quantity(from, "m"),
-        quantity(to, "m"),
+        input_quantity(from, "m"),
+        input_quantity(to, "m"),
         sections::provenance(&results.metadata),
     ));
 }
@@ -189,10 +188,10 @@ fn overlay(page: &mut Page, file: &str, points: &[(f64, f64)], law: &LawCurves) 
         ["indentation", "measured load", "coated load", "measured / coated"],
         pairs.map(|(w, measured, coated)| {
             vec![
-                quantity(w, "m"),
+                input_quantity(w, "m"),
                 quantity(measured, "N"),
                 quantity(coated, "N"),
-                format!("{:.3}", measured / coated),
+                ratio(measured / coated),
             ]
         }),
     );

@@ -4,7 +4,7 @@ use super::{figures, subject};
 use crate::kind::indentation::run::{IndentationResults, LayerResults};
 use asperity::ModulusModel;
 use asperity::compare::{GOOD_RATIO, ModulusError};
-use asperity_framework::report::format::number;
+use asperity_framework::report::format::{number, ratio};
 use asperity_framework::report::page::Page;
 
 /// Modulus ratio, and the largest error of each effective-modulus model.
@@ -59,9 +59,9 @@ pub fn section(page: &mut Page, found: &LayerResults, figure: &str) {
             vec![
                 number(gao.contact_ratio),
                 number(gao.indentation_ratio),
-                format!("{:.3}", gao.ratio),
-                format!("{:.3}", series.ratio),
-                format!("{:.3}", gao.indentation_ratio / gao.contact_ratio.powi(2)),
+                ratio(gao.ratio),
+                ratio(series.ratio),
+                ratio(gao.indentation_ratio / gao.contact_ratio.powi(2)),
             ]
         }),
     );
@@ -77,7 +77,7 @@ pub fn all(page: &mut Page, results: &IndentationResults) {
          the exact contact radius over the layer thickness. One panel per model, one line per layer.",
     );
     let cells = |worst: &Option<ModulusError>| match worst {
-        Some(worst) => [format!("{:.3}", worst.ratio), number(worst.contact_ratio)],
+        Some(worst) => [ratio(worst.ratio), number(worst.contact_ratio)],
         None => [String::new(), String::new()],
     };
     let rows = results.layers.iter().map(|found| {

@@ -20,12 +20,12 @@ fn colour(law: usize) -> Colour {
     Colour::Series(law.checked_sub(1).map_or(BLACK, |other| OTHERS[other % OTHERS.len()]))
 }
 
-/// Laws of one regime are limits of the others.
+/// Laws of a single regime are dashed: they are limiting cases.
 fn dash(law: &LawOnOne) -> Dash {
     if law.is_elastic_plastic { Dash::Solid } else { Dash::Dashed }
 }
 
-/// What a panel of the one asperity shows of a contact at an indentation (m).
+/// What a panel of the single asperity shows of a contact at an indentation (m).
 type Shown<'a> = &'a dyn Fn(f64, &Contact) -> f64;
 
 /// All laws against w/wc, their boundaries marked on the curves.
@@ -87,7 +87,7 @@ pub fn curves(results: &LawsResults) -> String {
     Figure::row("Load and area of a single asperity, all laws", panels).svg()
 }
 
-/// Differences between the laws: mean pressure over hardness, area over the elastic one.
+/// Differences between the laws: mean pressure over hardness, area over the elastic area.
 pub fn differences(results: &LawsResults, hardness: f64) -> String {
     /// Only a fit out of its range exceeds twice the elastic area, only Hertz the hardness.
     const HIGHEST: [f64; 2] = [1.3, 3.0];
@@ -96,7 +96,7 @@ pub fn differences(results: &LawsResults, hardness: f64) -> String {
         Plot::new(title, indentation_axis(), Axis::linear(label).range(0.0, highest)).height(420.0)
     };
     let pressure = plot("mean pressure", "mean pressure P/(A H)", HIGHEST[0]).legend(Legend::Below);
-    let area = plot("area over the elastic one", "area A/(π R w)", HIGHEST[1]).legend(Legend::Hidden);
+    let area = plot("area over elastic area", "area A/(π R w)", HIGHEST[1]).legend(Legend::Hidden);
     let panels = vec![
         panel(results, pressure, &|_, contact| contact.load / contact.area / hardness),
         panel(results, area, &|w, contact| contact.area / (PI * radius * w)),
@@ -104,7 +104,7 @@ pub fn differences(results: &LawsResults, hardness: f64) -> String {
     Figure::row("Mean contact pressure and area of a single asperity, all laws", panels).svg()
 }
 
-/// Load over that of Hertz and area over the elastic one where laws jump.
+/// Load over that of Hertz and area over the elastic area where laws jump.
 pub fn jumps(results: &LawsResults) -> Option<String> {
     /// Margin at both ends, as a ratio.
     const ROOM: f64 = 1.6;
@@ -116,8 +116,8 @@ pub fn jumps(results: &LawsResults) -> Option<String> {
     let (critical, radius) = (results.critical, results.radius);
     let elastic = move |w: f64| critical.load * (w / unit).powf(1.5);
     let plot = |title: &str, y: Axis| Plot::new(title, indentation_axis().range(from, to), y).height(420.0);
-    let load = plot("load over the elastic one", Axis::linear("load over Hertz's").range(0.0, 1.7));
-    let area = plot("area over the elastic one", Axis::linear("area A/(π R w)").range(0.8, 2.4));
+    let load = plot("load over elastic load", Axis::linear("load over Hertz load").range(0.0, 1.7));
+    let area = plot("area over elastic area", Axis::linear("area A/(π R w)").range(0.8, 2.4));
     let panels = vec![
         panel(results, load.legend(Legend::Below), &|w, contact| contact.load / elastic(w)),
         panel(results, area.legend(Legend::Hidden), &|w, contact| contact.area / (PI * radius * w)),
@@ -125,12 +125,12 @@ pub fn jumps(results: &LawsResults) -> Option<String> {
     Some(Figure::row("Jumps of the laws", panels).svg())
 }
 
-/// On one surface at equal load: each law's sum beside that of the first law, and integral beside sum under the first.
+/// On one surface at equal load: each law's sum relative to that of the first law, and integral relative to sum under the first.
 pub fn law_or_model(results: &LawsResults, influence: &Influence) -> String {
     let first = &influence.laws[0];
     let label = |measure| match measure {
-        Measure::Separation => format!("d/σ minus that of the sum under {first}"),
-        Measure::Area => format!("real area over that of the sum under {first}"),
+        Measure::Separation => format!("d/σ − d/σ of the sum under {first}"),
+        Measure::Area => format!("real area / area of the sum under {first}"),
     };
     let plot = |measure, title: &str, legend| {
         let y = Axis::linear(label(measure));
@@ -156,7 +156,7 @@ fn shown(measure: Measure, difference: f64) -> f64 {
     }
 }
 
-/// What the laws that go beyond elastic contact, and the models, need over the loads that count: limits may lie far off.
+/// Axis range for the elastic-plastic laws and the models at valid loads; limiting cases may lie outside.
 fn range(results: &LawsResults, influence: &Influence, measure: Measure) -> Option<[f64; 2]> {
     /// Above and below, of the range.
     const ROOM: f64 = 0.15;
@@ -199,10 +199,10 @@ fn beside(results: &LawsResults, influence: &Influence, measure: Measure, plot: 
     if let (Some(&lowest), Some(&highest)) = (counting.first(), counting.last()) {
         let loads = || influence.loads.iter().map(|at| at.pressure / MEGA);
         if loads().any(|load| load < lowest) {
-            plot = plot.with(Layer::region_x(0.0, lowest, "few"));
+            plot = plot.with(Layer::region_x(0.0, lowest, "< 30 contacts"));
         }
         if loads().any(|load| load > highest) {
-            plot = plot.with(Layer::region_x(highest, f64::INFINITY, "interact"));
+            plot = plot.with(Layer::region_x(highest, f64::INFINITY, "asperities interact"));
         }
     }
     let name = format!("{}, integral", influence.laws[0]);

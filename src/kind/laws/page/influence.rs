@@ -1,11 +1,11 @@
 //! Contact law and summation method on one surface: figure and tables.
 
 use super::figures;
-use super::words::{short, signed};
+use super::measures::signed;
 use crate::kind::compare::results::SurfaceResults;
 use crate::kind::laws::results::{LawOnOne, LawsResults, SurfaceInfluence};
 use asperity::compare::{AtLoad, Effect, Group, Influence, Kind, Measure, of_each_decade};
-use asperity_framework::report::format::{listed, percent, quantity};
+use asperity_framework::report::format::{input_quantity, listed, number, percent, quantity};
 use asperity_framework::report::page::{Page, escape};
 
 /// The figure and the tables of one surface.
@@ -36,7 +36,7 @@ pub fn section(page: &mut Page, results: &LawsResults, found: &SurfaceResults) {
             "Under an elliptic law the statistical model uses the mean curvature (radius {}), under the others the radius \
              {}; part of the effect of the law is due to this.",
             quantity(mean.mean_curvature.recip(), "m"),
-            quantity(found.first.population.radius, "m"),
+            input_quantity(found.first.population.radius, "m"),
         ));
     }
 }
@@ -50,7 +50,7 @@ fn outside(results: &LawsResults, influence: &Influence) -> String {
             Measure::Area => "area",
         };
         let names: Vec<String> =
-            all.map(|(law, [low, high])| format!("{law} ({} to {})", short(low), short(high))).collect();
+            all.map(|(law, [low, high])| format!("{law} ({} to {})", number(low), number(high))).collect();
         (!names.is_empty()).then(|| format!(" Outside the axes of the {what}: {}.", listed(&names)))
     };
     Measure::ALL.into_iter().filter_map(of).collect()
@@ -63,13 +63,12 @@ fn load_by_load(page: &mut Page, influence: &Influence, measure: Measure) {
         Measure::Separation => format!(
             "**d/σ at equal load**: range over the laws (largest minus smallest) in each model, for all laws and for the \
              elastic-plastic laws; integral minus sum under {first} and under the elastic-plastic law where it is largest; \
-             standard error of the sum under {first}. Last: range of the elastic-plastic laws in the sum over the \
-             difference between the models under {first}. Loads marked (few) or (interact) are outside the range of \
-             validity."
+             standard error of the sum under {first}. Last column: range of the elastic-plastic laws in the sum over the \
+             difference between the models under {first}. Loads with a remark are outside the range of validity."
         ),
         Measure::Area => "**Real area at equal load**, the same as ratios: largest over smallest; integral over sum; \
         standard error in percent. The mean contact pressure, the nominal pressure over A/A_nom, has the inverse ratios. \
-        Last: ratio of the logarithms."
+        Last column: ratio of the logarithms."
             .to_owned(),
     });
     let header = [
@@ -78,8 +77,8 @@ fn load_by_load(page: &mut Page, influence: &Influence, measure: Measure) {
         "all laws, sum",
         "elastic-plastic, integral",
         "elastic-plastic, sum",
-        "models, first law",
-        "models, largest",
+        "model difference, reference law",
+        "model difference, largest",
         "s.e. of the sum",
         "law / summation",
     ];
@@ -95,11 +94,11 @@ fn load_row(at: &AtLoad, measure: Measure) -> Vec<String> {
     };
     let most = at.largest_gap(measure, Group::ElasticPlastic);
     let error = at.sampling_error(measure, 0).map_or_else(dash, |error| match measure {
-        Measure::Separation => short(error),
+        Measure::Separation => number(error),
         Measure::Area => percent(error),
     });
     vec![
-        format!("{}{}", quantity(at.pressure, "Pa"), remark(at)),
+        format!("{}{}", input_quantity(at.pressure, "Pa"), remark(at)),
         spread(Group::All, Kind::Statistical),
         spread(Group::All, Kind::Deterministic),
         spread(Group::ElasticPlastic, Kind::Statistical),
@@ -108,7 +107,7 @@ fn load_row(at: &AtLoad, measure: Measure) -> Vec<String> {
         most.map_or_else(dash, |(_, gap)| signed(measure, gap)),
         error,
         // Over a difference that may be zero, a ratio is meaningless.
-        at.law_over_summation(measure).map_or_else(dash, short),
+        at.law_over_summation(measure).map_or_else(dash, number),
     ]
 }
 
@@ -117,9 +116,9 @@ fn remark(at: &AtLoad) -> &'static str {
     if at.counts {
         ""
     } else if at.has_few_contacts() {
-        " (few)"
+        " (< 30 contacts)"
     } else {
-        " (interact)"
+        " (asperities interact)"
     }
 }
 
@@ -135,8 +134,9 @@ fn law_by_law(page: &mut Page, results: &LawsResults, influence: &Influence, mea
         escape(&influence.laws[0])
     ));
     let shown = |weight: Option<Effect>| {
-        let text =
-            |weight: Effect| format!("{} at {}", signed(measure, weight.largest), quantity(weight.at, "Pa"));
+        let text = |weight: Effect| {
+            format!("{} at {}", signed(measure, weight.largest), input_quantity(weight.at, "Pa"))
+        };
         weight.map_or_else(|| "-".to_owned(), text)
     };
     let row = |(index, law): (usize, &LawOnOne)| {
@@ -153,15 +153,15 @@ fn law_by_law(page: &mut Page, results: &LawsResults, influence: &Influence, mea
             choice(Kind::Statistical),
             choice(Kind::Deterministic),
             shown(influence.of_summation(measure, index)),
-            errors.map_or_else(|| "-".to_owned(), |errors| format!("{:.1}", errors.largest.abs())),
+            errors.map_or_else(|| "-".to_owned(), |errors| number(errors.largest.abs())),
         ]
     };
     page.table(
         [
             "law",
-            "integral, from reference",
-            "sum, from reference",
-            "integral from sum",
+            "integral, relative to reference",
+            "sum, relative to reference",
+            "integral, relative to sum",
             "largest in standard errors",
         ],
         results.laws.iter().enumerate().map(row),

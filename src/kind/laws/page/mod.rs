@@ -2,9 +2,9 @@
 //! matters more on surfaces.
 
 mod figures;
-mod in_short;
 mod influence;
-mod words;
+mod measures;
+mod summary;
 
 use crate::kind::compare::page as compare;
 use crate::kind::laws::results::{LawOnOne, LawsResults};
@@ -12,12 +12,10 @@ use asperity::ContactLaw;
 use asperity::compare::PointCounts;
 use asperity::contact_law::registry;
 use asperity::sphere::{Boundary, LARGEST_SLOPE};
-use asperity_framework::report::format::listed;
-use asperity_framework::report::format::{number, percent, quantity};
+use asperity_framework::report::format::{input_number, input_quantity, listed, number, percent, quantity};
 use asperity_framework::report::page::{Page, escape};
 use asperity_framework::report::sections;
 
-/// The page.
 pub fn page(results: &LawsResults) -> Page {
     let compared = &results.compare;
     let mut page = Page::new(&compared.metadata.title);
@@ -26,14 +24,14 @@ pub fn page(results: &LawsResults) -> Page {
         page.warning(&escape(&warning));
     }
     page.heading(2, "Summary");
-    let verdict = in_short::verdict(results);
+    let verdict = summary::verdict(results);
     if !verdict.is_empty() {
         page.bullets(verdict);
     }
     for found in &compared.surfaces {
-        page.bullets(in_short::in_short(results, &found.surface.name));
+        page.bullets(summary::summary_lines(results, &found.surface.name));
     }
-    page.bullets(on_one_in_short(results));
+    page.bullets(single_asperity_lines(results));
     page.paragraph(compare::CONDITION);
     sections::what_was_run(&mut page, &compared.metadata, &compared.contact);
     laws(&mut page, results);
@@ -48,7 +46,7 @@ pub fn page(results: &LawsResults) -> Page {
 }
 
 /// Jumps of the laws, and the limit of small strains.
-fn on_one_in_short(results: &LawsResults) -> Vec<String> {
+fn single_asperity_lines(results: &LawsResults) -> Vec<String> {
     let unit = results.critical.indentation;
     let jumps = |law: &LawOnOne, of: fn(&Boundary) -> f64| {
         let at = |at: &Boundary| format!("{} at {}", signed_percent(of(at)), number(at.indentation / unit));
@@ -103,7 +101,7 @@ fn one_asperity(page: &mut Page, results: &LawsResults) {
     let ellipse = if results.curvature_ratio > 1.0 {
         format!(
             " Elliptic laws use the same mean curvature and a ratio of principal curvatures of {}.",
-            number(results.curvature_ratio)
+            input_number(results.curvature_ratio)
         )
     } else {
         String::new()
@@ -111,7 +109,7 @@ fn one_asperity(page: &mut Page, results: &LawsResults) {
     page.paragraph(&format!(
         "Radius R = {}. Indentations are normalised by the onset of yield of a sphere after Zhao, Maietta and Chang: wc = (0.3 π)² R (H/E*)² = {}; Pc = {} and Ac = {} are Hertz's load and area there. Laws \
          with another onset of yield start to yield at another w/wc.{ellipse}",
-        quantity(results.radius, "m"),
+        input_quantity(results.radius, "m"),
         quantity(critical.indentation, "m"),
         quantity(critical.load, "N"),
         quantity(critical.area, "m²"),
@@ -176,7 +174,6 @@ fn signed_percent(jump: f64) -> String {
     format!("{sign}{}", percent(jump))
 }
 
-/// Limits of validity.
 fn limits(page: &mut Page, results: &LawsResults) {
     page.heading(2, "Limits of validity");
     let mut lines = Vec::new();

@@ -27,7 +27,7 @@ impl Manifest {
         Self { program: PROGRAM.into(), key: key.into(), files }
     }
 
-    /// The manifest of a folder, if it holds one of this program.
+    /// The manifest of a folder, if this program wrote one.
     pub(super) fn read(folder: &Path) -> Option<Self> {
         let manifest: Self = serde_json::from_slice(&fs::read(folder.join(MANIFEST)).ok()?).ok()?;
         (manifest.program == PROGRAM).then_some(manifest)
@@ -38,7 +38,7 @@ impl Manifest {
         serde_json::to_string_pretty(self).unwrap_or_default() + "\n"
     }
 
-    /// Whether every file is there and holds what was written.
+    /// Whether every file exists with the content that was written.
     pub(super) fn matches(&self, folder: &Path) -> bool {
         self.files.iter().all(|(name, written)| {
             // A name that leads out of the folder was not written by a run.
@@ -47,7 +47,7 @@ impl Manifest {
     }
 }
 
-/// What tells in a `summary.json` that a run wrote it; a fresh clone has no manifest.
+/// Fields of `summary.json` that identify it as written by a run; a fresh clone has no manifest.
 #[derive(Deserialize)]
 struct Summary {
     program: String,
@@ -55,27 +55,27 @@ struct Summary {
     files: Vec<String>,
 }
 
-/// Whether there is nothing at `path`, or a folder that holds only files that a run wrote.
-pub(super) fn check_ours(path: &Path) -> Result<(), StoreError> {
+/// Checks that `path` is free, or a folder with generated files only.
+pub(super) fn check_generated(path: &Path) -> Result<(), StoreError> {
     match fs::symlink_metadata(path) {
         Ok(found) if found.is_dir() => {}
-        Ok(_) => return Err(StoreError::NotOurs(path.into())),
+        Ok(_) => return Err(StoreError::NotGenerated(path.into())),
         Err(error) if error.kind() == ErrorKind::NotFound => return Ok(()),
-        Err(error) => return failed("look at", path, error),
+        Err(error) => return failed("inspect", path, error),
     }
-    let ours = written(path);
+    let generated = written(path);
     for entry in fs::read_dir(path).or_else(|e| failed("list", path, e))? {
         let entry = entry.or_else(|e| failed("list", path, e))?;
-        let is_file = entry.file_type().or_else(|e| failed("look at", &entry.path(), e))?.is_file();
-        let known = entry.file_name().to_str().is_some_and(|name| ours.contains(name));
+        let is_file = entry.file_type().or_else(|e| failed("inspect", &entry.path(), e))?.is_file();
+        let known = entry.file_name().to_str().is_some_and(|name| generated.contains(name));
         if !is_file || !known {
-            return Err(StoreError::NotOurs(entry.path()));
+            return Err(StoreError::NotGenerated(entry.path()));
         }
     }
     Ok(())
 }
 
-/// Names of the files in a folder that its own records say a run wrote.
+/// Names of the generated files in a folder, by its manifest or summary.
 fn written(folder: &Path) -> BTreeSet<String> {
     let mut names = BTreeSet::new();
     if let Some(manifest) = Manifest::read(folder) {

@@ -1,16 +1,16 @@
-//! The only place that touches the disk: reports are replaced whole or not at all.
+//! The only module that writes to disk: reports are replaced atomically.
 //!
 //! A [`Store`] is one folder of reports, `DIR`. Each report is a folder of files, `DIR/<stem>/`:
 //!
-//! - A report is written beside its place and moved in, so that whoever looks, at any instant and
+//! - A report is written next to its place and moved in, so that a reader, at any instant and
 //!   after any crash, finds the old report or the new one. [`Store::recover`] clears up after a run
 //!   that was killed; every first write does so too.
 //! - Nothing is destroyed that a run has not written: `manifest.json`, or the `files` of
 //!   `summary.json`, must name every file of a report that is to be replaced.
 //! - One run writes at a time: `DIR/.lock` is locked from the first write until the store is
 //!   dropped. The empty file stays; unlocked it means nothing, and removing it could give two runs
-//!   a lock each. Where the file system knows no locks there is none.
-//! - Nothing is created before the first write, so that a refused run leaves no trace.
+//!   a lock each. File systems without locks are not locked.
+//! - Nothing is created before the first write, so that a rejected run leaves no trace.
 
 mod manifest;
 mod swap;
@@ -41,8 +41,8 @@ pub enum StoreError {
     Busy(PathBuf),
     /// A report would replace something that no run has written.
     #[error("{} was not written by a run and would be lost; move it away or choose another --out", .0.display())]
-    NotOurs(PathBuf),
-    /// A name that cannot be that of a report or of one of its files.
+    NotGenerated(PathBuf),
+    /// An invalid name of a report or of one of its files.
     #[error("{0:?} cannot name a report or a file in it")]
     BadName(String),
 }
@@ -56,7 +56,7 @@ pub struct Folder {
 }
 
 impl Folder {
-    /// An empty report; `key` stands for all that its content depends on.
+    /// An empty report; `key` identifies everything that its content depends on.
     pub fn new(stem: impl Into<String>, key: impl Into<String>) -> Self {
         Self { stem: stem.into(), key: key.into(), files: Vec::new() }
     }
@@ -96,16 +96,16 @@ impl Store {
                 .is_some_and(|manifest| manifest.key == key && manifest.matches(&self.directory.join(stem)))
     }
 
-    /// Whether a report of this name may be written: [`StoreError::NotOurs`] if something is in the
-    /// way, [`StoreError::BadName`], or [`StoreError::Io`] if that cannot be told. Writes nothing.
+    /// Whether a report of this name may be written: [`StoreError::NotGenerated`] if something is in the
+    /// way, [`StoreError::BadName`], or [`StoreError::Io`] if that cannot be determined. Writes nothing.
     pub fn check(&self, stem: &str) -> Result<(), StoreError> {
         if !is_plain(stem) {
             return Err(StoreError::BadName(stem.into()));
         }
-        manifest::check_ours(&self.directory.join(stem))
+        manifest::check_generated(&self.directory.join(stem))
     }
 
-    /// Writes a report in place of the one of the same name, whole or not at all, with its
+    /// Replaces the report of the same name atomically, with its
     /// `manifest.json`. Errors are those of [`Store::check`], [`StoreError::Busy`] and
     /// [`StoreError::Io`].
     pub fn write(&mut self, folder: &Folder) -> Result<(), StoreError> {
@@ -121,14 +121,14 @@ impl Store {
         let places = Places::new(&self.directory, &folder.stem);
         let done = write_all(&places.new, folder).and_then(|()| swap::replace(&places));
         if done.is_err() {
-            // The first error tells more than one that clearing up may meet.
+            // The first error is more informative than one during cleanup.
             swap::recover_one(&places).ok();
         }
         done
     }
 
-    /// Whether a page of this name may be written: [`StoreError::NotOurs`] if a file is in the way that
-    /// does not hold `mark`, by which pages of runs are known. Writes nothing.
+    /// Whether a page of this name may be written: [`StoreError::NotGenerated`] if a file is in the way that
+    /// does not contain `mark`, which identifies generated pages. Writes nothing.
     pub fn check_page(&self, name: &str, mark: &str) -> Result<(), StoreError> {
         if !is_plain(name) {
             return Err(StoreError::BadName(name.into()));
@@ -136,20 +136,20 @@ impl Store {
         let path = self.directory.join(name);
         match fs::symlink_metadata(&path) {
             Ok(found) => {
-                let ours = found.is_file()
+                let generated = found.is_file()
                     && fs::read(&path)
                         .or_else(|e| failed("read", &path, e))?
                         .windows(mark.len().max(1))
                         .any(|part| part == mark.as_bytes());
-                if ours { Ok(()) } else { Err(StoreError::NotOurs(path)) }
+                if generated { Ok(()) } else { Err(StoreError::NotGenerated(path)) }
             }
             Err(error) if error.kind() == io::ErrorKind::NotFound => Ok(()),
-            Err(error) => failed("look at", &path, error),
+            Err(error) => failed("inspect", &path, error),
         }
     }
 
-    /// Writes one file of the store itself, such as a page that lists all reports, whole or not at
-    /// all; `content` should hold `mark`. Errors are those of [`Store::check_page`] and [`Store::write`].
+    /// Writes one file of the store itself, such as the index of all reports,
+    /// atomically; `content` should contain `mark`. Errors are those of [`Store::check_page`] and [`Store::write`].
     pub fn write_page(&mut self, name: &str, content: &[u8], mark: &str) -> Result<(), StoreError> {
         self.check_page(name, mark)?;
         self.open()?;
@@ -218,7 +218,7 @@ fn failed<T>(operation: &'static str, path: &Path, source: io::Error) -> Result<
     Err(StoreError::Io { operation, path: path.into(), source })
 }
 
-/// Whether a name is that of one visible entry of a folder, on every system.
+/// Whether a name is a valid visible file name on every system.
 fn is_plain(name: &str) -> bool {
     !name.is_empty()
         && !name.starts_with('.')

@@ -1,6 +1,6 @@
-//! One folder takes the place of another, so that a kill at any instant leaves one of them whole.
+//! Atomic replacement of a folder: a kill at any instant leaves the old or the new one complete.
 //!
-//! Where the system can exchange two folders in one go, it does. Elsewhere the old folder is moved
+//! Where the system can exchange two folders atomically, it does. Elsewhere the old folder is moved
 //! aside first; a run killed just then leaves its place empty until the next run brings it back.
 
 use super::{StoreError, failed, sync_folder};
@@ -12,7 +12,7 @@ use std::path::{Path, PathBuf};
 const NEW: &str = ".asperity-new";
 const OLD: &str = ".asperity-old";
 
-/// Where a report stands, is prepared and is moved aside.
+/// Paths of a report: final, in preparation, moved aside.
 pub(super) struct Places {
     directory: PathBuf,
     pub(super) place: PathBuf,
@@ -31,16 +31,16 @@ impl Places {
     }
 }
 
-/// A step that happens whole or not at all, except for the discarding of what is of no more use.
+/// An atomic step, except for the removal of obsolete files.
 #[derive(Clone, Copy, Debug)]
 pub(super) enum Step {
     /// The new folder goes to a place that is free.
     MoveIn,
-    /// The new folder and the old one change places in one go.
+    /// The new and the old folder are exchanged.
     Exchange,
-    /// The old folder leaves its place.
+    /// The old folder is moved aside.
     SetAside,
-    /// The old folder, now in the place of the new one, goes.
+    /// The old folder, now in the place of the new one, is removed.
     DiscardExchanged,
     /// The old folder, now aside, goes.
     DiscardAside,
@@ -91,7 +91,7 @@ pub(super) fn recover(directory: &Path) -> Result<(), StoreError> {
     Ok(())
 }
 
-/// Whatever a kill left behind, exactly one whole report (or none, if there never was one) remains.
+/// After a kill exactly one complete report remains (or none, if there never was one).
 pub(super) fn recover_one(places: &Places) -> Result<(), StoreError> {
     if exists(&places.old)? && !exists(&places.place)? {
         rename(&places.old, &places.place)?;
@@ -111,7 +111,7 @@ fn exchange(a: &Path, b: &Path) -> io::Result<()> {
     use rustix::fs::{CWD, RenameFlags, renameat_with};
     use rustix::io::Errno;
     renameat_with(CWD, a, CWD, b, RenameFlags::EXCHANGE).map_err(|error| match error {
-        // What file systems and kernels say that do not know how.
+        // Errors of file systems and kernels without this operation.
         Errno::INVAL | Errno::NOSYS | Errno::NOTSUP => ErrorKind::Unsupported.into(),
         other => other.into(),
     })
@@ -126,7 +126,7 @@ fn exists(path: &Path) -> Result<bool, StoreError> {
     match fs::symlink_metadata(path) {
         Ok(_) => Ok(true),
         Err(error) if error.kind() == ErrorKind::NotFound => Ok(false),
-        Err(error) => failed("look at", path, error),
+        Err(error) => failed("inspect", path, error),
     }
 }
 

@@ -29,9 +29,9 @@ fn entries(store: &Store) -> Vec<String> {
     names
 }
 
-fn not_ours(result: Result<(), StoreError>) -> PathBuf {
+fn not_generated(result: Result<(), StoreError>) -> PathBuf {
     match result {
-        Err(StoreError::NotOurs(path)) => path,
+        Err(StoreError::NotGenerated(path)) => path,
         other => panic!("{other:?}"),
     }
 }
@@ -93,14 +93,14 @@ fn nothing_foreign_is_destroyed() {
     let report = store.directory.join("lead");
     let notes = report.join("notes.txt");
     fs::write(&notes, "mine").unwrap();
-    assert_eq!(not_ours(store.write(&folder("new", "new"))), notes);
-    assert_eq!(not_ours(store.check("lead")), notes);
+    assert_eq!(not_generated(store.write(&folder("new", "new"))), notes);
+    assert_eq!(not_generated(store.check("lead")), notes);
     fs::remove_file(&notes).unwrap();
 
     // A subfolder is foreign whatever its name.
     fs::remove_file(report.join("report.md")).unwrap();
     fs::create_dir(report.join("report.md")).unwrap();
-    assert_eq!(not_ours(store.write(&folder("new", "new"))), report.join("report.md"));
+    assert_eq!(not_generated(store.write(&folder("new", "new"))), report.join("report.md"));
     fs::remove_dir(report.join("report.md")).unwrap();
 
     store.write(&folder("new", "new")).unwrap();
@@ -121,7 +121,7 @@ fn records_of_another_program_prove_nothing() {
     ] {
         let file = report.join(name);
         fs::write(&file, content).unwrap();
-        assert_eq!(not_ours(store.write(&folder("k", "x"))), file);
+        assert_eq!(not_generated(store.write(&folder("k", "x"))), file);
         assert_eq!(fs::read_to_string(&file).unwrap(), content);
         fs::remove_file(&file).unwrap();
     }
@@ -137,7 +137,7 @@ fn a_file_in_the_place_of_a_report_stays() {
     let mut store = Store::new(home.path());
     let place = home.path().join("lead");
     fs::write(&place, "mine").unwrap();
-    assert_eq!(not_ours(store.write(&folder("k", "x"))), place);
+    assert_eq!(not_generated(store.write(&folder("k", "x"))), place);
     assert_eq!(fs::read_to_string(&place).unwrap(), "mine");
 }
 
@@ -148,7 +148,7 @@ fn links_are_foreign() {
     let target = home.path().join("elsewhere");
     fs::rename(store.directory.join("lead"), &target).unwrap();
     std::os::unix::fs::symlink(&target, store.directory.join("lead")).unwrap();
-    assert_eq!(not_ours(store.write(&folder("new", "new"))), store.directory.join("lead"));
+    assert_eq!(not_generated(store.write(&folder("new", "new"))), store.directory.join("lead"));
     assert!(target.join("curves.csv").exists());
     fs::remove_file(store.directory.join("lead")).unwrap();
 
@@ -156,7 +156,7 @@ fn links_are_foreign() {
     let file = store.directory.join("lead/report.md");
     fs::rename(&file, home.path().join("kept.md")).unwrap();
     std::os::unix::fs::symlink(home.path().join("kept.md"), &file).unwrap();
-    assert_eq!(not_ours(store.write(&folder("new", "new"))), file);
+    assert_eq!(not_generated(store.write(&folder("new", "new"))), file);
 }
 
 #[test]
@@ -264,12 +264,15 @@ fn one_run_writes_at_a_time() {
 fn only_pages_of_runs_are_replaced() {
     let home = tempfile::tempdir().unwrap();
     let mut store = Store::new(home.path().join("out"));
-    store.write_page("README.md", b"<!-- ours --> one", "<!-- ours -->").unwrap();
-    store.write_page("README.md", b"<!-- ours --> two", "<!-- ours -->").unwrap();
+    store.write_page("README.md", b"<!-- generated --> one", "<!-- generated -->").unwrap();
+    store.write_page("README.md", b"<!-- generated --> two", "<!-- generated -->").unwrap();
     let path = store.directory.join("README.md");
-    assert_eq!(fs::read(&path).unwrap(), b"<!-- ours --> two");
+    assert_eq!(fs::read(&path).unwrap(), b"<!-- generated --> two");
     fs::write(&path, "mine").unwrap();
-    assert_eq!(not_ours(store.write_page("README.md", b"<!-- ours --> three", "<!-- ours -->")), path);
+    assert_eq!(
+        not_generated(store.write_page("README.md", b"<!-- generated --> three", "<!-- generated -->")),
+        path
+    );
     assert_eq!(fs::read(&path).unwrap(), b"mine");
     assert_eq!(entries(&store), [".lock", "README.md"]);
 }

@@ -7,12 +7,10 @@ use crate::precision::{Cost, LEVELS, fastest};
 /// 4 units in the last place: the bound of sums.
 pub const FOUR_ULP: f64 = 4.0 * f64::EPSILON;
 
-/// What is summed.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Of {
     /// One contact over the heights.
     Integral,
-    /// Asperities.
     Sum,
 }
 
@@ -26,19 +24,16 @@ impl Of {
     }
 }
 
-/// A method.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Candidate {
     /// A rule of quadrature.
     Rule(Rule),
-    /// A summation method.
     Way(Way),
 }
 
 /// The fastest method within one error.
 #[derive(Debug, Clone)]
 pub struct Winner {
-    /// What is summed.
     pub of: Of,
     /// Of a sum, in the set.
     pub asperities: Option<usize>,
@@ -71,9 +66,7 @@ pub struct Ordering {
 pub struct Speedup {
     /// Asperities in the set.
     pub asperities: usize,
-    /// The fewest threads.
     pub from: usize,
-    /// The most threads.
     pub to: usize,
     /// Time on the most over time on the fewest.
     pub time: f64,

@@ -1,26 +1,26 @@
-//! What rules and ways are called, in reports and tables alike.
+//! Names of quadrature rules and summation methods, in reports and tables.
 
 use super::findings::Candidate;
 use crate::precision::integral::{Effort, Family, Rule};
-use asperity_framework::report::format::number;
+use asperity_framework::report::format::input_number;
 
-/// The name of a rule or a way.
-pub fn candidate_words(candidate: &Candidate) -> String {
+/// Name of a rule or a summation method.
+pub fn candidate_name(candidate: &Candidate) -> String {
     match candidate {
-        Candidate::Rule(rule) => rule_words(rule),
+        Candidate::Rule(rule) => rule_name(rule),
         Candidate::Way(way) => way.name().to_owned(),
     }
 }
 
-/// A rule with its effort, in words.
-pub fn rule_words(rule: &Rule) -> String {
+/// Name of a rule with its order or tolerance.
+pub fn rule_name(rule: &Rule) -> String {
     let family = match (rule.family, rule.split) {
         (Family::Laguerre, true) => "gauss-laguerre behind gauss-legendre",
         (family, _) => family.name(),
     };
     let effort = match rule.effort {
         Effort::Order(order) => format!(", order {order}"),
-        Effort::Tolerance(tolerance) => format!(", tolerance {}", number(tolerance)),
+        Effort::Tolerance(tolerance) => format!(", tolerance {}", input_number(tolerance)),
         Effort::Fixed => String::new(),
     };
     let used = match (rule.family, rule.split, rule.substituted) {

@@ -29,27 +29,23 @@ const MOST_ASPERITIES: u64 = 1_000_000_000_000;
 
 /// Run time against error of integrals, sums and surfaces.
 pub struct PrecisionPlan {
-    /// Who touches whom.
+    /// Names of the two bodies.
     pub bodies: Bodies,
-    /// The law.
     pub law: LawPlan,
     /// Law and bodies for the reference.
     pub exact: stability::Bodies,
     /// Populations by name.
     pub cases: Vec<(String, Population)>,
-    /// d/sigma of the integrals; empty if none is asked for.
+    /// d/sigma of the integrals; empty unless the spec requests them.
     pub separations: Vec<f64>,
-    /// The sums.
     pub sum: Option<SumTask>,
     /// Curves within a tolerance.
     pub curve: Option<CurveTask>,
     /// Lists in files.
     pub list: Option<ListTask>,
-    /// Random sets.
     pub sampling: Option<SamplingTask>,
-    /// Random maps.
     pub grid: Option<GridTask>,
-    /// Whether the largest sizes are asked for.
+    /// Whether the largest sizes are included (`--full`).
     pub full: bool,
 }
 
@@ -119,7 +115,7 @@ impl fmt::Display for PrecisionPlan {
             names.join(", ")
         )?;
         if !self.separations.is_empty() {
-            writeln!(f, "  rules of quadrature at {} separations", self.separations.len())?;
+            writeln!(f, "  quadrature rules at {} separations", self.separations.len())?;
         }
         if let Some(task) = &self.sum {
             writeln!(
@@ -131,7 +127,7 @@ impl fmt::Display for PrecisionPlan {
         if let Some(task) = &self.curve {
             writeln!(
                 f,
-                "  curves of {} separations, the sum of {} asperities, within {} tolerances, beside {} separations",
+                "  curves of {} separations, the sum of {} asperities, within {} tolerances, compared with {} separations",
                 task.separations,
                 task.asperities,
                 task.tolerances.len(),
@@ -148,12 +144,12 @@ impl fmt::Display for PrecisionPlan {
             )?;
         }
         if let Some(task) = &self.sampling {
-            writeln!(f, "  {} random sets of each of {:?} asperities", task.draws, task.counts)?;
+            writeln!(f, "  {} random sets for each size, {:?} asperities", task.draws, task.counts)?;
         }
         if let Some(task) = &self.grid {
             writeln!(
                 f,
-                "  {} maps of each of {:?} points a correlation length, {:?} lengths a side",
+                "  {} maps of each size: {:?} points per correlation length, {:?} correlation lengths per side",
                 task.realisations, task.per_length, task.lengths
             )?;
         }
@@ -164,24 +160,24 @@ impl fmt::Display for PrecisionPlan {
 /// Reads `[precision]`.
 pub(super) fn plan(file: &SpecFile, full: bool) -> Result<PrecisionPlan, InputError> {
     let table = file.required_table::<PrecisionSpec>("precision")?;
-    let (words, span) = (table.get_ref(), table.span());
-    let (rough, flat) = (words.rough.get_ref(), words.flat.get_ref());
-    let pair = [file.body(rough, words.rough.span())?, file.body(flat, words.flat.span())?];
-    let (spec, law) = one_law(file, words)?;
-    file.check_laws(&words.law, (rough, &pair[0]), &[(flat, &pair[1])])?;
+    let (raw, span) = (table.get_ref(), table.span());
+    let (rough, flat) = (raw.rough.get_ref(), raw.flat.get_ref());
+    let pair = [file.body(rough, raw.rough.span())?, file.body(flat, raw.flat.span())?];
+    let (spec, law) = one_law(file, raw)?;
+    file.check_laws(&raw.law, (rough, &pair[0]), &[(flat, &pair[1])])?;
     let contact = spec
         .interface(&pair[0], &Flat::Bare(pair[1]))
-        .map_err(|error| file.inapplicable(&words.law, &error, rough, flat))?;
-    if words.case.get_ref().is_empty() {
+        .map_err(|error| file.inapplicable(&raw.law, &error, rough, flat))?;
+    if raw.case.get_ref().is_empty() {
         let message =
             "found no case; allowed: at least one [precision.case.NAME] with radius, sigma and density";
-        return Err(file.source.error_at(words.case.span(), message));
+        return Err(file.source.error_at(raw.case.span(), message));
     }
-    let case = |(name, words): (&Spanned<String>, &spec::CaseSpec)| {
+    let case = |(name, raw): (&Spanned<String>, &spec::CaseSpec)| {
         let population = Population {
-            radius: words.radius.value(),
-            sigma: words.sigma.value(),
-            density: words.density.value(),
+            radius: raw.radius.value(),
+            sigma: raw.sigma.value(),
+            density: raw.density.value(),
             heights: Heights::GAUSSIAN,
         };
         (name.get_ref().clone(), population)
@@ -190,18 +186,13 @@ pub(super) fn plan(file: &SpecFile, full: bool) -> Result<PrecisionPlan, InputEr
         bodies: Bodies { rough: rough.clone(), flat: flat.clone() },
         exact: stability::Bodies { law, rough: pair[0], flat: pair[1], layer: None },
         law: LawPlan { label: spec.label(), thickness: None, contact, spec },
-        cases: words.case.get_ref().iter().map(case).collect(),
-        separations: words
-            .integral
-            .as_ref()
-            .map(|words| separations(file, words))
-            .transpose()?
-            .unwrap_or_default(),
-        sum: words.sum.as_ref().map(|words| sum(file, words, full)).transpose()?,
-        curve: words.curve.as_ref().map(|words| curve(file, words)).transpose()?,
-        list: words.list.as_ref().map(|words| lists(file, words, full)).transpose()?,
-        sampling: words.sampling.as_ref().map(|words| sampling(file, words)).transpose()?,
-        grid: words.grid.as_ref().map(|words| grid(file, words)).transpose()?,
+        cases: raw.case.get_ref().iter().map(case).collect(),
+        separations: raw.integral.as_ref().map(|raw| separations(file, raw)).transpose()?.unwrap_or_default(),
+        sum: raw.sum.as_ref().map(|raw| sum(file, raw, full)).transpose()?,
+        curve: raw.curve.as_ref().map(|raw| curve(file, raw)).transpose()?,
+        list: raw.list.as_ref().map(|raw| lists(file, raw, full)).transpose()?,
+        sampling: raw.sampling.as_ref().map(|raw| sampling(file, raw)).transpose()?,
+        grid: raw.grid.as_ref().map(|raw| grid(file, raw)).transpose()?,
         full,
     };
     if plan.steps() == 0 {
@@ -213,15 +204,12 @@ pub(super) fn plan(file: &SpecFile, full: bool) -> Result<PrecisionPlan, InputEr
 }
 
 /// The one law, and the same with its reference.
-fn one_law(
-    file: &SpecFile,
-    words: &PrecisionSpec,
-) -> Result<(ContactLaw, stability::CoveredLaw), InputError> {
-    let [law] = &words.law.get_ref().0[..] else {
-        let message = format!("found {} laws; allowed: one", words.law.get_ref().0.len());
-        return Err(file.source.error_at(words.law.span(), message));
+fn one_law(file: &SpecFile, raw: &PrecisionSpec) -> Result<(ContactLaw, stability::CoveredLaw), InputError> {
+    let [law] = &raw.law.get_ref().0[..] else {
+        let message = format!("found {} laws; allowed: one", raw.law.get_ref().0.len());
+        return Err(file.source.error_at(raw.law.span(), message));
     };
-    file.spheres_only(&words.law, "the asperities of [precision] are spheres of one radius")?;
+    file.spheres_only(&raw.law, "the asperities of [precision] are spheres of equal radius")?;
     let covered = stability::CoveredLaw::of(law).ok_or_else(|| {
         let [covered, _] = stability::CoveredLaw::coverage();
         let message = format!(
@@ -229,19 +217,19 @@ fn one_law(
             law.name(),
             covered.join(", ")
         );
-        file.source.error_at(words.law.span(), message)
+        file.source.error_at(raw.law.span(), message)
     })?;
     Ok((law.clone(), covered))
 }
 
-fn separations(file: &SpecFile, words: &spec::IntegralSpec) -> Result<Vec<f64>, InputError> {
+fn separations(file: &SpecFile, raw: &spec::IntegralSpec) -> Result<Vec<f64>, InputError> {
     /// Of d/sigma: within them rules and reference keep their digits.
     const WITHIN: [f64; 2] = [-10.0, 35.0];
-    let separations = &words.separation.get_ref().0;
+    let separations = &raw.separation.get_ref().0;
     match separations.iter().find(|h| !(WITHIN[0]..=WITHIN[1]).contains(*h)) {
         Some(h) => {
             let message = format!("found {h}; allowed: separations of {} to {} sigma", WITHIN[0], WITHIN[1]);
-            Err(file.source.error_at(words.separation.span(), message))
+            Err(file.source.error_at(raw.separation.span(), message))
         }
         None => Ok(separations.clone()),
     }
@@ -269,64 +257,64 @@ fn sizes(
 /// One whole number from `least` to `most`.
 fn one_of(
     file: &SpecFile,
-    words: &Spanned<u64>,
+    raw: &Spanned<u64>,
     what: &str,
     [least, most]: [u64; 2],
 ) -> Result<usize, InputError> {
-    let value = *words.get_ref();
+    let value = *raw.get_ref();
     let is_allowed = (least..=most).contains(&value);
     let value = usize::try_from(value).ok().filter(|_| is_allowed);
     value.ok_or_else(|| {
-        let message = format!("found {}; allowed: {least} to {most} {what}", words.get_ref());
-        file.source.error_at(words.span(), message)
+        let message = format!("found {}; allowed: {least} to {most} {what}", raw.get_ref());
+        file.source.error_at(raw.span(), message)
     })
 }
 
-fn curve(file: &SpecFile, words: &spec::CurveSpec) -> Result<CurveTask, InputError> {
-    let mut tolerances = words.tolerance.get_ref().values.clone();
+fn curve(file: &SpecFile, raw: &spec::CurveSpec) -> Result<CurveTask, InputError> {
+    let mut tolerances = raw.tolerance.get_ref().values.clone();
     tolerances.sort_by(f64::total_cmp);
     let [least, most] = TOLERANCES;
     if let Some(tolerance) = tolerances.iter().find(|tolerance| !(least..=most).contains(*tolerance)) {
         let message = format!("found the tolerance {tolerance:e}; allowed: {least:e} to {most}");
-        return Err(file.source.error_at(words.tolerance.span(), message));
+        return Err(file.source.error_at(raw.tolerance.span(), message));
     }
     Ok(CurveTask {
-        asperities: one_of(file, &words.asperities, "asperities", [1, MOST_ASPERITIES])?,
-        separations: one_of(file, &words.separations, "separations", [2, MOST_SEPARATIONS])?,
-        beside: one_of(file, &words.beside, "separations", [2, MOST_SEPARATIONS])?,
+        asperities: one_of(file, &raw.asperities, "asperities", [1, MOST_ASPERITIES])?,
+        separations: one_of(file, &raw.separations, "separations", [2, MOST_SEPARATIONS])?,
+        beside: one_of(file, &raw.beside, "separations", [2, MOST_SEPARATIONS])?,
         tolerances,
     })
 }
 
-fn lists(file: &SpecFile, words: &spec::ListsSpec, full: bool) -> Result<ListTask, InputError> {
+fn lists(file: &SpecFile, raw: &spec::ListsSpec, full: bool) -> Result<ListTask, InputError> {
     Ok(ListTask {
-        counts: sizes(file, &words.count, words.full_count.as_ref(), full)?,
-        separations: one_of(file, &words.separations, "separations", [1, MOST_SEPARATIONS])?,
+        counts: sizes(file, &raw.count, raw.full_count.as_ref(), full)?,
+        separations: one_of(file, &raw.separations, "separations", [1, MOST_SEPARATIONS])?,
     })
 }
 
-fn sum(file: &SpecFile, words: &spec::SumSpec, full: bool) -> Result<SumTask, InputError> {
+fn sum(file: &SpecFile, raw: &spec::SumSpec, full: bool) -> Result<SumTask, InputError> {
     const MOST_THREADS: f64 = 1024.0;
-    let most_for_threads = file.counts(&words.count)?.into_iter().max().unwrap_or(0);
+    let most_for_threads = file.counts(&raw.count)?.into_iter().max().unwrap_or(0);
     Ok(SumTask {
-        counts: sizes(file, &words.count, words.full_count.as_ref(), full)?,
-        separations: file.whole(&words.separations, "separations", MOST_SEPARATIONS as f64)?,
-        threads: file.whole(&words.threads, "threads", MOST_THREADS)?,
+        counts: sizes(file, &raw.count, raw.full_count.as_ref(), full)?,
+        separations: file.whole(&raw.separations, "separations", MOST_SEPARATIONS as f64)?,
+        threads: file.whole(&raw.threads, "threads", MOST_THREADS)?,
         most_for_threads,
     })
 }
 
-fn sampling(file: &SpecFile, words: &spec::SamplingSpec) -> Result<SamplingTask, InputError> {
-    let mut counts = file.counts(&words.count)?;
+fn sampling(file: &SpecFile, raw: &spec::SamplingSpec) -> Result<SamplingTask, InputError> {
+    let mut counts = file.counts(&raw.count)?;
     counts.sort_unstable();
     Ok(SamplingTask {
         counts,
-        separations: words.separation.0.clone(),
-        draws: file.several(&words.draws, "random sets of each size")?,
+        separations: raw.separation.0.clone(),
+        draws: file.several(&raw.draws, "random sets of each size")?,
     })
 }
 
-fn grid(file: &SpecFile, words: &spec::GridSpec) -> Result<GridTask, InputError> {
+fn grid(file: &SpecFile, raw: &spec::GridSpec) -> Result<GridTask, InputError> {
     /// Points along a side.
     const MOST: usize = 1 << 14;
     let sorted = |sweep: &Spanned<LogSweep<_>>| {
@@ -334,14 +322,14 @@ fn grid(file: &SpecFile, words: &spec::GridSpec) -> Result<GridTask, InputError>
         values.sort_by(f64::total_cmp);
         values
     };
-    let (per_length, lengths) = (sorted(&words.points_per_length), sorted(&words.lengths));
+    let (per_length, lengths) = (sorted(&raw.points_per_length), sorted(&raw.lengths));
     if per_length[0] < 1.0 {
-        let message = format!("found {}; allowed: at least one point a correlation length", per_length[0]);
-        return Err(file.source.error_at(words.points_per_length.span(), message));
+        let message = format!("found {}; allowed: at least one point per correlation length", per_length[0]);
+        return Err(file.source.error_at(raw.points_per_length.span(), message));
     }
     if lengths[0] < 10.0 {
         let message = format!("found {}; allowed: sides of at least 10 correlation lengths", lengths[0]);
-        return Err(file.source.error_at(words.lengths.span(), message));
+        return Err(file.source.error_at(raw.lengths.span(), message));
     }
     let largest = side(per_length[per_length.len() - 1], lengths[lengths.len() - 1]);
     if largest > MOST {
@@ -349,8 +337,8 @@ fn grid(file: &SpecFile, words: &spec::GridSpec) -> Result<GridTask, InputError>
             "found maps of up to {largest} x {largest} points; allowed: at most {MOST} points along a side, which is lengths \
              times points-per-length"
         );
-        return Err(file.source.error_at(words.lengths.span(), message));
+        return Err(file.source.error_at(raw.lengths.span(), message));
     }
-    let realisations = file.several(&words.realisations, "maps of each kind")?;
+    let realisations = file.several(&raw.realisations, "maps of each size")?;
     Ok(GridTask { per_length, lengths, realisations })
 }

@@ -25,7 +25,6 @@ use asperity_framework::{
 pub struct PrecisionResults {
     /// What every experiment has.
     pub metadata: Metadata,
-    /// The bodies.
     pub contact: ContactMetadata,
     /// The law, as tables name it.
     pub law: String,
@@ -35,15 +34,14 @@ pub struct PrecisionResults {
     pub draws: usize,
     /// Population by population.
     pub cases: Vec<CasePrecision>,
-    /// Random maps, where they were asked for.
+    /// Random maps, if the spec requests them.
     pub grid: Option<GridFindings>,
     /// Whether the largest sizes were run.
     pub full: bool,
-    /// Threads that the program uses unless told otherwise.
+    /// Threads that the program uses by default.
     pub threads: usize,
 }
 
-/// One population.
 #[derive(Debug)]
 pub struct CasePrecision {
     /// Its name in the spec.
@@ -52,17 +50,17 @@ pub struct CasePrecision {
     pub population: Population,
     /// Greenwood and Williamson's plasticity index; `None` where nothing yields.
     pub plasticity_index: Option<f64>,
-    /// Rules of quadrature, where they were asked for.
+    /// Rules of quadrature, if the spec requests them.
     pub integral: Option<IntegralFindings>,
-    /// Ways to add up; empty where none was asked for.
+    /// Summation methods; empty unless the spec requests them.
     pub sums: Vec<SumPoint>,
-    /// Curves within a tolerance, where they were asked for.
+    /// Curves within a tolerance, if the spec requests them.
     pub curve: Option<CurveFindings>,
-    /// Lists in files, shortest first; empty where none was asked for.
+    /// Lists in files, shortest first; empty unless the spec requests them.
     pub lists: Vec<ListPoint>,
-    /// Random sets, where they were asked for.
+    /// Random sets, if the spec requests them.
     pub sampling: Option<SamplingFindings>,
-    /// What rules and sums say together.
+    /// Findings over rules and sums.
     pub findings: CaseFindings,
 }
 

@@ -22,7 +22,7 @@ pub struct PrecisionSpec {
     pub case: Spanned<IndexMap<Spanned<String>, CaseSpec>>,
     /// Rules of quadrature.
     pub integral: Option<IntegralSpec>,
-    /// Ways to add up.
+    /// Summation methods.
     pub sum: Option<SumSpec>,
     /// Curves of many separations.
     pub curve: Option<CurveSpec>,
@@ -46,7 +46,6 @@ pub struct CaseSpec {
     pub density: Quantity<ArealNumberDensity>,
 }
 
-/// The integral.
 #[derive(Debug, Deserialize)]
 #[serde(deny_unknown_fields, expecting = "a table { separation }")]
 pub struct IntegralSpec {
@@ -54,7 +53,6 @@ pub struct IntegralSpec {
     pub separation: Spanned<LinearSweep>,
 }
 
-/// The sum.
 #[derive(Debug, Deserialize)]
 #[serde(
     deny_unknown_fields,
@@ -66,9 +64,7 @@ pub struct SumSpec {
     pub count: Spanned<LogSweep<Pure>>,
     /// Sizes that stand in the report only where it is made with --full.
     pub full_count: Option<Spanned<LogSweep<Pure>>>,
-    /// Numbers of separations.
     pub separations: Spanned<LogSweep<Pure>>,
-    /// Numbers of threads.
     pub threads: Spanned<LogSweep<Pure>>,
 }
 
@@ -82,11 +78,9 @@ pub struct CurveSpec {
     pub separations: Spanned<u64>,
     /// Separations of the exact curve that it is held against.
     pub beside: Spanned<u64>,
-    /// Tolerances.
     pub tolerance: Spanned<LogSweep<Pure>>,
 }
 
-/// Lists of asperities.
 #[derive(Debug, Deserialize)]
 #[serde(
     deny_unknown_fields,
@@ -102,7 +96,6 @@ pub struct ListsSpec {
     pub separations: Spanned<u64>,
 }
 
-/// Random sets.
 #[derive(Debug, Deserialize)]
 #[serde(deny_unknown_fields, expecting = "a table { separation, count, draws }")]
 pub struct SamplingSpec {

@@ -1,9 +1,9 @@
-//! What a summary says of run times and errors.
+//! Summary of run times and errors.
 
 use serde::Serialize;
 
 use super::findings::Winner;
-use super::names::candidate_words;
+use super::names::candidate_name;
 use crate::kind::precision::run::{CasePrecision, PrecisionResults};
 use crate::precision::grid::{GridFindings, Statistic};
 use asperity_framework::contact::ContactSummary;
@@ -37,7 +37,7 @@ struct WinnerSummary<'a> {
     shipped_over_fastest: Option<f64>,
 }
 
-/// A curve within a tolerance beside few separations, exactly.
+/// Cost of a curve within a tolerance and of a few exact separations.
 #[derive(Serialize)]
 struct CurveSummary<'a> {
     case: &'a str,
@@ -112,7 +112,7 @@ fn winners(case: &CasePrecision) -> impl Iterator<Item = WinnerSummary<'_>> {
             case: &case.name,
             of: of.name(),
             largest_error: level,
-            fastest: fastest.map(|(candidate, _)| candidate_words(&candidate)),
+            fastest: fastest.map(|(candidate, _)| candidate_name(&candidate)),
             error: fastest.map(|(_, cost)| cost.error),
             seconds_per_separation: fastest.map(|(_, cost)| cost.seconds),
             shipped_over_fastest,
@@ -128,7 +128,7 @@ fn curves(case: &CasePrecision) -> impl Iterator<Item = CurveSummary<'_>> {
                 model: point.kind.name(),
                 tolerance: point.tolerance?,
                 separations: point.separations,
-                asked: point.asked,
+                asked: point.evaluated,
                 error: point.error(),
                 exact_separations: found.yardstick(point.kind)?.separations,
                 time_over_exact: found.times(point),

@@ -1,7 +1,7 @@
 //! Every time and every error, for machines.
 
 use super::findings::Winner;
-use super::names::candidate_words;
+use super::names::candidate_name;
 use crate::kind::precision::run::{CasePrecision, PrecisionResults};
 use crate::precision::curve::CurvePoint;
 use crate::precision::grid::GridPoint;
@@ -29,12 +29,12 @@ type RuleRow<'a> = OfCase<'a, &'a IntegralPoint>;
 impl Row for RuleRow<'_> {
     const FILE: &'static str = "integral.csv";
     const ROWS: &'static str =
-        "One row for each case, rule of quadrature and effort; written where integrals are timed.";
+        "One row for each case, quadrature rule and effort; written where integrals are timed.";
 
     fn columns() -> Vec<Column<Self>> {
         let mut columns = case_column();
         columns.extend(columns! { row: Self =>
-            rule["text"] = row.point.rule.family.name(), "Rule of quadrature; `shipped` is the program's own.";
+            rule["text"] = row.point.rule.family.name(), "Quadrature rule; `shipped` is the default of this program.";
             split["true/false"] = row.point.rule.split, "Whether the integral is split where the law changes its formula.";
             substituted["true/false"] = row.point.rule.substituted, "Whether the variable is the square root of the indentation.";
             order["count"] = order(row.point.rule.effort), "Order of the rule; empty where it has a tolerance or is fixed.";
@@ -67,15 +67,15 @@ type SumRow<'a> = OfCase<'a, &'a SumPoint>;
 impl Row for SumRow<'_> {
     const FILE: &'static str = "sum.csv";
     const ROWS: &'static str =
-        "One row for each case, way of summing and size; written where sums are timed.";
+        "One row for each case, summation method and size; written where sums are timed.";
 
     fn columns() -> Vec<Column<Self>> {
         let mut columns = case_column();
         columns.extend(columns! { row: Self =>
             varied["text"] = row.point.sweep.name(), "What is varied: `asperities`, `separations` or `threads`.";
-            way["text"] = row.point.way.name(), "Way of summing; `shipped` is the program's own.";
+            way["text"] = row.point.way.name(), "Summation method; `shipped` is the default of this program.";
             asperities["count"] = row.point.asperities, "Asperities in the set.";
-            separations["count"] = row.point.separations, "Separations asked for at once.";
+            separations["count"] = row.point.separations, "Separations evaluated together.";
             threads["count"] = row.point.threads, "Threads.";
             area_error["1"] = row.point.area_error, "Largest relative error of the area over the separations.";
             load_error["1"] = row.point.load_error, "Largest relative error of the load over the separations.";
@@ -100,7 +100,7 @@ impl Row for CurveRow<'_> {
             asperities["count"] = (row.point.1.kind == Kind::Deterministic).then_some(row.point.0), "Asperities in the set; empty for the integral.";
             tolerance["1"] = row.point.1.tolerance, "Relative tolerance of the curve; empty where every separation is evaluated.";
             separations["count"] = row.point.1.separations, "Separations of the curve.";
-            asked["count"] = row.point.1.asked, "Separations at which the model was evaluated.";
+            asked["count"] = row.point.1.evaluated, "Separations at which the model was evaluated.";
             area_error["1"] = row.point.1.area_error, "Largest relative error of the area against the exact curve.";
             load_error["1"] = row.point.1.load_error, "Largest relative error of the load against the exact curve.";
             seconds_per_curve["s"] = row.point.1.seconds, "Time for the whole curve.";
@@ -136,7 +136,7 @@ type SetRow<'a> = OfCase<'a, (&'a LimitPoint, f64)>;
 impl Row for SetRow<'_> {
     const FILE: &'static str = "sampling.csv";
     const ROWS: &'static str =
-        "One row for each case, separation and size of random sets; written where sampling is asked for.";
+        "One row for each case, separation and size of random sets; written where `sampling` is given.";
 
     fn columns() -> Vec<Column<Self>> {
         let mut columns = case_column();
@@ -157,7 +157,7 @@ impl Row for SetRow<'_> {
 impl Row for &GridPoint {
     const FILE: &'static str = "grid.csv";
     const ROWS: &'static str =
-        "One row for each resolution and size of random maps; written where `grid` is asked for.";
+        "One row for each resolution and size of random maps; written where `grid` is given.";
 
     fn columns() -> Vec<Column<Self>> {
         columns! { map: Self =>
@@ -165,9 +165,9 @@ impl Row for &GridPoint {
             lengths["1"] = map.lengths, "Side of the map in correlation lengths.";
             points["count"] = map.points, "Points along a side.";
             summits["1"] = map.summits, "Mean number of summits found.";
-            density_bias["1"] = map.bias[0], "Expected summit density on this grid over that on a fine one, minus 1.";
-            radius_bias["1"] = map.bias[1], "Expected radius 1/(mean curvature) on this grid over that on a fine one, minus 1.";
-            sigma_bias["1"] = map.bias[2], "Expected standard deviation of summit heights on this grid over that on a fine one, minus 1.";
+            density_bias["1"] = map.bias[0], "Expected summit density on this grid over that on a fine grid, minus 1.";
+            radius_bias["1"] = map.bias[1], "Expected radius 1/(mean curvature) on this grid over that on a fine grid, minus 1.";
+            sigma_bias["1"] = map.bias[2], "Expected standard deviation of summit heights on this grid over that on a fine grid, minus 1.";
             density_scatter["1"] = map.scatter[0], "Root mean square error of the summit density found, relative to that expected on this grid.";
             radius_scatter["1"] = map.scatter[1], "Root mean square error of the radius found, relative to that expected on this grid.";
             sigma_scatter["1"] = map.scatter[2], "Root mean square error of the standard deviation found, relative to that expected on this grid.";
@@ -180,7 +180,7 @@ type WinnerRow<'a> = OfCase<'a, &'a Winner>;
 
 impl Row for WinnerRow<'_> {
     const FILE: &'static str = "winners.csv";
-    const ROWS: &'static str = "One row for each case and largest error: the fastest rule or way of summing within it; written where integrals or sums are timed.";
+    const ROWS: &'static str = "One row for each case and largest error: the fastest quadrature rule or summation method within it; written where integrals or sums are timed.";
 
     fn columns() -> Vec<Column<Self>> {
         let mut columns = case_column();
@@ -188,10 +188,10 @@ impl Row for WinnerRow<'_> {
             of["text"] = row.point.of.name(), "What is timed: `integral` or `sum`.";
             asperities["count"] = row.point.asperities, "Asperities in the set; empty for the integral.";
             largest_error["1"] = row.point.level, "Largest relative error that is allowed.";
-            fastest["text"] = row.point.fastest.map(|(candidate, _)| candidate_words(&candidate)), "The fastest rule or way within it; empty where there is none.";
+            fastest["text"] = row.point.fastest.map(|(candidate, _)| candidate_name(&candidate)), "The fastest rule or method within it; empty where there is none.";
             error["1"] = row.point.fastest.map(|(_, cost)| cost.error), "Its error, the larger of area and load.";
             seconds_per_separation["s"] = row.point.fastest.map(|(_, cost)| cost.seconds), "Its time per separation.";
-            shipped_over_fastest["1"] = row.point.shipped_over_fastest, "Time of the program's own rule or way over that of the fastest; empty where the former exceeds the error.";
+            shipped_over_fastest["1"] = row.point.shipped_over_fastest, "Time of the default rule or method over that of the fastest; empty where the default exceeds the error.";
         });
         columns
     }
@@ -210,7 +210,7 @@ pub(super) fn schemas() -> Vec<Schema> {
     ]
 }
 
-/// The files of [`schemas`], of what was asked for.
+/// The files of [`schemas`] that the spec requests.
 ///
 /// # Errors
 /// See [`TableError`].

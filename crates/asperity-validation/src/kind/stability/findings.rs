@@ -2,16 +2,14 @@
 
 use crate::stability::{Group, GroupFindings, Kind, Worst};
 
-/// The worst of one kind of case.
+/// Worst case of a kind.
 #[derive(Debug, Clone)]
 pub struct KindFindings {
-    /// The kind.
     pub kind: Kind,
     /// The largest error of any quantity, as checked.
     pub largest_error: f64,
     /// The quantity closest to its bound.
     pub worst: Worst,
-    /// Its group.
     pub group: Group,
 }
 

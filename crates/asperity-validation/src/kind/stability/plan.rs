@@ -51,27 +51,27 @@ impl fmt::Display for StabilityPlan {
 /// Reads `[stability]`.
 pub(super) fn plan(file: &SpecFile) -> Result<StabilityPlan, InputError> {
     let table = file.required_table::<StabilitySpec>("stability")?;
-    let words = table.get_ref();
+    let raw = table.get_ref();
     let (counts, ranges) = (Counts::default(), Ranges::default());
     Ok(StabilityPlan {
         counts: Counts {
-            contacts: within(file, words.contacts.as_ref(), counts.contacts, [1, 100_000], "cases")?,
-            sums: within(file, words.sums.as_ref(), counts.sums, [1, 100_000], "cases")?,
-            integrals: within(file, words.integrals.as_ref(), counts.integrals, [1, 100_000], "cases")?,
-            loads: within(file, words.loads.as_ref(), counts.loads, [1, 100_000], "cases")?,
-            millions: within(file, words.millions.as_ref(), counts.millions, [1, 1000], "cases")?,
+            contacts: within(file, raw.contacts.as_ref(), counts.contacts, [1, 100_000], "cases")?,
+            sums: within(file, raw.sums.as_ref(), counts.sums, [1, 100_000], "cases")?,
+            integrals: within(file, raw.integrals.as_ref(), counts.integrals, [1, 100_000], "cases")?,
+            loads: within(file, raw.loads.as_ref(), counts.loads, [1, 100_000], "cases")?,
+            millions: within(file, raw.millions.as_ref(), counts.millions, [1, 1000], "cases")?,
         },
         ranges: Ranges {
-            separation: span(file, words.separation.as_ref(), ranges.separation)?,
-            radius_over_sigma: span(file, words.radius_over_sigma.as_ref(), ranges.radius_over_sigma)?,
+            separation: span(file, raw.separation.as_ref(), ranges.separation)?,
+            radius_over_sigma: span(file, raw.radius_over_sigma.as_ref(), ranges.radius_over_sigma)?,
             hardness_over_modulus: span(
                 file,
-                words.hardness_over_modulus.as_ref(),
+                raw.hardness_over_modulus.as_ref(),
                 ranges.hardness_over_modulus,
             )?,
-            thickness: span(file, words.thickness.as_ref(), ranges.thickness)?,
+            thickness: span(file, raw.thickness.as_ref(), ranges.thickness)?,
         },
-        cells: within(file, words.cells.as_ref(), 48, [8, 400], "cells")? as usize,
+        cells: within(file, raw.cells.as_ref(), 48, [8, 400], "cells")? as usize,
     })
 }
 

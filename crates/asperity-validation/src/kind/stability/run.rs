@@ -15,7 +15,6 @@ use asperity_framework::metadata::{Metadata, Timing};
 pub struct StabilityResults {
     /// What every experiment has.
     pub metadata: Metadata,
-    /// Group by group.
     pub groups: Vec<GroupFindings>,
     /// Laws that no case is under: their equations are not known in extended precision.
     pub not_covered: Vec<String>,

@@ -1,4 +1,4 @@
-//! `[stability]`: how far `f64` is off over the whole representable range.
+//! `[stability]`: numerical error of `f64` over the whole representable range.
 
 use serde::Deserialize;
 use toml::Spanned;

@@ -1,4 +1,4 @@
-//! What a summary says of stability.
+//! Summary of `[stability]`.
 
 use asperity_framework::fields;
 use serde::Serialize;
@@ -11,7 +11,6 @@ struct Summary {
     stability: StabilitySummary,
 }
 
-/// Group by group.
 #[derive(Serialize)]
 struct StabilitySummary {
     cases: u64,

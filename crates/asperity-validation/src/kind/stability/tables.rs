@@ -22,9 +22,9 @@ impl Row for WorstRow<'_> {
             group["text"] = row.findings.group.name(), "Group of cases.";
             quantity["text"] = row.worst.quantity.name(), "Quantity whose error is given.";
             cases["count"] = row.findings.cases, "Cases checked.";
-            failures["count"] = row.findings.failures.len(), "Cases that could not be checked as right.";
+            failures["count"] = row.findings.failures.len(), "Cases that failed or could not be checked.";
             median_error["1"] = row.worst.median, "Median of the errors.";
-            worst_error["1"] = row.worst.checked, "Largest error; zero of an answer that is exact for a separation within the rounding of the given one.";
+            worst_error["1"] = row.worst.checked, "Largest error; zero where the result is exact for a separation within rounding of the given one.";
             bound["1"] = row.findings.group.bound(row.worst.quantity), "Bound of the error under most laws.";
             plain_error["1"] = row.worst.error, "Largest error, the rounding of the separation included.";
             worst_bound["1"] = row.worst.bound(row.findings.group), "Bound of the case with the largest error, which a narrow elastic-plastic transition makes larger.";

@@ -1,4 +1,4 @@
-//! Integrals over a height density, by the tanh-sinh rule between the places where formulas give way to each other.
+//! Integrals over a height density, by the tanh-sinh rule between the boundaries of the formulas.
 //!
 //! The stiffness is taken from the load alone, -dp/dd = -int P f' dz, so that jumps of a law are in it and no slope of
 //! a law is.
@@ -43,9 +43,9 @@ pub struct Integral {
 const FOLDINGS: f64 = 76.0;
 /// Places between which the density is cut, as indentations over sigma from where it is largest.
 const CUTS: [f64; 6] = [0.0, 1.0, 3.0, 6.0, 9.0, 12.0];
-/// Below this part of the window nothing is looked for.
+/// Smallest part of the window that is searched.
 const NEGLIGIBLE: f64 = 1e-15;
-/// Places in a decade of w at which formulas are looked for under a layer.
+/// Points per decade of w at which formulas are sampled under a layer.
 const PER_DECADE: f64 = 40.0;
 /// Two rules differ by less than this; the error is about its square.
 const TOLERANCE: f64 = 1e-12;
@@ -155,14 +155,14 @@ impl Exact {
         Some(total.times(Wide::new(of.density)).times(of.scale()).times(of.scale()))
     }
 
-    /// Where formulas give way to each other, as x = w/sigma within the window.
+    /// Boundaries between formulas, as x = w/sigma within the window.
     fn changes(&self, of: &Integral, shape: &Shape) -> Vec<Wide> {
         let end = of.window()[1];
         if let Flat::Homogeneous { .. } = self.flat {
             let w = Wide::new(end * of.sigma);
-            let felt = self.felt(w, shape);
-            let first = felt.flat_is_lesser(|yield_limits| yield_limits.onset);
-            let Some(u) = Self::place(w, shape, &felt, first) else { return Vec::new() };
+            let effective = self.effective(w, shape);
+            let first = effective.flat_has_smaller(|yield_limits| yield_limits.onset);
+            let Some(u) = Self::place(w, shape, &effective, first) else { return Vec::new() };
             return self.boundaries.iter().map(|boundary| *boundary / u * end).collect();
         }
         let steps = (PER_DECADE * -NEGLIGIBLE.log10()) as i32;

@@ -22,7 +22,7 @@ struct Body {
 }
 
 /// The flat as an asperity feels it.
-pub(super) struct Felt {
+pub(super) struct EffectiveFlat {
     /// (1 - nu_eff^2)/E_eff, 1/Pa.
     pub(super) compliance: Wide,
     /// nu_eff.
@@ -60,7 +60,7 @@ impl Layer {
     }
 
     /// At indentation `w` and contact radius `a` (m).
-    pub(super) fn felt(&self, w: Wide, a: Wide) -> Felt {
+    pub(super) fn effective(&self, w: Wide, a: Wide) -> EffectiveFlat {
         let (layer, substrate) = (&self.layer, &self.substrate);
         let xi = self.thickness / a;
         let angle = xi.atan() * 2.0 / PI;
@@ -83,7 +83,7 @@ impl Layer {
                 (Wide::ONE - poisson) * shear / 2.0
             }
         };
-        Felt { compliance, poisson, hardness: self.hardness(w) }
+        EffectiveFlat { compliance, poisson, hardness: self.hardness(w) }
     }
 
     /// Eq. 16.

@@ -1,4 +1,4 @@
-//! The same answers in about 32 digits, straight from the equations of docs/theory.md: nothing here is shared with
+//! Results in about 32 digits, from the equations of docs/theory.md; no code is shared with
 //! what the models compute, neither formulas nor tables nor quadrature.
 //!
 //! | file | what lives there |
@@ -25,13 +25,13 @@ use layer::Layer;
 
 /// The pair that an asperity feels.
 #[derive(Debug, Clone, Copy)]
-struct Felt {
+struct EffectivePair {
     modulus: Wide,
     rough: Option<YieldLimits>,
     flat: Option<YieldLimits>,
 }
 
-/// Which formula holds: the range of the law, and which body yields first and is weaker.
+/// The valid formula: the range of the law, and which body yields first and is weaker.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 struct Branch {
     range: usize,
@@ -68,7 +68,7 @@ enum Flat {
     Layered(Layer),
 }
 
-/// How near to a boundary, relative to the place itself, either side's answer counts: the rounding of the boundary.
+/// How near to a boundary, relative to the place itself, the results of both sides are accepted: the rounding of the boundary.
 const BESIDE: f64 = 16.0 * f64::EPSILON;
 /// The same under a layer, whose effective properties go into it.
 const BESIDE_LAYERED: f64 = 1e-13;
@@ -106,15 +106,18 @@ impl Exact {
     }
 
     /// What an asperity feels at the indentation `w` (m).
-    fn felt(&self, w: Wide, shape: &Shape) -> Felt {
+    fn effective(&self, w: Wide, shape: &Shape) -> EffectivePair {
         let (compliance, flat) = match &self.flat {
             Flat::Homogeneous { compliance, yield_limits } => (*compliance, *yield_limits),
             Flat::Layered(layer) => {
-                let felt = layer.felt(w, (shape.spheres * shape.radius * w).sqrt());
-                (felt.compliance, (self.law.twin.yield_limits)(felt.poisson, felt.hardness, None))
+                let effective = layer.effective(w, (shape.spheres * shape.radius * w).sqrt());
+                (
+                    effective.compliance,
+                    (self.law.twin.yield_limits)(effective.poisson, effective.hardness, None),
+                )
             }
         };
-        Felt { modulus: (self.rough_compliance + compliance).recip(), rough: self.rough, flat }
+        EffectivePair { modulus: (self.rough_compliance + compliance).recip(), rough: self.rough, flat }
     }
 
     fn beside(&self) -> f64 {
@@ -122,30 +125,30 @@ impl Exact {
     }
 
     /// (w/b) (E*/onset)^2; `None` where nothing yields.
-    fn place(w: Wide, shape: &Shape, felt: &Felt, flat_yields_first: bool) -> Option<Wide> {
-        let strain = felt.modulus / felt.body(flat_yields_first)?.onset;
+    fn place(w: Wide, shape: &Shape, effective: &EffectivePair, flat_yields_first: bool) -> Option<Wide> {
+        let strain = effective.modulus / effective.body(flat_yields_first)?.onset;
         Some(w / shape.radius * strain * strain)
     }
 
     fn branch(&self, w: Wide, shape: &Shape) -> Branch {
-        let felt = self.felt(w, shape);
-        let flat_yields_first = felt.flat_is_lesser(|yield_limits| yield_limits.onset);
-        let range = Self::place(w, shape, &felt, flat_yields_first)
+        let effective = self.effective(w, shape);
+        let flat_yields_first = effective.flat_has_smaller(|yield_limits| yield_limits.onset);
+        let range = Self::place(w, shape, &effective, flat_yields_first)
             .map_or(0, |u| self.boundaries.iter().filter(|&&boundary| u >= boundary).count());
-        Branch { range, flat_yields_first, flat_is_weaker: felt.flat_is_lesser(|r| r.strength) }
+        Branch { range, flat_yields_first, flat_is_weaker: effective.flat_has_smaller(|r| r.strength) }
     }
 
-    /// The branch at `w`, and those that lie within the rounding of where one gives way to another.
+    /// The branch at `w`, and those within rounding of a boundary.
     fn branches(&self, w: Wide, shape: &Shape) -> Vec<Branch> {
         let near = |place: Wide, boundary: Wide| (place - boundary).abs() <= boundary * self.beside();
-        let felt = self.felt(w, shape);
-        let sides = |of: fn(&YieldLimits) -> Wide| match (&felt.rough, &felt.flat) {
+        let effective = self.effective(w, shape);
+        let sides = |of: fn(&YieldLimits) -> Wide| match (&effective.rough, &effective.flat) {
             (Some(rough), Some(flat)) if near(of(flat), of(rough)) => vec![false, true],
-            _ => vec![felt.flat_is_lesser(of)],
+            _ => vec![effective.flat_has_smaller(of)],
         };
         let mut found = Vec::new();
         for flat_yields_first in sides(|yield_limits| yield_limits.onset) {
-            let place = Self::place(w, shape, &felt, flat_yields_first);
+            let place = Self::place(w, shape, &effective, flat_yields_first);
             let ranges: Vec<usize> = place.map_or(vec![0], |u| {
                 let range = self.boundaries.iter().filter(|&&boundary| u >= boundary).count();
                 let before = range > 0 && near(u, self.boundaries[range - 1]);
@@ -164,12 +167,13 @@ impl Exact {
 
     /// Area, load and regime by one formula.
     fn answer(&self, w: Wide, shape: &Shape, branch: Branch) -> (Wide, Wide, Regime) {
-        let felt = self.felt(w, shape);
-        let yield_limits = felt
+        let effective = self.effective(w, shape);
+        let yield_limits = effective
             .body(branch.flat_yields_first)
-            .zip(felt.body(branch.flat_is_weaker))
+            .zip(effective.body(branch.flat_is_weaker))
             .map(|(first, weaker)| YieldLimits { onset: first.onset, strength: weaker.strength });
-        let (area, load, regime) = self.law.answer(branch.range, w, shape.radius, felt.modulus, yield_limits);
+        let (area, load, regime) =
+            self.law.answer(branch.range, w, shape.radius, effective.modulus, yield_limits);
         (shape.spheres * area, shape.spheres * load, regime)
     }
 
@@ -186,20 +190,20 @@ impl Exact {
         (near * 8.0 - far) / (w * 12.0 * STEP)
     }
 
-    /// The contact at `w` (m); next to where a formula gives way to another, both.
+    /// The contact at `w` (m); next to a boundary between two formulas, both.
     pub fn contacts(&self, w: f64, shape: &Shape) -> Vec<Contact> {
         let w = Wide::new(w);
         self.branches(w, shape).into_iter().map(|branch| self.contact_by(w, shape, branch)).collect()
     }
 }
 
-impl Felt {
+impl EffectivePair {
     fn body(&self, flat: bool) -> Option<YieldLimits> {
         if flat { self.flat } else { self.rough }
     }
 
-    /// Whether the flat has the lesser of something.
-    fn flat_is_lesser(&self, of: impl Fn(&YieldLimits) -> Wide) -> bool {
+    /// Whether the flat has the smaller value.
+    fn flat_has_smaller(&self, of: impl Fn(&YieldLimits) -> Wide) -> bool {
         match (&self.rough, &self.flat) {
             (Some(rough), Some(flat)) => of(flat) < of(rough),
             (None, _) => true,

@@ -21,7 +21,7 @@ impl Shape {
     /// `ratio`, by bisection of ln(1 - m) and then by secants.
     pub fn ellipse(mean_curvature: f64, ratio: f64) -> Self {
         let wanted = Wide::new(ratio).ln();
-        // ln(ratio) falls as v = ln(1 - m) grows, by 3/4 at a circle to 1.
+        // ln(ratio) decreases as v = ln(1 - m) grows, by 3/4 at a circle to 1.
         let value = |v: Wide| {
             let [k, e] = complete(v.exp());
             let minor = v.exp();
@@ -35,11 +35,11 @@ impl Shape {
         let (mut before, mut now) = (low, high);
         let (mut of_before, mut of_now) = (value(before), value(now));
         for _ in 0..6 {
-            let fall = of_now - of_before;
-            if fall == Wide::ZERO || of_now == Wide::ZERO {
+            let change = of_now - of_before;
+            if change == Wide::ZERO || of_now == Wide::ZERO {
                 break;
             }
-            let next = now - of_now * (now - before) / fall;
+            let next = now - of_now * (now - before) / change;
             (before, of_before) = (now, of_now);
             (now, of_now) = (next, value(next));
         }

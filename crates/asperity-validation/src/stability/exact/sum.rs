@@ -31,12 +31,12 @@ impl Total {
     };
 
     /// Over all regimes.
-    pub fn whole_area(&self) -> Wide {
+    pub fn total_area(&self) -> Wide {
         self.area[0] + self.area[1] + self.area[2]
     }
 
     /// Over all regimes.
-    pub fn whole_load(&self) -> Wide {
+    pub fn total_load(&self) -> Wide {
         self.load[0] + self.load[1] + self.load[2]
     }
 
@@ -64,8 +64,8 @@ impl Total {
 }
 
 impl Exact {
-    /// The asperities (height and radius, m) that stand above the flat at `separation` (m). The stiffness costs four
-    /// contacts more an asperity: it is zero unless `stiff` asks for it.
+    /// The asperities (height and radius, m) that stand above the flat at `separation` (m). The stiffness takes four
+    /// more contacts per asperity; it is zero unless `stiff`.
     pub fn total(&self, asperities: &[(f64, f64)], separation: Wide, stiff: bool) -> Total {
         const CHUNK: usize = 4096;
         let parts: Vec<Total> = asperities

@@ -3,7 +3,7 @@
 use super::{Series, depth, figures};
 use asperity::compare::Kind;
 use asperity::{INTERACTION, Response};
-use asperity_framework::report::format::{number, quantity, thickness};
+use asperity_framework::report::format::{input_quantity, number, quantity, thickness};
 use asperity_framework::report::page::Page;
 
 impl Series<'_> {
@@ -86,7 +86,7 @@ impl Series<'_> {
                 let radius = response(self.findings.main_model()).and_then(Response::mean_contact_radius);
                 let ratio = radius.filter(|_| t > 0.0 && t.is_finite()).map(|a| number(a / t));
                 let mut row =
-                    vec![quantity(load, "Pa"), thickness(t), ratio.unwrap_or_else(|| "–".to_owned())];
+                    vec![input_quantity(load, "Pa"), thickness(t), ratio.unwrap_or_else(|| "–".to_owned())];
                 for (_, value) in columns {
                     row.extend(
                         kinds.iter().map(|&kind| response(kind).map_or_else(|| "–".to_owned(), value)),
@@ -115,7 +115,7 @@ impl Series<'_> {
                     let found = self.thresholds.iter().find(|t| t.pressure == load && t.kind == *kind);
                     found.map_or_else(|| "–".to_owned(), |threshold| depth(threshold.thickness))
                 };
-                std::iter::once(quantity(load, "Pa")).chain(kinds.iter().map(of)).collect::<Vec<_>>()
+                std::iter::once(input_quantity(load, "Pa")).chain(kinds.iter().map(of)).collect::<Vec<_>>()
             }),
         );
     }

@@ -5,7 +5,7 @@ use crate::kind::compare::answers::CaseResults;
 use crate::kind::compare::page::figures::{curve, shares_of_load};
 use asperity::compare::Kind;
 use asperity::{INTERACTION, Regime, Response};
-use asperity_framework::report::format::{quantity, thickness};
+use asperity_framework::report::format::{input_quantity, thickness};
 use asperity_plot::{Axis, Colour, Dash, Figure, Layer, Marker, Plot};
 
 /// Separation and real area against load, by thickness.
@@ -58,7 +58,7 @@ pub fn by_thickness(series: &Series) -> String {
 }
 
 fn against_thickness(series: &Series, title: &str, axis: Axis, value: fn(&Response) -> Option<f64>) -> Plot {
-    /// Margin beside the finite thicknesses for the two limits, as a ratio.
+    /// Margin for the two limiting cases at the ends of the thickness axis, as a ratio.
     const ROOM: f64 = 1.6;
     let all: Vec<f64> = series.finite().map(|(t, _)| t).collect();
     let (thin, thick) = (all[0], all[all.len() - 1]);
@@ -84,7 +84,7 @@ fn against_thickness(series: &Series, title: &str, axis: Axis, value: fn(&Respon
             let limits = Layer::points(limits.collect::<Vec<_>>(), marker).coloured(colour);
             let line = Layer::line(line).coloured(colour);
             plot = plot.with(limits).with(if is_foremost {
-                line.named(quantity(load, "Pa"))
+                line.named(input_quantity(load, "Pa"))
             } else {
                 line.dashed(Dash::Dashed)
             });
@@ -98,7 +98,6 @@ fn against_thickness(series: &Series, title: &str, axis: Axis, value: fn(&Respon
 
 /// Shares of the regimes against thickness, at the lowest, a middle and the highest load.
 pub fn regimes(series: &Series) -> String {
-    /// Number of panels.
     const PANELS: usize = 3;
     let kind = series.findings.main_model();
     let loads = &series.findings.loads;
@@ -110,7 +109,7 @@ pub fn regimes(series: &Series) -> String {
         let shares = series.finite().filter_map(|(t, case)| {
             Some((nanometres(t), case.comparison.at_load(kind, load)?.response.pressure.shares()?))
         });
-        shares_of_load(&quantity(load, "Pa"), thickness_axis(), shares)
+        shares_of_load(&input_quantity(load, "Pa"), thickness_axis(), shares)
     };
     Figure::row(
         "Share of the load by contact regime, against layer thickness",

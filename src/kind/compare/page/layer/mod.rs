@@ -3,14 +3,14 @@
 mod answers;
 mod figures;
 
-use super::in_short::{CONDITION, trust};
 use super::names::{stem, subject, under};
+use super::summary::{CONDITION, trust};
 use crate::kind::compare::answers::{CaseResults, Threshold};
 use crate::kind::compare::findings::{AtThickness, GapRange, LawFindings, LayerFindings, PlasticRange};
 use crate::kind::compare::results::{CompareResults, SurfaceResults};
 use asperity::compare::GOOD_RATIO;
 use asperity_framework::contact::LayerMetadata;
-use asperity_framework::report::format::{listed, number, percent, quantity};
+use asperity_framework::report::format::{input_quantity, listed, number, percent, quantity, ratio};
 use asperity_framework::report::page::{Page, escape};
 
 /// One surface under one law: a case for each thickness.
@@ -44,9 +44,9 @@ pub fn rule_section(page: &mut Page, layer: &LayerMetadata) {
     let [gao, series] = &check.reported;
     page.table(
         ["a/t", "load by gao / exact", "load by series / exact"],
-        gao.iter().zip(series).map(|(gao, series)| {
-            vec![number(gao.contact_ratio), format!("{:.3}", gao.ratio), format!("{:.3}", series.ratio)]
-        }),
+        gao.iter()
+            .zip(series)
+            .map(|(gao, series)| vec![number(gao.contact_ratio), ratio(gao.ratio), ratio(series.ratio)]),
     );
 }
 
@@ -77,7 +77,6 @@ impl<'a> Series<'a> {
         })
     }
 
-    /// The surface.
     pub fn found(&self) -> &'a SurfaceResults {
         self.found
     }
@@ -88,7 +87,7 @@ impl<'a> Series<'a> {
     }
 
     /// The findings, one line each.
-    pub fn in_short(&self) -> Vec<String> {
+    pub fn summary_lines(&self) -> Vec<String> {
         let mut lines = Vec::new();
         lines.extend(self.threshold_line());
         lines.extend(self.findings.plastic.as_ref().map(|found| self.plastic_line(found)));
@@ -102,7 +101,7 @@ impl<'a> Series<'a> {
             let each: Vec<String> = each
                 .map(|threshold| format!("{} ({})", depth(threshold.thickness), threshold.kind.name()))
                 .collect();
-            format!("at {} {}", quantity(load, "Pa"), each.join(" or "))
+            format!("at {} {}", input_quantity(load, "Pa"), each.join(" or "))
         };
         let parts: Vec<String> = self.findings.loads.iter().map(at_load).collect();
         (!parts.is_empty()).then(|| {
@@ -121,7 +120,7 @@ impl<'a> Series<'a> {
         format!(
             "**{}**: the plastic share of the load at {} ({}) is largest {} and smallest {}.",
             escape(&self.subject),
-            quantity(found.load, "Pa"),
+            input_quantity(found.load, "Pa"),
             found.model.name(),
             under(found.largest),
             under(found.smallest),

@@ -10,6 +10,7 @@ use crate::precision::sampling::{SamplingFindings, separation, stated};
 use crate::precision::sum::{SumPoint, Sweep, Way};
 use crate::precision::{Cost, LEVELS};
 use asperity::compare::{Kind, LimitPoint, Quantity};
+use asperity_framework::report::format::input_number;
 use asperity_plot::{Axis, Colour, Dash, Figure, Layer, Marker, Plot};
 
 /// Smaller errors are shown at this value.
@@ -68,7 +69,7 @@ pub fn legendre(found: &IntegralFindings) -> String {
         (Family::Legendre, false, true, "substituted"),
         (Family::Legendre, true, false, "split"),
         (Family::Legendre, true, true, "split and substituted"),
-        (Family::Panels, true, true, "the same, in panels"),
+        (Family::Panels, true, true, "split and substituted, in panels"),
     ];
     rules_plot("Gauss-Legendre by order", found, &uses).svg()
 }
@@ -81,7 +82,7 @@ pub fn rules(found: &IntegralFindings) -> String {
         (Family::ChebyshevFirst, true, true, "Chebyshev, first kind"),
         (Family::ChebyshevSecond, true, true, "Chebyshev, second kind"),
         (Family::Laguerre, false, false, "Laguerre"),
-        (Family::Laguerre, true, true, "Laguerre behind Legendre"),
+        (Family::Laguerre, true, true, "Legendre, then Laguerre"),
         (Family::Hermite, false, false, "Hermite"),
     ];
     let others = [
@@ -164,8 +165,9 @@ pub fn curves(found: &CurveFindings) -> String {
             Axis::log("time of the curve (ms)").range(0.6 * least, 1.6 * most),
         );
         let within = || of_kind().filter_map(|point| Some((point.tolerance?, point)));
-        let asked: Vec<_> = within().map(|(tolerance, point)| (tolerance, milliseconds(point))).collect();
-        for layer in series(asked, "tolerance", Colour::Series(0), Dash::Solid, Marker::Circle) {
+        let by_tolerance: Vec<_> =
+            within().map(|(tolerance, point)| (tolerance, milliseconds(point))).collect();
+        for layer in series(by_tolerance, "tolerance", Colour::Series(0), Dash::Solid, Marker::Circle) {
             plot = plot.with(layer);
         }
         let off = within().map(|(_, point)| (point.error().max(FLOOR), milliseconds(point)));
@@ -228,7 +230,7 @@ pub fn sampling(found: &SamplingFindings) -> String {
         let points: Vec<&LimitPoint> = found.points.iter().filter(|point| separation(point) == *h).collect();
         let measured: Vec<_> = points.iter().map(|point| (point.count as f64, error(point))).collect();
         let said = points.iter().map(|point| (point.count as f64, stated(point, Quantity::Load)));
-        let name = format!("d/σ = {h}");
+        let name = format!("d/σ = {}", input_number(*h));
         left = left
             .with(
                 Layer::line(said.collect::<Vec<_>>())
@@ -268,7 +270,7 @@ pub fn grid(found: &GridFindings) -> String {
     let mut left = Plot::new(
         "bias of the grid (theory)",
         Axis::log("points per correlation length"),
-        Axis::log("relative error, without sign"),
+        Axis::log("absolute value of the relative error"),
     );
     let mut right = Plot::new(
         "scatter of the maps (measured)",
@@ -311,7 +313,7 @@ pub fn surface_work(found: &GridFindings) -> String {
         let points = found.points.iter().filter(|point| point.per_length == *per_length);
         let line = points.map(|point| (point.error(Statistic::Radius), point.seconds)).collect();
         let unit = if *per_length == 1.0 { "point" } else { "points" };
-        let name = format!("{per_length} {unit} per length");
+        let name = format!("{} {unit} per length", input_number(*per_length));
         let colour = Colour::Ordered { index, of: grids.len() };
         for layer in series(line, &name, colour, Dash::Solid, Marker::Circle) {
             plot = plot.with(layer);

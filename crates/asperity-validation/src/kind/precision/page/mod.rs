@@ -11,21 +11,20 @@ mod physics;
 mod scale;
 
 use crate::kind::precision::findings::{FOUR_ULP, Of, Ordering, Speedup, Winner, largest_sums};
-use crate::kind::precision::names::{candidate_words, rule_words};
+use crate::kind::precision::names::{candidate_name, rule_name};
 use crate::kind::precision::run::{CasePrecision, PrecisionResults};
 use crate::precision::integral::IntegralFindings;
 use crate::precision::sum::{ASPERITIES, POINTS, SEPARATIONS, Sweep, Way};
-use asperity_framework::report::format::{count, number, quantity};
+use asperity_framework::report::format::{count, input_number, input_quantity, number, quantity};
 use asperity_framework::report::page::{Page, escape};
 use asperity_framework::report::sections;
 
-/// The page.
 pub fn page(results: &PrecisionResults) -> Page {
     let mut page = Page::new(&results.metadata.title);
     sections::notes(&mut page, &results.metadata);
     page.heading(2, "Summary");
-    let mut short: Vec<String> = results.cases.iter().flat_map(in_short).collect();
-    short.extend(physics::in_short(results));
+    let mut short: Vec<String> = results.cases.iter().flat_map(summary_lines).collect();
+    short.extend(physics::summary_lines(results));
     page.bullets(short);
     page.paragraph(
         "Times were measured on the machine that wrote this report: each is the median of interleaved runs of all \
@@ -53,9 +52,9 @@ fn populations(page: &mut Page, results: &PrecisionResults) {
         results.cases.iter().map(|case| {
             vec![
                 case.name.clone(),
-                quantity(case.population.radius, "m"),
-                quantity(case.population.sigma, "m"),
-                number(case.population.density),
+                input_quantity(case.population.radius, "m"),
+                input_quantity(case.population.sigma, "m"),
+                input_number(case.population.density),
                 case.plasticity_index.map_or_else(|| "-".to_owned(), number),
             ]
         }),
@@ -77,10 +76,10 @@ fn time(seconds: f64) -> String {
 }
 
 /// The fastest methods for one population.
-fn in_short(case: &CasePrecision) -> Vec<String> {
+fn summary_lines(case: &CasePrecision) -> Vec<String> {
     let of = |what: Of| case.findings.winners.iter().filter(move |winner| winner.of == what);
     let mut lines = Vec::new();
-    let integral: Vec<String> = of(Of::Integral).map(in_words).collect();
+    let integral: Vec<String> = of(Of::Integral).map(winner_text).collect();
     if !integral.is_empty() {
         lines.push(format!("**The integral, {}**: {}.", escape(&case.name), integral.join("; ")));
     }
@@ -89,21 +88,21 @@ fn in_short(case: &CasePrecision) -> Vec<String> {
         lines.push(format!(
             "**The sum, {}**: of {size} asperities at {POINTS} separations on one thread, {}.",
             escape(&case.name),
-            in_words(winner)
+            winner_text(winner)
         ));
     }
-    lines.extend(case.findings.ordering.map(|found| ordering_words(case, found)));
-    lines.extend(case.findings.speedup.map(|found| thread_words(case, found)));
-    lines.extend(scale::in_short(case));
+    lines.extend(case.findings.ordering.map(|found| ordering_line(case, found)));
+    lines.extend(case.findings.speedup.map(|found| threads_line(case, found)));
+    lines.extend(scale::summary_lines(case));
     lines
 }
 
-fn in_words(winner: &Winner) -> String {
+fn winner_text(winner: &Winner) -> String {
     let level = level(winner);
     let Some((fastest, cost)) = &winner.fastest else {
         return format!("none of the methods tested is within {level}");
     };
-    let (name, time) = (candidate_words(fastest), time(cost.seconds));
+    let (name, time) = (candidate_name(fastest), time(cost.seconds));
     match winner.shipped_over_fastest {
         _ if winner.is_shipped() => {
             format!("within {level} the shipped method is the fastest ({time} per separation)")
@@ -124,23 +123,23 @@ fn two_digits(ratio: f64) -> f64 {
 }
 
 /// The number of separations beyond which ordering saves time.
-fn ordering_words(case: &CasePrecision, found: Ordering) -> String {
+fn ordering_line(case: &CasePrecision, found: Ordering) -> String {
     format!(
-        "**Ordering, {}**: for {} asperities it {}.",
+        "**Ordering, {}**: for {} asperities, sorting by height first {}.",
         escape(&case.name),
         count(found.asperities),
         match found.paid_back_by {
             Some(1) => "saves time from the first separation".to_owned(),
-            Some(separations) => format!("saves time from {} separations or fewer", count(separations)),
-            None => "saves no time for any number of separations tested".to_owned(),
+            Some(separations) => format!("saves time from at most {} separations on", count(separations)),
+            None => "saves no time at any number of separations tested".to_owned(),
         }
     )
 }
 
 /// The effect of more threads.
-fn thread_words(case: &CasePrecision, found: Speedup) -> String {
+fn threads_line(case: &CasePrecision, found: Speedup) -> String {
     format!(
-        "**Threads, {}**: on {} the shipped sum of {} asperities takes {} of the time that it takes on {}.",
+        "**Threads, {}**: on {} the shipped sum of {} asperities takes {} times as long as on {}.",
         escape(&case.name),
         thread_count(found.to),
         count(found.asperities),
@@ -162,7 +161,7 @@ fn winner_table(page: &mut Page, results: &PrecisionResults, of: Of) {
 
 fn winner_row(case: &str, winner: &Winner) -> Vec<String> {
     let (name, error, seconds) = match &winner.fastest {
-        Some((fastest, cost)) => (candidate_words(fastest), number(cost.error), time(cost.seconds)),
+        Some((fastest, cost)) => (candidate_name(fastest), number(cost.error), time(cost.seconds)),
         None => ("none".to_owned(), String::new(), String::new()),
     };
     let ratio = winner
@@ -173,15 +172,15 @@ fn winner_row(case: &str, winner: &Winner) -> Vec<String> {
 
 /// The permitted error.
 fn level(winner: &Winner) -> String {
-    if winner.level == FOUR_ULP { "4 ulp".to_owned() } else { number(winner.level) }
+    if winner.level == FOUR_ULP { "4 ulp".to_owned() } else { input_number(winner.level) }
 }
 
 fn integrals(page: &mut Page, results: &PrecisionResults) {
     page.heading(2, "The integral");
-    let separations: Vec<String> = results.separations.iter().map(|&h| number(h)).collect();
+    let separations: Vec<String> = results.separations.iter().map(|&h| input_number(h)).collect();
     page.paragraph(&format!(
         "Area and load at d/σ = {}. Error: the largest over these separations, of area and load. Time: per separation. \
-         Reference: a tanh-sinh rule in 32 digits, from the equations of the law alone. Errors below 3e-17 are shown at \
+         Reference: a tanh-sinh rule in 32 digits, from the equations of the law only. Errors below 3e-17 are shown at \
          3e-17.",
         separations.join(", ")
     ));
@@ -227,10 +226,11 @@ fn integrals(page: &mut Page, results: &PrecisionResults) {
 fn same_nodes(page: &mut Page, found: &IntegralFindings) {
     let Some((shipped, nodes)) = found.shipped().zip(found.shipped_nodes()) else { return };
     page.paragraph(&format!(
-        "The shipped rule takes {} per separation with an error of {}; its nodes in the common loop ({}) take {} with {}.",
+        "The shipped rule takes {} per separation with an error of {}; the same nodes in the loop used for all \
+         rules ({}) take {} with an error of {}.",
         time(shipped.cost.seconds),
         number(shipped.cost.error),
-        rule_words(&nodes.rule),
+        rule_name(&nodes.rule),
         time(nodes.cost.seconds),
         number(nodes.cost.error),
     ));

@@ -5,17 +5,17 @@ use crate::kind::precision::run::{CasePrecision, PrecisionResults};
 use crate::precision::grid::{Doubling, GridFindings, GridPoint};
 use crate::precision::sampling::{SamplingFindings, separation, stated};
 use asperity::compare::{FEWEST_CONTACTS, Quantity};
-use asperity_framework::report::format::{count, number, percent};
+use asperity_framework::report::format::{count, input_number, number, percent};
 use asperity_framework::report::page::{Page, escape};
 
 /// Summary of these effects.
-pub fn in_short(results: &PrecisionResults) -> Vec<String> {
-    let mut lines: Vec<String> = results.cases.iter().filter_map(asperities_in_short).collect();
-    lines.extend(results.grid.as_ref().and_then(grid_in_short));
+pub fn summary_lines(results: &PrecisionResults) -> Vec<String> {
+    let mut lines: Vec<String> = results.cases.iter().filter_map(asperities_line).collect();
+    lines.extend(results.grid.as_ref().and_then(grid_line));
     lines
 }
 
-fn asperities_in_short(case: &CasePrecision) -> Option<String> {
+fn asperities_line(case: &CasePrecision) -> Option<String> {
     let tenfold = case.sampling.as_ref()?.tenfold()?;
     Some(format!(
         "**Asperities, {}**: ten times as many cost {} times the time and make the sampling error of the load {} times smaller (theory: √10 = 3.16).",
@@ -25,7 +25,7 @@ fn asperities_in_short(case: &CasePrecision) -> Option<String> {
     ))
 }
 
-fn grid_in_short(found: &GridFindings) -> Option<String> {
+fn grid_line(found: &GridFindings) -> Option<String> {
     let Doubling { bias, scatter, time } = found.doubling()?;
     Some(format!(
         "**Surface**: twice the points per correlation length cost {cost} times the time and make the bias of the radius \
@@ -73,14 +73,14 @@ fn sets(page: &mut Page, case: &CasePrecision, found: &SamplingFindings) {
         ["d/σ", "expected contacts", "area error", "estimated", "load error", "estimated"],
         found.points.iter().filter(|point| point.count == largest).map(|point| {
             let pair = |quantity| [percent(point.scatter(quantity).1), percent(stated(point, quantity))];
-            let mut row = vec![number(separation(point)), number(point.expected_contacts())];
+            let mut row = vec![input_number(separation(point)), number(point.expected_contacts())];
             row.extend(pair(Quantity::Area).into_iter().chain(pair(Quantity::Load)));
             row
         }),
     );
     page.paragraph(&format!(
         "A load within 1 % at d/σ = {} requires about {} asperities, within 0.1 % about {}: a hundred times as many.",
-        number(found.least_separation()),
+        input_number(found.least_separation()),
         number(two_digits(found.needed(0.01))),
         number(two_digits(found.needed(0.001))),
     ));
@@ -122,9 +122,9 @@ fn maps(page: &mut Page, found: &GridFindings) {
         ],
         found.points.iter().map(|point| {
             let GridPoint { per_length, lengths, points, summits, bias, scatter, seconds } = *point;
-            let mut row = vec![number(per_length)];
+            let mut row = vec![input_number(per_length)];
             row.extend(bias.map(percent));
-            row.extend([number(lengths), format!("{points} x {points}"), number(summits)]);
+            row.extend([input_number(lengths), format!("{points} x {points}"), number(summits)]);
             row.extend(scatter.map(percent));
             row.push(time(seconds));
             row
@@ -142,8 +142,8 @@ fn cheapest(found: &GridFindings) -> Option<String> {
         Some(format!(
             "within {} it has {} points per length and {} lengths per side ({})",
             percent(error),
-            number(best.per_length),
-            number(best.lengths),
+            input_number(best.per_length),
+            input_number(best.lengths),
             time(best.seconds)
         ))
     };

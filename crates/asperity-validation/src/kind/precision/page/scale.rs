@@ -6,14 +6,14 @@ use crate::precision::curve::{CurveFindings, CurvePoint, EASY};
 use crate::precision::list::{LONG, ListPoint, LongLists};
 use crate::precision::sum::SEPARATIONS;
 use asperity::compare::Kind;
-use asperity_framework::report::format::{count, number, quantity};
+use asperity_framework::report::format::{count, input_number, number, quantity};
 use asperity_framework::report::page::{Page, escape};
 
 /// Time of curves and lists.
-pub fn in_short(case: &CasePrecision) -> Vec<String> {
-    let curve = case.curve.as_ref().and_then(easy_words);
+pub fn summary_lines(case: &CasePrecision) -> Vec<String> {
+    let curve = case.curve.as_ref().and_then(curve_cost);
     let curve = curve.map(|text| format!("**A curve, {}**: {text}.", escape(&case.name)));
-    let list = list_words(&case.lists).map(|text| format!("**Lists, {}**: {text}.", escape(&case.name)));
+    let list = list_cost(&case.lists).map(|text| format!("**Lists, {}**: {text}.", escape(&case.name)));
     curve.into_iter().chain(list).collect()
 }
 
@@ -26,7 +26,7 @@ const fn model(kind: Kind) -> &'static str {
 }
 
 /// The cost at the tolerances of [`EASY`], of those tested.
-fn easy_words(found: &CurveFindings) -> Option<String> {
+fn curve_cost(found: &CurveFindings) -> Option<String> {
     let at = |(kind, tolerance): (Kind, f64)| {
         let is_it = |point: &&CurvePoint| point.kind == kind && point.tolerance == Some(tolerance);
         let point = found.points.iter().find(is_it)?;
@@ -40,7 +40,7 @@ fn easy_words(found: &CurveFindings) -> Option<String> {
             } else {
                 String::new()
             },
-            number(tolerance),
+            input_number(tolerance),
             number(two_digits(point.error())),
             number(two_digits(found.times(point))),
             count(beside.separations),
@@ -50,24 +50,24 @@ fn easy_words(found: &CurveFindings) -> Option<String> {
     (!parts.is_empty()).then(|| parts.join("; "))
 }
 
-fn list_words(lists: &[ListPoint]) -> Option<String> {
+fn list_cost(lists: &[ListPoint]) -> Option<String> {
     let LongLists { shortest: first, longest: last, seconds_per_asperity } = LongLists::of(lists)?;
     let memory = last.peak_bytes.map_or_else(String::new, |bytes| {
-        format!(", with {} of memory at most", quantity(two_digits(bytes as f64), "B"))
+        format!(" and at most {} of memory", quantity(two_digits(bytes as f64), "B"))
     });
     let [least, most] = seconds_per_asperity.map(|each| time(two_digits(each)));
     let spread = if least == most { most } else { format!("{least} to {most}") };
     let range = if first.asperities == last.asperities {
-        format!("with {} asperities, each takes {spread}", count(first.asperities))
+        format!("{spread} per asperity with {} asperities", count(first.asperities))
     } else {
         format!(
-            "from {} to {} asperities each takes {spread}",
+            "{spread} per asperity from {} to {} asperities",
             count(first.asperities),
             count(last.asperities)
         )
     };
     Some(format!(
-        "{range} to be read from a file and summed at {} separations; {} take {}{memory}",
+        "reading a file and summing at {} separations takes {range}; {} asperities take {}{memory}",
         last.separations,
         count(last.asperities),
         time(two_digits(last.read_seconds + last.sum_seconds)),
@@ -117,9 +117,9 @@ pub fn curves(page: &mut Page, results: &PrecisionResults) {
             found.points.iter().map(|point| {
                 vec![
                     model(point.kind).to_owned(),
-                    point.tolerance.map_or_else(|| "exact".to_owned(), number),
+                    point.tolerance.map_or_else(|| "exact".to_owned(), input_number),
                     count(point.separations),
-                    count(point.asked),
+                    count(point.evaluated),
                     number(two_digits(point.area_error)),
                     number(two_digits(point.load_error)),
                     time(point.seconds),
@@ -127,7 +127,7 @@ pub fn curves(page: &mut Page, results: &PrecisionResults) {
                 ]
             }),
         );
-        if let Some(text) = easy_words(found) {
+        if let Some(text) = curve_cost(found) {
             page.paragraph(&format!("{text}."));
         }
     }

@@ -6,7 +6,6 @@ use asperity_plot::{Axis, Colour, ColourMap, Dash, Layer, Plot, Raster};
 /// log10 of the errors at both ends of the colours: a tenth of a rounding, and a hundred roundings or the worst.
 const COLOURS: (f64, f64) = (-17.0, -14.0);
 
-/// One map.
 pub fn map(map: &Map) -> String {
     let [columns, rows] = map.cells;
     // Outer edges of the outermost cells.
@@ -45,10 +44,10 @@ pub fn map(map: &Map) -> String {
 pub fn caption(map: &Map) -> &'static str {
     match map.name {
         "separation" => {
-            "Relative error of the integral for steel on steel under ZMC. White: less than a tenth of a rounding, or zero."
+            "Relative error of the integral for steel on steel under ZMC. White: below a tenth of the unit roundoff, or zero."
         }
         "transition" => {
-            "Relative error of a single contact of that pair for any ratio c = w₂/w₁: elastic left of w₁, plastic right of \
+            "Relative error of a single steel contact for any ratio c = w₂/w₁: elastic left of w₁, plastic right of \
              w₂. Between them the error increases as 1/(c − 1) where c is near 1, because of the rounding of w₁ alone."
         }
         _ => {

@@ -5,7 +5,7 @@ mod figures;
 use crate::kind::stability::findings::KindFindings;
 use crate::kind::stability::run::StabilityResults;
 use crate::stability::{GroupFindings, Kind, Quantity, Worst, uncovered_heights};
-use asperity_framework::report::format::{count, number};
+use asperity_framework::report::format::count;
 use asperity_framework::report::page::{Page, escape};
 use asperity_framework::report::sections;
 
@@ -14,7 +14,6 @@ fn error(value: f64) -> String {
     if value == 0.0 { "0".to_owned() } else { format!("{value:.0e}") }
 }
 
-/// The page.
 pub fn page(results: &StabilityResults) -> Page {
     let mut page = Page::new(&results.metadata.title);
     sections::notes(&mut page, &results.metadata);
@@ -22,7 +21,7 @@ pub fn page(results: &StabilityResults) -> Page {
         page.warning(&escape(&warning));
     }
     page.heading(2, "Summary");
-    page.bullets(in_short(results));
+    page.bullets(summary_lines(results));
     page.paragraph(
         "All results of the models are compared with values of about 32 digits from an independent evaluation of the \
          equations: other formulas, no tables, double-double arithmetic, the tanh-sinh rule for integrals, slopes by \
@@ -77,7 +76,7 @@ const METHOD: [&str; 6] = [
     "Stiffnesses under a layer and under Jackson and Green are slopes of tables: their bound is 1e-11.",
 ];
 
-fn in_short(results: &StabilityResults) -> Vec<String> {
+fn summary_lines(results: &StabilityResults) -> Vec<String> {
     let beyond = results.beyond().count();
     let mut lines = vec![format!(
         "**{} cases** in {} groups: {}; {}.",
@@ -130,7 +129,7 @@ fn groups(page: &mut Page, results: &StabilityResults) {
                     count(findings.cases as usize),
                     match findings.failures.len() {
                         0 => "none".to_owned(),
-                        several => number(several as f64),
+                        several => count(several),
                     },
                 ]
             }),

@@ -1,9 +1,9 @@
 //! Summary: which matters more, contact law or summation method.
 
-use super::words::{short, size};
+use super::measures::size;
 use crate::kind::laws::results::{LawsResults, SurfaceInfluence};
 use asperity::compare::{Attribution, Dominant, Group, Measure};
-use asperity_framework::report::format::{listed, quantity};
+use asperity_framework::report::format::{input_quantity, listed, number};
 use asperity_framework::report::page::escape;
 
 /// On which surfaces the law matters more, and on which the summation method: one line per measure.
@@ -40,14 +40,14 @@ fn verdict_by(results: &LawsResults, measure: Measure) -> Option<String> {
         let on = names(&|found| {
             found.dominant() == Dominant::Law && found.is_law_without_furthest() == Some(true)
         });
-        let on = if on.is_empty() { "none".to_owned() } else { listed(&on) };
+        let on = if on.is_empty() { "no surface".to_owned() } else { listed(&on) };
         rest = format!(" Without the most deviating law, the contact law matters more on {on}.");
     }
     (!parts.is_empty()).then(|| format!("**By {what}** {}.{rest}", parts.join(", ")))
 }
 
 /// Which matters more on one surface, by how much, and within which sampling uncertainty: one line per measure.
-pub fn in_short(results: &LawsResults, surface: &str) -> Vec<String> {
+pub fn summary_lines(results: &LawsResults, surface: &str) -> Vec<String> {
     let Some(found) = results.of_first(surface) else { return Vec::new() };
     if found.attributions.is_empty() {
         return vec![format!(
@@ -85,11 +85,11 @@ fn line(found: &SurfaceInfluence, attribution: &Attribution) -> String {
         which(attribution),
         size(measure, law.mean),
         size(measure, law.largest),
-        quantity(law.at, "Pa"),
+        input_quantity(law.at, "Pa"),
         escape(&laws[0]),
         size(measure, summation.mean),
         size(measure, summation.largest),
-        quantity(summation.at, "Pa"),
+        input_quantity(summation.at, "Pa"),
         chance(attribution),
     )
 }
@@ -97,7 +97,7 @@ fn line(found: &SurfaceInfluence, attribution: &Attribution) -> String {
 /// Which matters more, and how many times as much.
 fn which(attribution: &Attribution) -> String {
     let ratio = attribution.ratio();
-    let times = if ratio < 10.0 { format!("{ratio:.1} times") } else { format!("{} times", short(ratio)) };
+    let times = if ratio < 10.0 { format!("{ratio:.1} times") } else { format!("{} times", number(ratio)) };
     let logarithms = match attribution.measure {
         Measure::Separation => "",
         Measure::Area => " (ratio of logarithms)",
@@ -124,7 +124,8 @@ fn chance(attribution: &Attribution) -> String {
     };
     let verdict = if attribution.is_significant() { "" } else { ", which is within sampling uncertainty" };
     format!(
-        "The sampling error of the sum {bound} {} on average: the models differ by {errors:.1} times that{verdict}.",
+        "The sampling error of the sum {bound} {} on average: the models differ by {} times that{verdict}.",
         size(attribution.measure, error.mean),
+        number(errors),
     )
 }

@@ -1,7 +1,7 @@
 //! Summary of one surface under one law.
 
 use asperity::compare::{Departure, FEWEST_CONTACTS, Gap, GapQuantity, Pair, Pairing, SpreadFindings};
-use asperity_framework::report::format::{number, percent, quantity};
+use asperity_framework::report::format::{input_number, input_quantity, mean_and_deviation, number, percent};
 
 use super::names::subject;
 use crate::kind::compare::findings::Recommendation;
@@ -18,13 +18,13 @@ fn validity(loads: impl Iterator<Item = f64>) -> String {
     }
     format!(
         "Valid for {} to {} (at least 30 contacts, contact area at most 5 %).",
-        quantity(from, "Pa"),
-        quantity(to, "Pa")
+        input_quantity(from, "Pa"),
+        input_quantity(to, "Pa")
     )
 }
 
 /// Difference between the models, and which to use: one line each.
-pub fn in_short(results: &CompareResults, found: &SurfaceResults, index: usize) -> Vec<String> {
+pub fn summary_lines(results: &CompareResults, found: &SurfaceResults, index: usize) -> Vec<String> {
     let (case, findings) = (&found.first.cases[index], &found.findings.cases[index]);
     let subject = subject(results, found, &case.law);
     let mut lines = match &findings.over_realisations {
@@ -63,11 +63,10 @@ fn over_realisations(subject: &str, found: &SpreadFindings, validity: &str) -> V
     let SpreadFindings { realisations, separation, area, .. } = found;
     vec![
         format!(
-            "**{subject}**, over {realisations} realisations: at equal load the separations differ by up to {} ± {} σ (mean ± standard deviation of one \
+            "**{subject}**, over {realisations} realisations: at equal load the separations differ by up to {} σ (mean ± standard deviation of one \
              realisation) at {}, {} standard errors of the mean: {} σ statistical, {} σ deterministic. {validity}",
-            number(separation.difference.mean.abs()),
-            number(separation.difference.deviation),
-            quantity(separation.target, "Pa"),
+            mean_and_deviation(separation.difference.mean.abs(), separation.difference.deviation),
+            input_quantity(separation.target, "Pa"),
             number(found.separation_standard_errors()),
             number(separation.statistical_separation.mean),
             number(separation.deterministic_separation.mean),
@@ -75,7 +74,7 @@ fn over_realisations(subject: &str, found: &SpreadFindings, validity: &str) -> V
         format!(
             "**{subject}**: at equal load {} at {}, where the mean areas differ most.",
             deviation("real contact area", area.area_ratio_of_means()),
-            quantity(area.target, "Pa")
+            input_quantity(area.target, "Pa")
         ),
     ]
 }
@@ -92,17 +91,17 @@ fn sentence(gap: &Gap, validity: &str) -> String {
             number(gap.difference().abs()),
             number(gap.statistical),
             number(gap.deterministic),
-            quantity(gap.target, "Pa"),
+            input_quantity(gap.target, "Pa"),
         ),
         GapQuantity::AreaRatio => format!(
             "at equal load {} at {}{errors}, where the areas differ most.",
             deviation("real contact area", gap.ratio()),
-            quantity(gap.target, "Pa"),
+            input_quantity(gap.target, "Pa"),
         ),
         GapQuantity::Pressure => format!(
             "at equal separation {} at d/σ = {}{errors}, where the loads differ most.",
             deviation("load", gap.ratio()),
-            number(gap.target),
+            input_number(gap.target),
         ),
     }
 }
@@ -115,8 +114,7 @@ fn deviation(of: &str, ratio: f64) -> String {
         return format!("the statistical model gives a {of} {size} {direction} than the deterministic model");
     }
     let (verb, fold) = if ratio < 1.0 { ("underestimates", ratio.recip()) } else { ("overestimates", ratio) };
-    let fold = number(format!("{fold:.2e}").parse().unwrap_or(fold));
-    format!("the statistical model {verb} the {of} {fold}-fold")
+    format!("the statistical model {verb} the {of} {}-fold", number(fold))
 }
 
 fn advice(recommendation: &Recommendation) -> String {

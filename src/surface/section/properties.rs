@@ -2,7 +2,7 @@
 
 use crate::surface::found::{MapFacts, Surface};
 use asperity::topography::Quantisation;
-use asperity_framework::report::format::{count, number, quantity};
+use asperity_framework::report::format::{count, input_quantity, number, quantity};
 
 /// A property and its value.
 pub type Row = [String; 2];
@@ -49,9 +49,9 @@ impl Rows {
     fn map(&mut self, map: &MapFacts) {
         let pair = |values: [f64; 2]| {
             if values[0] == values[1] {
-                quantity(values[0], "m")
+                input_quantity(values[0], "m")
             } else {
-                format!("{} × {}", quantity(values[0], "m"), quantity(values[1], "m"))
+                format!("{} × {}", input_quantity(values[0], "m"), input_quantity(values[1], "m"))
             }
         };
         let roughness = &map.roughness;
