@@ -2,7 +2,7 @@
 
 use super::findings::{Heights, SlopeRange, series};
 use super::run::LimitResults;
-use asperity::compare::{FEWEST_CONTACTS, LimitPoint, Quantity};
+use asperity::compare::{LimitPoint, MIN_CONTACTS, Quantity};
 use asperity_framework::report::format::{input_number, input_quantity, number};
 use asperity_framework::report::page::Page;
 use asperity_framework::report::sections;
@@ -16,7 +16,7 @@ pub fn page(results: &LimitResults) -> Page {
     page.paragraph(&format!(
         "Sets of asperities with equal radii and Gaussian heights are summed and compared with their limit: {}. The error \
          of a sum of n independent draws decreases as n^-½, that of heights at the quantiles as 1/n. Slopes are \
-         least-squares fits to the logarithms, for points with more than {FEWEST_CONTACTS} expected contacts.",
+         least-squares fits to the logarithms, for points with more than {MIN_CONTACTS} expected contacts.",
         results.laws.iter().map(|(law, reference)| format!("for {law}, {reference}")).collect::<Vec<_>>().join("; "),
     ));
     sections::what_was_run(&mut page, &results.metadata, &results.contact);
@@ -36,7 +36,7 @@ pub fn page(results: &LimitResults) -> Page {
                 figure(results, law, wanted),
                 &format!(
                     "Relative error of the {} against the number of asperities; limit: {reference}. Crosses: single random \
-                     sets; lines: their root mean square. Grey: points with at most {FEWEST_CONTACTS} expected contacts, \
+                     sets; lines: their root mean square. Grey: points with at most {MIN_CONTACTS} expected contacts, \
                      not fitted.",
                     wanted.name()
                 ),

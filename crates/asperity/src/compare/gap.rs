@@ -3,7 +3,7 @@
 use super::{Pair, Pairing};
 
 /// With fewer contacts the sum depends on a few of the highest asperities.
-pub const FEWEST_CONTACTS: f64 = 30.0;
+pub const MIN_CONTACTS: f64 = 30.0;
 
 /// A difference of at most this number of standard errors is not significant.
 pub const SIGNIFICANT: f64 = 3.0;
@@ -64,7 +64,7 @@ impl Gap {
     }
 }
 
-/// The largest gaps over the valid pairs: real area at most 5 % of the nominal area, and at least [`FEWEST_CONTACTS`]
+/// The largest gaps over the valid pairs: real area at most 5 % of the nominal area, and at least [`MIN_CONTACTS`]
 /// contacts.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Gaps {

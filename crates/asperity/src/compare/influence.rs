@@ -1,6 +1,6 @@
 //! Effects of contact law and summation method: several laws on one surface at equal load.
 
-use super::{FEWEST_CONTACTS, Kind, Pair, Pairing};
+use super::{Kind, MIN_CONTACTS, Pair, Pairing};
 use crate::model::Response;
 
 /// A gap between the models of at most this number of sampling errors is not significant.
@@ -178,11 +178,11 @@ impl AtLoad {
         self.is_gap_detectable(measure, 0).then(|| law / self.gap(measure, 0).abs())
     }
 
-    /// Whether there are fewer than [`FEWEST_CONTACTS`] contacts. If not, an invalid load is one at which asperities
+    /// Whether there are fewer than [`MIN_CONTACTS`] contacts. If not, an invalid load is one at which asperities
     /// interact.
     pub fn has_few_contacts(&self) -> bool {
         // A contact count is an integer; rounding removes the error of its density.
-        self.fewest_contacts.round() < FEWEST_CONTACTS
+        self.fewest_contacts.round() < MIN_CONTACTS
     }
 
     /// The law of a group with the largest gap between the models, and that gap.
@@ -281,7 +281,7 @@ fn compared(pressure: f64, pairs: &[Pair], elastic_plastic: &[bool], area: f64, 
         pressure,
         fewest_contacts,
         // A contact count is an integer; rounding removes the error of its density.
-        counts: fewest_contacts.round() >= FEWEST_CONTACTS && !interact,
+        counts: fewest_contacts.round() >= MIN_CONTACTS && !interact,
         area_ratio: pairs.first().map_or(0.0, |pair| pair.deterministic.area_ratio.total()),
         elastic_plastic: elastic_plastic.to_vec(),
         differences: Measure::ALL.map(|measure| differences(measure, pairs, sigma)),

@@ -5,7 +5,7 @@ use crate::asperity::{AsperitySet, Draw, Population, SetError};
 use crate::interface::MicroContact;
 use crate::model::{Deterministic, Model, ReferencePlane, Response};
 
-use super::gap::FEWEST_CONTACTS;
+use super::gap::MIN_CONTACTS;
 
 /// One law with its exact responses.
 pub struct LimitCase<'a> {
@@ -87,7 +87,7 @@ impl LimitPoint {
 
     /// Whether enough contacts are expected for the errors to follow their power law.
     pub fn is_fitted(&self) -> bool {
-        self.expected_contacts() > FEWEST_CONTACTS
+        self.expected_contacts() > MIN_CONTACTS
     }
 
     /// Signed relative error of one response.

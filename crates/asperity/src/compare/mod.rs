@@ -13,7 +13,7 @@ mod validity;
 
 pub use attribution::{Attribution, Dominant};
 pub use departure::Departure;
-pub use gap::{FEWEST_CONTACTS, Gap, GapQuantity, Gaps, SIGNIFICANT};
+pub use gap::{Gap, GapQuantity, Gaps, MIN_CONTACTS, SIGNIFICANT};
 pub use influence::{AtLoad, DETECTABLE, Effect, Group, Influence, Measure, UnderLaw};
 pub use limit::{Exact, LimitCase, LimitPoint, Quantity, SlopeFit, convergence};
 pub use modulus_check::{GOOD_RATIO, ModulusCheck, ModulusError, ModulusFindings, apart};
@@ -162,10 +162,10 @@ impl Pair {
         self.statistical.is_beyond_model() || self.deterministic.is_beyond_model()
     }
 
-    /// Whether a finding may rest on it: at least [`FEWEST_CONTACTS`] contacts on the nominal area `area` (m^2), and
+    /// Whether a finding may rest on it: at least [`MIN_CONTACTS`] contacts on the nominal area `area` (m^2), and
     /// asperities that do not interact.
     pub fn is_valid(&self, area: f64) -> bool {
-        !self.is_beyond_model() && self.deterministic.contact_density * area >= FEWEST_CONTACTS
+        !self.is_beyond_model() && self.deterministic.contact_density * area >= MIN_CONTACTS
     }
 }
 

@@ -1,6 +1,6 @@
 //! Scatter over realisations of one surface.
 
-use super::{FEWEST_CONTACTS, Pair, Pairing, SIGNIFICANT};
+use super::{MIN_CONTACTS, Pair, Pairing, SIGNIFICANT};
 use crate::model::INTERACTION;
 
 /// Mean and scatter of a quantity over realisations.
@@ -52,9 +52,9 @@ impl Spread {
     }
 
     /// Whether the load is valid: at least 30 contacts and no interaction of asperities.
-    pub fn counts(&self) -> bool {
+    pub fn is_valid(&self) -> bool {
         let area = self.deterministic_area.mean.max(self.statistical_area.mean);
-        self.contacts >= FEWEST_CONTACTS && area <= INTERACTION
+        self.contacts >= MIN_CONTACTS && area <= INTERACTION
     }
 
     /// Mean area of the statistical model over that of the deterministic one.
@@ -80,7 +80,7 @@ impl SpreadFindings {
     /// Over the loads common to all realisations; `None` if none is valid.
     pub fn of(spread: &[Spread], realisations: usize) -> Option<Self> {
         let largest = |size: &dyn Fn(&Spread) -> f64| {
-            let counting = spread.iter().filter(|at| at.counts());
+            let counting = spread.iter().filter(|at| at.is_valid());
             counting.max_by(|a, b| size(a).total_cmp(&size(b))).copied()
         };
         let errors = |at: &Spread| at.standard_errors(realisations);
@@ -188,7 +188,7 @@ mod tests {
         assert!((found.sampling_error - 0.5).abs() < 1e-15);
         assert_eq!(found.contacts, 40.0);
         assert!((found.standard_errors(3) - 3f64.sqrt()).abs() < 1e-12);
-        assert!(!found.counts(), "A/A_nom of 0.4");
+        assert!(!found.is_valid(), "A/A_nom of 0.4");
         assert_eq!(spread(&realisations[..1]), []);
     }
 
@@ -227,7 +227,7 @@ mod tests {
     fn few_contacts_and_a_large_area_of_either_model_do_not_count() {
         let at = |statistical: f64, deterministic: f64, area: f64| {
             let pairs = [pair(1.0, statistical, deterministic)];
-            spread(&[(&pairs[..], 1e-8, area), (&pairs[..], 1e-8, area)])[0].counts()
+            spread(&[(&pairs[..], 1e-8, area), (&pairs[..], 1e-8, area)])[0].is_valid()
         };
         assert!(at(0.4, 0.4, 30.0));
         assert!(!at(0.4, 0.4, 29.0), "29 contacts");

@@ -2,7 +2,7 @@
 
 use std::iter::Sum;
 
-use super::{Comparison, Control, FEWEST_CONTACTS, Kind};
+use super::{Comparison, Control, Kind, MIN_CONTACTS};
 
 /// Numbers of points of one or several comparisons.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -13,7 +13,7 @@ pub struct PointCounts {
     pub beyond_model: usize,
     /// Points of the deterministic model.
     pub sum_points: usize,
-    /// Of these, with a contact, but fewer than [`FEWEST_CONTACTS`].
+    /// Of these, with a contact, but fewer than [`MIN_CONTACTS`].
     pub few_contacts: usize,
     /// Points prescribed by a pressure or a force.
     pub load_points: usize,
@@ -33,7 +33,7 @@ impl PointCounts {
             if point.kind == Kind::Deterministic {
                 let contacts = point.response.contact_density * area;
                 counts.sum_points += 1;
-                counts.few_contacts += usize::from(contacts > 0.0 && contacts < FEWEST_CONTACTS);
+                counts.few_contacts += usize::from(contacts > 0.0 && contacts < MIN_CONTACTS);
             }
             if point.control != Control::Separation {
                 counts.load_points += 1;

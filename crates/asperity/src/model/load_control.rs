@@ -36,17 +36,6 @@ pub fn at_pressure(model: &dyn Model, pressure: f64) -> Result<Reached, Unreacha
     at_pressures(model, &[pressure]).remove(0)
 }
 
-/// Searches each pressure that has not been `found` yet, all of them in parallel.
-pub(super) fn search_missing(
-    found: &mut [Option<f64>],
-    pressures: &[f64],
-    search: impl Fn(f64) -> Option<f64> + Sync,
-) {
-    let missing: Vec<usize> = (0..found.len()).filter(|&k| found[k].is_none()).collect();
-    let answers = parallel::map(missing.len(), |k| search(pressures[missing[k]]));
-    missing.into_iter().zip(answers).for_each(|(k, answer)| found[k] = answer);
-}
-
 /// [`at_pressure`] for each of many pressures (Pa, positive), searched together.
 pub fn at_pressures(model: &dyn Model, pressures: &[f64]) -> Vec<Result<Reached, Unreachable>> {
     let found = reached_at(model, pressures);
@@ -89,4 +78,15 @@ fn largest_pressure(model: &dyn Model) -> f64 {
     let grid: Vec<f64> =
         (0..=steps).map(|k| LOWEST_SEPARATION + f64::from(k) / f64::from(PER_SIGMA)).collect();
     model.respond_all(&grid).iter().map(|response| response.pressure.total()).fold(0.0, f64::max)
+}
+
+/// Searches each pressure that has not been `found` yet, all of them in parallel.
+pub(super) fn search_missing(
+    found: &mut [Option<f64>],
+    pressures: &[f64],
+    search: impl Fn(f64) -> Option<f64> + Sync,
+) {
+    let missing: Vec<usize> = (0..found.len()).filter(|&k| found[k].is_none()).collect();
+    let answers = parallel::map(missing.len(), |k| search(pressures[missing[k]]));
+    missing.into_iter().zip(answers).for_each(|(k, answer)| found[k] = answer);
 }

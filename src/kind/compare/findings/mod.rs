@@ -14,7 +14,7 @@ pub use decreasing::Decreasing;
 pub use layer::{AtThickness, GapRange, LayerFindings, PlasticRange};
 pub use recommendation::Recommendation;
 
-use asperity::compare::{PointCounts, Realisation, Spread, SpreadFindings, spread};
+use asperity::compare::{Pairing, PointCounts, Realisation, Spread, SpreadFindings, spread, valid_stretches};
 
 use super::answers::{CaseResults, DecreaseResults, RealisationResults, Threshold};
 use crate::surface::Surface;
@@ -35,6 +35,8 @@ pub struct CaseFindings {
     pub spread: Vec<Spread>,
     /// Difference between the models over the realisations; `None` without a common valid load.
     pub over_realisations: Option<SpreadFindings>,
+    /// First and last of each stretch of neighbouring loads (Pa) on which a finding may rest.
+    pub valid_loads: Vec<[f64; 2]>,
     /// Which model to use; `None` without a valid result.
     pub recommendation: Option<Recommendation>,
 }
@@ -92,7 +94,14 @@ impl CaseFindings {
         };
         let recommendation =
             is_significant.map(|is_significant| Recommendation::new(surface, is_significant));
-        Self { spread, over_realisations, recommendation }
+        let valid_loads = if over_realisations.is_some() {
+            valid_stretches(spread.iter().map(|at| (at.target, at.is_valid())))
+        } else {
+            let (pairs, _, area) = pairs[0];
+            let at_load = pairs.iter().filter(|pair| pair.pairing == Pairing::Load);
+            valid_stretches(at_load.map(|pair| (pair.target, pair.is_valid(area))))
+        };
+        Self { spread, over_realisations, valid_loads, recommendation }
     }
 }
 

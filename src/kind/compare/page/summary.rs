@@ -1,7 +1,9 @@
 //! Summary of one surface under one law.
 
-use asperity::compare::{Departure, FEWEST_CONTACTS, Gap, GapQuantity, Pair, Pairing, SpreadFindings};
-use asperity_framework::report::format::{input_number, input_quantity, mean_and_deviation, number, percent};
+use asperity::compare::{Departure, Gap, GapQuantity, SpreadFindings};
+use asperity_framework::report::format::{
+    input_number, input_quantity, listed, mean_and_deviation, number, percent,
+};
 
 use super::names::subject;
 use crate::kind::compare::findings::Recommendation;
@@ -10,36 +12,29 @@ use crate::kind::compare::results::{CompareResults, SurfaceResults};
 /// Range of validity of a finding.
 pub const CONDITION: &str = "Valid at loads with at least 30 contacts and a contact area of at most 5 %.";
 
-/// The same with the range of these `loads` (Pa).
-fn validity(loads: impl Iterator<Item = f64>) -> String {
-    let (from, to) = loads.fold((f64::INFINITY, 0.0f64), |(from, to), load| (from.min(load), to.max(load)));
-    if from >= to {
-        return CONDITION.to_owned();
+/// The same with the stretches of loads (Pa) that are valid.
+fn validity(loads: &[[f64; 2]]) -> String {
+    let range = |&[from, to]: &[f64; 2]| match from == to {
+        true => input_quantity(from, "Pa"),
+        false => format!("{} to {}", input_quantity(from, "Pa"), input_quantity(to, "Pa")),
+    };
+    match loads {
+        [] => CONDITION.to_owned(),
+        loads => {
+            let ranges = listed(&loads.iter().map(range).collect::<Vec<_>>());
+            format!("Valid for {ranges} (at least 30 contacts, contact area at most 5 %).")
+        }
     }
-    format!(
-        "Valid for {} to {} (at least 30 contacts, contact area at most 5 %).",
-        input_quantity(from, "Pa"),
-        input_quantity(to, "Pa")
-    )
 }
 
 /// Difference between the models, and which to use: one line each.
 pub fn summary_lines(results: &CompareResults, found: &SurfaceResults, index: usize) -> Vec<String> {
     let (case, findings) = (&found.first.cases[index], &found.findings.cases[index]);
     let subject = subject(results, found, &case.law);
+    let valid = validity(&findings.valid_loads);
     let mut lines = match &findings.over_realisations {
-        Some(over) => {
-            let valid = findings.spread.iter().filter(|at| at.counts()).map(|at| at.target);
-            over_realisations(&subject, over, &validity(valid))
-        }
+        Some(over) => over_realisations(&subject, over, &valid),
         None => {
-            let area = found.surface.set.nominal_area();
-            let is_valid = |pair: &&Pair| {
-                pair.pairing == Pairing::Load
-                    && !pair.is_beyond_model()
-                    && pair.deterministic.contact_density * area >= FEWEST_CONTACTS
-            };
-            let valid = validity(case.comparison.pairs.iter().filter(is_valid).map(|pair| pair.target));
             let line = |gap: &Gap| format!("**{subject}**: {}", sentence(gap, &valid));
             case.gaps.largest.iter().map(line).collect()
         }

@@ -4,7 +4,7 @@ use super::{figures, file, time, two_digits};
 use crate::kind::precision::run::{CasePrecision, PrecisionResults};
 use crate::precision::grid::{Doubling, GridFindings, GridPoint};
 use crate::precision::sampling::{SamplingFindings, separation, stated};
-use asperity::compare::{FEWEST_CONTACTS, Quantity};
+use asperity::compare::{MIN_CONTACTS, Quantity};
 use asperity_framework::report::format::{count, input_number, number, percent};
 use asperity_framework::report::page::{Page, escape};
 
@@ -43,7 +43,7 @@ pub fn sections(page: &mut Page, results: &PrecisionResults) {
         page.paragraph(&format!(
             "{} random sets of each size are summed and compared with the integral, their limit. The root mean square of \
              their errors is the error of a single set; each sum also estimates its sampling error from its own \
-             asperities. With fewer than {FEWEST_CONTACTS} contacts neither is reliable.",
+             asperities. With fewer than {MIN_CONTACTS} contacts neither is reliable.",
             results.draws
         ));
         for case in &results.cases {
