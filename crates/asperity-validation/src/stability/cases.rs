@@ -5,6 +5,7 @@ use rand_chacha::ChaCha8Rng;
 
 use super::Ranges;
 use super::bodies::{Bodies, Layer};
+use super::exact::COVERED;
 use super::group::Group;
 use super::laws::{CoveredLaw, TWINS};
 use asperity::contact_law::registry;
@@ -204,7 +205,7 @@ impl CaseFactory<'_> {
     fn input(&self, rng: &mut CaseRng, group: Group, bodies: &Bodies) -> CaseInput {
         let sigma = rng.ratio(SIGMA);
         let radius = sigma * rng.ratio(self.ranges.radius_over_sigma);
-        let heights = if group == Group::Exponential { Heights::EXPONENTIAL } else { Heights::GAUSSIAN };
+        let heights = if group == Group::OtherHeights { other_heights(rng) } else { Heights::GAUSSIAN };
         let population = Population { radius, sigma, density: CROWDING / (radius * sigma), heights };
         let [nearest, furthest] = self.ranges.separation;
         let within = |rng: &mut CaseRng, from: f64, to: f64| {
@@ -259,7 +260,7 @@ impl CaseFactory<'_> {
                 SetParameters { count: 1_000_000, ..set(rng, Layout::Line) },
                 within(rng, -4.0, 3.0),
             ),
-            Group::Integrals | Group::LayeredIntegrals | Group::Exponential => {
+            Group::Integrals | Group::LayeredIntegrals | Group::OtherHeights => {
                 CaseInput::Integral(population, within(rng, -10.0, 20.0))
             }
             Group::Deep => CaseInput::Integral(population, within(rng, -20.0, -10.0)),
@@ -283,6 +284,13 @@ impl CaseFactory<'_> {
             radius * rng.ratio([1e-15, 10.0])
         }
     }
+}
+
+/// Any covered distribution of heights but the Gaussian.
+fn other_heights(rng: &mut CaseRng) -> Heights {
+    let covered = COVERED.iter().map(|density| density.heights());
+    let mut others: Vec<Heights> = covered.filter(|heights| *heights != Heights::GAUSSIAN).collect();
+    others.swap_remove(rng.below(others.len()))
 }
 
 /// Any law by its weight; ZMC in place of a law without layers.

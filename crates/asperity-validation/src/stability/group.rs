@@ -73,8 +73,8 @@ pub enum Group {
     Integrals,
     /// The same under a layer.
     LayeredIntegrals,
-    /// Exponential heights.
-    Exponential,
+    /// Heights of other distributions.
+    OtherHeights,
     /// -20 to -10 sigma.
     Deep,
     /// 20 to 35 sigma.
@@ -110,7 +110,7 @@ impl Group {
         Self::MillionLine,
         Self::Integrals,
         Self::LayeredIntegrals,
-        Self::Exponential,
+        Self::OtherHeights,
         Self::Deep,
         Self::Tail,
         Self::Last,
@@ -140,7 +140,7 @@ impl Group {
             Self::MillionLine => "a million on a line",
             Self::Integrals => "any integral",
             Self::LayeredIntegrals => "any integral, layer",
-            Self::Exponential => "exponential heights",
+            Self::OtherHeights => "other heights",
             Self::Deep => "deep",
             Self::Tail => "far tail",
             Self::Last => "end of the tail",
@@ -171,7 +171,7 @@ impl Group {
             Self::MillionLine => "compared with the exact sum of the terms",
             Self::Integrals => "Gaussian heights, d from -10 to 20 sigma",
             Self::LayeredIntegrals => "the same under a layer",
-            Self::Exponential => "d from -10 to 20 sigma",
+            Self::OtherHeights => "other distributions that are covered, d from -10 to 20 sigma",
             Self::Deep => "d from -20 to -10 sigma",
             Self::Tail => "d from 20 to 35 sigma",
             Self::Last => "d from 35 to 37 sigma",
@@ -202,7 +202,7 @@ impl Group {
             | Self::MillionLine => Kind::Sum,
             Self::Integrals
             | Self::LayeredIntegrals
-            | Self::Exponential
+            | Self::OtherHeights
             | Self::Deep
             | Self::Tail
             | Self::Last
@@ -245,7 +245,7 @@ impl Group {
             }
             Self::LayeredContacts | Self::LayeredBoundaries | Self::Scales | Self::LayeredSums => 1e-12,
             Self::MillionEqual | Self::MillionLine => 4.0 * f64::EPSILON,
-            Self::Integrals | Self::Exponential | Self::Deep => 1e-13,
+            Self::Integrals | Self::OtherHeights | Self::Deep => 1e-13,
             Self::LayeredIntegrals => 1e-12,
             Self::Tail => 2e-13,
             Self::Last => 3e-13,

@@ -25,7 +25,6 @@ pub mod wide;
 pub use bodies::{Bodies, Layer};
 pub use cases::{Case, CaseInput, Layout, SetParameters};
 pub use check::{CheckedCase, Deviation, Failure};
-pub use exact::Density;
 pub use group::{Group, Kind};
 pub use laws::CoveredLaw;
 pub use maps::Map;
@@ -36,7 +35,8 @@ use rayon::prelude::*;
 
 /// Names of the height distributions for which there is no evaluation of about 32 digits.
 pub fn uncovered_heights() -> Vec<&'static str> {
-    let is_covered = |entry: &Entry| entry.example().is_ok_and(|heights| Density::of(&heights).is_some());
+    let is_covered =
+        |entry: &Entry| entry.example().is_ok_and(|heights| exact::density_of(&heights).is_some());
     REGISTRY.iter().filter(|entry| !is_covered(entry)).map(|entry| entry.name).collect()
 }
 

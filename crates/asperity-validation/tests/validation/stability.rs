@@ -1,11 +1,11 @@
 //! Thousands of cases against about 32 digits, and those digits against the reference vectors.
 
 use crate::common::{Row, Worst, rows};
-use asperity::{AsperitySet, Deterministic, Material, Model, ModulusModel, ReferencePlane};
+use asperity::{AsperitySet, Deterministic, Heights, Material, Model, ModulusModel, ReferencePlane};
 use asperity_validation::stability::Group;
 use asperity_validation::stability::exact::Exact;
 use asperity_validation::stability::exact::Shape;
-use asperity_validation::stability::exact::{Density, Integral};
+use asperity_validation::stability::exact::{Integral, density_of};
 use asperity_validation::stability::wide::{Wide, relative_error};
 use asperity_validation::stability::{Bodies, CoveredLaw, Layer};
 use asperity_validation::stability::{Counts, Ranges, group};
@@ -116,7 +116,7 @@ fn the_wide_integrals_are_those_of_the_vectors() {
         let of = Integral {
             sigma: row.number("sigma"),
             density: row.number("density"),
-            heights: Density::Gaussian,
+            heights: density_of(&Heights::GAUSSIAN).unwrap(),
             separation: row.number("separation_over_sigma"),
         };
         let total = Exact::new(&bodies).integral(&of, &Shape::sphere(row.number("radius"))).unwrap();

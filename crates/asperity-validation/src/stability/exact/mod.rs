@@ -6,14 +6,17 @@
 //! | `layer` | the effective properties of a layered flat (Pasaribu and Schipper 2005, Eqs. 14-20) |
 //! | `shape` | elliptic asperities, by the arithmetic-geometric mean |
 //! | `sum` | sums over asperities |
+//! | `density` | height densities: those that are covered, one table |
 //! | `integral` | integrals over a height density, by the tanh-sinh rule |
 
+mod density;
 mod integral;
 mod layer;
 mod shape;
 mod sum;
 
-pub use integral::{Density, Integral};
+pub use density::{COVERED, Density, density_of};
+pub use integral::Integral;
 pub use shape::Shape;
 pub use sum::Total;
 
