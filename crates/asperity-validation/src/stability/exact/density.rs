@@ -1,6 +1,7 @@
 //! Height densities in about 32 digits, one table: a distribution is covered by an entry here.
 
 use std::fmt;
+use std::sync::LazyLock;
 
 use crate::stability::wide::{PI, Wide};
 use asperity::Heights;
@@ -40,7 +41,8 @@ impl Density for Gaussian {
         Heights::GAUSSIAN
     }
     fn ln(&self, z: Wide) -> Wide {
-        (z * z + (PI * 2.0).ln()) * -0.5
+        static LN_TWO_PI: LazyLock<Wide> = LazyLock::new(|| (PI * 2.0).ln());
+        (z * z + *LN_TWO_PI) * -0.5
     }
     fn steepness(&self, z: Wide) -> Wide {
         z
