@@ -1,4 +1,4 @@
-//! What the benches run on: the paper's two surfaces, every law, layers on steel.
+//! Inputs of the benchmarks: the two surfaces of Table 1, all laws, layers on steel.
 
 use asperity::contact_law::registry;
 use asperity::{
@@ -21,20 +21,20 @@ fn steel() -> Material {
 
 /// Steel on steel.
 pub fn bare(law: impl Law + Clone) -> Box<dyn MicroContact> {
-    Box::new(Interface::bare(law, &steel(), &steel()).expect("every law knows steel"))
+    Box::new(Interface::bare(law, &steel(), &steel()).expect("all laws accept steel"))
 }
 
-/// Every law for spheres, or for ellipses, ZMC first: those that others are measured by.
+/// All laws for spheres, or for ellipses. The reference of the cost ratios, ZMC, is first.
 pub fn laws(of_ellipses: bool) -> Vec<(String, Box<dyn MicroContact>)> {
     let mut laws: Vec<&ContactLaw> =
         registry().iter().filter(|law| law.is_elliptic() == of_ellipses).collect();
     laws.sort_by_key(|law| law.law().name() != "zmc");
     let on_steel =
-        |law: &ContactLaw| law.interface(&steel(), &Flat::Bare(steel())).expect("every law knows steel");
+        |law: &ContactLaw| law.interface(&steel(), &Flat::Bare(steel())).expect("all laws accept steel");
     laws.into_iter().map(|law| (law.name(), on_steel(law))).collect()
 }
 
-/// ZMC on steel, bare first, then under lead and a hard ceramic.
+/// ZMC on steel: uncoated first, then coated with lead and with a hard ceramic.
 pub fn flats() -> [(&'static str, Box<dyn MicroContact>); 7] {
     let under = |layer: Material, thickness: f64| -> Box<dyn MicroContact> {
         let flat = Flat::with_layer(&layer, &steel(), thickness, ModulusModel::Gao).expect("a layer");
@@ -43,7 +43,7 @@ pub fn flats() -> [(&'static str, Box<dyn MicroContact>); 7] {
     let lead = |thickness| under(material(18e9, 0.35, 0.17e9), thickness);
     let ceramic = |thickness| under(material(400e9, 0.2, 21e9), thickness);
     [
-        ("bare", bare(Zmc::default())),
+        ("uncoated", bare(Zmc::default())),
         ("10 nm of lead", lead(1e-8)),
         ("50 nm of lead", lead(5e-8)),
         ("1 um of lead", lead(1e-6)),

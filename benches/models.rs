@@ -1,5 +1,4 @@
-//! How long one micro-contact, one integral and one sum take. Compare them with each other in one
-//! run: this is a ratio, not a promise.
+//! Run times of contact laws, integrals and sums. They depend on the machine: compare ratios within one run.
 
 use std::hint::black_box;
 
@@ -7,7 +6,7 @@ use asperity::{Deterministic, Draw, Model, ReferencePlane, Shape, Statistical, Z
 use asperity_benches::{CASES, bare, flats, laws};
 use criterion::{BenchmarkId, Criterion, Throughput, criterion_group, criterion_main};
 
-/// The integral at one separation under a layer, and finding its breakpoints, which a model does once.
+/// The integral at one separation under a layer, and its breakpoints, which a model finds once.
 fn coated(c: &mut Criterion) {
     let mut group = c.benchmark_group("coated");
     for (case, population) in CASES {
@@ -59,7 +58,7 @@ fn integral(c: &mut Criterion) {
     group.finish();
 }
 
-/// A million asperities at 50 separations from 4 to 0 sigma, ordering included.
+/// A million asperities at 50 separations from 4 to 0 sigma, sorting included.
 fn sum(c: &mut Criterion) {
     let mut group = c.benchmark_group("sum");
     group.sample_size(10);

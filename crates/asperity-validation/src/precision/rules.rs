@@ -1,4 +1,4 @@
-//! Rules of quadrature as nodes and weights, those of gauss-quad as they are.
+//! Quadrature rules as nodes and weights; those of gauss-quad unchanged.
 
 use std::num::{NonZeroU32, NonZeroUsize};
 
@@ -7,10 +7,10 @@ use gauss_quad::{
     GaussLaguerre, GaussLegendre, Midpoint, Simpson, Trapezoid,
 };
 
-/// A family of rules.
+/// A family of quadrature rules.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum Family {
-    /// Gauss-Legendre, one panel a segment.
+    /// Gauss-Legendre, one panel per segment between breakpoints.
     Legendre,
     /// Gauss-Legendre in panels over which the density decreases by at most exp(-20).
     Panels,
@@ -21,10 +21,10 @@ pub enum Family {
     ChebyshevFirst,
     /// Gauss-Chebyshev of the second kind, divided by its weight.
     ChebyshevSecond,
-    /// Gauss-Laguerre over all that lies above the flat, or above the last breakpoint with Gauss-Legendre
-    /// before it.
+    /// Gauss-Laguerre over all heights above the flat, or above the last breakpoint with Gauss-Legendre
+    /// below it.
     Laguerre,
-    /// Gauss-Hermite over all heights, those below the flat left out.
+    /// Gauss-Hermite over all heights, without nodes below the flat.
     Hermite,
     /// The midpoint rule.
     Midpoint,
@@ -39,7 +39,7 @@ pub enum Family {
 }
 
 impl Family {
-    /// As tables name it.
+    /// The name in tables.
     pub const fn name(self) -> &'static str {
         match self {
             Self::Legendre => "gauss-legendre",

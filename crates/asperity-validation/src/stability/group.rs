@@ -1,4 +1,4 @@
-//! The groups of cases, what is measured in each, and how far it may be off.
+//! The groups of cases, with the quantities compared in each and their error bounds.
 
 use super::laws::CoveredLaw;
 use super::quantity::Quantity;
@@ -20,7 +20,7 @@ impl Kind {
     /// All kinds.
     pub const ALL: [Self; 4] = [Self::Contact, Self::Sum, Self::Integral, Self::Load];
 
-    /// As sentences name it.
+    /// The name in sentences.
     pub const fn name(self) -> &'static str {
         match self {
             Self::Contact => "single contact",
@@ -31,61 +31,61 @@ impl Kind {
     }
 }
 
-/// How far a slope may be off that a table gives.
+/// Largest relative error allowed for a stiffness that is computed from a table.
 const SLOPE_OF_A_TABLE: f64 = 1e-11;
 
 /// A group of cases.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum Group {
-    /// Anything, bare.
+    /// Any law and material pair, uncoated.
     Contacts,
-    /// Anything, under a layer.
+    /// Any law and material pair, under a layer.
     LayeredContacts,
     /// Within 1e-15 of a boundary between two formulas.
     Boundaries,
     /// The same under a layer.
     LayeredBoundaries,
-    /// Contacts as wide, or as deep, as the layer is thick, and layers 1e15 times thinner and thicker.
+    /// Contact radii or indentations equal to the layer thickness, and layers 1e15 times thinner and thicker.
     Scales,
     /// Elliptic asperities.
     Ellipses,
-    /// Indentations at the end of what `f64` can hold.
+    /// Indentations down to the smallest denormal `f64`.
     Denormals,
-    /// Sets of up to 300, bare.
+    /// Sets of up to 300 asperities, uncoated.
     Sums,
     /// The same under a layer.
     LayeredSums,
     /// One asperity.
     OneAsperity,
-    /// Heights that lie up to 1e6 sigma from zero.
+    /// Heights with a mean of up to 1e6 sigma.
     Offset,
     /// Evenly spaced heights.
     Line,
-    /// All but one within a few ulp of the flat.
+    /// All asperities but one within a few ulp of the flat.
     Touching,
-    /// All the same.
+    /// Asperities of equal height and radius.
     Equal,
-    /// A million of the same.
+    /// A million equal asperities.
     MillionEqual,
-    /// A million on a line.
+    /// A million evenly spaced heights.
     MillionLine,
-    /// Gaussian heights, -10 to 20 sigma, bare.
+    /// Gaussian heights, separations from -10 to 20 sigma, uncoated.
     Integrals,
     /// The same under a layer.
     LayeredIntegrals,
     /// Heights of other distributions.
     OtherHeights,
-    /// -20 to -10 sigma.
+    /// Separations from -20 to -10 sigma.
     Deep,
-    /// 20 to 35 sigma.
+    /// Separations from 20 to 35 sigma.
     Tail,
-    /// 35 to 37 sigma.
+    /// Separations from 35 to 37 sigma.
     Last,
-    /// 37 to 40 sigma, where numbers turn denormal.
+    /// Separations from 37 to 40 sigma, where results become denormal.
     Vanishing,
-    /// Pressures of integrals.
+    /// Load control of integrals.
     LoadsOfIntegrals,
-    /// Pressures of sums.
+    /// Load control of sums.
     LoadsOfSums,
 }
 
@@ -119,7 +119,7 @@ impl Group {
         Self::LoadsOfSums,
     ];
 
-    /// As tables name it.
+    /// The name in tables.
     pub const fn name(self) -> &'static str {
         match self {
             Self::Contacts => "any contact",
@@ -150,20 +150,20 @@ impl Group {
         }
     }
 
-    /// What its cases are.
+    /// Description of its cases.
     pub const fn about(self) -> &'static str {
         match self {
-            Self::Contacts => "any law, any pair, w from 1e-15 to 10 radii",
+            Self::Contacts => "all laws, random material pairs, w from 1e-15 to 10 radii",
             Self::LayeredContacts => "the same under a layer",
             Self::Boundaries => "w within 1e-15 of a boundary between two formulas",
-            Self::LayeredBoundaries => "the same under a layer, at every crossing",
+            Self::LayeredBoundaries => "the same under a layer, at every crossing of a boundary",
             Self::Scales => "a/t within a few ulp of 1, layers 1e15 times thinner or thicker, w close to t",
             Self::Ellipses => "curvature ratios from 1 + 1e-15 to 1e12",
             Self::Denormals => "w from 5e-324 to 2e-293 m; errors relative to the result plus 1e-130 (SI)",
             Self::Sums => "1 to 300 Gaussian heights, radii within a factor of 4",
             Self::LayeredSums => "the same under a layer",
             Self::OneAsperity => "indentations of 1e-12 to 20 sigma",
-            Self::Offset => "mean height of 1 to 1e6 sigma, either side of zero",
+            Self::Offset => "mean height of 1 to 1e6 sigma above or below zero",
             Self::Line => "evenly spaced heights",
             Self::Touching => "all but one within 4 ulp of the flat",
             Self::Equal => "1 to 300 asperities of equal height and radius",
@@ -175,13 +175,13 @@ impl Group {
             Self::Deep => "d from -20 to -10 sigma",
             Self::Tail => "d from 20 to 35 sigma",
             Self::Last => "d from 35 to 37 sigma",
-            Self::Vanishing => "d from 37 to 40 sigma; absolute error over that at 37 sigma",
-            Self::LoadsOfIntegrals => "search for the pressure at d from -8 to 20 sigma",
-            Self::LoadsOfSums => "search for the pressure at d from -4 to 2 sigma",
+            Self::Vanishing => "d from 37 to 40 sigma; error relative to the value at 37 sigma",
+            Self::LoadsOfIntegrals => "load control at the pressures of d from -8 to 20 sigma",
+            Self::LoadsOfSums => "load control at the pressures of d from -4 to 2 sigma",
         }
     }
 
-    /// What it evaluates.
+    /// The kind of evaluation of its cases.
     pub const fn kind(self) -> Kind {
         match self {
             Self::Contacts
@@ -223,19 +223,19 @@ impl Group {
         )
     }
 
-    /// Whether its cases hold a million asperities: a few are enough.
+    /// Whether its cases have a million asperities, so that a few cases are enough.
     pub const fn is_large(self) -> bool {
         matches!(self, Self::MillionEqual | Self::MillionLine)
     }
 
-    /// How far a quantity may be off under a law.
+    /// Largest relative error allowed for a quantity under a law.
     pub fn bound_of(self, quantity: Quantity, law: &CoveredLaw) -> f64 {
         let is_slope = quantity == Quantity::Stiffness && law.twin.has_tables;
         let bound = if is_slope { SLOPE_OF_A_TABLE } else { self.bound(quantity) };
         bound * (law.twin.steepness)(law.chosen())
     }
 
-    /// The same under laws of closed formulas; `docs/stability.md` says where each bound is from.
+    /// The same for laws in closed form; `docs/stability.md` gives the reason for each bound.
     pub fn bound(self, quantity: Quantity) -> f64 {
         match self {
             _ if quantity == Quantity::Stiffness && self.is_layered() => SLOPE_OF_A_TABLE,

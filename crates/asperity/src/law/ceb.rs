@@ -40,8 +40,8 @@ impl Law for Ceb {
     }
 
     fn about(&self) -> &'static str {
-        "Elastic up to its own onset of yield; beyond it the volume is conserved and the mean pressure \
-         is K H at once: the load jumps by half. For w much smaller than R."
+        "Elastic up to its own onset of yield; beyond it the volume is conserved and the mean pressure is \
+         K H, so that the load jumps by 50 % at the onset. Valid for w much smaller than R."
     }
 
     fn papers(&self) -> &'static [Paper] {

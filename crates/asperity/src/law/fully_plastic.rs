@@ -37,8 +37,8 @@ impl Law for FullyPlastic {
     }
 
     fn about(&self) -> &'static str {
-        "Plastic throughout: the flat wears the profile down at the hardness. A limit for large \
-         indentations; elastic contacts get too large an area."
+        "Plastic throughout: the contact area is the section of the undeformed profile, the mean pressure \
+         the hardness. Limiting case of large indentations; overestimates the area of elastic contacts."
     }
 
     fn papers(&self) -> &'static [Paper] {

@@ -22,7 +22,7 @@ pub struct Hertz;
 
 impl Hertz {
     /// Description of the law for ellipses.
-    pub(crate) const ON_ELLIPSES: &str = "Hertz's elastic contact of an elliptic paraboloid of two principal curvatures. Holds below the onset of yield.";
+    pub(crate) const ON_ELLIPSES: &str = "Hertz's elastic contact of an elliptic paraboloid with two principal curvatures. Valid below the onset of yield.";
 
     /// The elastic contact, also the elastic range of other laws.
     #[inline(always)]
@@ -47,7 +47,7 @@ impl Law for Hertz {
     }
 
     fn about(&self) -> &'static str {
-        "Elastic throughout. Holds below the onset of yield; beyond it a limit that the others leave."
+        "Elastic throughout. Valid below the onset of yield; beyond it, the elastic limiting case."
     }
 
     fn papers(&self) -> &'static [Paper] {

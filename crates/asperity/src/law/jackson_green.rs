@@ -142,9 +142,9 @@ impl Law for JacksonGreen {
     }
 
     fn about(&self) -> &'static str {
-        "A fit to finite elements in which the limiting mean pressure falls as the contact grows; \
-         elastic up to 1.9 of its own wc. Fitted for steels of Y/E* from 0.001 to 0.008, up to a/R = \
-         0.41."
+        "A finite-element fit in which the limiting mean pressure decreases as the contact grows; elastic \
+         up to 1.9 times its own critical indentation. Fitted for steels with Y/E* from 0.001 to 0.008 and \
+         up to a/R = 0.41."
     }
 
     fn papers(&self) -> &'static [Paper] {

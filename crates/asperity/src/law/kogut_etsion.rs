@@ -86,9 +86,9 @@ impl Law for KogutEtsion {
     }
 
     fn about(&self) -> &'static str {
-        "Powers fitted to finite elements in two ranges beyond the onset of yield of Chang, Etsion and \
-         Bogy, plastic from 110 on; small jumps between the ranges. Fitted for up to 110 of its own wc, \
-         w much smaller than R."
+        "Power laws fitted to finite elements in two ranges beyond wc, the onset of yield of Chang, Etsion \
+         and Bogy; fully plastic from 110 wc. Area and load jump between the ranges. Fitted up to \
+         110 wc, for w much smaller than R."
     }
 
     fn papers(&self) -> &'static [Paper] {

@@ -36,7 +36,7 @@ pub struct Zmc {
 /// w1 E*^2/(b H^2).
 const ONSET: LawOption = LawOption {
     name: "onset",
-    about: "w1 E*^2/(b H^2), where yield begins",
+    about: "w1 E*^2/(b H^2), the dimensionless onset of yield",
     default: Zmc::ONSET,
     example: 0.89,
     range: (Bound::Included(1.0 / LARGEST), Bound::Included(LARGEST)),
@@ -46,7 +46,7 @@ const ONSET: LawOption = LawOption {
 /// c.
 const TRANSITION_RATIO: LawOption = LawOption {
     name: "transition-ratio",
-    about: "c = w2/w1, where the contact is plastic",
+    about: "c = w2/w1, the onset of full plasticity over that of yield",
     default: Zmc::TRANSITION_RATIO,
     example: 110.0,
     range: (Bound::Excluded(1.0), Bound::Included(LARGEST)),
@@ -55,8 +55,8 @@ const TRANSITION_RATIO: LawOption = LawOption {
 
 impl Zmc {
     /// Description of the law for ellipses.
-    pub(crate) const ON_ELLIPSES: &str = "The regimes of Zhao, Maietta and Chang on an elliptic paraboloid: Hertz's ellipse of the two principal \
-         curvatures, its own onset of yield. Derived here from Hertz's solution, not fitted.";
+    pub(crate) const ON_ELLIPSES: &str = "The regimes of Zhao, Maietta and Chang for an elliptic paraboloid: Hertz's contact ellipse from the two \
+         principal curvatures, and the onset of yield of that ellipse. Derived here from Hertz's solution, not fitted.";
 
     /// (0.3 pi)^2 = (3 pi k/4)^2 with k = 0.4: the onset of yield that makes the load continuous.
     pub const ONSET: f64 = 0.09 * PI * PI;
@@ -131,9 +131,9 @@ impl Law for Zmc {
     }
 
     fn about(&self) -> &'static str {
-        "Elastic up to w1; from w2 = c w1 on plastic at the hardness, on twice the elastic area; a \
-         logarithm for the mean pressure and a cubic for the area between. Load and area are continuous \
-         with the default onset."
+        "Elastic up to w1; fully plastic from w2 = c w1, with the hardness as mean pressure and twice the \
+         elastic area; in between, the mean pressure is logarithmic in w and the area interpolated by a \
+         cubic. Load and area are continuous with the default onset."
     }
 
     fn papers(&self) -> &'static [Paper] {

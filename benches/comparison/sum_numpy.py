@@ -1,11 +1,11 @@
-"""The sums with NumPy: as one would write them, and tuned for two threads. Returns the same arrays as `sum_numba`."""
+"""The sums with NumPy: in the simplest form, and tuned for two threads. Returns the same arrays as `sum_numba`."""
 
 import math
 import threading
 
 import numpy as np
 
-from beside import POOL
+from timing import POOL
 from zmc import HARDNESS, MODULUS, ONSET, SLOPE, TRANSITION
 
 COLUMNS = 9

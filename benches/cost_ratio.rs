@@ -1,5 +1,5 @@
-//! What a layer and a law cost: sums over a million asperities at 50 separations from 4 to 0 sigma, medians of runs that
-//! alternate. The same asperities touch, so that a ratio is the one per contacting asperity.
+//! Cost ratios of layers and laws: sums over a million asperities at 50 separations from 4 to 0 sigma, medians of
+//! alternating runs. The same asperities are in contact, so that a ratio is also the one per contacting asperity.
 
 use std::hint::black_box;
 use std::time::Instant;
@@ -9,7 +9,7 @@ use asperity_benches::{CASES, flats, laws};
 
 const ROUNDS: usize = 15;
 
-/// The sums over some asperities under a contact.
+/// Asperities and the micro-contact to sum over them.
 struct Sums<'a> {
     name: &'a str,
     contact: &'a dyn MicroContact,
@@ -25,16 +25,19 @@ fn main() {
         let layers = flats.iter().map(|(flat, contact)| under(flat, &**contact, spheres));
         alternate(case, population.sigma, &layers.collect::<Vec<_>>());
 
-        // Ellipses of every ratio up to 10.
+        // Ellipses with curvature ratios from 1 to 10.
         let ellipse = |k: usize| Ellipse {
             mean_curvature: population.radius.recip(),
             curvature_ratio: 1.0 + 9.0 * (k % 1000) as f64 / 999.0,
         };
         let ellipses = (0..set.count()).map(ellipse).collect();
-        let set = set.clone().with_ellipses(ellipses).expect("an ellipse each");
+        let set = set.clone().with_ellipses(ellipses).expect("one ellipse per asperity");
         let start = Instant::now();
         let ellipses = Ellipses::of(&set).expect("a set of ellipses");
-        println!("{case}: the spheres of a million ellipses {:.1} ms", 1e3 * start.elapsed().as_secs_f64());
+        println!(
+            "{case}: equivalent spheres of a million ellipses {:.1} ms",
+            1e3 * start.elapsed().as_secs_f64()
+        );
         let [laws, elliptic] = [false, true].map(laws);
         let of_spheres = laws.iter().map(|(law, contact)| under(law, &**contact, spheres));
         let of_ellipses = elliptic.iter().map(|(law, contact)| under(law, &**contact, ellipses.asperities()));
@@ -42,7 +45,7 @@ fn main() {
     }
 }
 
-/// Runs all in turn and prints each median over that of the first.
+/// Runs all in turn and prints each median and its ratio to the first.
 fn alternate(case: &str, sigma: f64, all: &[Sums]) {
     let separations: Vec<f64> = (0..50).map(|k| 4.0 - 4.0 * f64::from(k) / 49.0).collect();
     let mut times = vec![Vec::new(); all.len()];

@@ -1,7 +1,7 @@
 """The integral compared with scipy.integrate.quad, in one run.
 
-    pip install -r benches/peers/requirements.txt
-    python benches/peers/integral.py            # prints a table; --write puts it into docs/performance.md
+    pip install -r benches/comparison/requirements.txt
+    python benches/comparison/integral.py            # prints a table; --write puts it into docs/performance.md
 
 Area and load of both cases of Table 1, steel on steel, uncoated, at 50 separations from 4 to 0 sigma; one thread. The comparison
 program integrates over w with the density relative to that at the flat, one call between two breakpoints (`points=` is slower),
@@ -10,7 +10,7 @@ mpmath at 30 digits, and against tests/reference/statistical.csv, which reaches 
 the comparison programs run alternately, 15 times.
 """
 
-import beside  # before NumPy
+import timing  # before NumPy
 
 import csv
 import sys
@@ -137,7 +137,7 @@ def exact(population, h):
 
 def vectors(population):
     """Separations of tests/reference/statistical.csv with their area ratios and pressures."""
-    lines = (beside.ROOT / "tests" / "reference" / "statistical.csv").read_text().splitlines()
+    lines = (timing.ROOT / "tests" / "reference" / "statistical.csv").read_text().splitlines()
     rows = csv.DictReader(line for line in lines if not line.startswith("#"))
     own = {"young": 210e9, "poisson": 0.3, "hardness": HARDNESS, "radius": population.radius,
            "sigma": population.sigma, "density": population.density}
@@ -152,11 +152,11 @@ def worst(found, wanted):
 
 
 def main():
-    ours = beside.Ours()
+    this_program = timing.ThisProgram()
 
-    def asked(case, separations):
+    def answer(case, separations):
         """Seconds per separation of this program, and area ratios and pressures."""
-        seconds, *words = ours("integral", case, *separations)
+        seconds, *words = this_program("integral", case, *separations)
         rows = [words[7 * k : 7 * k + 7] for k in range(len(separations))]
         return seconds, [(sum(row[1:4]), sum(row[4:7])) for row in rows]
 
@@ -164,19 +164,19 @@ def main():
     for case, population in enumerate(CASES):
         truth = [exact(population, h) for h in SEPARATIONS]
         far, vector = vectors(population)
-        own = worst(asked(case, SEPARATIONS)[1], truth), worst(asked(case, far)[1], vector)
-        slowest = max(asked(case, [h])[0] for h in SEPARATIONS)
+        own = worst(answer(case, SEPARATIONS)[1], truth), worst(answer(case, far)[1], vector)
+        slowest = max(answer(case, [h])[0] for h in SEPARATIONS)
         # With the bound of the ratio: only the plain call has one.
-        peers = [
+        programs = [
             ("quad", with_quad(population), 200),
             ("quad, elastic load over w^.5", with_quad(population, True), None),
             ("the same, compiled by numba", with_quad(population, True, compiled), None),
         ]
-        times = beside.alternately(
-            lambda _: asked(case, SEPARATIONS)[0],
-            [lambda _, peer=peer: [peer(h) for h in SEPARATIONS] for _, peer, _ in peers],
+        times = timing.alternately(
+            lambda _: answer(case, SEPARATIONS)[0],
+            [lambda _, program=program: [program(h) for h in SEPARATIONS] for _, program, _ in programs],
         )
-        mine, theirs = times[0], [seconds / len(SEPARATIONS) for seconds in times[1:]]
+        mine, others = times[0], [seconds / len(SEPARATIONS) for seconds in times[1:]]
 
         def row(name, seconds, ratio, bound, met, errors):
             cells = [f"{1e6 * mine:.2f}", seconds, ratio, *(f"{error:.1e}" for error in (*own, *errors)), bound, met]
@@ -184,8 +184,8 @@ def main():
             print("  ".join(rows[-1]), flush=True)
 
         verdict = lambda met: "met" if met else "**missed**"
-        for (name, peer, bound), seconds in zip(peers, theirs):
-            errors = worst(map(peer, SEPARATIONS), truth), worst(map(peer, far), vector)
+        for (name, program, bound), seconds in zip(programs, others):
+            errors = worst(map(program, SEPARATIONS), truth), worst(map(program, far), vector)
             if not max(own[0], errors[0]) <= ACCURACY:
                 sys.exit(f"{population.name}, {name}: errors {own[0]:.1e} and {errors[0]:.1e}; allowed: {ACCURACY}")
             met = "" if bound is None else verdict(seconds >= bound * mine)
@@ -194,12 +194,12 @@ def main():
         rows.append([population.name, f"one microsecond (slowest separation {1e6 * slowest:.2f})", f"{1e6 * mine:.2f}",
                      "1", f"{1e-6 / mine:.1f}", *(f"{error:.1e}" for error in own), "", "", "1", verdict(mine <= 1e-6)])
 
-    head = ["task", "peer", "ours [µs]", "peer [µs]", "ratio", "our error", "from -10 to 35", "peer's error",
-            "from -10 to 35", "bound", "met"]
-    lines = beside.table(head, rows)
+    head = ["task", "comparison program", "this program [µs]", "comparison [µs]", "ratio", "error of this program",
+            "from -10 to 35", "error of comparison", "from -10 to 35", "bound", "met"]
+    lines = timing.table(head, rows)
     versions = ("SciPy", scipy.__version__), ("numba", numba.__version__), ("mpmath", mpmath.__version__)
-    lines += ["", f"A separation, on one thread. {beside.machine(*versions)}"]
-    beside.publish("integral", lines)
+    lines += ["", f"Times are per separation, on one thread. {timing.machine(*versions)}"]
+    timing.publish("integral", lines)
 
 
 if __name__ == "__main__":

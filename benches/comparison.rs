@@ -1,5 +1,5 @@
-//! Our side of the comparisons under `benches/peers`: does what it is told on standard input, one line a task, and
-//! answers each with the seconds it took and its own figures. The script runs it and its peers alternately.
+//! The process that the scripts in `benches/comparison` time: reads one task per line from standard input and answers
+//! each with its run time in seconds and its results. A script runs it and the comparison programs alternately.
 
 use std::hint::black_box;
 use std::io::{BufRead, Write};
@@ -38,7 +38,7 @@ fn main() -> std::io::Result<()> {
             ["integral", case, ref separations @ ..] => integral(case, separations),
             _ => None,
         };
-        writeln!(out, "{}", answer.unwrap_or_else(|| format!("no task: {line}")))?;
+        writeln!(out, "{}", answer.unwrap_or_else(|| format!("unknown task: {line}")))?;
         out.flush()?;
     }
     Ok(())
@@ -63,13 +63,13 @@ fn generate(points: &str, spectrum: &str, seed: &str, surface: &mut Option<Heigh
     Some(format!("{seconds} {}", peak_bytes()))
 }
 
-/// Five-point summits with heights and curvatures, their number and the sum of their curvatures.
+/// Five-point summits with heights and curvatures: answers with their number and the sum of their curvatures.
 fn summits(surface: &HeightMap) -> String {
     let (seconds, found) = median_of_three(|| find(surface, Neighbours::Four, Detail::default()));
     format!("{seconds} {} {}", found.heights.len(), found.curvatures.iter().sum::<f64>())
 }
 
-/// A list of asperities on the nominal area that the density of a case of Table 1 gives them.
+/// Reads a list of asperities; its nominal area follows from the density of a case of Table 1.
 fn read(case: &str, path: &str) -> Option<(Population, AsperitySet)> {
     let population = population(case)?;
     let list = AsperityList::read(Path::new(path), false).ok()?;
@@ -77,7 +77,7 @@ fn read(case: &str, path: &str) -> Option<(Population, AsperitySet)> {
     Some((population, list.set(area).ok()?))
 }
 
-/// Steel on steel: the sums at all separations (in sigma), ordering included.
+/// Steel on steel: the sums at all separations (in sigma), sorting included.
 fn sums(population: &Population, set: &AsperitySet, separations: &[&str]) -> Option<String> {
     let separations = numbers(separations)?;
     let contact = asperity_benches::bare(Zmc::default());
@@ -85,14 +85,14 @@ fn sums(population: &Population, set: &AsperitySet, separations: &[&str]) -> Opt
     Some(answer(seconds, &responses))
 }
 
-/// The whole of what is timed.
+/// The part that is timed: sorting and the sums.
 fn curve(contact: &dyn MicroContact, set: &AsperitySet, sigma: f64, separations: &[f64]) -> Vec<Response> {
     Deterministic::new(contact, set.spheres(), ReferencePlane { mean: 0.0, sigma }).respond_all(separations)
 }
 
-/// Steel on steel: the integral, its seconds those of one separation (in sigma) on one thread, the mean of many rounds.
+/// Steel on steel: the integral; its time is the mean per separation (in sigma) over many rounds, on one thread.
 fn integral(case: &str, separations: &[&str]) -> Option<String> {
-    /// Calls in all.
+    /// Total number of evaluations, at least.
     const CALLS: usize = 10_000;
     let (population, separations) = (population(case)?, numbers(separations)?);
     let contact = asperity_benches::bare(Zmc::default());
@@ -115,8 +115,8 @@ fn numbers(words: &[&str]) -> Option<Vec<f64>> {
     words.iter().map(|word| word.parse().ok()).collect()
 }
 
-/// Of each response contact density, area ratio and pressure by regime, and the standard errors of both where it has
-/// them; numbers that read back to the same f64.
+/// The time, then of each response contact density, area ratio and pressure by regime, and the standard errors of both
+/// where there are any; printed so that they read back to the same f64.
 fn answer(seconds: f64, responses: &[Response]) -> String {
     let mut words = vec![seconds];
     for response in responses {
@@ -127,8 +127,8 @@ fn answer(seconds: f64, responses: &[Response]) -> String {
     words.iter().map(f64::to_string).collect::<Vec<_>>().join(" ")
 }
 
-/// The median of the seconds of three runs, as of the peers, and what the last one found: threads just woken may share a
-/// processor for longer than a run takes.
+/// The median time of three runs in seconds, as for the comparison programs, and the result of the last: threads just
+/// woken may share a processor for longer than a run takes.
 fn median_of_three<T>(run: impl Fn() -> T) -> (f64, T) {
     let timed = || {
         let start = Instant::now();
@@ -141,7 +141,7 @@ fn median_of_three<T>(run: impl Fn() -> T) -> (f64, T) {
     (seconds[1], found)
 }
 
-/// The most memory that this process has had, bytes; 0 where the system does not say.
+/// Peak memory of this process, bytes; 0 where the system does not report it.
 fn peak_bytes() -> u64 {
     let status = std::fs::read_to_string("/proc/self/status").unwrap_or_default();
     let line = status.lines().find_map(|line| line.strip_prefix("VmHWM:"));

@@ -30,16 +30,16 @@ ROUNDS = 15
 POOL = concurrent.futures.ThreadPoolExecutor(THREADS)
 
 
-class Ours:
+class ThisProgram:
     """The release build of this program; takes one task per line."""
 
     def __init__(self):
         build = subprocess.run(
-            ["cargo", "build", "--release", "-p", "asperity-benches", "--bin", "peer", "--message-format=json"],
+            ["cargo", "build", "--release", "-p", "asperity-benches", "--bin", "comparison", "--message-format=json"],
             cwd=ROOT, check=True, capture_output=True, text=True,
         )
         messages = map(json.loads, build.stdout.splitlines())
-        paths = [m["executable"] for m in messages if m.get("target", {}).get("name") == "peer"]
+        paths = [m["executable"] for m in messages if m.get("target", {}).get("name") == "comparison"]
         self.process = subprocess.Popen([paths[-1]], stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True)
 
     def __call__(self, *task):
@@ -50,24 +50,24 @@ class Ours:
         try:
             return [float(word) for word in answer.split()]
         except ValueError:
-            sys.exit(f"our side was asked `{task[:80]}` and answered `{answer.strip()[:80]}`")
+            sys.exit(f"the task `{task[:80]}` got the answer `{answer.strip()[:80]}`; expected: numbers")
 
 
-def timed(what, *arguments):
+def timed(function, *arguments):
     start = time.perf_counter()
-    result = what(*arguments)
+    result = function(*arguments)
     return time.perf_counter() - start, result
 
 
-def alternately(ours, peers, rounds=ROUNDS, repeats=1):
-    """Median seconds: this program, then each comparison program. Of several `repeats` in a row, which this program makes
-    by itself, the median counts: threads just woken may share a processor for longer than a short run takes."""
-    times = [[] for _ in range(1 + len(peers))]
+def alternately(this_program, others, rounds=ROUNDS, repeats=1):
+    """Median seconds: this program, then each comparison program. The median of several `repeats` in a row
+    counts, which this program makes by itself: threads just woken may share a processor for longer than a short run takes."""
+    times = [[] for _ in range(1 + len(others))]
     for k in range(rounds):
-        times[0].append(ours(k))
-        for list_of, peer in zip(times[1:], peers):
-            list_of.append(statistics.median(timed(peer, k)[0] for _ in range(repeats)))
-    return [statistics.median(list_of) for list_of in times]
+        times[0].append(this_program(k))
+        for seconds, program in zip(times[1:], others):
+            seconds.append(statistics.median(timed(program, k)[0] for _ in range(repeats)))
+    return [statistics.median(seconds) for seconds in times]
 
 
 def _cpu(key):
@@ -87,14 +87,14 @@ def machine(*modules):
 
 
 def table(head, rows):
-    """Lines of a table: the first two columns and the last to the left, numbers to the right."""
+    """Lines of a table: the first two columns and the last aligned to the left, numbers to the right."""
     rule = "|---|---|" + "---:|" * (len(head) - 3) + "---|"
     return ["| " + " | ".join(head) + " |", rule] + ["| " + " | ".join(cells) + " |" for cells in rows]
 
 
 def publish(name, lines):
-    """Prints the lines; with --write they go into docs/performance.md, between the markers of that name; those of --avx2
-    have markers of their own."""
+    """Prints the lines; with --write, puts them into docs/performance.md between the markers of that name, which has the
+    suffix -avx2 with --avx2."""
     name += "-avx2" if AVX2 else ""
     text = "\n".join(lines)
     print("\n" + text)

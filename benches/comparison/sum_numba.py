@@ -161,7 +161,7 @@ def survivors(heights, radii, separations, size):
 
 @numba.njit(inline="always")
 def block_of(turn, blocks):
-    """The highest blocks touch most often: a thread takes every other one."""
+    """The highest blocks have the most contacts: each thread takes every other one."""
     half = (blocks + 1) // 2
     return 2 * turn if turn < half else 2 * (turn - half) + 1
 
@@ -202,8 +202,8 @@ def sorted_branches(heights, radii, separations, size):
 
 @numba.njit(parallel=True, fastmath=True, error_model="numpy")
 def sorted_extremes(heights, radii, separations, size):
-    """Asperities highest first, in blocks so narrow that nearly all of one are in one regime: where the extremes of its
-    indentations and radii say so, a loop without a branch adds them."""
+    """Asperities highest first, in blocks so narrow that nearly all asperities of a block are in one regime: where the
+    extremes of indentation and radius prove it, a loop without a branch adds them."""
     n = heights.size
     blocks = (n + size - 1) // size
     parts = np.zeros((blocks, separations.size, COLUMNS))

@@ -1,25 +1,25 @@
 """Surfaces compared with other programs, in one run: generation (NumPy with scipy.fft, tamaas) and five-point summits (numba).
 
-    pip install -r benches/peers/requirements.txt
-    python benches/peers/surfaces.py            # prints a table; --write puts it into docs/performance.md
+    pip install -r benches/comparison/requirements.txt
+    python benches/comparison/surfaces.py            # prints a table; --write puts it into docs/performance.md
 
 This program and the comparison programs run alternately, 15 times each (summits three times in a row), on two threads;
 medians are compared. The comparison programs are tuned: half spectra generated on two threads, two FFT workers, transforms
 in place; of two numba kernels, one that counts first and one that reads the map once, the faster is used.
 """
 
-import beside  # before NumPy and numba: it sets their number of threads
+import timing  # before NumPy and numba: sets their number of threads
 
 import numba
 import numpy as np
 import scipy
 import scipy.fft
 
-from beside import POOL, ROUNDS, Ours, alternately
+from timing import POOL, ROUNDS, ThisProgram, alternately
 
 
 def amplitudes(n, rows=slice(None)):
-    """Standard deviations of the waves of the `full` spectrum, as benches/peer.rs has it; of some rows."""
+    """Standard deviations of the waves of the `full` spectrum, as in benches/comparison.rs, for some rows."""
     kx = np.fft.fftfreq(n, 1 / n)[rows]
     ky = np.fft.rfftfreq(n, 1 / n)
     q2 = np.add.outer(kx * kx, ky * ky)
@@ -126,28 +126,28 @@ def numba_one_pass(z):
 
 
 def main():
-    ours = Ours()
+    this_program = ThisProgram()
     rows = []
 
-    def row(what, name, mine, theirs, bound):
-        met = "met" if mine / theirs <= bound else "**missed**"
-        rows.append([what, name, f"{1e3 * mine:.1f}", f"{1e3 * theirs:.1f}", f"{mine / theirs:.2f}", f"{bound:g}", met])
+    def row(what, name, mine, other, bound):
+        met = "met" if mine / other <= bound else "**missed**"
+        rows.append([what, name, f"{1e3 * mine:.1f}", f"{1e3 * other:.1f}", f"{mine / other:.2f}", f"{bound:g}", met])
         print("  ".join(rows[-1]), flush=True)
 
     for n, bounds in ((4096, (0.55, 0.2)), (8192, (0.45, None))):
-        peers = [lambda k: with_scipy(n, k)] + ([lambda k: with_tamaas(n, k)] if bounds[1] else [])
-        medians = alternately(lambda k: ours(f"generate {n} full {k}")[0], peers, ROUNDS if n == 4096 else 7)
+        programs = [lambda k: with_scipy(n, k)] + ([lambda k: with_tamaas(n, k)] if bounds[1] else [])
+        medians = alternately(lambda k: this_program(f"generate {n} full {k}")[0], programs, ROUNDS if n == 4096 else 7)
         row(f"surface of {n} x {n}", "scipy.fft, 2 workers", medians[0], medians[1], bounds[0])
         if bounds[1]:
             row(f"surface of {n} x {n}", "tamaas", medians[0], medians[2], bounds[1])
-    fresh = Ours()
+    fresh = ThisProgram()
     peak = fresh("generate 8192 full 1")[1]
     arrays = peak / (8 * 8192**2)
     print(f"peak memory at 8192 x 8192: {arrays:.2f} arrays")
 
     for spectrum, what in (("full", "waves to 2 pixels"), ("cut", "waves to 8 pixels")):
         n = 4096
-        ours(f"generate {n} {spectrum} 3")
+        this_program(f"generate {n} {spectrum} 3")
         amplitude = amplitudes(n)
         if spectrum == "cut":
             k = np.fft.fftfreq(n, 1 / n)[:, None] ** 2 + np.fft.rfftfreq(n, 1 / n)[None, :] ** 2
@@ -159,16 +159,16 @@ def main():
         for function in (numba_two_passes, numba_one_pass):
             function(z)
         medians = alternately(
-            lambda _: ours("summits")[0],
+            lambda _: this_program("summits")[0],
             [lambda _: numba_two_passes(z), lambda _: numba_one_pass(z)],
             repeats=3,
         )
         row(f"summits of 4096 x 4096, {what}", "numba", medians[0], min(medians[1:]), 0.5)
 
-    lines = beside.table(["task", "peer", "ours [ms]", "peer [ms]", "ratio", "bound", ""], rows)
+    lines = timing.table(["task", "comparison program", "this program [ms]", "comparison [ms]", "ratio", "bound", ""], rows)
     versions = ("NumPy", np.__version__), ("SciPy", scipy.__version__), ("numba", numba.__version__)
-    lines += ["", f"Peak memory of a surface of 8192 x 8192: {arrays:.2f} arrays of its size (bound 1.5). {beside.machine(*versions)}"]
-    beside.publish("surfaces", lines)
+    lines += ["", f"Peak memory of a surface of 8192 x 8192: {arrays:.2f} arrays of its size (bound 1.5). {timing.machine(*versions)}"]
+    timing.publish("surfaces", lines)
 
 
 if __name__ == "__main__":

@@ -3,7 +3,7 @@
 import numba
 import numpy as np
 
-from beside import THREADS, timed
+from timing import THREADS, timed
 from zmc import ONSET, TRANSITION
 
 NUMBERS = 1024  # fit the first-level cache
