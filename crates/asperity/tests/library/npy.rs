@@ -61,7 +61,7 @@ fn what_a_header_says_wrongly_is_named() {
             "{'descr': '|b1', 'fortran_order': False, 'shape': (2, 3)}",
             "numbers of type '|b1'; allowed: float32",
         ),
-        ("{'descr': '<f8', 'fortran_order': False, 'shape': (2, 3)} or more", "from its byte 58 on"),
+        ("{'descr': '<f8', 'fortran_order': False, 'shape': (2, 3)} or more", "from byte 58 on"),
         ("", "is not a Python dictionary from byte 0 on"),
     ] {
         let error = header(&under(text)).unwrap_err().to_string();

@@ -172,10 +172,10 @@ fn bad_x3p_is_refused() {
     assert_refused!(Unsupported, "DataType = Q; allowed: I, L, F, D", X3p::linked("Q", "1", vec![]).bytes());
     assert_refused!(Unsupported, "holds 2 layers", changed("<SizeZ>1", "<SizeZ>2"));
     assert_refused!(TooTall, "holds a height of 1.35e1 m", X3p::linked("D", "1e9", numbers.clone()).bytes());
-    assert_refused!(Corrupt, "is no XML", changed("</Record3>", ""));
+    assert_refused!(Corrupt, "is not XML", changed("</Record3>", ""));
     assert_refused!(
         Corrupt,
-        "is no XML",
+        "is not XML",
         changed("<p:ISO5436_2", "<!DOCTYPE a [<!ENTITY b \"c\">]><p:ISO5436_2")
     );
     assert_refused!(Corrupt, "has no FeatureType", changed("<FeatureType>SUR</FeatureType>", ""));
