@@ -4,10 +4,11 @@ use std::fmt;
 
 use serde::Deserialize;
 use serde::de::value::{F64Deserializer, StrDeserializer};
-use serde::de::{Deserializer, Error, IntoDeserializer, SeqAccess, Visitor};
+use serde::de::{Deserializer, Error, IntoDeserializer, Visitor};
 use toml::Spanned;
 
 use asperity::{ModulusModel, units};
+use asperity_framework::input::OneOrMany;
 use asperity_framework::input::quantity::{Length, NotNegative, Quantity};
 
 /// A layer on the flat, of one thickness or several.
@@ -80,43 +81,13 @@ pub struct Thicknesses(pub Vec<f64>);
 
 impl<'de> Deserialize<'de> for Thicknesses {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-        struct SomeThicknesses;
-
-        impl<'de> Visitor<'de> for SomeThicknesses {
-            type Value = Thicknesses;
-
-            fn expecting(&self, f: &mut fmt::Formatter) -> fmt::Result {
-                write!(f, "a thickness ({}) or a list of thicknesses", allowed())
-            }
-            fn visit_str<E: Error>(self, text: &str) -> Result<Thicknesses, E> {
-                let read: Result<Thickness, E> = Thickness::deserialize(StrDeserializer::new(text));
-                read.map(|one| Thicknesses(vec![one.0]))
-            }
-            fn visit_f64<E: Error>(self, value: f64) -> Result<Thicknesses, E> {
-                let number: F64Deserializer<E> = value.into_deserializer();
-                let read: Result<Thickness, E> = Thickness::deserialize(number);
-                read.map(|one| Thicknesses(vec![one.0]))
-            }
-            fn visit_i64<E: Error>(self, value: i64) -> Result<Thicknesses, E> {
-                self.visit_f64(value as f64)
-            }
-            fn visit_seq<A: SeqAccess<'de>>(self, mut list: A) -> Result<Thicknesses, A::Error> {
-                let mut all: Vec<f64> = Vec::new();
-                while let Some(Thickness(value)) = list.next_element()? {
-                    if all.last().is_some_and(|last| *last >= value) {
-                        return Err(A::Error::custom(
-                            "found thicknesses that are not ascending; allowed: each once, the thinnest first, \"inf\" \
-                             last",
-                        ));
-                    }
-                    all.push(value);
-                }
-                if all.is_empty() {
-                    return Err(A::Error::custom("found an empty list; allowed: at least one thickness"));
-                }
-                Ok(Thicknesses(all))
-            }
+        let expected = format!("a thickness ({}) or a list of thicknesses", allowed());
+        let all = OneOrMany::<Thickness>::read(deserializer, &expected)?.at_least_one("thickness")?;
+        if !all.is_sorted_by(|a, b| a.0 < b.0) {
+            return Err(D::Error::custom(
+                "found thicknesses that are not ascending; allowed: each once, the thinnest first, \"inf\" last",
+            ));
         }
-        deserializer.deserialize_any(SomeThicknesses)
+        Ok(Self(all.into_iter().map(|thickness| thickness.0).collect()))
     }
 }

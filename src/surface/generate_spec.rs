@@ -1,12 +1,13 @@
 //! `[surface.NAME.generate]`: a random rough surface.
 
 use serde::Deserialize;
-use serde::de::{Deserializer, Error, SeqAccess, Visitor};
+use serde::de::{Deserializer, Error};
 use toml::Spanned;
 
 use crate::surface::pixel_spec::PixelSpec;
 use asperity::topography::generate::SpectrumOf;
 use asperity::topography::summits::Neighbours;
+use asperity_framework::input::OneOrMany;
 use asperity_framework::input::heights::HeightsSpec;
 use asperity_framework::input::quantity::{Angle, ArealNumberDensity, Finite, Length, Pure, Quantity};
 
@@ -106,28 +107,14 @@ pub struct PointsSpec(pub [u64; 2]);
 
 impl<'de> Deserialize<'de> for PointsSpec {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-        struct OneOrTwo;
-
-        impl<'de> Visitor<'de> for OneOrTwo {
-            type Value = PointsSpec;
-
-            fn expecting(&self, f: &mut std::fmt::Formatter) -> std::fmt::Result {
-                f.write_str("a number of points such as 1024, or a list of two: along x and along y")
-            }
-            fn visit_i64<E: Error>(self, count: i64) -> Result<PointsSpec, E> {
-                let negative = || E::custom(format!("found {count} points; allowed: at least 8"));
-                Ok(PointsSpec([u64::try_from(count).map_err(|_| negative())?; 2]))
-            }
-            fn visit_seq<A: SeqAccess<'de>>(self, mut list: A) -> Result<PointsSpec, A::Error> {
-                let mut counts = Vec::new();
-                while let Some(count) = list.next_element::<u64>()? {
-                    counts.push(count);
-                }
-                <[u64; 2]>::try_from(counts).map(PointsSpec).map_err(|counts| {
-                    A::Error::custom(format!("found {} numbers; allowed: one or two", counts.len()))
-                })
+        let expected = "a number of points such as 1024, or a list of two: along x and along y";
+        let counts = OneOrMany::<i64>::read(deserializer, expected)?.along_both("numbers")?;
+        match counts.map(u64::try_from) {
+            [Ok(x), Ok(y)] => Ok(Self([x, y])),
+            _ => {
+                let least = counts[0].min(counts[1]);
+                Err(D::Error::custom(format!("found {least} points; allowed: at least 8")))
             }
         }
-        deserializer.deserialize_any(OneOrTwo)
     }
 }

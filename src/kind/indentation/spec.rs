@@ -1,14 +1,12 @@
 //! `[indentation]`: one sphere on a layered flat.
 
-use std::fmt;
 use std::path::PathBuf;
 
-use serde::Deserialize;
-use serde::de::value::MapAccessDeserializer;
-use serde::de::{Deserializer, Error, MapAccess, SeqAccess, Visitor};
+use serde::{Deserialize, Deserializer};
 use toml::Spanned;
 
 use crate::layer::LayerSpec;
+use asperity_framework::input::OneOrMany;
 use asperity_framework::input::law::Laws;
 use asperity_framework::input::quantity::{Length, Quantity};
 use asperity_framework::input::sweep::LogSweep;
@@ -53,30 +51,7 @@ pub struct Layers(pub Vec<LayerSpec>);
 
 impl<'de> Deserialize<'de> for Layers {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-        struct SomeLayers;
-
-        impl<'de> Visitor<'de> for SomeLayers {
-            type Value = Layers;
-
-            fn expecting(&self, f: &mut fmt::Formatter) -> fmt::Result {
-                f.write_str(
-                    "a layer such as { material = \"lead\", thickness = \"1.2 um\" }, or a list of layers",
-                )
-            }
-            fn visit_map<A: MapAccess<'de>>(self, map: A) -> Result<Layers, A::Error> {
-                Ok(Layers(vec![LayerSpec::deserialize(MapAccessDeserializer::new(map))?]))
-            }
-            fn visit_seq<A: SeqAccess<'de>>(self, mut list: A) -> Result<Layers, A::Error> {
-                let mut layers = Vec::new();
-                while let Some(layer) = list.next_element()? {
-                    layers.push(layer);
-                }
-                if layers.is_empty() {
-                    return Err(A::Error::custom("found an empty list; allowed: at least one layer"));
-                }
-                Ok(Layers(layers))
-            }
-        }
-        deserializer.deserialize_any(SomeLayers)
+        let expected = "a layer such as { material = \"lead\", thickness = \"1.2 um\" }, or a list of layers";
+        OneOrMany::read(deserializer, expected)?.at_least_one("layer").map(Self)
     }
 }

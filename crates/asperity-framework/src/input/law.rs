@@ -3,9 +3,9 @@
 use std::fmt;
 
 use serde::Deserialize;
-use serde::de::value::{MapAccessDeserializer, StrDeserializer};
-use serde::de::{DeserializeSeed, Deserializer, Error, MapAccess, SeqAccess, Visitor};
+use serde::de::{DeserializeSeed, Deserializer, Error, MapAccess, Visitor};
 
+use crate::input::OneOrMany;
 use crate::input::quantity::{Finite, Pure, Quantity};
 use asperity::ContactLaw;
 use asperity::contact_law::{named, registry};
@@ -130,37 +130,16 @@ impl<'de> Deserialize<'de> for OneLaw {
 
 impl<'de> Deserialize<'de> for Laws {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-        struct SomeLaws;
-
-        impl<'de> Visitor<'de> for SomeLaws {
-            type Value = Laws;
-
-            fn expecting(&self, f: &mut fmt::Formatter) -> fmt::Result {
-                write!(f, "a law ({}, or a table of one law with its options) or a list of laws", allowed())
+        let expected =
+            format!("a law ({}, or a table of one law with its options) or a list of laws", allowed());
+        let mut laws = Vec::new();
+        for OneLaw(law) in OneOrMany::read(deserializer, &expected)?.at_least_one("law")? {
+            if laws.contains(&law) {
+                let message = format!("found {} twice; allowed: each law once", law.label());
+                return Err(D::Error::custom(message));
             }
-            fn visit_str<E: Error>(self, name: &str) -> Result<Laws, E> {
-                Ok(Laws(vec![OneLaw::deserialize(StrDeserializer::new(name))?.0]))
-            }
-            fn visit_map<A: MapAccess<'de>>(self, map: A) -> Result<Laws, A::Error> {
-                Ok(Laws(vec![OneLaw::deserialize(MapAccessDeserializer::new(map))?.0]))
-            }
-            fn visit_seq<A: SeqAccess<'de>>(self, mut list: A) -> Result<Laws, A::Error> {
-                let mut laws = Vec::new();
-                while let Some(OneLaw(law)) = list.next_element()? {
-                    if laws.contains(&law) {
-                        return Err(A::Error::custom(format!(
-                            "found {} twice; allowed: each law once",
-                            law.label()
-                        )));
-                    }
-                    laws.push(law);
-                }
-                if laws.is_empty() {
-                    return Err(A::Error::custom("found an empty list; allowed: at least one law"));
-                }
-                Ok(Laws(laws))
-            }
+            laws.push(law);
         }
-        deserializer.deserialize_any(SomeLaws)
+        Ok(Self(laws))
     }
 }

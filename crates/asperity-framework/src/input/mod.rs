@@ -5,6 +5,7 @@ mod file;
 pub mod heights;
 pub mod law;
 pub mod material;
+mod one_or_many;
 pub mod quantity;
 mod resolver;
 pub mod sweep;
@@ -12,4 +13,5 @@ pub mod tolerance;
 
 pub use error::{InputError, Source};
 pub use file::SpecFile;
+pub use one_or_many::OneOrMany;
 pub use resolver::materials;
