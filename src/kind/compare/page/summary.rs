@@ -14,17 +14,15 @@ pub const CONDITION: &str = "Valid at loads with at least 30 contacts and a cont
 
 /// The same with the stretches of loads (Pa) that are valid.
 fn validity(loads: &[[f64; 2]]) -> String {
-    let range = |&[from, to]: &[f64; 2]| match from == to {
-        true => input_quantity(from, "Pa"),
-        false => format!("{} to {}", input_quantity(from, "Pa"), input_quantity(to, "Pa")),
-    };
-    match loads {
-        [] => CONDITION.to_owned(),
-        loads => {
-            let ranges = listed(&loads.iter().map(range).collect::<Vec<_>>());
-            format!("Valid for {ranges} (at least 30 contacts, contact area at most 5 %).")
-        }
+    if loads.is_empty() {
+        return CONDITION.to_owned();
     }
+    let range = |&[from, to]: &[f64; 2]| {
+        let [first, last] = [from, to].map(|load| input_quantity(load, "Pa"));
+        if from == to { first } else { format!("{first} to {last}") }
+    };
+    let ranges = listed(&loads.iter().map(range).collect::<Vec<_>>());
+    format!("Valid for {ranges} (at least 30 contacts, contact area at most 5 %).")
 }
 
 /// Difference between the models, and which to use: one line each.
@@ -148,5 +146,17 @@ fn cause(departure: &Departure) -> String {
         Departure::Correlation(correlation) => {
             format!("heights and radii are correlated ({})", number(correlation))
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn loads_between_valid_stretches_are_not_called_valid() {
+        let found = validity(&[[1e6, 3e6], [5e6, 5e6]]);
+        assert!(found.starts_with("Valid for 1 MPa to 3 MPa and 5 MPa ("), "{found}");
+        assert_eq!(validity(&[]), CONDITION);
     }
 }

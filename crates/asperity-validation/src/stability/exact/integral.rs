@@ -128,3 +128,58 @@ fn last_of(held: Branch, from: Wide, to: Wide, branch: &impl Fn(Wide) -> Branch)
     }
     high
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::stability::bodies::Bodies;
+    use crate::stability::laws::CoveredLaw;
+    use asperity::{Heights, Material};
+
+    /// Equally probable heights from -3^.5 to 3^.5, with a step at either end.
+    #[derive(Debug)]
+    struct Uniform;
+
+    fn half() -> Wide {
+        Wide::new(3.0).sqrt()
+    }
+
+    impl Density for Uniform {
+        fn heights(&self) -> Heights {
+            unreachable!("only what is covered is looked up")
+        }
+        fn ln(&self, _: Wide) -> Wide {
+            -(half() * 2.0).ln()
+        }
+        fn steepness(&self, _: Wide) -> Wide {
+            Wide::ZERO
+        }
+        fn support(&self) -> [Option<Wide>; 2] {
+            [Some(-half()), Some(half())]
+        }
+        fn mode(&self) -> Wide {
+            -half()
+        }
+    }
+
+    /// Hertz's loads of uniform heights in closed form; the stiffness is that of the steps alone.
+    #[test]
+    fn steps_at_both_ends_of_a_density_count() {
+        let body = Material::new(2.0, 0.0, None, None).unwrap();
+        let hertz = CoveredLaw::named("hertz").unwrap();
+        let exact = Exact::new(&Bodies { law: hertz, rough: body, flat: body, layer: None });
+        for h in [-3.0, 0.25, 2.0] {
+            let of = Integral { sigma: 1.0, density: 1.0, heights: &Uniform, separation: h };
+            let total = exact.integral(&of, &Shape::sphere(1.0)).unwrap();
+            // (z - h)^(n + 1/2).
+            let power = |z: Wide, n: i32| {
+                let w = (z - h).max(Wide::ZERO);
+                (0..n).fold(w.sqrt(), |product, _| product * w)
+            };
+            let between = |n: i32| (power(half(), n) - power(-half(), n)) / (half() * 2.0);
+            let [load, stiffness] = [between(2) * 8.0 / 15.0, between(1) * 4.0 / 3.0];
+            assert!((total.total_load() - load).abs().hi() <= 1e-24 * load.hi(), "{h}");
+            assert!((total.stiffness - stiffness).abs().hi() <= 1e-24 * stiffness.hi(), "{h}");
+        }
+    }
+}
