@@ -10,7 +10,7 @@ use asperity_framework::input::{InputError, Source};
 use asperity_framework::metadata::Timing;
 
 use super::files::Files;
-use super::found::{NoAsperities, SummitSearch, Surface};
+use super::found::{Found, NoAsperities, SummitSearch, Surface};
 use super::overview::AnalysisDepth;
 use super::plan::{Origin, SurfacePlan};
 use super::read_error::spec_message;
@@ -46,6 +46,11 @@ impl<'a> SurfaceFactory<'a> {
         let surface = self.one(realisation, depth, files, timing)?;
         self.counter.add(Item::Surfaces, 1);
         Ok(Surface { realisations: self.plan.realisations, ..surface })
+    }
+
+    /// Whether a map is divided into blocks: for a comparison, unless its realisations give the sampling error.
+    fn divides(&self, depth: AnalysisDepth) -> bool {
+        depth == AnalysisDepth::Comparison && self.plan.realisations == 1
     }
 
     fn one(
@@ -122,6 +127,7 @@ impl<'a> SurfaceFactory<'a> {
                     generation: Some(made.facts),
                     as_ellipses: self.plan.as_ellipses,
                     depth,
+                    divides: self.divides(depth),
                 };
                 found(name, &search, &made.map, timing).map_err(|error| refuse(&error))
             }
@@ -137,6 +143,7 @@ impl<'a> SurfaceFactory<'a> {
                     generation: None,
                     as_ellipses: self.plan.as_ellipses,
                     depth,
+                    divides: self.divides(depth),
                 };
                 found(name, &search, &*rows, timing).map_err(|error| refuse(&error))
             }
@@ -158,7 +165,7 @@ fn found(
     timing: &mut Timing,
 ) -> Result<Surface, NoAsperities> {
     let start = Instant::now();
-    let (set, facts) = search.asperities(map)?;
+    let Found { set, facts, independence } = search.asperities(map)?;
     timing.summits += start.elapsed();
     let statistics = Statistics::of(&set);
     let summits = facts.summits;
@@ -176,5 +183,6 @@ fn found(
     }
     surface.mean_plane = Some(facts.roughness.moments.mean);
     surface.map = Some(facts);
+    surface.independence = independence;
     Ok(surface)
 }

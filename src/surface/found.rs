@@ -1,6 +1,8 @@
 //! A surface for models and report: its asperities and their properties.
 
+use super::independence::Independence;
 use super::overview::{AnalysisDepth, MapOverview};
+use asperity::compare::Division;
 use asperity::topography::generate::{SurfaceGenerator, Target};
 use asperity::topography::summits::{Detail, Neighbours, Summits, find};
 use asperity::topography::theory::Expected;
@@ -32,6 +34,8 @@ pub struct Surface {
     pub ellipticity: Option<Ellipticity>,
     /// The map that it was found on.
     pub map: Option<MapFacts>,
+    /// What its sampling error rests on.
+    pub independence: Independence,
     /// Number of realisations of this surface.
     pub realisations: usize,
     /// Caveats.
@@ -119,12 +123,21 @@ pub(super) struct SummitSearch {
     /// What the map was made by, if it was made.
     pub(super) generation: Option<GenerationFacts>,
     pub(super) depth: AnalysisDepth,
+    /// Whether the map is divided into blocks for a sampling error.
+    pub(super) divides: bool,
+}
+
+/// What a map gives.
+pub(super) struct Found {
+    pub(super) set: AsperitySet,
+    pub(super) facts: MapFacts,
+    pub(super) independence: Independence,
 }
 
 impl SummitSearch {
     /// Levels and filters a map and finds its summits, row by row: only a filter and the closest depth need
     /// the map in memory.
-    pub(super) fn asperities(&self, raw: &dyn Rows) -> Result<(AsperitySet, MapFacts), NoAsperities> {
+    pub(super) fn asperities(&self, raw: &dyn Rows) -> Result<Found, NoAsperities> {
         let levelled = Levelled { map: raw, form: self.level.form(raw)? };
         let filtered = match self.filter {
             Some(filter) => Some(filter.apply(HeightMap::of(&levelled))?),
@@ -136,20 +149,25 @@ impl SummitSearch {
             return Err(NoAsperities::Flat);
         }
         // The drops reveal only height steps of an instrument.
-        let detail = Detail { positions: false, principal: true, drops: self.generation.is_none() };
+        let detail = Detail { positions: self.divides, principal: true, drops: self.generation.is_none() };
         let summits = find(map, self.neighbours, detail);
         if summits.heights.is_empty() {
             return Err(NoAsperities::NoSummit { tested: summits.tested });
         }
+        let independence = if self.divides {
+            Independence::of_map(map, &roughness, &summits)
+        } else {
+            Independence::Realisations
+        };
         let facts = self.facts(raw, map, roughness, &summits);
         let [dx, dy] = map.pixel();
         let radii = summits.curvatures.iter().map(|curvature| curvature.recip()).collect();
         let set = AsperitySet::new(summits.heights, radii, dx * dy * summits.tested as f64)?;
         if !self.as_ellipses {
-            return Ok((set, facts));
+            return Ok(Found { set, facts, independence });
         }
         let ellipses = summits.principal.iter().copied().map(Ellipse::of_summit).collect();
-        Ok((set.with_ellipses(ellipses)?, facts))
+        Ok(Found { set: set.with_ellipses(ellipses)?, facts, independence })
     }
 
     fn facts(
@@ -282,9 +300,26 @@ impl Surface {
             nominal: None,
             ellipticity,
             map: None,
+            independence: Independence::Asperities,
             realisations: 1,
             warnings: Vec::new(),
         }
+    }
+
+    /// The same surface without one group of its asperities and their area; `None` where none is left. Separations are
+    /// measured from the mean of the rest, in its sigma, if they are measured so on the surface.
+    pub fn without(&self, division: &Division, group: usize) -> Option<Self> {
+        let set = division.without(&self.set, group)?;
+        let statistics = Statistics::of(&set);
+        let is_own = self.plane == ReferencePlane::from(&self.statistics);
+        let mut rest = Self::new(&self.name, set, statistics);
+        if !is_own {
+            rest.plane = self.plane;
+        }
+        if self.nominal.is_some() {
+            rest.ellipticity = self.ellipticity;
+        }
+        Some(Self { mean_plane: self.mean_plane, nominal: self.nominal.clone(), ..rest })
     }
 
     /// Inputs of the statistical model: the nominal numbers of a population, the statistics of
@@ -349,8 +384,9 @@ mod tests {
             generation,
             as_ellipses: false,
             depth: AnalysisDepth::Everything,
+            divides: false,
         };
-        let facts = search.asperities(&map).unwrap().1;
+        let facts = search.asperities(&map).unwrap().facts;
         (map, facts)
     }
 

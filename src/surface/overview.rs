@@ -11,8 +11,8 @@ use asperity::{HeightMap, Heights};
 pub enum AnalysisDepth {
     /// Asperities only.
     Asperities,
-    /// Of a random surface, the target and the obtained spectrum.
-    Spectrum,
+    /// What a comparison needs: blocks for the sampling error; of a random surface, the target and the obtained spectrum.
+    Comparison,
     /// Spectrum, autocorrelation and an image.
     Everything,
 }
@@ -94,7 +94,7 @@ fn distribution(map: &dyn Rows, roughness: &RoughnessParameters) -> Vec<usize> {
 }
 
 /// A map of at most `most` points along each axis: each the mean of a block of points that are there.
-fn thumbnail(map: &dyn Rows, most: usize) -> HeightMap {
+pub(super) fn thumbnail(map: &dyn Rows, most: usize) -> HeightMap {
     HeightMap::of(&Blocks { map, block: map.points().map(|count| count.div_ceil(most)) })
 }
 

@@ -39,6 +39,8 @@ pub struct Timing {
     pub statistical: Duration,
     /// The sums, ordering included.
     pub deterministic: Duration,
+    /// Both models again, for sampling errors.
+    pub sampling: Duration,
     /// From the spec to the results.
     pub total: Duration,
 }

@@ -53,6 +53,7 @@ struct Times {
     summits_s: f64,
     statistical_s: f64,
     deterministic_s: f64,
+    sampling_s: f64,
     report_s: f64,
     total_s: f64,
 }
@@ -69,6 +70,7 @@ pub(super) fn timing(metadata: &Metadata, report: Duration) -> serde_json::Resul
         summits_s: timing.summits.as_secs_f64(),
         statistical_s: timing.statistical.as_secs_f64(),
         deterministic_s: timing.deterministic.as_secs_f64(),
+        sampling_s: timing.sampling.as_secs_f64(),
         report_s: report.as_secs_f64(),
         total_s: (timing.total + report).as_secs_f64(),
     })

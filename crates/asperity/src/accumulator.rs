@@ -1,10 +1,12 @@
 //! Sums over micro-contacts: number, area, load and stiffness.
 
+use std::f64::consts::PI;
 use std::ops::AddAssign;
 
-use crate::contact::{ByRegime, Contact, Contacts, Regime};
-use crate::numeric::lanes::{Mask, Real};
+use crate::contact::{ByRegime, Contact, Contacts, LARGEST_SLOPE, Regime};
+use crate::numeric::lanes::{MOST, Mask, Real};
 use crate::numeric::sum::{LaneSum, Sum};
+use crate::shape::Shape;
 
 /// The sums over contacts, area and load by regime. `S` is the type of each sum: see [`Total`] and [`Accumulator`];
 /// within a vector register, plain numbers for up to 16 contacts and compensated sums for more.
@@ -18,6 +20,17 @@ pub struct ContactSums<S> {
     stiffness: S,
     area_squared: S,
     load_squared: S,
+    /// Load of the contacts at large strain.
+    large_strain_load: S,
+    /// Largest load of a contact, N; of sums in registers only once they are complete.
+    largest_load: f64,
+}
+
+/// The area (m^2) above which strains are not small in the contact of `spheres` spheres of `radius` (m): a/R, with a of the
+/// law's own area, exceeds [`LARGEST_SLOPE`].
+#[inline(always)]
+pub(crate) fn small_strain_area<N: Real>(radius: N, spheres: N) -> N {
+    radius * radius * spheres * (PI * LARGEST_SLOPE * LARGEST_SLOPE)
 }
 
 /// The sums over a part of the contacts. Parts are added with [`ContactSums::merge`], in an order that the caller
@@ -42,6 +55,8 @@ impl<S: Copy> ContactSums<S> {
             stiffness: zero,
             area_squared: zero,
             load_squared: zero,
+            large_strain_load: zero,
+            largest_load: 0.0,
         }
     }
 
@@ -55,10 +70,12 @@ impl<S: Copy> ContactSums<S> {
         self.merge_weighted(part);
         self.area_squared += part.area_squared;
         self.load_squared += part.load_squared;
+        self.large_strain_load += part.large_strain_load;
+        self.largest_load = self.largest_load.max(part.largest_load);
     }
 
-    /// Like [`Self::merge`], without the number of contacts and without the squares, which have no meaning for weighted
-    /// contacts.
+    /// Like [`Self::merge`], without the number of contacts and without what has no meaning for weighted contacts: squares,
+    /// the largest load, the load at large strain.
     #[inline(always)]
     pub(crate) fn merge_weighted<T: Copy>(&mut self, part: &ContactSums<T>)
     where
@@ -106,6 +123,21 @@ impl Total {
     pub fn load_error(&self, count: usize) -> f64 {
         sampling_error(self.load_squared.value(), self.load().total(), count)
     }
+
+    /// Sum of the squared loads, N^2.
+    pub fn load_squared(&self) -> f64 {
+        self.load_squared.value()
+    }
+
+    /// Largest load of a contact, N.
+    pub fn largest_load(&self) -> f64 {
+        self.largest_load
+    }
+
+    /// Load of the contacts whose a/R exceeds [`LARGEST_SLOPE`], N; a is the radius of a circle of the contact's area.
+    pub fn large_strain_load(&self) -> f64 {
+        self.large_strain_load.value()
+    }
 }
 
 /// The difference of equal terms is a rounding error, possibly negative; it counts as 0.
@@ -126,12 +158,17 @@ impl Accumulator {
         self.stiffness += weight * contact.stiffness;
     }
 
-    /// Adds one contact, with its squares, from which the sampling error follows.
+    /// Adds the contact of one asperity of `shape`, with what follows from single contacts: squares, from which the
+    /// sampling error follows, the largest load, the load at large strain.
     #[inline]
-    pub fn add(&mut self, contact: &Contact) {
+    pub fn add(&mut self, contact: &Contact, shape: Shape) {
         self.accumulate_weighted(contact, 1.0);
         self.area_squared += contact.area * contact.area;
         self.load_squared += contact.load * contact.load;
+        self.largest_load = self.largest_load.max(contact.load);
+        if contact.area > small_strain_area(shape.radius, shape.spheres) {
+            self.large_strain_load += contact.load;
+        }
     }
 
     /// Adds the contribution of a load jump to the stiffness (N/m).
@@ -149,26 +186,39 @@ impl Accumulator {
             stiffness: self.stiffness.total(),
             area_squared: self.area_squared.total(),
             load_squared: self.load_squared.total(),
+            large_strain_load: self.large_strain_load.total(),
+            largest_load: self.largest_load,
         }
     }
 }
 
 /// In registers, any number of contacts.
 impl<N: Real> ContactSums<Sum<N>> {
-    /// Adds the contacts of the lanes in `present`.
+    /// Adds the contacts of the lanes in `present`; see [`ContactSums::add`] for `small_strain`.
     #[inline(always)]
-    pub(crate) fn add_present(&mut self, contact: &Contacts<N>, present: N::Mask) {
+    pub(crate) fn add_present(&mut self, contact: &Contacts<N>, small_strain: N, present: N::Mask) -> N {
         let zero = contact.area.splat(0.0);
         let mut plain = ContactSums::new(zero);
-        plain.add_terms(&Contacts {
+        let contact = Contacts {
             area: N::select(present, contact.area, zero),
             load: N::select(present, contact.load, zero),
             stiffness: N::select(present, contact.stiffness, zero),
             elastic: contact.elastic | !present,
             plastic: contact.plastic & present,
-        });
+        };
+        plain.add_terms(&contact);
+        plain.add_large_strain(&contact, small_strain);
         plain.contacts = N::select(present, zero + 1.0, zero);
         self.merge(&plain);
+        contact.load
+    }
+
+    /// Completes the sums with the largest load of each lane.
+    #[inline(always)]
+    pub(crate) fn with_largest_load(self, loads: N) -> Self {
+        let mut lanes = [0.0; MOST];
+        loads.store(&mut lanes);
+        Self { largest_load: lanes[..N::LANES].iter().copied().fold(self.largest_load, f64::max), ..self }
     }
 
     /// Adds contacts times `weights` (quadrature weights of the statistical model) to `plain`. Only the weights are
@@ -187,11 +237,21 @@ impl<N: Real> ContactSums<Sum<N>> {
 
 /// In registers, at most [`PLAIN_TERMS`] contacts per lane.
 impl<N: Real> ContactSums<N> {
-    /// Adds the contacts of all lanes.
+    /// Adds the contacts of all lanes; `small_strain` is [`small_strain_area`] of each lane.
     #[inline(always)]
-    pub(crate) fn add(&mut self, contact: &Contacts<N>) {
+    pub(crate) fn add(&mut self, contact: &Contacts<N>, small_strain: N) {
         self.contacts = self.contacts + 1.0;
         self.add_terms(contact);
+        self.add_large_strain(contact, small_strain);
+    }
+
+    #[inline(always)]
+    fn add_large_strain(&mut self, contact: &Contacts<N>, small_strain: N) {
+        let is_large = small_strain.lt(contact.area);
+        if is_large.any() {
+            let load = N::select(is_large, contact.load, contact.load.splat(0.0));
+            self.large_strain_load = self.large_strain_load + load;
+        }
     }
 
     #[inline(always)]
@@ -246,11 +306,15 @@ mod tests {
     fn shares_are_parts_of_the_total_in_the_order_of_the_regimes() {
         let mut accumulator = Accumulator::default();
         for (regime, load) in Regime::ALL.into_iter().zip([1.0, 2.0, 5.0]) {
-            accumulator.add(&Contact { area: 2.0 * load, load, stiffness: 0.0, regime });
+            let contact = Contact { area: 2.0 * load, load, stiffness: 0.0, regime };
+            accumulator.add(&contact, Shape::sphere(5.0));
         }
         let total = accumulator.total();
         assert_eq!(total.load().shares(), Some([0.125, 0.25, 0.625]));
         assert_eq!(total.area().0, [2.0, 4.0, 10.0]);
         assert_eq!(ByRegime::default().shares(), None);
+        // a/R exceeds 0.3 above an area of 7.07 on a sphere of radius 5.
+        assert_eq!((total.largest_load(), total.large_strain_load()), (5.0, 5.0));
+        assert_eq!(total.load_squared(), 30.0);
     }
 }

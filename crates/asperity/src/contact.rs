@@ -2,6 +2,9 @@
 
 use crate::numeric::lanes::Real;
 
+/// Contact radius over sphere radius, a/R, beyond which the paraboloid approximation fails and strains are not small.
+pub const LARGEST_SLOPE: f64 = 0.3;
+
 /// The deformation regime of an asperity.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum Regime {

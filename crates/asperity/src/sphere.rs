@@ -1,5 +1,6 @@
 //! One asperity pressed into a flat: its curve, changes of regime, and decreases of area or load.
 
+pub use crate::contact::LARGEST_SLOPE;
 use crate::contact::{Contact, Regime};
 use crate::interface::MicroContact;
 use crate::shape::Shape;
@@ -12,9 +13,6 @@ const OFFSET: f64 = 1e-12;
 
 /// Relative threshold of a decrease or jump of area or load.
 const ROUNDING: f64 = 1e-9;
-
-/// Contact radius over sphere radius, a/R, beyond which the paraboloid approximation fails and strains are not small.
-pub const LARGEST_SLOPE: f64 = 0.3;
 
 /// The contact at one indentation.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -1,6 +1,6 @@
 //! Results of both models on the realisations of a surface.
 
-use asperity::compare::{Comparison, Gaps, Kind};
+use asperity::compare::{Comparison, Difference, Gaps, Kind};
 use asperity::sphere::Decrease;
 use asperity::topography::Moments;
 use asperity::{Population, Statistics};
@@ -63,4 +63,6 @@ pub struct CaseResults {
     pub comparison: Comparison,
     /// The largest gaps between them.
     pub gaps: Gaps,
+    /// The differences at equal load, in the order of the pairs, with their sampling uncertainty.
+    pub differences: Vec<Difference>,
 }

@@ -1,6 +1,7 @@
 //! `[compare]`: both models on given surfaces.
 
 pub mod answers;
+pub(crate) mod differences;
 pub mod findings;
 mod layer_summary;
 mod models;
@@ -8,6 +9,7 @@ pub mod page;
 pub mod plan;
 pub mod results;
 mod run;
+mod sampling;
 pub mod spec;
 mod summary;
 pub(crate) mod tables;
@@ -48,7 +50,11 @@ impl Kind for Compare {
     }
 
     fn tables(&self) -> Vec<Schema> {
-        vec![Schema::of::<tables::CurveRow>(), Schema::of::<tables::PairRow>()]
+        vec![
+            Schema::of::<tables::CurveRow>(),
+            Schema::of::<tables::PairRow>(),
+            Schema::of::<differences::DifferenceRow>(),
+        ]
     }
 }
 
@@ -58,7 +64,7 @@ impl Plan for ComparePlan {
     }
 
     fn memory(&self) -> Memory {
-        memory(&self.surfaces, AnalysisDepth::Spectrum)
+        memory(&self.surfaces, AnalysisDepth::Comparison)
     }
 
     fn work(&self) -> u128 {
@@ -84,7 +90,11 @@ impl Outcome for CompareResults {
     }
 
     fn tables(&self) -> Result<Vec<(&'static str, Vec<u8>)>, TableError> {
-        Ok(vec![csv_file(tables::curves(self))?, csv_file(tables::comparison(self))?])
+        Ok(vec![
+            csv_file(tables::curves(self))?,
+            csv_file(tables::comparison(self))?,
+            csv_file(differences::rows(self))?,
+        ])
     }
 
     fn summary(&self) -> serde_json::Result<Map<String, Value>> {

@@ -6,6 +6,7 @@ use std::ops::Range;
 use asperity::compare::{Controls, Kind};
 use asperity::{ContactLaw, Flat, Heights, Material, MeanRadius};
 use asperity_framework::contact::{Bodies, LawPlan};
+use asperity_framework::input::accept::AcceptSpec;
 use asperity_framework::input::{InputError, SpecFile};
 use toml::Spanned;
 
@@ -31,6 +32,8 @@ pub struct ComparePlan {
     pub heights: Option<Heights>,
     /// Which mean radius the statistical model uses.
     pub mean_radius: MeanRadius,
+    /// The largest differences between the models that are accepted.
+    pub accept: AcceptSpec,
     /// What the surfaces are pressed to.
     pub controls: Controls,
     /// Position of pressures and forces in the spec, for errors about loads out of reach.
@@ -128,6 +131,7 @@ pub(crate) fn compared(
         models: raw.models.0.clone(),
         heights: raw.statistical.heights.as_ref().map(|heights| heights.0.clone()),
         mean_radius: raw.statistical.mean_radius,
+        accept: raw.accept,
         controls,
         load_keys: [raw.pressure.as_ref().map(Spanned::span), raw.force.as_ref().map(Spanned::span)],
         surfaces: surfaces(file, raw.surfaces.as_deref(), span, as_ellipses)?,

@@ -2,7 +2,9 @@
 
 use std::time::Instant;
 
-use asperity::compare::{Control, Gaps, Kind, Models, ModulusCheck, ModulusFindings, NotReached, compare};
+use asperity::compare::{
+    Control, Difference, Gaps, Kind, Models, ModulusCheck, ModulusFindings, NotReached, compare,
+};
 use asperity::sphere::Curve;
 use asperity::work::{CountedContact, Counter};
 use asperity::{ContactError, Heights, Model, Paper, plasticity_index};
@@ -16,6 +18,7 @@ use super::findings::SurfaceFindings;
 use super::models::SurfaceModels;
 use super::plan::ComparePlan;
 use super::results::{CompareResults, SurfaceResults};
+use super::sampling::sampling;
 use super::threshold;
 use crate::layer::{LayerPlan, thickness_words};
 use crate::surface::{AnalysisDepth, Surface, SurfaceFactory, files_of};
@@ -38,7 +41,7 @@ pub fn run(
     let mut surfaces = Vec::new();
     for surface in &compare.surfaces {
         let mut factory = SurfaceFactory::new(surface, context.source, context.seed, counter);
-        let first_surface = factory.make(1, AnalysisDepth::Spectrum, &mut files, &mut timing)?;
+        let first_surface = factory.make(1, AnalysisDepth::Comparison, &mut files, &mut timing)?;
         let models = models_of(compare, &first_surface, &mut timing);
         let first = run_surface(context, compare, &first_surface, &models, counter, &mut timing)?;
         let thresholds = threshold::thresholds(compare, &first_surface, &models, &first, counter);
@@ -58,7 +61,7 @@ pub fn run(
         }
         papers.extend(first_surface.papers());
         let all: Vec<&RealisationResults> = std::iter::once(&first).chain(&others).collect();
-        let findings = SurfaceFindings::of(&first_surface, &all, &thresholds, &decreases);
+        let findings = SurfaceFindings::of(&first_surface, &all, &thresholds, &decreases, compare.accept);
         surfaces.push(SurfaceResults {
             surface: first_surface,
             first,
@@ -129,10 +132,17 @@ fn run_surface(
             law: law.label.clone(),
             thickness: law.thickness,
             plasticity_index: plasticity_index(contact, population.sigma, population.radius),
-            gaps: Gaps::of(&comparison.pairs, area, surface.plane.sigma),
+            gaps: Gaps::of(&comparison.pairs),
+            differences: Vec::new(),
             comparison,
         });
     }
+    let start = Instant::now();
+    let sampling = sampling(compare_plan, surface, &cases, context.seed);
+    for (case, sampling) in cases.iter_mut().zip(&sampling) {
+        case.differences = Difference::of(&case.comparison.pairs, sampling);
+    }
+    timing.sampling += start.elapsed();
     Ok(RealisationResults {
         asperities: surface.set.count(),
         nominal_area: area,

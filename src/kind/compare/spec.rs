@@ -9,6 +9,7 @@ use toml::Spanned;
 use crate::layer::LayerSpec;
 use asperity::MeanRadius;
 use asperity::compare::Kind;
+use asperity_framework::input::accept::AcceptSpec;
 use asperity_framework::input::heights::HeightsSpec;
 use asperity_framework::input::law::Laws;
 use asperity_framework::input::quantity::{Force, Pressure};
@@ -33,6 +34,9 @@ pub struct CompareSpec {
     /// Inputs of the statistical model.
     #[serde(default)]
     pub statistical: StatisticalSpec,
+    /// The largest differences between the models that are accepted.
+    #[serde(default)]
+    pub accept: AcceptSpec,
     /// The surfaces to run on; all of the file by default.
     pub surfaces: Option<Vec<Spanned<String>>>,
     /// d/sigma.

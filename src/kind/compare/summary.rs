@@ -1,6 +1,6 @@
 //! `summary.json` of a comparison.
 
-use asperity::compare::Tolerances;
+use asperity::compare::{Kind, Tolerances};
 use asperity_framework::contact::ContactSummary;
 use asperity_framework::fields;
 use indexmap::IndexMap;
@@ -21,6 +21,7 @@ struct CompareSummary<'a> {
     #[serde(skip_serializing_if = "Option::is_none")]
     tolerance: Option<ToleranceSummary>,
     surfaces: IndexMap<&'a str, SurfaceSummary<'a>>,
+    verdicts: Vec<VerdictSummary<'a>>,
     largest_gaps: Vec<GapSummary<'a>>,
     #[serde(skip_serializing_if = "Vec::is_empty")]
     layer_thresholds: Vec<ThresholdSummary<'a>>,
@@ -48,7 +49,58 @@ struct GapSummary<'a> {
     statistical: f64,
     deterministic: f64,
     difference: f64,
-    over_sampling_error: Option<f64>,
+}
+
+/// The answer for one quantity over a stretch of load: of the statistical model against the sum, over all realisations.
+/// Separations are in sigma, areas and stiffnesses relative to the deterministic model.
+#[derive(Serialize)]
+struct VerdictSummary<'a> {
+    surface: &'a str,
+    law: &'a str,
+    layer_thickness_m: Option<Thickness>,
+    quantity: &'static str,
+    against: &'static str,
+    model: &'static str,
+    from_pa: f64,
+    to_pa: f64,
+    verdict: &'static str,
+    difference: Option<f64>,
+    low: Option<f64>,
+    high: Option<f64>,
+    at_pa: Option<f64>,
+    accepted: f64,
+    area_needed_m2: Option<f64>,
+    cause: Option<&'static str>,
+}
+
+fn verdicts(found: &SurfaceResults) -> impl Iterator<Item = VerdictSummary<'_>> {
+    let cases = found.first.cases.iter().zip(&found.findings.cases);
+    cases.flat_map(move |(case, findings)| {
+        let verdicts = &findings.verdicts;
+        verdicts.stretches.iter().map(move |stretch| {
+            let reported = |contrast: f64| stretch.judged.reported(contrast);
+            let estimate = stretch.largest.map(|(_, estimate)| estimate);
+            let ends = estimate.and_then(|estimate| estimate.interval());
+            VerdictSummary {
+                surface: &found.surface.name,
+                law: &case.law,
+                layer_thickness_m: case.thickness.map(Thickness),
+                quantity: stretch.judged.name(),
+                against: Kind::Deterministic.name(),
+                model: Kind::Statistical.name(),
+                from_pa: stretch.loads[0],
+                to_pa: stretch.loads[1],
+                verdict: stretch.verdict.name(),
+                difference: estimate.map(|estimate| reported(estimate.contrast)),
+                low: ends.map(|[low, _]| reported(low)),
+                high: ends.map(|[_, high]| reported(high)),
+                at_pa: stretch.largest.map(|(load, _)| load),
+                accepted: stretch.accepted,
+                area_needed_m2: verdicts.area_needed(stretch),
+                cause: None,
+            }
+        })
+    })
 }
 
 /// Its part of `summary.json`.
@@ -59,6 +111,7 @@ pub fn summary(results: &CompareResults) -> serde_json::Result<Map<String, Value
         layer: results.contact.layer.as_ref().map(layer::summary),
         tolerance: statistical.or(deterministic).map(|_| ToleranceSummary { statistical, deterministic }),
         surfaces: results.surfaces.iter().map(|found| (&*found.surface.name, surface(found))).collect(),
+        verdicts: results.surfaces.iter().flat_map(verdicts).collect(),
         largest_gaps: results.surfaces.iter().flat_map(gaps).collect(),
         layer_thresholds: results.surfaces.iter().flat_map(layer::thresholds).collect(),
         falls: results.surfaces.iter().flat_map(layer::decreases).collect(),
@@ -98,7 +151,6 @@ fn gaps(found: &SurfaceResults) -> impl Iterator<Item = GapSummary<'_>> {
                 statistical: gap.statistical,
                 deterministic: gap.deterministic,
                 difference: gap.difference(),
-                over_sampling_error: gap.over_sampling_error,
             })
         })
     })

@@ -7,7 +7,7 @@ use crate::kind::compare::answers::{CaseResults, RealisationResults};
 use crate::kind::compare::results::CompareResults;
 
 use asperity::compare::{CurvePoint, Kind, Pair};
-use asperity::{ByRegime, Response};
+use asperity::{ByRegime, Exceeded, Limit, LoadSharing, Response};
 
 /// What a row belongs to.
 #[derive(Debug, Clone)]
@@ -42,6 +42,8 @@ impl Case {
 pub(crate) struct CurveRow {
     pub(crate) case: Case,
     pub(crate) point: CurvePoint,
+    /// The limits that one of the models exceeds there.
+    pub(crate) exceeded: Exceeded,
     /// E* of the pair without a layer, Pa.
     pub(crate) reduced_modulus: f64,
 }
@@ -74,9 +76,24 @@ impl Row for CurveRow {
             pressure_standard_error_pa["Pa"] = row.point.response.sampling.map(|error| error.pressure), "Standard error of the nominal pressure of the sum at fixed separation, for independent asperities; empty for the integral.";
             area_ratio_standard_error["1"] = row.point.response.sampling.map(|error| error.area_ratio), "Standard error of the area ratio of the sum, likewise.";
             beyond_model["true/false"] = row.point.response.is_beyond_model(), "Whether the area ratio exceeds 0.05, where neighbouring asperities interact and no asperity model is valid.";
+            effective_contacts["1"] = row.sharing(|sharing| sharing.effective_contacts), "Effective contacts of the sum: 1 over the sum of squared load shares; empty for the integral and without contact.";
+            largest_load_share["1"] = row.sharing(|sharing| sharing.largest_share), "Share of the load in the most heavily loaded contact of the sum.";
+            large_strain_load_share["1"] = row.sharing(|sharing| sharing.large_strain_share), "Share of the load of the sum in contacts whose radius exceeds 0.3 of the asperity radius.";
+            limits["text"] = limits(row.exceeded), "Limits of the valid range that one of the models exceeds at this control point, separated by spaces: `few-contacts` (fewer than 30 effective), `dominant-contact` (more than 10 % of the load in one), `interaction` (area ratio above 0.05), `large-strain` (more than 10 % of the load in contacts whose radius exceeds 0.3 of the asperity radius); empty within the valid range.";
         });
         columns
     }
+}
+
+impl CurveRow {
+    fn sharing(&self, of: fn(&LoadSharing) -> f64) -> Option<f64> {
+        self.point.response.sharing.as_ref().map(of)
+    }
+}
+
+/// Names of limits, separated by spaces.
+pub(crate) fn limits(exceeded: Exceeded) -> String {
+    exceeded.limits().map(Limit::name).collect::<Vec<_>>().join(" ")
 }
 
 /// The share of one of [`Regime::ALL`](asperity::Regime::ALL).
@@ -176,6 +193,7 @@ impl Row for PairRow {
         columns.extend(columns! { row: Self =>
             plasticity_index["1"] = row.plasticity_index, "Plasticity index (E*/H)(sigma/R)^0.5 of Greenwood and Williamson (1966); empty where nothing yields.";
             beyond_model["true/false"] = row.pair.is_beyond_model(), "Whether either area ratio exceeds 0.05, where neighbouring asperities interact and no asperity model is valid.";
+            limits["text"] = limits(row.pair.exceeded()), "Limits of the valid range that one of the models exceeds, as in `curves.csv`.";
         });
         columns
     }
@@ -185,8 +203,8 @@ impl Row for PairRow {
 pub fn curves(results: &CompareResults) -> impl Iterator<Item = CurveRow> {
     let reduced_modulus = results.contact.reduced_modulus;
     cases(results).flat_map(move |(case, _, found)| {
-        let points = found.comparison.curves.iter().copied();
-        points.map(move |point| CurveRow { case: case.clone(), point, reduced_modulus })
+        let points = found.comparison.curves.iter().copied().zip(found.comparison.exceeded());
+        points.map(move |(point, exceeded)| CurveRow { case: case.clone(), point, exceeded, reduced_modulus })
     })
 }
 

@@ -49,7 +49,7 @@ impl Plan for LawsPlan {
     }
 
     fn memory(&self) -> Memory {
-        memory(&self.compare.surfaces, AnalysisDepth::Spectrum)
+        memory(&self.compare.surfaces, AnalysisDepth::Comparison)
     }
 
     fn work(&self) -> u128 {

@@ -56,6 +56,7 @@ fn influence(laws: &[LawPlan], answered: &RealisationResults) -> Influence {
         law: &case.law,
         is_elastic_plastic: law.spec.has_ranges(),
         pairs: &case.comparison.pairs,
+        differences: &case.differences,
     });
-    Influence::of(&under.collect::<Vec<_>>(), answered.nominal_area, answered.sigma)
+    Influence::of(&under.collect::<Vec<_>>())
 }

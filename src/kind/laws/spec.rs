@@ -5,6 +5,7 @@ use toml::Spanned;
 
 use crate::kind::compare::spec::{CompareSpec, StatisticalSpec};
 use crate::kind::compare::spec::{Models, RoughBody};
+use asperity_framework::input::accept::AcceptSpec;
 use asperity_framework::input::law::Laws;
 use asperity_framework::input::quantity::{Length, Pressure, Pure, Quantity};
 use asperity_framework::input::sweep::LogSweep;
@@ -29,6 +30,9 @@ pub struct LawsSpec {
     /// Inputs of the statistical model.
     #[serde(default)]
     pub statistical: StatisticalSpec,
+    /// The largest differences between the models that are accepted.
+    #[serde(default)]
+    pub accept: AcceptSpec,
     /// The surfaces to run on; all of the file by default.
     pub surfaces: Option<Vec<Spanned<String>>>,
 }
@@ -56,6 +60,7 @@ impl LawsSpec {
             layer: None,
             models: Models::default(),
             statistical: self.statistical.clone(),
+            accept: self.accept,
             surfaces: self.surfaces.clone(),
             separation: None,
             tolerance: ToleranceSpec::default(),

@@ -1,6 +1,7 @@
 //! The tables of several laws, besides those of a comparison.
 
-use crate::kind::compare::tables::{self, CurveRow, PairRow};
+use crate::kind::compare::differences::{self, DifferenceRow};
+use crate::kind::compare::tables::{self, CurveRow, PairRow, limits};
 use crate::kind::laws::results::{LawsResults, SurfaceInfluence};
 use asperity::compare::{AtLoad, Group, Kind, Measure};
 use asperity::sphere::{Boundary, Point};
@@ -82,8 +83,9 @@ impl Row for InfluenceRow<'_> {
             realisation["count"] = row.found.realisation, "Number of the realisation of the surface, from 1.";
             measure["text"] = row.measure.name(), "What is compared at equal load: `separation_over_sigma` or `area_ratio`.";
             pressure_pa["Pa"] = row.at.pressure, "Nominal pressure.";
-            counts["true/false"] = row.at.counts, "Whether the load is within the valid range under every law: at least 30 contacts, area ratio at most 0.05.";
-            fewest_contacts["1"] = row.at.fewest_contacts.round(), "Fewest contacts of the deterministic model under any law.";
+            counts["true/false"] = row.at.exceeded.is_none(), "Whether the load is within the valid range under every law.";
+            limits["text"] = limits(row.at.exceeded), "Limits of the valid range that are exceeded under some law, as in `curves.csv`.";
+            fewest_contacts["1"] = row.at.fewest_contacts, "Fewest effective contacts of the deterministic model under any law.";
             all_laws_statistical["1"] = row.spread(Group::All, Kind::Statistical), "Highest over lowest of all laws under the statistical model.";
             all_laws_deterministic["1"] = row.spread(Group::All, Kind::Deterministic), "Highest over lowest of all laws under the deterministic model.";
             passing_laws_statistical["1"] = row.spread(Group::ElasticPlastic, Kind::Statistical), "Highest over lowest of the elastic-plastic laws, without the limits `hertz` and `fully-plastic`, under the statistical model.";
@@ -91,7 +93,7 @@ impl Row for InfluenceRow<'_> {
             models_first_law["1"] = row.compared(row.at.gap(row.measure, 0)), "Statistical over deterministic model under the first law.";
             passing_laws_models_most["1"] = row.largest_gap().map(|(_, gap)| row.compared(gap)), "Statistical over deterministic model under the elastic-plastic law for which they differ most.";
             passing_laws_models_most_law["text"] = row.largest_gap().map(|(law, _)| row.found.influence.laws[law].as_str()), "The law of the previous column.";
-            sampling_error["1"] = row.at.sampling_error(row.measure, 0), "Standard error of the deterministic model under the first law, of an area relative to it.";
+            sampling_error["1"] = row.at.sampling_error(row.measure, 0), "Standard error of the difference between the models under the first law, of an area relative to it.";
         }
     }
 }
@@ -120,6 +122,7 @@ pub(super) fn schemas() -> Vec<Schema> {
     vec![
         Schema::of::<CurveRow>(),
         Schema::of::<PairRow>(),
+        Schema::of::<DifferenceRow>(),
         Schema::of::<LawRow>(),
         Schema::of::<BoundaryRow>(),
         Schema::of::<InfluenceRow>(),
@@ -134,6 +137,7 @@ pub(super) fn tables(results: &LawsResults) -> Result<Vec<(&'static str, Vec<u8>
     Ok(vec![
         csv_file(tables::curves(&results.compare))?,
         csv_file(tables::comparison(&results.compare))?,
+        csv_file(differences::rows(&results.compare))?,
         csv_file(curves(results))?,
         csv_file(boundaries(results))?,
         csv_file(influences(results))?,

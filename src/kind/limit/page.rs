@@ -2,7 +2,8 @@
 
 use super::findings::{Heights, SlopeRange, series};
 use super::run::LimitResults;
-use asperity::compare::{LimitPoint, MIN_CONTACTS, Quantity};
+use asperity::MIN_CONTACTS;
+use asperity::compare::{LimitPoint, Quantity};
 use asperity_framework::report::format::{input_number, input_quantity, number};
 use asperity_framework::report::page::Page;
 use asperity_framework::report::sections;

@@ -68,7 +68,7 @@ fn curves(results: &LimitResults) -> impl Iterator<Item = CurveRow> {
             response: *response,
             in_jump: false,
         };
-        CurveRow { case, point, reduced_modulus }
+        CurveRow { case, point, exceeded: point.response.exceeded(), reduced_modulus }
     };
     let smallest = results.points.iter().map(|point| point.count).min();
     let of_smallest = results.points.iter().filter(move |point| Some(point.count) == smallest);

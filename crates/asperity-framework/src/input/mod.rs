@@ -1,5 +1,6 @@
 //! The input file: quantities with units, common tables, and errors that name file, line and key.
 
+pub mod accept;
 mod error;
 mod file;
 pub mod heights;

@@ -145,7 +145,7 @@ impl<D: Dimension, R: Range> Quantity<D, R> {
         format!("found {found}; allowed: {} {}", R::WORDS, D::allowed())
     }
 
-    fn parse(text: &str) -> Result<Self, String> {
+    pub(super) fn parse(text: &str) -> Result<Self, String> {
         let found = format!("\"{text}\"");
         match D::UNITS.and_then(|units| units.parse(text)) {
             Some(value) => Self::checked(value, &found),

@@ -120,6 +120,15 @@ impl AsperitySet {
         self.nominal_area
     }
 
+    /// The asperities whose index `is_kept`, on a positive nominal area (m^2); `None` if there is none.
+    pub(crate) fn filtered(&self, is_kept: impl Fn(usize) -> bool, nominal_area: f64) -> Option<Self> {
+        let kept: Vec<usize> = (0..self.count()).filter(|&index| is_kept(index)).collect();
+        let column = |values: &[f64]| kept.iter().map(|&index| values[index]).collect();
+        let ellipses = self.ellipses().map(|all| kept.iter().map(|&index| all[index]).collect());
+        let (heights, radii) = (column(&self.heights), column(&self.radii));
+        (!kept.is_empty() && nominal_area > 0.0).then_some(Self { heights, radii, ellipses, nominal_area })
+    }
+
     /// Asperities per nominal area, 1/m^2.
     pub fn density(&self) -> f64 {
         self.count() as f64 / self.nominal_area

@@ -1,6 +1,6 @@
 //! Whether the contact law or the summation method (statistical or deterministic) has the larger effect on a surface.
 
-use super::{DETECTABLE, Effect, Group, Influence, Kind, Measure, SIGNIFICANT};
+use super::{DETECTABLE, Effect, Group, Influence, Kind, Measure};
 
 /// The choice with the larger effect.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -24,7 +24,7 @@ pub struct Attribution {
     pub law: Effect,
     /// Gap between the models under the first law.
     pub summation: Effect,
-    /// Sampling error of the sum under the first law, where it has one.
+    /// Standard error of the gap under the first law, where it is known.
     pub sampling: Option<Effect>,
     /// The law of the group that differs most from the first in the deterministic model, and the spread without it;
     /// `None` if fewer than two laws remain.
@@ -69,14 +69,9 @@ impl Attribution {
         self.without_furthest.map(|(_, rest)| rest.mean > self.summation.mean)
     }
 
-    /// The mean gap between the models over the mean sampling error of the sum.
+    /// The mean gap between the models over its mean standard error.
     pub fn standard_errors(&self) -> Option<f64> {
         self.sampling.map(|error| self.summation.mean / error.mean)
-    }
-
-    /// Whether the gap between the models exceeds [`SIGNIFICANT`] sampling errors; true if the sum has none.
-    pub fn is_significant(&self) -> bool {
-        self.standard_errors().is_none_or(|errors| errors > SIGNIFICANT)
     }
 }
 

@@ -2,12 +2,6 @@
 
 use super::{Pair, Pairing};
 
-/// With fewer contacts the sum depends on a few of the highest asperities.
-pub const MIN_CONTACTS: f64 = 30.0;
-
-/// A difference of at most this number of standard errors is not significant.
-pub const SIGNIFICANT: f64 = 3.0;
-
 /// A quantity in which the models are compared.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum GapQuantity {
@@ -43,8 +37,6 @@ pub struct Gap {
     pub statistical: f64,
     /// Value under the deterministic model.
     pub deterministic: f64,
-    /// The difference over the deterministic model's standard error, where it has one.
-    pub over_sampling_error: Option<f64>,
 }
 
 impl Gap {
@@ -57,15 +49,9 @@ impl Gap {
     pub fn ratio(&self) -> f64 {
         self.statistical / self.deterministic
     }
-
-    /// Whether the difference exceeds [`SIGNIFICANT`] standard errors; true if the deterministic model has none.
-    pub fn is_significant(&self) -> bool {
-        self.over_sampling_error.is_none_or(|errors| errors > SIGNIFICANT)
-    }
 }
 
-/// The largest gaps over the valid pairs: real area at most 5 % of the nominal area, and at least [`MIN_CONTACTS`]
-/// contacts.
+/// The largest gaps over the pairs within the valid range.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Gaps {
     /// Number of valid pairs.
@@ -80,16 +66,11 @@ impl Gaps {
         self.largest.iter().find(|gap| gap.quantity == quantity)
     }
 
-    /// Whether one of the largest gaps is significant.
-    pub fn is_significant(&self) -> bool {
-        self.largest.iter().any(Gap::is_significant)
-    }
-
-    /// The largest gaps of `pairs` on the nominal area `area` (m^2), separations in units of `sigma` (m).
-    pub fn of(pairs: &[Pair], area: f64, sigma: f64) -> Self {
+    /// The largest gaps of `pairs`.
+    pub fn of(pairs: &[Pair]) -> Self {
         /// In sigma, or relative to the quantity: above the tolerance of load control.
         const ROUNDING: f64 = 1e-10;
-        let counted: Vec<&Pair> = pairs.iter().filter(|pair| pair.is_valid(area)).collect();
+        let counted: Vec<&Pair> = pairs.iter().filter(|pair| pair.is_valid()).collect();
         let largest = |gap_of: &dyn Fn(&Pair) -> Gap, pairing, size: fn(&Gap) -> f64| {
             counted
                 .iter()
@@ -103,7 +84,7 @@ impl Gaps {
         Self {
             pairs: counted.len(),
             largest: [
-                largest(&|pair| separation_gap(pair, sigma), Pairing::Load, by_difference),
+                largest(&separation_gap, Pairing::Load, by_difference),
                 largest(&area_gap, Pairing::Load, by_ratio),
                 largest(&pressure_gap, Pairing::Separation, by_ratio),
             ]
@@ -114,37 +95,23 @@ impl Gaps {
     }
 }
 
-/// At equal load the standard error of the separation is that of the pressure over the stiffness.
-fn separation_gap(pair: &Pair, sigma: f64) -> Gap {
+fn separation_gap(pair: &Pair) -> Gap {
     let (s, d) = (&pair.statistical, &pair.deterministic);
-    let error = d.separation_error(sigma);
-    gap(pair, GapQuantity::Separation, s.separation_over_sigma, d.separation_over_sigma, error)
+    gap(pair, GapQuantity::Separation, s.separation_over_sigma, d.separation_over_sigma)
 }
 
 fn area_gap(pair: &Pair) -> Gap {
     let (s, d) = (&pair.statistical, &pair.deterministic);
-    // At equal load the area scatters less than at equal separation; the latter is used as an upper bound.
-    let error = d.sampling.map(|sampling| sampling.area_ratio);
-    gap(pair, GapQuantity::AreaRatio, s.area_ratio.total(), d.area_ratio.total(), error)
+    gap(pair, GapQuantity::AreaRatio, s.area_ratio.total(), d.area_ratio.total())
 }
 
 fn pressure_gap(pair: &Pair) -> Gap {
     let (s, d) = (&pair.statistical, &pair.deterministic);
-    let error = d.sampling.map(|sampling| sampling.pressure);
-    gap(pair, GapQuantity::Pressure, s.pressure.total(), d.pressure.total(), error)
+    gap(pair, GapQuantity::Pressure, s.pressure.total(), d.pressure.total())
 }
 
-fn gap(pair: &Pair, quantity: GapQuantity, statistical: f64, deterministic: f64, error: Option<f64>) -> Gap {
-    let over_sampling_error =
-        error.map(|error| (statistical - deterministic).abs() / error).filter(|ratio| ratio.is_finite());
-    Gap {
-        quantity,
-        pairing: pair.pairing,
-        target: pair.target,
-        statistical,
-        deterministic,
-        over_sampling_error,
-    }
+fn gap(pair: &Pair, quantity: GapQuantity, statistical: f64, deterministic: f64) -> Gap {
+    Gap { quantity, pairing: pair.pairing, target: pair.target, statistical, deterministic }
 }
 
 #[cfg(test)]

@@ -1,9 +1,9 @@
 //! Effects of contact law and summation method: several laws on one surface at equal load.
 
-use super::{Kind, MIN_CONTACTS, Pair, Pairing};
-use crate::model::Response;
+use super::{Difference, Judged, Kind, Pair, Pairing};
+use crate::model::{Exceeded, Response};
 
-/// A gap between the models of at most this number of sampling errors is not significant.
+/// A gap between the models of at most this number of sampling errors is not detected.
 pub const DETECTABLE: f64 = 2.0;
 
 /// Quantities in which laws and models are compared at equal load. The mean contact pressure is not listed separately:
@@ -39,13 +39,14 @@ impl Measure {
         if difference.abs() > ROUNDING { difference } else { 0.0 }
     }
 
-    /// The sampling error of a sum, if it has one; `sigma` (m) is the unit of d.
-    fn sampling_error(self, sum: &Response, sigma: f64) -> Option<f64> {
-        match self {
-            Self::Separation => sum.separation_error(sigma),
-            Self::Area => sum.sampling.map(|error| error.area_ratio / sum.area_ratio.total()),
-        }
-        .filter(|error| error.is_finite())
+    /// The standard error of the difference between the models.
+    fn sampling_error(self, difference: &Difference) -> Option<f64> {
+        let judged = match self {
+            Self::Separation => Judged::Separation,
+            Self::Area => Judged::Area,
+        };
+        let estimate = difference.estimates[judged as usize]?;
+        estimate.error.or(estimate.independent_error).filter(|error| error.is_finite())
     }
 }
 
@@ -58,6 +59,8 @@ pub struct UnderLaw<'a> {
     pub is_elastic_plastic: bool,
     /// All pairs; those at equal load are used.
     pub pairs: &'a [Pair],
+    /// The differences between the models at equal load, for their sampling errors.
+    pub differences: &'a [Difference],
 }
 
 /// The laws included in a spread.
@@ -98,10 +101,10 @@ pub struct Influence {
 pub struct AtLoad {
     /// Nominal pressure, Pa.
     pub pressure: f64,
-    /// The smallest number of contacts over the laws.
+    /// The smallest effective number of contacts over the laws.
     pub fewest_contacts: f64,
-    /// Whether the load is valid: at least 30 contacts and no interaction of asperities under every law.
-    pub counts: bool,
+    /// The limits of the valid range that are exceeded under some law.
+    pub exceeded: Exceeded,
     /// A/A_nom of the deterministic model under the first law.
     pub area_ratio: f64,
     /// Which laws are elastic-plastic.
@@ -117,7 +120,7 @@ struct Differences {
     deviations: Vec<[f64; 2]>,
     /// Statistical minus deterministic, by law.
     gaps: Vec<f64>,
-    /// Sampling errors of the sums, by law.
+    /// Standard errors of the gaps, by law.
     errors: Vec<Option<f64>>,
 }
 
@@ -161,12 +164,12 @@ impl AtLoad {
         self.differences(measure).gaps[law]
     }
 
-    /// The sampling error of the sum under a law.
+    /// The standard error of the gap under a law.
     pub fn sampling_error(&self, measure: Measure, law: usize) -> Option<f64> {
         self.differences(measure).errors[law]
     }
 
-    /// Whether the models differ significantly under a law: their gap is more than [`DETECTABLE`] sampling errors of the sum.
+    /// Whether the gap between the models under a law is more than [`DETECTABLE`] of its standard errors.
     pub fn is_gap_detectable(&self, measure: Measure, law: usize) -> bool {
         self.gap(measure, law).abs() > DETECTABLE * self.sampling_error(measure, law).unwrap_or(0.0)
     }
@@ -176,13 +179,6 @@ impl AtLoad {
     pub fn law_over_summation(&self, measure: Measure) -> Option<f64> {
         let law = self.spread(measure, Group::ElasticPlastic, Kind::Deterministic)?;
         self.is_gap_detectable(measure, 0).then(|| law / self.gap(measure, 0).abs())
-    }
-
-    /// Whether there are fewer than [`MIN_CONTACTS`] contacts. If not, an invalid load is one at which asperities
-    /// interact.
-    pub fn has_few_contacts(&self) -> bool {
-        // A contact count is an integer; rounding removes the error of its density.
-        self.fewest_contacts.round() < MIN_CONTACTS
     }
 
     /// The law of a group with the largest gap between the models, and that gap.
@@ -204,8 +200,8 @@ pub struct Effect {
 }
 
 impl Influence {
-    /// Compares at least one law on a surface of nominal area `area` (m^2), with separations in units of `sigma` (m).
-    pub fn of(laws: &[UnderLaw], area: f64, sigma: f64) -> Self {
+    /// Compares at least one law on a surface.
+    pub fn of(laws: &[UnderLaw]) -> Self {
         let at_load = |pairs: &'_ [Pair], target: f64| {
             pairs.iter().find(|pair| pair.pairing == Pairing::Load && pair.target == target).copied()
         };
@@ -217,7 +213,9 @@ impl Influence {
         let elastic_plastic: Vec<bool> = laws.iter().map(|law| law.is_elastic_plastic).collect();
         let at = |target: f64| {
             let pairs: Option<Vec<Pair>> = laws.iter().map(|law| at_load(law.pairs, target)).collect();
-            pairs.map(|pairs| compared(target, &pairs, &elastic_plastic, area, sigma))
+            let difference = |law: &UnderLaw| law.differences.iter().find(|at| at.load == target).cloned();
+            let differences: Vec<Option<Difference>> = laws.iter().map(difference).collect();
+            pairs.map(|pairs| compared(target, &pairs, &differences, &elastic_plastic))
         };
         Self {
             laws: laws.iter().map(|law| law.law.to_owned()).collect(),
@@ -228,7 +226,7 @@ impl Influence {
 
     /// The valid loads.
     pub fn counting(&self) -> impl Iterator<Item = &AtLoad> {
-        self.loads.iter().filter(|at| at.counts)
+        self.loads.iter().filter(|at| at.exceeded.is_none())
     }
 
     /// Mean and largest magnitude of a difference over the valid loads; `None` if it is known at none.
@@ -273,22 +271,24 @@ impl Influence {
 }
 
 /// Compares one pair per law at the load `pressure`.
-fn compared(pressure: f64, pairs: &[Pair], elastic_plastic: &[bool], area: f64, sigma: f64) -> AtLoad {
-    let contacts = pairs.iter().map(|pair| pair.deterministic.contact_density * area);
-    let fewest_contacts = contacts.fold(f64::INFINITY, f64::min);
-    let interact = pairs.iter().any(Pair::is_beyond_model);
+fn compared(
+    pressure: f64,
+    pairs: &[Pair],
+    differences: &[Option<Difference>],
+    elastic_plastic: &[bool],
+) -> AtLoad {
+    let contacts = pairs.iter().filter_map(|pair| Some(pair.deterministic.sharing?.effective_contacts));
     AtLoad {
         pressure,
-        fewest_contacts,
-        // A contact count is an integer; rounding removes the error of its density.
-        counts: fewest_contacts.round() >= MIN_CONTACTS && !interact,
+        fewest_contacts: contacts.reduce(f64::min).unwrap_or_default(),
+        exceeded: pairs.iter().map(Pair::exceeded).fold(Exceeded::default(), Exceeded::union),
         area_ratio: pairs.first().map_or(0.0, |pair| pair.deterministic.area_ratio.total()),
         elastic_plastic: elastic_plastic.to_vec(),
-        differences: Measure::ALL.map(|measure| differences(measure, pairs, sigma)),
+        differences: Measure::ALL.map(|measure| differences_by(measure, pairs, differences)),
     }
 }
 
-fn differences(measure: Measure, pairs: &[Pair], sigma: f64) -> Differences {
+fn differences_by(measure: Measure, pairs: &[Pair], differences: &[Option<Difference>]) -> Differences {
     let from_first = |pair: &Pair| {
         let first = &pairs[0];
         [
@@ -299,7 +299,7 @@ fn differences(measure: Measure, pairs: &[Pair], sigma: f64) -> Differences {
     Differences {
         deviations: pairs.iter().map(from_first).collect(),
         gaps: pairs.iter().map(|pair| measure.difference(&pair.statistical, &pair.deterministic)).collect(),
-        errors: pairs.iter().map(|pair| measure.sampling_error(&pair.deterministic, sigma)).collect(),
+        errors: differences.iter().map(|at| measure.sampling_error(at.as_ref()?)).collect(),
     }
 }
 

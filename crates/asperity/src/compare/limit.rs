@@ -5,7 +5,7 @@ use crate::asperity::{AsperitySet, Draw, Population, SetError};
 use crate::interface::MicroContact;
 use crate::model::{Deterministic, Model, ReferencePlane, Response};
 
-use super::gap::MIN_CONTACTS;
+use crate::model::MIN_CONTACTS;
 
 /// One law with its exact responses.
 pub struct LimitCase<'a> {

@@ -2,28 +2,34 @@
 //! and the differences.
 
 mod attribution;
-mod departure;
+mod difference;
 mod gap;
 mod influence;
 mod limit;
 mod modulus_check;
+mod sampling;
 mod spread;
 mod threshold;
 mod validity;
+mod verdict;
 
 pub use attribution::{Attribution, Dominant};
-pub use departure::Departure;
-pub use gap::{Gap, GapQuantity, Gaps, MIN_CONTACTS, SIGNIFICANT};
+pub use difference::{CONTACTS_PER_GROUP, CaseSampling, Difference, Estimate, Judged, LeftOut};
+pub use gap::{Gap, GapQuantity, Gaps};
 pub use influence::{AtLoad, DETECTABLE, Effect, Group, Influence, Measure, UnderLaw};
 pub use limit::{Exact, LimitCase, LimitPoint, Quantity, SlopeFit, convergence};
 pub use modulus_check::{GOOD_RATIO, ModulusCheck, ModulusError, ModulusFindings, apart};
-pub use spread::{Realisation, Scatter, Spread, SpreadFindings, spread};
+pub use sampling::{Division, GROUPS, jackknife_error, student_quantile};
+pub use spread::{Realisation, Scatter, Spread, spread};
 pub use threshold::threshold;
-pub use validity::{PointCounts, valid_stretches};
+pub use validity::{PointCounts, ValidRange};
+pub use verdict::{Accepted, Stretch, Verdict};
 
 use std::time::{Duration, Instant};
 
-use crate::model::{Model, Reached, Response, Unreachable, at_pressures, reached_at, respond_within};
+use crate::model::{
+    Exceeded, Model, Reached, Response, Unreachable, at_pressures, reached_at, respond_within,
+};
 
 /// The summation method.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
@@ -157,15 +163,19 @@ pub struct Pair {
 }
 
 impl Pair {
+    /// The limits of the valid range that either model exceeds.
+    pub fn exceeded(&self) -> Exceeded {
+        self.statistical.exceeded().union(self.deterministic.exceeded())
+    }
+
     /// Whether asperities interact in either model.
     pub fn is_beyond_model(&self) -> bool {
         self.statistical.is_beyond_model() || self.deterministic.is_beyond_model()
     }
 
-    /// Whether a finding may rest on it: at least [`MIN_CONTACTS`] contacts on the nominal area `area` (m^2), and
-    /// asperities that do not interact.
-    pub fn is_valid(&self, area: f64) -> bool {
-        !self.is_beyond_model() && self.deterministic.contact_density * area >= MIN_CONTACTS
+    /// Whether a finding may rest on it: it is within the valid range of both models.
+    pub fn is_valid(&self) -> bool {
+        self.exceeded().is_none()
     }
 }
 
@@ -225,6 +235,19 @@ pub fn of_each_decade<T>(items: impl IntoIterator<Item = T>, load: impl Fn(&T) -
 }
 
 impl Comparison {
+    /// The limits of the valid range that are exceeded at each point of the curves: by either model, where both were run.
+    pub fn exceeded(&self) -> impl Iterator<Item = Exceeded> {
+        let of_both = self.curves.len() / 2;
+        let is_paired =
+            self.curves.first().map(|point| point.kind) != self.curves.last().map(|point| point.kind);
+        self.curves.iter().enumerate().map(move |(index, point)| {
+            let own = point.response.exceeded();
+            // The curves of both models follow each other.
+            let other = if index < of_both { index + of_both } else { index - of_both };
+            if is_paired { own.union(self.curves[other].response.exceeded()) } else { own }
+        })
+    }
+
     /// The point of a model at the prescribed nominal pressure `pressure` (Pa).
     pub fn at_load(&self, kind: Kind, pressure: f64) -> Option<&CurvePoint> {
         self.curves.iter().find(|point| point.kind == kind && point.prescribed_pressure == Some(pressure))
@@ -248,6 +271,16 @@ pub fn compare(models: Models, controls: &Controls, area: f64) -> Result<Compari
     result.curves = statistical;
     result.curves.extend(deterministic);
     Ok(result)
+}
+
+/// Both models at the pressures (Pa); `None` where one of them does not reach it.
+pub fn pairs_at(statistical: &dyn Model, deterministic: &dyn Model, pressures: &[f64]) -> Vec<Option<Pair>> {
+    let [integrals, sums] = [statistical, deterministic].map(|model| reached_at(model, pressures));
+    let pair = |(&target, (s, d)): (&f64, (&Option<Reached>, &Option<Reached>))| {
+        let (statistical, deterministic) = (s.as_ref()?.response, d.as_ref()?.response);
+        Some(Pair { pairing: Pairing::Load, target, statistical, deterministic })
+    };
+    pressures.iter().zip(integrals.iter().zip(&sums)).map(pair).collect()
 }
 
 fn run(

@@ -1,7 +1,6 @@
 //! Scatter over realisations of one surface.
 
-use super::{MIN_CONTACTS, Pair, Pairing, SIGNIFICANT};
-use crate::model::INTERACTION;
+use super::{Pair, Pairing};
 
 /// Mean and scatter of a quantity over realisations.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -35,80 +34,18 @@ pub struct Spread {
     /// Mean sampling error of d/sigma of the sums. Scatter beyond it comes from long wavelengths, which correlate
     /// neighbouring asperities.
     pub sampling_error: f64,
-    /// Mean number of contacts of the deterministic model.
-    pub contacts: f64,
     /// A/A_nom of the statistical model.
     pub statistical_area: Scatter,
     /// A/A_nom of the deterministic model.
     pub deterministic_area: Scatter,
 }
 
-impl Spread {
-    /// The mean difference of the separations, in standard errors of the mean over `count` realisations; the scatter of
-    /// a realisation is taken as at least its sampling error.
-    pub fn standard_errors(&self, count: usize) -> f64 {
-        let scatter = self.difference.deviation.max(self.sampling_error);
-        self.difference.mean.abs() / (scatter / (count as f64).sqrt())
-    }
-
-    /// Whether the load is valid: at least 30 contacts and no interaction of asperities.
-    pub fn is_valid(&self) -> bool {
-        let area = self.deterministic_area.mean.max(self.statistical_area.mean);
-        self.contacts >= MIN_CONTACTS && area <= INTERACTION
-    }
-
-    /// Mean area of the statistical model over that of the deterministic one.
-    pub fn area_ratio_of_means(&self) -> f64 {
-        self.statistical_area.mean / self.deterministic_area.mean
-    }
-}
-
-/// Mean differences between the models over several realisations, at the valid loads.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct SpreadFindings {
-    /// Number of realisations.
-    pub realisations: usize,
-    /// The load at which the mean separations differ most.
-    pub separation: Spread,
-    /// The load at which the ratio of the mean areas is furthest from 1.
-    pub area: Spread,
-    /// The largest difference of the separations in standard errors of the mean.
-    pub most_standard_errors: f64,
-}
-
-impl SpreadFindings {
-    /// Over the loads common to all realisations; `None` if none is valid.
-    pub fn of(spread: &[Spread], realisations: usize) -> Option<Self> {
-        let largest = |size: &dyn Fn(&Spread) -> f64| {
-            let counting = spread.iter().filter(|at| at.is_valid());
-            counting.max_by(|a, b| size(a).total_cmp(&size(b))).copied()
-        };
-        let errors = |at: &Spread| at.standard_errors(realisations);
-        Some(Self {
-            realisations,
-            separation: largest(&|at| at.difference.mean.abs())?,
-            area: largest(&|at| at.area_ratio_of_means().ln().abs())?,
-            most_standard_errors: errors(&largest(&errors)?),
-        })
-    }
-
-    /// The difference at [`Self::separation`] in standard errors of the mean.
-    pub fn separation_standard_errors(&self) -> f64 {
-        self.separation.standard_errors(self.realisations)
-    }
-
-    /// Whether the separations differ significantly at one of the loads.
-    pub fn is_significant(&self) -> bool {
-        self.most_standard_errors > SIGNIFICANT
-    }
-}
-
-/// One realisation: its pairs, the standard deviation of heights (m) that is the unit of d, and its nominal area (m^2).
-pub type Realisation<'a> = (&'a [Pair], f64, f64);
+/// One realisation: its pairs, and the standard deviation of heights (m) that is the unit of d.
+pub type Realisation<'a> = (&'a [Pair], f64);
 
 /// Both models at the loads common to all realisations, ascending; empty for fewer than two realisations.
 pub fn spread(realisations: &[Realisation]) -> Vec<Spread> {
-    let Some(((first, ..), others)) = realisations.split_first() else { return Vec::new() };
+    let Some(((first, _), others)) = realisations.split_first() else { return Vec::new() };
     if others.is_empty() {
         return Vec::new();
     }
@@ -122,16 +59,15 @@ pub fn spread(realisations: &[Realisation]) -> Vec<Spread> {
 /// `None` where a realisation lacks the load.
 fn at(target: f64, realisations: &[Realisation]) -> Option<Spread> {
     let is_it = |pair: &&Pair| pair.pairing == Pairing::Load && pair.target == target;
-    let found: Option<Vec<(&Pair, f64, f64)>> = realisations
+    let found: Option<Vec<(&Pair, f64)>> = realisations
         .iter()
-        .map(|&(pairs, sigma, area)| pairs.iter().find(is_it).map(|pair| (pair, sigma, area)))
+        .map(|&(pairs, sigma)| pairs.iter().find(is_it).map(|pair| (pair, sigma)))
         .collect();
     let found = found?;
     let scatter = |value: &dyn Fn(&Pair) -> f64| {
-        Scatter::of(&found.iter().map(|(pair, ..)| value(pair)).collect::<Vec<_>>())
+        Scatter::of(&found.iter().map(|(pair, _)| value(pair)).collect::<Vec<_>>())
     };
-    let contacts: f64 = found.iter().map(|(pair, _, area)| pair.deterministic.contact_density * area).sum();
-    let errors = found.iter().filter_map(|(pair, sigma, _)| pair.deterministic.separation_error(*sigma));
+    let errors = found.iter().filter_map(|(pair, sigma)| pair.deterministic.separation_error(*sigma));
     Some(Spread {
         target,
         statistical_separation: scatter(&|pair| pair.statistical.separation_over_sigma),
@@ -140,7 +76,6 @@ fn at(target: f64, realisations: &[Realisation]) -> Option<Spread> {
             pair.statistical.separation_over_sigma - pair.deterministic.separation_over_sigma
         }),
         sampling_error: errors.sum::<f64>() / found.len() as f64,
-        contacts: contacts / found.len() as f64,
         statistical_area: scatter(&|pair| pair.statistical.area_ratio.total()),
         deterministic_area: scatter(&|pair| pair.deterministic.area_ratio.total()),
     })

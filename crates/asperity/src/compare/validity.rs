@@ -1,20 +1,52 @@
-//! Numbers of points of a comparison at which the models are not valid, or do not reach the prescribed value.
+//! The valid range of loads, and the numbers of points beyond it.
 
 use std::iter::Sum;
 
-use super::{Comparison, Control, Kind, MIN_CONTACTS};
+use super::difference::Difference;
+use super::{Comparison, Control};
+use crate::model::{Exceeded, Limit};
+
+/// The loads at which the models are valid.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct ValidRange {
+    /// First and last load (Pa) of each stretch of neighbouring valid loads, ascending.
+    pub stretches: Vec<[f64; 2]>,
+    /// The limits exceeded at the next lower load; of all loads together where none is valid.
+    pub below: Exceeded,
+    /// The limits exceeded at the next higher load.
+    pub above: Exceeded,
+}
+
+impl ValidRange {
+    /// Of the loads of `differences`, in any order.
+    pub fn of(differences: &[Difference]) -> Self {
+        let mut loads: Vec<(f64, Exceeded)> = differences.iter().map(|at| (at.load, at.exceeded())).collect();
+        loads.sort_by(|a, b| a.0.total_cmp(&b.0));
+        let is_valid = |at: &(f64, Exceeded)| at.1.is_none();
+        let valid = loads.chunk_by(|a, b| is_valid(a) == is_valid(b)).filter(|stretch| is_valid(&stretch[0]));
+        let stretches: Vec<[f64; 2]> =
+            valid.map(|stretch| [stretch[0].0, stretch[stretch.len() - 1].0]).collect();
+        let (Some(first), Some(last)) = (loads.iter().position(is_valid), loads.iter().rposition(is_valid))
+        else {
+            let all = loads.iter().fold(Exceeded::default(), |all, at| all.union(at.1));
+            return Self { stretches, below: all, above: Exceeded::default() };
+        };
+        let exceeded = |at: Option<&(f64, Exceeded)>| at.map_or(Exceeded::default(), |at| at.1);
+        Self {
+            stretches,
+            below: exceeded(first.checked_sub(1).and_then(|k| loads.get(k))),
+            above: exceeded(loads.get(last + 1)),
+        }
+    }
+}
 
 /// Numbers of points of one or several comparisons.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub struct PointCounts {
     /// Points of both models.
     pub points: usize,
-    /// Of these, beyond the contact area at which asperities interact.
-    pub beyond_model: usize,
-    /// Points of the deterministic model.
-    pub sum_points: usize,
-    /// Of these, with a contact, but fewer than [`MIN_CONTACTS`].
-    pub few_contacts: usize,
+    /// Of these, beyond each of [`Limit::ALL`].
+    pub exceeded: [usize; 4],
     /// Points prescribed by a pressure or a force.
     pub load_points: usize,
     /// Of these, within a load jump of the law.
@@ -24,16 +56,13 @@ pub struct PointCounts {
 }
 
 impl PointCounts {
-    /// Counts the points of one comparison on the nominal area `area` (m^2).
-    pub fn of(comparison: &Comparison, area: f64) -> Self {
+    /// Counts the points of one comparison.
+    pub fn of(comparison: &Comparison) -> Self {
         let mut counts = Self { unpaired: comparison.unpaired.len(), ..Self::default() };
-        for point in &comparison.curves {
+        for (point, exceeded) in comparison.curves.iter().zip(comparison.exceeded()) {
             counts.points += 1;
-            counts.beyond_model += usize::from(point.response.is_beyond_model());
-            if point.kind == Kind::Deterministic {
-                let contacts = point.response.contact_density * area;
-                counts.sum_points += 1;
-                counts.few_contacts += usize::from(contacts > 0.0 && contacts < MIN_CONTACTS);
+            for limit in exceeded.limits() {
+                counts.exceeded[limit as usize] += 1;
             }
             if point.control != Control::Separation {
                 counts.load_points += 1;
@@ -42,15 +71,18 @@ impl PointCounts {
         }
         counts
     }
+
+    /// Number of points beyond a limit.
+    pub fn beyond(&self, limit: Limit) -> usize {
+        self.exceeded[limit as usize]
+    }
 }
 
 impl Sum for PointCounts {
     fn sum<I: Iterator<Item = Self>>(counts: I) -> Self {
         counts.fold(Self::default(), |a, b| Self {
             points: a.points + b.points,
-            beyond_model: a.beyond_model + b.beyond_model,
-            sum_points: a.sum_points + b.sum_points,
-            few_contacts: a.few_contacts + b.few_contacts,
+            exceeded: std::array::from_fn(|k| a.exceeded[k] + b.exceeded[k]),
             load_points: a.load_points + b.load_points,
             in_jump: a.in_jump + b.in_jump,
             unpaired: a.unpaired + b.unpaired,
@@ -58,32 +90,52 @@ impl Sum for PointCounts {
     }
 }
 
-/// The first and the last load (Pa) of each stretch of neighbouring loads that are all valid, by growing load, from loads
-/// in any order.
-pub fn valid_stretches(loads: impl IntoIterator<Item = (f64, bool)>) -> Vec<[f64; 2]> {
-    let mut loads: Vec<(f64, bool)> = loads.into_iter().collect();
-    loads.sort_by(|a, b| a.0.total_cmp(&b.0));
-    let stretches = loads.chunk_by(|a, b| a.1 == b.1).filter(|stretch| stretch[0].1);
-    stretches.map(|stretch| [stretch[0].0, stretch[stretch.len() - 1].0]).collect()
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::compare::CurvePoint;
+    use crate::compare::{CurvePoint, Kind};
     use crate::contact::ByRegime;
-    use crate::model::Response;
+    use crate::model::{LoadSharing, Response};
+
+    fn sharing(effective_contacts: f64) -> Option<LoadSharing> {
+        Some(LoadSharing { effective_contacts, largest_share: 0.01, large_strain_share: 0.0 })
+    }
+
+    fn names(exceeded: Exceeded) -> Vec<&'static str> {
+        exceeded.limits().map(Limit::name).collect()
+    }
 
     #[test]
     fn loads_between_stretches_are_not_valid() {
-        let loads = [(5.0, true), (1.0, false), (2.0, true), (3.0, true), (4.0, false), (6.0, false)];
-        assert_eq!(valid_stretches(loads), [[2.0, 3.0], [5.0, 5.0]]);
-        assert_eq!(valid_stretches([(1.0, false)]), [[0.0; 2]; 0]);
+        let range = |loads: &[(f64, f64, f64)]| {
+            let at = |&(load, contacts, area_ratio): &(f64, f64, f64)| Difference {
+                load,
+                sharing: sharing(contacts),
+                area_ratio,
+                estimates: [None; 3],
+                area_needed: None,
+            };
+            ValidRange::of(&loads.iter().map(at).collect::<Vec<_>>())
+        };
+        let found = range(&[
+            (5.0, 90.0, 0.01),
+            (1.0, 20.0, 0.01),
+            (2.0, 40.0, 0.01),
+            (3.0, 50.0, 0.01),
+            (4.0, 29.0, 0.01),
+            (6.0, 90.0, 0.06),
+        ]);
+        assert_eq!(found.stretches, [[2.0, 3.0], [5.0, 5.0]]);
+        assert_eq!((names(found.below), names(found.above)), (vec!["few-contacts"], vec!["interaction"]));
+        let none = range(&[(1.0, 20.0, 0.01), (2.0, 90.0, 0.07)]);
+        assert_eq!((none.stretches.len(), names(none.below)), (0, vec!["few-contacts", "interaction"]));
+        let all = range(&[(1.0, 40.0, 0.01), (2.0, 90.0, 0.02)]);
+        assert!(all.below.is_none() && all.above.is_none() && all.stretches == [[1.0, 2.0]]);
     }
 
     #[test]
     fn each_kind_of_point_is_counted_by_itself() {
-        let point = |kind, control, contacts: f64, area: f64, in_jump| CurvePoint {
+        let point = |kind, control, contacts: Option<f64>, area: f64, in_jump| CurvePoint {
             kind,
             control,
             target: 1.0,
@@ -91,32 +143,27 @@ mod tests {
             response: Response {
                 separation_over_sigma: 1.0,
                 separation: 1e-8,
-                contact_density: contacts,
+                contact_density: 100.0,
                 area_ratio: ByRegime([area, 0.0, 0.0]),
                 pressure: ByRegime([1.0, 0.0, 0.0]),
                 stiffness: 1.0,
                 sampling: None,
+                sharing: contacts.and_then(sharing),
             },
             in_jump,
         };
         let curves = vec![
-            point(Kind::Statistical, Control::Pressure, 1.0, 0.06, false),
-            point(Kind::Deterministic, Control::Separation, 0.0, 0.0, false),
-            point(Kind::Deterministic, Control::Separation, 14.0, 0.01, false),
-            point(Kind::Deterministic, Control::Force, 15.0, 0.07, true),
+            point(Kind::Statistical, Control::Separation, None, 0.01, false),
+            point(Kind::Statistical, Control::Force, None, 0.06, false),
+            point(Kind::Deterministic, Control::Separation, Some(29.0), 0.01, false),
+            point(Kind::Deterministic, Control::Force, Some(31.0), 0.02, true),
         ];
         let comparison = Comparison { curves, unpaired: vec![1.0], ..Comparison::default() };
-        let counts = PointCounts::of(&comparison, 2.0);
-        let expected = PointCounts {
-            points: 4,
-            beyond_model: 2,
-            sum_points: 3,
-            few_contacts: 1,
-            load_points: 2,
-            in_jump: 1,
-            unpaired: 1,
-        };
+        let counts = PointCounts::of(&comparison);
+        // Both models at one control share its limits.
+        let expected =
+            PointCounts { points: 4, exceeded: [2, 0, 2, 0], load_points: 2, in_jump: 1, unpaired: 1 };
         assert_eq!(counts, expected);
-        assert_eq!([counts, counts].into_iter().sum::<PointCounts>().few_contacts, 2);
+        assert_eq!([counts, counts].into_iter().sum::<PointCounts>().beyond(Limit::Interaction), 4);
     }
 }

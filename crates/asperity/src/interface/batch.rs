@@ -1,6 +1,6 @@
 //! The contacts of many asperities, evaluated in vector registers.
 
-use crate::accumulator::{Accumulator, ContactSums, PLAIN_TERMS};
+use crate::accumulator::{Accumulator, ContactSums, PLAIN_TERMS, small_strain_area};
 use crate::asperity::Asperities;
 use crate::contact::Contacts;
 use crate::numeric::lanes::{MOST, Real, Work, run};
@@ -80,6 +80,7 @@ fn accumulate_lanes<N: Real, A: LaneContacts, const ELLIPSES: bool>(
 ) -> ContactSums<Sum<N>> {
     let count = heights.len();
     let mut lanes = ContactSums::new(Sum::new(zero));
+    let mut largest_load = zero;
     let mut start = 0;
     while start + N::LANES <= count {
         let mut plain = ContactSums::new(zero);
@@ -88,7 +89,10 @@ fn accumulate_lanes<N: Real, A: LaneContacts, const ELLIPSES: bool>(
                 let w = zero.load(&heights[start..]) - separation;
                 // The compiler removes a multiplication by one.
                 let n = if ELLIPSES { zero.load(&spheres[start..]) } else { zero.splat(1.0) };
-                plain.add(&contact.contacts(w, zero.load(&radii[start..]), n));
+                let radius = zero.load(&radii[start..]);
+                let contacts = contact.contacts(w, radius, n);
+                plain.add(&contacts, small_strain_area(radius, n));
+                largest_load = largest_load.max(contacts.load);
                 start += N::LANES;
             }
         }
@@ -98,10 +102,12 @@ fn accumulate_lanes<N: Real, A: LaneContacts, const ELLIPSES: bool>(
         // Lanes before the rest hold asperities already added.
         let rest = zero.lanes_from(N::LANES - (count - start));
         let n = if ELLIPSES { last(spheres, zero) } else { zero.splat(1.0) };
-        let contacts = contact.contacts(last(heights, zero) - separation, last(radii, zero), n);
-        lanes.add_present(&contacts, rest);
+        let radius = last(radii, zero);
+        let contacts = contact.contacts(last(heights, zero) - separation, radius, n);
+        let loads = lanes.add_present(&contacts, small_strain_area(radius, n), rest);
+        largest_load = largest_load.max(loads);
     }
-    lanes
+    lanes.with_largest_load(largest_load)
 }
 
 struct AccumulateWeighted<'a, A> {

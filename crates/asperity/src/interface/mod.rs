@@ -161,7 +161,7 @@ pub trait MicroContact: Send + Sync {
     /// Adds the contacts of asperities at `separation` (m, in the frame of their heights) to the accumulator. All
     /// heights must be above it.
     fn accumulate(&self, asperities: Asperities<'_>, separation: f64, accumulator: &mut Accumulator) {
-        asperities.each().for_each(|(z, shape)| accumulator.add(&self.contact(z - separation, shape)));
+        asperities.each().for_each(|(z, shape)| accumulator.add(&self.contact(z - separation, shape), shape));
     }
 }
 

@@ -6,6 +6,7 @@ use std::sync::OnceLock;
 use super::block::{Block, Levels, LevelsOfBlock, ManyLevels};
 use super::load_control::{LOWEST_SEPARATION, search_missing};
 use super::sparse::SparseSubset;
+use super::validity::LoadSharing;
 use super::{ContactCounts, Model, ReferencePlane, Response, SamplingError};
 use crate::accumulator::{Accumulator, Total};
 use crate::asperity::{Asperities, Ordered};
@@ -196,7 +197,8 @@ impl<'a> Deterministic<'a> {
             pressure: total.load_error(count) * per_area,
             area_ratio: total.area_error(count) * per_area,
         };
-        Response { sampling: Some(sampling), ..Response::new(h, self.plane, total, per_area) }
+        let sharing = LoadSharing::of(total);
+        Response { sampling: Some(sampling), sharing, ..Response::new(h, self.plane, total, per_area) }
     }
 
     /// An upper bound of the pressure (Pa) at separations from `low` to `high`, from the highest load of each asperity,

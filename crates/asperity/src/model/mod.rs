@@ -8,13 +8,17 @@ mod plane;
 mod response;
 mod sparse;
 mod statistical;
+mod validity;
 
 pub use curve::{Curve, respond_within};
 pub use deterministic::Deterministic;
 pub use load_control::{LOWEST_SEPARATION, Reached, Unreachable, at_pressure, at_pressures, reached_at};
 pub use plane::ReferencePlane;
-pub use response::{INTERACTION, Response, SamplingError};
+pub use response::{Response, SamplingError};
 pub use statistical::{MeanRadius, Statistical};
+pub use validity::{
+    Exceeded, INTERACTION, LARGE_STRAIN_SHARE, LARGEST_LOAD_SHARE, Limit, LoadSharing, MIN_CONTACTS,
+};
 
 use crate::numeric::levels::{Point, last_reaching_all};
 

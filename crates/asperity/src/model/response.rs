@@ -1,6 +1,7 @@
 //! The response of a model at one separation.
 
 use super::plane::ReferencePlane;
+use super::validity::{INTERACTION, LoadSharing};
 use crate::accumulator::Total;
 use crate::contact::ByRegime;
 
@@ -21,6 +22,8 @@ pub struct Response {
     pub stiffness: f64,
     /// Standard errors of a sum; `None` for an integral.
     pub sampling: Option<SamplingError>,
+    /// How the contacts of a sum share the load; `None` for an integral, and without contact.
+    pub sharing: Option<LoadSharing>,
 }
 
 /// Standard errors of a sum at a fixed separation, with its asperities taken as a fixed number of independent draws.
@@ -31,9 +34,6 @@ pub struct SamplingError {
     /// Standard error of the area ratio.
     pub area_ratio: f64,
 }
-
-/// The area ratio beyond which neighbouring asperities interact and asperity models are not valid.
-pub const INTERACTION: f64 = 0.05;
 
 impl Response {
     /// Standard error of d/sigma at a fixed load, if the response has standard errors; `sigma` (m) is the unit of d.
@@ -51,6 +51,7 @@ impl Response {
             pressure: ByRegime(total.load().0.map(|load| load * per_area)),
             stiffness: total.stiffness() * per_area,
             sampling: None,
+            sharing: None,
         }
     }
 

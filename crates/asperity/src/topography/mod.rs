@@ -8,10 +8,12 @@
 //! | [`summits`] | summits and their curvatures |
 //! | [`RoughnessParameters`], [`Moments`], [`Drops`] | height and spectral moments, the autocorrelation at neighbours |
 //! | [`RadialSpectrum`], [`Autocorrelation`] | power spectrum and autocorrelation of a map |
+//! | [`Blocks`] | division of a map into blocks that are long compared with its correlation length |
 //! | [`theory`] | the summits of a Gaussian surface of given spectral moments or autocorrelation |
 //! | [`Quantisation`] | height steps of the instrument |
 //! | [`generate`], [`spectrum`] | random rough surfaces and their spectra |
 
+mod blocks;
 mod correlation;
 mod filter;
 mod fourier;
@@ -35,6 +37,7 @@ use crate::memory::zeros;
 use crate::npy;
 use crate::numeric::is_positive;
 use crate::numeric::parallel::for_each_row;
+pub use blocks::{BLOCK_LENGTHS, Blocks, CorrelationLengths, MIN_BLOCKS, TooSmall};
 pub use correlation::{Autocorrelation, RadialSpectrum};
 pub use filter::{Filter, FilterError};
 pub use level::{Form, Level, Levelled, Undetermined};

@@ -115,7 +115,7 @@ fn under_a_layer_an_ellipse_feels_the_circle_of_its_area() {
     touching.each().for_each(|(z, shape)| {
         let (w, n) = (z - 5e-7, shape.spheres);
         let found = contact.contact(w, shape);
-        single.add(&found);
+        single.add(&found, shape);
         let flat = layered.at(w, n * shape.radius);
         let hardness = flat.hardness.min(7.6e9);
         let pair = Pair {

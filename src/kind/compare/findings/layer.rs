@@ -3,9 +3,7 @@
 use asperity::Regime;
 use asperity::compare::{GapQuantity, Kind};
 
-use super::Recommendation;
 use crate::kind::compare::answers::{CaseResults, Threshold};
-use crate::surface::Surface;
 
 /// What the thickness changes.
 #[derive(Debug)]
@@ -43,19 +41,17 @@ pub struct PlasticRange {
 }
 
 /// Largest differences of d/sigma between the models at equal load, by thickness.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq)]
 pub struct GapRange {
     /// The thickness under which it is largest.
     pub largest: AtThickness,
     /// The thickness under which it is smallest.
     pub smallest: AtThickness,
-    /// Which model to use, all thicknesses together.
-    pub recommendation: Recommendation,
 }
 
 impl LayerFindings {
     /// Of the `cases` and `thresholds` of one law; `None` without a layer in the spec.
-    pub fn of(surface: &Surface, cases: &[&CaseResults], thresholds: &[&Threshold]) -> Option<Self> {
+    pub fn of(cases: &[&CaseResults], thresholds: &[&Threshold]) -> Option<Self> {
         if cases.iter().any(|case| case.thickness.is_none()) {
             return None;
         }
@@ -69,7 +65,7 @@ impl LayerFindings {
         let mut found = Self { models, loads, plastic: None, gap: None };
         if cases.len() > 1 {
             found.plastic = found.plastic_range(cases);
-            found.gap = gap_range(surface, cases);
+            found.gap = gap_range(cases);
         }
         Some(found)
     }
@@ -92,11 +88,10 @@ impl LayerFindings {
     }
 }
 
-fn gap_range(surface: &Surface, cases: &[&CaseResults]) -> Option<GapRange> {
+fn gap_range(cases: &[&CaseResults]) -> Option<GapRange> {
     let gap = |case: &CaseResults| Some(case.gaps.of_quantity(GapQuantity::Separation)?.difference().abs());
     let [smallest, largest] = ends(cases, gap)?;
-    let is_significant = cases.iter().any(|case| case.gaps.is_significant());
-    Some(GapRange { largest, smallest, recommendation: Recommendation::new(surface, is_significant) })
+    Some(GapRange { largest, smallest })
 }
 
 /// The smallest and the largest value over the thicknesses that have one.

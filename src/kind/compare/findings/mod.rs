@@ -2,19 +2,20 @@
 //!
 //! | file | what lives there |
 //! |---|---|
-//! | `recommendation` | which model to use, and why |
+//! | `verdicts` | whether the statistical model may be used, by quantity and stretch of load |
 //! | `layer` | what the thickness of a layer changes |
 //! | `decreasing` | where a deeper asperity has less area or load |
 
 mod decreasing;
 mod layer;
-mod recommendation;
+mod verdicts;
 
 pub use decreasing::Decreasing;
 pub use layer::{AtThickness, GapRange, LayerFindings, PlasticRange};
-pub use recommendation::Recommendation;
+pub use verdicts::{Basis, Verdicts};
 
-use asperity::compare::{Pairing, PointCounts, Realisation, Spread, SpreadFindings, spread, valid_stretches};
+use asperity::compare::{PointCounts, Realisation, Spread, spread};
+use asperity_framework::input::accept::AcceptSpec;
 
 use super::answers::{CaseResults, DecreaseResults, RealisationResults, Threshold};
 use crate::surface::Surface;
@@ -33,12 +34,8 @@ pub struct SurfaceFindings {
 pub struct CaseFindings {
     /// Both models at the loads that all realisations have in common; empty for a single realisation.
     pub spread: Vec<Spread>,
-    /// Difference between the models over the realisations; `None` without a common valid load.
-    pub over_realisations: Option<SpreadFindings>,
-    /// First and last of each stretch of neighbouring loads (Pa) on which a finding may rest.
-    pub valid_loads: Vec<[f64; 2]>,
-    /// Which model to use; `None` without a valid result.
-    pub recommendation: Option<Recommendation>,
+    /// Whether the statistical model may be used.
+    pub verdicts: Verdicts,
 }
 
 /// One law, all thicknesses together, on the first realisation.
@@ -61,53 +58,33 @@ impl SurfaceFindings {
         realisations: &[&RealisationResults],
         thresholds: &[Threshold],
         decreases: &[DecreaseResults],
+        accept: AcceptSpec,
     ) -> Self {
         let first = realisations[0];
         let mut laws: Vec<&str> = first.cases.iter().map(|case| case.law.as_str()).collect();
         laws.dedup();
         Self {
             cases: (0..first.cases.len())
-                .map(|index| CaseFindings::of(surface, realisations, index))
+                .map(|index| CaseFindings::of(surface, realisations, index, accept))
                 .collect(),
-            laws: laws
-                .into_iter()
-                .map(|law| LawFindings::of(surface, first, law, thresholds, decreases))
-                .collect(),
+            laws: laws.into_iter().map(|law| LawFindings::of(first, law, thresholds, decreases)).collect(),
         }
     }
 }
 
 impl CaseFindings {
-    fn of(surface: &Surface, realisations: &[&RealisationResults], index: usize) -> Self {
+    fn of(surface: &Surface, realisations: &[&RealisationResults], index: usize, accept: AcceptSpec) -> Self {
         let pairs: Vec<Realisation> = realisations
             .iter()
-            .map(|answered| {
-                (&answered.cases[index].comparison.pairs[..], answered.sigma, answered.nominal_area)
-            })
+            .map(|answered| (&answered.cases[index].comparison.pairs[..], answered.sigma))
             .collect();
-        let spread = spread(&pairs);
-        let over_realisations = SpreadFindings::of(&spread, realisations.len());
-        let gaps = &realisations[0].cases[index].gaps;
-        let is_significant = match &over_realisations {
-            Some(found) => Some(found.is_significant()),
-            None => (!gaps.largest.is_empty()).then(|| gaps.is_significant()),
-        };
-        let recommendation =
-            is_significant.map(|is_significant| Recommendation::new(surface, is_significant));
-        let valid_loads = if over_realisations.is_some() {
-            valid_stretches(spread.iter().map(|at| (at.target, at.is_valid())))
-        } else {
-            let (pairs, _, area) = pairs[0];
-            let at_load = pairs.iter().filter(|pair| pair.pairing == Pairing::Load);
-            valid_stretches(at_load.map(|pair| (pair.target, pair.is_valid(area))))
-        };
-        Self { spread, over_realisations, valid_loads, recommendation }
+        let accepted = accept.on(surface.plane.sigma);
+        Self { spread: spread(&pairs), verdicts: Verdicts::of(surface, realisations, index, accepted) }
     }
 }
 
 impl LawFindings {
     fn of(
-        surface: &Surface,
         first: &RealisationResults,
         law: &str,
         thresholds: &[Threshold],
@@ -116,12 +93,12 @@ impl LawFindings {
         let cases: Vec<_> = first.cases.iter().filter(|case| case.law == law).collect();
         let thresholds: Vec<_> = thresholds.iter().filter(|threshold| threshold.law == law).collect();
         let decreases: Vec<_> = decreases.iter().filter(|found| found.law == law).collect();
-        let counts = |case: &&CaseResults| PointCounts::of(&case.comparison, surface.set.nominal_area());
+        let counts = |case: &&CaseResults| PointCounts::of(&case.comparison);
         Self {
             law: law.to_owned(),
             counts: cases.iter().map(counts).sum(),
             decreasing: Decreasing::among(&decreases),
-            layer: LayerFindings::of(surface, &cases, &thresholds),
+            layer: LayerFindings::of(&cases, &thresholds),
         }
     }
 }

@@ -1,7 +1,9 @@
 //! Results of both models on one surface under one law: figures and tables.
 
 use asperity::compare::{Comparison, Pair, Scatter, of_each_decade};
-use asperity_framework::report::format::{count, input_quantity, mean_and_deviation, number, quantity};
+use asperity_framework::report::format::{
+    count, input_quantity, listed, mean_and_deviation, number, percent, quantity,
+};
 use asperity_framework::report::page::Page;
 
 use super::figures::{self, at_equal_load};
@@ -22,23 +24,23 @@ pub fn answers(page: &mut Page, results: &CompareResults, found: &SurfaceResults
     };
     let others: Vec<&Comparison> =
         found.others.iter().map(|answered| &answered.cases[index].comparison).collect();
+    let valid = &found.findings.cases[index].verdicts.valid;
     figure(
         "separation",
-        "Separation against load, and the difference between the models at equal load (lower panel): the models differ \
-         beyond sampling uncertainty where the band of the difference excludes zero. Bands: 95 % sampling uncertainty for \
-         independent asperities.",
-        figures::separation(comparison, &others, modulus, found.surface.plane.sigma),
+        "Separation against load. Bands: 95 % sampling uncertainty at fixed separation for independent asperities. Shaded: \
+         loads beyond the valid range.",
+        figures::separation(comparison, &others, valid, modulus, found.surface.plane.sigma),
     );
     figure(
         "area",
-        "Real contact area against load. Bands: 95 % sampling uncertainty. In the shaded region (contact area \
-    above 5 %) asperities interact and neither model is valid.",
-        figures::area(comparison, modulus),
+        "Real contact area against load. Bands and shading as above.",
+        figures::area(comparison, valid, modulus),
     );
     figure(
         "regimes",
-        "Share of the load carried by elastic, elastic-plastic and plastic contacts, by model.",
-        figures::regimes(comparison, modulus),
+        "Share of the load carried by elastic, elastic-plastic and plastic contacts, by model; vertical lines: ends of the \
+         valid range.",
+        figures::regimes(comparison, valid, modulus),
     );
     realisations(page, found, index);
     let pairs = of_each_decade(at_equal_load(comparison), |pair| pair.target, STEPS);
@@ -93,7 +95,7 @@ fn realisations(page: &mut Page, found: &SurfaceResults, index: usize) {
 const STEPS: f64 = 2.0;
 
 const LOAD_TABLE: [&str; 8] =
-    ["p", "d/σ stat.", "d/σ det.", "difference", "A/A_nom stat.", "A/A_nom det.", "± s.e.", "remark"];
+    ["p", "d/σ stat.", "d/σ det.", "difference", "A/A_nom stat.", "A/A_nom det.", "± s.e.", "not valid"];
 
 fn load_row(pair: &Pair) -> Vec<String> {
     let (s, d) = (&pair.statistical, &pair.deterministic);
@@ -105,14 +107,21 @@ fn load_row(pair: &Pair) -> Vec<String> {
         number(s.area_ratio.total()),
         number(d.area_ratio.total()),
         d.sampling.map_or_else(|| "-".to_owned(), |error| number(error.area_ratio)),
-        if pair.is_beyond_model() { "asperities interact".to_owned() } else { String::new() },
+        remark(pair),
     ]
 }
 
-const CONTACT_TABLE: [&str; 7] = [
+/// The limits that a pair exceeds.
+fn remark(pair: &Pair) -> String {
+    listed(&pair.exceeded().limits().map(|limit| limit.name().replace('-', " ")).collect::<Vec<_>>())
+}
+
+const CONTACT_TABLE: [&str; 9] = [
     "p",
     "contacts stat.",
     "contacts det.",
+    "effective",
+    "largest load share",
     "mean contact p stat.",
     "mean contact p det.",
     "−dp/dd stat. [Pa/m]",
@@ -127,6 +136,8 @@ fn contact_row(pair: &Pair, area: f64) -> Vec<String> {
         input_quantity(pair.target, "Pa"),
         number(s.contact_density * area),
         count((d.contact_density * area).round() as usize),
+        d.sharing.map_or_else(|| "–".to_owned(), |sharing| number(sharing.effective_contacts)),
+        d.sharing.map_or_else(|| "–".to_owned(), |sharing| percent(sharing.largest_share)),
         contact_pressure(s.mean_real_pressure()),
         contact_pressure(d.mean_real_pressure()),
         number(s.stiffness),

@@ -1,6 +1,7 @@
 //! The figures of a comparison.
 
-use asperity::compare::{Comparison, CurvePoint, Kind, Pair, Pairing};
+use super::differences::invalid;
+use asperity::compare::{Comparison, CurvePoint, Kind, Pair, Pairing, ValidRange};
 use asperity::{INTERACTION, Regime};
 use asperity_plot::{Axis, Colour, Dash, Figure, Layer, Plot};
 
@@ -45,12 +46,20 @@ pub fn at_equal_load(comparison: &Comparison) -> Vec<&Pair> {
     pairs
 }
 
-/// d/sigma against load (Pasaribu and Schipper 2005, Fig. 4), the difference at equal load below; the deterministic
-/// results of other realisations are thin dots.
-pub fn separation(comparison: &Comparison, others: &[&Comparison], modulus: f64, sigma: f64) -> String {
+/// d/sigma against load (Pasaribu and Schipper 2005, Fig. 4); the deterministic results of other realisations are dotted.
+pub fn separation(
+    comparison: &Comparison,
+    others: &[&Comparison],
+    valid: &ValidRange,
+    modulus: f64,
+    sigma: f64,
+) -> String {
     const OTHERS: &str = "other realisations";
-    let axis = || load_axis(comparison, modulus);
-    let mut plot = Plot::new("Separation against load", axis(), Axis::linear("separation d/σ"));
+    let axis = load_axis(comparison, modulus);
+    let mut plot = Plot::new("Separation against load", axis, Axis::linear("separation d/σ"));
+    for region in invalid(valid, modulus.recip()) {
+        plot = plot.with(region);
+    }
     for other in others {
         let points = curve(other, Kind::Deterministic);
         let line = points
@@ -72,30 +81,7 @@ pub fn separation(comparison: &Comparison, others: &[&Comparison], modulus: f64,
         let line = points.iter().map(|point| (load(point), point.response.separation_over_sigma));
         plot = plot.with(model_line(kind, line));
     }
-    let pairs = at_equal_load(comparison);
-    if pairs.is_empty() {
-        return plot.svg();
-    }
-    let difference =
-        |pair: &Pair| pair.statistical.separation_over_sigma - pair.deterministic.separation_over_sigma;
-    let band = pairs.iter().filter_map(|pair| {
-        let half = BAND * pair.deterministic.separation_error(sigma)?;
-        Some((pair.target / modulus, difference(pair) - half, difference(pair) + half))
-    });
-    let line = pairs.iter().map(|pair| (pair.target / modulus, difference(pair)));
-    let mut below =
-        Plot::new("", axis(), Axis::linear("difference in d/σ")).height(170.0).with(Layer::at_y(0.0, ""));
-    for other in others {
-        let line = at_equal_load(other).into_iter().map(|pair| (pair.target / modulus, difference(pair)));
-        let line = Layer::line(line.collect::<Vec<_>>()).coloured(Colour::Series(2)).dashed(Dash::Dotted);
-        below = below.with(line.named(OTHERS));
-    }
-    let below = below.with(Layer::band(band.collect::<Vec<_>>()).coloured(Colour::Series(2))).with(
-        Layer::line(line.collect::<Vec<_>>())
-            .coloured(Colour::Series(2))
-            .named("statistical − deterministic at equal load"),
-    );
-    Figure::column("Separation against load, and the difference at equal load", vec![plot, below]).svg()
+    plot.svg()
 }
 
 fn model_line(kind: Kind, points: impl Iterator<Item = (f64, f64)>) -> Layer {
@@ -104,13 +90,16 @@ fn model_line(kind: Kind, points: impl Iterator<Item = (f64, f64)>) -> Layer {
 }
 
 /// Real over nominal area against load.
-pub fn area(comparison: &Comparison, modulus: f64) -> String {
+pub fn area(comparison: &Comparison, valid: &ValidRange, modulus: f64) -> String {
     let mut plot = Plot::new(
         "Real contact area against load",
         load_axis(comparison, modulus),
         Axis::log("area ratio A/A_nom"),
     )
-    .with(Layer::region_y(INTERACTION, f64::INFINITY, "asperities interact: A/A_nom > 0.05"));
+    .with(Layer::at_y(INTERACTION, "asperities interact above"));
+    for region in invalid(valid, modulus.recip()) {
+        plot = plot.with(region);
+    }
     for kind in [Kind::Deterministic, Kind::Statistical] {
         let points = curve(comparison, kind);
         let load = |point: &CurvePoint| point.response.pressure.total() / modulus;
@@ -146,14 +135,17 @@ pub fn shares_of_load(title: &str, x: Axis, shares: impl Iterator<Item = (f64, [
 }
 
 /// Each regime's share of the load, one panel per model.
-pub fn regimes(comparison: &Comparison, modulus: f64) -> String {
+pub fn regimes(comparison: &Comparison, valid: &ValidRange, modulus: f64) -> String {
     let panel = |kind: Kind| {
         let points = curve(comparison, kind);
         let load: Vec<f64> = points.iter().map(|p| p.response.pressure.total() / modulus).collect();
         let shares: Vec<[f64; 3]> =
             points.iter().filter_map(|point| point.response.pressure.shares()).collect();
         let axis = load_axis(comparison, modulus);
-        shares_of_load(kind.name(), axis, load.into_iter().zip(shares))
+        let plot = shares_of_load(kind.name(), axis, load.into_iter().zip(shares));
+        // Regions lie below the shares: the edges of the valid range are lines.
+        let edges = valid.stretches.iter().flatten().map(|load| load / modulus);
+        edges.fold(plot, |plot, edge| plot.with(Layer::at_x(edge, "")))
     };
     let kinds = [Kind::Statistical, Kind::Deterministic];
     let present = kinds.into_iter().filter(|&kind| !curve(comparison, kind).is_empty());

@@ -1,9 +1,11 @@
 //! Limits of validity of a comparison.
 
+use asperity::Limit;
 use asperity::compare::{Kind, PointCounts};
 use asperity_framework::report::page::Page;
 
 use super::names::subject;
+use super::verdict::limit_words;
 use crate::kind::compare::results::CompareResults;
 
 /// Limits of validity, with the number of points affected.
@@ -50,27 +52,25 @@ pub fn assumptions(results: &CompareResults) -> [String; 2] {
             "The flat is smooth{flat}; asperities are {asperities} and do not interact; adhesion, friction and hardening \
              are neglected.",
         ),
-        "Standard errors assume independent asperities; neighbouring asperities of a real surface are correlated, so that \
-         a surface with long wavelengths scatters more."
+        "The standard errors of the tables and the bands of the curves assume independent asperities; neighbouring asperities \
+         of a real surface are correlated, so that a surface with long waves scatters more. The intervals of the verdicts \
+         account for it."
             .to_owned(),
     ]
 }
 
 /// The points of one surface at which a model is not valid, or does not reach the requested load.
 pub fn limits_of(subject: &str, counts: &PointCounts) -> Vec<String> {
-    let &PointCounts { points, beyond_model, sum_points, few_contacts, load_points, in_jump, unpaired } =
-        counts;
+    let &PointCounts { points, load_points, in_jump, unpaired, .. } = counts;
     let mut lines = Vec::new();
-    if beyond_model > 0 {
+    for limit in Limit::ALL.into_iter().filter(|limit| counts.beyond(*limit) > 0) {
         lines.push(format!(
-            "{subject}: {beyond_model} of {points} points have a contact area above 5 %, where neighbouring asperities \
-             interact and no asperity model is valid. They are marked `beyond_model` in the tables."
-        ));
-    }
-    if few_contacts > 0 {
-        lines.push(format!(
-            "{subject}: {few_contacts} of {sum_points} points have fewer than 30 contacts. These points depend on a few \
-             peaks."
+            "{subject}: {} of {points} points are beyond the valid range ({}){}. They are marked `{}` in the column `limits` of \
+             the tables.",
+            counts.beyond(limit),
+            limit_words(limit),
+            consequence(limit),
+            limit.name(),
         ));
     }
     if in_jump > 0 {
@@ -86,4 +86,13 @@ pub fn limits_of(subject: &str, counts: &PointCounts) -> Vec<String> {
         ));
     }
     lines
+}
+
+/// Why results beyond a limit do not hold.
+fn consequence(limit: Limit) -> &'static str {
+    match limit {
+        Limit::FewContacts | Limit::DominantContact => ": they depend on a few peaks",
+        Limit::Interaction => ", where neighbouring asperities interact and no asperity model is valid",
+        Limit::LargeStrain => ": the laws assume small strains",
+    }
 }

@@ -2,7 +2,8 @@
 //!
 //! | module | what it writes |
 //! |---|---|
-//! | `summary` | summary: difference between the models, recommendation |
+//! | `verdict` | the answer: headline, verdicts, valid range |
+//! | `differences` | the figure behind the verdicts |
 //! | `decreasing` | area or load that decreases with increasing indentation |
 //! | `layer` | results by layer thickness |
 //! | `surface` | the surface, and the inputs of the statistical model |
@@ -13,25 +14,26 @@
 
 mod answers;
 mod decreasing;
+mod differences;
 pub mod figures;
 mod layer;
 mod limits;
 mod names;
-mod summary;
 mod surface;
+pub mod verdict;
 
 pub use limits::{assumptions, limits_of};
-pub use summary::CONDITION;
 pub use surface::surface;
 
-use crate::kind::compare::results::CompareResults;
+use crate::kind::compare::findings::Verdicts;
+use crate::kind::compare::results::{CompareResults, SurfaceResults};
 use asperity_framework::report::page::{Page, escape};
 use asperity_framework::report::sections;
+use names::{stem, subject};
 
 /// The page.
 pub fn page(results: &CompareResults) -> Page {
     let mut page = Page::new(&results.metadata.title);
-    sections::notes(&mut page, &results.metadata);
     for warning in results.warnings() {
         page.warning(&escape(&warning));
     }
@@ -39,13 +41,14 @@ pub fn page(results: &CompareResults) -> Page {
     // A single thickness is shown in as much detail as an uncoated flat.
     let in_full = layered.iter().all(|series| !series.has_several());
     page.heading(2, "Summary");
+    for found in results.surfaces.iter().filter(|_| in_full) {
+        answer(&mut page, results, found);
+    }
+    for series in layered.iter().filter(|_| !in_full) {
+        series.answer(&mut page);
+    }
     for series in &layered {
         page.bullets(series.summary_lines());
-    }
-    for found in results.surfaces.iter().filter(|_| in_full) {
-        for index in 0..found.first.cases.len() {
-            page.bullets(summary::summary_lines(results, found, index));
-        }
     }
     decreasing::bullets(&mut page, results);
     if results.surfaces.iter().any(|found| found.findings.laws.len() > 1) {
@@ -53,6 +56,7 @@ pub fn page(results: &CompareResults) -> Page {
             "An experiment of kind `[laws]` compares the effect of the contact law with that of the summation method.",
         );
     }
+    sections::notes(&mut page, &results.metadata);
     sections::what_was_run(&mut page, &results.metadata, &results.contact);
     if let Some(layer) = &results.contact.layer {
         layer::rule_section(&mut page, layer);
@@ -69,4 +73,60 @@ pub fn page(results: &CompareResults) -> Page {
     limits::limits(&mut page, results);
     sections::sources(&mut page, &results.metadata);
     page
+}
+
+/// The answer on one surface under every law: headline, verdicts and the figure behind them.
+pub fn answer(page: &mut Page, results: &CompareResults, found: &SurfaceResults) {
+    let sigma = found.surface.plane.sigma;
+    for (case, findings) in found.first.cases.iter().zip(&found.findings.cases) {
+        let verdicts = &findings.verdicts;
+        if verdicts.differences.is_empty() {
+            continue;
+        }
+        let name = subject(results, found, &case.law);
+        page.paragraph(&format!("**{}.** {}", escape(&name), escape(&verdict::headline(verdicts, sigma))));
+        verdict::stretches(page, verdicts, sigma);
+        page.bullets([
+            verdict::range_line(verdicts),
+            verdict::accepted_line(&verdicts.accepted, sigma),
+            verdict::basis_line(verdicts),
+        ]);
+        page.figure(
+            &format!("{}-differences.svg", stem(found, &case.law)),
+            differences::differences(verdicts),
+            &format!(
+                "{name}: differences between the models at equal load, with their 95 % intervals. Green: accepted; grey: beyond \
+                 the valid range; curves are cut at the edge of the panel."
+            ),
+        );
+    }
+}
+
+/// The answer on one surface, a row for each law.
+pub fn answer_by_law(page: &mut Page, found: &SurfaceResults) {
+    let each = found.first.cases.iter().zip(&found.findings.cases);
+    let all: Vec<(String, &Verdicts)> =
+        each.map(|(case, findings)| (case.law.clone(), &findings.verdicts)).collect();
+    answer_over(page, &found.surface.name, ["law", "laws"], &all, found);
+}
+
+/// The answer over several cases of one surface, called `[case, cases]`.
+fn answer_over(
+    page: &mut Page,
+    name: &str,
+    [case, cases]: [&str; 2],
+    all: &[(String, &Verdicts)],
+    found: &SurfaceResults,
+) {
+    let all: Vec<(String, &Verdicts)> =
+        all.iter().filter(|(_, verdicts)| !verdicts.differences.is_empty()).cloned().collect();
+    let Some((first_name, first)) = all.first() else { return };
+    let verdicts: Vec<&Verdicts> = all.iter().map(|(_, verdicts)| *verdicts).collect();
+    page.paragraph(&format!("**{}.** {}", escape(name), verdict::over_cases(cases, &verdicts)));
+    verdict::by_case(page, case, &all);
+    page.bullets([
+        format!("{}: {}", escape(first_name), verdict::range_line(first)),
+        verdict::accepted_line(&first.accepted, found.surface.plane.sigma),
+        verdict::basis_line(first),
+    ]);
 }

@@ -199,10 +199,10 @@ fn beside(results: &LawsResults, influence: &Influence, measure: Measure, plot: 
     if let (Some(&lowest), Some(&highest)) = (counting.first(), counting.last()) {
         let loads = || influence.loads.iter().map(|at| at.pressure / MEGA);
         if loads().any(|load| load < lowest) {
-            plot = plot.with(Layer::region_x(0.0, lowest, "< 30 contacts"));
+            plot = plot.with(Layer::region_x(0.0, lowest, "not valid"));
         }
         if loads().any(|load| load > highest) {
-            plot = plot.with(Layer::region_x(highest, f64::INFINITY, "asperities interact"));
+            plot = plot.with(Layer::region_x(highest, f64::INFINITY, "not valid"));
         }
     }
     let name = format!("{}, integral", influence.laws[0]);

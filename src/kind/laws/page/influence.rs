@@ -19,8 +19,8 @@ pub fn section(page: &mut Page, results: &LawsResults, found: &SurfaceResults) {
         &format!(
             "The contact law matters more where the coloured lines lie further apart than the black line from zero (or \
              one). All at equal load, relative to the deterministic model under {}. Coloured: deterministic model under \
-             the other laws; black: statistical model under the same law, with its 95 % sampling band for independent \
-             asperities. Shaded: fewer than 30 contacts, and interacting asperities.{}",
+             the other laws; black: statistical model under the same law, with the 95 % interval of the difference. \
+             Shaded: loads beyond the valid range.{}",
             influence.laws[0],
             outside(results, influence)
         ),
@@ -63,7 +63,7 @@ fn load_by_load(page: &mut Page, influence: &Influence, measure: Measure) {
         Measure::Separation => format!(
             "**d/σ at equal load**: range over the laws (largest minus smallest) in each model, for all laws and for the \
              elastic-plastic laws; integral minus sum under {first} and under the elastic-plastic law where it is largest; \
-             standard error of the sum under {first}. Last column: range of the elastic-plastic laws in the sum over the \
+             standard error of that difference under {first}. Last column: range of the elastic-plastic laws in the sum over the \
              difference between the models under {first}. Loads with a remark are outside the range of validity."
         ),
         Measure::Area => "**Real area at equal load**, the same as ratios: largest over smallest; integral over sum; \
@@ -79,7 +79,7 @@ fn load_by_load(page: &mut Page, influence: &Influence, measure: Measure) {
         "elastic-plastic, sum",
         "model difference, reference law",
         "model difference, largest",
-        "s.e. of the sum",
+        "s.e. of the difference",
         "law / summation",
     ];
     let rows = of_each_decade(&influence.loads, |at| at.pressure, 1.0);
@@ -112,13 +112,10 @@ fn load_row(at: &AtLoad, measure: Measure) -> Vec<String> {
 }
 
 /// Why a load is outside the range of validity, as in the figure.
-fn remark(at: &AtLoad) -> &'static str {
-    if at.counts {
-        ""
-    } else if at.has_few_contacts() {
-        " (< 30 contacts)"
-    } else {
-        " (asperities interact)"
+fn remark(at: &AtLoad) -> String {
+    match at.exceeded.limits().next() {
+        None => String::new(),
+        Some(limit) => format!(" ({})", limit.name().replace('-', " ")),
     }
 }
 
@@ -130,7 +127,7 @@ fn law_by_law(page: &mut Page, results: &LawsResults, influence: &Influence, mea
     };
     page.paragraph(&format!(
         "**Law by law, {what}**: largest deviation from {} in each model, and largest difference between the models under \
-         the law itself, at loads with at least 30 contacts and a contact area of at most 5 %.",
+         the law itself, at the loads that are valid under every law.",
         escape(&influence.laws[0])
     ));
     let shown = |weight: Option<Effect>| {

@@ -19,7 +19,6 @@ use asperity_framework::report::sections;
 pub fn page(results: &LawsResults) -> Page {
     let compared = &results.compare;
     let mut page = Page::new(&compared.metadata.title);
-    sections::notes(&mut page, &compared.metadata);
     for warning in compared.warnings() {
         page.warning(&escape(&warning));
     }
@@ -29,10 +28,11 @@ pub fn page(results: &LawsResults) -> Page {
         page.bullets(verdict);
     }
     for found in &compared.surfaces {
+        compare::answer_by_law(&mut page, found);
         page.bullets(summary::summary_lines(results, &found.surface.name));
     }
     page.bullets(single_asperity_lines(results));
-    page.paragraph(compare::CONDITION);
+    sections::notes(&mut page, &compared.metadata);
     sections::what_was_run(&mut page, &compared.metadata, &compared.contact);
     laws(&mut page, results);
     one_asperity(&mut page, results);

@@ -51,8 +51,7 @@ pub fn summary_lines(results: &LawsResults, surface: &str) -> Vec<String> {
     let Some(found) = results.of_first(surface) else { return Vec::new() };
     if found.attributions.is_empty() {
         return vec![format!(
-            "**{}**: no load has at least 30 contacts and a contact area of at most 5 %, so no conclusion \
-        is drawn.",
+            "**{}**: no load is within the valid range under every law, so no conclusion is drawn.",
             escape(surface)
         )];
     }
@@ -118,13 +117,8 @@ fn chance(attribution: &Attribution) -> String {
     let Some((error, errors)) = attribution.sampling.zip(attribution.standard_errors()) else {
         return String::new();
     };
-    let bound = match attribution.measure {
-        Measure::Separation => "is",
-        Measure::Area => "is at most",
-    };
-    let verdict = if attribution.is_significant() { "" } else { ", which is within sampling uncertainty" };
     format!(
-        "The sampling error of the sum {bound} {} on average: the models differ by {} times that{verdict}.",
+        "The standard error of the difference between the models is {} on average: they differ by {} times that.",
         size(attribution.measure, error.mean),
         number(errors),
     )

@@ -78,6 +78,7 @@ impl Quantities {
                 pressure: pressure_error * pressure,
                 area_ratio: area_error * area_ratio,
             }),
+            sharing: None,
         })
     }
 }

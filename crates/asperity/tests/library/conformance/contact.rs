@@ -122,7 +122,7 @@ fn many_answer_as_one_does() {
             let mut found = Accumulator::default();
             contact.accumulate(touching, separation, &mut found);
             let mut single = Accumulator::default();
-            touching.each().for_each(|(z, shape)| single.add(&contact.contact(z - separation, shape)));
+            touching.each().for_each(|(z, shape)| single.add(&contact.contact(z - separation, shape), shape));
             see(found.total(), single.total(), &|| format!("{} of {case:?}", entry.label));
         }
         let indentations: Vec<f64> = (0..29).map(|_| scale * random.log(1e-4, 1e4)).collect();

@@ -3,14 +3,16 @@
 mod answers;
 mod figures;
 
+use super::answer_over;
 use super::names::{stem, subject, under};
-use super::summary::{CONDITION, trust};
 use crate::kind::compare::answers::{CaseResults, Threshold};
 use crate::kind::compare::findings::{AtThickness, GapRange, LawFindings, LayerFindings, PlasticRange};
 use crate::kind::compare::results::{CompareResults, SurfaceResults};
 use asperity::compare::GOOD_RATIO;
 use asperity_framework::contact::LayerMetadata;
-use asperity_framework::report::format::{input_quantity, listed, number, percent, quantity, ratio};
+use asperity_framework::report::format::{
+    input_quantity, listed, number, percent, quantity, ratio, thickness,
+};
 use asperity_framework::report::page::{Page, escape};
 
 /// One surface under one law: a case for each thickness.
@@ -20,6 +22,7 @@ pub struct Series<'a> {
     findings: &'a LayerFindings,
     subject: String,
     stem: String,
+    law: &'a str,
     cases: Vec<&'a CaseResults>,
     thresholds: Vec<&'a Threshold>,
     modulus: f64,
@@ -71,6 +74,7 @@ impl<'a> Series<'a> {
             findings: law.layer.as_ref()?,
             subject: subject(results, found, &law.law),
             stem: stem(found, &law.law),
+            law: &law.law,
             cases: found.first.cases.iter().filter(|case| case.law == law.law).collect(),
             thresholds: found.thresholds.iter().filter(|threshold| threshold.law == law.law).collect(),
             modulus: results.contact.reduced_modulus,
@@ -91,7 +95,7 @@ impl<'a> Series<'a> {
         let mut lines = Vec::new();
         lines.extend(self.threshold_line());
         lines.extend(self.findings.plastic.as_ref().map(|found| self.plastic_line(found)));
-        lines.extend(self.findings.gap.iter().flat_map(|found| self.gap_lines(found)));
+        lines.extend(self.findings.gap.as_ref().map(|found| self.gap_line(found)));
         lines
     }
 
@@ -127,9 +131,8 @@ impl<'a> Series<'a> {
         )
     }
 
-    fn gap_lines(&self, found: &GapRange) -> [String; 2] {
-        let subject = escape(&self.subject);
-        let GapRange { largest, smallest, recommendation } = found;
+    fn gap_line(&self, found: &GapRange) -> String {
+        let GapRange { largest, smallest } = found;
         let least = if largest.value > smallest.value {
             format!(
                 " and by up to {} σ {} (smallest difference)",
@@ -139,15 +142,21 @@ impl<'a> Series<'a> {
         } else {
             String::new()
         };
-        [
-            format!(
-                "**{subject}**: at equal load the separations of the two models differ by up to {} σ {} (largest \
-                 difference){least}. {CONDITION}",
-                number(largest.value),
-                under(self.layer, largest.thickness),
-            ),
-            trust(&subject, recommendation),
-        ]
+        format!(
+            "**{}**: at equal load the separations of the two models differ by up to {} σ {} (largest difference){least}, \
+             over the valid loads.",
+            escape(&self.subject),
+            number(largest.value),
+            under(self.layer, largest.thickness),
+        )
+    }
+
+    /// The answer by thickness: headline and verdicts.
+    pub fn answer(&self, page: &mut Page) {
+        let each = self.found.first.cases.iter().zip(&self.found.findings.cases);
+        let own = each.filter(|(case, _)| case.law == self.law);
+        let all = own.filter_map(|(case, findings)| Some((thickness(case.thickness?), &findings.verdicts)));
+        answer_over(page, &self.subject, ["layer", "thicknesses"], &all.collect::<Vec<_>>(), self.found);
     }
 
     /// Cases with a layer of finite thickness.

@@ -4,7 +4,8 @@ use super::{figures, file, time, two_digits};
 use crate::kind::precision::run::{CasePrecision, PrecisionResults};
 use crate::precision::grid::{Doubling, GridFindings, GridPoint};
 use crate::precision::sampling::{SamplingFindings, separation, stated};
-use asperity::compare::{MIN_CONTACTS, Quantity};
+use asperity::MIN_CONTACTS;
+use asperity::compare::Quantity;
 use asperity_framework::report::format::{count, input_number, number, percent};
 use asperity_framework::report::page::{Page, escape};
 

@@ -1,0 +1,173 @@
+//! The largest difference between the models that the user accepts.
+
+use std::fmt;
+
+use serde::Deserialize;
+use serde::de::{Deserializer, Error, Visitor};
+
+use asperity::compare::Accepted;
+
+use super::quantity::{Length, Quantity};
+
+/// `accept = { area = "10 %", separation = 0.1, stiffness = "20 %" }`; each key may be left out.
+#[derive(Debug, Clone, Copy, Default, Deserialize)]
+#[serde(
+    deny_unknown_fields,
+    rename_all = "kebab-case",
+    expecting = "a table such as { area = \"10 %\", separation = 0.1, stiffness = \"20 %\" }"
+)]
+pub struct AcceptSpec {
+    /// Of the real area, relative.
+    #[serde(default)]
+    area: Option<RelativeDifference>,
+    /// Of the separation.
+    #[serde(default)]
+    separation: Option<AcceptedSeparation>,
+    /// Of the stiffness, relative.
+    #[serde(default)]
+    stiffness: Option<RelativeDifference>,
+}
+
+/// An accepted difference in separation.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum AcceptedSeparation {
+    /// In standard deviations of the asperity heights.
+    Sigma(f64),
+    /// In m.
+    Length(f64),
+}
+
+impl AcceptSpec {
+    /// Where the spec says nothing: 10 % in area, 0.1 sigma, 20 % in stiffness.
+    pub const DEFAULT: Accepted = Accepted { separation: 0.1, area: 0.1, stiffness: 0.2 };
+
+    /// The accepted separation.
+    pub fn separation(&self) -> AcceptedSeparation {
+        self.separation.unwrap_or(AcceptedSeparation::Sigma(Self::DEFAULT.separation))
+    }
+
+    /// On a surface whose separations are measured in `sigma` (m).
+    pub fn on(&self, sigma: f64) -> Accepted {
+        let relative =
+            |given: Option<RelativeDifference>, otherwise| given.map_or(otherwise, |given| given.0);
+        Accepted {
+            separation: match self.separation() {
+                AcceptedSeparation::Sigma(accepted) => accepted,
+                AcceptedSeparation::Length(accepted) => accepted / sigma,
+            },
+            area: relative(self.area, Self::DEFAULT.area),
+            stiffness: relative(self.stiffness, Self::DEFAULT.stiffness),
+        }
+    }
+}
+
+/// A positive part of the deterministic result: a number, or percent as text.
+#[derive(Debug, Clone, Copy)]
+struct RelativeDifference(f64);
+
+impl RelativeDifference {
+    const ALLOWED: &'static str = "a positive share such as \"10 %\" or 0.1";
+
+    fn new<E: Error>(share: f64, found: &dyn fmt::Display) -> Result<Self, E> {
+        positive(share, found, Self::ALLOWED).map(Self)
+    }
+}
+
+fn positive<E: Error>(value: f64, found: &dyn fmt::Display, allowed: &str) -> Result<f64, E> {
+    if value > 0.0 && value.is_finite() {
+        Ok(value)
+    } else {
+        Err(E::custom(format!("found {found}; allowed: {allowed}")))
+    }
+}
+
+impl<'de> Deserialize<'de> for RelativeDifference {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        struct ShareOrPercent;
+
+        impl Visitor<'_> for ShareOrPercent {
+            type Value = RelativeDifference;
+
+            fn expecting(&self, f: &mut fmt::Formatter) -> fmt::Result {
+                f.write_str(RelativeDifference::ALLOWED)
+            }
+
+            fn visit_f64<E: Error>(self, share: f64) -> Result<RelativeDifference, E> {
+                RelativeDifference::new(share, &share)
+            }
+
+            fn visit_i64<E: Error>(self, share: i64) -> Result<RelativeDifference, E> {
+                self.visit_f64(share as f64)
+            }
+
+            fn visit_str<E: Error>(self, text: &str) -> Result<RelativeDifference, E> {
+                let percent =
+                    text.trim().strip_suffix('%').and_then(|number| number.trim().parse::<f64>().ok());
+                let share = percent.map_or(f64::NAN, |percent| percent / 100.0);
+                RelativeDifference::new(share, &format!("\"{text}\""))
+            }
+        }
+        deserializer.deserialize_any(ShareOrPercent)
+    }
+}
+
+impl<'de> Deserialize<'de> for AcceptedSeparation {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        const ALLOWED: &str = "a positive number (in sigma), or a length such as \"20 nm\"";
+
+        struct SigmaOrLength;
+
+        impl Visitor<'_> for SigmaOrLength {
+            type Value = AcceptedSeparation;
+
+            fn expecting(&self, f: &mut fmt::Formatter) -> fmt::Result {
+                f.write_str(ALLOWED)
+            }
+
+            fn visit_f64<E: Error>(self, sigma: f64) -> Result<AcceptedSeparation, E> {
+                positive(sigma, &sigma, ALLOWED).map(AcceptedSeparation::Sigma)
+            }
+
+            fn visit_i64<E: Error>(self, sigma: i64) -> Result<AcceptedSeparation, E> {
+                self.visit_f64(sigma as f64)
+            }
+
+            fn visit_str<E: Error>(self, text: &str) -> Result<AcceptedSeparation, E> {
+                let length = Quantity::<Length>::parse(text).map_or(f64::NAN, |length| length.value());
+                positive(length, &format!("\"{text}\""), ALLOWED).map(AcceptedSeparation::Length)
+            }
+        }
+        deserializer.deserialize_any(SigmaOrLength)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn read(text: &str) -> Result<AcceptSpec, String> {
+        toml::from_str(text).map_err(|error| error.message().to_owned())
+    }
+
+    #[test]
+    fn what_is_left_out_has_its_default() {
+        assert_eq!(read("").unwrap().on(1e-8), AcceptSpec::DEFAULT);
+        let given = read("area = \"5 %\"\nseparation = \"2 nm\"").unwrap().on(1e-8);
+        assert_eq!(given, Accepted { separation: 0.2, area: 0.05, stiffness: 0.2 });
+        assert_eq!(read("separation = 1").unwrap().on(1e-8).separation, 1.0);
+    }
+
+    #[test]
+    fn what_is_refused_says_what_is_allowed() {
+        for (text, found) in [
+            ("separation = 0", "found 0"),
+            ("separation = \"2 GPa\"", "found \"2 GPa\""),
+            ("area = -1", "found -1"),
+            ("area = \"2 Pa\"", "found \"2 Pa\""),
+        ] {
+            let error = read(text).unwrap_err();
+            assert!(error.starts_with(found) && error.contains("allowed:"), "{error}");
+        }
+        assert!(read("radius = 1").is_err());
+    }
+}

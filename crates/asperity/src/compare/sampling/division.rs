@@ -1,0 +1,93 @@
+//! Groups of asperities that are left out in turn.
+
+use rand::SeedableRng;
+use rand::seq::SliceRandom;
+use rand_chacha::ChaCha8Rng;
+
+use crate::asperity::AsperitySet;
+use crate::numeric::parallel;
+use crate::topography::{Blocks, MIN_BLOCKS};
+
+/// Number of groups of independent draws; as many as blocks of a map, at least.
+pub const GROUPS: usize = MIN_BLOCKS;
+
+/// A division of a set of asperities and of its nominal area into groups.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Division {
+    /// The group of each asperity.
+    group: Vec<u16>,
+    /// The share of each group in the nominal area.
+    shares: Vec<f64>,
+}
+
+impl Division {
+    /// Blocks of a map; `positions` are the points of its asperities, `shares` those of the blocks in its nominal area.
+    pub fn of_blocks(blocks: &Blocks, positions: &[usize], shares: Vec<f64>) -> Self {
+        debug_assert_eq!(shares.len(), blocks.count());
+        Self { group: positions.iter().map(|&at| blocks.of_point(at) as u16).collect(), shares }
+    }
+
+    /// Random groups of `count` independent asperities, of equal number within one; `None` for fewer than two in each.
+    pub fn independent(count: usize, seed: [u8; 32]) -> Option<Self> {
+        let mut group: Vec<u16> = (0..count).map(|index| (index % GROUPS) as u16).collect();
+        group.shuffle(&mut ChaCha8Rng::from_seed(seed));
+        let share = |k: usize| (count + GROUPS - 1 - k) / GROUPS;
+        let shares = (0..GROUPS).map(|k| share(k) as f64 / count as f64).collect();
+        (count >= 2 * GROUPS).then_some(Self { group, shares })
+    }
+
+    /// The share of each group in the nominal area.
+    pub fn shares(&self) -> &[f64] {
+        &self.shares
+    }
+
+    /// The result of `task` for each group, in their order; tasks run in parallel.
+    pub fn for_each_group<T: Send + Sync>(&self, task: impl Fn(usize) -> T + Sync) -> Vec<T> {
+        parallel::map(self.shares.len(), task)
+    }
+
+    /// `set` without a group and its area; `None` where nothing is left.
+    pub fn without(&self, set: &AsperitySet, group: usize) -> Option<AsperitySet> {
+        let is_kept = |index: usize| usize::from(self.group[index]) != group;
+        set.filtered(is_kept, set.nominal_area() * (1.0 - self.shares[group]))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn set(count: usize) -> AsperitySet {
+        let heights = (0..count).map(|k| k as f64).collect();
+        AsperitySet::new(heights, vec![1.0; count], 2.0).unwrap()
+    }
+
+    #[test]
+    fn each_asperity_is_left_out_once() {
+        let (count, set) = (100, set(100));
+        let division = Division::independent(count, [1; 32]).unwrap();
+        assert!((division.shares().iter().sum::<f64>() - 1.0).abs() < 1e-15);
+        let mut kept = vec![0; count];
+        for (group, share) in division.shares().iter().enumerate() {
+            let rest = division.without(&set, group).unwrap();
+            rest.heights().iter().for_each(|&z| kept[z as usize] += 1);
+            assert_eq!(rest.count(), count - (share * 100.0).round() as usize);
+            assert!((rest.nominal_area() - 2.0 * (1.0 - share)).abs() < 1e-15);
+        }
+        assert_eq!(kept, [GROUPS - 1; 100]);
+        assert_ne!(division, Division::independent(count, [2; 32]).unwrap());
+        assert_eq!(Division::independent(31, [1; 32]), None);
+    }
+
+    #[test]
+    fn blocks_hold_the_asperities_on_their_points() {
+        let blocks = Blocks { points: [4, 6], counts: [2, 3] };
+        let positions = [0, 7, 5, 23, 15];
+        let division = Division::of_blocks(&blocks, &positions, vec![1.0 / 6.0; 6]);
+        assert_eq!(division.group, [0, 0, 2, 5, 4]);
+        let rest = division.without(&set(5), 0).unwrap();
+        assert_eq!(rest.heights(), [2.0, 3.0, 4.0]);
+        let all = Division { group: vec![0; 5], shares: vec![1.0] };
+        assert_eq!(all.without(&set(5), 0), None);
+    }
+}

@@ -1,0 +1,168 @@
+//! Verdicts: whether the difference between both models is within what the user accepts, by quantity and stretch of load.
+
+use super::difference::{Difference, Estimate, Judged};
+
+/// The largest difference that is accepted, by quantity: in sigma, else relative to the deterministic result.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Accepted {
+    /// Of d/sigma.
+    pub separation: f64,
+    /// Of the real area.
+    pub area: f64,
+    /// Of the stiffness.
+    pub stiffness: f64,
+}
+
+impl Accepted {
+    /// That of one quantity.
+    pub fn of(&self, judged: Judged) -> f64 {
+        match judged {
+            Judged::Separation => self.separation,
+            Judged::Area => self.area,
+            Judged::Stiffness => self.stiffness,
+        }
+    }
+
+    /// The accepted band of the contrast of a quantity; a relative difference of -100 % or less is none.
+    pub fn band(&self, judged: Judged) -> [f64; 2] {
+        let accepted = self.of(judged);
+        let low = if judged != Judged::Separation && accepted >= 1.0 {
+            f64::NEG_INFINITY
+        } else {
+            judged.contrast_of(-accepted)
+        };
+        [low, judged.contrast_of(accepted)]
+    }
+}
+
+/// The answer for one quantity at one load, or over a stretch of loads.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum Verdict {
+    /// The 95 % interval of the difference is inside the accepted band.
+    Within,
+    /// It is outside.
+    Beyond,
+    /// It is across the edge of the band, or there is none.
+    CannotTell,
+}
+
+impl Verdict {
+    /// The name in tables.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Within => "within",
+            Self::Beyond => "beyond",
+            Self::CannotTell => "cannot-tell",
+        }
+    }
+
+    /// Of an estimate against the band `[low, high]` of contrasts.
+    pub fn of(estimate: &Estimate, [low, high]: [f64; 2]) -> Self {
+        match estimate.interval() {
+            Some([from, to]) if low <= from && to <= high => Self::Within,
+            Some([from, to]) if to < low || high < from => Self::Beyond,
+            _ => Self::CannotTell,
+        }
+    }
+}
+
+/// Neighbouring valid loads with one verdict on one quantity.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Stretch {
+    /// The quantity.
+    pub judged: Judged,
+    /// The verdict.
+    pub verdict: Verdict,
+    /// First and last load, Pa.
+    pub loads: [f64; 2],
+    /// What is accepted, as in [`Accepted`].
+    pub accepted: f64,
+    /// The load (Pa) of the largest difference, and its contrast; `None` where no load is valid.
+    pub largest: Option<(f64, Estimate)>,
+    /// The smallest and the largest contrast.
+    pub range: Option<[f64; 2]>,
+    /// The outermost ends of the intervals, where all loads have one.
+    pub bounds: Option<[f64; 2]>,
+    /// By how much the area of the surface, or the number of its realisations, must grow for the interval at the largest
+    /// difference to leave the edge of the band, where it cannot be told; `None` where no growth suffices, or an area is
+    /// needed for an interval first.
+    pub growth: Option<f64>,
+    /// The area (m^2) needed for an interval, where some load of the stretch has none.
+    pub area_needed: Option<f64>,
+}
+
+impl Stretch {
+    /// The verdicts on every quantity over the valid ones of the `differences` (any order); one that cannot be told over
+    /// all loads where none is valid. A quantity that cannot be compared at a load breaks its stretch.
+    pub fn all(differences: &[Difference], accepted: &Accepted) -> Vec<Self> {
+        let mut sorted: Vec<&Difference> = differences.iter().collect();
+        sorted.sort_by(|a, b| a.load.total_cmp(&b.load));
+        let judge = |judged| Self::of(judged, &sorted, accepted);
+        Judged::ALL.into_iter().flat_map(judge).collect()
+    }
+
+    fn of(judged: Judged, sorted: &[&Difference], accepted: &Accepted) -> Vec<Self> {
+        let band = accepted.band(judged);
+        let verdict = |at: &&Difference| {
+            let estimate = at.estimates[judged as usize].as_ref().filter(|_| at.exceeded().is_none());
+            estimate.map(|estimate| Verdict::of(estimate, band))
+        };
+        let is_compared = sorted.iter().any(|at| at.estimates[judged as usize].is_some());
+        let stretches = sorted.chunk_by(|a, b| verdict(a) == verdict(b));
+        let found: Vec<Self> = stretches
+            .filter_map(|stretch| Some(Self::over(judged, verdict(&stretch[0])?, stretch, accepted)))
+            .collect();
+        match sorted {
+            [first, .., last] | [first @ last] if found.is_empty() && is_compared => {
+                let needed = sorted.iter().filter_map(|at| at.area_needed).fold(f64::INFINITY, f64::min);
+                vec![Self {
+                    judged,
+                    verdict: Verdict::CannotTell,
+                    loads: [first.load, last.load],
+                    accepted: accepted.of(judged),
+                    largest: None,
+                    range: None,
+                    bounds: None,
+                    growth: None,
+                    area_needed: Some(needed).filter(|area| area.is_finite()),
+                }]
+            }
+            _ => found,
+        }
+    }
+
+    /// Of a stretch of valid loads with one verdict.
+    fn over(judged: Judged, verdict: Verdict, stretch: &[&Difference], accepted: &Accepted) -> Self {
+        let each = || stretch.iter().filter_map(|at| Some((at.load, at.estimates[judged as usize]?)));
+        let largest = each().max_by(|a, b| a.1.contrast.abs().total_cmp(&b.1.contrast.abs()));
+        let hull = |of: &dyn Fn(&Estimate) -> Option<[f64; 2]>| {
+            let ends: Option<Vec<[f64; 2]>> = each().map(|(_, estimate)| of(&estimate)).collect();
+            ends?.into_iter().reduce(|[a, b], [c, d]| [a.min(c), b.max(d)])
+        };
+        let is_open = verdict == Verdict::CannotTell;
+        let needed = stretch.iter().filter_map(|at| at.area_needed).reduce(f64::max);
+        Self {
+            judged,
+            verdict,
+            loads: [stretch[0].load, stretch[stretch.len() - 1].load],
+            accepted: accepted.of(judged),
+            largest,
+            range: hull(&|estimate| Some([estimate.contrast; 2])),
+            bounds: hull(&Estimate::interval),
+            growth: largest
+                .filter(|_| is_open)
+                .and_then(|(_, estimate)| growth(&estimate, accepted.band(judged))),
+            area_needed: needed.filter(|area| is_open && area.is_finite()),
+        }
+    }
+}
+
+/// The factor of area at which the half-width, which goes with its inverse root, no longer reaches the edge of the band.
+fn growth(estimate: &Estimate, [low, high]: [f64; 2]) -> Option<f64> {
+    /// More is no practical advice.
+    const LARGEST: f64 = 1e6;
+    let half = estimate.half_width()?;
+    let distance = (estimate.contrast - low).abs().min((estimate.contrast - high).abs());
+    let growth = (half / distance).powi(2);
+    (growth < LARGEST).then_some(growth.max(1.0))
+}

@@ -1,0 +1,114 @@
+//! Verdicts on one surface under one law and thickness.
+
+use asperity::compare::{Accepted, Difference, Stretch, ValidRange};
+
+use crate::kind::compare::answers::RealisationResults;
+use crate::surface::{Independence, Surface};
+
+/// Whether the statistical model may be used instead of the sum, at which loads.
+#[derive(Debug)]
+pub struct Verdicts {
+    /// The differences between the models at equal load, by growing load; over several realisations their mean.
+    pub differences: Vec<Difference>,
+    /// What is accepted.
+    pub accepted: Accepted,
+    /// The loads at which the models are valid.
+    pub valid: ValidRange,
+    /// The verdicts: quantity by quantity, by growing load.
+    pub stretches: Vec<Stretch>,
+    /// What the intervals rest on.
+    pub basis: Basis,
+    /// Standard error of the separation's difference over that of independent asperities: the median over the valid
+    /// loads.
+    pub over_independent: Option<f64>,
+    /// Nominal area of one realisation, m^2.
+    pub area: f64,
+}
+
+/// What 95 % intervals rest on.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Basis {
+    /// Blocks of a map, each left out in turn.
+    Blocks {
+        /// Number of blocks.
+        count: usize,
+        /// Sides of a block, m.
+        sides: [f64; 2],
+        /// Sides of a block in correlation lengths of the heights.
+        lengths: [f64; 2],
+    },
+    /// A map too small for blocks: no interval.
+    TooSmall {
+        /// Correlation lengths of the heights along x and y, m; infinite where the correlation does not decay.
+        correlation: [f64; 2],
+    },
+    /// Independent asperities, in groups of which each is left out in turn.
+    Asperities,
+    /// The scatter of realisations.
+    Realisations(usize),
+}
+
+impl Basis {
+    fn of(surface: &Surface, realisations: usize) -> Self {
+        if realisations > 1 {
+            return Self::Realisations(realisations);
+        }
+        match &surface.independence {
+            Independence::Blocks(blocks) => Self::Blocks {
+                count: blocks.counts[0] * blocks.counts[1],
+                sides: blocks.sides,
+                lengths: [0, 1].map(|axis| blocks.sides[axis] / blocks.correlation.lengths[axis]),
+            },
+            Independence::TooSmall(error) => Self::TooSmall { correlation: error.correlation.lengths },
+            Independence::Asperities | Independence::Realisations => Self::Asperities,
+        }
+    }
+}
+
+impl Verdicts {
+    /// Of case `index` of all realisations; `surface` is the first.
+    pub fn of(
+        surface: &Surface,
+        realisations: &[&RealisationResults],
+        index: usize,
+        accepted: Accepted,
+    ) -> Self {
+        let of_each: Vec<Vec<Difference>> =
+            realisations.iter().map(|answered| answered.cases[index].differences.clone()).collect();
+        let mut differences =
+            if let [only] = &of_each[..] { only.clone() } else { Difference::over(&of_each) };
+        differences.sort_by(|a, b| a.load.total_cmp(&b.load));
+        Self {
+            accepted,
+            valid: ValidRange::of(&differences),
+            stretches: Stretch::all(&differences, &accepted),
+            basis: Basis::of(surface, realisations.len()),
+            over_independent: over_independent(&differences),
+            area: surface.set.nominal_area(),
+            differences,
+        }
+    }
+}
+
+impl Verdicts {
+    /// The area (m^2) of surface at which a stretch that cannot be told would be, where that can be said.
+    pub fn area_needed(&self, stretch: &Stretch) -> Option<f64> {
+        let now = match self.basis {
+            Basis::Realisations(count) => self.area * count as f64,
+            _ => self.area,
+        };
+        stretch.area_needed.or_else(|| stretch.growth.map(|growth| growth * now))
+    }
+}
+
+/// The median ratio of the standard error of the separation's difference to that of independent asperities.
+fn over_independent(differences: &[Difference]) -> Option<f64> {
+    let ratio = |at: &Difference| {
+        let estimate = at.estimates[0].filter(|_| at.exceeded().is_none())?;
+        Some(estimate.error? / estimate.independent_error?)
+    };
+    let mut ratios: Vec<f64> =
+        differences.iter().filter_map(ratio).filter(|ratio| ratio.is_finite()).collect();
+    ratios.sort_by(f64::total_cmp);
+    ratios.get(ratios.len() / 2).copied()
+}

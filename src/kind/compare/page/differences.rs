@@ -1,0 +1,79 @@
+//! The figure behind the verdicts: the differences between the models against load, with what is accepted.
+
+use asperity::compare::{Difference, Judged, ValidRange};
+use asperity_plot::{Axis, Colour, Dash, Figure, Layer, Plot};
+
+use crate::kind::compare::findings::Verdicts;
+
+/// Differences of area, separation and stiffness at equal load, one panel each.
+pub fn differences(verdicts: &Verdicts) -> String {
+    let panels = [
+        (Judged::Area, "area (%)", 100.0),
+        (Judged::Separation, "separation (σ)", 1.0),
+        (Judged::Stiffness, "stiffness (%)", 100.0),
+    ];
+    let is_compared =
+        |judged: Judged| verdicts.differences.iter().any(|at| at.estimates[judged as usize].is_some());
+    let panels = panels.into_iter().filter(|(judged, ..)| is_compared(*judged));
+    let plots = panels.map(|(judged, label, unit)| panel(verdicts, judged, label, unit)).collect();
+    Figure::column("Statistical minus deterministic model at equal load", plots).svg()
+}
+
+fn panel(verdicts: &Verdicts, judged: Judged, label: &str, unit: f64) -> Plot {
+    let shown = |contrast: f64| unit * judged.reported(contrast);
+    let estimate = |at: &Difference| at.estimates[judged as usize];
+    let accepted = unit * verdicts.accepted.of(judged);
+    let loads = verdicts.differences.iter().map(|at| megapascals(at.load));
+    let axis = Axis::log("nominal pressure (MPa)")
+        .range(loads.clone().fold(f64::INFINITY, f64::min) / MARGIN, loads.fold(0.0, f64::max) * MARGIN);
+    let points = verdicts.differences.iter().filter_map(|at| Some((at, estimate(at)?)));
+    let line: Vec<(f64, f64)> =
+        points.clone().map(|(at, found)| (megapascals(at.load), shown(found.contrast))).collect();
+    let band: Vec<(f64, f64, f64)> = points
+        .clone()
+        .filter_map(|(at, found)| {
+            let [low, high] = found.interval()?;
+            Some((megapascals(at.load), shown(low), shown(high)))
+        })
+        .collect();
+    let in_view = points.filter(|(at, _)| at.exceeded().is_none());
+    let ends = in_view.flat_map(|(_, found)| found.interval().unwrap_or([found.contrast; 2])).map(shown);
+    let [low, high] =
+        ends.fold([-VIEW * accepted, VIEW * accepted], |[low, high], end| [low.min(end), high.max(end)]);
+    let room = 0.05 * (high - low);
+    let mut plot = Plot::new("", axis, Axis::linear(label).range(low - room, high + room))
+        .height(210.0)
+        .with(Layer::region_y(-accepted, accepted, "accepted").coloured(Colour::Series(2)));
+    for region in invalid(&verdicts.valid, 1e-6) {
+        plot = plot.with(region);
+    }
+    plot.with(Layer::at_y(0.0, ""))
+        .with(Layer::band(band).coloured(Colour::Statistical).named("95 % interval"))
+        .with(
+            Layer::line(line)
+                .coloured(Colour::Statistical)
+                .dashed(Dash::Solid)
+                .named("statistical − deterministic"),
+        )
+}
+
+/// Margin of the load axis at both ends, as a ratio.
+const MARGIN: f64 = 1.3;
+
+/// How much of the axis is shown at least, in accepted differences.
+const VIEW: f64 = 1.5;
+
+fn megapascals(pressure: f64) -> f64 {
+    1e-6 * pressure
+}
+
+/// The loads beyond the valid range as shaded regions of an axis that shows the pressure (Pa) times `scale`.
+pub fn invalid(valid: &ValidRange, scale: f64) -> Vec<Layer> {
+    const LABEL: &str = "not valid";
+    let mut ends = vec![0.0];
+    ends.extend(valid.stretches.iter().flatten().map(|load| load * scale));
+    ends.push(f64::INFINITY);
+    let gaps = ends.chunks_exact(2).enumerate();
+    let label = |index: usize| if index == 0 { LABEL } else { "" };
+    gaps.map(|(index, gap)| Layer::region_x(gap[0], gap[1], label(index))).collect()
+}

@@ -1,0 +1,262 @@
+//! The answer in one sentence.
+
+use asperity::compare::{Judged, Stretch, Verdict};
+use asperity_framework::report::format::{listed, percent};
+
+use super::range::exceeded_words;
+use super::words::{accepted, loads, name, need, size, span};
+use crate::kind::compare::findings::Verdicts;
+
+/// The order in which quantities are spoken of.
+const ORDER: [Judged; 3] = [Judged::Area, Judged::Separation, Judged::Stiffness];
+
+/// The answer on one surface, with separations in units of `sigma` (m): of each quantity its widest stretch of load.
+pub fn headline(verdicts: &Verdicts, sigma: f64) -> String {
+    if verdicts.differences.is_empty() {
+        return "The models were not compared at equal load.".to_owned();
+    }
+    if verdicts.valid.stretches.is_empty() {
+        return format!(
+            "Whether the statistical model agrees with the sum cannot be told at any load of this experiment: {}.{}",
+            exceeded_words(verdicts.valid.below),
+            verdicts
+                .stretches
+                .first()
+                .and_then(|stretch| need(stretch, verdicts))
+                .map_or_else(String::new, |need| format!(" It would take {need}."))
+        );
+    }
+    let of = |judged: Judged| verdicts.stretches.iter().filter(move |stretch| stretch.judged == judged);
+    let widest = |judged: Judged| of(judged).max_by(|a, b| decades(a).total_cmp(&decades(b)));
+    let main: Vec<&Stretch> = ORDER.into_iter().filter_map(widest).collect();
+    let common =
+        main.first().map(|first| first.loads).filter(|loads| main.iter().all(|one| one.loads == *loads));
+    let place = |stretch: &Stretch| {
+        if common.is_some() { String::new() } else { format!(" from {}", loads(stretch.loads)) }
+    };
+    let mut clauses = Vec::new();
+    clauses.extend(within(&by(&main, Verdict::Within), &place, sigma));
+    clauses.extend(beyond(&by(&main, Verdict::Beyond), &place, sigma));
+    let mut sentence = String::new();
+    if !clauses.is_empty() {
+        let range = common.map_or_else(String::new, |range| format!("Between {} the", between(range)));
+        let start = if range.is_empty() { "The".to_owned() } else { range };
+        sentence = format!("{start} statistical model {}.", clauses.join(", but "));
+    }
+    let open = by(&main, Verdict::CannotTell);
+    if !open.is_empty() {
+        let names: Vec<String> =
+            open.iter().map(|stretch| format!("{}{}", name(stretch.judged), place(stretch))).collect();
+        let range = common
+            .filter(|_| sentence.is_empty())
+            .map_or_else(String::new, |range| format!(" between {}", between(range)));
+        let needs = open.iter().filter_map(|stretch| need(stretch, verdicts)).next();
+        let needs = needs.map_or_else(String::new, |need| format!(": it would take {need}"));
+        let joined = if sentence.is_empty() { "" } else { " " };
+        sentence.push_str(&format!(
+            "{joined}Whether it agrees in {}{range} cannot be told{needs}.",
+            listed(&names)
+        ));
+        if joined.is_empty() {
+            sentence = sentence.replacen(
+                "Whether it agrees",
+                "Whether the statistical model agrees with the sum",
+                1,
+            );
+        }
+    }
+    if main.iter().any(|widest| of(widest.judged).count() > 1) {
+        sentence.push_str(" At other loads the verdict differs: see the table.");
+    }
+    sentence
+}
+
+fn by<'a>(main: &[&'a Stretch], verdict: Verdict) -> Vec<&'a Stretch> {
+    main.iter().copied().filter(|stretch| stretch.verdict == verdict).collect()
+}
+
+/// The width of a stretch on a logarithmic scale.
+fn decades(stretch: &Stretch) -> f64 {
+    (stretch.loads[1] / stretch.loads[0]).log10()
+}
+
+fn between(range: [f64; 2]) -> String {
+    loads(range).replacen(" to ", " and ", 1)
+}
+
+/// "agrees with the sum in real contact area within 8 % (accepted: 10 %)".
+fn within(stretches: &[&Stretch], place: &dyn Fn(&Stretch) -> String, sigma: f64) -> Option<String> {
+    let part = |stretch: &&Stretch| {
+        let [low, high] = stretch.bounds?;
+        let reported = |contrast: f64| stretch.judged.reported(contrast).abs();
+        let outer = if reported(low) > reported(high) { low } else { high };
+        Some(format!(
+            "in {} within {} (accepted: {}){}",
+            name(stretch.judged),
+            size(stretch.judged, outer, sigma),
+            accepted(stretch, sigma),
+            place(stretch)
+        ))
+    };
+    let parts: Vec<String> = stretches.iter().filter_map(part).collect();
+    (!parts.is_empty()).then(|| format!("agrees with the sum {}", listed(&parts)))
+}
+
+/// "puts the flat 60 to 157 nm (0.2 to 0.55 σ) higher: beyond what is accepted (…)".
+fn beyond(stretches: &[&Stretch], place: &dyn Fn(&Stretch) -> String, sigma: f64) -> Option<String> {
+    let part = |stretch: &&Stretch| {
+        let [low, high] = stretch.range?;
+        let (near, far) = if low.abs() < high.abs() { (low, high) } else { (high, low) };
+        let shares = || {
+            let [near, far] = [near, far].map(|at| percent(stretch.judged.reported(at).abs()));
+            if near == far { far } else { span(&near, &far, " to ") }
+        };
+        let is_more = far > 0.0;
+        let what = match stretch.judged {
+            Judged::Separation => format!(
+                "puts the flat {} {}",
+                distances(near, far, sigma),
+                if is_more { "higher" } else { "lower" }
+            ),
+            Judged::Area => {
+                format!("gives {} {} real contact area", shares(), if is_more { "more" } else { "less" })
+            }
+            Judged::Stiffness => format!("is {} {}", shares(), if is_more { "stiffer" } else { "softer" }),
+        };
+        Some(format!("{what}{}", place(stretch)))
+    };
+    let parts: Vec<String> = stretches.iter().filter_map(part).collect();
+    let accepted: Vec<String> = stretches.iter().map(|stretch| accepted(stretch, sigma)).collect();
+    (!parts.is_empty())
+        .then(|| format!("{}: beyond what is accepted ({})", listed(&parts), listed(&accepted)))
+}
+
+/// "60 to 157 nm (0.2 to 0.55 σ)".
+fn distances(near: f64, far: f64, sigma: f64) -> String {
+    let [least, most] = [near, far].map(|at| size(Judged::Separation, at, sigma));
+    if least == most {
+        return most;
+    }
+    let split = |text: &str| {
+        let (length, part) = text.split_once(" (")?;
+        Some((length.to_owned(), part.trim_end_matches(')').to_owned()))
+    };
+    match (split(&least), split(&most)) {
+        (Some((a, b)), Some((c, d))) => format!("{} ({})", span(&a, &c, " to "), span(&b, &d, " to ")),
+        _ => most,
+    }
+}
+
+/// The answer over several cases (`what`: thicknesses, laws): with how many of them the models agree at all valid loads,
+/// and with how many they do not at some.
+pub fn over_cases(what: &str, all: &[&Verdicts]) -> String {
+    let parts: Vec<String> = ORDER.into_iter().filter_map(|judged| counted(judged, all)).collect();
+    let count = all.len();
+    format!(
+        "Of {count} {what} the statistical model is within what is accepted at all valid loads {}.",
+        parts.join("; ")
+    )
+}
+
+fn counted(judged: Judged, all: &[&Verdicts]) -> Option<String> {
+    let of = |verdicts: &Verdicts, is_it: &dyn Fn(&Stretch) -> bool| {
+        verdicts.stretches.iter().filter(|stretch| stretch.judged == judged).any(is_it)
+    };
+    let counted = all.iter().filter(|verdicts| of(verdicts, &|_| true)).count();
+    let within = all
+        .iter()
+        .filter(|verdicts| {
+            of(verdicts, &|_| true) && !of(verdicts, &|stretch| stretch.verdict != Verdict::Within)
+        })
+        .count();
+    let beyond =
+        all.iter().filter(|verdicts| of(verdicts, &|stretch| stretch.verdict == Verdict::Beyond)).count();
+    (counted > 0).then(|| {
+        let within = if within == 0 { "none".to_owned() } else { within.to_string() };
+        format!("in {} with {within} (beyond it at some load with {beyond})", name(judged))
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::examples::{at, verdicts};
+    use super::*;
+    use crate::kind::compare::findings::Basis;
+
+    const BLOCKS: Basis = Basis::Blocks { count: 16, sides: [1e-4; 2], lengths: [9.0; 2] };
+
+    #[test]
+    fn what_is_within_and_what_is_beyond_at_the_same_loads() {
+        let found = verdicts(
+            vec![
+                at(0.5e6, 100.0, [(0.2, Some(0.01)), (0.05, Some(0.005)), (0.01, Some(0.01))]),
+                at(40e6, 200.0, [(0.55, Some(0.01)), (-0.06, Some(0.005)), (-0.1, Some(0.01))]),
+            ],
+            BLOCKS,
+        );
+        assert_eq!(
+            headline(&found, 285e-9),
+            "Between 500 kPa and 40 MPa the statistical model agrees with the sum in real contact area within 6.76 % \
+             (accepted: 10 %) and in stiffness within 11.3 % (accepted: 20 %), but puts the flat 57 to 157 nm (0.2 to 0.55 σ) \
+             higher: beyond what is accepted (28.5 nm (0.1 σ))."
+        );
+    }
+
+    #[test]
+    fn what_cannot_be_told_says_how_much_surface_would_tell() {
+        let found = verdicts(vec![at(1e6, 100.0, [(0.05, Some(0.05)), (0.5, None), (0.5, None)])], BLOCKS);
+        assert_eq!(
+            headline(&found, 1e-7),
+            "Whether the statistical model agrees with the sum in real contact area, separation and stiffness between 1 MPa \
+             cannot be told: it would take about 4 mm² of surface (now 1 mm²)."
+        );
+    }
+
+    #[test]
+    fn without_a_valid_load_there_is_no_answer() {
+        let few = [(1.0, Some(0.01)); 3];
+        let found = verdicts(vec![at(1e6, 12.0, few), at(2e6, 20.0, few)], BLOCKS);
+        assert!(headline(&found, 1e-7).starts_with(
+            "Whether the statistical model agrees with the sum cannot be told at any load of this experiment: fewer than 30"
+        ));
+        assert_eq!(
+            headline(&verdicts(Vec::new(), BLOCKS), 1e-7),
+            "The models were not compared at equal load."
+        );
+    }
+
+    #[test]
+    fn stretches_of_different_loads_have_their_own_range() {
+        let found = verdicts(
+            vec![
+                at(1e6, 100.0, [(0.01, Some(0.001)); 3]),
+                at(1e7, 100.0, [(0.5, Some(0.001)), (0.01, Some(0.001)), (0.01, Some(0.001))]),
+                at(1e8, 100.0, [(0.6, Some(0.001)), (0.01, Some(0.001)), (0.01, Some(0.001))]),
+            ],
+            BLOCKS,
+        );
+        let sentence = headline(&found, 1e-7);
+        assert!(
+            sentence.starts_with("The statistical model agrees with the sum in real contact area within"),
+            "{sentence}"
+        );
+        assert!(
+            sentence.contains("from 1 to 100 MPa") && sentence.contains("higher from 10 to 100 MPa"),
+            "{sentence}"
+        );
+        assert!(sentence.ends_with("see the table."), "{sentence}");
+    }
+
+    #[test]
+    fn thicknesses_are_counted() {
+        let good = verdicts(vec![at(1e6, 100.0, [(0.01, Some(0.001)); 3])], BLOCKS);
+        let bad =
+            verdicts(vec![at(1e6, 100.0, [(0.5, Some(0.001)), (0.01, Some(0.001)), (0.01, None)])], BLOCKS);
+        assert_eq!(
+            over_cases("thicknesses", &[&good, &bad]),
+            "Of 2 thicknesses the statistical model is within what is accepted at all valid loads in real contact area with 2 \
+             (beyond it at some load with 0); in separation with 1 (beyond it at some load with 1); in stiffness with 1 (beyond \
+             it at some load with 0)."
+        );
+    }
+}

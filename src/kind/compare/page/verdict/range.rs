@@ -1,0 +1,144 @@
+//! The valid range, what is accepted, and what the intervals rest on.
+
+use asperity::compare::{CONTACTS_PER_GROUP, GROUPS};
+use asperity::sphere::LARGEST_SLOPE;
+use asperity::topography::{BLOCK_LENGTHS, MIN_BLOCKS};
+use asperity::{Exceeded, INTERACTION, LARGE_STRAIN_SHARE, LARGEST_LOAD_SHARE, Limit, MIN_CONTACTS};
+use asperity_framework::report::format::{input_number, listed, number, percent, quantity};
+
+use super::words::{forces, loads, size};
+use asperity::compare::{Accepted, Judged};
+
+use crate::kind::compare::findings::{Basis, Verdicts};
+
+/// What lies beyond a limit.
+pub fn limit_words(limit: Limit) -> String {
+    match limit {
+        Limit::FewContacts => format!("fewer than {MIN_CONTACTS} effective contacts"),
+        Limit::DominantContact => {
+            format!("one contact carries more than {} of the load", percent(LARGEST_LOAD_SHARE))
+        }
+        Limit::Interaction => format!("contact area above {}", percent(INTERACTION)),
+        Limit::LargeStrain => {
+            format!("more than {} of the load at a/R above {LARGEST_SLOPE}", percent(LARGE_STRAIN_SHARE))
+        }
+    }
+}
+
+/// What lies beyond several limits.
+pub fn exceeded_words(exceeded: Exceeded) -> String {
+    listed(&exceeded.limits().map(limit_words).collect::<Vec<_>>())
+}
+
+/// "Valid for 0.5 to 40 MPa (…)", with the limit at either end.
+pub fn range_line(verdicts: &Verdicts) -> String {
+    let valid = &verdicts.valid;
+    if valid.stretches.is_empty() {
+        return format!("Valid for no load of this experiment: {}.", exceeded_words(valid.below));
+    }
+    let each: Vec<String> = valid
+        .stretches
+        .iter()
+        .map(|&stretch| format!("{} ({})", loads(stretch), forces(stretch, verdicts.area)))
+        .collect();
+    let ends = [("below", valid.below), ("above", valid.above)].into_iter();
+    let ends: Vec<String> = ends
+        .filter(|(_, exceeded)| !exceeded.is_none())
+        .map(|(side, exceeded)| format!("{side}: {}", exceeded_words(exceeded)))
+        .collect();
+    let ends = if ends.is_empty() { "all loads of this experiment".to_owned() } else { ends.join("; ") };
+    format!("Valid for {} on {}; {ends}.", listed(&each), quantity(verdicts.area, "m²"))
+}
+
+/// What the user accepts, on a surface of `sigma` (m).
+pub fn accepted_line(accepted: &Accepted, sigma: f64) -> String {
+    format!(
+        "Accepted (key `accept`): {} of the real contact area, {} of the separation, {} of the stiffness. *Within*: the 95 % \
+         interval of the difference at equal load lies inside; *beyond*: outside; *cannot tell*: else.",
+        percent(accepted.area),
+        size(Judged::Separation, accepted.separation, sigma),
+        percent(accepted.stiffness),
+    )
+}
+
+/// What the intervals rest on.
+pub fn basis_line(verdicts: &Verdicts) -> String {
+    let times = verdicts.over_independent.map_or_else(String::new, |ratio| {
+        format!(
+            " Their standard errors are {} times those for independent asperities (separation, median).",
+            number(ratio)
+        )
+    });
+    let contacts = CONTACTS_PER_GROUP * GROUPS as f64;
+    let few = format!("None is claimed with fewer than {contacts} effective contacts.");
+    match verdicts.basis {
+        Basis::Realisations(count) => format!(
+            "95 % intervals are pointwise, from the scatter of {count} realisations (Student's quantile); differences are their \
+             means.{times}"
+        ),
+        Basis::Blocks { count, sides, lengths } => {
+            let [x, y] = sides.map(|side| quantity(side, "m"));
+            let [nx, ny] = lengths.map(number);
+            format!(
+                "95 % intervals are pointwise, from a jackknife over {count} blocks of {x} × {y}, {nx} × {ny} correlation \
+                 lengths of the heights: both models are computed again without each block. {few}{times}"
+            )
+        }
+        Basis::TooSmall { correlation } => {
+            let lengths = correlation.map(|length| {
+                if length.is_finite() {
+                    quantity(length, "m")
+                } else {
+                    "more than half of the side".to_owned()
+                }
+            });
+            format!(
+                "No interval is claimed: the map does not hold {MIN_BLOCKS} blocks of {} correlation lengths of the heights ({} \
+                 along x, {} along y).",
+                input_number(BLOCK_LENGTHS),
+                lengths[0],
+                lengths[1]
+            )
+        }
+        Basis::Asperities => format!(
+            "95 % intervals are pointwise, from a jackknife over {GROUPS} random groups of asperities, which are taken as \
+             independent draws: both models are computed again without each group. {few}"
+        ),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::examples::{at, verdicts};
+    use super::*;
+
+    #[test]
+    fn the_valid_range_names_the_limit_at_either_end() {
+        let none = [(0.0, Some(0.01)); 3];
+        let mut loads =
+            vec![at(1e5, 12.0, none), at(1e6, 40.0, none), at(2e6, 50.0, none), at(4e6, 60.0, none)];
+        loads[3].area_ratio = 0.06;
+        let found = verdicts(loads.clone(), Basis::Asperities);
+        assert_eq!(
+            range_line(&found),
+            "Valid for 1 to 2 MPa (1 to 2 N) on 1 mm²; below: fewer than 30 effective contacts; above: contact area above 5 %."
+        );
+        let found = verdicts(loads[1..3].to_vec(), Basis::Asperities);
+        assert!(range_line(&found).ends_with("all loads of this experiment."));
+        let found = verdicts(loads[..1].to_vec(), Basis::Asperities);
+        assert_eq!(
+            range_line(&found),
+            "Valid for no load of this experiment: fewer than 30 effective contacts."
+        );
+    }
+
+    #[test]
+    fn without_blocks_no_interval_is_claimed() {
+        let of = |basis| basis_line(&verdicts(Vec::new(), basis));
+        assert!(
+            of(Basis::TooSmall { correlation: [1e-5, f64::INFINITY] }).starts_with("No interval is claimed")
+        );
+        assert!(of(Basis::Realisations(8)).contains("8 realisations"));
+        assert!(of(Basis::Asperities).contains("independent draws"));
+    }
+}

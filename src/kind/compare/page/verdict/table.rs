@@ -1,0 +1,60 @@
+//! Verdicts in a table.
+
+use asperity::compare::{Judged, Stretch};
+use asperity_framework::report::page::Page;
+
+use super::words::{accepted, loads, name, need, signed, verdict};
+use crate::kind::compare::findings::Verdicts;
+
+/// One row per quantity and stretch of load; separations in units of `sigma` (m).
+pub fn stretches(page: &mut Page, verdicts: &Verdicts, sigma: f64) {
+    let row = |stretch: &Stretch| {
+        vec![
+            name(stretch.judged).to_owned(),
+            loads(stretch.loads),
+            largest(stretch),
+            format!("±{}", accepted(stretch, sigma)),
+            verdict(stretch.verdict).to_owned(),
+            need(stretch, verdicts).unwrap_or_default(),
+        ]
+    };
+    let header =
+        ["quantity", "load", "largest difference (95 % interval)", "accepted", "verdict", "would tell"];
+    let order = [Judged::Area, Judged::Separation, Judged::Stiffness];
+    let of = |judged| verdicts.stretches.iter().filter(move |stretch| stretch.judged == judged);
+    page.table(header, order.into_iter().flat_map(of).map(row));
+}
+
+/// "−7.9 % (−9.1 to −6.7 %) at 40 MPa".
+fn largest(stretch: &Stretch) -> String {
+    let Some((load, estimate)) = stretch.largest else { return "–".to_owned() };
+    let interval = estimate.interval().map_or_else(
+        || " (no interval)".to_owned(),
+        |ends| {
+            let [low, high] = ends.map(|end| signed(stretch.judged, end));
+            format!(" ({low} to {high})")
+        },
+    );
+    format!("{}{interval} at {}", signed(stretch.judged, estimate.contrast), loads([load; 2]))
+}
+
+/// One row per case, named by `what`: a thickness of a layer, or a law.
+pub fn by_case(page: &mut Page, what: &str, all: &[(String, &Verdicts)]) {
+    let cell = |verdicts: &Verdicts, judged: Judged| {
+        let of = verdicts.stretches.iter().filter(|stretch| stretch.judged == judged);
+        let each: Vec<String> = of
+            .map(|stretch| {
+                format!("{} {}: {}", verdict(stretch.verdict), loads(stretch.loads), largest(stretch))
+            })
+            .collect();
+        if each.is_empty() { "–".to_owned() } else { each.join("; ") }
+    };
+    let row = |(name, verdicts): &(String, &Verdicts)| {
+        let mut row = vec![name.clone()];
+        row.extend(
+            [Judged::Area, Judged::Separation, Judged::Stiffness].map(|judged| cell(verdicts, judged)),
+        );
+        row
+    };
+    page.table([what, "real contact area", "separation", "stiffness"], all.iter().map(row));
+}

@@ -1,0 +1,88 @@
+//! Differences, loads and needs in words.
+
+use asperity::compare::{Judged, Stretch, Verdict};
+use asperity_framework::report::format::{input_quantity, number, percent, quantity};
+
+use crate::kind::compare::findings::{Basis, Verdicts};
+
+/// A quantity as a table names it.
+pub fn name(judged: Judged) -> &'static str {
+    match judged {
+        Judged::Separation => "separation",
+        Judged::Area => "real contact area",
+        Judged::Stiffness => "stiffness",
+    }
+}
+
+/// A verdict as a table names it.
+pub fn verdict(verdict: Verdict) -> &'static str {
+    match verdict {
+        Verdict::Within => "within",
+        Verdict::Beyond => "beyond",
+        Verdict::CannotTell => "cannot tell",
+    }
+}
+
+/// "0.5 to 40 MPa", or one load.
+pub fn loads([from, to]: [f64; 2]) -> String {
+    if from == to {
+        return input_quantity(from, "Pa");
+    }
+    span(&input_quantity(from, "Pa"), &input_quantity(to, "Pa"), " to ")
+}
+
+/// The same as forces on the nominal area (m^2).
+pub fn forces(pressures: [f64; 2], area: f64) -> String {
+    let [from, to] = pressures.map(|pressure| quantity(pressure * area, "N"));
+    if from == to { from } else { span(&from, &to, " to ") }
+}
+
+/// Two quantities, their unit once where it is the same.
+pub fn span(from: &str, to: &str, between: &str) -> String {
+    match (from.rsplit_once(' '), to.rsplit_once(' ')) {
+        (Some((number, unit)), Some((_, same))) if unit == same => format!("{number}{between}{to}"),
+        _ => format!("{from}{between}{to}"),
+    }
+}
+
+/// The magnitude of a contrast: a length with its part of sigma (m), or a share.
+pub fn size(judged: Judged, contrast: f64, sigma: f64) -> String {
+    match judged {
+        Judged::Separation => {
+            format!("{} ({} σ)", quantity(contrast.abs() * sigma, "m"), number(contrast.abs()))
+        }
+        Judged::Area | Judged::Stiffness => percent(judged.reported(contrast).abs()),
+    }
+}
+
+/// A contrast with its sign: "+0.32 σ", "−7.9 %".
+pub fn signed(judged: Judged, contrast: f64) -> String {
+    let reported = judged.reported(contrast);
+    let size = match judged {
+        Judged::Separation => format!("{} σ", number(reported.abs())),
+        Judged::Area | Judged::Stiffness => percent(reported.abs()),
+    };
+    let sign = if reported < 0.0 { "−" } else { "+" };
+    format!("{sign}{size}")
+}
+
+/// What is accepted: "10 %", or "4.8 nm (0.1 σ)".
+pub fn accepted(stretch: &Stretch, sigma: f64) -> String {
+    match stretch.judged {
+        Judged::Separation => size(Judged::Separation, stretch.accepted, sigma),
+        Judged::Area | Judged::Stiffness => percent(stretch.accepted),
+    }
+}
+
+/// How much more surface would tell: "2.5 mm² of surface (now 1 mm²)", "12 realisations (now 3)".
+pub fn need(stretch: &Stretch, verdicts: &Verdicts) -> Option<String> {
+    if stretch.verdict != Verdict::CannotTell {
+        return None;
+    }
+    if let (Basis::Realisations(now), Some(growth)) = (verdicts.basis, stretch.growth) {
+        let needed = (growth * now as f64).ceil();
+        return Some(format!("about {} realisations (now {now})", number(needed.max(now as f64 + 1.0))));
+    }
+    let area = verdicts.area_needed(stretch)?;
+    Some(format!("about {} of surface (now {})", quantity(area, "m²"), quantity(verdicts.area, "m²")))
+}
