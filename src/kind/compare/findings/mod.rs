@@ -5,13 +5,16 @@
 //! | `recommendation` | which model to use, and why |
 //! | `layer` | what the thickness of a layer changes |
 //! | `decreasing` | where a deeper asperity has less area or load |
+//! | `readings` | what reading sigma and d as those of the surface changes |
 
 mod decreasing;
 mod layer;
+mod readings;
 mod recommendation;
 
 pub use decreasing::Decreasing;
 pub use layer::{AtThickness, GapRange, LayerFindings, PlasticRange};
+pub use readings::{ReadAnswer, ReadLoads, Readings};
 pub use recommendation::Recommendation;
 
 use asperity::compare::{Pairing, PointCounts, Realisation, Spread, SpreadFindings, spread, valid_stretches};
