@@ -2,9 +2,10 @@
 
 use std::time::Instant;
 
+use asperity::topography::generate::SigmaOf;
 use asperity::topography::{Level, Rows};
 use asperity::work::{Counter, Item};
-use asperity::{Draw, Ellipse, Ellipticity, Statistics};
+use asperity::{Draw, Ellipse, Ellipticity, ReferencePlane, Statistics};
 use asperity_framework::digest::stream_seed;
 use asperity_framework::input::{InputError, Source};
 use asperity_framework::metadata::Timing;
@@ -181,8 +182,13 @@ fn found(
              statistical.mean-radius = \"inverse-mean-curvature\" selects the other mean.",
         ));
     }
-    surface.mean_plane = Some(facts.roughness.moments.mean);
+    let moments = &facts.roughness.moments;
+    surface.mean_plane = Some(moments.mean);
+    let plane = ReferencePlane { mean: moments.mean, sigma: moments.sq };
     surface.map = Some(facts);
     surface.independence = independence;
+    if surface.separations_of() == SigmaOf::Surface {
+        surface.plane = plane;
+    }
     Ok(surface)
 }

@@ -3,7 +3,8 @@
 use super::independence::Independence;
 use super::overview::{AnalysisDepth, MapOverview};
 use asperity::compare::Division;
-use asperity::topography::generate::{SurfaceGenerator, Target};
+use asperity::topography::generate::{SigmaOf, SurfaceGenerator, Target};
+use asperity::topography::spectrum::{Lay, SpectrumShape};
 use asperity::topography::summits::{Detail, Neighbours, Summits, find};
 use asperity::topography::theory::Expected;
 use asperity::topography::{
@@ -89,6 +90,21 @@ pub struct GenerationFacts {
     pub target: Option<(Target, usize)>,
     /// Share of the points truncated by a finer process.
     pub cut: Option<f64>,
+}
+
+/// Numbers that a spec gives of a surface, whichever heights sigma refers to.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Specified {
+    /// Radius of the asperities, m.
+    pub radius: f64,
+    /// Standard deviation of the heights of the asperities or of the surface, m.
+    pub sigma: f64,
+    /// Asperities per area, 1/m^2.
+    pub density: f64,
+    /// Distribution of the heights.
+    pub heights: Heights,
+    /// Hurst exponent and lay of a random surface.
+    pub spectrum: Option<(f64, Lay)>,
 }
 
 /// A map on which no asperities are found.
@@ -335,27 +351,58 @@ impl Surface {
         Population { heights: heights.unwrap_or(&population.heights).clone(), ..population }
     }
 
+    /// Mean height of the statistical model's population in the frame of the set's heights, m.
+    fn population_mean(&self) -> f64 {
+        if self.nominal.is_some() { 0.0 } else { self.statistics.mean_height }
+    }
+
     /// The plane relative to the mean height of the statistical model's population.
     pub fn reporting_plane(&self) -> ReferencePlane {
-        let mean = if self.nominal.is_some() { self.plane.mean } else { 0.0 };
-        ReferencePlane { mean, sigma: self.plane.sigma }
+        ReferencePlane { mean: self.plane.mean - self.population_mean(), sigma: self.plane.sigma }
     }
 
     /// Height of the mean asperity above the mean plane of the surface, m, where known.
     pub fn offset_to_mean_plane(&self) -> Option<f64> {
-        let mean = if self.nominal.is_some() { 0.0 } else { self.statistics.mean_height };
-        self.mean_plane.map(|plane| mean - plane)
+        self.mean_plane.map(|plane| self.population_mean() - plane)
     }
 
-    /// Whether separations are measured from the mean plane of the surface in its sigma.
-    pub fn is_quoted_as_surface(&self) -> bool {
+    /// Whose mean and standard deviation separations are measured by.
+    pub fn separations_of(&self) -> SigmaOf {
+        let target = self.map.as_ref().and_then(|map| map.generation.as_ref()?.target.as_ref());
+        match target {
+            Some((target, _)) => target.sigma_of,
+            None if self.is_converted() => SigmaOf::Surface,
+            None => SigmaOf::Summits,
+        }
+    }
+
+    /// Whether its nominal population follows from the numbers of a surface by Nayak's theory.
+    fn is_converted(&self) -> bool {
         self.nominal.is_some() && self.mean_plane.is_some()
+    }
+
+    /// The numbers that the spec gives of it; `None` where it gives a file, or a spectrum and its lengths.
+    pub fn specified(&self) -> Option<Specified> {
+        if let Some(population) = &self.nominal {
+            let &Population { radius, density, ref heights, .. } = population;
+            let sigma = self.plane.sigma;
+            return Some(Specified { radius, sigma, density, heights: heights.clone(), spectrum: None });
+        }
+        let made = self.map.as_ref()?.generation.as_ref()?;
+        let (Target { radius, sigma, density, .. }, _) = made.target?;
+        let process = &made.generator.process;
+        let hurst = match process.spectrum.shape() {
+            SpectrumShape::SelfAffine { hurst, .. } => hurst,
+            SpectrumShape::Gaussian(_) | SpectrumShape::Exponential(_) => return None,
+        };
+        let spectrum = Some((hurst, process.spectrum.lay()));
+        Some(Specified { radius, sigma, density, heights: process.heights.clone(), spectrum })
     }
 
     /// References for its asperities.
     pub fn papers(&self) -> Vec<Paper> {
         let mut papers: Vec<Paper> = self.map.iter().flat_map(MapFacts::papers).collect();
-        if self.is_quoted_as_surface() {
+        if self.is_converted() {
             papers.push(literature::NAYAK_1971);
         }
         papers
@@ -366,7 +413,7 @@ impl Surface {
 mod tests {
     use super::*;
     use asperity::topography::generate::{Plateau, Process, Seeds, SpectrumOf};
-    use asperity::topography::spectrum::{Lay, Spectrum, SpectrumShape};
+    use asperity::topography::spectrum::Spectrum;
 
     fn map(points: [usize; 2], height: impl Fn(usize) -> f64) -> HeightMap {
         HeightMap::new(points, [1.0, 2.0], (0..points[0] * points[1]).map(height).collect(), 0.0).unwrap()

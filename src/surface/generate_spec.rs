@@ -5,7 +5,7 @@ use serde::de::{Deserializer, Error};
 use toml::Spanned;
 
 use crate::surface::pixel_spec::PixelSpec;
-use asperity::topography::generate::SpectrumOf;
+use asperity::topography::generate::{SigmaOf, SpectrumOf};
 use asperity::topography::summits::Neighbours;
 use asperity_framework::input::OneOrMany;
 use asperity_framework::input::heights::HeightsSpec;
@@ -42,16 +42,19 @@ pub struct GenerateSpec {
     pub realisations: Option<Spanned<u64>>,
 }
 
-/// The numbers of found summits that a surface shall have.
+/// The numbers that a surface and its found summits shall have.
 #[derive(Debug, Clone, Copy, Deserialize)]
-#[serde(deny_unknown_fields, expecting = "a table { radius, sigma, density }")]
+#[serde(deny_unknown_fields, expecting = "a table { radius, sigma, density, heights }")]
 pub struct TargetSpec {
     /// Arithmetic mean of the radii.
     pub radius: Quantity<Length>,
-    /// Standard deviation of the summit heights.
+    /// Standard deviation of the heights of the summits or of the surface.
     pub sigma: Quantity<Length>,
     /// Summits per area.
     pub density: Quantity<ArealNumberDensity>,
+    /// Whose deviation sigma is, and whose mean separations are measured from.
+    #[serde(default)]
+    pub heights: SigmaOf,
 }
 
 /// A process that cuts the summits off.

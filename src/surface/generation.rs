@@ -10,7 +10,7 @@ use crate::surface::generate_spec::{
     CorrelationSpec, GenerateSpec, PlateauSpec, SelfAffineSpec, SpectrumSpec,
 };
 use asperity::topography::generate::{
-    Plateau, Process, Seeds, SpectrumOf, SurfaceGenerator, Target, TargetGenerator, Unreachable,
+    Plateau, Process, Seeds, SigmaOf, SpectrumOf, SurfaceGenerator, Target, TargetGenerator, Unreachable,
 };
 use asperity::topography::spectrum::{Lay, Spectrum, SpectrumShape};
 use asperity::topography::summits::Neighbours;
@@ -67,10 +67,12 @@ impl Generation {
         let heights = raw.heights.as_ref().map_or(Heights::GAUSSIAN, |heights| heights.0.clone());
         let way = match &raw.summits {
             Some(summits) => {
+                let summits = summits.get_ref();
                 let target = Target {
-                    radius: summits.get_ref().radius.value(),
-                    sigma: summits.get_ref().sigma.value(),
-                    density: summits.get_ref().density.value(),
+                    radius: summits.radius.value(),
+                    sigma: summits.sigma.value(),
+                    sigma_of: summits.heights,
+                    density: summits.density.value(),
                 };
                 let generator = target_recipe(source, raw, points, heights)?;
                 Way::Target { generator, target }
@@ -105,10 +107,16 @@ impl Generation {
         let [nx, ny] = self.points();
         match &self.way {
             Way::SurfaceGenerator(_) => format!("random surface, {nx} x {ny} points"),
-            Way::Target { target, .. } => format!(
-                "random surface, {nx} x {ny} points, whose summits have radius {:.4e} m, sigma {:.4e} m, density {:.4e} /m^2",
-                target.radius, target.sigma, target.density
-            ),
+            Way::Target { target: Target { radius, sigma, sigma_of, density }, .. } => {
+                let whose = match sigma_of {
+                    SigmaOf::Summits => "",
+                    SigmaOf::Surface => " (of the surface heights)",
+                };
+                format!(
+                    "random surface, {nx} x {ny} points, whose summits have radius {radius:.4e} m, sigma {sigma:.4e} m{whose}, \
+                     density {density:.4e} /m^2"
+                )
+            }
         }
     }
 

@@ -4,7 +4,7 @@ use serde::Serialize;
 
 use crate::surface::found::{GenerationFacts, MapFacts, Surface};
 use asperity::topography::Moments;
-use asperity::topography::generate::Process;
+use asperity::topography::generate::{Process, SigmaOf};
 use asperity::topography::spectrum::SpectrumShape;
 use asperity::topography::theory::Expected;
 use asperity::{Ellipticity, Population, Statistics};
@@ -19,6 +19,9 @@ pub struct SurfaceSummary<'a> {
     #[serde(flatten)]
     statistics: StatisticsSummary,
     offset_to_mean_plane_m: Option<f64>,
+    /// Where it is not the mean height of the asperities.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    separations_from: Option<&'static str>,
     /// Greenwood and Williamson's plasticity index under the first law of a comparison.
     pub plasticity_index: Option<f64>,
     #[serde(flatten)]
@@ -219,6 +222,9 @@ struct GenerationSummary {
 struct TargetSummary {
     mean_radius_m: f64,
     sigma_m: f64,
+    /// Where they are not those of the summits.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    sigma_of: Option<&'static str>,
     density_per_m2: f64,
     surfaces_tried: usize,
 }
@@ -274,6 +280,7 @@ impl From<&GenerationFacts> for GenerationSummary {
             summits_asked: made.target.map(|(target, surfaces_tried)| TargetSummary {
                 mean_radius_m: target.radius,
                 sigma_m: target.sigma,
+                sigma_of: (target.sigma_of == SigmaOf::Surface).then_some("surface heights"),
                 density_per_m2: target.density,
                 surfaces_tried,
             }),
@@ -326,6 +333,8 @@ pub fn summary(surface: &Surface) -> SurfaceSummary<'_> {
         density_per_m2: surface.set.density(),
         statistics: StatisticsSummary::from(&surface.statistics),
         offset_to_mean_plane_m: surface.offset_to_mean_plane(),
+        separations_from: (surface.separations_of() == SigmaOf::Surface)
+            .then_some("mean plane of the surface"),
         plasticity_index: None,
         ellipticity: surface.ellipticity.map(EllipticitySummary::from),
         statistical_model: None,

@@ -25,6 +25,8 @@ mod columns;
 mod common;
 mod indentation;
 mod layers;
+mod limit;
+mod readings;
 mod registry;
 mod work;
 

@@ -7,6 +7,7 @@ mod layer_summary;
 mod models;
 pub mod page;
 pub mod plan;
+mod readings_summary;
 pub mod results;
 mod run;
 mod sampling;

@@ -5,7 +5,7 @@ use asperity_framework::contact::ContactMetadata;
 use asperity_framework::metadata::Metadata;
 
 use super::answers::{DecreaseResults, RealisationResults, Threshold};
-use super::findings::SurfaceFindings;
+use super::findings::{Readings, SurfaceFindings};
 use crate::layer::rule_warning;
 use crate::surface::{Surface, warnings};
 
@@ -20,6 +20,8 @@ pub struct CompareResults {
     pub tolerances: Tolerances,
     /// Surface by surface, in file order.
     pub surfaces: Vec<SurfaceResults>,
+    /// What the reading of sigma and d changes, where surfaces with the same numbers have both.
+    pub readings: Option<Readings>,
 }
 
 impl CompareResults {

@@ -14,7 +14,7 @@ use asperity_framework::input::InputError;
 use asperity_framework::metadata::Timing;
 
 use super::answers::{CaseResults, DecreaseResults, RealisationResults};
-use super::findings::SurfaceFindings;
+use super::findings::{Readings, SurfaceFindings};
 use super::models::SurfaceModels;
 use super::plan::ComparePlan;
 use super::results::{CompareResults, SurfaceResults};
@@ -91,7 +91,8 @@ pub fn run(
     let contact = contact_metadata(context.materials, &compare.laws, &compare.bodies, layer_metadata);
     let tolerances = compare.controls.tolerances;
     let metadata = context.metadata(papers, timing, Some(counter.work()));
-    Ok(CompareResults { metadata, contact, tolerances, surfaces })
+    let readings = Readings::of(&surfaces);
+    Ok(CompareResults { metadata, contact, tolerances, surfaces, readings })
 }
 
 /// Both models on a surface, its asperities as the laws see them.

@@ -9,6 +9,7 @@ use serde_json::{Map, Value};
 
 use super::layer_summary as layer;
 use super::layer_summary::{DecreaseSummary, LayerSummary, Thickness, ThresholdSummary};
+use super::readings_summary::{ReadingSummary, readings};
 use super::results::{CompareResults, SurfaceResults};
 use crate::surface::{PopulationSummary, RealisationSummary, SurfaceSummary};
 
@@ -23,6 +24,8 @@ struct CompareSummary<'a> {
     surfaces: IndexMap<&'a str, SurfaceSummary<'a>>,
     verdicts: Vec<VerdictSummary<'a>>,
     largest_gaps: Vec<GapSummary<'a>>,
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    readings: Vec<ReadingSummary<'a>>,
     #[serde(skip_serializing_if = "Vec::is_empty")]
     layer_thresholds: Vec<ThresholdSummary<'a>>,
     #[serde(skip_serializing_if = "Vec::is_empty")]
@@ -113,6 +116,7 @@ pub fn summary(results: &CompareResults) -> serde_json::Result<Map<String, Value
         surfaces: results.surfaces.iter().map(|found| (&*found.surface.name, surface(found))).collect(),
         verdicts: results.surfaces.iter().flat_map(verdicts).collect(),
         largest_gaps: results.surfaces.iter().flat_map(gaps).collect(),
+        readings: readings(results.readings.as_ref()),
         layer_thresholds: results.surfaces.iter().flat_map(layer::thresholds).collect(),
         falls: results.surfaces.iter().flat_map(layer::decreases).collect(),
     })

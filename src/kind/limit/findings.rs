@@ -23,19 +23,28 @@ impl Heights {
         }
     }
 
-    /// The slope that theory expects of the error.
-    pub const fn expected_slope(self) -> f64 {
-        match self {
-            Self::Random => -0.5,
-            Self::Quantiles => -1.0,
-        }
-    }
-
     /// Relative error of the sets of one size: root mean square of random ones.
     pub fn error(self, point: &LimitPoint, quantity: Quantity) -> f64 {
         match self {
             Self::Random => point.scatter(quantity).1,
             Self::Quantiles => point.quantile_error(quantity),
+        }
+    }
+
+    /// The slope that theory expects of the errors at these points: n^-1/2 of random sets, and that of the leading
+    /// term of sets at the quantiles.
+    fn expected_slope<'a>(
+        self,
+        points: impl Iterator<Item = &'a LimitPoint>,
+        quantity: Quantity,
+    ) -> Option<f64> {
+        match self {
+            Self::Random => Some(-0.5),
+            Self::Quantiles => {
+                let errors =
+                    points.map(|point| (point.count as f64, point.expected_quantile_error(quantity)));
+                Some(SlopeFit::through(errors)?.slope)
+            }
         }
     }
 }
@@ -51,19 +60,27 @@ pub struct Slope {
     /// d/sigma.
     pub separation: f64,
     pub fit: SlopeFit,
+    /// The slope that theory expects over the fitted numbers of asperities.
+    pub expected: f64,
 }
 
-/// The slopes for one choice of heights.
+/// The slopes for one choice of heights and one quantity.
 #[derive(Debug, Clone, Copy)]
 pub struct SlopeRange {
     /// How the heights were taken.
     pub heights: Heights,
+    /// Area or load.
+    pub quantity: Quantity,
     pub fits: usize,
     pub mean: f64,
     /// Steepest slope.
     pub lowest: f64,
     /// Flattest slope.
     pub highest: f64,
+    /// Mean of the expected slopes.
+    pub expected: f64,
+    /// Largest difference between a slope and its expected one.
+    pub largest_deviation: f64,
 }
 
 /// The points of one law at one separation (d/sigma), by growing size.
@@ -88,10 +105,13 @@ pub fn slopes<'a>(
         for &separation in separations {
             for quantity in Quantity::ALL {
                 for heights in Heights::ALL {
-                    let points = series(points, law, separation).filter(|point| point.is_fitted());
-                    let errors = points.map(|point| (point.count as f64, heights.error(point, quantity)));
-                    if let Some(fit) = SlopeFit::through(errors) {
-                        slopes.push(Slope { law: law.to_owned(), quantity, heights, separation, fit });
+                    let fitted = || series(points, law, separation).filter(|point| point.is_fitted());
+                    let errors = fitted().map(|point| (point.count as f64, heights.error(point, quantity)));
+                    let fit = SlopeFit::through(errors);
+                    let expected = heights.expected_slope(fitted(), quantity);
+                    if let (Some(fit), Some(expected)) = (fit, expected) {
+                        let law = law.to_owned();
+                        slopes.push(Slope { law, quantity, heights, separation, fit, expected });
                     }
                 }
             }
@@ -100,18 +120,25 @@ pub fn slopes<'a>(
     slopes
 }
 
-/// The range of the slopes for each choice of heights.
+/// The range of the slopes for each choice of heights and each quantity.
 pub fn ranges(slopes: &[Slope]) -> Vec<SlopeRange> {
-    let range = |heights| {
-        let of_heights = slopes.iter().filter(|slope| slope.heights == heights);
-        let found: Vec<f64> = of_heights.map(|slope| slope.fit.slope).collect();
-        (!found.is_empty()).then(|| SlopeRange {
+    let range = |heights, quantity| {
+        let is_of = |slope: &&Slope| slope.heights == heights && slope.quantity == quantity;
+        let of_both: Vec<&Slope> = slopes.iter().filter(is_of).collect();
+        let fits = of_both.len();
+        let found = || of_both.iter().map(|slope| slope.fit.slope);
+        let deviations = of_both.iter().map(|slope| (slope.fit.slope - slope.expected).abs());
+        (fits > 0).then(|| SlopeRange {
             heights,
-            fits: found.len(),
-            mean: found.iter().sum::<f64>() / found.len() as f64,
-            lowest: found.iter().copied().fold(f64::MAX, f64::min),
-            highest: found.iter().copied().fold(f64::MIN, f64::max),
+            quantity,
+            fits,
+            mean: found().sum::<f64>() / fits as f64,
+            lowest: found().fold(f64::MAX, f64::min),
+            highest: found().fold(f64::MIN, f64::max),
+            expected: of_both.iter().map(|slope| slope.expected).sum::<f64>() / fits as f64,
+            largest_deviation: deviations.fold(0.0, f64::max),
         })
     };
-    Heights::ALL.into_iter().filter_map(range).collect()
+    let both = Heights::ALL.into_iter().flat_map(|heights| Quantity::ALL.map(|quantity| (heights, quantity)));
+    both.filter_map(|(heights, quantity)| range(heights, quantity)).collect()
 }

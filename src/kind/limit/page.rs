@@ -16,8 +16,12 @@ pub fn page(results: &LimitResults) -> Page {
     page.bullets(results.slope_ranges.iter().map(finding));
     page.paragraph(&format!(
         "Sets of asperities with equal radii and Gaussian heights are summed and compared with their limit: {}. The error \
-         of a sum of n independent draws decreases as n^-½, that of heights at the quantiles as 1/n. Slopes are \
-         least-squares fits to the logarithms, for points with more than {MIN_CONTACTS} expected contacts.",
+         of a sum of n independent draws decreases as n^-½. Heights at the quantiles are a midpoint rule in probability; \
+         the tail of the highest asperities, where the height grows as a logarithm, makes its error n⁻¹ times a slowly \
+         varying factor: as n → ∞, (ln n)^-½ for an area or load ∝ w and (ln n)^-¼ for a load ∝ w^1.5. Its slope over a \
+         range of n is therefore not exactly −1; the expected slope is that of the leading term at the fitted n \
+         (docs/theory.md, section 6). Slopes are least-squares fits to the logarithms, for points with more than \
+         {MIN_CONTACTS} expected contacts.",
         results.laws.iter().map(|(law, reference)| format!("for {law}, {reference}")).collect::<Vec<_>>().join("; "),
     ));
     sections::what_was_run(&mut page, &results.metadata, &results.contact);
@@ -44,7 +48,7 @@ pub fn page(results: &LimitResults) -> Page {
             );
         }
         page.table(
-            ["d/σ", "quantity", "heights", "slope", "± s.e.", "expected", "points"],
+            ["d/σ", "quantity", "heights", "slope", "± s.e.", "expected slope", "points"],
             results.slopes.iter().filter(|slope| slope.law == *law).map(|slope| {
                 vec![
                     input_number(slope.separation),
@@ -52,7 +56,7 @@ pub fn page(results: &LimitResults) -> Page {
                     slope.heights.name().to_owned(),
                     format!("{:.3}", slope.fit.slope),
                     format!("{:.3}", slope.fit.standard_error),
-                    format!("{}", slope.heights.expected_slope()),
+                    format!("{:.3}", slope.expected),
                     slope.fit.points.to_string(),
                 ]
             }),
@@ -66,6 +70,7 @@ pub fn page(results: &LimitResults) -> Page {
                 "mean of random sets",
                 "r.m.s. of random sets",
                 "at the quantiles",
+                "expected at the quantiles",
             ],
             results.points.iter().filter(|point| &point.law == law).map(|point| {
                 let (mean, scatter) = point.scatter(Quantity::Load);
@@ -76,6 +81,7 @@ pub fn page(results: &LimitResults) -> Page {
                     number(mean),
                     number(scatter),
                     number(point.quantile_error(Quantity::Load)),
+                    number(point.expected_quantile_error(Quantity::Load)),
                 ]
             }),
         );
@@ -86,17 +92,16 @@ pub fn page(results: &LimitResults) -> Page {
 
 /// The fitted slopes, in a sentence.
 fn finding(found: &SlopeRange) -> String {
-    let SlopeRange { heights, fits, mean, lowest, highest } = found;
+    let SlopeRange { heights, quantity, fits, mean, lowest, highest, expected, largest_deviation } = found;
     let what = match heights {
         Heights::Random => "heights drawn at random",
         Heights::Quantiles => "heights at the quantiles",
     };
     format!(
-        "**{what}**: the error decreases with a mean slope of {} over {fits} fits ({} to {}); expected {}.",
-        number(*mean),
-        number(*lowest),
-        number(*highest),
-        heights.expected_slope()
+        "**{what}, {}**: the error decreases with a mean slope of {mean:.3} over {fits} fits ({lowest:.3} to {highest:.3}); \
+         expected {expected:.3}. Each fit is within {} of its expected slope.",
+        quantity.name(),
+        number(*largest_deviation),
     )
 }
 
@@ -131,11 +136,15 @@ fn figure(results: &LimitResults, law: &str, quantity: Quantity) -> String {
                 )
                 .with(Layer::points(fitted, Marker::Circle).coloured(colour));
         }
+        let slope = match heights {
+            Heights::Random => -0.5,
+            Heights::Quantiles => -1.0,
+        };
         let reference = series(&results.points, law, results.separations[0]).find(|point| point.is_fitted());
         match reference {
             Some(point) => {
                 let through = (point.count as f64, 0.2 * heights.error(point, quantity));
-                plot.with(Layer::slope(through, heights.expected_slope(), label))
+                plot.with(Layer::slope(through, slope, label))
             }
             None => plot,
         }

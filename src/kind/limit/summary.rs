@@ -23,6 +23,7 @@ struct SlopeSummary<'a> {
     separation_over_sigma: f64,
     slope: f64,
     standard_error: f64,
+    expected_slope: f64,
     points: usize,
 }
 
@@ -35,6 +36,7 @@ pub(super) fn summary(results: &LimitResults) -> serde_json::Result<Map<String, 
         separation_over_sigma: slope.separation,
         slope: slope.fit.slope,
         standard_error: slope.fit.standard_error,
+        expected_slope: slope.expected,
         points: slope.fit.points,
     });
     fields(&LimitSummary { contact: ContactSummary::of(&results.contact), slopes: slopes.collect() })

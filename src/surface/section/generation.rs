@@ -3,7 +3,7 @@
 use super::properties::or_dash;
 use crate::surface::found::{GenerationFacts, MapFacts, Surface};
 use asperity::Heights;
-use asperity::topography::generate::{Process, SpectrumOf, SurfaceGenerator};
+use asperity::topography::generate::{Process, SigmaOf, SpectrumOf, SurfaceGenerator, Target};
 use asperity::topography::spectrum::SpectrumShape;
 use asperity_framework::report::format::{input_number, input_quantity, number, percent, quantity};
 use asperity_framework::report::page::Page;
@@ -24,18 +24,26 @@ pub fn section(page: &mut Page, surface: &Surface, map: &MapFacts, made: &Genera
         return;
     }
     page.table(HEAD, rows(surface, map, made));
-    if let Some((_, tried)) = made.target {
+    if let Some((target, tried)) = made.target {
+        let results = match target.sigma_of {
+            SigmaOf::Summits => "The targets of Sq and of the spectrum result from this iteration.",
+            SigmaOf::Surface => {
+                "Sq of this map is prescribed, the standard deviation of its summit heights is not; the target of the spectrum \
+                 results from this iteration."
+            }
+        };
         page.paragraph(&format!(
             "For this Hurst exponent, height distribution and cut-off in pixels, density × radius × σ depends on the \
              bandwidth of the spectrum only. The bandwidth was found by iteration over {tried} surfaces from the same \
-             random numbers; heights were then scaled to σ and lengths to the density. The targets of Sq and of the \
-             spectrum result from this iteration.",
+             random numbers; heights were then scaled to σ and lengths to the density. {results}",
         ));
     }
-    page.paragraph(
-        "Targets of Sq, Ssk, Sku and the spectrum are those of an infinite surface; a single map, about its own mean, \
+    let is_sq_prescribed = made.target.is_some_and(|(target, _)| target.sigma_of == SigmaOf::Surface);
+    page.paragraph(&format!(
+        "Targets of {}Ssk, Sku and the spectrum are those of an infinite surface; a single map, about its own mean, \
          scatters about them.",
-    );
+        if is_sq_prescribed { "" } else { "Sq, " }
+    ));
     let process = &made.generator.process;
     if process.heights != Heights::GAUSSIAN {
         page.paragraph(match process.of {
@@ -62,11 +70,18 @@ pub fn rows(surface: &Surface, map: &MapFacts, made: &GenerationFacts) -> Vec<Ve
     }
     if let Some((target, _)) = &made.target {
         rows.push(ratio("mean radius of the summits", target.radius, surface.statistics.mean_radius, "m"));
-        rows.push(ratio("σ of the summit heights", target.sigma, surface.statistics.sigma, "m"));
+        if target.sigma_of == SigmaOf::Summits {
+            rows.push(ratio("σ of the summit heights", target.sigma, surface.statistics.sigma, "m"));
+        }
         rows.push(ratio("density of the summits", target.density, surface.set.density(), "1/m²"));
     }
     let (process, moments) = (&made.generator.process, &map.roughness.moments);
-    rows.push(ratio("Sq", process.sigma, moments.sq, "m"));
+    rows.push(match &made.target {
+        Some((Target { sigma, sigma_of: SigmaOf::Surface, .. }, _)) => {
+            ratio("σ of the surface heights, Sq", *sigma, moments.sq, "m")
+        }
+        _ => ratio("Sq", process.sigma, moments.sq, "m"),
+    });
     rows.push(difference("Ssk", process.heights.skewness(), moments.ssk));
     rows.push(difference("Sku", process.heights.kurtosis(), moments.sku));
     if let (Some(target), Some(obtained)) = (&map.whole.target, &map.whole.spectrum) {

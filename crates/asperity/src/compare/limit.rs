@@ -1,9 +1,13 @@
 //! Convergence of the deterministic model to the statistical one as the number of asperities grows, for equal radii and
 //! heights drawn from the density of the integral.
 
+use std::f64::consts::PI;
+
 use crate::asperity::{AsperitySet, Draw, Population, SetError};
+use crate::contact::Contact;
 use crate::interface::MicroContact;
 use crate::model::{Deterministic, Model, ReferencePlane, Response};
+use crate::shape::Shape;
 
 use crate::model::MIN_CONTACTS;
 
@@ -55,6 +59,8 @@ pub struct LimitPoint {
     pub random: Vec<Response>,
     /// Response of the set with heights at the quantiles.
     pub quantiles: Response,
+    /// Its expected errors; see [`Self::expected_quantile_error`].
+    expected_quantile_errors: [f64; 2],
 }
 
 /// A quantity whose error is evaluated.
@@ -108,6 +114,17 @@ impl LimitPoint {
     /// Magnitude of the relative error of the set with heights at the quantiles.
     pub fn quantile_error(&self, quantity: Quantity) -> f64 {
         self.error(&self.quantiles, quantity).abs()
+    }
+
+    /// Leading term of [`Self::quantile_error`] for many asperities.
+    ///
+    /// Heights at the middles of n equally probable strata are a midpoint rule in the probability u of a greater height,
+    /// on [0, 1]. Its integrand g(u), the area or load of an asperity, has a logarithmic singularity at u = 0. There
+    /// g = -ln u gives an error of -ln 2/(2n), and -dg/d ln u varies so slowly that it may be taken at
+    /// 1/(2^1.5 pi n), which makes (ln u)^2 exact too. With a difference over u = 1/2 to 2 times that one, the error is
+    /// -[g(1/2) - g(2)]/(4n). What is neglected decreases as n^-2, by the start of contact and changes of regime.
+    pub fn expected_quantile_error(&self, quantity: Quantity) -> f64 {
+        self.expected_quantile_errors[quantity as usize]
     }
 }
 
@@ -169,12 +186,13 @@ pub fn convergence(
             done(count);
         }
         let Some(quantiles) = responses.pop() else { continue };
-        let limits = cases.iter().flat_map(|case| case.exact.iter().map(|exact| (&case.law, exact)));
-        for (k, (law, exact)) in limits.enumerate() {
+        let limits = cases.iter().flat_map(|case| case.exact.iter().map(move |exact| (case, exact)));
+        for (k, (&LimitCase { ref law, contact, .. }, exact)) in limits.enumerate() {
             points.push(LimitPoint {
                 law: law.clone(),
                 exact: *exact,
                 count,
+                expected_quantile_errors: expected_quantile_errors(contact, population, exact, count),
                 random: responses.iter().map(|set| set[k]).collect(),
                 quantiles: quantiles[k],
             });
@@ -183,8 +201,97 @@ pub fn convergence(
     Ok(points)
 }
 
+/// See [`LimitPoint::expected_quantile_error`]: of the area and of the load.
+fn expected_quantile_errors(
+    contact: &dyn MicroContact,
+    population: &Population,
+    exact: &Exact,
+    count: usize,
+) -> [f64; 2] {
+    let share = 1.0 / (2f64.powf(1.5) * PI * count as f64);
+    let at = |times: f64| {
+        let height = population.sigma * population.heights.quantile(1.0 - times * share);
+        let indentation = height - exact.statistical.separation;
+        if indentation <= 0.0 {
+            return [0.0; 2];
+        }
+        let Contact { area, load, .. } = contact.contact(indentation, Shape::sphere(population.radius));
+        [area, load]
+    };
+    let (higher, lower) = (at(0.5), at(2.0));
+    let per_area = population.density / (4.0 * count as f64);
+    let limits = [exact.area_ratio, exact.pressure];
+    [0, 1].map(|k| ((higher[k] - lower[k]) * per_area / limits[k]).abs())
+}
+
 fn respond_to_set(case: &LimitCase, set: &AsperitySet, plane: ReferencePlane) -> Vec<Response> {
     let separations: Vec<f64> =
         case.exact.iter().map(|exact| exact.statistical.separation_over_sigma).collect();
     Deterministic::new(case.contact, set.spheres(), plane).respond_all(&separations)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::distribution::Heights;
+    use crate::interface::Interface;
+    use crate::law::Hertz;
+    use crate::material::Material;
+    use crate::model::Statistical;
+
+    const COUNTS: [usize; 6] = [100, 1_000, 10_000, 100_000, 300_000, 1_000_000];
+
+    /// Case 1 of Table 1 under Hertz, with heights of one distribution.
+    fn points(heights: Heights, separations: &[f64]) -> Vec<LimitPoint> {
+        let steel = Material::new(210e9, 0.3, None, None).unwrap();
+        let contact = Interface::bare(Hertz, &steel, &steel).unwrap();
+        let population = Population { radius: 20e-6, sigma: 48e-9, density: 6e10, heights };
+        let responses = Statistical::new(&contact, population.clone()).respond_all(separations);
+        let exact =
+            responses.into_iter().map(|response| Exact::of_integral(response, population.density)).collect();
+        let case = LimitCase { law: String::new(), contact: &contact, exact };
+        convergence(&[case], &population, &COUNTS, 0, |_, _| [0; 32], |_| ()).unwrap()
+    }
+
+    #[test]
+    fn sums_over_quantiles_have_the_expected_error() {
+        for point in points(Heights::GAUSSIAN, &[0.0, 1.0, 2.0, 3.0]) {
+            for quantity in Quantity::ALL {
+                let [found, expected] =
+                    [point.quantile_error(quantity), point.expected_quantile_error(quantity)];
+                let off = (found / expected - 1.0).abs();
+                if point.is_fitted() {
+                    assert!(off < 0.01, "{quantity:?}, {} asperities: {found} and {expected}", point.count);
+                } else if point.expected_contacts() < 1.0 {
+                    assert!(off > 0.1, "without a contact there is no leading term");
+                }
+            }
+        }
+    }
+
+    /// The area of exponential heights above zero separation is exactly the logarithm.
+    #[test]
+    fn exponential_heights_have_the_error_of_the_logarithm() {
+        // Heights are about their mean: the lowest is at -1 sigma.
+        for point in points(Heights::EXPONENTIAL, &[-1.0]) {
+            let expected = 0.5 * std::f64::consts::LN_2 / point.count as f64;
+            assert!((point.expected_quantile_error(Quantity::Area) / expected - 1.0).abs() < 1e-8);
+            // The next term is that of the lowest heights.
+            let next = 0.2 / point.count as f64;
+            assert!((point.quantile_error(Quantity::Area) / expected - 1.0).abs() < next);
+        }
+    }
+
+    /// The local slope is -1 - 1/(2 ln n) for the area, and less steep for the load.
+    #[test]
+    fn the_expected_slope_is_steeper_than_that_of_a_midpoint_rule_by_a_logarithm() {
+        let points = points(Heights::GAUSSIAN, &[0.0]);
+        let slope = |quantity| {
+            let errors =
+                points.iter().map(|point| (point.count as f64, point.expected_quantile_error(quantity)));
+            SlopeFit::through(errors).unwrap().slope
+        };
+        assert!((slope(Quantity::Area) + 1.05).abs() < 0.005, "{}", slope(Quantity::Area));
+        assert!((slope(Quantity::Load) + 1.025).abs() < 0.005, "{}", slope(Quantity::Load));
+    }
 }

@@ -2,7 +2,8 @@
 
 use asperity::distribution::{Johnson, Weibull};
 use asperity::topography::generate::{
-    Plateau, Process, Seeds, SpectrumOf, SurfaceGenerator, Target, TargetGenerator, Unreachable, gaussian,
+    Plateau, Process, Seeds, SigmaOf, SpectrumOf, SurfaceGenerator, Target, TargetGenerator, Unreachable,
+    gaussian,
 };
 use asperity::topography::read::ReadOptions;
 use asperity::topography::spectrum::{Lay, Spectrum, SpectrumShape};
@@ -163,8 +164,8 @@ fn summits_become_those_of_nayak_as_the_pixel_shrinks() {
 /// Table 1 of Pasaribu and Schipper (2005), as five-point summits are found on the map.
 #[test]
 fn both_cases_of_table_1_are_met() {
-    let case_1 = Target { radius: 2e-5, sigma: 4.8e-8, density: 6e10 };
-    let case_2 = Target { radius: 1.6e-6, sigma: 2.6e-7, density: 9e10 };
+    let case_1 = Target { radius: 2e-5, sigma: 4.8e-8, sigma_of: SigmaOf::Summits, density: 6e10 };
+    let case_2 = Target { radius: 1.6e-6, sigma: 2.6e-7, sigma_of: SigmaOf::Summits, density: 9e10 };
     for (target, heights) in [
         (case_1, Heights::GAUSSIAN),
         (case_2, Heights::GAUSSIAN),
@@ -201,6 +202,35 @@ fn both_cases_of_table_1_are_met() {
     }
 }
 
+/// With sigma of the surface, radius and density are still those of the summits.
+#[test]
+fn sigma_of_the_surface_is_that_of_the_map() {
+    let target = Target { radius: 2e-5, sigma: 4.8e-8, sigma_of: SigmaOf::Surface, density: 6e10 };
+    let generator = TargetGenerator {
+        points: [1024, 768],
+        hurst: 0.8,
+        cut_off: 8.0,
+        lay: Lay::default(),
+        heights: Heights::GAUSSIAN,
+        neighbours: Neighbours::Four,
+    };
+    let reached = generator.surface(&target, [1; 32], None).unwrap();
+    assert!((Moments::of(&reached.map).sq / target.sigma - 1.0).abs() < 1e-12);
+    let summits = five_point(&reached.map);
+    let radii = summits.curvatures.iter().map(|k| 1.0 / k).sum::<f64>() / summits.curvatures.len() as f64;
+    assert!((radii / target.radius - 1.0).abs() < 1e-3, "{radii}");
+    let [density, _, _, variance] = found(&reached.map, Neighbours::Four);
+    assert!((density / target.density - 1.0).abs() < 1e-3, "{density}");
+    assert!(variance.sqrt() < 0.9 * target.sigma, "{variance}");
+    // The summits of Gaussian surfaces of this kind have a product of at least 0.05; case 2 asks for 0.03744.
+    let case_2 = Target { radius: 1.6e-6, sigma: 2.6e-7, sigma_of: SigmaOf::Surface, density: 9e10 };
+    let refused = generator.surface(&case_2, [1; 32], None).unwrap_err();
+    assert!(
+        matches!(refused, Unreachable::Product { least, .. } if (least - 0.05).abs() < 0.002),
+        "{refused}"
+    );
+}
+
 #[test]
 fn what_no_surface_has_is_refused_with_the_range() {
     let generator = TargetGenerator {
@@ -212,7 +242,7 @@ fn what_no_surface_has_is_refused_with_the_range() {
         neighbours: Neighbours::Four,
     };
     // NUMERICS: with skewness 1 and kurtosis 4.5 the product is at least 0.0425; case 2 asks for 0.03744.
-    let case_2 = Target { radius: 1.6e-6, sigma: 2.6e-7, density: 9e10 };
+    let case_2 = Target { radius: 1.6e-6, sigma: 2.6e-7, sigma_of: SigmaOf::Summits, density: 9e10 };
     let Err(Unreachable::Product { product, least, most, .. }) = generator.surface(&case_2, [1; 32], None)
     else {
         panic!("no surface of these heights has it")
@@ -393,7 +423,7 @@ fn the_finer_process_has_random_numbers_of_its_own() {
 /// What a report says of a target is a generator, which makes the same surface from the same seed.
 #[test]
 fn what_meets_a_target_is_made_by_the_recipe_that_is_reported() {
-    let target = Target { radius: 2e-5, sigma: 4.8e-8, density: 6e10 };
+    let target = Target { radius: 2e-5, sigma: 4.8e-8, sigma_of: SigmaOf::Summits, density: 6e10 };
     for (heights, neighbours) in
         [(Heights::GAUSSIAN, Neighbours::Eight), (johnson(-1.0, 4.5), Neighbours::Four)]
     {

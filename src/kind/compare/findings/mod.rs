@@ -5,13 +5,16 @@
 //! | `verdicts` | whether the statistical model may be used, by quantity and stretch of load |
 //! | `layer` | what the thickness of a layer changes |
 //! | `decreasing` | where a deeper asperity has less area or load |
+//! | `readings` | what reading sigma and d as those of the surface changes |
 
 mod decreasing;
 mod layer;
+mod readings;
 mod verdicts;
 
 pub use decreasing::Decreasing;
 pub use layer::{AtThickness, GapRange, LayerFindings, PlasticRange};
+pub use readings::{ReadAnswer, ReadLoads, Readings};
 pub use verdicts::{Basis, Verdicts};
 
 use asperity::compare::{PointCounts, Realisation, Spread, spread};

@@ -6,6 +6,7 @@
 //! | `differences` | the figure behind the verdicts |
 //! | `decreasing` | area or load that decreases with increasing indentation |
 //! | `layer` | results by layer thickness |
+//! | `readings` | σ and d read as those of the asperities or of the surface |
 //! | `surface` | the surface, and the inputs of the statistical model |
 //! | `answers` | results of both models |
 //! | `limits` | limits of validity |
@@ -19,6 +20,7 @@ pub mod figures;
 mod layer;
 mod limits;
 mod names;
+mod readings;
 mod surface;
 pub mod verdict;
 
@@ -51,6 +53,9 @@ pub fn page(results: &CompareResults) -> Page {
         page.bullets(series.summary_lines());
     }
     decreasing::bullets(&mut page, results);
+    if let Some(found) = &results.readings {
+        page.bullets(readings::finding(found));
+    }
     if results.surfaces.iter().any(|found| found.findings.laws.len() > 1) {
         page.paragraph(
             "An experiment of kind `[laws]` compares the effect of the contact law with that of the summation method.",
@@ -60,6 +65,9 @@ pub fn page(results: &CompareResults) -> Page {
     sections::what_was_run(&mut page, &results.metadata, &results.contact);
     if let Some(layer) = &results.contact.layer {
         layer::rule_section(&mut page, layer);
+    }
+    if let Some(found) = &results.readings {
+        readings::section(&mut page, found);
     }
     for found in &results.surfaces {
         surface(&mut page, found);

@@ -1,5 +1,6 @@
 //! The section on a surface.
 
+use asperity::topography::generate::SigmaOf;
 use asperity_framework::report::format::{count, input_number, input_quantity, number, quantity};
 use asperity_framework::report::page::Page;
 
@@ -18,11 +19,17 @@ pub fn surface(page: &mut Page, found: &SurfaceResults) {
         ));
     }
     section(page, surface, Some(population));
-    if surface.is_quoted_as_surface() {
-        page.paragraph(
+    if surface.separations_of() == SigmaOf::Surface {
+        let asperities = if surface.map.is_some() {
+            "asperity heights are those of the summits found"
+        } else {
+            "asperity heights follow from Nayak (1971)"
+        };
+        page.paragraph(&format!(
             "Separations are measured from the mean plane of the surface and normalised by the standard deviation of the \
-             surface heights; asperity heights follow from Nayak (1971).",
-        );
+             surface heights; {asperities}. The distribution of asperity heights above is about their own mean, in units of their \
+             own σ."
+        ));
     }
     page.paragraph(&format!(
         "Inputs of the statistical model: {} heights with σ = {}, radius {}, density η = {} /m².",

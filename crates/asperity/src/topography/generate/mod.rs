@@ -4,7 +4,7 @@ mod gaussian;
 mod target;
 
 pub use gaussian::gaussian;
-pub use target::{Reached, Target, TargetGenerator, Unreachable};
+pub use target::{Reached, SigmaOf, Target, TargetGenerator, Unreachable};
 
 use std::sync::atomic::{AtomicUsize, Ordering};
 

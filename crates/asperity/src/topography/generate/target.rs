@@ -1,4 +1,5 @@
-//! Surfaces whose summits have a prescribed mean radius, standard deviation of heights and density.
+//! Surfaces whose summits have a prescribed mean radius and density, and a prescribed standard deviation of the heights of
+//! the summits or of the surface.
 //!
 //! The product density * radius * sigma is invariant to scaling of heights and lengths and depends on the bandwidth of
 //! the spectrum only. The bandwidth is found by a search; then heights are scaled to sigma and lengths to the density.
@@ -6,17 +7,32 @@
 use super::field;
 use crate::asperity::{AsperitySet, SetError, Statistics};
 use crate::distribution::Heights;
+use crate::topography::roughness::Moments;
 use crate::topography::spectrum::{Lay, Spectrum, SpectrumError, SpectrumShape};
 use crate::topography::summits::{Detail, Neighbours, find};
 use crate::topography::{HeightMap, MapError};
 
-/// Prescribed statistics of the summits.
+/// The heights that a prescribed standard deviation refers to.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+#[cfg_attr(feature = "serde", derive(serde::Deserialize))]
+#[cfg_attr(feature = "serde", serde(rename_all = "kebab-case"))]
+pub enum SigmaOf {
+    /// Those of the summits.
+    #[default]
+    Summits,
+    /// Those of all points of the map, about their mean: sigma is Sq.
+    Surface,
+}
+
+/// Prescribed statistics of a surface and its summits.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Target {
     /// Arithmetic mean of the radii, m.
     pub radius: f64,
-    /// Standard deviation of the summit heights, m.
+    /// Standard deviation of the heights, m.
     pub sigma: f64,
+    /// Of which heights.
+    pub sigma_of: SigmaOf,
     /// Summits per area, 1/m^2.
     pub density: f64,
 }
@@ -123,13 +139,15 @@ pub enum Unreachable {
 struct Trial {
     log_bandwidth: f64,
     map: HeightMap,
-    statistics: Statistics,
+    mean_radius: f64,
+    /// Standard deviation of the heights that the target prescribes.
+    sigma: f64,
     density: f64,
 }
 
 impl Trial {
     fn product(&self) -> f64 {
-        self.density * self.statistics.mean_radius * self.statistics.sigma
+        self.density * self.mean_radius * self.sigma
     }
 }
 
@@ -164,7 +182,7 @@ impl TargetGenerator {
         Spectrum::new(shape, self.lay)
     }
 
-    fn trial(&self, log_bandwidth: f64, seed: [u8; 32]) -> Result<Trial, Unreachable> {
+    fn trial(&self, log_bandwidth: f64, seed: [u8; 32], sigma_of: SigmaOf) -> Result<Trial, Unreachable> {
         let spectrum = self.spectrum(log_bandwidth.exp(), 1.0)?;
         spectrum.check(self.points, [1.0; 2])?;
         let heights = field(&spectrum.on_grid(self.points, [1.0; 2]), &self.heights, 1.0, seed);
@@ -172,7 +190,12 @@ impl TargetGenerator {
         let summits = find(&map, self.neighbours, Detail::default());
         let radii = summits.curvatures.iter().map(|curvature| curvature.recip()).collect();
         let set = AsperitySet::new(summits.heights, radii, summits.tested as f64)?;
-        Ok(Trial { log_bandwidth, map, statistics: Statistics::of(&set), density: set.density() })
+        let statistics = Statistics::of(&set);
+        let sigma = match sigma_of {
+            SigmaOf::Summits => statistics.sigma,
+            SigmaOf::Surface => Moments::of(&map).sq,
+        };
+        Ok(Trial { log_bandwidth, map, mean_radius: statistics.mean_radius, sigma, density: set.density() })
     }
 
     /// The surface of a seed that meets the target. All trials use the same random numbers, so that the product is a
@@ -190,7 +213,7 @@ impl TargetGenerator {
         let mut tried = 0;
         let mut trial = |log_bandwidth: f64| {
             tried += 1;
-            self.trial(log_bandwidth, seed)
+            self.trial(log_bandwidth, seed, target.sigma_of)
         };
         let [below, above] = match self.near(target, first, &mut trial)? {
             Some(bracket) => bracket,
@@ -250,7 +273,7 @@ impl TargetGenerator {
     /// Scales a trial to the target.
     fn scaled(&self, trial: Trial, target: &Target, tried: usize) -> Result<Reached, Unreachable> {
         let pixel = (trial.density / target.density).sqrt();
-        let scale = target.sigma / trial.statistics.sigma;
+        let scale = target.sigma / trial.sigma;
         let mut heights = trial.map.into_heights();
         heights.iter_mut().for_each(|z| *z *= scale);
         let bandwidth = trial.log_bandwidth.exp();

@@ -1,0 +1,45 @@
+//! `[limit]` from the spec to the slopes of the report.
+
+use asperity_experiment::Experiment;
+use asperity_framework::Outcome;
+use asperity_framework::progress::Silent;
+
+fn run(separation: f64, largest: f64) -> Box<dyn Outcome> {
+    let spec = format!(
+        "title = \"t\"\nseed = 3\n{}[limit]\nrough = \"steel\"\nflat = \"steel\"\nlaw = [\"hertz\", \"zmc\"]\n{}\
+         separation = {{ values = [{separation}] }}\ncount = {{ from = 1e2, to = {largest:e}, points = 7 }}\ndraws = 8\n",
+        steel!(),
+        case_1!(),
+    );
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("limit.toml");
+    std::fs::write(&path, spec).unwrap();
+    Experiment::read(&path).unwrap().run(&Silent).unwrap()
+}
+
+#[test]
+fn slopes_at_the_quantiles_are_those_of_the_leading_error() {
+    let outcome = run(0.0, 1e5);
+    assert!(outcome.page().markdown().contains("**heights at the quantiles, area**: the error decreases"));
+    let summary = outcome.summary().unwrap();
+    let slopes = summary["slopes"].as_array().unwrap();
+    assert_eq!(slopes.len(), 8, "two laws, two quantities, random and at the quantiles");
+    for slope in slopes {
+        let number = |key: &str| slope[key].as_f64().unwrap();
+        let (found, expected) = (number("slope"), number("expected_slope"));
+        if slope["heights"] == "random" {
+            assert_eq!(expected, -0.5);
+        } else {
+            assert!((found - expected).abs() < 2e-3, "{slope}");
+            // The logarithm is seen: -1 is ten times as far off.
+            assert!((found + 1.0).abs() > 0.02, "{slope}");
+        }
+    }
+}
+
+#[test]
+fn too_few_contacts_have_no_slope() {
+    let outcome = run(3.0, 1e3);
+    assert!(outcome.summary().unwrap().get("slopes").is_none());
+    assert!(!outcome.page().markdown().contains("the error decreases"));
+}

@@ -1,0 +1,128 @@
+//! σ and d of the asperities or of the surface: generated surfaces, populations, and what the reading changes.
+
+use asperity::compare::{Control, Kind};
+use asperity::distribution::gaussian_moment;
+use asperity::topography::generate::SigmaOf;
+use asperity::{Population, SurfaceHeights};
+use asperity_experiment::Experiment;
+use asperity_experiment::kind::compare::answers::RealisationResults;
+use asperity_experiment::kind::compare::results::CompareResults;
+use asperity_framework::Outcome;
+use asperity_framework::progress::Silent;
+
+/// A comparison under Hertz, whose integral has a closed form.
+fn run(separations: &str, surfaces: &str) -> Box<dyn Outcome> {
+    let spec = format!(
+        "title = \"t\"\nseed = 3\n{}[compare]\nrough = \"steel\"\nflat = \"steel\"\nlaw = \"hertz\"\n\
+         separation = {{ values = {separations} }}\n{surfaces}",
+        steel!(),
+    );
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("readings.toml");
+    std::fs::write(&path, spec).unwrap();
+    Experiment::read(&path).unwrap().run(&Silent).unwrap()
+}
+
+fn population(name: &str, sigma: &str, heights: &str) -> String {
+    format!(
+        "[surface.{name}.population]\nradius = \"20 um\"\nsigma = \"{sigma}\"\ndensity = \"6e10 /m^2\"\ncount = 100000\n\
+         draw = \"quantiles\"\nheights = \"{heights}\"\n"
+    )
+}
+
+/// Greenwood and Williamson's pressure at a separation (m) from the mean asperity height.
+fn greenwood_williamson(population: &Population, modulus: f64, separation: f64) -> f64 {
+    let &Population { radius, sigma, density, .. } = population;
+    let moment = gaussian_moment(1.5, separation / sigma);
+    4.0 / 3.0 * density * modulus * radius.sqrt() * sigma.powf(1.5) * moment
+}
+
+fn pressure(found: &RealisationResults, kind: Kind, h: f64) -> f64 {
+    let curves = &found.cases[0].comparison.curves;
+    let at = |target: f64| target == h;
+    let mut points = curves.iter().filter(|point| point.kind == kind && point.control == Control::Separation);
+    points.find(|point| at(point.target)).unwrap().response.pressure.total()
+}
+
+/// Sq is prescribed, and d is measured from the mean plane in Sq, by both models.
+#[test]
+fn a_generated_surface_has_sigma_of_its_surface() {
+    let surface = "[surface.a.generate]\npoints = 512\nspectrum.self-affine = { hurst = 0.8 }\n\
+                   summits = { radius = \"20 um\", sigma = \"48 nm\", density = \"6e10 /m^2\", heights = \"surface\" }\n";
+    let outcome = run("[2, 1]", surface);
+    let page = outcome.page().markdown();
+    assert!(page.contains("Separations are measured from the mean plane of the surface"), "{page}");
+    assert!(!page.contains("Two readings"), "there is one reading only");
+    let results: CompareResults = crate::downcast(outcome);
+    let found = &results.surfaces[0];
+    let surface = &found.surface;
+    assert_eq!(surface.separations_of(), SigmaOf::Surface);
+    let moments = surface.map.as_ref().unwrap().roughness.moments;
+    assert!((moments.sq / 48e-9 - 1.0).abs() < 1e-12, "{}", moments.sq);
+    assert!((surface.statistics.mean_radius / 20e-6 - 1.0).abs() < 1e-3);
+    assert!((surface.set.density() / 6e10 - 1.0).abs() < 1e-3);
+    // The summits scatter less than the surface and lie above its mean plane.
+    assert!(surface.statistics.sigma < 0.95 * moments.sq);
+    assert!(surface.offset_to_mean_plane().unwrap() > 0.5 * moments.sq);
+    for h in [2.0, 1.0] {
+        let separation = h * moments.sq - (surface.statistics.mean_height - moments.mean);
+        let expected =
+            greenwood_williamson(&found.first.population, results.contact.reduced_modulus, separation);
+        let integral = pressure(&found.first, Kind::Statistical, h);
+        assert!((integral / expected - 1.0).abs() < 1e-9, "{integral} and {expected}");
+        // The sum is over the same asperities, from the same plane.
+        let sum = pressure(&found.first, Kind::Deterministic, h);
+        assert!((0.5..1.5).contains(&(sum / integral)), "{sum} and {integral}");
+    }
+}
+
+#[test]
+fn the_same_numbers_in_both_readings_are_compared() {
+    let surfaces = [population("a", "48 nm", "gaussian"), population("b", "48 nm", "surface")].concat();
+    let outcome = run("[3, 2, 1.5, 1]", &surfaces);
+    let page = outcome.page().markdown();
+    assert!(page.contains("## Two readings of σ and d"), "{page}");
+    let summary = outcome.summary().unwrap();
+    let results: CompareResults = crate::downcast(outcome);
+    let readings = results.readings.as_ref().unwrap();
+    assert_eq!(summary["readings"].as_array().unwrap().len(), readings.loads.len());
+    let (radius, sigma, density) = (20e-6, 48e-9, 6e10);
+    let surface = SurfaceHeights { radius, sigma, density };
+    let modulus = results.contact.reduced_modulus;
+    let asperities = Population { radius, sigma, density, heights: asperity::Heights::GAUSSIAN };
+    let converted = Population { sigma: surface.asperity_sigma().unwrap(), ..asperities.clone() };
+    // d/sigma = 1.5 is not among those of the table.
+    assert_eq!(readings.loads.len(), 6);
+    for loads in &readings.loads {
+        assert_eq!(loads.surfaces, ["a", "b"]);
+        let d = loads.separation * sigma;
+        let expected = greenwood_williamson(&converted, modulus, d - surface.mean_asperity_height())
+            / greenwood_williamson(&asperities, modulus, d);
+        let tolerance = if loads.kind == Kind::Statistical { 1e-9 } else { 0.01 };
+        assert!((loads.ratio() / expected - 1.0).abs() < tolerance, "{loads:?}: {expected}");
+        // At one sigma of the surface, more than 5 % of it is in contact.
+        assert_eq!(loads.is_valid(), loads.separation > 1.0, "{loads:?}");
+    }
+    let [least, most] = readings.range().unwrap();
+    let [least_valid, most_valid] = readings.valid_range().unwrap();
+    assert!(least < least_valid && most == most_valid);
+}
+
+#[test]
+fn other_numbers_or_other_separations_are_not_compared() {
+    let same = |sigma| [population("a", "48 nm", "gaussian"), population("b", sigma, "surface")].concat();
+    let one_reading = [population("a", "48 nm", "surface"), population("b", "48 nm", "surface")].concat();
+    let other_heights =
+        [population("a", "48 nm", "exponential"), population("b", "48 nm", "surface")].concat();
+    for (separations, surfaces) in [
+        ("[3, 2, 1]", same("50 nm")),
+        ("[2.5, 1.5]", same("48 nm")),
+        ("[3, 2, 1]", one_reading),
+        ("[3, 2, 1]", other_heights),
+    ] {
+        let outcome = run(separations, &surfaces);
+        assert!(!outcome.page().markdown().contains("Two readings"));
+        let results: CompareResults = crate::downcast(outcome);
+        assert_eq!(results.readings, None);
+    }
+}
