@@ -24,20 +24,20 @@ const COARSE: usize = 32;
 /// Pressure and area of a monotonic model ([`Model::is_monotonic`]) lie, between two separations, between their values
 /// there. The model is therefore evaluated at so many separations that from each to the next both change by at most
 /// `tolerance`, and the response is interpolated linearly between them. A change by the factor f over the curve takes
-/// about ln(f)/`tolerance` evaluations; where that is more than half of the separations, or the model is not known to
-/// be monotonic, it is evaluated at each of them.
+/// about ln(f)/`tolerance` evaluations; where that would be more than half of the separations, or the model is not known
+/// to be monotonic, the responses are those of [`Model::respond_all`].
 ///
 /// The shares of the regimes, the contact density, the stiffness and the standard errors are interpolated too; no bound
 /// holds for these.
 pub fn respond_within(model: &dyn Model, separations: &[f64], tolerance: f64) -> Curve {
     let count = separations.len();
-    let is_bounded = tolerance > ACCURACY && count > 2 * COARSE && model.is_monotonic();
-    if !is_bounded {
-        return Curve { responses: model.respond_all(separations), evaluated: separations.to_vec() };
-    }
     let mut order: Vec<usize> = (0..count).collect();
     order.sort_by(|&a, &b| separations[a].total_cmp(&separations[b]));
-    let nodes = refine(model, &order.iter().map(|&k| separations[k]).collect::<Vec<_>>(), tolerance);
+    let ascending: Vec<f64> = order.iter().map(|&k| separations[k]).collect();
+    let is_bounded = tolerance > ACCURACY && count > 2 * COARSE && model.is_monotonic();
+    let Some(nodes) = is_bounded.then(|| refine(model, &ascending, tolerance)).flatten() else {
+        return Curve { responses: model.respond_all(separations), evaluated: separations.to_vec() };
+    };
     let sigma = model.plane().sigma;
     // Every other one is overwritten below.
     let mut responses = vec![nodes[0].response; count];
@@ -47,11 +47,10 @@ pub fn respond_within(model: &dyn Model, separations: &[f64], tolerance: f64) ->
     for pair in nodes.windows(2) {
         let [near, far] = [&pair[0].response, &pair[1].response];
         let from = near.separation_over_sigma;
-        let per_length = (far.separation_over_sigma - from).recip();
+        let length = far.separation_over_sigma - from;
         for &k in &order[pair[0].place + 1..pair[1].place] {
             let h = separations[k];
-            // `max` turns the NaN of equal separations into 0.
-            let t = ((h - from) * per_length).max(0.0).min(1.0);
+            let t = if length > 0.0 { (h - from) / length } else { 0.0 };
             responses[k] =
                 Response { separation_over_sigma: h, separation: h * sigma, ..between(near, far, t) };
         }
@@ -68,27 +67,34 @@ struct Node {
 }
 
 /// Responses at some of the `ascending` separations, the first and the last among them. From each to the next load and
-/// area change by at most `tolerance`, or no separation lies between them.
-fn refine(model: &dyn Model, ascending: &[f64], tolerance: f64) -> Vec<Node> {
-    let last = ascending.len() - 1;
-    let mut nodes: Vec<Node> = Vec::new();
-    let mut places: Vec<usize> = (0..=COARSE).map(|k| k * last / COARSE).collect();
-    while !places.is_empty() {
+/// area change by at most `tolerance`, or no separation lies between them. `None` if the first of them show that more
+/// than half of the separations are required.
+fn refine(model: &dyn Model, ascending: &[f64], tolerance: f64) -> Option<Vec<Node>> {
+    let evaluate = |places: &[usize]| {
         let separations: Vec<f64> = places.iter().map(|&place| ascending[place]).collect();
-        let responses = model.respond_all(&separations);
-        nodes.extend(places.iter().zip(responses).map(|(&place, response)| Node { place, response }));
-        nodes.sort_by_key(|node| node.place);
-        let all_between = |pair: &[Node]| pair[0].place + 1..pair[1].place;
-        let required = nodes.windows(2).flat_map(|pair| {
+        let responses = model.respond_all(&separations).into_iter();
+        responses.zip(places.to_vec()).map(|(response, place)| Node { place, response })
+    };
+    let required = |nodes: &[Node]| -> Vec<usize> {
+        let between = nodes.windows(2).flat_map(|pair| {
             let step = step(&pair[0], &pair[1], tolerance);
-            all_between(pair).skip(step - 1).step_by(step)
+            (pair[0].place..pair[1].place).step_by(step).skip(1)
         });
-        places = required.collect();
-        if 2 * (nodes.len() + places.len()) > ascending.len() {
-            places = nodes.windows(2).flat_map(all_between).collect();
-        }
+        between.collect()
+    };
+    let last = ascending.len() - 1;
+    let coarse: Vec<usize> = (0..=COARSE).map(|k| k * last / COARSE).collect();
+    let mut nodes: Vec<Node> = evaluate(&coarse).collect();
+    let mut places = required(&nodes);
+    if 2 * (nodes.len() + places.len()) > ascending.len() {
+        return None;
     }
-    nodes
+    while !places.is_empty() {
+        nodes.extend(evaluate(&places));
+        nodes.sort_by_key(|node| node.place);
+        places = required(&nodes);
+    }
+    Some(nodes)
 }
 
 /// The number of places from one to the next, so that load and area are expected to change by at most `tolerance` over
