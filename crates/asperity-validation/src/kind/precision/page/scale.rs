@@ -34,21 +34,21 @@ fn curve_cost(found: &CurveFindings) -> Option<String> {
             Kind::Deterministic => format!(" of {} asperities", count(found.asperities)),
         };
         let name = format!("{} separations of the {}{asperities}", count(first.separations), model(kind));
-        let at = |point: &CurvePoint| {
+        let interpolated: Vec<&CurvePoint> = found.interpolated(kind).collect();
+        let Some((loosest, others)) = interpolated.split_last() else {
+            return Some(format!("{name} are all evaluated within each tolerance"));
+        };
+        let at = |point: &CurvePoint, of: &str| {
             Some(format!(
-                "{} within {} (error found: {})",
+                "{}{of} within {} (error found: {})",
                 number(two_digits(found.time_ratio(point))),
                 input_number(point.tolerance?),
                 number(two_digits(point.error())),
             ))
         };
-        let mut interpolated: Vec<&CurvePoint> = found.interpolated(kind).collect();
-        let Some(loosest) = interpolated.pop() else {
-            return Some(format!("{name} are all evaluated at these tolerances"));
-        };
-        let tightest = interpolated.first().and_then(|point| at(point));
-        let tightest = tightest.map_or_else(String::new, |text| format!(", {text}"));
-        Some(format!("{name} take a fraction of the time of the exact curve: {}{tightest}", at(loosest)?))
+        let tightest = others.first().and_then(|point| at(point, ""));
+        let tightest = tightest.map_or_else(String::new, |text| format!(" and {text}"));
+        Some(format!("{name} take {}{tightest}", at(loosest, " times the time of the exact curve")?))
     };
     let parts: Vec<String> = [Kind::Statistical, Kind::Deterministic].into_iter().filter_map(of).collect();
     (!parts.is_empty()).then(|| parts.join("; "))
@@ -129,9 +129,6 @@ pub fn curves(page: &mut Page, results: &PrecisionResults) {
                 ]
             }),
         );
-        if let Some(text) = curve_cost(found) {
-            page.paragraph(&format!("{text}."));
-        }
     }
 }
 
