@@ -120,7 +120,8 @@ fn step(near: &Node, far: &Node, tolerance: f64) -> usize {
 /// The response at the fraction `t` of the way from `near` to `far`: every quantity linearly, so that the parts of the
 /// regimes add up to totals between those of `near` and `far`.
 fn between(near: &Response, far: &Response, t: f64) -> Response {
-    let mix = |near: f64, far: f64| (1.0 - t) * near + t * far;
+    // In this form equal denormal numbers stay equal, and nothing becomes negative.
+    let mix = |near: f64, far: f64| near + t * (far - near);
     let parts = |ByRegime(near): ByRegime, ByRegime(far): ByRegime| {
         ByRegime(std::array::from_fn(|k| mix(near[k], far[k])))
     };
