@@ -113,7 +113,8 @@ fn lists(contact: &dyn MicroContact, population: &Population) -> Vec<(&'static s
 /// Every law: those whose loads and areas increase are interpolated, the others are not.
 #[test]
 fn load_and_area_are_within_the_tolerance_for_any_law_and_list() {
-    const TOLERANCES: [f64; 4] = [1e-1, 1e-2, 1e-3, 1e-4];
+    /// 0.05 is between Kogut and Etsion's jumps of load (0.03) and area (0.07) at the onset of yield.
+    const TOLERANCES: [f64; 5] = [1e-1, 5e-2, 1e-2, 1e-3, 1e-4];
     let mut interpolated = 0;
     for (law, population) in registry().iter().flat_map(|law| CASES.iter().map(move |case| (law, case))) {
         let contact = bare(&law.name());
