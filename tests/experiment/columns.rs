@@ -137,7 +137,6 @@ threads = { values = [1] }
 [precision.curve]
 asperities = 3000
 separations = 20
-beside = 5
 tolerance = { values = [1e-2] }
 [precision.list]
 count = { values = [1e3] }

@@ -41,7 +41,7 @@ pub struct CompareSpec {
     pub surfaces: Option<Vec<Spanned<String>>>,
     /// d/sigma.
     pub separation: Option<LinearSweep>,
-    /// Tolerance of the curves over d/sigma; exact by default.
+    /// Relative tolerance of load and area of the curves over d/sigma; exact by default.
     #[serde(default)]
     pub tolerance: ToleranceSpec,
     /// Nominal pressures.

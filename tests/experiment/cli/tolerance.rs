@@ -12,11 +12,11 @@ seed = 3
 rough = "steel"
 flat = "steel"
 law = "zmc"
-separation = { from = 4, to = 0, points = 401 }
+separation = { from = 3, to = 0, points = 4001 }
 [surface.drawn.population]
 "#,
     case_1!(),
-    r#"count = 50000
+    r#"count = 5000
 "#
 );
 
@@ -26,7 +26,7 @@ fn a_curve_within_a_tolerance_says_so_and_holds_it() {
     let out = folder.path().join("reports");
     let mut curves = Vec::new();
     for (name, tolerance) in
-        [("exact", ""), ("near", "tolerance = { statistical = 1e-8, deterministic = 1e-3 }\nseparation = {")]
+        [("exact", ""), ("near", "tolerance = { statistical = 1e-8, deterministic = 1e-2 }\nseparation = {")]
     {
         let spec = folder.path().join(format!("{name}.toml"));
         let words =
@@ -36,12 +36,13 @@ fn a_curve_within_a_tolerance_says_so_and_holds_it() {
         assert!(output.status.success(), "{}", text(&output.stderr));
         let mut reader = csv::Reader::from_path(out.join(name).join("curves.csv")).unwrap();
         let rows: Vec<csv::StringRecord> = reader.records().map(Result::unwrap).collect();
-        assert_eq!(rows.len(), 2 * 401);
+        assert_eq!(rows.len(), 2 * 4001);
         curves.push(rows);
     }
     let mut differing = 0;
+    // So many integrals within 1e-8 would take more than all of them, exactly.
     for (exact, near) in curves[0].iter().zip(&curves[1]) {
-        let within = if &exact[4] == "statistical" { 1e-8 } else { 1e-3 };
+        let within = if &exact[4] == "statistical" { 0.0 } else { 1e-2 };
         // Pressure and area ratio.
         for column in [9, 11] {
             let [exact, near] = [exact, near].map(|row| row[column].parse::<f64>().unwrap());
@@ -49,9 +50,9 @@ fn a_curve_within_a_tolerance_says_so_and_holds_it() {
             differing += usize::from(near != exact);
         }
     }
-    assert!(differing > 400, "{differing}");
+    assert!(differing > 2 * 2000, "{differing}");
     let read = |name: &str, file: &str| fs::read_to_string(out.join(name).join(file)).unwrap();
-    assert!(read("near", "report.md").contains("to 1e-3 for the deterministic model"));
+    assert!(read("near", "report.md").contains("to 1e-2 for the deterministic model"));
     assert!(!read("exact", "report.md").contains("agree with direct evaluation"));
     let summary: serde_json::Value = serde_json::from_str(&read("near", "summary.json")).unwrap();
     assert_eq!(summary["tolerance"]["statistical"], 1e-8);

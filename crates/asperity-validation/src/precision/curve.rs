@@ -1,6 +1,7 @@
-//! Cost of a curve of many separations within a tolerance, compared with all of them and with a few of them exact.
+//! Cost of a curve of many separations within a tolerance, compared with the exact curve.
 
 use std::hint::black_box;
+use std::iter;
 
 use super::sum::spread;
 use super::timing::{Candidate, medians};
@@ -10,10 +11,6 @@ use asperity::{
     Statistical, respond_within,
 };
 
-/// The tolerances at which a curve of a thousand separations is to cost no more than twice one of fifty: a sum has a kink
-/// at every asperity, an integral has none.
-pub const EASY: [(Kind, f64); 2] = [(Kind::Statistical, 1e-8), (Kind::Deterministic, 1e-4)];
-
 /// Settings of the curve benchmark.
 #[derive(Debug, Clone, PartialEq)]
 pub struct CurveTask {
@@ -21,8 +18,6 @@ pub struct CurveTask {
     pub asperities: usize,
     /// Separations of the curve.
     pub separations: usize,
-    /// Separations of the exact curve that it is held against.
-    pub beside: usize,
     /// Tolerances, ascending.
     pub tolerances: Vec<f64>,
 }
@@ -58,19 +53,20 @@ impl CurvePoint {
 pub struct CurveFindings {
     /// Asperities in the set that was summed.
     pub asperities: usize,
-    /// Model by model: few separations exactly, all of them exactly, then by tolerance.
+    /// Model by model: the exact curve, then by tolerance.
     pub points: Vec<CurvePoint>,
 }
 
 impl CurveFindings {
-    /// Few separations, exactly: what the other curves of a model are held against.
-    pub fn yardstick(&self, kind: Kind) -> Option<&CurvePoint> {
-        self.points.iter().find(|point| point.kind == kind)
+    /// The time of a curve over that of the exact curve of its model.
+    pub fn time_ratio(&self, point: &CurvePoint) -> f64 {
+        let exact = self.points.iter().find(|exact| exact.kind == point.kind);
+        exact.map_or(f64::NAN, |exact| point.seconds / exact.seconds)
     }
 
-    /// The time of a curve over that of its yardstick.
-    pub fn times(&self, point: &CurvePoint) -> f64 {
-        self.yardstick(point.kind).map_or(f64::NAN, |yardstick| point.seconds / yardstick.seconds)
+    /// The curves of a model of which separations were interpolated, by tolerance.
+    pub fn interpolated(&self, kind: Kind) -> impl Iterator<Item = &CurvePoint> {
+        self.points.iter().filter(move |point| point.kind == kind && point.evaluated < point.separations)
     }
 }
 
@@ -91,31 +87,26 @@ pub fn curves_of(
     Ok(CurveFindings { asperities: task.asperities, points })
 }
 
-/// Few separations exactly, all exactly, and all within each tolerance.
+/// All separations exactly, and within each tolerance.
 fn curves(kind: Kind, model: &dyn Model, task: &CurveTask) -> Vec<CurvePoint> {
-    let (few, all) = (spread(task.beside), spread(task.separations));
-    let exactly = |separations: &[f64]| Curve {
-        responses: model.respond_all(black_box(separations)),
-        evaluated: separations.to_vec(),
+    let separations = &spread(task.separations)[..];
+    let curve = |tolerance: Option<f64>| match tolerance {
+        Some(tolerance) => respond_within(model, black_box(separations), tolerance),
+        None => {
+            Curve { responses: model.respond_all(black_box(separations)), evaluated: separations.to_vec() }
+        }
     };
-    let tolerances = || [None, None].into_iter().chain(task.tolerances.iter().copied().map(Some));
+    let tolerances = || iter::once(None).chain(task.tolerances.iter().copied().map(Some));
     let mut found: Vec<Option<Curve>> = tolerances().map(|_| None).collect();
     let mut candidates: Vec<Candidate> = Vec::new();
-    for (place, (tolerance, found)) in tolerances().zip(&mut found).enumerate() {
-        let separations = if place == 0 { &few } else { &all };
-        candidates.push(Box::new(move || {
-            *found = Some(match tolerance {
-                Some(tolerance) => respond_within(model, black_box(separations), tolerance),
-                None => exactly(separations),
-            });
-        }));
+    for (tolerance, found) in tolerances().zip(&mut found) {
+        candidates.push(Box::new(move || *found = Some(curve(tolerance))));
     }
     let seconds = medians(&mut candidates);
     drop(candidates);
     let found: Vec<Curve> = found.into_iter().flatten().collect();
-    let point = |(place, ((curve, seconds), tolerance)): (usize, ((&Curve, f64), Option<f64>))| {
-        let exact = &found[place.min(1)].responses;
-        let error = |of: fn(&Response) -> f64| largest_error(&curve.responses, exact, of);
+    let point = |((curve, seconds), tolerance): ((&Curve, f64), Option<f64>)| {
+        let error = |of: fn(&Response) -> f64| largest_error(&curve.responses, &found[0].responses, of);
         CurvePoint {
             kind,
             tolerance,
@@ -126,7 +117,7 @@ fn curves(kind: Kind, model: &dyn Model, task: &CurveTask) -> Vec<CurvePoint> {
             seconds,
         }
     };
-    found.iter().zip(seconds).zip(tolerances()).enumerate().map(point).collect()
+    found.iter().zip(seconds).zip(tolerances()).map(point).collect()
 }
 
 fn largest_error(found: &[Response], exact: &[Response], of: fn(&Response) -> f64) -> f64 {
@@ -141,33 +132,28 @@ mod tests {
     use asperity::{Heights, Interface, Material, Zmc};
 
     #[test]
-    fn a_looser_tolerance_asks_for_fewer_answers_and_is_held() {
+    fn a_looser_tolerance_takes_fewer_evaluations_and_holds() {
         let steel = Material::new(210e9, 0.3, Some(7.6e9), None).unwrap();
         let contact = Interface::bare(Zmc::default(), &steel, &steel).unwrap();
         let case = Population { radius: 2e-5, sigma: 4.8e-8, density: 6e10, heights: Heights::GAUSSIAN };
-        let task = CurveTask {
-            asperities: 200_000,
-            separations: 400,
-            beside: 20,
-            tolerances: vec![1e-9, 1e-5, 1e-2],
-        };
+        let task = CurveTask { asperities: 20_000, separations: 8000, tolerances: vec![1e-6, 5e-3, 1e-2] };
         let found = curves_of(&contact, &case, &task, [5; 32]).unwrap();
-        assert_eq!(found.points.len(), 2 * 5);
-        for curves in found.points.chunks(5) {
-            let [few, all, within @ ..] = curves else { unreachable!() };
-            assert_eq!((few.separations, few.evaluated, few.error()), (20, 20, 0.0));
-            assert_eq!((all.separations, all.evaluated, all.error()), (400, 400, 0.0));
-            let timed = [(few, 2.0), (all, 7.0)].map(|(point, seconds)| CurvePoint { seconds, ..*point });
-            let timed = CurveFindings { asperities: 1, points: timed.to_vec() };
-            assert_eq!(timed.times(&timed.points[1]), 3.5);
-            for point in within {
-                let tolerance = point.tolerance.unwrap();
-                assert!(point.error() <= tolerance, "{point:?}");
-                assert!(point.separations == 400 && point.seconds > 0.0);
+        assert_eq!(found.points.len(), 2 * 4);
+        for curves in found.points.chunks(4) {
+            let [exact, all, within @ ..] = curves else { unreachable!() };
+            for exact in [exact, all] {
+                assert_eq!((exact.separations, exact.evaluated, exact.error()), (8000, 8000, 0.0));
             }
-            assert!(within[0].evaluated > within[2].evaluated, "{within:?}");
-            // What is interpolated is not exact.
-            assert!(within[2].area_error > 0.0 && within[2].load_error > 0.0);
+            let timed = [(exact, 2.0), (all, 7.0)].map(|(point, seconds)| CurvePoint { seconds, ..*point });
+            let timed = CurveFindings { asperities: 1, points: timed.to_vec() };
+            assert_eq!(timed.time_ratio(&timed.points[1]), 3.5);
+            for point in within {
+                assert!(point.error() <= point.tolerance.unwrap(), "{point:?}");
+                assert!(point.separations == 8000 && point.seconds > 0.0);
+                assert!(point.area_error > 0.0 && point.load_error > 0.0);
+            }
+            assert!(within[0].evaluated > within[1].evaluated && within[1].evaluated < 2000, "{within:?}");
+            assert!(found.interpolated(exact.kind).eq(within), "{curves:?}");
         }
     }
 }

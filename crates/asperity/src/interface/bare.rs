@@ -88,7 +88,7 @@ impl<L: Law + Clone> MicroContact for Interface<L> {
         self.regime_changes(shape)
     }
 
-    /// Within a range the load of every law increases; it can decrease only at boundaries.
+    /// Within a range load and area of every law increase; they can decrease only at boundaries.
     fn may_decrease(&self, shapes: Shapes) -> Vec<Interval> {
         /// Relative rounding error of a critical indentation and of the load jump there.
         const ROUNDING: f64 = 1e-14;
@@ -99,6 +99,10 @@ impl<L: Law + Clone> MicroContact for Interface<L> {
             high: ratio * shapes.radii.high * (1.0 + ROUNDING),
         });
         Interval::union(ranges)
+    }
+
+    fn area_may_decrease(&self) -> bool {
+        self.law.area_jumps(&self.pair).into_iter().any(|jump| jump < 1.0 - JUMP)
     }
 
     fn load_over(&self, from: f64, to: f64, shape: Shape) -> LoadBounds {

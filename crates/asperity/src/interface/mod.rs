@@ -122,6 +122,11 @@ pub trait MicroContact: Send + Sync {
     /// approach.
     fn may_decrease(&self, shapes: Shapes) -> Vec<Interval>;
 
+    /// Whether the area of an asperity may decrease with increasing indentation; `true` where that is not known.
+    fn area_may_decrease(&self) -> bool {
+        true
+    }
+
     /// Bounds of the load at indentations from `from` to `to`, `from < to` (m), which tighten as the range shrinks.
     fn load_over(&self, from: f64, to: f64, shape: Shape) -> LoadBounds;
 
@@ -172,5 +177,5 @@ pub fn plasticity_index(contact: &dyn MicroContact, sigma: f64, radius: f64) -> 
     hardness.is_finite().then(|| contact.reference_modulus() / hardness * (sigma / radius).sqrt())
 }
 
-/// Relative threshold of a load jump: above rounding, below every jump of a law.
+/// Relative threshold of a jump of load or area: above rounding, below every jump of a law.
 const JUMP: f64 = 1e-12;

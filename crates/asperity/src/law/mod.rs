@@ -273,9 +273,16 @@ pub trait Law: SingleContact + Send + Sync + 'static {
 
     /// The ratio of the loads just above and just below each critical indentation.
     fn jumps(&self, pair: &Pair) -> Vec<f64> {
-        let side = |ratio: f64| self.contact(ratio, 1.0, pair).load;
-        let ratios = self.critical_ratios(pair).into_iter();
-        ratios.map(|w| side(w * (1.0 + OFFSET)) / side(w * (1.0 - OFFSET))).collect()
+        let [below, above] = [1.0 - OFFSET, 1.0 + OFFSET];
+        let load = |w: f64| self.contact(w, 1.0, pair).load;
+        self.critical_ratios(pair).into_iter().map(|w| load(w * above) / load(w * below)).collect()
+    }
+
+    /// The ratio of the areas just above and just below each critical indentation.
+    fn area_jumps(&self, pair: &Pair) -> Vec<f64> {
+        let [below, above] = [1.0 - OFFSET, 1.0 + OFFSET];
+        let area = |w: f64| self.contact(w, 1.0, pair).area;
+        self.critical_ratios(pair).into_iter().map(|w| area(w * above) / area(w * below)).collect()
     }
 
     /// The highest load (N) at indentations from `from` to `to`, `from < to` (m).

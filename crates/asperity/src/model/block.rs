@@ -4,9 +4,9 @@ use crate::asperity::Asperities;
 use crate::numeric::INTEGER_BIAS;
 use crate::numeric::lanes::{Real, Work, run};
 
-/// The separations of a curve, m, in descending order, and a grid over them. The capacities `PLACES` and `CELLS` are
-/// powers of two, so that indices modulo them need no bounds check.
-pub(super) struct Levels<const PLACES: usize, const CELLS: usize> {
+/// The separations of a curve, m, in descending order, and a grid over them. Capacities are powers of two, so that
+/// indices modulo them need no bounds check.
+pub(super) struct Levels {
     count: usize,
     /// Beyond the last separation, -infinity.
     separations: Box<[f64; PLACES]>,
@@ -23,19 +23,16 @@ pub(super) struct Levels<const PLACES: usize, const CELLS: usize> {
 /// Cells per separation: most are empty, so that a height is rarely compared twice.
 const CELLS_PER_LEVEL: usize = 16;
 
-/// Capacity for the separations of a sum over blocks.
-const PLACES_OF_BLOCK: usize = 256;
+/// Capacity for separations.
+const PLACES: usize = 256;
 
-/// The separations of a sum over blocks.
-pub(super) type LevelsOfBlock = Levels<PLACES_OF_BLOCK, { CELLS_PER_LEVEL * PLACES_OF_BLOCK }>;
+/// Capacity for cells.
+const CELLS: usize = CELLS_PER_LEVEL * PLACES;
 
-/// The separations at which contacts are counted: their cells still fit in 16 bits.
-pub(super) type ManyLevels = Levels<4096, { CELLS_PER_LEVEL * 4096 }>;
-
-impl<const PLACES: usize, const CELLS: usize> Levels<PLACES, CELLS> {
+impl Levels {
     /// The largest number of separations.
     pub(super) const MOST: usize = {
-        assert!(PLACES.is_power_of_two() && CELLS == CELLS_PER_LEVEL * PLACES && CELLS <= 1 << 16);
+        assert!(PLACES.is_power_of_two() && CELLS.is_power_of_two() && CELLS <= 1 << 16);
         // One place and one cell more than separations are needed.
         PLACES / 2
     };
@@ -69,35 +66,6 @@ impl<const PLACES: usize, const CELLS: usize> Levels<PLACES, CELLS> {
     /// The separations, m, in descending order.
     pub(super) fn separations(&self) -> &[f64] {
         &self.separations[..self.count]
-    }
-
-    /// Number of `heights` (m) above each separation.
-    pub(super) fn count_above(&self, heights: &[f64]) -> Vec<u64> {
-        let mut counts =
-            if self.is_crowded { self.count_by::<true>(heights) } else { self.count_by::<false>(heights) };
-        let mut above = 0;
-        counts.iter_mut().for_each(|count| {
-            above += *count;
-            *count = above;
-        });
-        counts
-    }
-
-    /// Number of `heights` (m) between each separation and the next larger one.
-    fn count_by<const CROWDED: bool>(&self, heights: &[f64]) -> Vec<u64> {
-        /// Heights per pass, which fit in the cache.
-        const TOGETHER: usize = 1024;
-        let mut counts = vec![0; self.count];
-        let (mut cells, mut touched) = ([0; TOGETHER], [0; TOGETHER]);
-        for heights in heights.chunks(TOGETHER) {
-            run(FindCells { levels: self, heights, cells: &mut cells });
-            let end = keep_touched(&cells[..heights.len()], &mut touched);
-            for &index in &touched[..end] {
-                let index = usize::from(index);
-                counts[usize::from(self.untouched::<CROWDED>(heights[index], cells[index]))] += 1;
-            }
-        }
-        counts
     }
 
     /// The cell of a height (m): 0 up to the lowest separation, then increasing with height.
@@ -140,7 +108,7 @@ pub(super) struct Block {
     touched: Box<[u16; Self::MOST]>,
     places: Box<[u16; Self::MOST]>,
     /// Number touched at each separation.
-    ends: [usize; PLACES_OF_BLOCK],
+    ends: [usize; PLACES],
 }
 
 impl Default for Block {
@@ -152,7 +120,7 @@ impl Default for Block {
             cells: zeroed(),
             touched: zeroed(),
             places: zeroed(),
-            ends: [0; PLACES_OF_BLOCK],
+            ends: [0; PLACES],
         }
     }
 }
@@ -162,13 +130,13 @@ fn zeroed<T: Default + Copy>() -> Box<[T; Block::MOST]> {
 }
 
 /// Computes the cells of heights in vector registers.
-struct FindCells<'a, const PLACES: usize, const CELLS: usize> {
-    levels: &'a Levels<PLACES, CELLS>,
+struct FindCells<'a> {
+    levels: &'a Levels,
     heights: &'a [f64],
     cells: &'a mut [u16],
 }
 
-impl<const PLACES: usize, const CELLS: usize> Work for FindCells<'_, PLACES, CELLS> {
+impl Work for FindCells<'_> {
     type Output = ();
 
     #[inline(always)]
@@ -195,7 +163,7 @@ impl Block {
     pub(super) const MOST: usize = 8192;
 
     /// Fills the block with up to [`Self::MOST`] asperities.
-    pub(super) fn fill(&mut self, asperities: Asperities<'_>, levels: &LevelsOfBlock) {
+    pub(super) fn fill(&mut self, asperities: Asperities<'_>, levels: &Levels) {
         if levels.is_crowded {
             self.fill_by::<true>(asperities, levels);
         } else {
@@ -203,7 +171,7 @@ impl Block {
         }
     }
 
-    fn fill_by<const CROWDED: bool>(&mut self, asperities: Asperities<'_>, levels: &LevelsOfBlock) {
+    fn fill_by<const CROWDED: bool>(&mut self, asperities: Asperities<'_>, levels: &Levels) {
         let all = asperities.count();
         let (z, b) = (&asperities.heights()[..all], &asperities.radii()[..all]);
         let Self { heights, radii, spheres, cells, touched, places, ends } = self;
@@ -216,7 +184,7 @@ impl Block {
         for (place, &index) in places.iter_mut().zip(touched) {
             let index = usize::from(index);
             *place = levels.untouched::<CROWDED>(z[index], cells[index % Self::MOST]);
-            ends[usize::from(*place) % PLACES_OF_BLOCK] += 1;
+            ends[usize::from(*place) % PLACES] += 1;
         }
         let mut start = 0;
         for end in ends.iter_mut() {
@@ -225,7 +193,7 @@ impl Block {
 
         // Each start advances to the end of its range.
         let order = places.iter().zip(touched).map(|(&place, &index)| {
-            let end = &mut ends[usize::from(place) % PLACES_OF_BLOCK];
+            let end = &mut ends[usize::from(place) % PLACES];
             let to = *end % Self::MOST;
             *end += 1;
             (to, usize::from(index))
@@ -270,17 +238,14 @@ mod tests {
         let all = Asperities::new(&heights, &radii, Some(&radii), 1.0);
         let mut block = Block::default();
         for separations in lists {
-            let levels = LevelsOfBlock::new(separations);
+            let levels = Levels::new(separations);
             block.fill(all, &levels);
-            let counts = levels.count_above(&heights);
-            assert_eq!(ManyLevels::new(separations).count_above(&heights), counts);
             for (level, &separation) in separations.iter().enumerate() {
                 let mut found: Vec<_> =
                     block.above(level, &all).each().map(|(z, shape)| (shape.radius as usize, z)).collect();
                 found.sort_by_key(|(index, _)| *index);
                 let exact = (1..).zip(heights.iter().copied()).filter(|(_, z)| *z > separation);
                 assert_eq!(found, exact.collect::<Vec<_>>(), "{separation} of {separations:?}");
-                assert_eq!(counts[level], found.len() as u64);
             }
         }
     }

@@ -3,11 +3,11 @@
 use std::cell::Cell;
 use std::sync::OnceLock;
 
-use super::block::{Block, Levels, LevelsOfBlock, ManyLevels};
+use super::block::{Block, Levels};
 use super::load_control::{LOWEST_SEPARATION, search_missing};
 use super::sparse::SparseSubset;
 use super::validity::LoadSharing;
-use super::{ContactCounts, Model, ReferencePlane, Response, SamplingError};
+use super::{Model, ReferencePlane, Response, SamplingError};
 use crate::accumulator::{Accumulator, Total};
 use crate::asperity::{Asperities, Ordered};
 use crate::interface::{LoadBounds, MicroContact, Shapes};
@@ -47,7 +47,7 @@ impl DecreasingLoads {
     fn of(contact: &dyn MicroContact, asperities: Asperities) -> Option<Self> {
         /// The largest number of classes of radii, so that one sharp asperity does not affect all others.
         const CLASSES: u8 = 32;
-        let (radii, spheres) = (asperities.radius_range(), asperities.sphere_range());
+        let Shapes { radii, spheres } = shapes_of(&asperities);
         if contact.may_decrease(Shapes { radii, spheres }).is_empty() {
             return None;
         }
@@ -79,23 +79,9 @@ impl DecreasingLoads {
     }
 }
 
-/// Evaluates `of` at `separations` (m) in groups of descending separation; the results are in the order of
-/// `separations`.
-fn on_levels<T: Clone + Default, const PLACES: usize, const CELLS: usize>(
-    separations: &[f64],
-    of: impl Fn(&Levels<PLACES, CELLS>) -> Vec<T>,
-) -> Vec<T> {
-    let mut order: Vec<usize> = (0..separations.len()).collect();
-    order.sort_by(|&a, &b| separations[b].total_cmp(&separations[a]));
-    let mut answers = vec![T::default(); separations.len()];
-    for some in order.chunks(Levels::<PLACES, CELLS>::MOST) {
-        let asked: Vec<f64> = some.iter().map(|&k| separations[k]).collect();
-        let found = of(&Levels::new(&asked));
-        for (&k, answer) in some.iter().zip(found) {
-            answers[k] = answer;
-        }
-    }
-    answers
+/// The ranges of radii and numbers of spheres.
+fn shapes_of(asperities: &Asperities<'_>) -> Shapes {
+    Shapes { radii: asperities.radius_range(), spheres: asperities.sphere_range() }
 }
 
 /// Scratch buffers of one task.
@@ -129,18 +115,27 @@ impl<'a> Deterministic<'a> {
 
     /// The sums at each of many separations (m, in the frame of the set's heights).
     pub fn totals(&self, separations: &[f64]) -> Vec<Total> {
-        on_levels(separations, |levels| {
-            let lowest = levels.separations()[levels.separations().len() - 1];
-            match SparseSubset::above(lowest, &self.asperities) {
+        let mut order: Vec<usize> = (0..separations.len()).collect();
+        order.sort_by(|&a, &b| separations[b].total_cmp(&separations[a]));
+        let mut totals = vec![Total::default(); separations.len()];
+        for some in order.chunks(Levels::MOST) {
+            let descending: Vec<f64> = some.iter().map(|&k| separations[k]).collect();
+            let levels = Levels::new(&descending);
+            let lowest = descending[descending.len() - 1];
+            let found = match SparseSubset::above(lowest, &self.asperities) {
                 // Blocks almost without contacts are not processed separation by separation.
-                Some(few) => Deterministic::new(self.contact, few.asperities(), self.plane).descend(levels),
-                None => self.descend(levels),
+                Some(few) => Deterministic::new(self.contact, few.asperities(), self.plane).descend(&levels),
+                None => self.descend(&levels),
+            };
+            for (&k, total) in some.iter().zip(found) {
+                totals[k] = total;
             }
-        })
+        }
+        totals
     }
 
     /// The sums at descending separations.
-    fn descend(&self, levels: &LevelsOfBlock) -> Vec<Total> {
+    fn descend(&self, levels: &Levels) -> Vec<Total> {
         let count = self.asperities.count();
         let blocks = count.div_ceil(Block::MOST);
         let per_task = Block::MOST * blocks.div_ceil(TASKS).clamp(1, BLOCKS_PER_TASK);
@@ -247,24 +242,14 @@ impl Model for Deterministic<'_> {
         separations.iter().zip(&totals).map(|(&h, total)| self.response(h, total)).collect()
     }
 
-    fn count_contacts(&self, separations: &[f64]) -> Option<ContactCounts> {
-        /// Heights counted per task.
-        const HEIGHTS: usize = 1 << 14;
-        let absolute: Vec<f64> = separations.iter().map(|&h| self.absolute(h)).collect();
-        let counts = on_levels(&absolute, |levels: &ManyLevels| {
-            let heights: Vec<&[f64]> = self.asperities.heights().chunks(HEIGHTS).collect();
-            let mut total = vec![0; levels.separations().len()];
-            for part in parallel::map(heights.len(), |k| levels.count_above(heights[k])) {
-                total.iter_mut().zip(part).for_each(|(total, part)| *total += part);
-            }
-            total
-        });
-        let contacts = counts.into_iter().map(|count| count as f64).collect();
-        Some(ContactCounts { contacts, per_area: self.asperities.nominal_area().recip() })
-    }
-
     fn may_decrease(&self) -> bool {
         self.decreasing_loads().is_some()
+    }
+
+    /// Without the order of the asperities that [`Self::may_decrease`] makes.
+    fn is_monotonic(&self) -> bool {
+        let loads = || self.contact.may_decrease(shapes_of(&self.asperities));
+        !self.contact.area_may_decrease() && loads().is_empty()
     }
 
     fn separations_at(&self, pressures: &[f64]) -> Vec<Option<f64>> {

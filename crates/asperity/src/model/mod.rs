@@ -22,15 +22,6 @@ pub use validity::{
 
 use crate::numeric::levels::{Point, last_reaching_all};
 
-/// Counted contacts of a sum.
-#[derive(Debug, Clone, PartialEq)]
-pub struct ContactCounts {
-    /// Number of contacts at each separation.
-    pub contacts: Vec<f64>,
-    /// The density of one contact, 1/(nominal area), 1/m^2.
-    pub per_area: f64,
-}
-
 /// A way of summing a micro-contact over a rough surface. Separations are d/sigma, measured from [`Self::plane`].
 pub trait Model: Sync {
     /// Where separations are measured from.
@@ -39,13 +30,14 @@ pub trait Model: Sync {
     /// The responses at the separations d/sigma; faster than point by point.
     fn respond_all(&self, separations: &[f64]) -> Vec<Response>;
 
-    /// The number of contacts at each of the separations d/sigma; `None` if the model cannot count them separately.
-    fn count_contacts(&self, _: &[f64]) -> Option<ContactCounts> {
-        None
-    }
-
     /// Whether the load may decrease on approach, so that a pressure may be reached more than once.
     fn may_decrease(&self) -> bool;
+
+    /// Whether neither the load nor the area of any asperity decreases on approach, so that pressure and area ratio
+    /// between two separations lie between their values there; `false` where that is not known.
+    fn is_monotonic(&self) -> bool {
+        false
+    }
 
     /// For each of the pressures (Pa, positive) the largest separation d/sigma in [[`LOWEST_SEPARATION`], infinity)
     /// with at least that pressure; `None` if there is none.

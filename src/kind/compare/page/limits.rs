@@ -31,8 +31,9 @@ fn tolerance(results: &CompareResults) -> Option<String> {
     let held: Vec<String> = [Kind::Statistical, Kind::Deterministic].into_iter().filter_map(of).collect();
     (!held.is_empty()).then(|| {
         format!(
-            "Curves over d/σ are evaluated at some of the points and interpolated between them: load and area agree with \
-             direct evaluation {}; shares of the regimes, stiffness and sampling errors are interpolated in the same way.",
+            "Load and area of the curves over d/σ agree with direct evaluation {}: points are interpolated only between two \
+             exact ones that differ by no more than this. No bound holds for shares of the regimes, number of contacts, \
+             stiffness and sampling errors of interpolated points.",
             held.join(", ")
         )
     })

@@ -74,10 +74,8 @@ impl PrecisionPlan {
             .iter()
             .map(|task| task.counts.iter().sum::<usize>() * task.separations.len() * task.draws);
         let lists = self.list.iter().map(|task| task.counts.iter().sum::<usize>() * task.separations);
-        let curves = self
-            .curve
-            .iter()
-            .map(|task| task.asperities * (task.beside + task.separations * (1 + task.tolerances.len())));
+        let curves =
+            self.curve.iter().map(|task| task.asperities * task.separations * (1 + task.tolerances.len()));
         sums.chain(curves)
             .chain(lists)
             .chain(sets)
@@ -127,11 +125,10 @@ impl fmt::Display for PrecisionPlan {
         if let Some(task) = &self.curve {
             writeln!(
                 f,
-                "  curves of {} separations, the sum of {} asperities, within {} tolerances, compared with {} separations",
+                "  curves of {} separations, the sum of {} asperities, exactly and within {} tolerances",
                 task.separations,
                 task.asperities,
-                task.tolerances.len(),
-                task.beside
+                task.tolerances.len()
             )?;
         }
         if let Some(task) = &self.list {
@@ -281,7 +278,6 @@ fn curve(file: &SpecFile, raw: &spec::CurveSpec) -> Result<CurveTask, InputError
     Ok(CurveTask {
         asperities: one_of(file, &raw.asperities, "asperities", [1, MOST_ASPERITIES])?,
         separations: one_of(file, &raw.separations, "separations", [2, MOST_SEPARATIONS])?,
-        beside: one_of(file, &raw.beside, "separations", [2, MOST_SEPARATIONS])?,
         tolerances,
     })
 }

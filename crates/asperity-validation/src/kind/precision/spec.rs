@@ -70,14 +70,12 @@ pub struct SumSpec {
 
 /// Curves within a tolerance.
 #[derive(Debug, Deserialize)]
-#[serde(deny_unknown_fields, expecting = "a table { asperities, separations, beside, tolerance }")]
+#[serde(deny_unknown_fields, expecting = "a table { asperities, separations, tolerance }")]
 pub struct CurveSpec {
     /// Asperities in the set that is summed.
     pub asperities: Spanned<u64>,
     /// Separations of the curve.
     pub separations: Spanned<u64>,
-    /// Separations of the exact curve that it is held against.
-    pub beside: Spanned<u64>,
     pub tolerance: Spanned<LogSweep<Pure>>,
 }
 

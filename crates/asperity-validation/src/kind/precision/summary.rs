@@ -37,7 +37,7 @@ struct WinnerSummary<'a> {
     shipped_over_fastest: Option<f64>,
 }
 
-/// Cost of a curve within a tolerance and of a few exact separations.
+/// Cost of a curve within a tolerance and of the exact curve.
 #[derive(Serialize)]
 struct CurveSummary<'a> {
     case: &'a str,
@@ -46,7 +46,6 @@ struct CurveSummary<'a> {
     separations: usize,
     asked: usize,
     error: f64,
-    exact_separations: usize,
     time_over_exact: f64,
 }
 
@@ -130,8 +129,7 @@ fn curves(case: &CasePrecision) -> impl Iterator<Item = CurveSummary<'_>> {
                 separations: point.separations,
                 asked: point.evaluated,
                 error: point.error(),
-                exact_separations: found.yardstick(point.kind)?.separations,
-                time_over_exact: found.times(point),
+                time_over_exact: found.time_ratio(point),
             })
         })
     })

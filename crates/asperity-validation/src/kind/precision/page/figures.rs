@@ -158,29 +158,27 @@ pub fn curves(found: &CurveFindings) -> String {
         let [least, most] = of_kind()
             .map(milliseconds)
             .fold([f64::INFINITY, 0.0], |[least, most], time| [time.min(least), time.max(most)]);
+        let within = || of_kind().filter_map(|point| Some((point.tolerance?, point)));
+        let errors = found
+            .interpolated(kind)
+            .map(|point| (point.error().max(FLOOR), milliseconds(point)))
+            .collect::<Vec<_>>();
         let mut plot = Plot::new(
             title,
-            Axis::log("relative error (the larger of area and load)").range(FLOOR / 1.5, 0.1),
-            // Around the horizontal lines too.
+            Axis::log("relative error (the larger of area and load)"),
+            // Around the horizontal line too.
             Axis::log("time of the curve (ms)").range(0.6 * least, 1.6 * most),
         );
-        let within = || of_kind().filter_map(|point| Some((point.tolerance?, point)));
         let by_tolerance: Vec<_> =
             within().map(|(tolerance, point)| (tolerance, milliseconds(point))).collect();
         for layer in series(by_tolerance, "tolerance", Colour::Series(0), Dash::Solid, Marker::Circle) {
             plot = plot.with(layer);
         }
-        let off = within().map(|(_, point)| (point.error().max(FLOOR), milliseconds(point)));
-        plot = plot.with(
-            Layer::points(off.collect::<Vec<_>>(), Marker::Cross).coloured(SHIPPED).named("error found"),
-        );
-        let mut exact = of_kind().filter(|point| point.tolerance.is_none());
-        if let Some((few, all)) = exact.next().zip(exact.next()) {
-            let exactly = |separations: usize| format!("{separations} exactly");
-            plot = plot
-                .with(Layer::at_y(milliseconds(few), exactly(few.separations)).dashed(Dash::Dashed))
-                .with(Layer::at_y(2.0 * milliseconds(few), "twice that").dashed(Dash::Dotted))
-                .with(Layer::at_y(milliseconds(all), exactly(all.separations)).dashed(Dash::Dashed));
+        if !errors.is_empty() {
+            plot = plot.with(Layer::points(errors, Marker::Cross).coloured(SHIPPED).named("error found"));
+        }
+        if let Some(exact) = of_kind().find(|point| point.tolerance.is_none()) {
+            plot = plot.with(Layer::at_y(milliseconds(exact), "exact".to_owned()).dashed(Dash::Dashed));
         }
         plot
     };

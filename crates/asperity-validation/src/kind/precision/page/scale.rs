@@ -2,7 +2,7 @@
 
 use super::{figures, file, thread_count, time, two_digits};
 use crate::kind::precision::run::{CasePrecision, PrecisionResults};
-use crate::precision::curve::{CurveFindings, CurvePoint, EASY};
+use crate::precision::curve::{CurveFindings, CurvePoint};
 use crate::precision::list::{LONG, ListPoint, LongLists};
 use crate::precision::sum::SEPARATIONS;
 use asperity::compare::Kind;
@@ -25,28 +25,32 @@ const fn model(kind: Kind) -> &'static str {
     }
 }
 
-/// The cost at the tolerances of [`EASY`], of those tested.
+/// The cost of both models at the loosest tolerance and at the tightest one at which separations were interpolated.
 fn curve_cost(found: &CurveFindings) -> Option<String> {
-    let at = |(kind, tolerance): (Kind, f64)| {
-        let is_it = |point: &&CurvePoint| point.kind == kind && point.tolerance == Some(tolerance);
-        let point = found.points.iter().find(is_it)?;
-        let beside = found.yardstick(kind)?;
-        Some(format!(
-            "{} separations of the {}{} within {} (error found: {}) take {} times the time of {} exact ones",
-            count(point.separations),
-            model(kind),
-            if kind == Kind::Deterministic {
-                format!(" of {} asperities", count(found.asperities))
-            } else {
-                String::new()
-            },
-            input_number(tolerance),
-            number(two_digits(point.error())),
-            number(two_digits(found.times(point))),
-            count(beside.separations),
-        ))
+    let of = |kind: Kind| {
+        let first = found.points.iter().find(|point| point.kind == kind)?;
+        let asperities = match kind {
+            Kind::Statistical => String::new(),
+            Kind::Deterministic => format!(" of {} asperities", count(found.asperities)),
+        };
+        let name = format!("{} separations of the {}{asperities}", count(first.separations), model(kind));
+        let interpolated: Vec<&CurvePoint> = found.interpolated(kind).collect();
+        let Some((loosest, others)) = interpolated.split_last() else {
+            return Some(format!("{name} are all evaluated within each tolerance"));
+        };
+        let at = |point: &CurvePoint, of: &str| {
+            Some(format!(
+                "{}{of} within {} (error found: {})",
+                number(two_digits(found.time_ratio(point))),
+                input_number(point.tolerance?),
+                number(two_digits(point.error())),
+            ))
+        };
+        let tightest = others.first().and_then(|point| at(point, ""));
+        let tightest = tightest.map_or_else(String::new, |text| format!(" and {text}"));
+        Some(format!("{name} take {}{tightest}", at(loosest, " times the time of the exact curve")?))
     };
-    let parts: Vec<String> = EASY.into_iter().filter_map(at).collect();
+    let parts: Vec<String> = [Kind::Statistical, Kind::Deterministic].into_iter().filter_map(of).collect();
     (!parts.is_empty()).then(|| parts.join("; "))
 }
 
@@ -78,17 +82,17 @@ fn list_cost(lists: &[ListPoint]) -> Option<String> {
 pub fn curves(page: &mut Page, results: &PrecisionResults) {
     let all = || results.cases.iter().filter_map(|case| Some((case, case.curve.as_ref()?)));
     let Some((_, first)) = all().next() else { return };
-    let Some((few, many)) = first.points.first().zip(first.points.get(1)) else { return };
+    let Some(exact) = first.points.first() else { return };
     let [from, to] = SEPARATIONS;
     page.heading(2, "A curve within a tolerance");
     page.paragraph(&format!(
         "{} separations spread evenly from {from} to {to} σ, of the integral and of the sum of {} asperities, on {}. With \
-         a tolerance the model is evaluated at some of them; the others are interpolated and checked. *Error*: the largest \
-         relative difference from the exact curve. Times are relative to {} separations, all exact.",
-        count(many.separations),
+         a tolerance the model is evaluated at some of them, such that load and area change by at most the tolerance from each to \
+         the next; the others are interpolated. Where this takes more than half of the separations, all are evaluated. *Error*: the \
+         largest relative difference from the exact curve, which cannot exceed the tolerance.",
+        count(exact.separations),
         count(first.asperities),
         thread_count(results.threads),
-        count(few.separations),
     ));
     for (case, found) in all() {
         page.heading(3, &case.name);
@@ -96,11 +100,9 @@ pub fn curves(page: &mut Page, results: &PrecisionResults) {
             &format!("{}-curve.svg", file(&case.name)),
             figures::curves(found),
             &format!(
-                "Time of a curve of {} separations against its tolerance (line) and against the error found (crosses). Horizontal lines: {} exact \
-                 separations, twice that, and all {} exactly.",
-                count(many.separations),
-                count(few.separations),
-                count(many.separations),
+                "Time of a curve of {} separations against its tolerance (line) and, where separations are interpolated, against \
+                 the error found (crosses). Horizontal line: the exact curve.",
+                count(exact.separations),
             ),
         );
         page.table(
@@ -112,7 +114,7 @@ pub fn curves(page: &mut Page, results: &PrecisionResults) {
                 "area error",
                 "load error",
                 "time",
-                "relative to the first",
+                "over exact",
             ],
             found.points.iter().map(|point| {
                 vec![
@@ -123,13 +125,10 @@ pub fn curves(page: &mut Page, results: &PrecisionResults) {
                     number(two_digits(point.area_error)),
                     number(two_digits(point.load_error)),
                     time(point.seconds),
-                    number(two_digits(found.times(point))),
+                    number(two_digits(found.time_ratio(point))),
                 ]
             }),
         );
-        if let Some(text) = curve_cost(found) {
-            page.paragraph(&format!("{text}."));
-        }
     }
 }
 
