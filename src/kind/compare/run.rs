@@ -3,7 +3,7 @@
 use std::time::Instant;
 
 use asperity::compare::{
-    Control, Difference, Gaps, Kind, Models, ModulusCheck, ModulusFindings, NotReached, compare,
+    CaseSampling, Control, Difference, Gaps, Kind, Models, ModulusCheck, ModulusFindings, NotReached, compare,
 };
 use asperity::sphere::Curve;
 use asperity::work::{CountedContact, Counter};
@@ -43,7 +43,11 @@ pub fn run(
         let mut factory = SurfaceFactory::new(surface, context.source, context.seed, counter);
         let first_surface = factory.make(1, AnalysisDepth::Comparison, &mut files, &mut timing)?;
         let models = models_of(compare, &first_surface, &mut timing);
-        let first = run_surface(context, compare, &first_surface, &models, counter, &mut timing)?;
+        let mut first = run_surface(context, compare, &first_surface, &models, counter, &mut timing)?;
+        let start = Instant::now();
+        let samplings = sampling(compare, &first_surface, &first.cases, context.seed);
+        differ(&mut first.cases, &samplings);
+        timing.sampling += start.elapsed();
         let thresholds = threshold::thresholds(compare, &first_surface, &models, &first, counter);
         let decreases = decreases(compare, &first_surface, &models, &first, counter);
         let heights = &models.population().heights;
@@ -56,7 +60,10 @@ pub fn run(
         for realisation in 2..=surface.realisations {
             let surface = factory.make(realisation, AnalysisDepth::Asperities, &mut files, &mut timing)?;
             let models = models_of(compare, &surface, &mut timing);
-            others.push(run_surface(context, compare, &surface, &models, counter, &mut timing)?);
+            let mut other = run_surface(context, compare, &surface, &models, counter, &mut timing)?;
+            // The scatter of the realisations is the error of each.
+            differ(&mut other.cases, &vec![CaseSampling::default(); compare.laws.len()]);
+            others.push(other);
             context.progress.advance(1);
         }
         papers.extend(first_surface.papers());
@@ -138,12 +145,6 @@ fn run_surface(
             comparison,
         });
     }
-    let start = Instant::now();
-    let sampling = sampling(compare_plan, surface, &cases, context.seed);
-    for (case, sampling) in cases.iter_mut().zip(&sampling) {
-        case.differences = Difference::of(&case.comparison.pairs, sampling);
-    }
-    timing.sampling += start.elapsed();
     Ok(RealisationResults {
         asperities: surface.set.count(),
         nominal_area: area,
@@ -153,6 +154,13 @@ fn run_surface(
         population: population.clone(),
         cases,
     })
+}
+
+/// The differences of each case with their sampling uncertainty, where both models were run.
+fn differ(cases: &mut [CaseResults], samplings: &[CaseSampling]) {
+    for (case, sampling) in cases.iter_mut().zip(samplings) {
+        case.differences = Difference::of(&case.comparison.pairs, sampling);
+    }
 }
 
 /// Where area or load of the sharpest asperity, of one of the mean radius and of the bluntest falls, as deep as the

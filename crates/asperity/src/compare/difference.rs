@@ -29,15 +29,18 @@ impl Judged {
     }
 
     /// The statistical less the deterministic result of a pair at equal load, on the scale on which errors are symmetric:
-    /// d/sigma, or the logarithm of the ratio. `None` where a ratio has none.
+    /// d/sigma, or the logarithm of the ratio; 0 if they differ by rounding only. `None` where a ratio has no logarithm.
     pub fn contrast(self, pair: &Pair) -> Option<f64> {
+        /// Rounding error of load control.
+        const ROUNDING: f64 = 1e-9;
         let (s, d) = (&pair.statistical, &pair.deterministic);
         let log_ratio = |s: f64, d: f64| (s > 0.0 && d > 0.0).then(|| (s / d).ln());
-        match self {
+        let contrast = match self {
             Self::Separation => Some(s.separation_over_sigma - d.separation_over_sigma),
             Self::Area => log_ratio(s.area_ratio.total(), d.area_ratio.total()),
             Self::Stiffness => log_ratio(s.stiffness, d.stiffness),
-        }
+        };
+        contrast.map(|contrast| if contrast.abs() > ROUNDING { contrast } else { 0.0 })
     }
 
     /// A contrast as it is reported: in sigma, or relative to the deterministic result.
@@ -113,8 +116,8 @@ impl LeftOut {
     }
 }
 
-/// The sampling uncertainty of one surface.
-#[derive(Debug, Clone, PartialEq)]
+/// The sampling uncertainty of one surface under one law.
+#[derive(Debug, Clone, PartialEq, Default)]
 pub struct CaseSampling {
     /// Groups whose contributions are independent: blocks of a map, or of independent draws any groups. `None` where the
     /// surface allows no interval.

@@ -83,11 +83,11 @@ pub struct Stretch {
     pub range: Option<[f64; 2]>,
     /// The outermost ends of the intervals, where all loads have one.
     pub bounds: Option<[f64; 2]>,
-    /// By how much the area of the surface, or the number of its realisations, must grow for the interval at the largest
-    /// difference to leave the edge of the band, where it cannot be told; `None` where no growth suffices, or an area is
-    /// needed for an interval first.
+    /// By how much the area of the surface, or the number of its realisations, must grow for the intervals at half of the
+    /// loads to leave the edges of the band, where it cannot be told; `None` where no practical growth suffices, or an
+    /// area is needed for an interval first.
     pub growth: Option<f64>,
-    /// The area (m^2) needed for an interval, where some load of the stretch has none.
+    /// The area (m^2) needed for an interval at half of the loads, where these have none.
     pub area_needed: Option<f64>,
 }
 
@@ -140,7 +140,9 @@ impl Stretch {
             ends?.into_iter().reduce(|[a, b], [c, d]| [a.min(c), b.max(d)])
         };
         let is_open = verdict == Verdict::CannotTell;
-        let needed = stretch.iter().filter_map(|at| at.area_needed).reduce(f64::max);
+        let band = accepted.band(judged);
+        let growths = each().map(|(_, estimate)| growth(&estimate, band)).collect();
+        let needed = stretch.iter().map(|at| at.area_needed.unwrap_or(0.0)).collect();
         Self {
             judged,
             verdict,
@@ -149,20 +151,24 @@ impl Stretch {
             largest,
             range: hull(&|estimate| Some([estimate.contrast; 2])),
             bounds: hull(&Estimate::interval),
-            growth: largest
-                .filter(|_| is_open)
-                .and_then(|(_, estimate)| growth(&estimate, accepted.band(judged))),
-            area_needed: needed.filter(|area| is_open && area.is_finite()),
+            growth: Some(median(growths)).filter(|growth| is_open && *growth < LARGEST_GROWTH),
+            area_needed: Some(median(needed)).filter(|area| is_open && *area > 0.0 && area.is_finite()),
         }
     }
 }
 
-/// The factor of area at which the half-width, which goes with its inverse root, no longer reaches the edge of the band.
-fn growth(estimate: &Estimate, [low, high]: [f64; 2]) -> Option<f64> {
-    /// More is no practical advice.
-    const LARGEST: f64 = 1e6;
-    let half = estimate.half_width()?;
+/// More is no practical advice.
+const LARGEST_GROWTH: f64 = 1e4;
+
+/// The factor of area at which the half-width, which goes with its inverse root, no longer reaches the edge of the band;
+/// infinite without an interval.
+fn growth(estimate: &Estimate, [low, high]: [f64; 2]) -> f64 {
     let distance = (estimate.contrast - low).abs().min((estimate.contrast - high).abs());
-    let growth = (half / distance).powi(2);
-    (growth < LARGEST).then_some(growth.max(1.0))
+    estimate.half_width().map_or(f64::INFINITY, |half| (half / distance).powi(2).max(1.0))
+}
+
+/// The upper median.
+fn median(mut values: Vec<f64>) -> f64 {
+    values.sort_by(f64::total_cmp);
+    values[values.len() / 2]
 }

@@ -27,7 +27,8 @@ pub mod verdict;
 pub use limits::{assumptions, limits_of};
 pub use surface::surface;
 
-use crate::kind::compare::findings::Verdicts;
+use crate::kind::compare::answers::CaseResults;
+use crate::kind::compare::findings::{CaseFindings, Verdicts};
 use crate::kind::compare::results::{CompareResults, SurfaceResults};
 use asperity_framework::report::page::{Page, escape};
 use asperity_framework::report::sections;
@@ -43,14 +44,10 @@ pub fn page(results: &CompareResults) -> Page {
     // A single thickness is shown in as much detail as an uncoated flat.
     let in_full = layered.iter().all(|series| !series.has_several());
     page.heading(2, "Summary");
-    for found in results.surfaces.iter().filter(|_| in_full) {
-        answer(&mut page, results, found);
-    }
-    for series in layered.iter().filter(|_| !in_full) {
-        series.answer(&mut page);
-    }
-    for series in &layered {
-        page.bullets(series.summary_lines());
+    if in_full {
+        page.bullets(results.surfaces.iter().flat_map(|found| headlines(results, found)));
+    } else {
+        page.bullets(layered.iter().filter_map(layer::Series::headline));
     }
     decreasing::bullets(&mut page, results);
     if let Some(found) = &results.readings {
@@ -60,6 +57,14 @@ pub fn page(results: &CompareResults) -> Page {
         page.paragraph(
             "An experiment of kind `[laws]` compares the effect of the contact law with that of the summation method.",
         );
+    }
+    if in_full {
+        results.surfaces.iter().for_each(|found| answer(&mut page, results, found));
+    } else {
+        layered.iter().for_each(|series| series.answer(&mut page));
+    }
+    for series in &layered {
+        page.bullets(series.summary_lines());
     }
     sections::notes(&mut page, &results.metadata);
     sections::what_was_run(&mut page, &results.metadata, &results.contact);
@@ -83,7 +88,18 @@ pub fn page(results: &CompareResults) -> Page {
     page
 }
 
-/// The answer on one surface under every law: headline, verdicts and the figure behind them.
+/// The answer on one surface, a sentence for each law.
+fn headlines(results: &CompareResults, found: &SurfaceResults) -> Vec<String> {
+    let line = |(case, findings): (&CaseResults, &CaseFindings)| {
+        let verdicts = &findings.verdicts;
+        let name = subject(results, found, &case.law);
+        let sentence = verdict::headline(verdicts, found.surface.plane.sigma);
+        (!verdicts.differences.is_empty()).then(|| format!("**{}**: {}", escape(&name), escape(&sentence)))
+    };
+    found.first.cases.iter().zip(&found.findings.cases).filter_map(line).collect()
+}
+
+/// The answer on one surface under every law: verdicts and the figure behind them.
 pub fn answer(page: &mut Page, results: &CompareResults, found: &SurfaceResults) {
     let sigma = found.surface.plane.sigma;
     for (case, findings) in found.first.cases.iter().zip(&found.findings.cases) {
@@ -92,7 +108,7 @@ pub fn answer(page: &mut Page, results: &CompareResults, found: &SurfaceResults)
             continue;
         }
         let name = subject(results, found, &case.law);
-        page.paragraph(&format!("**{}.** {}", escape(&name), escape(&verdict::headline(verdicts, sigma))));
+        page.heading(2, &format!("{name}: verdicts"));
         verdict::stretches(page, verdicts, sigma);
         page.bullets([
             verdict::range_line(verdicts),
@@ -115,22 +131,28 @@ pub fn answer_by_law(page: &mut Page, found: &SurfaceResults) {
     let each = found.first.cases.iter().zip(&found.findings.cases);
     let all: Vec<(String, &Verdicts)> =
         each.map(|(case, findings)| (case.law.clone(), &findings.verdicts)).collect();
-    answer_over(page, &found.surface.name, ["law", "laws"], &all, found);
+    answer_over(page, &found.surface.name, "law", &all, found);
 }
 
-/// The answer over several cases of one surface, called `[case, cases]`.
-fn answer_over(
-    page: &mut Page,
-    name: &str,
-    [case, cases]: [&str; 2],
-    all: &[(String, &Verdicts)],
-    found: &SurfaceResults,
-) {
+/// Over all laws in one sentence.
+pub fn headline_over_laws(found: &SurfaceResults) -> Option<String> {
+    let all: Vec<&Verdicts> = found.findings.cases.iter().map(|findings| &findings.verdicts).collect();
+    headline_over(&found.surface.name, "laws", &all)
+}
+
+/// Over several `cases` (thicknesses, laws) of one surface in one sentence; `None` where nothing was compared.
+fn headline_over(name: &str, cases: &str, all: &[&Verdicts]) -> Option<String> {
+    let all: Vec<&Verdicts> =
+        all.iter().copied().filter(|verdicts| !verdicts.differences.is_empty()).collect();
+    (!all.is_empty()).then(|| format!("**{}**: {}", escape(name), verdict::over_cases(cases, &all)))
+}
+
+/// The verdicts over several cases of one surface, each called `case`.
+fn answer_over(page: &mut Page, name: &str, case: &str, all: &[(String, &Verdicts)], found: &SurfaceResults) {
     let all: Vec<(String, &Verdicts)> =
         all.iter().filter(|(_, verdicts)| !verdicts.differences.is_empty()).cloned().collect();
     let Some((first_name, first)) = all.first() else { return };
-    let verdicts: Vec<&Verdicts> = all.iter().map(|(_, verdicts)| *verdicts).collect();
-    page.paragraph(&format!("**{}.** {}", escape(name), verdict::over_cases(cases, &verdicts)));
+    page.heading(2, &format!("{name}: verdicts by {case}"));
     verdict::by_case(page, case, &all);
     page.bullets([
         format!("{}: {}", escape(first_name), verdict::range_line(first)),

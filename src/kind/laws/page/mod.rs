@@ -28,7 +28,7 @@ pub fn page(results: &LawsResults) -> Page {
         page.bullets(verdict);
     }
     for found in &compared.surfaces {
-        compare::answer_by_law(&mut page, found);
+        page.bullets(compare::headline_over_laws(found));
         page.bullets(summary::summary_lines(results, &found.surface.name));
     }
     page.bullets(single_asperity_lines(results));
@@ -38,6 +38,7 @@ pub fn page(results: &LawsResults) -> Page {
     one_asperity(&mut page, results);
     for found in &compared.surfaces {
         compare::surface(&mut page, found);
+        compare::answer_by_law(&mut page, found);
         influence::section(&mut page, results, found);
     }
     limits(&mut page, results);

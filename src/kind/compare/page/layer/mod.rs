@@ -3,10 +3,12 @@
 mod answers;
 mod figures;
 
-use super::answer_over;
 use super::names::{stem, subject, under};
+use super::{answer_over, headline_over};
 use crate::kind::compare::answers::{CaseResults, Threshold};
-use crate::kind::compare::findings::{AtThickness, GapRange, LawFindings, LayerFindings, PlasticRange};
+use crate::kind::compare::findings::{
+    AtThickness, GapRange, LawFindings, LayerFindings, PlasticRange, Verdicts,
+};
 use crate::kind::compare::results::{CompareResults, SurfaceResults};
 use asperity::compare::GOOD_RATIO;
 use asperity_framework::contact::LayerMetadata;
@@ -151,12 +153,24 @@ impl<'a> Series<'a> {
         )
     }
 
-    /// The answer by thickness: headline and verdicts.
+    /// Over all thicknesses in one sentence.
+    pub fn headline(&self) -> Option<String> {
+        let all: Vec<&Verdicts> = self.verdicts().map(|(_, verdicts)| verdicts).collect();
+        headline_over(&self.subject, "thicknesses", &all)
+    }
+
+    /// The verdicts by thickness.
     pub fn answer(&self, page: &mut Page) {
+        let all: Vec<(String, &Verdicts)> =
+            self.verdicts().map(|(t, verdicts)| (thickness(t), verdicts)).collect();
+        answer_over(page, &self.subject, "thickness", &all, self.found);
+    }
+
+    fn verdicts(&self) -> impl Iterator<Item = (f64, &'a Verdicts)> {
         let each = self.found.first.cases.iter().zip(&self.found.findings.cases);
-        let own = each.filter(|(case, _)| case.law == self.law);
-        let all = own.filter_map(|(case, findings)| Some((thickness(case.thickness?), &findings.verdicts)));
-        answer_over(page, &self.subject, ["layer", "thicknesses"], &all.collect::<Vec<_>>(), self.found);
+        let law = self.law;
+        let own = each.filter(move |(case, _)| case.law == law);
+        own.filter_map(|(case, findings)| Some((case.thickness?, &findings.verdicts)))
     }
 
     /// Cases with a layer of finite thickness.

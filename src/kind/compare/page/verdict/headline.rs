@@ -90,13 +90,13 @@ fn within(stretches: &[&Stretch], place: &dyn Fn(&Stretch) -> String, sigma: f64
         let [low, high] = stretch.bounds?;
         let reported = |contrast: f64| stretch.judged.reported(contrast).abs();
         let outer = if reported(low) > reported(high) { low } else { high };
-        Some(format!(
-            "in {} within {} (accepted: {}){}",
-            name(stretch.judged),
-            size(stretch.judged, outer, sigma),
-            accepted(stretch, sigma),
-            place(stretch)
-        ))
+        let size = size(stretch.judged, outer, sigma);
+        let size = match size.strip_suffix(')') {
+            Some(open) => format!("{open}; "),
+            None => format!("{size} ("),
+        };
+        let accepted = accepted(stretch, sigma);
+        Some(format!("in {} within {size}accepted: {accepted}){}", name(stretch.judged), place(stretch)))
     };
     let parts: Vec<String> = stretches.iter().filter_map(part).collect();
     (!parts.is_empty()).then(|| format!("agrees with the sum {}", listed(&parts)))
@@ -198,7 +198,7 @@ mod tests {
             headline(&found, 285e-9),
             "Between 500 kPa and 40 MPa the statistical model agrees with the sum in real contact area within 6.76 % \
              (accepted: 10 %) and in stiffness within 11.3 % (accepted: 20 %), but puts the flat 57 to 157 nm (0.2 to 0.55 σ) \
-             higher: beyond what is accepted (28.5 nm (0.1 σ))."
+             higher: beyond what is accepted (28.5 nm = 0.1 σ)."
         );
     }
 

@@ -1,13 +1,12 @@
 //! The valid range, what is accepted, and what the intervals rest on.
 
-use asperity::compare::{CONTACTS_PER_GROUP, GROUPS};
+use asperity::compare::{Accepted, CONTACTS_PER_GROUP, GROUPS};
 use asperity::sphere::LARGEST_SLOPE;
 use asperity::topography::{BLOCK_LENGTHS, MIN_BLOCKS};
 use asperity::{Exceeded, INTERACTION, LARGE_STRAIN_SHARE, LARGEST_LOAD_SHARE, Limit, MIN_CONTACTS};
 use asperity_framework::report::format::{input_number, listed, number, percent, quantity};
 
-use super::words::{forces, loads, size};
-use asperity::compare::{Accepted, Judged};
+use super::words::{accepted_separation, forces, loads, nominal_area};
 
 use crate::kind::compare::findings::{Basis, Verdicts};
 
@@ -47,7 +46,7 @@ pub fn range_line(verdicts: &Verdicts) -> String {
         .map(|(side, exceeded)| format!("{side}: {}", exceeded_words(exceeded)))
         .collect();
     let ends = if ends.is_empty() { "all loads of this experiment".to_owned() } else { ends.join("; ") };
-    format!("Valid for {} on {}; {ends}.", listed(&each), quantity(verdicts.area, "m²"))
+    format!("Valid for {} on {}; {ends}.", listed(&each), nominal_area(verdicts.area))
 }
 
 /// What the user accepts, on a surface of `sigma` (m).
@@ -56,7 +55,7 @@ pub fn accepted_line(accepted: &Accepted, sigma: f64) -> String {
         "Accepted (key `accept`): {} of the real contact area, {} of the separation, {} of the stiffness. *Within*: the 95 % \
          interval of the difference at equal load lies inside; *beyond*: outside; *cannot tell*: else.",
         percent(accepted.area),
-        size(Judged::Separation, accepted.separation, sigma),
+        accepted_separation(accepted.separation, sigma),
         percent(accepted.stiffness),
     )
 }

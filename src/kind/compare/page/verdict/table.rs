@@ -18,8 +18,14 @@ pub fn stretches(page: &mut Page, verdicts: &Verdicts, sigma: f64) {
             need(stretch, verdicts).unwrap_or_default(),
         ]
     };
-    let header =
-        ["quantity", "load", "largest difference (95 % interval)", "accepted", "verdict", "would tell"];
+    let header = [
+        "quantity",
+        "load",
+        "largest difference (95 % interval)",
+        "accepted",
+        "verdict",
+        "would tell at half of these loads",
+    ];
     let order = [Judged::Area, Judged::Separation, Judged::Stiffness];
     let of = |judged| verdicts.stretches.iter().filter(move |stretch| stretch.judged == judged);
     page.table(header, order.into_iter().flat_map(of).map(row));
@@ -38,13 +44,19 @@ fn largest(stretch: &Stretch) -> String {
     format!("{}{interval} at {}", signed(stretch.judged, estimate.contrast), loads([load; 2]))
 }
 
+/// The largest difference without its interval.
+fn at_most(stretch: &Stretch) -> String {
+    let largest = stretch.largest.map(|(_, estimate)| signed(stretch.judged, estimate.contrast));
+    largest.unwrap_or_else(|| "–".to_owned())
+}
+
 /// One row per case, named by `what`: a thickness of a layer, or a law.
 pub fn by_case(page: &mut Page, what: &str, all: &[(String, &Verdicts)]) {
     let cell = |verdicts: &Verdicts, judged: Judged| {
         let of = verdicts.stretches.iter().filter(|stretch| stretch.judged == judged);
         let each: Vec<String> = of
             .map(|stretch| {
-                format!("{} {}: {}", verdict(stretch.verdict), loads(stretch.loads), largest(stretch))
+                format!("{} {} ({})", verdict(stretch.verdict), loads(stretch.loads), at_most(stretch))
             })
             .collect();
         if each.is_empty() { "–".to_owned() } else { each.join("; ") }

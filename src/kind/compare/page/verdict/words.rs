@@ -62,16 +62,29 @@ pub fn signed(judged: Judged, contrast: f64) -> String {
         Judged::Separation => format!("{} σ", number(reported.abs())),
         Judged::Area | Judged::Stiffness => percent(reported.abs()),
     };
-    let sign = if reported < 0.0 { "−" } else { "+" };
-    format!("{sign}{size}")
+    match reported {
+        0.0 => size,
+        negative if negative < 0.0 => format!("−{size}"),
+        _ => format!("+{size}"),
+    }
 }
 
-/// What is accepted: "10 %", or "4.8 nm (0.1 σ)".
+/// What is accepted: "10 %", or "4.8 nm = 0.1 σ".
 pub fn accepted(stretch: &Stretch, sigma: f64) -> String {
     match stretch.judged {
-        Judged::Separation => size(Judged::Separation, stretch.accepted, sigma),
+        Judged::Separation => accepted_separation(stretch.accepted, sigma),
         Judged::Area | Judged::Stiffness => percent(stretch.accepted),
     }
+}
+
+/// An accepted separation, in sigma (m) and as a length.
+pub fn accepted_separation(accepted: f64, sigma: f64) -> String {
+    format!("{} = {} σ", quantity(accepted * sigma, "m"), number(accepted))
+}
+
+/// A nominal area (m^2): in mm² from a tenth on.
+pub fn nominal_area(area: f64) -> String {
+    if (1e-7..1.0).contains(&area) { format!("{} mm²", number(1e6 * area)) } else { quantity(area, "m²") }
 }
 
 /// How much more surface would tell: "2.5 mm² of surface (now 1 mm²)", "12 realisations (now 3)".
@@ -84,5 +97,5 @@ pub fn need(stretch: &Stretch, verdicts: &Verdicts) -> Option<String> {
         return Some(format!("about {} realisations (now {now})", number(needed.max(now as f64 + 1.0))));
     }
     let area = verdicts.area_needed(stretch)?;
-    Some(format!("about {} of surface (now {})", quantity(area, "m²"), quantity(verdicts.area, "m²")))
+    Some(format!("about {} of surface (now {})", nominal_area(area), nominal_area(verdicts.area)))
 }
