@@ -475,6 +475,7 @@ mod tests {
                 generation: None,
                 as_ellipses: false,
                 depth: AnalysisDepth::Asperities,
+                divides: false,
             }
             .asperities(&map)
         };

@@ -28,6 +28,7 @@ mod layers;
 mod limit;
 mod readings;
 mod registry;
+mod verdicts;
 mod work;
 
 /// Results of a run, which is a `T`.

@@ -3,9 +3,10 @@
 use std::time::Instant;
 
 use asperity::compare::{
-    CaseSampling, Control, Difference, Gaps, Kind, Models, ModulusCheck, ModulusFindings, NotReached, compare,
+    CaseSampling, Control, Difference, Gaps, Judged, Kind, Models, ModulusCheck, ModulusFindings, NotReached,
+    compare,
 };
-use asperity::sphere::Curve;
+use asperity::sphere::{Curve, boundaries};
 use asperity::work::{CountedContact, Counter};
 use asperity::{ContactError, Heights, Model, Paper, plasticity_index};
 use asperity_framework::RunContext;
@@ -46,7 +47,7 @@ pub fn run(
         let mut first = run_surface(context, compare, &first_surface, &models, counter, &mut timing)?;
         let start = Instant::now();
         let samplings = sampling(compare, &first_surface, &first.cases, context.seed);
-        differ(&mut first.cases, &samplings);
+        differ(&mut first.cases, &samplings, compare, &models);
         timing.sampling += start.elapsed();
         let thresholds = threshold::thresholds(compare, &first_surface, &models, &first, counter);
         let decreases = decreases(compare, &first_surface, &models, &first, counter);
@@ -62,7 +63,7 @@ pub fn run(
             let models = models_of(compare, &surface, &mut timing);
             let mut other = run_surface(context, compare, &surface, &models, counter, &mut timing)?;
             // The scatter of the realisations is the error of each.
-            differ(&mut other.cases, &vec![CaseSampling::default(); compare.laws.len()]);
+            differ(&mut other.cases, &vec![CaseSampling::default(); compare.laws.len()], compare, &models);
             others.push(other);
             context.progress.advance(1);
         }
@@ -157,9 +158,22 @@ fn run_surface(
 }
 
 /// The differences of each case with their sampling uncertainty, where both models were run.
-fn differ(cases: &mut [CaseResults], samplings: &[CaseSampling]) {
-    for (case, sampling) in cases.iter_mut().zip(samplings) {
+fn differ(
+    cases: &mut [CaseResults],
+    samplings: &[CaseSampling],
+    compare: &ComparePlan,
+    models: &SurfaceModels,
+) {
+    /// Larger jumps of the load make the stiffness of a sum, which leaves them out, another than that of the integral.
+    const JUMP: f64 = 0.01;
+    for ((case, law), sampling) in cases.iter_mut().zip(&compare.laws).zip(samplings) {
         case.differences = Difference::of(&case.comparison.pairs, sampling);
+        let shape = models.mean_shape(&law.spec);
+        if boundaries(&*law.contact, shape).iter().any(|at| at.load_jump().abs() > JUMP) {
+            let stiffnesses =
+                case.differences.iter_mut().map(|at| &mut at.estimates[Judged::Stiffness as usize]);
+            stiffnesses.for_each(|stiffness| *stiffness = None);
+        }
     }
 }
 

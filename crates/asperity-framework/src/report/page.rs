@@ -70,6 +70,9 @@ impl Page {
     pub fn bullets<T: AsRef<str>>(&mut self, items: impl IntoIterator<Item = T>) -> &mut Self {
         let items: Vec<String> =
             items.into_iter().map(|item| format!("- {}", one_line(item.as_ref()))).collect();
+        if items.is_empty() {
+            return self;
+        }
         self.markdown_block(items.join("\n"))
     }
 

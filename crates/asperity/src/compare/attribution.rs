@@ -88,12 +88,12 @@ fn without_furthest(influence: &Influence, measure: Measure, group: Group) -> Op
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::compare::{Pair, Pairing, UnderLaw};
+    use crate::compare::{CaseSampling, Difference, Pair, Pairing, UnderLaw};
     use crate::contact::ByRegime;
-    use crate::model::{Response, SamplingError};
+    use crate::model::Response;
 
-    /// One load; d/sigma of the integral and of the sum, whose sampling error is `error` sigma.
-    fn pair(statistical: f64, deterministic: f64, error: f64) -> [Pair; 1] {
+    /// One load; d/sigma of the integral and of the sum, whose difference has the standard error `error` sigma.
+    fn under(statistical: f64, deterministic: f64, error: f64) -> (Vec<Pair>, Vec<Difference>) {
         let response = |h: f64| Response {
             separation_over_sigma: h,
             separation: h * 1e-8,
@@ -101,37 +101,45 @@ mod tests {
             area_ratio: ByRegime([1e-3, 0.0, 0.0]),
             pressure: ByRegime([100.0, 0.0, 0.0]),
             stiffness: 1e10,
-            sampling: Some(SamplingError { pressure: 100.0 * error, area_ratio: 1e-4 }),
+            sampling: None,
+            sharing: None,
         };
         let (statistical, deterministic) = (response(statistical), response(deterministic));
-        [Pair { pairing: Pairing::Load, target: 1.0, statistical, deterministic }]
+        let pairs = vec![Pair { pairing: Pairing::Load, target: 1.0, statistical, deterministic }];
+        let mut differences = Difference::of(&pairs, &CaseSampling::default());
+        for estimate in differences[0].estimates.iter_mut().flatten() {
+            estimate.error = Some(error);
+        }
+        (pairs, differences)
     }
 
-    fn attribution(pairs: &[[Pair; 1]]) -> Option<Attribution> {
-        let under = |pairs| UnderLaw { law: "law", is_elastic_plastic: true, pairs };
-        let laws: Vec<UnderLaw> = pairs.iter().map(|pairs| under(&pairs[..])).collect();
-        Attribution::of(&Influence::of(&laws, 1.0, 1e-8), Measure::Separation)
+    fn attribution(all: &[(Vec<Pair>, Vec<Difference>)]) -> Option<Attribution> {
+        let laws: Vec<UnderLaw> = all
+            .iter()
+            .map(|(pairs, differences)| UnderLaw { law: "law", is_elastic_plastic: true, pairs, differences })
+            .collect();
+        Attribution::of(&Influence::of(&laws), Measure::Separation)
     }
 
     #[test]
     fn the_law_the_summation_or_neither() {
         let of = |second: f64, error: f64| {
-            attribution(&[pair(3.0, 2.5, error), pair(3.0, second, error)]).unwrap()
+            attribution(&[under(3.0, 2.5, error), under(3.0, second, error)]).unwrap()
         };
         let close = |a: f64, b: f64| (a - b).abs() < 1e-12;
         let law = of(4.0, 0.1);
-        assert!(law.dominant() == Dominant::Law && close(law.ratio(), 3.0) && law.is_significant());
+        assert!(law.dominant() == Dominant::Law && close(law.ratio(), 3.0));
         assert_eq!((law.group, law.is_law_without_furthest()), (Group::ElasticPlastic, None));
         let summation = of(2.75, 0.2);
         assert!(summation.dominant() == Dominant::Summation && close(summation.ratio(), 2.0));
-        assert!(close(summation.standard_errors().unwrap(), 2.5) && !summation.is_significant());
+        assert!(close(summation.standard_errors().unwrap(), 2.5));
         assert_eq!(of(4.0, 0.25).dominant(), Dominant::Undecided);
-        assert_eq!(attribution(&[pair(3.0, 2.5, 0.1)]), None);
+        assert_eq!(attribution(&[under(3.0, 2.5, 0.1)]), None);
     }
 
     #[test]
     fn one_law_that_lies_far_off_is_named() {
-        let pairs = [pair(3.0, 2.5, 0.0), pair(3.0, 2.625, 0.0), pair(3.0, 9.5, 0.0)];
+        let pairs = [under(3.0, 2.5, 0.0), under(3.0, 2.625, 0.0), under(3.0, 9.5, 0.0)];
         let found = attribution(&pairs).unwrap();
         let (furthest, rest) = found.without_furthest.unwrap();
         assert_eq!((furthest, rest.mean, found.law.mean), (2, 0.125, 7.0));

@@ -222,3 +222,105 @@ impl Difference {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::contact::ByRegime;
+    use crate::model::Response;
+
+    fn response(h: f64, area: f64, contacts: Option<f64>) -> Response {
+        Response {
+            separation_over_sigma: h,
+            separation: h * 1e-8,
+            contact_density: 100.0,
+            area_ratio: ByRegime([area, 0.0, 0.0]),
+            pressure: ByRegime([1.0, 0.0, 0.0]),
+            stiffness: 1.0,
+            sampling: None,
+            sharing: contacts.map(|effective_contacts| LoadSharing {
+                effective_contacts,
+                largest_share: 0.01,
+                large_strain_share: 0.0,
+            }),
+        }
+    }
+
+    fn pair(load: f64, difference: f64, contacts: f64) -> Pair {
+        Pair {
+            pairing: Pairing::Load,
+            target: load,
+            statistical: response(2.0 + difference, 2e-3, None),
+            deterministic: response(2.0, 1e-3, Some(contacts)),
+        }
+    }
+
+    /// Sixteen equal groups; without each of them the difference is 0.2 plus or minus `scatter`.
+    fn left_out(scatter: f64, missing: bool) -> LeftOut {
+        let without = |k: usize| {
+            let sign = if k % 2 == 0 { 1.0 } else { -1.0 };
+            vec![(!(missing && k == 3)).then(|| pair(1.0, 0.2 + sign * scatter, 90.0))]
+        };
+        LeftOut { pairs: (0..16).map(without).collect(), shares: vec![1.0 / 16.0; 16] }
+    }
+
+    fn sampling(groups: Option<LeftOut>) -> CaseSampling {
+        CaseSampling { groups, independent: Some(left_out(0.01, false)), area: 2.0, area_needed: None }
+    }
+
+    #[test]
+    fn the_interval_is_the_jackknife_of_both_models() {
+        let found = Difference::of(&[pair(1.0, 0.2, 64.0)], &sampling(Some(left_out(0.02, false))));
+        let estimate = found[0].estimates[Judged::Separation as usize].unwrap();
+        // The jackknife of 16 values of one magnitude: 15 times their scatter over 16 times 15, in the root.
+        let error = (15.0f64 * 15.0 * 16.0 * 0.02 * 0.02 / 15.0 / 16.0).sqrt();
+        assert!(
+            (estimate.contrast - 0.2).abs() < 1e-15 && (estimate.error.unwrap() / error - 1.0).abs() < 1e-12
+        );
+        assert!((estimate.independent_error.unwrap() / error - 0.5).abs() < 1e-12);
+        let [low, high] = estimate.interval().unwrap();
+        assert!((high - low - 2.0 * 2.131_449_546 * error).abs() < 1e-9);
+        // The areas differ by a factor of two everywhere: no scatter.
+        let area = found[0].estimates[Judged::Area as usize].unwrap();
+        assert!((Judged::Area.reported(area.contrast) - 1.0).abs() < 1e-14 && area.error.unwrap() < 1e-14);
+        assert_eq!(found[0].area_needed, None);
+    }
+
+    #[test]
+    fn no_interval_is_claimed_of_few_contacts_without_groups_or_where_a_load_is_not_reached() {
+        let estimate = |contacts, groups| {
+            let found = Difference::of(&[pair(1.0, 0.2, contacts)], &sampling(groups)).remove(0);
+            (found.estimates[0].unwrap().interval(), found.area_needed)
+        };
+        assert_eq!(estimate(32.0, Some(left_out(0.02, false))), (None, Some(4.0)));
+        assert_eq!(estimate(90.0, None), (None, Some(2.0)));
+        assert_eq!(estimate(15.0, None), (None, Some(4.0)), "30 contacts take twice the area");
+        assert_eq!(estimate(90.0, Some(left_out(0.02, true))).0, None);
+    }
+
+    #[test]
+    fn realisations_give_the_interval_of_their_mean() {
+        let each = [0.1, 0.2, 0.6].map(|difference| {
+            Difference::of(&[pair(1.0, difference, 20.0), pair(2.0, 0.1, 20.0)], &CaseSampling::default())
+        });
+        let mut lacking = each.clone();
+        lacking[2].remove(1);
+        let found = Difference::over(&lacking);
+        assert_eq!(found.len(), 1, "a load that one of them does not reach");
+        let estimate = found[0].estimates[0].unwrap();
+        let error = ((0.2f64.powi(2) + 0.1f64.powi(2) + 0.3f64.powi(2)) / 2.0 / 3.0).sqrt();
+        assert!((estimate.contrast - 0.3).abs() < 1e-15 && (estimate.error.unwrap() - error).abs() < 1e-15);
+        assert!((estimate.quantile - 4.302_652_73).abs() < 1e-6);
+        assert_eq!(Difference::over(&[]), []);
+    }
+
+    #[test]
+    fn rounding_is_no_difference() {
+        let mut close = pair(1.0, 1e-12, 90.0);
+        close.statistical.area_ratio = ByRegime([1e-3 * (1.0 + 1e-13), 0.0, 0.0]);
+        assert_eq!(Judged::ALL.map(|judged| judged.contrast(&close)), [Some(0.0); 3]);
+        close.deterministic.stiffness = 0.0;
+        assert_eq!(Judged::Stiffness.contrast(&close), None);
+        assert!((Judged::Area.reported(Judged::Area.contrast_of(-0.3)) + 0.3).abs() < 1e-15);
+    }
+}

@@ -118,7 +118,7 @@ fn gap(pair: &Pair, quantity: GapQuantity, statistical: f64, deterministic: f64)
 mod tests {
     use super::*;
     use crate::contact::ByRegime;
-    use crate::model::{Response, SamplingError};
+    use crate::model::{LoadSharing, Response};
 
     fn response(h: f64, area_ratio: f64, pressure: f64, contacts: f64) -> Response {
         Response {
@@ -128,7 +128,12 @@ mod tests {
             area_ratio: ByRegime([area_ratio, 0.0, 0.0]),
             pressure: ByRegime([0.0, pressure, 0.0]),
             stiffness: 1e14,
-            sampling: Some(SamplingError { pressure: 10.0, area_ratio: 1e-4 }),
+            sampling: None,
+            sharing: Some(LoadSharing {
+                effective_contacts: contacts,
+                largest_share: 0.01,
+                large_strain_share: 0.0,
+            }),
         }
     }
 
@@ -144,16 +149,12 @@ mod tests {
             pair(Pairing::Load, response(9.0, 0.051, 100.0, 50.0), response(0.0, 1e-3, 100.0, 50.0)),
             pair(Pairing::Load, response(9.0, 1e-3, 100.0, 50.0), response(0.0, 1e-3, 100.0, 29.0)),
         ];
-        let gaps = Gaps::of(&pairs, 1.0, 1e-8);
+        let gaps = Gaps::of(&pairs);
         assert_eq!(gaps.pairs, 3);
         let [separation, area, pressure] = &gaps.largest[..] else { panic!("three quantities") };
         assert_eq!((separation.difference(), separation.quantity), (0.5, GapQuantity::Separation));
-        // 10 Pa over 1e14 Pa/m is 1e-13 m, 1e-5 sigma.
-        assert!((separation.over_sampling_error.unwrap() / 5e4 - 1.0).abs() < 1e-12);
-        assert!(
-            (area.ratio() - 0.3).abs() < 1e-15 && (area.over_sampling_error.unwrap() - 70.0).abs() < 1e-9
-        );
-        assert_eq!((pressure.ratio(), pressure.over_sampling_error), (1.5, Some(5.0)));
+        assert!((area.ratio() - 0.3).abs() < 1e-15);
+        assert_eq!(pressure.ratio(), 1.5);
     }
 
     #[test]
@@ -166,7 +167,7 @@ mod tests {
             statistical: one,
             deterministic: other,
         });
-        let gaps = Gaps::of(&pairs, 1.0, 1e-8);
+        let gaps = Gaps::of(&pairs);
         assert_eq!(gaps.pairs, 2);
         let quantities: Vec<GapQuantity> = gaps.largest.iter().map(|gap| gap.quantity).collect();
         assert_eq!(quantities, [GapQuantity::Pressure]);

@@ -306,8 +306,9 @@ fn differences_by(measure: Measure, pairs: &[Pair], differences: &[Option<Differ
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::compare::CaseSampling;
     use crate::contact::ByRegime;
-    use crate::model::SamplingError;
+    use crate::model::LoadSharing;
 
     fn response(h: f64, area_ratio: f64) -> Response {
         Response {
@@ -317,7 +318,12 @@ mod tests {
             area_ratio: ByRegime([area_ratio, 0.0, 0.0]),
             pressure: ByRegime([100.0, 0.0, 0.0]),
             stiffness: 1e10,
-            sampling: Some(SamplingError { pressure: 10.0, area_ratio: 1e-4 }),
+            sampling: None,
+            sharing: Some(LoadSharing {
+                effective_contacts: 50.0,
+                largest_share: 0.02,
+                large_strain_share: 0.0,
+            }),
         }
     }
 
@@ -333,7 +339,7 @@ mod tests {
     }
 
     fn under<'a>(law: &'a str, is_elastic_plastic: bool, pairs: &'a [Pair]) -> UnderLaw<'a> {
-        UnderLaw { law, is_elastic_plastic, pairs }
+        UnderLaw { law, is_elastic_plastic, pairs, differences: &[] }
     }
 
     #[test]
@@ -342,9 +348,9 @@ mod tests {
         let second = pairs([(1.0, [3.1, 1e-3], [2.7, 1.5e-3])]);
         let limit = pairs([(1.0, [2.0, 4e-3], [2.4, 9e-3])]);
         let laws = [under("a", true, &first), under("b", true, &second), under("c", false, &limit)];
-        let found = Influence::of(&laws, 1.0, 1e-8);
+        let found = Influence::of(&laws);
         let [at] = &found.loads[..] else { panic!("one load") };
-        assert!(at.counts && at.fewest_contacts == 50.0 && at.area_ratio == 1e-3);
+        assert!(at.exceeded.is_none() && at.fewest_contacts == 50.0 && at.area_ratio == 1e-3);
         let (close, ln2) = (|a: f64, b: f64| (a - b).abs() < 1e-12, 2f64.ln());
         let spread = |measure, group, kind| at.spread(measure, group, kind).unwrap();
         assert!(close(spread(Measure::Separation, Group::All, Kind::Statistical), 1.1));
@@ -358,9 +364,7 @@ mod tests {
         let (law, gap) = at.largest_gap(Measure::Area, Group::All).unwrap();
         assert!(law == 2 && close(gap, (4.0f64 / 9.0).ln()));
         assert_eq!(at.largest_gap(Measure::Area, Group::ElasticPlastic).unwrap().0, 0);
-        // 10 Pa over 1e10 Pa/m is 1e-9 m, a tenth of sigma; 1e-4 of 1e-3.
-        assert!(close(at.sampling_error(Measure::Separation, 0).unwrap(), 0.1));
-        assert!(close(at.sampling_error(Measure::Area, 0).unwrap(), 0.1));
+        assert_eq!(at.sampling_error(Measure::Separation, 0), None);
     }
 
     #[test]
@@ -377,8 +381,9 @@ mod tests {
             (2.0, [3.0, 1e-3], [4.25, 1e-3]),
             (4.0, [3.0, 0.06], [2.0, 1e-2]),
         ]);
-        let found = Influence::of(&[under("a", true, &first), under("b", false, &second)], 1.0, 1e-8);
-        let loads: Vec<(f64, bool)> = found.loads.iter().map(|at| (at.pressure, at.counts)).collect();
+        let found = Influence::of(&[under("a", true, &first), under("b", false, &second)]);
+        let loads: Vec<(f64, bool)> =
+            found.loads.iter().map(|at| (at.pressure, at.exceeded.is_none())).collect();
         assert_eq!(loads, [(1.0, true), (2.0, true), (4.0, false)]);
         let gap = found.of_summation(Measure::Separation, 0).unwrap();
         assert_eq!(gap, Effect { mean: 1.5, largest: -2.0, at: 2.0 });
@@ -390,9 +395,26 @@ mod tests {
     }
 
     #[test]
-    fn few_contacts_do_not_count() {
-        let one = pairs([(1.0, [3.0, 1e-3], [2.0, 1e-3])]);
-        let counts = |area| Influence::of(&[under("a", true, &one)], area, 1e-8).loads[0].counts;
-        assert!(counts(0.6) && !counts(0.58));
+    fn few_contacts_under_one_law_do_not_count() {
+        let mut few = pairs([(1.0, [3.0, 1e-3], [2.0, 1e-3])]);
+        let many = few.clone();
+        few[0].deterministic.sharing.as_mut().unwrap().effective_contacts = 29.0;
+        let found = Influence::of(&[under("a", true, &many), under("b", true, &few)]);
+        assert!(!found.loads[0].exceeded.is_none() && found.loads[0].fewest_contacts == 29.0);
+    }
+
+    #[test]
+    fn the_error_of_the_gap_is_that_of_the_interval_or_of_independent_draws() {
+        let one = pairs([(1.0, [3.0, 2e-3], [2.5, 1e-3])]);
+        let mut differences = Difference::of(&one, &CaseSampling::default());
+        let estimates = &mut differences[0].estimates;
+        estimates[Judged::Separation as usize].as_mut().unwrap().error = Some(0.2);
+        estimates[Judged::Separation as usize].as_mut().unwrap().independent_error = Some(0.1);
+        estimates[Judged::Area as usize].as_mut().unwrap().independent_error = Some(0.3);
+        let law = UnderLaw { differences: &differences, ..under("a", true, &one) };
+        let at = &Influence::of(&[law]).loads[0];
+        assert_eq!(at.sampling_error(Measure::Separation, 0), Some(0.2));
+        assert_eq!(at.sampling_error(Measure::Area, 0), Some(0.3));
+        assert!(at.is_gap_detectable(Measure::Separation, 0));
     }
 }

@@ -2,7 +2,6 @@
 
 use std::iter::Sum;
 
-use super::difference::Difference;
 use super::{Comparison, Control};
 use crate::model::{Exceeded, Limit};
 
@@ -18,9 +17,9 @@ pub struct ValidRange {
 }
 
 impl ValidRange {
-    /// Of the loads of `differences`, in any order.
-    pub fn of(differences: &[Difference]) -> Self {
-        let mut loads: Vec<(f64, Exceeded)> = differences.iter().map(|at| (at.load, at.exceeded())).collect();
+    /// Of loads (Pa), in any order, and the limits exceeded at each.
+    pub fn of(loads: impl IntoIterator<Item = (f64, Exceeded)>) -> Self {
+        let mut loads: Vec<(f64, Exceeded)> = loads.into_iter().collect();
         loads.sort_by(|a, b| a.0.total_cmp(&b.0));
         let is_valid = |at: &(f64, Exceeded)| at.1.is_none();
         let valid = loads.chunk_by(|a, b| is_valid(a) == is_valid(b)).filter(|stretch| is_valid(&stretch[0]));
@@ -108,14 +107,10 @@ mod tests {
     #[test]
     fn loads_between_stretches_are_not_valid() {
         let range = |loads: &[(f64, f64, f64)]| {
-            let at = |&(load, contacts, area_ratio): &(f64, f64, f64)| Difference {
-                load,
-                sharing: sharing(contacts),
-                area_ratio,
-                estimates: [None; 3],
-                area_needed: None,
+            let at = |&(load, contacts, area_ratio): &(f64, f64, f64)| {
+                (load, Exceeded::of(sharing(contacts).as_ref(), area_ratio))
             };
-            ValidRange::of(&loads.iter().map(at).collect::<Vec<_>>())
+            ValidRange::of(loads.iter().map(at))
         };
         let found = range(&[
             (5.0, 90.0, 0.01),

@@ -172,3 +172,103 @@ fn median(mut values: Vec<f64>) -> f64 {
     values.sort_by(f64::total_cmp);
     values[values.len() / 2]
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::model::LoadSharing;
+
+    const ACCEPTED: Accepted = Accepted { separation: 0.1, area: 0.1, stiffness: 0.2 };
+
+    fn estimate(contrast: f64, error: Option<f64>) -> Option<Estimate> {
+        Some(Estimate { contrast, error, quantile: 2.0, independent_error: None })
+    }
+
+    /// One load with the same contrast and error of separation and area.
+    fn at(load: f64, contacts: f64, contrast: f64, error: Option<f64>) -> Difference {
+        Difference {
+            load,
+            sharing: Some(LoadSharing {
+                effective_contacts: contacts,
+                largest_share: 0.01,
+                large_strain_share: 0.0,
+            }),
+            area_ratio: 0.01,
+            estimates: [estimate(contrast, error), estimate(contrast, error), None],
+            area_needed: error.is_none().then_some(3.0),
+        }
+    }
+
+    fn of(judged: Judged, differences: &[Difference]) -> Vec<(Verdict, [f64; 2])> {
+        let all = Stretch::all(differences, &ACCEPTED);
+        let of = all.iter().filter(|stretch| stretch.judged == judged);
+        of.map(|stretch| (stretch.verdict, stretch.loads)).collect()
+    }
+
+    #[test]
+    fn an_interval_is_inside_outside_or_across_the_edge() {
+        let band = ACCEPTED.band(Judged::Separation);
+        let verdict = |contrast, error| Verdict::of(&estimate(contrast, error).unwrap(), band);
+        assert_eq!(verdict(0.05, Some(0.02)), Verdict::Within);
+        assert_eq!(verdict(0.05, Some(0.03)), Verdict::CannotTell);
+        assert_eq!(verdict(-0.2, Some(0.03)), Verdict::Beyond);
+        assert_eq!(verdict(-0.15, Some(0.03)), Verdict::CannotTell);
+        // Far inside or outside, but unknown how far.
+        assert_eq!(verdict(0.0, None), Verdict::CannotTell);
+        assert_eq!(verdict(9.0, None), Verdict::CannotTell);
+    }
+
+    /// A tenth of the deterministic area: the band of the logarithms is not symmetric.
+    #[test]
+    fn relative_differences_are_held_against_the_accepted_share() {
+        let [low, high] = ACCEPTED.band(Judged::Area);
+        assert!((low - 0.9f64.ln()).abs() < 1e-15 && (high - 1.1f64.ln()).abs() < 1e-15);
+        let all = Accepted { area: 1.5, ..ACCEPTED };
+        assert_eq!(all.band(Judged::Area), [f64::NEG_INFINITY, 2.5f64.ln()]);
+    }
+
+    #[test]
+    fn neighbouring_loads_of_one_verdict_are_one_stretch() {
+        let loads = [
+            at(3.0, 90.0, 0.3, Some(0.01)),
+            at(1.0, 90.0, 0.01, Some(0.01)),
+            at(2.0, 90.0, -0.02, Some(0.01)),
+            at(4.0, 90.0, 0.11, Some(0.01)),
+            // Beyond the valid range.
+            at(0.5, 12.0, 0.01, Some(0.01)),
+        ];
+        use Verdict::{Beyond, CannotTell, Within};
+        let expected = [(Within, [1.0, 2.0]), (Beyond, [3.0, 3.0]), (CannotTell, [4.0, 4.0])];
+        assert_eq!(of(Judged::Separation, &loads), expected);
+        assert_eq!(of(Judged::Stiffness, &loads), [], "stiffness cannot be compared");
+        let all = Stretch::all(&loads, &ACCEPTED);
+        let within = &all[0];
+        assert_eq!(within.largest.unwrap().0, 2.0);
+        assert_eq!((within.range, within.bounds), (Some([-0.02, 0.01]), Some([-0.04, 0.03])));
+        assert_eq!((within.growth, within.area_needed), (None, None));
+        // 0.11 with a half-width of 0.02 is 0.01 from the edge.
+        assert!((all[2].growth.unwrap() - 4.0).abs() < 1e-9);
+    }
+
+    #[test]
+    fn without_a_valid_load_nothing_can_be_told() {
+        let loads = [at(1.0, 12.0, 9.0, Some(0.01)), at(2.0, 20.0, 9.0, None)];
+        assert_eq!(of(Judged::Separation, &loads), [(Verdict::CannotTell, [1.0, 2.0])]);
+        let stretch = &Stretch::all(&loads, &ACCEPTED)[0];
+        assert_eq!((stretch.largest, stretch.area_needed), (None, Some(3.0)));
+        assert_eq!(Stretch::all(&[], &ACCEPTED), []);
+    }
+
+    #[test]
+    fn an_area_is_needed_where_half_of_the_loads_have_no_interval() {
+        let of = |errors: [Option<f64>; 3]| {
+            let at = |(k, error): (usize, Option<f64>)| at(k as f64 + 1.0, 90.0, 0.1, error);
+            let loads: Vec<Difference> = errors.into_iter().enumerate().map(at).collect();
+            let first = Stretch::all(&loads, &ACCEPTED).remove(0);
+            (first.growth.is_some(), first.area_needed)
+        };
+        assert_eq!(of([None, None, Some(0.1)]), (false, Some(3.0)));
+        // On the edge itself no area tells.
+        assert_eq!(of([Some(0.1); 3]), (false, None));
+    }
+}

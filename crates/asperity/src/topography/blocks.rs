@@ -113,3 +113,44 @@ pub struct TooSmall {
     /// The area (m^2) that would hold them; infinite where the correlation does not decay.
     pub area_needed: f64,
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::topography::HeightMap;
+
+    fn lengths(x: f64, y: f64) -> CorrelationLengths {
+        CorrelationLengths { lengths: [x, y] }
+    }
+
+    #[test]
+    fn as_few_blocks_as_there_must_be_of_equal_relative_sides() {
+        let counts = |points, x, y| Blocks::new(points, [1.0; 2], lengths(x, y)).map(|blocks| blocks.counts);
+        assert_eq!(counts([512, 512], 10.0, 10.0), Ok([4, 4]));
+        assert_eq!(counts([1600, 100], 10.0, 10.0), Ok([16, 1]));
+        // Correlated along y: strips.
+        assert_eq!(counts([512, 512], 3.0, f64::INFINITY), Ok([16, 1]));
+        assert_eq!(counts([640, 480], 10.0, 10.0), Ok([5, 4]));
+        let error = counts([512, 512], 30.0, 30.0).unwrap_err();
+        assert!((error.area_needed - (4.0f64 * 6.0 * 30.0).powi(2)).abs() < 1e-6);
+        assert_eq!(counts([512, 512], f64::INFINITY, f64::INFINITY).unwrap_err().area_needed, f64::INFINITY);
+    }
+
+    #[test]
+    fn the_correlation_length_is_where_the_autocorrelation_is_a_fifth() {
+        let along_x = vec![(0.0, 1.0), (1.0, 0.6), (2.0, 0.1), (3.0, 0.4)];
+        let along_y = vec![(0.0, 1.0), (1.0, 0.9)];
+        let found = CorrelationLengths::of(&Autocorrelation { along_x, along_y, length: None, aspect: None });
+        assert!((found.lengths[0] - 1.8).abs() < 1e-15 && found.lengths[1] == f64::INFINITY);
+    }
+
+    #[test]
+    fn shares_leave_out_what_is_missing() {
+        let blocks = Blocks { points: [4, 4], counts: [2, 2] };
+        let height = |k: usize| if [0, 1, 4, 5, 15].contains(&k) { f64::NAN } else { k as f64 };
+        let map = HeightMap::new([4, 4], [1.0; 2], (0..16).map(height).collect(), 0.0).unwrap();
+        let expected = [0.0, 4.0, 4.0, 3.0].map(|count| count / 11.0);
+        assert_eq!(blocks.shares(&map), expected);
+        assert_eq!([0, 3, 8, 15].map(|point| blocks.of_point(point)), [0, 1, 2, 3]);
+    }
+}

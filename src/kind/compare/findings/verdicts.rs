@@ -1,6 +1,6 @@
 //! Verdicts on one surface under one law and thickness.
 
-use asperity::compare::{Accepted, Difference, Stretch, ValidRange};
+use asperity::compare::{Accepted, Comparison, Difference, Stretch, ValidRange};
 
 use crate::kind::compare::answers::RealisationResults;
 use crate::surface::{Independence, Surface};
@@ -80,7 +80,11 @@ impl Verdicts {
         differences.sort_by(|a, b| a.load.total_cmp(&b.load));
         Self {
             accepted,
-            valid: ValidRange::of(&differences),
+            valid: if differences.is_empty() {
+                of_one_model(&realisations[0].cases[index].comparison)
+            } else {
+                ValidRange::of(differences.iter().map(|at| (at.load, at.exceeded())))
+            },
             stretches: Stretch::all(&differences, &accepted),
             basis: Basis::of(surface, realisations.len()),
             over_independent: over_independent(&differences),
@@ -88,6 +92,13 @@ impl Verdicts {
             differences,
         }
     }
+}
+
+/// Where one model was run, its valid range.
+fn of_one_model(comparison: &Comparison) -> ValidRange {
+    let points = comparison.curves.iter().zip(comparison.exceeded());
+    let loads = points.map(|(point, exceeded)| (point.response.pressure.total(), exceeded));
+    ValidRange::of(loads.filter(|(load, _)| *load > 0.0))
 }
 
 impl Verdicts {

@@ -93,10 +93,14 @@ fn headlines(results: &CompareResults, found: &SurfaceResults) -> Vec<String> {
     let line = |(case, findings): (&CaseResults, &CaseFindings)| {
         let verdicts = &findings.verdicts;
         let name = subject(results, found, &case.law);
-        let sentence = verdict::headline(verdicts, found.surface.plane.sigma);
-        (!verdicts.differences.is_empty()).then(|| format!("**{}**: {}", escape(&name), escape(&sentence)))
+        let sentence = if verdicts.differences.is_empty() {
+            format!("one model was run, so that no models are compared. {}", verdict::range_line(verdicts))
+        } else {
+            verdict::headline(verdicts, found.surface.plane.sigma)
+        };
+        format!("**{}**: {}", escape(&name), escape(&sentence))
     };
-    found.first.cases.iter().zip(&found.findings.cases).filter_map(line).collect()
+    found.first.cases.iter().zip(&found.findings.cases).map(line).collect()
 }
 
 /// The answer on one surface under every law: verdicts and the figure behind them.
@@ -110,11 +114,13 @@ pub fn answer(page: &mut Page, results: &CompareResults, found: &SurfaceResults)
         let name = subject(results, found, &case.law);
         page.heading(2, &format!("{name}: verdicts"));
         verdict::stretches(page, verdicts, sigma);
-        page.bullets([
+        let mut lines = vec![
             verdict::range_line(verdicts),
             verdict::accepted_line(&verdicts.accepted, sigma),
             verdict::basis_line(verdicts),
-        ]);
+        ];
+        lines.extend(verdict::stiffness_line(verdicts));
+        page.bullets(lines);
         page.figure(
             &format!("{}-differences.svg", stem(found, &case.law)),
             differences::differences(verdicts),

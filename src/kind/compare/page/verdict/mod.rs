@@ -13,7 +13,7 @@ mod table;
 mod words;
 
 pub use headline::{headline, over_cases};
-pub use range::{accepted_line, basis_line, limit_words, range_line};
+pub use range::{accepted_line, basis_line, limit_words, range_line, stiffness_line};
 pub use table::{by_case, stretches};
 
 #[cfg(test)]
@@ -49,7 +49,7 @@ pub mod examples {
     pub fn verdicts(differences: Vec<Difference>, basis: Basis) -> Verdicts {
         Verdicts {
             accepted: ACCEPTED,
-            valid: ValidRange::of(&differences),
+            valid: ValidRange::of(differences.iter().map(|at| (at.load, at.exceeded()))),
             stretches: Stretch::all(&differences, &ACCEPTED),
             basis,
             over_independent: Some(1.5),

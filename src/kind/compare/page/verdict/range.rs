@@ -1,6 +1,6 @@
 //! The valid range, what is accepted, and what the intervals rest on.
 
-use asperity::compare::{Accepted, CONTACTS_PER_GROUP, GROUPS};
+use asperity::compare::{Accepted, CONTACTS_PER_GROUP, GROUPS, Judged};
 use asperity::sphere::LARGEST_SLOPE;
 use asperity::topography::{BLOCK_LENGTHS, MIN_BLOCKS};
 use asperity::{Exceeded, INTERACTION, LARGE_STRAIN_SHARE, LARGEST_LOAD_SHARE, Limit, MIN_CONTACTS};
@@ -47,6 +47,17 @@ pub fn range_line(verdicts: &Verdicts) -> String {
         .collect();
     let ends = if ends.is_empty() { "all loads of this experiment".to_owned() } else { ends.join("; ") };
     format!("Valid for {} on {}; {ends}.", listed(&each), nominal_area(verdicts.area))
+}
+
+/// Why the stiffness is not compared, if it is not.
+pub fn stiffness_line(verdicts: &Verdicts) -> Option<String> {
+    let is_compared =
+        verdicts.differences.iter().any(|at| at.estimates[Judged::Stiffness as usize].is_some());
+    (!is_compared).then(|| {
+        "The stiffness is not compared: the load of the law jumps by more than 1 %, which the stiffness of the sum leaves \
+         out and that of the integral includes."
+            .to_owned()
+    })
 }
 
 /// What the user accepts, on a surface of `sigma` (m).

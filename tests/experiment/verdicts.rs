@@ -1,0 +1,264 @@
+//! Verdicts of `[compare]` and `[laws]`: for each kind of statement a case in which it holds and one in which it does not.
+
+use std::fs::File;
+use std::path::Path;
+
+use asperity::compare::{Judged, Stretch, Verdict};
+use asperity::npy;
+use asperity::topography::generate::{Process, Seeds, SpectrumOf, SurfaceGenerator};
+use asperity::topography::spectrum::{Lay, Spectrum, SpectrumShape};
+use asperity::{HeightMap, Heights, Limit};
+use asperity_experiment::Experiment;
+use asperity_experiment::kind::compare::findings::{Basis, Verdicts};
+use asperity_experiment::kind::compare::results::CompareResults;
+use asperity_framework::Outcome;
+use asperity_framework::progress::Silent;
+
+/// Runs `[compare]` on `surfaces`, with files beside it in `folder`.
+fn run(folder: &Path, compare: &str, surfaces: &str) -> Box<dyn Outcome> {
+    let spec = format!(
+        "title = \"t\"\nseed = 3\n{}[compare]\nrough = \"steel\"\nflat = \"steel\"\nlaw = \"zmc\"\n{compare}\n{surfaces}",
+        steel!(),
+    );
+    let path = folder.join("verdicts.toml");
+    std::fs::write(&path, spec).unwrap();
+    Experiment::read(&path).unwrap().run(&Silent).unwrap()
+}
+
+fn compared(compare: &str, surfaces: &str) -> CompareResults {
+    crate::downcast(run(tempfile::tempdir().unwrap().path(), compare, surfaces))
+}
+
+fn verdicts(results: &CompareResults, surface: usize) -> &Verdicts {
+    &results.surfaces[surface].findings.cases[0].verdicts
+}
+
+fn population(name: &str, count: usize, more: &str) -> String {
+    format!("[surface.{name}.population]\n{}count = {count}\n{more}\n", case_1!())
+}
+
+fn of(found: &Verdicts, judged: Judged) -> impl Iterator<Item = &Stretch> {
+    found.stretches.iter().filter(move |stretch| stretch.judged == judged)
+}
+
+fn is(verdict: Verdict) -> impl Fn(&&Stretch) -> bool {
+    move |stretch| stretch.verdict == verdict
+}
+
+const LOADS: &str = "pressure = { from = \"1 MPa\", to = \"60 MPa\", points = 10 }";
+
+/// Heights that are all but Gaussian, a million of them: many standard errors, and of no consequence.
+#[test]
+fn a_trivial_gap_of_a_million_asperities_is_within() {
+    let compare = format!("statistical = {{ heights = \"gaussian\" }}\n{LOADS}");
+    let more = "heights.johnson = { skewness = 0.03, kurtosis = 3.002 }";
+    let results = compared(&compare, &population("many", 1_000_000, more));
+    let found = verdicts(&results, 0);
+    for judged in Judged::ALL {
+        let widest = of(found, judged).filter(is(Verdict::Within)).map(|one| one.loads[1] / one.loads[0]);
+        assert!(widest.fold(0.0, f64::max) > 10.0, "{judged:?}: {:?}", found.stretches);
+        assert_eq!(of(found, judged).filter(is(Verdict::Beyond)).count(), 0, "{judged:?}");
+    }
+    let is_significant = found.differences.iter().any(|at| {
+        let estimate = at.estimates[Judged::Separation as usize].unwrap();
+        estimate.contrast.abs() > 3.0 * estimate.error.unwrap_or(f64::INFINITY)
+    });
+    assert!(is_significant, "the gap is there");
+}
+
+/// The same heights as of a plateau, 150 or 300,000 of them.
+#[test]
+fn a_large_gap_of_few_asperities_cannot_be_told_and_of_many_is_beyond() {
+    let compare = format!("statistical = {{ heights = \"gaussian\" }}\n{LOADS}");
+    let more = "heights.johnson = { skewness = -1, kurtosis = 4.5 }";
+    let surfaces = population("few", 150, more) + &population("many", 300_000, more);
+    let results = compared(&compare, &surfaces);
+    let (few, many) = (verdicts(&results, 0), verdicts(&results, 1));
+    assert!(
+        few.stretches.iter().all(|stretch| stretch.verdict == Verdict::CannotTell),
+        "{:?}",
+        few.stretches
+    );
+    assert!(of(few, Judged::Separation).next().unwrap().area_needed.is_some());
+    let beyond = of(many, Judged::Separation).find(is(Verdict::Beyond)).unwrap();
+    assert!(beyond.loads[1] > 3.0 * beyond.loads[0] && beyond.largest.unwrap().1.contrast > 0.2);
+    assert!(matches!(many.basis, Basis::Asperities));
+}
+
+/// Two hundred draws of the population that the statistical model assumes.
+#[test]
+fn a_model_that_is_true_is_rarely_called_beyond() {
+    let surfaces: String = (0..200).map(|k| population(&format!("s{k}"), 3000, "")).collect();
+    let loads = "pressure = { from = \"5 MPa\", to = \"60 MPa\", points = 5 }";
+    let results = compared(loads, &surfaces);
+    let all: Vec<&Verdicts> = (0..200).map(|k| verdicts(&results, k)).collect();
+    let beyond =
+        |found: &&&Verdicts| found.stretches.iter().any(|stretch| stretch.verdict == Verdict::Beyond);
+    let within =
+        |found: &&&Verdicts| found.stretches.iter().any(|stretch| stretch.verdict == Verdict::Within);
+    assert!(all.iter().filter(beyond).count() <= 10);
+    assert!(all.iter().filter(within).count() >= 190, "it is not silent either");
+}
+
+/// A window of one endless surface, written as a measured map.
+fn write_window(map: &HeightMap, count: usize, path: &Path) {
+    let side = map.points()[0];
+    let heights = (0..count * count).map(|k| map.heights()[(k / count) * side + k % count]);
+    npy::write(File::create(path).unwrap(), [count; 2], heights).unwrap();
+}
+
+fn endless(side: usize, roll_off: f64) -> HeightMap {
+    let shape = SpectrumShape::SelfAffine { hurst: 0.8, roll_off: roll_off * 1e-6, cut_off: 8e-6 };
+    let process = Process {
+        spectrum: Spectrum::new(shape, Lay::default()).unwrap(),
+        of: SpectrumOf::Heights,
+        sigma: 1e-7,
+        heights: Heights::GAUSSIAN,
+    };
+    let generator = SurfaceGenerator { points: [side; 2], pixel: [1e-6; 2], process, plateau: None };
+    generator.surface(Seeds { process: [5; 32], plateau: [6; 32] }).unwrap().0
+}
+
+/// Cut at 512 to 4096 points: what a small window says, a large one does not deny.
+#[test]
+fn windows_of_one_surface_do_not_contradict_each_other() {
+    let folder = tempfile::tempdir().unwrap();
+    let map = endless(4096, 32.0);
+    let mut surfaces = String::new();
+    for count in [512, 1024, 2048, 4096] {
+        write_window(&map, count, &folder.path().join(format!("w{count}.npy")));
+        surfaces += &format!(
+            "[surface.w{count}.file]\npath = \"w{count}.npy\"\npixel = \"1 um\"\nlevel = \"mean\"\n"
+        );
+    }
+    drop(map);
+    let loads =
+        "accept = { separation = 0.15 }\npressure = { from = \"1 MPa\", to = \"60 MPa\", points = 12 }";
+    let results: CompareResults = crate::downcast(run(folder.path(), loads, &surfaces));
+    let all: Vec<&Verdicts> = (0..4).map(|k| verdicts(&results, k)).collect();
+    assert!(all.iter().all(|found| matches!(found.basis, Basis::Blocks { .. })));
+    let told = |found: &Verdicts, judged: Judged, load: f64| {
+        let at = of(found, judged).find(|one| (one.loads[0]..=one.loads[1]).contains(&load))?;
+        (at.verdict != Verdict::CannotTell).then_some(at.verdict)
+    };
+    let mut conclusions = [0; 4];
+    for load in results.surfaces[0].findings.cases[0].verdicts.differences.iter().map(|at| at.load) {
+        for judged in Judged::ALL {
+            let said: Vec<Option<Verdict>> = all.iter().map(|found| told(found, judged, load)).collect();
+            let concluded: Vec<Verdict> = said.iter().copied().flatten().collect();
+            assert!(concluded.windows(2).all(|pair| pair[0] == pair[1]), "{judged:?} at {load:e}: {said:?}");
+            said.iter().zip(&mut conclusions).for_each(|(said, count)| *count += usize::from(said.is_some()));
+        }
+    }
+    assert!(conclusions[0] > 0 && conclusions[3] > conclusions[0], "{conclusions:?}");
+}
+
+/// Waves as long as the map: blocks of it are not independent.
+#[test]
+fn a_map_of_long_waves_claims_no_interval() {
+    let folder = tempfile::tempdir().unwrap();
+    write_window(&endless(512, 256.0), 256, &folder.path().join("w.npy"));
+    let surface = "[surface.w.file]\npath = \"w.npy\"\npixel = \"1 um\"\n";
+    let results: CompareResults = crate::downcast(run(folder.path(), LOADS, surface));
+    let found = verdicts(&results, 0);
+    assert!(matches!(found.basis, Basis::TooSmall { .. }), "{:?}", found.basis);
+    assert!(found.stretches.iter().all(|stretch| stretch.verdict == Verdict::CannotTell));
+    assert!(
+        found.differences.iter().flat_map(|at| at.estimates).flatten().all(|one| one.interval().is_none())
+    );
+    let needed = found.area_needed(&found.stretches[0]).unwrap();
+    assert!(needed > 2.0 * found.area, "{needed:e}");
+}
+
+/// One spike of 47 sigma carries most of the load.
+#[test]
+fn a_spike_is_no_valid_contact() {
+    let folder = tempfile::tempdir().unwrap();
+    let write = |name: &str, spike: f64| {
+        let heights = (0..4000).map(|k| 1e-8 * ((f64::from(k) * 0.618).fract() * 2.0 - 1.0));
+        let rows: String = heights.map(|z| format!("{z:e},2e-5\n")).collect();
+        std::fs::write(folder.path().join(name), format!("height,radius\n{rows}{spike:e},2e-5\n")).unwrap();
+    };
+    write("spiked.csv", 2.8e-7);
+    write("even.csv", 1e-8);
+    let list = |name: &str| {
+        format!("[surface.{name}.asperities]\nfile = \"{name}.csv\"\nnominal-area = \"1e-6 m^2\"\n")
+    };
+    let loads = "pressure = { values = [\"200 kPa\"] }";
+    let results: CompareResults =
+        crate::downcast(run(folder.path(), loads, &(list("spiked") + &list("even"))));
+    let exceeded =
+        |k: usize| -> Vec<Limit> { verdicts(&results, k).differences[0].exceeded().limits().collect() };
+    assert!(exceeded(0).contains(&Limit::DominantContact) && exceeded(0).contains(&Limit::FewContacts));
+    assert_eq!(exceeded(1), []);
+    assert!(verdicts(&results, 0).valid.stretches.is_empty());
+    let share = verdicts(&results, 0).differences[0].sharing.unwrap().largest_share;
+    assert!(share > 0.3, "{share}");
+}
+
+/// Sharp asperities pressed deep: a/R above 0.3.
+#[test]
+fn large_strains_end_the_valid_range() {
+    let sharp = "[surface.sharp.population]\nradius = \"4 um\"\nsigma = \"260 nm\"\ndensity = \"9e10 /m^2\"\ncount = 30000\n";
+    let results = compared("pressure = { from = \"100 kPa\", to = \"100 MPa\", points = 13 }", sharp);
+    let found = verdicts(&results, 0);
+    let limits = |load: usize| found.differences[load].exceeded().limits().collect::<Vec<_>>();
+    assert!(limits(12).contains(&Limit::LargeStrain));
+    let [_, highest] = *found.valid.stretches.last().unwrap();
+    assert!(highest < 5e7 && found.valid.above.limits().any(|limit| limit == Limit::LargeStrain));
+    let blunt = compared(LOADS, &population("blunt", 30_000, ""));
+    let at_all =
+        verdicts(&blunt, 0).differences.iter().flat_map(|at| at.exceeded().limits().collect::<Vec<_>>());
+    assert!(!at_all.into_iter().any(|limit| limit == Limit::LargeStrain));
+}
+
+/// The same difference under two opinions of what matters.
+#[test]
+fn what_is_accepted_decides() {
+    let verdict = |accept: &str| {
+        let compare = format!(
+            "accept = {{ {accept} }}\nstatistical = {{ heights = \"gaussian\" }}\npressure = {{ values = [\"20 MPa\"] }}"
+        );
+        let more = "heights.johnson = { skewness = -1, kurtosis = 4.5 }";
+        let results = compared(&compare, &population("a", 100_000, more));
+        let found = verdicts(&results, 0);
+        of(found, Judged::Separation).next().unwrap().verdict
+    };
+    assert_eq!(verdict("separation = 0.1"), Verdict::Beyond);
+    assert_eq!(verdict("separation = \"4.8 nm\""), Verdict::Beyond);
+    assert_eq!(verdict("separation = 2"), Verdict::Within);
+    assert_eq!(verdict("separation = \"96 nm\""), Verdict::Within);
+}
+
+/// The mean over realisations has the interval of their scatter.
+#[test]
+fn realisations_give_the_interval_directly() {
+    let surfaces = population("a", 3000, "realisations = 6") + &population("b", 3000, "");
+    let results = compared("pressure = { values = [\"20 MPa\"] }", &surfaces);
+    let [several, one] = [0, 1].map(|k| verdicts(&results, k));
+    assert_eq!((several.basis, one.basis), (Basis::Realisations(6), Basis::Asperities));
+    let half = |found: &Verdicts| found.differences[0].estimates[0].unwrap().half_width().unwrap();
+    assert!(half(several) < half(one), "{} {}", half(several), half(one));
+}
+
+/// The page answers first; `summary.json` and `differences.csv` hold the same.
+#[test]
+fn the_answer_stands_first_and_in_the_files() {
+    let outcome = run(tempfile::tempdir().unwrap().path(), LOADS, &population("case", 100_000, ""));
+    let page = outcome.page().markdown();
+    let summary = page.split("## Summary").nth(1).unwrap();
+    let first = summary.trim_start().lines().next().unwrap();
+    assert!(first.contains("statistical model agrees with the sum in real contact area within"), "{first}");
+    assert!(page.contains("Valid for") && page.contains("Accepted (key `accept`): 10 %"));
+    assert!(!page.to_lowercase().contains("trust") && page.contains("case-differences.svg"));
+    let json = serde_json::Value::Object(outcome.summary().unwrap());
+    let all = json["verdicts"].as_array().unwrap();
+    let area = all.iter().find(|one| one["quantity"] == "area" && one["verdict"] == "within").unwrap();
+    assert_eq!((&area["against"], &area["model"]), (&"deterministic".into(), &"statistical".into()));
+    assert!(area["low"].as_f64() < area["difference"].as_f64() && area["accepted"] == 0.1);
+    let tables = outcome.tables().unwrap();
+    let (_, csv) = tables.iter().find(|(name, _)| *name == "differences.csv").unwrap();
+    let csv = String::from_utf8(csv.clone()).unwrap();
+    assert!(csv.lines().nth(1).unwrap().starts_with("case,zmc,,1000000.0,"), "{csv}");
+    assert!(csv.contains(",within,"));
+}
