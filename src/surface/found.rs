@@ -338,6 +338,13 @@ impl Surface {
         Some(Self { mean_plane: self.mean_plane, nominal: self.nominal.clone(), ..rest })
     }
 
+    /// One group of its asperities on their area, in the plane of all; `None` where it has none.
+    pub fn only(&self, division: &Division, group: usize) -> Option<Self> {
+        let set = division.only(&self.set, group)?;
+        let statistics = Statistics::of(&set);
+        Some(Self { plane: self.plane, ..Self::new(&self.name, set, statistics) })
+    }
+
     /// Inputs of the statistical model: the nominal numbers of a population, the statistics of
     /// any other set.
     pub fn population(&self, heights: Option<&Heights>, mean_radius: MeanRadius) -> Population {

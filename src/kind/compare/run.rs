@@ -46,7 +46,7 @@ pub fn run(
         let models = models_of(compare, &first_surface, &mut timing);
         let mut first = run_surface(context, compare, &first_surface, &models, counter, &mut timing)?;
         let start = Instant::now();
-        let samplings = sampling(compare, &first_surface, &first.cases, context.seed);
+        let samplings = sampling(compare, &first_surface, &models, &first.cases, context.seed);
         differ(&mut first.cases, &samplings, compare, &models);
         timing.sampling += start.elapsed();
         let thresholds = threshold::thresholds(compare, &first_surface, &models, &first, counter);

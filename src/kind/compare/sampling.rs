@@ -1,6 +1,7 @@
 //! Both models on a surface with groups of its asperities left out, from which sampling errors follow.
 
-use asperity::compare::{CaseSampling, Division, Kind, LeftOut, Pair, Pairing, pairs_at};
+use asperity::compare::{CaseSampling, Division, Kind, LeftOut, OneStep, Pair, Pairing};
+use asperity::{Model, Total};
 use asperity_framework::contact::LawPlan;
 use asperity_framework::digest::stream_seed;
 
@@ -9,64 +10,79 @@ use super::models::SurfaceModels;
 use super::plan::ComparePlan;
 use crate::surface::{Independence, Surface};
 
-/// Loads (Pa) of the pairs at equal load of each case.
-type Loads = Vec<Vec<f64>>;
-
 /// The sampling uncertainty of each case on a surface that has been compared; nothing where only one model was run.
 pub(super) fn sampling(
     plan: &ComparePlan,
     surface: &Surface,
+    models: &SurfaceModels,
     cases: &[CaseResults],
     seed: u64,
 ) -> Vec<CaseSampling> {
     if ![Kind::Statistical, Kind::Deterministic].iter().all(|kind| plan.models.contains(kind)) {
         return Vec::new();
     }
-    let at_load = |pair: &&Pair| pair.pairing == Pairing::Load;
-    let loads_of =
-        |case: &CaseResults| case.comparison.pairs.iter().filter(at_load).map(|pair| pair.target).collect();
-    let loads: Loads = cases.iter().map(loads_of).collect();
+    let steps: Vec<OneStep> = plan
+        .laws
+        .iter()
+        .zip(cases)
+        .filter_map(|(law, case)| {
+            let at_load = case.comparison.pairs.iter().filter(|pair| pair.pairing == Pairing::Load);
+            let pairs: Vec<Pair> = at_load.copied().collect();
+            let statistical = models.statistical(&*law.contact, &law.spec);
+            let deterministic = models.deterministic(&*law.contact, &law.spec)?;
+            Some(OneStep::new(pairs, &statistical, &deterministic, surface.set.nominal_area()))
+        })
+        .collect();
     let seed = stream_seed(seed, &format!("groups of {}", surface.name));
     let draws = Division::independent(surface.set.count(), seed);
-    let mut independent = draws.map(|draws| left_out(plan, surface, &draws, &loads)).unwrap_or_default();
-    let (mut groups, area_needed) = match &surface.independence {
+    let independent = draws.map(|draws| left_out(plan, surface, &draws, &steps));
+    let (groups, area_needed) = match &surface.independence {
         Independence::Asperities => (independent.clone(), None),
-        Independence::Blocks(blocks) => (left_out(plan, surface, &blocks.division, &loads), None),
-        Independence::TooSmall(error) => (Vec::new(), Some(error.area_needed)),
-        Independence::Realisations => (Vec::new(), None),
+        Independence::Blocks(blocks) => (Some(left_out(plan, surface, &blocks.division, &steps)), None),
+        Independence::TooSmall(error) => (None, Some(error.area_needed)),
+        Independence::Realisations => (None, None),
     };
-    // From the last case on.
-    let of_case = |_| CaseSampling {
-        groups: groups.pop(),
-        independent: independent.pop(),
+    let of = |left_out: &Option<Vec<LeftOut>>, case: usize| left_out.as_ref().map(|all| all[case].clone());
+    let of_case = |case| CaseSampling {
+        groups: of(&groups, case),
+        independent: of(&independent, case),
         area: surface.set.nominal_area(),
         area_needed,
     };
-    let mut sampling: Vec<CaseSampling> = cases.iter().map(of_case).collect();
-    sampling.reverse();
-    sampling
+    (0..steps.len()).map(of_case).collect()
 }
 
-/// Each case at its loads with each group of `division` left out.
-fn left_out(plan: &ComparePlan, surface: &Surface, division: &Division, loads: &Loads) -> Vec<LeftOut> {
-    let without = |group: usize| -> Vec<Vec<Option<Pair>>> {
+/// Each case with each group of `division` left out.
+fn left_out(plan: &ComparePlan, surface: &Surface, division: &Division, steps: &[OneStep]) -> Vec<LeftOut> {
+    let shares = division.shares();
+    let without = |group: usize| -> Vec<Vec<[Option<f64>; 3]>> {
         let Some(rest) = surface.without(division, group) else {
-            return loads.iter().map(|loads| vec![None; loads.len()]).collect();
+            return steps
+                .iter()
+                .map(|step| vec![[None; 3]; step.deterministic_separations().len()])
+                .collect();
         };
-        let population = rest.population(plan.heights.as_ref(), plan.mean_radius);
-        let models = SurfaceModels::new(&rest, population, &plan.law_specs, true);
-        let case = |(law, loads): (&LawPlan, &Vec<f64>)| {
-            let statistical = models.statistical(&*law.contact, &law.spec);
-            match models.deterministic(&*law.contact, &law.spec) {
-                Some(deterministic) => pairs_at(&statistical, &deterministic, loads),
-                None => vec![None; loads.len()],
-            }
+        let models = |surface, is_summed| {
+            let population = rest.population(plan.heights.as_ref(), plan.mean_radius);
+            SurfaceModels::new(surface, population, &plan.law_specs, is_summed)
         };
-        plan.laws.iter().zip(loads).map(case).collect()
+        let part = surface.only(division, group);
+        let (of_rest, of_part) = (models(&rest, false), part.as_ref().map(|part| models(part, true)));
+        let case = |(law, step): (&LawPlan, &OneStep)| {
+            let statistical = of_rest.statistical(&*law.contact, &law.spec);
+            let responses = statistical.respond_all(&step.statistical_separations());
+            let separations = step.deterministic_separations();
+            let sum = of_part.as_ref().and_then(|models| models.deterministic(&*law.contact, &law.spec));
+            // A block without asperities adds nothing.
+            let totals =
+                sum.map_or_else(|| vec![Total::default(); separations.len()], |sum| sum.totals(separations));
+            step.without(&responses, &totals, shares[group], rest.plane)
+        };
+        plan.laws.iter().zip(steps).map(case).collect()
     };
-    let mut cases = vec![LeftOut { pairs: Vec::new(), shares: division.shares().to_vec() }; loads.len()];
-    for pairs in division.for_each_group(without) {
-        cases.iter_mut().zip(pairs).for_each(|(case, pairs)| case.pairs.push(pairs));
+    let mut cases = vec![LeftOut { contrasts: Vec::new(), shares: shares.to_vec() }; steps.len()];
+    for contrasts in division.for_each_group(without) {
+        cases.iter_mut().zip(contrasts).for_each(|(case, contrasts)| case.contrasts.push(contrasts));
     }
     cases
 }

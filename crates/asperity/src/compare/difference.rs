@@ -97,12 +97,11 @@ pub struct Difference {
 /// The smallest number of effective contacts per group at which an interval is claimed.
 pub const CONTACTS_PER_GROUP: f64 = 4.0;
 
-/// Both models at the same loads, with each group of the asperities left out: a pair for each load, `None` where a model
-/// does not reach it.
+/// The contrasts between the models at the same loads, with each group of the asperities left out.
 #[derive(Debug, Clone, PartialEq)]
 pub struct LeftOut {
-    /// For each group its pairs, in the order of the loads.
-    pub pairs: Vec<Vec<Option<Pair>>>,
+    /// Without each group, at each load, in the order of [`Judged::ALL`]; `None` where a model has no contact.
+    pub contrasts: Vec<Vec<[Option<f64>; 3]>>,
     /// The groups' shares of the nominal area.
     pub shares: Vec<f64>,
 }
@@ -110,8 +109,8 @@ pub struct LeftOut {
 impl LeftOut {
     /// The standard error of a contrast at the load of index `load`; `None` where a group's is not known.
     fn error(&self, judged: Judged, contrast: f64, load: usize) -> Option<f64> {
-        let of = |pairs: &Vec<Option<Pair>>| judged.contrast(pairs[load].as_ref()?);
-        let without: Option<Vec<f64>> = self.pairs.iter().map(of).collect();
+        let of = |contrasts: &Vec<[Option<f64>; 3]>| contrasts[load][judged as usize];
+        let without: Option<Vec<f64>> = self.contrasts.iter().map(of).collect();
         Some(jackknife_error(contrast, &without?, &self.shares))
     }
 }
@@ -259,9 +258,10 @@ mod tests {
     fn left_out(scatter: f64, missing: bool) -> LeftOut {
         let without = |k: usize| {
             let sign = if k % 2 == 0 { 1.0 } else { -1.0 };
-            vec![(!(missing && k == 3)).then(|| pair(1.0, 0.2 + sign * scatter, 90.0))]
+            let contrasts = [0.2 + sign * scatter, 2f64.ln(), 0.0];
+            vec![contrasts.map(|contrast| (!(missing && k == 3)).then_some(contrast))]
         };
-        LeftOut { pairs: (0..16).map(without).collect(), shares: vec![1.0 / 16.0; 16] }
+        LeftOut { contrasts: (0..16).map(without).collect(), shares: vec![1.0 / 16.0; 16] }
     }
 
     fn sampling(groups: Option<LeftOut>) -> CaseSampling {

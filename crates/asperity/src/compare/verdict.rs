@@ -1,6 +1,7 @@
 //! Verdicts: whether the difference between both models is within what the user accepts, by quantity and stretch of load.
 
 use super::difference::{Difference, Estimate, Judged};
+use crate::model::Limit;
 
 /// The largest difference that is accepted, by quantity: in sigma, else relative to the deterministic result.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -114,7 +115,14 @@ impl Stretch {
             .collect();
         match sorted {
             [first, .., last] | [first @ last] if found.is_empty() && is_compared => {
-                let needed = sorted.iter().filter_map(|at| at.area_needed).fold(f64::INFINITY, f64::min);
+                // Area helps where contacts are too few, not where asperities interact or strain.
+                let is_few = |at: &&&Difference| {
+                    at.exceeded()
+                        .limits()
+                        .all(|limit| matches!(limit, Limit::FewContacts | Limit::DominantContact))
+                };
+                let needed = sorted.iter().filter(is_few).filter_map(|at| at.area_needed);
+                let needed = needed.fold(f64::INFINITY, f64::min);
                 vec![Self {
                     judged,
                     verdict: Verdict::CannotTell,
@@ -158,7 +166,7 @@ impl Stretch {
 }
 
 /// More is no practical advice.
-const LARGEST_GROWTH: f64 = 1e4;
+const LARGEST_GROWTH: f64 = 100.0;
 
 /// The factor of area at which the half-width, which goes with its inverse root, no longer reaches the edge of the band;
 /// infinite without an interval.

@@ -51,6 +51,12 @@ impl Division {
         let is_kept = |index: usize| usize::from(self.group[index]) != group;
         set.filtered(is_kept, set.nominal_area() * (1.0 - self.shares[group]))
     }
+
+    /// A group of `set` on its area; `None` where it holds no asperity.
+    pub fn only(&self, set: &AsperitySet, group: usize) -> Option<AsperitySet> {
+        let is_kept = |index: usize| usize::from(self.group[index]) == group;
+        set.filtered(is_kept, set.nominal_area() * self.shares[group])
+    }
 }
 
 #[cfg(test)]
@@ -73,6 +79,9 @@ mod tests {
             rest.heights().iter().for_each(|&z| kept[z as usize] += 1);
             assert_eq!(rest.count(), count - (share * 100.0).round() as usize);
             assert!((rest.nominal_area() - 2.0 * (1.0 - share)).abs() < 1e-15);
+            let part = division.only(&set, group).unwrap();
+            assert_eq!(part.count() + rest.count(), count);
+            assert!((part.nominal_area() + rest.nominal_area() - 2.0).abs() < 1e-15);
         }
         assert_eq!(kept, [GROUPS - 1; 100]);
         assert_ne!(division, Division::independent(count, [2; 32]).unwrap());

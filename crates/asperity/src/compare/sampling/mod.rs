@@ -3,10 +3,13 @@
 //! | module | content |
 //! |---|---|
 //! | `division` | groups of asperities: blocks of a map, or groups of independent draws |
+//! | `one_step` | both models at equal load with a group left out |
 //! | `jackknife` | standard error from estimates with each group left out; Student's quantiles |
 
 mod division;
 mod jackknife;
+mod one_step;
 
 pub use division::{Division, GROUPS};
 pub use jackknife::{jackknife_error, student_quantile};
+pub use one_step::OneStep;

@@ -147,33 +147,31 @@ fn distances(near: f64, far: f64, sigma: f64) -> String {
     }
 }
 
-/// The answer over several cases (`what`: thicknesses, laws): with how many of them the models agree at all valid loads,
-/// and with how many they do not at some.
+/// The answer over several cases (`what`: thicknesses, laws): for how many of them the models agree at all valid loads, and
+/// for how many they do not at some.
 pub fn over_cases(what: &str, all: &[&Verdicts]) -> String {
-    let parts: Vec<String> = ORDER.into_iter().filter_map(|judged| counted(judged, all)).collect();
-    let count = all.len();
-    format!(
-        "Of {count} {what} the statistical model is within what is accepted at all valid loads {}.",
-        parts.join("; ")
-    )
+    let parts: Vec<String> = ORDER.into_iter().filter_map(|judged| counted(judged, what, all)).collect();
+    format!("at all valid loads the statistical model agrees with the sum {}.", listed(&parts))
 }
 
-fn counted(judged: Judged, all: &[&Verdicts]) -> Option<String> {
-    let of = |verdicts: &Verdicts, is_it: &dyn Fn(&Stretch) -> bool| {
-        verdicts.stretches.iter().filter(|stretch| stretch.judged == judged).any(is_it)
+fn counted(judged: Judged, what: &str, all: &[&Verdicts]) -> Option<String> {
+    let of = |verdicts: &Verdicts, is_it: &dyn Fn(Verdict) -> bool| {
+        let stretches = verdicts.stretches.iter().filter(|stretch| stretch.judged == judged);
+        stretches.map(|stretch| stretch.verdict).any(is_it)
     };
-    let counted = all.iter().filter(|verdicts| of(verdicts, &|_| true)).count();
-    let within = all
-        .iter()
-        .filter(|verdicts| {
-            of(verdicts, &|_| true) && !of(verdicts, &|stretch| stretch.verdict != Verdict::Within)
-        })
-        .count();
-    let beyond =
-        all.iter().filter(|verdicts| of(verdicts, &|stretch| stretch.verdict == Verdict::Beyond)).count();
-    (counted > 0).then(|| {
-        let within = if within == 0 { "none".to_owned() } else { within.to_string() };
-        format!("in {} with {within} (beyond it at some load with {beyond})", name(judged))
+    let number = |is_it: &dyn Fn(&Verdicts) -> bool| all.iter().filter(|verdicts| is_it(verdicts)).count();
+    let compared = number(&|verdicts| of(verdicts, &|_| true));
+    let within =
+        number(&|verdicts| of(verdicts, &|_| true) && !of(verdicts, &|verdict| verdict != Verdict::Within));
+    let beyond = number(&|verdicts| of(verdicts, &|verdict| verdict == Verdict::Beyond));
+    let word = |count: usize| if count == 0 { "none".to_owned() } else { count.to_string() };
+    (compared > 0).then(|| {
+        format!(
+            "in {} for {} of {compared} {what} (beyond what is accepted at some load: {})",
+            name(judged),
+            word(within),
+            word(beyond)
+        )
     })
 }
 
@@ -254,9 +252,9 @@ mod tests {
             verdicts(vec![at(1e6, 100.0, [(0.5, Some(0.001)), (0.01, Some(0.001)), (0.01, None)])], BLOCKS);
         assert_eq!(
             over_cases("thicknesses", &[&good, &bad]),
-            "Of 2 thicknesses the statistical model is within what is accepted at all valid loads in real contact area with 2 \
-             (beyond it at some load with 0); in separation with 1 (beyond it at some load with 1); in stiffness with 1 (beyond \
-             it at some load with 0)."
+            "at all valid loads the statistical model agrees with the sum in real contact area for 2 of 2 thicknesses (beyond \
+             what is accepted at some load: none), in separation for 1 of 2 thicknesses (beyond what is accepted at some load: \
+             1) and in stiffness for 1 of 2 thicknesses (beyond what is accepted at some load: none)."
         );
     }
 }
