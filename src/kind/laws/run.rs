@@ -3,8 +3,10 @@
 use super::plan::LawsPlan;
 use super::results::{LawOnOne, LawsResults, SmallStrainEnd, SurfaceInfluence};
 use crate::kind::compare::answers::RealisationResults;
+use crate::kind::compare::findings::CaseFindings;
+use crate::kind::compare::results::SurfaceResults;
 use crate::kind::compare::run_compare;
-use asperity::compare::{Attribution, Influence, Measure, UnderLaw};
+use asperity::compare::{Attribution, Difference, Influence, Measure, UnderLaw};
 use asperity::sphere::{Curve, boundaries};
 use asperity::work::{CountedContact, Counter};
 use asperity_framework::RunContext;
@@ -17,7 +19,7 @@ pub(super) fn run(context: &RunContext, laws_plan: &LawsPlan) -> Result<LawsResu
     let mut influences = Vec::new();
     for found in &compare.surfaces {
         influences.extend(found.realisations().map(|(realisation, answered)| {
-            let influence = influence(&laws_plan.compare.laws, answered);
+            let influence = influence(&laws_plan.compare.laws, found, answered);
             let by = |measure| Attribution::of(&influence, measure);
             let attributions = Measure::ALL.into_iter().filter_map(by).collect();
             SurfaceInfluence { surface: found.surface.name.clone(), realisation, influence, attributions }
@@ -51,12 +53,24 @@ fn on_one(plan: &LawsPlan, law: &LawPlan, counter: &Counter) -> LawOnOne {
     }
 }
 
-fn influence(laws: &[LawPlan], answered: &RealisationResults) -> Influence {
-    let under = laws.iter().zip(&answered.cases).map(|(law, case)| UnderLaw {
+/// Of one realisation of a surface. Its sampling errors are those of the verdicts, which are of the mean over all
+/// realisations.
+fn influence(laws: &[LawPlan], found: &SurfaceResults, answered: &RealisationResults) -> Influence {
+    let of_one = (found.count() as f64).sqrt();
+    let of_case = |case: &CaseFindings| {
+        let mut differences = case.verdicts.differences.clone();
+        for estimate in differences.iter_mut().flat_map(|at| &mut at.estimates).flatten() {
+            estimate.error = estimate.error.map(|error| of_one * error);
+        }
+        differences
+    };
+    let differences: Vec<Vec<Difference>> = found.findings.cases.iter().map(of_case).collect();
+    let cases = answered.cases.iter().zip(&differences);
+    let under = laws.iter().zip(cases).map(|(law, (case, differences))| UnderLaw {
         law: &case.law,
         is_elastic_plastic: law.spec.has_ranges(),
         pairs: &case.comparison.pairs,
-        differences: &case.differences,
+        differences,
     });
     Influence::of(&under.collect::<Vec<_>>())
 }

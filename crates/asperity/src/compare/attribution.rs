@@ -9,7 +9,7 @@ pub enum Dominant {
     Law,
     /// Integral against sum.
     Summation,
-    /// Not decidable within the sampling error of the sum.
+    /// Not decidable: the gap between the models is within its sampling error, or that is unknown.
     Undecided,
 }
 
@@ -47,8 +47,7 @@ impl Attribution {
 
     /// The choice with the larger mean effect.
     pub fn dominant(&self) -> Dominant {
-        let error = self.sampling.map_or(0.0, |error| error.mean);
-        let is_detectable = self.summation.mean > DETECTABLE * error;
+        let is_detectable = self.sampling.is_some_and(|error| self.summation.mean > DETECTABLE * error.mean);
         if !is_detectable {
             Dominant::Undecided
         } else if self.law.mean > self.summation.mean {

@@ -53,6 +53,7 @@ pub fn answers(page: &mut Page, results: &CompareResults, found: &SurfaceResults
         let area = found.surface.set.nominal_area();
         page.table(LOAD_TABLE, pairs.iter().map(|pair| load_row(pair)));
         page.table(CONTACT_TABLE, pairs.iter().map(|pair| contact_row(pair, area)));
+        page.paragraph("\\* Beyond the valid range.");
     }
 }
 
@@ -74,12 +75,15 @@ fn realisations(page: &mut Page, found: &SurfaceResults, index: usize) {
             ""
         }
     ));
+    let differences = &found.findings.cases[index].verdicts.differences;
+    let is_valid =
+        |load: f64| differences.iter().find(|at| at.load == load).is_none_or(|at| at.exceeded().is_none());
     let with_scatter = |scatter: &Scatter| mean_and_deviation(scatter.mean, scatter.deviation);
     page.table(
         ["p", "d/σ stat.", "d/σ det.", "estimated error", "difference", "A/A_nom stat.", "A/A_nom det."],
         of_each_decade(spread, |at| at.target, STEPS).into_iter().map(|at| {
             vec![
-                input_quantity(at.target, "Pa"),
+                marked(at.target, is_valid(at.target)),
                 number(at.statistical_separation.mean),
                 with_scatter(&at.deterministic_separation),
                 number(at.sampling_error),
@@ -91,6 +95,11 @@ fn realisations(page: &mut Page, found: &SurfaceResults, index: usize) {
     );
 }
 
+/// A load (Pa), with a mark beyond the valid range.
+fn marked(load: f64, is_valid: bool) -> String {
+    format!("{}{}", input_quantity(load, "Pa"), if is_valid { "" } else { " *" })
+}
+
 /// Rows per decade of load: the loads nearest to one and three.
 const STEPS: f64 = 2.0;
 
@@ -100,7 +109,7 @@ const LOAD_TABLE: [&str; 8] =
 fn load_row(pair: &Pair) -> Vec<String> {
     let (s, d) = (&pair.statistical, &pair.deterministic);
     vec![
-        input_quantity(pair.target, "Pa"),
+        marked(pair.target, pair.is_valid()),
         number(s.separation_over_sigma),
         number(d.separation_over_sigma),
         number(s.separation_over_sigma - d.separation_over_sigma),
@@ -133,7 +142,7 @@ fn contact_row(pair: &Pair, area: f64) -> Vec<String> {
     let contact_pressure =
         |pressure: Option<f64>| pressure.map_or_else(|| "-".to_owned(), |p| quantity(p, "Pa"));
     vec![
-        input_quantity(pair.target, "Pa"),
+        marked(pair.target, pair.is_valid()),
         number(s.contact_density * area),
         count((d.contact_density * area).round() as usize),
         d.sharing.map_or_else(|| "–".to_owned(), |sharing| number(sharing.effective_contacts)),

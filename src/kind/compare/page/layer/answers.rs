@@ -1,8 +1,8 @@
 //! Results by thickness: figures and tables.
 
-use super::{Series, depth, figures};
+use super::{Series, depth, figures, is_valid_at};
+use asperity::Response;
 use asperity::compare::Kind;
-use asperity::{INTERACTION, Response};
 use asperity_framework::report::format::{input_quantity, number, quantity, thickness};
 use asperity_framework::report::page::Page;
 
@@ -14,7 +14,7 @@ impl Series<'_> {
             &format!("{}-layers.svg", self.stem),
             figures::by_load(self),
             &format!(
-                "Separation and real contact area against load, by layer thickness. {}",
+                "Separation and real contact area against load, by layer thickness. {} Thin: beyond the valid range.",
                 self.lines_are()
             ),
         );
@@ -35,7 +35,7 @@ impl Series<'_> {
                 figures::by_thickness(self),
                 &format!(
                     "Real contact area, mean contact pressure and plastic share of the load against layer thickness, by \
-                     nominal pressure. {} Separate markers at the edges: uncoated (left) and bulk layer material (right).",
+                     nominal pressure. {} Circles: within the valid range. Separate markers at the edges: uncoated (left) and bulk layer material (right).",
                     self.lines_are()
                 ),
             );
@@ -44,7 +44,8 @@ impl Series<'_> {
                 figures::regimes(self),
                 &format!(
                     "Share of the load carried by elastic, elastic-plastic and plastic contacts against layer thickness, \
-                     at the lowest, a middle and the highest load ({} model).",
+                     at the lowest, a middle and the highest load ({} model); an asterisk marks a load beyond the valid range of \
+                     some thickness.",
                     self.findings.main_model().name()
                 ),
             );
@@ -63,10 +64,7 @@ impl Series<'_> {
         type Column = (&'static str, fn(&Response) -> String);
         let columns: [Column; 4] = [
             ("d/σ", |r| number(r.separation_over_sigma)),
-            ("A/A_nom", |r| {
-                let mark = if r.is_beyond_model() { " *" } else { "" };
-                format!("{}{mark}", number(r.area_ratio.total()))
-            }),
+            ("A/A_nom", |r| number(r.area_ratio.total())),
             ("mean contact p", |r| {
                 r.mean_real_pressure().map_or_else(|| "–".to_owned(), |p| quantity(p, "Pa"))
             }),
@@ -83,10 +81,14 @@ impl Series<'_> {
             rows.map(|(load, case)| {
                 let response = |kind| case.comparison.at_load(kind, load).map(|point| &point.response);
                 let t = case.thickness.unwrap_or(0.0);
+                let mark = if is_valid_at(case, load) { "" } else { " *" };
                 let radius = response(self.findings.main_model()).and_then(Response::mean_contact_radius);
                 let ratio = radius.filter(|_| t > 0.0 && t.is_finite()).map(|a| number(a / t));
-                let mut row =
-                    vec![input_quantity(load, "Pa"), thickness(t), ratio.unwrap_or_else(|| "–".to_owned())];
+                let mut row = vec![
+                    input_quantity(load, "Pa"),
+                    thickness(t) + mark,
+                    ratio.unwrap_or_else(|| "–".to_owned()),
+                ];
                 for (_, value) in columns {
                     row.extend(
                         kinds.iter().map(|&kind| response(kind).map_or_else(|| "–".to_owned(), value)),
@@ -95,7 +97,7 @@ impl Series<'_> {
                 row
             }),
         );
-        page.paragraph(&format!("\\* A/A_nom above {INTERACTION}: asperities interact."));
+        page.paragraph("\\* Beyond the valid range.");
     }
 
     /// Thicknesses below which the layer has no effect.

@@ -1,9 +1,9 @@
 //! Figures by thickness of the layer.
 
-use super::Series;
+use super::{Series, is_valid_at};
 use crate::kind::compare::answers::CaseResults;
 use crate::kind::compare::page::figures::{curve, shares_of_load};
-use asperity::compare::Kind;
+use asperity::compare::{CurvePoint, Kind};
 use asperity::{INTERACTION, Regime, Response};
 use asperity_framework::report::format::{input_quantity, thickness};
 use asperity_plot::{Axis, Colour, Dash, Figure, Layer, Marker, Plot};
@@ -15,23 +15,35 @@ pub fn by_load(series: &Series) -> String {
     let mut separation = Plot::new("Separation", axis(), Axis::linear("separation d/σ"));
     let mut area = Plot::new("Real contact area", axis(), Axis::log("area ratio A/A_nom"))
         .with(Layer::region_y(INTERACTION, f64::INFINITY, "asperities interact"));
-    for (index, case) in series.cases.iter().enumerate() {
+    for (index, (case, valid)) in series.cases.iter().zip(series.valid()).enumerate() {
         let colour = Colour::Ordered { index, of: series.cases.len() };
         let kinds = &series.findings.models;
         for &kind in kinds {
             let points = curve(&case.comparison, kind);
-            let line = |value: fn(&Response) -> f64| {
-                let points =
-                    points.iter().map(|p| (p.response.pressure.total() / modulus, value(&p.response)));
-                let line = Layer::line(points.collect::<Vec<_>>()).coloured(colour);
-                if kind == Kind::Statistical && kinds.len() > 1 {
-                    line.dashed(Dash::Dashed)
-                } else {
-                    line.named(thickness(case.thickness.unwrap_or(0.0)))
-                }
+            // Beyond the valid range a line is thin.
+            let lines = |value: fn(&Response) -> f64| {
+                let shown = |p: &&CurvePoint| (p.response.pressure.total() / modulus, value(&p.response));
+                let is_valid = |p: &&&CurvePoint| {
+                    let load = p.response.pressure.total();
+                    valid.stretches.iter().any(|[from, to]| (*from..=*to).contains(&load))
+                };
+                let all = Layer::line(points.iter().map(shown).collect::<Vec<_>>()).coloured(colour).thin();
+                let inside = points.iter().filter(is_valid).map(shown).collect::<Vec<_>>();
+                let inside = Layer::line(inside).coloured(colour).thick();
+                [all, inside].map(|line| {
+                    if kind == Kind::Statistical && kinds.len() > 1 {
+                        line.dashed(Dash::Dashed)
+                    } else {
+                        line.named(thickness(case.thickness.unwrap_or(0.0)))
+                    }
+                })
             };
-            separation = separation.with(line(|r| r.separation_over_sigma));
-            area = area.with(line(|r| r.area_ratio.total()));
+            for line in lines(|r| r.separation_over_sigma) {
+                separation = separation.with(line);
+            }
+            for line in lines(|r| r.area_ratio.total()) {
+                area = area.with(line);
+            }
         }
     }
     Figure::row("Separation and real contact area by layer thickness", vec![separation, area]).svg()
@@ -75,7 +87,9 @@ fn against_thickness(series: &Series, title: &str, axis: Axis, value: fn(&Respon
             let line = series.finite().filter_map(|(t, case)| Some((nanometres(t), found(case)?)));
             let is_foremost = kind == series.findings.main_model();
             let line: Vec<(f64, f64)> = line.collect();
-            let places = Layer::points(line.clone(), Marker::Circle).coloured(colour);
+            let places = series.finite().filter(|(_, case)| is_valid_at(case, load));
+            let places = places.filter_map(|(t, case)| Some((nanometres(t), found(case)?)));
+            let places = Layer::points(places.collect::<Vec<_>>(), Marker::Circle).coloured(colour);
             let is_limit =
                 |case: &&&CaseResults| case.thickness.is_some_and(|t| t == 0.0 || t == f64::INFINITY);
             let limits = series.cases.iter().filter(is_limit);
@@ -109,7 +123,8 @@ pub fn regimes(series: &Series) -> String {
         let shares = series.finite().filter_map(|(t, case)| {
             Some((nanometres(t), case.comparison.at_load(kind, load)?.response.pressure.shares()?))
         });
-        shares_of_load(&input_quantity(load, "Pa"), thickness_axis(), shares)
+        let mark = if series.cases.iter().all(|case| is_valid_at(case, load)) { "" } else { " *" };
+        shares_of_load(&format!("{}{mark}", input_quantity(load, "Pa")), thickness_axis(), shares)
     };
     Figure::row(
         "Share of the load by contact regime, against layer thickness",

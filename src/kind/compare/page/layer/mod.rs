@@ -10,7 +10,8 @@ use crate::kind::compare::findings::{
     AtThickness, GapRange, LawFindings, LayerFindings, PlasticRange, Verdicts,
 };
 use crate::kind::compare::results::{CompareResults, SurfaceResults};
-use asperity::compare::GOOD_RATIO;
+use asperity::Exceeded;
+use asperity::compare::{GOOD_RATIO, ValidRange};
 use asperity_framework::contact::LayerMetadata;
 use asperity_framework::report::format::{
     input_quantity, listed, number, percent, quantity, ratio, thickness,
@@ -166,6 +167,13 @@ impl<'a> Series<'a> {
         answer_over(page, &self.subject, "thickness", &all, self.found);
     }
 
+    /// The valid range of each case.
+    fn valid(&self) -> impl Iterator<Item = &'a ValidRange> {
+        let each = self.found.first.cases.iter().zip(&self.found.findings.cases);
+        let law = self.law;
+        each.filter(move |(case, _)| case.law == law).map(|(_, findings)| &findings.verdicts.valid)
+    }
+
     fn verdicts(&self) -> impl Iterator<Item = (f64, &'a Verdicts)> {
         let each = self.found.first.cases.iter().zip(&self.found.findings.cases);
         let law = self.law;
@@ -179,6 +187,12 @@ impl<'a> Series<'a> {
             |case: &&'a CaseResults| case.thickness.filter(|t| *t > 0.0 && t.is_finite()).map(|t| (t, *case));
         self.cases.iter().filter_map(finite)
     }
+}
+
+/// Whether both models are within their valid range at a prescribed pressure (Pa).
+fn is_valid_at(case: &CaseResults, load: f64) -> bool {
+    let points = case.comparison.curves.iter().filter(|point| point.prescribed_pressure == Some(load));
+    points.map(|point| point.response.exceeded()).all(Exceeded::is_none)
 }
 
 /// A threshold as text.

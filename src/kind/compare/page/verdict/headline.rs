@@ -5,7 +5,7 @@ use asperity_framework::report::format::{listed, percent};
 
 use super::range::exceeded_words;
 use super::words::{accepted, loads, name, need, size, span};
-use crate::kind::compare::findings::Verdicts;
+use crate::kind::compare::findings::{Basis, Verdicts};
 
 /// The order in which quantities are spoken of.
 const ORDER: [Judged; 3] = [Judged::Area, Judged::Separation, Judged::Stiffness];
@@ -51,7 +51,11 @@ pub fn headline(verdicts: &Verdicts, sigma: f64) -> String {
             .filter(|_| sentence.is_empty())
             .map_or_else(String::new, |range| format!(" between {}", between(range)));
         let needs = open.iter().filter_map(|stretch| need(stretch, verdicts)).next();
-        let needs = needs.map_or_else(String::new, |need| format!(": it would take {need}"));
+        let needs = match (needs, verdicts.basis) {
+            (Some(need), _) => format!(": it would take {need}"),
+            (None, Basis::TooSmall { .. }) => ": the map is too small for its correlation length".to_owned(),
+            _ => String::new(),
+        };
         let joined = if sentence.is_empty() { "" } else { " " };
         sentence.push_str(&format!(
             "{joined}Whether it agrees in {}{range} cannot be told{needs}.",
