@@ -439,7 +439,7 @@ realisations = 3
     // Student's quantile with two degrees of freedom.
     assert!((number("high") - mean - 4.302_652_73 * error).abs() < 1e-6 * error);
     let answers = report.split_once("random, law hertz: results").unwrap().1;
-    let cells = row(answers.split_once("estimated error").unwrap().1, "9 MPa *");
+    let cells = row(answers.split_once("estimated error").unwrap().1, "9 MPa \\*");
     assert_eq!(cells[4], format::mean_and_deviation(mean, deviation));
     assert_eq!(random["generation"]["process"]["skewness"], -1.0);
     assert!(random["height_map"]["five_point_theory"]["density_per_m2"].as_f64().unwrap() > 0.0);
