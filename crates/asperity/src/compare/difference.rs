@@ -1,6 +1,6 @@
 //! The difference between both models at one load, with its sampling uncertainty.
 
-use super::sampling::{jackknife_error, student_quantile};
+use super::sampling::{jackknife_error, jackknife_quantile, student_quantile};
 use super::{Pair, Pairing};
 use crate::model::{Exceeded, LoadSharing, MIN_CONTACTS};
 
@@ -153,7 +153,7 @@ impl Difference {
             Some(Estimate {
                 contrast,
                 error: groups.and_then(error),
-                quantile: groups.map_or(f64::INFINITY, |groups| student_quantile(groups.shares.len())),
+                quantile: groups.map_or(f64::INFINITY, |groups| jackknife_quantile(groups.shares.len())),
                 independent_error: sampling.independent.as_ref().and_then(error),
             })
         };

@@ -8,9 +8,9 @@ const DECAY: f64 = 0.2;
 /// The smallest number of blocks.
 pub const MIN_BLOCKS: usize = 16;
 
-/// The smallest side of a block in correlation lengths: about two of the longest waves of a self-affine surface. The
+/// The smallest side of a block in correlation lengths: about three of the longest waves of a self-affine surface. The
 /// experiment `[coverage]` shows that intervals from such blocks hold.
-pub const BLOCK_LENGTHS: f64 = 6.0;
+pub const BLOCK_LENGTHS: f64 = 9.0;
 
 /// Correlation lengths of a map along x and y.
 #[derive(Debug, Clone, Copy, PartialEq)]

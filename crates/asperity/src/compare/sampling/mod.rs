@@ -9,4 +9,4 @@ mod division;
 mod jackknife;
 
 pub use division::{Division, GROUPS};
-pub use jackknife::{jackknife_error, student_quantile};
+pub use jackknife::{jackknife_error, jackknife_quantile, student_quantile};
