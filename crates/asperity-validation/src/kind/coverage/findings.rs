@@ -160,3 +160,49 @@ impl CoverageFindings {
         outside.chain(beyond).collect()
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::coverage::Counted;
+    use asperity::Heights;
+
+    /// A case whose only quantity has intervals in `intervals` of 1000 windows, of which `covered` hold the truth.
+    fn case(name: &str, intervals: usize, covered: usize) -> CaseCoverage {
+        let coverage = Coverage {
+            windows: 1000,
+            truth: 0.0,
+            scatter: 1.0,
+            contacts: 100.0,
+            area_ratio: 0.01,
+            claimed: Counted { intervals, covered, error: 1.0 },
+            independent: Counted::default(),
+        };
+        let coverages = [Some(coverage), None, None, None, None];
+        let load = LoadCoverage { load: 1e6, separation: 2.0, coverages };
+        let (roll_off, correlation, heights) = (1e-5, 1e-6, Heights::GAUSSIAN);
+        CaseCoverage { name: name.to_owned(), roll_off, heights, correlation, loads: vec![load] }
+    }
+
+    #[test]
+    fn coverage_outside_the_band_is_named() {
+        let cases = [case("good", 1000, 950), case("poor", 1000, 920), case("wide", 950, 945)];
+        let findings = CoverageFindings::of(&cases);
+        assert_eq!(findings.range(), Some([0.92, 945.0 / 950.0]));
+        assert!(findings.outside().map(|one| one.case.as_str()).eq(["poor", "wide"]));
+        assert_eq!(findings.warnings(&cases).len(), 2);
+        assert_eq!(CoverageFindings::of(&cases[..1]).outside().count(), 0);
+        assert_eq!(findings.independent, None);
+    }
+
+    #[test]
+    fn intervals_in_a_part_of_the_windows_are_kept_apart() {
+        let findings =
+            CoverageFindings::of(&[case("part", 500, 400), case("few", 40, 10), case("none", 0, 0)]);
+        assert!(findings.judged.is_empty() && findings.range().is_none());
+        assert!(findings.partial.iter().map(|one| one.share).eq([0.8]));
+        let unclaimed = [("few", 0.04), ("none", 0.0)];
+        let expected = unclaimed.map(|(case, share)| Unclaimed { case: case.to_owned(), share });
+        assert_eq!(findings.unclaimed, expected);
+    }
+}
