@@ -7,11 +7,18 @@ pub mod limit;
 
 use asperity_framework::Kind;
 use asperity_framework::report::table_docs;
-use asperity_validation::kind::{precision::Precision, stability::Stability};
+use asperity_validation::kind::{coverage::IntervalCoverage, precision::Precision, stability::Stability};
 
 /// Every kind, in the order in which messages list them.
-pub const KINDS: &[&dyn Kind] =
-    &[&compare::Compare, &indentation::Indentation, &laws::Laws, &limit::Limit, &Precision, &Stability];
+pub const KINDS: &[&dyn Kind] = &[
+    &compare::Compare,
+    &IntervalCoverage,
+    &indentation::Indentation,
+    &laws::Laws,
+    &limit::Limit,
+    &Precision,
+    &Stability,
+];
 
 /// The table of surfaces, which some kinds read.
 pub const SURFACES: &str = "surface";

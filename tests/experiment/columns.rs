@@ -93,6 +93,22 @@ pressure = { values = ["1 MPa"] }
 force = { values = ["0.1 N"] }
 "#;
 
+const COVERAGE: &str = r#"
+[coverage]
+rough = "steel"
+flat = "steel"
+law = "zmc"
+points = 128
+pixel = "1 um"
+sigma = "100 nm"
+hurst = 0.8
+cut-off = "3 um"
+windows = 8
+[coverage.case.short]
+roll-off = "6 um"
+contacts = { values = [20, 80] }
+"#;
+
 const LAWS: &str = r#"
 [laws]
 rough = "steel"
@@ -182,6 +198,7 @@ fn every_kind_writes_the_tables_that_it_declares() {
     let bodies = concat!(steel!(), lead!());
     let specs = [
         ("compare", [bodies, COMPARE, SURFACE].concat()),
+        ("coverage", [bodies, COVERAGE].concat()),
         ("indentation", [bodies, INDENTATION].concat()),
         ("laws", [bodies, LAWS, SURFACE].concat()),
         ("limit", [bodies, LIMIT].concat()),

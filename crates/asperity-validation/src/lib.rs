@@ -1,7 +1,9 @@
-//! Measures the program itself: run time against error, and `f64` against an evaluation of 32 digits.
+//! Measures the program itself: run time against error, `f64` against an evaluation of 32 digits, and how often intervals
+//! hold the truth.
 #![deny(unsafe_code)]
 #![warn(missing_docs)]
 
+pub mod coverage;
 pub mod kind;
 pub mod precision;
 pub mod stability;

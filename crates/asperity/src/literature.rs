@@ -116,3 +116,9 @@ pub const JOHNSON_1985: Paper = Paper {
     short: "Johnson 1985",
     full: "Johnson, K. L. (1985). Contact Mechanics, chapter 4. Cambridge University Press. doi:10.1017/CBO9781139171731",
 };
+
+/// The jackknife for groups of unequal size.
+pub const BUSING_1999: Paper = Paper {
+    short: "Busing, Meijer and van der Leeden 1999",
+    full: "Busing, F. M. T. A., Meijer, E., van der Leeden, R. (1999). Delete-m jackknife for unequal m. Statistics and Computing 9(1), 3-8. doi:10.1023/A:1008800423698",
+};

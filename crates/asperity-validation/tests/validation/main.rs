@@ -4,4 +4,5 @@
 mod common;
 
 mod adaptive;
+mod coverage;
 mod stability;

@@ -1,6 +1,6 @@
 //! The difference between both models at one load, with its sampling uncertainty.
 
-use super::sampling::{jackknife_error, student_quantile};
+use super::sampling::{jackknife_error, jackknife_quantile, student_quantile};
 use super::{Pair, Pairing};
 use crate::model::{Exceeded, LoadSharing, MIN_CONTACTS};
 
@@ -155,7 +155,7 @@ impl Difference {
             Some(Estimate {
                 contrast,
                 error: groups.and_then(error),
-                quantile: groups.map_or(f64::INFINITY, |groups| student_quantile(groups.shares.len())),
+                quantile: groups.map_or(f64::INFINITY, |groups| jackknife_quantile(groups.shares.len())),
                 independent_error: sampling.independent.as_ref().and_then(error),
             })
         };
@@ -279,7 +279,7 @@ mod tests {
         );
         assert!((estimate.independent_error.unwrap() / error - 0.5).abs() < 1e-12);
         let [low, high] = estimate.interval().unwrap();
-        assert!((high - low - 2.0 * 2.131_449_546 * error).abs() < 1e-9);
+        assert!((high - low - 2.0 * 2.228_138_852 * error).abs() < 1e-9);
         // The areas differ by a factor of two everywhere: no scatter.
         let area = found[0].estimates[Judged::Area as usize].unwrap();
         assert!((Judged::Area.reported(area.contrast) - 1.0).abs() < 1e-14 && area.error.unwrap() < 1e-14);

@@ -19,7 +19,7 @@ pub use gap::{Gap, GapQuantity, Gaps};
 pub use influence::{AtLoad, DETECTABLE, Effect, Group, Influence, Measure, UnderLaw};
 pub use limit::{Exact, LimitCase, LimitPoint, Quantity, SlopeFit, convergence};
 pub use modulus_check::{GOOD_RATIO, ModulusCheck, ModulusError, ModulusFindings, apart};
-pub use sampling::{Division, GROUPS, OneStep, jackknife_error, student_quantile};
+pub use sampling::{Division, GROUPS, OneStep, jackknife_error, jackknife_quantile, student_quantile};
 pub use spread::{Realisation, Scatter, Spread, spread};
 pub use threshold::threshold;
 pub use validity::{PointCounts, ValidRange};

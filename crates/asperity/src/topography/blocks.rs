@@ -8,9 +8,9 @@ const DECAY: f64 = 0.2;
 /// The smallest number of blocks.
 pub const MIN_BLOCKS: usize = 16;
 
-/// The smallest side of a block in correlation lengths: about two of the longest waves of a self-affine surface. The
+/// The smallest side of a block in correlation lengths: about three of the longest waves of a self-affine surface. The
 /// experiment `[coverage]` shows that intervals from such blocks hold.
-pub const BLOCK_LENGTHS: f64 = 6.0;
+pub const BLOCK_LENGTHS: f64 = 9.0;
 
 /// Correlation lengths of a map along x and y.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -132,7 +132,7 @@ mod tests {
         assert_eq!(counts([512, 512], 3.0, f64::INFINITY), Ok([16, 1]));
         assert_eq!(counts([640, 480], 10.0, 10.0), Ok([5, 4]));
         let error = counts([512, 512], 30.0, 30.0).unwrap_err();
-        assert!((error.area_needed - (4.0f64 * 6.0 * 30.0).powi(2)).abs() < 1e-6);
+        assert!((error.area_needed - (4.0 * BLOCK_LENGTHS * 30.0).powi(2)).abs() < 1e-6);
         assert_eq!(counts([512, 512], f64::INFINITY, f64::INFINITY).unwrap_err().area_needed, f64::INFINITY);
     }
 

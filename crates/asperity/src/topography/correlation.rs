@@ -149,20 +149,27 @@ impl Autocorrelation {
     /// the map are included. `None` for a flat map.
     pub fn of(map: &HeightMap, mean: f64) -> Option<Self> {
         let points = map.points();
-        let padded = match map.boundary() {
+        let boundary = map.boundary();
+        let padded = match boundary {
             Boundary::Periodic => points,
             // Zero padding: lags up to half of the map do not wrap around.
-            Boundary::Open => points.map(|count| (count + count / 2 + 1).next_multiple_of(8)),
+            Boundary::Open => points.map(|count| with_small_factors(count + count / 2 + 1)),
         };
         let products = pairs(map.embedded(padded, |z| z - mean), padded);
-        let is_whole = map.boundary() == Boundary::Periodic && !map.heights().iter().any(|z| z.is_nan());
-        let counts = (!is_whole).then(|| pairs(map.embedded(padded, |_| 1.0), padded));
+        let has_holes = map.heights().iter().any(|z| z.is_nan());
+        let counts = has_holes.then(|| pairs(map.embedded(padded, |_| 1.0), padded));
+        // Pairs along an axis at a lag that does not wrap around.
+        let pairs_along = |axis: usize, place: usize| match boundary {
+            Boundary::Periodic => points[axis],
+            Boundary::Open => points[axis].saturating_sub(place.min(padded[axis] - place)),
+        };
         let at = |i: usize, j: usize| {
             let place = i * padded[1] + j;
-            match &counts {
-                Some(counts) => products[place] / counts[place].round().max(1.0),
-                None => products[place] / (points[0] * points[1]) as f64,
-            }
+            let count = match &counts {
+                Some(counts) => counts[place].round(),
+                None => (pairs_along(0, i) * pairs_along(1, j)) as f64,
+            };
+            products[place] / count.max(1.0)
         };
         let variance = at(0, 0);
         if variance.is_nan() || variance <= 0.0 {
@@ -185,6 +192,21 @@ impl Autocorrelation {
             aspect: longest.map(|longest| shortest / longest),
         })
     }
+}
+
+/// The smallest multiple of 8 of at least `count` without a prime factor above 7, of which transforms are fastest.
+fn with_small_factors(count: usize) -> usize {
+    let is_fast = |&length: &usize| {
+        let rest = [2, 3, 5, 7].into_iter().fold(length, |mut rest, factor| {
+            while rest % factor == 0 {
+                rest /= factor;
+            }
+            rest
+        });
+        rest == 1
+    };
+    let first = count.next_multiple_of(8);
+    (first..).step_by(8).find(is_fast).unwrap_or(first)
 }
 
 /// Sums over all pairs of points of the products of their values, by lag around the border.

@@ -11,5 +11,5 @@ mod jackknife;
 mod one_step;
 
 pub use division::{Division, GROUPS};
-pub use jackknife::{jackknife_error, student_quantile};
+pub use jackknife::{jackknife_error, jackknife_quantile, student_quantile};
 pub use one_step::OneStep;

@@ -1,0 +1,163 @@
+//! Windows of an endless rough surface, treated as measured maps.
+
+use asperity::topography::generate::{Process, Seeds, SurfaceGenerator};
+use asperity::topography::spectrum::SpectrumError;
+use asperity::topography::summits::{Detail, Neighbours, find};
+use asperity::topography::{Level, Undetermined};
+use asperity::{
+    AsperitySet, Deterministic, HeightMap, MapError, MicroContact, Model, ReferencePlane, SetError,
+    Statistics,
+};
+use asperity_framework::digest::stream_seed;
+
+use super::WINDOWS_PER_MAP;
+
+/// A random process of which square windows are seen, as a measurement sees a part of a surface.
+#[derive(Debug, Clone)]
+pub struct EndlessProcess {
+    name: String,
+    generator: SurfaceGenerator,
+    seed: u64,
+}
+
+/// A window on which the models cannot be run.
+#[derive(Debug, thiserror::Error)]
+pub enum Unusable {
+    /// Heights that form no map.
+    #[error(transparent)]
+    Map(#[from] MapError),
+    /// A window that cannot be levelled.
+    #[error("a window {0}")]
+    Level(#[from] Undetermined),
+    /// Asperities that form no set.
+    #[error(transparent)]
+    Set(#[from] SetError),
+    /// Too few asperities for groups of them.
+    #[error("a window has {0} summits; allowed: at least {FEWEST}, by more points or shorter waves")]
+    FewSummits(usize),
+    /// The pilot map does not reach a number of contacts.
+    #[error("{wanted} effective contacts are not reached; the windows of the pilot map have up to {most:.0}")]
+    FewContacts {
+        /// The number.
+        wanted: f64,
+        /// The largest mean number from 4 to 0 sigma.
+        most: f64,
+    },
+}
+
+/// The fewest summits of a window.
+const FEWEST: usize = 64;
+
+/// Where the windows of a process are examined.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Controls {
+    /// Loads, Pa.
+    pub loads: Vec<f64>,
+    /// For each load a fixed d/sigma near it.
+    pub separations: Vec<f64>,
+}
+
+/// The asperities of a window.
+#[derive(Debug, Clone)]
+pub struct WindowAsperities {
+    /// The asperities.
+    pub set: AsperitySet,
+    /// The points on which they are.
+    pub positions: Vec<usize>,
+}
+
+impl WindowAsperities {
+    /// The five-point summits of a window.
+    ///
+    /// # Errors
+    /// Too few of them.
+    pub fn of(window: &HeightMap) -> Result<Self, Unusable> {
+        let detail = Detail { positions: true, principal: false, drops: false };
+        let summits = find(window, Neighbours::Four, detail);
+        if summits.heights.len() < FEWEST {
+            return Err(Unusable::FewSummits(summits.heights.len()));
+        }
+        let [dx, dy] = window.pixel();
+        let radii = summits.curvatures.iter().map(|curvature| curvature.recip()).collect();
+        let set = AsperitySet::new(summits.heights, radii, dx * dy * summits.tested as f64)?;
+        Ok(Self { set, positions: summits.positions })
+    }
+}
+
+impl EndlessProcess {
+    /// A process called `name` of which windows of `points` x `points` with `pixel` (m) are seen. They are cut from periodic
+    /// maps of twice the side, so that a window does not show the period.
+    ///
+    /// # Errors
+    /// A spectrum that the maps do not resolve.
+    pub fn new(
+        name: &str,
+        process: Process,
+        points: usize,
+        pixel: f64,
+        seed: u64,
+    ) -> Result<Self, SpectrumError> {
+        let generator =
+            SurfaceGenerator { points: [2 * points; 2], pixel: [pixel; 2], process, plateau: None };
+        generator.check()?;
+        Ok(Self { name: name.to_owned(), generator, seed })
+    }
+
+    /// The seed of one stream of random numbers of this process.
+    pub fn seed(&self, what: &str) -> [u8; 32] {
+        stream_seed(self.seed, &format!("coverage {} {what}", self.name))
+    }
+
+    /// The four windows of the periodic map called `map`, levelled by a plane, with open boundaries.
+    ///
+    /// # Errors
+    /// See [`Unusable`].
+    pub fn windows(&self, map: &str) -> Result<Vec<HeightMap>, Unusable> {
+        let seeds = Seeds { process: self.seed(map), plateau: self.seed("plateau") };
+        let (map, _) = self.generator.surface(seeds)?;
+        let side = self.generator.points[0];
+        let points = side / 2;
+        let window = |index: usize| {
+            let (first_x, first_y) = (index / 2 * points, index % 2 * points);
+            let row = |x: usize| {
+                let start = (first_x + x) * side + first_y;
+                &map.heights()[start..start + points]
+            };
+            let heights = (0..points).flat_map(row).copied().collect();
+            let window = HeightMap::new([points; 2], map.pixel(), heights, f64::EPSILON)?;
+            Ok(Level::Plane.apply(&window)?)
+        };
+        (0..WINDOWS_PER_MAP).map(window).collect()
+    }
+
+    /// Loads and separations at which the sums over the windows of a pilot map, which is used for nothing else, have
+    /// `contacts` effective contacts in the mean.
+    ///
+    /// # Errors
+    /// A number that is not reached from 4 to 0 sigma.
+    pub fn controls(&self, contact: &dyn MicroContact, contacts: &[f64]) -> Result<Controls, Unusable> {
+        /// Separations tried per sigma.
+        const PER_SIGMA: usize = 50;
+        let grid: Vec<f64> = (0..=4 * PER_SIGMA).map(|k| 4.0 - k as f64 / PER_SIGMA as f64).collect();
+        let mut sums = vec![[0.0; 2]; grid.len()];
+        for window in self.windows("pilot")? {
+            let set = WindowAsperities::of(&window)?.set;
+            let plane = ReferencePlane::from(&Statistics::of(&set));
+            let curve = Deterministic::new(contact, set.spheres(), plane).respond_all(&grid);
+            for ([contacts, pressure], response) in sums.iter_mut().zip(curve) {
+                *contacts += response.sharing.map_or(0.0, |sharing| sharing.effective_contacts);
+                *pressure += response.pressure.total();
+            }
+        }
+        let count = WINDOWS_PER_MAP as f64;
+        let mut controls = Controls { loads: Vec::new(), separations: Vec::new() };
+        for &wanted in contacts {
+            let first = sums.iter().position(|[contacts, _]| contacts / count >= wanted);
+            let most = sums.iter().map(|[contacts, _]| contacts / count).fold(0.0, f64::max);
+            let first = first.ok_or(Unusable::FewContacts { wanted, most })?;
+            controls.loads.push(sums[first][1] / count);
+            controls.separations.push(grid[first]);
+        }
+        Ok(controls)
+    }
+}

@@ -1,0 +1,250 @@
+//! Both models on one window, with the intervals that the program claims there.
+
+use asperity::compare::{
+    CONTACTS_PER_GROUP, CaseSampling, Difference, Division, Estimate, GROUPS, Judged, LeftOut, OneStep, Pair,
+    jackknife_error, jackknife_quantile, pairs_at,
+};
+use asperity::topography::{Autocorrelation, Blocks, CorrelationLengths};
+use asperity::{
+    AsperitySet, Deterministic, HeightMap, Heights, MicroContact, Model, Population, ReferencePlane,
+    Response, Shape, Statistical, Statistics, Total,
+};
+
+use super::process::{Controls, Unusable, WindowAsperities};
+
+/// A quantity with an interval.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Quantity {
+    /// Statistical less deterministic result at equal load, as a verdict is given on it.
+    Difference(Judged),
+    /// Logarithm of the area ratio of the sum at a load.
+    AreaOfSum,
+    /// Logarithm of the statistical over the deterministic load at a separation.
+    LoadAtSeparation,
+}
+
+impl Quantity {
+    /// All quantities.
+    pub const ALL: [Self; 5] = [
+        Self::Difference(Judged::Separation),
+        Self::Difference(Judged::Area),
+        Self::Difference(Judged::Stiffness),
+        Self::AreaOfSum,
+        Self::LoadAtSeparation,
+    ];
+
+    /// The name in tables.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Difference(Judged::Separation) => "separation",
+            Self::Difference(Judged::Area) => "area",
+            Self::Difference(Judged::Stiffness) => "stiffness",
+            Self::AreaOfSum => "area-of-sum",
+            Self::LoadAtSeparation => "load-at-separation",
+        }
+    }
+}
+
+/// A quantity in one window.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Found {
+    /// Its value, with the interval if one is claimed.
+    pub estimate: Estimate,
+    /// Standard error for independent asperities, where there are contacts enough for groups of them.
+    pub independent_error: Option<f64>,
+    /// Effective contacts of the sum.
+    pub contacts: f64,
+    /// The larger area ratio of both models.
+    pub area_ratio: f64,
+}
+
+/// Findings in one window.
+#[derive(Debug, Clone, PartialEq)]
+pub struct WindowFindings {
+    /// The larger correlation length of x and y over the side of the window; infinite where the autocorrelation does not
+    /// decay.
+    pub correlation: f64,
+    /// For each load the quantities in the order of [`Quantity::ALL`]; `None` where one has no value.
+    pub found: Vec<[Option<Found>; 5]>,
+}
+
+/// What is done with each window.
+pub struct WindowTask<'a> {
+    /// The micro-contact.
+    pub contact: &'a dyn MicroContact,
+    /// Loads and separations.
+    pub controls: Controls,
+}
+
+/// Both models on a set of asperities.
+struct Results {
+    /// At the loads.
+    pairs: Vec<Option<Pair>>,
+    /// Statistical and deterministic response at the separations.
+    at_separations: Vec<[Response; 2]>,
+}
+
+impl Results {
+    /// Logarithm of the statistical over the deterministic load at a separation.
+    fn log_load_ratio(&self, index: usize) -> Option<f64> {
+        let [s, d] = self.at_separations[index].map(|response| response.pressure.total());
+        (s > 0.0 && d > 0.0).then(|| (s / d).ln())
+    }
+
+    /// Logarithm of the area ratio of the sum at a load.
+    fn log_area(&self, index: usize) -> Option<f64> {
+        let area = self.pairs[index]?.deterministic.area_ratio.total();
+        (area > 0.0).then(|| area.ln())
+    }
+}
+
+/// Both models with each group of the asperities left out.
+struct Groups {
+    /// The differences at the loads, in one step from those of all, as the program finds them.
+    left_out: LeftOut,
+    /// All results, searched anew; `None` where nothing is left.
+    results: Vec<Option<Results>>,
+}
+
+impl Groups {
+    /// Standard error of a value that is `full` on all asperities; `None` where it has none without a group.
+    fn error(&self, full: f64, value: impl Fn(&Results) -> Option<f64>) -> Option<f64> {
+        let without: Option<Vec<f64>> = self.results.iter().map(|results| value(results.as_ref()?)).collect();
+        Some(jackknife_error(full, &without?, &self.left_out.shares))
+    }
+}
+
+/// Whether `contacts` effective contacts are enough for an interval from `groups` groups.
+fn are_enough(contacts: f64, groups: usize) -> bool {
+    contacts >= CONTACTS_PER_GROUP * groups as f64
+}
+
+impl WindowTask<'_> {
+    /// Findings in a window; with a seed, also the errors of asperities taken as independent, in random groups.
+    ///
+    /// # Errors
+    /// See [`Unusable`].
+    pub fn findings(&self, window: &HeightMap, seed: Option<[u8; 32]>) -> Result<WindowFindings, Unusable> {
+        let WindowAsperities { set, positions } = WindowAsperities::of(window)?;
+        let correlation = Autocorrelation::of(window, 0.0)
+            .map_or(CorrelationLengths { lengths: [f64::INFINITY; 2] }, |all| CorrelationLengths::of(&all));
+        let blocks = Blocks::new(window.points(), window.pixel(), correlation).ok();
+        let of_blocks = |blocks: &Blocks| Division::of_blocks(blocks, &positions, blocks.shares(window));
+        let results = self.results(&set);
+        let step = self.one_step(&set, &results);
+        let groups = blocks.as_ref().map(|blocks| self.groups(&set, &of_blocks(blocks), &step));
+        let draws = seed.and_then(|seed| Division::independent(set.count(), seed));
+        let independent = draws.map(|draws| self.groups(&set, &draws, &step));
+        let side = window.pixel()[0] * window.points()[0] as f64;
+        Ok(WindowFindings {
+            correlation: correlation.lengths[0].max(correlation.lengths[1]) / side,
+            found: self.found(&results, groups, independent, set.nominal_area()),
+        })
+    }
+
+    fn found(
+        &self,
+        results: &Results,
+        groups: Option<Groups>,
+        independent: Option<Groups>,
+        area: f64,
+    ) -> Vec<[Option<Found>; 5]> {
+        let pairs: Option<Vec<Pair>> = results.pairs.iter().copied().collect();
+        // Differences are numbered by the loads that are reached.
+        let Some(pairs) = pairs else { return vec![[None; 5]; self.controls.loads.len()] };
+        let of_groups = |groups: &Option<Groups>| groups.as_ref().map(|groups| groups.left_out.clone());
+        let sampling = CaseSampling {
+            groups: of_groups(&groups),
+            independent: of_groups(&independent),
+            area,
+            area_needed: None,
+        };
+        let claim = |at: &Response, full: f64, value: &dyn Fn(&Results) -> Option<f64>| {
+            let contacts = at.sharing.map_or(0.0, |sharing| sharing.effective_contacts);
+            let enough = groups.as_ref().filter(|groups| are_enough(contacts, groups.results.len()));
+            Estimate {
+                contrast: full,
+                error: enough.and_then(|groups| groups.error(full, value)),
+                quantile: enough.map_or(f64::INFINITY, |groups| jackknife_quantile(groups.results.len())),
+                independent_error: independent.as_ref().and_then(|groups| groups.error(full, value)),
+            }
+        };
+        let at_load = |(index, difference): (usize, Difference)| {
+            let pair = &pairs[index];
+            let [s, d] = &results.at_separations[index];
+            Quantity::ALL.map(|quantity| {
+                let (sum, integral) = match quantity {
+                    Quantity::LoadAtSeparation => (d, s),
+                    Quantity::Difference(_) | Quantity::AreaOfSum => (&pair.deterministic, &pair.statistical),
+                };
+                let estimate = match quantity {
+                    Quantity::Difference(judged) => difference.estimates[judged as usize]?,
+                    Quantity::AreaOfSum => {
+                        claim(sum, results.log_area(index)?, &|without| without.log_area(index))
+                    }
+                    Quantity::LoadAtSeparation => {
+                        claim(sum, results.log_load_ratio(index)?, &|without| without.log_load_ratio(index))
+                    }
+                };
+                let contacts = sum.sharing.map_or(0.0, |sharing| sharing.effective_contacts);
+                Some(Found {
+                    estimate,
+                    independent_error: estimate.independent_error.filter(|_| are_enough(contacts, GROUPS)),
+                    contacts,
+                    area_ratio: sum.area_ratio.total().max(integral.area_ratio.total()),
+                })
+            })
+        };
+        Difference::of(&pairs, &sampling).into_iter().enumerate().map(at_load).collect()
+    }
+
+    /// The state from which groups are left out, at those loads that both models reach.
+    fn one_step(&self, set: &AsperitySet, results: &Results) -> OneStep {
+        let (integral, sum) = self.models(set);
+        let pairs = results.pairs.iter().copied().flatten().collect();
+        OneStep::new(pairs, &integral, &sum, set.nominal_area())
+    }
+
+    fn groups(&self, set: &AsperitySet, division: &Division, step: &OneStep) -> Groups {
+        let shares = division.shares();
+        let without = |group: usize| {
+            let separations = step.deterministic_separations();
+            let Some(rest) = division.without(set, group) else {
+                return (vec![[None; 3]; separations.len()], None);
+            };
+            let (integral, sum) = self.models(&rest);
+            let part = division.only(set, group).map(|part| self.models(&part).1.totals(separations));
+            let part = part.unwrap_or_else(|| vec![Total::default(); separations.len()]);
+            let responses = integral.respond_all(&step.statistical_separations());
+            let contrasts = step.without(&responses, &part, shares[group], sum.plane());
+            (contrasts, Some(self.results(&rest)))
+        };
+        let (contrasts, results) = division.for_each_group(without).into_iter().unzip();
+        Groups { left_out: LeftOut { contrasts, shares: shares.to_vec() }, results }
+    }
+
+    /// Both models of a set, whose own statistics are the inputs of the statistical one: mean radius, sigma, density, and
+    /// Gaussian heights.
+    fn models<'b>(&'b self, set: &'b AsperitySet) -> (Statistical<'b>, Deterministic<'b>) {
+        let statistics = Statistics::of(set);
+        let population = Population {
+            radius: statistics.mean_radius,
+            sigma: statistics.sigma,
+            density: set.density(),
+            heights: Heights::GAUSSIAN,
+        };
+        let shape = Shape::sphere(population.radius);
+        (
+            Statistical::of_shape(self.contact, population, shape),
+            Deterministic::new(self.contact, set.spheres(), ReferencePlane::from(&statistics)),
+        )
+    }
+
+    fn results(&self, set: &AsperitySet) -> Results {
+        let Controls { loads, separations } = &self.controls;
+        let (integral, sum) = self.models(set);
+        let pairs = pairs_at(&integral, &sum, loads);
+        let [s, d] = [&integral as &dyn Model, &sum].map(|model| model.respond_all(separations));
+        Results { pairs, at_separations: s.into_iter().zip(d).map(|(s, d)| [s, d]).collect() }
+    }
+}
