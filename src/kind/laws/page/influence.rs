@@ -63,7 +63,7 @@ fn load_by_load(page: &mut Page, influence: &Influence, measure: Measure) {
         Measure::Separation => format!(
             "**d/σ at equal load**: range over the laws (largest minus smallest) in each model, for all laws and for the \
              elastic-plastic laws; integral minus sum under {first} and under the elastic-plastic law where it is largest; \
-             standard error of that difference under {first}. Last column: range of the elastic-plastic laws in the sum over the \
+             standard error of that difference under {first}, for independent asperities where no interval is claimed. Last column: range of the elastic-plastic laws in the sum over the \
              difference between the models under {first}. Loads with a remark are outside the range of validity."
         ),
         Measure::Area => "**Real area at equal load**, the same as ratios: largest over smallest; integral over sum; \

@@ -15,7 +15,8 @@ pub fn stretches(page: &mut Page, verdicts: &Verdicts, sigma: f64) {
             largest(stretch),
             format!("±{}", accepted(stretch, sigma)),
             verdict(stretch.verdict).to_owned(),
-            need(stretch, verdicts).unwrap_or_default(),
+            // Where no load is valid, the need is that of one load, not of half of them.
+            stretch.largest.and_then(|_| need(stretch, verdicts)).unwrap_or_default(),
         ]
     };
     let header = [
