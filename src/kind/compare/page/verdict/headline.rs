@@ -90,7 +90,7 @@ fn why_open(open: &[&Stretch], verdicts: &Verdicts) -> String {
     let needs =
         open.iter().filter_map(|stretch| Some((verdicts.area_needed(stretch)?, need(stretch, verdicts)?)));
     match needs.max_by(|a, b| a.0.total_cmp(&b.0)) {
-        Some((_, need)) => format!(": it would take {need} at half of these loads"),
+        Some((_, need)) => format!(": it would take {need} to tell at half of these loads"),
         None if matches!(verdicts.basis, Basis::TooSmall { .. }) => {
             ": the map is too short, compared with its longest waves, for a sampling error".to_owned()
         }
@@ -226,7 +226,30 @@ mod tests {
         assert_eq!(
             headline(&found, 1e-7),
             "Whether the statistical model agrees with the sum in real contact area, separation and stiffness at 1 MPa \
-             cannot be told: it would take about 4 mm² of surface (now 1 mm²) at half of these loads."
+             cannot be told: it would take about 4 mm² of surface (now 1 mm²) to tell at half of these loads."
+        );
+        let loads = [1e6, 2e6].map(|load| {
+            let mut at = at(load, 100.0, [(0.5, None); 3]);
+            at.area_needed = Some(f64::INFINITY);
+            at
+        });
+        let too_small = Basis::TooSmall { correlation: [1e-5, f64::INFINITY] };
+        let sentence = headline(&verdicts(loads.to_vec(), too_small), 1e-7);
+        assert!(
+            sentence.contains("stiffness between 1 and 2 MPa cannot be told: the map is too short"),
+            "{sentence}"
+        );
+    }
+
+    #[test]
+    fn differences_of_both_signs_are_not_called_more_or_less() {
+        let [more, less] = [(0.4, Some(0.01)), (-0.5, Some(0.01))].map(|found| [found, found, found]);
+        let found = verdicts(vec![at(1e6, 100.0, more), at(2e6, 100.0, less)], BLOCKS);
+        let sentence = headline(&found, 1e-7);
+        assert!(
+            sentence.contains("differs from the sum by up to 39.3 % in real contact area")
+                && !sentence.contains("higher"),
+            "{sentence}"
         );
     }
 
