@@ -19,8 +19,8 @@ pub fn section(page: &mut Page, results: &LawsResults, found: &SurfaceResults) {
         &format!(
             "The contact law matters more where the coloured lines lie further apart than the black line from zero (or \
              one). All at equal load, relative to the deterministic model under {}. Coloured: deterministic model under \
-             the other laws; black: statistical model under the same law, with the 95 % interval of the difference. \
-             Shaded: loads beyond the valid range.{}",
+             the other laws; black: statistical model under the same law, with 1.96 standard errors of the \
+             difference (for independent asperities where no interval is claimed). Shaded: loads beyond the valid range.{}",
             influence.laws[0],
             outside(results, influence)
         ),
