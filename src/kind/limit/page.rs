@@ -20,7 +20,7 @@ pub fn page(results: &LimitResults) -> Page {
          the tail of the highest asperities, where the height grows as a logarithm, makes its error n⁻¹ times a slowly \
          varying factor: as n → ∞, (ln n)^-½ for an area or load ∝ w and (ln n)^-¼ for a load ∝ w^1.5. Its slope over a \
          range of n is therefore not exactly −1; the expected slope is that of the leading term at the fitted n \
-         (docs/theory.md, section 6). Slopes are least-squares fits to the logarithms, for points with more than \
+         (docs/theory.md, section 7). Slopes are least-squares fits to the logarithms, for points with more than \
          {MIN_CONTACTS} expected contacts.",
         results.laws.iter().map(|(law, reference)| format!("for {law}, {reference}")).collect::<Vec<_>>().join("; "),
     ));

@@ -92,7 +92,15 @@ impl<'de> Deserialize<'de> for RelativeDifference {
                 f.write_str(RelativeDifference::ALLOWED)
             }
 
+            /// A bare number above 1 is rejected: 10 is rarely meant as 1000 %.
             fn visit_f64<E: Error>(self, share: f64) -> Result<RelativeDifference, E> {
+                if share > 1.0 && share.is_finite() {
+                    return Err(E::custom(format!(
+                        "found {share}, which is {} %; allowed: {}; above 1 in percent",
+                        100.0 * share,
+                        RelativeDifference::ALLOWED
+                    )));
+                }
                 RelativeDifference::new(share, &share)
             }
 
@@ -155,6 +163,7 @@ mod tests {
         let given = read("area = \"5 %\"\nseparation = \"2 nm\"").unwrap().on(1e-8);
         assert_eq!(given, Accepted { separation: 0.2, area: 0.05, stiffness: 0.2 });
         assert_eq!(read("separation = 1").unwrap().on(1e-8).separation, 1.0);
+        assert_eq!(read("area = \"150 %\"\nstiffness = 1").unwrap().on(1e-8).area, 1.5);
     }
 
     #[test]
@@ -164,6 +173,7 @@ mod tests {
             ("separation = \"2 GPa\"", "found \"2 GPa\""),
             ("area = -1", "found -1"),
             ("area = \"2 Pa\"", "found \"2 Pa\""),
+            ("area = 10", "found 10, which is 1000 %"),
         ] {
             let error = read(text).unwrap_err();
             assert!(error.starts_with(found) && error.contains("allowed:"), "{error}");

@@ -107,10 +107,19 @@ pub fn thickness(value: f64) -> String {
 
 /// A list as in a sentence: "a, b and c".
 pub fn listed(names: &[String]) -> String {
+    joined(names, "and")
+}
+
+/// "one", "one or two", "one, two or three".
+pub fn alternatives(names: &[String]) -> String {
+    joined(names, "or")
+}
+
+fn joined(names: &[String], last_by: &str) -> String {
     match names {
         [] => String::new(),
         [one] => one.clone(),
-        [others @ .., last] => format!("{} and {last}", others.join(", ")),
+        [others @ .., last] => format!("{} {last_by} {last}", others.join(", ")),
     }
 }
 

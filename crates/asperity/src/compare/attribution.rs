@@ -67,11 +67,6 @@ impl Attribution {
     pub fn is_law_without_furthest(&self) -> Option<bool> {
         self.without_furthest.map(|(_, rest)| rest.mean > self.summation.mean)
     }
-
-    /// The mean gap between the models over its mean standard error.
-    pub fn standard_errors(&self) -> Option<f64> {
-        self.sampling.map(|error| self.summation.mean / error.mean)
-    }
 }
 
 fn without_furthest(influence: &Influence, measure: Measure, group: Group) -> Option<(usize, Effect)> {
@@ -131,7 +126,7 @@ mod tests {
         assert_eq!((law.group, law.is_law_without_furthest()), (Group::ElasticPlastic, None));
         let summation = of(2.75, 0.2);
         assert!(summation.dominant() == Dominant::Summation && close(summation.ratio(), 2.0));
-        assert!(close(summation.standard_errors().unwrap(), 2.5));
+        assert!(close(summation.summation.mean / summation.sampling.unwrap().mean, 2.5));
         assert_eq!(of(4.0, 0.25).dominant(), Dominant::Undecided);
         assert_eq!(attribution(&[under(3.0, 2.5, 0.1)]), None);
     }

@@ -257,7 +257,7 @@ mod tests {
     /// Sixteen equal groups; without each of them the difference is 0.2 plus or minus `scatter`.
     fn left_out(scatter: f64, missing: bool) -> LeftOut {
         let without = |k: usize| {
-            let sign = if k % 2 == 0 { 1.0 } else { -1.0 };
+            let sign = if k.is_multiple_of(2) { 1.0 } else { -1.0 };
             let contrasts = [0.2 + sign * scatter, 2f64.ln(), 0.0];
             vec![contrasts.map(|contrast| (!(missing && k == 3)).then_some(contrast))]
         };

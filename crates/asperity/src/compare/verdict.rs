@@ -67,7 +67,7 @@ impl Verdict {
     }
 }
 
-/// Neighbouring valid loads with one verdict on one quantity.
+/// Neighbouring valid loads with one verdict on one quantity; beyond what is accepted, on one side.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Stretch {
     /// The quantity.
@@ -109,7 +109,12 @@ impl Stretch {
             estimate.map(|estimate| Verdict::of(estimate, band))
         };
         let is_compared = sorted.iter().any(|at| at.estimates[judged as usize].is_some());
-        let stretches = sorted.chunk_by(|a, b| verdict(a) == verdict(b));
+        // A difference beyond on one side is another answer than one beyond on the other.
+        let side = |at: &&Difference| {
+            let contrast = at.estimates[judged as usize].map_or(0.0, |estimate| estimate.contrast);
+            verdict(at) == Some(Verdict::Beyond) && contrast < 0.0
+        };
+        let stretches = sorted.chunk_by(|a, b| (verdict(a), side(a)) == (verdict(b), side(b)));
         let found: Vec<Self> = stretches
             .filter_map(|stretch| Some(Self::over(judged, verdict(&stretch[0])?, stretch, accepted)))
             .collect();
@@ -256,6 +261,17 @@ mod tests {
         assert_eq!((within.growth, within.area_needed), (None, None));
         // 0.11 with a half-width of 0.02 is 0.01 from the edge.
         assert!((all[2].growth.unwrap() - 4.0).abs() < 1e-9);
+    }
+
+    #[test]
+    fn beyond_on_either_side_are_two_stretches() {
+        let loads = [
+            at(1.0, 90.0, -0.3, Some(0.01)),
+            at(2.0, 90.0, -0.2, Some(0.01)),
+            at(3.0, 90.0, 0.2, Some(0.01)),
+        ];
+        let expected = [(Verdict::Beyond, [1.0, 2.0]), (Verdict::Beyond, [3.0, 3.0])];
+        assert_eq!(of(Judged::Separation, &loads), expected);
     }
 
     #[test]

@@ -28,7 +28,7 @@ pub fn answers(page: &mut Page, results: &CompareResults, found: &SurfaceResults
     figure(
         "separation",
         "Separation against load. Bands: 95 % sampling uncertainty at fixed separation for independent asperities. Shaded: \
-         loads beyond the valid range.",
+         beyond the valid range.",
         figures::separation(comparison, &others, valid, modulus, found.surface.plane.sigma),
     );
     figure(
@@ -67,7 +67,7 @@ fn realisations(page: &mut Page, found: &SurfaceResults, index: usize) {
     let is_targeted = generation.is_some_and(|made| made.target.is_some());
     page.paragraph(&format!(
         "Both models at equal load over {} realisations: mean ± standard deviation of one realisation, and the sampling \
-         error estimated from a single sum.{}",
+         error estimated from a single sum for independent asperities.{}",
         found.count(),
         if is_targeted {
             " All realisations are scaled to the same radius, σ and density, which removes part of the scatter."

@@ -53,9 +53,9 @@ pub fn assumptions(results: &CompareResults) -> [String; 2] {
             "The flat is smooth{flat}; asperities are {asperities} and do not interact; adhesion, friction and hardening \
              are neglected.",
         ),
-        "The standard errors of the tables and the bands of the curves assume independent asperities; neighbouring asperities \
-         of a real surface are correlated, so that a surface with long waves scatters more. The intervals of the verdicts \
-         account for it."
+        "The standard errors of the tables and the bands of the curves assume independent asperities. Those of a real surface \
+         are correlated: long waves increase the scatter, short ones can reduce it. The intervals of the verdicts account for \
+         it on maps and over realisations."
             .to_owned(),
     ]
 }
@@ -66,8 +66,7 @@ pub fn limits_of(subject: &str, counts: &PointCounts) -> Vec<String> {
     let mut lines = Vec::new();
     for limit in Limit::ALL.into_iter().filter(|limit| counts.beyond(*limit) > 0) {
         lines.push(format!(
-            "{subject}: {} of {points} points are beyond the valid range ({}){}. They are marked `{}` in the column `limits` of \
-             the tables.",
+            "{subject}: {} of {points} points are beyond the valid range ({}){}; `{}` in the column `limits` of the tables.",
             counts.beyond(limit),
             limit_words(limit),
             consequence(limit),

@@ -30,6 +30,7 @@ pub use surface::surface;
 use crate::kind::compare::answers::CaseResults;
 use crate::kind::compare::findings::{CaseFindings, Verdicts};
 use crate::kind::compare::results::{CompareResults, SurfaceResults};
+use asperity_framework::report::format::listed;
 use asperity_framework::report::page::{Page, escape};
 use asperity_framework::report::sections;
 use names::{stem, subject};
@@ -119,7 +120,7 @@ pub fn answer(page: &mut Page, results: &CompareResults, found: &SurfaceResults)
             verdict::accepted_line(&verdicts.accepted, sigma),
             verdict::basis_line(verdicts),
         ];
-        lines.extend(verdict::stiffness_line(verdicts));
+        lines.extend(verdict::stiffness_line(verdicts).map(|line| format!("{}: {line}", escape(&case.law))));
         page.bullets(lines);
         page.figure(
             &format!("{}-differences.svg", stem(found, &case.law)),
@@ -160,9 +161,14 @@ fn answer_over(page: &mut Page, name: &str, case: &str, all: &[(String, &Verdict
     let Some((first_name, first)) = all.first() else { return };
     page.heading(2, &format!("{name}: verdicts by {case}"));
     verdict::by_case(page, case, &all);
-    page.bullets([
-        format!("{}: {}", escape(first_name), verdict::range_line(first)),
+    let mut lines = vec![
+        format!("{}: {} The table lists valid loads only.", escape(first_name), verdict::range_line(first)),
         verdict::accepted_line(&first.accepted, found.surface.plane.sigma),
         verdict::basis_line(first),
-    ]);
+    ];
+    let is_without = |(_, verdicts): &&(String, &Verdicts)| verdict::stiffness_line(verdicts).is_some();
+    let without: Vec<String> = all.iter().filter(is_without).map(|(name, _)| escape(name)).collect();
+    let line = all.iter().find_map(|(_, verdicts)| verdict::stiffness_line(verdicts));
+    lines.extend(line.map(|line| format!("{}: {line}", listed(&without))));
+    page.bullets(lines);
 }

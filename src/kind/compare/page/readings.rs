@@ -10,9 +10,9 @@ pub fn finding(found: &Readings) -> Option<String> {
     let to = |[from, to]: [String; 2]| if from == to { from } else { format!("{from} to {to}") };
     let times = to(found.range()?.map(number));
     let valid = match found.valid_range().map(|range| to(range.map(number))) {
-        Some(valid) if valid == times => "valid for all".to_owned(),
-        Some(valid) => format!("{valid} where both loads are valid"),
-        None => "none of the loads is valid".to_owned(),
+        Some(valid) if valid == times => "all of them valid".to_owned(),
+        Some(valid) => format!("{valid} at the valid ones"),
+        None => "none of them valid".to_owned(),
     };
     Some(format!(
         "**Reading of σ and d**: taken as those of the surface instead of the asperities, the same σ and d give a load {times} \
@@ -38,7 +38,8 @@ pub fn section(page: &mut Page, found: &Readings) {
     header.extend(["d/σ", "model", "p, asperity reading", "p, surface reading", "ratio", "valid"]);
     page.table(header, found.loads.iter().map(|loads| row(loads, has_thickness)));
     page.paragraph(
-        "Pressures are means over the realisations. Valid: within the valid range under both readings in every realisation.",
+        "Pressures are means over the realisations. Valid: both models are within their valid range under both readings, in \
+         every realisation.",
     );
 }
 

@@ -19,8 +19,8 @@ pub fn section(page: &mut Page, results: &LawsResults, found: &SurfaceResults) {
         &format!(
             "The contact law matters more where the coloured lines lie further apart than the black line from zero (or \
              one). All at equal load, relative to the deterministic model under {}. Coloured: deterministic model under \
-             the other laws; black: statistical model under the same law, with the 95 % interval of the difference. \
-             Shaded: loads beyond the valid range.{}",
+             the other laws; black: statistical model under the same law, with 1.96 standard errors of the \
+             difference where one is claimed. Shaded: loads beyond the valid range.{}",
             influence.laws[0],
             outside(results, influence)
         ),
@@ -63,7 +63,7 @@ fn load_by_load(page: &mut Page, influence: &Influence, measure: Measure) {
         Measure::Separation => format!(
             "**d/σ at equal load**: range over the laws (largest minus smallest) in each model, for all laws and for the \
              elastic-plastic laws; integral minus sum under {first} and under the elastic-plastic law where it is largest; \
-             standard error of that difference under {first}. Last column: range of the elastic-plastic laws in the sum over the \
+             standard error of that difference under {first}, where an interval is claimed. Last column: range of the elastic-plastic laws in the sum over the \
              difference between the models under {first}. Loads with a remark are outside the range of validity."
         ),
         Measure::Area => "**Real area at equal load**, the same as ratios: largest over smallest; integral over sum; \

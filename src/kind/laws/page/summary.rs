@@ -97,6 +97,10 @@ fn line(found: &SurfaceInfluence, attribution: &Attribution) -> String {
 fn which(attribution: &Attribution) -> String {
     let ratio = attribution.ratio();
     let times = if ratio < 10.0 { format!("{ratio:.1} times") } else { format!("{} times", number(ratio)) };
+    let is_decided = attribution.dominant() != Dominant::Undecided;
+    if is_decided && times == "1.0 times" {
+        return "contact law and summation method matter equally".to_owned();
+    }
     let logarithms = match attribution.measure {
         Measure::Separation => "",
         Measure::Area => " (ratio of logarithms)",
@@ -112,14 +116,8 @@ fn which(attribution: &Attribution) -> String {
     }
 }
 
-/// The difference between the models in sampling errors.
+/// The sampling error of the difference between the models.
 fn chance(attribution: &Attribution) -> String {
-    let Some((error, errors)) = attribution.sampling.zip(attribution.standard_errors()) else {
-        return String::new();
-    };
-    format!(
-        "The standard error of the difference between the models is {} on average: they differ by {} times that.",
-        size(attribution.measure, error.mean),
-        number(errors),
-    )
+    let error = attribution.sampling.map(|error| size(attribution.measure, error.mean));
+    error.map_or_else(String::new, |error| format!("The mean standard error of that difference is {error}."))
 }

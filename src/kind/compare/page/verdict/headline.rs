@@ -3,14 +3,15 @@
 use asperity::compare::{Judged, Stretch, Verdict};
 use asperity_framework::report::format::{listed, percent};
 
-use super::range::exceeded_words;
-use super::words::{accepted, loads, name, need, size, span};
+use super::range::any_exceeded_words;
+use super::words::{accepted, between, name, need, over, size, span};
 use crate::kind::compare::findings::{Basis, Verdicts};
 
 /// The order in which quantities are spoken of.
 const ORDER: [Judged; 3] = [Judged::Area, Judged::Separation, Judged::Stiffness];
 
-/// The answer on one surface, with separations in units of `sigma` (m): of each quantity its widest stretch of load.
+/// The answer on one surface, with separations in units of `sigma` (m): of each quantity its widest stretch of load with a
+/// conclusion, or the widest where there is none.
 pub fn headline(verdicts: &Verdicts, sigma: f64) -> String {
     if verdicts.differences.is_empty() {
         return "The models were not compared at equal load.".to_owned();
@@ -18,29 +19,36 @@ pub fn headline(verdicts: &Verdicts, sigma: f64) -> String {
     if verdicts.valid.stretches.is_empty() {
         return format!(
             "Whether the statistical model agrees with the sum cannot be told at any load of this experiment: {}.{}",
-            exceeded_words(verdicts.valid.below),
+            any_exceeded_words(verdicts.valid.below),
             verdicts
                 .stretches
                 .first()
                 .and_then(|stretch| need(stretch, verdicts))
-                .map_or_else(String::new, |need| format!(" It would take {need}."))
+                .map_or_else(String::new, |need| format!(
+                    " It would take {need} for enough contacts at one of these loads."
+                ))
         );
     }
     let of = |judged: Judged| verdicts.stretches.iter().filter(move |stretch| stretch.judged == judged);
-    let widest = |judged: Judged| of(judged).max_by(|a, b| decades(a).total_cmp(&decades(b)));
+    let rank = |stretch: &Stretch| (stretch.verdict != Verdict::CannotTell, decades(stretch));
+    let widest = |judged: Judged| {
+        of(judged).max_by(|a, b| {
+            let (a, b) = (rank(a), rank(b));
+            a.0.cmp(&b.0).then(a.1.total_cmp(&b.1))
+        })
+    };
     let main: Vec<&Stretch> = ORDER.into_iter().filter_map(widest).collect();
     let common =
         main.first().map(|first| first.loads).filter(|loads| main.iter().all(|one| one.loads == *loads));
     let place = |stretch: &Stretch| {
-        if common.is_some() { String::new() } else { format!(" from {}", loads(stretch.loads)) }
+        if common.is_some() { String::new() } else { format!(" {}", over(stretch.loads)) }
     };
     let mut clauses = Vec::new();
     clauses.extend(within(&by(&main, Verdict::Within), &place, sigma));
     clauses.extend(beyond(&by(&main, Verdict::Beyond), &place, sigma));
     let mut sentence = String::new();
     if !clauses.is_empty() {
-        let range = common.map_or_else(String::new, |range| format!("Between {} the", between(range)));
-        let start = if range.is_empty() { "The".to_owned() } else { range };
+        let start = common.map_or_else(|| "The".to_owned(), |range| capitalised(&between(range)) + " the");
         sentence = format!("{start} statistical model {}.", clauses.join(", but "));
     }
     let open = by(&main, Verdict::CannotTell);
@@ -49,13 +57,8 @@ pub fn headline(verdicts: &Verdicts, sigma: f64) -> String {
             open.iter().map(|stretch| format!("{}{}", name(stretch.judged), place(stretch))).collect();
         let range = common
             .filter(|_| sentence.is_empty())
-            .map_or_else(String::new, |range| format!(" between {}", between(range)));
-        let needs = open.iter().filter_map(|stretch| need(stretch, verdicts)).next();
-        let needs = match (needs, verdicts.basis) {
-            (Some(need), _) => format!(": it would take {need}"),
-            (None, Basis::TooSmall { .. }) => ": the map is too small for its correlation length".to_owned(),
-            _ => String::new(),
-        };
+            .map_or_else(String::new, |range| format!(" {}", between(range)));
+        let needs = why_open(&open, verdicts);
         let joined = if sentence.is_empty() { "" } else { " " };
         sentence.push_str(&format!(
             "{joined}Whether it agrees in {}{range} cannot be told{needs}.",
@@ -84,8 +87,22 @@ fn decades(stretch: &Stretch) -> f64 {
     (stretch.loads[1] / stretch.loads[0]).log10()
 }
 
-fn between(range: [f64; 2]) -> String {
-    loads(range).replacen(" to ", " and ", 1)
+fn capitalised(text: &str) -> String {
+    let mut letters = text.chars();
+    letters.next().map_or_else(String::new, |first| first.to_uppercase().chain(letters).collect())
+}
+
+/// How much surface it would take to tell of all these stretches, or why none would; nothing where that is not known.
+fn why_open(open: &[&Stretch], verdicts: &Verdicts) -> String {
+    let needs =
+        open.iter().filter_map(|stretch| Some((verdicts.area_needed(stretch)?, need(stretch, verdicts)?)));
+    match needs.max_by(|a, b| a.0.total_cmp(&b.0)) {
+        Some((_, need)) => format!(": it would take {need} to tell at half of these loads"),
+        None if matches!(verdicts.basis, Basis::TooSmall { .. }) => {
+            ": the map is too short, compared with its longest waves, for a sampling error".to_owned()
+        }
+        None => String::new(),
+    }
 }
 
 /// "agrees with the sum in real contact area within 8 % (accepted: 10 %)".
@@ -117,6 +134,10 @@ fn beyond(stretches: &[&Stretch], place: &dyn Fn(&Stretch) -> String, sigma: f64
         };
         let is_more = far > 0.0;
         let what = match stretch.judged {
+            // Neighbouring loads at which the models differ in opposite directions.
+            judged if near * far < 0.0 => {
+                format!("differs from the sum by up to {} in {}", size(judged, far, sigma), name(judged))
+            }
             Judged::Separation => format!(
                 "puts the flat {} {}",
                 distances(near, far, sigma),
@@ -154,11 +175,19 @@ fn distances(near: f64, far: f64, sigma: f64) -> String {
 /// The answer over several cases (`what`: thicknesses, laws): for how many of them the models agree at all valid loads, and
 /// for how many they do not at some.
 pub fn over_cases(what: &str, all: &[&Verdicts]) -> String {
-    let parts: Vec<String> = ORDER.into_iter().filter_map(|judged| counted(judged, what, all)).collect();
-    format!("at all valid loads the statistical model agrees with the sum {}.", listed(&parts))
+    let parts: Vec<String> = ORDER.into_iter().filter_map(|judged| counted(judged, all)).collect();
+    let parts = parts.iter().enumerate().map(|(index, part)| match index {
+        0 => {
+            part.replacen(" (", &format!(" {what} ("), 1).replacen(')', " what is accepted at some load)", 1)
+        }
+        _ => part.clone(),
+    });
+    let parts: Vec<String> = parts.collect();
+    format!("the statistical model agrees with the sum at all valid loads {}.", listed(&parts))
 }
 
-fn counted(judged: Judged, what: &str, all: &[&Verdicts]) -> Option<String> {
+/// "in separation for 3 of 18 (8 beyond)".
+fn counted(judged: Judged, all: &[&Verdicts]) -> Option<String> {
     let of = |verdicts: &Verdicts, is_it: &dyn Fn(Verdict) -> bool| {
         let stretches = verdicts.stretches.iter().filter(|stretch| stretch.judged == judged);
         stretches.map(|stretch| stretch.verdict).any(is_it)
@@ -169,14 +198,8 @@ fn counted(judged: Judged, what: &str, all: &[&Verdicts]) -> Option<String> {
         number(&|verdicts| of(verdicts, &|_| true) && !of(verdicts, &|verdict| verdict != Verdict::Within));
     let beyond = number(&|verdicts| of(verdicts, &|verdict| verdict == Verdict::Beyond));
     let word = |count: usize| if count == 0 { "none".to_owned() } else { count.to_string() };
-    (compared > 0).then(|| {
-        format!(
-            "in {} for {} of {compared} {what} (beyond what is accepted at some load: {})",
-            name(judged),
-            word(within),
-            word(beyond)
-        )
-    })
+    (compared > 0)
+        .then(|| format!("in {} for {} of {compared} ({} beyond)", name(judged), word(within), word(beyond)))
 }
 
 #[cfg(test)]
@@ -209,8 +232,31 @@ mod tests {
         let found = verdicts(vec![at(1e6, 100.0, [(0.05, Some(0.05)), (0.5, None), (0.5, None)])], BLOCKS);
         assert_eq!(
             headline(&found, 1e-7),
-            "Whether the statistical model agrees with the sum in real contact area, separation and stiffness between 1 MPa \
-             cannot be told: it would take about 4 mm² of surface (now 1 mm²)."
+            "Whether the statistical model agrees with the sum in real contact area, separation and stiffness at 1 MPa \
+             cannot be told: it would take about 4 mm² of surface (now 1 mm²) to tell at half of these loads."
+        );
+        let loads = [1e6, 2e6].map(|load| {
+            let mut at = at(load, 100.0, [(0.5, None); 3]);
+            at.area_needed = Some(f64::INFINITY);
+            at
+        });
+        let too_small = Basis::TooSmall { correlation: [1e-5, f64::INFINITY] };
+        let sentence = headline(&verdicts(loads.to_vec(), too_small), 1e-7);
+        assert!(
+            sentence.contains("stiffness between 1 and 2 MPa cannot be told: the map is too short"),
+            "{sentence}"
+        );
+    }
+
+    #[test]
+    fn differences_of_both_signs_are_not_called_more_or_less() {
+        let [more, less] = [(0.4, Some(0.01)), (-0.5, Some(0.01))].map(|found| [found, found, found]);
+        let found = verdicts(vec![at(1e6, 100.0, more), at(2e6, 100.0, less)], BLOCKS);
+        let sentence = headline(&found, 1e-7);
+        assert!(
+            sentence.contains("differs from the sum by up to 39.3 % in real contact area")
+                && !sentence.contains("higher"),
+            "{sentence}"
         );
     }
 
@@ -256,9 +302,9 @@ mod tests {
             verdicts(vec![at(1e6, 100.0, [(0.5, Some(0.001)), (0.01, Some(0.001)), (0.01, None)])], BLOCKS);
         assert_eq!(
             over_cases("thicknesses", &[&good, &bad]),
-            "at all valid loads the statistical model agrees with the sum in real contact area for 2 of 2 thicknesses (beyond \
-             what is accepted at some load: none), in separation for 1 of 2 thicknesses (beyond what is accepted at some load: \
-             1) and in stiffness for 1 of 2 thicknesses (beyond what is accepted at some load: none)."
+            "the statistical model agrees with the sum at all valid loads in real contact area for 2 of 2 thicknesses (none \
+             beyond what is accepted at some load), in separation for 1 of 2 (1 beyond) and in stiffness for 1 of 2 (none \
+             beyond)."
         );
     }
 }

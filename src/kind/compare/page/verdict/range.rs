@@ -4,7 +4,7 @@ use asperity::compare::{Accepted, CONTACTS_PER_GROUP, GROUPS, Judged};
 use asperity::sphere::LARGEST_SLOPE;
 use asperity::topography::{BLOCK_LENGTHS, MIN_BLOCKS};
 use asperity::{Exceeded, INTERACTION, LARGE_STRAIN_SHARE, LARGEST_LOAD_SHARE, Limit, MIN_CONTACTS};
-use asperity_framework::report::format::{input_number, listed, number, percent, quantity};
+use asperity_framework::report::format::{alternatives, input_number, listed, number, percent, quantity};
 
 use super::words::{accepted_separation, forces, loads, nominal_area};
 
@@ -15,7 +15,7 @@ pub fn limit_words(limit: Limit) -> String {
     match limit {
         Limit::FewContacts => format!("fewer than {MIN_CONTACTS} effective contacts"),
         Limit::DominantContact => {
-            format!("one contact carries more than {} of the load", percent(LARGEST_LOAD_SHARE))
+            format!("more than {} of the load in one contact", percent(LARGEST_LOAD_SHARE))
         }
         Limit::Interaction => format!("contact area above {}", percent(INTERACTION)),
         Limit::LargeStrain => {
@@ -24,21 +24,29 @@ pub fn limit_words(limit: Limit) -> String {
     }
 }
 
-/// What lies beyond several limits.
-pub fn exceeded_words(exceeded: Exceeded) -> String {
+/// What lies beyond several limits at one load.
+fn exceeded_words(exceeded: Exceeded) -> String {
     listed(&exceeded.limits().map(limit_words).collect::<Vec<_>>())
 }
 
-/// "Valid for 0.5 to 40 MPa (…)", with the limit at either end.
+/// What lies beyond limits of which each load exceeds at least one.
+pub fn any_exceeded_words(exceeded: Exceeded) -> String {
+    alternatives(&exceeded.limits().map(limit_words).collect::<Vec<_>>())
+}
+
+/// "Valid for 0.5 to 40 MPa (0.5 to 40 N on 1 mm²)", with the limit at either end.
 pub fn range_line(verdicts: &Verdicts) -> String {
     let valid = &verdicts.valid;
     if valid.stretches.is_empty() {
-        return format!("Valid for no load of this experiment: {}.", exceeded_words(valid.below));
+        return format!("Valid for no load of this experiment: {}.", any_exceeded_words(valid.below));
     }
     let each: Vec<String> = valid
         .stretches
         .iter()
-        .map(|&stretch| format!("{} ({})", loads(stretch), forces(stretch, verdicts.area)))
+        .map(|&stretch| {
+            let [forces, area] = [forces(stretch, verdicts.area), nominal_area(verdicts.area)];
+            format!("{} ({forces} on {area})", loads(stretch))
+        })
         .collect();
     let ends = [("below", valid.below), ("above", valid.above)].into_iter();
     let ends: Vec<String> = ends
@@ -46,7 +54,7 @@ pub fn range_line(verdicts: &Verdicts) -> String {
         .map(|(side, exceeded)| format!("{side}: {}", exceeded_words(exceeded)))
         .collect();
     let ends = if ends.is_empty() { "all loads of this experiment".to_owned() } else { ends.join("; ") };
-    format!("Valid for {} on {}; {ends}.", listed(&each), nominal_area(verdicts.area))
+    format!("Valid for {}; {ends}.", listed(&each))
 }
 
 /// Why the stiffness is not compared, if it is not.
@@ -54,8 +62,8 @@ pub fn stiffness_line(verdicts: &Verdicts) -> Option<String> {
     let is_compared =
         verdicts.differences.iter().any(|at| at.estimates[Judged::Stiffness as usize].is_some());
     (!is_compared).then(|| {
-        "The stiffness is not compared: the load of the law jumps by more than 1 %, which the stiffness of the sum leaves \
-         out and that of the integral includes."
+        "the stiffness is not compared, because the load of an asperity jumps by more than 1 %: the stiffness of the sum \
+         leaves jumps out, that of the integral includes them."
             .to_owned()
     })
 }
@@ -63,8 +71,9 @@ pub fn stiffness_line(verdicts: &Verdicts) -> Option<String> {
 /// What the user accepts, on a surface of `sigma` (m).
 pub fn accepted_line(accepted: &Accepted, sigma: f64) -> String {
     format!(
-        "Accepted (key `accept`): {} of the real contact area, {} of the separation, {} of the stiffness. *Within*: the 95 % \
-         interval of the difference at equal load lies inside; *beyond*: outside; *cannot tell*: else.",
+        "Accepted (key `accept`): {} of the real contact area, {} in separation, {} of the stiffness. *Within*: the 95 % \
+         interval of the difference at equal load lies inside what is accepted; *beyond*: outside it; *cannot tell*: across its \
+         edge, or no interval is claimed.",
         percent(accepted.area),
         accepted_separation(accepted.separation, sigma),
         percent(accepted.stiffness),
@@ -79,8 +88,10 @@ pub fn basis_line(verdicts: &Verdicts) -> String {
             number(ratio)
         )
     });
-    let contacts = CONTACTS_PER_GROUP * GROUPS as f64;
-    let few = format!("None is claimed with fewer than {contacts} effective contacts.");
+    let few = |groups: usize| {
+        let contacts = CONTACTS_PER_GROUP * groups as f64;
+        format!("None is claimed with fewer than {contacts} effective contacts.")
+    };
     match verdicts.basis {
         Basis::Realisations(count) => format!(
             "95 % intervals are pointwise, from the scatter of {count} realisations (Student's quantile); differences are their \
@@ -91,7 +102,8 @@ pub fn basis_line(verdicts: &Verdicts) -> String {
             let [nx, ny] = lengths.map(number);
             format!(
                 "95 % intervals are pointwise, from a jackknife over {count} blocks of {x} × {y}, {nx} × {ny} correlation \
-                 lengths of the heights: both models are computed again without each block. {few}{times}"
+                 lengths of the heights: both models are computed again without each block. {}{times}",
+                few(count)
             )
         }
         Basis::TooSmall { correlation } => {
@@ -103,8 +115,8 @@ pub fn basis_line(verdicts: &Verdicts) -> String {
                 }
             });
             format!(
-                "No interval is claimed: the map does not hold {MIN_BLOCKS} blocks of {} correlation lengths of the heights ({} \
-                 along x, {} along y).",
+                "No interval is claimed: the map does not hold {MIN_BLOCKS} blocks of {} correlation lengths each (correlation \
+                 length of the heights: {} along x, {} along y).",
                 input_number(BLOCK_LENGTHS),
                 lengths[0],
                 lengths[1]
@@ -112,7 +124,8 @@ pub fn basis_line(verdicts: &Verdicts) -> String {
         }
         Basis::Asperities => format!(
             "95 % intervals are pointwise, from a jackknife over {GROUPS} random groups of asperities, which are taken as \
-             independent draws: both models are computed again without each group. {few}"
+             independent draws: both models are computed again without each group. {}",
+            few(GROUPS)
         ),
     }
 }
@@ -131,10 +144,18 @@ mod tests {
         let found = verdicts(loads.clone(), Basis::Asperities);
         assert_eq!(
             range_line(&found),
-            "Valid for 1 to 2 MPa (1 to 2 N) on 1 mm²; below: fewer than 30 effective contacts; above: contact area above 5 %."
+            "Valid for 1 to 2 MPa (1 to 2 N on 1 mm²); below: fewer than 30 effective contacts; above: contact area above 5 %."
         );
         let found = verdicts(loads[1..3].to_vec(), Basis::Asperities);
         assert!(range_line(&found).ends_with("all loads of this experiment."));
+        loads[0].sharing.as_mut().unwrap().largest_share = 0.2;
+        let found = verdicts(vec![loads[0].clone(), loads[3].clone()], Basis::Asperities);
+        assert_eq!(
+            range_line(&found),
+            "Valid for no load of this experiment: fewer than 30 effective contacts, more than 10 % of the load in one contact \
+             or contact area above 5 %."
+        );
+        loads[0].sharing.as_mut().unwrap().largest_share = 0.01;
         let found = verdicts(loads[..1].to_vec(), Basis::Asperities);
         assert_eq!(
             range_line(&found),
@@ -150,5 +171,8 @@ mod tests {
         );
         assert!(of(Basis::Realisations(8)).contains("8 realisations"));
         assert!(of(Basis::Asperities).contains("independent draws"));
+        assert!(of(Basis::Asperities).contains("fewer than 64 effective contacts"));
+        let blocks = Basis::Blocks { count: 20, sides: [1e-4; 2], lengths: [9.0; 2] };
+        assert!(of(blocks).contains("fewer than 80 effective contacts"));
     }
 }

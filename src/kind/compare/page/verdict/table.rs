@@ -1,6 +1,7 @@
 //! Verdicts in a table.
 
 use asperity::compare::{Judged, Stretch};
+use asperity_framework::report::format::listed;
 use asperity_framework::report::page::Page;
 
 use super::words::{accepted, loads, name, need, signed, verdict};
@@ -15,7 +16,8 @@ pub fn stretches(page: &mut Page, verdicts: &Verdicts, sigma: f64) {
             largest(stretch),
             format!("±{}", accepted(stretch, sigma)),
             verdict(stretch.verdict).to_owned(),
-            need(stretch, verdicts).unwrap_or_default(),
+            // Where no load is valid, the need is that of one load, not of half of them.
+            stretch.largest.and_then(|_| need(stretch, verdicts)).unwrap_or_default(),
         ]
     };
     let header = [
@@ -50,6 +52,12 @@ fn at_most(stretch: &Stretch) -> String {
     largest.unwrap_or_else(|| "–".to_owned())
 }
 
+/// The valid stretches of load.
+fn valid_loads(verdicts: &Verdicts) -> String {
+    let each: Vec<String> = verdicts.valid.stretches.iter().map(|&stretch| loads(stretch)).collect();
+    if each.is_empty() { "no load".to_owned() } else { listed(&each) }
+}
+
 /// One row per case, named by `what`: a thickness of a layer, or a law.
 pub fn by_case(page: &mut Page, what: &str, all: &[(String, &Verdicts)]) {
     let cell = |verdicts: &Verdicts, judged: Judged| {
@@ -62,11 +70,11 @@ pub fn by_case(page: &mut Page, what: &str, all: &[(String, &Verdicts)]) {
         if each.is_empty() { "–".to_owned() } else { each.join("; ") }
     };
     let row = |(name, verdicts): &(String, &Verdicts)| {
-        let mut row = vec![name.clone()];
+        let mut row = vec![name.clone(), valid_loads(verdicts)];
         row.extend(
             [Judged::Area, Judged::Separation, Judged::Stiffness].map(|judged| cell(verdicts, judged)),
         );
         row
     };
-    page.table([what, "real contact area", "separation", "stiffness"], all.iter().map(row));
+    page.table([what, "valid for", "real contact area", "separation", "stiffness"], all.iter().map(row));
 }

@@ -23,6 +23,20 @@ pub fn verdict(verdict: Verdict) -> &'static str {
     }
 }
 
+/// "between 0.5 and 40 MPa", or "at 1 MPa".
+pub fn between(range: [f64; 2]) -> String {
+    if range[0] == range[1] {
+        format!("at {}", loads(range))
+    } else {
+        format!("between {}", loads(range).replacen(" to ", " and ", 1))
+    }
+}
+
+/// "from 0.5 to 40 MPa", or "at 1 MPa".
+pub fn over(range: [f64; 2]) -> String {
+    format!("{} {}", if range[0] == range[1] { "at" } else { "from" }, loads(range))
+}
+
 /// "0.5 to 40 MPa", or one load.
 pub fn loads([from, to]: [f64; 2]) -> String {
     if from == to {
@@ -84,10 +98,10 @@ pub fn accepted_separation(accepted: f64, sigma: f64) -> String {
 
 /// A nominal area (m^2): in mm² from a tenth on.
 pub fn nominal_area(area: f64) -> String {
-    if (1e-7..1.0).contains(&area) { format!("{} mm²", number(1e6 * area)) } else { quantity(area, "m²") }
+    if (1e-8..1.0).contains(&area) { format!("{} mm²", number(1e6 * area)) } else { quantity(area, "m²") }
 }
 
-/// How much more surface would tell: "2.5 mm² of surface (now 1 mm²)", "12 realisations (now 3)".
+/// How much more surface would tell: "about 2.5 mm² of surface (now 1 mm²)", "about 12 realisations (now 3)".
 pub fn need(stretch: &Stretch, verdicts: &Verdicts) -> Option<String> {
     if stretch.verdict != Verdict::CannotTell {
         return None;
@@ -97,5 +111,10 @@ pub fn need(stretch: &Stretch, verdicts: &Verdicts) -> Option<String> {
         return Some(format!("about {} realisations (now {now})", number(needed.max(now as f64 + 1.0))));
     }
     let area = verdicts.area_needed(stretch)?;
-    Some(format!("about {} of surface (now {})", nominal_area(area), nominal_area(verdicts.area)))
+    Some(format!("about {} of surface (now {})", nominal_area(two_digits(area)), nominal_area(verdicts.area)))
+}
+
+/// An estimate is no better than that.
+fn two_digits(value: f64) -> f64 {
+    format!("{value:.1e}").parse().unwrap_or(value)
 }
