@@ -262,3 +262,14 @@ fn the_answer_stands_first_and_in_the_files() {
     assert!(csv.lines().nth(1).unwrap().starts_with("case,zmc,,1000000.0,"), "{csv}");
     assert!(csv.contains(",within,"));
 }
+
+/// A sweep of separations gives each realisation loads of its own.
+#[test]
+fn realisations_without_a_common_load_are_not_compared() {
+    let several = population("a", 3000, "realisations = 2");
+    let page = |compare: &str| run(tempfile::tempdir().unwrap().path(), compare, &several).page().markdown();
+    assert!(page("separation = { values = [2, 1] }").contains("the realisations have no load in common"));
+    assert!(!page("pressure = { values = [\"20 MPa\"] }").contains("no load in common"));
+    let one = page("models = [\"deterministic\"]\npressure = { values = [\"20 MPa\"] }");
+    assert!(one.contains("one model was run"), "{one}");
+}

@@ -9,6 +9,8 @@ pub enum Dominant {
     Law,
     /// Integral against sum.
     Summation,
+    /// Neither: their effects differ by less than 5 %.
+    Equal,
     /// Not decidable: the gap between the models is within its sampling error, or that is unknown.
     Undecided,
 }
@@ -31,6 +33,9 @@ pub struct Attribution {
     pub without_furthest: Option<(usize, Effect)>,
 }
 
+/// Effects of a smaller ratio count as equal.
+const EQUAL: f64 = 1.05;
+
 impl Attribution {
     /// The effects on one measure; `None` if no load is valid or fewer than two laws are compared.
     pub fn of(influence: &Influence, measure: Measure) -> Option<Self> {
@@ -50,6 +55,8 @@ impl Attribution {
         let is_detectable = self.sampling.is_some_and(|error| self.summation.mean > DETECTABLE * error.mean);
         if !is_detectable {
             Dominant::Undecided
+        } else if self.ratio() < EQUAL {
+            Dominant::Equal
         } else if self.law.mean > self.summation.mean {
             Dominant::Law
         } else {
@@ -127,6 +134,7 @@ mod tests {
         let summation = of(2.75, 0.2);
         assert!(summation.dominant() == Dominant::Summation && close(summation.ratio(), 2.0));
         assert!(close(summation.summation.mean / summation.sampling.unwrap().mean, 2.5));
+        assert_eq!(of(3.01, 0.1).dominant(), Dominant::Equal);
         assert_eq!(of(4.0, 0.25).dominant(), Dominant::Undecided);
         assert_eq!(attribution(&[under(3.0, 2.5, 0.1)]), None);
     }

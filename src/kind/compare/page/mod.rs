@@ -94,7 +94,11 @@ fn headlines(results: &CompareResults, found: &SurfaceResults) -> Vec<String> {
     let line = |(case, findings): (&CaseResults, &CaseFindings)| {
         let verdicts = &findings.verdicts;
         let name = subject(results, found, &case.law);
-        let sentence = if verdicts.differences.is_empty() {
+        let sentence = if verdicts.differences.is_empty() && !case.comparison.pairs.is_empty() {
+            "the realisations have no load in common, so that the models are not compared at equal load; add `pressure` or \
+             `force` to the spec."
+                .to_owned()
+        } else if verdicts.differences.is_empty() {
             format!("one model was run, so that no models are compared. {}", verdict::range_line(verdicts))
         } else {
             verdict::headline(verdicts, found.surface.plane.sigma)

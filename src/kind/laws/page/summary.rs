@@ -30,6 +30,7 @@ fn verdict_by(results: &LawsResults, measure: Measure) -> Option<String> {
     let parts = [
         ("the contact law matters more than the summation method", Dominant::Law),
         ("the summation method matters more than the contact law", Dominant::Summation),
+        ("contact law and summation method matter equally", Dominant::Equal),
         ("the models cannot be distinguished within sampling uncertainty", Dominant::Undecided),
     ];
     let parts: Vec<String> = parts.into_iter().filter_map(part).collect();
@@ -97,10 +98,6 @@ fn line(found: &SurfaceInfluence, attribution: &Attribution) -> String {
 fn which(attribution: &Attribution) -> String {
     let ratio = attribution.ratio();
     let times = if ratio < 10.0 { format!("{ratio:.1} times") } else { format!("{} times", number(ratio)) };
-    let is_decided = attribution.dominant() != Dominant::Undecided;
-    if is_decided && times == "1.0 times" {
-        return "contact law and summation method matter equally".to_owned();
-    }
     let logarithms = match attribution.measure {
         Measure::Separation => "",
         Measure::Area => " (ratio of logarithms)",
@@ -108,6 +105,7 @@ fn which(attribution: &Attribution) -> String {
     match attribution.dominant() {
         Dominant::Law => format!("the contact law matters {times} as much as the summation method{logarithms}"),
         Dominant::Summation => format!("the summation method matters {times} as much as the contact law{logarithms}"),
+        Dominant::Equal => "contact law and summation method matter equally".to_owned(),
         Dominant::Undecided => {
             "the models cannot be distinguished within sampling uncertainty, so no conclusion is drawn on which matters \
              more"
