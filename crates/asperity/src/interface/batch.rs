@@ -92,7 +92,7 @@ fn accumulate_lanes<N: Real, A: LaneContacts, const ELLIPSES: bool>(
                 let radius = zero.load(&radii[start..]);
                 let contacts = contact.contacts(w, radius, n);
                 plain.add(&contacts, small_strain_area(radius, n));
-                largest_load = largest_load.max(contacts.load);
+                largest_load = larger(largest_load, contacts.load);
                 start += N::LANES;
             }
         }
@@ -105,9 +105,15 @@ fn accumulate_lanes<N: Real, A: LaneContacts, const ELLIPSES: bool>(
         let radius = last(radii, zero);
         let contacts = contact.contacts(last(heights, zero) - separation, radius, n);
         let loads = lanes.add_present(&contacts, small_strain_area(radius, n), rest);
-        largest_load = largest_load.max(loads);
+        largest_load = larger(largest_load, loads);
     }
     lanes.with_largest_load(largest_load)
+}
+
+/// The lane-wise maximum.
+#[inline(always)]
+fn larger<N: Real>(a: N, b: N) -> N {
+    N::select(a.lt(b), b, a)
 }
 
 struct AccumulateWeighted<'a, A> {

@@ -123,12 +123,6 @@ pub trait Real:
         Self::select(other.lt(self), other, self)
     }
 
-    /// The lane-wise maximum.
-    #[inline(always)]
-    fn max(self, other: Self) -> Self {
-        Self::select(self.lt(other), other, self)
-    }
-
     /// A polynomial with coefficients from the highest power down.
     #[inline(always)]
     fn polynomial(self, coefficients: &[f64]) -> Self {
