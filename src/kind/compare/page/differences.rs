@@ -47,14 +47,12 @@ fn panel(verdicts: &Verdicts, judged: Judged, label: &str, unit: f64) -> Plot {
     for region in invalid(&verdicts.valid, 1e-6) {
         plot = plot.with(region);
     }
-    plot.with(Layer::at_y(0.0, ""))
-        .with(Layer::band(band).coloured(Colour::Statistical).named("95 % interval"))
-        .with(
-            Layer::line(line)
-                .coloured(Colour::Statistical)
-                .dashed(Dash::Solid)
-                .named("statistical − deterministic"),
-        )
+    plot = plot.with(Layer::at_y(0.0, ""));
+    if !band.is_empty() {
+        plot = plot.with(Layer::band(band).coloured(Colour::Statistical).named("95 % interval"));
+    }
+    let line = Layer::line(line).coloured(Colour::Statistical).dashed(Dash::Solid);
+    plot.with(line.named("statistical − deterministic"))
 }
 
 /// Margin of the load axis at both ends, as a ratio.

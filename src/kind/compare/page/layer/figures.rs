@@ -29,7 +29,7 @@ pub fn by_load(series: &Series) -> String {
                 };
                 let all = Layer::line(points.iter().map(shown).collect::<Vec<_>>()).coloured(colour).thin();
                 let inside = points.iter().filter(is_valid).map(shown).collect::<Vec<_>>();
-                let inside = Layer::line(inside).coloured(colour).thick();
+                let inside = Layer::line(inside).coloured(colour);
                 [all, inside].map(|line| {
                     if kind == Kind::Statistical && kinds.len() > 1 {
                         line.dashed(Dash::Dashed)
