@@ -1,7 +1,7 @@
 //! The figure behind the verdicts: the differences between the models against load, with what is accepted.
 
 use asperity::compare::{Difference, Judged, ValidRange};
-use asperity_plot::{Axis, Colour, Dash, Figure, Layer, Plot};
+use asperity_plot::{Axis, Colour, Dash, Figure, Layer, Marker, Plot};
 
 use crate::kind::compare::findings::Verdicts;
 
@@ -48,10 +48,22 @@ fn panel(verdicts: &Verdicts, judged: Judged, label: &str, unit: f64) -> Plot {
         plot = plot.with(region);
     }
     plot = plot.with(Layer::at_y(0.0, ""));
-    if !band.is_empty() {
+    if let &[(load, low, high)] = &band[..] {
+        // One load has no band to fill: an error bar.
+        plot = plot.with(
+            Layer::line([(load, low), (load, high)])
+                .coloured(Colour::Statistical)
+                .named("95 % interval")
+                .thick(),
+        );
+    } else if !band.is_empty() {
         plot = plot.with(Layer::band(band).coloured(Colour::Statistical).named("95 % interval"));
     }
-    let line = Layer::line(line).coloured(Colour::Statistical).dashed(Dash::Solid);
+    let line = if line.len() == 1 {
+        Layer::points(line, Marker::Circle).coloured(Colour::Statistical)
+    } else {
+        Layer::line(line).coloured(Colour::Statistical).dashed(Dash::Solid)
+    };
     plot.with(line.named("statistical − deterministic"))
 }
 
@@ -71,7 +83,15 @@ pub fn invalid(valid: &ValidRange, scale: f64) -> Vec<Layer> {
     let mut ends = vec![0.0];
     ends.extend(valid.stretches.iter().flatten().map(|load| load * scale));
     ends.push(f64::INFINITY);
+    let last = ends.len() / 2 - 1;
     let gaps = ends.chunks_exact(2).enumerate();
-    let label = |index: usize| if index == 0 { LABEL } else { "" };
+    // Beyond the loads that were tested nothing is known.
+    let is_invalid = |index: usize| match index {
+        0 => !valid.below.is_none() || last == 0,
+        index if index == last => !valid.above.is_none(),
+        _ => true,
+    };
+    let label = |index: usize| if index == 0 || index == last { LABEL } else { "" };
+    let gaps = gaps.filter(|(index, _)| is_invalid(*index));
     gaps.map(|(index, gap)| Layer::region_x(gap[0], gap[1], label(index))).collect()
 }

@@ -94,14 +94,23 @@ fn headlines(results: &CompareResults, found: &SurfaceResults) -> Vec<String> {
     let line = |(case, findings): (&CaseResults, &CaseFindings)| {
         let verdicts = &findings.verdicts;
         let name = subject(results, found, &case.law);
-        let sentence = if verdicts.differences.is_empty() && !case.comparison.pairs.is_empty() {
+        let has_pairs = !case.comparison.pairs.is_empty();
+        let sentence = if verdicts.differences.is_empty() && has_pairs && found.others.is_empty() {
+            "both models are in contact at none of the separations, so that they are not compared at equal load.".to_owned()
+        } else if verdicts.differences.is_empty() && has_pairs {
             "the realisations have no load in common, so that the models are not compared at equal load; add `pressure` or \
              `force` to the spec."
                 .to_owned()
         } else if verdicts.differences.is_empty() {
             format!("one model was run, so that no models are compared. {}", verdict::range_line(verdicts))
         } else {
-            verdict::headline(verdicts, found.surface.plane.sigma)
+            let sentence = verdict::headline(verdicts, found.surface.plane.sigma);
+            // Numbers of doubtful data decide nothing.
+            if found.surface.warnings.is_empty() {
+                sentence
+            } else {
+                format!("no conclusion until the warning above is resolved. As the data stand: {sentence}")
+            }
         };
         format!("**{}**: {}", escape(&name), escape(&sentence))
     };

@@ -31,7 +31,7 @@ fn verdict_by(results: &LawsResults, measure: Measure) -> Option<String> {
         ("the contact law matters more than the summation method", Dominant::Law),
         ("the summation method matters more than the contact law", Dominant::Summation),
         ("contact law and summation method matter equally", Dominant::Equal),
-        ("the models cannot be distinguished within sampling uncertainty", Dominant::Undecided),
+        ("no conclusion is drawn", Dominant::Undecided),
     ];
     let parts: Vec<String> = parts.into_iter().filter_map(part).collect();
     // Of the surfaces on which the law matters more: where it still does without the most deviating law.
@@ -106,6 +106,9 @@ fn which(attribution: &Attribution) -> String {
         Dominant::Law => format!("the contact law matters {times} as much as the summation method{logarithms}"),
         Dominant::Summation => format!("the summation method matters {times} as much as the contact law{logarithms}"),
         Dominant::Equal => "contact law and summation method matter equally".to_owned(),
+        Dominant::Undecided if attribution.sampling.is_none() => {
+            "no interval of the difference between the models is claimed, so no conclusion is drawn on which matters more".to_owned()
+        }
         Dominant::Undecided => {
             "the models cannot be distinguished within sampling uncertainty, so no conclusion is drawn on which matters \
              more"

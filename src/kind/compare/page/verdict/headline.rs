@@ -24,9 +24,7 @@ pub fn headline(verdicts: &Verdicts, sigma: f64) -> String {
                 .stretches
                 .first()
                 .and_then(|stretch| need(stretch, verdicts))
-                .map_or_else(String::new, |need| format!(
-                    " It would take {need} for enough contacts at one of these loads."
-                ))
+                .map_or_else(String::new, |need| format!(" It would take {need} at one of these loads."))
         );
     }
     let of = |judged: Judged| verdicts.stretches.iter().filter(move |stretch| stretch.judged == judged);
@@ -97,6 +95,7 @@ fn why_open(open: &[&Stretch], verdicts: &Verdicts) -> String {
     let needs =
         open.iter().filter_map(|stretch| Some((verdicts.area_needed(stretch)?, need(stretch, verdicts)?)));
     match needs.max_by(|a, b| a.0.total_cmp(&b.0)) {
+        Some((_, need)) if need.starts_with("at least") => format!(": it would take {need}"),
         Some((_, need)) => format!(": it would take {need} to tell at half of these loads"),
         None if matches!(verdicts.basis, Basis::TooSmall { .. }) => {
             ": the map is too short, compared with its longest waves, for a sampling error".to_owned()
@@ -168,34 +167,41 @@ fn distances(near: f64, far: f64, sigma: f64) -> String {
     }
 }
 
-/// The answer over several cases (`what`: thicknesses, laws): for how many of them the models agree at all valid loads, and
-/// for how many they do not at some.
+/// The answer over several cases (`what`: thicknesses, laws): for how many of them the models agree wherever that can be
+/// told, for how many they do not at some load, and for how many it cannot be told at any.
 pub fn over_cases(what: &str, all: &[&Verdicts]) -> String {
-    let parts: Vec<String> = ORDER.into_iter().filter_map(|judged| counted(judged, all)).collect();
-    let parts = parts.iter().enumerate().map(|(index, part)| match index {
-        0 => {
-            part.replacen(" (", &format!(" {what} ("), 1).replacen(')', " what is accepted at some load)", 1)
-        }
-        _ => part.clone(),
-    });
-    let parts: Vec<String> = parts.collect();
-    format!("the statistical model agrees with the sum at all valid loads {}.", listed(&parts))
+    let parts: Vec<String> = ORDER.into_iter().filter_map(|judged| counted(judged, what, all)).collect();
+    format!("the difference between the models is {}.", parts.join("; "))
 }
 
-/// "in separation for 3 of 18 (8 beyond)".
-fn counted(judged: Judged, all: &[&Verdicts]) -> Option<String> {
-    let of = |verdicts: &Verdicts, is_it: &dyn Fn(Verdict) -> bool| {
-        let stretches = verdicts.stretches.iter().filter(|stretch| stretch.judged == judged);
-        stretches.map(|stretch| stretch.verdict).any(is_it)
+fn counted(judged: Judged, what: &str, all: &[&Verdicts]) -> Option<String> {
+    let of = |verdicts: &Verdicts, wanted: Option<Verdict>| {
+        let mut stretches = verdicts.stretches.iter().filter(|stretch| stretch.judged == judged);
+        stretches.any(|stretch| wanted.is_none_or(|wanted| stretch.verdict == wanted))
     };
     let number = |is_it: &dyn Fn(&Verdicts) -> bool| all.iter().filter(|verdicts| is_it(verdicts)).count();
-    let compared = number(&|verdicts| of(verdicts, &|_| true));
+    let compared = number(&|verdicts| of(verdicts, None));
+    let beyond = number(&|verdicts| of(verdicts, Some(Verdict::Beyond)));
     let within =
-        number(&|verdicts| of(verdicts, &|_| true) && !of(verdicts, &|verdict| verdict != Verdict::Within));
-    let beyond = number(&|verdicts| of(verdicts, &|verdict| verdict == Verdict::Beyond));
-    let word = |count: usize| if count == 0 { "none".to_owned() } else { count.to_string() };
-    (compared > 0)
-        .then(|| format!("in {} for {} of {compared} ({} beyond)", name(judged), word(within), word(beyond)))
+        number(&|verdicts| of(verdicts, Some(Verdict::Within)) && !of(verdicts, Some(Verdict::Beyond)));
+    let open = compared - within - beyond;
+    let parts = [
+        (within, "within what is accepted wherever it can be told"),
+        (beyond, "beyond it at some load"),
+        (open, "not to be told at any load"),
+    ];
+    let parts = parts.into_iter().filter(|(count, _)| *count > 0);
+    let parts: Vec<String> = parts
+        .map(|(count, word)| {
+            let which = if count == compared {
+                format!("all {compared} {what}")
+            } else {
+                format!("{count} of {compared}")
+            };
+            format!("{word} for {which}")
+        })
+        .collect();
+    (compared > 0).then(|| format!("in {} {}", name(judged), listed(&parts)))
 }
 
 #[cfg(test)]
@@ -299,9 +305,10 @@ mod tests {
             verdicts(vec![at(1e6, 100.0, [(0.5, Some(0.001)), (0.01, Some(0.001)), (0.01, None)])], BLOCKS);
         assert_eq!(
             over_cases("thicknesses", &[&good, &bad]),
-            "the statistical model agrees with the sum at all valid loads in real contact area for 2 of 2 thicknesses (none \
-             beyond what is accepted at some load), in separation for 1 of 2 (1 beyond) and in stiffness for 1 of 2 (none \
-             beyond)."
+            "the difference between the models is in real contact area within what is accepted wherever it can be told for all 2 \
+             thicknesses; in separation within what is accepted wherever it can be told for 1 of 2 and beyond it at some load for \
+             1 of 2; in stiffness within what is accepted wherever it can be told for 1 of 2 and not to be told at any load for 1 \
+             of 2."
         );
     }
 }

@@ -54,7 +54,16 @@ pub fn range_line(verdicts: &Verdicts) -> String {
         .map(|(side, exceeded)| format!("{side}: {}", exceeded_words(exceeded)))
         .collect();
     let ends = if ends.is_empty() { "all loads of this experiment".to_owned() } else { ends.join("; ") };
-    format!("Valid for {}; {ends}.", listed(&each))
+    let count = verdicts.differences.len();
+    let judged = match count {
+        0 => String::new(),
+        1 => " Judged at one load.".to_owned(),
+        _ => format!(
+            " Judged at {count} loads from {}.",
+            loads([verdicts.differences[0].load, verdicts.differences[count - 1].load])
+        ),
+    };
+    format!("Valid for {}; {ends}.{judged}", listed(&each))
 }
 
 /// Why the stiffness is not compared, if it is not.
@@ -144,10 +153,11 @@ mod tests {
         let found = verdicts(loads.clone(), Basis::Asperities);
         assert_eq!(
             range_line(&found),
-            "Valid for 1 to 2 MPa (1 to 2 N on 1 mm²); below: fewer than 30 effective contacts; above: contact area above 5 %."
+            "Valid for 1 to 2 MPa (1 to 2 N on 1 mm²); below: fewer than 30 effective contacts; above: contact area above 5 %. \
+             Judged at 4 loads from 100 kPa to 4 MPa."
         );
         let found = verdicts(loads[1..3].to_vec(), Basis::Asperities);
-        assert!(range_line(&found).ends_with("all loads of this experiment."));
+        assert!(range_line(&found).contains("all loads of this experiment. Judged at 2 loads"));
         loads[0].sharing.as_mut().unwrap().largest_share = 0.2;
         let found = verdicts(vec![loads[0].clone(), loads[3].clone()], Basis::Asperities);
         assert_eq!(

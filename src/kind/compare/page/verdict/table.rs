@@ -1,6 +1,6 @@
 //! Verdicts in a table.
 
-use asperity::compare::{Judged, Stretch};
+use asperity::compare::{Judged, Stretch, Verdict};
 use asperity_framework::report::format::listed;
 use asperity_framework::report::page::Page;
 
@@ -17,7 +17,7 @@ pub fn stretches(page: &mut Page, verdicts: &Verdicts, sigma: f64) {
             format!("±{}", accepted(stretch, sigma)),
             verdict(stretch.verdict).to_owned(),
             // Where no load is valid, the need is that of one load, not of half of them.
-            stretch.largest.and_then(|_| need(stretch, verdicts)).unwrap_or_default(),
+            stretch.largest.map(|_| would_tell(stretch, verdicts)).unwrap_or_default(),
         ]
     };
     let header = [
@@ -26,11 +26,22 @@ pub fn stretches(page: &mut Page, verdicts: &Verdicts, sigma: f64) {
         "largest difference (95 % interval)",
         "accepted",
         "verdict",
-        "would tell at half of these loads",
+        "would tell (at half of the loads)",
     ];
     let order = [Judged::Area, Judged::Separation, Judged::Stiffness];
     let of = |judged| verdicts.stretches.iter().filter(move |stretch| stretch.judged == judged);
     page.table(header, order.into_iter().flat_map(of).map(row));
+}
+
+/// What would tell, of a stretch that cannot be told.
+fn would_tell(stretch: &Stretch, verdicts: &Verdicts) -> String {
+    if stretch.verdict != Verdict::CannotTell {
+        return String::new();
+    }
+    need(stretch, verdicts).unwrap_or_else(|| match stretch.bounds {
+        Some(_) => "more than 100 times as much: the difference is about what is accepted".to_owned(),
+        None => "–".to_owned(),
+    })
 }
 
 /// "−7.9 % (−9.1 to −6.7 %) at 40 MPa".

@@ -101,7 +101,8 @@ pub fn nominal_area(area: f64) -> String {
     if (1e-8..1.0).contains(&area) { format!("{} mm²", number(1e6 * area)) } else { quantity(area, "m²") }
 }
 
-/// How much more surface would tell: "about 2.5 mm² of surface (now 1 mm²)", "about 12 realisations (now 3)".
+/// How much more surface would tell at half of the loads: "about 2.5 mm² of surface (now 1 mm²)", "about 12 realisations (now
+/// 3)"; where there is no interval, the least that would give one.
 pub fn need(stretch: &Stretch, verdicts: &Verdicts) -> Option<String> {
     if stretch.verdict != Verdict::CannotTell {
         return None;
@@ -111,7 +112,13 @@ pub fn need(stretch: &Stretch, verdicts: &Verdicts) -> Option<String> {
         return Some(format!("about {} realisations (now {now})", number(needed.max(now as f64 + 1.0))));
     }
     let area = verdicts.area_needed(stretch)?;
-    Some(format!("about {} of surface (now {})", nominal_area(two_digits(area)), nominal_area(verdicts.area)))
+    let (least, purpose) =
+        if stretch.area_needed.is_some() { ("at least", " for an interval") } else { ("about", "") };
+    Some(format!(
+        "{least} {} of surface{purpose} (now {})",
+        nominal_area(two_digits(area)),
+        nominal_area(verdicts.area)
+    ))
 }
 
 /// An estimate is no better than that.
