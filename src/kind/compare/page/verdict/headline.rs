@@ -188,7 +188,7 @@ fn counted(judged: Judged, what: &str, all: &[&Verdicts]) -> Option<String> {
     let parts = [
         (within, "within what is accepted wherever it can be told"),
         (beyond, "beyond it at some load"),
-        (open, "not to be told at any load"),
+        (open, "unknown at every load"),
     ];
     let parts = parts.into_iter().filter(|(count, _)| *count > 0);
     let parts: Vec<String> = parts
@@ -307,7 +307,7 @@ mod tests {
             over_cases("thicknesses", &[&good, &bad]),
             "the difference between the models is in real contact area within what is accepted wherever it can be told for all 2 \
              thicknesses; in separation within what is accepted wherever it can be told for 1 of 2 and beyond it at some load for \
-             1 of 2; in stiffness within what is accepted wherever it can be told for 1 of 2 and not to be told at any load for 1 \
+             1 of 2; in stiffness within what is accepted wherever it can be told for 1 of 2 and unknown at every load for 1 \
              of 2."
         );
     }
