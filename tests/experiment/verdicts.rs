@@ -3,7 +3,7 @@
 use std::fs::File;
 use std::path::Path;
 
-use asperity::compare::{Judged, Stretch, Verdict};
+use asperity::compare::{ComparedQuantity, Stretch, Verdict};
 use asperity::npy;
 use asperity::topography::generate::{Process, Seeds, SpectrumOf, SurfaceGenerator};
 use asperity::topography::spectrum::{Lay, Spectrum, SpectrumShape};
@@ -37,7 +37,7 @@ fn population(name: &str, count: usize, more: &str) -> String {
     format!("[surface.{name}.population]\n{}count = {count}\n{more}\n", case_1!())
 }
 
-fn of(found: &Verdicts, judged: Judged) -> impl Iterator<Item = &Stretch> {
+fn of(found: &Verdicts, judged: ComparedQuantity) -> impl Iterator<Item = &Stretch> {
     found.stretches.iter().filter(move |stretch| stretch.judged == judged)
 }
 
@@ -54,13 +54,13 @@ fn a_trivial_gap_of_a_million_asperities_is_within() {
     let more = "heights.johnson = { skewness = 0.03, kurtosis = 3.002 }";
     let results = compared(&compare, &population("many", 1_000_000, more));
     let found = verdicts(&results, 0);
-    for judged in Judged::ALL {
+    for judged in ComparedQuantity::ALL {
         let widest = of(found, judged).filter(is(Verdict::Within)).map(|one| one.loads[1] / one.loads[0]);
         assert!(widest.fold(0.0, f64::max) > 10.0, "{judged:?}: {:?}", found.stretches);
         assert_eq!(of(found, judged).filter(is(Verdict::Beyond)).count(), 0, "{judged:?}");
     }
     let is_significant = found.differences.iter().any(|at| {
-        let estimate = at.estimates[Judged::Separation as usize].unwrap();
+        let estimate = at.estimates[ComparedQuantity::Separation as usize].unwrap();
         estimate.contrast.abs() > 3.0 * estimate.error.unwrap_or(f64::INFINITY)
     });
     assert!(is_significant, "the gap is there");
@@ -79,8 +79,8 @@ fn a_large_gap_of_few_asperities_cannot_be_told_and_of_many_is_beyond() {
         "{:?}",
         few.stretches
     );
-    assert!(of(few, Judged::Separation).next().unwrap().area_needed.is_some());
-    let beyond = of(many, Judged::Separation).find(is(Verdict::Beyond)).unwrap();
+    assert!(of(few, ComparedQuantity::Separation).next().unwrap().area_needed.is_some());
+    let beyond = of(many, ComparedQuantity::Separation).find(is(Verdict::Beyond)).unwrap();
     assert!(beyond.loads[1] > 3.0 * beyond.loads[0] && beyond.largest.unwrap().1.contrast > 0.2);
     assert!(matches!(many.basis, Basis::Asperities));
 }
@@ -137,13 +137,13 @@ fn windows_of_one_surface_do_not_contradict_each_other() {
     let results: CompareResults = crate::downcast(run(folder.path(), loads, &surfaces));
     let all: Vec<&Verdicts> = (0..4).map(|k| verdicts(&results, k)).collect();
     assert!(all.iter().all(|found| matches!(found.basis, Basis::Blocks { .. })));
-    let told = |found: &Verdicts, judged: Judged, load: f64| {
+    let told = |found: &Verdicts, judged: ComparedQuantity, load: f64| {
         let at = of(found, judged).find(|one| (one.loads[0]..=one.loads[1]).contains(&load))?;
         (at.verdict != Verdict::CannotTell).then_some(at.verdict)
     };
     let mut conclusions = [0; 4];
     for load in results.surfaces[0].findings.cases[0].verdicts.differences.iter().map(|at| at.load) {
-        for judged in Judged::ALL {
+        for judged in ComparedQuantity::ALL {
             let said: Vec<Option<Verdict>> = all.iter().map(|found| told(found, judged, load)).collect();
             let concluded: Vec<Verdict> = said.iter().copied().flatten().collect();
             assert!(concluded.windows(2).all(|pair| pair[0] == pair[1]), "{judged:?} at {load:e}: {said:?}");
@@ -222,7 +222,7 @@ fn what_is_accepted_decides() {
         let more = "heights.johnson = { skewness = -1, kurtosis = 4.5 }";
         let results = compared(&compare, &population("a", 100_000, more));
         let found = verdicts(&results, 0);
-        of(found, Judged::Separation).next().unwrap().verdict
+        of(found, ComparedQuantity::Separation).next().unwrap().verdict
     };
     assert_eq!(verdict("separation = 0.1"), Verdict::Beyond);
     assert_eq!(verdict("separation = \"4.8 nm\""), Verdict::Beyond);

@@ -1,6 +1,6 @@
 //! `differences.csv`: the differences between the models at equal load that the verdicts rest on.
 
-use asperity::compare::{Difference, Estimate, Judged, Verdict};
+use asperity::compare::{ComparedQuantity, Difference, Estimate, Verdict};
 use asperity_framework::columns;
 use asperity_framework::report::table::{Column, Row};
 
@@ -15,7 +15,7 @@ pub(crate) struct DifferenceRow<'a> {
     thickness: Option<f64>,
     verdicts: &'a Verdicts,
     at: &'a Difference,
-    judged: Judged,
+    judged: ComparedQuantity,
     estimate: Estimate,
 }
 
@@ -63,11 +63,11 @@ pub(crate) fn rows(results: &CompareResults) -> impl Iterator<Item = DifferenceR
             let verdicts = &findings.verdicts;
             let (surface, law, thickness) = (&*found.surface.name, &*case.law, case.thickness);
             verdicts.differences.iter().flat_map(move |at| {
-                let row = move |judged: Judged| {
+                let row = move |judged: ComparedQuantity| {
                     let estimate = at.estimates[judged as usize]?;
                     Some(DifferenceRow { surface, law, thickness, verdicts, at, judged, estimate })
                 };
-                Judged::ALL.into_iter().filter_map(row)
+                ComparedQuantity::ALL.into_iter().filter_map(row)
             })
         })
     })

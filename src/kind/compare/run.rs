@@ -3,8 +3,8 @@
 use std::time::Instant;
 
 use asperity::compare::{
-    CaseSampling, Control, Difference, Gaps, Judged, Kind, Models, ModulusCheck, ModulusFindings, NotReached,
-    compare,
+    CaseSampling, ComparedQuantity, Control, Difference, Gaps, Kind, Models, ModulusCheck, ModulusFindings,
+    NotReached, compare,
 };
 use asperity::sphere::{Curve, boundaries};
 use asperity::work::{CountedContact, Counter};
@@ -171,7 +171,7 @@ fn differ(
         let shape = models.mean_shape(&law.spec);
         if boundaries(&*law.contact, shape).iter().any(|at| at.load_jump().abs() > JUMP) {
             let stiffnesses =
-                case.differences.iter_mut().map(|at| &mut at.estimates[Judged::Stiffness as usize]);
+                case.differences.iter_mut().map(|at| &mut at.estimates[ComparedQuantity::Stiffness as usize]);
             stiffnesses.for_each(|stiffness| *stiffness = None);
         }
     }

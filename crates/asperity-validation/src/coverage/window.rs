@@ -1,8 +1,8 @@
 //! Both models on one window, with the intervals that the program claims there.
 
 use asperity::compare::{
-    CONTACTS_PER_GROUP, CaseSampling, Difference, Division, Estimate, GROUPS, Judged, LeftOut, OneStep, Pair,
-    jackknife_error, jackknife_quantile, pairs_at,
+    CONTACTS_PER_GROUP, CaseSampling, ComparedQuantity, Difference, Division, Estimate, GROUPS, LeftOut,
+    OneStep, Pair, jackknife_error, jackknife_quantile, pairs_at,
 };
 use asperity::topography::{Autocorrelation, Blocks, CorrelationLengths};
 use asperity::{
@@ -16,7 +16,7 @@ use super::process::{Controls, Unusable, WindowAsperities};
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Quantity {
     /// Statistical less deterministic result at equal load, as a verdict is given on it.
-    Difference(Judged),
+    Difference(ComparedQuantity),
     /// Logarithm of the area ratio of the sum at a load.
     AreaOfSum,
     /// Logarithm of the statistical over the deterministic load at a separation.
@@ -26,9 +26,9 @@ pub enum Quantity {
 impl Quantity {
     /// All quantities.
     pub const ALL: [Self; 5] = [
-        Self::Difference(Judged::Separation),
-        Self::Difference(Judged::Area),
-        Self::Difference(Judged::Stiffness),
+        Self::Difference(ComparedQuantity::Separation),
+        Self::Difference(ComparedQuantity::Area),
+        Self::Difference(ComparedQuantity::Stiffness),
         Self::AreaOfSum,
         Self::LoadAtSeparation,
     ];
@@ -36,9 +36,9 @@ impl Quantity {
     /// The name in tables.
     pub const fn name(self) -> &'static str {
         match self {
-            Self::Difference(Judged::Separation) => "separation",
-            Self::Difference(Judged::Area) => "area",
-            Self::Difference(Judged::Stiffness) => "stiffness",
+            Self::Difference(ComparedQuantity::Separation) => "separation",
+            Self::Difference(ComparedQuantity::Area) => "area",
+            Self::Difference(ComparedQuantity::Stiffness) => "stiffness",
             Self::AreaOfSum => "area-of-sum",
             Self::LoadAtSeparation => "load-at-separation",
         }

@@ -6,7 +6,7 @@ use crate::model::{Exceeded, LoadSharing, MIN_CONTACTS};
 
 /// A quantity in which the models are judged at equal load.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-pub enum Judged {
+pub enum ComparedQuantity {
     /// Separation.
     Separation,
     /// Real contact area.
@@ -15,7 +15,7 @@ pub enum Judged {
     Stiffness,
 }
 
-impl Judged {
+impl ComparedQuantity {
     /// All quantities.
     pub const ALL: [Self; 3] = [Self::Separation, Self::Area, Self::Stiffness];
 
@@ -54,7 +54,7 @@ impl Judged {
     }
 }
 
-/// The difference in one quantity, as a [contrast](Judged::contrast).
+/// The difference in one quantity, as a [contrast](ComparedQuantity::contrast).
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Estimate {
     /// The contrast; over several realisations their mean.
@@ -88,7 +88,7 @@ pub struct Difference {
     pub sharing: Option<LoadSharing>,
     /// The larger area ratio of both models; over several realisations the mean.
     pub area_ratio: f64,
-    /// In the order of [`Judged::ALL`]; `None` where a quantity cannot be compared.
+    /// In the order of [`ComparedQuantity::ALL`]; `None` where a quantity cannot be compared.
     pub estimates: [Option<Estimate>; 3],
     /// Area (m^2) of the surface that would allow an interval, where none is claimed for want of area.
     pub area_needed: Option<f64>,
@@ -100,7 +100,7 @@ pub const CONTACTS_PER_GROUP: f64 = 4.0;
 /// The contrasts between the models at the same loads, with each group of the asperities left out.
 #[derive(Debug, Clone, PartialEq)]
 pub struct LeftOut {
-    /// Without each group, at each load, in the order of [`Judged::ALL`]; `None` where a model has no contact.
+    /// Without each group, at each load, in the order of [`ComparedQuantity::ALL`]; `None` where a model has no contact.
     pub contrasts: Vec<Vec<[Option<f64>; 3]>>,
     /// The groups' shares of the nominal area.
     pub shares: Vec<f64>,
@@ -108,7 +108,7 @@ pub struct LeftOut {
 
 impl LeftOut {
     /// The standard error of a contrast at the load of index `load`; `None` where a group's is not known.
-    fn error(&self, judged: Judged, contrast: f64, load: usize) -> Option<f64> {
+    fn error(&self, judged: ComparedQuantity, contrast: f64, load: usize) -> Option<f64> {
         let of = |contrasts: &Vec<[Option<f64>; 3]>| contrasts[load][judged as usize];
         let without: Option<Vec<f64>> = self.contrasts.iter().map(of).collect();
         Some(jackknife_error(contrast, &without?, &self.shares))
@@ -149,7 +149,7 @@ impl Difference {
             .as_ref()
             .map_or(MIN_CONTACTS, |groups| CONTACTS_PER_GROUP * groups.shares.len() as f64);
         let groups = sampling.groups.as_ref().filter(|_| effective_contacts >= contacts_needed);
-        let estimate = |judged: Judged| {
+        let estimate = |judged: ComparedQuantity| {
             let contrast = judged.contrast(pair)?;
             let error = |groups: &LeftOut| groups.error(judged, contrast, index);
             Some(Estimate {
@@ -164,7 +164,7 @@ impl Difference {
             load: pair.target,
             sharing: d.sharing,
             area_ratio: s.area_ratio.total().max(d.area_ratio.total()),
-            estimates: Judged::ALL.map(estimate),
+            estimates: ComparedQuantity::ALL.map(estimate),
             area_needed: groups.is_none().then(|| by_contacts.max(sampling.area_needed.unwrap_or(0.0))),
         }
     }
@@ -186,7 +186,7 @@ impl Difference {
     fn mean(all: &[Self]) -> Self {
         let count = all.len() as f64;
         let mean_of = |of: &dyn Fn(&Self) -> f64| all.iter().map(of).sum::<f64>() / count;
-        let estimate = |judged: Judged| {
+        let estimate = |judged: ComparedQuantity| {
             let each: Option<Vec<Estimate>> = all.iter().map(|one| one.estimates[judged as usize]).collect();
             let each = each?;
             let contrast = each.iter().map(|one| one.contrast).sum::<f64>() / count;
@@ -216,7 +216,7 @@ impl Difference {
             load: all[0].load,
             sharing,
             area_ratio: mean_of(&|one| one.area_ratio),
-            estimates: Judged::ALL.map(estimate),
+            estimates: ComparedQuantity::ALL.map(estimate),
             area_needed: None,
         }
     }
@@ -271,7 +271,7 @@ mod tests {
     #[test]
     fn the_interval_is_the_jackknife_of_both_models() {
         let found = Difference::of(&[pair(1.0, 0.2, 64.0)], &sampling(Some(left_out(0.02, false))));
-        let estimate = found[0].estimates[Judged::Separation as usize].unwrap();
+        let estimate = found[0].estimates[ComparedQuantity::Separation as usize].unwrap();
         // The jackknife of 16 values of one magnitude: 15 times their scatter over 16 times 15, in the root.
         let error = (15.0f64 * 15.0 * 16.0 * 0.02 * 0.02 / 15.0 / 16.0).sqrt();
         assert!(
@@ -281,8 +281,11 @@ mod tests {
         let [low, high] = estimate.interval().unwrap();
         assert!((high - low - 2.0 * 2.228_138_852 * error).abs() < 1e-9);
         // The areas differ by a factor of two everywhere: no scatter.
-        let area = found[0].estimates[Judged::Area as usize].unwrap();
-        assert!((Judged::Area.reported(area.contrast) - 1.0).abs() < 1e-14 && area.error.unwrap() < 1e-14);
+        let area = found[0].estimates[ComparedQuantity::Area as usize].unwrap();
+        assert!(
+            (ComparedQuantity::Area.reported(area.contrast) - 1.0).abs() < 1e-14
+                && area.error.unwrap() < 1e-14
+        );
         assert_eq!(found[0].area_needed, None);
     }
 
@@ -318,9 +321,11 @@ mod tests {
     fn rounding_is_no_difference() {
         let mut close = pair(1.0, 1e-12, 90.0);
         close.statistical.area_ratio = ByRegime([1e-3 * (1.0 + 1e-13), 0.0, 0.0]);
-        assert_eq!(Judged::ALL.map(|judged| judged.contrast(&close)), [Some(0.0); 3]);
+        assert_eq!(ComparedQuantity::ALL.map(|judged| judged.contrast(&close)), [Some(0.0); 3]);
         close.deterministic.stiffness = 0.0;
-        assert_eq!(Judged::Stiffness.contrast(&close), None);
-        assert!((Judged::Area.reported(Judged::Area.contrast_of(-0.3)) + 0.3).abs() < 1e-15);
+        assert_eq!(ComparedQuantity::Stiffness.contrast(&close), None);
+        assert!(
+            (ComparedQuantity::Area.reported(ComparedQuantity::Area.contrast_of(-0.3)) + 0.3).abs() < 1e-15
+        );
     }
 }

@@ -1,6 +1,6 @@
 //! Effects of contact law and summation method: several laws on one surface at equal load.
 
-use super::{Difference, Judged, Kind, Pair, Pairing};
+use super::{ComparedQuantity, Difference, Kind, Pair, Pairing};
 use crate::model::{Exceeded, Response};
 
 /// A gap between the models of at most this number of sampling errors is not detected.
@@ -42,8 +42,8 @@ impl Measure {
     /// The standard error of the difference between the models, where an interval is claimed.
     fn sampling_error(self, difference: &Difference) -> Option<f64> {
         let judged = match self {
-            Self::Separation => Judged::Separation,
-            Self::Area => Judged::Area,
+            Self::Separation => ComparedQuantity::Separation,
+            Self::Area => ComparedQuantity::Area,
         };
         difference.estimates[judged as usize]?.error
     }
@@ -409,9 +409,9 @@ mod tests {
         let one = pairs([(1.0, [3.0, 2e-3], [2.5, 1e-3])]);
         let mut differences = Difference::of(&one, &CaseSampling::default());
         let estimates = &mut differences[0].estimates;
-        estimates[Judged::Separation as usize].as_mut().unwrap().error = Some(0.2);
-        estimates[Judged::Separation as usize].as_mut().unwrap().independent_error = Some(0.1);
-        estimates[Judged::Area as usize].as_mut().unwrap().independent_error = Some(0.3);
+        estimates[ComparedQuantity::Separation as usize].as_mut().unwrap().error = Some(0.2);
+        estimates[ComparedQuantity::Separation as usize].as_mut().unwrap().independent_error = Some(0.1);
+        estimates[ComparedQuantity::Area as usize].as_mut().unwrap().independent_error = Some(0.3);
         let law = UnderLaw { differences: &differences, ..under("a", true, &one) };
         let at = &Influence::of(&[law]).loads[0];
         assert_eq!(at.sampling_error(Measure::Separation, 0), Some(0.2));

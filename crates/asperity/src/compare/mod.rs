@@ -14,7 +14,7 @@ mod validity;
 mod verdict;
 
 pub use attribution::{Attribution, Dominant};
-pub use difference::{CONTACTS_PER_GROUP, CaseSampling, Difference, Estimate, Judged, LeftOut};
+pub use difference::{CONTACTS_PER_GROUP, CaseSampling, ComparedQuantity, Difference, Estimate, LeftOut};
 pub use gap::{Gap, GapQuantity, Gaps};
 pub use influence::{AtLoad, DETECTABLE, Effect, Group, Influence, Measure, UnderLaw};
 pub use limit::{Exact, LimitCase, LimitPoint, Quantity, SlopeFit, convergence};

@@ -1,6 +1,6 @@
 //! Verdicts: whether the difference between both models is within what the user accepts, by quantity and stretch of load.
 
-use super::difference::{Difference, Estimate, Judged};
+use super::difference::{ComparedQuantity, Difference, Estimate};
 use crate::model::Limit;
 
 /// The largest difference that is accepted, by quantity: in sigma, else relative to the deterministic result.
@@ -16,18 +16,18 @@ pub struct Accepted {
 
 impl Accepted {
     /// That of one quantity.
-    pub fn of(&self, judged: Judged) -> f64 {
+    pub fn of(&self, judged: ComparedQuantity) -> f64 {
         match judged {
-            Judged::Separation => self.separation,
-            Judged::Area => self.area,
-            Judged::Stiffness => self.stiffness,
+            ComparedQuantity::Separation => self.separation,
+            ComparedQuantity::Area => self.area,
+            ComparedQuantity::Stiffness => self.stiffness,
         }
     }
 
     /// The accepted band of the contrast of a quantity; a relative difference of -100 % or less is none.
-    pub fn band(&self, judged: Judged) -> [f64; 2] {
+    pub fn band(&self, judged: ComparedQuantity) -> [f64; 2] {
         let accepted = self.of(judged);
-        let low = if judged != Judged::Separation && accepted >= 1.0 {
+        let low = if judged != ComparedQuantity::Separation && accepted >= 1.0 {
             f64::NEG_INFINITY
         } else {
             judged.contrast_of(-accepted)
@@ -71,7 +71,7 @@ impl Verdict {
 #[derive(Debug, Clone, PartialEq)]
 pub struct Stretch {
     /// The quantity.
-    pub judged: Judged,
+    pub judged: ComparedQuantity,
     /// The verdict.
     pub verdict: Verdict,
     /// First and last load, Pa.
@@ -99,10 +99,10 @@ impl Stretch {
         let mut sorted: Vec<&Difference> = differences.iter().collect();
         sorted.sort_by(|a, b| a.load.total_cmp(&b.load));
         let judge = |judged| Self::of(judged, &sorted, accepted);
-        Judged::ALL.into_iter().flat_map(judge).collect()
+        ComparedQuantity::ALL.into_iter().flat_map(judge).collect()
     }
 
-    fn of(judged: Judged, sorted: &[&Difference], accepted: &Accepted) -> Vec<Self> {
+    fn of(judged: ComparedQuantity, sorted: &[&Difference], accepted: &Accepted) -> Vec<Self> {
         let band = accepted.band(judged);
         let verdict = |at: &&Difference| {
             let estimate = at.estimates[judged as usize].as_ref().filter(|_| at.exceeded().is_none());
@@ -145,7 +145,12 @@ impl Stretch {
     }
 
     /// Of a stretch of valid loads with one verdict.
-    fn over(judged: Judged, verdict: Verdict, stretch: &[&Difference], accepted: &Accepted) -> Self {
+    fn over(
+        judged: ComparedQuantity,
+        verdict: Verdict,
+        stretch: &[&Difference],
+        accepted: &Accepted,
+    ) -> Self {
         let each = || stretch.iter().filter_map(|at| Some((at.load, at.estimates[judged as usize]?)));
         let largest = each().max_by(|a, b| a.1.contrast.abs().total_cmp(&b.1.contrast.abs()));
         let hull = |of: &dyn Fn(&Estimate) -> Option<[f64; 2]>| {
@@ -212,7 +217,7 @@ mod tests {
         }
     }
 
-    fn of(judged: Judged, differences: &[Difference]) -> Vec<(Verdict, [f64; 2])> {
+    fn of(judged: ComparedQuantity, differences: &[Difference]) -> Vec<(Verdict, [f64; 2])> {
         let all = Stretch::all(differences, &ACCEPTED);
         let of = all.iter().filter(|stretch| stretch.judged == judged);
         of.map(|stretch| (stretch.verdict, stretch.loads)).collect()
@@ -220,7 +225,7 @@ mod tests {
 
     #[test]
     fn an_interval_is_inside_outside_or_across_the_edge() {
-        let band = ACCEPTED.band(Judged::Separation);
+        let band = ACCEPTED.band(ComparedQuantity::Separation);
         let verdict = |contrast, error| Verdict::of(&estimate(contrast, error).unwrap(), band);
         assert_eq!(verdict(0.05, Some(0.02)), Verdict::Within);
         assert_eq!(verdict(0.05, Some(0.03)), Verdict::CannotTell);
@@ -234,10 +239,10 @@ mod tests {
     /// A tenth of the deterministic area: the band of the logarithms is not symmetric.
     #[test]
     fn relative_differences_are_held_against_the_accepted_share() {
-        let [low, high] = ACCEPTED.band(Judged::Area);
+        let [low, high] = ACCEPTED.band(ComparedQuantity::Area);
         assert!((low - 0.9f64.ln()).abs() < 1e-15 && (high - 1.1f64.ln()).abs() < 1e-15);
         let all = Accepted { area: 1.5, ..ACCEPTED };
-        assert_eq!(all.band(Judged::Area), [f64::NEG_INFINITY, 2.5f64.ln()]);
+        assert_eq!(all.band(ComparedQuantity::Area), [f64::NEG_INFINITY, 2.5f64.ln()]);
     }
 
     #[test]
@@ -252,8 +257,8 @@ mod tests {
         ];
         use Verdict::{Beyond, CannotTell, Within};
         let expected = [(Within, [1.0, 2.0]), (Beyond, [3.0, 3.0]), (CannotTell, [4.0, 4.0])];
-        assert_eq!(of(Judged::Separation, &loads), expected);
-        assert_eq!(of(Judged::Stiffness, &loads), [], "stiffness cannot be compared");
+        assert_eq!(of(ComparedQuantity::Separation, &loads), expected);
+        assert_eq!(of(ComparedQuantity::Stiffness, &loads), [], "stiffness cannot be compared");
         let all = Stretch::all(&loads, &ACCEPTED);
         let within = &all[0];
         assert_eq!(within.largest.unwrap().0, 2.0);
@@ -271,13 +276,13 @@ mod tests {
             at(3.0, 90.0, 0.2, Some(0.01)),
         ];
         let expected = [(Verdict::Beyond, [1.0, 2.0]), (Verdict::Beyond, [3.0, 3.0])];
-        assert_eq!(of(Judged::Separation, &loads), expected);
+        assert_eq!(of(ComparedQuantity::Separation, &loads), expected);
     }
 
     #[test]
     fn without_a_valid_load_nothing_can_be_told() {
         let loads = [at(1.0, 12.0, 9.0, Some(0.01)), at(2.0, 20.0, 9.0, None)];
-        assert_eq!(of(Judged::Separation, &loads), [(Verdict::CannotTell, [1.0, 2.0])]);
+        assert_eq!(of(ComparedQuantity::Separation, &loads), [(Verdict::CannotTell, [1.0, 2.0])]);
         let stretch = &Stretch::all(&loads, &ACCEPTED)[0];
         assert_eq!((stretch.largest, stretch.area_needed), (None, Some(3.0)));
         assert_eq!(Stretch::all(&[], &ACCEPTED), []);

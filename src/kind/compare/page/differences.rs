@@ -1,6 +1,6 @@
 //! The figure behind the verdicts: the differences between the models against load, with what is accepted.
 
-use asperity::compare::{Difference, Judged, ValidRange};
+use asperity::compare::{ComparedQuantity, Difference, ValidRange};
 use asperity_plot::{Axis, Colour, Dash, Figure, Layer, Marker, Plot};
 
 use crate::kind::compare::findings::Verdicts;
@@ -8,18 +8,19 @@ use crate::kind::compare::findings::Verdicts;
 /// Differences of area, separation and stiffness at equal load, one panel each.
 pub fn differences(verdicts: &Verdicts) -> String {
     let panels = [
-        (Judged::Area, "area (%)", 100.0),
-        (Judged::Separation, "separation (σ)", 1.0),
-        (Judged::Stiffness, "stiffness (%)", 100.0),
+        (ComparedQuantity::Area, "area (%)", 100.0),
+        (ComparedQuantity::Separation, "separation (σ)", 1.0),
+        (ComparedQuantity::Stiffness, "stiffness (%)", 100.0),
     ];
-    let is_compared =
-        |judged: Judged| verdicts.differences.iter().any(|at| at.estimates[judged as usize].is_some());
+    let is_compared = |judged: ComparedQuantity| {
+        verdicts.differences.iter().any(|at| at.estimates[judged as usize].is_some())
+    };
     let panels = panels.into_iter().filter(|(judged, ..)| is_compared(*judged));
     let plots = panels.map(|(judged, label, unit)| panel(verdicts, judged, label, unit)).collect();
     Figure::column("Statistical minus deterministic model at equal load", plots).svg()
 }
 
-fn panel(verdicts: &Verdicts, judged: Judged, label: &str, unit: f64) -> Plot {
+fn panel(verdicts: &Verdicts, judged: ComparedQuantity, label: &str, unit: f64) -> Plot {
     let shown = |contrast: f64| unit * judged.reported(contrast);
     let estimate = |at: &Difference| at.estimates[judged as usize];
     let accepted = unit * verdicts.accepted.of(judged);

@@ -1,7 +1,7 @@
 //! Both models at equal load with a group of asperities left out, in one step from the result of all.
 
 use crate::accumulator::Total;
-use crate::compare::{Judged, Pair};
+use crate::compare::{ComparedQuantity, Pair};
 use crate::model::{Deterministic, Model, ReferencePlane, Response};
 
 /// Distance (in sigma) of the separations from which slopes are taken.
@@ -56,7 +56,7 @@ impl OneStep {
         &self.separations
     }
 
-    /// The contrast of each of [`Judged::ALL`] at each load without a group: `rest` are the responses of the statistical
+    /// The contrast of each of [`ComparedQuantity::ALL`] at each load without a group: `rest` are the responses of the statistical
     /// model without it, `group` the sums over it, `share` its share of the nominal area, `plane` that of the rest.
     pub fn without(
         &self,
@@ -78,7 +78,7 @@ impl OneStep {
             let sum = moved(sum, self.deterministic_slopes[k]?, pressure, &pair.deterministic);
             let (integral, pressure) = state(&rest[k])?;
             let integral = moved(integral, self.statistical_slopes[k]?, pressure, &pair.statistical);
-            Some(Judged::ALL.map(|judged| integral[judged as usize] - sum[judged as usize]))
+            Some(ComparedQuantity::ALL.map(|judged| integral[judged as usize] - sum[judged as usize]))
         };
         let found = (0..self.pairs.len()).map(at);
         found.map(|contrasts| contrasts.map_or([None; 3], |contrasts| contrasts.map(Some))).collect()
@@ -168,7 +168,7 @@ mod tests {
             );
             let solved = pairs_at(&integral, &sum, &loads);
             for (k, (found, solved)) in found.iter().zip(&solved).enumerate() {
-                for judged in Judged::ALL {
+                for judged in ComparedQuantity::ALL {
                     let place = 3 * k + judged as usize;
                     exact[place].push(judged.contrast(solved.as_ref().unwrap()).unwrap());
                     stepped[place].push(found[judged as usize].unwrap());
@@ -176,7 +176,7 @@ mod tests {
             }
         }
         let error = |place: usize, without: &[f64]| {
-            let judged = Judged::ALL[place % 3];
+            let judged = ComparedQuantity::ALL[place % 3];
             jackknife_error(judged.contrast(&pairs[place / 3]).unwrap(), without, shares)
         };
         (0..9).map(|place| [error(place, &stepped[place]), error(place, &exact[place])]).collect()

@@ -105,6 +105,12 @@ fn many_answer_as_one_does() {
         worst.see(found.stiffness(), single.stiffness(), place);
         let parts = |total: Total| [total.area().0, total.load().0].concat();
         parts(found).into_iter().zip(parts(single)).for_each(|(a, b)| worst.see(a, b, place));
+        // Of single contacts; of weighted ones both are zero.
+        let of_contacts =
+            |total: Total| [total.largest_load(), total.large_strain_load(), total.load_squared()];
+        for (a, b) in of_contacts(found).into_iter().zip(of_contacts(single)) {
+            assert!((a - b).abs() <= 1e-13 * b, "{a:e} {b:e}: {}", place());
+        }
     };
     each(4, 10, |entry, case, contact, random| {
         let scale = case.scale(entry, random);

@@ -1,6 +1,6 @@
 //! The answer in one sentence.
 
-use asperity::compare::{Judged, Stretch, Verdict};
+use asperity::compare::{ComparedQuantity, Stretch, Verdict};
 use asperity_framework::report::format::{listed, percent};
 
 use super::range::any_exceeded_words;
@@ -8,7 +8,8 @@ use super::words::{accepted, between, name, need, over, size, span};
 use crate::kind::compare::findings::{Basis, Verdicts};
 
 /// The order in which quantities are spoken of.
-const ORDER: [Judged; 3] = [Judged::Area, Judged::Separation, Judged::Stiffness];
+const ORDER: [ComparedQuantity; 3] =
+    [ComparedQuantity::Area, ComparedQuantity::Separation, ComparedQuantity::Stiffness];
 
 /// The answer on one surface, with separations in units of `sigma` (m): of each quantity its widest stretch of load with a
 /// conclusion, or the widest where there is none.
@@ -27,9 +28,10 @@ pub fn headline(verdicts: &Verdicts, sigma: f64) -> String {
                 .map_or_else(String::new, |need| format!(" It would take {need} at one of these loads."))
         );
     }
-    let of = |judged: Judged| verdicts.stretches.iter().filter(move |stretch| stretch.judged == judged);
+    let of =
+        |judged: ComparedQuantity| verdicts.stretches.iter().filter(move |stretch| stretch.judged == judged);
     let rank = |stretch: &Stretch| (stretch.verdict != Verdict::CannotTell, decades(stretch));
-    let widest = |judged: Judged| {
+    let widest = |judged: ComparedQuantity| {
         of(judged).max_by(|a, b| {
             let (a, b) = (rank(a), rank(b));
             a.0.cmp(&b.0).then(a.1.total_cmp(&b.1))
@@ -133,15 +135,17 @@ fn beyond(stretches: &[&Stretch], place: &dyn Fn(&Stretch) -> String, sigma: f64
         };
         let is_more = far > 0.0;
         let what = match stretch.judged {
-            Judged::Separation => format!(
+            ComparedQuantity::Separation => format!(
                 "puts the flat {} {}",
                 distances(near, far, sigma),
                 if is_more { "higher" } else { "lower" }
             ),
-            Judged::Area => {
+            ComparedQuantity::Area => {
                 format!("gives {} {} real contact area", shares(), if is_more { "more" } else { "less" })
             }
-            Judged::Stiffness => format!("is {} {}", shares(), if is_more { "stiffer" } else { "softer" }),
+            ComparedQuantity::Stiffness => {
+                format!("is {} {}", shares(), if is_more { "stiffer" } else { "softer" })
+            }
         };
         Some(format!("{what}{}", place(stretch)))
     };
@@ -153,7 +157,7 @@ fn beyond(stretches: &[&Stretch], place: &dyn Fn(&Stretch) -> String, sigma: f64
 
 /// "60 to 157 nm (0.2 to 0.55 σ)".
 fn distances(near: f64, far: f64, sigma: f64) -> String {
-    let [least, most] = [near, far].map(|at| size(Judged::Separation, at, sigma));
+    let [least, most] = [near, far].map(|at| size(ComparedQuantity::Separation, at, sigma));
     if least == most {
         return most;
     }
@@ -174,7 +178,7 @@ pub fn over_cases(what: &str, all: &[&Verdicts]) -> String {
     format!("the difference between the models is {}.", parts.join("; "))
 }
 
-fn counted(judged: Judged, what: &str, all: &[&Verdicts]) -> Option<String> {
+fn counted(judged: ComparedQuantity, what: &str, all: &[&Verdicts]) -> Option<String> {
     let of = |verdicts: &Verdicts, wanted: Option<Verdict>| {
         let mut stretches = verdicts.stretches.iter().filter(|stretch| stretch.judged == judged);
         stretches.any(|stretch| wanted.is_none_or(|wanted| stretch.verdict == wanted))

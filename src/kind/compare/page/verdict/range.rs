@@ -1,6 +1,6 @@
 //! The valid range, what is accepted, and what the intervals rest on.
 
-use asperity::compare::{Accepted, CONTACTS_PER_GROUP, GROUPS, Judged};
+use asperity::compare::{Accepted, CONTACTS_PER_GROUP, ComparedQuantity, GROUPS};
 use asperity::sphere::LARGEST_SLOPE;
 use asperity::topography::{BLOCK_LENGTHS, MIN_BLOCKS};
 use asperity::{Exceeded, INTERACTION, LARGE_STRAIN_SHARE, LARGEST_LOAD_SHARE, Limit, MIN_CONTACTS};
@@ -69,7 +69,7 @@ pub fn range_line(verdicts: &Verdicts) -> String {
 /// Why the stiffness is not compared, if it is not.
 pub fn stiffness_line(verdicts: &Verdicts) -> Option<String> {
     let is_compared =
-        verdicts.differences.iter().any(|at| at.estimates[Judged::Stiffness as usize].is_some());
+        verdicts.differences.iter().any(|at| at.estimates[ComparedQuantity::Stiffness as usize].is_some());
     (!is_compared).then(|| {
         "the stiffness is not compared, because the load of an asperity jumps by more than 1 %: the stiffness of the sum \
          leaves jumps out, that of the integral includes them."

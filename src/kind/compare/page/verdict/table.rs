@@ -1,6 +1,6 @@
 //! Verdicts in a table.
 
-use asperity::compare::{Judged, Stretch, Verdict};
+use asperity::compare::{ComparedQuantity, Stretch, Verdict};
 use asperity_framework::report::format::listed;
 use asperity_framework::report::page::Page;
 
@@ -28,7 +28,7 @@ pub fn stretches(page: &mut Page, verdicts: &Verdicts, sigma: f64) {
         "verdict",
         "would tell (at half of the loads)",
     ];
-    let order = [Judged::Area, Judged::Separation, Judged::Stiffness];
+    let order = [ComparedQuantity::Area, ComparedQuantity::Separation, ComparedQuantity::Stiffness];
     let of = |judged| verdicts.stretches.iter().filter(move |stretch| stretch.judged == judged);
     page.table(header, order.into_iter().flat_map(of).map(row));
 }
@@ -71,7 +71,7 @@ fn valid_loads(verdicts: &Verdicts) -> String {
 
 /// One row per case, named by `what`: a thickness of a layer, or a law.
 pub fn by_case(page: &mut Page, what: &str, all: &[(String, &Verdicts)]) {
-    let cell = |verdicts: &Verdicts, judged: Judged| {
+    let cell = |verdicts: &Verdicts, judged: ComparedQuantity| {
         let of = verdicts.stretches.iter().filter(|stretch| stretch.judged == judged);
         let each: Vec<String> = of
             .map(|stretch| {
@@ -83,7 +83,8 @@ pub fn by_case(page: &mut Page, what: &str, all: &[(String, &Verdicts)]) {
     let row = |(name, verdicts): &(String, &Verdicts)| {
         let mut row = vec![name.clone(), valid_loads(verdicts)];
         row.extend(
-            [Judged::Area, Judged::Separation, Judged::Stiffness].map(|judged| cell(verdicts, judged)),
+            [ComparedQuantity::Area, ComparedQuantity::Separation, ComparedQuantity::Stiffness]
+                .map(|judged| cell(verdicts, judged)),
         );
         row
     };

@@ -1,16 +1,16 @@
 //! Differences, loads and needs in words.
 
-use asperity::compare::{Judged, Stretch, Verdict};
+use asperity::compare::{ComparedQuantity, Stretch, Verdict};
 use asperity_framework::report::format::{input_quantity, number, percent, quantity};
 
 use crate::kind::compare::findings::{Basis, Verdicts};
 
 /// A quantity as a table names it.
-pub fn name(judged: Judged) -> &'static str {
+pub fn name(judged: ComparedQuantity) -> &'static str {
     match judged {
-        Judged::Separation => "separation",
-        Judged::Area => "real contact area",
-        Judged::Stiffness => "stiffness",
+        ComparedQuantity::Separation => "separation",
+        ComparedQuantity::Area => "real contact area",
+        ComparedQuantity::Stiffness => "stiffness",
     }
 }
 
@@ -60,21 +60,21 @@ pub fn span(from: &str, to: &str, between: &str) -> String {
 }
 
 /// The magnitude of a contrast: a length with its part of sigma (m), or a share.
-pub fn size(judged: Judged, contrast: f64, sigma: f64) -> String {
+pub fn size(judged: ComparedQuantity, contrast: f64, sigma: f64) -> String {
     match judged {
-        Judged::Separation => {
+        ComparedQuantity::Separation => {
             format!("{} ({} σ)", quantity(contrast.abs() * sigma, "m"), number(contrast.abs()))
         }
-        Judged::Area | Judged::Stiffness => percent(judged.reported(contrast).abs()),
+        ComparedQuantity::Area | ComparedQuantity::Stiffness => percent(judged.reported(contrast).abs()),
     }
 }
 
 /// A contrast with its sign: "+0.32 σ", "−7.9 %".
-pub fn signed(judged: Judged, contrast: f64) -> String {
+pub fn signed(judged: ComparedQuantity, contrast: f64) -> String {
     let reported = judged.reported(contrast);
     let size = match judged {
-        Judged::Separation => format!("{} σ", number(reported.abs())),
-        Judged::Area | Judged::Stiffness => percent(reported.abs()),
+        ComparedQuantity::Separation => format!("{} σ", number(reported.abs())),
+        ComparedQuantity::Area | ComparedQuantity::Stiffness => percent(reported.abs()),
     };
     match reported {
         0.0 => size,
@@ -86,8 +86,8 @@ pub fn signed(judged: Judged, contrast: f64) -> String {
 /// What is accepted: "10 %", or "4.8 nm = 0.1 σ".
 pub fn accepted(stretch: &Stretch, sigma: f64) -> String {
     match stretch.judged {
-        Judged::Separation => accepted_separation(stretch.accepted, sigma),
-        Judged::Area | Judged::Stiffness => percent(stretch.accepted),
+        ComparedQuantity::Separation => accepted_separation(stretch.accepted, sigma),
+        ComparedQuantity::Area | ComparedQuantity::Stiffness => percent(stretch.accepted),
     }
 }
 
