@@ -4,6 +4,7 @@
 //! |---|---|
 //! | [`HeightMap`], [`Rows`] | heights in memory; heights row by row, for maps larger than memory |
 //! | [`read`] | measured maps, one file per format |
+//! | [`thumbnail`], [`Window`] | a coarse map of a map; a part of it |
 //! | [`Level`], [`Filter`] | removing the form; Gaussian S and L filters |
 //! | [`summits`] | summits and their curvatures |
 //! | [`RoughnessParameters`], [`Moments`], [`Drops`] | height and spectral moments, the autocorrelation at neighbours |
@@ -11,15 +12,18 @@
 //! | [`Blocks`] | division of a map into blocks that are long compared with its correlation length |
 //! | [`theory`] | the summits of a Gaussian surface of given spectral moments or autocorrelation |
 //! | [`Quantisation`] | height steps of the instrument |
+//! | [`fitness`] | whether a map may carry a verdict: spikes, form, lines, steps, resolution |
 //! | [`generate`], [`spectrum`] | random rough surfaces and their spectra |
 
 mod blocks;
 mod correlation;
 mod filter;
+pub mod fitness;
 mod fourier;
 pub mod generate;
 mod height_transform;
 mod level;
+mod part;
 mod quantisation;
 pub mod read;
 mod roughness;
@@ -41,6 +45,7 @@ pub use blocks::{BLOCK_LENGTHS, Blocks, CorrelationLengths, MIN_BLOCKS, TooSmall
 pub use correlation::{Autocorrelation, RadialSpectrum};
 pub use filter::{Filter, FilterError};
 pub use level::{Form, Level, Levelled, Undetermined};
+pub use part::{Window, thumbnail};
 pub use quantisation::Quantisation;
 pub use roughness::{Drops, Moments, RoughnessParameters};
 pub use rows::{Boundary, Rows, Strip, strips};

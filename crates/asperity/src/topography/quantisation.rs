@@ -21,13 +21,10 @@ pub struct Quantisation {
     pub median_drop: f64,
 }
 
-/// Fewer distinct curvatures indicate quantisation.
-const FEW_CURVATURES: usize = 100;
-
-/// A step above this fraction of the median drop affects the summits.
-const COARSE_STEP: f64 = 1.0 / 3.0;
-
 impl Quantisation {
+    /// Fewer distinct curvatures indicate quantisation.
+    pub const FEW_CURVATURES: usize = 100;
+
     /// Analyses the raw heights of `map` and the summits found on it after levelling.
     pub fn of(map: &dyn Rows, summits: &Summits) -> Self {
         let mut heights = sample(map);
@@ -57,14 +54,9 @@ impl Quantisation {
         }
     }
 
-    /// Whether the step exceeds a third of the median drop from a summit to its neighbours.
-    pub fn has_coarse_step(&self) -> bool {
-        self.step.is_some_and(|step| step > COARSE_STEP * self.median_drop)
-    }
-
     /// Whether the curvatures of the summits take fewer than 100 values, each on average at least twice.
     pub fn has_few_curvatures(&self) -> bool {
-        self.distinct_curvatures < FEW_CURVATURES && self.summits >= 2 * self.distinct_curvatures
+        self.distinct_curvatures < Self::FEW_CURVATURES && self.summits >= 2 * self.distinct_curvatures
     }
 }
 
@@ -141,7 +133,7 @@ mod tests {
         for points in [[5, 5], [8, 9], [30, 30], [300, 200]] {
             let found = analyse(points, None, f64::EPSILON);
             assert_eq!(found.step, None, "{points:?}");
-            assert!(!found.has_coarse_step() && !found.has_few_curvatures(), "{points:?}: {found:?}");
+            assert!(!found.has_few_curvatures(), "{points:?}: {found:?}");
         }
     }
 
@@ -151,7 +143,6 @@ mod tests {
             for step in [0.8, 0.13] {
                 let found = analyse([200, 150], Some(step), precision);
                 assert!((found.step.unwrap() / (step * 1e-7) - 1.0).abs() < 1e-4, "{found:?}");
-                assert_eq!(found.has_coarse_step(), step == 0.8);
                 assert_eq!(found.has_few_curvatures(), step == 0.8);
             }
         }
@@ -161,6 +152,6 @@ mod tests {
     fn fine_steps_do_no_harm() {
         let found = analyse([200, 150], Some(1e-3), f64::EPSILON);
         assert!((found.step.unwrap() / 1e-10 - 1.0).abs() < 1e-6);
-        assert!(!found.has_coarse_step() && !found.has_few_curvatures(), "{found:?}");
+        assert!(!found.has_few_curvatures(), "{found:?}");
     }
 }
