@@ -14,6 +14,7 @@ use indexmap::IndexMap;
 use serde::Serialize;
 use serde_json::{Map, Value};
 
+use super::fitness::{FitnessSummary, fitness_summary};
 use super::results::SurfacesResults;
 use super::{
     AnalysisDepth, Surface, SurfaceFactory, SurfacePlan, SurfaceSummary, describe, files_of, inputs, memory,
@@ -91,6 +92,7 @@ impl Plan for SurfacesPlan {
 struct Summary<'a> {
     looked_at: &'a Path,
     surfaces: IndexMap<&'a str, SurfaceSummary<'a>>,
+    fitness: Vec<FitnessSummary<'a>>,
 }
 
 impl Outcome for SurfacesResults {
@@ -108,7 +110,11 @@ impl Outcome for SurfacesResults {
 
     fn summary(&self) -> serde_json::Result<Map<String, Value>> {
         let surfaces = self.surfaces.iter().map(|surface| (&*surface.name, summary(surface)));
-        fields(&Summary { looked_at: &self.file, surfaces: surfaces.collect() })
+        fields(&Summary {
+            looked_at: &self.file,
+            surfaces: surfaces.collect(),
+            fitness: fitness_summary(&self.surfaces),
+        })
     }
 
     fn terminal(&self) -> Option<String> {

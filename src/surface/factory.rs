@@ -2,8 +2,8 @@
 
 use std::time::Instant;
 
+use asperity::topography::Rows;
 use asperity::topography::generate::SigmaOf;
-use asperity::topography::{Level, Rows};
 use asperity::work::{Counter, Item};
 use asperity::{Draw, Ellipse, Ellipticity, ReferencePlane, Statistics};
 use asperity_framework::digest::stream_seed;
@@ -11,10 +11,12 @@ use asperity_framework::input::{InputError, Source};
 use asperity_framework::metadata::Timing;
 
 use super::files::Files;
-use super::found::{Found, NoAsperities, SummitSearch, Surface};
+use super::fitness;
+use super::found::Surface;
 use super::overview::AnalysisDepth;
 use super::plan::{Origin, SurfacePlan};
 use super::read_error::spec_message;
+use super::search::{Found, NoAsperities, Preparation, SummitSearch};
 use super::spec::DrawSpec;
 
 /// Makes or reads the realisations of a surface.
@@ -122,13 +124,12 @@ impl<'a> SurfaceFactory<'a> {
                 timing.generate += start.elapsed();
                 self.bandwidth = made.bandwidth;
                 let search = SummitSearch {
-                    level: Level::None,
-                    filter: None,
-                    neighbours: generation.neighbours,
+                    preparation: Preparation::none(generation.neighbours),
                     generation: Some(made.facts),
                     as_ellipses: self.plan.as_ellipses,
                     depth,
                     divides: self.divides(depth),
+                    correlation: None,
                 };
                 found(name, &search, &made.map, timing).map_err(|error| refuse(&error))
             }
@@ -138,13 +139,12 @@ impl<'a> SurfaceFactory<'a> {
                 let rows = files.map(&map.path, map.given).map_err(|error| refuse(&spec_message(&error)))?;
                 timing.read += start.elapsed();
                 let search = SummitSearch {
-                    level: map.level,
-                    filter: map.filter,
-                    neighbours: map.neighbours,
+                    preparation: map.preparation,
                     generation: None,
                     as_ellipses: self.plan.as_ellipses,
                     depth,
                     divides: self.divides(depth),
+                    correlation: None,
                 };
                 found(name, &search, &*rows, timing).map_err(|error| refuse(&error))
             }
@@ -175,6 +175,7 @@ fn found(
     }
     let mut surface = Surface::new(name, set, statistics);
     surface.warnings = facts.warnings();
+    surface.warnings.extend(fitness::failures(&facts));
     let spread = statistics.mean_radius / statistics.radius_of_mean_curvature;
     if spread > FEW_FLAT_TOPS {
         surface.warnings.push(format!(

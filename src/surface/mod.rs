@@ -3,6 +3,7 @@
 mod description;
 mod factory;
 mod files;
+pub mod fitness;
 mod found;
 mod generate_spec;
 mod generation;
@@ -14,6 +15,7 @@ mod pixel_spec;
 mod plan;
 mod read_error;
 mod results;
+mod search;
 mod section;
 mod spec;
 mod summary;

@@ -10,10 +10,12 @@ use crate::surface::files::Reading;
 use crate::surface::generation::Generation;
 use crate::surface::overview::{AnalysisDepth, MOST_ANALYSED_POINTS};
 use crate::surface::read_error::{options_message, spec_message};
-use crate::surface::spec::{DrawSpec, FileSpec, ListSpec, PopulationHeights, PopulationSpec, SurfaceSpec};
+use crate::surface::search::Preparation;
+use crate::surface::spec::{
+    DrawSpec, FileSpec, ListSpec, Outliers, PopulationHeights, PopulationSpec, SurfaceSpec,
+};
 use asperity::topography::read::{ReadOptions, ReadOptionsError};
-use asperity::topography::summits::Neighbours;
-use asperity::topography::{Filter, Level, read};
+use asperity::topography::{Filter, read};
 use asperity::{AsperityList, Heights, MapError, Population, ReferencePlane, SurfaceHeights};
 use asperity_framework::input::quantity::{Length, Pure, Quantity};
 use asperity_framework::input::{InputError, Source, SpecFile};
@@ -58,9 +60,7 @@ pub(super) struct MapPlan {
     /// Whether its heights stay on disk.
     pub(super) is_on_disk: bool,
     pub(super) given: ReadOptions,
-    pub(super) level: Level,
-    pub(super) filter: Option<Filter>,
-    pub(super) neighbours: Neighbours,
+    pub(super) preparation: Preparation,
 }
 
 /// More are a study of their own.
@@ -181,9 +181,16 @@ impl SurfacePlan {
         };
         // The head of a file has been checked against its length: the product fits.
         let points = points[0] * points[1];
-        let neighbours = raw.neighbours;
+        let preparation = Preparation {
+            removes_spikes: raw.outliers == Outliers::Remove,
+            aligned: raw.align_lines,
+            level: raw.level,
+            filter,
+            neighbours: raw.neighbours,
+            half: None,
+        };
         let is_on_disk = read::stays_on_disk(&path).map_err(|error| refuse(&spec_message(&error)))?;
-        Ok(Origin::Map(MapPlan { path, points, is_on_disk, given, level: raw.level, filter, neighbours }))
+        Ok(Origin::Map(MapPlan { path, points, is_on_disk, given, preparation }))
     }
 
     /// The file that it is read from.
@@ -255,8 +262,8 @@ impl SurfacePlan {
         const BYTES_PER_ELLIPSE: u128 = 64;
         let found = self.likely_asperities() * BYTES_PER_SUMMIT;
         match &self.origin {
-            Origin::Map(MapPlan { points, is_on_disk, filter, .. }) => {
-                let bytes = match (filter, is_on_disk) {
+            Origin::Map(MapPlan { points, is_on_disk, preparation, .. }) => {
+                let bytes = match (preparation.filter, is_on_disk) {
                     (Some(_), _) => BYTES_PER_FILTERED_POINT,
                     (None, false) => BYTES_PER_POINT,
                     (None, true) => 0,

@@ -175,7 +175,7 @@ impl From<&MapFacts> for MapSummary {
             missing_points: roughness.missing,
             tested_points: map.tested,
             level: map.level.name(),
-            filter: map.filter.clone(),
+            filter: map.filter.map(|filter| filter.to_string()),
             sa_m: roughness.moments.sa,
             sq_m: roughness.moments.sq,
             ssk: roughness.moments.ssk,

@@ -11,6 +11,7 @@ use super::layer_summary as layer;
 use super::layer_summary::{DecreaseSummary, LayerSummary, Thickness, ThresholdSummary};
 use super::readings_summary::{ReadingSummary, readings};
 use super::results::{CompareResults, SurfaceResults};
+use crate::surface::fitness::{FitnessSummary, fitness_summary};
 use crate::surface::{PopulationSummary, RealisationSummary, SurfaceSummary};
 
 #[derive(Serialize)]
@@ -22,6 +23,7 @@ struct CompareSummary<'a> {
     #[serde(skip_serializing_if = "Option::is_none")]
     tolerance: Option<ToleranceSummary>,
     surfaces: IndexMap<&'a str, SurfaceSummary<'a>>,
+    fitness: Vec<FitnessSummary<'a>>,
     verdicts: Vec<VerdictSummary<'a>>,
     largest_gaps: Vec<GapSummary<'a>>,
     #[serde(skip_serializing_if = "Vec::is_empty")]
@@ -93,7 +95,7 @@ fn verdicts(found: &SurfaceResults) -> impl Iterator<Item = VerdictSummary<'_>> 
                 model: Kind::Statistical.name(),
                 from_pa: stretch.loads[0],
                 to_pa: stretch.loads[1],
-                verdict: stretch.verdict.name(),
+                verdict: verdicts.name(stretch.verdict),
                 difference: estimate.map(|estimate| reported(estimate.contrast)),
                 low: ends.map(|[low, _]| reported(low)),
                 high: ends.map(|[_, high]| reported(high)),
@@ -114,6 +116,7 @@ pub fn summary(results: &CompareResults) -> serde_json::Result<Map<String, Value
         layer: results.contact.layer.as_ref().map(layer::summary),
         tolerance: statistical.or(deterministic).map(|_| ToleranceSummary { statistical, deterministic }),
         surfaces: results.surfaces.iter().map(|found| (&*found.surface.name, surface(found))).collect(),
+        fitness: fitness_summary(results.surfaces.iter().map(|found| &found.surface)),
         verdicts: results.surfaces.iter().flat_map(verdicts).collect(),
         largest_gaps: results.surfaces.iter().flat_map(gaps).collect(),
         readings: readings(results.readings.as_ref()),

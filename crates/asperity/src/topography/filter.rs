@@ -52,6 +52,16 @@ impl Filter {
         }
     }
 
+    /// The S nesting index, m.
+    pub fn s(&self) -> Option<f64> {
+        self.s
+    }
+
+    /// The L nesting index, m.
+    pub fn l(&self) -> Option<f64> {
+        self.l
+    }
+
     /// Checks the filter for a map of `points` at a distance of `pixel` (m).
     ///
     /// # Errors

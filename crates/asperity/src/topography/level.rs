@@ -276,7 +276,8 @@ mod tests {
         let bowl = map(|x, y| 5.0 + 0.3 * x - 0.7 * y + 0.01 * x * x - 0.02 * x * y + 0.05 * y * y);
         assert!(largest(&Level::Plane.apply(&plane).unwrap()) < 1e-12);
         assert!(largest(&Level::Quadratic.apply(&bowl).unwrap()) < 1e-12);
-        let saddle = map(|x, y| bowl.heights()[(x * 30.0 + y) as usize] + 1e-3 * (x * x * y - 2.0 * y * y * y));
+        let saddle =
+            map(|x, y| bowl.heights()[(x * 30.0 + y) as usize] + 1e-3 * (x * x * y - 2.0 * y * y * y));
         assert!(largest(&Level::Cubic.apply(&saddle).unwrap()) < 1e-11);
         assert!(largest(&Level::Quadratic.apply(&saddle).unwrap()) > 1.0);
         assert!(largest(&Level::Plane.apply(&bowl).unwrap()) > 1.0);

@@ -70,7 +70,7 @@ impl<'a> Window<'a> {
 
     /// Both halves of a map, divided along its longer side.
     pub fn halves(map: &'a dyn Rows) -> [Self; 2] {
-        let [all, pixel] = [map.points(), map.pixel()];
+        let (all, pixel) = (map.points(), map.pixel());
         let axis = usize::from(all[1] as f64 * pixel[1] > all[0] as f64 * pixel[0]);
         let mut halves = [[0; 2]; 2].map(|first| Self { map, first, points: all });
         halves[0].points[axis] = all[axis] / 2;

@@ -30,6 +30,7 @@ pub use surface::surface;
 use crate::kind::compare::answers::CaseResults;
 use crate::kind::compare::findings::{CaseFindings, Verdicts};
 use crate::kind::compare::results::{CompareResults, SurfaceResults};
+use crate::surface::fitness;
 use asperity_framework::report::format::listed;
 use asperity_framework::report::page::{Page, escape};
 use asperity_framework::report::sections;
@@ -105,11 +106,14 @@ fn headlines(results: &CompareResults, found: &SurfaceResults) -> Vec<String> {
             format!("one model was run, so that no models are compared. {}", verdict::range_line(verdicts))
         } else {
             let sentence = verdict::headline(verdicts, found.surface.plane.sigma);
-            // Numbers of doubtful data decide nothing.
-            if found.surface.warnings.is_empty() {
-                sentence
-            } else {
-                format!("no conclusion until the warning above is resolved. As the data stand: {sentence}")
+            match &fitness::blocked_by(&found.surface)[..] {
+                [] => sentence,
+                faults => {
+                    format!(
+                        "no conclusion until the map is fit: {}. As the data stand: {sentence}",
+                        faults.join("; ")
+                    )
+                }
             }
         };
         format!("**{}**: {}", escape(&name), escape(&sentence))

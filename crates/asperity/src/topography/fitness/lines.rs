@@ -28,8 +28,11 @@ impl LineOffsets {
         // Lines along y are rows in memory.
         let strides = [nx, ny].map(|count| count.div_ceil(SAMPLED));
         let along_y = strips(map, 1, |strip| {
-            let line = |k: isize| Some(strip.row(k)?.iter().copied().step_by(strides[1]).collect::<Vec<f64>>());
-            (0..strip.count as isize).map(|k| Steps::between(line(k - 1), line(k), line(k + 1))).collect::<Vec<_>>()
+            let line =
+                |k: isize| Some(strip.row(k)?.iter().copied().step_by(strides[1]).collect::<Vec<f64>>());
+            (0..strip.count as isize)
+                .map(|k| Steps::between(line(k - 1), line(k), line(k + 1)))
+                .collect::<Vec<_>>()
         });
         let sampled: Vec<Vec<f64>> = strips(map, 0, |strip| {
             let rows = (0..strip.count).filter(|k| (strip.first + k).is_multiple_of(strides[0]));
@@ -67,7 +70,11 @@ impl Steps {
         let (Some(line), Some(after)) = (line, after) else { return Self::default() };
         let first = spread(line.iter().zip(&after).map(|(z, next)| next - z)).map(|(medians, _)| medians);
         let second = before.and_then(|before| {
-            spread(line.iter().zip(before.iter().zip(&after)).map(|(z, (before, after))| z - 0.5 * (before + after)))
+            spread(
+                line.iter()
+                    .zip(before.iter().zip(&after))
+                    .map(|(z, (before, after))| z - 0.5 * (before + after)),
+            )
         });
         Self { first, second }
     }
@@ -95,7 +102,9 @@ fn share(lines: &[Steps]) -> f64 {
     /// The share that chance reaches rarely, in means over all lines.
     const CHANCE: f64 = 3.0;
     let seconds: Vec<([f64; 2], usize)> = lines.iter().filter_map(|steps| steps.second).collect();
-    let Some(mut scales) = (seconds.len() > 2).then(|| seconds.iter().map(|at| at.0[1]).collect::<Vec<f64>>()) else {
+    let Some(mut scales) =
+        (seconds.len() > 2).then(|| seconds.iter().map(|at| at.0[1]).collect::<Vec<f64>>())
+    else {
         return 0.0;
     };
     let within = (NORMAL * median(&mut scales).unwrap_or_default()).powi(2);
@@ -190,7 +199,10 @@ struct LineSum {
 
 impl LineSum {
     fn plus(self, heights: &[f64]) -> Self {
-        heights.iter().filter(|z| !z.is_nan()).fold(self, |sum, z| Self { total: sum.total + z, count: sum.count + 1 })
+        heights
+            .iter()
+            .filter(|z| !z.is_nan())
+            .fold(self, |sum, z| Self { total: sum.total + z, count: sum.count + 1 })
     }
 }
 
@@ -289,7 +301,9 @@ mod tests {
     fn aligned_lines_have_no_offsets_left() {
         let base = surface(4.0, 1.0);
         for lines in [Lines::X, Lines::Y] {
-            let offset = |i: usize, j: usize| if lines == Lines::X { ((j * j) % 7) as f64 } else { ((i * i) % 7) as f64 };
+            let offset = |i: usize, j: usize| {
+                if lines == Lines::X { ((j * j) % 7) as f64 } else { ((i * i) % 7) as f64 }
+            };
             let map = HeightMap::new(POINTS, [1.0; 2], with(&base, offset), 0.0).unwrap();
             let found = LineOffsets::of(&map);
             assert_eq!(Lines::along(found.axis()), lines);

@@ -228,6 +228,8 @@ impl Finding {
 pub struct Examined<'a> {
     /// The map, levelled and filtered.
     pub map: &'a dyn Rows,
+    /// Indices of the points of spikes in it, ascending: they tell nothing of its form.
+    pub spikes: &'a [usize],
     /// Its parameters.
     pub roughness: &'a RoughnessParameters,
     /// The form that was removed.
@@ -248,6 +250,8 @@ pub struct Examined<'a> {
 pub struct Measured {
     /// Number of spikes in the map as read.
     pub spikes: usize,
+    /// Offsets between its lines.
+    pub offsets: LineOffsets,
     /// Heights on steps.
     pub quantisation: Quantisation,
     /// The step over the median drop, see [`step_over_drop`].
@@ -258,16 +262,20 @@ impl Examined<'_> {
     /// All checks of a map; those of an instrument's faults only where it was `measured`.
     pub fn findings(&self, measured: Option<&Measured>) -> Vec<Finding> {
         let growth = curvature_growth(self.map);
-        let worst = |check, measures: &[(Measure, Option<f64>)]| Finding::worst(check, measures.iter().copied());
+        let worst =
+            |check, measures: &[(Measure, Option<f64>)]| Finding::worst(check, measures.iter().copied());
         let mut all = Vec::new();
         if let Some(measured) = measured {
             all.extend(worst(Check::Spikes, &[(Measure::Spikes, Some(measured.spikes as f64))]));
             all.extend(worst(Check::Form, &[(Measure::FormShare, self.form_share())]));
         }
         let slopes = (self.neighbours == Neighbours::Four).then(|| self.roughness.drops.slope_correlation());
-        all.extend(worst(Check::Lay, &[(Measure::SlopeCorrelation, slopes), (Measure::AspectRatio, self.aspect)]));
+        all.extend(worst(
+            Check::Lay,
+            &[(Measure::SlopeCorrelation, slopes), (Measure::AspectRatio, self.aspect)],
+        ));
         if let Some(measured) = measured {
-            let offsets = LineOffsets::of(self.map).largest();
+            let offsets = measured.offsets.largest();
             all.extend(worst(Check::Lines, &[(Measure::LineOffsets, Some(offsets))]));
             let few = measured.quantisation.has_few_curvatures();
             let distinct = few.then_some(measured.quantisation.distinct_curvatures as f64);
@@ -278,10 +286,9 @@ impl Examined<'_> {
             ));
         }
         let [density, curvature] = match &self.expected {
-            Some(expected) => [
-                Some(self.found[0] / expected.density),
-                Some(self.found[1] / expected.curvature),
-            ],
+            Some(expected) => {
+                [Some(self.found[0] / expected.density), Some(self.found[1] / expected.curvature)]
+            }
             None => [None; 2],
         };
         all.extend(worst(
@@ -305,9 +312,9 @@ impl Examined<'_> {
     fn form_share(&self) -> Option<f64> {
         // A mean explains no variance about it.
         let next = if self.level == Level::None { Level::Plane } else { self.level.next()? };
-        let form = next.form(self.map).ok()?;
-        let rest = Moments::of(&Levelled { map: self.map, form });
-        Some(1.0 - (rest.sq / self.roughness.moments.sq).powi(2))
+        let map = &Without { map: self.map, points: self.spikes };
+        let rest = Moments::of(&Levelled { map, form: next.form(map).ok()? });
+        Some(1.0 - (rest.sq / Moments::of(map).sq).powi(2))
     }
 
     /// Correlation length over side; a correlation that does not decay counts as the side.

@@ -15,8 +15,8 @@ const MOST_POINTS: usize = 16;
 const LEAST_DEVIATION: f64 = 15.0;
 
 /// A spike falls by at least this share of its height, on average, within the one pixel around it. Summits that the grid
-/// resolves fall by at most 0.5 of it there, spikes of a single point by all of it.
-const LEAST_WALL: f64 = 0.6;
+/// resolves fall by at most 0.5 of it there, sharp pits of a measured surface by 0.6, spikes of a single point by all of it.
+const LEAST_WALL: f64 = 0.7;
 
 /// Rows around a strip that a spike in it can depend on: the climb to its peak, its points, and the window of a median.
 const HALO: isize = 2 * MOST_POINTS as isize + REACH;
@@ -28,7 +28,7 @@ const SAMPLED: usize = 200;
 ///
 /// A deviation is that of a point from the median of the 9 x 9 points around it. A spike is the set of connected points around
 /// a local extremum whose deviation is above half of the extremum's A. A exceeds 15 robust standard deviations of the
-/// deviations of the map, and from the points of the set to those around it the deviation falls by 0.6 A on average.
+/// deviations of the map, and from the points of the set to those around it the deviation falls by 0.7 A on average.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Spikes {
     /// Indices of the points, ascending, the y index running fastest.
@@ -65,7 +65,8 @@ fn scale(map: &dyn Rows) -> f64 {
     let strides = map.points().map(|count| count.div_ceil(SAMPLED));
     let sampled = |strip: Strip| {
         let local = Local::new(map, &strip);
-        let rows = (0..strip.count as isize).filter(|k| (strip.first + *k as usize).is_multiple_of(strides[0]));
+        let rows =
+            (0..strip.count as isize).filter(|k| (strip.first + *k as usize).is_multiple_of(strides[0]));
         let points = rows.flat_map(|k| (0..local.columns).step_by(strides[1]).map(move |j| [k, j as isize]));
         points.filter_map(|point| local.deviation(point)).map(f64::abs).collect::<Vec<f64>>()
     };
@@ -96,8 +97,7 @@ impl<'a> Local<'a> {
 
     /// Height of a point, m; `None` beyond an open border or where it is missing.
     fn height(&self, [row, column]: Point) -> Option<f64> {
-        let column =
-            if self.is_periodic { column.rem_euclid(self.columns as isize) } else { column };
+        let column = if self.is_periodic { column.rem_euclid(self.columns as isize) } else { column };
         let z = *self.strip.row(row)?.get(usize::try_from(column).ok()?)?;
         (!z.is_nan()).then_some(z)
     }
@@ -125,7 +125,8 @@ impl<'a> Local<'a> {
         let mut peaks = BTreeSet::new();
         for point in self.walls(LEAST_WALL * LEAST_DEVIATION * scale) {
             let mut at = |point: Point| *deviations.entry(point).or_insert_with(|| self.deviation(point));
-            let Some(deviation) = at(point).filter(|deviation| deviation.abs() > LEAST_DEVIATION * scale) else {
+            let Some(deviation) = at(point).filter(|deviation| deviation.abs() > LEAST_DEVIATION * scale)
+            else {
                 continue;
             };
             let sign = deviation.signum();
@@ -149,13 +150,17 @@ impl<'a> Local<'a> {
         let mut points = Vec::new();
         for row in -reach..self.strip.count as isize + reach {
             let Some(heights) = self.strip.row(row) else { continue };
-            let steps = heights.windows(2).enumerate().filter(|(_, pair)| (pair[1] - pair[0]).abs() >= height);
+            let steps =
+                heights.windows(2).enumerate().filter(|(_, pair)| (pair[1] - pair[0]).abs() >= height);
             for (column, _) in steps {
                 points.extend([[row, column as isize], [row, column as isize + 1]]);
             }
             let Some(next) = self.strip.row(row + 1) else { continue };
-            let steps =
-                heights.iter().zip(next).enumerate().filter(|(_, (below, above))| (*above - *below).abs() >= height);
+            let steps = heights
+                .iter()
+                .zip(next)
+                .enumerate()
+                .filter(|(_, (below, above))| (*above - *below).abs() >= height);
             for (column, _) in steps {
                 points.extend([[row, column as isize], [row + 1, column as isize]]);
             }

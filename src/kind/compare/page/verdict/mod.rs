@@ -54,6 +54,7 @@ pub mod examples {
             basis,
             over_independent: Some(1.5),
             area: 1e-6,
+            is_blocked: false,
             differences,
         }
     }
