@@ -1,9 +1,10 @@
 //! Making and reading the realisations of a surface.
 
+use std::rc::Rc;
 use std::time::Instant;
 
-use asperity::topography::Rows;
 use asperity::topography::generate::SigmaOf;
+use asperity::topography::{CorrelationLengths, Rows};
 use asperity::work::{Counter, Item};
 use asperity::{Draw, Ellipse, Ellipticity, ReferencePlane, Statistics};
 use asperity_framework::digest::stream_seed;
@@ -27,12 +28,14 @@ pub struct SurfaceFactory<'a> {
     counter: &'a Counter,
     /// A bandwidth that met the target before.
     bandwidth: Option<f64>,
+    /// The measured map that was made last, as read.
+    raw: Option<Rc<dyn Rows>>,
 }
 
 impl<'a> SurfaceFactory<'a> {
     /// A factory of the realisations of `plan`, made one after the other.
     pub fn new(plan: &'a SurfacePlan, source: &'a Source, seed: u64, counter: &'a Counter) -> Self {
-        Self { plan, source, seed, counter, bandwidth: None }
+        Self { plan, source, seed, counter, bandwidth: None, raw: None }
     }
 
     /// Makes or reads realisation `realisation` (from 1).
@@ -49,6 +52,38 @@ impl<'a> SurfaceFactory<'a> {
         let surface = self.one(realisation, depth, files, timing)?;
         self.counter.add(Item::Surfaces, 1);
         Ok(Surface { realisations: self.plan.realisations, ..surface })
+    }
+
+    /// The seed of the spec.
+    pub fn seed(&self) -> u64 {
+        self.seed
+    }
+
+    /// How a measured map is prepared; `None` of other surfaces.
+    pub fn preparation(&self) -> Option<Preparation> {
+        match &self.plan.origin {
+            Origin::Map(map) => Some(map.preparation),
+            Origin::List { .. } | Origin::Population { .. } | Origin::Generated(_) => None,
+        }
+    }
+
+    /// The surface of the measured map that was made last, prepared in another way and not checked; its blocks are those of the
+    /// `correlation` lengths given. `None` where it has no asperities, or no map was made.
+    pub fn prepared(
+        &self,
+        preparation: Preparation,
+        correlation: Option<CorrelationLengths>,
+    ) -> Option<Surface> {
+        let search = SummitSearch {
+            preparation,
+            generation: None,
+            as_ellipses: self.plan.as_ellipses,
+            depth: AnalysisDepth::Asperities,
+            divides: true,
+            correlation,
+        };
+        self.counter.add(Item::Surfaces, 1);
+        found(&self.plan.name, &search, &**self.raw.as_ref()?, &mut Timing::default()).ok()
     }
 
     /// Whether a map is divided into blocks: for a comparison, unless its realisations give the sampling error.
@@ -146,7 +181,9 @@ impl<'a> SurfaceFactory<'a> {
                     divides: self.divides(depth),
                     correlation: None,
                 };
-                found(name, &search, &*rows, timing).map_err(|error| refuse(&error))
+                let surface = found(name, &search, &*rows, timing).map_err(|error| refuse(&error))?;
+                self.raw = Some(rows);
+                Ok(surface)
             }
         }
     }

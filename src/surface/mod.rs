@@ -28,6 +28,7 @@ pub use independence::{Independence, MapBlocks};
 pub use options::FileOptions;
 pub use overview::{AnalysisDepth, MapOverview};
 pub use plan::{SurfacePlan, beside, curvature_ratio, describe, inputs, memory, surfaces};
+pub use search::Preparation;
 pub use section::section;
 pub use summary::{PopulationSummary, RealisationSummary, SurfaceSummary, summary};
 

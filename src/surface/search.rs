@@ -36,23 +36,24 @@ pub(super) enum NoAsperities {
 
 /// What is done to a map before its summits are searched, and what a summit is.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct Preparation {
+pub struct Preparation {
     /// Whether spikes become missing points.
-    pub(super) removes_spikes: bool,
+    pub removes_spikes: bool,
     /// The axis along which lines are aligned.
-    pub(super) aligned: Option<Lines>,
+    pub aligned: Option<Lines>,
     /// The form removed.
-    pub(super) level: Level,
-    pub(super) filter: Option<Filter>,
+    pub level: Level,
+    /// The filters.
+    pub filter: Option<Filter>,
     /// What a summit is.
-    pub(super) neighbours: Neighbours,
+    pub neighbours: Neighbours,
     /// The first or the second half of the map alone.
-    pub(super) half: Option<usize>,
+    pub half: Option<usize>,
 }
 
 impl Preparation {
     /// Of a map that needs none.
-    pub(super) fn none(neighbours: Neighbours) -> Self {
+    pub fn none(neighbours: Neighbours) -> Self {
         Self {
             removes_spikes: false,
             aligned: None,
@@ -172,6 +173,7 @@ impl SummitSearch {
         let sq = roughness.moments.sq;
         let Preparation { aligned, level, filter, neighbours, .. } = self.preparation;
         let is_five_point = neighbours == Neighbours::Four;
+        let is_checked = self.generation.is_none() && self.depth != AnalysisDepth::Asperities;
         MapFacts {
             points: map.points(),
             pixel: map.pixel(),
@@ -186,7 +188,7 @@ impl SummitSearch {
             saddles: summits.principal.iter().filter(|principal| principal[1] <= 0.0).count(),
             expected: is_five_point.then(|| theory::five_point(&roughness.drops, sq, map.pixel())).flatten(),
             nayak: theory::nayak(roughness.spectral_moments()),
-            quantisation: spikes.as_ref().map(|_| Quantisation::of(raw, summits)),
+            quantisation: is_checked.then(|| Quantisation::of(raw, summits)),
             spikes,
             fitness: Vec::new(),
             offsets: None,

@@ -9,6 +9,7 @@ pub mod page;
 pub mod plan;
 mod readings_summary;
 pub mod results;
+pub mod robustness;
 mod run;
 mod sampling;
 pub mod spec;

@@ -34,6 +34,8 @@ pub struct ComparePlan {
     pub mean_radius: MeanRadius,
     /// The largest differences between the models that are accepted.
     pub accept: AcceptSpec,
+    /// Whether the verdicts on measured maps are computed again under other treatments of the map.
+    pub is_robustness_examined: bool,
     /// What the surfaces are pressed to.
     pub controls: Controls,
     /// Position of pressures and forces in the spec, for errors about loads out of reach.
@@ -42,7 +44,36 @@ pub struct ComparePlan {
     pub surfaces: Vec<SurfacePlan>,
 }
 
+/// What both models are run with on a surface.
+#[derive(Clone, Copy)]
+pub struct Setup<'a> {
+    /// The laws, each under every thickness of the layer.
+    pub laws: &'a [LawPlan],
+    /// The laws alone.
+    pub law_specs: &'a [ContactLaw],
+    /// The models to run.
+    pub models: &'a [Kind],
+    /// Height density of the statistical model, where the spec names one.
+    pub heights: Option<&'a Heights>,
+    /// Which mean radius the statistical model uses.
+    pub mean_radius: MeanRadius,
+    /// What the surface is pressed to.
+    pub controls: &'a Controls,
+}
+
 impl ComparePlan {
+    /// What its models are run with.
+    pub fn setup(&self) -> Setup<'_> {
+        Setup {
+            laws: &self.laws,
+            law_specs: &self.law_specs,
+            models: &self.models,
+            heights: self.heights.as_ref(),
+            mean_radius: self.mean_radius,
+            controls: &self.controls,
+        }
+    }
+
     /// Whether some contact is under a layer of finite thickness: of a listed one, or of one at which the layer begins to
     /// matter, which is looked for at given loads.
     pub fn uses_rule(&self, layer: &LayerPlan) -> bool {
@@ -132,6 +163,7 @@ pub(crate) fn compared(
         heights: raw.statistical.heights.as_ref().map(|heights| heights.0.clone()),
         mean_radius: raw.statistical.mean_radius,
         accept: raw.accept,
+        is_robustness_examined: raw.robustness,
         controls,
         load_keys: [raw.pressure.as_ref().map(Spanned::span), raw.force.as_ref().map(Spanned::span)],
         surfaces: surfaces(file, raw.surfaces.as_deref(), span, as_ellipses)?,

@@ -6,6 +6,7 @@ use asperity_framework::metadata::Metadata;
 
 use super::answers::{DecreaseResults, RealisationResults, Threshold};
 use super::findings::{Readings, SurfaceFindings};
+use super::robustness::Robustness;
 use crate::layer::rule_warning;
 use crate::surface::{Surface, warnings};
 
@@ -55,6 +56,8 @@ pub struct SurfaceResults {
     pub decreases: Vec<DecreaseResults>,
     /// Findings.
     pub findings: SurfaceFindings,
+    /// The verdicts under other treatments of a measured map; `None` where none were examined.
+    pub robustness: Option<Robustness>,
 }
 
 impl SurfaceResults {

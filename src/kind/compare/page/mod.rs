@@ -7,6 +7,7 @@
 //! | `decreasing` | area or load that decreases with increasing indentation |
 //! | `layer` | results by layer thickness |
 //! | `readings` | σ and d read as those of the asperities or of the surface |
+//! | `robustness` | the verdicts under other treatments of a map |
 //! | `surface` | the surface, and the inputs of the statistical model |
 //! | `answers` | results of both models |
 //! | `limits` | limits of validity |
@@ -21,6 +22,7 @@ mod layer;
 mod limits;
 mod names;
 mod readings;
+mod robustness;
 mod surface;
 pub mod verdict;
 
@@ -92,7 +94,7 @@ pub fn page(results: &CompareResults) -> Page {
 
 /// The answer on one surface, a sentence for each law.
 fn headlines(results: &CompareResults, found: &SurfaceResults) -> Vec<String> {
-    let line = |(case, findings): (&CaseResults, &CaseFindings)| {
+    let line = |(index, (case, findings)): (usize, (&CaseResults, &CaseFindings))| {
         let verdicts = &findings.verdicts;
         let name = subject(results, found, &case.law);
         let has_pairs = !case.comparison.pairs.is_empty();
@@ -105,7 +107,8 @@ fn headlines(results: &CompareResults, found: &SurfaceResults) -> Vec<String> {
         } else if verdicts.differences.is_empty() {
             format!("one model was run, so that no models are compared. {}", verdict::range_line(verdicts))
         } else {
-            let sentence = verdict::headline(verdicts, found.surface.plane.sigma);
+            let mut sentence = verdict::headline(verdicts, found.surface.plane.sigma);
+            sentence.extend(robustness::sentence(found, index).map(|depends| format!(" {depends}")));
             match &fitness::blocked_by(&found.surface)[..] {
                 [] => sentence,
                 faults => {
@@ -118,13 +121,13 @@ fn headlines(results: &CompareResults, found: &SurfaceResults) -> Vec<String> {
         };
         format!("**{}**: {}", escape(&name), escape(&sentence))
     };
-    found.first.cases.iter().zip(&found.findings.cases).map(line).collect()
+    found.first.cases.iter().zip(&found.findings.cases).enumerate().map(line).collect()
 }
 
 /// The answer on one surface under every law: verdicts and the figure behind them.
 pub fn answer(page: &mut Page, results: &CompareResults, found: &SurfaceResults) {
     let sigma = found.surface.plane.sigma;
-    for (case, findings) in found.first.cases.iter().zip(&found.findings.cases) {
+    for (index, (case, findings)) in found.first.cases.iter().zip(&found.findings.cases).enumerate() {
         let verdicts = &findings.verdicts;
         if verdicts.differences.is_empty() {
             continue;
@@ -147,6 +150,7 @@ pub fn answer(page: &mut Page, results: &CompareResults, found: &SurfaceResults)
                  the valid range; curves are cut at the edge of the panel."
             ),
         );
+        robustness::section(page, found, index, &name, &stem(found, &case.law));
     }
 }
 
