@@ -157,6 +157,9 @@ fn row(treatment: &str, at: Option<&Difference>, verdicts: &Verdicts) -> Vec<Str
     row
 }
 
+/// How much of the axis is shown at least, in accepted differences.
+const VIEW: f64 = 1.5;
+
 /// Differences of area and separation against the nesting index; `None` where fewer than two filters gave an answer.
 fn against_filter(
     robustness: &Robustness,
@@ -189,8 +192,16 @@ fn against_filter(
     let plots = panels.into_iter().map(|(judged, label, unit)| {
         let accepted = unit * verdicts.accepted.of(judged);
         let axis = Axis::log("S nesting index (µm)").range(ends[0], ends[1]);
-        let mut plot = Plot::new("", axis, Axis::linear(label))
-            .height(240.0)
+        let values = filtered.iter().flat_map(|(_, differences)| differences.iter());
+        let values = values.filter(|at| shown.contains(&at.load));
+        let values =
+            values.filter_map(|at| Some(unit * judged.reported(at.estimates[judged as usize]?.contrast)));
+        let [low, high] = values.fold([-VIEW * accepted, VIEW * accepted], |[low, high], value| {
+            [low.min(value), high.max(value)]
+        });
+        let room = 0.05 * (high - low);
+        let mut plot = Plot::new("", axis, Axis::linear(label).range(low - room, high + room))
+            .height(210.0)
             .with(Layer::region_y(-accepted, accepted, "accepted").coloured(Colour::Series(2)))
             .with(Layer::at_y(0.0, ""));
         for ((place, load), dash) in shown.iter().enumerate().zip([Dash::Solid, Dash::Dashed, Dash::Dotted]) {
@@ -206,5 +217,5 @@ fn against_filter(
         }
         plot
     });
-    Some(Figure::row("Statistical minus deterministic model by S filter", plots.collect()).svg())
+    Some(Figure::column("Statistical minus deterministic model by S filter", plots.collect()).svg())
 }
