@@ -9,6 +9,7 @@
 mod experiment;
 pub mod kind;
 mod layer;
+pub mod materials;
 pub mod surface;
 
 pub use experiment::{Experiment, TEMPLATE};

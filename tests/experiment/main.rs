@@ -26,6 +26,7 @@ mod common;
 mod indentation;
 mod layers;
 mod limit;
+mod materials;
 mod readings;
 mod registry;
 mod verdicts;
