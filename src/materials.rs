@@ -4,6 +4,7 @@ use std::fmt::Write;
 
 use asperity::material_library::{self, Class, LibraryMaterial, Sourced};
 use asperity_framework::report::format::{input_number, input_quantity};
+use asperity_framework::report::sections::by_source;
 
 /// All materials of the library: their values, then the source of each.
 pub fn all_materials() -> String {
@@ -29,9 +30,9 @@ pub fn all_materials() -> String {
     }
     text.push_str("\n## Sources\n\n");
     for material in material_library::all() {
-        let sources: Vec<String> =
-            rows(material).iter().map(|row| format!("{}: {}", row.symbol, row.source)).collect();
-        let _ = writeln!(text, "- `{}`: {}.", material.name, merged(&sources).join("; "));
+        let sources: Vec<(&str, String)> =
+            rows(material).into_iter().map(|row| (row.symbol, row.source)).collect();
+        let _ = writeln!(text, "- `{}`: {}.", material.name, by_source(&sources));
     }
     text
 }
@@ -75,18 +76,6 @@ fn rows(material: &LibraryMaterial) -> Vec<Row> {
     rows.extend(material.hardness.map(|found| row("hardness", "H", pressure(found), found)));
     rows.extend(material.yield_strength.map(|found| row("yield-strength", "Y", pressure(found), found)));
     rows
-}
-
-/// Neighbours "E: a" and "ν: a" of one source as "E, ν: a".
-fn merged(sources: &[String]) -> Vec<String> {
-    let mut merged: Vec<(String, &str)> = Vec::new();
-    for (symbol, source) in sources.iter().filter_map(|line| line.split_once(": ")) {
-        match merged.last_mut() {
-            Some((symbols, last)) if *last == source => *symbols = format!("{symbols}, {symbol}"),
-            _ => merged.push((symbol.to_owned(), source)),
-        }
-    }
-    merged.into_iter().map(|(symbols, source)| format!("{symbols}: {source}")).collect()
 }
 
 fn table(materials: &[&LibraryMaterial]) -> String {

@@ -29,6 +29,7 @@ mod limit;
 mod materials;
 mod readings;
 mod registry;
+mod single_load;
 mod verdicts;
 mod work;
 

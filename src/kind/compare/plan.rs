@@ -111,7 +111,11 @@ pub(crate) fn compared(
             "found no separation, pressure or force; allowed: at least one of separation, pressure, force",
         ));
     }
-    let layer = raw.layer.as_ref().map(|raw| layer(file, raw, &flat).map(Box::new)).transpose()?;
+    let mut layer = raw.layer.as_ref().map(|raw| layer(file, raw, &flat).map(Box::new)).transpose()?;
+    if raw.layer.as_ref().is_some_and(|raw| raw.thickness.stands_alone) {
+        // One thickness is compared with none.
+        layer.iter_mut().for_each(|layer| layer.add_uncoated());
+    }
     let flats = match &layer {
         None => vec![(None, Flat::Bare(flat))],
         Some(layer) => {

@@ -72,16 +72,23 @@ pub fn materials(
     let columns = if has_yield_strength { header } else { &header[..5] };
     page.table(columns, materials.iter().map(row));
     page.bullets(metadata.origins.iter().map(|(name, origin)| {
-        let sources: Vec<String> =
-            origin.sources().iter().map(|(key, source)| format!("{key}: {}", escape(source))).collect();
         format!(
             "{}: `{}` of the library, {}. {}.",
             escape(name),
             origin.from.name,
             escape(origin.from.description),
-            sources.join("; ")
+            escape(&by_source(&origin.sources())),
         )
     }));
+}
+
+/// "young, poisson: a handbook; hardness: a data sheet", of values (in their order) and the source of each.
+pub fn by_source(sources: &[(&str, String)]) -> String {
+    let of_one = sources.chunk_by(|one, next| one.1 == next.1).map(|alike| {
+        let keys: Vec<&str> = alike.iter().map(|(key, _)| *key).collect();
+        format!("{}: {}", keys.join(", "), alike[0].1)
+    });
+    of_one.collect::<Vec<_>>().join("; ")
 }
 
 fn hardness(value: Option<f64>) -> String {
