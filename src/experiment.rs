@@ -7,7 +7,7 @@ use asperity::Material;
 use asperity_framework::digest::{hexadecimal, sha256, sha256_of_file};
 use asperity_framework::input::material::MaterialOrigin;
 use asperity_framework::input::{InputError, Source, SpecFile};
-use asperity_framework::progress::Progress;
+use asperity_framework::progress::{Progress, Silent};
 use asperity_framework::report::format::listed;
 use asperity_framework::{Kind, Outcome, Plan, RunContext};
 use indexmap::IndexMap;
@@ -137,8 +137,20 @@ impl Experiment {
     /// # Errors
     /// What only a run can find: a map without a summit, a pressure that is not reached.
     pub fn run(&self, progress: &dyn Progress) -> Result<Box<dyn Outcome>, InputError> {
-        let Self { source, stem, title, notes, seed, materials, origins, plan } = self;
-        plan.run(&RunContext { title, stem, notes, seed: *seed, materials, origins, source, progress })
+        self.plan.run(&self.context(progress))
+    }
+
+    /// Looks for what a run would refuse, such as a load that a population does not reach, without running it.
+    ///
+    /// # Errors
+    /// What a run would refuse.
+    pub fn check(&self) -> Result<(), InputError> {
+        self.plan.check(&self.context(&Silent))
+    }
+
+    fn context<'a>(&'a self, progress: &'a dyn Progress) -> RunContext<'a> {
+        let Self { source, stem, title, notes, seed, materials, origins, .. } = self;
+        RunContext { title, stem, notes, seed: *seed, materials, origins, source, progress }
     }
 }
 

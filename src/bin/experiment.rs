@@ -439,10 +439,12 @@ fn list(out: &Path) -> Result<(), Failure> {
 }
 
 fn check(files: &[PathBuf], extent: &Extent) -> Result<(), Failure> {
+    let mut errors = Vec::new();
     for experiment in read_all(files, extent)? {
         print(format_args!("{}", experiment.to_string().trim_end()));
+        errors.extend(experiment.check().err().map(|error| error.to_string()));
     }
-    Ok(())
+    if errors.is_empty() { Ok(()) } else { Err(Failure::Input(errors.join("\nerror: "))) }
 }
 
 fn new(name: &Path) -> Result<(), Failure> {

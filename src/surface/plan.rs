@@ -195,6 +195,11 @@ impl SurfacePlan {
         }
     }
 
+    /// Whether its asperities are given, by a list or a population, not found on a map.
+    pub fn has_given_asperities(&self) -> bool {
+        matches!(self.origin, Origin::List { .. } | Origin::Population { .. })
+    }
+
     /// Warnings about radius, heights and area that are hardly meant; they are known before a run of a population only.
     pub fn implausible(&self) -> Vec<String> {
         let Origin::Population { population: Population { radius, sigma, density, .. }, count, .. } =

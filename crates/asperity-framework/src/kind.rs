@@ -79,6 +79,14 @@ pub trait Plan: fmt::Display {
         None
     }
 
+    /// Looks for what a run would refuse, as far as that takes no more than a small part of the run's time.
+    ///
+    /// # Errors
+    /// What a run would refuse.
+    fn check(&self, _: &RunContext) -> Result<(), InputError> {
+        Ok(())
+    }
+
     /// Runs it.
     ///
     /// # Errors

@@ -110,7 +110,11 @@ pub fn run(
 }
 
 /// Both models on a surface, its asperities as the laws see them.
-fn models_of<'a>(compare: &ComparePlan, surface: &'a Surface, timing: &mut Timing) -> SurfaceModels<'a> {
+pub(super) fn models_of<'a>(
+    compare: &ComparePlan,
+    surface: &'a Surface,
+    timing: &mut Timing,
+) -> SurfaceModels<'a> {
     let start = Instant::now();
     let population = surface.population(compare.heights.as_ref(), compare.mean_radius);
     let is_summed = compare.models.contains(&Kind::Deterministic);
@@ -229,7 +233,7 @@ fn decreases(
 }
 
 /// Points at the sweep with a load out of reach.
-fn unreachable_load(
+pub(super) fn unreachable_load(
     context: &RunContext,
     compare: &ComparePlan,
     surface: &str,
