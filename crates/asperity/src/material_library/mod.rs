@@ -192,7 +192,7 @@ mod tests {
         assert!(find("steel").is_none());
         assert_eq!(similar("steel-100-Cr-6")[0], "steel-100Cr6");
         assert_eq!(similar("100Cr6")[0], "steel-100Cr6");
-        assert_eq!(similar("AISI 52100"), ["steel-100Cr6"]);
+        assert_eq!(similar("52100")[0], "steel-100Cr6");
         assert_eq!(similar("Ti-6Al-4V")[0], "titanium-Ti6Al4V");
         assert!(similar("ptfe").contains(&"PTFE"));
         assert!(similar("").is_empty() && similar("xq").is_empty());
