@@ -9,6 +9,8 @@
 mod experiment;
 pub mod kind;
 mod layer;
+pub mod materials;
+mod plausibility;
 pub mod surface;
 
 pub use experiment::{Experiment, TEMPLATE};

@@ -6,6 +6,7 @@ use std::process::ExitCode;
 use std::time::Instant;
 
 use asperity_experiment::kind::{KINDS, columns};
+use asperity_experiment::materials::{all_materials, one_material};
 use asperity_experiment::surface::{FileOptions, described_file};
 use asperity_experiment::{Experiment, TEMPLATE};
 use asperity_framework::input::InputError;
@@ -82,6 +83,11 @@ enum Command {
         /// Only tables of this kind of experiment
         #[arg(value_parser = PossibleValuesParser::new(KINDS.iter().map(|kind| kind.name())))]
         kind: Option<String>,
+    },
+    /// List the materials of the library, each value with its source (Markdown)
+    Materials {
+        /// Only this one
+        name: Option<String>,
     },
     /// Compare new reports with those in another folder, number by number
     Verify {
@@ -190,6 +196,7 @@ fn main() -> ExitCode {
             print(format_args!("{}", columns(kind.as_deref()).trim_end()));
             Ok(())
         }
+        Some(Command::Materials { name }) => materials(name.as_deref()),
         Some(Command::Verify { fresh, out }) => verify(&fresh, &out),
     };
     match outcome {
@@ -432,10 +439,12 @@ fn list(out: &Path) -> Result<(), Failure> {
 }
 
 fn check(files: &[PathBuf], extent: &Extent) -> Result<(), Failure> {
+    let mut errors = Vec::new();
     for experiment in read_all(files, extent)? {
         print(format_args!("{}", experiment.to_string().trim_end()));
+        errors.extend(experiment.check().err().map(|error| error.to_string()));
     }
-    Ok(())
+    if errors.is_empty() { Ok(()) } else { Err(Failure::Input(errors.join("\nerror: "))) }
 }
 
 fn new(name: &Path) -> Result<(), Failure> {
@@ -445,6 +454,15 @@ fn new(name: &Path) -> Result<(), Failure> {
         .and_then(|mut file| file.write_all(TEMPLATE.as_bytes()))
         .map_err(|error| Failure::Input(format!("{}: {error}", path.display())))?;
     print(format_args!("{} written; run it with `experiment run {}`", path.display(), path.display()));
+    Ok(())
+}
+
+fn materials(name: Option<&str>) -> Result<(), Failure> {
+    let text = match name {
+        None => all_materials(),
+        Some(name) => one_material(name).map_err(Failure::Input)?,
+    };
+    print(format_args!("{}", text.trim_end()));
     Ok(())
 }
 

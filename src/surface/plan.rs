@@ -6,6 +6,7 @@ use std::ops::Range;
 use std::path::PathBuf;
 use toml::Spanned;
 
+use crate::plausibility;
 use crate::surface::files::Reading;
 use crate::surface::generation::Generation;
 use crate::surface::overview::{AnalysisDepth, MOST_ANALYSED_POINTS};
@@ -199,6 +200,21 @@ impl SurfacePlan {
             Origin::List { path, .. } | Origin::Map(MapPlan { path, .. }) => Some(path.clone()),
             Origin::Population { .. } | Origin::Generated(_) => None,
         }
+    }
+
+    /// Whether its asperities are given, by a list or a population, not found on a map.
+    pub fn has_given_asperities(&self) -> bool {
+        matches!(self.origin, Origin::List { .. } | Origin::Population { .. })
+    }
+
+    /// Warnings about radius, heights and area that are hardly meant; they are known before a run of a population only.
+    pub fn implausible(&self) -> Vec<String> {
+        let Origin::Population { population: Population { radius, sigma, density, .. }, count, .. } =
+            &self.origin
+        else {
+            return Vec::new();
+        };
+        plausibility::of_surface(&self.name, *radius, *sigma, *count as f64 / density)
     }
 
     /// What it is found in, if that is a file.

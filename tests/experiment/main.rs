@@ -26,8 +26,10 @@ mod common;
 mod indentation;
 mod layers;
 mod limit;
+mod materials;
 mod readings;
 mod registry;
+mod single_load;
 mod verdicts;
 mod work;
 

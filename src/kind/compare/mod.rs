@@ -7,6 +7,7 @@ mod layer_summary;
 mod models;
 pub mod page;
 pub mod plan;
+mod reach;
 mod readings_summary;
 pub mod results;
 pub mod robustness;
@@ -71,6 +72,10 @@ impl Plan for ComparePlan {
 
     fn work(&self) -> u128 {
         self.work()
+    }
+
+    fn check(&self, context: &RunContext) -> Result<(), InputError> {
+        reach::check(context, self)
     }
 
     fn run(&self, context: &RunContext) -> Result<Box<dyn Outcome>, InputError> {

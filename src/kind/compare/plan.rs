@@ -12,6 +12,7 @@ use toml::Spanned;
 
 use super::spec::CompareSpec;
 use crate::layer::{LayerPlan, layer};
+use crate::plausibility;
 use crate::surface::{SurfacePlan, describe, surfaces};
 
 /// Both models on given surfaces.
@@ -42,6 +43,8 @@ pub struct ComparePlan {
     pub load_keys: [Option<std::ops::Range<usize>>; 2],
     /// The surfaces.
     pub surfaces: Vec<SurfacePlan>,
+    /// Warnings about materials and separations that are hardly meant.
+    pub implausible: Vec<String>,
 }
 
 /// What both models are run with on a surface.
@@ -102,7 +105,13 @@ impl fmt::Display for ComparePlan {
             None => "law and surface",
         };
         writeln!(f, "  {} at {} points a {each}", models.join(" and "), self.controls.points())?;
-        describe(&self.surfaces, f)
+        describe(&self.surfaces, f)?;
+        let surfaces = self.surfaces.iter().flat_map(SurfacePlan::implausible);
+        self.implausible
+            .iter()
+            .cloned()
+            .chain(surfaces)
+            .try_for_each(|warning| writeln!(f, "  warning: {warning}"))
     }
 }
 
@@ -133,7 +142,11 @@ pub(crate) fn compared(
             "found no separation, pressure or force; allowed: at least one of separation, pressure, force",
         ));
     }
-    let layer = raw.layer.as_ref().map(|raw| layer(file, raw, &flat).map(Box::new)).transpose()?;
+    let mut layer = raw.layer.as_ref().map(|raw| layer(file, raw, &flat).map(Box::new)).transpose()?;
+    if raw.layer.as_ref().is_some_and(|raw| raw.thickness.stands_alone) {
+        // One thickness is compared with none.
+        layer.iter_mut().for_each(|layer| layer.add_uncoated());
+    }
     let flats = match &layer {
         None => vec![(None, Flat::Bare(flat))],
         Some(layer) => {
@@ -151,6 +164,8 @@ pub(crate) fn compared(
     let coat = coat.map(|layer| (layer.name.as_str(), &layer.material));
     let flat_materials: Vec<_> = substrate.into_iter().chain(coat).collect();
     file.check_laws(&raw.law, (rough_name, &rough), &flat_materials)?;
+    let mut implausible = plausibility::of_bodies((rough_name, &rough), &flat_materials);
+    implausible.extend(plausibility::of_separations(&controls.separations));
     let law_specs = raw.law.get_ref().0.clone();
     let as_ellipses = law_specs.iter().any(ContactLaw::is_elliptic);
     Ok(ComparePlan {
@@ -167,5 +182,6 @@ pub(crate) fn compared(
         controls,
         load_keys: [raw.pressure.as_ref().map(Spanned::span), raw.force.as_ref().map(Spanned::span)],
         surfaces: surfaces(file, raw.surfaces.as_deref(), span, as_ellipses)?,
+        implausible,
     })
 }

@@ -17,6 +17,8 @@ pub struct CompareResults {
     pub metadata: Metadata,
     /// The bodies.
     pub contact: ContactMetadata,
+    /// Warnings about inputs that are hardly meant.
+    pub implausible: Vec<String>,
     /// How far the curves over d/sigma may be off.
     pub tolerances: Tolerances,
     /// Surface by surface, in file order.
@@ -29,6 +31,7 @@ impl CompareResults {
     /// Warnings about the results, one per line.
     pub fn warnings(&self) -> Vec<String> {
         let mut lines = warnings(self.surfaces.iter().map(|found| &found.surface));
+        lines.extend(self.implausible.iter().cloned());
         lines.extend(self.contact.caveats.iter().cloned());
         lines.extend(
             self.contact

@@ -23,6 +23,7 @@ use super::robustness;
 use super::sampling::sampling;
 use super::threshold;
 use crate::layer::{LayerPlan, thickness_words};
+use crate::plausibility;
 use crate::surface::{AnalysisDepth, Surface, SurfaceFactory, files_of};
 
 /// Runs a comparison and counts its work.
@@ -106,7 +107,12 @@ pub fn run(
     let tolerances = compare.controls.tolerances;
     let metadata = context.metadata(papers, timing, Some(counter.work()));
     let readings = Readings::of(&surfaces);
-    Ok(CompareResults { metadata, contact, tolerances, surfaces, readings })
+    let mut implausible = compare.implausible.clone();
+    implausible.extend(surfaces.iter().flat_map(|found| {
+        let Surface { name, statistics, set, .. } = &found.surface;
+        plausibility::of_surface(name, statistics.mean_radius, statistics.sigma, set.nominal_area())
+    }));
+    Ok(CompareResults { metadata, contact, implausible, tolerances, surfaces, readings })
 }
 
 /// Both models on a surface, its asperities as the laws see them.
@@ -231,7 +237,7 @@ fn decreases(
 }
 
 /// Points at the sweep with a load out of reach.
-fn unreachable_load(
+pub(super) fn unreachable_load(
     context: &RunContext,
     compare: &ComparePlan,
     surface: &str,

@@ -9,6 +9,7 @@ use asperity_framework::report::format;
 mod heights;
 mod laws;
 mod precision;
+mod reach;
 mod sphere;
 mod surface;
 mod tolerance;

@@ -8,6 +8,7 @@
 //! | `layer` | results by layer thickness |
 //! | `readings` | σ and d read as those of the asperities or of the surface |
 //! | `robustness` | the verdicts under other treatments of a map |
+//! | `single_load` | the answer at one load, in N, Pa, nm and µm² |
 //! | `surface` | the surface, and the inputs of the statistical model |
 //! | `answers` | results of both models |
 //! | `limits` | limits of validity |
@@ -23,6 +24,7 @@ mod limits;
 mod names;
 mod readings;
 mod robustness;
+mod single_load;
 mod surface;
 pub mod verdict;
 
@@ -70,6 +72,7 @@ pub fn page(results: &CompareResults) -> Page {
     for series in &layered {
         page.bullets(series.summary_lines());
     }
+    single_load::answers(&mut page, results);
     sections::notes(&mut page, &results.metadata);
     sections::what_was_run(&mut page, &results.metadata, &results.contact);
     if let Some(layer) = &results.contact.layer {
@@ -142,6 +145,9 @@ pub fn answer(page: &mut Page, results: &CompareResults, found: &SurfaceResults)
         ];
         lines.extend(verdict::stiffness_line(verdicts).map(|line| format!("{}: {line}", escape(&case.law))));
         page.bullets(lines);
+        if single_load::is_single(&case.comparison) {
+            continue;
+        }
         page.figure(
             &format!("{}-differences.svg", stem(found, &case.law)),
             differences::differences(verdicts),
