@@ -188,7 +188,7 @@ impl SummitSearch {
             saddles: summits.principal.iter().filter(|principal| principal[1] <= 0.0).count(),
             expected: is_five_point.then(|| theory::five_point(&roughness.drops, sq, map.pixel())).flatten(),
             nayak: theory::nayak(roughness.spectral_moments()),
-            quantisation: is_checked.then(|| Quantisation::of(raw, summits)),
+            quantisation: is_checked.then(|| Quantisation::of(raw, summits, filter.is_some())),
             spikes,
             fitness: Vec::new(),
             offsets: None,

@@ -21,6 +21,7 @@ macro_rules! case_1 {
 mod caveats;
 mod cli;
 mod columns;
+mod fitness;
 #[path = "../../crates/asperity/tests/library/common.rs"]
 mod common;
 mod indentation;

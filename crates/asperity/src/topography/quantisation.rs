@@ -25,8 +25,8 @@ impl Quantisation {
     /// Fewer distinct curvatures indicate quantisation.
     pub const FEW_CURVATURES: usize = 100;
 
-    /// Analyses the raw heights of `map` and the summits found on it after levelling.
-    pub fn of(map: &dyn Rows, summits: &Summits) -> Self {
+    /// Analyses the raw heights of `map` and the summits found on it after levelling and, if it `is_filtered`, filtering.
+    pub fn of(map: &dyn Rows, summits: &Summits, is_filtered: bool) -> Self {
         let mut heights = sample(map);
         heights.par_sort_unstable_by(f64::total_cmp);
         let points = heights.len();
@@ -39,9 +39,9 @@ impl Quantisation {
         curvatures.par_sort_unstable_by(f64::total_cmp);
         let [dx, dy] = map.pixel();
         let noise = match step {
-            // On a lattice curvatures are multiples of half a step over a squared pixel.
-            Some(step) => 0.01 * step / (dx * dx).max(dy * dy),
-            None => 2.0 * rounding * (1.0 / (dx * dx) + 1.0 / (dy * dy)),
+            // On a lattice curvatures are multiples of half a step over a squared pixel; a filter leaves no lattice.
+            Some(step) if !is_filtered => 0.01 * step / (dx * dx).max(dy * dy),
+            _ => 2.0 * rounding * (1.0 / (dx * dx) + 1.0 / (dy * dy)),
         };
         let mut drops = summits.drops.clone();
         drops.par_sort_unstable_by(f64::total_cmp);
@@ -125,7 +125,7 @@ mod tests {
             })
             .collect();
         let map = HeightMap::new(points, [1e-6; 2], heights, precision).unwrap();
-        Quantisation::of(&map, &five_point(&map))
+        Quantisation::of(&map, &five_point(&map), false)
     }
 
     #[test]

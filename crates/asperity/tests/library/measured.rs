@@ -82,7 +82,7 @@ fn statistics_to_every_digit_known() {
 fn the_maps_on_steps_are_found_and_the_sound_one_is_not() {
     let look = |known: &Known| {
         let (raw, _, summits) = read_and_level(known);
-        Quantisation::of(&raw, &summits)
+        Quantisation::of(&raw, &summits, false)
     };
     let [opd, plu, al3d] = [&SURFACES[0], &SURFACES[1], &SURFACES[2]].map(look);
     println!("{opd:?}\n{plu:?}\n{al3d:?}");

@@ -89,9 +89,11 @@ impl Dependence {
             let highest = answers.iter().max_by(by_contrast)?;
             let is_apart = lowest.side != highest.side
                 && ![lowest.side, highest.side].contains(&Side::Open)
-                // Without intervals a difference at the edge of what is accepted decides nothing.
+                // Without intervals a difference at the edge of what is accepted decides nothing, nor does one between parts of
+                // the map, which are other samples.
                 && ([lowest, highest].iter().all(|one| one.estimate.interval().is_some())
-                    || highest.estimate.contrast - lowest.estimate.contrast > band[1]);
+                    || (choice != Choice::Part
+                        && highest.estimate.contrast - lowest.estimate.contrast > band[1]));
             is_apart.then_some(Self {
                 choice,
                 judged,

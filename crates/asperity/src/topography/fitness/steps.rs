@@ -40,7 +40,8 @@ mod tests {
             let raw = HeightMap::new([256; 2], [1.0; 2], stepped, 0.0).unwrap();
             let filter = filter.map(|s| Filter::new(Some(s), None).unwrap());
             let map = filter.map_or(raw.clone(), |filter| filter.apply(raw.clone()).unwrap());
-            let quantisation = Quantisation::of(&raw, &five_point(&map));
+            let quantisation = Quantisation::of(&raw, &five_point(&map), filter.is_some());
+            assert!(filter.is_none() || !quantisation.has_few_curvatures());
             step_over_drop(&map, &quantisation, filter.as_ref()).unwrap()
         };
         let bare = over(0.05, None);
