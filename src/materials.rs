@@ -19,7 +19,7 @@ pub fn all_materials() -> String {
          ```\n\n\
          Values are typical of the named condition at room temperature; a hardness that was measured on the part in question is \
          better. Annealed metals have no yield strength here: they harden with strain, so that laws that use the hardness and laws \
-         that use the 0.2 % proof stress would describe different materials.\n",
+         that use the 0.2 % proof stress would describe different materials. Sources marked as quoted were not at hand: check their values before you rely on them.\n",
     );
     for class in Class::ALL {
         let of_class: Vec<&LibraryMaterial> =

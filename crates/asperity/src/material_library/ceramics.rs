@@ -1,6 +1,6 @@
 //! Ceramics, glasses, semiconductors and hard coatings. They crack under sharp contacts, which no law here describes.
 
-use super::references::{ANSTIS, CALLISTER, DOWLING, KAYE_LABY, OLIVER_PHARR, WANG};
+use super::references::{ANSTIS, CALLISTER_QUOTED, DOWLING, KAYE_LABY, OLIVER_PHARR, WANG};
 use super::{Class, LibraryMaterial, Sourced};
 
 /// One kilogram-force per square millimetre, Pa: the unit of Vickers and Knoop numbers.
@@ -42,7 +42,7 @@ pub(super) const CERAMICS: &[LibraryMaterial] = &[
         "silicon nitride Si3N4, sintered",
         [
             of(308e9, TECHNICAL, "300 to 315 GPa"),
-            of(0.28, CALLISTER, "sintered"),
+            of(0.28, CALLISTER_QUOTED, "sintered"),
             of(15.5e9, TECHNICAL, "15 to 16 GPa"),
         ],
     ),
@@ -55,15 +55,15 @@ pub(super) const CERAMICS: &[LibraryMaterial] = &[
         "zirconia-3Y-TZP",
         "zirconia with 3 mol% yttria, tetragonal",
         [
-            of(205e9, CALLISTER, "zirconia, 3 mol% Y2O3"),
-            of(0.31, CALLISTER, "zirconia, 3 mol% Y2O3"),
+            of(205e9, CALLISTER_QUOTED, "zirconia, 3 mol% Y2O3"),
+            of(0.31, CALLISTER_QUOTED, "zirconia, 3 mol% Y2O3"),
             of(1300.0 * HV, "Kientec data sheet ceramic ferrules, ZrO2", "12 to 16 GPa in other data sheets"),
         ],
     ),
     ceramic(
         "silicon-carbide",
         "silicon carbide SiC, hot-pressed (NC203)",
-        [of(436e9, ANSTIS, ""), of(0.17, CALLISTER, "hot-pressed"), of(24e9, ANSTIS, "")],
+        [of(436e9, ANSTIS, ""), of(0.17, CALLISTER_QUOTED, "hot-pressed"), of(24e9, ANSTIS, "")],
     ),
     ceramic(
         "glass-soda-lime",
@@ -84,8 +84,16 @@ pub(super) const CERAMICS: &[LibraryMaterial] = &[
         "silicon-100",
         "silicon, single crystal, isotropic values for the [100] direction",
         [
-            of(130e9, "Hopcroft, Nix and Kenny, J. Microelectromech. Syst. 19 (2010) 229", "[100] direction"),
-            of(0.28, "Hopcroft, Nix and Kenny, J. Microelectromech. Syst. 19 (2010) 229", "[100] direction"),
+            of(
+                130e9,
+                "Hopcroft, Nix and Kenny, J. Microelectromech. Syst. 19 (2010) 229 (quoted; original not consulted)",
+                "[100] direction",
+            ),
+            of(
+                0.28,
+                "Hopcroft, Nix and Kenny, J. Microelectromech. Syst. 19 (2010) 229 (quoted; original not consulted)",
+                "[100] direction",
+            ),
             of(10.6e9, ANSTIS, "on (111)"),
         ],
     ),

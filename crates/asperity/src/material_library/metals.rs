@@ -1,8 +1,8 @@
 //! Metals and alloys.
 
 use super::references::{
-    ASM_304, ASM_316, ASM_6061, ASM_7075, ASM_TITANIUM, CALLISTER, DOWLING, EN_1561, EN_10083_2, EN_10083_3,
-    EN_12166, EUROCODE, KAYE_LABY, SAMSONOV,
+    ASM_304, ASM_316, ASM_6061, ASM_7075, ASM_TITANIUM, CALLISTER, CALLISTER_QUOTED, DOWLING, EN_1561,
+    EN_10083_2, EN_10083_3, EN_12166, EUROCODE, KAYE_LABY, SAMSONOV,
 };
 use super::{Class, LibraryMaterial, Sourced};
 
@@ -63,7 +63,7 @@ pub(super) const METALS: &[LibraryMaterial] = &[
         "low-alloy steel 42CrMo4 (AISI 4140, 1.7225), quenched and tempered, up to 16 mm",
         [
             of(207e9, CALLISTER, "steel 4140"),
-            of(0.30, CALLISTER, "plain carbon and low-alloy steels"),
+            of(0.30, CALLISTER_QUOTED, "plain carbon and low-alloy steels"),
             of(
                 340.0 * HV,
                 EN_10083_3,
@@ -77,7 +77,7 @@ pub(super) const METALS: &[LibraryMaterial] = &[
         "austenitic stainless steel AISI 304 (1.4301), annealed",
         [
             of(193e9, CALLISTER, "stainless steel 304"),
-            of(0.30, CALLISTER, "stainless steel 304"),
+            of(0.30, CALLISTER_QUOTED, "stainless steel 304"),
             of(129.0 * HV, ASM_304, "converted from 123 HB"),
         ],
         None,
@@ -87,7 +87,7 @@ pub(super) const METALS: &[LibraryMaterial] = &[
         "austenitic stainless steel AISI 316 (1.4401; 316L is similar), annealed",
         [
             of(193e9, ASM_316, ""),
-            of(0.30, CALLISTER, "stainless steel 316"),
+            of(0.30, CALLISTER_QUOTED, "stainless steel 316"),
             of(155.0 * HV, ASM_316, "converted from 149 HB"),
         ],
         None,

@@ -1,12 +1,12 @@
 //! Polymers. They creep: modulus and hardness are those of tests of a minute, dry, at 23 °C.
 
-use super::references::{CALLISTER, DOWLING};
+use super::references::{CALLISTER, CALLISTER_QUOTED, DOWLING};
 use super::{Class, LibraryMaterial, Sourced};
 
-const ENSINGER_PEEK: &str = "Ensinger data sheet TECAPEEK natural";
-const ENSINGER_PA66: &str = "Ensinger data sheet TECAMID 66 natural";
+const ENSINGER_PEEK: &str = "Ensinger data sheet TECAPEEK natural (quoted; original not consulted)";
+const ENSINGER_PA66: &str = "Ensinger data sheet TECAMID 66 natural (quoted; original not consulted)";
 const POM: &str = "data sheet POM-C, rods of 40 to 60 mm (Scribd 479235228)";
-const PLEXIGLAS: &str = "Röhm data sheet PLEXIGLAS GS";
+const PLEXIGLAS: &str = "Röhm data sheet PLEXIGLAS GS (quoted; original not consulted)";
 const BALL: &str = "ball indentation, ISO 2039-1";
 
 const fn of(value: f64, reference: &'static str, note: &'static str) -> Sourced {
@@ -28,14 +28,21 @@ pub(super) const POLYMERS: &[LibraryMaterial] = &[
         "polyetheretherketone, unfilled",
         [
             of(4.2e9, ENSINGER_PEEK, "in tension"),
-            of(0.40, "Victrex, Materials Properties Guide", "PEEK 450G"),
+            of(0.40, "Victrex, Materials Properties Guide (quoted; original not consulted)", "PEEK 450G"),
         ],
         [Some(of(253e6, ENSINGER_PEEK, BALL)), Some(of(116e6, ENSINGER_PEEK, ""))],
     ),
     polymer(
         "POM",
         "polyoxymethylene, copolymer",
-        [of(2.855e9, POM, ""), of(0.35, "DuPont, Delrin Design Information, module III", "homopolymer")],
+        [
+            of(2.855e9, POM, ""),
+            of(
+                0.35,
+                "DuPont, Delrin Design Information, module III (quoted; original not consulted)",
+                "homopolymer",
+            ),
+        ],
         [Some(of(125e6, POM, "ball indentation, ISO 2039")), Some(of(67e6, POM, "at yield"))],
     ),
     polymer(
@@ -53,7 +60,7 @@ pub(super) const POLYMERS: &[LibraryMaterial] = &[
     polymer(
         "PTFE",
         "polytetrafluoroethylene, unfilled",
-        [of(0.475e9, CALLISTER, "0.40 to 0.55 GPa"), of(0.46, CALLISTER, "")],
+        [of(0.475e9, CALLISTER, "0.40 to 0.55 GPa"), of(0.46, CALLISTER_QUOTED, "")],
         [None, Some(of(14.5e6, CALLISTER, "13.8 to 15.2 MPa"))],
     ),
     polymer(
@@ -61,7 +68,11 @@ pub(super) const POLYMERS: &[LibraryMaterial] = &[
         "polyethylene of ultra-high molecular weight",
         [
             of(0.69e9, CALLISTER, ""),
-            of(0.46, "Kurtz, UHMWPE Biomaterials Handbook, 2nd ed. (2009)", "typical"),
+            of(
+                0.46,
+                "Kurtz, UHMWPE Biomaterials Handbook, 2nd ed. (2009) (quoted; original not consulted)",
+                "typical",
+            ),
         ],
         [None, None],
     ),
