@@ -156,7 +156,7 @@ impl SummitSearch {
     pub(super) fn asperities(&self, raw: &dyn Rows) -> Result<Found, NoAsperities> {
         let levelled = Levelled { map: raw, form: self.level.form(raw)? };
         let filtered = match self.filter {
-            Some(filter) => Some(filter.apply(HeightMap::of(&levelled))?),
+            Some(filter) => Some(filter.apply(&levelled)?),
             None => None,
         };
         let map: &dyn Rows = filtered.as_ref().map_or(&levelled as &dyn Rows, |map| map);

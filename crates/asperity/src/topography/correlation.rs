@@ -4,7 +4,7 @@ use std::f64::consts::{PI, TAU};
 
 use asperity_fft::Complex;
 
-use super::fourier::{analyse, columns, synthesise, weight};
+use super::fourier::{analyse, change_waves, columns, weight, with_small_factors};
 use super::spectrum::GridSpectrum;
 use super::{Boundary, HeightMap, Rows};
 use crate::numeric::parallel::{self, for_each_row};
@@ -194,31 +194,13 @@ impl Autocorrelation {
     }
 }
 
-/// The smallest multiple of 8 of at least `count` without a prime factor above 7, of which transforms are fastest.
-fn with_small_factors(count: usize) -> usize {
-    let is_fast = |&length: &usize| {
-        let rest = [2, 3, 5, 7].into_iter().fold(length, |mut rest, factor| {
-            while rest % factor == 0 {
-                rest /= factor;
-            }
-            rest
-        });
-        rest == 1
-    };
-    let first = count.next_multiple_of(8);
-    (first..).step_by(8).find(is_fast).unwrap_or(first)
-}
-
 /// Sums over all pairs of points of the products of their values, by lag around the border.
-fn pairs(field: Vec<f64>, points: [usize; 2]) -> Vec<f64> {
-    let powers = analyse(field, points, |_, waves| waves.iter().map(|w| w.norm_sqr()).collect::<Vec<f64>>());
-    let count = (points[0] * points[1]) as f64;
-    let fill = |j: usize, waves: &mut [Complex<f64>]| {
-        for (wave, power) in waves.iter_mut().zip(&powers[j]) {
-            *wave = Complex::new(*power, 0.0);
-        }
-    };
-    synthesise(points, fill, |_| count.recip())
+fn pairs(mut field: Vec<f64>, points: [usize; 2]) -> Vec<f64> {
+    let scale = ((points[0] * points[1]) as f64).recip();
+    change_waves(&mut field, points, scale, &|_, waves| {
+        waves.iter_mut().for_each(|wave| *wave = Complex::new(wave.norm_sqr(), 0.0));
+    });
+    field
 }
 
 /// The distance (m) at which the autocorrelation first decays to 0.2, in each of 180 directions over the half plane.

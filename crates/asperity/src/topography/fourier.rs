@@ -4,7 +4,7 @@
 //! 0, then Re k, Im k, and for an even number of points Re of the last at the end. Columns are transposed and
 //! transformed along x in batches that fit in the cache.
 
-use asperity_fft::{Complex, FftDirection};
+use asperity_fft::{Complex, Fft, FftDirection};
 use rayon::prelude::*;
 
 use crate::memory::zeros;
@@ -50,29 +50,68 @@ pub fn synthesise<T: Send + Sync>(
 /// The first pass: along x, from the amplitudes that `fill` writes.
 fn waves_along_x(points: [usize; 2], fill: &(dyn Fn(usize, &mut [Complex<f64>]) + Sync)) -> Vec<f64> {
     let [nx, ny] = points;
-    let transform = asperity_fft::complex(nx, FftDirection::Inverse);
     let mut map = zeros(nx * ny);
+    let transform = asperity_fft::complex(nx, FftDirection::Inverse);
+    for_each_batch(points, &mut |first, batch| {
+        transform_columns(batch, &*transform, &|k, column| fill(first + k, column), &|_, _| ());
+        scatter(batch, first, &mut map, points);
+    });
+    map
+}
+
+/// Calls `task` with batches of columns of waves and the wave number along y of the first column of each.
+fn for_each_batch(points: [usize; 2], task: &mut dyn FnMut(usize, &mut [Complex<f64>])) {
     let width = batch_width(points);
-    let mut batch = vec![Complex::default(); width * nx];
+    let mut batch = vec![Complex::default(); width * points[0]];
     for first in (0..columns(points)).step_by(width) {
         let count = width.min(columns(points) - first);
-        batch[..count * nx].par_chunks_mut(nx).enumerate().for_each_init(
-            || vec![Complex::default(); transform.get_inplace_scratch_len()],
-            |scratch, (k, column)| {
-                fill(first + k, column);
-                transform.process_with_scratch(column, scratch);
-            },
-        );
-        map.par_chunks_mut(ROWS * ny).enumerate().for_each(|(block, rows)| {
-            for (k, column) in batch[..count * nx].chunks(nx).enumerate() {
-                let column = &column[block * ROWS..];
-                for (row, wave) in rows.chunks_mut(ny).zip(column) {
-                    put(row, first + k, *wave);
-                }
-            }
-        });
+        task(first, &mut batch[..count * points[0]]);
     }
-    map
+}
+
+/// Something done with the column `k` of a batch.
+type OfColumn<'a> = &'a (dyn Fn(usize, &mut [Complex<f64>]) + Sync);
+
+/// Transforms columns of waves, each between `before` and `after`.
+fn transform_columns(
+    batch: &mut [Complex<f64>],
+    transform: &dyn Fft<f64>,
+    before: OfColumn,
+    after: OfColumn,
+) {
+    batch.par_chunks_mut(transform.len()).enumerate().for_each_init(
+        || vec![Complex::default(); transform.get_inplace_scratch_len()],
+        |scratch, (k, column)| {
+            before(k, column);
+            transform.process_with_scratch(column, scratch);
+            after(k, column);
+        },
+    );
+}
+
+/// Copies columns, the first being `first`, from the rows of a map.
+fn gather(map: &[f64], points: [usize; 2], first: usize, batch: &mut [Complex<f64>]) {
+    let [nx, ny] = points;
+    batch.par_chunks_mut(ROWS * nx).enumerate().for_each(|(block, columns)| {
+        for (i, row) in map.chunks(ny).enumerate() {
+            for (k, column) in columns.chunks_mut(nx).enumerate() {
+                column[i] = get(row, first + block * ROWS + k);
+            }
+        }
+    });
+}
+
+/// Copies columns, the first being `first`, to the rows of a map.
+fn scatter(batch: &[Complex<f64>], first: usize, map: &mut [f64], points: [usize; 2]) {
+    let [nx, ny] = points;
+    map.par_chunks_mut(ROWS * ny).enumerate().for_each(|(block, rows)| {
+        for (k, column) in batch.chunks(nx).enumerate() {
+            let column = &column[block * ROWS..];
+            for (row, wave) in rows.chunks_mut(ny).zip(column) {
+                put(row, first + k, *wave);
+            }
+        }
+    });
 }
 
 /// The second pass: along y, times `scale`.
@@ -103,7 +142,38 @@ pub fn analyse<T: Send + Sync>(
 }
 
 fn for_each_column(mut map: Vec<f64>, points: [usize; 2], each: &(dyn Fn(usize, &[Complex<f64>]) + Sync)) {
-    let [nx, ny] = points;
+    waves_along_y(&mut map, points[1]);
+    let transform = asperity_fft::complex(points[0], FftDirection::Forward);
+    for_each_batch(points, &mut |first, batch| {
+        gather(&map, points, first, batch);
+        let each = |k: usize, column: &mut [Complex<f64>]| each(first + k, column);
+        transform_columns(batch, &*transform, &|_, _| (), &each);
+    });
+}
+
+/// Changes the waves of a map: `change` is called as in [`analyse`] and writes other amplitudes, of which the map is
+/// synthesised, times `scale`. Bit-identical for any number of threads.
+pub fn change_waves(
+    map: &mut [f64],
+    points: [usize; 2],
+    scale: f64,
+    change: &(dyn Fn(usize, &mut [Complex<f64>]) + Sync),
+) {
+    waves_along_y(map, points[1]);
+    let [forward, back] =
+        [FftDirection::Forward, FftDirection::Inverse].map(|way| asperity_fft::complex(points[0], way));
+    for_each_batch(points, &mut |first, batch| {
+        gather(map, points, first, batch);
+        let change = |k: usize, column: &mut [Complex<f64>]| change(first + k, column);
+        transform_columns(batch, &*forward, &|_, _| (), &change);
+        transform_columns(batch, &*back, &|_, _| (), &|_, _| ());
+        scatter(batch, first, map, points);
+    });
+    heights_along_y(map, points[1], scale);
+}
+
+/// The first pass of an analysis: along y.
+fn waves_along_y(map: &mut [f64], ny: usize) {
     let along_y = asperity_fft::real_to_complex(ny);
     map.par_chunks_mut(ny).for_each_init(
         || (along_y.make_output_vec(), along_y.make_scratch_vec()),
@@ -115,26 +185,21 @@ fn for_each_column(mut map: Vec<f64>, points: [usize; 2], each: &(dyn Fn(usize, 
             }
         },
     );
-    let transform = asperity_fft::complex(nx, FftDirection::Forward);
-    let width = batch_width(points);
-    let mut batch = vec![Complex::default(); width * nx];
-    for first in (0..columns(points)).step_by(width) {
-        let count = width.min(columns(points) - first);
-        batch[..count * nx].par_chunks_mut(ROWS * nx).enumerate().for_each(|(block, columns)| {
-            for (i, row) in map.chunks(ny).enumerate() {
-                for (k, column) in columns.chunks_mut(nx).enumerate() {
-                    column[i] = get(row, first + block * ROWS + k);
-                }
+}
+
+/// The smallest multiple of 8 of at least `count` without a prime factor above 7, of which transforms are fastest.
+pub fn with_small_factors(count: usize) -> usize {
+    let is_fast = |&length: &usize| {
+        let rest = [2, 3, 5, 7].into_iter().fold(length, |mut rest, factor| {
+            while rest % factor == 0 {
+                rest /= factor;
             }
+            rest
         });
-        batch[..count * nx].par_chunks_mut(nx).enumerate().for_each_init(
-            || vec![Complex::default(); transform.get_inplace_scratch_len()],
-            |scratch, (k, column)| {
-                transform.process_with_scratch(column, scratch);
-                each(first + k, column);
-            },
-        );
-    }
+        rest == 1
+    };
+    let first = count.next_multiple_of(8);
+    (first..).step_by(8).find(is_fast).unwrap_or(first)
 }
 
 /// Wave j of a row.

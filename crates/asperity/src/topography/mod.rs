@@ -124,7 +124,18 @@ impl HeightMap {
         let points = map.points();
         let mut heights = zeros(points[0] * points[1]);
         for_each_row(&mut heights, points[1], &|ix, row| map.read(ix, row));
-        Self { points, pixel: map.pixel(), heights, precision: map.precision(), boundary: map.boundary() }
+        Self::like(map, heights)
+    }
+
+    /// Other heights (m) on the grid of `map`.
+    fn like(map: &dyn Rows, heights: Vec<f64>) -> Self {
+        Self {
+            points: map.points(),
+            pixel: map.pixel(),
+            heights,
+            precision: map.precision(),
+            boundary: map.boundary(),
+        }
     }
 
     /// The same map with periodic boundaries.
@@ -172,11 +183,6 @@ impl HeightMap {
             }
         });
         field
-    }
-
-    /// The same map with other heights.
-    fn with_heights(&self, heights: Vec<f64>) -> Self {
-        Self { heights, ..*self }
     }
 }
 

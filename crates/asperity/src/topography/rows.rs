@@ -3,6 +3,7 @@
 use std::ops::Range;
 use std::sync::{Mutex, PoisonError};
 
+use pulp::{Simd, WithSimd};
 use rayon::prelude::*;
 
 use crate::numeric::parallel::Results;
@@ -81,7 +82,8 @@ pub fn strips<T: Send + Sync>(rows: &dyn Rows, halo: usize, part: impl Fn(Strip)
 }
 
 fn for_each_strip(rows: &dyn Rows, halo: usize, indices: Range<usize>, task: &(dyn Fn(usize, Strip) + Sync)) {
-    let strip_of = |buffer: &mut Vec<f64>, index| task(index, strip(rows, halo, index, buffer));
+    let strip_of =
+        |buffer: &mut Vec<f64>, index| task(index, strip(rows, halo, index * STRIP, STRIP, buffer));
     indices.into_par_iter().for_each_init(Vec::new, strip_of);
 }
 
@@ -116,17 +118,39 @@ pub fn strips_in_turn<T: Send + Default>(
     take_all(&mut filled);
 }
 
+/// Computes `values`, one for each point of a map, by strips of `size` rows with a halo as in [`strips`]: `task` writes
+/// those of a strip.
+pub fn fill_strips(
+    rows: &dyn Rows,
+    halo: usize,
+    size: usize,
+    values: &mut [f64],
+    task: &(dyn Fn(Strip, &mut [f64]) + Sync),
+) {
+    values
+        .par_chunks_mut(size * rows.points()[1])
+        .enumerate()
+        .for_each_init(Vec::new, |buffer, (index, values)| {
+            task(strip(rows, halo, index * size, size, buffer), values)
+        });
+}
+
 /// Number of strips of a map.
 fn count(rows: &dyn Rows) -> usize {
     rows.points()[0].div_ceil(STRIP)
 }
 
-/// The strip `index` of a map, read into `buffer` unless it is in memory.
-fn strip<'a>(rows: &'a dyn Rows, halo: usize, index: usize, buffer: &'a mut Vec<f64>) -> Strip<'a> {
+/// The strip of at most `size` rows from `first` on, read into `buffer` unless it is in memory.
+fn strip<'a>(
+    rows: &'a dyn Rows,
+    halo: usize,
+    first: usize,
+    size: usize,
+    buffer: &'a mut Vec<f64>,
+) -> Strip<'a> {
     let [nx, columns] = rows.points();
     let is_periodic = rows.boundary() == Boundary::Periodic;
-    let first = index * STRIP;
-    let count = STRIP.min(nx - first);
+    let count = size.min(nx - first);
     let inside = first.saturating_sub(halo)..nx.min(first + count + halo);
     let is_whole = inside.len() == count + 2 * halo;
     let range = if is_periodic {
@@ -159,6 +183,18 @@ pub fn first_present(map: &dyn Rows) -> f64 {
             row.iter().copied().find(|z| !z.is_nan())
         })
         .unwrap_or_default()
+}
+
+/// Whether a row has no missing point.
+pub struct IsWhole<'a>(pub &'a [f64]);
+
+impl WithSimd for IsWhole<'_> {
+    type Output = bool;
+
+    #[inline(always)]
+    fn with_simd<S: Simd>(self, _: S) -> bool {
+        count_missing(self.0) == 0
+    }
 }
 
 /// Number of missing points of a row.
