@@ -10,5 +10,6 @@ mod experiment;
 pub mod kind;
 mod layer;
 pub mod surface;
+pub mod terminal;
 
 pub use experiment::{Experiment, TEMPLATE};

@@ -6,9 +6,11 @@ use asperity::topography::generate::SigmaOf;
 use asperity::topography::{Level, Rows};
 use asperity::work::{Counter, Item};
 use asperity::{Draw, Ellipse, Ellipticity, ReferencePlane, Statistics};
+use asperity_framework::RunContext;
 use asperity_framework::digest::stream_seed;
 use asperity_framework::input::{InputError, Source};
 use asperity_framework::metadata::Timing;
+use asperity_framework::progress::Progress;
 
 use super::files::Files;
 use super::found::{Found, NoAsperities, SummitSearch, Surface};
@@ -22,6 +24,7 @@ pub struct SurfaceFactory<'a> {
     plan: &'a SurfacePlan,
     source: &'a Source,
     seed: u64,
+    progress: &'a dyn Progress,
     counter: &'a Counter,
     /// A bandwidth that met the target before.
     bandwidth: Option<f64>,
@@ -29,8 +32,9 @@ pub struct SurfaceFactory<'a> {
 
 impl<'a> SurfaceFactory<'a> {
     /// A factory of the realisations of `plan`, made one after the other.
-    pub fn new(plan: &'a SurfacePlan, source: &'a Source, seed: u64, counter: &'a Counter) -> Self {
-        Self { plan, source, seed, counter, bandwidth: None }
+    pub fn new(plan: &'a SurfacePlan, context: &RunContext<'a>, counter: &'a Counter) -> Self {
+        let &RunContext { source, seed, progress, .. } = context;
+        Self { plan, source, seed, progress, counter, bandwidth: None }
     }
 
     /// Makes or reads realisation `realisation` (from 1).
@@ -67,6 +71,7 @@ impl<'a> SurfaceFactory<'a> {
         let start = Instant::now();
         match &self.plan.origin {
             Origin::List { path, nominal_area, .. } => {
+                self.progress.stage("reading", 1.0);
                 let list = files
                     .list(path, self.plan.as_ellipses)
                     .map_err(|error| refuse(&format!("{} {error}", path.display())))?;
@@ -117,7 +122,7 @@ impl<'a> SurfaceFactory<'a> {
             }
             Origin::Generated(generation) => {
                 let made = generation
-                    .make(self.seed, name, realisation, self.bandwidth)
+                    .make(self.seed, name, realisation, self.bandwidth, self.progress)
                     .map_err(|error| source.error_at(generation.key.clone(), error))?;
                 timing.generate += start.elapsed();
                 self.bandwidth = made.bandwidth;
@@ -129,13 +134,17 @@ impl<'a> SurfaceFactory<'a> {
                     as_ellipses: self.plan.as_ellipses,
                     depth,
                     divides: self.divides(depth),
+                    progress: self.progress,
                 };
                 found(name, &search, &made.map, timing).map_err(|error| refuse(&error))
             }
             Origin::Map(map) => {
                 let refuse =
                     |error: &dyn std::fmt::Display| refuse(&format!("{} {error}", map.path.display()));
-                let rows = files.map(&map.path, map.given).map_err(|error| refuse(&spec_message(&error)))?;
+                self.progress.stage("reading", 1.0);
+                let rows = files
+                    .map(&map.path, map.given, self.progress)
+                    .map_err(|error| refuse(&spec_message(&error)))?;
                 timing.read += start.elapsed();
                 let search = SummitSearch {
                     level: map.level,
@@ -145,6 +154,7 @@ impl<'a> SurfaceFactory<'a> {
                     as_ellipses: self.plan.as_ellipses,
                     depth,
                     divides: self.divides(depth),
+                    progress: self.progress,
                 };
                 found(name, &search, &*rows, timing).map_err(|error| refuse(&error))
             }

@@ -8,12 +8,14 @@ use asperity::topography::spectrum::{Lay, SpectrumShape};
 use asperity::topography::summits::{Detail, Neighbours, Summits, find};
 use asperity::topography::theory::Expected;
 use asperity::topography::{
-    Filter, FilterError, Level, Levelled, Quantisation, RoughnessParameters, Rows, Undetermined, theory,
+    Filter, FilterError, Level, Levelled, Quantisation, RoughnessParameters, Rows, Undetermined, Watched,
+    theory,
 };
 use asperity::{
-    AsperitySet, Ellipse, Ellipticity, HeightMap, Heights, MeanRadius, Paper, Population, ReferencePlane,
-    SetError, Statistics, literature,
+    AsperitySet, Ellipse, Ellipticity, Heights, MeanRadius, Paper, Population, ReferencePlane, SetError,
+    Statistics, literature,
 };
+use asperity_framework::progress::Progress;
 use asperity_framework::report::format::{number, quantity};
 
 /// Asperities with their statistics and origin.
@@ -128,7 +130,7 @@ pub(super) enum NoAsperities {
 }
 
 /// How asperities are found on a map.
-pub(super) struct SummitSearch {
+pub(super) struct SummitSearch<'a> {
     /// The form removed first.
     pub(super) level: Level,
     pub(super) filter: Option<Filter>,
@@ -141,6 +143,7 @@ pub(super) struct SummitSearch {
     pub(super) depth: AnalysisDepth,
     /// Whether the map is divided into blocks for a sampling error.
     pub(super) divides: bool,
+    pub(super) progress: &'a dyn Progress,
 }
 
 /// What a map gives.
@@ -150,27 +153,37 @@ pub(super) struct Found {
     pub(super) independence: Independence,
 }
 
-impl SummitSearch {
+impl SummitSearch<'_> {
     /// Levels and filters a map and finds its summits, row by row: only a filter and the closest depth need
     /// the map in memory.
     pub(super) fn asperities(&self, raw: &dyn Rows) -> Result<Found, NoAsperities> {
+        let progress = self.progress;
+        let raw: &dyn Rows = &Watched { map: raw, progress };
+        progress.stage("levelling", 1.0);
         let levelled = Levelled { map: raw, form: self.level.form(raw)? };
         let filtered = match self.filter {
-            Some(filter) => Some(filter.apply(&levelled)?),
+            Some(filter) => {
+                progress.stage("filtering", filter.work(raw.pixel()));
+                Some(filter.apply(&levelled)?)
+            }
             None => None,
         };
         let map: &dyn Rows = filtered.as_ref().map_or(&levelled as &dyn Rows, |map| map);
+        let map: &dyn Rows = &Watched { map, progress };
+        progress.stage("roughness parameters", 2.0);
         let roughness = RoughnessParameters::of(map);
         if roughness.moments.sq <= levelled.form.magnitude() * raw.precision().max(f64::EPSILON) {
             return Err(NoAsperities::Flat);
         }
         // The drops reveal only height steps of an instrument.
         let detail = Detail { positions: self.divides, principal: true, drops: self.generation.is_none() };
+        progress.stage("summits", 1.0);
         let summits = find(map, self.neighbours, detail);
         if summits.heights.is_empty() {
             return Err(NoAsperities::NoSummit { tested: summits.tested });
         }
         let independence = if self.divides {
+            progress.stage("blocks", 2.0);
             Independence::of_map(map, &roughness, &summits)
         } else {
             Independence::Realisations
@@ -194,6 +207,11 @@ impl SummitSearch {
         summits: &Summits,
     ) -> MapFacts {
         let sq = roughness.moments.sq;
+        if self.generation.is_none() {
+            // A pass over the heights, and sorting them.
+            self.progress.stage("height steps", 2.0);
+        }
+        let quantisation = self.generation.is_none().then(|| Quantisation::of(raw, summits));
         let is_five_point = self.neighbours == Neighbours::Four;
         MapFacts {
             points: map.points(),
@@ -208,7 +226,7 @@ impl SummitSearch {
             saddles: summits.principal.iter().filter(|principal| principal[1] <= 0.0).count(),
             expected: is_five_point.then(|| theory::five_point(&roughness.drops, sq, map.pixel())).flatten(),
             nayak: theory::nayak(roughness.spectral_moments()),
-            quantisation: self.generation.is_none().then(|| Quantisation::of(raw, summits)),
+            quantisation,
             generation: self.generation.clone(),
             whole: MapOverview::of(
                 map,
@@ -419,8 +437,10 @@ impl Surface {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use asperity::HeightMap;
     use asperity::topography::generate::{Plateau, Process, Seeds, SpectrumOf};
     use asperity::topography::spectrum::Spectrum;
+    use asperity_framework::progress::Silent;
 
     fn map(points: [usize; 2], height: impl Fn(usize) -> f64) -> HeightMap {
         HeightMap::new(points, [1.0, 2.0], (0..points[0] * points[1]).map(height).collect(), 0.0).unwrap()
@@ -439,6 +459,7 @@ mod tests {
             as_ellipses: false,
             depth: AnalysisDepth::Everything,
             divides: false,
+            progress: &Silent,
         };
         let facts = search.asperities(&map).unwrap().facts;
         (map, facts)
@@ -483,6 +504,7 @@ mod tests {
                 as_ellipses: false,
                 depth: AnalysisDepth::Asperities,
                 divides: false,
+                progress: &Silent,
             }
             .asperities(&map)
         };

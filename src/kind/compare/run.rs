@@ -37,16 +37,16 @@ pub fn run(
     let mut timing = Timing::default();
     let mut papers = papers_of(&compare.laws);
     let realisations = compare.surfaces.iter().map(|surface| surface.realisations as u64);
-    context.progress.stage(context.title, realisations.sum());
+    context.progress.steps(realisations.sum());
     let mut files = files_of(&compare.surfaces, counter);
     let mut surfaces = Vec::new();
     for surface in &compare.surfaces {
-        let mut factory = SurfaceFactory::new(surface, context.source, context.seed, counter);
+        let mut factory = SurfaceFactory::new(surface, context, counter);
         let first_surface = factory.make(1, AnalysisDepth::Comparison, &mut files, &mut timing)?;
         let models = models_of(compare, &first_surface, &mut timing);
         let mut first = run_surface(context, compare, &first_surface, &models, counter, &mut timing)?;
         let start = Instant::now();
-        let samplings = sampling(compare, &first_surface, &models, &first.cases, context.seed);
+        let samplings = sampling(context, compare, &first_surface, &models, &first.cases);
         differ(&mut first.cases, &samplings, compare, &models);
         timing.sampling += start.elapsed();
         let thresholds = threshold::thresholds(compare, &first_surface, &models, &first, counter);
@@ -56,7 +56,7 @@ pub fn run(
             papers.extend(heights.papers());
         }
         drop(models);
-        context.progress.advance(1);
+        context.progress.step();
         let mut others = Vec::new();
         for realisation in 2..=surface.realisations {
             let surface = factory.make(realisation, AnalysisDepth::Asperities, &mut files, &mut timing)?;
@@ -65,7 +65,7 @@ pub fn run(
             // The scatter of the realisations is the error of each.
             differ(&mut other.cases, &vec![CaseSampling::default(); compare.laws.len()], compare, &models);
             others.push(other);
-            context.progress.advance(1);
+            context.progress.step();
         }
         papers.extend(first_surface.papers());
         let all: Vec<&RealisationResults> = std::iter::once(&first).chain(&others).collect();
@@ -125,6 +125,7 @@ fn run_surface(
     let population = models.population();
     let area = surface.set.nominal_area();
     let mut cases = Vec::new();
+    context.progress.stage("both models", compare_plan.laws.len() as f64);
     for law in &compare_plan.laws {
         let contact = &CountedContact::new(&*law.contact, counter);
         let statistical = is_run(Kind::Statistical).then(|| models.statistical(contact, &law.spec));
@@ -145,6 +146,7 @@ fn run_surface(
             differences: Vec::new(),
             comparison,
         });
+        context.progress.advance(1.0);
     }
     Ok(RealisationResults {
         asperities: surface.set.count(),

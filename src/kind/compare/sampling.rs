@@ -2,8 +2,8 @@
 
 use asperity::compare::{CaseSampling, Division, Kind, LeftOut, OneStep, Pair, Pairing};
 use asperity::{Model, Total};
+use asperity_framework::RunContext;
 use asperity_framework::contact::LawPlan;
-use asperity_framework::digest::stream_seed;
 
 use super::answers::CaseResults;
 use super::models::SurfaceModels;
@@ -12,11 +12,11 @@ use crate::surface::{Independence, Surface};
 
 /// The sampling uncertainty of each case on a surface that has been compared; nothing where only one model was run.
 pub(super) fn sampling(
+    context: &RunContext,
     plan: &ComparePlan,
     surface: &Surface,
     models: &SurfaceModels,
     cases: &[CaseResults],
-    seed: u64,
 ) -> Vec<CaseSampling> {
     if ![Kind::Statistical, Kind::Deterministic].iter().all(|kind| plan.models.contains(kind)) {
         return Vec::new();
@@ -33,12 +33,14 @@ pub(super) fn sampling(
             Some(OneStep::new(pairs, &statistical, &deterministic, surface.set.nominal_area()))
         })
         .collect();
-    let seed = stream_seed(seed, &format!("groups of {}", surface.name));
+    let seed = context.stream_seed(&format!("groups of {}", surface.name));
     let draws = Division::independent(surface.set.count(), seed);
-    let independent = draws.map(|draws| left_out(plan, surface, &draws, &steps));
+    let independent = draws.map(|draws| left_out(context, plan, surface, &draws, &steps));
     let (groups, area_needed) = match &surface.independence {
         Independence::Asperities => (independent.clone(), None),
-        Independence::Blocks(blocks) => (Some(left_out(plan, surface, &blocks.division, &steps)), None),
+        Independence::Blocks(blocks) => {
+            (Some(left_out(context, plan, surface, &blocks.division, &steps)), None)
+        }
         Independence::TooSmall(error) => (None, Some(error.area_needed)),
         Independence::Realisations => (None, None),
     };
@@ -53,8 +55,15 @@ pub(super) fn sampling(
 }
 
 /// Each case with each group of `division` left out.
-fn left_out(plan: &ComparePlan, surface: &Surface, division: &Division, steps: &[OneStep]) -> Vec<LeftOut> {
+fn left_out(
+    context: &RunContext,
+    plan: &ComparePlan,
+    surface: &Surface,
+    division: &Division,
+    steps: &[OneStep],
+) -> Vec<LeftOut> {
     let shares = division.shares();
+    context.progress.stage("sampling errors", shares.len() as f64);
     let without = |group: usize| -> Vec<Vec<[Option<f64>; 3]>> {
         let Some(rest) = surface.without(division, group) else {
             return steps
@@ -78,7 +87,9 @@ fn left_out(plan: &ComparePlan, surface: &Surface, division: &Division, steps: &
                 sum.map_or_else(|| vec![Total::default(); separations.len()], |sum| sum.totals(separations));
             step.without(&responses, &totals, shares[group], rest.plane)
         };
-        plan.laws.iter().zip(steps).map(case).collect()
+        let all = plan.laws.iter().zip(steps).map(case).collect();
+        context.progress.advance(1.0);
+        all
     };
     let mut cases = vec![LeftOut { contrasts: Vec::new(), shares: shares.to_vec() }; steps.len()];
     for contrasts in division.for_each_group(without) {

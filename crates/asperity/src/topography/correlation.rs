@@ -8,6 +8,7 @@ use super::fourier::{analyse, change_waves, columns, weight, with_small_factors}
 use super::spectrum::GridSpectrum;
 use super::{Boundary, HeightMap, Rows};
 use crate::numeric::parallel::{self, for_each_row};
+use crate::progress::{Progress, Silent};
 
 /// Radially averaged power spectral density C(q), normalised so that its integral over the plane of wave vectors is the
 /// variance of the heights.
@@ -74,6 +75,11 @@ impl RadialSpectrum {
     /// The spectrum of a map about its `mean` (m). A Hann window is applied to an open map; missing points are replaced
     /// by the mean.
     pub fn of(map: HeightMap, mean: f64) -> Self {
+        Self::watched(map, mean, &Silent)
+    }
+
+    /// [`Self::of`] with progress: one unit of work.
+    pub fn watched(map: HeightMap, mean: f64, progress: &dyn Progress) -> Self {
         let points = map.points();
         let rings = Rings::new(points, map.pixel());
         let window = [0, 1].map(|axis| match map.boundary() {
@@ -90,7 +96,8 @@ impl RadialSpectrum {
         let count = (points[0] * points[1]) as f64;
         let power = window.map(|w| w.iter().map(|w| w * w).sum::<f64>() / w.len() as f64);
         let unit = count * count * power[0] * power[1];
-        let columns = analyse(heights, points, |j, waves| rings.column(j, |i| waves[i].norm_sqr() / unit));
+        let ring = |j: usize, waves: &[Complex<f64>]| rings.column(j, |i| waves[i].norm_sqr() / unit);
+        let columns = analyse(heights, points, ring, progress);
         rings.spectrum(columns)
     }
 
@@ -148,6 +155,11 @@ impl Autocorrelation {
     /// The autocorrelation of the present points, about their `mean` (m). On an open map only pairs of points within
     /// the map are included. `None` for a flat map.
     pub fn of(map: &HeightMap, mean: f64) -> Option<Self> {
+        Self::watched(map, mean, &Silent)
+    }
+
+    /// [`Self::of`] with progress: two units of work, four on a map with missing points.
+    pub fn watched(map: &HeightMap, mean: f64, progress: &dyn Progress) -> Option<Self> {
         let points = map.points();
         let boundary = map.boundary();
         let padded = match boundary {
@@ -155,9 +167,9 @@ impl Autocorrelation {
             // Zero padding: lags up to half of the map do not wrap around.
             Boundary::Open => points.map(|count| with_small_factors(count + count / 2 + 1)),
         };
-        let products = pairs(map.embedded(padded, |z| z - mean), padded);
+        let products = pairs(map.embedded(padded, |z| z - mean), padded, progress);
         let has_holes = map.heights().iter().any(|z| z.is_nan());
-        let counts = has_holes.then(|| pairs(map.embedded(padded, |_| 1.0), padded));
+        let counts = has_holes.then(|| pairs(map.embedded(padded, |_| 1.0), padded, progress));
         // Pairs along an axis at a lag that does not wrap around.
         let pairs_along = |axis: usize, place: usize| match boundary {
             Boundary::Periodic => points[axis],
@@ -195,11 +207,12 @@ impl Autocorrelation {
 }
 
 /// Sums over all pairs of points of the products of their values, by lag around the border.
-fn pairs(mut field: Vec<f64>, points: [usize; 2]) -> Vec<f64> {
+fn pairs(mut field: Vec<f64>, points: [usize; 2], progress: &dyn Progress) -> Vec<f64> {
     let scale = ((points[0] * points[1]) as f64).recip();
-    change_waves(&mut field, points, scale, &|_, waves| {
+    let power = |_: usize, waves: &mut [Complex<f64>]| {
         waves.iter_mut().for_each(|wave| *wave = Complex::new(wave.norm_sqr(), 0.0));
-    });
+    };
+    change_waves(&mut field, points, scale, &power, progress);
     field
 }
 

@@ -4,6 +4,7 @@ use nalgebra::{DMatrix, DVector};
 
 use super::HeightMap;
 use super::rows::{Boundary, Rows, Strip, first_present, strips};
+use crate::progress::Progress;
 
 /// The form to remove.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
@@ -171,6 +172,10 @@ impl Rows for Levelled<'_> {
     fn read(&self, ix: usize, row: &mut [f64]) {
         self.map.read(ix, row);
         self.form.subtract(ix, row);
+    }
+
+    fn progress(&self) -> &dyn Progress {
+        self.map.progress()
     }
 
     fn block(&self, rows: std::ops::Range<usize>) -> Option<&[f64]> {

@@ -2,7 +2,7 @@
 //!
 //! | item | content |
 //! |---|---|
-//! | [`HeightMap`], [`Rows`] | heights in memory; heights row by row, for maps larger than memory |
+//! | [`HeightMap`], [`Rows`], [`Watched`] | heights in memory; heights row by row, for maps larger than memory; with progress |
 //! | [`read`] | measured maps, one file per format |
 //! | [`Level`], [`Filter`] | removing the form; Gaussian S and L filters |
 //! | [`summits`] | summits and their curvatures |
@@ -43,7 +43,7 @@ pub use filter::{Filter, FilterError};
 pub use level::{Form, Level, Levelled, Undetermined};
 pub use quantisation::Quantisation;
 pub use roughness::{Drops, Moments, RoughnessParameters};
-pub use rows::{Boundary, Rows, Strip, strips};
+pub use rows::{Boundary, Rows, Strip, Watched, strips};
 
 /// Heights on a rectangular grid. A missing point is NaN.
 #[derive(Debug, Clone, PartialEq)]
@@ -123,7 +123,10 @@ impl HeightMap {
     pub fn of(map: &dyn Rows) -> Self {
         let points = map.points();
         let mut heights = zeros(points[0] * points[1]);
-        for_each_row(&mut heights, points[1], &|ix, row| map.read(ix, row));
+        for_each_row(&mut heights, points[1], &|ix, row| {
+            map.read(ix, row);
+            map.progress().advance((points[0] as f64).recip());
+        });
         Self::like(map, heights)
     }
 

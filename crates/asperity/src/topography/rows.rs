@@ -7,6 +7,7 @@ use pulp::{Simd, WithSimd};
 use rayon::prelude::*;
 
 use crate::numeric::parallel::Results;
+use crate::progress::{Progress, Silent};
 
 /// The boundary condition of a map.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -35,9 +36,52 @@ pub trait Rows: Sync {
     /// Writes the heights (m) at the x index `ix` to `row`, in the order of y.
     fn read(&self, ix: usize, row: &mut [f64]);
 
+    /// Whoever watches the passes over the map. A pass is one unit of work.
+    fn progress(&self) -> &dyn Progress {
+        &Silent
+    }
+
     /// The heights of contiguous rows, if they are in memory.
     fn block(&self, _rows: Range<usize>) -> Option<&[f64]> {
         None
+    }
+}
+
+/// A map whose passes are watched.
+pub struct Watched<'a> {
+    /// The map.
+    pub map: &'a dyn Rows,
+    /// Whoever watches.
+    pub progress: &'a dyn Progress,
+}
+
+impl Rows for Watched<'_> {
+    fn points(&self) -> [usize; 2] {
+        self.map.points()
+    }
+
+    fn pixel(&self) -> [f64; 2] {
+        self.map.pixel()
+    }
+
+    fn precision(&self) -> f64 {
+        self.map.precision()
+    }
+
+    fn boundary(&self) -> Boundary {
+        self.map.boundary()
+    }
+
+    fn read(&self, ix: usize, row: &mut [f64]) {
+        self.map.read(ix, row);
+    }
+
+    fn progress(&self) -> &dyn Progress {
+        self.progress
+    }
+
+    fn block(&self, rows: Range<usize>) -> Option<&[f64]> {
+        self.map.block(rows)
     }
 }
 
@@ -82,8 +126,12 @@ pub fn strips<T: Send + Sync>(rows: &dyn Rows, halo: usize, part: impl Fn(Strip)
 }
 
 fn for_each_strip(rows: &dyn Rows, halo: usize, indices: Range<usize>, task: &(dyn Fn(usize, Strip) + Sync)) {
-    let strip_of =
-        |buffer: &mut Vec<f64>, index| task(index, strip(rows, halo, index * STRIP, STRIP, buffer));
+    let strip_of = |buffer: &mut Vec<f64>, index| {
+        let strip = strip(rows, halo, index * STRIP, STRIP, buffer);
+        let part = strip.count as f64 / rows.points()[0] as f64;
+        task(index, strip);
+        rows.progress().advance(part);
+    };
     indices.into_par_iter().for_each_init(Vec::new, strip_of);
 }
 
@@ -127,12 +175,14 @@ pub fn fill_strips(
     values: &mut [f64],
     task: &(dyn Fn(Strip, &mut [f64]) + Sync),
 ) {
-    values
-        .par_chunks_mut(size * rows.points()[1])
-        .enumerate()
-        .for_each_init(Vec::new, |buffer, (index, values)| {
-            task(strip(rows, halo, index * size, size, buffer), values)
-        });
+    values.par_chunks_mut(size * rows.points()[1]).enumerate().for_each_init(
+        Vec::new,
+        |buffer, (index, values)| {
+            let part = values.len() as f64 / (rows.points()[0] * rows.points()[1]) as f64;
+            task(strip(rows, halo, index * size, size, buffer), values);
+            rows.progress().advance(part);
+        },
+    );
 }
 
 /// Number of strips of a map.

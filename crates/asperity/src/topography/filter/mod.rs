@@ -6,7 +6,7 @@ mod transform;
 
 use std::fmt;
 
-use super::{HeightMap, Rows};
+use super::{HeightMap, Rows, Watched};
 use crate::memory::zeros;
 use crate::numeric::parallel::for_each_row;
 
@@ -67,16 +67,26 @@ impl Filter {
         }
     }
 
+    /// Units of work of [`Self::apply`] on a map of pixels of `pixel` (m), for its progress.
+    pub fn work(&self, pixel: [f64; 2]) -> f64 {
+        /// Two transforms; a map with missing points takes four.
+        const TRANSFORMS: f64 = 2.0;
+        let of = |index: f64| if is_direct(&weights_of(index, pixel)) { 1.0 } else { TRANSFORMS };
+        [self.s, self.l].into_iter().flatten().map(of).sum()
+    }
+
     /// The filtered map; missing points stay missing and are ignored. Bit-identical for any number of threads.
     ///
     /// # Errors
     /// An index larger than the map.
     pub fn apply(&self, map: &dyn Rows) -> Result<HeightMap, FilterError> {
         self.check(map.points(), map.pixel())?;
+        let progress = map.progress();
         let short = self.s.map(|s| low_pass(map, s));
         let Some(l) = self.l else { return Ok(short.unwrap_or_else(|| HeightMap::of(map))) };
         let map = short.as_ref().map_or(map, |short| short);
-        let mut rest = low_pass(map, l);
+        let watched = Watched { map, progress };
+        let mut rest = low_pass(&watched, l);
         for_each_row(&mut rest.heights, map.points()[1], &|ix, row| {
             let mut heights = vec![0.0; row.len()];
             map.read(ix, &mut heights);
@@ -102,14 +112,23 @@ const DIRECT: usize = 200;
 /// Eq. 1; a Gaussian separates), normalised by the weights of the present points.
 fn low_pass(map: &dyn Rows, index: f64) -> HeightMap {
     let [nx, ny] = map.points();
-    let weights = map.pixel().map(|pixel| weights(index / pixel));
+    let weights = weights_of(index, map.pixel());
     let mut means = zeros(nx * ny);
-    if weights[0].len() + weights[1].len() <= DIRECT {
+    if is_direct(&weights) {
         direct::means(map, &weights, &mut means);
     } else {
         transform::means(map, &weights, &mut means);
     }
     HeightMap::like(map, means)
+}
+
+fn is_direct(weights: &[Vec<f64>; 2]) -> bool {
+    weights[0].len() + weights[1].len() <= DIRECT
+}
+
+/// The weights of an index (m) along x and y.
+fn weights_of(index: f64, pixel: [f64; 2]) -> [Vec<f64>; 2] {
+    pixel.map(|pixel| weights(index / pixel))
 }
 
 /// Weights at 0, 1, 2, ... pixels, down to 1e-12 of the first. The index is in pixels.
