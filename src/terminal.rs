@@ -6,7 +6,7 @@ use std::sync::{Mutex, MutexGuard, PoisonError};
 use std::time::{Duration, Instant};
 
 use asperity_framework::progress::Progress;
-use indicatif::{ProgressBar, ProgressStyle};
+use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 
 /// Between two updates of a bar.
 const BAR_PERIOD: Duration = Duration::from_millis(100);
@@ -55,7 +55,9 @@ impl Monitor {
         }
         let style = ProgressStyle::with_template("{msg} {wide_bar} {percent:>3} %  {elapsed}{prefix}")
             .unwrap_or_else(|_| ProgressStyle::default_bar());
-        let bar = ProgressBar::new(1000).with_style(style);
+        // Each of the three parts of an update is drawn, so that the last one leaves all of them.
+        let target = ProgressDrawTarget::stderr_with_hz(u8::MAX);
+        let bar = ProgressBar::with_draw_target(Some(1000), target).with_style(style);
         // The time goes on where a stage stands.
         bar.enable_steady_tick(Duration::from_millis(500));
         Self::with(stem, Display::Bar(bar), BAR_PERIOD)
@@ -109,9 +111,9 @@ impl Monitor {
         };
         match &self.display {
             Display::Bar(bar) => {
-                bar.set_message(format!("{}: {}", self.stem, state.name()));
-                bar.set_prefix(state.remaining().map_or_else(String::new, |left| format!(", {left}")));
                 bar.set_position((1000.0 * state.fraction) as u64);
+                bar.set_prefix(state.remaining().map_or_else(String::new, |left| format!(", {left}")));
+                bar.set_message(format!("{}: {}", self.stem, state.name()));
             }
             Display::Lines(lines) => {
                 let mut lines = lines.lock().unwrap_or_else(PoisonError::into_inner);

@@ -77,7 +77,7 @@ impl<'a> SurfaceFactory<'a> {
                     .map_err(|error| refuse(&format!("{} {error}", path.display())))?;
                 timing.read += start.elapsed();
                 let (contradictions, count) = (list.contradictions(), list.count());
-                let set = list.set(*nominal_area).map_err(|error| refuse(&error))?;
+                let (set, origin) = list.set(*nominal_area).map_err(|error| refuse(&error))?.near_zero();
                 let statistics = Statistics::of(&set);
                 if statistics.sigma == 0.0 {
                     return Err(refuse(&format!(
@@ -87,6 +87,7 @@ impl<'a> SurfaceFactory<'a> {
                     )));
                 }
                 let mut surface = Surface::new(name, set, statistics);
+                surface.origin = origin;
                 if contradictions > 0 {
                     surface.warnings.push(format!(
                         "{contradictions} of {count} radii are outside the range from 1/kx to 1/ky: laws for spheres use the radius, \
@@ -178,9 +179,10 @@ fn found(
     let start = Instant::now();
     let Found { set, facts, independence } = search.asperities(map)?;
     timing.summits += start.elapsed();
+    let (set, origin) = set.near_zero();
     let statistics = Statistics::of(&set);
     let summits = facts.summits;
-    if statistics.sigma <= ROUNDING * (statistics.mean_height.abs() + facts.roughness.moments.sq) {
+    if statistics.sigma <= ROUNDING * ((origin + statistics.mean_height).abs() + facts.roughness.moments.sq) {
         return Err(NoAsperities::EqualHeights { summits });
     }
     let mut surface = Surface::new(name, set, statistics);
@@ -193,8 +195,10 @@ fn found(
         ));
     }
     let moments = &facts.roughness.moments;
-    surface.mean_plane = Some(moments.mean);
-    let plane = ReferencePlane { mean: moments.mean, sigma: moments.sq };
+    surface.origin = origin + facts.offset;
+    let mean = moments.mean - origin;
+    surface.mean_plane = Some(mean);
+    let plane = ReferencePlane { mean, sigma: moments.sq };
     surface.map = Some(facts);
     surface.independence = independence;
     if surface.separations_of() == SigmaOf::Surface {

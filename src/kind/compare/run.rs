@@ -151,7 +151,7 @@ fn run_surface(
     Ok(RealisationResults {
         asperities: surface.set.count(),
         nominal_area: area,
-        statistics: surface.statistics,
+        statistics: surface.reported_statistics(),
         sigma: surface.plane.sigma,
         moments: surface.map.as_ref().map(|map| map.roughness.moments),
         population: population.clone(),

@@ -53,6 +53,7 @@ pub struct HeightMap {
     heights: Vec<f64>,
     precision: f64,
     boundary: Boundary,
+    offset: f64,
 }
 
 /// Values that form no valid map.
@@ -102,7 +103,7 @@ impl HeightMap {
         if heights.iter().all(|z| z.is_nan()) {
             return Err(MapError::AllMissing);
         }
-        Ok(Self { points, pixel, heights, precision, boundary: Boundary::Open })
+        Ok(Self { points, pixel, heights, precision, boundary: Boundary::Open, offset: 0.0 })
     }
 
     /// Checks a grid of `points` at a distance of `pixel` (m).
@@ -138,7 +139,14 @@ impl HeightMap {
             heights,
             precision: map.precision(),
             boundary: map.boundary(),
+            offset: map.offset(),
         }
+    }
+
+    /// The same heights, relative to a height of `offset` (m) that is kept apart.
+    #[must_use]
+    pub fn with_offset(self, offset: f64) -> Self {
+        Self { offset, ..self }
     }
 
     /// The same map with periodic boundaries.
@@ -157,7 +165,7 @@ impl HeightMap {
         self.pixel
     }
 
-    /// Heights, m, the y index running fastest; NaN where missing.
+    /// Heights, m, relative to [`Rows::offset`], the y index running fastest; NaN where missing.
     pub fn heights(&self) -> &[f64] {
         &self.heights
     }
@@ -173,7 +181,9 @@ impl HeightMap {
     /// # Errors
     /// A file that cannot be written.
     pub fn write_npy(&self, path: &Path) -> io::Result<()> {
-        npy::write(File::create(path)?, self.points, self.heights.iter().copied())
+        // The sum would lose the sign of zeros.
+        let absolute = |&z: &f64| if self.offset == 0.0 { z } else { z + self.offset };
+        npy::write(File::create(path)?, self.points, self.heights.iter().map(absolute))
     }
 
     /// `of(height)` on a grid of at least as many `points`; zero where a height is missing.
@@ -204,6 +214,10 @@ impl Rows for HeightMap {
 
     fn boundary(&self) -> Boundary {
         self.boundary
+    }
+
+    fn offset(&self) -> f64 {
+        self.offset
     }
 
     fn read(&self, ix: usize, row: &mut [f64]) {

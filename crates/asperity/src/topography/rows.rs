@@ -33,6 +33,11 @@ pub trait Rows: Sync {
     /// The boundary condition.
     fn boundary(&self) -> Boundary;
 
+    /// A height (m) that all heights are relative to: kept apart, so that it costs them no digits.
+    fn offset(&self) -> f64 {
+        0.0
+    }
+
     /// Writes the heights (m) at the x index `ix` to `row`, in the order of y.
     fn read(&self, ix: usize, row: &mut [f64]);
 
@@ -70,6 +75,10 @@ impl Rows for Watched<'_> {
 
     fn boundary(&self) -> Boundary {
         self.map.boundary()
+    }
+
+    fn offset(&self) -> f64 {
+        self.map.offset()
     }
 
     fn read(&self, ix: usize, row: &mut [f64]) {

@@ -101,19 +101,19 @@ pub fn measured(path: &Path) -> Result<Measured, ReadError> {
     }
 }
 
-/// Reads a map of heights in metres, with the pixel and unit of `options` if the format does not store them.
+/// Reads a map of heights in metres, relative to the offset of its file ([`Rows::offset`]), with the pixel and unit of `options` if the format does not store them.
 ///
 /// # Errors
 /// See [`ReadError`].
 pub fn height_map(path: &Path, options: ReadOptions) -> Result<HeightMap, ReadError> {
-    let Measured { metadata, mut heights, mut precision } = measured(path)?;
+    let Measured { metadata, mut heights, offset, mut precision } = measured(path)?;
     let pixel = metadata.pixel(&options)?;
     let unit = metadata.unit(&options);
     if unit != 1.0 {
         precision = precision.max(f64::EPSILON);
     }
     check_heights(&mut heights, unit, metadata.has_unit)?;
-    Ok(HeightMap::new(metadata.points, pixel, heights, precision)?)
+    Ok(HeightMap::new(metadata.points, pixel, heights, precision)?.with_offset(offset * unit))
 }
 
 /// Whether [`rows()`] leaves a map on disk: a `.npy` in C order.
