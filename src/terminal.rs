@@ -183,7 +183,7 @@ impl State<'_> {
             0 => ("stage", self.fraction, self.in_stage),
             _ => ("run", done as f64 / steps.max(1) as f64, self.in_run),
         };
-        if fraction < LEAST || fraction >= 1.0 {
+        if !(LEAST..1.0).contains(&fraction) {
             return None;
         }
         let seconds = elapsed.as_secs_f64() * (1.0 - fraction) / fraction;

@@ -33,10 +33,9 @@ pub struct Map {
 }
 
 impl Map {
-    /// Row by row: `row` makes of y what all its cells share, `error` of that and x the error.
+    /// Row by row, `row_done` being called after each: `row` makes of y what all its cells share, `error` of that and x the error.
     fn of<R: Sync>(
-        name: &'static str,
-        of: &'static str,
+        [name, of]: [&'static str; 2],
         axes: [&'static str; 2],
         ends: [[f64; 2]; 2],
         cells: [usize; 2],
@@ -90,8 +89,7 @@ fn separations(ranges: &Ranges, cells: usize, row_done: &(dyn Fn() + Sync)) -> M
     let bodies = Bodies { law: CoveredLaw::zmc(), rough: steel, flat: steel, layer: None };
     let (exact, contact) = (Exact::new(&bodies), bodies.contact());
     Map::of(
-        "separation",
-        "nominal pressure of the integral",
+        ["separation", "nominal pressure of the integral"],
         ["d/σ", "log₁₀ R/σ"],
         [ranges.separation, ranges.radius_over_sigma.map(f64::log10)],
         [cells, cells / 2],
@@ -116,8 +114,7 @@ fn transitions(cells: usize, row_done: &(dyn Fn() + Sync)) -> Map {
     let strain = HARDNESS / reduced_modulus(&steel, &steel);
     let onset = Zmc::ONSET * RADIUS * strain * strain;
     Map::of(
-        "transition",
-        "load of a contact under ZMC",
+        ["transition", "load of a contact under ZMC"],
         ["ln(w/w₁) / ln c", "log₁₀ (c − 1)"],
         [[-0.5, 1.5], [-8.0, 6.0]],
         [cells, cells],
@@ -142,8 +139,7 @@ fn layers(ranges: &Ranges, cells: usize, row_done: &(dyn Fn() + Sync)) -> Map {
     let wide = (RADIUS * DEPTH).sqrt();
     let modulus = reduced_modulus(&body(YOUNG, 1.0), &body(YOUNG, 1.0));
     Map::of(
-        "layer",
-        "load of a contact under a layer",
+        ["layer", "load of a contact under a layer"],
         ["log₁₀ t/a", "log₁₀ H/E*"],
         [ranges.thickness.map(|t| (t / wide).log10()), ranges.hardness_over_modulus.map(f64::log10)],
         [cells, cells],
