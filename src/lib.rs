@@ -12,5 +12,6 @@ mod layer;
 pub mod materials;
 mod plausibility;
 pub mod surface;
+pub mod terminal;
 
 pub use experiment::{Experiment, TEMPLATE};

@@ -8,15 +8,15 @@ use std::time::Instant;
 use asperity_experiment::kind::{KINDS, columns};
 use asperity_experiment::materials::{all_materials, one_material};
 use asperity_experiment::surface::{FileOptions, described_file};
+use asperity_experiment::terminal::Monitor;
 use asperity_experiment::{Experiment, TEMPLATE};
 use asperity_framework::input::InputError;
-use asperity_framework::progress::{Progress, Silent};
+use asperity_framework::progress::Silent;
 use asperity_framework::report::store::{Store, StoreError};
 use asperity_framework::report::{Index, MARK, verify};
 use asperity_framework::{Outcome, ReportError, folder as report_folder};
 use clap::builder::PossibleValuesParser;
 use clap::{Args, Parser, Subcommand};
-use indicatif::{ProgressBar, ProgressStyle};
 
 /// Folder of the specs.
 const SPECS: &str = "experiments";
@@ -375,9 +375,9 @@ fn run_and_write(
     let results = if options.quiet {
         experiment.run(&Silent)?
     } else {
-        let bar = Bar::default();
-        let results = experiment.run(&bar);
-        bar.0.finish_and_clear();
+        let monitor = Monitor::new(experiment.stem());
+        let results = experiment.run(&monitor);
+        monitor.finish();
         results?
     };
     if experiment.key()? != key {
@@ -482,27 +482,4 @@ fn verify(fresh: &Path, committed: &Path) -> Result<(), Failure> {
         fresh.display(),
         committed.display()
     )))
-}
-
-/// A progress bar on stderr, if that is a terminal.
-struct Bar(ProgressBar);
-
-impl Default for Bar {
-    fn default() -> Self {
-        let style = ProgressStyle::with_template("{msg} {wide_bar} {percent:>3} %  {elapsed}")
-            .unwrap_or_else(|_| ProgressStyle::default_bar());
-        Self(ProgressBar::new(0).with_style(style))
-    }
-}
-
-impl Progress for Bar {
-    fn stage(&self, what: &str, steps: u64) {
-        self.0.set_message(what.to_owned());
-        self.0.set_length(steps);
-        self.0.reset();
-    }
-
-    fn advance(&self, steps: u64) {
-        self.0.inc(steps);
-    }
 }

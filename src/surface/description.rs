@@ -67,14 +67,14 @@ impl Plan for SurfacesPlan {
     fn run(&self, context: &RunContext) -> Result<Box<dyn Outcome>, InputError> {
         let start = Instant::now();
         let mut timing = Timing::default();
-        context.progress.stage(context.title, self.surfaces.len() as u64);
+        context.progress.steps(self.surfaces.len() as u64);
         let counter = Counter::default();
         let mut files = files_of(&self.surfaces, &counter);
         let mut seen = Vec::new();
         for surface in &self.surfaces {
-            let mut factory = SurfaceFactory::new(surface, context.source, context.seed, &counter);
+            let mut factory = SurfaceFactory::new(surface, context, &counter);
             seen.push(factory.make(1, AnalysisDepth::Everything, &mut files, &mut timing)?);
-            context.progress.advance(1);
+            context.progress.step();
         }
         timing.total = start.elapsed();
         let papers = seen.iter().flat_map(Surface::papers).collect();

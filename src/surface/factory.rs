@@ -7,9 +7,11 @@ use asperity::topography::generate::SigmaOf;
 use asperity::topography::{CorrelationLengths, Rows};
 use asperity::work::{Counter, Item};
 use asperity::{Draw, Ellipse, Ellipticity, ReferencePlane, Statistics};
+use asperity_framework::RunContext;
 use asperity_framework::digest::stream_seed;
 use asperity_framework::input::{InputError, Source};
 use asperity_framework::metadata::Timing;
+use asperity_framework::progress::{Progress, Silent};
 
 use super::files::Files;
 use super::fitness;
@@ -25,6 +27,7 @@ pub struct SurfaceFactory<'a> {
     plan: &'a SurfacePlan,
     source: &'a Source,
     seed: u64,
+    progress: &'a dyn Progress,
     counter: &'a Counter,
     /// A bandwidth that met the target before.
     bandwidth: Option<f64>,
@@ -34,8 +37,9 @@ pub struct SurfaceFactory<'a> {
 
 impl<'a> SurfaceFactory<'a> {
     /// A factory of the realisations of `plan`, made one after the other.
-    pub fn new(plan: &'a SurfacePlan, source: &'a Source, seed: u64, counter: &'a Counter) -> Self {
-        Self { plan, source, seed, counter, bandwidth: None, raw: None }
+    pub fn new(plan: &'a SurfacePlan, context: &RunContext<'a>, counter: &'a Counter) -> Self {
+        let &RunContext { source, seed, progress, .. } = context;
+        Self { plan, source, seed, progress, counter, bandwidth: None, raw: None }
     }
 
     /// Makes or reads realisation `realisation` (from 1).
@@ -52,11 +56,6 @@ impl<'a> SurfaceFactory<'a> {
         let surface = self.one(realisation, depth, files, timing)?;
         self.counter.add(Item::Surfaces, 1);
         Ok(Surface { realisations: self.plan.realisations, ..surface })
-    }
-
-    /// The seed of the spec.
-    pub fn seed(&self) -> u64 {
-        self.seed
     }
 
     /// How a measured map is prepared; `None` of other surfaces.
@@ -81,6 +80,7 @@ impl<'a> SurfaceFactory<'a> {
             depth: AnalysisDepth::Asperities,
             divides: true,
             correlation,
+            progress: &Silent,
         };
         self.counter.add(Item::Surfaces, 1);
         found(&self.plan.name, &search, &**self.raw.as_ref()?, &mut Timing::default()).ok()
@@ -104,12 +104,13 @@ impl<'a> SurfaceFactory<'a> {
         let start = Instant::now();
         match &self.plan.origin {
             Origin::List { path, nominal_area, .. } => {
+                self.progress.stage("reading", 1.0);
                 let list = files
                     .list(path, self.plan.as_ellipses)
                     .map_err(|error| refuse(&format!("{} {error}", path.display())))?;
                 timing.read += start.elapsed();
                 let (contradictions, count) = (list.contradictions(), list.count());
-                let set = list.set(*nominal_area).map_err(|error| refuse(&error))?;
+                let (set, origin) = list.set(*nominal_area).map_err(|error| refuse(&error))?.near_zero();
                 let statistics = Statistics::of(&set);
                 if statistics.sigma == 0.0 {
                     return Err(refuse(&format!(
@@ -119,6 +120,7 @@ impl<'a> SurfaceFactory<'a> {
                     )));
                 }
                 let mut surface = Surface::new(name, set, statistics);
+                surface.origin = origin;
                 if contradictions > 0 {
                     surface.warnings.push(format!(
                         "{contradictions} of {count} radii are outside the range from 1/kx to 1/ky: laws for spheres use the radius, \
@@ -154,7 +156,7 @@ impl<'a> SurfaceFactory<'a> {
             }
             Origin::Generated(generation) => {
                 let made = generation
-                    .make(self.seed, name, realisation, self.bandwidth)
+                    .make(self.seed, name, realisation, self.bandwidth, self.progress)
                     .map_err(|error| source.error_at(generation.key.clone(), error))?;
                 timing.generate += start.elapsed();
                 self.bandwidth = made.bandwidth;
@@ -165,13 +167,17 @@ impl<'a> SurfaceFactory<'a> {
                     depth,
                     divides: self.divides(depth),
                     correlation: None,
+                    progress: self.progress,
                 };
                 found(name, &search, &made.map, timing).map_err(|error| refuse(&error))
             }
             Origin::Map(map) => {
                 let refuse =
                     |error: &dyn std::fmt::Display| refuse(&format!("{} {error}", map.path.display()));
-                let rows = files.map(&map.path, map.given).map_err(|error| refuse(&spec_message(&error)))?;
+                self.progress.stage("reading", 1.0);
+                let rows = files
+                    .map(&map.path, map.given, self.progress)
+                    .map_err(|error| refuse(&spec_message(&error)))?;
                 timing.read += start.elapsed();
                 let search = SummitSearch {
                     preparation: map.preparation,
@@ -180,6 +186,7 @@ impl<'a> SurfaceFactory<'a> {
                     depth,
                     divides: self.divides(depth),
                     correlation: None,
+                    progress: self.progress,
                 };
                 let surface = found(name, &search, &*rows, timing).map_err(|error| refuse(&error))?;
                 self.raw = Some(rows);
@@ -205,9 +212,10 @@ fn found(
     let start = Instant::now();
     let Found { set, facts, independence } = search.asperities(map)?;
     timing.summits += start.elapsed();
+    let (set, origin) = set.near_zero();
     let statistics = Statistics::of(&set);
     let summits = facts.summits;
-    if statistics.sigma <= ROUNDING * (statistics.mean_height.abs() + facts.roughness.moments.sq) {
+    if statistics.sigma <= ROUNDING * ((origin + statistics.mean_height).abs() + facts.roughness.moments.sq) {
         return Err(NoAsperities::EqualHeights { summits });
     }
     let mut surface = Surface::new(name, set, statistics);
@@ -221,8 +229,10 @@ fn found(
         ));
     }
     let moments = &facts.roughness.moments;
-    surface.mean_plane = Some(moments.mean);
-    let plane = ReferencePlane { mean: moments.mean, sigma: moments.sq };
+    surface.origin = origin + facts.offset;
+    let mean = moments.mean - origin;
+    surface.mean_plane = Some(mean);
+    let plane = ReferencePlane { mean, sigma: moments.sq };
     surface.map = Some(facts);
     surface.independence = independence;
     if surface.separations_of() == SigmaOf::Surface {

@@ -23,6 +23,8 @@ pub struct Surface {
     pub set: AsperitySet,
     /// Their statistics.
     pub statistics: Statistics,
+    /// Zero of the set's heights in the frame of the file, m: not zero where heights are far from zero.
+    pub origin: f64,
     /// Where separations are measured from, in the frame of the set's heights.
     pub plane: ReferencePlane,
     /// Height of the mean plane of the surface in the frame of the set's heights, m, where it is known.
@@ -56,6 +58,8 @@ pub struct MapFacts {
     pub filter: Option<Filter>,
     /// The axis along which lines were aligned.
     pub aligned: Option<Lines>,
+    /// Height of the frame of its heights above that of the file, m, where no levelling removed it.
+    pub offset: f64,
     /// Of the levelled, filtered map.
     pub roughness: RoughnessParameters,
     /// What a summit is.
@@ -168,6 +172,7 @@ impl Surface {
             set,
             plane: ReferencePlane::from(&statistics),
             statistics,
+            origin: 0.0,
             mean_plane: None,
             nominal: None,
             ellipticity,
@@ -176,6 +181,11 @@ impl Surface {
             realisations: 1,
             warnings: Vec::new(),
         }
+    }
+
+    /// The statistics with the mean height in the frame of the file.
+    pub fn reported_statistics(&self) -> Statistics {
+        Statistics { mean_height: self.origin + self.statistics.mean_height, ..self.statistics }
     }
 
     /// The same surface without one group of its asperities and their area; `None` where none is left. Separations are
@@ -191,7 +201,7 @@ impl Surface {
         if self.nominal.is_some() {
             rest.ellipticity = self.ellipticity;
         }
-        Some(Self { mean_plane: self.mean_plane, nominal: self.nominal.clone(), ..rest })
+        Some(Self { origin: self.origin, mean_plane: self.mean_plane, nominal: self.nominal.clone(), ..rest })
     }
 
     /// One group of its asperities on their area, in the plane of all; `None` where it has none.

@@ -49,6 +49,10 @@ impl MapOverview {
         const PICTURE: usize = 512;
         let [nx, ny] = map.points();
         let is_close = depth == AnalysisDepth::Everything;
+        let progress = map.progress();
+        if is_close {
+            progress.stage("picture", 2.0);
+        }
         let mut whole = Self {
             picture: is_close.then(|| thumbnail(map, PICTURE)),
             distribution: is_close.then(|| distribution(map, roughness)),
@@ -68,9 +72,11 @@ impl MapOverview {
         whole.is_target_of_gaussian = generator.is_some_and(|SurfaceGenerator { process, .. }| {
             process.of == SpectrumOf::Gaussian && process.heights != Heights::GAUSSIAN
         });
+        // One for the copy, one for the spectrum, two for the autocorrelation.
+        progress.stage("spectrum and autocorrelation", if is_close { 4.0 } else { 2.0 });
         let (map, mean) = (HeightMap::of(map), roughness.moments.mean);
-        whole.autocorrelation = if is_close { Autocorrelation::of(&map, mean) } else { None };
-        whole.spectrum = Some(RadialSpectrum::of(map, mean));
+        whole.autocorrelation = if is_close { Autocorrelation::watched(&map, mean, progress) } else { None };
+        whole.spectrum = Some(RadialSpectrum::watched(map, mean, progress));
         whole
     }
 }

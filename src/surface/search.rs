@@ -6,9 +6,10 @@ use asperity::topography::fitness::{
 use asperity::topography::summits::{Detail, Neighbours, Summits, find};
 use asperity::topography::{
     Autocorrelation, CorrelationLengths, Filter, FilterError, Level, Levelled, Quantisation,
-    RoughnessParameters, Rows, Undetermined, Window, theory, thumbnail,
+    RoughnessParameters, Rows, Undetermined, Watched, Window, theory, thumbnail,
 };
-use asperity::{AsperitySet, Ellipse, HeightMap, SetError};
+use asperity::{AsperitySet, Ellipse, SetError};
+use asperity_framework::progress::Progress;
 
 use super::found::{GenerationFacts, MapFacts, SpikeFacts};
 use super::independence::Independence;
@@ -66,7 +67,7 @@ impl Preparation {
 }
 
 /// How asperities are found on a map.
-pub(super) struct SummitSearch {
+pub(super) struct SummitSearch<'a> {
     pub(super) preparation: Preparation,
     /// Whether the ellipses of the asperities are wanted.
     pub(super) as_ellipses: bool,
@@ -77,6 +78,7 @@ pub(super) struct SummitSearch {
     pub(super) divides: bool,
     /// Correlation lengths of the heights, where they are known already.
     pub(super) correlation: Option<CorrelationLengths>,
+    pub(super) progress: &'a dyn Progress,
 }
 
 /// What a map gives.
@@ -89,16 +91,19 @@ pub(super) struct Found {
 /// Spikes of a map beside spikes stand out only once those are gone.
 const PASSES: usize = 3;
 
-impl SummitSearch {
+impl SummitSearch<'_> {
     /// Prepares and checks a map and finds its summits, row by row: only a filter and the closest depth need the map in
     /// memory.
     pub(super) fn asperities(&self, raw: &dyn Rows) -> Result<Found, NoAsperities> {
+        let progress = self.progress;
+        let raw: &dyn Rows = &Watched { map: raw, progress };
         let halves = Window::halves(raw);
         let raw: &dyn Rows = self.preparation.half.map_or(raw, |half| &halves[half]);
         let is_checked = self.depth != AnalysisDepth::Asperities;
         let mut removed = Vec::new();
         let mut left = None;
         if self.generation.is_none() && (is_checked || self.preparation.removes_spikes) {
+            progress.stage("spikes", 2.0);
             let passes = if self.preparation.removes_spikes { PASSES } else { 0 };
             for pass in 0..=passes {
                 let found = Spikes::of(&Without { map: raw, points: &removed });
@@ -113,12 +118,18 @@ impl SummitSearch {
         let without = Without { map: raw, points: &removed };
         let aligned = self.preparation.aligned.map(|lines| AlignedLines::new(&without, lines));
         let cleaned: &dyn Rows = aligned.as_ref().map_or(&without as &dyn Rows, |aligned| aligned);
+        progress.stage("levelling", 1.0);
         let levelled = Levelled { map: cleaned, form: self.preparation.level.form(cleaned)? };
         let filtered = match self.preparation.filter {
-            Some(filter) => Some(filter.apply(HeightMap::of(&levelled))?),
+            Some(filter) => {
+                progress.stage("filtering", filter.work(raw.pixel()));
+                Some(filter.apply(&levelled)?)
+            }
             None => None,
         };
         let map: &dyn Rows = filtered.as_ref().map_or(&levelled as &dyn Rows, |map| map);
+        let map: &dyn Rows = &Watched { map, progress };
+        progress.stage("roughness parameters", 2.0);
         let roughness = RoughnessParameters::of(map);
         if roughness.moments.sq <= levelled.form.magnitude() * raw.precision().max(f64::EPSILON) {
             return Err(NoAsperities::Flat);
@@ -129,6 +140,7 @@ impl SummitSearch {
             principal: true,
             drops: self.generation.is_none() && is_checked,
         };
+        progress.stage("summits", 1.0);
         let summits = find(map, self.preparation.neighbours, detail);
         if summits.heights.is_empty() {
             return Err(NoAsperities::NoSummit { tested: summits.tested });
@@ -136,6 +148,7 @@ impl SummitSearch {
         let mut correlation = self.correlation;
         let mut aspect = None;
         if correlation.is_none() && (self.divides || is_checked) {
+            progress.stage("correlation", 1.0);
             let points = left.as_ref().map_or(&[][..], |left| &left.points);
             let found = correlation_of(&Without { map, points }, roughness.moments.mean);
             correlation = Some(found.as_ref().map_or(CorrelationLengths::NONE, CorrelationLengths::of));
@@ -149,6 +162,7 @@ impl SummitSearch {
         let mut facts = self.facts(cleaned, map, roughness, &summits, spikes);
         facts.correlation = correlation;
         if is_checked {
+            progress.stage("fitness checks", 4.0);
             facts.offsets = facts.spikes.is_some().then(|| LineOffsets::of(map));
             facts.fitness = fitness(map, &facts, &summits, aspect);
         }
@@ -177,6 +191,7 @@ impl SummitSearch {
         MapFacts {
             points: map.points(),
             pixel: map.pixel(),
+            offset: map.offset(),
             tested: summits.tested,
             level,
             filter,
@@ -239,11 +254,12 @@ fn correlation_of(map: &dyn Rows, mean: f64) -> Option<Autocorrelation> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use asperity::Heights;
     use asperity::topography::generate::SurfaceGenerator;
     use asperity::topography::generate::{Plateau, Process, Seeds, SpectrumOf};
     use asperity::topography::spectrum::Spectrum;
     use asperity::topography::spectrum::{Lay, SpectrumShape};
+    use asperity::{HeightMap, Heights};
+    use asperity_framework::progress::Silent;
 
     fn map(points: [usize; 2], height: impl Fn(usize) -> f64) -> HeightMap {
         HeightMap::new(points, [1.0, 2.0], (0..points[0] * points[1]).map(height).collect(), 0.0).unwrap()
@@ -261,6 +277,7 @@ mod tests {
             depth: AnalysisDepth::Everything,
             divides: false,
             correlation: None,
+            progress: &Silent,
         };
         let facts = search.asperities(&map).unwrap().facts;
         (map, facts)
@@ -303,6 +320,7 @@ mod tests {
                 depth: AnalysisDepth::Asperities,
                 divides: false,
                 correlation: None,
+                progress: &Silent,
             }
             .asperities(&map)
         };

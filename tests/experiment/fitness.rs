@@ -49,7 +49,13 @@ fn run(folder: &Path, more: &str, maps: &[(&str, &str, &str)]) -> Box<dyn Outcom
 }
 
 fn failed(found: &SurfaceResults) -> Vec<Check> {
-    found.surface.fitness().iter().filter(|finding| finding.is_blocking()).map(|finding| finding.check).collect()
+    found
+        .surface
+        .fitness()
+        .iter()
+        .filter(|finding| finding.is_blocking())
+        .map(|finding| finding.check)
+        .collect()
 }
 
 /// The verdict on each quantity at each load, where it is valid.
@@ -130,7 +136,10 @@ fn planted_faults_are_found_and_their_remedies_give_the_verdict_back() {
             _ => of("good"),
         };
         let (count, same, opposite) = agreement(reference, remedied);
-        assert!(count > 12 && opposite == 0 && 10 * same >= 9 * count, "{name}: {same} of {count}, {opposite}");
+        assert!(
+            count > 12 && opposite == 0 && 10 * same >= 9 * count,
+            "{name}: {same} of {count}, {opposite}"
+        );
     }
     // Each fault is found for what it is.
     assert_eq!(failed(of("spikes")), [Check::Spikes]);
@@ -169,7 +178,8 @@ fn a_verdict_that_depends_on_the_cut_off_says_so_and_a_robust_one_does_not() {
     assert!(page.contains("The verdict depends on the short-wavelength cut-off"), "{page}");
     let summary = Outcome::summary(&results).unwrap();
     let rows = summary["verdicts"].as_array().unwrap();
-    let depends = |row: &serde_json::Value| row["depends_on"].to_string().contains("short-wavelength-cut-off");
+    let depends =
+        |row: &serde_json::Value| row["depends_on"].to_string().contains("short-wavelength-cut-off");
     assert!(rows.iter().any(|row| row["surface"] == "noisy" && depends(row)));
     assert!(!rows.iter().any(|row| row["surface"] == "good" && depends(row)));
     let off = run(folder.path(), "robustness = false", &maps[..1]);

@@ -21,9 +21,9 @@ macro_rules! case_1 {
 mod caveats;
 mod cli;
 mod columns;
-mod fitness;
 #[path = "../../crates/asperity/tests/library/common.rs"]
 mod common;
+mod fitness;
 mod indentation;
 mod layers;
 mod limit;

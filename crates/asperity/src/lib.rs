@@ -89,6 +89,7 @@ mod memory;
 mod model;
 pub mod npy;
 pub mod numeric;
+pub mod progress;
 mod shape;
 pub mod sphere;
 pub mod topography;

@@ -5,9 +5,11 @@ use std::ops::Range;
 
 use asperity::compare::{Controls, Kind};
 use asperity::{ContactLaw, Flat, Heights, Material, MeanRadius};
+use asperity_framework::RunContext;
 use asperity_framework::contact::{Bodies, LawPlan};
 use asperity_framework::input::accept::AcceptSpec;
 use asperity_framework::input::{InputError, SpecFile};
+use asperity_framework::progress::Progress;
 use toml::Spanned;
 
 use super::spec::CompareSpec;
@@ -62,11 +64,15 @@ pub struct Setup<'a> {
     pub mean_radius: MeanRadius,
     /// What the surface is pressed to.
     pub controls: &'a Controls,
+    /// The seed of the spec.
+    pub seed: u64,
+    /// Whoever watches.
+    pub progress: &'a dyn Progress,
 }
 
 impl ComparePlan {
     /// What its models are run with.
-    pub fn setup(&self) -> Setup<'_> {
+    pub fn setup<'a>(&'a self, context: &RunContext<'a>) -> Setup<'a> {
         Setup {
             laws: &self.laws,
             law_specs: &self.law_specs,
@@ -74,6 +80,8 @@ impl ComparePlan {
             heights: self.heights.as_ref(),
             mean_radius: self.mean_radius,
             controls: &self.controls,
+            seed: context.seed,
+            progress: context.progress,
         }
     }
 

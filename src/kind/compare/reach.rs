@@ -22,9 +22,9 @@ pub(super) fn check(context: &RunContext, plan: &ComparePlan) -> Result<(), Inpu
     let (counter, mut timing) = (Counter::default(), Timing::default());
     let mut files = files_of(&plan.surfaces, &counter);
     for surface in plan.surfaces.iter().filter(|surface| surface.has_given_asperities()) {
-        let mut factory = SurfaceFactory::new(surface, context.source, context.seed, &counter);
+        let mut factory = SurfaceFactory::new(surface, context, &counter);
         let surface = factory.make(1, AnalysisDepth::Asperities, &mut files, &mut timing)?;
-        let models = models_of(plan.setup(), &surface, &mut timing);
+        let models = models_of(plan.setup(context), &surface, &mut timing);
         let area = surface.set.nominal_area();
         for law in &plan.laws {
             let statistical = plan

@@ -39,18 +39,18 @@ pub fn run(
     let mut timing = Timing::default();
     let mut papers = papers_of(&compare.laws);
     let realisations = compare.surfaces.iter().map(|surface| surface.realisations as u64);
-    context.progress.stage(context.title, realisations.sum());
+    context.progress.steps(realisations.sum());
     let mut files = files_of(&compare.surfaces, counter);
-    let setup = compare.setup();
+    let setup = compare.setup(context);
     let mut surfaces = Vec::new();
     for surface in &compare.surfaces {
-        let mut factory = SurfaceFactory::new(surface, context.source, context.seed, counter);
+        let mut factory = SurfaceFactory::new(surface, context, counter);
         let first_surface = factory.make(1, AnalysisDepth::Comparison, &mut files, &mut timing)?;
         let models = models_of(setup, &first_surface, &mut timing);
         let mut first = run_surface(setup, &first_surface, &models, counter, &mut timing)
             .map_err(|(law, error)| unreachable_load(context, compare, &first_surface.name, law, &error))?;
         let start = Instant::now();
-        let samplings = sampling(setup, &first_surface, &models, &first.cases, context.seed);
+        let samplings = sampling(setup, &first_surface, &models, &first.cases);
         differ(&mut first.cases, &samplings, setup.laws, &models);
         timing.sampling += start.elapsed();
         let thresholds = threshold::thresholds(compare, &first_surface, &models, &first, counter);
@@ -60,8 +60,9 @@ pub fn run(
             papers.extend(heights.papers());
         }
         drop(models);
-        let robustness = robustness::robustness(compare, &factory, &first_surface, &first.cases, counter);
-        context.progress.advance(1);
+        let robustness =
+            robustness::robustness(context, compare, &factory, &first_surface, &first.cases, counter);
+        context.progress.step();
         let mut others = Vec::new();
         for realisation in 2..=surface.realisations {
             let surface = factory.make(realisation, AnalysisDepth::Asperities, &mut files, &mut timing)?;
@@ -71,7 +72,7 @@ pub fn run(
             // The scatter of the realisations is the error of each.
             differ(&mut other.cases, &vec![CaseSampling::default(); compare.laws.len()], setup.laws, &models);
             others.push(other);
-            context.progress.advance(1);
+            context.progress.step();
         }
         papers.extend(first_surface.papers());
         let all: Vec<&RealisationResults> = std::iter::once(&first).chain(&others).collect();
@@ -140,6 +141,7 @@ pub(super) fn run_surface<'a>(
     let population = models.population();
     let area = surface.set.nominal_area();
     let mut cases = Vec::new();
+    setup.progress.stage("both models", setup.laws.len() as f64);
     for law in setup.laws {
         let contact = &CountedContact::new(&*law.contact, counter);
         let statistical = is_run(Kind::Statistical).then(|| models.statistical(contact, &law.spec));
@@ -159,11 +161,12 @@ pub(super) fn run_surface<'a>(
             differences: Vec::new(),
             comparison,
         });
+        setup.progress.advance(1.0);
     }
     Ok(RealisationResults {
         asperities: surface.set.count(),
         nominal_area: area,
-        statistics: surface.statistics,
+        statistics: surface.reported_statistics(),
         sigma: surface.plane.sigma,
         moments: surface.map.as_ref().map(|map| map.roughness.moments),
         population: population.clone(),

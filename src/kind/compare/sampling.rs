@@ -16,7 +16,6 @@ pub(super) fn sampling(
     surface: &Surface,
     models: &SurfaceModels,
     cases: &[CaseResults],
-    seed: u64,
 ) -> Vec<CaseSampling> {
     if ![Kind::Statistical, Kind::Deterministic].iter().all(|kind| setup.models.contains(kind)) {
         return Vec::new();
@@ -33,7 +32,7 @@ pub(super) fn sampling(
             Some(OneStep::new(pairs, &statistical, &deterministic, surface.set.nominal_area()))
         })
         .collect();
-    let seed = stream_seed(seed, &format!("groups of {}", surface.name));
+    let seed = stream_seed(setup.seed, &format!("groups of {}", surface.name));
     let draws = Division::independent(surface.set.count(), seed);
     let independent = draws.map(|draws| left_out(setup, surface, &draws, &steps));
     let (groups, area_needed) = match &surface.independence {
@@ -55,6 +54,7 @@ pub(super) fn sampling(
 /// Each case with each group of `division` left out.
 fn left_out(setup: Setup, surface: &Surface, division: &Division, steps: &[OneStep]) -> Vec<LeftOut> {
     let shares = division.shares();
+    setup.progress.stage("sampling errors", shares.len() as f64);
     let without = |group: usize| -> Vec<Vec<[Option<f64>; 3]>> {
         let Some(rest) = surface.without(division, group) else {
             return steps
@@ -78,7 +78,9 @@ fn left_out(setup: Setup, surface: &Surface, division: &Division, steps: &[OneSt
                 sum.map_or_else(|| vec![Total::default(); separations.len()], |sum| sum.totals(separations));
             step.without(&responses, &totals, shares[group], rest.plane)
         };
-        setup.laws.iter().zip(steps).map(case).collect()
+        let all = setup.laws.iter().zip(steps).map(case).collect();
+        setup.progress.advance(1.0);
+        all
     };
     let mut cases = vec![LeftOut { contrasts: Vec::new(), shares: shares.to_vec() }; steps.len()];
     for contrasts in division.for_each_group(without) {

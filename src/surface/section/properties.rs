@@ -14,7 +14,7 @@ pub fn or_dash(value: Option<f64>) -> String {
 
 /// All numerical properties of a surface.
 pub fn properties(surface: &Surface) -> Vec<Row> {
-    let statistics = &surface.statistics;
+    let statistics = &surface.reported_statistics();
     let mut rows = Rows(Vec::new());
     rows.add("asperities", count(surface.set.count()));
     rows.add("nominal area", format!("{} m²", number(surface.set.nominal_area())));

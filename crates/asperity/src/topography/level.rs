@@ -4,6 +4,7 @@ use nalgebra::{DMatrix, DVector};
 
 use super::HeightMap;
 use super::rows::{Boundary, Rows, Strip, first_present, strips};
+use crate::progress::Progress;
 
 /// The form to remove.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
@@ -207,9 +208,18 @@ impl Rows for Levelled<'_> {
         self.map.boundary()
     }
 
+    /// Every form includes the mean, and with it the offset.
+    fn offset(&self) -> f64 {
+        if self.form.terms == 0 { self.map.offset() } else { 0.0 }
+    }
+
     fn read(&self, ix: usize, row: &mut [f64]) {
         self.map.read(ix, row);
         self.form.subtract(ix, row);
+    }
+
+    fn progress(&self) -> &dyn Progress {
+        self.map.progress()
     }
 
     fn block(&self, rows: std::ops::Range<usize>) -> Option<&[f64]> {
@@ -291,6 +301,18 @@ mod tests {
         let levelled = Level::Plane.apply(&holed).unwrap();
         assert_eq!(RoughnessParameters::of(&levelled).missing, RoughnessParameters::of(&holed).missing);
         assert!(largest(&levelled) < 1e-9);
+    }
+
+    /// Kept apart, an offset changes no digit of the heights; only without levelling is it still there.
+    #[test]
+    fn an_offset_goes_with_the_form_and_costs_no_digits() {
+        let near = map(|x, y| 1e-8 * (x * y).sin());
+        let far = near.clone().with_offset(1.0);
+        for level in [Level::Mean, Level::Plane, Level::Quadratic] {
+            assert_eq!(level.apply(&far).unwrap(), level.apply(&near).unwrap());
+        }
+        assert_eq!(Level::None.apply(&far).unwrap().offset(), 1.0);
+        assert_eq!(RoughnessParameters::of(&far), RoughnessParameters::of(&near));
     }
 
     #[test]

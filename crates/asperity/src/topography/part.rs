@@ -1,6 +1,7 @@
 //! Maps derived from a map: a coarse one, and a part of it.
 
 use super::{Boundary, HeightMap, Rows};
+use crate::progress::Progress;
 
 /// A map of at most `most` points along each axis: each the mean of a block of points that are there.
 pub fn thumbnail(map: &dyn Rows, most: usize) -> HeightMap {
@@ -28,6 +29,14 @@ impl Rows for Means<'_> {
 
     fn boundary(&self) -> Boundary {
         self.map.boundary()
+    }
+
+    fn offset(&self) -> f64 {
+        self.map.offset()
+    }
+
+    fn progress(&self) -> &dyn Progress {
+        self.map.progress()
     }
 
     fn read(&self, ix: usize, row: &mut [f64]) {
@@ -95,6 +104,14 @@ impl Rows for Window<'_> {
 
     fn boundary(&self) -> Boundary {
         if self.points == self.map.points() { self.map.boundary() } else { Boundary::Open }
+    }
+
+    fn offset(&self) -> f64 {
+        self.map.offset()
+    }
+
+    fn progress(&self) -> &dyn Progress {
+        self.map.progress()
     }
 
     fn read(&self, ix: usize, row: &mut [f64]) {

@@ -8,7 +8,9 @@ pub use treatment::{Choice, Treatment};
 
 use asperity::compare::{Controls, Difference, Kind, Tolerances};
 use asperity::work::Counter;
+use asperity_framework::RunContext;
 use asperity_framework::metadata::Timing;
+use asperity_framework::progress::Silent;
 
 use super::answers::CaseResults;
 use super::plan::{ComparePlan, Setup};
@@ -50,6 +52,7 @@ const MOST_LOADS: usize = 9;
 /// Computes the verdicts on a surface, which gave `cases`, again; `None` unless it is a measured map and both models were run
 /// and compared at a valid load.
 pub(super) fn robustness(
+    context: &RunContext,
     plan: &ComparePlan,
     factory: &SurfaceFactory,
     surface: &Surface,
@@ -71,22 +74,26 @@ pub(super) fn robustness(
         forces: Vec::new(),
         tolerances: Tolerances::default(),
     };
-    let treated = Treatment::all(&own, plan.mean_radius, map).into_iter().map(|treatment| {
+    let treatments = Treatment::all(&own, plan.mean_radius, map);
+    context.progress.stage("robustness", treatments.len() as f64);
+    let treated = treatments.into_iter().map(|treatment| {
         let mean_radius = match treatment {
             Treatment::MeanRadius(mean_radius) => mean_radius,
             _ => plan.mean_radius,
         };
-        let setup = Setup { controls: &controls, mean_radius, ..plan.setup() };
+        let setup = Setup { controls: &controls, mean_radius, progress: &Silent, ..plan.setup(context) };
         let treat = || {
             let surface = factory.prepared(treatment.preparation(own), map.correlation)?;
             let models = models_of(setup, &surface, &mut Timing::default());
             let answered = run_surface(setup, &surface, &models, counter, &mut Timing::default());
             let mut cases = answered.ok()?.cases;
-            let samplings = sampling(setup, &surface, &models, &cases, factory.seed());
+            let samplings = sampling(setup, &surface, &models, &cases);
             differ(&mut cases, &samplings, setup.laws, &models);
             Some(cases.into_iter().map(|case| case.differences).collect())
         };
-        Treated { treatment, cases: treat().unwrap_or_default() }
+        let cases = treat().unwrap_or_default();
+        context.progress.advance(1.0);
+        Treated { treatment, cases }
     });
     let treated: Vec<Treated> = treated.collect();
     let accepted = plan.accept.on(surface.plane.sigma);

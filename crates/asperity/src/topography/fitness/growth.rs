@@ -12,7 +12,7 @@ pub fn curvature_growth(map: &dyn Rows) -> Option<f64> {
     let window = HeightMap::of(&Window::centre(map, WINDOW));
     let pixel = map.pixel()[0].max(map.pixel()[1]);
     let curvature = |pixels: f64| {
-        let filtered = Filter::new(Some(pixels * pixel), None).ok()?.apply(window.clone()).ok()?;
+        let filtered = Filter::new(Some(pixels * pixel), None).ok()?.apply(&window).ok()?;
         let [_, _, m4] = RoughnessParameters::of(&filtered).spectral_moments();
         (m4 > 0.0).then(|| m4.sqrt())
     };

@@ -1,5 +1,6 @@
 //! Line offsets: lines of a scan, or parts of a stitched map, at wrong heights.
 
+use crate::progress::Progress;
 use crate::topography::{Boundary, Rows, strips};
 
 /// Points of a line that are compared with those of the next.
@@ -235,6 +236,14 @@ impl Rows for AlignedLines<'_> {
 
     fn boundary(&self) -> Boundary {
         self.map.boundary()
+    }
+
+    fn offset(&self) -> f64 {
+        self.map.offset()
+    }
+
+    fn progress(&self) -> &dyn Progress {
+        self.map.progress()
     }
 
     fn read(&self, ix: usize, row: &mut [f64]) {

@@ -2,6 +2,7 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
+use crate::progress::Progress;
 use crate::topography::{Boundary, Rows, Strip, strips};
 
 /// Half the side of the window (in points) whose median is the local height.
@@ -252,6 +253,14 @@ impl Rows for Without<'_> {
 
     fn boundary(&self) -> Boundary {
         self.map.boundary()
+    }
+
+    fn offset(&self) -> f64 {
+        self.map.offset()
+    }
+
+    fn progress(&self) -> &dyn Progress {
+        self.map.progress()
     }
 
     fn read(&self, ix: usize, row: &mut [f64]) {

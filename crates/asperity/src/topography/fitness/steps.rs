@@ -16,7 +16,7 @@ pub fn step_over_drop(map: &dyn Rows, quantisation: &Quantisation, filter: Optio
         let error = |z: &f64| (z / step).round() * step - z;
         let errors = window.heights().iter().map(error).collect();
         let errors = HeightMap::new(window.points(), window.pixel(), errors, 0.0).ok()?;
-        let [x, y] = RoughnessParameters::of(&filter.apply(errors).ok()?).drops.first;
+        let [x, y] = RoughnessParameters::of(&filter.apply(&errors).ok()?).drops.first;
         Some((6.0 * 0.5 * (x + y)).sqrt())
     });
     Some(left.unwrap_or(step) / quantisation.median_drop)
@@ -39,7 +39,7 @@ mod tests {
             let stepped = heights.iter().map(|z| (z / step).round() * step).collect();
             let raw = HeightMap::new([256; 2], [1.0; 2], stepped, 0.0).unwrap();
             let filter = filter.map(|s| Filter::new(Some(s), None).unwrap());
-            let map = filter.map_or(raw.clone(), |filter| filter.apply(raw.clone()).unwrap());
+            let map = filter.map_or(raw.clone(), |filter| filter.apply(&raw).unwrap());
             let quantisation = Quantisation::of(&raw, &five_point(&map), filter.is_some());
             assert!(filter.is_none() || !quantisation.has_few_curvatures());
             step_over_drop(&map, &quantisation, filter.as_ref()).unwrap()
