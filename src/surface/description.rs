@@ -53,7 +53,7 @@ impl Plan for SurfacesPlan {
     }
 
     fn memory(&self) -> Memory {
-        memory(&self.surfaces, AnalysisDepth::Everything)
+        memory(&self.surfaces, AnalysisDepth::Everything, false)
     }
 
     fn work(&self) -> u128 {

@@ -57,7 +57,9 @@ pub(super) enum Origin {
 #[derive(Debug)]
 pub(super) struct MapPlan {
     pub(super) path: PathBuf,
-    pub(super) points: usize,
+    pub(super) points: [usize; 2],
+    /// Their distances, m.
+    pub(super) pixel: [f64; 2],
     /// Whether its heights stay on disk.
     pub(super) is_on_disk: bool,
     pub(super) given: ReadOptions,
@@ -180,8 +182,6 @@ impl SurfacePlan {
                 Some(made.map_err(|error| source.error_at(filter.span(), error))?)
             }
         };
-        // The head of a file has been checked against its length: the product fits.
-        let points = points[0] * points[1];
         let preparation = Preparation {
             removes_spikes: raw.outliers == Outliers::Remove,
             aligned: raw.align_lines,
@@ -191,7 +191,7 @@ impl SurfacePlan {
             half: None,
         };
         let is_on_disk = read::stays_on_disk(&path).map_err(|error| refuse(&spec_message(&error)))?;
-        Ok(Origin::Map(MapPlan { path, points, is_on_disk, given, preparation }))
+        Ok(Origin::Map(MapPlan { path, points, pixel, is_on_disk, given, preparation }))
     }
 
     /// The file that it is read from.
@@ -232,7 +232,7 @@ impl SurfacePlan {
         const BYTES_PER_ROW: u128 = 32;
         match &self.origin {
             Origin::List { .. } => self.most_asperities() * BYTES_PER_ROW,
-            Origin::Map(MapPlan { points, is_on_disk: false, .. }) => *points as u128 * BYTES_PER_POINT,
+            Origin::Map(MapPlan { points, is_on_disk: false, .. }) => area(*points) * BYTES_PER_POINT,
             _ => 0,
         }
     }
@@ -256,21 +256,19 @@ impl SurfacePlan {
             Origin::List { most_rows, .. } => *most_rows as u128,
             Origin::Population { count, .. } => *count as u128,
             Origin::Generated(generation) => area(generation.points()) / POINTS_PER_SUMMIT,
-            Origin::Map(MapPlan { points, .. }) => *points as u128 / POINTS_PER_SUMMIT,
+            Origin::Map(MapPlan { points, .. }) => area(*points) / POINTS_PER_SUMMIT,
         }
     }
 
     /// An estimate of the memory that it needs at its peak, bytes, with as many summits as a rough surface has: on
-    /// noise there are twice as many.
-    pub fn memory(&self, depth: AnalysisDepth) -> u128 {
+    /// noise there are twice as many. `is_treated` is whether other treatments of a measured map are examined.
+    pub fn memory(&self, depth: AnalysisDepth, is_treated: bool) -> u128 {
         /// A map that is read at once and transposed.
-        const BYTES_PER_POINT: u128 = 32;
+        const BYTES_PER_READ_POINT: u128 = 32;
         /// The transforms of an autocorrelation, over one and a half times the side of an open map.
         const BYTES_PER_ANALYSED_POINT: u128 = 96;
         /// A copy of a random surface, which its spectrum is made from.
         const BYTES_PER_POINT_OF_SPECTRUM: u128 = 8;
-        /// The transforms of a filter.
-        const BYTES_PER_FILTERED_POINT: u128 = 96;
         const BYTES_PER_HEIGHT: u128 = 8;
         /// What is found of a summit, room for a fifth more, and the models' copies.
         const BYTES_PER_SUMMIT: u128 = 200;
@@ -278,15 +276,17 @@ impl SurfacePlan {
         const BYTES_PER_ELLIPSE: u128 = 64;
         let found = self.likely_asperities() * BYTES_PER_SUMMIT;
         match &self.origin {
-            Origin::Map(MapPlan { points, is_on_disk, preparation, .. }) => {
-                let bytes = match (preparation.filter, is_on_disk) {
-                    (Some(_), _) => BYTES_PER_FILTERED_POINT,
-                    (None, false) => BYTES_PER_POINT,
-                    (None, true) => 0,
-                };
-                let is_analysed = depth == AnalysisDepth::Everything && *points <= MOST_ANALYSED_POINTS;
-                let bytes = bytes + if is_analysed { BYTES_PER_ANALYSED_POINT } else { 0 };
-                *points as u128 * bytes + found
+            &Origin::Map(MapPlan { points, pixel, is_on_disk, preparation, .. }) => {
+                let filtering = |filter: Filter| filter.memory(points, pixel);
+                let own = preparation.filter.map_or(0, filtering);
+                let treated = self.short_filter().filter(|_| is_treated).map_or(0, filtering);
+                let is_analysed =
+                    depth == AnalysisDepth::Everything && area(points) <= MOST_ANALYSED_POINTS as u128;
+                let analysis = if is_analysed { area(points) * BYTES_PER_ANALYSED_POINT } else { 0 };
+                // The map as read stays until its last treatment.
+                let raw = if is_on_disk { 0 } else { area(points) };
+                let reading = raw * BYTES_PER_READ_POINT;
+                reading.max(raw * BYTES_PER_HEIGHT + own.max(treated) + analysis) + found
             }
             Origin::Generated(generation) => {
                 let depth = match depth {
@@ -302,6 +302,14 @@ impl SurfacePlan {
         }
     }
 
+    /// The S filters that other treatments of a measured map have: of a few pixels, before its own L filter.
+    fn short_filter(&self) -> Option<Filter> {
+        const PIXELS: f64 = 2.0;
+        let Origin::Map(map) = &self.origin else { return None };
+        let l = map.preparation.filter.and_then(|filter| filter.l());
+        Filter::new(Some(PIXELS * map.pixel[0].max(map.pixel[1])), l).ok()
+    }
+
     /// An estimate of the bytes of its asperities, which are kept for the report.
     pub fn kept(&self) -> u128 {
         const BYTES_PER_ASPERITY: u128 = 16;
@@ -315,7 +323,7 @@ impl SurfacePlan {
         const POINTS_PER_SUMMIT: u128 = 10;
         match &self.origin {
             Origin::Generated(generation) => area(generation.points()) / POINTS_PER_SUMMIT,
-            Origin::Map(MapPlan { points, .. }) => *points as u128 / POINTS_PER_SUMMIT,
+            Origin::Map(MapPlan { points, .. }) => area(*points) / POINTS_PER_SUMMIT,
             Origin::List { .. } | Origin::Population { .. } => self.most_asperities(),
         }
     }
@@ -382,16 +390,16 @@ pub fn inputs(surfaces: &[SurfacePlan]) -> Vec<PathBuf> {
 }
 
 /// An estimate of the memory that surfaces need, analysed to `depth`: the asperities of each are kept for the report, one map
-/// at a time and those that are needed again.
-pub fn memory(surfaces: &[SurfacePlan], depth: AnalysisDepth) -> Memory {
+/// at a time and those that are needed again. `is_treated` is whether other treatments of measured maps are examined.
+pub fn memory(surfaces: &[SurfacePlan], depth: AnalysisDepth, is_treated: bool) -> Memory {
     let readings: Vec<_> = surfaces.iter().map(SurfacePlan::reading).collect();
     let again = |k: usize| readings[k].is_some() && readings[k + 1..].contains(&readings[k]);
     let kept = surfaces.iter().enumerate();
     let kept: u128 =
         kept.map(|(k, surface)| surface.kept() + if again(k) { surface.kept_file() } else { 0 }).sum();
-    let largest = surfaces.iter().max_by_key(|surface| surface.memory(depth));
+    let largest = surfaces.iter().max_by_key(|surface| surface.memory(depth, is_treated));
     Memory {
-        bytes: kept + largest.map_or(0, |surface| surface.memory(depth)),
+        bytes: kept + largest.map_or(0, |surface| surface.memory(depth, is_treated)),
         key: largest.map(|surface| surface.size_key.clone()),
     }
 }

@@ -2,7 +2,7 @@
 //! back; the verdicts under other treatments of a map.
 
 use std::f64::consts::TAU;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 use asperity::compare::{ComparedQuantity, Verdict};
 use asperity::npy;
@@ -32,6 +32,11 @@ fn write(folder: &Path, name: &str, height: impl Fn(usize, usize) -> f64) {
 
 /// Both models on maps, each a name, a file and further keys.
 fn run(folder: &Path, more: &str, maps: &[(&str, &str, &str)]) -> Box<dyn Outcome> {
+    Experiment::read(&spec(folder, more, maps)).unwrap().run(&Silent).unwrap()
+}
+
+/// The spec of such a comparison.
+fn spec(folder: &Path, more: &str, maps: &[(&str, &str, &str)]) -> PathBuf {
     let surfaces: String = maps
         .iter()
         .map(|(name, file, keys)| {
@@ -45,7 +50,7 @@ fn run(folder: &Path, more: &str, maps: &[(&str, &str, &str)]) -> Box<dyn Outcom
     );
     let path = folder.join("fitness.toml");
     std::fs::write(&path, spec).unwrap();
-    Experiment::read(&path).unwrap().run(&Silent).unwrap()
+    path
 }
 
 fn failed(found: &SurfaceResults) -> Vec<Check> {
@@ -184,4 +189,25 @@ fn a_verdict_that_depends_on_the_cut_off_says_so_and_a_robust_one_does_not() {
     assert!(!rows.iter().any(|row| row["surface"] == "good" && depends(row)));
     let off = run(folder.path(), "robustness = false", &maps[..1]);
     assert!(crate::downcast::<CompareResults>(off).surfaces[0].robustness.is_none());
+}
+
+/// Bytes per point that a plan names, for a map that stays on disk.
+#[test]
+fn the_memory_of_a_filter_and_of_other_treatments_is_that_of_a_map() {
+    let folder = tempfile::tempdir().unwrap();
+    write(folder.path(), "map.npy", |i, j| ((i * 7 + j * 13) % 101) as f64 * 1e-9);
+    let bytes = |more: &str, keys: &str| {
+        let path = spec(folder.path(), more, &[("a", "map.npy", keys)]);
+        let plan = Experiment::read(&path).unwrap().to_string();
+        let (_, memory) = plan.split_once("at most ").unwrap();
+        1e6 * memory.split_once(" MB").unwrap().0.parse::<f64>().unwrap() / (SIDE * SIDE) as f64
+    };
+    let bare = bytes("robustness = false", "");
+    // Printed to 0.1 MB, a quarter of a byte per point.
+    let above = |more: &str, keys: &str| bytes(more, keys) - bare;
+    assert!((above("robustness = false", "filter = { s = \"8 um\" }") - 8.0).abs() < 0.5);
+    assert!((above("", "") - 8.0).abs() < 0.5, "other S filters");
+    assert!((above("", "filter = { s = \"8 um\" }") - 8.0).abs() < 0.5, "one at a time");
+    let long = above("robustness = false", "filter = { l = \"400 um\" }");
+    assert!(long > 50.0 && long < 100.0, "{long}");
 }

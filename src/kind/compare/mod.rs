@@ -67,7 +67,11 @@ impl Plan for ComparePlan {
     }
 
     fn memory(&self) -> Memory {
-        memory(&self.surfaces, AnalysisDepth::Comparison)
+        memory(
+            &self.surfaces,
+            AnalysisDepth::Comparison,
+            self.is_robustness_examined && self.models.len() > 1,
+        )
     }
 
     fn work(&self) -> u128 {

@@ -49,7 +49,7 @@ impl Plan for LawsPlan {
     }
 
     fn memory(&self) -> Memory {
-        memory(&self.compare.surfaces, AnalysisDepth::Comparison)
+        memory(&self.compare.surfaces, AnalysisDepth::Comparison, self.compare.is_robustness_examined)
     }
 
     fn work(&self) -> u128 {

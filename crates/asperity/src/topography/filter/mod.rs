@@ -85,6 +85,22 @@ impl Filter {
         [self.s, self.l].into_iter().flatten().map(of).sum()
     }
 
+    /// Bytes that [`Self::apply`] takes at its peak, the result included, on a map of `points` at a distance of `pixel` (m): 8 per
+    /// point for a short index, and for a transform the map and its present points besides, both padded.
+    pub fn memory(&self, points: [usize; 2], pixel: [f64; 2]) -> u128 {
+        const BYTES: u128 = size_of::<f64>() as u128;
+        let area = |points: [usize; 2]| BYTES * points[0] as u128 * points[1] as u128;
+        let of = |index: f64| {
+            let weights = weights_of(index, pixel);
+            let padded = [0, 1].map(|axis| points[axis].saturating_add(weights[axis].len()));
+            area(points) + if is_direct(&weights) { 0 } else { 2 * area(padded) }
+        };
+        let short = self.s.map_or(0, of);
+        // The S filter's result stays while the L filter runs.
+        let long = self.l.map_or(0, |l| of(l) + if self.s.is_some() { area(points) } else { 0 });
+        short.max(long)
+    }
+
     /// The filtered map; missing points stay missing and are ignored. Bit-identical for any number of threads.
     ///
     /// # Errors
@@ -172,6 +188,21 @@ mod tests {
 
     fn filtered(map: &HeightMap, s: Option<f64>, l: Option<f64>) -> HeightMap {
         Filter::new(s, l).unwrap().apply(map).unwrap()
+    }
+
+    #[test]
+    fn a_short_filter_needs_its_result_only() {
+        let per_point = |s: Option<f64>, l: Option<f64>| {
+            let memory = Filter::new(s, l).unwrap().memory([4096; 2], [1.0; 2]);
+            memory as f64 / 4096f64.powi(2)
+        };
+        assert_eq!(per_point(Some(16.0), None), 8.0);
+        assert_eq!(per_point(Some(2.0), Some(60.0)), 16.0);
+        // The transforms pad by 0.14 and 3.5 of the side.
+        let long = per_point(None, Some(400.0));
+        assert!(long > 28.0 && long < 33.0, "{long}");
+        let whole = per_point(Some(2.0), Some(4096.0));
+        assert!(whole > 80.0 && whole < 120.0, "{whole}");
     }
 
     /// exp(-pi (alpha index/length)^2) of a wave passes.
