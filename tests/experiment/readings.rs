@@ -1,9 +1,13 @@
 //! σ and d of the asperities or of the surface: generated surfaces, populations, and what the reading changes.
 
+use std::path::Path;
+
 use asperity::compare::{Control, Kind};
 use asperity::distribution::gaussian_moment;
+use asperity::topography::Rows;
 use asperity::topography::generate::SigmaOf;
-use asperity::{Population, SurfaceHeights};
+use asperity::topography::read::{ReadOptions, height_map};
+use asperity::{Population, SurfaceHeights, npy};
 use asperity_experiment::Experiment;
 use asperity_experiment::kind::compare::answers::RealisationResults;
 use asperity_experiment::kind::compare::results::CompareResults;
@@ -152,4 +156,28 @@ fn an_offset_of_a_list_costs_no_digits() {
             assert!((low == 0.0 && high == 0.0) || (high / low - 1.0).abs() < 1e-14, "{high} for {low}");
         }
     }
+}
+
+/// The same of a map: an X3P file whose offset of z is 1 m, and its heights without the offset.
+#[test]
+fn the_offset_of_an_x3p_file_is_reported_and_costs_no_digits() {
+    let folder = tempfile::tempdir().unwrap();
+    let formats = Path::new(env!("CARGO_MANIFEST_DIR")).join("crates/asperity/tests/library/formats");
+    let far = formats.join("surface_placed_binary.x3p");
+    let map = height_map(&far, ReadOptions::default()).unwrap();
+    assert_eq!(map.offset(), 1.0);
+    let near = folder.path().join("near.npy");
+    npy::write(std::fs::File::create(&near).unwrap(), map.points(), map.heights().iter().copied()).unwrap();
+    let found = |level: &str| {
+        let both = format!(
+            "[surface.near.file]\npath = {near:?}\npixel = \"1 um\"\nlevel = \"{level}\"\n\
+             [surface.far.file]\npath = {far:?}\nlevel = \"{level}\"\n"
+        );
+        let results: CompareResults = crate::downcast(run("[1]", &both));
+        let [near, far] = [0, 1].map(|k| results.surfaces[k].surface.reported_statistics());
+        assert!((far.sigma / near.sigma - 1.0).abs() < 1e-14, "{level}: {} for {}", far.sigma, near.sigma);
+        far.mean_height - near.mean_height
+    };
+    assert_eq!(found("plane"), 0.0);
+    assert!((found("none") - 1.0).abs() < 2.0 * f64::EPSILON);
 }
