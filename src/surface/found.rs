@@ -143,6 +143,16 @@ impl MapFacts {
         (widest > WIDE).then(warning).into_iter().collect()
     }
 
+    /// The places of the points of spikes on the map, m.
+    pub fn spike_places(&self) -> Vec<[f64; 2]> {
+        let points = self.spikes.as_ref().map_or(&[][..], |spikes| &spikes.left.points);
+        let place = |&point: &usize| {
+            let at = [point / self.points[1], point % self.points[1]];
+            [0, 1].map(|axis| (at[axis] as f64 + 0.5) * self.pixel[axis])
+        };
+        points.iter().map(place).collect()
+    }
+
     /// The checks that failed so that no verdict may rest on the map.
     pub fn blocking(&self) -> impl Iterator<Item = &Finding> {
         self.fitness.iter().filter(|finding| finding.is_blocking())

@@ -158,6 +158,21 @@ impl Canvas {
         self.group(&common, "", &elements);
     }
 
+    /// Open circles.
+    pub(super) fn rings(&mut self, centres: &[Spot], radius: f64, colour: RGBColor) {
+        const WIDTH: f64 = 1.6;
+        let style = style(colour, WIDTH);
+        let radius = (radius * UNITS).round().max(1.0) as u32;
+        let elements = written(|svg| {
+            for centre in centres {
+                svg.draw_circle(units(*centre), radius, &style, false).ok();
+            }
+        });
+        let width = style.stroke_width.to_string();
+        let common = [("fill", "none".into()), ("stroke", hex(colour)), ("stroke-width", width)];
+        self.group(&common, "", &elements);
+    }
+
     /// Sets texts with the middle of their capitals at their places.
     pub(super) fn texts<'a>(&mut self, texts: impl IntoIterator<Item = (&'a str, Spot)>, set: Type) {
         let anchor = match set.align {

@@ -22,6 +22,8 @@ pub enum Marker {
     Triangle,
     /// A diagonal cross.
     Cross,
+    /// An open circle, larger than the others, that leaves what it marks visible.
+    Ring,
 }
 
 /// An interval on one axis or the other.

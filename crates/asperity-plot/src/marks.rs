@@ -13,6 +13,8 @@ const LINE: f64 = 2.0;
 const REFERENCE: f64 = 1.2;
 /// Half the size of a marker.
 const RADIUS: f64 = 3.2;
+/// Radius of an open circle.
+const RING: f64 = 7.0;
 /// A sixth of a pixel: not to be seen.
 const TOLERANCE: f64 = 0.16;
 const MOST_MARKERS: usize = 1000;
@@ -260,6 +262,7 @@ fn markers(canvas: &mut Canvas, spots: &[Spot], marker: Marker, layer: &Layer) {
         |corners: &[(f64, f64)]| spots.iter().map(|spot| outline(spot, corners)).collect::<Vec<_>>();
     match marker {
         Marker::Circle => canvas.circles(spots, RADIUS, colour),
+        Marker::Ring => canvas.rings(spots, RING, colour),
         Marker::Square => {
             let squares = outlines(&[(-0.9, -0.9), (0.9, -0.9), (0.9, 0.9), (-0.9, 0.9)]);
             canvas.polygons(squares.iter().map(Vec::as_slice), colour, 1.0);

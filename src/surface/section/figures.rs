@@ -89,8 +89,8 @@ fn colour_limit(map: &HeightMap) -> f64 {
     sizes.get(sizes.len() * 199 / 200).copied().unwrap_or(0.0)
 }
 
-/// The heights as an image.
-pub fn heights(map: &HeightMap) -> String {
+/// The heights as an image, with a circle around each of the places `marked` (m).
+pub fn heights(map: &HeightMap, marked: &[[f64; 2]]) -> String {
     let [nx, ny] = map.points();
     let size = [nx as f64 * map.pixel()[0], ny as f64 * map.pixel()[1]];
     let (length, length_name) = unit(size[0].max(size[1]));
@@ -100,7 +100,7 @@ pub fn heights(map: &HeightMap) -> String {
     let values = (0..ny).flat_map(|iy| (0..nx).map(move |ix| map.heights()[ix * ny + iy] / height)).collect();
     let axis =
         |name: &str, size: f64| Axis::linear(format!("{name} [{length_name}]")).range(0.0, size / length);
-    Plot::new("Heights", axis("x", size[0]), axis("y", size[1]))
+    let plot = Plot::new("Heights", axis("x", size[0]), axis("y", size[1]))
         .height(560.0)
         .equal_aspect()
         .with(Layer::raster(Raster {
@@ -112,8 +112,12 @@ pub fn heights(map: &HeightMap) -> String {
             map: ColourMap::Diverging,
             limits: Some((-largest / height, largest / height)),
             label: format!("height [{height_name}]"),
-        }))
-        .svg()
+        }));
+    if marked.is_empty() {
+        return plot.svg();
+    }
+    let places: Vec<(f64, f64)> = marked.iter().map(|[x, y]| (x / length, y / length)).collect();
+    plot.with(Layer::points(places, Marker::Ring).coloured(Colour::Neutral).named("spikes")).svg()
 }
 
 /// Heights of all points, by counts over 5 Sq on both sides of the mean.
@@ -207,13 +211,34 @@ mod tests {
         assert_eq!(colour_limit(&map), 0.995);
     }
 
+    #[test]
+    fn spikes_are_circled_where_they_are() {
+        let map = HeightMap::new([40, 30], [1e-6; 2], (0..1200).map(f64::from).collect(), 0.0).unwrap();
+        assert!(!super::heights(&map, &[]).contains("<circle"));
+        let rings = |places: &[[f64; 2]]| {
+            let svg = super::heights(&map, places);
+            let number = |element: &str, key: &str| {
+                let (_, rest) = element.split_once(&format!(" {key}=\"")).unwrap();
+                rest.split_once('"').unwrap().0.parse::<f64>().unwrap()
+            };
+            let circles = svg.split("<circle").skip(1);
+            circles.map(|circle| [number(circle, "cx"), number(circle, "cy")]).collect::<Vec<_>>()
+        };
+        let found = rings(&[[10e-6, 10e-6], [30e-6, 10e-6], [10e-6, 20e-6]]);
+        let [first, right, above] = [found[0], found[1], found[2]];
+        assert!(right[0] > first[0] && right[1] == first[1]);
+        assert!(above[0] == first[0] && above[1] < first[1]);
+        // One pixel is as long along x as along y.
+        assert!((right[0] - first[0] - 2.0 * (first[1] - above[1])).abs() <= 20.0, "{found:?}");
+    }
+
     /// The first index of a map is x, which runs to the right; y runs upwards.
     #[test]
     fn the_picture_of_a_map_is_not_turned() {
         use base64::Engine;
         // The highest point has the largest x and the smallest y.
         let heights = (0..12).map(|k| if k == 9 { 1e-6 } else { -1e-6 }).collect();
-        let svg = super::heights(&HeightMap::new([4, 3], [1e-6; 2], heights, 0.0).unwrap());
+        let svg = super::heights(&HeightMap::new([4, 3], [1e-6; 2], heights, 0.0).unwrap(), &[]);
         let file = svg.split_once("base64,").unwrap().1.split_once('"').unwrap().0;
         let file = base64::engine::general_purpose::STANDARD.decode(file).unwrap();
         let mut decoder = png::Decoder::new(std::io::Cursor::new(file));

@@ -7,7 +7,7 @@ mod properties;
 use crate::surface::fitness;
 use crate::surface::found::{MapFacts, Surface};
 use asperity::topography::theory::Expected;
-use asperity_framework::report::format::{number, percent, ratio};
+use asperity_framework::report::format::{count, number, percent, ratio};
 use asperity_framework::report::page::Page;
 use properties::{columns, properties, table};
 
@@ -22,11 +22,18 @@ pub fn section(page: &mut Page, surface: &Surface, assumed: Option<&asperity::Po
         theory(page, surface, map);
         if let Some(picture) = &map.whole.picture {
             let missing = if map.roughness.missing > 0 { " Missing points are white." } else { "" };
+            let marked = map.spike_places();
+            let spikes = match map.spikes.as_ref().map_or(0, |spikes| spikes.left.count) {
+                0 => String::new(),
+                1 => "One spike is circled. ".to_owned(),
+                found => format!("{} spikes are circled. ", count(found)),
+            };
             let caption = format!(
-                "Height map of {}; the colour scale covers 99.5 % of the points.{missing}",
+                "{spikes}Height map of {}; the colour scale covers 99.5 % of the points.{missing}",
                 surface.name
             );
-            page.figure(&format!("{}-heights.svg", surface.name), figures::heights(picture), &caption);
+            let svg = figures::heights(picture, &marked);
+            page.figure(&format!("{}-heights.svg", surface.name), svg, &caption);
         }
         if let Some(counts) = &map.whole.distribution {
             let caption = format!(
