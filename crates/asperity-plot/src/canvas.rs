@@ -160,7 +160,7 @@ impl Canvas {
 
     /// Open circles.
     pub(super) fn rings(&mut self, centres: &[Spot], radius: f64, colour: RGBColor) {
-        const WIDTH: f64 = 1.6;
+        const WIDTH: f64 = 2.2;
         let style = style(colour, WIDTH);
         let radius = (radius * UNITS).round().max(1.0) as u32;
         let elements = written(|svg| {

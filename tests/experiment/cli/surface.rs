@@ -47,7 +47,7 @@ fn a_surface_is_described() {
 
     for (arguments, words) in [
         (&[opd][..], "holds no pixel size"),
-        (&[opd, "--pixel", "0.2 um", "--level", "cubic"], "cubic"),
+        (&[opd, "--pixel", "0.2 um", "--level", "quartic"], "quartic"),
         (&[opd, "--pixel", "0.2 um", "--s", "3 um", "--l", "2 um"], "s below l"),
         (&[opd, "--pixel", "0.2 um", "--name", ""], "found the report name \"\""),
         (&[opd, "--pixel", "0.2 um", "--name", "../up"], "found the report name \"../up\""),
