@@ -16,7 +16,7 @@ use asperity::topography::summits::Neighbours;
 use asperity::topography::{Filter, Level, read};
 use asperity::{AsperityList, Heights, MapError, Population, ReferencePlane, SurfaceHeights};
 use asperity_framework::input::quantity::{Length, Pure, Quantity};
-use asperity_framework::input::{InputError, Source, SpecFile};
+use asperity_framework::input::{InputError, Source, SpecFile, Whole};
 use asperity_framework::{Memory, set_memory};
 
 /// A surface that can be made.
@@ -103,9 +103,9 @@ impl SurfacePlan {
         };
         let realisations = match realisations {
             None => 1,
-            Some(count) if (1..=MOST_REALISATIONS).contains(count.get_ref()) => *count.get_ref() as usize,
+            Some(count) if (1..=MOST_REALISATIONS).contains(&count.get_ref().0) => count.get_ref().0 as usize,
             Some(count) => {
-                let message = format!("found {}; allowed: 1 to {MOST_REALISATIONS}", count.get_ref());
+                let message = format!("found {}; allowed: 1 to {MOST_REALISATIONS}", count.get_ref().0);
                 return Err(source.error_at(count.span(), message));
             }
         };
@@ -126,7 +126,7 @@ impl SurfacePlan {
         as_ellipses: bool,
     ) -> Result<Origin, InputError> {
         let ratio = curvature_ratio(source, &span, raw.curvature_ratio.as_ref(), as_ellipses)?;
-        let count = *raw.count.get_ref();
+        let Whole(count) = *raw.count.get_ref();
         let count = usize::try_from(count).ok().filter(|&count| count > 0).ok_or_else(|| {
             source.error_at(raw.count.span(), format!("found {count}; allowed: at least one asperity"))
         })?;

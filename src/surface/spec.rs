@@ -14,6 +14,7 @@ use asperity::Heights;
 use asperity::topography::Level;
 use asperity::topography::summits::Neighbours;
 use asperity::units::Dimension;
+use asperity_framework::input::Whole;
 use asperity_framework::input::heights::HeightsSpec;
 use asperity_framework::input::quantity::{Area, ArealNumberDensity, Length, Pure, Quantity};
 
@@ -90,7 +91,7 @@ pub struct PopulationSpec {
     /// Asperities per nominal area.
     pub density: Quantity<ArealNumberDensity>,
     /// How many the deterministic model draws.
-    pub count: Spanned<u64>,
+    pub count: Spanned<Whole>,
     /// Whose deviation sigma is, and of what density.
     #[serde(default)]
     pub heights: PopulationHeights,
@@ -98,7 +99,7 @@ pub struct PopulationSpec {
     #[serde(default)]
     pub draw: DrawSpec,
     /// How many sets are drawn.
-    pub realisations: Option<Spanned<u64>>,
+    pub realisations: Option<Spanned<Whole>>,
 }
 
 /// `heights` of a population.

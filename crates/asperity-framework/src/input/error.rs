@@ -101,6 +101,12 @@ fn plain_message(message: &str) -> String {
         "wanted string or table" => {
             Some("found neither a name nor a table; allowed: a name in quotes, or a table")
         }
+        "integer number overflowed" => {
+            Some("found a number of too many digits; allowed: a whole number up to 18446744073709551615")
+        }
+        "floating-point number overflowed" => {
+            Some("found a number that is too large; allowed: at most 1e308 in magnitude")
+        }
         "duplicate key" => Some("found this key twice; allowed: once"),
         "wanted exactly 1 element, more than 1 element" => {
             Some("found several keys; allowed: exactly one of them")
@@ -129,10 +135,40 @@ fn plain_message(message: &str) -> String {
             message.strip_prefix(begin).and_then(|rest| rest.split_once(", expected "))
         {
             let expected = expected.strip_prefix("one of ").unwrap_or(expected);
-            return format!("{found}{what}; allowed: {expected}");
+            return format!("{found}{}; allowed: {}", plain_value(what), plain_kind(expected));
         }
     }
     message.to_owned()
+}
+
+/// A value as the parser calls it, in the words of a spec: "floating point `2.5`" is 2.5.
+fn plain_value(what: &str) -> &str {
+    for kind in ["integer `", "floating point `", "boolean `"] {
+        if let Some(value) = what.strip_prefix(kind) {
+            return value.split('`').next().unwrap_or(value);
+        }
+    }
+    match what {
+        "sequence" => "a list",
+        "map" => "a table",
+        text => text.strip_prefix("string ").unwrap_or(text),
+    }
+}
+
+/// What the parser expects, without names of types.
+fn plain_kind(expected: &str) -> &str {
+    const INTEGERS: [&str; 10] = ["u8", "u16", "u32", "u64", "usize", "i8", "i16", "i32", "i64", "isize"];
+    match expected {
+        "a sequence" => "a list in square brackets",
+        "a map" | "map" => "a table",
+        "a string" | "string" => "a text in quotes",
+        "path string" => "the name of a file in quotes",
+        "a boolean" => "true or false",
+        "f64" | "f32" => "a number without quotes",
+        integer if INTEGERS.contains(&integer) => "a whole number such as 1000",
+        structure if structure.starts_with("struct ") || structure.starts_with("tuple ") => "a table of keys",
+        other => other,
+    }
 }
 
 /// The dotted key of the innermost entry of `table` that `span` points into.

@@ -11,6 +11,7 @@ use toml::de::{DeTable, DeValue, Deserializer, ValueDeserializer};
 
 use super::error::{InputError, Source};
 use super::material::MaterialSpec;
+use super::whole::Whole;
 use asperity::Material;
 
 /// A spec file whose common keys are read; the table of its kind is read by [`SpecFile::table`].
@@ -37,7 +38,7 @@ struct CommonKeys {
     #[serde(default)]
     notes: String,
     #[serde(default)]
-    seed: u64,
+    seed: Whole,
     #[serde(default)]
     material: IndexMap<Spanned<String>, MaterialSpec>,
 }
@@ -83,7 +84,7 @@ impl SpecFile {
         }
         let keys = CommonKeys::deserialize(Deserializer::from(document));
         let CommonKeys { title, notes, seed, material } = keys.map_err(|error| source.parse_error(&error))?;
-        Ok(Self { source, title, notes, seed, materials: material, tables: found })
+        Ok(Self { source, title, notes, seed: seed.0, materials: material, tables: found })
     }
 
     /// Names and positions of the tables besides the common keys, in file order.
