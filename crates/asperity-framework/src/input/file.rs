@@ -57,7 +57,7 @@ impl SpecFile {
         let text = String::from_utf8(bytes).map_err(|error| {
             InputError::file(path, format!("is no UTF-8 text (byte {})", error.utf8_error().valid_up_to()))
         })?;
-        Self::parse(Source { path: path.to_owned(), text }, tables)
+        Self::parse(Source::file(path, text), tables)
     }
 
     /// The same of a text.
