@@ -9,12 +9,14 @@ use toml::Spanned;
 use crate::surface::files::Reading;
 use crate::surface::generation::Generation;
 use crate::surface::overview::{AnalysisDepth, MOST_ANALYSED_POINTS};
-use crate::surface::read_error::{options_message, spec_message};
+use crate::surface::read_error::{list_message, options_message, spec_message};
 use crate::surface::spec::{DrawSpec, FileSpec, ListSpec, PopulationHeights, PopulationSpec, SurfaceSpec};
 use asperity::topography::read::{ReadOptions, ReadOptionsError};
 use asperity::topography::summits::Neighbours;
 use asperity::topography::{Filter, Level, read};
-use asperity::{AsperityList, Heights, MapError, Population, ReferencePlane, SurfaceHeights};
+use asperity::{
+    AsperityList, Heights, ListError, ListOptions, MapError, Population, ReferencePlane, SurfaceHeights,
+};
 use asperity_framework::input::quantity::{Length, Pure, Quantity};
 use asperity_framework::input::{InputError, Source, SpecFile, Whole};
 use asperity_framework::{Memory, set_memory};
@@ -37,7 +39,8 @@ pub struct SurfacePlan {
 pub(super) enum Origin {
     List {
         path: PathBuf,
-        most_rows: usize,
+        given: ListOptions,
+        rows: usize,
         nominal_area: f64,
     },
     Population {
@@ -114,9 +117,14 @@ impl SurfacePlan {
 
     fn list(source: &Source, raw: &ListSpec, as_ellipses: bool) -> Result<Origin, InputError> {
         let path = beside(source, &raw.file)?;
-        let most_rows = AsperityList::check(&path, as_ellipses)
-            .map_err(|error| source.error_at(raw.file.span(), format!("{} {error}", path.display())))?;
-        Ok(Origin::List { path, most_rows, nominal_area: raw.nominal_area.value() })
+        let unit = raw.unit.as_ref().map(|unit| unit.get_ref().0);
+        let given = ListOptions { as_ellipses, unit };
+        let rows = AsperityList::check(&path, given).map_err(|error| {
+            let key = raw.unit.as_ref().filter(|_| matches!(error, ListError::UnitHeld { .. }));
+            let key = key.map_or_else(|| raw.file.span(), Spanned::span);
+            source.error_at(key, list_message(&path, &error))
+        })?;
+        Ok(Origin::List { path, given, rows, nominal_area: raw.nominal_area.value() })
     }
 
     fn population(
@@ -197,7 +205,7 @@ impl SurfacePlan {
     /// What it is found in, if that is a file.
     pub fn reading(&self) -> Option<Reading> {
         match &self.origin {
-            Origin::List { path, .. } => Some(Reading::list(path, self.as_ellipses)),
+            Origin::List { path, given, .. } => Some(Reading::list(path, *given)),
             Origin::Map(map) => Some(Reading::map(&map.path, map.given)),
             Origin::Population { .. } | Origin::Generated(_) => None,
         }
@@ -217,7 +225,7 @@ impl SurfacePlan {
     /// What it is, for a plan that a person reads.
     pub fn describe(&self) -> String {
         let what = match &self.origin {
-            Origin::List { path, .. } => format!("asperities listed in {}", path.display()),
+            Origin::List { path, rows, .. } => format!("{rows} asperities listed in {}", path.display()),
             Origin::Population { count, .. } => format!("{count} asperities of a population"),
             Origin::Generated(generation) => generation.describe(),
             Origin::Map(MapPlan { path, .. }) => format!("height map {}", path.display()),
@@ -230,7 +238,7 @@ impl SurfacePlan {
         /// Four neighbours cannot all be summits.
         const POINTS_PER_SUMMIT: u128 = 2;
         match &self.origin {
-            Origin::List { most_rows, .. } => *most_rows as u128,
+            Origin::List { rows, .. } => *rows as u128,
             Origin::Population { count, .. } => *count as u128,
             Origin::Generated(generation) => area(generation.points()) / POINTS_PER_SUMMIT,
             Origin::Map(MapPlan { points, .. }) => *points as u128 / POINTS_PER_SUMMIT,

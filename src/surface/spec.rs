@@ -63,13 +63,15 @@ impl TryFrom<Kinds> for SurfaceSpec {
     }
 }
 
-/// A list of asperities: CSV with columns height and radius, or an n x 2 `.npy`; for elliptic laws with kx and
+/// A list of asperities: a text with columns height and radius, or an n x 2 `.npy`; for elliptic laws with kx and
 /// ky too.
 #[derive(Debug, Deserialize)]
-#[serde(deny_unknown_fields, rename_all = "kebab-case", expecting = "a table { file, nominal-area }")]
+#[serde(deny_unknown_fields, rename_all = "kebab-case", expecting = "a table { file, nominal-area, unit }")]
 pub struct ListSpec {
     /// The file, relative to the spec.
     pub file: Spanned<PathBuf>,
+    /// Unit of heights and radii, reciprocal unit of curvatures; only where the file names none.
+    pub unit: Option<Spanned<UnitSpec>>,
     /// Nominal area of the asperities.
     pub nominal_area: Quantity<Area>,
 }
