@@ -75,14 +75,13 @@ impl Experiment {
         let (spec, stem) = if is_spec {
             (SpecFile::read(path, &tables())?, format!("{}-surfaces", stem_of(path)?))
         } else {
-            let source = Source::command_line(options.spec(path));
-            (SpecFile::parse(source, &tables())?, format!("surface-{}", stem_of(path)?))
+            (SpecFile::parse(options.source(path), &tables())?, format!("surface-{}", stem_of(path)?))
         };
         let stem = match name {
             None => stem,
             Some(name) if name.is_empty() || Path::new(name).file_name() != Some(name.as_ref()) => {
                 let message = format!("found the report name \"{name}\"; allowed: a name such as my-surface");
-                return Err(InputError::file(path, message));
+                return Err(InputError::file(Path::new("--name"), message));
             }
             Some(name) => stem_of(Path::new(&format!("{name}.toml")))?,
         };

@@ -171,7 +171,10 @@ impl From<InputError> for Failure {
 
 impl From<StoreError> for Failure {
     fn from(error: StoreError) -> Self {
-        Self::Run(error.to_string())
+        match error {
+            StoreError::NotAFolder(_) => Self::Input(error.to_string()),
+            _ => Self::Run(error.to_string()),
+        }
     }
 }
 

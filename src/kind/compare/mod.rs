@@ -3,6 +3,7 @@
 pub mod answers;
 pub(crate) mod differences;
 pub mod findings;
+mod implausible;
 mod layer_summary;
 mod models;
 pub mod page;

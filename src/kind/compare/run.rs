@@ -16,6 +16,7 @@ use asperity_framework::metadata::Timing;
 
 use super::answers::{CaseResults, DecreaseResults, RealisationResults};
 use super::findings::{Readings, SurfaceFindings};
+use super::implausible;
 use super::models::SurfaceModels;
 use super::plan::{ComparePlan, Setup};
 use super::results::{CompareResults, SurfaceResults};
@@ -250,6 +251,9 @@ pub(super) fn unreachable_load(
     let layer =
         law.thickness.map_or_else(String::new, |t| format!(", layer of thickness {}", thickness_words(t)));
     let message = format!("surface {surface}, law {}{layer}: {error}", law.label);
+    if let Some(error) = implausible::error(context, compare, &message) {
+        return error;
+    }
     let span = match error.control {
         Control::Pressure => compare.load_keys[0].clone(),
         Control::Force => compare.load_keys[1].clone(),

@@ -7,6 +7,7 @@ use std::process::{Command, Output};
 use asperity_framework::report::format;
 
 mod heights;
+mod input;
 mod laws;
 mod precision;
 mod reach;
