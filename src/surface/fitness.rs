@@ -186,8 +186,11 @@ fn fault(finding: &Finding, map: &MapFacts) -> String {
             )
         }
         Measure::DistinctCurvatures => {
+            let step = map.quantisation.and_then(|found| found.step);
+            let step =
+                step.map_or_else(String::new, |step| format!("'s height step of {}", quantity(step, "m")));
             format!(
-                "the {} summits have only {found} distinct curvatures: the instrument makes the radii",
+                "the {} summits have only {found} distinct curvatures: the instrument{step} makes the radii",
                 count(map.summits)
             )
         }
