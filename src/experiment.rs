@@ -5,8 +5,9 @@ use std::path::{Path, PathBuf};
 
 use asperity::Material;
 use asperity_framework::digest::{hexadecimal, sha256, sha256_of_file};
+use asperity_framework::input::material::MaterialOrigin;
 use asperity_framework::input::{InputError, Source, SpecFile};
-use asperity_framework::progress::Progress;
+use asperity_framework::progress::{Progress, Silent};
 use asperity_framework::report::format::listed;
 use asperity_framework::{Kind, Outcome, Plan, RunContext};
 use indexmap::IndexMap;
@@ -29,6 +30,7 @@ pub struct Experiment {
     notes: String,
     seed: u64,
     materials: IndexMap<String, Material>,
+    origins: IndexMap<String, MaterialOrigin>,
     plan: Box<dyn Plan>,
 }
 
@@ -89,9 +91,10 @@ impl Experiment {
 
     fn new(spec: SpecFile, stem: String, plan: Box<dyn Plan>) -> Result<Self, InputError> {
         let materials = spec.materials().map(|(name, body)| (name.get_ref().clone(), *body)).collect();
+        let origins = spec.origins();
         let SpecFile { source, title, notes, seed, .. } = spec;
         check_memory(&*plan, &source)?;
-        Ok(Self { source, stem, title, notes, seed, materials, plan })
+        Ok(Self { source, stem, title, notes, seed, materials, origins, plan })
     }
 
     /// The file whose surfaces it only describes; `None` of an experiment that does more.
@@ -133,8 +136,20 @@ impl Experiment {
     /// # Errors
     /// What only a run can find: a map without a summit, a pressure that is not reached.
     pub fn run(&self, progress: &dyn Progress) -> Result<Box<dyn Outcome>, InputError> {
-        let Self { source, stem, title, notes, seed, materials, plan } = self;
-        plan.run(&RunContext { title, stem, notes, seed: *seed, materials, source, progress })
+        self.plan.run(&self.context(progress))
+    }
+
+    /// Looks for what a run would refuse, such as a load that a population does not reach, without running it.
+    ///
+    /// # Errors
+    /// What a run would refuse.
+    pub fn check(&self) -> Result<(), InputError> {
+        self.plan.check(&self.context(&Silent))
+    }
+
+    fn context<'a>(&'a self, progress: &'a dyn Progress) -> RunContext<'a> {
+        let Self { source, stem, title, notes, seed, materials, origins, .. } = self;
+        RunContext { title, stem, notes, seed: *seed, materials, origins, source, progress }
     }
 }
 

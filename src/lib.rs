@@ -9,6 +9,9 @@
 mod experiment;
 pub mod kind;
 mod layer;
+pub mod materials;
+mod plausibility;
 pub mod surface;
+pub mod terminal;
 
 pub use experiment::{Experiment, TEMPLATE};

@@ -6,16 +6,17 @@ use std::process::ExitCode;
 use std::time::Instant;
 
 use asperity_experiment::kind::{KINDS, columns};
+use asperity_experiment::materials::{all_materials, one_material};
 use asperity_experiment::surface::{FileOptions, described_file};
+use asperity_experiment::terminal::Monitor;
 use asperity_experiment::{Experiment, TEMPLATE};
 use asperity_framework::input::InputError;
-use asperity_framework::progress::{Progress, Silent};
+use asperity_framework::progress::Silent;
 use asperity_framework::report::store::{Store, StoreError};
 use asperity_framework::report::{Index, MARK, verify};
 use asperity_framework::{Outcome, ReportError, folder as report_folder};
 use clap::builder::PossibleValuesParser;
 use clap::{Args, Parser, Subcommand};
-use indicatif::{ProgressBar, ProgressStyle};
 
 /// Folder of the specs.
 const SPECS: &str = "experiments";
@@ -82,6 +83,11 @@ enum Command {
         /// Only tables of this kind of experiment
         #[arg(value_parser = PossibleValuesParser::new(KINDS.iter().map(|kind| kind.name())))]
         kind: Option<String>,
+    },
+    /// List the materials of the library, each value with its source (Markdown)
+    Materials {
+        /// Only this one
+        name: Option<String>,
     },
     /// Compare new reports with those in another folder, number by number
     Verify {
@@ -193,6 +199,7 @@ fn main() -> ExitCode {
             print(format_args!("{}", columns(kind.as_deref()).trim_end()));
             Ok(())
         }
+        Some(Command::Materials { name }) => materials(name.as_deref()),
         Some(Command::Verify { fresh, out }) => verify(&fresh, &out),
     };
     match outcome {
@@ -371,9 +378,9 @@ fn run_and_write(
     let results = if options.quiet {
         experiment.run(&Silent)?
     } else {
-        let bar = Bar::default();
-        let results = experiment.run(&bar);
-        bar.0.finish_and_clear();
+        let monitor = Monitor::new(experiment.stem());
+        let results = experiment.run(&monitor);
+        monitor.finish();
         results?
     };
     if experiment.key()? != key {
@@ -435,10 +442,12 @@ fn list(out: &Path) -> Result<(), Failure> {
 }
 
 fn check(files: &[PathBuf], extent: &Extent) -> Result<(), Failure> {
+    let mut errors = Vec::new();
     for experiment in read_all(files, extent)? {
         print(format_args!("{}", experiment.to_string().trim_end()));
+        errors.extend(experiment.check().err().map(|error| error.to_string()));
     }
-    Ok(())
+    if errors.is_empty() { Ok(()) } else { Err(Failure::Input(errors.join("\nerror: "))) }
 }
 
 fn new(name: &Path) -> Result<(), Failure> {
@@ -448,6 +457,15 @@ fn new(name: &Path) -> Result<(), Failure> {
         .and_then(|mut file| file.write_all(TEMPLATE.as_bytes()))
         .map_err(|error| Failure::Input(format!("{}: {error}", path.display())))?;
     print(format_args!("{} written; run it with `experiment run {}`", path.display(), path.display()));
+    Ok(())
+}
+
+fn materials(name: Option<&str>) -> Result<(), Failure> {
+    let text = match name {
+        None => all_materials(),
+        Some(name) => one_material(name).map_err(Failure::Input)?,
+    };
+    print(format_args!("{}", text.trim_end()));
     Ok(())
 }
 
@@ -467,27 +485,4 @@ fn verify(fresh: &Path, committed: &Path) -> Result<(), Failure> {
         fresh.display(),
         committed.display()
     )))
-}
-
-/// A progress bar on stderr, if that is a terminal.
-struct Bar(ProgressBar);
-
-impl Default for Bar {
-    fn default() -> Self {
-        let style = ProgressStyle::with_template("{msg} {wide_bar} {percent:>3} %  {elapsed}")
-            .unwrap_or_else(|_| ProgressStyle::default_bar());
-        Self(ProgressBar::new(0).with_style(style))
-    }
-}
-
-impl Progress for Bar {
-    fn stage(&self, what: &str, steps: u64) {
-        self.0.set_message(what.to_owned());
-        self.0.set_length(steps);
-        self.0.reset();
-    }
-
-    fn advance(&self, steps: u64) {
-        self.0.inc(steps);
-    }
 }

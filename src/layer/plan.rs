@@ -34,6 +34,13 @@ pub fn thickness_words(thickness: f64) -> String {
 }
 
 impl LayerPlan {
+    /// Adds the uncoated flat to a layer of finite thickness.
+    pub fn add_uncoated(&mut self) {
+        if self.thicknesses.iter().all(|&t| t > 0.0 && t.is_finite()) {
+            self.thicknesses.insert(0, 0.0);
+        }
+    }
+
     /// The substrate with the layer in the thickness `thickness` (m) on it.
     ///
     /// # Errors
@@ -58,6 +65,6 @@ pub fn layer(file: &SpecFile, spec: &LayerSpec, substrate: &Material) -> Result<
     let material = file.body(&name, spec.material.span())?;
     let layered = LayeredFlat::new(&material, substrate, 1.0, spec.rule)
         .map_err(|error| file.source.error_at(spec.material.span(), format!("found \"{name}\": {error}")))?;
-    let thicknesses = spec.thickness.0.clone();
+    let thicknesses = spec.thickness.values.clone();
     Ok(LayerPlan { name, material, rule: spec.rule, thicknesses, layered, substrate: *substrate })
 }

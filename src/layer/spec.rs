@@ -75,19 +75,26 @@ impl<'de> Deserialize<'de> for Thickness {
     }
 }
 
-/// One thickness or a list of them, m, ascending, none twice.
+/// One thickness or a list of them.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Thicknesses(pub Vec<f64>);
+pub struct Thicknesses {
+    /// m, ascending, none twice.
+    pub values: Vec<f64>,
+    /// Whether it is a thickness that stands alone, not in a list.
+    pub stands_alone: bool,
+}
 
 impl<'de> Deserialize<'de> for Thicknesses {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
         let expected = format!("a thickness ({}) or a list of thicknesses", allowed());
-        let all = OneOrMany::<Thickness>::read(deserializer, &expected)?.at_least_one("thickness")?;
+        let read = OneOrMany::<Thickness>::read(deserializer, &expected)?;
+        let stands_alone = matches!(read, OneOrMany::One(_));
+        let all = read.at_least_one("thickness")?;
         if !all.is_sorted_by(|a, b| a.0 < b.0) {
             return Err(D::Error::custom(
                 "found thicknesses that are not ascending; allowed: each once, the thinnest first, \"inf\" last",
             ));
         }
-        Ok(Self(all.into_iter().map(|thickness| thickness.0).collect()))
+        Ok(Self { values: all.into_iter().map(|thickness| thickness.0).collect(), stands_alone })
     }
 }

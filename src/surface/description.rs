@@ -14,6 +14,7 @@ use indexmap::IndexMap;
 use serde::Serialize;
 use serde_json::{Map, Value};
 
+use super::fitness::{FitnessSummary, fitness_summary};
 use super::results::SurfacesResults;
 use super::{
     AnalysisDepth, Surface, SurfaceFactory, SurfacePlan, SurfaceSummary, describe, files_of, inputs, memory,
@@ -66,14 +67,14 @@ impl Plan for SurfacesPlan {
     fn run(&self, context: &RunContext) -> Result<Box<dyn Outcome>, InputError> {
         let start = Instant::now();
         let mut timing = Timing::default();
-        context.progress.stage(context.title, self.surfaces.len() as u64);
+        context.progress.steps(self.surfaces.len() as u64);
         let counter = Counter::default();
         let mut files = files_of(&self.surfaces, &counter);
         let mut seen = Vec::new();
         for surface in &self.surfaces {
-            let mut factory = SurfaceFactory::new(surface, context.source, context.seed, &counter);
+            let mut factory = SurfaceFactory::new(surface, context, &counter);
             seen.push(factory.make(1, AnalysisDepth::Everything, &mut files, &mut timing)?);
-            context.progress.advance(1);
+            context.progress.step();
         }
         timing.total = start.elapsed();
         let papers = seen.iter().flat_map(Surface::papers).collect();
@@ -91,6 +92,7 @@ impl Plan for SurfacesPlan {
 struct Summary<'a> {
     looked_at: &'a Path,
     surfaces: IndexMap<&'a str, SurfaceSummary<'a>>,
+    fitness: Vec<FitnessSummary<'a>>,
 }
 
 impl Outcome for SurfacesResults {
@@ -108,7 +110,11 @@ impl Outcome for SurfacesResults {
 
     fn summary(&self) -> serde_json::Result<Map<String, Value>> {
         let surfaces = self.surfaces.iter().map(|surface| (&*surface.name, summary(surface)));
-        fields(&Summary { looked_at: &self.file, surfaces: surfaces.collect() })
+        fields(&Summary {
+            looked_at: &self.file,
+            surfaces: surfaces.collect(),
+            fitness: fitness_summary(&self.surfaces),
+        })
     }
 
     fn terminal(&self) -> Option<String> {

@@ -1,20 +1,25 @@
 //! Making and reading the realisations of a surface.
 
+use std::rc::Rc;
 use std::time::Instant;
 
 use asperity::topography::generate::SigmaOf;
-use asperity::topography::{Level, Rows};
+use asperity::topography::{CorrelationLengths, Rows};
 use asperity::work::{Counter, Item};
 use asperity::{Draw, Ellipse, Ellipticity, ReferencePlane, Statistics};
+use asperity_framework::RunContext;
 use asperity_framework::digest::stream_seed;
 use asperity_framework::input::{InputError, Source};
 use asperity_framework::metadata::Timing;
+use asperity_framework::progress::{Progress, Silent};
 
 use super::files::Files;
-use super::found::{Found, NoAsperities, SummitSearch, Surface};
+use super::fitness;
+use super::found::Surface;
 use super::overview::AnalysisDepth;
 use super::plan::{Origin, SurfacePlan};
 use super::read_error::{list_message, spec_message};
+use super::search::{Found, NoAsperities, Preparation, SummitSearch};
 use super::spec::DrawSpec;
 
 /// Makes or reads the realisations of a surface.
@@ -22,15 +27,19 @@ pub struct SurfaceFactory<'a> {
     plan: &'a SurfacePlan,
     source: &'a Source,
     seed: u64,
+    progress: &'a dyn Progress,
     counter: &'a Counter,
     /// A bandwidth that met the target before.
     bandwidth: Option<f64>,
+    /// The measured map that was made last, as read.
+    raw: Option<Rc<dyn Rows>>,
 }
 
 impl<'a> SurfaceFactory<'a> {
     /// A factory of the realisations of `plan`, made one after the other.
-    pub fn new(plan: &'a SurfacePlan, source: &'a Source, seed: u64, counter: &'a Counter) -> Self {
-        Self { plan, source, seed, counter, bandwidth: None }
+    pub fn new(plan: &'a SurfacePlan, context: &RunContext<'a>, counter: &'a Counter) -> Self {
+        let &RunContext { source, seed, progress, .. } = context;
+        Self { plan, source, seed, progress, counter, bandwidth: None, raw: None }
     }
 
     /// Makes or reads realisation `realisation` (from 1).
@@ -47,6 +56,34 @@ impl<'a> SurfaceFactory<'a> {
         let surface = self.one(realisation, depth, files, timing)?;
         self.counter.add(Item::Surfaces, 1);
         Ok(Surface { realisations: self.plan.realisations, ..surface })
+    }
+
+    /// How a measured map is prepared; `None` of other surfaces.
+    pub fn preparation(&self) -> Option<Preparation> {
+        match &self.plan.origin {
+            Origin::Map(map) => Some(map.preparation),
+            Origin::List { .. } | Origin::Population { .. } | Origin::Generated(_) => None,
+        }
+    }
+
+    /// The surface of the measured map that was made last, prepared in another way and not checked; its blocks are those of the
+    /// `correlation` lengths given. `None` where it has no asperities, or no map was made.
+    pub fn prepared(
+        &self,
+        preparation: Preparation,
+        correlation: Option<CorrelationLengths>,
+    ) -> Option<Surface> {
+        let search = SummitSearch {
+            preparation,
+            generation: None,
+            as_ellipses: self.plan.as_ellipses,
+            depth: AnalysisDepth::Asperities,
+            divides: true,
+            correlation,
+            progress: &Silent,
+        };
+        self.counter.add(Item::Surfaces, 1);
+        found(&self.plan.name, &search, &**self.raw.as_ref()?, &mut Timing::default()).ok()
     }
 
     /// Whether a map is divided into blocks: for a comparison, unless its realisations give the sampling error.
@@ -67,10 +104,11 @@ impl<'a> SurfaceFactory<'a> {
         let start = Instant::now();
         match &self.plan.origin {
             Origin::List { path, given, nominal_area, .. } => {
+                self.progress.stage("reading", 1.0);
                 let list = files.list(path, *given).map_err(|error| refuse(&list_message(path, &error)))?;
                 timing.read += start.elapsed();
                 let (contradictions, count) = (list.contradictions(), list.count());
-                let set = list.set(*nominal_area).map_err(|error| refuse(&error))?;
+                let (set, origin) = list.set(*nominal_area).map_err(|error| refuse(&error))?.near_zero();
                 let statistics = Statistics::of(&set);
                 if statistics.sigma == 0.0 {
                     return Err(refuse(&format!(
@@ -80,6 +118,7 @@ impl<'a> SurfaceFactory<'a> {
                     )));
                 }
                 let mut surface = Surface::new(name, set, statistics);
+                surface.origin = origin;
                 if contradictions > 0 {
                     surface.warnings.push(format!(
                         "{contradictions} of {count} radii are outside the range from 1/kx to 1/ky: laws for spheres use the radius, \
@@ -115,36 +154,41 @@ impl<'a> SurfaceFactory<'a> {
             }
             Origin::Generated(generation) => {
                 let made = generation
-                    .make(self.seed, name, realisation, self.bandwidth)
+                    .make(self.seed, name, realisation, self.bandwidth, self.progress)
                     .map_err(|error| source.error_at(generation.key.clone(), error))?;
                 timing.generate += start.elapsed();
                 self.bandwidth = made.bandwidth;
                 let search = SummitSearch {
-                    level: Level::None,
-                    filter: None,
-                    neighbours: generation.neighbours,
+                    preparation: Preparation::none(generation.neighbours),
                     generation: Some(made.facts),
                     as_ellipses: self.plan.as_ellipses,
                     depth,
                     divides: self.divides(depth),
+                    correlation: None,
+                    progress: self.progress,
                 };
                 found(name, &search, &made.map, timing).map_err(|error| refuse(&error))
             }
             Origin::Map(map) => {
                 let refuse =
                     |error: &dyn std::fmt::Display| refuse(&format!("{} {error}", map.path.display()));
-                let rows = files.map(&map.path, map.given).map_err(|error| refuse(&spec_message(&error)))?;
+                self.progress.stage("reading", 1.0);
+                let rows = files
+                    .map(&map.path, map.given, self.progress)
+                    .map_err(|error| refuse(&spec_message(&error)))?;
                 timing.read += start.elapsed();
                 let search = SummitSearch {
-                    level: map.level,
-                    filter: map.filter,
-                    neighbours: map.neighbours,
+                    preparation: map.preparation,
                     generation: None,
                     as_ellipses: self.plan.as_ellipses,
                     depth,
                     divides: self.divides(depth),
+                    correlation: None,
+                    progress: self.progress,
                 };
-                found(name, &search, &*rows, timing).map_err(|error| refuse(&error))
+                let surface = found(name, &search, &*rows, timing).map_err(|error| refuse(&error))?;
+                self.raw = Some(rows);
+                Ok(surface)
             }
         }
     }
@@ -166,13 +210,15 @@ fn found(
     let start = Instant::now();
     let Found { set, facts, independence } = search.asperities(map)?;
     timing.summits += start.elapsed();
+    let (set, origin) = set.near_zero();
     let statistics = Statistics::of(&set);
     let summits = facts.summits;
-    if statistics.sigma <= ROUNDING * (statistics.mean_height.abs() + facts.roughness.moments.sq) {
+    if statistics.sigma <= ROUNDING * ((origin + statistics.mean_height).abs() + facts.roughness.moments.sq) {
         return Err(NoAsperities::EqualHeights { summits });
     }
     let mut surface = Surface::new(name, set, statistics);
     surface.warnings = facts.warnings();
+    surface.warnings.extend(fitness::failures(&facts));
     let spread = statistics.mean_radius / statistics.radius_of_mean_curvature;
     if spread > FEW_FLAT_TOPS {
         surface.warnings.push(format!(
@@ -181,8 +227,10 @@ fn found(
         ));
     }
     let moments = &facts.roughness.moments;
-    surface.mean_plane = Some(moments.mean);
-    let plane = ReferencePlane { mean: moments.mean, sigma: moments.sq };
+    surface.origin = origin + facts.offset;
+    let mean = moments.mean - origin;
+    surface.mean_plane = Some(mean);
+    let plane = ReferencePlane { mean, sigma: moments.sq };
     surface.map = Some(facts);
     surface.independence = independence;
     if surface.separations_of() == SigmaOf::Surface {

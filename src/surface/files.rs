@@ -3,6 +3,7 @@
 use std::path::{Path, PathBuf};
 use std::rc::Rc;
 
+use asperity::progress::Progress;
 use asperity::topography::read::{ReadError, ReadOptions};
 use asperity::topography::{Rows, read};
 use asperity::work::{Counter, Item};
@@ -58,12 +59,17 @@ impl<'a> Files<'a> {
     }
 
     /// The map at `path`.
-    pub fn map(&mut self, path: &Path, given: ReadOptions) -> Result<Rc<dyn Rows>, ReadError> {
+    pub fn map(
+        &mut self,
+        path: &Path,
+        given: ReadOptions,
+        progress: &dyn Progress,
+    ) -> Result<Rc<dyn Rows>, ReadError> {
         let reading = Reading::map(path, given);
         let is_needed_again = self.take(&reading);
         let read = || {
             self.counter.add(Item::Files, 1);
-            read::rows(path, given).map(Rc::from)
+            read::rows(path, given, progress).map(Rc::from)
         };
         once(&mut self.maps, reading, is_needed_again, read)
     }

@@ -1,20 +1,18 @@
 //! A surface for models and report: its asperities and their properties.
 
 use super::independence::Independence;
-use super::overview::{AnalysisDepth, MapOverview};
+use super::overview::MapOverview;
 use asperity::compare::Division;
+use asperity::topography::fitness::{Finding, LineOffsets, Lines, Spikes};
 use asperity::topography::generate::{SigmaOf, SurfaceGenerator, Target};
 use asperity::topography::spectrum::{Lay, SpectrumShape};
-use asperity::topography::summits::{Detail, Neighbours, Summits, find};
+use asperity::topography::summits::Neighbours;
 use asperity::topography::theory::Expected;
-use asperity::topography::{
-    Filter, FilterError, Level, Levelled, Quantisation, RoughnessParameters, Rows, Undetermined, theory,
-};
+use asperity::topography::{CorrelationLengths, Filter, Level, Quantisation, RoughnessParameters};
 use asperity::{
-    AsperitySet, Ellipse, Ellipticity, HeightMap, Heights, MeanRadius, Paper, Population, ReferencePlane,
-    SetError, Statistics, literature,
+    AsperitySet, Ellipticity, Heights, MeanRadius, Paper, Population, ReferencePlane, Statistics, literature,
 };
-use asperity_framework::report::format::{number, quantity};
+use asperity_framework::report::format::quantity;
 
 /// Asperities with their statistics and origin.
 #[derive(Debug)]
@@ -25,6 +23,8 @@ pub struct Surface {
     pub set: AsperitySet,
     /// Their statistics.
     pub statistics: Statistics,
+    /// Zero of the set's heights in the frame of the file, m: not zero where heights are far from zero.
+    pub origin: f64,
     /// Where separations are measured from, in the frame of the set's heights.
     pub plane: ReferencePlane,
     /// Height of the mean plane of the surface in the frame of the set's heights, m, where it is known.
@@ -54,8 +54,12 @@ pub struct MapFacts {
     pub tested: usize,
     /// The form removed.
     pub level: Level,
-    /// The filters, as text.
-    pub filter: Option<String>,
+    /// The filters.
+    pub filter: Option<Filter>,
+    /// The axis along which lines were aligned.
+    pub aligned: Option<Lines>,
+    /// Height of the frame of its heights above that of the file, m, where no levelling removed it.
+    pub offset: f64,
     /// Of the levelled, filtered map.
     pub roughness: RoughnessParameters,
     /// What a summit is.
@@ -75,10 +79,27 @@ pub struct MapFacts {
     pub nayak: Option<Expected>,
     /// Of a measured map, the check for heights on steps.
     pub quantisation: Option<Quantisation>,
+    /// Of a measured map, its spikes.
+    pub spikes: Option<SpikeFacts>,
+    /// Of a measured map that was checked, the offsets between its lines.
+    pub offsets: Option<LineOffsets>,
+    /// Whether it may carry a verdict, check by check; empty where nothing was checked.
+    pub fitness: Vec<Finding>,
+    /// Correlation lengths of its heights, where they were needed.
+    pub correlation: Option<CorrelationLengths>,
     /// Of a random surface, what it was made by.
     pub generation: Option<GenerationFacts>,
     /// Overview of the map, where requested.
     pub whole: MapOverview,
+}
+
+/// Spikes of a measured map.
+#[derive(Debug, Clone)]
+pub struct SpikeFacts {
+    /// Points that were removed as spikes.
+    pub removed: usize,
+    /// Those that are there.
+    pub left: Spikes,
 }
 
 /// What a random surface was made by.
@@ -107,185 +128,24 @@ pub struct Specified {
     pub spectrum: Option<(f64, Lay)>,
 }
 
-/// A map on which no asperities are found.
-#[derive(Debug, thiserror::Error)]
-pub(super) enum NoAsperities {
-    #[error(transparent)]
-    Level(#[from] Undetermined),
-    #[error(transparent)]
-    Filter(#[from] FilterError),
-    #[error("has no summit: once levelled it is flat to the rounding of its heights")]
-    Flat,
-    #[error("has no summit: none of its {tested} tested points is higher than its neighbours")]
-    NoSummit { tested: usize },
-    #[error(
-        "has {summits} summits that are equally high: separations are measured in their standard deviation; allowed: summits of \
-             different heights"
-    )]
-    EqualHeights { summits: usize },
-    #[error(transparent)]
-    Set(#[from] SetError),
-}
-
-/// How asperities are found on a map.
-pub(super) struct SummitSearch {
-    /// The form removed first.
-    pub(super) level: Level,
-    pub(super) filter: Option<Filter>,
-    /// What a summit is.
-    pub(super) neighbours: Neighbours,
-    /// Whether the ellipses of the asperities are wanted.
-    pub(super) as_ellipses: bool,
-    /// What the map was made by, if it was made.
-    pub(super) generation: Option<GenerationFacts>,
-    pub(super) depth: AnalysisDepth,
-    /// Whether the map is divided into blocks for a sampling error.
-    pub(super) divides: bool,
-}
-
-/// What a map gives.
-pub(super) struct Found {
-    pub(super) set: AsperitySet,
-    pub(super) facts: MapFacts,
-    pub(super) independence: Independence,
-}
-
-impl SummitSearch {
-    /// Levels and filters a map and finds its summits, row by row: only a filter and the closest depth need
-    /// the map in memory.
-    pub(super) fn asperities(&self, raw: &dyn Rows) -> Result<Found, NoAsperities> {
-        let levelled = Levelled { map: raw, form: self.level.form(raw)? };
-        let filtered = match self.filter {
-            Some(filter) => Some(filter.apply(HeightMap::of(&levelled))?),
-            None => None,
-        };
-        let map: &dyn Rows = filtered.as_ref().map_or(&levelled as &dyn Rows, |map| map);
-        let roughness = RoughnessParameters::of(map);
-        if roughness.moments.sq <= levelled.form.magnitude() * raw.precision().max(f64::EPSILON) {
-            return Err(NoAsperities::Flat);
-        }
-        // The drops reveal only height steps of an instrument.
-        let detail = Detail { positions: self.divides, principal: true, drops: self.generation.is_none() };
-        let summits = find(map, self.neighbours, detail);
-        if summits.heights.is_empty() {
-            return Err(NoAsperities::NoSummit { tested: summits.tested });
-        }
-        let independence = if self.divides {
-            Independence::of_map(map, &roughness, &summits)
-        } else {
-            Independence::Realisations
-        };
-        let facts = self.facts(raw, map, roughness, &summits);
-        let [dx, dy] = map.pixel();
-        let radii = summits.curvatures.iter().map(|curvature| curvature.recip()).collect();
-        let set = AsperitySet::new(summits.heights, radii, dx * dy * summits.tested as f64)?;
-        if !self.as_ellipses {
-            return Ok(Found { set, facts, independence });
-        }
-        let ellipses = summits.principal.iter().copied().map(Ellipse::of_summit).collect();
-        Ok(Found { set: set.with_ellipses(ellipses)?, facts, independence })
-    }
-
-    fn facts(
-        &self,
-        raw: &dyn Rows,
-        map: &dyn Rows,
-        roughness: RoughnessParameters,
-        summits: &Summits,
-    ) -> MapFacts {
-        let sq = roughness.moments.sq;
-        let is_five_point = self.neighbours == Neighbours::Four;
-        MapFacts {
-            points: map.points(),
-            pixel: map.pixel(),
-            tested: summits.tested,
-            level: self.level,
-            filter: self.filter.map(|filter| filter.to_string()),
-            neighbours: self.neighbours,
-            summits: summits.heights.len(),
-            plateaus: summits.plateaus,
-            dropped: summits.dropped,
-            saddles: summits.principal.iter().filter(|principal| principal[1] <= 0.0).count(),
-            expected: is_five_point.then(|| theory::five_point(&roughness.drops, sq, map.pixel())).flatten(),
-            nayak: theory::nayak(roughness.spectral_moments()),
-            quantisation: self.generation.is_none().then(|| Quantisation::of(raw, summits)),
-            generation: self.generation.clone(),
-            whole: MapOverview::of(
-                map,
-                &roughness,
-                self.generation.as_ref().map(|made| &made.generator),
-                self.depth,
-            ),
-            roughness,
-        }
-    }
-}
-
 impl MapFacts {
-    /// Caveats.
+    /// Caveats that no check states.
     pub fn warnings(&self) -> Vec<String> {
-        /// Largest plausible r.m.s. slope.
-        const STEEP: f64 = 1.0;
         /// Largest plausible point spacing, m.
         const WIDE: f64 = 1e-3;
-        let mut warnings = Vec::new();
         let widest = self.pixel[0].max(self.pixel[1]);
-        if widest > WIDE {
-            warnings.push(format!(
+        let warning = || {
+            format!(
                 "its points are {} apart: the unit of its lengths is probably wrong (set unit = \"um\" next to path).",
                 quantity(widest, "m"),
-            ));
-        }
-        let slope = self.roughness.rms_slope();
-        if slope > STEEP {
-            warnings.push(format!(
-                "the r.m.s. slope is {}: heights and pixel size are probably in different units, or the unit is wrong.",
-                number(slope),
-            ));
-        }
-        warnings.extend(self.lay_warning());
-        warnings.extend(self.step_warning());
-        warnings
+            )
+        };
+        (widest > WIDE).then(warning).into_iter().collect()
     }
 
-    /// Warns that five-point summits may be an artefact of the grid.
-    fn lay_warning(&self) -> Option<String> {
-        /// There are twice as many five-point summits as with the same lay along an axis.
-        const OBLIQUE: f64 = 0.6;
-        let correlation = self.roughness.drops.slope_correlation();
-        (self.neighbours == Neighbours::Four && correlation > OBLIQUE).then(|| {
-            format!(
-                "the lay lies at an angle to the grid (slopes along x and y correlate by {correlation:.2}): five-point \
-                 summits are found in rows along the ridges where the surface has none, more than twice too many. \
-                 neighbours = \"eight\" finds far fewer; best is to rotate the map so that the lay is parallel to x or y."
-            )
-        })
-    }
-
-    /// Warns that the radii may be an artefact of the instrument.
-    fn step_warning(&self) -> Option<String> {
-        let found = self.quantisation.as_ref()?;
-        let step = found.step.map_or_else(String::new, |step| {
-            format!(" The instrument stores one height level every {}.", quantity(step, "m"))
-        });
-        if let Some(step) = found.step.filter(|_| found.has_coarse_step()) {
-            return Some(format!(
-                "the radii are set by the instrument's height step of {}, not by the surface: the median drop from a summit \
-                 to its neighbours is {}, and the {} summits have {} distinct curvatures. Neither model describes this \
-                 surface; measure with a finer step, or filter out the wavelengths affected by it.",
-                quantity(step, "m"),
-                quantity(found.median_drop, "m"),
-                found.summits,
-                found.distinct_curvatures,
-            ));
-        }
-        found.has_few_curvatures().then(|| {
-            format!(
-                "the {} summits have only {} distinct curvatures: the radii are set by the instrument, not by the \
-                 surface.{step}",
-                found.summits, found.distinct_curvatures,
-            )
-        })
+    /// The checks that failed so that no verdict may rest on the map.
+    pub fn blocking(&self) -> impl Iterator<Item = &Finding> {
+        self.fitness.iter().filter(|finding| finding.is_blocking())
     }
 
     fn papers(&self) -> Vec<Paper> {
@@ -312,6 +172,7 @@ impl Surface {
             set,
             plane: ReferencePlane::from(&statistics),
             statistics,
+            origin: 0.0,
             mean_plane: None,
             nominal: None,
             ellipticity,
@@ -320,6 +181,11 @@ impl Surface {
             realisations: 1,
             warnings: Vec::new(),
         }
+    }
+
+    /// The statistics with the mean height in the frame of the file.
+    pub fn reported_statistics(&self) -> Statistics {
+        Statistics { mean_height: self.origin + self.statistics.mean_height, ..self.statistics }
     }
 
     /// The same surface without one group of its asperities and their area; `None` where none is left. Separations are
@@ -335,7 +201,7 @@ impl Surface {
         if self.nominal.is_some() {
             rest.ellipticity = self.ellipticity;
         }
-        Some(Self { mean_plane: self.mean_plane, nominal: self.nominal.clone(), ..rest })
+        Some(Self { origin: self.origin, mean_plane: self.mean_plane, nominal: self.nominal.clone(), ..rest })
     }
 
     /// One group of its asperities on their area, in the plane of all; `None` where it has none.
@@ -406,6 +272,16 @@ impl Surface {
         Some(Specified { radius, sigma, density, heights: process.heights.clone(), spectrum })
     }
 
+    /// The fitness checks of its map.
+    pub fn fitness(&self) -> &[Finding] {
+        self.map.as_ref().map_or(&[], |map| &map.fitness)
+    }
+
+    /// Whether a failed check keeps it from carrying a verdict.
+    pub fn is_blocked(&self) -> bool {
+        self.fitness().iter().any(Finding::is_blocking)
+    }
+
     /// References for its asperities.
     pub fn papers(&self) -> Vec<Paper> {
         let mut papers: Vec<Paper> = self.map.iter().flat_map(MapFacts::papers).collect();
@@ -413,80 +289,5 @@ impl Surface {
             papers.push(literature::NAYAK_1971);
         }
         papers
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use asperity::topography::generate::{Plateau, Process, Seeds, SpectrumOf};
-    use asperity::topography::spectrum::Spectrum;
-
-    fn map(points: [usize; 2], height: impl Fn(usize) -> f64) -> HeightMap {
-        HeightMap::new(points, [1.0, 2.0], (0..points[0] * points[1]).map(height).collect(), 0.0).unwrap()
-    }
-
-    fn facts(plateau: Option<Plateau>, neighbours: Neighbours) -> (HeightMap, MapFacts) {
-        let generator =
-            SurfaceGenerator { points: [64, 48], pixel: [1.0, 0.8], process: process(3.0), plateau };
-        let (map, cut) = generator.surface(Seeds { process: [1; 32], plateau: [2; 32] }).unwrap();
-        let generation = Some(GenerationFacts { generator, target: None, cut });
-        let search = SummitSearch {
-            level: Level::None,
-            filter: None,
-            neighbours,
-            generation,
-            as_ellipses: false,
-            depth: AnalysisDepth::Everything,
-            divides: false,
-        };
-        let facts = search.asperities(&map).unwrap().facts;
-        (map, facts)
-    }
-
-    fn process(length: f64) -> Process {
-        let spectrum = Spectrum::new(SpectrumShape::Exponential(length), Lay::default()).unwrap();
-        Process { spectrum, of: SpectrumOf::Heights, sigma: 1.0, heights: Heights::GAUSSIAN }
-    }
-
-    #[test]
-    fn a_surface_of_two_processes_has_no_target_spectrum() {
-        let one = facts(None, Neighbours::Four).1;
-        assert!(one.whole.target.is_some() && !one.whole.is_target_of_gaussian);
-        let two = facts(Some(Plateau { process: process(2.0), height: 0.0 }), Neighbours::Four).1;
-        assert!(two.whole.target.is_none() && two.whole.spectrum.is_some());
-    }
-
-    #[test]
-    fn saddles_are_summits_whose_smaller_curvature_is_not_positive() {
-        for neighbours in [Neighbours::Four, Neighbours::Eight] {
-            let (map, facts) = facts(None, neighbours);
-            let principal = find(&map, neighbours, Detail::ALL).principal;
-            let [larger, smaller] =
-                [0, 1].map(|k| principal.iter().filter(|curvatures| curvatures[k] <= 0.0).count());
-            assert_eq!((facts.saddles, larger), (smaller, 0));
-            assert!(smaller > 0);
-        }
-    }
-
-    /// What is left of a plane far from zero is its rounding.
-    #[test]
-    fn a_plane_far_from_zero_is_flat_once_it_is_levelled() {
-        let map = map([40, 30], |k| 1.0 + 1e-3 * (k / 30) as f64 + f64::EPSILON * ((k * k) % 2) as f64);
-        let search = |level| {
-            let neighbours = Neighbours::Four;
-            SummitSearch {
-                level,
-                filter: None,
-                neighbours,
-                generation: None,
-                as_ellipses: false,
-                depth: AnalysisDepth::Asperities,
-                divides: false,
-            }
-            .asperities(&map)
-        };
-        assert!(matches!(search(Level::Plane), Err(NoAsperities::Flat)));
-        assert!(matches!(search(Level::Quadratic), Err(NoAsperities::Flat)));
     }
 }

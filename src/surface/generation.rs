@@ -9,6 +9,7 @@ use crate::surface::found::GenerationFacts;
 use crate::surface::generate_spec::{
     CorrelationSpec, GenerateSpec, PlateauSpec, SelfAffineSpec, SpectrumSpec,
 };
+use asperity::progress::Progress;
 use asperity::topography::generate::{
     Plateau, Process, Seeds, SigmaOf, SpectrumOf, SurfaceGenerator, Target, TargetGenerator, Unreachable,
 };
@@ -131,6 +132,7 @@ impl Generation {
         name: &str,
         realisation: usize,
         first: Option<f64>,
+        progress: &dyn Progress,
     ) -> Result<Generated, Unreachable> {
         let seed = |what: &str| stream_seed(seed, &format!("{what} {name} realisation {realisation}"));
         let seeds = Seeds { process: seed("surface"), plateau: seed("plateau") };
@@ -138,17 +140,19 @@ impl Generation {
         const ATTEMPTS: usize = 8;
         match &self.way {
             Way::SurfaceGenerator(generator) => {
-                let (map, cut) = generator.surface(seeds)?;
+                progress.stage("generating", if generator.plateau.is_some() { 2.0 } else { 1.0 });
+                let (map, cut) = generator.watched_surface(seeds, progress)?;
                 let facts = GenerationFacts { generator: generator.clone(), target: None, cut };
                 Ok(Generated { map, facts, bandwidth: None })
             }
             Way::Target { generator, target } => {
-                let mut found = generator.surface(target, seeds.process, first);
+                let mut found = generator.watched_surface(target, seeds.process, first, progress);
                 for attempt in 2..=ATTEMPTS {
                     if !matches!(found, Err(Unreachable::Jump { .. })) {
                         break;
                     }
-                    found = generator.surface(target, seed(&format!("attempt {attempt} at surface")), first);
+                    let seed = seed(&format!("attempt {attempt} at surface"));
+                    found = generator.watched_surface(target, seed, first, progress);
                 }
                 let found = found?;
                 let shape = SpectrumShape::SelfAffine {

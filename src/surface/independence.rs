@@ -2,11 +2,7 @@
 
 use asperity::compare::Division;
 use asperity::topography::summits::Summits;
-use asperity::topography::{
-    Autocorrelation, Blocks, CorrelationLengths, MIN_BLOCKS, RoughnessParameters, Rows, TooSmall,
-};
-
-use super::overview::thumbnail;
+use asperity::topography::{Blocks, CorrelationLengths, MIN_BLOCKS, Rows, TooSmall};
 
 /// What a surface offers for its sampling error.
 #[derive(Debug, Clone)]
@@ -35,13 +31,8 @@ pub struct MapBlocks {
 }
 
 impl Independence {
-    /// Of a levelled, filtered map and its summits with their positions.
-    pub(super) fn of_map(map: &dyn Rows, roughness: &RoughnessParameters, summits: &Summits) -> Self {
-        /// Points along an axis of the map whose autocorrelation is computed.
-        const MOST: usize = 1024;
-        let coarse = thumbnail(map, MOST);
-        let correlation = Autocorrelation::of(&coarse, roughness.moments.mean)
-            .map_or(CorrelationLengths { lengths: [f64::INFINITY; 2] }, |all| CorrelationLengths::of(&all));
+    /// Of a levelled, filtered map with the `correlation` of its heights, and its summits with their positions.
+    pub(super) fn of_map(map: &dyn Rows, correlation: CorrelationLengths, summits: &Summits) -> Self {
         let (points, pixel) = (map.points(), map.pixel());
         let blocks = match Blocks::new(points, pixel, correlation) {
             Ok(blocks) => blocks,

@@ -3,6 +3,7 @@
 mod description;
 mod factory;
 mod files;
+pub mod fitness;
 mod found;
 mod generate_spec;
 mod generation;
@@ -14,6 +15,7 @@ mod pixel_spec;
 mod plan;
 mod read_error;
 mod results;
+mod search;
 mod section;
 mod spec;
 mod summary;
@@ -26,6 +28,7 @@ pub use independence::{Independence, MapBlocks};
 pub use options::FileOptions;
 pub use overview::{AnalysisDepth, MapOverview};
 pub use plan::{SurfacePlan, beside, curvature_ratio, describe, inputs, memory, surfaces};
+pub use search::Preparation;
 pub use section::section;
 pub use summary::{PopulationSummary, RealisationSummary, SurfaceSummary, summary};
 

@@ -2,7 +2,7 @@
 
 use asperity::topography::generate::{SpectrumOf, SurfaceGenerator};
 use asperity::topography::{
-    Autocorrelation, Boundary, RadialSpectrum, RoughnessParameters, Rows, Strip, strips,
+    Autocorrelation, RadialSpectrum, RoughnessParameters, Rows, Strip, strips, thumbnail,
 };
 use asperity::{HeightMap, Heights};
 
@@ -49,6 +49,10 @@ impl MapOverview {
         const PICTURE: usize = 512;
         let [nx, ny] = map.points();
         let is_close = depth == AnalysisDepth::Everything;
+        let progress = map.progress();
+        if is_close {
+            progress.stage("picture", 2.0);
+        }
         let mut whole = Self {
             picture: is_close.then(|| thumbnail(map, PICTURE)),
             distribution: is_close.then(|| distribution(map, roughness)),
@@ -68,9 +72,11 @@ impl MapOverview {
         whole.is_target_of_gaussian = generator.is_some_and(|SurfaceGenerator { process, .. }| {
             process.of == SpectrumOf::Gaussian && process.heights != Heights::GAUSSIAN
         });
+        // One for the copy, one for the spectrum, two for the autocorrelation.
+        progress.stage("spectrum and autocorrelation", if is_close { 4.0 } else { 2.0 });
         let (map, mean) = (HeightMap::of(map), roughness.moments.mean);
-        whole.autocorrelation = if is_close { Autocorrelation::of(&map, mean) } else { None };
-        whole.spectrum = Some(RadialSpectrum::of(map, mean));
+        whole.autocorrelation = if is_close { Autocorrelation::watched(&map, mean, progress) } else { None };
+        whole.spectrum = Some(RadialSpectrum::watched(map, mean, progress));
         whole
     }
 }
@@ -93,54 +99,6 @@ fn distribution(map: &dyn Rows, roughness: &RoughnessParameters) -> Vec<usize> {
     (0..INTERVALS).map(|k| parts.iter().map(|part| part[k]).sum()).collect()
 }
 
-/// A map of at most `most` points along each axis: each the mean of a block of points that are there.
-pub(super) fn thumbnail(map: &dyn Rows, most: usize) -> HeightMap {
-    HeightMap::of(&Blocks { map, block: map.points().map(|count| count.div_ceil(most)) })
-}
-
-/// Means over blocks of points.
-struct Blocks<'a> {
-    map: &'a dyn Rows,
-    block: [usize; 2],
-}
-
-impl Rows for Blocks<'_> {
-    fn points(&self) -> [usize; 2] {
-        [0, 1].map(|axis| self.map.points()[axis].div_ceil(self.block[axis]))
-    }
-
-    fn pixel(&self) -> [f64; 2] {
-        [0, 1].map(|axis| self.map.pixel()[axis] * self.block[axis] as f64)
-    }
-
-    fn precision(&self) -> f64 {
-        f64::EPSILON
-    }
-
-    fn boundary(&self) -> Boundary {
-        self.map.boundary()
-    }
-
-    fn read(&self, ix: usize, row: &mut [f64]) {
-        let [nx, ny] = self.map.points();
-        let mut line = vec![0.0; ny];
-        let mut sums = vec![(0.0, 0.0); row.len()];
-        for i in ix * self.block[0]..nx.min((ix + 1) * self.block[0]) {
-            self.map.read(i, &mut line);
-            for (sum, block) in sums.iter_mut().zip(line.chunks(self.block[1])) {
-                for z in block.iter().filter(|z| !z.is_nan()) {
-                    sum.0 += z;
-                    sum.1 += 1.0;
-                }
-            }
-        }
-        for (z, (sum, count)) in row.iter_mut().zip(sums) {
-            // A block without a point is missing: 0/0.
-            *z = sum / count;
-        }
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -148,16 +106,6 @@ mod tests {
 
     fn map(points: [usize; 2], height: impl Fn(usize) -> f64) -> HeightMap {
         HeightMap::new(points, [1.0, 2.0], (0..points[0] * points[1]).map(height).collect(), 0.0).unwrap()
-    }
-
-    #[test]
-    fn a_picture_has_the_means_of_the_points_that_are_there() {
-        let height = |k: usize| if [0, 6, 24].contains(&k) { f64::NAN } else { k as f64 };
-        let small = thumbnail(&map([5, 5], height), 3);
-        assert_eq!((small.points(), small.pixel()), ([3, 3], [2.0, 4.0]));
-        assert_eq!(small.heights()[..8], [3.0, 5.0, 6.5, 13.0, 15.0, 16.5, 20.5, 22.5]);
-        assert!(small.heights()[8].is_nan());
-        assert_eq!(thumbnail(&small, 3).heights()[..8], small.heights()[..8]);
     }
 
     #[test]

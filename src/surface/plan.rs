@@ -6,14 +6,17 @@ use std::ops::Range;
 use std::path::PathBuf;
 use toml::Spanned;
 
+use crate::plausibility;
 use crate::surface::files::Reading;
 use crate::surface::generation::Generation;
 use crate::surface::overview::{AnalysisDepth, MOST_ANALYSED_POINTS};
 use crate::surface::read_error::{list_message, options_message, spec_message};
-use crate::surface::spec::{DrawSpec, FileSpec, ListSpec, PopulationHeights, PopulationSpec, SurfaceSpec};
+use crate::surface::search::Preparation;
+use crate::surface::spec::{
+    DrawSpec, FileSpec, ListSpec, Outliers, PopulationHeights, PopulationSpec, SurfaceSpec,
+};
 use asperity::topography::read::{ReadOptions, ReadOptionsError};
-use asperity::topography::summits::Neighbours;
-use asperity::topography::{Filter, Level, read};
+use asperity::topography::{Filter, read};
 use asperity::{
     AsperityList, Heights, ListError, ListOptions, MapError, Population, ReferencePlane, SurfaceHeights,
 };
@@ -61,9 +64,7 @@ pub(super) struct MapPlan {
     /// Whether its heights stay on disk.
     pub(super) is_on_disk: bool,
     pub(super) given: ReadOptions,
-    pub(super) level: Level,
-    pub(super) filter: Option<Filter>,
-    pub(super) neighbours: Neighbours,
+    pub(super) preparation: Preparation,
 }
 
 /// More are a study of their own.
@@ -189,9 +190,16 @@ impl SurfacePlan {
         };
         // The head of a file has been checked against its length: the product fits.
         let points = points[0] * points[1];
-        let neighbours = raw.neighbours;
+        let preparation = Preparation {
+            removes_spikes: raw.outliers == Outliers::Remove,
+            aligned: raw.align_lines,
+            level: raw.level,
+            filter,
+            neighbours: raw.neighbours,
+            half: None,
+        };
         let is_on_disk = read::stays_on_disk(&path).map_err(|error| refuse(&spec_message(&error)))?;
-        Ok(Origin::Map(MapPlan { path, points, is_on_disk, given, level: raw.level, filter, neighbours }))
+        Ok(Origin::Map(MapPlan { path, points, is_on_disk, given, preparation }))
     }
 
     /// The file that it is read from.
@@ -200,6 +208,21 @@ impl SurfacePlan {
             Origin::List { path, .. } | Origin::Map(MapPlan { path, .. }) => Some(path.clone()),
             Origin::Population { .. } | Origin::Generated(_) => None,
         }
+    }
+
+    /// Whether its asperities are given, by a list or a population, not found on a map.
+    pub fn has_given_asperities(&self) -> bool {
+        matches!(self.origin, Origin::List { .. } | Origin::Population { .. })
+    }
+
+    /// Warnings about radius, heights and area that are hardly meant; they are known before a run of a population only.
+    pub fn implausible(&self) -> Vec<String> {
+        let Origin::Population { population: Population { radius, sigma, density, .. }, count, .. } =
+            &self.origin
+        else {
+            return Vec::new();
+        };
+        plausibility::of_surface(&self.name, *radius, *sigma, *count as f64 / density)
     }
 
     /// What it is found in, if that is a file.
@@ -263,8 +286,8 @@ impl SurfacePlan {
         const BYTES_PER_ELLIPSE: u128 = 64;
         let found = self.likely_asperities() * BYTES_PER_SUMMIT;
         match &self.origin {
-            Origin::Map(MapPlan { points, is_on_disk, filter, .. }) => {
-                let bytes = match (filter, is_on_disk) {
+            Origin::Map(MapPlan { points, is_on_disk, preparation, .. }) => {
+                let bytes = match (preparation.filter, is_on_disk) {
                     (Some(_), _) => BYTES_PER_FILTERED_POINT,
                     (None, false) => BYTES_PER_POINT,
                     (None, true) => 0,

@@ -12,6 +12,7 @@ use crate::surface::generate_spec::GenerateSpec;
 use crate::surface::pixel_spec::PixelSpec;
 use asperity::Heights;
 use asperity::topography::Level;
+use asperity::topography::fitness::Lines;
 use asperity::topography::summits::Neighbours;
 use asperity::units::Dimension;
 use asperity_framework::input::Whole;
@@ -166,6 +167,11 @@ pub struct FileSpec {
     pub pixel: Option<Spanned<PixelSpec>>,
     /// Unit of the lengths in the file; only where the format contains none.
     pub unit: Option<Spanned<UnitSpec>>,
+    /// What becomes of spikes.
+    #[serde(default)]
+    pub outliers: Outliers,
+    /// The axis along which lines of the scan are set to the same mean height.
+    pub align_lines: Option<Lines>,
     /// Form that is removed.
     #[serde(default)]
     pub level: Level,
@@ -174,6 +180,17 @@ pub struct FileSpec {
     /// Which neighbours a summit is higher than.
     #[serde(default)]
     pub neighbours: Neighbours,
+}
+
+/// `outliers` of a measured map.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Outliers {
+    /// Spikes are heights like others.
+    #[default]
+    Keep,
+    /// Spikes are missing points.
+    Remove,
 }
 
 /// A unit of length, in metres.

@@ -175,7 +175,7 @@ impl From<&MapFacts> for MapSummary {
             missing_points: roughness.missing,
             tested_points: map.tested,
             level: map.level.name(),
-            filter: map.filter.clone(),
+            filter: map.filter.map(|filter| filter.to_string()),
             sa_m: roughness.moments.sa,
             sq_m: roughness.moments.sq,
             ssk: roughness.moments.ssk,
@@ -331,7 +331,7 @@ pub fn summary(surface: &Surface) -> SurfaceSummary<'_> {
         asperities: surface.set.count(),
         nominal_area_m2: surface.set.nominal_area(),
         density_per_m2: surface.set.density(),
-        statistics: StatisticsSummary::from(&surface.statistics),
+        statistics: StatisticsSummary::from(&surface.reported_statistics()),
         offset_to_mean_plane_m: surface.offset_to_mean_plane(),
         separations_from: (surface.separations_of() == SigmaOf::Surface)
             .then_some("mean plane of the surface"),

@@ -23,11 +23,14 @@ mod cli;
 mod columns;
 #[path = "../../crates/asperity/tests/library/common.rs"]
 mod common;
+mod fitness;
 mod indentation;
 mod layers;
 mod limit;
+mod materials;
 mod readings;
 mod registry;
+mod single_load;
 mod verdicts;
 mod work;
 

@@ -126,3 +126,30 @@ fn other_numbers_or_other_separations_are_not_compared() {
         assert_eq!(results.readings, None);
     }
 }
+
+/// The same heights, near zero and at 1 m: the offset is reported, and costs no digit of any result.
+#[test]
+fn an_offset_of_a_list_costs_no_digits() {
+    let folder = tempfile::tempdir().unwrap();
+    let list = |name: &str, offset: f64| {
+        let path = folder.path().join(format!("{name}.csv"));
+        let lines = (0..500).map(|k| {
+            let height = offset + f64::EPSILON * f64::from((k * k * 7) % 1009 * 100_000);
+            format!("{height:?},{:?}\n", 1e-5 * f64::from(1 + k % 7))
+        });
+        std::fs::write(&path, format!("height,radius\n{}", lines.collect::<String>())).unwrap();
+        format!("[surface.{name}.asperities]\nfile = {path:?}\nnominal-area = \"1 mm^2\"\n")
+    };
+    let results: CompareResults = crate::downcast(run("[2, 1, 0]", &(list("near", 0.0) + &list("far", 1.0))));
+    let [near, far] = [0, 1].map(|k| &results.surfaces[k]);
+    assert_eq!([near.surface.origin, far.surface.origin], [0.0, 1.0]);
+    let [low, high] = [near, far].map(|found| found.surface.reported_statistics());
+    assert!((high.mean_height - 1.0 - low.mean_height).abs() < 2.0 * f64::EPSILON);
+    assert!((high.sigma / low.sigma - 1.0).abs() < 2e-15);
+    for kind in [Kind::Statistical, Kind::Deterministic] {
+        for h in [2.0, 1.0, 0.0] {
+            let [low, high] = [near, far].map(|found| pressure(&found.first, kind, h));
+            assert!((low == 0.0 && high == 0.0) || (high / low - 1.0).abs() < 1e-14, "{high} for {low}");
+        }
+    }
+}

@@ -145,7 +145,8 @@ fn a_bare_flat_has_no_coating_call() {
         )
     };
     let work = |thickness: &str| compare(&words(thickness), DRAWN).0;
-    let [none, thin, all] = ["0", "\"50 nm\"", "\"inf\""].map(work);
+    // A thickness in a list is run alone; one that stands alone has the uncoated flat beside it.
+    let [none, thin, all] = ["0", "[\"50 nm\"]", "\"inf\""].map(work);
     for bare in [none, all, compare("law = \"zmc\"\nseparation = { values = [3, 1] }", DRAWN).0] {
         assert_eq!(bare.coating_calls, 0);
         assert!(bare.asperities_touched > 0 && bare.nodes > 0 && bare.single_contacts > 0);

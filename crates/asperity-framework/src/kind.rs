@@ -10,6 +10,7 @@ use serde::Serialize;
 use serde_json::{Map, Value};
 
 use crate::digest::{hexadecimal, sha256, stream_seed};
+use crate::input::material::MaterialOrigin;
 use crate::input::{InputError, Source, SpecFile};
 use crate::metadata::{Metadata, Timing};
 use crate::progress::Progress;
@@ -78,6 +79,14 @@ pub trait Plan: fmt::Display {
         None
     }
 
+    /// Looks for what a run would refuse, as far as that takes no more than a small part of the run's time.
+    ///
+    /// # Errors
+    /// What a run would refuse.
+    fn check(&self, _: &RunContext) -> Result<(), InputError> {
+        Ok(())
+    }
+
     /// Runs it.
     ///
     /// # Errors
@@ -129,6 +138,8 @@ pub struct RunContext<'a> {
     pub seed: u64,
     /// The bodies of the spec, in file order.
     pub materials: &'a IndexMap<String, Material>,
+    /// Those of them whose values are from the library.
+    pub origins: &'a IndexMap<String, MaterialOrigin>,
     /// The spec's text, for errors that only a run can find.
     pub source: &'a Source,
     /// Whoever watches.
@@ -147,6 +158,7 @@ impl RunContext<'_> {
             notes: self.notes.to_owned(),
             spec_sha256: hexadecimal(&sha256(self.source.text.as_bytes())),
             seed: self.seed,
+            origins: self.origins.clone(),
             papers,
             timing,
             work,

@@ -2,8 +2,10 @@
 
 use std::time::Duration;
 
+use crate::input::material::MaterialOrigin;
 use asperity::Paper;
 use asperity::work::Work;
+use indexmap::IndexMap;
 
 /// What every experiment has.
 #[derive(Debug, Clone)]
@@ -18,6 +20,8 @@ pub struct Metadata {
     pub spec_sha256: String,
     /// Every random number came from it.
     pub seed: u64,
+    /// The materials whose values are from the library.
+    pub origins: IndexMap<String, MaterialOrigin>,
     /// References for the run.
     pub papers: Vec<Paper>,
     /// Where the time went.

@@ -2,6 +2,7 @@
 
 use std::time::Duration;
 
+use indexmap::IndexMap;
 use serde::Serialize;
 use serde_json::{Map, Value};
 
@@ -17,6 +18,8 @@ struct Summary<'a> {
     title: &'a str,
     spec_sha256: &'a str,
     seed: u64,
+    #[serde(skip_serializing_if = "IndexMap::is_empty")]
+    materials_from_library: IndexMap<&'a str, MaterialSummary>,
     #[serde(flatten)]
     of_kind: Map<String, Value>,
     warnings: Vec<String>,
@@ -24,6 +27,13 @@ struct Summary<'a> {
     work: Option<Work>,
     papers: Vec<&'static str>,
     files: &'a [String],
+}
+
+/// A material whose values are from the library: its name there, and the source of each value.
+#[derive(Serialize)]
+struct MaterialSummary {
+    name: &'static str,
+    sources: IndexMap<&'static str, String>,
 }
 
 /// `summary.json`; `files` are the names of all files of the report.
@@ -38,6 +48,14 @@ pub(super) fn summary(outcome: &dyn Outcome, files: &[String]) -> serde_json::Re
         title: &metadata.title,
         spec_sha256: &metadata.spec_sha256,
         seed: metadata.seed,
+        materials_from_library: metadata
+            .origins
+            .iter()
+            .map(|(name, origin)| {
+                let sources = origin.sources().into_iter().collect();
+                (name.as_str(), MaterialSummary { name: origin.from.name, sources })
+            })
+            .collect(),
         of_kind: outcome.summary()?,
         warnings: outcome.warnings(),
         work: metadata.work,

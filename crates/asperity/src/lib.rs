@@ -34,7 +34,7 @@
 //!
 //! | step | items |
 //! |---|---|
-//! | two bodies | [`Material`]; a layer on the flat: [`Flat::with_layer`], [`layer`] |
+//! | two bodies | [`Material`], or one of [`material_library`]; a layer on the flat: [`Flat::with_layer`], [`layer`] |
 //! | a law | [`Zmc`], [`Hertz`], [`Ceb`], [`KogutEtsion`], [`JacksonGreen`], [`FullyPlastic`], by name in [`contact_law`], or your own [`Law`] |
 //! | the micro-contact | [`Interface::bare`]; [`Flat::under`] for a flat that may be layered |
 //! | asperities | a [`Population`] with a height distribution ([`distribution`]), an [`AsperitySet`] from lists, or the summits of a [`HeightMap`] ([`topography`]) |
@@ -84,10 +84,12 @@ pub mod law;
 pub mod layer;
 pub mod literature;
 mod material;
+pub mod material_library;
 mod memory;
 mod model;
 pub mod npy;
 pub mod numeric;
+pub mod progress;
 mod shape;
 pub mod sphere;
 pub mod topography;

@@ -27,7 +27,7 @@ impl DifferenceRow<'_> {
     /// `None` beyond the valid range.
     fn verdict(&self) -> Option<&'static str> {
         let verdict = Verdict::of(&self.estimate, self.verdicts.accepted.band(self.judged));
-        self.at.exceeded().is_none().then(|| verdict.name())
+        self.at.exceeded().is_none().then(|| self.verdicts.name(verdict))
     }
 }
 
@@ -49,7 +49,7 @@ impl Row for DifferenceRow<'_> {
             standard_error["1"] = row.estimate.error, "Standard error of the difference, of area and stiffness of the logarithm of the ratio; empty where no interval is claimed.";
             independent_standard_error["1"] = row.estimate.independent_error, "The same for asperities taken as independent draws.";
             accepted["1"] = row.verdicts.accepted.of(row.judged), "The largest difference that is accepted.";
-            verdict["text"] = row.verdict(), "Whether the interval lies inside what is accepted (`within`), outside (`beyond`) or neither (`cannot-tell`); empty beyond the valid range.";
+            verdict["text"] = row.verdict(), "Whether the interval lies inside what is accepted (`within`), outside (`beyond`) or neither (`cannot-tell`); `blocked` where the surface failed a fitness check; empty beyond the valid range.";
             effective_contacts["1"] = row.at.sharing.map(|sharing| sharing.effective_contacts), "Effective contacts of the deterministic model; over several realisations the mean.";
             limits["text"] = limits(row.at.exceeded()), "Limits of the valid range that are exceeded, as in `curves.csv`.";
         }

@@ -8,8 +8,10 @@ mod layer_summary;
 mod models;
 pub mod page;
 pub mod plan;
+mod reach;
 mod readings_summary;
 pub mod results;
+pub mod robustness;
 mod run;
 mod sampling;
 pub mod spec;
@@ -71,6 +73,10 @@ impl Plan for ComparePlan {
 
     fn work(&self) -> u128 {
         self.work()
+    }
+
+    fn check(&self, context: &RunContext) -> Result<(), InputError> {
+        reach::check(context, self)
     }
 
     fn run(&self, context: &RunContext) -> Result<Box<dyn Outcome>, InputError> {

@@ -5,13 +5,16 @@ use std::ops::Range;
 
 use asperity::compare::{Controls, Kind};
 use asperity::{ContactLaw, Flat, Heights, Material, MeanRadius};
+use asperity_framework::RunContext;
 use asperity_framework::contact::{Bodies, LawPlan};
 use asperity_framework::input::accept::AcceptSpec;
 use asperity_framework::input::{InputError, SpecFile};
+use asperity_framework::progress::Progress;
 use toml::Spanned;
 
 use super::spec::CompareSpec;
 use crate::layer::{LayerPlan, layer};
+use crate::plausibility;
 use crate::surface::{SurfacePlan, describe, surfaces};
 
 /// Both models on given surfaces.
@@ -34,15 +37,54 @@ pub struct ComparePlan {
     pub mean_radius: MeanRadius,
     /// The largest differences between the models that are accepted.
     pub accept: AcceptSpec,
+    /// Whether the verdicts on measured maps are computed again under other treatments of the map.
+    pub is_robustness_examined: bool,
     /// What the surfaces are pressed to.
     pub controls: Controls,
     /// Position of pressures and forces in the spec, for errors about loads out of reach.
     pub load_keys: [Option<std::ops::Range<usize>>; 2],
     /// The surfaces.
     pub surfaces: Vec<SurfacePlan>,
+    /// Warnings about materials and separations that are hardly meant.
+    pub implausible: Vec<String>,
+}
+
+/// What both models are run with on a surface.
+#[derive(Clone, Copy)]
+pub struct Setup<'a> {
+    /// The laws, each under every thickness of the layer.
+    pub laws: &'a [LawPlan],
+    /// The laws alone.
+    pub law_specs: &'a [ContactLaw],
+    /// The models to run.
+    pub models: &'a [Kind],
+    /// Height density of the statistical model, where the spec names one.
+    pub heights: Option<&'a Heights>,
+    /// Which mean radius the statistical model uses.
+    pub mean_radius: MeanRadius,
+    /// What the surface is pressed to.
+    pub controls: &'a Controls,
+    /// The seed of the spec.
+    pub seed: u64,
+    /// Whoever watches.
+    pub progress: &'a dyn Progress,
 }
 
 impl ComparePlan {
+    /// What its models are run with.
+    pub fn setup<'a>(&'a self, context: &RunContext<'a>) -> Setup<'a> {
+        Setup {
+            laws: &self.laws,
+            law_specs: &self.law_specs,
+            models: &self.models,
+            heights: self.heights.as_ref(),
+            mean_radius: self.mean_radius,
+            controls: &self.controls,
+            seed: context.seed,
+            progress: context.progress,
+        }
+    }
+
     /// Whether some contact is under a layer of finite thickness: of a listed one, or of one at which the layer begins to
     /// matter, which is looked for at given loads.
     pub fn uses_rule(&self, layer: &LayerPlan) -> bool {
@@ -71,7 +113,13 @@ impl fmt::Display for ComparePlan {
             None => "law and surface",
         };
         writeln!(f, "  {} at {} points a {each}", models.join(" and "), self.controls.points())?;
-        describe(&self.surfaces, f)
+        describe(&self.surfaces, f)?;
+        let surfaces = self.surfaces.iter().flat_map(SurfacePlan::implausible);
+        self.implausible
+            .iter()
+            .cloned()
+            .chain(surfaces)
+            .try_for_each(|warning| writeln!(f, "  warning: {warning}"))
     }
 }
 
@@ -102,7 +150,11 @@ pub(crate) fn compared(
             "found no separation, pressure or force; allowed: at least one of separation, pressure, force",
         ));
     }
-    let layer = raw.layer.as_ref().map(|raw| layer(file, raw, &flat).map(Box::new)).transpose()?;
+    let mut layer = raw.layer.as_ref().map(|raw| layer(file, raw, &flat).map(Box::new)).transpose()?;
+    if raw.layer.as_ref().is_some_and(|raw| raw.thickness.stands_alone) {
+        // One thickness is compared with none.
+        layer.iter_mut().for_each(|layer| layer.add_uncoated());
+    }
     let flats = match &layer {
         None => vec![(None, Flat::Bare(flat))],
         Some(layer) => {
@@ -120,6 +172,8 @@ pub(crate) fn compared(
     let coat = coat.map(|layer| (layer.name.as_str(), &layer.material));
     let flat_materials: Vec<_> = substrate.into_iter().chain(coat).collect();
     file.check_laws(&raw.law, (rough_name, &rough), &flat_materials)?;
+    let mut implausible = plausibility::of_bodies((rough_name, &rough), &flat_materials);
+    implausible.extend(plausibility::of_separations(&controls.separations));
     let law_specs = raw.law.get_ref().0.clone();
     let as_ellipses = law_specs.iter().any(ContactLaw::is_elliptic);
     Ok(ComparePlan {
@@ -132,8 +186,10 @@ pub(crate) fn compared(
         heights: raw.statistical.heights.as_ref().map(|heights| heights.0.clone()),
         mean_radius: raw.statistical.mean_radius,
         accept: raw.accept,
+        is_robustness_examined: raw.robustness,
         controls,
         load_keys: [raw.pressure.as_ref().map(Spanned::span), raw.force.as_ref().map(Spanned::span)],
         surfaces: surfaces(file, raw.surfaces.as_deref(), span, as_ellipses)?,
+        implausible,
     })
 }

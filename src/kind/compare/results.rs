@@ -6,6 +6,7 @@ use asperity_framework::metadata::Metadata;
 
 use super::answers::{DecreaseResults, RealisationResults, Threshold};
 use super::findings::{Readings, SurfaceFindings};
+use super::robustness::Robustness;
 use crate::layer::rule_warning;
 use crate::surface::{Surface, warnings};
 
@@ -16,6 +17,8 @@ pub struct CompareResults {
     pub metadata: Metadata,
     /// The bodies.
     pub contact: ContactMetadata,
+    /// Warnings about inputs that are hardly meant.
+    pub implausible: Vec<String>,
     /// How far the curves over d/sigma may be off.
     pub tolerances: Tolerances,
     /// Surface by surface, in file order.
@@ -28,6 +31,7 @@ impl CompareResults {
     /// Warnings about the results, one per line.
     pub fn warnings(&self) -> Vec<String> {
         let mut lines = warnings(self.surfaces.iter().map(|found| &found.surface));
+        lines.extend(self.implausible.iter().cloned());
         lines.extend(self.contact.caveats.iter().cloned());
         lines.extend(
             self.contact
@@ -55,6 +59,8 @@ pub struct SurfaceResults {
     pub decreases: Vec<DecreaseResults>,
     /// Findings.
     pub findings: SurfaceFindings,
+    /// The verdicts under other treatments of a measured map; `None` where none were examined.
+    pub robustness: Option<Robustness>,
 }
 
 impl SurfaceResults {

@@ -18,11 +18,13 @@ use super::answers::{CaseResults, DecreaseResults, RealisationResults};
 use super::findings::{Readings, SurfaceFindings};
 use super::implausible;
 use super::models::SurfaceModels;
-use super::plan::ComparePlan;
+use super::plan::{ComparePlan, Setup};
 use super::results::{CompareResults, SurfaceResults};
+use super::robustness;
 use super::sampling::sampling;
 use super::threshold;
 use crate::layer::{LayerPlan, thickness_words};
+use crate::plausibility;
 use crate::surface::{AnalysisDepth, Surface, SurfaceFactory, files_of};
 
 /// Runs a comparison and counts its work.
@@ -38,17 +40,19 @@ pub fn run(
     let mut timing = Timing::default();
     let mut papers = papers_of(&compare.laws);
     let realisations = compare.surfaces.iter().map(|surface| surface.realisations as u64);
-    context.progress.stage(context.title, realisations.sum());
+    context.progress.steps(realisations.sum());
     let mut files = files_of(&compare.surfaces, counter);
+    let setup = compare.setup(context);
     let mut surfaces = Vec::new();
     for surface in &compare.surfaces {
-        let mut factory = SurfaceFactory::new(surface, context.source, context.seed, counter);
+        let mut factory = SurfaceFactory::new(surface, context, counter);
         let first_surface = factory.make(1, AnalysisDepth::Comparison, &mut files, &mut timing)?;
-        let models = models_of(compare, &first_surface, &mut timing);
-        let mut first = run_surface(context, compare, &first_surface, &models, counter, &mut timing)?;
+        let models = models_of(setup, &first_surface, &mut timing);
+        let mut first = run_surface(setup, &first_surface, &models, counter, &mut timing)
+            .map_err(|(law, error)| unreachable_load(context, compare, &first_surface.name, law, &error))?;
         let start = Instant::now();
-        let samplings = sampling(compare, &first_surface, &models, &first.cases, context.seed);
-        differ(&mut first.cases, &samplings, compare, &models);
+        let samplings = sampling(setup, &first_surface, &models, &first.cases);
+        differ(&mut first.cases, &samplings, setup.laws, &models);
         timing.sampling += start.elapsed();
         let thresholds = threshold::thresholds(compare, &first_surface, &models, &first, counter);
         let decreases = decreases(compare, &first_surface, &models, &first, counter);
@@ -57,16 +61,19 @@ pub fn run(
             papers.extend(heights.papers());
         }
         drop(models);
-        context.progress.advance(1);
+        let robustness =
+            robustness::robustness(context, compare, &factory, &first_surface, &first.cases, counter);
+        context.progress.step();
         let mut others = Vec::new();
         for realisation in 2..=surface.realisations {
             let surface = factory.make(realisation, AnalysisDepth::Asperities, &mut files, &mut timing)?;
-            let models = models_of(compare, &surface, &mut timing);
-            let mut other = run_surface(context, compare, &surface, &models, counter, &mut timing)?;
+            let models = models_of(setup, &surface, &mut timing);
+            let mut other = run_surface(setup, &surface, &models, counter, &mut timing)
+                .map_err(|(law, error)| unreachable_load(context, compare, &surface.name, law, &error))?;
             // The scatter of the realisations is the error of each.
-            differ(&mut other.cases, &vec![CaseSampling::default(); compare.laws.len()], compare, &models);
+            differ(&mut other.cases, &vec![CaseSampling::default(); compare.laws.len()], setup.laws, &models);
             others.push(other);
-            context.progress.advance(1);
+            context.progress.step();
         }
         papers.extend(first_surface.papers());
         let all: Vec<&RealisationResults> = std::iter::once(&first).chain(&others).collect();
@@ -78,6 +85,7 @@ pub fn run(
             thresholds,
             decreases,
             findings,
+            robustness,
         });
     }
     timing.total = start.elapsed();
@@ -101,32 +109,41 @@ pub fn run(
     let tolerances = compare.controls.tolerances;
     let metadata = context.metadata(papers, timing, Some(counter.work()));
     let readings = Readings::of(&surfaces);
-    Ok(CompareResults { metadata, contact, tolerances, surfaces, readings })
+    let mut implausible = compare.implausible.clone();
+    implausible.extend(surfaces.iter().flat_map(|found| {
+        let Surface { name, statistics, set, .. } = &found.surface;
+        plausibility::of_surface(name, statistics.mean_radius, statistics.sigma, set.nominal_area())
+    }));
+    Ok(CompareResults { metadata, contact, implausible, tolerances, surfaces, readings })
 }
 
 /// Both models on a surface, its asperities as the laws see them.
-fn models_of<'a>(compare: &ComparePlan, surface: &'a Surface, timing: &mut Timing) -> SurfaceModels<'a> {
+pub(super) fn models_of<'a>(setup: Setup, surface: &'a Surface, timing: &mut Timing) -> SurfaceModels<'a> {
     let start = Instant::now();
-    let population = surface.population(compare.heights.as_ref(), compare.mean_radius);
-    let is_summed = compare.models.contains(&Kind::Deterministic);
-    let models = SurfaceModels::new(surface, population, &compare.law_specs, is_summed);
+    let population = surface.population(setup.heights, setup.mean_radius);
+    let is_summed = setup.models.contains(&Kind::Deterministic);
+    let models = SurfaceModels::new(surface, population, setup.law_specs, is_summed);
     timing.deterministic += start.elapsed();
     models
 }
 
-fn run_surface(
-    context: &RunContext,
-    compare_plan: &ComparePlan,
+/// Both models under every law.
+///
+/// # Errors
+/// A load that a model does not reach, and under which law.
+pub(super) fn run_surface<'a>(
+    setup: Setup<'a>,
     surface: &Surface,
     models: &SurfaceModels,
     counter: &Counter,
     timing: &mut Timing,
-) -> Result<RealisationResults, InputError> {
-    let is_run = |kind| compare_plan.models.contains(&kind);
+) -> Result<RealisationResults, (&'a LawPlan, NotReached)> {
+    let is_run = |kind| setup.models.contains(&kind);
     let population = models.population();
     let area = surface.set.nominal_area();
     let mut cases = Vec::new();
-    for law in &compare_plan.laws {
+    setup.progress.stage("both models", setup.laws.len() as f64);
+    for law in setup.laws {
         let contact = &CountedContact::new(&*law.contact, counter);
         let statistical = is_run(Kind::Statistical).then(|| models.statistical(contact, &law.spec));
         let deterministic = models.deterministic(contact, &law.spec);
@@ -134,8 +151,7 @@ fn run_surface(
             statistical: statistical.as_ref().map(|model| model as &dyn Model),
             deterministic: deterministic.as_ref().map(|model| model as &dyn Model),
         };
-        let comparison = compare(models, &compare_plan.controls, area)
-            .map_err(|error| unreachable_load(context, compare_plan, &surface.name, law, &error))?;
+        let comparison = compare(models, setup.controls, area).map_err(|error| (law, error))?;
         timing.statistical += comparison.statistical_time;
         timing.deterministic += comparison.deterministic_time;
         cases.push(CaseResults {
@@ -146,11 +162,12 @@ fn run_surface(
             differences: Vec::new(),
             comparison,
         });
+        setup.progress.advance(1.0);
     }
     Ok(RealisationResults {
         asperities: surface.set.count(),
         nominal_area: area,
-        statistics: surface.statistics,
+        statistics: surface.reported_statistics(),
         sigma: surface.plane.sigma,
         moments: surface.map.as_ref().map(|map| map.roughness.moments),
         population: population.clone(),
@@ -159,15 +176,15 @@ fn run_surface(
 }
 
 /// The differences of each case with their sampling uncertainty, where both models were run.
-fn differ(
+pub(super) fn differ(
     cases: &mut [CaseResults],
     samplings: &[CaseSampling],
-    compare: &ComparePlan,
+    laws: &[LawPlan],
     models: &SurfaceModels,
 ) {
     /// Larger jumps of the load make the stiffness of a sum, which leaves them out, another than that of the integral.
     const JUMP: f64 = 0.01;
-    for ((case, law), sampling) in cases.iter_mut().zip(&compare.laws).zip(samplings) {
+    for ((case, law), sampling) in cases.iter_mut().zip(laws).zip(samplings) {
         case.differences = Difference::of(&case.comparison.pairs, sampling);
         let shape = models.mean_shape(&law.spec);
         if boundaries(&*law.contact, shape).iter().any(|at| at.load_jump().abs() > JUMP) {
@@ -224,7 +241,7 @@ fn decreases(
 }
 
 /// Points at the sweep with a load out of reach.
-fn unreachable_load(
+pub(super) fn unreachable_load(
     context: &RunContext,
     compare: &ComparePlan,
     surface: &str,

@@ -7,21 +7,20 @@ use asperity_framework::digest::stream_seed;
 
 use super::answers::CaseResults;
 use super::models::SurfaceModels;
-use super::plan::ComparePlan;
+use super::plan::Setup;
 use crate::surface::{Independence, Surface};
 
 /// The sampling uncertainty of each case on a surface that has been compared; nothing where only one model was run.
 pub(super) fn sampling(
-    plan: &ComparePlan,
+    setup: Setup,
     surface: &Surface,
     models: &SurfaceModels,
     cases: &[CaseResults],
-    seed: u64,
 ) -> Vec<CaseSampling> {
-    if ![Kind::Statistical, Kind::Deterministic].iter().all(|kind| plan.models.contains(kind)) {
+    if ![Kind::Statistical, Kind::Deterministic].iter().all(|kind| setup.models.contains(kind)) {
         return Vec::new();
     }
-    let steps: Vec<OneStep> = plan
+    let steps: Vec<OneStep> = setup
         .laws
         .iter()
         .zip(cases)
@@ -33,12 +32,12 @@ pub(super) fn sampling(
             Some(OneStep::new(pairs, &statistical, &deterministic, surface.set.nominal_area()))
         })
         .collect();
-    let seed = stream_seed(seed, &format!("groups of {}", surface.name));
+    let seed = stream_seed(setup.seed, &format!("groups of {}", surface.name));
     let draws = Division::independent(surface.set.count(), seed);
-    let independent = draws.map(|draws| left_out(plan, surface, &draws, &steps));
+    let independent = draws.map(|draws| left_out(setup, surface, &draws, &steps));
     let (groups, area_needed) = match &surface.independence {
         Independence::Asperities => (independent.clone(), None),
-        Independence::Blocks(blocks) => (Some(left_out(plan, surface, &blocks.division, &steps)), None),
+        Independence::Blocks(blocks) => (Some(left_out(setup, surface, &blocks.division, &steps)), None),
         Independence::TooSmall(error) => (None, Some(error.area_needed)),
         Independence::Realisations => (None, None),
     };
@@ -53,8 +52,9 @@ pub(super) fn sampling(
 }
 
 /// Each case with each group of `division` left out.
-fn left_out(plan: &ComparePlan, surface: &Surface, division: &Division, steps: &[OneStep]) -> Vec<LeftOut> {
+fn left_out(setup: Setup, surface: &Surface, division: &Division, steps: &[OneStep]) -> Vec<LeftOut> {
     let shares = division.shares();
+    setup.progress.stage("sampling errors", shares.len() as f64);
     let without = |group: usize| -> Vec<Vec<[Option<f64>; 3]>> {
         let Some(rest) = surface.without(division, group) else {
             return steps
@@ -63,8 +63,8 @@ fn left_out(plan: &ComparePlan, surface: &Surface, division: &Division, steps: &
                 .collect();
         };
         let models = |surface, is_summed| {
-            let population = rest.population(plan.heights.as_ref(), plan.mean_radius);
-            SurfaceModels::new(surface, population, &plan.law_specs, is_summed)
+            let population = rest.population(setup.heights, setup.mean_radius);
+            SurfaceModels::new(surface, population, setup.law_specs, is_summed)
         };
         let part = surface.only(division, group);
         let (of_rest, of_part) = (models(&rest, false), part.as_ref().map(|part| models(part, true)));
@@ -78,7 +78,9 @@ fn left_out(plan: &ComparePlan, surface: &Surface, division: &Division, steps: &
                 sum.map_or_else(|| vec![Total::default(); separations.len()], |sum| sum.totals(separations));
             step.without(&responses, &totals, shares[group], rest.plane)
         };
-        plan.laws.iter().zip(steps).map(case).collect()
+        let all = setup.laws.iter().zip(steps).map(case).collect();
+        setup.progress.advance(1.0);
+        all
     };
     let mut cases = vec![LeftOut { contrasts: Vec::new(), shares: shares.to_vec() }; steps.len()];
     for contrasts in division.for_each_group(without) {

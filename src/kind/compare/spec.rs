@@ -37,6 +37,9 @@ pub struct CompareSpec {
     /// The largest differences between the models that are accepted.
     #[serde(default)]
     pub accept: AcceptSpec,
+    /// Whether the verdicts on measured maps are computed again under other treatments of the map.
+    #[serde(default = "yes")]
+    pub robustness: bool,
     /// The surfaces to run on; all of the file by default.
     pub surfaces: Option<Vec<Spanned<String>>>,
     /// d/sigma.
@@ -48,6 +51,10 @@ pub struct CompareSpec {
     pub pressure: Option<Spanned<LogSweep<Pressure>>>,
     /// Forces on the nominal area.
     pub force: Option<Spanned<LogSweep<Force>>>,
+}
+
+fn yes() -> bool {
+    true
 }
 
 /// The name of one material: a second rough body is not modelled.

@@ -1,6 +1,6 @@
 //! `summary.json` of a comparison.
 
-use asperity::compare::{Kind, Tolerances};
+use asperity::compare::{ComparedQuantity, Kind, Tolerances, Verdict};
 use asperity_framework::contact::ContactSummary;
 use asperity_framework::fields;
 use indexmap::IndexMap;
@@ -11,6 +11,7 @@ use super::layer_summary as layer;
 use super::layer_summary::{DecreaseSummary, LayerSummary, Thickness, ThresholdSummary};
 use super::readings_summary::{ReadingSummary, readings};
 use super::results::{CompareResults, SurfaceResults};
+use crate::surface::fitness::{FitnessSummary, fitness_summary};
 use crate::surface::{PopulationSummary, RealisationSummary, SurfaceSummary};
 
 #[derive(Serialize)]
@@ -22,7 +23,10 @@ struct CompareSummary<'a> {
     #[serde(skip_serializing_if = "Option::is_none")]
     tolerance: Option<ToleranceSummary>,
     surfaces: IndexMap<&'a str, SurfaceSummary<'a>>,
+    fitness: Vec<FitnessSummary<'a>>,
     verdicts: Vec<VerdictSummary<'a>>,
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    robustness: Vec<RobustnessSummary<'a>>,
     largest_gaps: Vec<GapSummary<'a>>,
     #[serde(skip_serializing_if = "Vec::is_empty")]
     readings: Vec<ReadingSummary<'a>>,
@@ -74,12 +78,64 @@ struct VerdictSummary<'a> {
     accepted: f64,
     area_needed_m2: Option<f64>,
     cause: Option<&'static str>,
+    /// Choices in the analysis of the map that reverse the verdict on this quantity.
+    depends_on: Vec<&'static str>,
+}
+
+/// A difference under another treatment of a measured map, at a valid load of its own verdicts.
+#[derive(Serialize)]
+struct RobustnessSummary<'a> {
+    surface: &'a str,
+    law: &'a str,
+    layer_thickness_m: Option<Thickness>,
+    choice: &'static str,
+    treatment: String,
+    quantity: &'static str,
+    at_pa: f64,
+    valid: bool,
+    difference: f64,
+    low: Option<f64>,
+    high: Option<f64>,
+    verdict: &'static str,
+}
+
+fn robustness(found: &SurfaceResults) -> Vec<RobustnessSummary<'_>> {
+    let mut rows = Vec::new();
+    for treated in found.robustness.iter().flat_map(|robustness| &robustness.treated) {
+        for (index, (case, findings)) in found.first.cases.iter().zip(&found.findings.cases).enumerate() {
+            for at in treated.differences(index) {
+                for quantity in ComparedQuantity::ALL {
+                    let Some(estimate) = at.estimates[quantity as usize] else { continue };
+                    let ends = estimate.interval().map(|ends| ends.map(|end| quantity.reported(end)));
+                    rows.push(RobustnessSummary {
+                        surface: &found.surface.name,
+                        law: &case.law,
+                        layer_thickness_m: case.thickness.map(Thickness),
+                        choice: treated.treatment.choice().name(),
+                        treatment: treated.treatment.to_string(),
+                        quantity: quantity.name(),
+                        at_pa: at.load,
+                        valid: at.exceeded().is_none(),
+                        difference: quantity.reported(estimate.contrast),
+                        low: ends.map(|ends| ends[0]),
+                        high: ends.map(|ends| ends[1]),
+                        verdict: Verdict::of(&estimate, findings.verdicts.accepted.band(quantity)).name(),
+                    });
+                }
+            }
+        }
+    }
+    rows
 }
 
 fn verdicts(found: &SurfaceResults) -> impl Iterator<Item = VerdictSummary<'_>> {
     let cases = found.first.cases.iter().zip(&found.findings.cases);
-    cases.flat_map(move |(case, findings)| {
+    cases.enumerate().flat_map(move |(index, (case, findings))| {
         let verdicts = &findings.verdicts;
+        let depends_on = move |judged| -> Vec<&'static str> {
+            let of = found.robustness.iter().flat_map(|robustness| &robustness.dependences[index]);
+            of.filter(|one| one.judged == judged).map(|one| one.choice.name()).collect()
+        };
         verdicts.stretches.iter().map(move |stretch| {
             let reported = |contrast: f64| stretch.judged.reported(contrast);
             let estimate = stretch.largest.map(|(_, estimate)| estimate);
@@ -93,7 +149,7 @@ fn verdicts(found: &SurfaceResults) -> impl Iterator<Item = VerdictSummary<'_>> 
                 model: Kind::Statistical.name(),
                 from_pa: stretch.loads[0],
                 to_pa: stretch.loads[1],
-                verdict: stretch.verdict.name(),
+                verdict: verdicts.name(stretch.verdict),
                 difference: estimate.map(|estimate| reported(estimate.contrast)),
                 low: ends.map(|[low, _]| reported(low)),
                 high: ends.map(|[_, high]| reported(high)),
@@ -101,6 +157,7 @@ fn verdicts(found: &SurfaceResults) -> impl Iterator<Item = VerdictSummary<'_>> 
                 accepted: stretch.accepted,
                 area_needed_m2: verdicts.area_needed(stretch),
                 cause: None,
+                depends_on: depends_on(stretch.judged),
             }
         })
     })
@@ -114,7 +171,9 @@ pub fn summary(results: &CompareResults) -> serde_json::Result<Map<String, Value
         layer: results.contact.layer.as_ref().map(layer::summary),
         tolerance: statistical.or(deterministic).map(|_| ToleranceSummary { statistical, deterministic }),
         surfaces: results.surfaces.iter().map(|found| (&*found.surface.name, surface(found))).collect(),
+        fitness: fitness_summary(results.surfaces.iter().map(|found| &found.surface)),
         verdicts: results.surfaces.iter().flat_map(verdicts).collect(),
+        robustness: results.surfaces.iter().flat_map(robustness).collect(),
         largest_gaps: results.surfaces.iter().flat_map(gaps).collect(),
         readings: readings(results.readings.as_ref()),
         layer_thresholds: results.surfaces.iter().flat_map(layer::thresholds).collect(),

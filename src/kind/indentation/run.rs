@@ -144,7 +144,7 @@ pub(super) fn run(
     indentation: &IndentationPlan,
 ) -> Result<IndentationResults, InputError> {
     let start = Instant::now();
-    context.progress.stage(context.title, indentation.cases() as u64);
+    context.progress.stage("layers", indentation.cases() as f64);
     let counter = Counter::default();
     let mut papers = vec![literature::PASARIBU_SCHIPPER_2005];
     let mut layers = Vec::new();
@@ -157,7 +157,7 @@ pub(super) fn run(
             let found =
                 on_layer(indentation, layer, thickness, &alone, &mut papers, &counter).map_err(refuse)?;
             layers.push(found);
-            context.progress.advance(1);
+            context.progress.advance(1.0);
         }
     }
     let overlay = &indentation.overlay;

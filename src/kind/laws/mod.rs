@@ -56,6 +56,10 @@ impl Plan for LawsPlan {
         self.compare.work() + self.points()
     }
 
+    fn check(&self, context: &RunContext) -> Result<(), InputError> {
+        self.compare.check(context)
+    }
+
     fn run(&self, context: &RunContext) -> Result<Box<dyn Outcome>, InputError> {
         Ok(Box::new(run::run(context, self)?))
     }

@@ -61,6 +61,7 @@ impl LawsSpec {
             models: Models::default(),
             statistical: self.statistical.clone(),
             accept: self.accept,
+            robustness: false,
             surfaces: self.surfaces.clone(),
             separation: None,
             tolerance: ToleranceSpec::default(),

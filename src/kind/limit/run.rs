@@ -47,6 +47,7 @@ pub(super) fn run(context: &RunContext, limit: &LimitPlan) -> Result<LimitResult
     let contacts: Vec<CountedContact> =
         limit.laws.iter().map(|law| CountedContact::new(&*law.contact, &counter)).collect();
     let integrals = Instant::now();
+    context.progress.stage("integrals", contacts.len() as f64);
     let laws = limit.laws.iter().zip(&contacts);
     let cases: Vec<LimitCase> = laws
         .map(|(law, contact)| LimitCase {
@@ -54,16 +55,18 @@ pub(super) fn run(context: &RunContext, limit: &LimitPlan) -> Result<LimitResult
             contact,
             exact: limit.separations.iter().map(|&h| exact(law, contact, &limit.population, h)).collect(),
         })
+        .inspect(|_| context.progress.advance(1.0))
         .collect();
     timing.statistical = integrals.elapsed();
 
     let sets = (limit.draws + 1) as u64;
-    context.progress.stage(context.title, limit.counts.iter().map(|&count| count as u64 * sets).sum());
+    let asperities = limit.counts.iter().map(|&count| count as u64 * sets).sum::<u64>();
+    context.progress.stage("random sets", asperities as f64);
     let sums = Instant::now();
     let seed = |count, draw| context.stream_seed(&format!("limit {count} {draw}"));
     let points = convergence(&cases, &limit.population, &limit.counts, limit.draws, seed, |count| {
         counter.add(Item::Surfaces, 1);
-        context.progress.advance(count as u64);
+        context.progress.advance(count as f64);
     })
     .map_err(|error| InputError::file(&context.source.path, error))?;
     timing.deterministic = sums.elapsed();

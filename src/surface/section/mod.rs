@@ -4,6 +4,7 @@ mod figures;
 mod generation;
 mod properties;
 
+use crate::surface::fitness;
 use crate::surface::found::{MapFacts, Surface};
 use asperity::topography::theory::Expected;
 use asperity_framework::report::format::{number, percent, ratio};
@@ -13,6 +14,7 @@ use properties::{columns, properties, table};
 /// Adds tables and figures of a surface to a page.
 pub fn section(page: &mut Page, surface: &Surface, assumed: Option<&asperity::Population>) {
     page.table(["property", "value"], properties(surface).into_iter().map(Vec::from));
+    fitness::section(page, surface);
     if let Some(map) = &surface.map {
         if let Some(made) = &map.generation {
             generation::section(page, surface, map, made);
@@ -146,6 +148,11 @@ pub fn for_terminal(surface: &Surface) -> String {
         count => format!(", the first of {count} realisations"),
     };
     let mut tables = format!("surface {}{which}\n{}", surface.name, table(properties(surface)));
+    let checks = fitness::for_terminal(surface);
+    if !checks.is_empty() {
+        tables.push('\n');
+        tables.push_str(&table(checks));
+    }
     let mut add = |header: &[&str], rows: Vec<Vec<String>>| {
         if !rows.is_empty() {
             tables.push('\n');

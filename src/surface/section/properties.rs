@@ -14,7 +14,7 @@ pub fn or_dash(value: Option<f64>) -> String {
 
 /// All numerical properties of a surface.
 pub fn properties(surface: &Surface) -> Vec<Row> {
-    let statistics = &surface.statistics;
+    let statistics = &surface.reported_statistics();
     let mut rows = Rows(Vec::new());
     rows.add("asperities", count(surface.set.count()));
     rows.add("nominal area", format!("{} m²", number(surface.set.nominal_area())));
@@ -58,9 +58,15 @@ impl Rows {
         let moments = &roughness.moments;
         self.add("map", format!("{} × {} points of {}", map.points[0], map.points[1], pair(map.pixel)));
         self.add("missing points", count(roughness.missing));
+        if let Some(spikes) = map.spikes.as_ref().filter(|spikes| spikes.removed > 0) {
+            self.add("points removed as spikes", count(spikes.removed));
+        }
+        if let Some(lines) = map.aligned {
+            self.add("lines set to equal mean height, along", lines.name().to_owned());
+        }
         self.add("levelled by", map.level.name().to_owned());
         if let Some(filter) = &map.filter {
-            self.add("Gaussian filter (ISO 16610-61)", filter.clone());
+            self.add("Gaussian filter (ISO 16610-61)", filter.to_string());
         }
         self.add("Sa, Sq", format!("{}, {}", quantity(moments.sa, "m"), quantity(moments.sq, "m")));
         self.add("Ssk, Sku", format!("{}, {}", or_dash(moments.ssk), or_dash(moments.sku)));

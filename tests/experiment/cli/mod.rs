@@ -10,6 +10,7 @@ mod heights;
 mod input;
 mod laws;
 mod precision;
+mod reach;
 mod sphere;
 mod surface;
 mod tolerance;

@@ -10,7 +10,7 @@ use toml::Spanned;
 use toml::de::{DeTable, DeValue, Deserializer, ValueDeserializer};
 
 use super::error::{InputError, Source};
-use super::material::MaterialSpec;
+use super::material::{MaterialOrigin, MaterialSpec};
 use super::whole::Whole;
 use asperity::Material;
 
@@ -115,6 +115,14 @@ impl SpecFile {
 
     /// The materials in file order.
     pub fn materials(&self) -> impl Iterator<Item = (&Spanned<String>, &Material)> {
-        self.materials.iter().map(|(name, material)| (name, &material.0))
+        self.materials.iter().map(|(name, material)| (name, &material.body))
+    }
+
+    /// The materials whose values are from the library, in file order.
+    pub fn origins(&self) -> IndexMap<String, MaterialOrigin> {
+        let origin = |(name, material): (&Spanned<String>, &MaterialSpec)| {
+            Some((name.get_ref().clone(), material.origin.clone()?))
+        };
+        self.materials.iter().filter_map(origin).collect()
     }
 }

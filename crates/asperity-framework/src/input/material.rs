@@ -1,30 +1,104 @@
-//! `[material.NAME]`: one body.
+//! `[material.NAME]`: one body, by its properties or from the library.
 
-use asperity::{Material, MaterialError};
+use asperity::Material;
+use asperity::material_library::{self, LibraryMaterial};
 use serde::Deserialize;
 
 use crate::input::quantity::{PoissonRange, Pressure, Pure, Quantity};
 
 /// A body as a spec states it, checked.
-#[derive(Debug, Clone, Copy, Deserialize)]
+#[derive(Debug, Clone, Deserialize)]
 #[serde(try_from = "Keys")]
-pub struct MaterialSpec(pub Material);
+pub struct MaterialSpec {
+    /// The body.
+    pub body: Material,
+    /// Where its values are from, if some are from the library.
+    pub origin: Option<MaterialOrigin>,
+}
+
+/// A body whose values are from the library, but for those that the spec gives.
+#[derive(Debug, Clone, PartialEq)]
+pub struct MaterialOrigin {
+    /// The material of the library.
+    pub from: &'static LibraryMaterial,
+    /// The keys that the spec gives itself.
+    pub overridden: Vec<&'static str>,
+}
+
+impl MaterialOrigin {
+    /// Each value of the body that is from the library: its key and its source.
+    pub fn sources(&self) -> Vec<(&'static str, String)> {
+        let all = [
+            (YOUNG, Some(self.from.young)),
+            (POISSON, Some(self.from.poisson)),
+            (HARDNESS, self.from.hardness),
+            (YIELD_STRENGTH, self.from.yield_strength),
+        ];
+        let taken = all.into_iter().filter(|(key, _)| !self.overridden.contains(key));
+        taken.filter_map(|(key, value)| Some((key, value?.source()))).collect()
+    }
+}
+
+const YOUNG: &str = "young";
+const POISSON: &str = "poisson";
+const HARDNESS: &str = "hardness";
+const YIELD_STRENGTH: &str = "yield-strength";
 
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields, rename_all = "kebab-case")]
 struct Keys {
-    young: Quantity<Pressure>,
-    poisson: Quantity<Pure, PoissonRange>,
+    from: Option<String>,
+    young: Option<Quantity<Pressure>>,
+    poisson: Option<Quantity<Pure, PoissonRange>>,
     hardness: Option<Quantity<Pressure>>,
     yield_strength: Option<Quantity<Pressure>>,
 }
 
 impl TryFrom<Keys> for MaterialSpec {
-    type Error = MaterialError;
+    type Error = String;
 
-    fn try_from(keys: Keys) -> Result<Self, MaterialError> {
-        let value = |quantity: Option<Quantity<Pressure>>| quantity.map(|q| q.value());
-        let (hardness, yield_strength) = (value(keys.hardness), value(keys.yield_strength));
-        Material::new(keys.young.value(), keys.poisson.value(), hardness, yield_strength).map(Self)
+    fn try_from(keys: Keys) -> Result<Self, String> {
+        let from = keys.from.as_deref().map(in_library).transpose()?;
+        let pressure = |quantity: Option<Quantity<Pressure>>| quantity.map(|q| q.value());
+        let given = [
+            (YOUNG, pressure(keys.young)),
+            (POISSON, keys.poisson.map(|q| q.value())),
+            (HARDNESS, pressure(keys.hardness)),
+            (YIELD_STRENGTH, pressure(keys.yield_strength)),
+        ];
+        let library = from.map_or([None; 4], |from| {
+            [Some(from.young), Some(from.poisson), from.hardness, from.yield_strength]
+                .map(|value| value.map(|sourced| sourced.value))
+        });
+        let value = |index: usize| given[index].1.or(library[index]);
+        let needed = |index: usize, example: &str| {
+            value(index).ok_or_else(|| {
+                let key = given[index].0;
+                format!(
+                    "found no `{key}`, which is needed; allowed: {key} = {example}, or from = \"steel-100Cr6\" for all values \
+                     of a material of the library (`experiment materials` lists them)"
+                )
+            })
+        };
+        let (young, poisson) = (needed(0, "\"210 GPa\"")?, needed(1, "0.3")?);
+        let body = Material::new(young, poisson, value(2), value(3)).map_err(|error| error.to_string())?;
+        let overridden = given.iter().filter(|(_, value)| value.is_some()).map(|(key, _)| *key).collect();
+        Ok(Self { body, origin: from.map(|from| MaterialOrigin { from, overridden }) })
     }
+}
+
+/// The material of the library that `from` names.
+fn in_library(name: &str) -> Result<&'static LibraryMaterial, String> {
+    material_library::find(name).ok_or_else(|| {
+        let similar: Vec<String> =
+            material_library::similar(name).iter().map(|name| format!("\"{name}\"")).collect();
+        let near = if similar.is_empty() {
+            String::new()
+        } else {
+            format!(" (similar names: {})", similar.join(", "))
+        };
+        format!(
+            "found from = \"{name}\"; allowed: the name of a material of the library{near}; `experiment materials` lists them"
+        )
+    })
 }

@@ -28,7 +28,7 @@ pub fn what_was_run(page: &mut Page, metadata: &Metadata, contact: &ContactMetad
         let roles: Vec<&str> = roles.into_iter().filter_map(|(is_it, role)| is_it.then_some(role)).collect();
         if roles.is_empty() { "not used".to_owned() } else { roles.join(" and ") }
     };
-    materials(page, &contact.materials, role);
+    materials(page, metadata, &contact.materials, role);
     if let Some(layer) = layer {
         let thicknesses: Vec<String> = layer.thicknesses.iter().map(|&t| thickness(t)).collect();
         page.paragraph(&format!(
@@ -47,8 +47,13 @@ pub fn what_was_run(page: &mut Page, metadata: &Metadata, contact: &ContactMetad
     ));
 }
 
-/// The materials, and the role of each.
-pub fn materials(page: &mut Page, materials: &IndexMap<String, Material>, role: impl Fn(&str) -> String) {
+/// The materials, the role of each, and the sources of values from the library.
+pub fn materials(
+    page: &mut Page,
+    metadata: &Metadata,
+    materials: &IndexMap<String, Material>,
+    role: impl Fn(&str) -> String,
+) {
     let has_yield_strength = materials.values().any(|body| body.yield_strength().is_some());
     let row = |(name, body): (&String, &Material)| {
         let mut row = vec![
@@ -66,6 +71,24 @@ pub fn materials(page: &mut Page, materials: &IndexMap<String, Material>, role: 
     let header: &[&str] = &["material", "body", "E", "ν", "H", "Y"];
     let columns = if has_yield_strength { header } else { &header[..5] };
     page.table(columns, materials.iter().map(row));
+    page.bullets(metadata.origins.iter().map(|(name, origin)| {
+        format!(
+            "{}: `{}` of the library, {}. {}.",
+            escape(name),
+            origin.from.name,
+            escape(origin.from.description),
+            escape(&by_source(&origin.sources())),
+        )
+    }));
+}
+
+/// "young, poisson: a handbook; hardness: a data sheet", of values (in their order) and the source of each.
+pub fn by_source(sources: &[(&str, String)]) -> String {
+    let of_one = sources.chunk_by(|one, next| one.1 == next.1).map(|alike| {
+        let keys: Vec<&str> = alike.iter().map(|(key, _)| *key).collect();
+        format!("{}: {}", keys.join(", "), alike[0].1)
+    });
+    of_one.collect::<Vec<_>>().join("; ")
 }
 
 fn hardness(value: Option<f64>) -> String {

@@ -246,7 +246,7 @@ impl CaseFactory<'_> {
             ),
             Group::Offset => {
                 let sign = if rng.chance(0.5) { 1.0 } else { -1.0 };
-                let mean = sign * sigma * rng.ratio([1.0, 1e6]);
+                let mean = sign * sigma * rng.ratio([1.0, 1e8]);
                 CaseInput::Sum(SetParameters { mean, ..set(rng, Layout::Gaussian) }, within(rng, -3.0, 2.0))
             }
             Group::Line => CaseInput::Sum(set(rng, Layout::Line), within(rng, -4.0, 3.0)),

@@ -91,8 +91,8 @@ fn of(case: &Case, contact: &dyn MicroContact) -> Result<Vec<Deviation>, Failure
                 let separation = Wide::new(h) * set.sigma + set.mean;
                 Some(exact.total(&asperities, separation, false).total_load())
             };
-            with_sum(contact, set, &asperities, |model| {
-                of_load(model, *h, set.mean.abs() / set.sigma, &pressure)
+            with_sum(contact, set, &asperities, |model, origin| {
+                of_load(model, *h, (set.mean - origin).abs() / set.sigma, &pressure)
             })
         }
     }
@@ -241,16 +241,18 @@ fn of_integral(
     Ok(found)
 }
 
-/// Does something with the model of a sum on the nominal area 1 m^2.
+/// Does something with the model of a sum on the nominal area 1 m^2 and the origin of its heights.
 fn with_sum<T>(
     contact: &dyn MicroContact,
     set: &SetParameters,
     asperities: &[(f64, f64)],
-    act: impl FnOnce(&dyn Model) -> Result<T, Failure>,
+    act: impl FnOnce(&dyn Model, f64) -> Result<T, Failure>,
 ) -> Result<T, Failure> {
     let (heights, radii) = asperities.iter().copied().unzip();
     let given = AsperitySet::new(heights, radii, 1.0).map_err(|error| Failure::Refused(error.to_string()))?;
-    act(&Deterministic::new(contact, given.spheres(), ReferencePlane { mean: set.mean, sigma: set.sigma }))
+    let (given, origin) = given.near_zero();
+    let plane = ReferencePlane { mean: set.mean - origin, sigma: set.sigma };
+    act(&Deterministic::new(contact, given.spheres(), plane), origin)
 }
 
 /// Half an ulp of a separation and of each of the terms that it is made of, over what they add up to.
@@ -263,7 +265,8 @@ fn of_sum(
     h: f64,
 ) -> Result<Vec<Deviation>, Failure> {
     let asperities = set.asperities(h);
-    let response = with_sum(contact, set, &asperities, |model| Ok(model.respond(h)))?;
+    let (response, origin) =
+        with_sum(contact, set, &asperities, |model, origin| Ok((model.respond(h), origin)))?;
     let values = values(&response);
     finite(&values)?;
     finite(&derived(&response, set.sigma))?;
@@ -271,7 +274,7 @@ fn of_sum(
     finite(&sampling.map(|value| (Quantity::Sampling, value)))?;
     let exact = Exact::new(bodies);
     let separation = Wide::new(h) * set.sigma + set.mean;
-    let rounding = ROUNDING * (set.mean.abs() + (h * set.sigma).abs());
+    let rounding = ROUNDING * ((set.mean - origin).abs() + (h * set.sigma).abs());
     let totals = [0.0, -rounding, rounding].map(|step| exact.total(&asperities, separation + step, true));
     let of = totals.map(|total| exact_values(&total));
     let mut found: Vec<Deviation> = values
@@ -308,16 +311,18 @@ fn outside(value: f64, exact: [Wide; 3]) -> f64 {
 fn of_terms(contact: &dyn MicroContact, set: &SetParameters, h: f64) -> Result<Vec<Deviation>, Failure> {
     const CHUNK: usize = 1 << 14;
     let asperities = set.asperities(h);
-    let response = with_sum(contact, set, &asperities, |model| Ok(model.respond(h)))?;
+    let (response, origin) =
+        with_sum(contact, set, &asperities, |model, origin| Ok((model.respond(h), origin)))?;
     let found = [(Quantity::Area, response.area_ratio.total()), (Quantity::Load, response.pressure.total())];
     finite(&found)?;
-    let separation = set.mean + h * set.sigma;
+    let separation = (set.mean - origin) + h * set.sigma;
     let parts: Vec<[Wide; 2]> = asperities
         .par_chunks(CHUNK)
         .map(|chunk| {
-            let pressed = chunk.iter().filter(|(height, _)| *height > separation);
+            let relative = chunk.iter().map(|&(height, radius)| (height - origin, radius));
+            let pressed = relative.filter(|(height, _)| *height > separation);
             let contacts = pressed
-                .map(|&(height, radius)| contact.contact(height - separation, law::Shape::sphere(radius)));
+                .map(|(height, radius)| contact.contact(height - separation, law::Shape::sphere(radius)));
             contacts.fold([Wide::ZERO; 2], |[area, load], c| [area + c.area, load + c.load])
         })
         .collect();

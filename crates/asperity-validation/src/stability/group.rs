@@ -57,7 +57,7 @@ pub enum Group {
     LayeredSums,
     /// One asperity.
     OneAsperity,
-    /// Heights with a mean of up to 1e6 sigma.
+    /// Heights with a mean of up to 1e8 sigma.
     Offset,
     /// Evenly spaced heights.
     Line,
@@ -163,7 +163,7 @@ impl Group {
             Self::Sums => "1 to 300 Gaussian heights, radii within a factor of 4",
             Self::LayeredSums => "the same under a layer",
             Self::OneAsperity => "indentations of 1e-12 to 20 sigma",
-            Self::Offset => "mean height of 1 to 1e6 sigma above or below zero",
+            Self::Offset => "mean height of 1 to 1e8 sigma above or below zero",
             Self::Line => "evenly spaced heights",
             Self::Touching => "all but one within 4 ulp of the flat",
             Self::Equal => "1 to 300 asperities of equal height and radius",

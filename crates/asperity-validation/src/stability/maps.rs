@@ -9,6 +9,7 @@ use super::laws::CoveredLaw;
 use crate::stability::exact::Integral;
 use crate::stability::exact::Shape;
 use crate::stability::wide::relative_error;
+use asperity::progress::Progress;
 use asperity::{
     Heights, LayeredFlat, LayeredInterface, Material, MicroContact, Model, ModulusModel, Population,
     Statistical, Zmc, law, reduced_modulus,
@@ -32,13 +33,13 @@ pub struct Map {
 }
 
 impl Map {
-    /// Row by row: `row` makes of y what all its cells share, `error` of that and x the error.
+    /// Row by row, `row_done` being called after each: `row` makes of y what all its cells share, `error` of that and x the error.
     fn of<R: Sync>(
-        name: &'static str,
-        of: &'static str,
+        [name, of]: [&'static str; 2],
         axes: [&'static str; 2],
         ends: [[f64; 2]; 2],
         cells: [usize; 2],
+        row_done: &(dyn Fn() + Sync),
         row: impl Fn(f64) -> R + Sync,
         error: impl Fn(&R, f64) -> f64 + Sync,
     ) -> Self {
@@ -48,7 +49,9 @@ impl Map {
         };
         let line = |k: usize| {
             let row = row(place(k, 1));
-            (0..cells[0]).map(|column| error(&row, place(column, 0))).collect::<Vec<f64>>()
+            let errors = (0..cells[0]).map(|column| error(&row, place(column, 0))).collect::<Vec<f64>>();
+            row_done();
+            errors
         };
         let rows: Vec<Vec<f64>> = (0..cells[1]).into_par_iter().map(line).collect();
         Self { name, of, axes, ends, cells, errors: rows.concat() }
@@ -68,22 +71,29 @@ const HARDNESS: f64 = 7.6e9;
 const RADIUS: f64 = 2e-5;
 
 /// All maps, with `cells` cells along the longer side.
-pub(super) fn maps(ranges: &Ranges, cells: usize) -> Vec<Map> {
-    vec![separations(ranges, cells), transitions(cells), layers(ranges, cells)]
+pub(super) fn maps(ranges: &Ranges, cells: usize, progress: &dyn Progress) -> Vec<Map> {
+    // Rows: half as many of the first map.
+    let part = (2.5 * cells as f64).recip();
+    let row_done = || progress.advance(part);
+    vec![
+        separations(ranges, cells, &row_done),
+        transitions(cells, &row_done),
+        layers(ranges, cells, &row_done),
+    ]
 }
 
 /// d/sigma and radius/sigma: the integral of a bare pair.
-fn separations(ranges: &Ranges, cells: usize) -> Map {
+fn separations(ranges: &Ranges, cells: usize, row_done: &(dyn Fn() + Sync)) -> Map {
     const SIGMA: f64 = 1e-7;
     let steel = body(YOUNG, HARDNESS);
     let bodies = Bodies { law: CoveredLaw::zmc(), rough: steel, flat: steel, layer: None };
     let (exact, contact) = (Exact::new(&bodies), bodies.contact());
     Map::of(
-        "separation",
-        "nominal pressure of the integral",
+        ["separation", "nominal pressure of the integral"],
         ["d/σ", "log₁₀ R/σ"],
         [ranges.separation, ranges.radius_over_sigma.map(f64::log10)],
         [cells, cells / 2],
+        row_done,
         |ratio| {
             let radius = SIGMA * 10f64.powf(ratio);
             Population { radius, sigma: SIGMA, density: 0.03 / (radius * SIGMA), heights: Heights::GAUSSIAN }
@@ -99,16 +109,16 @@ fn separations(ranges: &Ranges, cells: usize) -> Map {
 }
 
 /// ln(w/w1)/ln c and c - 1: one contact of that pair.
-fn transitions(cells: usize) -> Map {
+fn transitions(cells: usize, row_done: &(dyn Fn() + Sync)) -> Map {
     let steel = body(YOUNG, HARDNESS);
     let strain = HARDNESS / reduced_modulus(&steel, &steel);
     let onset = Zmc::ONSET * RADIUS * strain * strain;
     Map::of(
-        "transition",
-        "load of a contact under ZMC",
+        ["transition", "load of a contact under ZMC"],
         ["ln(w/w₁) / ln c", "log₁₀ (c − 1)"],
         [[-0.5, 1.5], [-8.0, 6.0]],
         [cells, cells],
+        row_done,
         |width| {
             let ratio = 1.0 + 10f64.powf(width);
             let law = CoveredLaw::zmc();
@@ -124,16 +134,16 @@ fn transitions(cells: usize) -> Map {
 }
 
 /// t/a and H/E*: one contact under a layer, a tenth as stiff and as hard as the flat.
-fn layers(ranges: &Ranges, cells: usize) -> Map {
+fn layers(ranges: &Ranges, cells: usize, row_done: &(dyn Fn() + Sync)) -> Map {
     const DEPTH: f64 = 2e-8;
     let wide = (RADIUS * DEPTH).sqrt();
     let modulus = reduced_modulus(&body(YOUNG, 1.0), &body(YOUNG, 1.0));
     Map::of(
-        "layer",
-        "load of a contact under a layer",
+        ["layer", "load of a contact under a layer"],
         ["log₁₀ t/a", "log₁₀ H/E*"],
         [ranges.thickness.map(|t| (t / wide).log10()), ranges.hardness_over_modulus.map(f64::log10)],
         [cells, cells],
+        row_done,
         |strain| {
             let hardness = modulus * 10f64.powf(strain);
             let (flat, material) = (body(YOUNG, hardness), body(0.1 * YOUNG, 0.1 * hardness));

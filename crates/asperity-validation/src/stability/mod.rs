@@ -31,6 +31,7 @@ pub use maps::Map;
 pub use quantity::Quantity;
 
 use asperity::distribution::{Entry, REGISTRY};
+use asperity::progress::Progress;
 use rayon::prelude::*;
 
 /// Names of the height distributions for which there is no evaluation of about 32 digits.
@@ -149,11 +150,23 @@ pub struct Worst {
     pub error: f64,
 }
 
-/// Checks `count` cases of one group.
-pub fn group(group: Group, count: u64, seed: [u8; 32], ranges: &Ranges) -> GroupFindings {
+/// Checks `count` cases of one group, each a unit of work for `progress`.
+pub fn group(
+    group: Group,
+    count: u64,
+    seed: [u8; 32],
+    ranges: &Ranges,
+    progress: &dyn Progress,
+) -> GroupFindings {
     let maker = cases::CaseFactory { seed, ranges };
-    let checked: Vec<CheckedCase> =
-        (0..count).into_par_iter().map(|index| check::check(maker.case(group, index))).collect();
+    let checked: Vec<CheckedCase> = (0..count)
+        .into_par_iter()
+        .map(|index| {
+            let checked = check::check(maker.case(group, index));
+            progress.advance(1.0);
+            checked
+        })
+        .collect();
     let mut findings = GroupFindings { group, cases: count, quantities: Vec::new(), failures: Vec::new() };
     for quantity in Quantity::ALL {
         let mut all: Vec<(f64, &Case)> = Vec::new();
@@ -179,7 +192,7 @@ pub fn group(group: Group, count: u64, seed: [u8; 32], ranges: &Ranges) -> Group
     findings
 }
 
-/// Errors over the planes of the report, with so many cells along each.
-pub fn maps(ranges: &Ranges, resolution: usize) -> Vec<Map> {
-    maps::maps(ranges, resolution)
+/// Errors over the planes of the report, with so many cells along each: one unit of work for `progress`.
+pub fn maps(ranges: &Ranges, resolution: usize, progress: &dyn Progress) -> Vec<Map> {
+    maps::maps(ranges, resolution, progress)
 }

@@ -79,6 +79,21 @@ impl AsperitySet {
         Ok(Self { heights, radii, ellipses: None, nominal_area })
     }
 
+    /// The same asperities with heights relative to an origin (m), which is returned, so that an offset costs no digits:
+    /// one of the heights if all are further from zero than 16 times their range, else zero. The differences are exact.
+    #[must_use]
+    pub fn near_zero(self) -> (Self, f64) {
+        /// Four bits lost: what is nearer keeps its frame.
+        const FAR: f64 = 16.0;
+        let ends = (f64::INFINITY, f64::NEG_INFINITY);
+        let (low, high) = self.heights.iter().fold(ends, |(low, high), &z| (low.min(z), high.max(z)));
+        if low * high <= 0.0 || low.abs().min(high.abs()) <= FAR * (high - low) {
+            return (self, 0.0);
+        }
+        let heights = self.heights.iter().map(|z| z - low).collect();
+        (Self { heights, ..self }, low)
+    }
+
     /// Heights, m.
     pub fn heights(&self) -> &[f64] {
         &self.heights

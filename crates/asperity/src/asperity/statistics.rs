@@ -31,16 +31,16 @@ impl Statistics {
         let count = set.count();
         let mean_of = |term: &(dyn Fn(usize) -> f64 + Sync)| sum_of(count, term) / count as f64;
 
-        let mean_height = mean_about(heights);
-        let mean_radius = mean_about(radii);
-        let sigma = mean_of(&|i| (heights[i] - mean_height).powi(2)).sqrt();
+        let (height, radius) = (Mean::of(heights), Mean::of(radii));
+        let mean_radius = radius.value();
+        let sigma = mean_of(&|i| height.deviation(heights[i]).powi(2)).sqrt();
         let standardised = |power: i32| {
-            (sigma > 0.0).then(|| mean_of(&|i| ((heights[i] - mean_height) / sigma).powi(power)))
+            (sigma > 0.0).then(|| mean_of(&|i| (height.deviation(heights[i]) / sigma).powi(power)))
         };
-        let radius_sigma = mean_of(&|i| (radii[i] - mean_radius).powi(2)).sqrt();
-        let covariance = mean_of(&|i| (heights[i] - mean_height) * (radii[i] - mean_radius));
+        let radius_sigma = mean_of(&|i| radius.deviation(radii[i]).powi(2)).sqrt();
+        let covariance = mean_of(&|i| height.deviation(heights[i]) * radius.deviation(radii[i]));
         Self {
-            mean_height,
+            mean_height: height.value(),
             sigma,
             skewness: standardised(3),
             kurtosis: standardised(4),
@@ -53,10 +53,28 @@ impl Statistics {
     }
 }
 
-/// The mean, computed about the first value: exact for equal values, and accurate for a large offset.
-fn mean_about(values: &[f64]) -> f64 {
-    let origin = values[0];
-    origin + sum_of(values.len(), |i| values[i] - origin) / values.len() as f64
+/// A mean in two parts, so that deviations from it keep their digits under a large offset: the first value, and the mean
+/// relative to it.
+struct Mean {
+    origin: f64,
+    relative: f64,
+}
+
+impl Mean {
+    /// Exact for equal values.
+    fn of(values: &[f64]) -> Self {
+        let origin = values[0];
+        let relative = sum_of(values.len(), |i| values[i] - origin) / values.len() as f64;
+        Self { origin, relative }
+    }
+
+    fn value(&self) -> f64 {
+        self.origin + self.relative
+    }
+
+    fn deviation(&self, value: f64) -> f64 {
+        (value - self.origin) - self.relative
+    }
 }
 
 #[cfg(test)]
@@ -87,11 +105,26 @@ mod tests {
         assert_eq!((s.skewness, s.kurtosis, s.height_radius_correlation), (None, None, None));
     }
 
+    /// 10 nm at a height of 1 m, against the same stored heights near zero.
     #[test]
-    fn a_large_offset_keeps_the_deviation() {
-        let heights: Vec<f64> = (0..1000).map(|i| 1e6 + f64::from(i) / 1024.0).collect();
-        let near: Vec<f64> = (0..1000).map(|i| f64::from(i) / 1024.0).collect();
-        let radii = vec![1.0; 1000];
-        assert_eq!(statistics(&heights, &radii).sigma, statistics(&near, &radii).sigma);
+    fn an_offset_costs_no_digits() {
+        let near: Vec<f64> = (0..1000).map(|i| f64::EPSILON * f64::from((i * i * 7) % 1009 * 4096)).collect();
+        let far: Vec<f64> = near.iter().map(|z| 1.0 + z).collect();
+        let radii: Vec<f64> = (0..1000).map(|i| 1e-5 * f64::from(1 + i % 7)).collect();
+        let set = |heights: &[f64]| AsperitySet::new(heights.to_vec(), radii.clone(), 1.0).unwrap();
+        let wanted = Statistics::of(&set(&near));
+        let (relative, origin) = set(&far).near_zero();
+        assert_eq!(origin, 1.0);
+        assert_eq!(relative, set(&near));
+        assert_eq!(set(&near).near_zero(), (set(&near), 0.0));
+        let found = Statistics::of(&set(&far));
+        let close = |found: f64, wanted: f64| assert!((found - wanted).abs() <= 2e-15 * wanted.abs());
+        close(found.sigma, wanted.sigma);
+        close(found.kurtosis.unwrap(), wanted.kurtosis.unwrap());
+        assert!((found.skewness.unwrap() - wanted.skewness.unwrap()).abs() < 2e-15);
+        assert!(
+            (found.height_radius_correlation.unwrap() - wanted.height_radius_correlation.unwrap()).abs()
+                < 2e-15
+        );
     }
 }

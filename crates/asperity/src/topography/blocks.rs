@@ -20,6 +20,9 @@ pub struct CorrelationLengths {
 }
 
 impl CorrelationLengths {
+    /// Of heights whose correlation does not decay.
+    pub const NONE: Self = Self { lengths: [f64::INFINITY; 2] };
+
     /// The lags at which `autocorrelation` has decayed to 0.2 along x and y.
     pub fn of(autocorrelation: &Autocorrelation) -> Self {
         let decay = |points: &[(f64, f64)]| {

@@ -4,10 +4,11 @@ use std::f64::consts::{PI, TAU};
 
 use asperity_fft::Complex;
 
-use super::fourier::{analyse, columns, synthesise, weight};
+use super::fourier::{analyse, change_waves, columns, weight, with_small_factors};
 use super::spectrum::GridSpectrum;
 use super::{Boundary, HeightMap, Rows};
 use crate::numeric::parallel::{self, for_each_row};
+use crate::progress::{Progress, Silent};
 
 /// Radially averaged power spectral density C(q), normalised so that its integral over the plane of wave vectors is the
 /// variance of the heights.
@@ -74,6 +75,11 @@ impl RadialSpectrum {
     /// The spectrum of a map about its `mean` (m). A Hann window is applied to an open map; missing points are replaced
     /// by the mean.
     pub fn of(map: HeightMap, mean: f64) -> Self {
+        Self::watched(map, mean, &Silent)
+    }
+
+    /// [`Self::of`] with progress: one unit of work.
+    pub fn watched(map: HeightMap, mean: f64, progress: &dyn Progress) -> Self {
         let points = map.points();
         let rings = Rings::new(points, map.pixel());
         let window = [0, 1].map(|axis| match map.boundary() {
@@ -90,7 +96,8 @@ impl RadialSpectrum {
         let count = (points[0] * points[1]) as f64;
         let power = window.map(|w| w.iter().map(|w| w * w).sum::<f64>() / w.len() as f64);
         let unit = count * count * power[0] * power[1];
-        let columns = analyse(heights, points, |j, waves| rings.column(j, |i| waves[i].norm_sqr() / unit));
+        let ring = |j: usize, waves: &[Complex<f64>]| rings.column(j, |i| waves[i].norm_sqr() / unit);
+        let columns = analyse(heights, points, ring, progress);
         rings.spectrum(columns)
     }
 
@@ -148,6 +155,11 @@ impl Autocorrelation {
     /// The autocorrelation of the present points, about their `mean` (m). On an open map only pairs of points within
     /// the map are included. `None` for a flat map.
     pub fn of(map: &HeightMap, mean: f64) -> Option<Self> {
+        Self::watched(map, mean, &Silent)
+    }
+
+    /// [`Self::of`] with progress: two units of work, four on a map with missing points.
+    pub fn watched(map: &HeightMap, mean: f64, progress: &dyn Progress) -> Option<Self> {
         let points = map.points();
         let boundary = map.boundary();
         let padded = match boundary {
@@ -155,9 +167,9 @@ impl Autocorrelation {
             // Zero padding: lags up to half of the map do not wrap around.
             Boundary::Open => points.map(|count| with_small_factors(count + count / 2 + 1)),
         };
-        let products = pairs(map.embedded(padded, |z| z - mean), padded);
+        let products = pairs(map.embedded(padded, |z| z - mean), padded, progress);
         let has_holes = map.heights().iter().any(|z| z.is_nan());
-        let counts = has_holes.then(|| pairs(map.embedded(padded, |_| 1.0), padded));
+        let counts = has_holes.then(|| pairs(map.embedded(padded, |_| 1.0), padded, progress));
         // Pairs along an axis at a lag that does not wrap around.
         let pairs_along = |axis: usize, place: usize| match boundary {
             Boundary::Periodic => points[axis],
@@ -194,31 +206,14 @@ impl Autocorrelation {
     }
 }
 
-/// The smallest multiple of 8 of at least `count` without a prime factor above 7, of which transforms are fastest.
-fn with_small_factors(count: usize) -> usize {
-    let is_fast = |&length: &usize| {
-        let rest = [2, 3, 5, 7].into_iter().fold(length, |mut rest, factor| {
-            while rest % factor == 0 {
-                rest /= factor;
-            }
-            rest
-        });
-        rest == 1
-    };
-    let first = count.next_multiple_of(8);
-    (first..).step_by(8).find(is_fast).unwrap_or(first)
-}
-
 /// Sums over all pairs of points of the products of their values, by lag around the border.
-fn pairs(field: Vec<f64>, points: [usize; 2]) -> Vec<f64> {
-    let powers = analyse(field, points, |_, waves| waves.iter().map(|w| w.norm_sqr()).collect::<Vec<f64>>());
-    let count = (points[0] * points[1]) as f64;
-    let fill = |j: usize, waves: &mut [Complex<f64>]| {
-        for (wave, power) in waves.iter_mut().zip(&powers[j]) {
-            *wave = Complex::new(*power, 0.0);
-        }
+fn pairs(mut field: Vec<f64>, points: [usize; 2], progress: &dyn Progress) -> Vec<f64> {
+    let scale = ((points[0] * points[1]) as f64).recip();
+    let power = |_: usize, waves: &mut [Complex<f64>]| {
+        waves.iter_mut().for_each(|wave| *wave = Complex::new(wave.norm_sqr(), 0.0));
     };
-    synthesise(points, fill, |_| count.recip())
+    change_waves(&mut field, points, scale, &power, progress);
+    field
 }
 
 /// The distance (m) at which the autocorrelation first decays to 0.2, in each of 180 directions over the half plane.

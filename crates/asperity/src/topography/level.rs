@@ -4,6 +4,7 @@ use nalgebra::{DMatrix, DVector};
 
 use super::HeightMap;
 use super::rows::{Boundary, Rows, Strip, first_present, strips};
+use crate::progress::Progress;
 
 /// The form to remove.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
@@ -19,6 +20,8 @@ pub enum Level {
     Plane,
     /// The least-squares polynomial of second degree.
     Quadratic,
+    /// The least-squares polynomial of third degree.
+    Cubic,
 }
 
 /// The present points do not determine the form: too few, or on a line.
@@ -27,7 +30,15 @@ pub enum Level {
 pub struct Undetermined(Level);
 
 /// Number of terms of the largest form.
-const TERMS: usize = 6;
+const TERMS: usize = 10;
+
+/// Powers of u and v in the terms, by degree.
+const POWERS: [(i32, usize); TERMS] =
+    [(0, 0), (1, 0), (0, 1), (2, 0), (1, 1), (0, 2), (3, 0), (2, 1), (1, 2), (0, 3)];
+
+/// Number of powers of v in a term, and in a product of two terms.
+const DEGREES: usize = 4;
+const PRODUCTS: usize = 7;
 
 impl Level {
     /// The name in specs and reports.
@@ -37,6 +48,7 @@ impl Level {
             Self::Mean => "mean",
             Self::Plane => "plane",
             Self::Quadratic => "quadratic",
+            Self::Cubic => "cubic",
         }
     }
 
@@ -46,6 +58,29 @@ impl Level {
             Self::Mean => 1,
             Self::Plane => 3,
             Self::Quadratic => 6,
+            Self::Cubic => 10,
+        }
+    }
+
+    /// The form with terms of the next higher degree; `None` beyond the highest.
+    pub const fn next(self) -> Option<Self> {
+        match self {
+            Self::None => Some(Self::Mean),
+            Self::Mean => Some(Self::Plane),
+            Self::Plane => Some(Self::Quadratic),
+            Self::Quadratic => Some(Self::Cubic),
+            Self::Cubic => None,
+        }
+    }
+
+    /// The form without the terms of the highest degree; `None` of nothing.
+    pub const fn previous(self) -> Option<Self> {
+        match self {
+            Self::None => None,
+            Self::Mean => Some(Self::None),
+            Self::Plane => Some(Self::Mean),
+            Self::Quadratic => Some(Self::Plane),
+            Self::Cubic => Some(Self::Quadratic),
         }
     }
 
@@ -112,14 +147,15 @@ impl Form {
             let u = self.coordinate(strip.first + k, 0);
             let row = strip.row(k as isize).unwrap_or_default();
             // In a row only v varies: powers of v are summed, those of u are factors.
-            let (mut powers, mut heights) = ([0.0; 5], [0.0; 3]);
+            let (mut powers, mut heights) = ([0.0; PRODUCTS], [0.0; DEGREES]);
             for (iy, z) in row.iter().enumerate().filter(|(_, z)| !z.is_nan()) {
                 let v = self.coordinate(iy, 1);
                 let (z, v2) = (z - self.origin, v * v);
-                for (sum, term) in powers.iter_mut().zip([1.0, v, v2, v2 * v, v2 * v2]) {
+                let v3 = v2 * v;
+                for (sum, term) in powers.iter_mut().zip([1.0, v, v2, v3, v2 * v2, v2 * v3, v3 * v3]) {
                     *sum += term;
                 }
-                for (sum, term) in heights.iter_mut().zip([z, z * v, z * v2]) {
+                for (sum, term) in heights.iter_mut().zip([z, z * v, z * v2, z * v3]) {
                     *sum += term;
                 }
             }
@@ -134,11 +170,15 @@ impl Form {
             return;
         }
         let u = self.coordinate(ix, 0);
-        let [c, cu, cv, cuu, cuv, cvv] = self.coefficients;
-        let (start, slope) = (c + cu * u + cuu * u * u, cv + cuv * u);
+        // In a row it is a polynomial of v.
+        let mut along = [0.0; DEGREES];
+        for ((power_u, power_v), coefficient) in POWERS.into_iter().zip(self.coefficients) {
+            along[power_v] += coefficient * u.powi(power_u);
+        }
+        let [c, cv, cvv, cvvv] = along;
         for (iy, z) in row.iter_mut().enumerate() {
             let v = self.coordinate(iy, 1);
-            *z = (*z - self.origin) - (start + v * (slope + cvv * v));
+            *z = (*z - self.origin) - (c + v * (cv + v * (cvv + v * cvvv)));
         }
     }
 }
@@ -168,9 +208,18 @@ impl Rows for Levelled<'_> {
         self.map.boundary()
     }
 
+    /// Every form includes the mean, and with it the offset.
+    fn offset(&self) -> f64 {
+        if self.form.terms == 0 { self.map.offset() } else { 0.0 }
+    }
+
     fn read(&self, ix: usize, row: &mut [f64]) {
         self.map.read(ix, row);
         self.form.subtract(ix, row);
+    }
+
+    fn progress(&self) -> &dyn Progress {
+        self.map.progress()
     }
 
     fn block(&self, rows: std::ops::Range<usize>) -> Option<&[f64]> {
@@ -196,12 +245,9 @@ struct Normal {
     right: [f64; TERMS],
 }
 
-/// Powers of u and v in the terms 1, u, v, u^2, u v, v^2.
-const POWERS: [(i32, usize); TERMS] = [(0, 0), (1, 0), (0, 1), (2, 0), (1, 1), (0, 2)];
-
 impl Normal {
     /// Adds a row at `u`, from its sums of powers of v and of heights times powers of v.
-    fn add(&mut self, u: f64, powers: [f64; 5], heights: [f64; 3]) {
+    fn add(&mut self, u: f64, powers: [f64; PRODUCTS], heights: [f64; DEGREES]) {
         for (i, (ui, vi)) in POWERS.into_iter().enumerate() {
             for (j, (uj, vj)) in POWERS.into_iter().enumerate() {
                 self.matrix[i][j] += u.powi(ui + uj) * powers[vi + vj];
@@ -240,6 +286,10 @@ mod tests {
         let bowl = map(|x, y| 5.0 + 0.3 * x - 0.7 * y + 0.01 * x * x - 0.02 * x * y + 0.05 * y * y);
         assert!(largest(&Level::Plane.apply(&plane).unwrap()) < 1e-12);
         assert!(largest(&Level::Quadratic.apply(&bowl).unwrap()) < 1e-12);
+        let saddle =
+            map(|x, y| bowl.heights()[(x * 30.0 + y) as usize] + 1e-3 * (x * x * y - 2.0 * y * y * y));
+        assert!(largest(&Level::Cubic.apply(&saddle).unwrap()) < 1e-11);
+        assert!(largest(&Level::Quadratic.apply(&saddle).unwrap()) > 1.0);
         assert!(largest(&Level::Plane.apply(&bowl).unwrap()) > 1.0);
         assert!(largest(&Level::Mean.apply(&plane).unwrap()) > 1.0);
         assert_eq!(Level::None.apply(&bowl).unwrap(), bowl);
@@ -251,6 +301,18 @@ mod tests {
         let levelled = Level::Plane.apply(&holed).unwrap();
         assert_eq!(RoughnessParameters::of(&levelled).missing, RoughnessParameters::of(&holed).missing);
         assert!(largest(&levelled) < 1e-9);
+    }
+
+    /// Kept apart, an offset changes no digit of the heights; only without levelling is it still there.
+    #[test]
+    fn an_offset_goes_with_the_form_and_costs_no_digits() {
+        let near = map(|x, y| 1e-8 * (x * y).sin());
+        let far = near.clone().with_offset(1.0);
+        for level in [Level::Mean, Level::Plane, Level::Quadratic] {
+            assert_eq!(level.apply(&far).unwrap(), level.apply(&near).unwrap());
+        }
+        assert_eq!(Level::None.apply(&far).unwrap().offset(), 1.0);
+        assert_eq!(RoughnessParameters::of(&far), RoughnessParameters::of(&near));
     }
 
     #[test]

@@ -2,8 +2,9 @@
 //!
 //! | item | content |
 //! |---|---|
-//! | [`HeightMap`], [`Rows`] | heights in memory; heights row by row, for maps larger than memory |
+//! | [`HeightMap`], [`Rows`], [`Watched`] | heights in memory; heights row by row, for maps larger than memory; with progress |
 //! | [`read`] | measured maps, one file per format |
+//! | [`thumbnail`], [`Window`] | a coarse map of a map; a part of it |
 //! | [`Level`], [`Filter`] | removing the form; Gaussian S and L filters |
 //! | [`summits`] | summits and their curvatures |
 //! | [`RoughnessParameters`], [`Moments`], [`Drops`] | height and spectral moments, the autocorrelation at neighbours |
@@ -11,15 +12,18 @@
 //! | [`Blocks`] | division of a map into blocks that are long compared with its correlation length |
 //! | [`theory`] | the summits of a Gaussian surface of given spectral moments or autocorrelation |
 //! | [`Quantisation`] | height steps of the instrument |
+//! | [`fitness`] | whether a map may carry a verdict: spikes, form, lines, steps, resolution |
 //! | [`generate`], [`spectrum`] | random rough surfaces and their spectra |
 
 mod blocks;
 mod correlation;
 mod filter;
+pub mod fitness;
 mod fourier;
 pub mod generate;
 mod height_transform;
 mod level;
+mod part;
 mod quantisation;
 pub mod read;
 mod roughness;
@@ -41,9 +45,10 @@ pub use blocks::{BLOCK_LENGTHS, Blocks, CorrelationLengths, MIN_BLOCKS, TooSmall
 pub use correlation::{Autocorrelation, RadialSpectrum};
 pub use filter::{Filter, FilterError};
 pub use level::{Form, Level, Levelled, Undetermined};
+pub use part::{Window, thumbnail};
 pub use quantisation::Quantisation;
 pub use roughness::{Drops, Moments, RoughnessParameters};
-pub use rows::{Boundary, Rows, Strip, strips};
+pub use rows::{Boundary, Rows, Strip, Watched, strips};
 
 /// Heights on a rectangular grid. A missing point is NaN.
 #[derive(Debug, Clone, PartialEq)]
@@ -53,6 +58,7 @@ pub struct HeightMap {
     heights: Vec<f64>,
     precision: f64,
     boundary: Boundary,
+    offset: f64,
 }
 
 /// Values that form no valid map.
@@ -102,7 +108,7 @@ impl HeightMap {
         if heights.iter().all(|z| z.is_nan()) {
             return Err(MapError::AllMissing);
         }
-        Ok(Self { points, pixel, heights, precision, boundary: Boundary::Open })
+        Ok(Self { points, pixel, heights, precision, boundary: Boundary::Open, offset: 0.0 })
     }
 
     /// Checks a grid of `points` at a distance of `pixel` (m).
@@ -123,8 +129,29 @@ impl HeightMap {
     pub fn of(map: &dyn Rows) -> Self {
         let points = map.points();
         let mut heights = zeros(points[0] * points[1]);
-        for_each_row(&mut heights, points[1], &|ix, row| map.read(ix, row));
-        Self { points, pixel: map.pixel(), heights, precision: map.precision(), boundary: map.boundary() }
+        for_each_row(&mut heights, points[1], &|ix, row| {
+            map.read(ix, row);
+            map.progress().advance((points[0] as f64).recip());
+        });
+        Self::like(map, heights)
+    }
+
+    /// Other heights (m) on the grid of `map`.
+    fn like(map: &dyn Rows, heights: Vec<f64>) -> Self {
+        Self {
+            points: map.points(),
+            pixel: map.pixel(),
+            heights,
+            precision: map.precision(),
+            boundary: map.boundary(),
+            offset: map.offset(),
+        }
+    }
+
+    /// The same heights, relative to a height of `offset` (m) that is kept apart.
+    #[must_use]
+    pub fn with_offset(self, offset: f64) -> Self {
+        Self { offset, ..self }
     }
 
     /// The same map with periodic boundaries.
@@ -143,7 +170,7 @@ impl HeightMap {
         self.pixel
     }
 
-    /// Heights, m, the y index running fastest; NaN where missing.
+    /// Heights, m, relative to [`Rows::offset`], the y index running fastest; NaN where missing.
     pub fn heights(&self) -> &[f64] {
         &self.heights
     }
@@ -159,7 +186,9 @@ impl HeightMap {
     /// # Errors
     /// A file that cannot be written.
     pub fn write_npy(&self, path: &Path) -> io::Result<()> {
-        npy::write(File::create(path)?, self.points, self.heights.iter().copied())
+        // The sum would lose the sign of zeros.
+        let absolute = |&z: &f64| if self.offset == 0.0 { z } else { z + self.offset };
+        npy::write(File::create(path)?, self.points, self.heights.iter().map(absolute))
     }
 
     /// `of(height)` on a grid of at least as many `points`; zero where a height is missing.
@@ -172,11 +201,6 @@ impl HeightMap {
             }
         });
         field
-    }
-
-    /// The same map with other heights.
-    fn with_heights(&self, heights: Vec<f64>) -> Self {
-        Self { heights, ..*self }
     }
 }
 
@@ -195,6 +219,10 @@ impl Rows for HeightMap {
 
     fn boundary(&self) -> Boundary {
         self.boundary
+    }
+
+    fn offset(&self) -> f64 {
+        self.offset
     }
 
     fn read(&self, ix: usize, row: &mut [f64]) {

@@ -21,15 +21,12 @@ pub struct Quantisation {
     pub median_drop: f64,
 }
 
-/// Fewer distinct curvatures indicate quantisation.
-const FEW_CURVATURES: usize = 100;
-
-/// A step above this fraction of the median drop affects the summits.
-const COARSE_STEP: f64 = 1.0 / 3.0;
-
 impl Quantisation {
-    /// Analyses the raw heights of `map` and the summits found on it after levelling.
-    pub fn of(map: &dyn Rows, summits: &Summits) -> Self {
+    /// Fewer distinct curvatures indicate quantisation.
+    pub const FEW_CURVATURES: usize = 100;
+
+    /// Analyses the raw heights of `map` and the summits found on it after levelling and, if it `is_filtered`, filtering.
+    pub fn of(map: &dyn Rows, summits: &Summits, is_filtered: bool) -> Self {
         let mut heights = sample(map);
         heights.par_sort_unstable_by(f64::total_cmp);
         let points = heights.len();
@@ -42,9 +39,9 @@ impl Quantisation {
         curvatures.par_sort_unstable_by(f64::total_cmp);
         let [dx, dy] = map.pixel();
         let noise = match step {
-            // On a lattice curvatures are multiples of half a step over a squared pixel.
-            Some(step) => 0.01 * step / (dx * dx).max(dy * dy),
-            None => 2.0 * rounding * (1.0 / (dx * dx) + 1.0 / (dy * dy)),
+            // On a lattice curvatures are multiples of half a step over a squared pixel; a filter leaves no lattice.
+            Some(step) if !is_filtered => 0.01 * step / (dx * dx).max(dy * dy),
+            _ => 2.0 * rounding * (1.0 / (dx * dx) + 1.0 / (dy * dy)),
         };
         let mut drops = summits.drops.clone();
         drops.par_sort_unstable_by(f64::total_cmp);
@@ -57,14 +54,9 @@ impl Quantisation {
         }
     }
 
-    /// Whether the step exceeds a third of the median drop from a summit to its neighbours.
-    pub fn has_coarse_step(&self) -> bool {
-        self.step.is_some_and(|step| step > COARSE_STEP * self.median_drop)
-    }
-
     /// Whether the curvatures of the summits take fewer than 100 values, each on average at least twice.
     pub fn has_few_curvatures(&self) -> bool {
-        self.distinct_curvatures < FEW_CURVATURES && self.summits >= 2 * self.distinct_curvatures
+        self.distinct_curvatures < Self::FEW_CURVATURES && self.summits >= 2 * self.distinct_curvatures
     }
 }
 
@@ -133,7 +125,7 @@ mod tests {
             })
             .collect();
         let map = HeightMap::new(points, [1e-6; 2], heights, precision).unwrap();
-        Quantisation::of(&map, &five_point(&map))
+        Quantisation::of(&map, &five_point(&map), false)
     }
 
     #[test]
@@ -141,7 +133,7 @@ mod tests {
         for points in [[5, 5], [8, 9], [30, 30], [300, 200]] {
             let found = analyse(points, None, f64::EPSILON);
             assert_eq!(found.step, None, "{points:?}");
-            assert!(!found.has_coarse_step() && !found.has_few_curvatures(), "{points:?}: {found:?}");
+            assert!(!found.has_few_curvatures(), "{points:?}: {found:?}");
         }
     }
 
@@ -151,7 +143,6 @@ mod tests {
             for step in [0.8, 0.13] {
                 let found = analyse([200, 150], Some(step), precision);
                 assert!((found.step.unwrap() / (step * 1e-7) - 1.0).abs() < 1e-4, "{found:?}");
-                assert_eq!(found.has_coarse_step(), step == 0.8);
                 assert_eq!(found.has_few_curvatures(), step == 0.8);
             }
         }
@@ -161,6 +152,6 @@ mod tests {
     fn fine_steps_do_no_harm() {
         let found = analyse([200, 150], Some(1e-3), f64::EPSILON);
         assert!((found.step.unwrap() / 1e-10 - 1.0).abs() < 1e-6);
-        assert!(!found.has_coarse_step() && !found.has_few_curvatures(), "{found:?}");
+        assert!(!found.has_few_curvatures(), "{found:?}");
     }
 }

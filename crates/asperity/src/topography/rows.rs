@@ -3,9 +3,11 @@
 use std::ops::Range;
 use std::sync::{Mutex, PoisonError};
 
+use pulp::{Simd, WithSimd};
 use rayon::prelude::*;
 
 use crate::numeric::parallel::Results;
+use crate::progress::{Progress, Silent};
 
 /// The boundary condition of a map.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -31,12 +33,64 @@ pub trait Rows: Sync {
     /// The boundary condition.
     fn boundary(&self) -> Boundary;
 
+    /// A height (m) that all heights are relative to: kept apart, so that it costs them no digits.
+    fn offset(&self) -> f64 {
+        0.0
+    }
+
     /// Writes the heights (m) at the x index `ix` to `row`, in the order of y.
     fn read(&self, ix: usize, row: &mut [f64]);
+
+    /// Whoever watches the passes over the map. A pass is one unit of work.
+    fn progress(&self) -> &dyn Progress {
+        &Silent
+    }
 
     /// The heights of contiguous rows, if they are in memory.
     fn block(&self, _rows: Range<usize>) -> Option<&[f64]> {
         None
+    }
+}
+
+/// A map whose passes are watched.
+pub struct Watched<'a> {
+    /// The map.
+    pub map: &'a dyn Rows,
+    /// Whoever watches.
+    pub progress: &'a dyn Progress,
+}
+
+impl Rows for Watched<'_> {
+    fn points(&self) -> [usize; 2] {
+        self.map.points()
+    }
+
+    fn pixel(&self) -> [f64; 2] {
+        self.map.pixel()
+    }
+
+    fn precision(&self) -> f64 {
+        self.map.precision()
+    }
+
+    fn boundary(&self) -> Boundary {
+        self.map.boundary()
+    }
+
+    fn offset(&self) -> f64 {
+        self.map.offset()
+    }
+
+    fn read(&self, ix: usize, row: &mut [f64]) {
+        self.map.read(ix, row);
+    }
+
+    fn progress(&self) -> &dyn Progress {
+        self.progress
+    }
+
+    fn block(&self, rows: Range<usize>) -> Option<&[f64]> {
+        self.map.block(rows)
     }
 }
 
@@ -81,7 +135,12 @@ pub fn strips<T: Send + Sync>(rows: &dyn Rows, halo: usize, part: impl Fn(Strip)
 }
 
 fn for_each_strip(rows: &dyn Rows, halo: usize, indices: Range<usize>, task: &(dyn Fn(usize, Strip) + Sync)) {
-    let strip_of = |buffer: &mut Vec<f64>, index| task(index, strip(rows, halo, index, buffer));
+    let strip_of = |buffer: &mut Vec<f64>, index| {
+        let strip = strip(rows, halo, index * STRIP, STRIP, buffer);
+        let part = strip.count as f64 / rows.points()[0] as f64;
+        task(index, strip);
+        rows.progress().advance(part);
+    };
     indices.into_par_iter().for_each_init(Vec::new, strip_of);
 }
 
@@ -116,17 +175,41 @@ pub fn strips_in_turn<T: Send + Default>(
     take_all(&mut filled);
 }
 
+/// Computes `values`, one for each point of a map, by strips of `size` rows with a halo as in [`strips`]: `task` writes
+/// those of a strip.
+pub fn fill_strips(
+    rows: &dyn Rows,
+    halo: usize,
+    size: usize,
+    values: &mut [f64],
+    task: &(dyn Fn(Strip, &mut [f64]) + Sync),
+) {
+    values.par_chunks_mut(size * rows.points()[1]).enumerate().for_each_init(
+        Vec::new,
+        |buffer, (index, values)| {
+            let part = values.len() as f64 / (rows.points()[0] * rows.points()[1]) as f64;
+            task(strip(rows, halo, index * size, size, buffer), values);
+            rows.progress().advance(part);
+        },
+    );
+}
+
 /// Number of strips of a map.
 fn count(rows: &dyn Rows) -> usize {
     rows.points()[0].div_ceil(STRIP)
 }
 
-/// The strip `index` of a map, read into `buffer` unless it is in memory.
-fn strip<'a>(rows: &'a dyn Rows, halo: usize, index: usize, buffer: &'a mut Vec<f64>) -> Strip<'a> {
+/// The strip of at most `size` rows from `first` on, read into `buffer` unless it is in memory.
+fn strip<'a>(
+    rows: &'a dyn Rows,
+    halo: usize,
+    first: usize,
+    size: usize,
+    buffer: &'a mut Vec<f64>,
+) -> Strip<'a> {
     let [nx, columns] = rows.points();
     let is_periodic = rows.boundary() == Boundary::Periodic;
-    let first = index * STRIP;
-    let count = STRIP.min(nx - first);
+    let count = size.min(nx - first);
     let inside = first.saturating_sub(halo)..nx.min(first + count + halo);
     let is_whole = inside.len() == count + 2 * halo;
     let range = if is_periodic {
@@ -159,6 +242,18 @@ pub fn first_present(map: &dyn Rows) -> f64 {
             row.iter().copied().find(|z| !z.is_nan())
         })
         .unwrap_or_default()
+}
+
+/// Whether a row has no missing point.
+pub struct IsWhole<'a>(pub &'a [f64]);
+
+impl WithSimd for IsWhole<'_> {
+    type Output = bool;
+
+    #[inline(always)]
+    fn with_simd<S: Simd>(self, _: S) -> bool {
+        count_missing(self.0) == 0
+    }
 }
 
 /// Number of missing points of a row.

@@ -10,6 +10,7 @@ use crate::memory::zeros;
 use crate::numeric::is_positive;
 use crate::numeric::parallel::for_each_row;
 use crate::numeric::power::Power;
+use crate::progress::Silent;
 
 /// The smallest number of correlation lengths along each side of a map: about a hundred independent patches.
 const LENGTHS_ACROSS: f64 = 10.0;
@@ -257,7 +258,7 @@ fn roots(correlation: Vec<f64>, points: [usize; 2]) -> Vec<f64> {
     let column = |_, column: &[Complex<f64>]| -> Vec<f64> {
         column.iter().map(|wave| wave.re.max(0.0).sqrt()).collect()
     };
-    analyse(correlation, points, column).concat()
+    analyse(correlation, points, column, &Silent).concat()
 }
 
 impl Lay {
@@ -337,6 +338,7 @@ impl GridSpectrum {
                 weight(points, j) * total
             },
             |totals| totals.iter().sum::<f64>().recip(),
+            &Silent,
         );
         for_each_row(&mut correlation, points[1], &|_, row| {
             row.iter_mut().for_each(|rho| *rho = inverse.of(*rho));
@@ -400,7 +402,7 @@ mod tests {
                 *wave = Complex::new(deviation * deviation, 0.0);
             }
         };
-        synthesise(points, fill, |_| ((points[0] * points[1]) as f64).recip())
+        synthesise(points, fill, |_| ((points[0] * points[1]) as f64).recip(), &Silent)
     }
 
     /// Up to the longest correlation length that a map may have, the grid's autocorrelation is the prescribed one,

@@ -3,6 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use asperity::npy::NpyError;
+use asperity::progress::Silent;
 use asperity::topography::read::{ReadOptions, height_map, metadata, rows};
 use asperity::topography::{RoughnessParameters, Rows};
 use asperity::{AsperityList, Ellipse, ListColumn, ListError, ListOptions, npy};
@@ -298,11 +299,11 @@ fn a_map_is_the_same_row_by_row_and_as_a_whole() {
     for fortran in [false, true] {
         let (_folder, path) = file("map.npy", &array("<i2", fortran, "(3, 4)", &data));
         let in_metres = ReadOptions { pixel, unit: None };
-        for error in [height_map(&path, in_metres).err(), rows(&path, in_metres).err()] {
+        for error in [height_map(&path, in_metres).err(), rows(&path, in_metres, &Silent).err()] {
             assert!(error.unwrap().to_string().contains("holds a height of 1.21e2 m"));
         }
         let given = ReadOptions { pixel, unit: Some(1e-9) };
-        let (whole, rows) = (height_map(&path, given).unwrap(), rows(&path, given).unwrap());
+        let (whole, rows) = (height_map(&path, given).unwrap(), rows(&path, given, &Silent).unwrap());
         assert_eq!((whole.points(), whole.pixel()), (rows.points(), rows.pixel()));
         // Whole numbers are exact, scaled ones are rounded.
         assert_eq!((whole.precision(), rows.precision()), (f64::EPSILON, f64::EPSILON));

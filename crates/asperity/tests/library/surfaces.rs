@@ -1,6 +1,7 @@
 //! Random surfaces and their summits, against theory and for consistency.
 
 use asperity::distribution::{Johnson, Weibull};
+use asperity::progress::Silent;
 use asperity::topography::generate::{
     Plateau, Process, Seeds, SigmaOf, SpectrumOf, SurfaceGenerator, Target, TargetGenerator, Unreachable,
     gaussian,
@@ -395,7 +396,7 @@ fn the_same_bits_on_any_number_of_threads() {
 fn a_mapped_file_gives_the_same_summits_as_the_map_in_memory() {
     let path = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("../../experiments/surfaces/opd-1.npy");
     let given = ReadOptions { pixel: Some([2e-7, 3e-7]), unit: Some(1e-3) };
-    let mapped = read::rows(&path, given).unwrap();
+    let mapped = read::rows(&path, given, &Silent).unwrap();
     let whole = read::height_map(&path, given).unwrap();
     assert!(mapped.block(0..1).is_none() && whole.block(0..1).is_some(), "one of them is in memory");
     let [rows, map]: [Levelled; 2] =

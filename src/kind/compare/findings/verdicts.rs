@@ -1,6 +1,6 @@
 //! Verdicts on one surface under one law and thickness.
 
-use asperity::compare::{Accepted, Comparison, Difference, Stretch, ValidRange};
+use asperity::compare::{Accepted, Comparison, Difference, Stretch, ValidRange, Verdict};
 
 use crate::kind::compare::answers::RealisationResults;
 use crate::surface::{Independence, Surface};
@@ -23,6 +23,8 @@ pub struct Verdicts {
     pub over_independent: Option<f64>,
     /// Nominal area of one realisation, m^2.
     pub area: f64,
+    /// Whether a failed fitness check of the surface keeps it from carrying a verdict.
+    pub is_blocked: bool,
 }
 
 /// What 95 % intervals rest on.
@@ -89,6 +91,7 @@ impl Verdicts {
             basis: Basis::of(surface, realisations.len()),
             over_independent: over_independent(&differences),
             area: surface.set.nominal_area(),
+            is_blocked: surface.is_blocked(),
             differences,
         }
     }
@@ -102,6 +105,11 @@ fn of_one_model(comparison: &Comparison) -> ValidRange {
 }
 
 impl Verdicts {
+    /// A verdict as tables name it; `blocked` on a surface that may not carry one.
+    pub fn name(&self, verdict: Verdict) -> &'static str {
+        if self.is_blocked { "blocked" } else { verdict.name() }
+    }
+
     /// The area (m^2) of surface at which a stretch that cannot be told would be, where that can be said.
     pub fn area_needed(&self, stretch: &Stretch) -> Option<f64> {
         let now = match self.basis {

@@ -8,17 +8,41 @@ use asperity_framework::report::page::Page;
 
 use super::figures::{self, at_equal_load};
 use super::names::{stem, subject};
+use super::single_load::is_single;
 use crate::kind::compare::results::{CompareResults, SurfaceResults};
 
 /// Results of both models under one law.
 pub fn answers(page: &mut Page, results: &CompareResults, found: &SurfaceResults, index: usize) {
     let case = &found.first.cases[index];
-    let (modulus, comparison) = (results.contact.reduced_modulus, &case.comparison);
-    let stem = stem(found, &case.law);
+    let comparison = &case.comparison;
     page.heading(2, &format!("{}: results", subject(results, found, &case.law)));
     if let Some(index) = case.plasticity_index {
         page.paragraph(&format!("Plasticity index ψ = (E*/H)(σ/R)^½ = {}.", number(index)));
     }
+    // A figure of one point shows less than the tables.
+    if !is_single(comparison) {
+        curves(page, results, found, index);
+    }
+    realisations(page, found, index);
+    let pairs = of_each_decade(at_equal_load(comparison), |pair| pair.target, STEPS);
+    if !pairs.is_empty() {
+        page.paragraph(if found.others.is_empty() {
+            "Both models at equal load:"
+        } else {
+            "Both models at equal load, first realisation:"
+        });
+        let area = found.surface.set.nominal_area();
+        page.table(LOAD_TABLE, pairs.iter().map(|pair| load_row(pair)));
+        page.table(CONTACT_TABLE, pairs.iter().map(|pair| contact_row(pair, area)));
+        page.paragraph("\\* Beyond the valid range.");
+    }
+}
+
+/// The figures of the curves over load.
+fn curves(page: &mut Page, results: &CompareResults, found: &SurfaceResults, index: usize) {
+    let case = &found.first.cases[index];
+    let (modulus, comparison) = (results.contact.reduced_modulus, &case.comparison);
+    let stem = stem(found, &case.law);
     let mut figure = |name: &str, caption: &str, svg: String| {
         page.figure(&format!("{stem}-{name}.svg"), svg, caption);
     };
@@ -42,19 +66,6 @@ pub fn answers(page: &mut Page, results: &CompareResults, found: &SurfaceResults
          valid range.",
         figures::regimes(comparison, valid, modulus),
     );
-    realisations(page, found, index);
-    let pairs = of_each_decade(at_equal_load(comparison), |pair| pair.target, STEPS);
-    if !pairs.is_empty() {
-        page.paragraph(if found.others.is_empty() {
-            "Both models at equal load:"
-        } else {
-            "Both models at equal load, first realisation:"
-        });
-        let area = found.surface.set.nominal_area();
-        page.table(LOAD_TABLE, pairs.iter().map(|pair| load_row(pair)));
-        page.table(CONTACT_TABLE, pairs.iter().map(|pair| contact_row(pair, area)));
-        page.paragraph("\\* Beyond the valid range.");
-    }
 }
 
 /// Scatter over several realisations, and the sampling error estimated from a single sum.

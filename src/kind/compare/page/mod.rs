@@ -7,6 +7,8 @@
 //! | `decreasing` | area or load that decreases with increasing indentation |
 //! | `layer` | results by layer thickness |
 //! | `readings` | σ and d read as those of the asperities or of the surface |
+//! | `robustness` | the verdicts under other treatments of a map |
+//! | `single_load` | the answer at one load, in N, Pa, nm and µm² |
 //! | `surface` | the surface, and the inputs of the statistical model |
 //! | `answers` | results of both models |
 //! | `limits` | limits of validity |
@@ -21,6 +23,8 @@ mod layer;
 mod limits;
 mod names;
 mod readings;
+mod robustness;
+mod single_load;
 mod surface;
 pub mod verdict;
 
@@ -30,6 +34,7 @@ pub use surface::surface;
 use crate::kind::compare::answers::CaseResults;
 use crate::kind::compare::findings::{CaseFindings, Verdicts};
 use crate::kind::compare::results::{CompareResults, SurfaceResults};
+use crate::surface::fitness;
 use asperity_framework::report::format::listed;
 use asperity_framework::report::page::{Page, escape};
 use asperity_framework::report::sections;
@@ -67,6 +72,7 @@ pub fn page(results: &CompareResults) -> Page {
     for series in &layered {
         page.bullets(series.summary_lines());
     }
+    single_load::answers(&mut page, results);
     sections::notes(&mut page, &results.metadata);
     sections::what_was_run(&mut page, &results.metadata, &results.contact);
     if let Some(layer) = &results.contact.layer {
@@ -91,7 +97,7 @@ pub fn page(results: &CompareResults) -> Page {
 
 /// The answer on one surface, a sentence for each law.
 fn headlines(results: &CompareResults, found: &SurfaceResults) -> Vec<String> {
-    let line = |(case, findings): (&CaseResults, &CaseFindings)| {
+    let line = |(index, (case, findings)): (usize, (&CaseResults, &CaseFindings))| {
         let verdicts = &findings.verdicts;
         let name = subject(results, found, &case.law);
         let has_pairs = !case.comparison.pairs.is_empty();
@@ -104,23 +110,27 @@ fn headlines(results: &CompareResults, found: &SurfaceResults) -> Vec<String> {
         } else if verdicts.differences.is_empty() {
             format!("one model was run, so that no models are compared. {}", verdict::range_line(verdicts))
         } else {
-            let sentence = verdict::headline(verdicts, found.surface.plane.sigma);
-            // Numbers of doubtful data decide nothing.
-            if found.surface.warnings.is_empty() {
-                sentence
-            } else {
-                format!("no conclusion until the warning above is resolved. As the data stand: {sentence}")
+            let mut sentence = verdict::headline(verdicts, found.surface.plane.sigma);
+            sentence.extend(robustness::sentence(found, index).map(|depends| format!(" {depends}")));
+            match &fitness::blocked_by(&found.surface)[..] {
+                [] => sentence,
+                faults => {
+                    format!(
+                        "no conclusion until the map is fit: {}. As the data stand: {sentence}",
+                        faults.join("; ")
+                    )
+                }
             }
         };
         format!("**{}**: {}", escape(&name), escape(&sentence))
     };
-    found.first.cases.iter().zip(&found.findings.cases).map(line).collect()
+    found.first.cases.iter().zip(&found.findings.cases).enumerate().map(line).collect()
 }
 
 /// The answer on one surface under every law: verdicts and the figure behind them.
 pub fn answer(page: &mut Page, results: &CompareResults, found: &SurfaceResults) {
     let sigma = found.surface.plane.sigma;
-    for (case, findings) in found.first.cases.iter().zip(&found.findings.cases) {
+    for (index, (case, findings)) in found.first.cases.iter().zip(&found.findings.cases).enumerate() {
         let verdicts = &findings.verdicts;
         if verdicts.differences.is_empty() {
             continue;
@@ -135,6 +145,9 @@ pub fn answer(page: &mut Page, results: &CompareResults, found: &SurfaceResults)
         ];
         lines.extend(verdict::stiffness_line(verdicts).map(|line| format!("{}: {line}", escape(&case.law))));
         page.bullets(lines);
+        if single_load::is_single(&case.comparison) {
+            continue;
+        }
         page.figure(
             &format!("{}-differences.svg", stem(found, &case.law)),
             differences::differences(verdicts),
@@ -143,6 +156,7 @@ pub fn answer(page: &mut Page, results: &CompareResults, found: &SurfaceResults)
                  the valid range; curves are cut at the edge of the panel."
             ),
         );
+        robustness::section(page, found, index, &name, &stem(found, &case.law));
     }
 }
 

@@ -107,7 +107,7 @@ fn what_was_run(page: &mut Page, results: &IndentationResults) {
         let roles: Vec<&str> = roles.into_iter().filter(|role| role.1).map(|role| role.0).collect();
         if roles.is_empty() { "not used".to_owned() } else { roles.join(", ") }
     };
-    sections::materials(page, &results.materials, role);
+    sections::materials(page, &results.metadata, &results.materials, role);
     let thickness = |found: &LayerResults| {
         format!(
             "{}, {} (effective-modulus model {})",

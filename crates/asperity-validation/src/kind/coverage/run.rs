@@ -48,7 +48,7 @@ impl CoverageResults {
 pub(super) fn run(context: &RunContext, plan: &CoveragePlan) -> Result<CoverageResults, InputError> {
     let start = Instant::now();
     let steps = plan.windows.maps * plan.cases.len();
-    context.progress.stage(context.title, steps as u64);
+    context.progress.stage("maps", steps as f64);
     let cases = plan.cases.iter().map(|case| of_case(context, plan, case));
     let cases: Vec<CaseCoverage> = cases.collect::<Result<_, _>>()?;
     let laws = std::slice::from_ref(&plan.law);
@@ -73,7 +73,7 @@ fn of_case(context: &RunContext, plan: &CoveragePlan, case: &CasePlan) -> Result
     let contact = &*plan.law.contact;
     let controls = case.process.controls(contact, &case.contacts).map_err(refuse)?;
     let task = WindowTask { contact, controls };
-    let done = || context.progress.advance(1);
+    let done = || context.progress.advance(1.0);
     let windows = windows_of(&case.process, &task, plan.windows.maps, done).map_err(refuse)?;
     let mut correlations: Vec<f64> = windows.iter().map(|window| window.correlation).collect();
     correlations.sort_by(f64::total_cmp);

@@ -67,7 +67,7 @@ pub struct CasePrecision {
 pub(super) fn run(context: &RunContext, all: &PrecisionPlan) -> Result<PrecisionResults, InputError> {
     let start = Instant::now();
     let mut timing = Timing::default();
-    context.progress.stage(context.title, all.steps());
+    context.progress.stage("errors and times", all.steps() as f64);
     let mut cases = Vec::new();
     for (name, population) in &all.cases {
         cases.push(case(context, all, name, population, &mut timing)?);
@@ -75,7 +75,7 @@ pub(super) fn run(context: &RunContext, all: &PrecisionPlan) -> Result<Precision
     let maps = Instant::now();
     let refuse = |error: &dyn std::fmt::Display| InputError::file(&context.source.path, error);
     let seed = |i, j, k| context.stream_seed(&format!("grid {i} {j} {k}"));
-    let grid = all.grid.as_ref().map(|task| maps_of(task, seed, |_| context.progress.advance(1)));
+    let grid = all.grid.as_ref().map(|task| maps_of(task, seed, |_| context.progress.advance(1.0)));
     let grid = grid.transpose().map_err(|error| refuse(&error))?;
     timing.generate = maps.elapsed();
     timing.total = start.elapsed();
@@ -117,33 +117,33 @@ fn case(
         integral = Some(found.ok_or_else(|| {
             refuse(&"the reference integral does not settle in 32 digits; allowed: numbers nearer to those of real surfaces")
         })?);
-        context.progress.advance(1);
+        context.progress.advance(1.0);
     }
     timing.statistical += start.elapsed();
     let start = Instant::now();
     let mut sums = Vec::new();
     if let Some(task) = &all.sum {
         let seed = |count| context.stream_seed(&format!("sum {name} {count}"));
-        sums = ways_on(contact, population, task, seed, |_| context.progress.advance(1))
+        sums = ways_on(contact, population, task, seed, |_| context.progress.advance(1.0))
             .map_err(|error| refuse(&error))?;
     }
     let seed = context.stream_seed(&format!("curve {name}"));
     let curve = all.curve.as_ref().map(|task| curves_of(contact, population, task, seed));
     let curve = curve.transpose().map_err(|error| refuse(&error))?;
     if curve.is_some() {
-        context.progress.advance(1);
+        context.progress.advance(1.0);
     }
     let seed = |count| context.stream_seed(&format!("list {name} {count}"));
     let lists = all
         .list
         .as_ref()
-        .map(|task| lists_of(contact, population, task, seed, |_| context.progress.advance(1)));
+        .map(|task| lists_of(contact, population, task, seed, |_| context.progress.advance(1.0)));
     let lists = lists.transpose().map_err(|error| refuse(&error))?.unwrap_or_default();
     let seed = |count, draw| context.stream_seed(&format!("sampling {name} {count} {draw}"));
     let sets = all
         .sampling
         .as_ref()
-        .map(|task| sets_of(contact, population, task, seed, |_| context.progress.advance(1)));
+        .map(|task| sets_of(contact, population, task, seed, |_| context.progress.advance(1.0)));
     let sampling = sets.transpose().map_err(|error| refuse(&error))?;
     timing.deterministic += start.elapsed();
     Ok(CasePrecision {

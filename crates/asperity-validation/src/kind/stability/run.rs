@@ -78,17 +78,20 @@ const PAPERS: [Paper; 5] = [
 
 pub(super) fn run(context: &RunContext, stability: &StabilityPlan) -> StabilityResults {
     let start = Instant::now();
-    context.progress.stage(context.title, Group::ALL.len() as u64 + 1);
+    context.progress.steps(Group::ALL.len() as u64 + 1);
     let seed = context.stream_seed("stability");
     let judge = |of: Group| {
-        let findings = group(of, stability.counts.of(of), seed, &stability.ranges);
-        context.progress.advance(1);
+        let count = stability.counts.of(of);
+        context.progress.stage(of.name(), count as f64);
+        let findings = group(of, count, seed, &stability.ranges, context.progress);
+        context.progress.step();
         findings
     };
     let groups = Group::ALL.map(judge).to_vec();
     let kinds = KindFindings::of_all(&groups);
-    let maps = maps(&stability.ranges, stability.cells);
-    context.progress.advance(1);
+    context.progress.stage("maps of the error", 1.0);
+    let maps = maps(&stability.ranges, stability.cells, context.progress);
+    context.progress.step();
     let papers = registry().iter().flat_map(ContactLaw::papers).chain(PAPERS);
     let timing = Timing { total: start.elapsed(), ..Timing::default() };
     let [_, not_covered] = CoveredLaw::coverage();

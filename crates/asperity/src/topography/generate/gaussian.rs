@@ -5,6 +5,7 @@ use rand::SeedableRng;
 use rand_chacha::ChaCha8Rng;
 use rand_distr::{Distribution, StandardNormal};
 
+use crate::progress::{Progress, Silent};
 use crate::topography::fourier::{synthesise, weight};
 use crate::topography::spectrum::GridSpectrum;
 
@@ -15,6 +16,16 @@ use crate::topography::spectrum::GridSpectrum;
 /// Each wave number along y has its own random stream, in which waves are drawn by increasing wave number along x: a
 /// map of the same size on a finer grid has the same long waves.
 pub fn gaussian(spectrum: &GridSpectrum, sigma: f64, seed: [u8; 32]) -> Vec<f64> {
+    watched(spectrum, sigma, seed, &Silent)
+}
+
+/// [`gaussian`] with progress: one unit of work.
+pub(super) fn watched(
+    spectrum: &GridSpectrum,
+    sigma: f64,
+    seed: [u8; 32],
+    progress: &dyn Progress,
+) -> Vec<f64> {
     let points = spectrum.points();
     let draw = |j: usize, waves: &mut [Complex<f64>]| {
         let mut deviations = vec![0.0; waves.len()];
@@ -30,7 +41,7 @@ pub fn gaussian(spectrum: &GridSpectrum, sigma: f64, seed: [u8; 32]) -> Vec<f64>
         weight(points, j) * deviations.iter().map(|deviation| deviation * deviation).sum::<f64>()
     };
     let total = |variances: Vec<f64>| spectrum.mean_variance() + variances.iter().sum::<f64>();
-    synthesise(points, draw, |variances| sigma / total(variances).sqrt())
+    synthesise(points, draw, |variances| sigma / total(variances).sqrt(), progress)
 }
 
 fn normal(rng: &mut ChaCha8Rng) -> f64 {
@@ -91,7 +102,7 @@ mod tests {
         for number in 0..SEEDS {
             let mut seed = [7; 32];
             seed[..4].copy_from_slice(&number.to_le_bytes());
-            let waves = analyse(gaussian(&spectrum, 1.0, seed), points, |_, column| column.to_vec());
+            let waves = analyse(gaussian(&spectrum, 1.0, seed), points, |_, column| column.to_vec(), &Silent);
             for (sum, wave) in power.iter_mut().flatten().zip(waves.iter().flatten()) {
                 *sum += wave.norm_sqr() / f64::from(SEEDS);
             }

@@ -14,6 +14,7 @@ use super::{HeightMap, MapError};
 use crate::distribution::Heights;
 use crate::numeric::parallel::for_each_row;
 use crate::numeric::sum::{CHUNK, sum_of};
+use crate::progress::{Progress, Silent};
 
 /// A random process: a Gaussian surface whose heights are transformed to a distribution.
 #[derive(Debug, Clone, PartialEq)]
@@ -90,9 +91,21 @@ impl SurfaceGenerator {
     /// # Errors
     /// See [`MapError`].
     pub fn surface(&self, seeds: Seeds) -> Result<(HeightMap, Option<f64>), MapError> {
-        let mut heights = self.process.heights(self.points, self.pixel, seeds.process);
+        self.watched_surface(seeds, &Silent)
+    }
+
+    /// [`Self::surface`] with progress: one unit of work for each process.
+    ///
+    /// # Errors
+    /// See [`MapError`].
+    pub fn watched_surface(
+        &self,
+        seeds: Seeds,
+        progress: &dyn Progress,
+    ) -> Result<(HeightMap, Option<f64>), MapError> {
+        let mut heights = self.process.heights(self.points, self.pixel, seeds.process, progress);
         let share = self.plateau.as_ref().map(|plateau| {
-            let finer = plateau.process.heights(self.points, self.pixel, seeds.plateau);
+            let finer = plateau.process.heights(self.points, self.pixel, seeds.plateau, progress);
             let cut = AtomicUsize::new(0);
             for_each_row(&mut heights, CHUNK, &|k, heights| {
                 for (z, finer) in heights.iter_mut().zip(&finer[k * CHUNK..]) {
@@ -112,21 +125,33 @@ impl SurfaceGenerator {
 }
 
 impl Process {
-    fn heights(&self, points: [usize; 2], pixel: [f64; 2], seed: [u8; 32]) -> Vec<f64> {
+    fn heights(
+        &self,
+        points: [usize; 2],
+        pixel: [f64; 2],
+        seed: [u8; 32],
+        progress: &dyn Progress,
+    ) -> Vec<f64> {
         let mut spectrum = self.spectrum.on_grid(points, pixel);
         if self.heights != Heights::GAUSSIAN && self.of == SpectrumOf::Heights {
             spectrum = spectrum.before(&Distortion::new(&*self.heights));
         }
-        field(&spectrum, &self.heights, self.sigma, seed)
+        field(&spectrum, &self.heights, self.sigma, seed, progress)
     }
 }
 
 /// A Gaussian surface of a spectrum with its heights transformed to a distribution.
-fn field(spectrum: &GridSpectrum, heights: &Heights, sigma: f64, seed: [u8; 32]) -> Vec<f64> {
+fn field(
+    spectrum: &GridSpectrum,
+    heights: &Heights,
+    sigma: f64,
+    seed: [u8; 32],
+    progress: &dyn Progress,
+) -> Vec<f64> {
     if *heights == Heights::GAUSSIAN {
-        return gaussian(spectrum, sigma, seed);
+        return gaussian::watched(spectrum, sigma, seed, progress);
     }
-    let mut field = gaussian(spectrum, 1.0, seed);
+    let mut field = gaussian::watched(spectrum, 1.0, seed, progress);
     map_normals(&**heights, &mut field, sigma);
     centre(&mut field);
     field

@@ -7,10 +7,11 @@
 use super::field;
 use crate::asperity::{AsperitySet, SetError, Statistics};
 use crate::distribution::Heights;
+use crate::progress::{Progress, Silent};
 use crate::topography::roughness::Moments;
 use crate::topography::spectrum::{Lay, Spectrum, SpectrumError, SpectrumShape};
 use crate::topography::summits::{Detail, Neighbours, find};
-use crate::topography::{HeightMap, MapError};
+use crate::topography::{HeightMap, MapError, Watched};
 
 /// The heights that a prescribed standard deviation refers to.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -182,12 +183,18 @@ impl TargetGenerator {
         Spectrum::new(shape, self.lay)
     }
 
-    fn trial(&self, log_bandwidth: f64, seed: [u8; 32], sigma_of: SigmaOf) -> Result<Trial, Unreachable> {
+    fn trial(
+        &self,
+        log_bandwidth: f64,
+        seed: [u8; 32],
+        sigma_of: SigmaOf,
+        progress: &dyn Progress,
+    ) -> Result<Trial, Unreachable> {
         let spectrum = self.spectrum(log_bandwidth.exp(), 1.0)?;
         spectrum.check(self.points, [1.0; 2])?;
-        let heights = field(&spectrum.on_grid(self.points, [1.0; 2]), &self.heights, 1.0, seed);
+        let heights = field(&spectrum.on_grid(self.points, [1.0; 2]), &self.heights, 1.0, seed, progress);
         let map = HeightMap::new(self.points, [1.0; 2], heights, f64::EPSILON)?.periodic();
-        let summits = find(&map, self.neighbours, Detail::default());
+        let summits = find(&Watched { map: &map, progress }, self.neighbours, Detail::default());
         let radii = summits.curvatures.iter().map(|curvature| curvature.recip()).collect();
         let set = AsperitySet::new(summits.heights, radii, summits.tested as f64)?;
         let statistics = Statistics::of(&set);
@@ -210,10 +217,25 @@ impl TargetGenerator {
         seed: [u8; 32],
         first: Option<f64>,
     ) -> Result<Reached, Unreachable> {
+        self.watched_surface(target, seed, first, &Silent)
+    }
+
+    /// [`Self::surface`] with progress: a stage for each trial surface, since their number is not known before.
+    ///
+    /// # Errors
+    /// See [`Unreachable`].
+    pub fn watched_surface(
+        &self,
+        target: &Target,
+        seed: [u8; 32],
+        first: Option<f64>,
+        progress: &dyn Progress,
+    ) -> Result<Reached, Unreachable> {
         let mut tried = 0;
         let mut trial = |log_bandwidth: f64| {
             tried += 1;
-            self.trial(log_bandwidth, seed, target.sigma_of)
+            progress.stage(&format!("trial surface {tried}"), 2.0);
+            self.trial(log_bandwidth, seed, target.sigma_of, progress)
         };
         let [below, above] = match self.near(target, first, &mut trial)? {
             Some(bracket) => bracket,

@@ -56,6 +56,8 @@ pub struct Measured {
     /// Heights, the y index running fastest; in metres if the format stores its unit, otherwise in the unit of the
     /// file. Missing points are NaN.
     pub heights: Vec<f64>,
+    /// A height, in the same unit, that all are relative to.
+    pub offset: f64,
     /// Relative precision of the stored numbers; 0 for unscaled integers.
     pub precision: f64,
 }

@@ -25,9 +25,10 @@ use std::fs::File;
 use std::io::Read;
 use std::path::Path;
 
-use super::{HeightMap, MapError, Rows, rows};
+use super::{HeightMap, MapError, Rows, Watched, rows};
 use crate::npy::{self as array, Mapped};
 use crate::numeric::LARGEST;
+use crate::progress::Progress;
 pub use content::{Measured, Metadata, ReadOptions};
 use error::{FORMATS, MAX_HEIGHT};
 pub use error::{ReadError, ReadOptionsError};
@@ -100,19 +101,19 @@ pub fn measured(path: &Path) -> Result<Measured, ReadError> {
     }
 }
 
-/// Reads a map of heights in metres, with the pixel and unit of `options` if the format does not store them.
+/// Reads a map of heights in metres, relative to the offset of its file ([`Rows::offset`]), with the pixel and unit of `options` if the format does not store them.
 ///
 /// # Errors
 /// See [`ReadError`].
 pub fn height_map(path: &Path, options: ReadOptions) -> Result<HeightMap, ReadError> {
-    let Measured { metadata, mut heights, mut precision } = measured(path)?;
+    let Measured { metadata, mut heights, offset, mut precision } = measured(path)?;
     let pixel = metadata.pixel(&options)?;
     let unit = metadata.unit(&options);
     if unit != 1.0 {
         precision = precision.max(f64::EPSILON);
     }
     check_heights(&mut heights, unit, metadata.has_unit)?;
-    Ok(HeightMap::new(metadata.points, pixel, heights, precision)?)
+    Ok(HeightMap::new(metadata.points, pixel, heights, precision)?.with_offset(offset * unit))
 }
 
 /// Whether [`rows()`] leaves a map on disk: a `.npy` in C order.
@@ -123,18 +124,19 @@ pub fn stays_on_disk(path: &Path) -> Result<bool, ReadError> {
     Ok(Format::of(path)? == Format::Npy && !array::Header::read(path)?.is_fortran())
 }
 
-/// Opens a map for reading by rows. One that stays on disk ([`stays_on_disk`]) may be larger than memory.
+/// Opens a map for reading by rows. One that stays on disk ([`stays_on_disk`]) may be larger than memory; its heights are
+/// checked, one unit of work for `progress`.
 ///
 /// # Errors
 /// As [`height_map`].
-pub fn rows(path: &Path, options: ReadOptions) -> Result<Box<dyn Rows>, ReadError> {
+pub fn rows(path: &Path, options: ReadOptions, progress: &dyn Progress) -> Result<Box<dyn Rows>, ReadError> {
     if !stays_on_disk(path)? {
         return Ok(Box::new(height_map(path, options)?));
     }
     let metadata = npy::metadata(path)?;
     let array = Mapped::open(path)?;
     let map = MappedMap { array, pixel: metadata.pixel(&options)?, unit: metadata.unit(&options) };
-    check_rows(&map)?;
+    check_rows(&Watched { map: &map, progress })?;
     Ok(Box::new(map))
 }
 

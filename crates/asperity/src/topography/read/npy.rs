@@ -20,7 +20,7 @@ fn metadata_of(points: [usize; 2]) -> Metadata {
 /// Reads a map, in the unit of the file.
 pub(super) fn measured(path: &Path) -> Result<Measured, ReadError> {
     let Matrix { rows, columns, values, precision } = matrix(path)?;
-    Ok(Measured { metadata: metadata_of([rows, columns]), heights: values, precision })
+    Ok(Measured { metadata: metadata_of([rows, columns]), heights: values, offset: 0.0, precision })
 }
 
 /// A mapped array as a height map.

@@ -114,7 +114,7 @@ pub(super) fn measured(path: &Path) -> Result<Measured, ReadError> {
         *value = if marks_missing(stored, *value, greatest) { f64::NAN } else { *value * z_scale };
     }
     let heights = transposed(&values, metadata.points[0]);
-    Ok(Measured { metadata, heights, precision: stored.scaled_precision() })
+    Ok(Measured { metadata, heights, offset: 0.0, precision: stored.scaled_precision() })
 }
 
 /// The data, not yet read.

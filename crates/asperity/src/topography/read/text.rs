@@ -31,13 +31,13 @@ pub(super) fn measured(path: &Path) -> Result<Measured, ReadError> {
         }
         let metadata =
             Metadata { points: [columns, rows], pixel: None, has_unit: false, format: "a plain text" };
-        return Ok(Measured { metadata, heights: transposed(&values, columns), precision });
+        return Ok(Measured { metadata, heights: transposed(&values, columns), offset: 0.0, precision });
     };
     let points = [columns, rows];
     let pixel = [header.width / columns as f64, header.height / rows as f64];
     values.iter_mut().for_each(|z| *z *= header.unit);
     let metadata = Metadata { points, pixel: Some(pixel), has_unit: true, format: FORMAT };
-    Ok(Measured { metadata, heights: transposed(&values, columns), precision })
+    Ok(Measured { metadata, heights: transposed(&values, columns), offset: 0.0, precision })
 }
 
 /// The header of Gwyddion, in metres.

@@ -1,6 +1,6 @@
 //! X3P (ISO 25178-72): a zip archive of `main.xml` and usually a binary file of heights.
 //!
-//! A height is the stored number x Increment + Offset of the z axis, in metres, for all number types. A Rotation only
+//! A height is the stored number x Increment + Offset of the z axis, in metres, for all number types. The Offset is kept apart. A Rotation only
 //! places the map in space and is not applied. The archive and the XML are read with zip and roxmltree rather than
 //! verity-x3p 0.2, which ignores the Increment of floating-point heights and the file of valid points, allocates the
 //! size that an entry claims, and reads no heights from XML.
@@ -97,11 +97,12 @@ pub(super) fn measured(path: &Path) -> Result<Measured, ReadError> {
         }
     };
     for value in &mut values {
-        *value = *value * increment + offset;
+        *value *= increment;
     }
     Ok(Measured {
         metadata,
         heights: transposed(&values, metadata.points[0]),
+        offset,
         precision: stored.scaled_precision(),
     })
 }

@@ -52,7 +52,7 @@ pub(super) fn measured(values: &[f64], precision: f64) -> Result<Measured, ReadE
         has_unit: false,
         format: "a text of x, y and z",
     };
-    Ok(Measured { metadata, heights, precision })
+    Ok(Measured { metadata, heights, offset: 0.0, precision })
 }
 
 fn no_grid(found: &str) -> ReadError {

@@ -8,7 +8,7 @@ mod tests;
 
 use plateau::LevelPoint;
 
-use super::rows::{Boundary, Rows, Strip, count_missing, strips_in_turn};
+use super::rows::{Boundary, IsWhole, Rows, Strip, strips_in_turn};
 use crate::memory::reserve;
 
 /// The neighbours that a summit must be higher than.
@@ -334,18 +334,6 @@ impl WithSimd for Mark<'_> {
                     (z >= beside[0][i]) & (z >= beside[1][i]) & (z >= beside[2][i]) & (z >= beside[3][i]);
             }
         }
-    }
-}
-
-/// Whether a row has no missing point.
-struct IsWhole<'a>(&'a [f64]);
-
-impl WithSimd for IsWhole<'_> {
-    type Output = bool;
-
-    #[inline(always)]
-    fn with_simd<S: Simd>(self, _: S) -> bool {
-        count_missing(self.0) == 0
     }
 }
 

@@ -36,20 +36,20 @@ fn x3p_samples_hold_the_heights_they_were_made_of() {
         ("surface_xml", [200, 150], hole, 0.0, 2e-11),
         ("surface_int32_binary", [120, 90], (40..50, 30..36), 0.0, 3e-16),
         ("surface_int32_xml", [120, 90], (40..50, 30..36), 0.0, 3e-16),
-        ("surface_placed_binary", [120, 90], none.clone(), 1.0, 2e-16),
+        ("surface_placed_binary", [120, 90], none.clone(), 1.0, 1e-20),
         ("surface_extensions_binary", [100, 80], none, 0.0, 1e-13),
     ] {
         let path = sample(&format!("{name}.x3p"));
         assert_eq!(metadata(&path).unwrap().points, points);
         let map = height_map(&path, ReadOptions::default()).unwrap();
-        assert_eq!((map.points(), map.pixel()), (points, [1e-6; 2]));
+        assert_eq!((map.points(), map.pixel(), map.offset()), (points, [1e-6; 2], offset));
         assert_eq!(RoughnessParameters::of(&map).missing, missing.0.len() * missing.1.len(), "{name}");
         for (k, found) in map.heights().iter().enumerate() {
             let (ix, iy) = (k / points[1], k % points[1]);
             if missing.0.contains(&ix) && missing.1.contains(&iy) {
                 assert!(found.is_nan(), "{name} {ix} {iy}");
             } else {
-                let wanted = offset + wave(ix as f64 * 1e-6, iy as f64 * 1e-6);
+                let wanted = wave(ix as f64 * 1e-6, iy as f64 * 1e-6);
                 assert!((found - wanted).abs() <= digit, "{name} {ix} {iy}: {found} {wanted}");
             }
         }
@@ -121,9 +121,10 @@ fn x3p_of_every_data_type_scaled_and_moved() {
             let (_folder, path) = file(x3p.bytes());
             let map = height_map(&path, ReadOptions::default()).unwrap();
             assert_eq!((map.points(), map.pixel(), RoughnessParameters::of(&map).missing), ([NX, NY], PIXEL, 1));
+            assert_eq!(map.offset(), -2e-6);
             for (k, found) in map.heights().iter().enumerate() {
                 let wanted = z(k / NY, k % NY);
-                let near = (found + 2e-6 - wanted * 1e-9).abs() <= 1e-21;
+                let near = (found - wanted * 1e-9).abs() <= 1e-21;
                 assert!(near || wanted.is_nan() && found.is_nan(), "{k}: {found}");
             }
         )*};

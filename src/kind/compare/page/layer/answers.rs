@@ -1,5 +1,6 @@
 //! Results by thickness: figures and tables.
 
+use super::super::single_load::is_single;
 use super::{Series, depth, figures, is_valid_at};
 use asperity::Response;
 use asperity::compare::Kind;
@@ -10,14 +11,17 @@ impl Series<'_> {
     /// The figures and tables.
     pub fn answers(&self, page: &mut Page) {
         page.heading(2, &format!("{}: results", self.subject));
-        page.figure(
-            &format!("{}-layers.svg", self.stem),
-            figures::by_load(self),
-            &format!(
-                "Separation and real contact area against load, by layer thickness. {} Thin: beyond the valid range.",
-                self.lines_are()
-            ),
-        );
+        // A figure of one load shows less than the tables.
+        if !self.cases.iter().all(|case| is_single(&case.comparison)) {
+            page.figure(
+                &format!("{}-layers.svg", self.stem),
+                figures::by_load(self),
+                &format!(
+                    "Separation and real contact area against load, by layer thickness. {} Thin: beyond the valid range.",
+                    self.lines_are()
+                ),
+            );
+        }
         let loads = &self.findings.loads;
         if !self.found.others.is_empty() {
             page.paragraph("Figures, tables and conclusions by thickness are for the first realisation; the others are in `curves.csv`.");

@@ -15,6 +15,7 @@ mod words;
 pub use headline::{headline, over_cases};
 pub use range::{accepted_line, basis_line, limit_words, range_line, stiffness_line};
 pub use table::{by_case, stretches};
+pub use words::{loads, name, signed, verdict};
 
 #[cfg(test)]
 pub mod examples {
@@ -54,6 +55,7 @@ pub mod examples {
             basis,
             over_independent: Some(1.5),
             area: 1e-6,
+            is_blocked: false,
             differences,
         }
     }

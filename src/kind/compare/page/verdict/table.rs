@@ -15,7 +15,11 @@ pub fn stretches(page: &mut Page, verdicts: &Verdicts, sigma: f64) {
             loads(stretch.loads),
             largest(stretch),
             format!("±{}", accepted(stretch, sigma)),
-            verdict(stretch.verdict).to_owned(),
+            if verdicts.is_blocked {
+                format!("blocked ({})", verdict(stretch.verdict))
+            } else {
+                verdict(stretch.verdict).to_owned()
+            },
             // Where no load is valid, the need is that of one load, not of half of them.
             stretch.largest.map(|_| would_tell(stretch, verdicts)).unwrap_or_default(),
         ]

@@ -1,12 +1,14 @@
 //! Areal Gaussian filters (ISO 16610-61): an S filter removes wavelengths shorter than its nesting index, an L filter
 //! longer ones.
 
+mod direct;
+mod transform;
+
 use std::fmt;
 
-use asperity_fft::{Complex, FftDirection};
-
-use super::fourier::{analyse, synthesise};
-use super::{Boundary, HeightMap, Rows};
+use super::{HeightMap, Rows, Watched};
+use crate::memory::zeros;
+use crate::numeric::parallel::for_each_row;
 
 /// An S filter, an L filter, or both.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -52,6 +54,16 @@ impl Filter {
         }
     }
 
+    /// The S nesting index, m.
+    pub fn s(&self) -> Option<f64> {
+        self.s
+    }
+
+    /// The L nesting index, m.
+    pub fn l(&self) -> Option<f64> {
+        self.l
+    }
+
     /// Checks the filter for a map of `points` at a distance of `pixel` (m).
     ///
     /// # Errors
@@ -65,24 +77,32 @@ impl Filter {
         }
     }
 
+    /// Units of work of [`Self::apply`] on a map of pixels of `pixel` (m), for its progress.
+    pub fn work(&self, pixel: [f64; 2]) -> f64 {
+        /// Two transforms; a map with missing points takes four.
+        const TRANSFORMS: f64 = 2.0;
+        let of = |index: f64| if is_direct(&weights_of(index, pixel)) { 1.0 } else { TRANSFORMS };
+        [self.s, self.l].into_iter().flatten().map(of).sum()
+    }
+
     /// The filtered map; missing points stay missing and are ignored. Bit-identical for any number of threads.
     ///
     /// # Errors
     /// An index larger than the map.
-    pub fn apply(&self, map: HeightMap) -> Result<HeightMap, FilterError> {
+    pub fn apply(&self, map: &dyn Rows) -> Result<HeightMap, FilterError> {
         self.check(map.points(), map.pixel())?;
-        let short = match self.s {
-            Some(s) => low_pass(&map, s),
-            None => map,
-        };
-        Ok(match self.l {
-            Some(l) => {
-                let long = low_pass(&short, l);
-                let rest = short.heights().iter().zip(long.heights()).map(|(z, form)| z - form).collect();
-                short.with_heights(rest)
-            }
-            None => short,
-        })
+        let progress = map.progress();
+        let short = self.s.map(|s| low_pass(map, s));
+        let Some(l) = self.l else { return Ok(short.unwrap_or_else(|| HeightMap::of(map))) };
+        let map = short.as_ref().map_or(map, |short| short);
+        let watched = Watched { map, progress };
+        let mut rest = low_pass(&watched, l);
+        for_each_row(&mut rest.heights, map.points()[1], &|ix, row| {
+            let mut heights = vec![0.0; row.len()];
+            map.read(ix, &mut heights);
+            row.iter_mut().zip(heights).for_each(|(form, z)| *form = z - *form);
+        });
+        Ok(rest)
     }
 }
 
@@ -94,49 +114,31 @@ impl fmt::Display for Filter {
     }
 }
 
+/// Number of weights along x and y together up to which sums are direct: nesting indices up to about 70 pixels, where
+/// transforms of maps of 4096 x 4096 and 8192 x 8192 points take as long.
+const DIRECT: usize = 200;
+
 /// The Gaussian mean of a map: weights exp(-pi (x/(alpha index))^2) along x and y (ISO 16610-61,
 /// Eq. 1; a Gaussian separates), normalised by the weights of the present points.
-fn low_pass(map: &HeightMap, index: f64) -> HeightMap {
-    let weights = map.pixel().map(|pixel| weights(index / pixel));
-    let smoothed = |of: &(dyn Fn(f64) -> f64 + Sync)| smoothed(map, &weights, of);
-    // Heights and a mask of present points are smoothed alike; their quotient is the mean.
-    let sums = smoothed(&|z| z);
-    let presence = smoothed(&|_| 1.0);
-    let means = sums.iter().zip(&presence).map(|(sum, weight)| sum / weight);
-    let heights = map.heights().iter().zip(means).map(|(&z, mean)| if z.is_nan() { z } else { mean });
-    map.with_heights(heights.collect())
-}
-
-/// Weighted sums of `of(height)` over the neighbourhood of each point, computed by Fourier transforms, so that the cost
-/// does not depend on the nesting index.
-fn smoothed(map: &HeightMap, weights: &[Vec<f64>; 2], of: &(dyn Fn(f64) -> f64 + Sync)) -> Vec<f64> {
+fn low_pass(map: &dyn Rows, index: f64) -> HeightMap {
     let [nx, ny] = map.points();
-    // Zero padding of an open map over the range of the weights, against wrap-around.
-    let points = [0, 1].map(|axis| match map.boundary() {
-        Boundary::Periodic => map.points()[axis],
-        Boundary::Open => (map.points()[axis] + weights[axis].len()).next_multiple_of(16),
-    });
-    let [along_x, along_y] = [0, 1].map(|axis| wrapped(&weights[axis], points[axis]));
-    let count = (points[0] * points[1]) as f64;
-    let waves = analyse(map.embedded(points, of), points, |j, waves| {
-        waves.iter().zip(&along_x).map(|(wave, x)| wave * (x * along_y[j])).collect::<Vec<_>>()
-    });
-    let fill = |j: usize, column: &mut [Complex<f64>]| column.copy_from_slice(&waves[j]);
-    let sums = synthesise(points, fill, |_| count.recip());
-    sums.chunks(points[1]).take(nx).flat_map(|row| &row[..ny]).copied().collect()
+    let weights = weights_of(index, map.pixel());
+    let mut means = zeros(nx * ny);
+    if is_direct(&weights) {
+        direct::means(map, &weights, &mut means);
+    } else {
+        transform::means(map, &weights, &mut means);
+    }
+    HeightMap::like(map, means)
 }
 
-/// The transform of symmetric weights on a periodic axis of `count` points.
-fn wrapped(weights: &[f64], count: usize) -> Vec<f64> {
-    let mut both = vec![Complex::default(); count];
-    for (k, &weight) in weights.iter().enumerate() {
-        both[k % count].re += weight;
-        if k > 0 {
-            both[(count - k % count) % count].re += weight;
-        }
-    }
-    asperity_fft::complex(count, FftDirection::Forward).process(&mut both);
-    both.into_iter().map(|wave| wave.re).collect()
+fn is_direct(weights: &[Vec<f64>; 2]) -> bool {
+    weights[0].len() + weights[1].len() <= DIRECT
+}
+
+/// The weights of an index (m) along x and y.
+fn weights_of(index: f64, pixel: [f64; 2]) -> [Vec<f64>; 2] {
+    pixel.map(|pixel| weights(index / pixel))
 }
 
 /// Weights at 0, 1, 2, ... pixels, down to 1e-12 of the first. The index is in pixels.
@@ -153,6 +155,7 @@ fn weights(index: f64) -> Vec<f64> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::topography::Boundary;
     use crate::topography::roughness::RoughnessParameters;
 
     const POINTS: [usize; 2] = [120, 80];
@@ -168,7 +171,7 @@ mod tests {
     }
 
     fn filtered(map: &HeightMap, s: Option<f64>, l: Option<f64>) -> HeightMap {
-        Filter::new(s, l).unwrap().apply(map.clone()).unwrap()
+        Filter::new(s, l).unwrap().apply(map).unwrap()
     }
 
     /// exp(-pi (alpha index/length)^2) of a wave passes.
@@ -202,9 +205,48 @@ mod tests {
         assert!(matches!(Filter::new(Some(2.0), Some(2.0)), Err(FilterError::Order { .. })));
         let small = map(|x, _| x);
         assert!(matches!(
-            Filter::new(Some(61.0), None).unwrap().apply(small),
+            Filter::new(Some(61.0), None).unwrap().apply(&small),
             Err(FilterError::TooLarge { .. })
         ));
+    }
+
+    /// Both ways of summing, also where weights reach beyond the map or the strips and tiles end within it.
+    #[test]
+    fn direct_sums_are_those_of_transforms() {
+        for (points, index) in [([70, 45], [3.0, 4.4]), ([90, 33], [40.0, 21.0]), ([5, 7], [6.0, 9.0])] {
+            for hole in [usize::MAX, 29] {
+                let height = |k: usize| if k % hole == 3 { f64::NAN } else { ((k * k) % 97) as f64 - 40.0 };
+                let heights = (0..points[0] * points[1]).map(height).collect();
+                let open = HeightMap::new(points, PIXEL, heights, 0.0).unwrap();
+                for map in [open.clone(), open.periodic()] {
+                    let weights = index.map(weights);
+                    let mut found = [vec![0.0; map.heights.len()], vec![0.0; map.heights.len()]];
+                    direct::means(&map, &weights, &mut found[0]);
+                    transform::means(&map, &weights, &mut found[1]);
+                    for (k, z) in map.heights.iter().enumerate() {
+                        let [direct, transform] = [found[0][k], found[1][k]];
+                        assert_eq!([direct.is_nan(), transform.is_nan()], [z.is_nan(); 2]);
+                        assert!(z.is_nan() || (direct - transform).abs() < 1e-12 * 57.0, "{points:?} {k}");
+                    }
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn the_same_on_any_number_of_threads_and_from_rows_that_are_not_in_memory() {
+        let holed = map(|x, y| if x == 30.0 { f64::NAN } else { 1e-3 * x + (x * y).sin() });
+        let filter = Filter::new(Some(2.0), Some(20.0)).unwrap();
+        let form = crate::topography::Level::Plane.form(&holed).unwrap();
+        let levelled = crate::topography::Levelled { map: &holed, form };
+        let bits = |map: HeightMap| map.heights.into_iter().map(f64::to_bits).collect::<Vec<u64>>();
+        let on = |threads| {
+            let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
+            pool.install(|| bits(filter.apply(&levelled).unwrap()))
+        };
+        let one = on(1);
+        assert_eq!(one, on(3));
+        assert_eq!(one, bits(filter.apply(&HeightMap::of(&levelled)).unwrap()));
     }
 
     /// The definition, point by point.

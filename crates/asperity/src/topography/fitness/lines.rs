@@ -1,0 +1,326 @@
+//! Line offsets: lines of a scan, or parts of a stitched map, at wrong heights.
+
+use crate::progress::Progress;
+use crate::topography::{Boundary, Rows, strips};
+
+/// Points of a line that are compared with those of the next.
+const SAMPLED: usize = 512;
+
+/// Of coherent second differences between lines, the autocorrelation at the next line below which they are offsets: -2/3 for
+/// independent offsets, -1/2 for a random walk, positive for a surface that the grid resolves.
+const OFFSET_CORRELATION: f64 = -0.3;
+
+/// A single offset is at least this many times the robust standard deviation of all lines' medians, and at least the scatter of
+/// the points.
+const LARGEST_OFFSET: f64 = 8.0;
+
+/// Offsets between neighbouring lines of a map.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct LineOffsets {
+    /// Share of the variance of second differences across lines along x that all points of a line have in common, beyond
+    /// chance and only where it behaves as offsets do; the same for lines along y.
+    pub shares: [f64; 2],
+}
+
+impl LineOffsets {
+    /// Of lines along x and along y.
+    pub fn of(map: &dyn Rows) -> Self {
+        let [nx, ny] = map.points();
+        // Lines along y are rows in memory.
+        let strides = [nx, ny].map(|count| count.div_ceil(SAMPLED));
+        let along_y = strips(map, 1, |strip| {
+            let line =
+                |k: isize| Some(strip.row(k)?.iter().copied().step_by(strides[1]).collect::<Vec<f64>>());
+            (0..strip.count as isize)
+                .map(|k| Steps::between(line(k - 1), line(k), line(k + 1)))
+                .collect::<Vec<_>>()
+        });
+        let sampled: Vec<Vec<f64>> = strips(map, 0, |strip| {
+            let rows = (0..strip.count).filter(|k| (strip.first + k).is_multiple_of(strides[0]));
+            rows.filter_map(|k| strip.row(k as isize).map(<[f64]>::to_vec)).collect::<Vec<_>>()
+        })
+        .concat();
+        let line = |j: usize| (j < ny).then(|| sampled.iter().map(|row| row[j]).collect::<Vec<f64>>());
+        let along_x: Vec<Steps> =
+            (0..ny).map(|j| Steps::between(j.checked_sub(1).and_then(line), line(j), line(j + 1))).collect();
+        Self { shares: [share(&along_x), share(&along_y.concat())] }
+    }
+
+    /// The larger share.
+    pub fn largest(&self) -> f64 {
+        self.shares[0].max(self.shares[1])
+    }
+
+    /// The axis along which the lines with the larger share run: 0 for x, 1 for y.
+    pub fn axis(&self) -> usize {
+        usize::from(self.shares[1] > self.shares[0])
+    }
+}
+
+/// Medians over the points of a line, m.
+#[derive(Debug, Clone, Copy, Default)]
+struct Steps {
+    /// Of the step to the next line, and of the magnitude of its deviations from the median.
+    first: Option<[f64; 2]>,
+    /// The same of the height above the mean of both neighbouring lines; with the number of points.
+    second: Option<([f64; 2], usize)>,
+}
+
+impl Steps {
+    fn between(before: Option<Vec<f64>>, line: Option<Vec<f64>>, after: Option<Vec<f64>>) -> Self {
+        let (Some(line), Some(after)) = (line, after) else { return Self::default() };
+        let first = spread(line.iter().zip(&after).map(|(z, next)| next - z)).map(|(medians, _)| medians);
+        let second = before.and_then(|before| {
+            spread(
+                line.iter()
+                    .zip(before.iter().zip(&after))
+                    .map(|(z, (before, after))| z - 0.5 * (before + after)),
+            )
+        });
+        Self { first, second }
+    }
+}
+
+/// Median, median magnitude of the deviations from it, and number of the values that are there.
+fn spread(values: impl Iterator<Item = f64>) -> Option<([f64; 2], usize)> {
+    let mut values: Vec<f64> = values.filter(|value| !value.is_nan()).collect();
+    let middle = median(&mut values)?;
+    values.iter_mut().for_each(|value| *value = (*value - middle).abs());
+    Some(([middle, median(&mut values)?], values.len()))
+}
+
+fn median(values: &mut [f64]) -> Option<f64> {
+    let middle = values.len() / 2;
+    (!values.is_empty()).then(|| *values.select_nth_unstable_by(middle, f64::total_cmp).1)
+}
+
+/// The share of offsets in the variance of second differences across lines.
+fn share(lines: &[Steps]) -> f64 {
+    /// The standard deviation of a Gaussian variable over the median of its magnitude.
+    const NORMAL: f64 = 1.4826;
+    /// Variance of a median of n Gaussian values times n over their variance.
+    const MEDIAN_VARIANCE: f64 = std::f64::consts::FRAC_PI_2;
+    /// The share that chance reaches rarely, in means over all lines.
+    const CHANCE: f64 = 3.0;
+    let seconds: Vec<([f64; 2], usize)> = lines.iter().filter_map(|steps| steps.second).collect();
+    let Some(mut scales) =
+        (seconds.len() > 2).then(|| seconds.iter().map(|at| at.0[1]).collect::<Vec<f64>>())
+    else {
+        return 0.0;
+    };
+    let within = (NORMAL * median(&mut scales).unwrap_or_default()).powi(2);
+    let points = seconds.iter().map(|at| at.1).sum::<usize>() as f64 / seconds.len() as f64;
+    let bends: Vec<f64> = seconds.iter().map(|at| at.0[0]).collect();
+    let square = |pairs: &mut dyn Iterator<Item = (f64, f64)>, count: usize| {
+        pairs.map(|(a, b)| a * b).sum::<f64>() / count as f64
+    };
+    let between = square(&mut bends.iter().map(|&bend| (bend, bend)), bends.len());
+    let next = square(&mut bends.windows(2).map(|pair| (pair[0], pair[1])), bends.len() - 1);
+    if between <= 0.0 {
+        return 0.0;
+    }
+    if next > OFFSET_CORRELATION * between && !has_single_offset(lines) {
+        return 0.0;
+    }
+    (between / (between + within) - CHANCE * MEDIAN_VARIANCE / points).max(0.0)
+}
+
+/// Whether one line, or one part of a stitched map, is far off.
+fn has_single_offset(lines: &[Steps]) -> bool {
+    const NORMAL: f64 = 1.4826;
+    let firsts: Vec<[f64; 2]> = lines.iter().filter_map(|steps| steps.first).collect();
+    let mut medians: Vec<f64> = firsts.iter().map(|at| at[0]).collect();
+    let mut scales: Vec<f64> = firsts.iter().map(|at| at[1]).collect();
+    let (Some(middle), Some(scatter)) = (median(&mut medians), median(&mut scales)) else { return false };
+    let mut offsets: Vec<f64> = medians.iter().map(|step| (step - middle).abs()).collect();
+    let largest = offsets.iter().copied().fold(0.0, f64::max);
+    let typical = NORMAL * median(&mut offsets).unwrap_or_default();
+    largest > LARGEST_OFFSET * typical && largest > NORMAL * scatter
+}
+
+/// The lines of a map along one axis.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Deserialize))]
+#[cfg_attr(feature = "serde", serde(rename_all = "kebab-case"))]
+pub enum Lines {
+    /// Lines of constant y.
+    X,
+    /// Lines of constant x.
+    Y,
+}
+
+impl Lines {
+    /// The name in specs.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::X => "x",
+            Self::Y => "y",
+        }
+    }
+
+    /// Lines along axis 0 (x) or 1 (y).
+    pub const fn along(axis: usize) -> Self {
+        if axis == 0 { Self::X } else { Self::Y }
+    }
+
+    /// The mean height of the present points of each line of `map`, m; zero where all are missing. A median would jump from
+    /// line to line on a smooth surface.
+    fn means(self, map: &dyn Rows) -> Vec<f64> {
+        let sums = strips(map, 0, |strip| {
+            let rows = (0..strip.count as isize).filter_map(|k| strip.row(k));
+            match self {
+                Self::Y => rows.map(|row| LineSum::default().plus(row)).collect(),
+                Self::X => rows.fold(vec![LineSum::default(); map.points()[1]], |mut sums, row| {
+                    sums.iter_mut().zip(row).for_each(|(sum, z)| *sum = sum.plus(&[*z]));
+                    sums
+                }),
+            }
+        });
+        let lines = match self {
+            Self::Y => sums.concat(),
+            Self::X => sums.into_iter().fold(Vec::new(), |mut all: Vec<LineSum>, part| {
+                all.resize(part.len(), LineSum::default());
+                all.iter_mut().zip(part).for_each(|(sum, part)| {
+                    sum.total += part.total;
+                    sum.count += part.count;
+                });
+                all
+            }),
+        };
+        lines.into_iter().map(|sum| if sum.count == 0 { 0.0 } else { sum.total / sum.count as f64 }).collect()
+    }
+}
+
+/// Sum of the heights (m) of a line, and the number of points that are there.
+#[derive(Debug, Clone, Copy, Default)]
+struct LineSum {
+    total: f64,
+    count: usize,
+}
+
+impl LineSum {
+    fn plus(self, heights: &[f64]) -> Self {
+        heights
+            .iter()
+            .filter(|z| !z.is_nan())
+            .fold(self, |sum, z| Self { total: sum.total + z, count: sum.count + 1 })
+    }
+}
+
+/// A map whose lines along one axis all have the mean height zero.
+pub struct AlignedLines<'a> {
+    map: &'a dyn Rows,
+    lines: Lines,
+    means: Vec<f64>,
+}
+
+impl<'a> AlignedLines<'a> {
+    /// The lines of `map` along an axis, aligned.
+    pub fn new(map: &'a dyn Rows, lines: Lines) -> Self {
+        Self { map, lines, means: lines.means(map) }
+    }
+}
+
+impl Rows for AlignedLines<'_> {
+    fn points(&self) -> [usize; 2] {
+        self.map.points()
+    }
+
+    fn pixel(&self) -> [f64; 2] {
+        self.map.pixel()
+    }
+
+    fn precision(&self) -> f64 {
+        self.map.precision()
+    }
+
+    fn boundary(&self) -> Boundary {
+        self.map.boundary()
+    }
+
+    fn offset(&self) -> f64 {
+        self.map.offset()
+    }
+
+    fn progress(&self) -> &dyn Progress {
+        self.map.progress()
+    }
+
+    fn read(&self, ix: usize, row: &mut [f64]) {
+        self.map.read(ix, row);
+        match self.lines {
+            Lines::Y => row.iter_mut().for_each(|z| *z -= self.means[ix]),
+            Lines::X => row.iter_mut().zip(&self.means).for_each(|(z, mean)| *z -= mean),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::topography::HeightMap;
+    use crate::topography::generate::gaussian;
+    use crate::topography::spectrum::{Lay, Spectrum, SpectrumShape};
+    use rand::{RngExt, SeedableRng};
+
+    const POINTS: [usize; 2] = [240, 200];
+    const PASSED: f64 = 0.01;
+
+    fn surface(cut_off: f64, elongation: f64) -> Vec<f64> {
+        let shape = SpectrumShape::SelfAffine { hurst: 0.8, roll_off: 24.0, cut_off };
+        let lay = Lay { elongation, angle: 0.0 };
+        gaussian(&Spectrum::new(shape, lay).unwrap().on_grid(POINTS, [1.0; 2]), 1.0, [3; 32])
+    }
+
+    fn shares(heights: Vec<f64>) -> [f64; 2] {
+        LineOffsets::of(&HeightMap::new(POINTS, [1.0; 2], heights, 0.0).unwrap()).shares
+    }
+
+    fn with(heights: &[f64], offset: impl Fn(usize, usize) -> f64) -> Vec<f64> {
+        heights.iter().enumerate().map(|(k, z)| z + offset(k / POINTS[1], k % POINTS[1])).collect()
+    }
+
+    #[test]
+    fn surfaces_without_faults_have_no_offsets() {
+        for (cut_off, elongation) in [(2.0, 1.0), (4.0, 1.0), (8.0, 1.0), (4.0, 8.0)] {
+            let found = shares(surface(cut_off, elongation));
+            assert!(found.iter().all(|share| *share < PASSED), "{cut_off} {elongation}: {found:?}");
+        }
+        // Grooves along y that the grid resolves.
+        let grooves = with(&surface(4.0, 1.0), |i, _| 3.0 * (i as f64 / 3.0).sin());
+        assert!(shares(grooves).iter().all(|share| *share < PASSED));
+    }
+
+    #[test]
+    fn offsets_are_found_along_the_axis_they_are_on() {
+        let mut rng = rand_chacha::ChaCha8Rng::seed_from_u64(1);
+        let random: Vec<f64> = (0..240).map(|_| rng.random_range(-0.5..0.5)).collect();
+        for cut_off in [4.0, 8.0] {
+            let base = surface(cut_off, 1.0);
+            let every = shares(with(&base, |_, j| random[j]));
+            assert!(every[0] > 0.3 && every[1] < PASSED, "{every:?}");
+            let stitched = shares(with(&base, |i, _| if i < 100 { 0.0 } else { 1.0 }));
+            assert!(stitched[1] > PASSED && stitched[0] < PASSED, "{stitched:?}");
+            let few = shares(with(&base, |i, _| if [20, 77, 140].contains(&i) { 1.0 } else { 0.0 }));
+            assert!(few[1] > PASSED && few[0] < PASSED, "{few:?}");
+        }
+    }
+
+    #[test]
+    fn aligned_lines_have_no_offsets_left() {
+        let base = surface(4.0, 1.0);
+        for lines in [Lines::X, Lines::Y] {
+            let offset = |i: usize, j: usize| {
+                if lines == Lines::X { ((j * j) % 7) as f64 } else { ((i * i) % 7) as f64 }
+            };
+            let map = HeightMap::new(POINTS, [1.0; 2], with(&base, offset), 0.0).unwrap();
+            let found = LineOffsets::of(&map);
+            assert_eq!(Lines::along(found.axis()), lines);
+            let aligned = HeightMap::of(&AlignedLines::new(&map, lines));
+            assert!(LineOffsets::of(&aligned).largest() < PASSED);
+            // The surface itself stays, but for the means of its lines.
+            let off = aligned.heights().iter().zip(&base).map(|(a, b)| (a - b).powi(2)).sum::<f64>();
+            assert!((off / 48_000.0).sqrt() < 0.4, "{off}");
+        }
+    }
+}

@@ -1,0 +1,328 @@
+//! Fitness checks: whether a height map may carry a verdict on contact models.
+//!
+//! Each check compares one number with a threshold. Thresholds were set on eleven measured maps, of which five have no fault
+//! but their height steps, on random surfaces with and without heavy tails, and on the same with faults planted.
+
+mod growth;
+mod lines;
+mod spikes;
+mod steps;
+
+pub use growth::curvature_growth;
+pub use lines::{AlignedLines, LineOffsets, Lines};
+pub use spikes::{Spikes, Without};
+pub use steps::step_over_drop;
+
+use super::summits::Neighbours;
+use super::theory::Expected;
+use super::{CorrelationLengths, Level, Levelled, Moments, Quantisation, RoughnessParameters, Rows};
+
+/// What is checked.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Check {
+    /// Points that the instrument got wrong.
+    Spikes,
+    /// Form that levelling leaves.
+    Form,
+    /// A lay that five-point summits, or spheres, do not describe.
+    Lay,
+    /// Offsets between lines of a scan or between stitched parts.
+    Lines,
+    /// Heights quantised by the instrument.
+    Steps,
+    /// Summits that the pixel does not resolve.
+    CoarsePixel,
+    /// Pixels so fine that noise makes the summits.
+    FinePixel,
+    /// Waves as long as the map.
+    LongWaves,
+    /// Slopes beyond the theory of small slopes.
+    Slope,
+}
+
+impl Check {
+    /// The name in tables and summaries.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Spikes => "spikes",
+            Self::Form => "form",
+            Self::Lay => "lay",
+            Self::Lines => "lines",
+            Self::Steps => "steps",
+            Self::CoarsePixel => "coarse-pixel",
+            Self::FinePixel => "fine-pixel",
+            Self::LongWaves => "long-waves",
+            Self::Slope => "slope",
+        }
+    }
+}
+
+/// The number that a check compares with its threshold.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Measure {
+    /// Number of spikes.
+    Spikes,
+    /// Share of the variance of heights that the next higher polynomial explains.
+    FormShare,
+    /// Magnitude of the correlation of slopes along x and along y, of five-point summits.
+    SlopeCorrelation,
+    /// Texture aspect ratio Str.
+    AspectRatio,
+    /// Share of line offsets in the variance of second differences across lines.
+    LineOffsets,
+    /// Height step, or what a filter leaves of it, over the median drop from a summit to its neighbours.
+    StepOverDrop,
+    /// Number of distinct curvatures of the summits.
+    DistinctCurvatures,
+    /// log2 of the ratio of the r.m.s. curvatures at S filters of two and of four pixels.
+    CurvatureGrowth,
+    /// The same, held against the growth on any self-affine surface.
+    NoiseGrowth,
+    /// Density of summits over that of a Gaussian surface with the same differences between neighbours.
+    DensityOverTheory,
+    /// The same of their mean curvature.
+    CurvatureOverTheory,
+    /// Correlation length of the heights over the side of the map: geometric mean over both axes.
+    LengthOverSide,
+    /// Root mean square slope.
+    Slope,
+}
+
+impl Measure {
+    /// The name in tables and summaries.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Spikes => "spikes",
+            Self::FormShare => "form-share-of-variance",
+            Self::SlopeCorrelation => "slope-correlation",
+            Self::AspectRatio => "str",
+            Self::LineOffsets => "line-offset-share-of-variance",
+            Self::StepOverDrop => "step-over-drop",
+            Self::DistinctCurvatures => "distinct-curvatures",
+            Self::CurvatureGrowth | Self::NoiseGrowth => "curvature-growth",
+            Self::DensityOverTheory => "density-over-theory",
+            Self::CurvatureOverTheory => "curvature-over-theory",
+            Self::LengthOverSide => "correlation-length-over-side",
+            Self::Slope => "rms-slope",
+        }
+    }
+
+    const fn limit(self) -> Limit {
+        use Limit::{AtLeast, AtMost, Factor};
+        match self {
+            // One is enough to carry the load.
+            Self::Spikes => AtMost(0.0),
+            // sigma is then 5 % too large. Random surfaces that fit in the map ten times reach 0.02 to 0.12.
+            Self::FormShare => AtMost(0.1),
+            // There are twice as many five-point summits as with the same lay along an axis.
+            Self::SlopeCorrelation => AtMost(0.6),
+            // Ridges ten times as long as wide.
+            Self::AspectRatio => AtLeast(0.1),
+            // Maps without faults stay below 0.002; offsets of a twentieth of Sq on every line reach 0.06 to 0.9.
+            Self::LineOffsets => AtMost(0.01),
+            // Levelled, two of three maps with a larger step have summits made by the step.
+            Self::StepOverDrop => AtMost(1.0 / 3.0),
+            Self::DistinctCurvatures => AtLeast(Quantisation::FEW_CURVATURES as f64),
+            // A filter of half the wavelength finds curvatures 1.4 times as large. Surfaces whose shortest waves are eight
+            // pixels long have 0.1, those of four pixels 0.4, those that the pixel cuts off 1 and more.
+            Self::CurvatureGrowth => AtMost(0.5),
+            // Self-affine surfaces of Hurst exponents from 0.2 stay below; white noise has 2.3.
+            Self::NoiseGrowth => AtMost(1.5),
+            // Surfaces of exponential heights stay within 1.5.
+            Self::DensityOverTheory | Self::CurvatureOverTheory => Factor(2.0),
+            // A hundred independent patches.
+            Self::LengthOverSide => AtMost(0.1),
+            // Terms of second order in the slope, which contact mechanics of half-spaces leaves out, reach a tenth.
+            Self::Slope => AtMost(0.3),
+        }
+    }
+}
+
+/// The values that pass.
+#[derive(Debug, Clone, Copy, PartialEq)]
+enum Limit {
+    AtMost(f64),
+    AtLeast(f64),
+    /// From one over it to it.
+    Factor(f64),
+}
+
+/// The result of a check: that of its measures which is worst.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Finding {
+    /// The check.
+    pub check: Check,
+    /// What was measured.
+    pub measure: Measure,
+    /// The number.
+    pub value: f64,
+}
+
+impl Finding {
+    /// The threshold that the value is held against: at most, or at least, this value passes.
+    pub fn threshold(&self) -> f64 {
+        match self.measure.limit() {
+            Limit::AtMost(limit) | Limit::AtLeast(limit) => limit,
+            Limit::Factor(limit) => {
+                if self.value < 1.0 {
+                    limit.recip()
+                } else {
+                    limit
+                }
+            }
+        }
+    }
+
+    /// Whether larger values are better.
+    pub fn is_least(&self) -> bool {
+        match self.measure.limit() {
+            Limit::AtMost(_) => false,
+            Limit::AtLeast(_) => true,
+            Limit::Factor(_) => self.value < 1.0,
+        }
+    }
+
+    /// Whether the map is fit in this respect.
+    pub fn has_passed(&self) -> bool {
+        if self.is_least() { self.value >= self.threshold() } else { self.value <= self.threshold() }
+    }
+
+    /// Whether it failed so that no verdict may rest on the map. A short-wavelength cut-off that decides is found by varying
+    /// it; slopes limit both models alike, unless their size says that heights and pixels are in different units; a lay along
+    /// an axis makes ridges of summits, but finds those that are there.
+    pub fn is_blocking(&self) -> bool {
+        /// The largest plausible r.m.s. slope.
+        const STEEP: f64 = 1.0;
+        let can_decide = match self.measure {
+            Measure::CurvatureGrowth
+            | Measure::DensityOverTheory
+            | Measure::CurvatureOverTheory
+            | Measure::AspectRatio => false,
+            Measure::Slope => self.value > STEEP,
+            _ => true,
+        };
+        can_decide && !self.has_passed()
+    }
+
+    /// How far the value is on the wrong side of its threshold; above 1 where it failed.
+    fn excess(&self) -> f64 {
+        let (value, threshold) = (self.value, self.threshold());
+        if threshold == 0.0 {
+            value
+        } else if self.is_least() {
+            threshold / value
+        } else {
+            value / threshold
+        }
+    }
+
+    /// The worst of several measures of one check.
+    fn worst(check: Check, measures: impl IntoIterator<Item = (Measure, Option<f64>)>) -> Option<Self> {
+        let of = |(measure, value): (Measure, Option<f64>)| Some(Self { check, measure, value: value? });
+        let findings = measures.into_iter().filter_map(of).filter(|finding| !finding.value.is_nan());
+        findings.max_by(|a, b| a.excess().total_cmp(&b.excess()))
+    }
+}
+
+/// What the checks of a map rest on, besides the map as it is analysed: levelled and filtered.
+pub struct Examined<'a> {
+    /// The map, levelled and filtered.
+    pub map: &'a dyn Rows,
+    /// Indices of the points of spikes in it, ascending: they tell nothing of its form.
+    pub spikes: &'a [usize],
+    /// Its parameters.
+    pub roughness: &'a RoughnessParameters,
+    /// The form that was removed.
+    pub level: Level,
+    /// What a summit is.
+    pub neighbours: Neighbours,
+    /// Density (1/m^2) and mean curvature (1/m) of the summits.
+    pub found: [f64; 2],
+    /// What theory expects of them; `None` where other summits than five-point ones were searched.
+    pub expected: Option<Expected>,
+    /// Correlation lengths of the heights, where they are known.
+    pub correlation: Option<CorrelationLengths>,
+    /// Texture aspect ratio Str, where it is known.
+    pub aspect: Option<f64>,
+}
+
+/// What only a measured map has.
+pub struct Measured {
+    /// Number of spikes in the map as read.
+    pub spikes: usize,
+    /// Offsets between its lines.
+    pub offsets: LineOffsets,
+    /// Heights on steps.
+    pub quantisation: Quantisation,
+    /// The step over the median drop, see [`step_over_drop`].
+    pub step_over_drop: Option<f64>,
+}
+
+impl Examined<'_> {
+    /// All checks of a map; those of an instrument's faults only where it was `measured`.
+    pub fn findings(&self, measured: Option<&Measured>) -> Vec<Finding> {
+        let growth = curvature_growth(self.map);
+        let worst =
+            |check, measures: &[(Measure, Option<f64>)]| Finding::worst(check, measures.iter().copied());
+        let mut all = Vec::new();
+        if let Some(measured) = measured {
+            all.extend(worst(Check::Spikes, &[(Measure::Spikes, Some(measured.spikes as f64))]));
+            all.extend(worst(Check::Form, &[(Measure::FormShare, self.form_share())]));
+        }
+        let slopes = (self.neighbours == Neighbours::Four).then(|| self.roughness.drops.slope_correlation());
+        all.extend(worst(
+            Check::Lay,
+            &[(Measure::SlopeCorrelation, slopes), (Measure::AspectRatio, self.aspect)],
+        ));
+        if let Some(measured) = measured {
+            let offsets = measured.offsets.largest();
+            all.extend(worst(Check::Lines, &[(Measure::LineOffsets, Some(offsets))]));
+            let few = measured.quantisation.has_few_curvatures();
+            let distinct = few.then_some(measured.quantisation.distinct_curvatures as f64);
+            let step = Some(measured.step_over_drop.unwrap_or_default());
+            all.extend(worst(
+                Check::Steps,
+                &[(Measure::StepOverDrop, step), (Measure::DistinctCurvatures, distinct)],
+            ));
+        }
+        let [density, curvature] = match &self.expected {
+            Some(expected) => {
+                [Some(self.found[0] / expected.density), Some(self.found[1] / expected.curvature)]
+            }
+            None => [None; 2],
+        };
+        all.extend(worst(
+            Check::CoarsePixel,
+            &[
+                (Measure::CurvatureGrowth, growth),
+                (Measure::DensityOverTheory, density),
+                (Measure::CurvatureOverTheory, curvature),
+            ],
+        ));
+        if measured.is_some() {
+            all.extend(worst(Check::FinePixel, &[(Measure::NoiseGrowth, growth)]));
+            let length = self.correlation.map(|correlation| self.length_over_side(correlation));
+            all.extend(worst(Check::LongWaves, &[(Measure::LengthOverSide, length)]));
+        }
+        all.extend(worst(Check::Slope, &[(Measure::Slope, Some(self.roughness.rms_slope()))]));
+        all
+    }
+
+    /// Share of the variance that the next higher polynomial explains.
+    fn form_share(&self) -> Option<f64> {
+        // A mean explains no variance about it.
+        let next = if self.level == Level::None { Level::Plane } else { self.level.next()? };
+        let map = &Without { map: self.map, points: self.spikes };
+        let rest = Moments::of(&Levelled { map, form: next.form(map).ok()? });
+        Some(1.0 - (rest.sq / Moments::of(map).sq).powi(2))
+    }
+
+    /// Correlation length over side; a correlation that does not decay counts as the side.
+    fn length_over_side(&self, correlation: CorrelationLengths) -> f64 {
+        let [x, y] = [0, 1].map(|axis| {
+            let side = self.map.points()[axis] as f64 * self.map.pixel()[axis];
+            (correlation.lengths[axis] / side).min(1.0)
+        });
+        (x * y).sqrt()
+    }
+}

@@ -1,0 +1,354 @@
+//! Spikes: points that the instrument got wrong, as opposed to sharp but real summits.
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use crate::progress::Progress;
+use crate::topography::{Boundary, Rows, Strip, strips};
+
+/// Half the side of the window (in points) whose median is the local height.
+const REACH: isize = 4;
+
+/// The largest group of points that is a spike: a square of four points; wider ones are features of the surface.
+const MOST_POINTS: usize = 16;
+
+/// A spike deviates from the local height by at least this many robust standard deviations of all such deviations. On
+/// Gaussian surfaces the largest is 5; the heaviest tails tested (exponential heights) reach more, but not with steep walls.
+const LEAST_DEVIATION: f64 = 15.0;
+
+/// A spike falls by at least this share of its height, on average, within the one pixel around it. Summits that the grid
+/// resolves fall by at most 0.5 of it there, sharp pits of a measured surface by 0.6, spikes of a single point by all of it.
+const LEAST_WALL: f64 = 0.7;
+
+/// Rows around a strip that a spike in it can depend on: the climb to its peak, its points, and the window of a median.
+const HALO: isize = 2 * MOST_POINTS as isize + REACH;
+
+/// Points along each axis of the sample that the scale of deviations is taken from.
+const SAMPLED: usize = 200;
+
+/// The spikes of a map: groups of at most 16 points that stand above or below their surroundings by steep walls on all sides.
+///
+/// A deviation is that of a point from the median of the 9 x 9 points around it. A spike is the set of connected points around
+/// a local extremum whose deviation is above half of the extremum's A. A exceeds 15 robust standard deviations of the
+/// deviations of the map, and from the points of the set to those around it the deviation falls by 0.7 A on average.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Spikes {
+    /// Indices of the points, ascending, the y index running fastest.
+    pub points: Vec<usize>,
+    /// Number of spikes.
+    pub count: usize,
+    /// The largest deviation of a spike, m.
+    pub largest: f64,
+}
+
+impl Spikes {
+    /// The spikes of `map` as measured; bit-identical for any number of threads.
+    pub fn of(map: &dyn Rows) -> Self {
+        let scale = scale(map);
+        let mut all = Self::default();
+        if scale <= 0.0 {
+            return all;
+        }
+        for part in strips(map, HALO as usize, |strip| Local::new(map, &strip).spikes(scale)) {
+            all.points.extend(part.points);
+            all.count += part.count;
+            all.largest = all.largest.max(part.largest);
+        }
+        all.points.sort_unstable();
+        all.points.dedup();
+        all
+    }
+}
+
+/// Robust standard deviation of the deviations from local medians, m.
+fn scale(map: &dyn Rows) -> f64 {
+    /// The standard deviation of a Gaussian variable over the median of its magnitude.
+    const NORMAL: f64 = 1.4826;
+    let strides = map.points().map(|count| count.div_ceil(SAMPLED));
+    let sampled = |strip: Strip| {
+        let local = Local::new(map, &strip);
+        let rows =
+            (0..strip.count as isize).filter(|k| (strip.first + *k as usize).is_multiple_of(strides[0]));
+        let points = rows.flat_map(|k| (0..local.columns).step_by(strides[1]).map(move |j| [k, j as isize]));
+        points.filter_map(|point| local.deviation(point)).map(f64::abs).collect::<Vec<f64>>()
+    };
+    let mut deviations = strips(map, REACH as usize, sampled).concat();
+    if deviations.is_empty() {
+        return 0.0;
+    }
+    let middle = deviations.len() / 2;
+    let median = *deviations.select_nth_unstable_by(middle, f64::total_cmp).1;
+    // On height steps most deviations may be zero.
+    let mean = deviations.iter().sum::<f64>() / deviations.len() as f64;
+    if median > 0.0 { NORMAL * median } else { mean }
+}
+
+/// The points around a strip, by row (from the first of the strip) and column.
+struct Local<'a> {
+    strip: &'a Strip<'a>,
+    columns: usize,
+    is_periodic: bool,
+}
+
+type Point = [isize; 2];
+
+impl<'a> Local<'a> {
+    fn new(map: &dyn Rows, strip: &'a Strip<'a>) -> Self {
+        Self { strip, columns: map.points()[1], is_periodic: map.boundary() == Boundary::Periodic }
+    }
+
+    /// Height of a point, m; `None` beyond an open border or where it is missing.
+    fn height(&self, [row, column]: Point) -> Option<f64> {
+        let column = if self.is_periodic { column.rem_euclid(self.columns as isize) } else { column };
+        let z = *self.strip.row(row)?.get(usize::try_from(column).ok()?)?;
+        (!z.is_nan()).then_some(z)
+    }
+
+    /// Height above the median of the window around a point, m.
+    fn deviation(&self, point: Point) -> Option<f64> {
+        const SIDE: usize = 2 * REACH as usize + 1;
+        let z = self.height(point)?;
+        let (mut window, mut count) = ([0.0; SIDE * SIDE], 0);
+        for row in point[0] - REACH..=point[0] + REACH {
+            for column in point[1] - REACH..=point[1] + REACH {
+                if let Some(height) = self.height([row, column]) {
+                    window[count] = height;
+                    count += 1;
+                }
+            }
+        }
+        let middle = count / 2;
+        Some(z - *window[..count].select_nth_unstable_by(middle, f64::total_cmp).1)
+    }
+
+    fn spikes(&self, scale: f64) -> Spikes {
+        let mut found = Spikes::default();
+        let mut deviations = BTreeMap::new();
+        let mut peaks = BTreeSet::new();
+        for point in self.walls(LEAST_WALL * LEAST_DEVIATION * scale) {
+            let mut at = |point: Point| *deviations.entry(point).or_insert_with(|| self.deviation(point));
+            let Some(deviation) = at(point).filter(|deviation| deviation.abs() > LEAST_DEVIATION * scale)
+            else {
+                continue;
+            };
+            let sign = deviation.signum();
+            let mut above = |point: Point| at(point).map(|deviation| sign * deviation);
+            let peak = climb(point, &mut above);
+            if !(0..self.strip.count as isize).contains(&peak[0]) || !peaks.insert(peak) {
+                continue;
+            }
+            let Some((points, height)) = group(peak, &mut above) else { continue };
+            found.count += 1;
+            found.largest = found.largest.max(height);
+            found.points.extend(points.into_iter().filter_map(|point| self.index(point)));
+        }
+        found
+    }
+
+    /// The points on both sides of each step of at least `height` (m) between neighbours; a spike that has its peak in the
+    /// strip has one within reach.
+    fn walls(&self, height: f64) -> Vec<Point> {
+        let reach = MOST_POINTS as isize;
+        let mut points = Vec::new();
+        for row in -reach..self.strip.count as isize + reach {
+            let Some(heights) = self.strip.row(row) else { continue };
+            let steps =
+                heights.windows(2).enumerate().filter(|(_, pair)| (pair[1] - pair[0]).abs() >= height);
+            for (column, _) in steps {
+                points.extend([[row, column as isize], [row, column as isize + 1]]);
+            }
+            let Some(next) = self.strip.row(row + 1) else { continue };
+            let steps = heights
+                .iter()
+                .zip(next)
+                .enumerate()
+                .filter(|(_, (below, above))| (*above - *below).abs() >= height);
+            for (column, _) in steps {
+                points.extend([[row, column as isize], [row + 1, column as isize]]);
+            }
+        }
+        points
+    }
+
+    /// Index of a point of the map.
+    fn index(&self, [row, column]: Point) -> Option<usize> {
+        let row = usize::try_from(self.strip.first as isize + row).ok()?;
+        let column = usize::try_from(column).ok().filter(|column| *column < self.columns)?;
+        Some(row * self.columns + column)
+    }
+}
+
+/// The eight neighbours of a point.
+fn around([row, column]: Point) -> impl Iterator<Item = Point> {
+    const STEPS: [isize; 3] = [-1, 0, 1];
+    let all = STEPS.into_iter().flat_map(|i| STEPS.into_iter().map(move |j| [i, j]));
+    all.filter(|step| *step != [0, 0]).map(move |[i, j]| [row + i, column + j])
+}
+
+/// The local maximum that is reached from a point by steps to the highest neighbour.
+fn climb(mut point: Point, above: &mut dyn FnMut(Point) -> Option<f64>) -> Point {
+    for _ in 0..MOST_POINTS {
+        let here = above(point).unwrap_or(f64::NEG_INFINITY);
+        let mut highest = (here, point);
+        for next in around(point) {
+            let height = above(next).unwrap_or(f64::NEG_INFINITY);
+            if height > highest.0 {
+                highest = (height, next);
+            }
+        }
+        if highest.1 == point {
+            break;
+        }
+        point = highest.1;
+    }
+    point
+}
+
+/// The points of a spike around its `peak`, and the height of the peak; `None` where there is no spike.
+fn group(peak: Point, above: &mut dyn FnMut(Point) -> Option<f64>) -> Option<(Vec<Point>, f64)> {
+    let height = above(peak)?;
+    let mut points = vec![peak];
+    let mut next = 0;
+    while let Some(&point) = points.get(next) {
+        next += 1;
+        for neighbour in around(point) {
+            if !points.contains(&neighbour) && above(neighbour).is_some_and(|above| above > 0.5 * height) {
+                points.push(neighbour);
+            }
+        }
+        if points.len() > MOST_POINTS {
+            return None;
+        }
+    }
+    let (mut falls, mut count) = (0.0, 0);
+    for &[row, column] in &points {
+        for outside in [[row - 1, column], [row + 1, column], [row, column - 1], [row, column + 1]] {
+            let Some(level) = above(outside).filter(|_| !points.contains(&outside)) else { continue };
+            falls += above([row, column])? - level;
+            count += 1;
+        }
+    }
+    (count > 0 && falls > LEAST_WALL * height * f64::from(count)).then_some((points, height))
+}
+
+/// A map with some of its points missing.
+pub struct Without<'a> {
+    /// The map.
+    pub map: &'a dyn Rows,
+    /// Indices of the points left out, ascending, the y index running fastest.
+    pub points: &'a [usize],
+}
+
+impl Rows for Without<'_> {
+    fn points(&self) -> [usize; 2] {
+        self.map.points()
+    }
+
+    fn pixel(&self) -> [f64; 2] {
+        self.map.pixel()
+    }
+
+    fn precision(&self) -> f64 {
+        self.map.precision()
+    }
+
+    fn boundary(&self) -> Boundary {
+        self.map.boundary()
+    }
+
+    fn offset(&self) -> f64 {
+        self.map.offset()
+    }
+
+    fn progress(&self) -> &dyn Progress {
+        self.map.progress()
+    }
+
+    fn read(&self, ix: usize, row: &mut [f64]) {
+        self.map.read(ix, row);
+        let (first, end) = (ix * row.len(), (ix + 1) * row.len());
+        let start = self.points.partition_point(|&point| point < first);
+        for &point in self.points[start..].iter().take_while(|&&point| point < end) {
+            row[point - first] = f64::NAN;
+        }
+    }
+
+    fn block(&self, rows: std::ops::Range<usize>) -> Option<&[f64]> {
+        let columns = self.map.points()[1];
+        let start = self.points.partition_point(|&point| point < rows.start * columns);
+        let is_touched = self.points.get(start).is_some_and(|&point| point < rows.end * columns);
+        if is_touched { None } else { self.map.block(rows) }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::topography::HeightMap;
+    use crate::topography::generate::gaussian;
+    use crate::topography::spectrum::{Lay, Spectrum, SpectrumShape};
+
+    const POINTS: [usize; 2] = [200, 150];
+
+    /// A surface of unit variance with the cut-off at `cut_off` points.
+    fn surface(cut_off: f64, seed: u8) -> Vec<f64> {
+        let shape = SpectrumShape::SelfAffine { hurst: 0.8, roll_off: 32.0, cut_off };
+        let spectrum = Spectrum::new(shape, Lay::default()).unwrap().on_grid(POINTS, [1.0; 2]);
+        gaussian(&spectrum, 1.0, [seed; 32])
+    }
+
+    fn map(heights: Vec<f64>) -> HeightMap {
+        HeightMap::new(POINTS, [1.0; 2], heights, 0.0).unwrap()
+    }
+
+    #[test]
+    fn planted_spikes_are_found_point_by_point() {
+        for cut_off in [2.0, 4.0, 8.0] {
+            let mut heights = surface(cut_off, 1);
+            assert_eq!(Spikes::of(&map(heights.clone())).points, []);
+            // Single points, two beside each other, a square of nine, one at the border, one across a strip.
+            let square = [0, 1, 2].into_iter().flat_map(|i| [0, 1, 2].map(|j| (100 + i) * 150 + 70 + j));
+            let mut planted: Vec<usize> = vec![20 * 150 + 30, 0, 50 * 150 + 149, 60 * 150 + 9, 60 * 150 + 10];
+            planted.extend([31 * 150 + 77, 32 * 150 + 77]);
+            planted.extend(square);
+            for (k, &point) in planted.iter().enumerate() {
+                heights[point] += if k % 5 == 2 { -12.0 } else { 12.0 };
+            }
+            let found = Spikes::of(&map(heights));
+            planted.sort_unstable();
+            assert_eq!(found.points, planted, "{cut_off}");
+            assert!(found.largest > 9.0 && found.largest < 18.0, "{}", found.largest);
+        }
+    }
+
+    /// Heavy tails are resolved summits, not spikes: exponential heights, and bumps of two points' width.
+    #[test]
+    fn sharp_but_real_summits_are_no_spikes() {
+        for (cut_off, seed) in [(4.0, 1), (4.0, 2), (8.0, 3), (16.0, 4)] {
+            let tailed: Vec<f64> = surface(cut_off, seed).into_iter().map(|z| (0.8 * z).exp()).collect();
+            assert_eq!(Spikes::of(&map(tailed)).count, 0, "{cut_off}");
+        }
+        let mut heights = surface(8.0, 5);
+        for (i, j) in (0..200).flat_map(|i| (0..150).map(move |j| (i, j))) {
+            let square = (f64::from(i) - 90.0).powi(2) + (f64::from(j) - 80.0).powi(2);
+            heights[(i * 150 + j) as usize] += 20.0 * (-0.5 * square / 1.5f64.powi(2)).exp();
+        }
+        assert_eq!(Spikes::of(&map(heights)).count, 0);
+    }
+
+    #[test]
+    fn removed_points_are_missing_and_nothing_else_changes() {
+        let map = map(surface(8.0, 6));
+        let points = [3, 150, 151, 29_999];
+        let without = HeightMap::of(&Without { map: &map, points: &points });
+        for (k, (now, before)) in without.heights().iter().zip(map.heights()).enumerate() {
+            assert!(if points.contains(&k) { now.is_nan() } else { now == before }, "{k}");
+        }
+        let without = Without { map: &map, points: &points };
+        assert!(without.block(0..1).is_none() && without.block(5..190).is_some());
+    }
+
+    #[test]
+    fn a_flat_map_has_none() {
+        assert_eq!(Spikes::of(&map(vec![1.0; 200 * 150])), Spikes::default());
+    }
+}

@@ -1,0 +1,221 @@
+//! Whether the verdicts survive other treatments of the map: a sentence, a table, and the differences against the filter.
+
+use asperity::MeanRadius;
+use asperity::compare::{ComparedQuantity, Difference, Verdict};
+use asperity_framework::report::format::{number, quantity};
+use asperity_framework::report::page::Page;
+use asperity_plot::{Axis, Colour, Dash, Figure, Layer, Marker, Plot};
+
+use super::verdict::{loads, name, signed, verdict};
+use crate::kind::compare::findings::Verdicts;
+use crate::kind::compare::results::SurfaceResults;
+use crate::kind::compare::robustness::{Choice, Dependence, Robustness, Treatment};
+
+const ORDER: [ComparedQuantity; 3] =
+    [ComparedQuantity::Area, ComparedQuantity::Separation, ComparedQuantity::Stiffness];
+
+/// What the verdicts of case `index` depend on, in a sentence; `None` where they depend on no choice.
+pub fn sentence(found: &SurfaceResults, index: usize) -> Option<String> {
+    let robustness = found.robustness.as_ref()?;
+    let all = robustness.dependences.get(index)?;
+    let of_choice = |choice: &Choice| {
+        let mut of = all.iter().filter(|dependence| dependence.choice == *choice);
+        // In the order of the headline.
+        let first =
+            ORDER.into_iter().find_map(|judged| of.clone().find(|dependence| dependence.judged == judged))?;
+        let others = of.any(|dependence| dependence.judged != first.judged);
+        Some(clause(first, robustness, found, others))
+    };
+    let clauses: Vec<String> = Choice::ALL.iter().filter_map(of_choice).collect();
+    let differences = &found.findings.cases[index].verdicts.differences;
+    let has_interval =
+        |at: &Difference| at.estimates.iter().flatten().any(|estimate| estimate.interval().is_some());
+    // Without an interval there is no verdict to depend on anything.
+    let what =
+        if differences.iter().any(has_interval) { "The verdict depends" } else { "The differences depend" };
+    (!clauses.is_empty()).then(|| format!("{what} on {}.", clauses.join("; and on ")))
+}
+
+/// "the short-wavelength cut-off (separation at 1 MPa: −0.88 σ without an S filter, +0.25 σ with S = 3.2 um)".
+fn clause(
+    dependence: &Dependence,
+    robustness: &Robustness,
+    found: &SurfaceResults,
+    has_others: bool,
+) -> String {
+    let ends = [0, 1].map(|end| {
+        let how = match dependence.treatments[end] {
+            Some(place) => label(&robustness.treated[place].treatment),
+            None => own(dependence.choice, robustness, found),
+        };
+        format!("{} {how}", signed(dependence.judged, dependence.contrasts[end]))
+    });
+    let others = if has_others { ", other quantities too" } else { "" };
+    format!(
+        "{} ({} at {}: {}, {}{others})",
+        choice(dependence.choice),
+        name(dependence.judged),
+        loads([dependence.load; 2]),
+        ends[0],
+        ends[1]
+    )
+}
+
+fn choice(choice: Choice) -> &'static str {
+    match choice {
+        Choice::ShortWaves => "the short-wavelength cut-off",
+        Choice::Summits => "the definition of a summit",
+        Choice::MeanRadius => "the mean radius of the statistical model",
+        Choice::Level => "the form removed",
+        Choice::Spikes => "a few spikes",
+        Choice::Part => "the part of the map",
+    }
+}
+
+/// A treatment after a value.
+fn label(treatment: &Treatment) -> String {
+    match treatment {
+        Treatment::ShortWaves(None) => "without an S filter".to_owned(),
+        Treatment::ShortWaves(Some(s)) => format!("with S = {}", quantity(*s, "m")),
+        Treatment::Summits(neighbours) => format!("with {} summits", neighbours.name()),
+        Treatment::MeanRadius(MeanRadius::Arithmetic) => "with the arithmetic mean radius".to_owned(),
+        Treatment::MeanRadius(MeanRadius::InverseMeanCurvature) => "with 1/(mean curvature)".to_owned(),
+        Treatment::Level(level) => format!("with level = \"{}\"", level.name()),
+        Treatment::SpikesRemoved => "without the spikes".to_owned(),
+        Treatment::Half(0) => "on the first half".to_owned(),
+        Treatment::Half(_) => "on the second half".to_owned(),
+    }
+}
+
+/// The map's own way of making a choice, after a value.
+fn own(choice: Choice, robustness: &Robustness, found: &SurfaceResults) -> String {
+    let map = found.surface.map.as_ref();
+    match choice {
+        Choice::ShortWaves => label(&Treatment::ShortWaves(robustness.own_cut_off)),
+        Choice::Summits => map.map_or_else(String::new, |map| label(&Treatment::Summits(map.neighbours))),
+        Choice::Level => map.map_or_else(String::new, |map| label(&Treatment::Level(map.level))),
+        Choice::MeanRadius | Choice::Spikes | Choice::Part => "as analysed".to_owned(),
+    }
+}
+
+/// Table and figure for case `index`; nothing where no treatments were examined.
+pub fn section(page: &mut Page, found: &SurfaceResults, index: usize, title: &str, stem: &str) {
+    let Some(robustness) = &found.robustness else { return };
+    let examined = robustness.loads(index);
+    let Some(&load) = examined.get(examined.len() / 2) else { return };
+    let verdicts = &found.findings.cases[index].verdicts;
+    page.heading(3, &format!("{title}: robustness"));
+    let all = examined.len();
+    let finding = sentence(found, index).unwrap_or_else(|| {
+        "No verdict is reversed by another treatment of the map: other summits, mean radius, form, S filter or half of the map."
+            .to_owned()
+    });
+    page.paragraph(&format!(
+        "{finding} Both models were computed again under each treatment at {all} valid loads from {}; the table shows them at {}.",
+        loads([examined[0], examined[all - 1]]),
+        loads([load; 2])
+    ));
+    let own = verdicts.differences.iter().find(|at| at.load == load);
+    let mut rows = vec![row("as analysed", own, verdicts)];
+    rows.extend(robustness.treated.iter().map(|one| {
+        let at = one.differences(index).iter().find(|at| at.load == load);
+        row(&label(&one.treatment), at, verdicts)
+    }));
+    page.table(["treatment", "real contact area", "separation", "stiffness", "effective contacts"], rows);
+    page.paragraph(
+        "Statistical minus deterministic model at equal load, with the verdict by its 95 % interval. A verdict depends on a choice \
+         where two ways of making it give opposite verdicts at one load; without intervals, where they give differences on \
+         different sides of what is accepted, further apart than that.",
+    );
+    if let Some(svg) = against_filter(robustness, verdicts, index, found) {
+        page.figure(
+            &format!("{stem}-filter.svg"),
+            svg,
+            &format!(
+                "{title}: differences between the models against the nesting index of the S filter, the shortest wavelength left, \
+                 at up to three loads. Without a filter the points are drawn at one pixel. Green: accepted."
+            ),
+        );
+    }
+}
+
+fn row(treatment: &str, at: Option<&Difference>, verdicts: &Verdicts) -> Vec<String> {
+    let mut row = vec![treatment.to_owned()];
+    row.extend(ORDER.map(|judged| {
+        let estimate = at.and_then(|at| at.estimates[judged as usize]);
+        let Some(estimate) = estimate else { return "–".to_owned() };
+        let value = signed(judged, estimate.contrast);
+        match at.filter(|at| at.exceeded().is_none()) {
+            None => format!("{value} (not valid)"),
+            Some(_) => {
+                format!("{value} ({})", verdict(Verdict::of(&estimate, verdicts.accepted.band(judged))))
+            }
+        }
+    }));
+    let contacts = at.and_then(|at| at.sharing).map(|sharing| sharing.effective_contacts);
+    row.push(contacts.map_or_else(|| "–".to_owned(), number));
+    row
+}
+
+/// How much of the axis is shown at least, in accepted differences.
+const VIEW: f64 = 1.5;
+
+/// Differences of area and separation against the nesting index; `None` where fewer than two filters gave an answer.
+fn against_filter(
+    robustness: &Robustness,
+    verdicts: &Verdicts,
+    index: usize,
+    found: &SurfaceResults,
+) -> Option<String> {
+    let map = found.surface.map.as_ref()?;
+    let pixel = 1e6 * map.pixel[0].max(map.pixel[1]);
+    let mut filtered: Vec<(f64, &[Difference])> = robustness
+        .treated
+        .iter()
+        .filter_map(|one| match one.treatment {
+            Treatment::ShortWaves(s) => Some((s.map_or(pixel, |s| 1e6 * s), one.differences(index))),
+            _ => None,
+        })
+        .filter(|(_, differences)| !differences.is_empty())
+        .collect();
+    filtered.push((robustness.own_cut_off.map_or(pixel, |s| 1e6 * s), &verdicts.differences));
+    filtered.sort_by(|a, b| a.0.total_cmp(&b.0));
+    if filtered.len() < 2 {
+        return None;
+    }
+    let examined = robustness.loads(index);
+    let mut shown = vec![examined[0], examined[examined.len() / 2], examined[examined.len() - 1]];
+    shown.dedup();
+    let ends = [filtered[0].0 / 1.2, filtered[filtered.len() - 1].0 * 1.2];
+    let panels =
+        [(ComparedQuantity::Area, "area (%)", 100.0), (ComparedQuantity::Separation, "separation (σ)", 1.0)];
+    let plots = panels.into_iter().map(|(judged, label, unit)| {
+        let accepted = unit * verdicts.accepted.of(judged);
+        let axis = Axis::log("S nesting index (µm)").range(ends[0], ends[1]);
+        let values = filtered.iter().flat_map(|(_, differences)| differences.iter());
+        let values = values.filter(|at| shown.contains(&at.load));
+        let values =
+            values.filter_map(|at| Some(unit * judged.reported(at.estimates[judged as usize]?.contrast)));
+        let [low, high] = values.fold([-VIEW * accepted, VIEW * accepted], |[low, high], value| {
+            [low.min(value), high.max(value)]
+        });
+        let room = 0.05 * (high - low);
+        let mut plot = Plot::new("", axis, Axis::linear(label).range(low - room, high + room))
+            .height(210.0)
+            .with(Layer::region_y(-accepted, accepted, "accepted").coloured(Colour::Series(2)))
+            .with(Layer::at_y(0.0, ""));
+        for ((place, load), dash) in shown.iter().enumerate().zip([Dash::Solid, Dash::Dashed, Dash::Dotted]) {
+            let points = filtered.iter().filter_map(|(s, differences)| {
+                let at = differences.iter().find(|at| at.load == *load)?;
+                Some((*s, unit * judged.reported(at.estimates[judged as usize]?.contrast)))
+            });
+            let points: Vec<(f64, f64)> = points.collect();
+            let colour = Colour::Series(place);
+            plot = plot
+                .with(Layer::line(points.clone()).coloured(colour).dashed(dash).named(loads([*load; 2])))
+                .with(Layer::points(points, Marker::Circle).coloured(colour));
+        }
+        plot
+    });
+    Some(Figure::column("Statistical minus deterministic model by S filter", plots.collect()).svg())
+}

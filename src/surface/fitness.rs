@@ -1,0 +1,268 @@
+//! Fitness checks of a map in words: what was measured, what is allowed, and the remedy in the keys of a spec.
+
+use asperity::topography::fitness::{Finding, Measure};
+use asperity_framework::report::format::{count, input_quantity, number, percent, quantity};
+use asperity_framework::report::page::{Page, escape};
+use serde::Serialize;
+
+use super::found::{MapFacts, Surface};
+
+/// A check in `summary.json`.
+#[derive(Debug, Serialize)]
+pub struct FitnessSummary<'a> {
+    surface: &'a str,
+    check: &'static str,
+    measure: &'static str,
+    value: f64,
+    threshold: f64,
+    passed: bool,
+    blocks: bool,
+}
+
+/// The checks of surfaces for `summary.json`.
+pub fn fitness_summary<'a>(surfaces: impl IntoIterator<Item = &'a Surface>) -> Vec<FitnessSummary<'a>> {
+    let of = |surface: &'a Surface| {
+        surface.fitness().iter().map(move |finding| FitnessSummary {
+            surface: &surface.name,
+            check: finding.check.name(),
+            measure: finding.measure.name(),
+            value: finding.value,
+            threshold: finding.threshold(),
+            passed: finding.has_passed(),
+            blocks: finding.is_blocking(),
+        })
+    };
+    surfaces.into_iter().flat_map(of).collect()
+}
+
+/// What keeps a map from carrying a verdict, and the remedy: a sentence for each such check.
+pub fn failures(map: &MapFacts) -> Vec<String> {
+    let sentence = |finding: &Finding| {
+        format!("{}: {}. Remedy: {}.", finding.check.name(), fault(finding, map), remedy(finding, map))
+    };
+    map.blocking().map(sentence).collect()
+}
+
+/// The faults that keep a map from carrying a verdict, in a few words each, with the remedy in spec syntax.
+pub fn blocked_by(surface: &Surface) -> Vec<String> {
+    let Some(map) = &surface.map else { return Vec::new() };
+    map.blocking().map(|finding| format!("{} ({})", fault(finding, map), remedy(finding, map))).collect()
+}
+
+/// The checks on a page; nothing where nothing was checked.
+pub fn section(page: &mut Page, surface: &Surface) {
+    let Some(map) = surface.map.as_ref().filter(|map| !map.fitness.is_empty()) else { return };
+    page.heading(3, &format!("{}: fitness of the map", escape(&surface.name)));
+    page.paragraph(&conclusion(map));
+    page.table(
+        ["check", "measured", "value", "allowed", "result", "remedy"],
+        map.fitness.iter().map(|finding| {
+            let result = match (finding.has_passed(), finding.is_blocking()) {
+                (true, _) => "passed",
+                (false, true) => "**failed**",
+                (false, false) => "caution",
+            };
+            vec![
+                finding.check.name().to_owned(),
+                measured(finding.measure).to_owned(),
+                value(finding.measure, finding.value),
+                allowed(finding),
+                result.to_owned(),
+                if finding.has_passed() { String::new() } else { remedy(finding, map) },
+            ]
+        }),
+    );
+}
+
+/// The checks as lines of text for a terminal.
+pub fn for_terminal(surface: &Surface) -> Vec<[String; 2]> {
+    let Some(map) = &surface.map else { return Vec::new() };
+    let line = |finding: &Finding| {
+        let state = match (finding.has_passed(), finding.is_blocking()) {
+            (true, _) => "passed",
+            (false, true) => "FAILED",
+            (false, false) => "caution",
+        };
+        let name = format!("check {}", finding.check.name());
+        let found = format!(
+            "{state}: {} {} (allowed: {})",
+            measured(finding.measure),
+            value(finding.measure, finding.value),
+            allowed(finding)
+        );
+        [name, found]
+    };
+    map.fitness.iter().map(line).collect()
+}
+
+fn conclusion(map: &MapFacts) -> String {
+    let of = |is_wanted: &dyn Fn(&Finding) -> bool| {
+        map.fitness.iter().filter(|finding| is_wanted(finding)).count()
+    };
+    let failed = of(&Finding::is_blocking);
+    let cautions = of(&|finding| !finding.has_passed()) - failed;
+    let passed = map.fitness.len() - failed - cautions;
+    let rest = match cautions {
+        0 => String::new(),
+        1 => " One check calls for caution, which does not keep the map from carrying a verdict.".to_owned(),
+        more => {
+            format!(" {more} checks call for caution, which does not keep the map from carrying a verdict.")
+        }
+    };
+    match failed {
+        0 => format!("Fit for a verdict: {passed} of {} checks passed.{rest}", map.fitness.len()),
+        1 => format!("Not fit for a verdict as it is: one of {} checks failed.{rest}", map.fitness.len()),
+        more => {
+            format!("Not fit for a verdict as it is: {more} of {} checks failed.{rest}", map.fitness.len())
+        }
+    }
+}
+
+/// What a check measures.
+fn measured(measure: Measure) -> &'static str {
+    match measure {
+        Measure::Spikes => "number of spikes",
+        Measure::FormShare => "share of the variance in the next higher polynomial",
+        Measure::SlopeCorrelation => "correlation of slopes along x and y",
+        Measure::AspectRatio => "texture aspect ratio Str",
+        Measure::LineOffsets => "share of line offsets in the variance of second differences",
+        Measure::StepOverDrop => "height step over the median drop from a summit to its neighbours",
+        Measure::DistinctCurvatures => "distinct curvatures of the summits",
+        Measure::CurvatureGrowth | Measure::NoiseGrowth => {
+            "growth of the curvature at the pixel: log₂ of its ratio at S filters of 2 and 4 pixels"
+        }
+        Measure::DensityOverTheory => "density of summits over five-point theory",
+        Measure::CurvatureOverTheory => "curvature of summits over five-point theory",
+        Measure::LengthOverSide => "correlation length over side of the map",
+        Measure::Slope => "r.m.s. slope",
+    }
+}
+
+fn value(measure: Measure, value: f64) -> String {
+    match measure {
+        Measure::Spikes | Measure::DistinctCurvatures => count(value as usize),
+        Measure::FormShare | Measure::LineOffsets => percent(value),
+        _ => number(value),
+    }
+}
+
+fn allowed(finding: &Finding) -> String {
+    let threshold = value(finding.measure, finding.threshold());
+    match (finding.is_least(), finding.measure) {
+        (_, Measure::Spikes) => "none".to_owned(),
+        (true, _) => format!("at least {threshold}"),
+        (false, _) => format!("at most {threshold}"),
+    }
+}
+
+/// What a failed check found, in a few words.
+fn fault(finding: &Finding, map: &MapFacts) -> String {
+    let found = value(finding.measure, finding.value);
+    match finding.measure {
+        Measure::Spikes => {
+            let largest = map.spikes.as_ref().map_or(0.0, |spikes| spikes.left.largest);
+            let spikes = if finding.value == 1.0 { "spike" } else { "spikes" };
+            format!("{found} {spikes} of up to {}", quantity(largest, "m"))
+        }
+        Measure::FormShare => format!("{found} of the variance of heights is form that levelling left"),
+        Measure::SlopeCorrelation => format!(
+            "the lay lies at an angle to the grid (slopes along x and y correlate by {found}), so that five-point summits are found \
+             in rows along the ridges where the surface has none"
+        ),
+        Measure::AspectRatio => {
+            format!("strong lay (Str = {found}): asperities are ridges rather than spheres")
+        }
+        Measure::LineOffsets => {
+            format!("{found} of the variance of second differences are offsets between lines")
+        }
+        Measure::StepOverDrop => {
+            let step = map
+                .quantisation
+                .and_then(|found| found.step)
+                .map_or_else(String::new, |step| quantity(step, "m"));
+            let drop = map.quantisation.map_or_else(String::new, |found| quantity(found.median_drop, "m"));
+            format!(
+                "height steps of {step} make the summits, whose median drop to their neighbours is {drop}"
+            )
+        }
+        Measure::DistinctCurvatures => {
+            format!(
+                "the {} summits have only {found} distinct curvatures: the instrument makes the radii",
+                count(map.summits)
+            )
+        }
+        Measure::CurvatureGrowth => {
+            format!(
+                "the pixel cuts the roughness off: curvatures still grow as wavelength to the power −{found}"
+            )
+        }
+        Measure::NoiseGrowth => format!(
+            "noise makes the summits: towards the pixel curvatures grow as wavelength to the power −{found}, faster than on any \
+             self-affine surface"
+        ),
+        Measure::DensityOverTheory => {
+            format!(
+                "the density of summits is {found} times that of a Gaussian surface with the same differences between neighbours"
+            )
+        }
+        Measure::CurvatureOverTheory => {
+            format!(
+                "the curvature of summits is {found} times that of a Gaussian surface with the same differences between neighbours"
+            )
+        }
+        Measure::LengthOverSide => {
+            format!("the longest waves are as long as the map: the correlation length is {found} of the side")
+        }
+        Measure::Slope => format!("the r.m.s. slope is {found}"),
+    }
+}
+
+/// What to do about a failed check, in the keys of a spec where there is one.
+fn remedy(finding: &Finding, map: &MapFacts) -> String {
+    let pixel = map.pixel[0].max(map.pixel[1]);
+    let side = (map.points[0] as f64 * map.pixel[0]).min(map.points[1] as f64 * map.pixel[1]);
+    let s = |pixels: f64| format!("filter = {{ s = \"{}\" }}", input_quantity(rounded(pixels * pixel), "m"));
+    let l = || format!("filter = {{ l = \"{}\" }}", input_quantity(rounded(side / 6.0), "m"));
+    match finding.measure {
+        Measure::Spikes => "outliers = \"remove\"".to_owned(),
+        Measure::FormShare => match map.level.next() {
+            Some(next) => format!("level = \"{}\", or an L filter such as {}", next.name(), l()),
+            None => format!("an L filter such as {}", l()),
+        },
+        Measure::SlopeCorrelation => {
+            "neighbours = \"eight\", or better a map turned so that the lay is along x or y".to_owned()
+        }
+        Measure::AspectRatio => "law = \"elliptic-zmc\" or \"elliptic-hertz\" describes ridges".to_owned(),
+        Measure::LineOffsets => {
+            let lines = map.offsets.map_or("x", |offsets| if offsets.axis() == 0 { "x" } else { "y" });
+            format!("align-lines = \"{lines}\"")
+        }
+        Measure::StepOverDrop | Measure::DistinctCurvatures => {
+            format!("an S filter such as {} or longer, or a measurement with finer steps", s(wider(map, 8.0)))
+        }
+        Measure::NoiseGrowth => format!("an S filter such as {} or longer", s(wider(map, 4.0))),
+        Measure::CurvatureGrowth => format!(
+            "an S filter at the shortest wave that matters to your contact, such as {}",
+            s(wider(map, 8.0))
+        ),
+        Measure::DensityOverTheory | Measure::CurvatureOverTheory => {
+            "look at the height map: faults, several textures or smoothing of the instrument make such summits".to_owned()
+        }
+        Measure::LengthOverSide => format!("a larger map, or an L filter such as {}", l()),
+        Measure::Slope if finding.is_blocking() => {
+            "unit or pixel: heights and pixel size are probably in different units".to_owned()
+        }
+        Measure::Slope => "both models leave out terms of second order in the slope".to_owned(),
+    }
+}
+
+/// The nesting index (in pixels) to try: twice the present one, at least `least`.
+fn wider(map: &MapFacts, least: f64) -> f64 {
+    let now = map.filter.and_then(|filter| filter.s()).unwrap_or_default();
+    (2.0 * now / map.pixel[0].max(map.pixel[1])).max(least)
+}
+
+/// To two digits.
+fn rounded(length: f64) -> f64 {
+    format!("{length:.1e}").parse().unwrap_or(length)
+}

@@ -1,0 +1,330 @@
+//! From a height map to asperities: preparation, checks, and the search for summits.
+
+use asperity::topography::fitness::{
+    AlignedLines, Examined, Finding, LineOffsets, Lines, Measured, Spikes, Without, step_over_drop,
+};
+use asperity::topography::summits::{Detail, Neighbours, Summits, find};
+use asperity::topography::{
+    Autocorrelation, CorrelationLengths, Filter, FilterError, Level, Levelled, Quantisation,
+    RoughnessParameters, Rows, Undetermined, Watched, Window, theory, thumbnail,
+};
+use asperity::{AsperitySet, Ellipse, SetError};
+use asperity_framework::progress::Progress;
+
+use super::found::{GenerationFacts, MapFacts, SpikeFacts};
+use super::independence::Independence;
+use super::overview::{AnalysisDepth, MapOverview};
+
+/// A map on which no asperities are found.
+#[derive(Debug, thiserror::Error)]
+pub(super) enum NoAsperities {
+    #[error(transparent)]
+    Level(#[from] Undetermined),
+    #[error(transparent)]
+    Filter(#[from] FilterError),
+    #[error("has no summit: once levelled it is flat to the rounding of its heights")]
+    Flat,
+    #[error("has no summit: none of its {tested} tested points is higher than its neighbours")]
+    NoSummit { tested: usize },
+    #[error(
+        "has {summits} summits that are equally high: separations are measured in their standard deviation; allowed: summits of \
+             different heights"
+    )]
+    EqualHeights { summits: usize },
+    #[error(transparent)]
+    Set(#[from] SetError),
+}
+
+/// What is done to a map before its summits are searched, and what a summit is.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Preparation {
+    /// Whether spikes become missing points.
+    pub removes_spikes: bool,
+    /// The axis along which lines are aligned.
+    pub aligned: Option<Lines>,
+    /// The form removed.
+    pub level: Level,
+    /// The filters.
+    pub filter: Option<Filter>,
+    /// What a summit is.
+    pub neighbours: Neighbours,
+    /// The first or the second half of the map alone.
+    pub half: Option<usize>,
+}
+
+impl Preparation {
+    /// Of a map that needs none.
+    pub fn none(neighbours: Neighbours) -> Self {
+        Self {
+            removes_spikes: false,
+            aligned: None,
+            level: Level::None,
+            filter: None,
+            neighbours,
+            half: None,
+        }
+    }
+}
+
+/// How asperities are found on a map.
+pub(super) struct SummitSearch<'a> {
+    pub(super) preparation: Preparation,
+    /// Whether the ellipses of the asperities are wanted.
+    pub(super) as_ellipses: bool,
+    /// What the map was made by, if it was made.
+    pub(super) generation: Option<GenerationFacts>,
+    pub(super) depth: AnalysisDepth,
+    /// Whether the map is divided into blocks for a sampling error.
+    pub(super) divides: bool,
+    /// Correlation lengths of the heights, where they are known already.
+    pub(super) correlation: Option<CorrelationLengths>,
+    pub(super) progress: &'a dyn Progress,
+}
+
+/// What a map gives.
+pub(super) struct Found {
+    pub(super) set: AsperitySet,
+    pub(super) facts: MapFacts,
+    pub(super) independence: Independence,
+}
+
+/// Spikes of a map beside spikes stand out only once those are gone.
+const PASSES: usize = 3;
+
+impl SummitSearch<'_> {
+    /// Prepares and checks a map and finds its summits, row by row: only a filter and the closest depth need the map in
+    /// memory.
+    pub(super) fn asperities(&self, raw: &dyn Rows) -> Result<Found, NoAsperities> {
+        let progress = self.progress;
+        let raw: &dyn Rows = &Watched { map: raw, progress };
+        let halves = Window::halves(raw);
+        let raw: &dyn Rows = self.preparation.half.map_or(raw, |half| &halves[half]);
+        let is_checked = self.depth != AnalysisDepth::Asperities;
+        let mut removed = Vec::new();
+        let mut left = None;
+        if self.generation.is_none() && (is_checked || self.preparation.removes_spikes) {
+            progress.stage("spikes", 2.0);
+            let passes = if self.preparation.removes_spikes { PASSES } else { 0 };
+            for pass in 0..=passes {
+                let found = Spikes::of(&Without { map: raw, points: &removed });
+                if pass == passes || found.count == 0 {
+                    left = Some(found);
+                    break;
+                }
+                removed.extend(found.points);
+                removed.sort_unstable();
+            }
+        }
+        let without = Without { map: raw, points: &removed };
+        let aligned = self.preparation.aligned.map(|lines| AlignedLines::new(&without, lines));
+        let cleaned: &dyn Rows = aligned.as_ref().map_or(&without as &dyn Rows, |aligned| aligned);
+        progress.stage("levelling", 1.0);
+        let levelled = Levelled { map: cleaned, form: self.preparation.level.form(cleaned)? };
+        let filtered = match self.preparation.filter {
+            Some(filter) => {
+                progress.stage("filtering", filter.work(raw.pixel()));
+                Some(filter.apply(&levelled)?)
+            }
+            None => None,
+        };
+        let map: &dyn Rows = filtered.as_ref().map_or(&levelled as &dyn Rows, |map| map);
+        let map: &dyn Rows = &Watched { map, progress };
+        progress.stage("roughness parameters", 2.0);
+        let roughness = RoughnessParameters::of(map);
+        if roughness.moments.sq <= levelled.form.magnitude() * raw.precision().max(f64::EPSILON) {
+            return Err(NoAsperities::Flat);
+        }
+        // The drops reveal only height steps of an instrument.
+        let detail = Detail {
+            positions: self.divides,
+            principal: true,
+            drops: self.generation.is_none() && is_checked,
+        };
+        progress.stage("summits", 1.0);
+        let summits = find(map, self.preparation.neighbours, detail);
+        if summits.heights.is_empty() {
+            return Err(NoAsperities::NoSummit { tested: summits.tested });
+        }
+        let mut correlation = self.correlation;
+        let mut aspect = None;
+        if correlation.is_none() && (self.divides || is_checked) {
+            progress.stage("correlation", 1.0);
+            let points = left.as_ref().map_or(&[][..], |left| &left.points);
+            let found = correlation_of(&Without { map, points }, roughness.moments.mean);
+            correlation = Some(found.as_ref().map_or(CorrelationLengths::NONE, CorrelationLengths::of));
+            aspect = found.and_then(|found| found.aspect);
+        }
+        let independence = match correlation.filter(|_| self.divides) {
+            Some(correlation) => Independence::of_map(map, correlation, &summits),
+            None => Independence::Realisations,
+        };
+        let spikes = left.map(|left| SpikeFacts { removed: removed.len(), left });
+        let mut facts = self.facts(cleaned, map, roughness, &summits, spikes);
+        facts.correlation = correlation;
+        if is_checked {
+            progress.stage("fitness checks", 4.0);
+            facts.offsets = facts.spikes.is_some().then(|| LineOffsets::of(map));
+            facts.fitness = fitness(map, &facts, &summits, aspect);
+        }
+        let [dx, dy] = map.pixel();
+        let radii = summits.curvatures.iter().map(|curvature| curvature.recip()).collect();
+        let set = AsperitySet::new(summits.heights, radii, dx * dy * summits.tested as f64)?;
+        if !self.as_ellipses {
+            return Ok(Found { set, facts, independence });
+        }
+        let ellipses = summits.principal.iter().copied().map(Ellipse::of_summit).collect();
+        Ok(Found { set: set.with_ellipses(ellipses)?, facts, independence })
+    }
+
+    fn facts(
+        &self,
+        raw: &dyn Rows,
+        map: &dyn Rows,
+        roughness: RoughnessParameters,
+        summits: &Summits,
+        spikes: Option<SpikeFacts>,
+    ) -> MapFacts {
+        let sq = roughness.moments.sq;
+        let Preparation { aligned, level, filter, neighbours, .. } = self.preparation;
+        let is_five_point = neighbours == Neighbours::Four;
+        let is_checked = self.generation.is_none() && self.depth != AnalysisDepth::Asperities;
+        MapFacts {
+            points: map.points(),
+            pixel: map.pixel(),
+            offset: map.offset(),
+            tested: summits.tested,
+            level,
+            filter,
+            aligned,
+            neighbours,
+            summits: summits.heights.len(),
+            plateaus: summits.plateaus,
+            dropped: summits.dropped,
+            saddles: summits.principal.iter().filter(|principal| principal[1] <= 0.0).count(),
+            expected: is_five_point.then(|| theory::five_point(&roughness.drops, sq, map.pixel())).flatten(),
+            nayak: theory::nayak(roughness.spectral_moments()),
+            quantisation: is_checked.then(|| Quantisation::of(raw, summits, filter.is_some())),
+            spikes,
+            fitness: Vec::new(),
+            offsets: None,
+            correlation: None,
+            generation: self.generation.clone(),
+            whole: MapOverview::of(
+                map,
+                &roughness,
+                self.generation.as_ref().map(|made| &made.generator),
+                self.depth,
+            ),
+            roughness,
+        }
+    }
+}
+
+/// The checks of a map that was searched.
+fn fitness(map: &dyn Rows, facts: &MapFacts, summits: &Summits, aspect: Option<f64>) -> Vec<Finding> {
+    let [dx, dy] = facts.pixel;
+    let count = summits.curvatures.len() as f64;
+    let examined = Examined {
+        map,
+        spikes: facts.spikes.as_ref().map_or(&[], |spikes| &spikes.left.points),
+        roughness: &facts.roughness,
+        level: facts.level,
+        neighbours: facts.neighbours,
+        found: [count / (dx * dy * summits.tested as f64), summits.curvatures.iter().sum::<f64>() / count],
+        expected: facts.expected,
+        correlation: facts.correlation,
+        aspect,
+    };
+    let measured = facts.spikes.as_ref().zip(facts.quantisation).map(|(spikes, quantisation)| Measured {
+        spikes: spikes.left.count,
+        offsets: facts.offsets.unwrap_or_default(),
+        quantisation,
+        step_over_drop: step_over_drop(map, &quantisation, facts.filter.as_ref()),
+    });
+    examined.findings(measured.as_ref())
+}
+
+/// The autocorrelation of a coarse map of the heights.
+fn correlation_of(map: &dyn Rows, mean: f64) -> Option<Autocorrelation> {
+    /// Points along an axis of the coarse map.
+    const MOST: usize = 1024;
+    Autocorrelation::of(&thumbnail(map, MOST), mean)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use asperity::topography::generate::SurfaceGenerator;
+    use asperity::topography::generate::{Plateau, Process, Seeds, SpectrumOf};
+    use asperity::topography::spectrum::Spectrum;
+    use asperity::topography::spectrum::{Lay, SpectrumShape};
+    use asperity::{HeightMap, Heights};
+    use asperity_framework::progress::Silent;
+
+    fn map(points: [usize; 2], height: impl Fn(usize) -> f64) -> HeightMap {
+        HeightMap::new(points, [1.0, 2.0], (0..points[0] * points[1]).map(height).collect(), 0.0).unwrap()
+    }
+
+    fn facts(plateau: Option<Plateau>, neighbours: Neighbours) -> (HeightMap, MapFacts) {
+        let generator =
+            SurfaceGenerator { points: [64, 48], pixel: [1.0, 0.8], process: process(3.0), plateau };
+        let (map, cut) = generator.surface(Seeds { process: [1; 32], plateau: [2; 32] }).unwrap();
+        let generation = Some(GenerationFacts { generator, target: None, cut });
+        let search = SummitSearch {
+            preparation: Preparation::none(neighbours),
+            generation,
+            as_ellipses: false,
+            depth: AnalysisDepth::Everything,
+            divides: false,
+            correlation: None,
+            progress: &Silent,
+        };
+        let facts = search.asperities(&map).unwrap().facts;
+        (map, facts)
+    }
+
+    fn process(length: f64) -> Process {
+        let spectrum = Spectrum::new(SpectrumShape::Exponential(length), Lay::default()).unwrap();
+        Process { spectrum, of: SpectrumOf::Heights, sigma: 1.0, heights: Heights::GAUSSIAN }
+    }
+
+    #[test]
+    fn a_surface_of_two_processes_has_no_target_spectrum() {
+        let one = facts(None, Neighbours::Four).1;
+        assert!(one.whole.target.is_some() && !one.whole.is_target_of_gaussian);
+        let two = facts(Some(Plateau { process: process(2.0), height: 0.0 }), Neighbours::Four).1;
+        assert!(two.whole.target.is_none() && two.whole.spectrum.is_some());
+    }
+
+    #[test]
+    fn saddles_are_summits_whose_smaller_curvature_is_not_positive() {
+        for neighbours in [Neighbours::Four, Neighbours::Eight] {
+            let (map, facts) = facts(None, neighbours);
+            let principal = find(&map, neighbours, Detail::ALL).principal;
+            let [larger, smaller] =
+                [0, 1].map(|k| principal.iter().filter(|curvatures| curvatures[k] <= 0.0).count());
+            assert_eq!((facts.saddles, larger), (smaller, 0));
+            assert!(smaller > 0);
+        }
+    }
+
+    /// What is left of a plane far from zero is its rounding.
+    #[test]
+    fn a_plane_far_from_zero_is_flat_once_it_is_levelled() {
+        let map = map([40, 30], |k| 1.0 + 1e-3 * (k / 30) as f64 + f64::EPSILON * ((k * k) % 2) as f64);
+        let search = |level| {
+            SummitSearch {
+                preparation: Preparation { level, ..Preparation::none(Neighbours::Four) },
+                generation: None,
+                as_ellipses: false,
+                depth: AnalysisDepth::Asperities,
+                divides: false,
+                correlation: None,
+                progress: &Silent,
+            }
+            .asperities(&map)
+        };
+        assert!(matches!(search(Level::Plane), Err(NoAsperities::Flat)));
+        assert!(matches!(search(Level::Quadratic), Err(NoAsperities::Flat)));
+    }
+}

@@ -1,0 +1,187 @@
+//! Fitness of measured maps: each fault planted in a good map is found, blocks the verdict, and its remedy gives the verdict
+//! back; the verdicts under other treatments of a map.
+
+use std::f64::consts::TAU;
+use std::path::Path;
+
+use asperity::compare::{ComparedQuantity, Verdict};
+use asperity::npy;
+use asperity::topography::fitness::Check;
+use asperity::topography::generate::gaussian;
+use asperity::topography::spectrum::{Lay, Spectrum, SpectrumShape};
+use asperity_experiment::Experiment;
+use asperity_experiment::kind::compare::results::{CompareResults, SurfaceResults};
+use asperity_experiment::kind::compare::robustness::Choice;
+use asperity_framework::Outcome;
+use asperity_framework::progress::Silent;
+use rand::{RngExt, SeedableRng};
+
+const SIDE: usize = 640;
+
+/// A map of Sq 0.1 um on pixels of 1 um, with the shortest waves `cut_off` pixels long.
+fn good(cut_off: f64) -> Vec<f64> {
+    let shape = SpectrumShape::SelfAffine { hurst: 0.8, roll_off: 32.0, cut_off };
+    let spectrum = Spectrum::new(shape, Lay::default()).unwrap().on_grid([SIDE; 2], [1.0; 2]);
+    gaussian(&spectrum, 1e-7, [9; 32])
+}
+
+fn write(folder: &Path, name: &str, height: impl Fn(usize, usize) -> f64) {
+    let heights = (0..SIDE * SIDE).map(|k| height(k / SIDE, k % SIDE));
+    npy::write(std::fs::File::create(folder.join(name)).unwrap(), [SIDE; 2], heights).unwrap();
+}
+
+/// Both models on maps, each a name, a file and further keys.
+fn run(folder: &Path, more: &str, maps: &[(&str, &str, &str)]) -> Box<dyn Outcome> {
+    let surfaces: String = maps
+        .iter()
+        .map(|(name, file, keys)| {
+            format!("[surface.{name}.file]\npath = \"{file}\"\npixel = \"1 um\"\n{keys}\n")
+        })
+        .collect();
+    let spec = format!(
+        "title = \"t\"\n{}[compare]\nrough = \"steel\"\nflat = \"steel\"\nlaw = \"zmc\"\n\
+         pressure = {{ from = \"1 MPa\", to = \"40 MPa\", points = 9 }}\n{more}\n{surfaces}",
+        steel!()
+    );
+    let path = folder.join("fitness.toml");
+    std::fs::write(&path, spec).unwrap();
+    Experiment::read(&path).unwrap().run(&Silent).unwrap()
+}
+
+fn failed(found: &SurfaceResults) -> Vec<Check> {
+    found
+        .surface
+        .fitness()
+        .iter()
+        .filter(|finding| finding.is_blocking())
+        .map(|finding| finding.check)
+        .collect()
+}
+
+/// The verdict on each quantity at each load, where it is valid.
+fn verdicts(found: &SurfaceResults) -> Vec<Option<Verdict>> {
+    let verdicts = &found.findings.cases[0].verdicts;
+    let at_each = verdicts.differences.iter().flat_map(|at| {
+        ComparedQuantity::ALL.map(|judged| {
+            let estimate = at.estimates[judged as usize].filter(|_| at.exceeded().is_none())?;
+            Some(Verdict::of(&estimate, verdicts.accepted.band(judged)))
+        })
+    });
+    at_each.collect()
+}
+
+/// How many of two lists of verdicts are the same, and how many contradict each other.
+fn agreement(one: &SurfaceResults, other: &SurfaceResults) -> (usize, usize, usize) {
+    let pairs: Vec<(Verdict, Verdict)> =
+        verdicts(one).into_iter().zip(verdicts(other)).filter_map(|(a, b)| Some((a?, b?))).collect();
+    let same = pairs.iter().filter(|(a, b)| a == b).count();
+    let is_told = |verdict: Verdict| verdict != Verdict::CannotTell;
+    let opposite = pairs.iter().filter(|(a, b)| a != b && is_told(*a) && is_told(*b)).count();
+    (pairs.len(), same, opposite)
+}
+
+#[test]
+fn planted_faults_are_found_and_their_remedies_give_the_verdict_back() {
+    let folder = tempfile::tempdir().unwrap();
+    let base = good(8.0);
+    let at = |i: usize, j: usize| base[i * SIDE + j];
+    let mut rng = rand_chacha::ChaCha8Rng::seed_from_u64(4);
+    let offsets: Vec<f64> = (0..SIDE).map(|_| rng.random_range(-1e-7..1e-7)).collect();
+    let bad: Vec<[usize; 2]> = (0..6).map(|_| [0; 2].map(|_| rng.random_range(0..SIDE))).collect();
+    let step = 2.5e-8;
+    let from_centre = |i: usize| i as f64 / (0.5 * SIDE as f64) - 1.0;
+    write(folder.path(), "good.npy", at);
+    write(folder.path(), "spikes.npy", |i, j| at(i, j) + if bad.contains(&[i, j]) { 2e-6 } else { 0.0 });
+    write(folder.path(), "form.npy", |i, j| at(i, j) + 2e-7 * from_centre(i).powi(2));
+    write(folder.path(), "lines.npy", |i, j| at(i, j) + offsets[j]);
+    write(folder.path(), "steps.npy", |i, j| (at(i, j) / step).round() * step);
+    write(folder.path(), "lay.npy", |i, j| at(i, j) + 1.5e-7 * (TAU * (i + j) as f64 / 20.0).sin());
+    let filter = "filter = { s = \"12 um\" }";
+    let results: CompareResults = crate::downcast(run(
+        folder.path(),
+        "robustness = false",
+        &[
+            ("good", "good.npy", ""),
+            ("smooth", "good.npy", filter),
+            ("spikes", "spikes.npy", ""),
+            ("form", "form.npy", ""),
+            ("lines", "lines.npy", ""),
+            ("steps", "steps.npy", ""),
+            ("lay", "lay.npy", ""),
+            ("no-spikes", "spikes.npy", "outliers = \"remove\""),
+            ("no-form", "form.npy", "level = \"quadratic\""),
+            ("no-lines", "lines.npy", "align-lines = \"x\""),
+            ("no-steps", "steps.npy", filter),
+            ("no-lay", "lay.npy", "neighbours = \"eight\""),
+        ],
+    ));
+    let of = |name: &str| results.surfaces.iter().find(|found| found.surface.name == name).unwrap();
+    assert!(failed(of("good")).is_empty(), "{:?}", of("good").surface.fitness());
+    assert!(verdicts(of("good")).contains(&Some(Verdict::Within)));
+    for (name, check) in [
+        ("spikes", Check::Spikes),
+        ("form", Check::Form),
+        ("lines", Check::Lines),
+        ("steps", Check::Steps),
+        ("lay", Check::Lay),
+    ] {
+        assert!(failed(of(name)).contains(&check), "{name}: {:?}", of(name).surface.fitness());
+        assert!(of(name).findings.cases[0].verdicts.is_blocked);
+        let remedied = of(&format!("no-{name}"));
+        assert!(failed(remedied).is_empty(), "{name}: {:?}", remedied.surface.fitness());
+        // A lay is part of the surface: it stays.
+        let reference = match check {
+            Check::Lay => continue,
+            Check::Steps => of("smooth"),
+            _ => of("good"),
+        };
+        let (count, same, opposite) = agreement(reference, remedied);
+        assert!(
+            count > 12 && opposite == 0 && 10 * same >= 9 * count,
+            "{name}: {same} of {count}, {opposite}"
+        );
+    }
+    // Each fault is found for what it is.
+    assert_eq!(failed(of("spikes")), [Check::Spikes]);
+    assert_eq!(failed(of("form")), [Check::Form]);
+    let summary = Outcome::summary(&results).unwrap();
+    let blocked = |name: &str| {
+        let rows = summary["verdicts"].as_array().unwrap().iter().filter(|row| row["surface"] == name);
+        rows.map(|row| row["verdict"] == "blocked").collect::<Vec<bool>>()
+    };
+    assert!(blocked("spikes").iter().all(|is_blocked| *is_blocked) && !blocked("spikes").is_empty());
+    assert!(blocked("good").iter().all(|is_blocked| !is_blocked));
+    let page = Outcome::page(&results).markdown();
+    assert!(page.contains("**spikes**: no conclusion until the map is fit: 6 spikes of up to"), "{page}");
+    assert!(page.contains("outliers = \"remove\""));
+}
+
+/// The instrument's noise makes the summits: what an S filter leaves of them decides.
+#[test]
+fn a_verdict_that_depends_on_the_cut_off_says_so_and_a_robust_one_does_not() {
+    let folder = tempfile::tempdir().unwrap();
+    let base = good(8.0);
+    let mut rng = rand_chacha::ChaCha8Rng::seed_from_u64(5);
+    let noise: Vec<f64> = (0..SIDE * SIDE).map(|_| rng.random_range(-6e-8..6e-8)).collect();
+    write(folder.path(), "good.npy", |i, j| base[i * SIDE + j]);
+    write(folder.path(), "noisy.npy", |i, j| base[i * SIDE + j] + noise[i * SIDE + j]);
+    let maps = [("good", "good.npy", "filter = { s = \"8 um\" }"), ("noisy", "noisy.npy", "")];
+    let accept = "accept = { area = \"30 %\", separation = 0.3, stiffness = \"40 %\" }";
+    let results: CompareResults = crate::downcast(run(folder.path(), accept, &maps));
+    let choices = |surface: usize| -> Vec<Choice> {
+        let robustness = results.surfaces[surface].robustness.as_ref().unwrap();
+        robustness.dependences[0].iter().map(|one| one.choice).collect()
+    };
+    assert!(choices(0).is_empty(), "{:?}", results.surfaces[0].robustness.as_ref().unwrap().dependences);
+    assert!(choices(1).contains(&Choice::ShortWaves), "{:?}", choices(1));
+    let page = Outcome::page(&results).markdown();
+    assert!(page.contains("The verdict depends on the short-wavelength cut-off"), "{page}");
+    let summary = Outcome::summary(&results).unwrap();
+    let rows = summary["verdicts"].as_array().unwrap();
+    let depends =
+        |row: &serde_json::Value| row["depends_on"].to_string().contains("short-wavelength-cut-off");
+    assert!(rows.iter().any(|row| row["surface"] == "noisy" && depends(row)));
+    assert!(!rows.iter().any(|row| row["surface"] == "good" && depends(row)));
+    let off = run(folder.path(), "robustness = false", &maps[..1]);
+    assert!(crate::downcast::<CompareResults>(off).surfaces[0].robustness.is_none());
+}
