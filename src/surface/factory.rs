@@ -86,9 +86,9 @@ impl<'a> SurfaceFactory<'a> {
         found(&self.plan.name, &search, &**self.raw.as_ref()?, &mut Timing::default()).ok()
     }
 
-    /// Whether a map is divided into blocks: for a comparison, unless its realisations give the sampling error.
+    /// Whether a map is divided into blocks: unless its realisations give the sampling error.
     fn divides(&self, depth: AnalysisDepth) -> bool {
-        depth == AnalysisDepth::Comparison && self.plan.realisations == 1
+        depth != AnalysisDepth::Asperities && self.plan.realisations == 1
     }
 
     fn one(

@@ -1,4 +1,4 @@
-//! `experiment surface FILE`: options of the command line as a spec.
+//! `experiment surface FILE`: options of the command line as a spec that compares both models on the surface.
 
 use std::path::Path;
 
@@ -19,7 +19,16 @@ pub struct FileOptions {
     pub l: Option<String>,
     /// Which neighbours a summit is higher than.
     pub neighbours: Option<String>,
+    /// What becomes of spikes.
+    pub outliers: Option<String>,
+    /// The axis along which lines are set to the same mean height.
+    pub align_lines: Option<String>,
+    /// The material of both bodies, of the library.
+    pub material: Option<String>,
 }
+
+/// The material of both bodies where none is named.
+const MATERIAL: &str = "steel-100Cr6";
 
 impl FileOptions {
     /// The spec that describes the file at `path`; its errors cite these options as they were typed.
@@ -28,12 +37,21 @@ impl FileOptions {
         let is_plain = |c: char| c.is_alphanumeric() || c == '-' || c == '_';
         let name: String = stem.chars().map(|c| if is_plain(c) { c } else { '-' }).collect();
         let file = path.to_string_lossy().into_owned();
-        let mut lines = vec![
-            (format!("title = {}", quoted(&format!("The surface {stem}"))), file.clone()),
-            (format!("[surface.{}.file]", quoted(&name)), file.clone()),
-            (format!("path = {}", quoted(&file)), file),
-        ];
         let typed = |option: &str, value: &str| format!("--{option} \"{value}\"");
+        let material = self.material.as_deref().unwrap_or(MATERIAL);
+        let of_material = |line: String| (line, typed("material", material));
+        let of_file = |line: String| (line, file.clone());
+        let mut lines = vec![
+            of_file(format!("title = {}", quoted(&format!("The surface {stem}")))),
+            of_material(format!("material.{} = {{ from = {} }}", quoted(material), quoted(material))),
+            of_file("[compare]".to_owned()),
+            of_material(format!("rough = {}", quoted(material))),
+            of_material(format!("flat = {}", quoted(material))),
+            of_file("law = \"zmc\"".to_owned()),
+            of_file("separation = { from = 4, to = 0, points = 41 }".to_owned()),
+            of_file(format!("[surface.{}.file]", quoted(&name))),
+            of_file(format!("path = {}", quoted(&file))),
+        ];
         if let Some(pixel) = &self.pixel {
             let sizes: Vec<String> = sizes(pixel).iter().map(|size| length(size)).collect();
             let line = match &sizes[..] {
@@ -42,7 +60,14 @@ impl FileOptions {
             };
             lines.push((line, typed("pixel", pixel)));
         }
-        for (key, value) in [("unit", &self.unit), ("level", &self.level), ("neighbours", &self.neighbours)] {
+        let keys = [
+            ("unit", &self.unit),
+            ("outliers", &self.outliers),
+            ("align-lines", &self.align_lines),
+            ("level", &self.level),
+            ("neighbours", &self.neighbours),
+        ];
+        for (key, value) in keys {
             lines.extend(
                 value.as_ref().map(|value| (format!("{key} = {}", quoted(value)), typed(key, value))),
             );
@@ -56,6 +81,14 @@ impl FileOptions {
             lines.push((format!("filter = {{ {} }}", keys.join(", ")), options.join(" ")));
         }
         Source::command_line(lines)
+    }
+
+    /// The spec of the file at `path`, to be saved at `spec`: the file is named relative to it where it stands below.
+    pub fn saved_spec(&self, path: &Path, spec: &Path) -> String {
+        let whole = |path: &Path| std::fs::canonicalize(path).ok();
+        let folder = spec.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
+        let Some((file, folder)) = whole(path).zip(whole(folder)) else { return self.source(path).text };
+        self.source(file.strip_prefix(&folder).unwrap_or(&file)).text
     }
 }
 

@@ -26,17 +26,9 @@ pub fn page(results: &SurfacesResults) -> Page {
     page.heading(2, "How to reproduce");
     let Metadata { stem, seed, spec_sha256, .. } = &results.metadata;
     let version = env!("CARGO_PKG_VERSION");
-    match &results.spec_text {
-        Some(spec) => {
-            page.paragraph(&format!("This spec reads the same surface. Asperity {version}."));
-            page.code("toml", spec);
-        }
-        None => {
-            page.paragraph(&format!(
-                "`{stem}`: seed {seed}, SHA-256 of the spec `{spec_sha256}`. Asperity {version}."
-            ));
-        }
-    }
+    page.paragraph(&format!(
+        "`{stem}`: seed {seed}, SHA-256 of the spec `{spec_sha256}`. Asperity {version}."
+    ));
     sections::sources(&mut page, &results.metadata);
     page
 }

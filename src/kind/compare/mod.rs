@@ -34,7 +34,7 @@ use serde_json::{Map, Value};
 use plan::ComparePlan;
 use results::CompareResults;
 
-use crate::surface::{AnalysisDepth, inputs, memory};
+use crate::surface::{inputs, memory};
 use asperity::work::Counter;
 
 /// `[compare]`
@@ -68,11 +68,15 @@ impl Plan for ComparePlan {
     }
 
     fn memory(&self) -> Memory {
-        memory(&self.surfaces, AnalysisDepth::Comparison)
+        memory(&self.surfaces, self.depth())
     }
 
     fn work(&self) -> u128 {
         self.work()
+    }
+
+    fn described_file(&self) -> Option<PathBuf> {
+        self.described.clone()
     }
 
     fn check(&self, context: &RunContext) -> Result<(), InputError> {
@@ -107,5 +111,9 @@ impl Outcome for CompareResults {
 
     fn summary(&self) -> serde_json::Result<Map<String, Value>> {
         summary::summary(self)
+    }
+
+    fn terminal(&self) -> Option<String> {
+        self.described.as_ref().map(|_| page::for_terminal(self))
     }
 }

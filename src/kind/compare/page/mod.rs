@@ -34,7 +34,7 @@ pub use surface::surface;
 use crate::kind::compare::answers::CaseResults;
 use crate::kind::compare::findings::{CaseFindings, Verdicts};
 use crate::kind::compare::results::{CompareResults, SurfaceResults};
-use crate::surface::fitness;
+use crate::surface::{fitness, section};
 use asperity_framework::report::format::listed;
 use asperity_framework::report::page::{Page, escape};
 use asperity_framework::report::sections;
@@ -91,12 +91,36 @@ pub fn page(results: &CompareResults) -> Page {
         }
     }
     limits::limits(&mut page, results);
+    if let Some(described) = &results.described {
+        page.heading(2, "How to reproduce");
+        page.paragraph("This spec runs the same (`--save-spec FILE` writes it):");
+        page.code("toml", &described.spec);
+    }
     sections::sources(&mut page, &results.metadata);
     page
 }
 
 /// The answer on one surface, a sentence for each law.
-fn headlines(results: &CompareResults, found: &SurfaceResults) -> Vec<String> {
+fn headlines(results: &CompareResults, found: &SurfaceResults) -> impl Iterator<Item = String> {
+    let marked = |(name, sentence): (String, String)| format!("**{}**: {}", escape(&name), escape(&sentence));
+    sentences(results, found).into_iter().map(marked)
+}
+
+/// Descriptions and answers as text.
+pub fn for_terminal(results: &CompareResults) -> String {
+    let of = |found: &SurfaceResults| {
+        let mut text = format!("\n{}", section::for_terminal(&found.surface));
+        for (name, sentence) in sentences(results, found) {
+            text.push_str(&format!("\n{name}: {sentence}\n"));
+        }
+        text.trim_end().to_owned()
+    };
+    let texts: Vec<String> = results.surfaces.iter().map(of).collect();
+    texts.join("\n")
+}
+
+/// The answer on one surface: for each law its subject and a sentence.
+fn sentences(results: &CompareResults, found: &SurfaceResults) -> Vec<(String, String)> {
     let line = |(index, (case, findings)): (usize, (&CaseResults, &CaseFindings))| {
         let verdicts = &findings.verdicts;
         let name = subject(results, found, &case.law);
@@ -122,7 +146,7 @@ fn headlines(results: &CompareResults, found: &SurfaceResults) -> Vec<String> {
                 }
             }
         };
-        format!("**{}**: {}", escape(&name), escape(&sentence))
+        (name, sentence)
     };
     found.first.cases.iter().zip(&found.findings.cases).enumerate().map(line).collect()
 }
