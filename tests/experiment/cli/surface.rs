@@ -61,8 +61,8 @@ fn a_surface_is_described() {
             "--unit \"inch\": found the unit \"inch\"; allowed: m, cm",
         ),
         (
-            &[opd, "--pixel", "0.2 um", "--level", "cubic"],
-            "--level \"cubic\": found `cubic`; allowed: `none`",
+            &[opd, "--pixel", "0.2 um", "--level", "quartic"],
+            "--level \"quartic\": found `quartic`; allowed: `none`",
         ),
         (&[opd, "--pixel", "0.2 um", "--neighbours", "six"], "--neighbours \"six\": found `six`; allowed: "),
         (&[opd, "--pixel", "0.2 um", "--s", "3"], "--s \"3\": "),
