@@ -71,7 +71,7 @@ enum Command {
         /// A height map (.npy, text, XYZ, X3P, SDF), or a spec
         file: PathBuf,
         #[command(flatten)]
-        arguments: FileArguments,
+        arguments: Box<FileArguments>,
         /// Name of the report folder; default: from the name of the file
         #[arg(long)]
         name: Option<String>,
@@ -207,7 +207,7 @@ fn main() -> ExitCode {
         Some(Command::Check { files, extent }) => check(&files, &extent),
         Some(Command::New { name }) => new(&name),
         Some(Command::Surface { file, arguments, name, save_spec, options }) => {
-            surface(&file, arguments.into(), name.as_deref(), save_spec.as_deref(), &options)
+            surface(&file, (*arguments).into(), name.as_deref(), save_spec.as_deref(), &options)
         }
         Some(Command::Columns { kind }) => {
             print(format_args!("{}", columns(kind.as_deref()).trim_end()));

@@ -4,14 +4,14 @@ use super::results::SurfacesResults;
 use super::section::section;
 use asperity_framework::Outcome;
 use asperity_framework::metadata::Metadata;
-use asperity_framework::report::page::{Page, escape};
+use asperity_framework::report::page::{Page, escape_around_code};
 use asperity_framework::report::sections;
 
 pub fn page(results: &SurfacesResults) -> Page {
     let mut page = Page::new(&results.metadata.title);
     sections::notes(&mut page, &results.metadata);
     for warning in results.warnings() {
-        page.warning(&escape(&warning));
+        page.warning(&escape_around_code(&warning));
     }
     for surface in &results.surfaces {
         page.heading(2, &format!("Surface {}", surface.name));

@@ -36,7 +36,7 @@ use crate::kind::compare::findings::{CaseFindings, Verdicts};
 use crate::kind::compare::results::{CompareResults, SurfaceResults};
 use crate::surface::{fitness, section};
 use asperity_framework::report::format::listed;
-use asperity_framework::report::page::{Page, escape};
+use asperity_framework::report::page::{Page, escape, escape_around_code};
 use asperity_framework::report::sections;
 use names::{stem, subject};
 
@@ -44,7 +44,7 @@ use names::{stem, subject};
 pub fn page(results: &CompareResults) -> Page {
     let mut page = Page::new(&results.metadata.title);
     for warning in results.warnings() {
-        page.warning(&escape(&warning));
+        page.warning(&escape_around_code(&warning));
     }
     let layered = layer::all(results);
     // A single thickness is shown in as much detail as an uncoated flat.
@@ -102,7 +102,9 @@ pub fn page(results: &CompareResults) -> Page {
 
 /// The answer on one surface, a sentence for each law.
 fn headlines(results: &CompareResults, found: &SurfaceResults) -> impl Iterator<Item = String> {
-    let marked = |(name, sentence): (String, String)| format!("**{}**: {}", escape(&name), escape(&sentence));
+    let marked = |(name, sentence): (String, String)| {
+        format!("**{}**: {}", escape(&name), escape_around_code(&sentence))
+    };
     sentences(results, found).into_iter().map(marked)
 }
 
