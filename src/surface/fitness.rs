@@ -214,7 +214,10 @@ fn fault(finding: &Finding, map: &MapFacts) -> String {
             )
         }
         Measure::LengthOverSide => {
-            format!("the longest waves are as long as the map: the correlation length is {found} of the side")
+            format!(
+                "the map holds few independent patches: the correlation length is {found} of the side (geometric mean over x \
+                 and y)"
+            )
         }
         Measure::Slope => format!("the r.m.s. slope is {found}"),
     }

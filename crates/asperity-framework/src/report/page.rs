@@ -218,12 +218,10 @@ pub fn escape_around_code(text: &str) -> String {
         if !index.is_multiple_of(2) {
             return format!("`{}`", one_line(part));
         }
-        let blank = |is_there: bool| if is_there { " " } else { "" };
-        let escaped = escape(part);
-        if escaped.is_empty() {
-            return blank(!part.is_empty()).to_owned();
-        }
-        format!("{}{escaped}{}", blank(part.starts_with(' ')), blank(part.ends_with(' ')))
+        // Letters keep blanks at the ends; only the first part is at the start of a line.
+        let before = if index == 0 { "" } else { "x" };
+        let escaped = escape(&format!("{before}{part}x"));
+        escaped[before.len()..escaped.len() - 1].to_owned()
     };
     parts.iter().enumerate().map(part).collect::<String>().trim().to_owned()
 }
@@ -343,8 +341,8 @@ mod tests {
     #[test]
     fn code_between_backticks_stays_code() {
         assert_eq!(
-            escape_around_code("a_b: set `level = \"x_y\"` or `l`, see *c*."),
-            "a\\_b: set `level = \"x_y\"` or `l`, see \\*c\\*."
+            escape_around_code("a_b: set (`level = \"x_y\"`) or `l`, see *c*."),
+            "a\\_b: set (`level = \"x_y\"`) or `l`, see \\*c\\*."
         );
         assert_eq!(escape_around_code("one ` only_"), "one \\` only\\_");
     }

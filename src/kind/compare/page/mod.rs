@@ -138,15 +138,7 @@ fn sentences(results: &CompareResults, found: &SurfaceResults) -> Vec<(String, S
         } else {
             let mut sentence = verdict::headline(verdicts, found.surface.plane.sigma);
             sentence.extend(robustness::sentence(found, index).map(|depends| format!(" {depends}")));
-            match &fitness::blocked_by(&found.surface)[..] {
-                [] => sentence,
-                faults => {
-                    format!(
-                        "no conclusion until the map is fit: {}. As the data stand: {sentence}",
-                        faults.join("; ")
-                    )
-                }
-            }
+            if_fit(found, sentence)
         };
         (name, sentence)
     };
@@ -197,14 +189,32 @@ pub fn answer_by_law(page: &mut Page, found: &SurfaceResults) {
 /// Over all laws in one sentence.
 pub fn headline_over_laws(found: &SurfaceResults) -> Option<String> {
     let all: Vec<&Verdicts> = found.findings.cases.iter().map(|findings| &findings.verdicts).collect();
-    headline_over(&found.surface.name, "laws", &all)
+    headline_over(&found.surface.name, "laws", &all, found)
 }
 
 /// Over several `cases` (thicknesses, laws) of one surface in one sentence; `None` where nothing was compared.
-fn headline_over(name: &str, cases: &str, all: &[&Verdicts]) -> Option<String> {
+fn headline_over(name: &str, cases: &str, all: &[&Verdicts], found: &SurfaceResults) -> Option<String> {
     let all: Vec<&Verdicts> =
         all.iter().copied().filter(|verdicts| !verdicts.differences.is_empty()).collect();
-    (!all.is_empty()).then(|| format!("**{}**: {}", escape(name), verdict::over_cases(cases, &all)))
+    if all.is_empty() {
+        return None;
+    }
+    let mut sentence = verdict::over_cases(cases, &all);
+    sentence.extend(robustness::over_cases(found, cases).map(|depends| format!(" {depends}")));
+    Some(format!("**{}**: {}", escape(name), escape_around_code(&if_fit(found, sentence))))
+}
+
+/// A sentence on a surface, unless a failed check keeps it from carrying a verdict.
+fn if_fit(found: &SurfaceResults, sentence: String) -> String {
+    match &fitness::blocked_by(&found.surface)[..] {
+        [] => sentence,
+        faults => {
+            format!(
+                "no conclusion until the map is fit: {}. As the data stand: {sentence}",
+                faults.join("; ")
+            )
+        }
+    }
 }
 
 /// The verdicts over several cases of one surface, each called `case`.
