@@ -10,8 +10,8 @@ use asperity::topography::generate::gaussian;
 use asperity::topography::spectrum::{Lay, Spectrum, SpectrumShape};
 use asperity::topography::summits::{Detail, Neighbours, find};
 use asperity::{
-    AsperityList, AsperitySet, Deterministic, HeightMap, MicroContact, Model, Population, ReferencePlane,
-    Response, Statistical, Zmc,
+    AsperityList, AsperitySet, Deterministic, HeightMap, ListOptions, MicroContact, Model, Population,
+    ReferencePlane, Response, Statistical, Zmc,
 };
 
 fn main() -> std::io::Result<()> {
@@ -72,7 +72,7 @@ fn summits(surface: &HeightMap) -> String {
 /// Reads a list of asperities; its nominal area follows from the density of a case of Table 1.
 fn read(case: &str, path: &str) -> Option<(Population, AsperitySet)> {
     let population = population(case)?;
-    let list = AsperityList::read(Path::new(path), false).ok()?;
+    let list = AsperityList::read(Path::new(path), ListOptions::default()).ok()?;
     let area = list.count() as f64 / population.density;
     Some((population, list.set(area).ok()?))
 }

@@ -13,6 +13,7 @@ use asperity_framework::{Kind, Outcome, Plan, RunContext};
 use indexmap::IndexMap;
 use sha2::{Digest, Sha256};
 
+use crate::kind::compare::plan::described;
 use crate::kind::{KINDS, SURFACES};
 use crate::surface::{FileOptions, SurfacesPlan};
 
@@ -58,8 +59,8 @@ impl Experiment {
         Self::new(spec, stem, plan)
     }
 
-    /// Describes the surfaces of a spec, or that of a measured file with `options`, as in `[surface.NAME.file]`. The report
-    /// is called `name`, or after the file.
+    /// Describes the surfaces of a spec; or that of a measured file with `options`, as in `[surface.NAME.file]`, and compares both
+    /// models on it. The report is called `name`, or after the file.
     ///
     /// # Errors
     /// As [`Self::read`].
@@ -68,25 +69,25 @@ impl Experiment {
         if is_spec && *options != FileOptions::default() {
             return Err(InputError::file(
                 path,
-                "is a spec, which defines its surfaces completely; pixel, unit, level, filter and neighbours are allowed only with \
-                 a measured file",
+                "is a spec, which defines its surfaces completely; --pixel, --unit, --outliers, --align-lines, --level, --s, --l, \
+                 --neighbours and --material are allowed only with a measured file",
             ));
         }
         let (spec, stem) = if is_spec {
             (SpecFile::read(path, &tables())?, format!("{}-surfaces", stem_of(path)?))
         } else {
-            let source = Source::command_line(options.spec(path));
-            (SpecFile::parse(source, &tables())?, format!("surface-{}", stem_of(path)?))
+            (SpecFile::parse(options.source(path), &tables())?, format!("surface-{}", stem_of(path)?))
         };
         let stem = match name {
             None => stem,
             Some(name) if name.is_empty() || Path::new(name).file_name() != Some(name.as_ref()) => {
                 let message = format!("found the report name \"{name}\"; allowed: a name such as my-surface");
-                return Err(InputError::file(path, message));
+                return Err(InputError::file(Path::new("--name"), message));
             }
             Some(name) => stem_of(Path::new(&format!("{name}.toml")))?,
         };
-        let plan = Box::new(SurfacesPlan::new(&spec)?);
+        let plan: Box<dyn Plan> =
+            if is_spec { Box::new(SurfacesPlan::new(&spec)?) } else { Box::new(described(&spec)?) };
         Self::new(spec, stem, plan)
     }
 

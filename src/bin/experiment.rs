@@ -66,15 +66,18 @@ enum Command {
         /// Name of the spec; NAME.toml is written
         name: PathBuf,
     },
-    /// Analyse the surface of a measured file, or all surfaces of a spec
+    /// Check a measured map, compare both models on it and analyse its surface; or analyse all surfaces of a spec
     Surface {
         /// A height map (.npy, text, XYZ, X3P, SDF), or a spec
         file: PathBuf,
         #[command(flatten)]
-        arguments: FileArguments,
+        arguments: Box<FileArguments>,
         /// Name of the report folder; default: from the name of the file
         #[arg(long)]
         name: Option<String>,
+        /// Write the spec that runs the same to this file
+        #[arg(long)]
+        save_spec: Option<PathBuf>,
         #[command(flatten)]
         options: RunOptions,
     },
@@ -108,7 +111,13 @@ struct FileArguments {
     /// Unit of the lengths in the file, if it does not contain it: um
     #[arg(long, allow_hyphen_values = true)]
     unit: Option<String>,
-    /// Form to remove: none, mean, plane, quadratic
+    /// What becomes of spikes: keep, remove
+    #[arg(long, allow_hyphen_values = true)]
+    outliers: Option<String>,
+    /// Axis along which lines of the scan are set to the same mean height: x, y
+    #[arg(long, allow_hyphen_values = true)]
+    align_lines: Option<String>,
+    /// Form to remove: none, mean, plane, quadratic, cubic
     #[arg(long, allow_hyphen_values = true)]
     level: Option<String>,
     /// S filter (ISO 16610-61), removes shorter wavelengths: "2.5 um"
@@ -120,11 +129,16 @@ struct FileArguments {
     /// Number of neighbours that a summit must exceed: four, eight
     #[arg(long, allow_hyphen_values = true)]
     neighbours: Option<String>,
+    /// Material of both bodies, a name of the library (`experiment materials`); default: steel-100Cr6
+    #[arg(long)]
+    material: Option<String>,
 }
 
 impl From<FileArguments> for FileOptions {
-    fn from(FileArguments { pixel, unit, level, s, l, neighbours }: FileArguments) -> Self {
-        Self { pixel, unit, level, s, l, neighbours }
+    fn from(arguments: FileArguments) -> Self {
+        let FileArguments { pixel, unit, outliers, align_lines, level, s, l, neighbours, material } =
+            arguments;
+        Self { pixel, unit, outliers, align_lines, level, s, l, neighbours, material }
     }
 }
 
@@ -171,7 +185,10 @@ impl From<InputError> for Failure {
 
 impl From<StoreError> for Failure {
     fn from(error: StoreError) -> Self {
-        Self::Run(error.to_string())
+        match error {
+            StoreError::NotAFolder(_) => Self::Input(error.to_string()),
+            _ => Self::Run(error.to_string()),
+        }
     }
 }
 
@@ -189,8 +206,8 @@ fn main() -> ExitCode {
         Some(Command::List { out }) => list(&out),
         Some(Command::Check { files, extent }) => check(&files, &extent),
         Some(Command::New { name }) => new(&name),
-        Some(Command::Surface { file, arguments, name, options }) => {
-            surface(&file, arguments.into(), name.as_deref(), &options)
+        Some(Command::Surface { file, arguments, name, save_spec, options }) => {
+            surface(&file, (*arguments).into(), name.as_deref(), save_spec.as_deref(), &options)
         }
         Some(Command::Columns { kind }) => {
             print(format_args!("{}", columns(kind.as_deref()).trim_end()));
@@ -306,10 +323,14 @@ fn surface(
     file: &Path,
     file_options: FileOptions,
     name: Option<&str>,
+    save_spec: Option<&Path>,
     options: &RunOptions,
 ) -> Result<(), Failure> {
     set_threads(options)?;
     let experiment = Experiment::describe(file, &file_options, name)?;
+    if let Some(spec) = save_spec {
+        check_save_spec(file, spec)?;
+    }
     let mut store = open_store(options)?;
     store.check(experiment.stem())?;
     check_same_file(&experiment, &options.out.join(experiment.stem()))?;
@@ -317,7 +338,36 @@ fn surface(
     if let Some(text) = results.terminal() {
         say(options, &text);
     }
+    if let Some(spec) = save_spec {
+        write_new(spec, &file_options.saved_spec(file, spec))?;
+        say(
+            options,
+            &format!("\n{} written; run it with `experiment run {}`", spec.display(), spec.display()),
+        );
+    }
     write_index(&mut store, &options.out)
+}
+
+/// Refuses to save a spec of a spec, or over a file, before anything runs.
+fn check_save_spec(file: &Path, spec: &Path) -> Result<(), Failure> {
+    if file.extension().is_some_and(|ending| ending == "toml") {
+        let message =
+            format!("{}: is a spec already; allowed: --save-spec with a measured file", file.display());
+        return Err(Failure::Input(message));
+    }
+    if spec.exists() {
+        let message =
+            format!("--save-spec {}: found a file of this name; allowed: a new name", spec.display());
+        return Err(Failure::Input(message));
+    }
+    Ok(())
+}
+
+/// Writes a file that is not there yet.
+fn write_new(path: &Path, text: &str) -> Result<(), Failure> {
+    std::fs::File::create_new(path)
+        .and_then(|mut file| file.write_all(text.as_bytes()))
+        .map_err(|error| Failure::Input(format!("{}: {error}", path.display())))
 }
 
 /// The report on a file must not replace that on another file of the same name.
@@ -448,11 +498,8 @@ fn check(files: &[PathBuf], extent: &Extent) -> Result<(), Failure> {
 }
 
 fn new(name: &Path) -> Result<(), Failure> {
-    use std::io::Write;
     let path = name.with_extension("toml");
-    std::fs::File::create_new(&path)
-        .and_then(|mut file| file.write_all(TEMPLATE.as_bytes()))
-        .map_err(|error| Failure::Input(format!("{}: {error}", path.display())))?;
+    write_new(&path, TEMPLATE)?;
     print(format_args!("{} written; run it with `experiment run {}`", path.display(), path.display()));
     Ok(())
 }

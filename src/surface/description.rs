@@ -1,4 +1,4 @@
-//! Full description of surfaces, without any contact: `experiment surface`.
+//! Full description of the surfaces of a spec, without any contact: `experiment surface SPEC`.
 
 use std::fmt;
 use std::path::{Path, PathBuf};
@@ -24,7 +24,7 @@ use super::{
 /// Surfaces to be described.
 pub struct SurfacesPlan {
     surfaces: Vec<SurfacePlan>,
-    /// The measured file that the command line named, or the spec.
+    /// The spec.
     file: PathBuf,
 }
 
@@ -35,9 +35,7 @@ impl SurfacesPlan {
     /// Why one of them cannot be made.
     pub fn new(spec: &SpecFile) -> Result<Self, InputError> {
         let surfaces = surfaces(spec, None, 0..0, false)?;
-        let measured = surfaces.first().and_then(SurfacePlan::input);
-        let measured = measured.filter(|_| spec.source.is_command_line());
-        Ok(Self { file: measured.unwrap_or_else(|| spec.source.path.clone()), surfaces })
+        Ok(Self { file: spec.source.path.clone(), surfaces })
     }
 }
 
@@ -81,7 +79,6 @@ impl Plan for SurfacesPlan {
         Ok(Box::new(SurfacesResults {
             metadata: context.metadata(papers, timing, Some(counter.work())),
             file: self.file.clone(),
-            spec_text: context.source.is_command_line().then(|| context.source.text.clone()),
             surfaces: seen,
         }))
     }

@@ -18,7 +18,7 @@ use super::fitness;
 use super::found::Surface;
 use super::overview::AnalysisDepth;
 use super::plan::{Origin, SurfacePlan};
-use super::read_error::spec_message;
+use super::read_error::{list_message, spec_message};
 use super::search::{Found, NoAsperities, Preparation, SummitSearch};
 use super::spec::DrawSpec;
 
@@ -86,9 +86,9 @@ impl<'a> SurfaceFactory<'a> {
         found(&self.plan.name, &search, &**self.raw.as_ref()?, &mut Timing::default()).ok()
     }
 
-    /// Whether a map is divided into blocks: for a comparison, unless its realisations give the sampling error.
+    /// Whether a map is divided into blocks: unless its realisations give the sampling error.
     fn divides(&self, depth: AnalysisDepth) -> bool {
-        depth == AnalysisDepth::Comparison && self.plan.realisations == 1
+        depth != AnalysisDepth::Asperities && self.plan.realisations == 1
     }
 
     fn one(
@@ -103,19 +103,17 @@ impl<'a> SurfaceFactory<'a> {
         let refuse = |error: &dyn std::fmt::Display| source.error_at(key.clone(), error);
         let start = Instant::now();
         match &self.plan.origin {
-            Origin::List { path, nominal_area, .. } => {
+            Origin::List { path, given, nominal_area, .. } => {
                 self.progress.stage("reading", 1.0);
-                let list = files
-                    .list(path, self.plan.as_ellipses)
-                    .map_err(|error| refuse(&format!("{} {error}", path.display())))?;
+                let list = files.list(path, *given).map_err(|error| refuse(&list_message(path, &error)))?;
                 timing.read += start.elapsed();
                 let (contradictions, count) = (list.contradictions(), list.count());
                 let (set, origin) = list.set(*nominal_area).map_err(|error| refuse(&error))?.near_zero();
                 let statistics = Statistics::of(&set);
                 if statistics.sigma == 0.0 {
                     return Err(refuse(&format!(
-                        "{}: all heights are equal, so that their standard deviation, which separations are \
-                         measured in, is zero; allowed: asperities of different heights",
+                        "{}: all heights are equal: both models search and report separations, under load control too, in \
+                         standard deviations of the heights, which are zero here; allowed: asperities of different heights",
                         path.display()
                     )));
                 }

@@ -7,19 +7,19 @@ use asperity::progress::Progress;
 use asperity::topography::read::{ReadError, ReadOptions};
 use asperity::topography::{Rows, read};
 use asperity::work::{Counter, Item};
-use asperity::{AsperityList, ListError};
+use asperity::{AsperityList, ListError, ListOptions};
 
 /// What a surface is found in.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Reading {
-    /// A list of asperities, with the curvatures of ellipses or without.
-    List(PathBuf, bool),
+    /// A list of asperities.
+    List(PathBuf, ListOptions),
     Map(PathBuf, ReadOptions),
 }
 
 impl Reading {
-    pub fn list(path: &Path, as_ellipses: bool) -> Self {
-        Self::List(whole(path), as_ellipses)
+    pub fn list(path: &Path, given: ListOptions) -> Self {
+        Self::List(whole(path), given)
     }
 
     pub fn map(path: &Path, given: ReadOptions) -> Self {
@@ -47,12 +47,12 @@ impl<'a> Files<'a> {
     }
 
     /// The list at `path`.
-    pub fn list(&mut self, path: &Path, as_ellipses: bool) -> Result<AsperityList, ListError> {
-        let reading = Reading::list(path, as_ellipses);
+    pub fn list(&mut self, path: &Path, given: ListOptions) -> Result<AsperityList, ListError> {
+        let reading = Reading::list(path, given);
         let is_needed_again = self.take(&reading);
         let read = || {
             self.counter.add(Item::Files, 1);
-            AsperityList::read(path, as_ellipses).map(Rc::new)
+            AsperityList::read(path, given).map(Rc::new)
         };
         let found = once(&mut self.lists, reading, is_needed_again, read)?;
         Ok(Rc::unwrap_or_clone(found))

@@ -186,8 +186,11 @@ fn fault(finding: &Finding, map: &MapFacts) -> String {
             )
         }
         Measure::DistinctCurvatures => {
+            let step = map.quantisation.and_then(|found| found.step);
+            let step =
+                step.map_or_else(String::new, |step| format!("'s height step of {}", quantity(step, "m")));
             format!(
-                "the {} summits have only {found} distinct curvatures: the instrument makes the radii",
+                "the {} summits have only {found} distinct curvatures: the instrument{step} makes the radii",
                 count(map.summits)
             )
         }
@@ -211,7 +214,10 @@ fn fault(finding: &Finding, map: &MapFacts) -> String {
             )
         }
         Measure::LengthOverSide => {
-            format!("the longest waves are as long as the map: the correlation length is {found} of the side")
+            format!(
+                "the map holds few independent patches: the correlation length is {found} of the side (geometric mean over x \
+                 and y)"
+            )
         }
         Measure::Slope => format!("the r.m.s. slope is {found}"),
     }
@@ -221,21 +227,22 @@ fn fault(finding: &Finding, map: &MapFacts) -> String {
 fn remedy(finding: &Finding, map: &MapFacts) -> String {
     let pixel = map.pixel[0].max(map.pixel[1]);
     let side = (map.points[0] as f64 * map.pixel[0]).min(map.points[1] as f64 * map.pixel[1]);
-    let s = |pixels: f64| format!("filter = {{ s = \"{}\" }}", input_quantity(rounded(pixels * pixel), "m"));
-    let l = || format!("filter = {{ l = \"{}\" }}", input_quantity(rounded(side / 6.0), "m"));
+    let s =
+        |pixels: f64| format!("`filter = {{ s = \"{}\" }}`", input_quantity(rounded(pixels * pixel), "m"));
+    let l = || format!("`filter = {{ l = \"{}\" }}`", input_quantity(rounded(side / 6.0), "m"));
     match finding.measure {
-        Measure::Spikes => "outliers = \"remove\"".to_owned(),
+        Measure::Spikes => "`outliers = \"remove\"`".to_owned(),
         Measure::FormShare => match map.level.next() {
-            Some(next) => format!("level = \"{}\", or an L filter such as {}", next.name(), l()),
+            Some(next) => format!("`level = \"{}\"`, or an L filter such as {}", next.name(), l()),
             None => format!("an L filter such as {}", l()),
         },
         Measure::SlopeCorrelation => {
-            "neighbours = \"eight\", or better a map turned so that the lay is along x or y".to_owned()
+            "`neighbours = \"eight\"`, or better a map turned so that the lay is along x or y".to_owned()
         }
-        Measure::AspectRatio => "law = \"elliptic-zmc\" or \"elliptic-hertz\" describes ridges".to_owned(),
+        Measure::AspectRatio => "`law = \"elliptic-zmc\"` or `\"elliptic-hertz\"` describes ridges".to_owned(),
         Measure::LineOffsets => {
             let lines = map.offsets.map_or("x", |offsets| if offsets.axis() == 0 { "x" } else { "y" });
-            format!("align-lines = \"{lines}\"")
+            format!("`align-lines = \"{lines}\"`")
         }
         Measure::StepOverDrop | Measure::DistinctCurvatures => {
             format!("an S filter such as {} or longer, or a measurement with finer steps", s(wider(map, 8.0)))
@@ -250,7 +257,7 @@ fn remedy(finding: &Finding, map: &MapFacts) -> String {
         }
         Measure::LengthOverSide => format!("a larger map, or an L filter such as {}", l()),
         Measure::Slope if finding.is_blocking() => {
-            "unit or pixel: heights and pixel size are probably in different units".to_owned()
+            "`unit` or `pixel`: heights and pixel size are probably in different units".to_owned()
         }
         Measure::Slope => "both models leave out terms of second order in the slope".to_owned(),
     }

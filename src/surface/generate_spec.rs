@@ -1,15 +1,15 @@
 //! `[surface.NAME.generate]`: a random rough surface.
 
 use serde::Deserialize;
-use serde::de::{Deserializer, Error};
+use serde::de::Deserializer;
 use toml::Spanned;
 
 use crate::surface::pixel_spec::PixelSpec;
 use asperity::topography::generate::{SigmaOf, SpectrumOf};
 use asperity::topography::summits::Neighbours;
-use asperity_framework::input::OneOrMany;
 use asperity_framework::input::heights::HeightsSpec;
 use asperity_framework::input::quantity::{Angle, ArealNumberDensity, Finite, Length, Pure, Quantity};
+use asperity_framework::input::{OneOrMany, Whole};
 
 /// A random rough surface: either pixel, sigma and the lengths of its spectrum, or what its summits shall be.
 #[derive(Debug, Deserialize)]
@@ -39,7 +39,7 @@ pub struct GenerateSpec {
     #[serde(default)]
     pub neighbours: Neighbours,
     /// How many surfaces are made.
-    pub realisations: Option<Spanned<u64>>,
+    pub realisations: Option<Spanned<Whole>>,
 }
 
 /// The numbers that a surface and its found summits shall have.
@@ -111,13 +111,7 @@ pub struct PointsSpec(pub [u64; 2]);
 impl<'de> Deserialize<'de> for PointsSpec {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
         let expected = "a number of points such as 1024, or a list of two: along x and along y";
-        let counts = OneOrMany::<i64>::read(deserializer, expected)?.along_both("numbers")?;
-        match counts.map(u64::try_from) {
-            [Ok(x), Ok(y)] => Ok(Self([x, y])),
-            _ => {
-                let least = counts[0].min(counts[1]);
-                Err(D::Error::custom(format!("found {least} points; allowed: at least 8")))
-            }
-        }
+        let counts = OneOrMany::<Whole>::read(deserializer, expected)?.along_both("numbers")?;
+        Ok(Self(counts.map(|count| count.0)))
     }
 }

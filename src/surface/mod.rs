@@ -16,7 +16,7 @@ mod plan;
 mod read_error;
 mod results;
 mod search;
-mod section;
+pub mod section;
 mod spec;
 mod summary;
 
@@ -29,7 +29,6 @@ pub use options::FileOptions;
 pub use overview::{AnalysisDepth, MapOverview};
 pub use plan::{SurfacePlan, beside, curvature_ratio, describe, inputs, memory, surfaces};
 pub use search::Preparation;
-pub use section::section;
 pub use summary::{PopulationSummary, RealisationSummary, SurfaceSummary, summary};
 
 use asperity::work::Counter;

@@ -1,6 +1,8 @@
-//! `experiment surface FILE`: options of the command line as a spec.
+//! `experiment surface FILE`: options of the command line as a spec that compares both models on the surface.
 
 use std::path::Path;
+
+use asperity_framework::input::Source;
 
 /// Options for a measured file, besides its path; each as in a spec.
 #[derive(Debug, Clone, Default, PartialEq)]
@@ -17,38 +19,128 @@ pub struct FileOptions {
     pub l: Option<String>,
     /// Which neighbours a summit is higher than.
     pub neighbours: Option<String>,
+    /// What becomes of spikes.
+    pub outliers: Option<String>,
+    /// The axis along which lines are set to the same mean height.
+    pub align_lines: Option<String>,
+    /// The material of both bodies, of the library.
+    pub material: Option<String>,
 }
 
+/// The material of both bodies where none is named.
+const MATERIAL: &str = "steel-100Cr6";
+
 impl FileOptions {
-    /// The spec that describes the file at `path`.
-    pub fn spec(&self, path: &Path) -> String {
-        let quoted = |text: &str| toml::Value::from(text).to_string();
-        // A bare number is in metres, as in a spec.
-        let length = |text: &str| match text.parse::<f64>() {
-            Ok(number) if number.is_finite() => format!("{number:e}"),
-            _ => quoted(text),
-        };
+    /// The spec that describes the file at `path`; its errors cite these options as they were typed.
+    pub fn source(&self, path: &Path) -> Source {
         let stem = path.file_stem().and_then(|stem| stem.to_str()).unwrap_or("surface");
         let is_plain = |c: char| c.is_alphanumeric() || c == '-' || c == '_';
         let name: String = stem.chars().map(|c| if is_plain(c) { c } else { '-' }).collect();
+        let file = path.to_string_lossy().into_owned();
+        let typed = |option: &str, value: &str| format!("--{option} \"{value}\"");
+        let material = self.material.as_deref().unwrap_or(MATERIAL);
+        let of_material = |line: String| (line, typed("material", material));
+        let of_file = |line: String| (line, file.clone());
         let mut lines = vec![
-            format!("title = {}", quoted(&format!("The surface {stem}"))),
-            format!("[surface.{}.file]", quoted(&name)),
-            format!("path = {}", quoted(&path.to_string_lossy())),
+            of_file(format!("title = {}", quoted(&format!("The surface {stem}")))),
+            of_material(format!("material.{} = {{ from = {} }}", quoted(material), quoted(material))),
+            of_file("[compare]".to_owned()),
+            of_material(format!("rough = {}", quoted(material))),
+            of_material(format!("flat = {}", quoted(material))),
+            of_file("law = \"zmc\"".to_owned()),
+            of_file("separation = { from = 4, to = 0, points = 41 }".to_owned()),
+            of_file(format!("[surface.{}.file]", quoted(&name))),
+            of_file(format!("path = {}", quoted(&file))),
         ];
         if let Some(pixel) = &self.pixel {
-            let sizes: Vec<String> = pixel.split(',').map(|size| length(size.trim())).collect();
-            lines.push(match &sizes[..] {
+            let sizes: Vec<String> = sizes(pixel).iter().map(|size| length(size)).collect();
+            let line = match &sizes[..] {
                 [one] => format!("pixel = {one}"),
                 several => format!("pixel = [{}]", several.join(", ")),
-            });
+            };
+            lines.push((line, typed("pixel", pixel)));
         }
-        for (key, value) in [("unit", &self.unit), ("level", &self.level), ("neighbours", &self.neighbours)] {
-            lines.extend(value.as_ref().map(|value| format!("{key} = {}", quoted(value))));
+        let keys = [
+            ("unit", &self.unit),
+            ("outliers", &self.outliers),
+            ("align-lines", &self.align_lines),
+            ("level", &self.level),
+            ("neighbours", &self.neighbours),
+        ];
+        for (key, value) in keys {
+            lines.extend(
+                value.as_ref().map(|value| (format!("{key} = {}", quoted(value)), typed(key, value))),
+            );
         }
-        for (key, value) in [("filter.s", &self.s), ("filter.l", &self.l)] {
-            lines.extend(value.as_ref().map(|value| format!("{key} = {}", length(value))));
+        let indices = [("s", &self.s), ("l", &self.l)];
+        let given = || indices.iter().filter_map(|(key, value)| value.as_ref().map(|value| (*key, value)));
+        if given().next().is_some() {
+            let keys: Vec<String> =
+                given().map(|(key, value)| format!("{key} = {}", length(value))).collect();
+            let options: Vec<String> = given().map(|(key, value)| typed(key, value)).collect();
+            lines.push((format!("filter = {{ {} }}", keys.join(", ")), options.join(" ")));
         }
-        lines.join("\n") + "\n"
+        Source::command_line(lines)
+    }
+
+    /// The spec of the file at `path`, to be saved at `spec`: the file is named relative to it where it stands below.
+    pub fn saved_spec(&self, path: &Path, spec: &Path) -> String {
+        let whole = |path: &Path| std::fs::canonicalize(path).ok();
+        let folder = spec.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
+        let Some((file, folder)) = whole(path).zip(whole(folder)) else { return self.source(path).text };
+        self.source(file.strip_prefix(&folder).unwrap_or(&file)).text
+    }
+}
+
+fn quoted(text: &str) -> String {
+    toml::Value::from(text).to_string()
+}
+
+/// A length as a value of a spec, where a bare number is in metres.
+fn length(text: &str) -> String {
+    match text.parse::<f64>() {
+        Ok(number) if number.is_finite() => format!("{number:e}"),
+        _ => quoted(text),
+    }
+}
+
+/// The sizes between commas. A comma right between two digits of which the first belongs to a number without a point is
+/// a decimal comma, and stays, so that the error names it: nobody has pixels of whole metres.
+fn sizes(pixel: &str) -> Vec<String> {
+    let mut sizes: Vec<String> = Vec::new();
+    for part in pixel.split(',') {
+        match sizes.last_mut() {
+            Some(last) if is_whole(last) && part.starts_with(|c: char| c.is_ascii_digit()) => {
+                last.push(',');
+                last.push_str(part.trim_end());
+            }
+            _ => sizes.push(part.trim().to_owned()),
+        }
+    }
+    sizes
+}
+
+fn is_whole(text: &str) -> bool {
+    !text.is_empty() && text.chars().all(|c| c.is_ascii_digit())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_comma_separates_sizes_unless_it_is_decimal() {
+        for (pixel, found) in [
+            ("0.8 um", &["0.8 um"][..]),
+            ("0.8 um, 0.5 um", &["0.8 um", "0.5 um"]),
+            ("0.8um,0.5um", &["0.8um", "0.5um"]),
+            ("2e-7,3e-7", &["2e-7", "3e-7"]),
+            ("1 um,2 um", &["1 um", "2 um"]),
+            ("0,5 um", &["0,5 um"]),
+            ("0,8 um, 0,5 um", &["0,8 um", "0,5 um"]),
+            ("", &[""]),
+        ] {
+            assert_eq!(sizes(pixel), found, "{pixel}");
+        }
     }
 }

@@ -4,14 +4,14 @@ use super::results::SurfacesResults;
 use super::section::section;
 use asperity_framework::Outcome;
 use asperity_framework::metadata::Metadata;
-use asperity_framework::report::page::{Page, escape};
+use asperity_framework::report::page::{Page, escape_around_code};
 use asperity_framework::report::sections;
 
 pub fn page(results: &SurfacesResults) -> Page {
     let mut page = Page::new(&results.metadata.title);
     sections::notes(&mut page, &results.metadata);
     for warning in results.warnings() {
-        page.warning(&escape(&warning));
+        page.warning(&escape_around_code(&warning));
     }
     for surface in &results.surfaces {
         page.heading(2, &format!("Surface {}", surface.name));
@@ -26,17 +26,9 @@ pub fn page(results: &SurfacesResults) -> Page {
     page.heading(2, "How to reproduce");
     let Metadata { stem, seed, spec_sha256, .. } = &results.metadata;
     let version = env!("CARGO_PKG_VERSION");
-    match &results.spec_text {
-        Some(spec) => {
-            page.paragraph(&format!("This spec reads the same surface. Asperity {version}."));
-            page.code("toml", spec);
-        }
-        None => {
-            page.paragraph(&format!(
-                "`{stem}`: seed {seed}, SHA-256 of the spec `{spec_sha256}`. Asperity {version}."
-            ));
-        }
-    }
+    page.paragraph(&format!(
+        "`{stem}`: seed {seed}, SHA-256 of the spec `{spec_sha256}`. Asperity {version}."
+    ));
     sections::sources(&mut page, &results.metadata);
     page
 }

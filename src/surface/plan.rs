@@ -10,16 +10,18 @@ use crate::plausibility;
 use crate::surface::files::Reading;
 use crate::surface::generation::Generation;
 use crate::surface::overview::{AnalysisDepth, MOST_ANALYSED_POINTS};
-use crate::surface::read_error::{options_message, spec_message};
+use crate::surface::read_error::{list_message, options_message, spec_message};
 use crate::surface::search::Preparation;
 use crate::surface::spec::{
     DrawSpec, FileSpec, ListSpec, Outliers, PopulationHeights, PopulationSpec, SurfaceSpec,
 };
 use asperity::topography::read::{ReadOptions, ReadOptionsError};
 use asperity::topography::{Filter, read};
-use asperity::{AsperityList, Heights, MapError, Population, ReferencePlane, SurfaceHeights};
+use asperity::{
+    AsperityList, Heights, ListError, ListOptions, MapError, Population, ReferencePlane, SurfaceHeights,
+};
 use asperity_framework::input::quantity::{Length, Pure, Quantity};
-use asperity_framework::input::{InputError, Source, SpecFile};
+use asperity_framework::input::{InputError, Source, SpecFile, Whole};
 use asperity_framework::{Memory, set_memory};
 
 /// A surface that can be made.
@@ -40,7 +42,8 @@ pub struct SurfacePlan {
 pub(super) enum Origin {
     List {
         path: PathBuf,
-        most_rows: usize,
+        given: ListOptions,
+        rows: usize,
         nominal_area: f64,
     },
     Population {
@@ -106,9 +109,9 @@ impl SurfacePlan {
         };
         let realisations = match realisations {
             None => 1,
-            Some(count) if (1..=MOST_REALISATIONS).contains(count.get_ref()) => *count.get_ref() as usize,
+            Some(count) if (1..=MOST_REALISATIONS).contains(&count.get_ref().0) => count.get_ref().0 as usize,
             Some(count) => {
-                let message = format!("found {}; allowed: 1 to {MOST_REALISATIONS}", count.get_ref());
+                let message = format!("found {}; allowed: 1 to {MOST_REALISATIONS}", count.get_ref().0);
                 return Err(source.error_at(count.span(), message));
             }
         };
@@ -117,9 +120,14 @@ impl SurfacePlan {
 
     fn list(source: &Source, raw: &ListSpec, as_ellipses: bool) -> Result<Origin, InputError> {
         let path = beside(source, &raw.file)?;
-        let most_rows = AsperityList::check(&path, as_ellipses)
-            .map_err(|error| source.error_at(raw.file.span(), format!("{} {error}", path.display())))?;
-        Ok(Origin::List { path, most_rows, nominal_area: raw.nominal_area.value() })
+        let unit = raw.unit.as_ref().map(|unit| unit.get_ref().0);
+        let given = ListOptions { as_ellipses, unit };
+        let rows = AsperityList::check(&path, given).map_err(|error| {
+            let key = raw.unit.as_ref().filter(|_| matches!(error, ListError::UnitHeld { .. }));
+            let key = key.map_or_else(|| raw.file.span(), Spanned::span);
+            source.error_at(key, list_message(&path, &error))
+        })?;
+        Ok(Origin::List { path, given, rows, nominal_area: raw.nominal_area.value() })
     }
 
     fn population(
@@ -129,7 +137,7 @@ impl SurfacePlan {
         as_ellipses: bool,
     ) -> Result<Origin, InputError> {
         let ratio = curvature_ratio(source, &span, raw.curvature_ratio.as_ref(), as_ellipses)?;
-        let count = *raw.count.get_ref();
+        let Whole(count) = *raw.count.get_ref();
         let count = usize::try_from(count).ok().filter(|&count| count > 0).ok_or_else(|| {
             source.error_at(raw.count.span(), format!("found {count}; allowed: at least one asperity"))
         })?;
@@ -220,7 +228,7 @@ impl SurfacePlan {
     /// What it is found in, if that is a file.
     pub fn reading(&self) -> Option<Reading> {
         match &self.origin {
-            Origin::List { path, .. } => Some(Reading::list(path, self.as_ellipses)),
+            Origin::List { path, given, .. } => Some(Reading::list(path, *given)),
             Origin::Map(map) => Some(Reading::map(&map.path, map.given)),
             Origin::Population { .. } | Origin::Generated(_) => None,
         }
@@ -240,7 +248,7 @@ impl SurfacePlan {
     /// What it is, for a plan that a person reads.
     pub fn describe(&self) -> String {
         let what = match &self.origin {
-            Origin::List { path, .. } => format!("asperities listed in {}", path.display()),
+            Origin::List { path, rows, .. } => format!("{rows} asperities listed in {}", path.display()),
             Origin::Population { count, .. } => format!("{count} asperities of a population"),
             Origin::Generated(generation) => generation.describe(),
             Origin::Map(MapPlan { path, .. }) => format!("height map {}", path.display()),
@@ -253,7 +261,7 @@ impl SurfacePlan {
         /// Four neighbours cannot all be summits.
         const POINTS_PER_SUMMIT: u128 = 2;
         match &self.origin {
-            Origin::List { most_rows, .. } => *most_rows as u128,
+            Origin::List { rows, .. } => *rows as u128,
             Origin::Population { count, .. } => *count as u128,
             Origin::Generated(generation) => area(generation.points()) / POINTS_PER_SUMMIT,
             Origin::Map(MapPlan { points, .. }) => area(*points) / POINTS_PER_SUMMIT,

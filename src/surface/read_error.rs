@@ -1,5 +1,8 @@
 //! Why a measured surface is not read, in the keys of a spec.
 
+use std::path::Path;
+
+use asperity::ListError;
 use asperity::topography::read::{ReadError, ReadOptionsError};
 
 /// What is wrong with a file, and the keys that correct it.
@@ -7,13 +10,27 @@ pub fn spec_message(error: &ReadError) -> String {
     match error {
         ReadError::Options(error) => options_message(error),
         ReadError::TooTall { has_unit: false, .. } => {
-            format!("{error} (unit = \"um\" next to path sets the unit)")
+            format!("{error} (unit = \"um\" next to path, or --unit um on the command line, sets the unit)")
         }
         ReadError::UnitsInColumns { line, found } => format!(
-            "names columns with units in line {line}: \"{found}\"; allowed: x y z, the unit as unit = \"um\" next to path"
+            "names columns with units in line {line}: \"{found}\"; allowed: x y z, the unit as unit = \"um\" next to path (--unit um on the command line)"
         ),
         _ => error.to_string(),
     }
+}
+
+/// What is wrong with a list of asperities.
+pub fn list_message(path: &Path, error: &ListError) -> String {
+    let unit = match error {
+        ListError::Column { .. } | ListError::NoHeader { .. } => {
+            "; other units stand there, as in height [um], or as unit = \"um\" next to file"
+        }
+        _ => "",
+    };
+    let text = error.to_string();
+    // A place within the file, or what the file is or has.
+    let comma = if ["line ", "row "].iter().any(|place| text.starts_with(place)) { "," } else { "" };
+    format!("{}{comma} {text}{unit}", path.display())
 }
 
 /// What is wrong with the keys of a file.
@@ -36,7 +53,9 @@ mod tests {
     fn keys_are_named_where_they_help() {
         let tall = |has_unit| spec_message(&ReadError::TooTall { tallest: 20.0, has_unit });
         assert_eq!(tall(true), "holds a height of 2e1 m; allowed: at most 10 m");
-        assert!(tall(false).ends_with("at most 10 m (unit = \"um\" next to path sets the unit)"));
+        assert!(tall(false).ends_with(
+            "at most 10 m (unit = \"um\" next to path, or --unit um on the command line, sets the unit)"
+        ));
         assert!(spec_message(&ReadOptionsError::NoPixel.into()).contains("allowed: pixel = "));
         let columns = ReadError::UnitsInColumns { line: 3, found: "x [um]".to_owned() };
         assert!(

@@ -11,10 +11,8 @@ use super::found::Surface;
 pub struct SurfacesResults {
     /// What every experiment has.
     pub metadata: Metadata,
-    /// The measured file, or the spec.
+    /// The spec.
     pub file: PathBuf,
-    /// The spec that the command line made for a measured file.
-    pub spec_text: Option<String>,
     /// The surfaces, in file order.
     pub surfaces: Vec<Surface>,
 }

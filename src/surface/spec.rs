@@ -15,6 +15,7 @@ use asperity::topography::Level;
 use asperity::topography::fitness::Lines;
 use asperity::topography::summits::Neighbours;
 use asperity::units::Dimension;
+use asperity_framework::input::Whole;
 use asperity_framework::input::heights::HeightsSpec;
 use asperity_framework::input::quantity::{Area, ArealNumberDensity, Length, Pure, Quantity};
 
@@ -63,13 +64,15 @@ impl TryFrom<Kinds> for SurfaceSpec {
     }
 }
 
-/// A list of asperities: CSV with columns height and radius, or an n x 2 `.npy`; for elliptic laws with kx and
+/// A list of asperities: a text with columns height and radius, or an n x 2 `.npy`; for elliptic laws with kx and
 /// ky too.
 #[derive(Debug, Deserialize)]
-#[serde(deny_unknown_fields, rename_all = "kebab-case", expecting = "a table { file, nominal-area }")]
+#[serde(deny_unknown_fields, rename_all = "kebab-case", expecting = "a table { file, nominal-area, unit }")]
 pub struct ListSpec {
     /// The file, relative to the spec.
     pub file: Spanned<PathBuf>,
+    /// Unit of heights and radii, reciprocal unit of curvatures; only where the file names none.
+    pub unit: Option<Spanned<UnitSpec>>,
     /// Nominal area of the asperities.
     pub nominal_area: Quantity<Area>,
 }
@@ -91,7 +94,7 @@ pub struct PopulationSpec {
     /// Asperities per nominal area.
     pub density: Quantity<ArealNumberDensity>,
     /// How many the deterministic model draws.
-    pub count: Spanned<u64>,
+    pub count: Spanned<Whole>,
     /// Whose deviation sigma is, and of what density.
     #[serde(default)]
     pub heights: PopulationHeights,
@@ -99,7 +102,7 @@ pub struct PopulationSpec {
     #[serde(default)]
     pub draw: DrawSpec,
     /// How many sets are drawn.
-    pub realisations: Option<Spanned<u64>>,
+    pub realisations: Option<Spanned<Whole>>,
 }
 
 /// `heights` of a population.

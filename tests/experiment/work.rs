@@ -207,7 +207,7 @@ fn a_file_is_read_once_by_all_surfaces_found_in_it() {
     let map = |name: &str, level: &str, pixel: &str| {
         format!("[surface.{name}.file]\npath = \"map.txt\"\npixel = \"{pixel}\"\nlevel = \"{level}\"\n")
     };
-    let words = "law = \"hertz\"\nseparation = { values = [2, 0] }";
+    let words = "law = \"hertz\"\nseparation = { values = [2, 0] }\nrobustness = false";
     let files = |surfaces: &[String]| {
         let (work, results) = compare(words, &surfaces.concat());
         assert_eq!(work.surfaces_made, surfaces.len() as u64);
@@ -258,8 +258,9 @@ fn a_surface_description_evaluates_no_contacts() {
     let height = |ix: u32, iy: u32| format!("{:e}", f64::from((ix * 37 + iy * 91) % 53) * 1e-9);
     let rows = (0..40).map(|iy| (0..50).map(|ix| height(ix, iy)).collect::<Vec<_>>().join(" "));
     fs::write(&path, rows.collect::<Vec<_>>().join("\n")).unwrap();
-    let words = FileOptions { pixel: Some("1 um".to_owned()), ..FileOptions::default() };
-    let found = Experiment::describe(&path, &words, None).unwrap().run(&Silent).unwrap();
+    let spec = folder.path().join("spec.toml");
+    fs::write(&spec, "title = \"t\"\n[surface.a.file]\npath = \"map.txt\"\npixel = \"1 um\"\n").unwrap();
+    let found = Experiment::describe(&spec, &FileOptions::default(), None).unwrap().run(&Silent).unwrap();
     assert_eq!(found.metadata().work, Some(Work { files_read: 1, surfaces_made: 1, ..Work::default() }));
 }
 

@@ -99,7 +99,7 @@ pub mod work;
 pub use accumulator::{Accumulator, ContactSums, Total};
 pub use asperity::{
     Asperities, AsperityList, AsperitySet, Draw, Ellipse, Ellipses, Ellipticity, ListColumn, ListError,
-    Ordered, Population, SetError, Statistics, SurfaceHeights, SurfaceHeightsError,
+    ListOptions, Ordered, Population, SetError, Statistics, SurfaceHeights, SurfaceHeightsError,
 };
 pub use contact::{ByRegime, Contact, Contacts, Regime};
 pub use contact_law::ContactLaw;

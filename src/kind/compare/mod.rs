@@ -3,6 +3,7 @@
 pub mod answers;
 pub(crate) mod differences;
 pub mod findings;
+mod implausible;
 mod layer_summary;
 mod models;
 pub mod page;
@@ -33,7 +34,7 @@ use serde_json::{Map, Value};
 use plan::ComparePlan;
 use results::CompareResults;
 
-use crate::surface::{AnalysisDepth, inputs, memory};
+use crate::surface::{inputs, memory};
 use asperity::work::Counter;
 
 /// `[compare]`
@@ -67,15 +68,15 @@ impl Plan for ComparePlan {
     }
 
     fn memory(&self) -> Memory {
-        memory(
-            &self.surfaces,
-            AnalysisDepth::Comparison,
-            self.is_robustness_examined && self.models.len() > 1,
-        )
+        memory(&self.surfaces, self.depth(), self.is_robustness_examined && self.models.len() > 1)
     }
 
     fn work(&self) -> u128 {
         self.work()
+    }
+
+    fn described_file(&self) -> Option<PathBuf> {
+        self.described.clone()
     }
 
     fn check(&self, context: &RunContext) -> Result<(), InputError> {
@@ -110,5 +111,9 @@ impl Outcome for CompareResults {
 
     fn summary(&self) -> serde_json::Result<Map<String, Value>> {
         summary::summary(self)
+    }
+
+    fn terminal(&self) -> Option<String> {
+        self.described.as_ref().map(|_| page::for_terminal(self))
     }
 }

@@ -2,6 +2,7 @@
 
 use std::fmt;
 use std::ops::Range;
+use std::path::PathBuf;
 
 use asperity::compare::{Controls, Kind};
 use asperity::{ContactLaw, Flat, Heights, Material, MeanRadius};
@@ -15,7 +16,7 @@ use toml::Spanned;
 use super::spec::CompareSpec;
 use crate::layer::{LayerPlan, layer};
 use crate::plausibility;
-use crate::surface::{SurfacePlan, describe, surfaces};
+use crate::surface::{AnalysisDepth, SurfacePlan, describe, surfaces};
 
 /// Both models on given surfaces.
 pub struct ComparePlan {
@@ -47,6 +48,8 @@ pub struct ComparePlan {
     pub surfaces: Vec<SurfacePlan>,
     /// Warnings about materials and separations that are hardly meant.
     pub implausible: Vec<String>,
+    /// The measured file that the command line named: its surface is described in full.
+    pub described: Option<PathBuf>,
 }
 
 /// What both models are run with on a surface.
@@ -71,6 +74,11 @@ pub struct Setup<'a> {
 }
 
 impl ComparePlan {
+    /// How closely the first realisation of its surfaces is looked at.
+    pub fn depth(&self) -> AnalysisDepth {
+        if self.described.is_some() { AnalysisDepth::Everything } else { AnalysisDepth::Comparison }
+    }
+
     /// What its models are run with.
     pub fn setup<'a>(&'a self, context: &RunContext<'a>) -> Setup<'a> {
         Setup {
@@ -127,6 +135,16 @@ impl fmt::Display for ComparePlan {
 pub(super) fn plan(file: &SpecFile) -> Result<ComparePlan, InputError> {
     let table = file.required_table::<CompareSpec>("compare")?;
     compared(file, table.get_ref(), table.span())
+}
+
+/// Both models on the one surface of `file`, which the command line named and which is described in full.
+///
+/// # Errors
+/// As of any comparison.
+pub fn described(file: &SpecFile) -> Result<ComparePlan, InputError> {
+    let plan = plan(file)?;
+    let described = plan.surfaces.first().and_then(SurfacePlan::input);
+    Ok(ComparePlan { described, ..plan })
 }
 
 /// Resolves the table at `span`.
@@ -191,5 +209,6 @@ pub(crate) fn compared(
         load_keys: [raw.pressure.as_ref().map(Spanned::span), raw.force.as_ref().map(Spanned::span)],
         surfaces: surfaces(file, raw.surfaces.as_deref(), span, as_ellipses)?,
         implausible,
+        described: None,
     })
 }

@@ -1,5 +1,7 @@
 //! Results of a comparison: everything that its report contains.
 
+use std::path::PathBuf;
+
 use asperity::compare::Tolerances;
 use asperity_framework::contact::ContactMetadata;
 use asperity_framework::metadata::Metadata;
@@ -25,6 +27,17 @@ pub struct CompareResults {
     pub surfaces: Vec<SurfaceResults>,
     /// What the reading of sigma and d changes, where surfaces with the same numbers have both.
     pub readings: Option<Readings>,
+    /// Of a measured file that the command line named.
+    pub described: Option<Described>,
+}
+
+/// What the command line made of a measured file.
+#[derive(Debug)]
+pub struct Described {
+    /// The file.
+    pub file: PathBuf,
+    /// The spec that runs the same.
+    pub spec: String,
 }
 
 impl CompareResults {

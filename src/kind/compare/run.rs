@@ -16,9 +16,10 @@ use asperity_framework::metadata::Timing;
 
 use super::answers::{CaseResults, DecreaseResults, RealisationResults};
 use super::findings::{Readings, SurfaceFindings};
+use super::implausible;
 use super::models::SurfaceModels;
 use super::plan::{ComparePlan, Setup};
-use super::results::{CompareResults, SurfaceResults};
+use super::results::{CompareResults, Described, SurfaceResults};
 use super::robustness;
 use super::sampling::sampling;
 use super::threshold;
@@ -45,7 +46,7 @@ pub fn run(
     let mut surfaces = Vec::new();
     for surface in &compare.surfaces {
         let mut factory = SurfaceFactory::new(surface, context, counter);
-        let first_surface = factory.make(1, AnalysisDepth::Comparison, &mut files, &mut timing)?;
+        let first_surface = factory.make(1, compare.depth(), &mut files, &mut timing)?;
         let models = models_of(setup, &first_surface, &mut timing);
         let mut first = run_surface(setup, &first_surface, &models, counter, &mut timing)
             .map_err(|(law, error)| unreachable_load(context, compare, &first_surface.name, law, &error))?;
@@ -108,12 +109,16 @@ pub fn run(
     let tolerances = compare.controls.tolerances;
     let metadata = context.metadata(papers, timing, Some(counter.work()));
     let readings = Readings::of(&surfaces);
+    let described = compare
+        .described
+        .as_ref()
+        .map(|file| Described { file: file.clone(), spec: context.source.text.clone() });
     let mut implausible = compare.implausible.clone();
     implausible.extend(surfaces.iter().flat_map(|found| {
         let Surface { name, statistics, set, .. } = &found.surface;
         plausibility::of_surface(name, statistics.mean_radius, statistics.sigma, set.nominal_area())
     }));
-    Ok(CompareResults { metadata, contact, implausible, tolerances, surfaces, readings })
+    Ok(CompareResults { metadata, contact, implausible, tolerances, surfaces, readings, described })
 }
 
 /// Both models on a surface, its asperities as the laws see them.
@@ -250,6 +255,9 @@ pub(super) fn unreachable_load(
     let layer =
         law.thickness.map_or_else(String::new, |t| format!(", layer of thickness {}", thickness_words(t)));
     let message = format!("surface {surface}, law {}{layer}: {error}", law.label);
+    if let Some(error) = implausible::error(context, compare, &message) {
+        return error;
+    }
     let span = match error.control {
         Control::Pressure => compare.load_keys[0].clone(),
         Control::Force => compare.load_keys[1].clone(),

@@ -1,5 +1,7 @@
 //! `summary.json` of a comparison.
 
+use std::path::Path;
+
 use asperity::compare::{ComparedQuantity, Kind, Tolerances, Verdict};
 use asperity_framework::contact::ContactSummary;
 use asperity_framework::fields;
@@ -16,6 +18,8 @@ use crate::surface::{PopulationSummary, RealisationSummary, SurfaceSummary};
 
 #[derive(Serialize)]
 struct CompareSummary<'a> {
+    #[serde(skip_serializing_if = "Option::is_none")]
+    looked_at: Option<&'a Path>,
     #[serde(flatten)]
     contact: ContactSummary,
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -167,6 +171,7 @@ fn verdicts(found: &SurfaceResults) -> impl Iterator<Item = VerdictSummary<'_>> 
 pub fn summary(results: &CompareResults) -> serde_json::Result<Map<String, Value>> {
     let Tolerances { statistical, deterministic } = results.tolerances;
     fields(&CompareSummary {
+        looked_at: results.described.as_ref().map(|described| &*described.file),
         contact: ContactSummary::of(&results.contact),
         layer: results.contact.layer.as_ref().map(layer::summary),
         tolerance: statistical.or(deterministic).map(|_| ToleranceSummary { statistical, deterministic }),

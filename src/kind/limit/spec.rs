@@ -4,6 +4,7 @@
 use serde::Deserialize;
 use toml::Spanned;
 
+use asperity_framework::input::Whole;
 use asperity_framework::input::law::Laws;
 use asperity_framework::input::quantity::{ArealNumberDensity, Length, Pure, Quantity};
 use asperity_framework::input::sweep::{LinearSweep, LogSweep};
@@ -29,5 +30,5 @@ pub struct LimitSpec {
     /// Sizes of the sets.
     pub count: Spanned<LogSweep<Pure>>,
     /// Sets drawn at random of each size.
-    pub draws: Spanned<u64>,
+    pub draws: Spanned<Whole>,
 }

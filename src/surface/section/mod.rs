@@ -155,11 +155,6 @@ pub fn for_terminal(surface: &Surface) -> String {
         count => format!(", the first of {count} realisations"),
     };
     let mut tables = format!("surface {}{which}\n{}", surface.name, table(properties(surface)));
-    let checks = fitness::for_terminal(surface);
-    if !checks.is_empty() {
-        tables.push('\n');
-        tables.push_str(&table(checks));
-    }
     let mut add = |header: &[&str], rows: Vec<Vec<String>>| {
         if !rows.is_empty() {
             tables.push('\n');
@@ -173,6 +168,11 @@ pub fn for_terminal(surface: &Surface) -> String {
         if let Some((header, rows)) = theory_table(surface, map) {
             add(&header, rows);
         }
+    }
+    let checks = fitness::for_terminal(surface);
+    if !checks.is_empty() {
+        tables.push('\n');
+        tables.push_str(&table(checks));
     }
     tables
 }

@@ -47,9 +47,28 @@ fn a_surface_is_described() {
 
     for (arguments, words) in [
         (&[opd][..], "holds no pixel size"),
-        (&[opd, "--pixel", "0.2 um", "--level", "quartic"], "quartic"),
+        (
+            &[opd, "--pixel", "0,5 um"],
+            "--pixel \"0,5 um\": found \"0,5 um\"; allowed: a positive finite length",
+        ),
+        (&[opd, "--pixel", "0,5 um"], "the decimal separator is a point: \"0.5 um\""),
+        (
+            &[opd, "--pixel", "1 um, 2 um, 3 um"],
+            "--pixel \"1 um, 2 um, 3 um\": found 3 sizes; allowed: one or two",
+        ),
+        (
+            &[opd, "--pixel", "0.2 um", "--unit", "inch"],
+            "--unit \"inch\": found the unit \"inch\"; allowed: m, cm",
+        ),
+        (
+            &[opd, "--pixel", "0.2 um", "--level", "quartic"],
+            "--level \"quartic\": found `quartic`; allowed: `none`",
+        ),
+        (&[opd, "--pixel", "0.2 um", "--neighbours", "six"], "--neighbours \"six\": found `six`; allowed: "),
+        (&[opd, "--pixel", "0.2 um", "--s", "3"], "--s \"3\": "),
+        (&[opd, "--pixel", "0.2 um", "--s", "3 um", "--l", "2 um"], "--s \"3 um\" --l \"2 um\": "),
         (&[opd, "--pixel", "0.2 um", "--s", "3 um", "--l", "2 um"], "s below l"),
-        (&[opd, "--pixel", "0.2 um", "--name", ""], "found the report name \"\""),
+        (&[opd, "--pixel", "0.2 um", "--name", ""], "--name: found the report name \"\""),
         (&[opd, "--pixel", "0.2 um", "--name", "../up"], "found the report name \"../up\""),
         (&["nowhere.npy"], "nowhere.npy"),
         (&[root.join("Cargo.lock").to_str().unwrap()], "Cargo.lock"),
@@ -58,6 +77,7 @@ fn a_surface_is_described() {
         let said = text(&output.stderr);
         assert_eq!(output.status.code(), Some(2), "{arguments:?}: {said}");
         assert!(said.contains(words), "{arguments:?}: {said}");
+        assert!(!said.contains("(command line)") && !said.contains(" | "), "no spec is cited: {said}");
     }
     let both = look(&[root.join("experiments/gw-zmc-limit.toml").to_str().unwrap(), "--pixel", "1 um"]);
     assert_eq!(both.status.code(), Some(2));

@@ -10,45 +10,48 @@ use toml::de::{DeTable, DeValue};
 #[derive(Debug, Clone, PartialEq)]
 pub struct InputError {
     file: PathBuf,
-    place: Option<Place>,
+    place: Place,
     message: String,
 }
 
-/// Where in a spec.
+/// Where the invalid input is.
 #[derive(Debug, Clone, PartialEq)]
-struct Place {
-    line: usize,
-    key: Option<String>,
-    text: String,
+enum Place {
+    /// In a file as a whole.
+    File,
+    /// In a line of a spec.
+    Line { line: usize, key: Option<String>, text: String },
+    /// In an argument of the command line, as it was typed.
+    Argument(String),
 }
 
 impl InputError {
     /// An error about a file, without a line.
     pub fn file(file: &Path, message: impl fmt::Display) -> Self {
-        Self { file: file.to_owned(), place: None, message: message.to_string() }
+        Self { file: file.to_owned(), place: Place::File, message: message.to_string() }
     }
 }
 
 impl fmt::Display for InputError {
     fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
-        write!(f, "{}", self.file.display())?;
-        if let Some(place) = &self.place {
-            write!(f, ", line {}", place.line)?;
-            if let Some(key) = &place.key {
-                write!(f, ", {key}")?;
+        let Self { file, place, message } = self;
+        match place {
+            Place::File => write!(f, "{}: {message}", file.display()),
+            Place::Line { line, key, text } => {
+                write!(f, "{}, line {line}", file.display())?;
+                if let Some(key) = key {
+                    write!(f, ", {key}")?;
+                }
+                write!(f, ": {message}\n{line:>6} | {text}")
             }
+            // A message about a file begins with its name.
+            Place::Argument(argument) if message.starts_with(argument) => f.write_str(message),
+            Place::Argument(argument) => write!(f, "{argument}: {message}"),
         }
-        write!(f, ": {}", self.message)?;
-        if let Some(place) = &self.place {
-            write!(f, "\n{:>6} | {}", place.line, place.text)?;
-        }
-        Ok(())
     }
 }
 
 impl std::error::Error for InputError {}
-
-const COMMAND_LINE: &str = "(command line)";
 
 /// A spec's text and where it is from.
 #[derive(Debug, Clone)]
@@ -57,17 +60,26 @@ pub struct Source {
     pub path: PathBuf,
     /// Its content.
     pub text: String,
+    /// For a spec made from the command line, the argument that each line stands for.
+    arguments: Vec<String>,
 }
 
 impl Source {
-    /// A spec made from the command line; its paths are relative to the working directory.
-    pub fn command_line(text: String) -> Self {
-        Self { path: COMMAND_LINE.into(), text }
+    /// A spec that was read from a file.
+    pub fn file(path: &Path, text: String) -> Self {
+        Self { path: path.to_owned(), text, arguments: Vec::new() }
+    }
+
+    /// A spec made from the command line, whose paths are relative to the working directory. Each line comes with the
+    /// argument it stands for, which an error cites as it was typed.
+    pub fn command_line(lines: Vec<(String, String)>) -> Self {
+        let (lines, arguments): (Vec<_>, Vec<_>) = lines.into_iter().unzip();
+        Self { path: "(command line)".into(), text: lines.join("\n") + "\n", arguments }
     }
 
     /// Whether the command line made it.
     pub fn is_command_line(&self) -> bool {
-        self.path.as_os_str() == COMMAND_LINE
+        !self.arguments.is_empty()
     }
 
     /// Error at `span` (bytes of the text).
@@ -76,13 +88,28 @@ impl Source {
         // A span may end up inside a character only if the parser is wrong; then line 1 is named.
         let before = self.text.get(..start).unwrap_or_default();
         let line = before.matches('\n').count() + 1;
-        let text = self.text.lines().nth(line - 1).unwrap_or_default().trim_end().to_owned();
-        let key = DeTable::parse(&self.text).ok().and_then(|table| key_at(table.get_ref(), &span));
-        InputError {
-            file: self.path.clone(),
-            place: Some(Place { line, key, text }),
-            message: message.to_string(),
-        }
+        let place = match self.arguments.get(line - 1) {
+            Some(argument) => Place::Argument(argument.clone()),
+            None => Place::Line {
+                line,
+                key: DeTable::parse(&self.text).ok().and_then(|table| key_at(table.get_ref(), &span)),
+                text: self.text.lines().nth(line - 1).unwrap_or_default().trim_end().to_owned(),
+            },
+        };
+        InputError { file: self.path.clone(), place, message: message.to_string() }
+    }
+
+    /// Position and text of the value at a path of keys.
+    pub fn value_at(&self, path: &[&str]) -> Option<(Range<usize>, &str)> {
+        let document = DeTable::parse(&self.text).ok()?;
+        let (last, tables) = path.split_last()?;
+        let table =
+            tables.iter().try_fold(document.get_ref(), |table, key| match table.get(*key)?.get_ref() {
+                DeValue::Table(inner) => Some(inner),
+                _ => None,
+            })?;
+        let span = table.get(*last)?.span();
+        Some((span.clone(), self.text.get(span)?))
     }
 
     /// Refuses the spec as its parser did.
@@ -100,6 +127,12 @@ fn plain_message(message: &str) -> String {
     let plain = match message {
         "wanted string or table" => {
             Some("found neither a name nor a table; allowed: a name in quotes, or a table")
+        }
+        "integer number overflowed" => {
+            Some("found a number of too many digits; allowed: a whole number up to 18446744073709551615")
+        }
+        "floating-point number overflowed" => {
+            Some("found a number that is too large; allowed: at most 1e308 in magnitude")
         }
         "duplicate key" => Some("found this key twice; allowed: once"),
         "wanted exactly 1 element, more than 1 element" => {
@@ -129,10 +162,40 @@ fn plain_message(message: &str) -> String {
             message.strip_prefix(begin).and_then(|rest| rest.split_once(", expected "))
         {
             let expected = expected.strip_prefix("one of ").unwrap_or(expected);
-            return format!("{found}{what}; allowed: {expected}");
+            return format!("{found}{}; allowed: {}", plain_value(what), plain_kind(expected));
         }
     }
     message.to_owned()
+}
+
+/// A value as the parser calls it, in the words of a spec: "floating point `2.5`" is 2.5.
+fn plain_value(what: &str) -> &str {
+    for kind in ["integer `", "floating point `", "boolean `"] {
+        if let Some(value) = what.strip_prefix(kind) {
+            return value.split('`').next().unwrap_or(value);
+        }
+    }
+    match what {
+        "sequence" => "a list",
+        "map" => "a table",
+        text => text.strip_prefix("string ").unwrap_or(text),
+    }
+}
+
+/// What the parser expects, without names of types.
+fn plain_kind(expected: &str) -> &str {
+    const INTEGERS: [&str; 10] = ["u8", "u16", "u32", "u64", "usize", "i8", "i16", "i32", "i64", "isize"];
+    match expected {
+        "a sequence" => "a list in square brackets",
+        "a map" | "map" => "a table",
+        "a string" | "string" => "a text in quotes",
+        "path string" => "the name of a file in quotes",
+        "a boolean" => "true or false",
+        "f64" | "f32" => "a number without quotes",
+        integer if INTEGERS.contains(&integer) => "a whole number such as 1000",
+        structure if structure.starts_with("struct ") || structure.starts_with("tuple ") => "a table of keys",
+        other => other,
+    }
 }
 
 /// The dotted key of the innermost entry of `table` that `span` points into.

@@ -11,6 +11,7 @@ use toml::de::{DeTable, DeValue, Deserializer, ValueDeserializer};
 
 use super::error::{InputError, Source};
 use super::material::{MaterialOrigin, MaterialSpec};
+use super::whole::Whole;
 use asperity::Material;
 
 /// A spec file whose common keys are read; the table of its kind is read by [`SpecFile::table`].
@@ -37,7 +38,7 @@ struct CommonKeys {
     #[serde(default)]
     notes: String,
     #[serde(default)]
-    seed: u64,
+    seed: Whole,
     #[serde(default)]
     material: IndexMap<Spanned<String>, MaterialSpec>,
 }
@@ -56,7 +57,7 @@ impl SpecFile {
         let text = String::from_utf8(bytes).map_err(|error| {
             InputError::file(path, format!("is no UTF-8 text (byte {})", error.utf8_error().valid_up_to()))
         })?;
-        Self::parse(Source { path: path.to_owned(), text }, tables)
+        Self::parse(Source::file(path, text), tables)
     }
 
     /// The same of a text.
@@ -83,7 +84,7 @@ impl SpecFile {
         }
         let keys = CommonKeys::deserialize(Deserializer::from(document));
         let CommonKeys { title, notes, seed, material } = keys.map_err(|error| source.parse_error(&error))?;
-        Ok(Self { source, title, notes, seed, materials: material, tables: found })
+        Ok(Self { source, title, notes, seed: seed.0, materials: material, tables: found })
     }
 
     /// Names and positions of the tables besides the common keys, in file order.

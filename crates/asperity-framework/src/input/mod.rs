@@ -11,8 +11,10 @@ pub mod quantity;
 mod resolver;
 pub mod sweep;
 pub mod tolerance;
+mod whole;
 
 pub use error::{InputError, Source};
 pub use file::SpecFile;
 pub use one_or_many::OneOrMany;
 pub use resolver::materials;
+pub use whole::Whole;

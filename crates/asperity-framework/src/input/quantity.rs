@@ -5,7 +5,7 @@ use std::marker::PhantomData;
 
 use serde::de::{Deserialize, Deserializer, Error, Visitor};
 
-use asperity::numeric::is_positive;
+use asperity::numeric::{LARGEST, is_positive};
 use asperity::units;
 
 /// A kind of quantity that a spec may hold.
@@ -65,6 +65,8 @@ impl Dimension for Pure {
 pub trait Range {
     /// How an error names it.
     const WORDS: &'static str;
+    /// The SI magnitudes that it ends at, where [`Self::WORDS`] do not say so.
+    const MAGNITUDES: Option<&'static str> = None;
     /// Whether `value` lies in it.
     fn holds(value: f64) -> bool;
 }
@@ -75,6 +77,7 @@ pub enum Positive {}
 
 impl Range for Positive {
     const WORDS: &'static str = "a positive finite";
+    const MAGNITUDES: Option<&'static str> = Some("1e-30 to 1e30");
     fn holds(value: f64) -> bool {
         is_positive(value)
     }
@@ -86,8 +89,9 @@ pub enum Finite {}
 
 impl Range for Finite {
     const WORDS: &'static str = "a finite";
+    const MAGNITUDES: Option<&'static str> = Some("at most 1e30");
     fn holds(value: f64) -> bool {
-        value.abs() <= asperity::numeric::LARGEST
+        value.abs() <= LARGEST
     }
 }
 
@@ -97,6 +101,7 @@ pub enum NotNegative {}
 
 impl Range for NotNegative {
     const WORDS: &'static str = "zero or a positive finite";
+    const MAGNITUDES: Option<&'static str> = Some("1e-30 to 1e30");
     fn holds(value: f64) -> bool {
         value == 0.0 || is_positive(value)
     }
@@ -138,7 +143,17 @@ impl<D: Dimension, R: Range> Quantity<D, R> {
     }
 
     fn checked(value: f64, found: &dyn fmt::Display) -> Result<Self, String> {
-        if R::holds(value) { Ok(Self { value, kind: PhantomData }) } else { Err(Self::error(found)) }
+        if R::holds(value) {
+            return Ok(Self { value, kind: PhantomData });
+        }
+        Err(match R::MAGNITUDES {
+            // The value has the right sign, so that the words of the range do not say what is wrong.
+            Some(magnitudes) if value.is_finite() && (value > 0.0 || R::holds(-1.0)) => {
+                let unit = D::UNITS.map_or_else(String::new, |units| format!(" {}", units.si_unit()));
+                format!("{}, of magnitude {magnitudes}{unit}", Self::error(found))
+            }
+            _ => Self::error(found),
+        })
     }
 
     fn error(found: &dyn fmt::Display) -> String {
@@ -147,10 +162,16 @@ impl<D: Dimension, R: Range> Quantity<D, R> {
 
     pub(super) fn parse(text: &str) -> Result<Self, String> {
         let found = format!("\"{text}\"");
-        match D::UNITS.and_then(|units| units.parse(text)) {
-            Some(value) => Self::checked(value, &found),
-            None => Err(Self::error(&found)),
+        let parse = |text: &str| D::UNITS.and_then(|units| units.parse(text));
+        if let Some(value) = parse(text) {
+            return Self::checked(value, &found);
         }
+        let error = Self::error(&found);
+        let with_point = text.replacen(',', ".", 1);
+        Err(match parse(&with_point) {
+            Some(_) => format!("{error}; the decimal separator is a point: \"{with_point}\""),
+            None => error,
+        })
     }
 }
 
@@ -168,7 +189,7 @@ impl<'de, D: Dimension, R: Range> Deserialize<'de> for Quantity<D, R> {
                 Quantity::parse(text).map_err(E::custom)
             }
             fn visit_f64<E: Error>(self, value: f64) -> Result<Self::Value, E> {
-                Quantity::checked(value, &value).map_err(E::custom)
+                Quantity::checked(value, &format_args!("{value:?}")).map_err(E::custom)
             }
             fn visit_i64<E: Error>(self, value: i64) -> Result<Self::Value, E> {
                 Quantity::checked(value as f64, &value).map_err(E::custom)
@@ -206,5 +227,27 @@ mod tests {
             );
         }
         assert!(Quantity::<Pure>::parse("3 nm").is_err());
+    }
+
+    #[test]
+    fn a_decimal_comma_is_named() {
+        let message = length("0,5 um").unwrap_err();
+        assert!(message.starts_with("found \"0,5 um\"; allowed: a positive finite length"), "{message}");
+        assert!(message.ends_with("; the decimal separator is a point: \"0.5 um\""), "{message}");
+        assert!(!length("0,5,1 um").unwrap_err().contains("decimal separator"));
+    }
+
+    #[test]
+    fn an_extreme_value_is_told_the_magnitudes_that_are_allowed() {
+        let message = Quantity::<Pressure>::parse("1e-300 Pa").unwrap_err();
+        assert!(message.starts_with("found \"1e-300 Pa\"; allowed: a positive finite pressure"), "{message}");
+        assert!(message.ends_with(", of magnitude 1e-30 to 1e30 Pa"), "{message}");
+        let number = serde::de::value::F64Deserializer::<serde::de::value::Error>::new(1e-300);
+        let message = Quantity::<Pressure>::deserialize(number).unwrap_err().to_string();
+        assert!(message.starts_with("found 1e-300; allowed: "), "{message}");
+        assert!(!length("-3 nm").unwrap_err().contains("magnitude"));
+        assert!(
+            Quantity::<Length, Finite>::parse("-1e31 m").unwrap_err().contains("magnitude at most 1e30 m")
+        );
     }
 }

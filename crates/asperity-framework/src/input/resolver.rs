@@ -9,6 +9,7 @@ use super::file::SpecFile;
 use super::law::Laws;
 use super::quantity::Pure;
 use super::sweep::LogSweep;
+use super::whole::Whole;
 use crate::contact::LawPlan;
 use asperity::law::{Body, Property};
 use asperity::{ContactLaw, Flat, Inapplicable, Material};
@@ -153,8 +154,8 @@ impl SpecFile {
     }
 
     /// Number of random realisations, 2 to 1000.
-    pub fn several(&self, raw: &Spanned<u64>, what: &str) -> Result<usize, InputError> {
-        let count = *raw.get_ref();
+    pub fn several(&self, raw: &Spanned<Whole>, what: &str) -> Result<usize, InputError> {
+        let Whole(count) = *raw.get_ref();
         if !(2..=1000).contains(&count) {
             return Err(self
                 .source

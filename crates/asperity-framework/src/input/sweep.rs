@@ -1,25 +1,85 @@
-//! Sweeps: `{ from, to, points }` or `{ values = [...] }`.
+//! Sweeps: one value, a list of values, `{ from, to, points }` or `{ values = [...] }`.
+
+use std::fmt;
+use std::marker::PhantomData;
 
 use serde::Deserialize;
+use serde::de::value::MapAccessDeserializer;
+use serde::de::{Deserializer, Error, IntoDeserializer, MapAccess, SeqAccess, Visitor};
 
 use crate::input::quantity::{Dimension, Positive, Pure, Quantity, Range, SeparationRange};
+use crate::input::whole::Whole;
 
 /// The most points that one sweep may have.
 const MOST_POINTS: usize = 100_000;
+
+const TABLES: &str = "{ from, to, points } or { values = [...] }";
 
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields, bound(deserialize = "Quantity<D, R>: Deserialize<'de>"))]
 struct Keys<D, R> {
     from: Option<Quantity<D, R>>,
     to: Option<Quantity<D, R>>,
-    points: Option<usize>,
+    points: Option<Whole>,
     values: Option<Vec<Quantity<D, R>>>,
+}
+
+/// A sweep as it stands in a spec: one value, a list of values, or a table of [`Keys`].
+struct Written<D, R>(Keys<D, R>);
+
+impl<'de, D: Dimension, R: Range> Deserialize<'de> for Written<D, R> {
+    fn deserialize<T: Deserializer<'de>>(deserializer: T) -> Result<Self, T::Error> {
+        struct Reader<D, R>(PhantomData<(D, R)>);
+
+        impl<D: Dimension, R: Range> Reader<D, R> {
+            fn one<E: Error>(value: impl IntoDeserializer<'static, E>) -> Result<Written<D, R>, E> {
+                Quantity::deserialize(value.into_deserializer()).map(|value| Written::of(vec![value]))
+            }
+        }
+
+        impl<'de, D: Dimension, R: Range> Visitor<'de> for Reader<D, R> {
+            type Value = Written<D, R>;
+
+            fn expecting(&self, f: &mut fmt::Formatter) -> fmt::Result {
+                let example = match D::UNITS {
+                    Some(units) => format!("\"{}\"", units.example()),
+                    None => "2.5".to_owned(),
+                };
+                write!(f, "one value such as {example}, a list of values, {TABLES}")
+            }
+            fn visit_str<E: Error>(self, text: &str) -> Result<Self::Value, E> {
+                Quantity::parse(text).map(|value| Written::of(vec![value])).map_err(E::custom)
+            }
+            fn visit_f64<E: Error>(self, value: f64) -> Result<Self::Value, E> {
+                Self::one(value)
+            }
+            fn visit_i64<E: Error>(self, value: i64) -> Result<Self::Value, E> {
+                Self::one(value)
+            }
+            fn visit_seq<A: SeqAccess<'de>>(self, mut list: A) -> Result<Self::Value, A::Error> {
+                let mut values = Vec::new();
+                while let Some(value) = list.next_element()? {
+                    values.push(value);
+                }
+                Ok(Written::of(values))
+            }
+            fn visit_map<A: MapAccess<'de>>(self, map: A) -> Result<Self::Value, A::Error> {
+                Keys::deserialize(MapAccessDeserializer::new(map)).map(Written)
+            }
+        }
+        deserializer.deserialize_any(Reader(PhantomData))
+    }
+}
+
+impl<D, R> Written<D, R> {
+    fn of(values: Vec<Quantity<D, R>>) -> Self {
+        Self(Keys { from: None, to: None, points: None, values: Some(values) })
+    }
 }
 
 impl<D: Dimension, R: Range> Keys<D, R> {
     /// The values, spaced by `between(from, to, fraction)`.
     fn values(self, between: fn(f64, f64, f64) -> f64) -> Result<Vec<f64>, String> {
-        const ALLOWED: &str = "allowed: { from, to, points } or { values = [...] }";
         match (self.from, self.to, self.points, self.values) {
             (None, None, None, Some(values)) => match values.len() {
                 0 => Err("found an empty list; allowed: at least one value".to_owned()),
@@ -28,10 +88,10 @@ impl<D: Dimension, R: Range> Keys<D, R> {
                 }
                 _ => Ok(values.iter().map(Quantity::value).collect()),
             },
-            (Some(from), Some(to), Some(points), None) => {
-                if !(2..=MOST_POINTS).contains(&points) {
-                    return Err(format!("found points = {points}; allowed: 2 to {MOST_POINTS}"));
-                }
+            (Some(from), Some(to), Some(Whole(points)), None) => {
+                let allowed = usize::try_from(points).ok().filter(|count| (2..=MOST_POINTS).contains(count));
+                let points =
+                    allowed.ok_or_else(|| format!("found points = {points}; allowed: 2 to {MOST_POINTS}"))?;
                 let (from, to) = (from.value(), to.value());
                 let value = |k: usize| match k {
                     0 => from,
@@ -40,41 +100,92 @@ impl<D: Dimension, R: Range> Keys<D, R> {
                 };
                 Ok((0..points).map(value).collect())
             }
-            (None, None, None, None) => Err(format!("found nothing; {ALLOWED}")),
-            (.., Some(_)) => Err(format!("found `values` together with `from`, `to` or `points`; {ALLOWED}")),
-            _ => Err(format!("found only some of `from`, `to` and `points`; {ALLOWED}")),
+            (None, None, None, None) => Err(format!("found nothing; allowed: {TABLES}")),
+            (.., Some(_)) => {
+                Err(format!("found `values` together with `from`, `to` or `points`; allowed: {TABLES}"))
+            }
+            _ => Err(format!("found only some of `from`, `to` and `points`; allowed: {TABLES}")),
         }
     }
 }
 
 /// Evenly spaced separations, in sigma.
 #[derive(Debug, Clone, PartialEq, Deserialize)]
-#[serde(try_from = "Keys<Pure, SeparationRange>")]
+#[serde(try_from = "Written<Pure, SeparationRange>")]
 pub struct LinearSweep(pub Vec<f64>);
 
-impl TryFrom<Keys<Pure, SeparationRange>> for LinearSweep {
+impl TryFrom<Written<Pure, SeparationRange>> for LinearSweep {
     type Error = String;
 
-    fn try_from(keys: Keys<Pure, SeparationRange>) -> Result<Self, String> {
+    fn try_from(Written(keys): Written<Pure, SeparationRange>) -> Result<Self, String> {
         keys.values(|from, to, fraction| from + (to - from) * fraction).map(Self)
     }
 }
 
 /// Logarithmically spaced positive quantities, SI.
 #[derive(Debug, Clone, PartialEq, Deserialize)]
-#[serde(try_from = "Keys<D, Positive>", bound(deserialize = "D: Dimension"))]
+#[serde(try_from = "Written<D, Positive>", bound(deserialize = "D: Dimension"))]
 pub struct LogSweep<D> {
     /// The values, SI.
     pub values: Vec<f64>,
     #[serde(skip)]
-    kind: std::marker::PhantomData<D>,
+    kind: PhantomData<D>,
 }
 
-impl<D: Dimension> TryFrom<Keys<D, Positive>> for LogSweep<D> {
+impl<D: Dimension> TryFrom<Written<D, Positive>> for LogSweep<D> {
     type Error = String;
 
-    fn try_from(keys: Keys<D, Positive>) -> Result<Self, String> {
+    fn try_from(Written(keys): Written<D, Positive>) -> Result<Self, String> {
         let values = keys.values(|from, to, fraction| from * (to / from).powf(fraction))?;
-        Ok(Self { values, kind: std::marker::PhantomData })
+        Ok(Self { values, kind: PhantomData })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::input::quantity::Force;
+
+    fn forces(text: &str) -> Result<Vec<f64>, String> {
+        let value = toml::de::ValueDeserializer::parse(text).map_err(|error| error.message().to_owned())?;
+        let read = LogSweep::<Force>::deserialize(value);
+        read.map(|sweep| sweep.values).map_err(|error| error.message().to_owned())
+    }
+
+    #[test]
+    fn one_value_and_a_list_are_sweeps_too() {
+        for (text, values) in [
+            ("\"5 N\"", vec![5.0]),
+            ("5", vec![5.0]),
+            ("0.5", vec![0.5]),
+            ("[\"5 N\", 7]", vec![5.0, 7.0]),
+            ("{ values = [\"5 N\"] }", vec![5.0]),
+            ("{ from = 1, to = \"4 N\", points = 3.0 }", vec![1.0, 2.0, 4.0]),
+        ] {
+            assert_eq!(forces(text), Ok(values), "{text}");
+        }
+        let separation = toml::de::ValueDeserializer::parse("2.5").unwrap();
+        assert_eq!(LinearSweep::deserialize(separation).unwrap(), LinearSweep(vec![2.5]));
+    }
+
+    #[test]
+    fn what_is_no_sweep_says_what_one_is() {
+        for (text, words) in [
+            ("\"5 MPa\"", "found \"5 MPa\"; allowed: a positive finite force such as \"10 N\""),
+            (
+                "true",
+                "one value such as \"10 N\", a list of values, { from, to, points } or { values = [...] }",
+            ),
+            ("[]", "found an empty list; allowed: at least one value"),
+            ("{ from = 1, to = 4, points = 1.5 }", "a whole number such as 1000"),
+            (
+                "{ from = 1, to = 4, points = 1e18 }",
+                "found points = 1000000000000000000; allowed: 2 to 100000",
+            ),
+            ("{}", "found nothing; allowed: { from, to, points } or { values = [...] }"),
+        ] {
+            let message = forces(text).unwrap_err();
+            assert!(message.contains(words), "{text}: {message}");
+        }
     }
 }

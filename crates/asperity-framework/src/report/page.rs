@@ -207,6 +207,25 @@ pub fn escape(text: &str) -> String {
     escaped
 }
 
+/// The same, except that text between backticks is code.
+pub fn escape_around_code(text: &str) -> String {
+    let parts: Vec<&str> = text.split('`').collect();
+    // Backticks that are not pairs are no markup.
+    if parts.len().is_multiple_of(2) {
+        return escape(text);
+    }
+    let part = |(index, part): (usize, &&str)| {
+        if !index.is_multiple_of(2) {
+            return format!("`{}`", one_line(part));
+        }
+        // Letters keep blanks at the ends; only the first part is at the start of a line.
+        let before = if index == 0 { "" } else { "x" };
+        let escaped = escape(&format!("{before}{part}x"));
+        escaped[before.len()..escaped.len() - 1].to_owned()
+    };
+    parts.iter().enumerate().map(part).collect::<String>().trim().to_owned()
+}
+
 fn escape_html(text: &str) -> String {
     let text = text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;");
     text.replace('"', "&quot;").replace('\'', "&#39;")
@@ -317,6 +336,15 @@ mod tests {
         page.figure("gap.svg", "<svg><g id=\"a\"/><use href=\"#a\"/></svg>\n", "The gap");
         page.figure("two.svg", "<svg><g id=\"a\"/></svg>\n", "Another");
         page
+    }
+
+    #[test]
+    fn code_between_backticks_stays_code() {
+        assert_eq!(
+            escape_around_code("a_b: set (`level = \"x_y\"`) or `l`, see *c*."),
+            "a\\_b: set (`level = \"x_y\"`) or `l`, see \\*c\\*."
+        );
+        assert_eq!(escape_around_code("one ` only_"), "one \\` only\\_");
     }
 
     #[test]

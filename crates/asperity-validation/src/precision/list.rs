@@ -10,7 +10,7 @@ use super::memory::peak_of;
 use super::sum::spread;
 use super::timing::{Candidate, medians};
 use asperity::{
-    AsperityList, AsperitySet, Deterministic, Draw, ListError, MicroContact, Model, Population,
+    AsperityList, AsperitySet, Deterministic, Draw, ListError, ListOptions, MicroContact, Model, Population,
     ReferencePlane, Response, SetError, npy,
 };
 
@@ -170,7 +170,7 @@ fn written(population: &Population, count: usize, seed: [u8; 32]) -> Result<Name
 }
 
 fn read(path: &Path, population: &Population) -> Result<AsperitySet, Unlisted> {
-    let list = AsperityList::read(path, false)?;
+    let list = AsperityList::read(path, ListOptions::default())?;
     let nominal_area = list.count() as f64 / population.density;
     Ok(list.set(nominal_area)?)
 }

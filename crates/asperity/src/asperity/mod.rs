@@ -3,19 +3,19 @@
 mod arrays;
 mod ellipse;
 mod ellipses;
+mod list;
 mod nayak;
 mod ordered;
 mod population;
-mod read;
 mod set;
 mod statistics;
 
 pub use arrays::Asperities;
 pub use ellipse::Ellipse;
 pub use ellipses::{Ellipses, Ellipticity};
+pub use list::{AsperityList, ListColumn, ListError, ListOptions};
 pub use nayak::{SurfaceHeights, SurfaceHeightsError};
 pub use ordered::Ordered;
 pub use population::{Draw, Population};
-pub use read::{AsperityList, ListColumn, ListError};
 pub use set::{AsperitySet, SetError};
 pub use statistics::Statistics;

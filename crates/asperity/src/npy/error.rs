@@ -43,6 +43,16 @@ pub enum NpyError {
         /// Bytes after the header.
         found: u64,
     },
+    /// The file goes on after its last number.
+    #[error("holds {extra} bytes after its {rows} x {columns} numbers; allowed: one array and nothing else")]
+    Trailing {
+        /// Length along the first index, according to the header.
+        rows: u64,
+        /// Length along the second index, according to the header.
+        columns: u64,
+        /// Bytes after the last number.
+        extra: u64,
+    },
     /// The file was cut after its header had been checked.
     #[error("is truncated: it became shorter while it was being opened")]
     Shortened,

@@ -151,6 +151,9 @@ fn checked_shape(shape: Vec<u64>, number_type: NumberType, found: u64) -> Result
     if found < bytes {
         return Err(NpyError::Truncated { rows, columns, bytes, found });
     }
+    if found > bytes {
+        return Err(NpyError::Trailing { rows, columns, extra: found - bytes });
+    }
     let size = |length: u64| usize::try_from(length).map_err(|_| NpyError::TooLarge);
     Ok([size(rows)?, size(columns)?])
 }

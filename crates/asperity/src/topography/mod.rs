@@ -79,7 +79,7 @@ pub enum MapError {
     #[error("pixel {} x {} m; allowed: positive and finite", .0[0], .0[1])]
     Pixel([f64; 2]),
     /// All points are missing.
-    #[error("holds no finite height")]
+    #[error("holds no finite height: every point is NaN, infinite or beyond 1e30, which mark missing points")]
     AllMissing,
 }
 

@@ -6,7 +6,9 @@ use asperity::npy::NpyError;
 use asperity::progress::Silent;
 use asperity::topography::read::{ReadOptions, height_map, metadata, rows};
 use asperity::topography::{RoughnessParameters, Rows};
-use asperity::{AsperityList, Ellipse, ListColumn, ListError, npy};
+use asperity::{AsperityList, Ellipse, ListColumn, ListError, ListOptions, npy};
+
+const ELLIPSES: ListOptions = ListOptions { as_ellipses: true, unit: None };
 
 /// A `.npy` of version 1 with the given type, order and bytes.
 pub(super) fn array(descr: &str, fortran: bool, shape: &str, data: &[u8]) -> Vec<u8> {
@@ -151,6 +153,8 @@ fn what_is_no_array_is_told_apart() {
         };
         assert!(is_short, "{length}: {error}");
     }
+    let twice = refused(&[&whole[..], &[0; 5]].concat());
+    assert!(matches!(twice, NpyError::Trailing { rows: 2, columns: 3, extra: 5 }), "{twice}");
     for shape in ["(1000000, 1000000)", "(9223372036854775807, 9223372036854775807)"] {
         let error = refused(&array("<f8", false, shape, &[0; 8]));
         assert!(matches!(error, NpyError::Truncated { .. } | NpyError::TooLarge), "{shape}: {error}");
@@ -163,7 +167,7 @@ fn what_is_no_array_is_told_apart() {
 
 /// Heights and radii of a list.
 fn spheres(path: &Path) -> (Vec<f64>, Vec<f64>) {
-    let set = AsperityList::read(path, false).unwrap().set(1.0).unwrap();
+    let set = AsperityList::read(path, ListOptions::default()).unwrap().set(1.0).unwrap();
     (set.heights().to_vec(), set.radii().to_vec())
 }
 
@@ -184,7 +188,10 @@ fn a_list_may_be_an_array_of_two_columns() {
     let (_folder, path) = file("wide.npy", &array("<f8", false, "(1, 4)", &data));
     assert_eq!(spheres(&path), (vec![2e-9], vec![1e-6]));
     let (_folder, path) = file("long.npy", &array("<f8", false, "(4, 1)", &data));
-    assert!(matches!(AsperityList::read(&path, false), Err(ListError::Shape { rows: 4, columns: 1, .. })));
+    assert!(matches!(
+        AsperityList::read(&path, ListOptions::default()),
+        Err(ListError::Shape { rows: 4, columns: 1, .. })
+    ));
 }
 
 /// Either memory order and byte order, more rows than are read at a time; the first bad value is named.
@@ -211,7 +218,7 @@ fn a_long_array_is_read_in_pieces() {
     let mut bad = by_rows.clone();
     (bad[2 * 19_000 + 1], bad[2 * 9_000], bad[2 * 9_000 + 1]) = (0.0, f64::NAN, -1.0);
     let (_folder, path) = file("bad.npy", &array("<f8", false, &shape, &bytes(&bad, false)));
-    let error = AsperityList::read(&path, false).unwrap_err().to_string();
+    let error = AsperityList::read(&path, ListOptions::default()).unwrap_err().to_string();
     assert!(error.contains("row 9001 of 20000, column `height`: found NaN"), "{error}");
 }
 
@@ -223,12 +230,15 @@ fn a_list_of_ellipses_has_two_curvatures_more() {
     for (_folder, path) in
         [file("list.csv", text.as_bytes()), file("list.npy", &array("<f8", false, "(2, 4)", &data))]
     {
-        let set = AsperityList::read(&path, true).unwrap().set(1.0).unwrap();
+        let set = AsperityList::read(&path, ELLIPSES).unwrap().set(1.0).unwrap();
         assert_eq!(set.ellipses(), Some(&[Ellipse::new(1e6, 4e6), Ellipse::new(5e5, 5e5)][..]));
         assert_eq!((set.heights(), set.radii()), (&[2e-9, -3e-9][..], &[1e-6, 2e-6][..]));
         // Spheres ignore the curvatures.
         assert_eq!(spheres(&path), (vec![2e-9, -3e-9], vec![1e-6, 2e-6]));
-        assert_eq!(AsperityList::read(&path, false).unwrap().set(1.0).unwrap().ellipses(), None);
+        assert_eq!(
+            AsperityList::read(&path, ListOptions::default()).unwrap().set(1.0).unwrap().ellipses(),
+            None
+        );
     }
     assert_eq!((Ellipse::new(1e6, 4e6).mean_curvature, Ellipse::new(4e6, 1e6).curvature_ratio), (2.5e6, 4.0));
 }
@@ -237,7 +247,7 @@ fn a_list_of_ellipses_has_two_curvatures_more() {
 fn curvatures_that_are_missing_or_none_are_refused() {
     let refused = |name: &str, bytes: &[u8]| {
         let (_folder, path) = file(name, bytes);
-        AsperityList::read(&path, true).unwrap_err()
+        AsperityList::read(&path, ELLIPSES).unwrap_err()
     };
     for (header, missing) in [
         ("height,radius", ListColumn::Kx),
@@ -258,7 +268,7 @@ fn curvatures_that_are_missing_or_none_are_refused() {
         let text = format!("height,radius,kx,ky\n1e-9,1e-6,1e6,1e6\n1e-9,1e-6,1e6,{bad}\n");
         let error = refused("list.csv", text.as_bytes()).to_string();
         assert!(error.contains("line 3, column `ky`") && error.contains(&format!("`{bad}`")), "{error}");
-        assert!(error.contains("a positive finite number of 1/m"), "{error}");
+        assert!(error.contains("a positive finite number (1e-30 to 1e30 per metre)"), "{error}");
         let Ok(value) = bad.parse::<f64>() else { continue };
         let data: Vec<u8> = [1e-9, 1e-6, 1e6, 1e6, 1e-9, 1e-6, value, 1e6].map(f64::to_le_bytes).concat();
         let error = refused("list.npy", &array("<f8", false, "(2, 4)", &data)).to_string();

@@ -11,6 +11,7 @@ mod formats;
 mod heights;
 mod invariants;
 mod layered_flat;
+mod lists;
 mod measured;
 mod npy;
 mod reference;

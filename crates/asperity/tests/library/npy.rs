@@ -26,7 +26,7 @@ fn a_header_may_be_written_in_any_way_of_python() {
         let found = header(&under(text)).unwrap();
         assert_eq!((found.rows, found.columns, found.is_fortran()), (2, 3, false), "{text}");
     }
-    assert!(header(&under("{'descr': '|u1', 'fortran_order': True, 'shape': (2, 3)}")).unwrap().is_fortran());
+    assert!(header(&under("{'descr': '|u1', 'fortran_order': True, 'shape': (6, 8)}")).unwrap().is_fortran());
 }
 
 #[test]

@@ -34,9 +34,9 @@ pub use surface::surface;
 use crate::kind::compare::answers::CaseResults;
 use crate::kind::compare::findings::{CaseFindings, Verdicts};
 use crate::kind::compare::results::{CompareResults, SurfaceResults};
-use crate::surface::fitness;
+use crate::surface::{fitness, section};
 use asperity_framework::report::format::listed;
-use asperity_framework::report::page::{Page, escape};
+use asperity_framework::report::page::{Page, escape, escape_around_code};
 use asperity_framework::report::sections;
 use names::{stem, subject};
 
@@ -44,7 +44,7 @@ use names::{stem, subject};
 pub fn page(results: &CompareResults) -> Page {
     let mut page = Page::new(&results.metadata.title);
     for warning in results.warnings() {
-        page.warning(&escape(&warning));
+        page.warning(&escape_around_code(&warning));
     }
     let layered = layer::all(results);
     // A single thickness is shown in as much detail as an uncoated flat.
@@ -91,12 +91,38 @@ pub fn page(results: &CompareResults) -> Page {
         }
     }
     limits::limits(&mut page, results);
+    if let Some(described) = &results.described {
+        page.heading(2, "How to reproduce");
+        page.paragraph("This spec runs the same (`--save-spec FILE` writes it):");
+        page.code("toml", &described.spec);
+    }
     sections::sources(&mut page, &results.metadata);
     page
 }
 
 /// The answer on one surface, a sentence for each law.
-fn headlines(results: &CompareResults, found: &SurfaceResults) -> Vec<String> {
+fn headlines(results: &CompareResults, found: &SurfaceResults) -> impl Iterator<Item = String> {
+    let marked = |(name, sentence): (String, String)| {
+        format!("**{}**: {}", escape(&name), escape_around_code(&sentence))
+    };
+    sentences(results, found).into_iter().map(marked)
+}
+
+/// Descriptions and answers as text.
+pub fn for_terminal(results: &CompareResults) -> String {
+    let of = |found: &SurfaceResults| {
+        let mut text = format!("\n{}", section::for_terminal(&found.surface));
+        for (name, sentence) in sentences(results, found) {
+            text.push_str(&format!("\n{name}: {sentence}\n"));
+        }
+        text.trim_end().to_owned()
+    };
+    let texts: Vec<String> = results.surfaces.iter().map(of).collect();
+    texts.join("\n")
+}
+
+/// The answer on one surface: for each law its subject and a sentence.
+fn sentences(results: &CompareResults, found: &SurfaceResults) -> Vec<(String, String)> {
     let line = |(index, (case, findings)): (usize, (&CaseResults, &CaseFindings))| {
         let verdicts = &findings.verdicts;
         let name = subject(results, found, &case.law);
@@ -112,17 +138,9 @@ fn headlines(results: &CompareResults, found: &SurfaceResults) -> Vec<String> {
         } else {
             let mut sentence = verdict::headline(verdicts, found.surface.plane.sigma);
             sentence.extend(robustness::sentence(found, index).map(|depends| format!(" {depends}")));
-            match &fitness::blocked_by(&found.surface)[..] {
-                [] => sentence,
-                faults => {
-                    format!(
-                        "no conclusion until the map is fit: {}. As the data stand: {sentence}",
-                        faults.join("; ")
-                    )
-                }
-            }
+            if_fit(found, sentence)
         };
-        format!("**{}**: {}", escape(&name), escape(&sentence))
+        (name, sentence)
     };
     found.first.cases.iter().zip(&found.findings.cases).enumerate().map(line).collect()
 }
@@ -171,14 +189,32 @@ pub fn answer_by_law(page: &mut Page, found: &SurfaceResults) {
 /// Over all laws in one sentence.
 pub fn headline_over_laws(found: &SurfaceResults) -> Option<String> {
     let all: Vec<&Verdicts> = found.findings.cases.iter().map(|findings| &findings.verdicts).collect();
-    headline_over(&found.surface.name, "laws", &all)
+    headline_over(&found.surface.name, "laws", &all, found)
 }
 
 /// Over several `cases` (thicknesses, laws) of one surface in one sentence; `None` where nothing was compared.
-fn headline_over(name: &str, cases: &str, all: &[&Verdicts]) -> Option<String> {
+fn headline_over(name: &str, cases: &str, all: &[&Verdicts], found: &SurfaceResults) -> Option<String> {
     let all: Vec<&Verdicts> =
         all.iter().copied().filter(|verdicts| !verdicts.differences.is_empty()).collect();
-    (!all.is_empty()).then(|| format!("**{}**: {}", escape(name), verdict::over_cases(cases, &all)))
+    if all.is_empty() {
+        return None;
+    }
+    let mut sentence = verdict::over_cases(cases, &all);
+    sentence.extend(robustness::over_cases(found, cases).map(|depends| format!(" {depends}")));
+    Some(format!("**{}**: {}", escape(name), escape_around_code(&if_fit(found, sentence))))
+}
+
+/// A sentence on a surface, unless a failed check keeps it from carrying a verdict.
+fn if_fit(found: &SurfaceResults, sentence: String) -> String {
+    match &fitness::blocked_by(&found.surface)[..] {
+        [] => sentence,
+        faults => {
+            format!(
+                "no conclusion until the map is fit: {}. As the data stand: {sentence}",
+                faults.join("; ")
+            )
+        }
+    }
 }
 
 /// The verdicts over several cases of one surface, each called `case`.

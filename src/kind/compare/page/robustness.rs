@@ -2,7 +2,7 @@
 
 use asperity::MeanRadius;
 use asperity::compare::{ComparedQuantity, Difference, Verdict};
-use asperity_framework::report::format::{number, quantity};
+use asperity_framework::report::format::{listed, number, quantity};
 use asperity_framework::report::page::Page;
 use asperity_plot::{Axis, Colour, Dash, Figure, Layer, Marker, Plot};
 
@@ -34,6 +34,18 @@ pub fn sentence(found: &SurfaceResults, index: usize) -> Option<String> {
     let what =
         if differences.iter().any(has_interval) { "The verdict depends" } else { "The differences depend" };
     (!clauses.is_empty()).then(|| format!("{what} on {}.", clauses.join("; and on ")))
+}
+
+/// On which choices the verdicts of how many cases (`what`: thicknesses, laws) depend; `None` where none does.
+pub fn over_cases(found: &SurfaceResults, what: &str) -> Option<String> {
+    let cases = &found.robustness.as_ref()?.dependences;
+    let of_choice = |one: &Choice| {
+        let depends = |all: &&Vec<Dependence>| all.iter().any(|dependence| dependence.choice == *one);
+        let count = cases.iter().filter(depends).count();
+        (count > 0).then(|| format!("{} for {count} of {}", choice(*one), cases.len()))
+    };
+    let clauses: Vec<String> = Choice::ALL.iter().filter_map(of_choice).collect();
+    (!clauses.is_empty()).then(|| format!("The differences depend on {} {what}.", listed(&clauses)))
 }
 
 /// "the short-wavelength cut-off (separation at 1 MPa: −0.88 σ without an S filter, +0.25 σ with S = 3.2 um)".

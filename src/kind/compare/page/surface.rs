@@ -5,7 +5,7 @@ use asperity_framework::report::format::{count, input_number, input_quantity, nu
 use asperity_framework::report::page::Page;
 
 use crate::kind::compare::results::SurfaceResults;
-use crate::surface::section;
+use crate::surface::section::section;
 
 /// The surface, and the inputs of the statistical model.
 pub fn surface(page: &mut Page, found: &SurfaceResults) {

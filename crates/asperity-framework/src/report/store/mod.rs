@@ -36,6 +36,9 @@ pub enum StoreError {
         /// The system's reason.
         source: io::Error,
     },
+    /// A file is where the folder of reports, or a folder above it, should be.
+    #[error("--out: {} is a file; allowed: a folder for the reports, new or existing", .0.display())]
+    NotAFolder(PathBuf),
     /// Another process holds the lock.
     #[error("another run is writing to {}; wait for it to end or choose another --out", .0.display())]
     Busy(PathBuf),
@@ -163,9 +166,12 @@ impl Store {
     }
 
     /// Clears up after a run that was killed: unfinished reports go, a report that was moved aside
-    /// comes back. A store that does not exist needs nothing. Errors: [`StoreError::Busy`] and
-    /// [`StoreError::Io`].
+    /// comes back. A store that does not exist needs nothing. Errors: [`StoreError::NotAFolder`],
+    /// [`StoreError::Busy`] and [`StoreError::Io`].
     pub fn recover(&mut self) -> Result<(), StoreError> {
+        if let Some(file) = self.directory.ancestors().find(|path| path.is_file()) {
+            return Err(StoreError::NotAFolder(file.to_owned()));
+        }
         if self.directory.is_dir() { self.open() } else { Ok(()) }
     }
 

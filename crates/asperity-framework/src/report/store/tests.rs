@@ -285,3 +285,15 @@ fn errors_name_the_path_and_what_was_tried() {
     let error = Store::new(file.join("out")).write(&folder("k", "x")).unwrap_err().to_string();
     assert!(error.starts_with("cannot ") && error.contains("file"), "{error}");
 }
+
+#[test]
+fn a_file_is_no_folder_of_reports() {
+    let home = tempfile::tempdir().unwrap();
+    let file = home.path().join("file");
+    fs::write(&file, "").unwrap();
+    for out in [file.clone(), file.join("out")] {
+        let error = Store::new(out).recover().unwrap_err();
+        assert!(matches!(&error, StoreError::NotAFolder(found) if *found == file), "{error}");
+    }
+    assert!(Store::new(home.path().join("new")).recover().is_ok());
+}

@@ -12,7 +12,7 @@ use asperity::{Flat, Heights};
 use asperity_framework::contact::{Bodies, LawPlan};
 use asperity_framework::input::quantity::Pure;
 use asperity_framework::input::sweep::LogSweep;
-use asperity_framework::input::{InputError, SpecFile};
+use asperity_framework::input::{InputError, SpecFile, Whole};
 
 /// Points along a side: fewer hold no 16 blocks with summits, and of more the program examines every other one for the
 /// correlation length.
@@ -197,11 +197,11 @@ fn contacts(file: &SpecFile, raw: &Spanned<LogSweep<Pure>>) -> Result<Vec<f64>, 
 
 fn within(
     file: &SpecFile,
-    found: &Spanned<u64>,
+    found: &Spanned<Whole>,
     [least, most]: [u64; 2],
     what: &str,
 ) -> Result<u64, InputError> {
-    let count = *found.get_ref();
+    let Whole(count) = *found.get_ref();
     if (least..=most).contains(&count) {
         return Ok(count);
     }

@@ -4,6 +4,7 @@ use indexmap::IndexMap;
 use serde::Deserialize;
 use toml::Spanned;
 
+use asperity_framework::input::Whole;
 use asperity_framework::input::heights::HeightsSpec;
 use asperity_framework::input::law::Laws;
 use asperity_framework::input::quantity::{Finite, Length, Pure, Quantity};
@@ -20,7 +21,7 @@ pub struct CoverageSpec {
     /// One law for spheres.
     pub law: Spanned<Laws>,
     /// Points along each side of a window.
-    pub points: Spanned<u64>,
+    pub points: Spanned<Whole>,
     /// Their distance.
     pub pixel: Quantity<Length>,
     /// Standard deviation of the surface heights.
@@ -30,7 +31,7 @@ pub struct CoverageSpec {
     /// Their shortest wavelength.
     pub cut_off: Spanned<Quantity<Length>>,
     /// Windows of each case.
-    pub windows: Spanned<u64>,
+    pub windows: Spanned<Whole>,
     /// Random processes by name.
     pub case: Spanned<IndexMap<Spanned<String>, CaseSpec>>,
 }

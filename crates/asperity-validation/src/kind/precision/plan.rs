@@ -16,6 +16,7 @@ use asperity_framework::contact::Bodies;
 use asperity_framework::contact::LawPlan;
 use asperity_framework::input::InputError;
 use asperity_framework::input::SpecFile;
+use asperity_framework::input::Whole;
 use asperity_framework::input::quantity::Pure;
 use asperity_framework::input::sweep::LogSweep;
 use asperity_framework::input::tolerance::TOLERANCES;
@@ -254,15 +255,15 @@ fn sizes(
 /// One whole number from `least` to `most`.
 fn one_of(
     file: &SpecFile,
-    raw: &Spanned<u64>,
+    raw: &Spanned<Whole>,
     what: &str,
     [least, most]: [u64; 2],
 ) -> Result<usize, InputError> {
-    let value = *raw.get_ref();
-    let is_allowed = (least..=most).contains(&value);
-    let value = usize::try_from(value).ok().filter(|_| is_allowed);
+    let Whole(found) = *raw.get_ref();
+    let is_allowed = (least..=most).contains(&found);
+    let value = usize::try_from(found).ok().filter(|_| is_allowed);
     value.ok_or_else(|| {
-        let message = format!("found {}; allowed: {least} to {most} {what}", raw.get_ref());
+        let message = format!("found {found}; allowed: {least} to {most} {what}");
         file.source.error_at(raw.span(), message)
     })
 }

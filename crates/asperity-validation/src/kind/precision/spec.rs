@@ -4,6 +4,7 @@ use indexmap::IndexMap;
 use serde::Deserialize;
 use toml::Spanned;
 
+use asperity_framework::input::Whole;
 use asperity_framework::input::law::Laws;
 use asperity_framework::input::quantity::{ArealNumberDensity, Length, Pure, Quantity};
 use asperity_framework::input::sweep::{LinearSweep, LogSweep};
@@ -73,9 +74,9 @@ pub struct SumSpec {
 #[serde(deny_unknown_fields, expecting = "a table { asperities, separations, tolerance }")]
 pub struct CurveSpec {
     /// Asperities in the set that is summed.
-    pub asperities: Spanned<u64>,
+    pub asperities: Spanned<Whole>,
     /// Separations of the curve.
-    pub separations: Spanned<u64>,
+    pub separations: Spanned<Whole>,
     pub tolerance: Spanned<LogSweep<Pure>>,
 }
 
@@ -91,7 +92,7 @@ pub struct ListsSpec {
     /// Lengths that stand in the report only where it is made with --full.
     pub full_count: Option<Spanned<LogSweep<Pure>>>,
     /// Separations at which each is summed.
-    pub separations: Spanned<u64>,
+    pub separations: Spanned<Whole>,
 }
 
 #[derive(Debug, Deserialize)]
@@ -102,7 +103,7 @@ pub struct SamplingSpec {
     /// Sizes of the sets.
     pub count: Spanned<LogSweep<Pure>>,
     /// Sets of each size.
-    pub draws: Spanned<u64>,
+    pub draws: Spanned<Whole>,
 }
 
 /// Random maps with the autocorrelation exp(-(r/l)^2).
@@ -118,5 +119,5 @@ pub struct GridSpec {
     /// Sides of the maps in correlation lengths.
     pub lengths: Spanned<LogSweep<Pure>>,
     /// Maps of each kind.
-    pub realisations: Spanned<u64>,
+    pub realisations: Spanned<Whole>,
 }

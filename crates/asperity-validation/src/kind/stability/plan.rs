@@ -9,6 +9,7 @@ use crate::stability::Group;
 use crate::stability::{Counts, Ranges};
 use asperity_framework::input::InputError;
 use asperity_framework::input::SpecFile;
+use asperity_framework::input::Whole;
 use asperity_framework::input::quantity::{Dimension, Range};
 
 /// Scenes to be checked.
@@ -77,13 +78,13 @@ pub(super) fn plan(file: &SpecFile) -> Result<StabilityPlan, InputError> {
 
 fn within(
     file: &SpecFile,
-    found: Option<&Spanned<u64>>,
+    found: Option<&Spanned<Whole>>,
     usual: u64,
     [least, most]: [u64; 2],
     what: &str,
 ) -> Result<u64, InputError> {
     let Some(found) = found else { return Ok(usual) };
-    let count = *found.get_ref();
+    let Whole(count) = *found.get_ref();
     if (least..=most).contains(&count) {
         return Ok(count);
     }

@@ -3,6 +3,7 @@
 use serde::Deserialize;
 use toml::Spanned;
 
+use asperity_framework::input::Whole;
 use asperity_framework::input::quantity::{
     Dimension, Length, Positive, Pure, Quantity, Range, SeparationRange,
 };
@@ -12,17 +13,17 @@ use asperity_framework::input::quantity::{
 #[serde(deny_unknown_fields, rename_all = "kebab-case")]
 pub struct StabilitySpec {
     /// Scenes of each family of single contacts.
-    pub contacts: Option<Spanned<u64>>,
+    pub contacts: Option<Spanned<Whole>>,
     /// Of each family of sums.
-    pub sums: Option<Spanned<u64>>,
+    pub sums: Option<Spanned<Whole>>,
     /// Of each family of integrals.
-    pub integrals: Option<Spanned<u64>>,
+    pub integrals: Option<Spanned<Whole>>,
     /// Of each family of load control.
-    pub loads: Option<Spanned<u64>>,
+    pub loads: Option<Spanned<Whole>>,
     /// Of each family of a million asperities.
-    pub millions: Option<Spanned<u64>>,
+    pub millions: Option<Spanned<Whole>>,
     /// Cells along each side of an error map.
-    pub cells: Option<Spanned<u64>>,
+    pub cells: Option<Spanned<Whole>>,
     /// d/sigma.
     pub separation: Option<Spanned<SpanSpec<Pure, SeparationRange>>>,
     /// Radius over sigma.

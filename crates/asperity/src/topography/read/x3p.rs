@@ -27,6 +27,11 @@ const MAIN: &str = "main.xml";
 /// The largest XML that is read; the standard stores more than 10 000 heights in a binary file.
 const MAX_XML_BYTES: u64 = 32 << 20;
 
+/// Bytes of heights that are read however far they were compressed.
+const SMALL_BYTES: u64 = 64 << 20;
+/// The most bytes that a compressed one may unpack to: the noise of measured heights leaves more than that.
+const MAX_COMPRESSION: u64 = 200;
+
 /// A file within the archive, and its check sum if there is one.
 struct Link {
     name: String,
@@ -127,11 +132,20 @@ impl Archive {
                 self.names()
             ))
         })?;
-        let found = self.0.by_index_raw(index).map_err(of_zip)?.size();
+        let (found, packed) = {
+            let entry = self.0.by_index_raw(index).map_err(of_zip)?;
+            (entry.size(), entry.compressed_size())
+        };
         if found != bytes {
             let kind = if found < bytes { "is truncated" } else { "is inconsistent" };
             return Err(ReadError::Corrupt(format!(
                 "{kind}: {name} holds {found} bytes; allowed: {bytes}, as {MAIN} says"
+            )));
+        }
+        if found > SMALL_BYTES && found / MAX_COMPRESSION > packed {
+            return Err(ReadError::Corrupt(format!(
+                "holds no measured heights: {name} unpacks from {packed} to {found} bytes; allowed: at most {MAX_COMPRESSION} \
+                 times as many, as heights have noise"
             )));
         }
         Ok(index)
@@ -148,7 +162,8 @@ impl Archive {
         entry.take(most.saturating_add(1)).read_to_end(&mut content).map_err(of_io)?;
         if content.len() as u64 > most {
             return Err(ReadError::Unsupported(format!(
-                "holds a file of more than {most} bytes; allowed: at most that"
+                "holds {} of more than {most} bytes; allowed: at most {most}, heights in a binary file",
+                self.0.name_for_index(index).and_then(Result::ok).as_deref().unwrap_or("an entry")
             )));
         }
         Ok(content)

@@ -220,7 +220,11 @@ fn bad_x3p_is_refused() {
     // A main.xml that unpacks to far more than the archive: forty megabytes of blanks.
     let bomb = zipped(&[("main.xml", vec![b' '; 40 << 20])]);
     assert!(bomb.len() < 100_000);
-    assert_refused!(Unsupported, "holds a file of more than 33554432 bytes", bomb);
+    assert_refused!(
+        Unsupported,
+        "holds main.xml of more than 33554432 bytes; allowed: at most 33554432",
+        bomb
+    );
     let bytes = whole.bytes();
     for length in (4..bytes.len()).step_by(7) {
         let error = refused(&bytes[..length]);
@@ -265,5 +269,23 @@ fn an_archive_that_is_packed_otherwise_is_not_called_damaged() {
             }
         }
         assert_refused!(Unsupported, "uses an unsupported zip feature", bytes);
+    }
+}
+
+/// Zeros, which agree with the header: nothing of their size is allocated.
+#[test]
+fn heights_that_no_instrument_measures_are_refused_before_they_are_unpacked() {
+    let [nx, ny] = [4096u64, 2100];
+    let mut file = X3p::linked("D", "1", vec![0; (8 * nx * ny) as usize]);
+    file.size = [nx, ny, 1];
+    let bytes = file.bytes();
+    assert!(bytes.len() < 1 << 20);
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("zeros.x3p");
+    std::fs::write(&path, &bytes).unwrap();
+    for error in [metadata(&path).err(), height_map(&path, ReadOptions::default()).err()] {
+        let error = error.unwrap().to_string();
+        assert!(error.contains("holds no measured heights: bindata/data.bin unpacks from "), "{error}");
+        assert!(error.contains(" to 68812800 bytes; allowed: at most 200 times as many"), "{error}");
     }
 }

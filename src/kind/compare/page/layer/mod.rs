@@ -157,7 +157,7 @@ impl<'a> Series<'a> {
     /// Over all thicknesses in one sentence.
     pub fn headline(&self) -> Option<String> {
         let all: Vec<&Verdicts> = self.verdicts().map(|(_, verdicts)| verdicts).collect();
-        headline_over(&self.subject, "thicknesses", &all)
+        headline_over(&self.subject, "thicknesses", &all, self.found)
     }
 
     /// The verdicts by thickness.

@@ -79,7 +79,13 @@ pub fn by_case(page: &mut Page, what: &str, all: &[(String, &Verdicts)]) {
         let of = verdicts.stretches.iter().filter(|stretch| stretch.judged == judged);
         let each: Vec<String> = of
             .map(|stretch| {
-                format!("{} {} ({})", verdict(stretch.verdict), loads(stretch.loads), at_most(stretch))
+                let blocked = if verdicts.is_blocked { "blocked: " } else { "" };
+                format!(
+                    "{blocked}{} {} ({})",
+                    verdict(stretch.verdict),
+                    loads(stretch.loads),
+                    at_most(stretch)
+                )
             })
             .collect();
         if each.is_empty() { "–".to_owned() } else { each.join("; ") }

@@ -1,0 +1,307 @@
+//! Reading a list of asperities: a text with the columns `height` and `radius`, or an n x 2 `.npy`; for ellipses,
+//! followed by `kx` and `ky`.
+
+mod column;
+mod header;
+mod text;
+
+use std::path::Path;
+
+use rayon::prelude::*;
+
+use super::{AsperitySet, Ellipse, SetError};
+use crate::memory::zeros;
+use crate::npy::{self, NpyError};
+pub use column::ListColumn;
+use column::per_metre;
+
+/// An error in reading a list of asperities.
+#[derive(Debug, thiserror::Error)]
+pub enum ListError {
+    /// The file cannot be opened or read.
+    #[error("cannot be read: {0}")]
+    Io(#[from] std::io::Error),
+    /// The file is a `.npy` whose array cannot be read.
+    #[error(transparent)]
+    Npy(#[from] NpyError),
+    /// The `.npy` array has too few or too many columns.
+    #[error("holds an array of shape {rows} x {columns}; allowed: n x {}, with the columns {}", needed.len(), ListColumn::names(needed))]
+    Shape {
+        /// Rows found.
+        rows: usize,
+        /// Columns found.
+        columns: usize,
+        /// The columns that are needed.
+        needed: &'static [ListColumn],
+    },
+    /// A column is missing.
+    #[error(
+        "has no column `{}` (found: {found}); allowed: a header line with the columns {}",
+        column.name(),
+        ListColumn::names(needed)
+    )]
+    Column {
+        /// The column that is missing.
+        column: ListColumn,
+        /// The header that was found.
+        found: String,
+        /// The columns that are needed.
+        needed: &'static [ListColumn],
+    },
+    /// The first line holds numbers.
+    #[error(
+        "line {line} holds numbers, but no line before it names the columns; allowed: a header line with the columns {}",
+        ListColumn::names(needed)
+    )]
+    NoHeader {
+        /// The line of the first row, from 1.
+        line: usize,
+        /// The columns that are needed.
+        needed: &'static [ListColumn],
+    },
+    /// The header names a column twice.
+    #[error(
+        "line {line} names the column `{}` twice, as columns {} and {}; allowed: once",
+        column.name(), places[0], places[1]
+    )]
+    Duplicate {
+        /// The column.
+        column: ListColumn,
+        /// The line of the header, from 1.
+        line: usize,
+        /// Its two places in the header, from 1.
+        places: [usize; 2],
+    },
+    /// The header gives a column a unit that is not supported.
+    #[error("line {line}: the column `{}` has the unit \"{unit}\"; allowed: {}", column.name(), column.allowed_units())]
+    Unit {
+        /// The column.
+        column: ListColumn,
+        /// The line of the header, from 1.
+        line: usize,
+        /// The unit found.
+        unit: String,
+    },
+    /// Both the header and the options give a unit.
+    #[error("holds units in its header, line {line}; allowed: leave unit out")]
+    UnitHeld {
+        /// The line of the header, from 1.
+        line: usize,
+    },
+    /// A row has more or fewer cells than the header.
+    #[error(
+        "line {line} holds {found} value{} (\"{text}\"); allowed: {allowed}, as in the header, line {header}{}",
+        if *found == 1 { "" } else { "s" },
+        if *may_be_decimal_commas { "; with decimal commas the values must be separated by semicolons or tabs" } else { "" }
+    )]
+    Ragged {
+        /// The line, from 1.
+        line: usize,
+        /// Number of cells found.
+        found: usize,
+        /// Number of columns in the header.
+        allowed: usize,
+        /// The line of the header, from 1.
+        header: usize,
+        /// Beginning of the line.
+        text: String,
+        /// Whether decimal commas between commas explain the number of cells.
+        may_be_decimal_commas: bool,
+    },
+    /// Decimal points and decimal commas in one file.
+    #[error(
+        "holds a decimal point in line {point} and a decimal comma in line {comma}; allowed: one of them in all lines, and \
+         no separators of thousands"
+    )]
+    DecimalMarks {
+        /// The line of the first decimal point, from 1.
+        point: usize,
+        /// The line of the first decimal comma, from 1.
+        comma: usize,
+    },
+    /// The text is encoded in UTF-16.
+    #[error("is a text in UTF-16; allowed: UTF-8 or Latin-1")]
+    Encoding,
+    /// A cell holds no number, or one out of range.
+    #[error("{place}, column `{}`: found {found}; allowed: {}", column.name(), column.allowed())]
+    Cell {
+        /// The row or line of the file.
+        place: String,
+        /// The column.
+        column: ListColumn,
+        /// The text found.
+        found: String,
+    },
+    /// The list has no row.
+    #[error("has no asperity: the list has no rows")]
+    Empty,
+}
+
+/// How a list is read.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct ListOptions {
+    /// Whether principal curvatures are read too.
+    pub as_ellipses: bool,
+    /// Unit of heights and radii, and reciprocal unit of curvatures, m; a metre if it is not given. Only for a file that
+    /// names no units.
+    pub unit: Option<f64>,
+}
+
+impl ListOptions {
+    /// The columns that are needed.
+    fn needed(self) -> &'static [ListColumn] {
+        &ListColumn::ALL[..if self.as_ellipses { 4 } else { 2 }]
+    }
+}
+
+/// The values of each of [`ListColumn::ALL`], per asperity; empty if not requested.
+type Columns = [Vec<f64>; ListColumn::ALL.len()];
+
+/// A list of asperities as read from a file.
+#[derive(Debug, Clone, PartialEq)]
+pub struct AsperityList {
+    heights: Vec<f64>,
+    radii: Vec<f64>,
+    /// kx and ky.
+    curvatures: Option<[Vec<f64>; 2]>,
+}
+
+impl AsperityList {
+    /// Reads heights and radii, and as ellipses principal curvatures kx and ky, from a text or `.npy` file with these
+    /// columns; the first bytes of the file decide which.
+    ///
+    /// A text has a header such as `height [um]; radius [mm]`; without units its values are in m and 1/m, or in the unit
+    /// of `options`. The separator is the first of semicolon, tab, comma and blank that the header contains; between
+    /// others than commas, decimal commas are read too. Lines that begin with `#` are comments, the last of which is the
+    /// header if no other line is; further columns are ignored. An `.npy` is memory-mapped: memory is used only for the
+    /// columns returned.
+    ///
+    /// # Errors
+    /// See [`ListError`]; an invalid value is reported with its row.
+    pub fn read(path: &Path, options: ListOptions) -> Result<Self, ListError> {
+        let needed = options.needed();
+        let mut found = Columns::default();
+        if npy::is_npy(path)? {
+            found = read_npy(path, needed, options)?;
+        } else {
+            text::rows(path, needed, options, |row| {
+                found.iter_mut().zip(row).for_each(|(column, &value)| column.push(value));
+            })?;
+        }
+        let [heights, radii, kx, ky] = found;
+        if heights.is_empty() {
+            return Err(ListError::Empty);
+        }
+        Ok(Self { heights, radii, curvatures: options.as_ellipses.then_some([kx, ky]) })
+    }
+
+    /// Checks every row of a file without keeping it, and returns their number.
+    ///
+    /// # Errors
+    /// Those of [`AsperityList::read`].
+    pub fn check(path: &Path, options: ListOptions) -> Result<usize, ListError> {
+        let needed = options.needed();
+        if npy::is_npy(path)? {
+            check_npy(path, needed, options)
+        } else {
+            text::rows(path, needed, options, |_| {})
+        }
+    }
+
+    /// Number of rows whose radius does not lie between the principal radii of curvature 1/kx and 1/ky: their sphere
+    /// and ellipse are different asperities.
+    pub fn contradictions(&self) -> usize {
+        /// The rounding of a radius in a file.
+        const ROUNDING: f64 = 1e-3;
+        let Some([kx, ky]) = &self.curvatures else { return 0 };
+        let contradicts = |(radius, (kx, ky)): &(&f64, (&f64, &f64))| {
+            *radius * kx.max(**ky) < 1.0 - ROUNDING || *radius * kx.min(**ky) > 1.0 + ROUNDING
+        };
+        self.radii.iter().zip(kx.iter().zip(ky)).filter(contradicts).count()
+    }
+
+    /// Number of rows.
+    pub fn count(&self) -> usize {
+        self.heights.len()
+    }
+
+    /// The asperities on a nominal area (m^2).
+    ///
+    /// # Errors
+    /// See [`SetError`].
+    pub fn set(self, nominal_area: f64) -> Result<AsperitySet, SetError> {
+        let set = AsperitySet::new(self.heights, self.radii, nominal_area)?;
+        let Some([kx, ky]) = self.curvatures else { return Ok(set) };
+        set.with_ellipses(kx.iter().zip(&ky).map(|(&kx, &ky)| Ellipse::new(kx, ky)).collect())
+    }
+}
+
+/// Rows of an array that are read at a time: they stay in the cache.
+const ROWS: usize = 8192;
+
+fn read_npy(path: &Path, needed: &'static [ListColumn], options: ListOptions) -> Result<Columns, ListError> {
+    let array = npy::Mapped::in_either_order(path)?;
+    let [rows, columns] = array.points();
+    check_shape(rows, columns, needed)?;
+    let mut found = Columns::default();
+    let mut pieces: Vec<Vec<&mut [f64]>> = (0..rows.div_ceil(ROWS)).map(|_| Vec::new()).collect();
+    for (column, _) in found.iter_mut().zip(needed) {
+        *column = zeros(rows);
+        pieces.iter_mut().zip(column.chunks_mut(ROWS)).for_each(|(pieces, piece)| pieces.push(piece));
+    }
+    let bad = pieces.par_iter_mut().enumerate();
+    let bad = bad.find_map_first(|(k, pieces)| piece(&array, k * ROWS, needed, options, pieces));
+    bad.map_or(Ok(found), Err)
+}
+
+/// The number of rows of an array that are all valid.
+fn check_npy(path: &Path, needed: &'static [ListColumn], options: ListOptions) -> Result<usize, ListError> {
+    let array = npy::Mapped::in_either_order(path)?;
+    let [rows, columns] = array.points();
+    check_shape(rows, columns, needed)?;
+    let bad = (0..rows.div_ceil(ROWS)).into_par_iter().find_map_first(|k| {
+        let length = ROWS.min(rows - k * ROWS);
+        let mut columns = vec![vec![0.0; length]; needed.len()];
+        let mut pieces: Vec<&mut [f64]> = columns.iter_mut().map(Vec::as_mut_slice).collect();
+        piece(&array, k * ROWS, needed, options, &mut pieces)
+    });
+    match bad {
+        Some(error) => Err(error),
+        None if rows == 0 => Err(ListError::Empty),
+        None => Ok(rows),
+    }
+}
+
+/// Reads the rows from `begin` on in SI; returns the first invalid value.
+fn piece(
+    array: &npy::Mapped,
+    begin: usize,
+    needed: &'static [ListColumn],
+    options: ListOptions,
+    pieces: &mut [&mut [f64]],
+) -> Option<ListError> {
+    array.columns(begin, pieces);
+    let per_metre = options.unit.map_or(1.0, per_metre);
+    let bad = needed.iter().zip(pieces).filter_map(|(&column, piece)| {
+        let mut bad = None;
+        for (row, value) in piece.iter_mut().enumerate() {
+            let si = column.si(*value, per_metre);
+            if bad.is_none() && !column.allows(si) {
+                bad = Some((row, column, *value));
+            }
+            *value = si;
+        }
+        bad
+    });
+    let (row, column, value) = bad.min_by_key(|(row, ..)| *row)?;
+    let place = format!("row {} of {}", begin + row + 1, array.points()[0]);
+    Some(ListError::Cell { place, column, found: format!("{value:?}") })
+}
+
+/// An array of ellipses may also be read as spheres.
+fn check_shape(rows: usize, columns: usize, needed: &'static [ListColumn]) -> Result<(), ListError> {
+    if columns == needed.len() || columns == ListColumn::ALL.len() {
+        return Ok(());
+    }
+    Err(ListError::Shape { rows, columns, needed })
+}

@@ -1,0 +1,39 @@
+//! A load that is not reached because a property of a material is in another unit than was meant.
+
+use asperity_framework::RunContext;
+use asperity_framework::input::InputError;
+
+use super::plan::ComparePlan;
+
+/// Young's moduli below that of any solid body that is modelled as rough, Pa.
+const SOFTEST: f64 = 1e6;
+
+/// Hardnesses below that of any solid, Pa.
+const LEAST_HARDNESS: f64 = 1e3;
+
+/// The error at the property that explains why a load is not reached, `message`; `None` if the properties are those of
+/// solids.
+pub fn error(context: &RunContext, compare: &ComparePlan, message: &str) -> Option<InputError> {
+    let layer = compare.layer.as_ref().map(|layer| layer.name.as_str());
+    let names = [Some(compare.bodies.rough.as_str()), Some(compare.bodies.flat.as_str()), layer];
+    let properties =
+        names.into_iter().flatten().filter_map(|name| Some((name, context.materials.get(name)?)));
+    let mut implausible = properties.flat_map(|(name, material)| {
+        let young = Some(material.young()).filter(|&young| young < SOFTEST);
+        let hardness = material.hardness().filter(|&hardness| hardness < LEAST_HARDNESS);
+        let found = [("young", "Young's modulus", "GPa", young), ("hardness", "hardness", "HV", hardness)];
+        found.into_iter().filter_map(move |(key, word, unit, value)| Some((name, key, word, unit, value?)))
+    });
+    let (name, key, word, unit, value) = implausible.next()?;
+    let (span, text) = context.source.value_at(&["material", name, key])?;
+    let written = match text.parse::<f64>() {
+        Ok(number) => {
+            format!("a bare number is in Pa; if you mean {number} {unit}, write {key} = \"{number} {unit}\"")
+        }
+        Err(_) => format!("check the unit, as in {key} = \"210 {unit}\""),
+    };
+    Some(context.source.error_at(
+        span,
+        format!("found a {word} of {value:e} Pa, lower than that of any solid, so that a load is not reached; {written}. {message}"),
+    ))
+}
