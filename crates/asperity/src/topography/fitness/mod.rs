@@ -261,7 +261,7 @@ pub struct Measured {
 impl Examined<'_> {
     /// All checks of a map; those of an instrument's faults only where it was `measured`.
     pub fn findings(&self, measured: Option<&Measured>) -> Vec<Finding> {
-        let growth = curvature_growth(self.map);
+        let growth = curvature_growth(&Without { map: self.map, points: self.spikes });
         let worst =
             |check, measures: &[(Measure, Option<f64>)]| Finding::worst(check, measures.iter().copied());
         let mut all = Vec::new();
