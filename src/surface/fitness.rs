@@ -253,7 +253,9 @@ fn remedy(finding: &Finding, map: &MapFacts) -> String {
             s(wider(map, 8.0))
         ),
         Measure::DensityOverTheory | Measure::CurvatureOverTheory => {
-            "look at the height map: faults, several textures or smoothing of the instrument make such summits".to_owned()
+            "look at the height map: strongly skewed heights have such summits, and so do faults, several textures or smoothing by \
+             the instrument"
+                .to_owned()
         }
         Measure::LengthOverSide => format!("a larger map, or an L filter such as {}", l()),
         Measure::Slope if finding.is_blocking() => {

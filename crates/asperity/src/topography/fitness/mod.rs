@@ -112,7 +112,8 @@ impl Measure {
         match self {
             // One is enough to carry the load.
             Self::Spikes => AtMost(0.0),
-            // sigma is then 5 % too large. Random surfaces that fit in the map ten times reach 0.02 to 0.12.
+            // sigma is then 5 % too large. Random surfaces with a correlation length of 0.04 of the side have up to 0.02, of 0.12
+            // up to 0.12.
             Self::FormShare => AtMost(0.1),
             // There are twice as many five-point summits as with the same lay along an axis.
             Self::SlopeCorrelation => AtMost(0.6),
@@ -128,7 +129,8 @@ impl Measure {
             Self::CurvatureGrowth => AtMost(0.5),
             // Self-affine surfaces of Hurst exponents from 0.2 stay below; white noise has 2.3.
             Self::NoiseGrowth => AtMost(1.5),
-            // Surfaces of exponential heights stay within 1.5.
+            // Resolved random surfaces of exponential heights have 0.71 to 1.6 of theory, of skewness -1.5 and kurtosis 7 0.41 to
+            // 0.97; measured maps with pits, terraces or grooves 0.2 to 0.5.
             Self::DensityOverTheory | Self::CurvatureOverTheory => Factor(2.0),
             // A hundred independent patches.
             Self::LengthOverSide => AtMost(0.1),
