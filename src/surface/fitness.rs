@@ -1,6 +1,6 @@
 //! Fitness checks of a map in words: what was measured, what is allowed, and the remedy in the keys of a spec.
 
-use asperity::topography::fitness::{Finding, Measure};
+use asperity::topography::fitness::{Check, Finding, Measure};
 use asperity_framework::report::format::{count, input_quantity, number, percent, quantity};
 use asperity_framework::report::page::{Page, escape};
 use serde::Serialize;
@@ -40,13 +40,34 @@ pub fn failures(map: &MapFacts) -> Vec<String> {
     let sentence = |finding: &Finding| {
         format!("{}: {}. Remedy: {}.", finding.check.name(), fault(finding, map), remedy(finding, map))
     };
-    map.blocking().map(sentence).collect()
+    in_order(map).into_iter().map(sentence).collect()
 }
 
-/// The faults that keep a map from carrying a verdict, in a few words each, with the remedy in spec syntax.
-pub fn blocked_by(surface: &Surface) -> Vec<String> {
-    let Some(map) = &surface.map else { return Vec::new() };
-    map.blocking().map(|finding| format!("{} ({})", fault(finding, map), remedy(finding, map))).collect()
+/// The faults that keep a map from carrying a verdict, with the remedies in spec syntax; `None` where there are none.
+pub fn blocked_by(surface: &Surface) -> Option<String> {
+    let map = surface.map.as_ref()?;
+    let faults: Vec<String> = in_order(map)
+        .into_iter()
+        .map(|finding| format!("{} ({})", fault(finding, map), remedy(finding, map)))
+        .collect();
+    match &faults[..] {
+        [] => None,
+        [only] => Some(only.clone()),
+        [first, ..] => Some(format!(
+            "{first}; then check again, because one fault can cause the others: {}",
+            faults[1..].join("; ")
+        )),
+    }
+}
+
+/// The blocking checks in the order in which their faults are to be remedied.
+fn in_order(map: &MapFacts) -> Vec<&Finding> {
+    const ORDER: [Check; 5] = [Check::Slope, Check::Spikes, Check::Lines, Check::Form, Check::Steps];
+    let rank =
+        |finding: &&Finding| ORDER.iter().position(|check| *check == finding.check).unwrap_or(ORDER.len());
+    let mut blocking: Vec<&Finding> = map.blocking().collect();
+    blocking.sort_by_key(rank);
+    blocking
 }
 
 /// The checks on a page; nothing where nothing was checked.
@@ -59,7 +80,7 @@ pub fn section(page: &mut Page, surface: &Surface) {
         map.fitness.iter().map(|finding| {
             let result = match (finding.has_passed(), finding.is_blocking()) {
                 (true, _) => "passed",
-                (false, true) => "**failed**",
+                (false, true) => "failed",
                 (false, false) => "caution",
             };
             vec![
@@ -110,7 +131,12 @@ fn conclusion(map: &MapFacts) -> String {
         }
     };
     match failed {
-        0 => format!("Fit for a verdict: {passed} of {} checks passed.{rest}", map.fitness.len()),
+        0 => {
+            format!(
+                "No fault found that blocks a verdict: {passed} of {} checks passed.{rest}",
+                map.fitness.len()
+            )
+        }
         1 => format!("Not fit for a verdict as it is: one of {} checks failed.{rest}", map.fitness.len()),
         more => {
             format!("Not fit for a verdict as it is: {more} of {} checks failed.{rest}", map.fitness.len())
@@ -125,22 +151,22 @@ fn measured(measure: Measure) -> &'static str {
         Measure::FormShare => "share of the variance in the next higher polynomial",
         Measure::SlopeCorrelation => "correlation of slopes along x and y",
         Measure::AspectRatio => "texture aspect ratio Str",
-        Measure::LineOffsets => "share of line offsets in the variance of second differences",
+        Measure::LineOffsets => "share of line offsets in the variance of second differences across lines",
         Measure::StepOverDrop => "height step over the median drop from a summit to its neighbours",
-        Measure::DistinctCurvatures => "distinct curvatures of the summits",
         Measure::CurvatureGrowth | Measure::NoiseGrowth => {
             "growth of the curvature at the pixel: log₂ of its ratio at S filters of 2 and 4 pixels"
         }
         Measure::DensityOverTheory => "density of summits over five-point theory",
         Measure::CurvatureOverTheory => "curvature of summits over five-point theory",
-        Measure::LengthOverSide => "correlation length over side of the map",
+        Measure::GrowthRise => "that growth less the growth at S filters of 4 and 8 pixels",
+        Measure::LengthOverSide => "correlation length over side of the map (geometric mean of x and y)",
         Measure::Slope => "r.m.s. slope",
     }
 }
 
 fn value(measure: Measure, value: f64) -> String {
     match measure {
-        Measure::Spikes | Measure::DistinctCurvatures => count(value as usize),
+        Measure::Spikes => count(value as usize),
         Measure::FormShare | Measure::LineOffsets => percent(value),
         _ => number(value),
     }
@@ -150,6 +176,10 @@ fn allowed(finding: &Finding) -> String {
     let threshold = value(finding.measure, finding.threshold());
     match (finding.is_least(), finding.measure) {
         (_, Measure::Spikes) => "none".to_owned(),
+        (_, Measure::DensityOverTheory | Measure::CurvatureOverTheory) => {
+            let factor = finding.threshold().max(finding.threshold().recip());
+            format!("{} to {}", number(factor.recip()), number(factor))
+        }
         (true, _) => format!("at least {threshold}"),
         (false, _) => format!("at most {threshold}"),
     }
@@ -176,22 +206,14 @@ fn fault(finding: &Finding, map: &MapFacts) -> String {
             format!("{found} of the variance of second differences are offsets between lines")
         }
         Measure::StepOverDrop => {
-            let step = map
-                .quantisation
-                .and_then(|found| found.step)
-                .map_or_else(String::new, |step| quantity(step, "m"));
-            let drop = map.quantisation.map_or_else(String::new, |found| quantity(found.median_drop, "m"));
+            let Some(steps) = &map.quantisation else { return "height steps make the summits".to_owned() };
+            let step = steps.step.map_or_else(String::new, |step| format!(" of {}", quantity(step, "m")));
             format!(
-                "height steps of {step} make the summits, whose median drop to their neighbours is {drop}"
-            )
-        }
-        Measure::DistinctCurvatures => {
-            let step = map.quantisation.and_then(|found| found.step);
-            let step =
-                step.map_or_else(String::new, |step| format!("'s height step of {}", quantity(step, "m")));
-            format!(
-                "the {} summits have only {found} distinct curvatures: the instrument{step} makes the radii",
-                count(map.summits)
+                "height steps{step} make the summits: the median drop to their neighbours is {}, and {} summits have {} distinct \
+                 curvatures",
+                quantity(steps.median_drop, "m"),
+                count(map.summits),
+                count(steps.distinct_curvatures)
             )
         }
         Measure::CurvatureGrowth => {
@@ -199,10 +221,10 @@ fn fault(finding: &Finding, map: &MapFacts) -> String {
                 "the pixel cuts the roughness off: curvatures still grow as wavelength to the power −{found}"
             )
         }
-        Measure::NoiseGrowth => format!(
-            "noise makes the summits: towards the pixel curvatures grow as wavelength to the power −{found}, faster than on any \
-             self-affine surface"
-        ),
+        Measure::NoiseGrowth | Measure::GrowthRise => {
+            "curvatures rise towards the pixel faster than on a rough surface: noise makes the summits"
+                .to_owned()
+        }
         Measure::DensityOverTheory => {
             format!(
                 "the density of summits is {found} times that of a Gaussian surface with the same differences between neighbours"
@@ -215,7 +237,7 @@ fn fault(finding: &Finding, map: &MapFacts) -> String {
         }
         Measure::LengthOverSide => {
             format!(
-                "the map holds few independent patches: the correlation length is {found} of the side (geometric mean over x \
+                "the map holds few independent patches: the heights stay correlated over {found} of its side (geometric mean over x \
                  and y)"
             )
         }
@@ -233,21 +255,22 @@ fn remedy(finding: &Finding, map: &MapFacts) -> String {
     match finding.measure {
         Measure::Spikes => "`outliers = \"remove\"`".to_owned(),
         Measure::FormShare => match map.level.next() {
-            Some(next) => format!("`level = \"{}\"`, or an L filter such as {}", next.name(), l()),
+            Some(next) => format!("`level = \"{}\"`", next.name()),
             None => format!("an L filter such as {}", l()),
         },
-        Measure::SlopeCorrelation => {
-            "`neighbours = \"eight\"`, or better a map turned so that the lay is along x or y".to_owned()
-        }
+        Measure::SlopeCorrelation => "a map turned so that the lay is along x or y".to_owned(),
         Measure::AspectRatio => "`law = \"elliptic-zmc\"` or `\"elliptic-hertz\"` describes ridges".to_owned(),
+        Measure::LineOffsets if map.aligned.is_some() => {
+            "a new measurement, or a part without such lines: aligning whole lines leaves offsets of parts".to_owned()
+        }
         Measure::LineOffsets => {
             let lines = map.offsets.map_or("x", |offsets| if offsets.axis() == 0 { "x" } else { "y" });
             format!("`align-lines = \"{lines}\"`")
         }
-        Measure::StepOverDrop | Measure::DistinctCurvatures => {
-            format!("an S filter such as {} or longer, or a measurement with finer steps", s(wider(map, 8.0)))
+        Measure::StepOverDrop => {
+            format!("an S filter such as {}, or a measurement with finer steps", s(wider(map, 8.0)))
         }
-        Measure::NoiseGrowth => format!("an S filter such as {} or longer", s(wider(map, 4.0))),
+        Measure::NoiseGrowth | Measure::GrowthRise => format!("an S filter such as {}", s(wider(map, 4.0))),
         Measure::CurvatureGrowth => format!(
             "an S filter at the shortest wave that matters to your contact, such as {}",
             s(wider(map, 8.0))

@@ -12,7 +12,7 @@ use asperity::topography::{CorrelationLengths, Filter, Level, Quantisation, Roug
 use asperity::{
     AsperitySet, Ellipticity, Heights, MeanRadius, Paper, Population, ReferencePlane, Statistics, literature,
 };
-use asperity_framework::report::format::quantity;
+use asperity_framework::report::format::{number, percent, quantity};
 
 /// Asperities with their statistics and origin.
 #[derive(Debug)]
@@ -133,14 +133,33 @@ impl MapFacts {
     pub fn warnings(&self) -> Vec<String> {
         /// Largest plausible point spacing, m.
         const WIDE: f64 = 1e-3;
+        /// Smallest plausible r.m.s. slope: below that of polished optics.
+        const FLAT: f64 = 1e-4;
+        /// Share of missing points from which it matters which ones are missing.
+        const MANY: f64 = 0.1;
+        let mut warnings = Vec::new();
         let widest = self.pixel[0].max(self.pixel[1]);
-        let warning = || {
-            format!(
+        let slope = self.roughness.rms_slope();
+        if widest >= WIDE {
+            warnings.push(format!(
                 "its points are {} apart: the unit of its lengths is probably wrong (set unit = \"um\" next to path).",
                 quantity(widest, "m"),
-            )
-        };
-        (widest > WIDE).then(warning).into_iter().collect()
+            ));
+        } else if slope < FLAT && self.generation.is_none() {
+            warnings.push(format!(
+                "the r.m.s. slope is {}, less than that of polished optics: heights and pixel size are probably in different units.",
+                number(slope),
+            ));
+        }
+        let missing = self.roughness.missing as f64 / (self.points[0] * self.points[1]) as f64;
+        if missing > MANY {
+            warnings.push(format!(
+                "{} of its points are missing: where an instrument loses valleys or steep flanks rather than points at random, σ \
+                 and the separation are too small.",
+                percent(missing),
+            ));
+        }
+        warnings
     }
 
     /// The places of the points of spikes on the map, m.

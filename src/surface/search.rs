@@ -159,7 +159,7 @@ impl SummitSearch<'_> {
             None => Independence::Realisations,
         };
         let spikes = left.map(|left| SpikeFacts { removed: removed.len(), left });
-        let mut facts = self.facts(cleaned, map, roughness, &summits, spikes);
+        let mut facts = self.facts(&without, map, roughness, &summits, spikes);
         facts.correlation = correlation;
         if is_checked {
             progress.stage("fitness checks", 4.0);
@@ -229,7 +229,6 @@ fn fitness(map: &dyn Rows, facts: &MapFacts, summits: &Summits, aspect: Option<f
         spikes: facts.spikes.as_ref().map_or(&[], |spikes| &spikes.left.points),
         roughness: &facts.roughness,
         level: facts.level,
-        neighbours: facts.neighbours,
         found: [count / (dx * dy * summits.tested as f64), summits.curvatures.iter().sum::<f64>() / count],
         expected: facts.expected,
         correlation: facts.correlation,
@@ -238,7 +237,6 @@ fn fitness(map: &dyn Rows, facts: &MapFacts, summits: &Summits, aspect: Option<f
     let measured = facts.spikes.as_ref().zip(facts.quantisation).map(|(spikes, quantisation)| Measured {
         spikes: spikes.left.count,
         offsets: facts.offsets.unwrap_or_default(),
-        quantisation,
         step_over_drop: step_over_drop(map, &quantisation, facts.filter.as_ref()),
     });
     examined.findings(measured.as_ref())

@@ -340,12 +340,9 @@ fn the_measured_surfaces_end_to_end() {
     assert_eq!(fine["warnings"].as_array().unwrap().len(), 0);
 
     // The instrument's step is said in the terminal, the summary and the report.
-    assert!(text(&output.stderr).contains("height step of 3.91 nm"), "{}", text(&output.stderr));
+    assert!(text(&output.stderr).contains("height steps of 3.91 nm"), "{}", text(&output.stderr));
     let report = fs::read_to_string(out.join("quantised-ground/report.md")).unwrap();
-    assert!(
-        report.contains("> [!WARNING]")
-            && report.contains("the instrument's height step of 3.91 nm makes the radii")
-    );
+    assert!(report.contains("> [!WARNING]") && report.contains("height steps of 3.91 nm make the summits"));
     let warnings = &summary(&out, "quantised-ground")["surfaces"]["ground"]["warnings"];
     assert!(
         warnings

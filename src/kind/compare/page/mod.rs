@@ -206,13 +206,10 @@ fn headline_over(name: &str, cases: &str, all: &[&Verdicts], found: &SurfaceResu
 
 /// A sentence on a surface, unless a failed check keeps it from carrying a verdict.
 fn if_fit(found: &SurfaceResults, sentence: String) -> String {
-    match &fitness::blocked_by(&found.surface)[..] {
-        [] => sentence,
-        faults => {
-            format!(
-                "no conclusion until the map is fit: {}. As the data stand: {sentence}",
-                faults.join("; ")
-            )
+    match fitness::blocked_by(&found.surface) {
+        None => sentence,
+        Some(faults) => {
+            format!("no conclusion until the map is fit: {faults}. As the data stand: {sentence}")
         }
     }
 }

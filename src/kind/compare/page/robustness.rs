@@ -18,15 +18,10 @@ const ORDER: [ComparedQuantity; 3] =
 pub fn sentence(found: &SurfaceResults, index: usize) -> Option<String> {
     let robustness = found.robustness.as_ref()?;
     let all = robustness.dependences.get(index)?;
-    let of_choice = |choice: &Choice| {
-        let mut of = all.iter().filter(|dependence| dependence.choice == *choice);
-        // In the order of the headline.
-        let first =
-            ORDER.into_iter().find_map(|judged| of.clone().find(|dependence| dependence.judged == judged))?;
-        let others = of.any(|dependence| dependence.judged != first.judged);
-        Some(clause(first, robustness, found, others))
-    };
-    let clauses: Vec<String> = Choice::ALL.iter().filter_map(of_choice).collect();
+    let clauses: Vec<String> = main_dependences(all)
+        .into_iter()
+        .map(|(first, has_others)| clause(first, robustness, found, has_others))
+        .collect();
     let differences = &found.findings.cases[index].verdicts.differences;
     let has_interval =
         |at: &Difference| at.estimates.iter().flatten().any(|estimate| estimate.interval().is_some());
@@ -34,6 +29,16 @@ pub fn sentence(found: &SurfaceResults, index: usize) -> Option<String> {
     let what =
         if differences.iter().any(has_interval) { "The verdict depends" } else { "The differences depend" };
     (!clauses.is_empty()).then(|| format!("{what} on {}.", clauses.join("; and on ")))
+}
+
+/// Of each choice that decides, the dependence of the quantity that the headline names first, and whether it decides others too.
+fn main_dependences(all: &[Dependence]) -> Vec<(&Dependence, bool)> {
+    let of_choice = |choice: &Choice| {
+        let of: Vec<&Dependence> = all.iter().filter(|one| one.choice == *choice).collect();
+        let first = ORDER.into_iter().find_map(|judged| of.iter().find(|one| one.judged == judged))?;
+        Some((*first, of.len() > 1))
+    };
+    Choice::ALL.iter().filter_map(of_choice).collect()
 }
 
 /// On which choices the verdicts of how many cases (`what`: thicknesses, laws) depend; `None` where none does.
@@ -114,16 +119,17 @@ fn own(choice: Choice, robustness: &Robustness, found: &SurfaceResults) -> Strin
 pub fn section(page: &mut Page, found: &SurfaceResults, index: usize, title: &str, stem: &str) {
     let Some(robustness) = &found.robustness else { return };
     let examined = robustness.loads(index);
-    let Some(&load) = examined.get(examined.len() / 2) else { return };
+    let Some(load) = shown_load(robustness, index) else { return };
     let verdicts = &found.findings.cases[index].verdicts;
     page.heading(3, &format!("{title}: robustness"));
     let all = examined.len();
-    let finding = sentence(found, index).unwrap_or_else(|| {
-        "No verdict is reversed by another treatment of the map: other summits, mean radius, form, S filter or half of the map."
-            .to_owned()
-    });
+    let finding = if robustness.dependences[index].is_empty() {
+        "No verdict is reversed by another treatment of the map. "
+    } else {
+        ""
+    };
     page.paragraph(&format!(
-        "{finding} Both models were computed again under each treatment at {all} valid loads from {}; the table shows them at {}.",
+        "{finding}Both models were computed again under each treatment at {all} valid loads from {}; the table shows them at {}.",
         loads([examined[0], examined[all - 1]]),
         loads([load; 2])
     ));
@@ -149,6 +155,13 @@ pub fn section(page: &mut Page, found: &SurfaceResults, index: usize, title: &st
             ),
         );
     }
+}
+
+/// The load (Pa) of the table: that of the first dependence in the headline, else the middle one.
+fn shown_load(robustness: &Robustness, index: usize) -> Option<f64> {
+    let examined = robustness.loads(index);
+    let middle = examined.get(examined.len() / 2).copied();
+    main_dependences(&robustness.dependences[index]).first().map(|(first, _)| first.load).or(middle)
 }
 
 fn row(treatment: &str, at: Option<&Difference>, verdicts: &Verdicts) -> Vec<String> {
@@ -190,18 +203,27 @@ fn against_filter(
         })
         .filter(|(_, differences)| !differences.is_empty())
         .collect();
+    let has_none = robustness.own_cut_off.is_none()
+        || robustness.treated.iter().any(|one| one.treatment == Treatment::ShortWaves(None));
     filtered.push((robustness.own_cut_off.map_or(pixel, |s| 1e6 * s), &verdicts.differences));
     filtered.sort_by(|a, b| a.0.total_cmp(&b.0));
     if filtered.len() < 2 {
         return None;
     }
     let examined = robustness.loads(index);
-    let mut shown = vec![examined[0], examined[examined.len() / 2], examined[examined.len() - 1]];
+    let mut shown = vec![examined[0], shown_load(robustness, index)?, examined[examined.len() - 1]];
     shown.dedup();
     let ends = [filtered[0].0 / 1.2, filtered[filtered.len() - 1].0 * 1.2];
-    let panels =
-        [(ComparedQuantity::Area, "area (%)", 100.0), (ComparedQuantity::Separation, "separation (σ)", 1.0)];
-    let plots = panels.into_iter().map(|(judged, label, unit)| {
+    let panels = [
+        (ComparedQuantity::Area, "contact area (%)", 100.0),
+        (ComparedQuantity::Separation, "separation (σ)", 1.0),
+        (ComparedQuantity::Stiffness, "stiffness (%)", 100.0),
+    ];
+    let is_compared = |judged: ComparedQuantity| {
+        verdicts.differences.iter().any(|at| at.estimates[judged as usize].is_some())
+    };
+    let panels = panels.into_iter().filter(|(judged, ..)| is_compared(*judged));
+    let plots = panels.map(|(judged, label, unit)| {
         let accepted = unit * verdicts.accepted.of(judged);
         let axis = Axis::log("S nesting index (µm)").range(ends[0], ends[1]);
         let values = filtered.iter().flat_map(|(_, differences)| differences.iter());
@@ -216,6 +238,9 @@ fn against_filter(
             .height(210.0)
             .with(Layer::region_y(-accepted, accepted, "accepted").coloured(Colour::Series(2)))
             .with(Layer::at_y(0.0, ""));
+        if has_none {
+            plot = plot.with(Layer::at_x(pixel, "no filter"));
+        }
         for ((place, load), dash) in shown.iter().enumerate().zip([Dash::Solid, Dash::Dashed, Dash::Dotted]) {
             let points = filtered.iter().filter_map(|(s, differences)| {
                 let at = differences.iter().find(|at| at.load == *load)?;

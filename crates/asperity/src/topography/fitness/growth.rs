@@ -5,21 +5,40 @@ use crate::topography::{Filter, HeightMap, RoughnessParameters, Rows, Window};
 /// Points along an axis of the part of a map that is examined.
 const WINDOW: usize = 1024;
 
-/// How fast the r.m.s. curvature of a map grows with its short-wavelength cut-off at the pixel: log2 of the ratio between S
-/// filters of two and of four pixels. 0 for a surface whose shortest waves are much longer; 2 - H for a self-affine one of
-/// Hurst exponent H that the pixel cuts off; 3 for white noise. `None` for a map of fewer than 16 points along an axis.
-pub fn curvature_growth(map: &dyn Rows) -> Option<f64> {
-    let window = HeightMap::of(&Window::centre(map, WINDOW));
-    let pixel = map.pixel()[0].max(map.pixel()[1]);
-    let curvature = |pixels: f64| {
-        let filtered = Filter::new(Some(pixels * pixel), None).ok()?.apply(&window).ok()?;
-        let [_, _, m4] = RoughnessParameters::of(&filtered).spectral_moments();
-        (m4 > 0.0).then(|| m4.sqrt())
-    };
-    if window.points().iter().any(|&count| count < 16) {
-        return None;
+/// How fast the r.m.s. curvature of a map grows with its short-wavelength cut-off near the pixel: log2 of the ratio between S
+/// filters of n and of 2 n pixels. 0 for a surface whose shortest waves are much longer; 2 - H for a self-affine one of Hurst
+/// exponent H that the pixel cuts off; 3 for white noise.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct CurvatureGrowth {
+    /// Between four pixels and two.
+    pub at_pixel: f64,
+    /// Between eight pixels and four; `None` for a map of fewer than 32 points along an axis.
+    pub beyond: Option<f64>,
+}
+
+impl CurvatureGrowth {
+    /// Of a map; `None` for one of fewer than 16 points along an axis.
+    pub fn of(map: &dyn Rows) -> Option<Self> {
+        let window = HeightMap::of(&Window::centre(map, WINDOW));
+        let shorter = window.points()[0].min(window.points()[1]);
+        let pixel = map.pixel()[0].max(map.pixel()[1]);
+        let curvature = |pixels: f64| {
+            let filtered = Filter::new(Some(pixels * pixel), None).ok()?.apply(&window).ok()?;
+            let [_, _, m4] = RoughnessParameters::of(&filtered).spectral_moments();
+            (m4 > 0.0).then(|| m4.sqrt())
+        };
+        if shorter < 16 {
+            return None;
+        }
+        let [two, four] = [curvature(2.0)?, curvature(4.0)?];
+        let beyond = if shorter < 32 { None } else { curvature(8.0).map(|eight| (four / eight).log2()) };
+        Some(Self { at_pixel: (two / four).log2(), beyond })
     }
-    Some((curvature(2.0)? / curvature(4.0)?).log2())
+
+    /// By how much the growth rises towards the pixel: negative where the resolution cuts the roughness off.
+    pub fn rise(&self) -> Option<f64> {
+        self.beyond.map(|beyond| self.at_pixel - beyond)
+    }
 }
 
 #[cfg(test)]
@@ -28,10 +47,18 @@ mod tests {
     use crate::topography::generate::gaussian;
     use crate::topography::spectrum::{Lay, Spectrum, SpectrumShape};
 
+    fn heights(shape: SpectrumShape) -> Vec<f64> {
+        gaussian(&Spectrum::new(shape, Lay::default()).unwrap().on_grid([256; 2], [1.0; 2]), 1.0, [7; 32])
+    }
+
+    fn of(heights: Vec<f64>) -> CurvatureGrowth {
+        CurvatureGrowth::of(&HeightMap::new([256; 2], [1.0; 2], heights, 0.0).unwrap()).unwrap()
+    }
+
     fn growth(shape: SpectrumShape) -> f64 {
-        let spectrum = Spectrum::new(shape, Lay::default()).unwrap().on_grid([256; 2], [1.0; 2]);
-        let heights = gaussian(&spectrum, 1.0, [7; 32]);
-        curvature_growth(&HeightMap::new([256; 2], [1.0; 2], heights, 0.0).unwrap()).unwrap()
+        let found = of(heights(shape));
+        assert!(found.rise().unwrap() < 0.02, "no noise: {found:?}");
+        found.at_pixel
     }
 
     #[test]
@@ -41,7 +68,13 @@ mod tests {
         assert!(growth(self_affine(0.8, 8.0)) < 0.3);
         let cut = [0.9, 0.5, 0.2].map(|hurst| growth(self_affine(hurst, 2.0)));
         assert!(cut[0] > 0.8 && cut[0] < cut[1] && cut[1] < cut[2] && cut[2] < 1.5, "{cut:?}");
-        let noise = growth(SpectrumShape::SelfAffine { hurst: 0.0, roll_off: 2.0, cut_off: 2.0 });
-        assert!(noise > 1.8, "{noise}");
+        let noise = heights(SpectrumShape::SelfAffine { hurst: 0.0, roll_off: 2.0, cut_off: 2.0 });
+        assert!(of(noise.clone()).at_pixel > 1.8);
+        // Little noise on a surface that the grid resolves: the growth rises towards the pixel.
+        let good = heights(self_affine(0.8, 8.0));
+        let noisy = of(good.iter().zip(&noise).map(|(z, noise)| z + 0.03 * noise).collect());
+        assert!(noisy.at_pixel < 1.5 && noisy.rise().unwrap() > 0.1, "{noisy:?}");
+        let small = HeightMap::new([20, 40], [1.0; 2], good[..800].to_vec(), 0.0).unwrap();
+        assert_eq!(CurvatureGrowth::of(&small).unwrap().beyond, None);
     }
 }

@@ -17,8 +17,8 @@ const LARGEST_OFFSET: f64 = 8.0;
 /// Offsets between neighbouring lines of a map.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct LineOffsets {
-    /// Share of the variance of second differences across lines along x that all points of a line have in common, beyond
-    /// chance and only where it behaves as offsets do; the same for lines along y.
+    /// Share of the variance of second differences across lines along x that all points of a line, or of a third of it, have in
+    /// common, beyond chance and only where it behaves as offsets do; the same for lines along y.
     pub shares: [f64; 2],
 }
 
@@ -31,9 +31,8 @@ impl LineOffsets {
         let along_y = strips(map, 1, |strip| {
             let line =
                 |k: isize| Some(strip.row(k)?.iter().copied().step_by(strides[1]).collect::<Vec<f64>>());
-            (0..strip.count as isize)
-                .map(|k| Steps::between(line(k - 1), line(k), line(k + 1)))
-                .collect::<Vec<_>>()
+            let of = |k| Steps::of_parts(line(k - 1), line(k), line(k + 1));
+            (0..strip.count as isize).map(of).collect::<Vec<_>>()
         });
         let sampled: Vec<Vec<f64>> = strips(map, 0, |strip| {
             let rows = (0..strip.count).filter(|k| (strip.first + k).is_multiple_of(strides[0]));
@@ -41,9 +40,13 @@ impl LineOffsets {
         })
         .concat();
         let line = |j: usize| (j < ny).then(|| sampled.iter().map(|row| row[j]).collect::<Vec<f64>>());
-        let along_x: Vec<Steps> =
-            (0..ny).map(|j| Steps::between(j.checked_sub(1).and_then(line), line(j), line(j + 1))).collect();
-        Self { shares: [share(&along_x), share(&along_y.concat())] }
+        let of = |j: usize| Steps::of_parts(j.checked_sub(1).and_then(line), line(j), line(j + 1));
+        let along_x: Vec<[Steps; PARTS]> = (0..ny).map(of).collect();
+        let largest = |lines: &[[Steps; PARTS]]| {
+            let part = |part: usize| lines.iter().map(|line| line[part]).collect::<Vec<Steps>>();
+            (0..PARTS).map(|index| share(&part(index))).fold(0.0, f64::max)
+        };
+        Self { shares: [largest(&along_x), largest(&along_y.concat())] }
     }
 
     /// The larger share.
@@ -66,16 +69,28 @@ struct Steps {
     second: Option<([f64; 2], usize)>,
 }
 
+/// A line as a whole, and its thirds: an offset may end within a line.
+const PARTS: usize = 4;
+
 impl Steps {
-    fn between(before: Option<Vec<f64>>, line: Option<Vec<f64>>, after: Option<Vec<f64>>) -> Self {
+    /// Of each part of a line.
+    fn of_parts(before: Option<Vec<f64>>, line: Option<Vec<f64>>, after: Option<Vec<f64>>) -> [Self; PARTS] {
+        let count = line.as_ref().map_or(0, Vec::len);
+        let third = |k: usize| k * count / 3;
+        let parts = [(0, count), (0, third(1)), (third(1), third(2)), (third(2), count)];
+        parts.map(|(from, to)| {
+            let [before, line, after] =
+                [&before, &line, &after].map(|line| line.as_ref().map(|line| &line[from..to]));
+            Self::between(before, line, after)
+        })
+    }
+
+    fn between(before: Option<&[f64]>, line: Option<&[f64]>, after: Option<&[f64]>) -> Self {
         let (Some(line), Some(after)) = (line, after) else { return Self::default() };
-        let first = spread(line.iter().zip(&after).map(|(z, next)| next - z)).map(|(medians, _)| medians);
+        let first = spread(line.iter().zip(after).map(|(z, next)| next - z)).map(|(medians, _)| medians);
         let second = before.and_then(|before| {
-            spread(
-                line.iter()
-                    .zip(before.iter().zip(&after))
-                    .map(|(z, (before, after))| z - 0.5 * (before + after)),
-            )
+            let others = before.iter().zip(after).map(|(before, after)| 0.5 * (before + after));
+            spread(line.iter().zip(others).map(|(z, mean)| z - mean))
         });
         Self { first, second }
     }
@@ -301,6 +316,9 @@ mod tests {
             assert!(every[0] > 0.3 && every[1] < PASSED, "{every:?}");
             let stitched = shares(with(&base, |i, _| if i < 100 { 0.0 } else { 1.0 }));
             assert!(stitched[1] > PASSED && stitched[0] < PASSED, "{stitched:?}");
+            // Eight lines at a wrong height over half of their length.
+            let halves = shares(with(&base, |i, j| if i % 30 == 7 && j < 100 { 2.0 } else { 0.0 }));
+            assert!(halves[1] > PASSED && halves[0] < PASSED, "{halves:?}");
             let few = shares(with(&base, |i, _| if [20, 77, 140].contains(&i) { 1.0 } else { 0.0 }));
             assert!(few[1] > PASSED && few[0] < PASSED, "{few:?}");
         }

@@ -8,8 +8,8 @@ use crate::topography::{Boundary, Rows, Strip, strips};
 /// Half the side of the window (in points) whose median is the local height.
 const REACH: isize = 4;
 
-/// The largest group of points that is a spike: a square of four points; wider ones are features of the surface.
-const MOST_POINTS: usize = 16;
+/// The largest group of points that is a spike: a square of six points; wider ones are features of the surface.
+const MOST_POINTS: usize = 36;
 
 /// A spike deviates from the local height by at least this many robust standard deviations of all such deviations. On
 /// Gaussian surfaces the largest is 5; the heaviest tails tested (exponential heights) reach more, but not with steep walls.
@@ -25,7 +25,7 @@ const HALO: isize = 2 * MOST_POINTS as isize + REACH;
 /// Points along each axis of the sample that the scale of deviations is taken from.
 const SAMPLED: usize = 200;
 
-/// The spikes of a map: groups of at most 16 points that stand above or below their surroundings by steep walls on all sides.
+/// The spikes of a map: groups of at most 36 points that stand above or below their surroundings by steep walls on all sides.
 ///
 /// A deviation is that of a point from the median of the 9 x 9 points around it. A spike is the set of connected points around
 /// a local extremum whose deviation is above half of the extremum's A. A exceeds 15 robust standard deviations of the
@@ -59,7 +59,8 @@ impl Spikes {
     }
 }
 
-/// Robust standard deviation of the deviations from local medians, m.
+/// Robust standard deviation of the deviations from local medians, m; at least a fifth of that of the differences between
+/// neighbours, because a point of a smooth slope is the median of those around it.
 fn scale(map: &dyn Rows) -> f64 {
     /// The standard deviation of a Gaussian variable over the median of its magnitude.
     const NORMAL: f64 = 1.4826;
@@ -69,17 +70,26 @@ fn scale(map: &dyn Rows) -> f64 {
         let rows =
             (0..strip.count as isize).filter(|k| (strip.first + *k as usize).is_multiple_of(strides[0]));
         let points = rows.flat_map(|k| (0..local.columns).step_by(strides[1]).map(move |j| [k, j as isize]));
-        points.filter_map(|point| local.deviation(point)).map(f64::abs).collect::<Vec<f64>>()
+        let at = |[row, column]: Point| {
+            let deviation = local.deviation([row, column])?.abs();
+            let step = local.height([row, column + 1])? - local.height([row, column])?;
+            Some([deviation, step.abs()])
+        };
+        points.filter_map(at).collect::<Vec<[f64; 2]>>()
     };
-    let mut deviations = strips(map, REACH as usize, sampled).concat();
-    if deviations.is_empty() {
+    let sample = strips(map, REACH as usize, sampled).concat();
+    if sample.is_empty() {
         return 0.0;
     }
-    let middle = deviations.len() / 2;
-    let median = *deviations.select_nth_unstable_by(middle, f64::total_cmp).1;
-    // On height steps most deviations may be zero.
-    let mean = deviations.iter().sum::<f64>() / deviations.len() as f64;
-    if median > 0.0 { NORMAL * median } else { mean }
+    let robust = |which: usize| {
+        let mut values: Vec<f64> = sample.iter().map(|at| at[which]).collect();
+        let middle = values.len() / 2;
+        let median = *values.select_nth_unstable_by(middle, f64::total_cmp).1;
+        // On height steps most may be zero.
+        let mean = values.iter().sum::<f64>() / values.len() as f64;
+        if median > 0.0 { NORMAL * median } else { mean }
+    };
+    robust(0).max(0.2 * robust(1))
 }
 
 /// The points around a strip, by row (from the first of the strip) and column.
@@ -305,13 +315,13 @@ mod tests {
         for cut_off in [2.0, 4.0, 8.0] {
             let mut heights = surface(cut_off, 1);
             assert_eq!(Spikes::of(&map(heights.clone())).points, []);
-            // Single points, two beside each other, a square of nine, one at the border, one across a strip.
-            let square = [0, 1, 2].into_iter().flat_map(|i| [0, 1, 2].map(|j| (100 + i) * 150 + 70 + j));
+            // Single points, two beside each other, a square of five, one at the border, one across a strip.
+            let square = (0..25).map(|k| (100 + k / 5) * 150 + 70 + k % 5);
             let mut planted: Vec<usize> = vec![20 * 150 + 30, 0, 50 * 150 + 149, 60 * 150 + 9, 60 * 150 + 10];
             planted.extend([31 * 150 + 77, 32 * 150 + 77]);
             planted.extend(square);
             for (k, &point) in planted.iter().enumerate() {
-                heights[point] += if k % 5 == 2 { -12.0 } else { 12.0 };
+                heights[point] += if k == 2 { -12.0 } else { 12.0 };
             }
             let found = Spikes::of(&map(heights));
             planted.sort_unstable();
