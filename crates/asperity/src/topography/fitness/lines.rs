@@ -63,7 +63,7 @@ impl LineOffsets {
 /// Medians over the points of a line, m.
 #[derive(Debug, Clone, Copy, Default)]
 struct Steps {
-    /// Of the step to the next line, and of the magnitude of its deviations from the median.
+    /// Of the step to the next line, and the typical magnitude of its deviations from the median.
     first: Option<[f64; 2]>,
     /// The same of the height above the mean of both neighbouring lines; with the number of points.
     second: Option<([f64; 2], usize)>,
@@ -96,12 +96,18 @@ impl Steps {
     }
 }
 
-/// Median, median magnitude of the deviations from it, and number of the values that are there.
+/// Median, typical magnitude of the deviations from it, and number of the values that are there.
 fn spread(values: impl Iterator<Item = f64>) -> Option<([f64; 2], usize)> {
     let mut values: Vec<f64> = values.filter(|value| !value.is_nan()).collect();
     let middle = median(&mut values)?;
     values.iter_mut().for_each(|value| *value = (*value - middle).abs());
-    Some(([middle, median(&mut values)?], values.len()))
+    Some(([middle, typical(&mut values)?], values.len()))
+}
+
+/// The median of magnitudes; their mean where most are zero, as on height steps.
+fn typical(magnitudes: &mut [f64]) -> Option<f64> {
+    let middle = median(magnitudes)?;
+    Some(if middle > 0.0 { middle } else { magnitudes.iter().sum::<f64>() / magnitudes.len() as f64 })
 }
 
 fn median(values: &mut [f64]) -> Option<f64> {
@@ -123,7 +129,7 @@ fn share(lines: &[Steps]) -> f64 {
     else {
         return 0.0;
     };
-    let within = (NORMAL * median(&mut scales).unwrap_or_default()).powi(2);
+    let within = (NORMAL * typical(&mut scales).unwrap_or_default()).powi(2);
     let points = seconds.iter().map(|at| at.1).sum::<usize>() as f64 / seconds.len() as f64;
     let bends: Vec<f64> = seconds.iter().map(|at| at.0[0]).collect();
     let square = |pairs: &mut dyn Iterator<Item = (f64, f64)>, count: usize| {
@@ -146,11 +152,11 @@ fn has_single_offset(lines: &[Steps]) -> bool {
     let firsts: Vec<[f64; 2]> = lines.iter().filter_map(|steps| steps.first).collect();
     let mut medians: Vec<f64> = firsts.iter().map(|at| at[0]).collect();
     let mut scales: Vec<f64> = firsts.iter().map(|at| at[1]).collect();
-    let (Some(middle), Some(scatter)) = (median(&mut medians), median(&mut scales)) else { return false };
+    let (Some(middle), Some(scatter)) = (median(&mut medians), typical(&mut scales)) else { return false };
     let mut offsets: Vec<f64> = medians.iter().map(|step| (step - middle).abs()).collect();
     let largest = offsets.iter().copied().fold(0.0, f64::max);
-    let typical = NORMAL * median(&mut offsets).unwrap_or_default();
-    largest > LARGEST_OFFSET * typical && largest > NORMAL * scatter
+    let usual = NORMAL * typical(&mut offsets).unwrap_or_default();
+    largest > LARGEST_OFFSET * usual && largest > NORMAL * scatter
 }
 
 /// The lines of a map along one axis.
