@@ -162,9 +162,9 @@ impl MapFacts {
         warnings
     }
 
-    /// The places of the points of spikes on the map, m.
+    /// The places of the peaks of spikes on the map, m.
     pub fn spike_places(&self) -> Vec<[f64; 2]> {
-        let points = self.spikes.as_ref().map_or(&[][..], |spikes| &spikes.left.points);
+        let points = self.spikes.as_ref().map_or(&[][..], |spikes| &spikes.left.peaks);
         let place = |&point: &usize| {
             let at = [point / self.points[1], point % self.points[1]];
             [0, 1].map(|axis| (at[axis] as f64 + 0.5) * self.pixel[axis])

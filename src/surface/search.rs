@@ -107,7 +107,7 @@ impl SummitSearch<'_> {
             let passes = if self.preparation.removes_spikes { PASSES } else { 0 };
             for pass in 0..=passes {
                 let found = Spikes::of(&Without { map: raw, points: &removed });
-                if pass == passes || found.count == 0 {
+                if pass == passes || found.count() == 0 {
                     left = Some(found);
                     break;
                 }
@@ -235,7 +235,7 @@ fn fitness(map: &dyn Rows, facts: &MapFacts, summits: &Summits, aspect: Option<f
         aspect,
     };
     let measured = facts.spikes.as_ref().zip(facts.quantisation).map(|(spikes, quantisation)| Measured {
-        spikes: spikes.left.count,
+        spikes: spikes.left.count(),
         offsets: facts.offsets.unwrap_or_default(),
         step_over_drop: step_over_drop(map, &quantisation, facts.filter.as_ref()),
     });

@@ -120,7 +120,9 @@ impl fmt::Display for ComparePlan {
             }
             None => "law and surface",
         };
-        writeln!(f, "  {} at {} points a {each}", models.join(" and "), self.controls.points())?;
+        let points = self.controls.points();
+        let unit = if points == 1 { "point" } else { "points" };
+        writeln!(f, "  {} at {points} {unit} a {each}", models.join(" and "))?;
         describe(&self.surfaces, f)?;
         let surfaces = self.surfaces.iter().flat_map(SurfacePlan::implausible);
         self.implausible

@@ -23,7 +23,7 @@ pub fn section(page: &mut Page, surface: &Surface, assumed: Option<&asperity::Po
         if let Some(picture) = &map.whole.picture {
             let missing = if map.roughness.missing > 0 { " Missing points are white." } else { "" };
             let marked = map.spike_places();
-            let spikes = match map.spikes.as_ref().map_or(0, |spikes| spikes.left.count) {
+            let spikes = match map.spikes.as_ref().map_or(0, |spikes| spikes.left.count()) {
                 0 => String::new(),
                 1 => "One spike is circled. ".to_owned(),
                 found => format!("{} spikes are circled. ", count(found)),

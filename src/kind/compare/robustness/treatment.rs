@@ -79,7 +79,7 @@ impl Treatment {
         all.extend(own.level.previous().map(Self::Level));
         all.extend(own.level.next().map(Self::Level));
         all.extend(short_waves(own.filter, map).into_iter().map(Self::ShortWaves));
-        all.extend(map.spikes.as_ref().filter(|spikes| spikes.left.count > 0).map(|_| Self::SpikesRemoved));
+        all.extend(map.spikes.as_ref().filter(|spikes| spikes.left.count() > 0).map(|_| Self::SpikesRemoved));
         all.extend([0, 1].map(Self::Half));
         all
     }

@@ -1,7 +1,7 @@
 //! Fitness checks: whether a height map may carry a verdict on contact models.
 //!
-//! Each check compares one number with a threshold. Thresholds were set on eleven measured maps, of which five have no fault
-//! but their height steps, on random surfaces with and without heavy tails, and on the same with faults planted.
+//! Each check compares one number with a threshold. Thresholds were set on ten measured maps, of which two have no fault and
+//! two none but their height steps, on random surfaces with and without heavy tails, and on the same with faults planted.
 
 mod growth;
 mod lines;

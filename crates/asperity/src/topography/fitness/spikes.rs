@@ -34,8 +34,8 @@ const SAMPLED: usize = 200;
 pub struct Spikes {
     /// Indices of the points, ascending, the y index running fastest.
     pub points: Vec<usize>,
-    /// Number of spikes.
-    pub count: usize,
+    /// The highest or lowest point of each spike, in the same order.
+    pub peaks: Vec<usize>,
     /// The largest deviation of a spike, m.
     pub largest: f64,
 }
@@ -50,12 +50,18 @@ impl Spikes {
         }
         for part in strips(map, HALO as usize, |strip| Local::new(map, &strip).spikes(scale)) {
             all.points.extend(part.points);
-            all.count += part.count;
+            all.peaks.extend(part.peaks);
             all.largest = all.largest.max(part.largest);
         }
         all.points.sort_unstable();
         all.points.dedup();
+        all.peaks.sort_unstable();
         all
+    }
+
+    /// Number of spikes.
+    pub fn count(&self) -> usize {
+        self.peaks.len()
     }
 }
 
@@ -147,7 +153,7 @@ impl<'a> Local<'a> {
                 continue;
             }
             let Some((points, height)) = group(peak, &mut above) else { continue };
-            found.count += 1;
+            found.peaks.extend(self.index(peak));
             found.largest = found.largest.max(height);
             found.points.extend(points.into_iter().filter_map(|point| self.index(point)));
         }
@@ -335,14 +341,14 @@ mod tests {
     fn sharp_but_real_summits_are_no_spikes() {
         for (cut_off, seed) in [(4.0, 1), (4.0, 2), (8.0, 3), (16.0, 4)] {
             let tailed: Vec<f64> = surface(cut_off, seed).into_iter().map(|z| (0.8 * z).exp()).collect();
-            assert_eq!(Spikes::of(&map(tailed)).count, 0, "{cut_off}");
+            assert_eq!(Spikes::of(&map(tailed)).count(), 0, "{cut_off}");
         }
         let mut heights = surface(8.0, 5);
         for (i, j) in (0..200).flat_map(|i| (0..150).map(move |j| (i, j))) {
             let square = (f64::from(i) - 90.0).powi(2) + (f64::from(j) - 80.0).powi(2);
             heights[(i * 150 + j) as usize] += 20.0 * (-0.5 * square / 1.5f64.powi(2)).exp();
         }
-        assert_eq!(Spikes::of(&map(heights)).count, 0);
+        assert_eq!(Spikes::of(&map(heights)).count(), 0);
     }
 
     #[test]
