@@ -19,7 +19,7 @@ pub struct Reached {
 /// A pressure that a model does not reach at any separation from [`LOWEST_SEPARATION`] on.
 #[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
 #[error(
-    "a nominal pressure of {wanted:e} Pa is not reached; the largest pressure, at separations from {LOWEST_SEPARATION} sigma on, is {largest:e} Pa"
+    "a nominal pressure of {wanted:e} Pa is not reached; allowed: below {largest:.2e} Pa, the largest at separations from {LOWEST_SEPARATION} sigma on"
 )]
 pub struct Unreachable {
     /// The prescribed pressure, Pa.
