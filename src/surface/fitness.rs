@@ -2,7 +2,7 @@
 
 use asperity::topography::fitness::{Check, Finding, Measure};
 use asperity_framework::report::format::{count, input_quantity, number, percent, quantity};
-use asperity_framework::report::page::{Page, escape};
+use asperity_framework::report::page::{Cell, Page, escape};
 use serde::Serialize;
 
 use super::found::{MapFacts, Surface};
@@ -83,14 +83,18 @@ pub fn section(page: &mut Page, surface: &Surface) {
                 (false, true) => "failed",
                 (false, false) => "caution",
             };
-            vec![
+            let remedy = if finding.has_passed() { String::new() } else { remedy(finding, map) };
+            let mut row: Vec<Cell> = [
                 finding.check.name().to_owned(),
                 measured(finding.measure).to_owned(),
                 value(finding.measure, finding.value),
                 allowed(finding),
                 result.to_owned(),
-                if finding.has_passed() { String::new() } else { remedy(finding, map) },
             ]
+            .map(Cell::from)
+            .into();
+            row.push(Cell::AroundCode(remedy));
+            row
         }),
     );
 }

@@ -8,11 +8,13 @@ use pulldown_cmark::{CowStr, Event, Options, Parser, Tag, TagEnd};
 
 const STYLE: &str = include_str!("page.css");
 
-/// One cell of a table: plain text, or a link.
+/// One cell of a table: plain text, with code in it or not, or a link.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Cell {
     /// Text as it is; nothing in it is markup.
     Text(String),
+    /// The same, except that text between backticks is code.
+    AroundCode(String),
     /// Text that leads to a relative address or a web page.
     Link {
         /// What is shown.
@@ -255,6 +257,7 @@ fn address(to: &str) -> String {
 fn cell_markdown(cell: &Cell) -> String {
     match cell {
         Cell::Text(text) => escape(text),
+        Cell::AroundCode(text) => escape_around_code(text),
         Cell::Link { text, to } => format!("[{}]({})", escape(text), address(to)),
     }
 }
@@ -268,7 +271,7 @@ fn is_numeric(rows: &[Vec<Cell>], column: usize) -> bool {
     let mut any = false;
     for row in rows {
         let text = match row.get(column) {
-            Some(Cell::Text(text)) => text.trim(),
+            Some(Cell::Text(text) | Cell::AroundCode(text)) => text.trim(),
             Some(Cell::Link { .. }) => return false,
             None => "",
         };
@@ -345,6 +348,8 @@ mod tests {
             "a\\_b: set (`level = \"x_y\"`) or `l`, see \\*c\\*."
         );
         assert_eq!(escape_around_code("one ` only_"), "one \\` only\\_");
+        let cell = Cell::AroundCode("set `l = 2`_".to_owned());
+        assert!(Page::new("t").table(["remedy"], [[cell]]).markdown().contains("| set `l = 2`\\_ |"));
     }
 
     #[test]
