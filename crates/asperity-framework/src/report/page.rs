@@ -349,7 +349,7 @@ mod tests {
         );
         assert_eq!(escape_around_code("one ` only_"), "one \\` only\\_");
         let cell = Cell::AroundCode("set `l = 2`_".to_owned());
-        assert!(Page::new("t").table(["remedy"], [[cell]]).markdown().contains("| set `l = 2`\\_ |"));
+        assert!(Page::new("t").table(["remedy"], [vec![cell]]).markdown().contains("| set `l = 2`\\_ |"));
     }
 
     #[test]
