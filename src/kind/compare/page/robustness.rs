@@ -124,7 +124,7 @@ pub fn section(page: &mut Page, found: &SurfaceResults, index: usize, title: &st
     page.heading(3, &format!("{title}: robustness"));
     let all = examined.len();
     let finding = if robustness.dependences[index].is_empty() {
-        "No verdict is reversed by another treatment of the map. "
+        "No other treatment of the map changes the answer. "
     } else {
         ""
     };
