@@ -268,8 +268,8 @@ fn remedy(finding: &Finding, map: &MapFacts) -> String {
             "a new measurement, or a part without such lines: aligning whole lines leaves offsets of parts".to_owned()
         }
         Measure::LineOffsets => {
-            let lines = map.offsets.map_or("x", |offsets| if offsets.axis() == 0 { "x" } else { "y" });
-            format!("`align-lines = \"{lines}\"`")
+            let lines = map.offsets.unwrap_or_default().lines();
+            format!("`align-lines = \"{}\"`", lines.name())
         }
         Measure::StepOverDrop => {
             format!("an S filter such as {}, or a measurement with finer steps", s(wider(map, 8.0)))

@@ -67,9 +67,9 @@ fn failed(found: &SurfaceResults) -> Vec<Check> {
 fn verdicts(found: &SurfaceResults) -> Vec<Option<Verdict>> {
     let verdicts = &found.findings.cases[0].verdicts;
     let at_each = verdicts.differences.iter().flat_map(|at| {
-        ComparedQuantity::ALL.map(|judged| {
-            let estimate = at.estimates[judged as usize].filter(|_| at.exceeded().is_none())?;
-            Some(Verdict::of(&estimate, verdicts.accepted.band(judged)))
+        ComparedQuantity::ALL.map(|quantity| {
+            let estimate = at.estimates[quantity as usize].filter(|_| at.exceeded().is_none())?;
+            Some(Verdict::of(&estimate, verdicts.accepted.band(quantity)))
         })
     });
     at_each.collect()

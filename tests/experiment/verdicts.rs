@@ -37,8 +37,8 @@ fn population(name: &str, count: usize, more: &str) -> String {
     format!("[surface.{name}.population]\n{}count = {count}\n{more}\n", case_1!())
 }
 
-fn of(found: &Verdicts, judged: ComparedQuantity) -> impl Iterator<Item = &Stretch> {
-    found.stretches.iter().filter(move |stretch| stretch.judged == judged)
+fn of(found: &Verdicts, quantity: ComparedQuantity) -> impl Iterator<Item = &Stretch> {
+    found.stretches.iter().filter(move |stretch| stretch.quantity == quantity)
 }
 
 fn is(verdict: Verdict) -> impl Fn(&&Stretch) -> bool {
@@ -54,10 +54,10 @@ fn a_trivial_gap_of_a_million_asperities_is_within() {
     let more = "heights.johnson = { skewness = 0.03, kurtosis = 3.002 }";
     let results = compared(&compare, &population("many", 1_000_000, more));
     let found = verdicts(&results, 0);
-    for judged in ComparedQuantity::ALL {
-        let widest = of(found, judged).filter(is(Verdict::Within)).map(|one| one.loads[1] / one.loads[0]);
-        assert!(widest.fold(0.0, f64::max) > 10.0, "{judged:?}: {:?}", found.stretches);
-        assert_eq!(of(found, judged).filter(is(Verdict::Beyond)).count(), 0, "{judged:?}");
+    for quantity in ComparedQuantity::ALL {
+        let widest = of(found, quantity).filter(is(Verdict::Within)).map(|one| one.loads[1] / one.loads[0]);
+        assert!(widest.fold(0.0, f64::max) > 10.0, "{quantity:?}: {:?}", found.stretches);
+        assert_eq!(of(found, quantity).filter(is(Verdict::Beyond)).count(), 0, "{quantity:?}");
     }
     let is_significant = found.differences.iter().any(|at| {
         let estimate = at.estimates[ComparedQuantity::Separation as usize].unwrap();
@@ -137,16 +137,19 @@ fn windows_of_one_surface_do_not_contradict_each_other() {
     let results: CompareResults = crate::downcast(run(folder.path(), loads, &surfaces));
     let all: Vec<&Verdicts> = (0..4).map(|k| verdicts(&results, k)).collect();
     assert!(all.iter().all(|found| matches!(found.basis, Basis::Blocks { .. })));
-    let told = |found: &Verdicts, judged: ComparedQuantity, load: f64| {
-        let at = of(found, judged).find(|one| (one.loads[0]..=one.loads[1]).contains(&load))?;
+    let told = |found: &Verdicts, quantity: ComparedQuantity, load: f64| {
+        let at = of(found, quantity).find(|one| (one.loads[0]..=one.loads[1]).contains(&load))?;
         (at.verdict != Verdict::CannotTell).then_some(at.verdict)
     };
     let mut conclusions = [0; 4];
     for load in results.surfaces[0].findings.cases[0].verdicts.differences.iter().map(|at| at.load) {
-        for judged in ComparedQuantity::ALL {
-            let said: Vec<Option<Verdict>> = all.iter().map(|found| told(found, judged, load)).collect();
+        for quantity in ComparedQuantity::ALL {
+            let said: Vec<Option<Verdict>> = all.iter().map(|found| told(found, quantity, load)).collect();
             let concluded: Vec<Verdict> = said.iter().copied().flatten().collect();
-            assert!(concluded.windows(2).all(|pair| pair[0] == pair[1]), "{judged:?} at {load:e}: {said:?}");
+            assert!(
+                concluded.windows(2).all(|pair| pair[0] == pair[1]),
+                "{quantity:?} at {load:e}: {said:?}"
+            );
             said.iter().zip(&mut conclusions).for_each(|(said, count)| *count += usize::from(said.is_some()));
         }
     }

@@ -15,18 +15,18 @@ pub(crate) struct DifferenceRow<'a> {
     thickness: Option<f64>,
     verdicts: &'a Verdicts,
     at: &'a Difference,
-    judged: ComparedQuantity,
+    quantity: ComparedQuantity,
     estimate: Estimate,
 }
 
 impl DifferenceRow<'_> {
     fn end(&self, index: usize) -> Option<f64> {
-        self.estimate.interval().map(|ends| self.judged.reported(ends[index]))
+        self.estimate.interval().map(|ends| self.quantity.reported(ends[index]))
     }
 
     /// `None` beyond the valid range.
     fn verdict(&self) -> Option<&'static str> {
-        let verdict = Verdict::of(&self.estimate, self.verdicts.accepted.band(self.judged));
+        let verdict = Verdict::of(&self.estimate, self.verdicts.accepted.band(self.quantity));
         self.at.exceeded().is_none().then(|| self.verdicts.name(verdict))
     }
 }
@@ -42,13 +42,13 @@ impl Row for DifferenceRow<'_> {
             layer_thickness_m["m"] = row.thickness, "Thickness of the layer, 0 for the bare substrate and inf for a flat of the layer's material; empty where the spec has no layer.";
             pressure_pa["Pa"] = row.at.load, "Nominal pressure.";
             force_n["N"] = row.at.load * row.verdicts.area, "The same as a force on the nominal area.";
-            quantity["text"] = row.judged.name(), "What is compared: `separation`, `area` (real contact area) or `stiffness`.";
-            difference["1"] = row.judged.reported(row.estimate.contrast), "Statistical minus deterministic model; of the separation in sigma, of area and stiffness relative to the deterministic model. Over several realisations the mean (of areas and stiffnesses the geometric mean of the ratios).";
+            quantity["text"] = row.quantity.name(), "What is compared: `separation`, `area` (real contact area) or `stiffness`.";
+            difference["1"] = row.quantity.reported(row.estimate.contrast), "Statistical minus deterministic model; of the separation in sigma, of area and stiffness relative to the deterministic model. Over several realisations the mean (of areas and stiffnesses the geometric mean of the ratios).";
             low["1"] = row.end(0), "Lower end of the pointwise 95 % interval of the difference; empty where none is claimed.";
             high["1"] = row.end(1), "Upper end of the interval.";
             standard_error["1"] = row.estimate.error, "Standard error of the difference, of area and stiffness of the logarithm of the ratio; empty where no interval is claimed.";
             independent_standard_error["1"] = row.estimate.independent_error, "The same for asperities taken as independent draws.";
-            accepted["1"] = row.verdicts.accepted.of(row.judged), "The largest difference that is accepted.";
+            accepted["1"] = row.verdicts.accepted.of(row.quantity), "The largest difference that is accepted.";
             verdict["text"] = row.verdict(), "Whether the interval lies inside what is accepted (`within`), outside (`beyond`) or neither (`cannot-tell`); `blocked` where the surface failed a fitness check; empty beyond the valid range.";
             effective_contacts["1"] = row.at.sharing.map(|sharing| sharing.effective_contacts), "Effective contacts of the deterministic model; over several realisations the mean.";
             limits["text"] = limits(row.at.exceeded()), "Limits of the valid range that are exceeded, as in `curves.csv`.";
@@ -63,9 +63,9 @@ pub(crate) fn rows(results: &CompareResults) -> impl Iterator<Item = DifferenceR
             let verdicts = &findings.verdicts;
             let (surface, law, thickness) = (&*found.surface.name, &*case.law, case.thickness);
             verdicts.differences.iter().flat_map(move |at| {
-                let row = move |judged: ComparedQuantity| {
-                    let estimate = at.estimates[judged as usize]?;
-                    Some(DifferenceRow { surface, law, thickness, verdicts, at, judged, estimate })
+                let row = move |quantity: ComparedQuantity| {
+                    let estimate = at.estimates[quantity as usize]?;
+                    Some(DifferenceRow { surface, law, thickness, verdicts, at, quantity, estimate })
                 };
                 ComparedQuantity::ALL.into_iter().filter_map(row)
             })

@@ -136,19 +136,19 @@ fn verdicts(found: &SurfaceResults) -> impl Iterator<Item = VerdictSummary<'_>> 
     let cases = found.first.cases.iter().zip(&found.findings.cases);
     cases.enumerate().flat_map(move |(index, (case, findings))| {
         let verdicts = &findings.verdicts;
-        let depends_on = move |judged| -> Vec<&'static str> {
+        let depends_on = move |quantity| -> Vec<&'static str> {
             let of = found.robustness.iter().flat_map(|robustness| &robustness.dependences[index]);
-            of.filter(|one| one.judged == judged).map(|one| one.choice.name()).collect()
+            of.filter(|one| one.quantity == quantity).map(|one| one.choice.name()).collect()
         };
         verdicts.stretches.iter().map(move |stretch| {
-            let reported = |contrast: f64| stretch.judged.reported(contrast);
+            let reported = |contrast: f64| stretch.quantity.reported(contrast);
             let estimate = stretch.largest.map(|(_, estimate)| estimate);
             let ends = estimate.and_then(|estimate| estimate.interval());
             VerdictSummary {
                 surface: &found.surface.name,
                 law: &case.law,
                 layer_thickness_m: case.thickness.map(Thickness),
-                quantity: stretch.judged.name(),
+                quantity: stretch.quantity.name(),
                 against: Kind::Deterministic.name(),
                 model: Kind::Statistical.name(),
                 from_pa: stretch.loads[0],
@@ -161,7 +161,7 @@ fn verdicts(found: &SurfaceResults) -> impl Iterator<Item = VerdictSummary<'_>> 
                 accepted: stretch.accepted,
                 area_needed_m2: verdicts.area_needed(stretch),
                 cause: None,
-                depends_on: depends_on(stretch.judged),
+                depends_on: depends_on(stretch.quantity),
             }
         })
     })

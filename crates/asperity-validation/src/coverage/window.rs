@@ -178,7 +178,7 @@ impl WindowTask<'_> {
                     Quantity::Difference(_) | Quantity::AreaOfSum => (&pair.deterministic, &pair.statistical),
                 };
                 let estimate = match quantity {
-                    Quantity::Difference(judged) => difference.estimates[judged as usize]?,
+                    Quantity::Difference(quantity) => difference.estimates[quantity as usize]?,
                     Quantity::AreaOfSum => {
                         claim(sum, results.log_area(index)?, &|without| without.log_area(index))
                     }

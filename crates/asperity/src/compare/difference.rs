@@ -4,7 +4,7 @@ use super::sampling::{jackknife_error, jackknife_quantile, student_quantile};
 use super::{Pair, Pairing};
 use crate::model::{Exceeded, LoadSharing, MIN_CONTACTS};
 
-/// A quantity in which the models are judged at equal load.
+/// A quantity in which the models are compared at equal load.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum ComparedQuantity {
     /// Separation.
@@ -108,8 +108,8 @@ pub struct LeftOut {
 
 impl LeftOut {
     /// The standard error of a contrast at the load of index `load`; `None` where a group's is not known.
-    fn error(&self, judged: ComparedQuantity, contrast: f64, load: usize) -> Option<f64> {
-        let of = |contrasts: &Vec<[Option<f64>; 3]>| contrasts[load][judged as usize];
+    fn error(&self, quantity: ComparedQuantity, contrast: f64, load: usize) -> Option<f64> {
+        let of = |contrasts: &Vec<[Option<f64>; 3]>| contrasts[load][quantity as usize];
         let without: Option<Vec<f64>> = self.contrasts.iter().map(of).collect();
         Some(jackknife_error(contrast, &without?, &self.shares))
     }
@@ -149,9 +149,9 @@ impl Difference {
             .as_ref()
             .map_or(MIN_CONTACTS, |groups| CONTACTS_PER_GROUP * groups.shares.len() as f64);
         let groups = sampling.groups.as_ref().filter(|_| effective_contacts >= contacts_needed);
-        let estimate = |judged: ComparedQuantity| {
-            let contrast = judged.contrast(pair)?;
-            let error = |groups: &LeftOut| groups.error(judged, contrast, index);
+        let estimate = |quantity: ComparedQuantity| {
+            let contrast = quantity.contrast(pair)?;
+            let error = |groups: &LeftOut| groups.error(quantity, contrast, index);
             Some(Estimate {
                 contrast,
                 error: groups.and_then(error),
@@ -186,8 +186,9 @@ impl Difference {
     fn mean(all: &[Self]) -> Self {
         let count = all.len() as f64;
         let mean_of = |of: &dyn Fn(&Self) -> f64| all.iter().map(of).sum::<f64>() / count;
-        let estimate = |judged: ComparedQuantity| {
-            let each: Option<Vec<Estimate>> = all.iter().map(|one| one.estimates[judged as usize]).collect();
+        let estimate = |quantity: ComparedQuantity| {
+            let each: Option<Vec<Estimate>> =
+                all.iter().map(|one| one.estimates[quantity as usize]).collect();
             let each = each?;
             let contrast = each.iter().map(|one| one.contrast).sum::<f64>() / count;
             let squares: f64 = each.iter().map(|one| (one.contrast - contrast).powi(2)).sum();
@@ -321,7 +322,7 @@ mod tests {
     fn rounding_is_no_difference() {
         let mut close = pair(1.0, 1e-12, 90.0);
         close.statistical.area_ratio = ByRegime([1e-3 * (1.0 + 1e-13), 0.0, 0.0]);
-        assert_eq!(ComparedQuantity::ALL.map(|judged| judged.contrast(&close)), [Some(0.0); 3]);
+        assert_eq!(ComparedQuantity::ALL.map(|quantity| quantity.contrast(&close)), [Some(0.0); 3]);
         close.deterministic.stiffness = 0.0;
         assert_eq!(ComparedQuantity::Stiffness.contrast(&close), None);
         assert!(

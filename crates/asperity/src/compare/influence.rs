@@ -41,11 +41,11 @@ impl Measure {
 
     /// The standard error of the difference between the models, where an interval is claimed.
     fn sampling_error(self, difference: &Difference) -> Option<f64> {
-        let judged = match self {
+        let quantity = match self {
             Self::Separation => ComparedQuantity::Separation,
             Self::Area => ComparedQuantity::Area,
         };
-        difference.estimates[judged as usize]?.error
+        difference.estimates[quantity as usize]?.error
     }
 }
 

@@ -16,8 +16,8 @@ pub struct Accepted {
 
 impl Accepted {
     /// That of one quantity.
-    pub fn of(&self, judged: ComparedQuantity) -> f64 {
-        match judged {
+    pub fn of(&self, quantity: ComparedQuantity) -> f64 {
+        match quantity {
             ComparedQuantity::Separation => self.separation,
             ComparedQuantity::Area => self.area,
             ComparedQuantity::Stiffness => self.stiffness,
@@ -25,14 +25,14 @@ impl Accepted {
     }
 
     /// The accepted band of the contrast of a quantity; a relative difference of -100 % or less is none.
-    pub fn band(&self, judged: ComparedQuantity) -> [f64; 2] {
-        let accepted = self.of(judged);
-        let low = if judged != ComparedQuantity::Separation && accepted >= 1.0 {
+    pub fn band(&self, quantity: ComparedQuantity) -> [f64; 2] {
+        let accepted = self.of(quantity);
+        let low = if quantity != ComparedQuantity::Separation && accepted >= 1.0 {
             f64::NEG_INFINITY
         } else {
-            judged.contrast_of(-accepted)
+            quantity.contrast_of(-accepted)
         };
-        [low, judged.contrast_of(accepted)]
+        [low, quantity.contrast_of(accepted)]
     }
 }
 
@@ -71,7 +71,7 @@ impl Verdict {
 #[derive(Debug, Clone, PartialEq)]
 pub struct Stretch {
     /// The quantity.
-    pub judged: ComparedQuantity,
+    pub quantity: ComparedQuantity,
     /// The verdict.
     pub verdict: Verdict,
     /// First and last load, Pa.
@@ -98,25 +98,25 @@ impl Stretch {
     pub fn all(differences: &[Difference], accepted: &Accepted) -> Vec<Self> {
         let mut sorted: Vec<&Difference> = differences.iter().collect();
         sorted.sort_by(|a, b| a.load.total_cmp(&b.load));
-        let judge = |judged| Self::of(judged, &sorted, accepted);
+        let judge = |quantity| Self::of(quantity, &sorted, accepted);
         ComparedQuantity::ALL.into_iter().flat_map(judge).collect()
     }
 
-    fn of(judged: ComparedQuantity, sorted: &[&Difference], accepted: &Accepted) -> Vec<Self> {
-        let band = accepted.band(judged);
+    fn of(quantity: ComparedQuantity, sorted: &[&Difference], accepted: &Accepted) -> Vec<Self> {
+        let band = accepted.band(quantity);
         let verdict = |at: &&Difference| {
-            let estimate = at.estimates[judged as usize].as_ref().filter(|_| at.exceeded().is_none());
+            let estimate = at.estimates[quantity as usize].as_ref().filter(|_| at.exceeded().is_none());
             estimate.map(|estimate| Verdict::of(estimate, band))
         };
-        let is_compared = sorted.iter().any(|at| at.estimates[judged as usize].is_some());
+        let is_compared = sorted.iter().any(|at| at.estimates[quantity as usize].is_some());
         // A difference beyond on one side is another answer than one beyond on the other.
         let side = |at: &&Difference| {
-            let contrast = at.estimates[judged as usize].map_or(0.0, |estimate| estimate.contrast);
+            let contrast = at.estimates[quantity as usize].map_or(0.0, |estimate| estimate.contrast);
             verdict(at) == Some(Verdict::Beyond) && contrast < 0.0
         };
         let stretches = sorted.chunk_by(|a, b| (verdict(a), side(a)) == (verdict(b), side(b)));
         let found: Vec<Self> = stretches
-            .filter_map(|stretch| Some(Self::over(judged, verdict(&stretch[0])?, stretch, accepted)))
+            .filter_map(|stretch| Some(Self::over(quantity, verdict(&stretch[0])?, stretch, accepted)))
             .collect();
         match sorted {
             [first, .., last] | [first @ last] if found.is_empty() && is_compared => {
@@ -129,10 +129,10 @@ impl Stretch {
                 let needed = sorted.iter().filter(is_few).filter_map(|at| at.area_needed);
                 let needed = needed.fold(f64::INFINITY, f64::min);
                 vec![Self {
-                    judged,
+                    quantity,
                     verdict: Verdict::CannotTell,
                     loads: [first.load, last.load],
-                    accepted: accepted.of(judged),
+                    accepted: accepted.of(quantity),
                     largest: None,
                     range: None,
                     bounds: None,
@@ -146,26 +146,26 @@ impl Stretch {
 
     /// Of a stretch of valid loads with one verdict.
     fn over(
-        judged: ComparedQuantity,
+        quantity: ComparedQuantity,
         verdict: Verdict,
         stretch: &[&Difference],
         accepted: &Accepted,
     ) -> Self {
-        let each = || stretch.iter().filter_map(|at| Some((at.load, at.estimates[judged as usize]?)));
+        let each = || stretch.iter().filter_map(|at| Some((at.load, at.estimates[quantity as usize]?)));
         let largest = each().max_by(|a, b| a.1.contrast.abs().total_cmp(&b.1.contrast.abs()));
         let hull = |of: &dyn Fn(&Estimate) -> Option<[f64; 2]>| {
             let ends: Option<Vec<[f64; 2]>> = each().map(|(_, estimate)| of(&estimate)).collect();
             ends?.into_iter().reduce(|[a, b], [c, d]| [a.min(c), b.max(d)])
         };
         let is_open = verdict == Verdict::CannotTell;
-        let band = accepted.band(judged);
+        let band = accepted.band(quantity);
         let growths = each().map(|(_, estimate)| growth(&estimate, band)).collect();
         let needed = stretch.iter().map(|at| at.area_needed.unwrap_or(0.0)).collect();
         Self {
-            judged,
+            quantity,
             verdict,
             loads: [stretch[0].load, stretch[stretch.len() - 1].load],
-            accepted: accepted.of(judged),
+            accepted: accepted.of(quantity),
             largest,
             range: hull(&|estimate| Some([estimate.contrast; 2])),
             bounds: hull(&Estimate::interval),
@@ -217,9 +217,9 @@ mod tests {
         }
     }
 
-    fn of(judged: ComparedQuantity, differences: &[Difference]) -> Vec<(Verdict, [f64; 2])> {
+    fn of(quantity: ComparedQuantity, differences: &[Difference]) -> Vec<(Verdict, [f64; 2])> {
         let all = Stretch::all(differences, &ACCEPTED);
-        let of = all.iter().filter(|stretch| stretch.judged == judged);
+        let of = all.iter().filter(|stretch| stretch.quantity == quantity);
         of.map(|stretch| (stretch.verdict, stretch.loads)).collect()
     }
 

@@ -12,18 +12,18 @@ pub fn differences(verdicts: &Verdicts) -> String {
         (ComparedQuantity::Separation, "separation (σ)", 1.0),
         (ComparedQuantity::Stiffness, "stiffness (%)", 100.0),
     ];
-    let is_compared = |judged: ComparedQuantity| {
-        verdicts.differences.iter().any(|at| at.estimates[judged as usize].is_some())
+    let is_compared = |compared: ComparedQuantity| {
+        verdicts.differences.iter().any(|at| at.estimates[compared as usize].is_some())
     };
-    let panels = panels.into_iter().filter(|(judged, ..)| is_compared(*judged));
-    let plots = panels.map(|(judged, label, unit)| panel(verdicts, judged, label, unit)).collect();
+    let panels = panels.into_iter().filter(|(compared, ..)| is_compared(*compared));
+    let plots = panels.map(|(compared, label, unit)| panel(verdicts, compared, label, unit)).collect();
     Figure::column("Statistical minus deterministic model at equal load", plots).svg()
 }
 
-fn panel(verdicts: &Verdicts, judged: ComparedQuantity, label: &str, unit: f64) -> Plot {
-    let shown = |contrast: f64| unit * judged.reported(contrast);
-    let estimate = |at: &Difference| at.estimates[judged as usize];
-    let accepted = unit * verdicts.accepted.of(judged);
+fn panel(verdicts: &Verdicts, compared: ComparedQuantity, label: &str, unit: f64) -> Plot {
+    let shown = |contrast: f64| unit * compared.reported(contrast);
+    let estimate = |at: &Difference| at.estimates[compared as usize];
+    let accepted = unit * verdicts.accepted.of(compared);
     let loads = verdicts.differences.iter().map(|at| megapascals(at.load));
     let axis = Axis::log("nominal pressure (MPa)")
         .range(loads.clone().fold(f64::INFINITY, f64::min) / MARGIN, loads.fold(0.0, f64::max) * MARGIN);

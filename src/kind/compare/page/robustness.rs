@@ -35,7 +35,7 @@ pub fn sentence(found: &SurfaceResults, index: usize) -> Option<String> {
 fn main_dependences(all: &[Dependence]) -> Vec<(&Dependence, bool)> {
     let of_choice = |choice: &Choice| {
         let of: Vec<&Dependence> = all.iter().filter(|one| one.choice == *choice).collect();
-        let first = ORDER.into_iter().find_map(|judged| of.iter().find(|one| one.judged == judged))?;
+        let first = ORDER.into_iter().find_map(|compared| of.iter().find(|one| one.quantity == compared))?;
         Some((*first, of.len() > 1))
     };
     Choice::ALL.iter().filter_map(of_choice).collect()
@@ -65,13 +65,13 @@ fn clause(
             Some(place) => label(&robustness.treated[place].treatment),
             None => own(dependence.choice, robustness, found),
         };
-        format!("{} {how}", signed(dependence.judged, dependence.contrasts[end]))
+        format!("{} {how}", signed(dependence.quantity, dependence.contrasts[end]))
     });
     let others = if has_others { ", other quantities too" } else { "" };
     format!(
         "{} ({} at {}: {}, {}{others})",
         choice(dependence.choice),
-        name(dependence.judged),
+        name(dependence.quantity),
         loads([dependence.load; 2]),
         ends[0],
         ends[1]
@@ -166,14 +166,14 @@ fn shown_load(robustness: &Robustness, index: usize) -> Option<f64> {
 
 fn row(treatment: &str, at: Option<&Difference>, verdicts: &Verdicts) -> Vec<String> {
     let mut row = vec![treatment.to_owned()];
-    row.extend(ORDER.map(|judged| {
-        let estimate = at.and_then(|at| at.estimates[judged as usize]);
+    row.extend(ORDER.map(|compared| {
+        let estimate = at.and_then(|at| at.estimates[compared as usize]);
         let Some(estimate) = estimate else { return "–".to_owned() };
-        let value = signed(judged, estimate.contrast);
+        let value = signed(compared, estimate.contrast);
         match at.filter(|at| at.exceeded().is_none()) {
             None => format!("{value} (not valid)"),
             Some(_) => {
-                format!("{value} ({})", verdict(Verdict::of(&estimate, verdicts.accepted.band(judged))))
+                format!("{value} ({})", verdict(Verdict::of(&estimate, verdicts.accepted.band(compared))))
             }
         }
     }));
@@ -219,17 +219,17 @@ fn against_filter(
         (ComparedQuantity::Separation, "separation (σ)", 1.0),
         (ComparedQuantity::Stiffness, "stiffness (%)", 100.0),
     ];
-    let is_compared = |judged: ComparedQuantity| {
-        verdicts.differences.iter().any(|at| at.estimates[judged as usize].is_some())
+    let is_compared = |compared: ComparedQuantity| {
+        verdicts.differences.iter().any(|at| at.estimates[compared as usize].is_some())
     };
-    let panels = panels.into_iter().filter(|(judged, ..)| is_compared(*judged));
-    let plots = panels.map(|(judged, label, unit)| {
-        let accepted = unit * verdicts.accepted.of(judged);
+    let panels = panels.into_iter().filter(|(compared, ..)| is_compared(*compared));
+    let plots = panels.map(|(compared, label, unit)| {
+        let accepted = unit * verdicts.accepted.of(compared);
         let axis = Axis::log("S nesting index (µm)").range(ends[0], ends[1]);
         let values = filtered.iter().flat_map(|(_, differences)| differences.iter());
         let values = values.filter(|at| shown.contains(&at.load));
         let values =
-            values.filter_map(|at| Some(unit * judged.reported(at.estimates[judged as usize]?.contrast)));
+            values.filter_map(|at| Some(unit * compared.reported(at.estimates[compared as usize]?.contrast)));
         let [low, high] = values.fold([-VIEW * accepted, VIEW * accepted], |[low, high], value| {
             [low.min(value), high.max(value)]
         });
@@ -244,7 +244,7 @@ fn against_filter(
         for ((place, load), dash) in shown.iter().enumerate().zip([Dash::Solid, Dash::Dashed, Dash::Dotted]) {
             let points = filtered.iter().filter_map(|(s, differences)| {
                 let at = differences.iter().find(|at| at.load == *load)?;
-                Some((*s, unit * judged.reported(at.estimates[judged as usize]?.contrast)))
+                Some((*s, unit * compared.reported(at.estimates[compared as usize]?.contrast)))
             });
             let points: Vec<(f64, f64)> = points.collect();
             let colour = Colour::Series(place);

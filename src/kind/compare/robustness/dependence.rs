@@ -10,7 +10,7 @@ pub struct Dependence {
     /// The choice.
     pub choice: Choice,
     /// The quantity.
-    pub judged: ComparedQuantity,
+    pub quantity: ComparedQuantity,
     /// The load (Pa) at which the answers are furthest apart.
     pub load: f64,
     /// Indices of the treatments with the lowest and the highest difference there; `None` for the map's own.
@@ -58,23 +58,26 @@ impl Dependence {
         index: usize,
         accepted: &Accepted,
     ) -> Vec<Self> {
-        let each =
-            Choice::ALL.into_iter().flat_map(|choice| ComparedQuantity::ALL.map(|judged| (choice, judged)));
-        each.filter_map(|(choice, judged)| Self::of(choice, judged, differences, treated, index, accepted))
-            .collect()
+        let each = Choice::ALL
+            .into_iter()
+            .flat_map(|choice| ComparedQuantity::ALL.map(|quantity| (choice, quantity)));
+        each.filter_map(|(choice, quantity)| {
+            Self::of(choice, quantity, differences, treated, index, accepted)
+        })
+        .collect()
     }
 
     fn of(
         choice: Choice,
-        judged: ComparedQuantity,
+        quantity: ComparedQuantity,
         differences: &[Difference],
         treated: &[Treated],
         index: usize,
         accepted: &Accepted,
     ) -> Option<Self> {
-        let band = accepted.band(judged);
+        let band = accepted.band(quantity);
         let answer = |treatment: Option<usize>, at: &Difference| {
-            let estimate = at.estimates[judged as usize].filter(|_| at.exceeded().is_none())?;
+            let estimate = at.estimates[quantity as usize].filter(|_| at.exceeded().is_none())?;
             Some(Answer { treatment, estimate, side: Side::of(&estimate, band) })
         };
         let treated = || treated.iter().enumerate().filter(|(_, one)| one.treatment.choice() == choice);
@@ -96,7 +99,7 @@ impl Dependence {
                         && highest.estimate.contrast - lowest.estimate.contrast > band[1]));
             is_apart.then_some(Self {
                 choice,
-                judged,
+                quantity,
                 load: own.load,
                 treatments: [lowest.treatment, highest.treatment],
                 contrasts: [lowest.estimate.contrast, highest.estimate.contrast],

@@ -83,11 +83,16 @@ pub(super) fn robustness(
         };
         let setup = Setup { controls: &controls, mean_radius, progress: &Silent, ..plan.setup(context) };
         let treat = || {
-            let surface = factory.prepared(treatment.preparation(own), map.correlation)?;
-            let models = models_of(setup, &surface, &mut Timing::default());
-            let answered = run_surface(setup, &surface, &models, counter, &mut Timing::default());
+            // The mean radius changes nothing on the surface.
+            let prepared = match treatment {
+                Treatment::MeanRadius(_) => None,
+                _ => Some(factory.prepared(treatment.preparation(own), map.correlation)?),
+            };
+            let surface = prepared.as_ref().unwrap_or(surface);
+            let models = models_of(setup, surface, &mut Timing::default());
+            let answered = run_surface(setup, surface, &models, counter, &mut Timing::default());
             let mut cases = answered.ok()?.cases;
-            let samplings = sampling(setup, &surface, &models, &cases);
+            let samplings = sampling(setup, surface, &models, &cases);
             differ(&mut cases, &samplings, setup.laws, &models);
             Some(cases.into_iter().map(|case| case.differences).collect())
         };

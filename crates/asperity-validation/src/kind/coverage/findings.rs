@@ -78,7 +78,7 @@ pub struct Unclaimed {
 #[derive(Debug, Clone)]
 pub struct CoverageFindings {
     /// Combinations in which an interval is claimed in at least [`NEARLY_ALL`] of the windows.
-    pub judged: Vec<Combination>,
+    pub quantity: Vec<Combination>,
     /// Those in which it is claimed in fewer, but at least in [`RARELY`].
     pub partial: Vec<Combination>,
     /// Cases without either.
@@ -110,26 +110,26 @@ impl CoverageFindings {
             (share < RARELY).then(|| Unclaimed { case: case.name.clone(), share })
         });
         Self {
-            judged: within(NEARLY_ALL..f64::INFINITY),
+            quantity: within(NEARLY_ALL..f64::INFINITY),
             partial: within(RARELY..NEARLY_ALL),
             unclaimed: unclaimed.collect(),
             independent: range(each().filter_map(|(.., coverage)| coverage.independent.coverage())),
         }
     }
 
-    /// Smallest and largest coverage of the claimed intervals; `None` where none is judged.
+    /// Smallest and largest coverage of the claimed intervals; `None` where none is counted.
     pub fn range(&self) -> Option<[f64; 2]> {
-        range(self.judged.iter().map(|one| one.share))
+        range(self.quantity.iter().map(|one| one.share))
     }
 
     /// The largest standard error of a coverage.
     pub fn largest_error(&self) -> f64 {
-        self.judged.iter().map(|one| one.error).fold(0.0, f64::max)
+        self.quantity.iter().map(|one| one.error).fold(0.0, f64::max)
     }
 
     /// Combinations whose coverage is outside [`BAND`].
     pub fn outside(&self) -> impl Iterator<Item = &Combination> {
-        self.judged.iter().filter(|one| !one.holds())
+        self.quantity.iter().filter(|one| !one.holds())
     }
 
     /// Combinations outside the band, and loads beyond the valid range, a line each.
@@ -199,7 +199,7 @@ mod tests {
     fn intervals_in_a_part_of_the_windows_are_kept_apart() {
         let findings =
             CoverageFindings::of(&[case("part", 500, 400), case("few", 40, 10), case("none", 0, 0)]);
-        assert!(findings.judged.is_empty() && findings.range().is_none());
+        assert!(findings.quantity.is_empty() && findings.range().is_none());
         assert!(findings.partial.iter().map(|one| one.share).eq([0.8]));
         let unclaimed = [("few", 0.04), ("none", 0.0)];
         let expected = unclaimed.map(|(case, share)| Unclaimed { case: case.to_owned(), share });

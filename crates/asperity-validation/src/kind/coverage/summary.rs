@@ -64,7 +64,7 @@ pub(super) fn summary(results: &CoverageResults) -> serde_json::Result<Map<Strin
         .map(|one| UnclaimedSummary { case: &one.case, largest_share_claimed: one.share });
     let coverage = CoverageSummary {
         windows: results.windows.count(),
-        combinations: findings.judged.len(),
+        combinations: findings.quantity.len(),
         lowest: all.map(|[lowest, _]| lowest),
         highest: all.map(|[_, highest]| highest),
         in_part_of_windows: range(findings.partial.iter().map(|one| one.share)),

@@ -78,7 +78,7 @@ impl OneStep {
             let sum = moved(sum, self.deterministic_slopes[k]?, pressure, &pair.deterministic);
             let (integral, pressure) = state(&rest[k])?;
             let integral = moved(integral, self.statistical_slopes[k]?, pressure, &pair.statistical);
-            Some(ComparedQuantity::ALL.map(|judged| integral[judged as usize] - sum[judged as usize]))
+            Some(ComparedQuantity::ALL.map(|quantity| integral[quantity as usize] - sum[quantity as usize]))
         };
         let found = (0..self.pairs.len()).map(at);
         found.map(|contrasts| contrasts.map_or([None; 3], |contrasts| contrasts.map(Some))).collect()
@@ -168,16 +168,16 @@ mod tests {
             );
             let solved = pairs_at(&integral, &sum, &loads);
             for (k, (found, solved)) in found.iter().zip(&solved).enumerate() {
-                for judged in ComparedQuantity::ALL {
-                    let place = 3 * k + judged as usize;
-                    exact[place].push(judged.contrast(solved.as_ref().unwrap()).unwrap());
-                    stepped[place].push(found[judged as usize].unwrap());
+                for quantity in ComparedQuantity::ALL {
+                    let place = 3 * k + quantity as usize;
+                    exact[place].push(quantity.contrast(solved.as_ref().unwrap()).unwrap());
+                    stepped[place].push(found[quantity as usize].unwrap());
                 }
             }
         }
         let error = |place: usize, without: &[f64]| {
-            let judged = ComparedQuantity::ALL[place % 3];
-            jackknife_error(judged.contrast(&pairs[place / 3]).unwrap(), without, shares)
+            let quantity = ComparedQuantity::ALL[place % 3];
+            jackknife_error(quantity.contrast(&pairs[place / 3]).unwrap(), without, shares)
         };
         (0..9).map(|place| [error(place, &stepped[place]), error(place, &exact[place])]).collect()
     }

@@ -1,5 +1,6 @@
 //! Line offsets: lines of a scan, or parts of a stitched map, at wrong heights.
 
+use super::NORMAL;
 use crate::progress::Progress;
 use crate::topography::{Boundary, Rows, strips};
 
@@ -54,9 +55,9 @@ impl LineOffsets {
         self.shares[0].max(self.shares[1])
     }
 
-    /// The axis along which the lines with the larger share run: 0 for x, 1 for y.
-    pub fn axis(&self) -> usize {
-        usize::from(self.shares[1] > self.shares[0])
+    /// The lines with the larger share.
+    pub fn lines(&self) -> Lines {
+        if self.shares[1] > self.shares[0] { Lines::Y } else { Lines::X }
     }
 }
 
@@ -117,8 +118,6 @@ fn median(values: &mut [f64]) -> Option<f64> {
 
 /// The share of offsets in the variance of second differences across lines.
 fn share(lines: &[Steps]) -> f64 {
-    /// The standard deviation of a Gaussian variable over the median of its magnitude.
-    const NORMAL: f64 = 1.4826;
     /// Variance of a median of n Gaussian values times n over their variance.
     const MEDIAN_VARIANCE: f64 = std::f64::consts::FRAC_PI_2;
     /// The share that chance reaches rarely, in means over all lines.
@@ -148,7 +147,6 @@ fn share(lines: &[Steps]) -> f64 {
 
 /// Whether one line, or one part of a stitched map, is far off.
 fn has_single_offset(lines: &[Steps]) -> bool {
-    const NORMAL: f64 = 1.4826;
     /// The standard deviation of a Gaussian variable over the mean of its magnitude.
     const MEAN_NORMAL: f64 = 1.2533;
     let firsts: Vec<[f64; 2]> = lines.iter().filter_map(|steps| steps.first).collect();
@@ -180,11 +178,6 @@ impl Lines {
             Self::X => "x",
             Self::Y => "y",
         }
-    }
-
-    /// Lines along axis 0 (x) or 1 (y).
-    pub const fn along(axis: usize) -> Self {
-        if axis == 0 { Self::X } else { Self::Y }
     }
 
     /// The mean height of the present points of each line of `map`, m; zero where all are missing. A median would jump from
@@ -342,7 +335,7 @@ mod tests {
             };
             let map = HeightMap::new(POINTS, [1.0; 2], with(&base, offset), 0.0).unwrap();
             let found = LineOffsets::of(&map);
-            assert_eq!(Lines::along(found.axis()), lines);
+            assert_eq!(found.lines(), lines);
             let aligned = HeightMap::of(&AlignedLines::new(&map, lines));
             assert!(LineOffsets::of(&aligned).largest() < PASSED);
             // The surface itself stays, but for the means of its lines.

@@ -16,6 +16,9 @@ pub use steps::step_over_drop;
 use super::theory::Expected;
 use super::{CorrelationLengths, Level, Levelled, Moments, RoughnessParameters, Rows};
 
+/// The standard deviation of a Gaussian variable over the median of its magnitude.
+const NORMAL: f64 = 1.4826;
+
 /// What is checked.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Check {

@@ -2,6 +2,7 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
+use super::NORMAL;
 use crate::progress::Progress;
 use crate::topography::{Boundary, Rows, Strip, strips};
 
@@ -68,8 +69,6 @@ impl Spikes {
 /// Robust standard deviation of the deviations from local medians, m; at least a fifth of that of the differences between
 /// neighbours, because a point of a smooth slope is the median of those around it.
 fn scale(map: &dyn Rows) -> f64 {
-    /// The standard deviation of a Gaussian variable over the median of its magnitude.
-    const NORMAL: f64 = 1.4826;
     let strides = map.points().map(|count| count.div_ceil(SAMPLED));
     let sampled = |strip: Strip| {
         let local = Local::new(map, &strip);

@@ -28,11 +28,12 @@ pub fn headline(verdicts: &Verdicts, sigma: f64) -> String {
                 .map_or_else(String::new, |need| format!(" It would take {need} at one of these loads."))
         );
     }
-    let of =
-        |judged: ComparedQuantity| verdicts.stretches.iter().filter(move |stretch| stretch.judged == judged);
+    let of = |compared: ComparedQuantity| {
+        verdicts.stretches.iter().filter(move |stretch| stretch.quantity == compared)
+    };
     let rank = |stretch: &Stretch| (stretch.verdict != Verdict::CannotTell, decades(stretch));
-    let widest = |judged: ComparedQuantity| {
-        of(judged).max_by(|a, b| {
+    let widest = |compared: ComparedQuantity| {
+        of(compared).max_by(|a, b| {
             let (a, b) = (rank(a), rank(b));
             a.0.cmp(&b.0).then(a.1.total_cmp(&b.1))
         })
@@ -54,7 +55,7 @@ pub fn headline(verdicts: &Verdicts, sigma: f64) -> String {
     let open = by(&main, Verdict::CannotTell);
     if !open.is_empty() {
         let names: Vec<String> =
-            open.iter().map(|stretch| format!("{}{}", name(stretch.judged), place(stretch))).collect();
+            open.iter().map(|stretch| format!("{}{}", name(stretch.quantity), place(stretch))).collect();
         let range = common
             .filter(|_| sentence.is_empty())
             .map_or_else(String::new, |range| format!(" {}", between(range)));
@@ -72,7 +73,7 @@ pub fn headline(verdicts: &Verdicts, sigma: f64) -> String {
             );
         }
     }
-    if main.iter().any(|widest| of(widest.judged).count() > 1) {
+    if main.iter().any(|widest| of(widest.quantity).count() > 1) {
         sentence.push_str(" At other loads the verdict differs: see the table.");
     }
     sentence
@@ -110,15 +111,15 @@ fn why_open(open: &[&Stretch], verdicts: &Verdicts) -> String {
 fn within(stretches: &[&Stretch], place: &dyn Fn(&Stretch) -> String, sigma: f64) -> Option<String> {
     let part = |stretch: &&Stretch| {
         let [low, high] = stretch.bounds?;
-        let reported = |contrast: f64| stretch.judged.reported(contrast).abs();
+        let reported = |contrast: f64| stretch.quantity.reported(contrast).abs();
         let outer = if reported(low) > reported(high) { low } else { high };
-        let size = size(stretch.judged, outer, sigma);
+        let size = size(stretch.quantity, outer, sigma);
         let size = match size.strip_suffix(')') {
             Some(open) => format!("{open}; "),
             None => format!("{size} ("),
         };
         let accepted = accepted(stretch, sigma);
-        Some(format!("in {} within {size}accepted: {accepted}){}", name(stretch.judged), place(stretch)))
+        Some(format!("in {} within {size}accepted: {accepted}){}", name(stretch.quantity), place(stretch)))
     };
     let parts: Vec<String> = stretches.iter().filter_map(part).collect();
     (!parts.is_empty()).then(|| format!("agrees with the sum {}", listed(&parts)))
@@ -130,11 +131,11 @@ fn beyond(stretches: &[&Stretch], place: &dyn Fn(&Stretch) -> String, sigma: f64
         let [low, high] = stretch.range?;
         let (near, far) = if low.abs() < high.abs() { (low, high) } else { (high, low) };
         let shares = || {
-            let [near, far] = [near, far].map(|at| percent(stretch.judged.reported(at).abs()));
+            let [near, far] = [near, far].map(|at| percent(stretch.quantity.reported(at).abs()));
             if near == far { far } else { span(&near, &far, " to ") }
         };
         let is_more = far > 0.0;
-        let what = match stretch.judged {
+        let what = match stretch.quantity {
             ComparedQuantity::Separation => format!(
                 "puts the flat {} {}",
                 distances(near, far, sigma),
@@ -174,21 +175,21 @@ fn distances(near: f64, far: f64, sigma: f64) -> String {
 /// The answer over several cases (`what`: thicknesses, laws): for how many of them the models agree wherever that can be
 /// told, for how many they do not at some load, and for how many it cannot be told at any.
 pub fn over_cases(what: &str, all: &[&Verdicts]) -> String {
-    let parts: Vec<String> = ORDER.into_iter().filter_map(|judged| counted(judged, what, all)).collect();
+    let parts: Vec<String> = ORDER.into_iter().filter_map(|compared| counted(compared, what, all)).collect();
     format!("the difference between the models is {}.", parts.join("; "))
 }
 
-fn counted(judged: ComparedQuantity, what: &str, all: &[&Verdicts]) -> Option<String> {
+fn counted(compared: ComparedQuantity, what: &str, all: &[&Verdicts]) -> Option<String> {
     let of = |verdicts: &Verdicts, wanted: Option<Verdict>| {
-        let mut stretches = verdicts.stretches.iter().filter(|stretch| stretch.judged == judged);
+        let mut stretches = verdicts.stretches.iter().filter(|stretch| stretch.quantity == compared);
         stretches.any(|stretch| wanted.is_none_or(|wanted| stretch.verdict == wanted))
     };
     let number = |is_it: &dyn Fn(&Verdicts) -> bool| all.iter().filter(|verdicts| is_it(verdicts)).count();
-    let compared = number(&|verdicts| of(verdicts, None));
+    let told = number(&|verdicts| of(verdicts, None));
     let beyond = number(&|verdicts| of(verdicts, Some(Verdict::Beyond)));
     let within =
         number(&|verdicts| of(verdicts, Some(Verdict::Within)) && !of(verdicts, Some(Verdict::Beyond)));
-    let open = compared - within - beyond;
+    let open = told - within - beyond;
     let parts = [
         (within, "within what is accepted wherever it can be told"),
         (beyond, "beyond it at some load"),
@@ -197,15 +198,12 @@ fn counted(judged: ComparedQuantity, what: &str, all: &[&Verdicts]) -> Option<St
     let parts = parts.into_iter().filter(|(count, _)| *count > 0);
     let parts: Vec<String> = parts
         .map(|(count, word)| {
-            let which = if count == compared {
-                format!("all {compared} {what}")
-            } else {
-                format!("{count} of {compared}")
-            };
+            let which =
+                if count == told { format!("all {told} {what}") } else { format!("{count} of {told}") };
             format!("{word} for {which}")
         })
         .collect();
-    (compared > 0).then(|| format!("in {} {}", name(judged), listed(&parts)))
+    (told > 0).then(|| format!("in {} {}", name(compared), listed(&parts)))
 }
 
 #[cfg(test)]

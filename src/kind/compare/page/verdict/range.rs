@@ -55,7 +55,7 @@ pub fn range_line(verdicts: &Verdicts) -> String {
         .collect();
     let ends = if ends.is_empty() { "all loads of this experiment".to_owned() } else { ends.join("; ") };
     let count = verdicts.differences.len();
-    let judged = match count {
+    let loads_line = match count {
         0 => String::new(),
         1 => " Judged at one load.".to_owned(),
         _ => format!(
@@ -63,7 +63,7 @@ pub fn range_line(verdicts: &Verdicts) -> String {
             loads([verdicts.differences[0].load, verdicts.differences[count - 1].load])
         ),
     };
-    format!("Valid for {}; {ends}.{judged}", listed(&each))
+    format!("Valid for {}; {ends}.{loads_line}", listed(&each))
 }
 
 /// Why the stiffness is not compared, if it is not.

@@ -11,7 +11,7 @@ use crate::kind::compare::findings::Verdicts;
 pub fn stretches(page: &mut Page, verdicts: &Verdicts, sigma: f64) {
     let row = |stretch: &Stretch| {
         vec![
-            name(stretch.judged).to_owned(),
+            name(stretch.quantity).to_owned(),
             loads(stretch.loads),
             largest(stretch),
             format!("±{}", accepted(stretch, sigma)),
@@ -33,7 +33,7 @@ pub fn stretches(page: &mut Page, verdicts: &Verdicts, sigma: f64) {
         "would tell (at half of the loads)",
     ];
     let order = [ComparedQuantity::Area, ComparedQuantity::Separation, ComparedQuantity::Stiffness];
-    let of = |judged| verdicts.stretches.iter().filter(move |stretch| stretch.judged == judged);
+    let of = |compared| verdicts.stretches.iter().filter(move |stretch| stretch.quantity == compared);
     page.table(header, order.into_iter().flat_map(of).map(row));
 }
 
@@ -54,16 +54,16 @@ fn largest(stretch: &Stretch) -> String {
     let interval = estimate.interval().map_or_else(
         || " (no interval)".to_owned(),
         |ends| {
-            let [low, high] = ends.map(|end| signed(stretch.judged, end));
+            let [low, high] = ends.map(|end| signed(stretch.quantity, end));
             format!(" ({low} to {high})")
         },
     );
-    format!("{}{interval} at {}", signed(stretch.judged, estimate.contrast), loads([load; 2]))
+    format!("{}{interval} at {}", signed(stretch.quantity, estimate.contrast), loads([load; 2]))
 }
 
 /// The largest difference without its interval.
 fn at_most(stretch: &Stretch) -> String {
-    let largest = stretch.largest.map(|(_, estimate)| signed(stretch.judged, estimate.contrast));
+    let largest = stretch.largest.map(|(_, estimate)| signed(stretch.quantity, estimate.contrast));
     largest.unwrap_or_else(|| "–".to_owned())
 }
 
@@ -75,8 +75,8 @@ fn valid_loads(verdicts: &Verdicts) -> String {
 
 /// One row per case, named by `what`: a thickness of a layer, or a law.
 pub fn by_case(page: &mut Page, what: &str, all: &[(String, &Verdicts)]) {
-    let cell = |verdicts: &Verdicts, judged: ComparedQuantity| {
-        let of = verdicts.stretches.iter().filter(|stretch| stretch.judged == judged);
+    let cell = |verdicts: &Verdicts, compared: ComparedQuantity| {
+        let of = verdicts.stretches.iter().filter(|stretch| stretch.quantity == compared);
         let each: Vec<String> = of
             .map(|stretch| {
                 let blocked = if verdicts.is_blocked { "blocked: " } else { "" };
@@ -94,7 +94,7 @@ pub fn by_case(page: &mut Page, what: &str, all: &[(String, &Verdicts)]) {
         let mut row = vec![name.clone(), valid_loads(verdicts)];
         row.extend(
             [ComparedQuantity::Area, ComparedQuantity::Separation, ComparedQuantity::Stiffness]
-                .map(|judged| cell(verdicts, judged)),
+                .map(|compared| cell(verdicts, compared)),
         );
         row
     };

@@ -6,8 +6,8 @@ use asperity_framework::report::format::{input_quantity, number, percent, quanti
 use crate::kind::compare::findings::{Basis, Verdicts};
 
 /// A quantity as a table names it.
-pub fn name(judged: ComparedQuantity) -> &'static str {
-    match judged {
+pub fn name(compared: ComparedQuantity) -> &'static str {
+    match compared {
         ComparedQuantity::Separation => "separation",
         ComparedQuantity::Area => "real contact area",
         ComparedQuantity::Stiffness => "stiffness",
@@ -60,19 +60,19 @@ pub fn span(from: &str, to: &str, between: &str) -> String {
 }
 
 /// The magnitude of a contrast: a length with its part of sigma (m), or a share.
-pub fn size(judged: ComparedQuantity, contrast: f64, sigma: f64) -> String {
-    match judged {
+pub fn size(compared: ComparedQuantity, contrast: f64, sigma: f64) -> String {
+    match compared {
         ComparedQuantity::Separation => {
             format!("{} ({} σ)", quantity(contrast.abs() * sigma, "m"), number(contrast.abs()))
         }
-        ComparedQuantity::Area | ComparedQuantity::Stiffness => percent(judged.reported(contrast).abs()),
+        ComparedQuantity::Area | ComparedQuantity::Stiffness => percent(compared.reported(contrast).abs()),
     }
 }
 
 /// A contrast with its sign: "+0.32 σ", "−7.9 %".
-pub fn signed(judged: ComparedQuantity, contrast: f64) -> String {
-    let reported = judged.reported(contrast);
-    let size = match judged {
+pub fn signed(compared: ComparedQuantity, contrast: f64) -> String {
+    let reported = compared.reported(contrast);
+    let size = match compared {
         ComparedQuantity::Separation => format!("{} σ", number(reported.abs())),
         ComparedQuantity::Area | ComparedQuantity::Stiffness => percent(reported.abs()),
     };
@@ -85,7 +85,7 @@ pub fn signed(judged: ComparedQuantity, contrast: f64) -> String {
 
 /// What is accepted: "10 %", or "4.8 nm = 0.1 σ".
 pub fn accepted(stretch: &Stretch, sigma: f64) -> String {
-    match stretch.judged {
+    match stretch.quantity {
         ComparedQuantity::Separation => accepted_separation(stretch.accepted, sigma),
         ComparedQuantity::Area | ComparedQuantity::Stiffness => percent(stretch.accepted),
     }

@@ -55,7 +55,7 @@ fn summary_lines(results: &CoverageResults) -> Vec<String> {
                 "**95 % intervals cover the truth in {} of the windows** where nearly all have one, over {} combinations of case, load and \
                  quantity (standard error of a coverage: at most {}); {verdict}.",
                 percent_range(range),
-                findings.judged.len(),
+                findings.quantity.len(),
                 percent(findings.largest_error()),
             ));
         }
@@ -106,7 +106,7 @@ fn quantity_name(quantity: Quantity) -> &'static str {
     match quantity {
         Quantity::AreaOfSum => "area of the sum",
         Quantity::LoadAtSeparation => "load at equal separation",
-        Quantity::Difference(judged) => judged.name(),
+        Quantity::Difference(quantity) => quantity.name(),
     }
 }
 
