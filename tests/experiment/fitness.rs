@@ -4,14 +4,17 @@
 use std::f64::consts::TAU;
 use std::path::{Path, PathBuf};
 
-use asperity::compare::{ComparedQuantity, Verdict};
+use asperity::MeanRadius;
+use asperity::compare::{ComparedQuantity, Difference, Verdict};
 use asperity::npy;
+use asperity::topography::Level;
 use asperity::topography::fitness::Check;
 use asperity::topography::generate::gaussian;
 use asperity::topography::spectrum::{Lay, Spectrum, SpectrumShape};
+use asperity::topography::summits::Neighbours;
 use asperity_experiment::Experiment;
 use asperity_experiment::kind::compare::results::{CompareResults, SurfaceResults};
-use asperity_experiment::kind::compare::robustness::Choice;
+use asperity_experiment::kind::compare::robustness::{Choice, Treatment};
 use asperity_framework::Outcome;
 use asperity_framework::progress::Silent;
 use rand::{RngExt, SeedableRng};
@@ -230,4 +233,39 @@ fn the_memory_of_a_filter_and_of_other_treatments_is_that_of_a_map() {
     assert!((above("", "filter = { s = \"8 um\" }") - 8.0).abs() < 0.5, "one at a time");
     let long = above("robustness = false", "filter = { l = \"400 um\" }");
     assert!(long > 50.0 && long < 100.0, "{long}");
+}
+
+/// A treatment gives what a spec gives that asks for it; searches for other sets of loads round differently.
+#[test]
+fn treatments_are_those_of_specs() {
+    let folder = tempfile::tempdir().unwrap();
+    let base = good(4.0);
+    write(folder.path(), "good.npy", |i, j| base[i * SIDE + j]);
+    let of = |more: &str, keys: &str| -> CompareResults {
+        crate::downcast(run(folder.path(), more, &[("a", "good.npy", keys)]))
+    };
+    let examined = of("", "");
+    let robustness = examined.surfaces[0].robustness.as_ref().unwrap();
+    let inverse = "statistical = { mean-radius = \"inverse-mean-curvature\" }\nrobustness = false";
+    let off = "robustness = false";
+    for (treatment, results) in [
+        (Treatment::MeanRadius(MeanRadius::InverseMeanCurvature), of(inverse, "")),
+        (Treatment::ShortWaves(Some(4e-6)), of(off, "filter = { s = \"4 um\" }")),
+        (Treatment::Level(Level::Quadratic), of(off, "level = \"quadratic\"")),
+        (Treatment::Summits(Neighbours::Eight), of(off, "neighbours = \"eight\"")),
+    ] {
+        let treated = robustness.treated.iter().find(|one| one.treatment == treatment).unwrap();
+        let own = &examined.surfaces[0].findings.cases[0].verdicts.differences;
+        let asked = &results.surfaces[0].findings.cases[0].verdicts.differences;
+        let contrast = |all: &[Difference], load: f64| {
+            let at = all.iter().find(|at| at.load == load).unwrap();
+            at.estimates[ComparedQuantity::Separation as usize].unwrap().contrast
+        };
+        assert!(treated.differences(0).len() > 3);
+        for at in treated.differences(0) {
+            let found = contrast(treated.differences(0), at.load);
+            assert!((found - contrast(asked, at.load)).abs() < 1e-12, "{treatment}");
+            assert!((found - contrast(own, at.load)).abs() > 1e-6, "{treatment}");
+        }
+    }
 }
