@@ -75,6 +75,7 @@
 
 mod accumulator;
 mod asperity;
+pub mod bem;
 pub mod compare;
 mod contact;
 pub mod contact_law;

@@ -11,9 +11,10 @@ mod state;
 
 use crate::literature::{self, Paper};
 use crate::material::Material;
-use influence::Influence;
-use kernel::Kernel;
 use state::State;
+
+pub(crate) use influence::Influence;
+pub(crate) use kernel::Kernel;
 
 /// The largest contact radius supported, in layer thicknesses.
 pub const LARGEST_RATIO: f64 = 1000.0;

@@ -1,0 +1,69 @@
+//! Sets of points of a map, a bit each.
+
+use rayon::prelude::*;
+
+/// Points of a map, by rows.
+#[derive(Debug, Clone)]
+pub struct Points {
+    /// Words of a row.
+    stride: usize,
+    words: Vec<u64>,
+}
+
+impl Points {
+    /// No point of a map.
+    pub fn none([nx, ny]: [usize; 2]) -> Self {
+        let stride = ny.div_ceil(64);
+        Self { stride, words: vec![0; nx * stride] }
+    }
+
+    /// All points of a map.
+    pub fn all(points: [usize; 2]) -> Self {
+        let mut all = Self::none(points);
+        let (stride, ny) = (all.stride, points[1]);
+        for (k, word) in all.words.iter_mut().enumerate() {
+            let rest = ny - 64 * (k % stride);
+            *word = if rest < 64 { (1 << rest) - 1 } else { u64::MAX };
+        }
+        all
+    }
+
+    /// Bytes for a map.
+    pub fn memory([nx, ny]: [usize; 2]) -> u128 {
+        (nx * ny.div_ceil(64) * size_of::<u64>()) as u128
+    }
+
+    /// The words of row `i`.
+    pub fn row(&self, i: usize) -> &[u64] {
+        &self.words[i * self.stride..][..self.stride]
+    }
+
+    /// The words of each row.
+    pub fn rows(&self) -> rayon::slice::Chunks<'_, u64> {
+        self.words.par_chunks(self.stride)
+    }
+
+    /// The words of each row.
+    pub fn rows_mut(&mut self) -> rayon::slice::ChunksMut<'_, u64> {
+        self.words.par_chunks_mut(self.stride)
+    }
+}
+
+/// The points of a row, in order.
+pub fn members(words: &[u64]) -> impl Iterator<Item = usize> {
+    words.iter().enumerate().flat_map(|(k, &word)| Bits(word).map(move |bit| 64 * k + bit))
+}
+
+struct Bits(u64);
+
+impl Iterator for Bits {
+    type Item = usize;
+
+    fn next(&mut self) -> Option<usize> {
+        (self.0 != 0).then(|| {
+            let bit = self.0.trailing_zeros() as usize;
+            self.0 &= self.0 - 1;
+            bit
+        })
+    }
+}

@@ -1,0 +1,98 @@
+//! Responses of columns of waves: transform along x, product with the response, and back.
+
+use std::sync::Arc;
+
+use asperity_fft::{Complex64, Fft, FftDirection};
+
+use super::row::{permuted, twiddles};
+
+/// The response of a map to each of its waves, and the transforms along x that lead there and back.
+pub struct Columns {
+    /// Points of a column.
+    points: usize,
+    /// Numbers of its transform: its points, or twice as many where nothing repeats.
+    length: usize,
+    twiddles: Option<Vec<Complex64>>,
+    forward: Arc<dyn Fft<f64>>,
+    backward: Arc<dyn Fft<f64>>,
+    /// The response to wave (i, j) at j * stride + i: of a mirrored map for all i and j, else for the first half of the
+    /// waves along both axes, since it is even in both.
+    response: Vec<f64>,
+    stride: usize,
+    /// Points along y of the transform.
+    width: usize,
+}
+
+impl Columns {
+    /// Columns of `points` points, transformed as `length` numbers, of a map of `width` numbers along y.
+    pub fn new(points: usize, length: usize, width: usize, is_mirrored: bool, response: Vec<f64>) -> Self {
+        Self {
+            points,
+            length,
+            twiddles: is_mirrored.then(|| twiddles(points)),
+            forward: asperity_fft::complex(length, FftDirection::Forward),
+            backward: asperity_fft::complex(length, FftDirection::Inverse),
+            response,
+            stride: if is_mirrored { points } else { length / 2 + 1 },
+            width,
+        }
+    }
+
+    /// Numbers of a column's transform.
+    pub fn length(&self) -> usize {
+        self.length
+    }
+
+    /// Scratch numbers that a transform needs.
+    pub fn scratch(&self) -> Vec<Complex64> {
+        let need = self.forward.get_inplace_scratch_len().max(self.backward.get_inplace_scratch_len());
+        vec![Complex64::default(); need]
+    }
+
+    /// The place of point `i` in a column that is transformed.
+    pub fn place(&self, i: usize) -> usize {
+        if self.twiddles.is_some() { permuted(i, self.points) } else { i }
+    }
+
+    /// Replaces column `j` of waves along y by the response to it, times the numbers of the transform.
+    pub fn respond(&self, j: usize, column: &mut [Complex64], scratch: &mut [Complex64]) {
+        // What lies beyond the points carries no pressure.
+        column[self.points..].fill(Complex64::default());
+        self.forward.process_with_scratch(column, scratch);
+        match &self.twiddles {
+            Some(twiddles) => self.multiply_cosines(j, column, twiddles),
+            None => self.multiply_waves(j, column),
+        }
+        self.backward.process_with_scratch(column, scratch);
+    }
+
+    fn response(&self, j: usize) -> &[f64] {
+        &self.response[j * self.stride..][..self.stride]
+    }
+
+    fn multiply_waves(&self, j: usize, column: &mut [Complex64]) {
+        let response = self.response(j);
+        let (first, rest) = column.split_at_mut(self.stride);
+        first.iter_mut().zip(response).for_each(|(wave, r)| *wave *= *r);
+        rest.iter_mut().rev().zip(&response[1..]).for_each(|(wave, r)| *wave *= *r);
+    }
+
+    /// The cosine transform is linear over complex numbers too: the real part of the column is the cosine j along y, the
+    /// imaginary part minus the cosine n - j.
+    fn multiply_cosines(&self, j: usize, column: &mut [Complex64], twiddles: &[Complex64]) {
+        let opposite = if j == 0 { 0 } else { self.width - j };
+        let (real, imaginary) = (self.response(j), self.response(opposite));
+        let product = |k: usize, wave: Complex64| Complex64::new(wave.re * real[k], wave.im * imaginary[k]);
+        column[0] = product(0, column[0]);
+        let n = self.points;
+        let turned = |z: Complex64| Complex64::new(-z.im, z.re);
+        for k in 1..=n / 2 {
+            let w = twiddles[k];
+            let (a, b) = (column[k] * w, column[n - k] * w.conj());
+            let wave = product(k, 0.5 * (a + b));
+            let other = turned(product(n - k, turned(0.5 * (a - b))));
+            column[k] = w.conj() * (wave - other);
+            column[n - k] = w * (wave + other);
+        }
+    }
+}

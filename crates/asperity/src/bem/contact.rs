@@ -1,0 +1,93 @@
+//! A solved contact: pressures, gap and area at one load.
+
+use std::f64::consts::{LN_2, PI};
+
+use rayon::prelude::*;
+
+use super::Boundary;
+use crate::numeric::sum::sum_of;
+
+/// How much a point of the border between contact and gap overestimates the area on average, in pixels (Yastrebov,
+/// Anciaux and Molinari 2017).
+const BORDER: f64 = (PI - 1.0 + LN_2) / 24.0;
+
+/// A pressure this close to the cap counts as at it.
+const AT_CAP: f64 = 1.0 - 1e-12;
+
+/// Pressures and gap at one load.
+#[derive(Debug, Clone)]
+pub struct Contact {
+    pub(super) points: [usize; 2],
+    pub(super) boundary: Boundary,
+    pub(super) cap: f64,
+    pub(super) pressures: Vec<f64>,
+    pub(super) mean_gap: f64,
+    /// Dual gap over mean pressure and standard deviation of the heights: a bound of how far the elastic energy is from
+    /// its minimum.
+    pub error: f64,
+    /// Steps of conjugate gradients on the finest grid.
+    pub steps: usize,
+    /// Convolutions on the finest grid.
+    pub convolutions: usize,
+}
+
+impl Contact {
+    /// Points along x and y.
+    pub fn points(&self) -> [usize; 2] {
+        self.points
+    }
+
+    /// The pressure at each point, Pa, the y index running fastest.
+    pub fn pressures(&self) -> &[f64] {
+        &self.pressures
+    }
+
+    /// The mean pressure, Pa.
+    pub fn pressure(&self) -> f64 {
+        sum_of(self.pressures.len(), |k| self.pressures[k]) / self.pressures.len() as f64
+    }
+
+    /// The mean distance of the surfaces, m, zero at points in contact. On a map that repeats it is also the distance of
+    /// the flat from the mean plane of the undeformed heights, if nothing yields.
+    pub fn mean_gap(&self) -> f64 {
+        self.mean_gap
+    }
+
+    /// Points in contact over all points.
+    pub fn raw_area_ratio(&self) -> f64 {
+        self.ratio(|p| p > 0.0)
+    }
+
+    /// Points at the cap over all points.
+    pub fn capped_area_ratio(&self) -> f64 {
+        self.ratio(|p| p >= AT_CAP * self.cap)
+    }
+
+    /// Contact area over nominal area: the raw ratio, corrected for the points that the border of the contact cuts. No
+    /// correction where the contact has no border, in full contact.
+    pub fn area_ratio(&self) -> f64 {
+        self.raw_area_ratio() - BORDER * self.border() as f64 / self.pressures.len() as f64
+    }
+
+    /// Pairs of neighbours of which one is in contact: sides of pixels that make up the border of the contact.
+    pub fn border(&self) -> usize {
+        let [nx, ny] = self.points;
+        let wraps = self.boundary == Boundary::Periodic;
+        let row = |i: usize| &self.pressures[i * ny..][..ny];
+        let of_row = |i: usize| {
+            let differ = |a: f64, b: f64| usize::from((a > 0.0) != (b > 0.0));
+            let here = row(i);
+            let along: usize = here.windows(2).map(|pair| differ(pair[0], pair[1])).sum();
+            let around = if wraps { differ(here[0], here[ny - 1]) } else { 0 };
+            let next = if i + 1 < nx { Some(i + 1) } else { wraps.then_some(0) };
+            let across = next.map_or(0, |next| here.iter().zip(row(next)).map(|(&a, &b)| differ(a, b)).sum());
+            along + around + across
+        };
+        (0..nx).into_par_iter().map(of_row).sum()
+    }
+
+    fn ratio(&self, is_counted: impl Fn(f64) -> bool) -> f64 {
+        let count = self.pressures.iter().filter(|&&p| is_counted(p)).count();
+        count as f64 / self.pressures.len() as f64
+    }
+}

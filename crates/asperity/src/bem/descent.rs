@@ -1,0 +1,358 @@
+//! Pressures under a load on one grid: conjugate gradients on the points in contact, projected to the admissible
+//! pressures.
+//!
+//! The pressures p minimise p K p/2 - p h subject to 0 <= p <= H and a given sum. Differences from Polonsky and Keer
+//! (1999): the direction is kept when points enter or leave the contact, and made conjugate to the last one; a stencil of
+//! 3 x 3 points approximates the inverse of K; the load is kept by projection, which also serves a cap; and a step after
+//! which no pressure had to be clamped needs one convolution, since the gap then follows from that of the direction.
+
+use rayon::prelude::*;
+
+use super::active::{Points, members};
+use super::convolution::{Buffers, Convolution};
+use super::preconditioner::Stencil;
+use super::projection::project;
+use crate::memory::zeros;
+
+/// Rows of one task.
+const ROWS: usize = 8;
+
+/// A grid of heights with the response to pressures on it.
+pub struct Grid<'a> {
+    pub points: [usize; 2],
+    /// m.
+    pub heights: &'a [f64],
+    /// Their standard deviation, m.
+    pub deviation: f64,
+    pub convolution: &'a Convolution,
+    pub stencil: Stencil,
+    /// Whether a point on the border has its neighbours at the opposite one.
+    pub wraps: bool,
+}
+
+/// What a descent is to reach.
+#[derive(Debug, Clone, Copy)]
+pub struct Target {
+    /// Mean pressure, Pa.
+    pub pressure: f64,
+    /// The highest pressure of a point, Pa; infinite where nothing yields.
+    pub cap: f64,
+    /// Dual gap relative to the mean pressure times the standard deviation of the heights.
+    pub error: f64,
+    /// Steps after which it is given up.
+    pub steps: usize,
+}
+
+/// Where a descent ended.
+#[derive(Debug, Clone)]
+pub struct Descent {
+    /// Pa.
+    pub pressures: Vec<f64>,
+    /// Displacement less height, m.
+    pub gaps: Vec<f64>,
+    /// The gap at points in contact, m.
+    pub level: f64,
+    pub error: f64,
+    pub steps: usize,
+    pub convolutions: usize,
+}
+
+/// Sums over the points of one row, added in the order of the rows.
+#[derive(Clone, Copy)]
+struct Sums<const N: usize>([f64; N]);
+
+fn total<const N: usize>(rows: &[Sums<N>]) -> [f64; N] {
+    rows.iter().fold([0.0; N], |mut total, row| {
+        total.iter_mut().zip(row.0).for_each(|(total, value)| *total += value);
+        total
+    })
+}
+
+/// The state of a descent.
+struct State<'a> {
+    grid: &'a Grid<'a>,
+    target: Target,
+    pressures: Vec<f64>,
+    gaps: Vec<f64>,
+    direction: Vec<f64>,
+    /// Displacements under the direction.
+    response: Vec<f64>,
+    buffers: Buffers,
+    /// Points whose pressure may change.
+    active: Points,
+    /// The gap at points in contact.
+    level: f64,
+    /// Step along the direction.
+    step: f64,
+    /// direction . response of the last step; 0 before the first.
+    curvature: f64,
+    convolutions: usize,
+}
+
+/// What a look at all points finds.
+struct Contact {
+    error: f64,
+    /// Active points.
+    count: f64,
+    /// Mean gap of active points.
+    mean_gap: f64,
+    /// Load of points that stay at the cap.
+    fixed_load: f64,
+}
+
+impl Grid<'_> {
+    /// Minimises from the pressures `start`, which need not have the load of `target`. `watch` sees the error of each step.
+    /// Gives up after the steps of `target`: the error then exceeds that asked for.
+    pub fn descend(&self, start: Vec<f64>, target: Target, watch: &dyn Fn(f64)) -> Descent {
+        let count = self.points[0] * self.points[1];
+        let mut state = State {
+            grid: self,
+            target,
+            pressures: start,
+            gaps: zeros(count),
+            direction: zeros(count),
+            response: zeros(count),
+            buffers: self.convolution.buffers(),
+            active: Points::all(self.points),
+            level: 0.0,
+            step: 0.0,
+            curvature: 0.0,
+            convolutions: 0,
+        };
+        state.keep_load(0.0);
+        let (mut steps, mut is_known) = (0, false);
+        loop {
+            if !is_known {
+                state.find_gaps();
+            }
+            let contact = state.find_contact(is_known);
+            watch(contact.error);
+            let is_reached = contact.error <= target.error;
+            if is_reached && is_known {
+                // Once more, from the pressures themselves.
+                state.keep_load(contact.fixed_load);
+                is_known = false;
+                continue;
+            }
+            if is_reached || steps >= target.steps || !contact.error.is_finite() {
+                let State { pressures, gaps, level, convolutions, .. } = state;
+                return Descent { pressures, gaps, level, error: contact.error, steps, convolutions };
+            }
+            state.turn(&contact);
+            let was_clamped = state.advance(&contact);
+            if was_clamped {
+                state.keep_load(contact.fixed_load);
+            }
+            is_known = !was_clamped;
+            steps += 1;
+        }
+    }
+}
+
+impl State<'_> {
+    fn width(&self) -> usize {
+        self.grid.points[1]
+    }
+
+    fn load(&self) -> f64 {
+        self.target.pressure * (self.grid.points[0] * self.grid.points[1]) as f64
+    }
+
+    /// Projects the active pressures so that they carry the load, less what fixed points do.
+    fn keep_load(&mut self, fixed: f64) {
+        let (width, load) = (self.width(), self.load());
+        project(&mut self.pressures, width, &self.active, load - fixed, self.target.cap);
+    }
+
+    /// The gaps under the pressures, and their mean over points that carry pressure below the cap.
+    fn find_gaps(&mut self) {
+        let (ny, cap) = (self.width(), self.target.cap);
+        let (pressures, heights) = (&self.pressures, self.grid.heights);
+        let rows = self.grid.convolution.apply(
+            |i, row| row.copy_from_slice(&pressures[i * ny..][..ny]),
+            &mut self.gaps,
+            &mut self.buffers,
+            |i, gaps| {
+                let (heights, pressures) = (&heights[i * ny..][..ny], &pressures[i * ny..][..ny]);
+                let mut sums = [0.0; 4];
+                for ((gap, height), &p) in gaps.iter_mut().zip(heights).zip(pressures) {
+                    *gap -= height;
+                    if p > 0.0 {
+                        let k = if p < cap { 0 } else { 2 };
+                        sums[k] += *gap;
+                        sums[k + 1] += 1.0;
+                    }
+                }
+                Sums(sums)
+            },
+        );
+        self.convolutions += 1;
+        let [free, free_count, capped, capped_count] = total(&rows);
+        self.level = if free_count > 0.0 { free / free_count } else { capped / capped_count };
+        self.step = 0.0;
+    }
+
+    /// Moves the gaps along the last step, finds the points that are active and forgets the direction of those that are
+    /// not.
+    fn find_contact(&mut self, is_known: bool) -> Contact {
+        let (ny, cap, level) = (self.width(), self.target.cap, self.level);
+        let step = if is_known { self.step } else { 0.0 };
+        let rows: Vec<(Sums<7>, f64)> = self
+            .gaps
+            .par_chunks_mut(ny)
+            .zip(self.response.par_chunks(ny))
+            .zip(self.pressures.par_chunks(ny))
+            .zip(self.direction.par_chunks_mut(ny))
+            .zip(self.active.rows_mut())
+            .with_min_len(ROWS)
+            .map(|((((gaps, response), pressures), direction), words)| {
+                if step != 0.0 {
+                    gaps.iter_mut().zip(response).for_each(|(gap, r)| *gap -= step * r);
+                }
+                let (mut sums, mut lowest) = ([0.0; 7], f64::INFINITY);
+                let points = gaps.chunks(64).zip(pressures.chunks(64));
+                for ((k, (gaps, pressures)), word) in points.enumerate().zip(words) {
+                    lowest = gaps.iter().fold(lowest, |lowest, &gap| if gap < lowest { gap } else { lowest });
+                    let touches = |(&gap, &p): (&f64, &f64)| (p > 0.0) | (gap < level);
+                    let mut now = 0;
+                    if gaps.iter().zip(pressures).fold(false, |any, point| any | touches(point)) {
+                        for (bit, (&gap, &p)) in gaps.iter().zip(pressures).enumerate() {
+                            let above = gap - level;
+                            if p <= 0.0 && above >= 0.0 {
+                                continue;
+                            }
+                            // Load, load times gap; the dual gap under a cap.
+                            sums[0] += p;
+                            sums[1] += p * above;
+                            sums[2] += if above > 0.0 { p * above } else { (cap - p) * -above };
+                            if p >= cap && above <= 0.0 {
+                                sums[3] += p;
+                            } else {
+                                now |= 1 << bit;
+                                sums[4] += 1.0;
+                                sums[5] += gap;
+                            }
+                        }
+                    }
+                    for j in members(&[*word & !now]) {
+                        direction[64 * k + j] = 0.0;
+                    }
+                    *word = now;
+                }
+                (Sums(sums), lowest)
+            })
+            .collect();
+        let lowest = rows.iter().fold(f64::INFINITY, |lowest, row| lowest.min(row.1));
+        let sums: Vec<Sums<7>> = rows.iter().map(|row| row.0).collect();
+        let [load, energy, bounded, fixed_load, count, gaps, _] = total(&sums);
+        // Both bound the distance from the minimum; without a cap the second is infinite, or not a number.
+        let dual_gap = (energy - (lowest - level) * load).min(bounded);
+        Contact { error: dual_gap / (load * self.grid.deviation), count, mean_gap: gaps / count, fixed_load }
+    }
+
+    /// The next direction: the preconditioned residual, made conjugate to the last direction.
+    fn turn(&mut self, contact: &Contact) {
+        let ny = self.width();
+        let nx = self.grid.points[0];
+        let &Contact { count, mean_gap, .. } = contact;
+        let (grid, gaps, active) = (self.grid, &self.gaps, &self.active);
+        let (response, direction) = (&self.response, &self.direction);
+        let Stencil { x, y, corner } = grid.stencil;
+        // Active points alone have a residual.
+        let residual = |words: &[u64], i: usize, j: usize| {
+            if words[j / 64] >> (j % 64) & 1 == 1 { gaps[i * ny + j] - mean_gap } else { 0.0 }
+        };
+        let edge = |beyond: usize, opposite: usize| if grid.wraps { opposite } else { beyond };
+        let z = &mut self.buffers.columns[..nx * ny];
+        let rows: Vec<Sums<4>> = z
+            .par_chunks_mut(ny)
+            .zip(direction.par_chunks(ny))
+            .zip(response.par_chunks(ny))
+            .enumerate()
+            .with_min_len(ROWS)
+            .map(|(i, ((z, direction), response))| {
+                let up = if i == 0 { edge(0, nx - 1) } else { i - 1 };
+                let down = if i + 1 == nx { edge(i, 0) } else { i + 1 };
+                let [above, here, below] = [up, i, down].map(|i| active.row(i));
+                let mut sums = [0.0; 4];
+                for j in members(here) {
+                    let left = if j == 0 { edge(0, ny - 1) } else { j - 1 };
+                    let right = if j + 1 == ny { edge(j, 0) } else { j + 1 };
+                    let beside = residual(here, i, left) + residual(here, i, right);
+                    let over = residual(above, up, j) + residual(below, down, j);
+                    let corners = residual(above, up, left)
+                        + residual(above, up, right)
+                        + residual(below, down, left)
+                        + residual(below, down, right);
+                    let value = residual(here, i, j) + x * over + y * beside + corner * corners;
+                    z[j] = value;
+                    sums[0] += value;
+                    sums[1] += value * response[j];
+                    sums[2] += response[j];
+                    sums[3] += direction[j];
+                }
+                Sums(sums)
+            })
+            .collect();
+        let [z_sum, z_response, response_sum, direction_sum] = total(&rows);
+        let (z_mean, direction_mean) = (z_sum / count, direction_sum / count);
+        let beta = if self.curvature > 0.0 {
+            ((z_mean * response_sum - z_response) / self.curvature).max(0.0)
+        } else {
+            0.0
+        };
+        let z = &*z;
+        self.direction
+            .par_chunks_mut(ny)
+            .zip(z.par_chunks(ny))
+            .zip(active.rows())
+            .with_min_len(ROWS)
+            .for_each(|((direction, z), words)| {
+                for j in members(words) {
+                    direction[j] = z[j] - z_mean + beta * (direction[j] - direction_mean);
+                }
+            });
+    }
+
+    /// Goes to the minimum along the direction; whether a pressure left its bounds there.
+    fn advance(&mut self, contact: &Contact) -> bool {
+        let (ny, cap) = (self.width(), self.target.cap);
+        let &Contact { count, mean_gap, .. } = contact;
+        let (gaps, direction, active) = (&self.gaps, &self.direction, &self.active);
+        let rows = self.grid.convolution.apply(
+            |i, row| members(active.row(i)).for_each(|j| row[j] = direction[i * ny + j]),
+            &mut self.response,
+            &mut self.buffers,
+            |i, response| {
+                let (gaps, direction) = (&gaps[i * ny..][..ny], &direction[i * ny..][..ny]);
+                let mut sums = [0.0; 3];
+                for j in members(active.row(i)) {
+                    sums[0] += (gaps[j] - mean_gap) * direction[j];
+                    sums[1] += response[j] * direction[j];
+                    sums[2] += response[j];
+                }
+                Sums(sums)
+            },
+        );
+        self.convolutions += 1;
+        let [slope, curvature, response] = total(&rows);
+        self.curvature = curvature;
+        self.step = slope / curvature;
+        self.level = mean_gap - self.step * response / count;
+        let step = self.step;
+        let clamped: Vec<bool> = self
+            .pressures
+            .par_chunks_mut(ny)
+            .zip(direction.par_chunks(ny))
+            .zip(active.rows())
+            .with_min_len(ROWS)
+            .map(|((pressures, direction), words)| {
+                members(words).fold(false, |clamped, j| {
+                    pressures[j] -= step * direction[j];
+                    clamped | (pressures[j] < 0.0) | (pressures[j] > cap)
+                })
+            })
+            .collect();
+        clamped.into_iter().any(|clamped| clamped)
+    }
+}

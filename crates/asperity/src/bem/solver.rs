@@ -1,0 +1,270 @@
+//! The contact of a height map with a flat, load by load.
+
+use std::borrow::Cow;
+use std::cell::Cell;
+
+use super::active::Points;
+use super::compliance::ElasticPair;
+use super::contact::Contact;
+use super::convolution::Convolution;
+use super::descent::{Descent, Grid, Target};
+use super::levels::{coarser, coarser_points, finer};
+use super::missing::filled;
+use super::preconditioner::Stencil;
+use super::{Boundary, Options, SolverError};
+use crate::numeric::is_positive;
+use crate::numeric::sum::sum_of;
+use crate::progress::Progress;
+use crate::topography::HeightMap;
+
+/// Points along the shorter side of a map that is solved without a coarser one.
+const COARSEST: usize = 48;
+
+/// Error at which the solution on a coarser grid ends.
+const COARSE_ERROR: f64 = 1e-3;
+
+/// Steps after which a load is given up.
+const STEPS: usize = 2000;
+
+/// Part of the progress of a load on coarser grids.
+const COARSE_PROGRESS: f64 = 0.3;
+
+/// The largest part of missing points that are interpolated.
+pub const MOST_MISSING: f64 = 0.01;
+
+/// Loads at which a given mean gap is searched for.
+const SEARCHES: usize = 60;
+
+/// The load at which that search begins, over E*.
+const FIRST_LOAD: f64 = 1e-3;
+
+/// Ratio of loads until that of a given mean gap lies between two of them.
+const BRACKET: f64 = 8.0;
+
+/// The contact of one height map with a flat body, at any number of loads.
+pub struct Solver<'a> {
+    /// The map, then every second point of it, and so on.
+    levels: Vec<Level<'a>>,
+    boundary: Boundary,
+    error: f64,
+    cap: f64,
+    interpolated: usize,
+    reduced_modulus: f64,
+}
+
+struct Level<'a> {
+    points: [usize; 2],
+    heights: Cow<'a, [f64]>,
+    /// Mean and standard deviation, m.
+    moments: [f64; 2],
+    convolution: Convolution,
+    stencil: Stencil,
+}
+
+impl<'a> Level<'a> {
+    fn new(
+        heights: Cow<'a, [f64]>,
+        points: [usize; 2],
+        pixel: [f64; 2],
+        pair: &ElasticPair,
+        boundary: Boundary,
+    ) -> Self {
+        Self {
+            points,
+            moments: moments(&heights),
+            heights,
+            convolution: Convolution::new(points, pixel, pair, boundary),
+            stencil: Stencil::new(pixel, pair),
+        }
+    }
+}
+
+/// Mean and standard deviation.
+fn moments(heights: &[f64]) -> [f64; 2] {
+    let count = heights.len() as f64;
+    let mean = heights.iter().sum::<f64>() / count;
+    [mean, (heights.iter().map(|z| (z - mean) * (z - mean)).sum::<f64>() / count).sqrt()]
+}
+
+impl<'a> Solver<'a> {
+    /// A solver for `map` under `pair`. Missing points are interpolated, for the solver alone.
+    ///
+    /// # Errors
+    /// More than 1 % of the points missing; equal heights; a cap under a layer; options out of range.
+    pub fn new(map: &'a HeightMap, pair: &ElasticPair, options: &Options) -> Result<Self, SolverError> {
+        let Options { boundary, error, cap } = *options;
+        if !(Options::ERRORS.contains(&error)) {
+            return Err(SolverError::Error(error));
+        }
+        if let Some(cap) = cap {
+            if !is_positive(cap) {
+                return Err(SolverError::Cap(cap));
+            }
+            if pair.is_layered() {
+                return Err(SolverError::CapUnderLayer);
+            }
+        }
+        let (heights, points) = (map.heights(), map.points());
+        let interpolated = heights.iter().filter(|z| z.is_nan()).count();
+        if interpolated as f64 > MOST_MISSING * heights.len() as f64 {
+            return Err(SolverError::Missing { missing: interpolated, points: heights.len() });
+        }
+        let heights = if interpolated > 0 { filled(heights, points).into() } else { Cow::Borrowed(heights) };
+        let mut pixel = map.pixel();
+        let mut levels = vec![Level::new(heights, points, pixel, pair, boundary)];
+        let [_, deviation] = levels[0].moments;
+        if deviation.partial_cmp(&0.0) != Some(std::cmp::Ordering::Greater) {
+            return Err(SolverError::Flat);
+        }
+        while let Some(finest) = levels.last().filter(|level| level.points.iter().all(|&n| n >= 2 * COARSEST))
+        {
+            pixel = pixel.map(|side| 2.0 * side);
+            let heights = coarser(&finest.heights, finest.points);
+            let points = coarser_points(finest.points);
+            levels.push(Level::new(heights.into(), points, pixel, pair, boundary));
+        }
+        let reduced_modulus = pair.reduced_modulus();
+        Ok(Self { levels, boundary, error, cap: cap.unwrap_or(f64::INFINITY), interpolated, reduced_modulus })
+    }
+
+    /// Missing points that were interpolated.
+    pub fn interpolated(&self) -> usize {
+        self.interpolated
+    }
+
+    /// The contact under a mean pressure (Pa) on the nominal area: one unit of progress.
+    ///
+    /// # Errors
+    /// A pressure that is not positive, or not below the cap; no convergence.
+    pub fn at_pressure(&self, pressure: f64, progress: &dyn Progress) -> Result<Contact, SolverError> {
+        if !is_positive(pressure) || pressure >= self.cap {
+            return Err(SolverError::Pressure { pressure, cap: self.cap });
+        }
+        let coarsest = self.levels.last().map_or([0, 0], |level| level.points);
+        let mut start = vec![pressure; coarsest[0] * coarsest[1]];
+        for (depth, level) in self.levels.iter().enumerate().rev() {
+            let is_finest = depth == 0;
+            let error = if is_finest { self.error } else { self.error.max(COARSE_ERROR) };
+            let target = Target { pressure, cap: self.cap, error, steps: STEPS };
+            let of_level = if is_finest { 1.0 - COARSE_PROGRESS } else { 0.0 };
+            let descent = level.descend(start, target, self.boundary, of_level, progress);
+            if is_finest {
+                return self.contact(pressure, descent);
+            }
+            start = finer(&descent.pressures, self.levels[depth - 1].points, self.boundary.wraps());
+            progress.advance(COARSE_PROGRESS / (self.levels.len() - 1) as f64);
+        }
+        Err(SolverError::Flat)
+    }
+
+    fn contact(&self, pressure: f64, descent: Descent) -> Result<Contact, SolverError> {
+        let Descent { pressures, gaps, level, error, steps, convolutions } = descent;
+        if error > self.error || !error.is_finite() {
+            return Err(SolverError::NotConverged { pressure, error, steps, wanted: self.error });
+        }
+        let open = |k: usize| if pressures[k] > 0.0 { 0.0 } else { (gaps[k] - level).max(0.0) };
+        let mean_gap = sum_of(gaps.len(), open) / gaps.len() as f64;
+        Ok(Contact {
+            points: self.levels[0].points,
+            boundary: self.boundary,
+            cap: self.cap,
+            mean_gap,
+            pressures,
+            error,
+            steps,
+            convolutions,
+        })
+    }
+
+    /// The contact at a mean gap (m) that is positive and below that of a single point in contact, by a search over
+    /// the pressure: some ten loads. One unit of progress for each of them.
+    ///
+    /// # Errors
+    /// No convergence at one of the loads, or no load with this gap.
+    pub fn at_mean_gap(&self, gap: f64, progress: &dyn Progress) -> Result<Contact, SolverError> {
+        let unreachable = || SolverError::Gap(gap);
+        if !is_positive(gap) {
+            return Err(unreachable());
+        }
+        let [_, deviation] = self.levels[0].moments;
+        let tolerance = self.error * deviation;
+        // Ends of the bracket: ln(pressure), and how far the gap there exceeds the one that is looked for.
+        let mut ends: [Option<[f64; 2]>; 2] = [None; 2];
+        let mut log = (FIRST_LOAD * self.reduced_modulus).min(0.5 * self.cap).ln();
+        for _ in 0..SEARCHES {
+            let contact = self.at_pressure(log.exp(), progress).map_err(|error| match error {
+                SolverError::Pressure { .. } => unreachable(),
+                other => other,
+            })?;
+            let excess = contact.mean_gap - gap;
+            if excess.abs() <= tolerance {
+                return Ok(contact);
+            }
+            let side = usize::from(excess < 0.0);
+            let has_repeated = ends[side].is_some();
+            ends[side] = Some([log, excess]);
+            log = match &mut ends {
+                [Some(low), Some(high)] => {
+                    // The Illinois rule: an end that stays counts half.
+                    let other = if side == 0 { &mut *high } else { &mut *low };
+                    if has_repeated {
+                        other[1] *= 0.5;
+                    }
+                    low[0] + (high[0] - low[0]) * low[1] / (low[1] - high[1])
+                }
+                [Some(_), None] => (log + BRACKET.ln()).min(0.5 * (log + self.cap.ln())),
+                _ => log - BRACKET.ln(),
+            };
+        }
+        Err(unreachable())
+    }
+
+    /// Bytes that a solver for a map of `points` needs beside the map.
+    pub fn memory(points: [usize; 2], boundary: Boundary) -> u128 {
+        let count = (points[0] * points[1]) as u128;
+        // Pressures, gaps, direction, its response and the transform; of a finite map, which is transformed as four, the
+        // waves by rows and columns.
+        let (arrays, response): (u128, u128) = match boundary {
+            Boundary::Periodic => (20, 1),
+            Boundary::Mirrored => (20, 4),
+            Boundary::Finite => (32, 4),
+        };
+        // Heights and responses of the coarser grids make a third; everything in quarters of an array.
+        8 * count * (arrays + response + (4 + response).div_ceil(3)) / 4 + Points::memory(points)
+    }
+}
+
+impl Level<'_> {
+    /// The pressures of this grid, from `start`. `share` is the progress of a whole descent.
+    fn descend(
+        &self,
+        start: Vec<f64>,
+        target: Target,
+        boundary: Boundary,
+        share: f64,
+        progress: &dyn Progress,
+    ) -> Descent {
+        let grid = Grid {
+            points: self.points,
+            heights: &self.heights,
+            deviation: self.moments[1],
+            convolution: &self.convolution,
+            stencil: self.stencil,
+            wraps: boundary.wraps(),
+        };
+        // Errors fall about as a power of the steps.
+        let (first, done) = (Cell::new(f64::NAN), Cell::new(0.0));
+        let descent = grid.descend(start, target, &|error| {
+            if first.get().is_nan() {
+                first.set(error);
+            }
+            let now = ((first.get() / error).ln() / (first.get() / target.error).ln()).clamp(0.0, 1.0);
+            if now > done.get() {
+                progress.advance(share * (now - done.get()));
+                done.set(now);
+            }
+        });
+        progress.advance(share * (1.0 - done.get()));
+        descent
+    }
+}
