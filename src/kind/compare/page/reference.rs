@@ -8,7 +8,7 @@ use asperity_plot::{Axis, Colour, ColourMap, Layer, Marker, Plot, Raster};
 
 use super::names::under;
 use crate::kind::compare::answers::CaseResults;
-use crate::kind::compare::reference::{ContactView, Part, boundary_name};
+use crate::kind::compare::reference::{ContactView, Part};
 use crate::kind::compare::results::{CompareResults, ReferenceMetadata, SurfaceResults};
 use crate::surface::section::length_unit;
 
@@ -53,7 +53,7 @@ fn method(metadata: &ReferenceMetadata, found: &SurfaceResults, curve: &Referenc
          has a relative dual gap of at most {:e}. The separation is the mean gap, zero at points in contact, less the height of the plane \
          that the models measure from above the mean plane; the area is corrected for the perimeter of the contacts. Error of \
          discretisation, steps and convolutions: `reference.csv`.{}",
-        boundary_name(curve.boundary),
+        curve.boundary.name(),
         metadata.error,
         if is_single { "" } else { " Shown: the first realisation." },
     )

@@ -4,7 +4,7 @@ use std::fmt;
 use std::ops::Range;
 use std::time::Duration;
 
-use asperity::bem::{Boundary, Solver};
+use asperity::bem::{Boundary, Options, Solver};
 use asperity::compare::Control;
 use asperity::law::Property;
 use asperity::{Flat, Material, softer_hardness};
@@ -13,7 +13,7 @@ use asperity_framework::input::{InputError, SpecFile, Whole};
 use asperity_framework::report::format::{listed, number};
 use toml::Spanned;
 
-use super::spec::{BoundarySpec, CapSpec, ReferenceSpec};
+use super::spec::{CapSpec, ReferenceSpec};
 use crate::kind::compare::spec::CompareSpec;
 use crate::layer::thickness_words;
 use crate::surface::SurfacePlan;
@@ -46,8 +46,6 @@ pub struct ReferencePlan {
 /// One contact of the reference; laws of the same largest pressure share it.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Solution {
-    /// The flat.
-    pub flat: Flat,
     /// Thickness of the layer, m; `None` without a layer in the spec.
     pub thickness: Option<f64>,
     /// The largest pressure, Pa; `None` for an elastic contact.
@@ -88,15 +86,6 @@ impl fmt::Display for ElasticCase {
             ElasticReason::NoHardness => ": the reference is elastic, since neither body has a hardness",
             ElasticReason::Asked => ": the reference is elastic, as the spec asks (cap = \"none\")",
         })
-    }
-}
-
-/// The name of a boundary in specs and reports.
-pub const fn boundary_name(boundary: Boundary) -> &'static str {
-    match boundary {
-        Boundary::Periodic => "periodic",
-        Boundary::Mirrored => "mirrored",
-        Boundary::Finite => "finite",
     }
 }
 
@@ -150,7 +139,7 @@ impl ReferencePlan {
                 f,
                 "  reference on {}: boundary elements, {nx} x {ny} points, {}, dual gap {:e}, {} loads; about {} s on 2 cores, {:.0} MB",
                 surface.name,
-                boundary_name(self.boundary(surface)),
+                self.boundary(surface).name(),
                 self.error,
                 self.solves() * surface.realisations,
                 number(self.time(surface).as_secs_f64()),
@@ -167,8 +156,6 @@ const LOADS: u64 = 9;
 const ERROR: f64 = 1e-6;
 /// The most loads of a sweep.
 const MOST_LOADS: u64 = 1000;
-/// Relative dual gaps that mean anything: above rounding, below the discretisation error.
-const ERRORS: [f64; 2] = [1e-13, 1e-2];
 
 /// What the reference is resolved with.
 pub struct Resolved<'a> {
@@ -218,8 +205,9 @@ pub fn reference(
     let error = match &spec.error {
         None => ERROR,
         Some(given) => {
-            let (value, [least, most]) = (given.get_ref().value(), ERRORS);
-            if !(least..=most).contains(&value) {
+            let (value, least, most) =
+                (given.get_ref().value(), Options::ERRORS.start(), Options::ERRORS.end());
+            if !Options::ERRORS.contains(&value) {
                 return refuse(given.span(), format!("found {value:e}; allowed: {least:e} to {most:e}"));
             }
             value
@@ -232,11 +220,7 @@ pub fn reference(
     let mut plan = ReferencePlan {
         loads,
         error,
-        boundary: spec.boundary.map(|boundary| match boundary {
-            BoundarySpec::Periodic => Boundary::Periodic,
-            BoundarySpec::Mirrored => Boundary::Mirrored,
-            BoundarySpec::Finite => Boundary::Finite,
-        }),
+        boundary: spec.boundary,
         refine,
         prescribed: Vec::new(),
         separations: raw.separation.as_ref().map_or(0, |sweep| sweep.0.len()),
@@ -295,7 +279,7 @@ impl ReferencePlan {
         if let Some(reason) = reason.filter(|_| yields) {
             self.elastic.push(ElasticCase { law: law.label.clone(), thickness, reason });
         }
-        Solution { flat: flat.clone(), thickness, cap }
+        Solution { thickness, cap }
     }
 }
 

@@ -9,7 +9,6 @@ use asperity::compare::{Control, Kind, ReferenceCurve, ReferencePoint, stiffness
 use asperity_framework::RunContext;
 use asperity_framework::input::InputError;
 use asperity_framework::metadata::Timing;
-use asperity_framework::progress::Silent;
 
 use super::plan::{ReferencePlan, Solution, spread_over};
 use super::view::{ContactView, Sum};
@@ -92,9 +91,11 @@ impl ReferenceRun<'_> {
             context.source.error_at(self.reference.key.clone(), message)
         };
         let boundary = self.reference.boundary(self.plan);
-        let pair = ElasticPair::new(&self.compare.pair[0], &solution.flat);
+        let [rough, flat] = &self.compare.pair;
+        let layer = self.compare.layer.as_ref().map(|layer| &layer.material).zip(solution.thickness);
+        let pair = ElasticPair::new(rough, flat, layer);
         let options = Options { boundary, error: self.reference.error, cap: solution.cap };
-        let mut solver = Solver::new(&self.prepared.map, &pair, &options).map_err(|error| refuse(&error))?;
+        let solver = Solver::new(&self.prepared.map, &pair, &options).map_err(|error| refuse(&error))?;
         let mut solved = Solved { interpolated: solver.interpolated(), ..Solved::default() };
         let mut view: Option<ContactView> = None;
         for &pressure in pressures {
@@ -103,13 +104,12 @@ impl ReferenceRun<'_> {
                 context.progress.advance(1.0);
                 continue;
             }
-            let contact = solver.at_pressure(pressure, &Silent).map_err(|error| refuse(&error))?;
+            let contact = solver.at_pressure(pressure, context.progress).map_err(|error| refuse(&error))?;
             solved.points.insert(pressure.to_bits(), point(pressure, &contact, self.surface, boundary));
             let is_nearer = |view: &ContactView| ContactView::distance(&contact) < view.distance;
             if self.is_viewed && view.as_ref().is_none_or(is_nearer) {
                 view = Some(ContactView::new(self, solution, pressure, &contact, sum_at(pressure)));
             }
-            context.progress.advance(1.0);
         }
         solved.set_stiffnesses();
         Ok((solved, view))

@@ -3,6 +3,7 @@
 use serde::Deserialize;
 use toml::Spanned;
 
+use asperity::bem::Boundary;
 use asperity_framework::input::Whole;
 use asperity_framework::input::quantity::{Pure, Quantity};
 
@@ -20,7 +21,7 @@ pub struct ReferenceSpec {
     /// The largest pressure.
     pub cap: Option<Spanned<CapSpec>>,
     /// What lies beyond the edge of the map.
-    pub boundary: Option<BoundarySpec>,
+    pub boundary: Option<Boundary>,
     /// Points along an axis for each of the map's.
     pub refine: Option<Spanned<Whole>>,
 }
@@ -33,16 +34,4 @@ pub enum CapSpec {
     Hardness,
     /// Elastic contacts.
     None,
-}
-
-/// What lies beyond the edge of the map.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize)]
-#[serde(rename_all = "kebab-case")]
-pub enum BoundarySpec {
-    /// The map again.
-    Periodic,
-    /// Its mirror image.
-    Mirrored,
-    /// Nothing: a patch on a half-space.
-    Finite,
 }

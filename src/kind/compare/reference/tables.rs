@@ -4,7 +4,6 @@ use asperity::compare::ReferencePoint;
 use asperity_framework::columns;
 use asperity_framework::report::table::{Column, Row};
 
-use super::plan::boundary_name;
 use crate::kind::compare::results::CompareResults;
 use crate::kind::compare::tables::{Case, cases};
 
@@ -51,7 +50,7 @@ pub(crate) fn rows(results: &CompareResults) -> impl Iterator<Item = ReferenceRo
             let case = case.clone();
             curve.points.iter().map(move |&point| ReferenceRow {
                 case: case.clone(),
-                boundary: boundary_name(curve.boundary),
+                boundary: curve.boundary.name(),
                 cap: curve.cap,
                 interpolated: curve.interpolated,
                 offset: point.separation.map(|d| point.mean_gap - d),

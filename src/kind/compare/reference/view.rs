@@ -98,15 +98,15 @@ impl ContactView {
         contact: &Contact,
         sum: Option<Sum>,
     ) -> Self {
-        let (pressures, refine) = (contact.pressures(), on.reference.refine);
-        let grid = on.prepared.map.points().map(|count| count * refine);
+        let (pressures, grid) = (contact.pressures(), contact.points());
+        let refine = grid[0] / on.prepared.map.points()[0];
         let pixel = on.prepared.map.pixel().map(|size| size / refine as f64);
         let touching = pressures.iter().filter(|&&p| p > 0.0);
         let (count, total) = touching.fold((0_usize, 0.0), |(count, total), p| (count + 1, total + p));
         let mean_pressure = if count > 0 { total / count as f64 } else { 0.0 };
         let (bin, density) = distribution(pressures, mean_pressure, count);
         let part = Part::of(pressures, grid, pixel);
-        let sum = sum.map(|sum| SummitsInContact::new(on, &sum, pressures, grid, &part));
+        let sum = sum.map(|sum| SummitsInContact::new(on, &sum, contact, refine, &part));
         Self {
             thickness: solution.thickness,
             cap: solution.cap,
@@ -173,8 +173,8 @@ impl Part {
 }
 
 impl SummitsInContact {
-    fn new(on: &ReferenceRun, sum: &Sum, pressures: &[f64], grid: [usize; 2], part: &Part) -> Self {
-        let refine = on.reference.refine;
+    fn new(on: &ReferenceRun, sum: &Sum, contact: &Contact, refine: usize, part: &Part) -> Self {
+        let (pressures, grid) = (contact.pressures(), contact.points());
         let flat = on.surface.plane.mean + sum.separation;
         let (columns, pixel) = (on.prepared.map.points()[1], on.prepared.map.pixel());
         // At or beside a point of the map: as many points of the grid as one of the map has.
