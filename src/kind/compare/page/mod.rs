@@ -56,6 +56,7 @@ pub fn page(results: &CompareResults) -> Page {
         page.bullets(results.surfaces.iter().flat_map(|found| headlines(results, found)));
     } else {
         page.bullets(layered.iter().filter_map(layer::Series::headline));
+        page.bullets(reference::alone(results));
     }
     decreasing::bullets(&mut page, results);
     if let Some(found) = &results.readings {
@@ -137,7 +138,7 @@ fn sentences(results: &CompareResults, found: &SurfaceResults) -> Vec<(String, S
              `force` to the spec."
                 .to_owned()
         } else if case.comparison.curves.is_empty() {
-            "the reference alone was run, so that no models are compared.".to_owned()
+            reference::ALONE.to_owned()
         } else if verdicts.differences.is_empty() {
             format!("one model was run, so that no models are compared. {}", verdict::range_line(verdicts))
         } else {

@@ -1,7 +1,7 @@
 //! The boundary element reference: its results load by load, a look at the contact, and the distribution of pressures.
 
 use asperity::bem::Boundary;
-use asperity::compare::{Kind, ReferenceCurve, ReferencePoint};
+use asperity::compare::{Kind, ReferenceCurve, ReferencePoint, ValidRange};
 use asperity_framework::report::format::{count, input_quantity, number, percent, quantity};
 use asperity_framework::report::page::{Page, escape};
 use asperity_plot::{Axis, Colour, ColourMap, Layer, Marker, Plot, Raster};
@@ -15,22 +15,66 @@ use crate::surface::section::length_unit;
 /// The section on one surface; nothing where no reference was run.
 pub fn section(page: &mut Page, results: &CompareResults, found: &SurfaceResults) {
     let Some(metadata) = &results.reference else { return };
-    let cases: Vec<(&CaseResults, &ReferenceCurve)> =
-        found.first.cases.iter().filter_map(|case| Some((case, case.reference.as_ref()?))).collect();
-    let Some((_, first)) = cases.first() else { return };
+    let cases = Referred::all(found);
+    let Some(first) = cases.first().map(|on| on.curve) else { return };
     page.heading(2, &format!("{}: the reference", found.surface.name));
     page.paragraph(&method(metadata, found, first));
     let mut lines: Vec<String> =
         metadata.elastic.iter().map(|case| format!("{}.", escape(&case.to_string()))).collect();
     lines.extend(interpolated(first));
-    lines.extend(cases.iter().filter_map(|(case, curve)| unreached(results, case, curve)));
+    lines.extend(cases.iter().filter_map(|on| unreached(results, on.case, on.curve)));
     page.bullets(lines);
-    table(page, results, found, &cases);
+    table(page, results, &cases);
     /// More contacts, as of many thicknesses, are left to the tables.
     const MOST_VIEWS: usize = 4;
     for (index, view) in found.contacts.iter().take(MOST_VIEWS).enumerate() {
         let name = if found.contacts.len() == 1 { String::new() } else { format!("-{}", index + 1) };
         look(page, results, found, view, &name);
+    }
+}
+
+/// What is said where there is nothing beside the reference.
+pub const ALONE: &str = "the reference alone was run, so that no models are compared.";
+
+/// The same of each surface.
+pub fn alone(results: &CompareResults) -> impl Iterator<Item = String> {
+    let is_alone =
+        |found: &&SurfaceResults| models(&Referred::all(found)).is_empty() && results.reference.is_some();
+    results
+        .surfaces
+        .iter()
+        .filter(is_alone)
+        .map(|found| format!("**{}**: {ALONE}", escape(&found.surface.name)))
+}
+
+/// A case with a reference.
+struct Referred<'a> {
+    case: &'a CaseResults,
+    curve: &'a ReferenceCurve,
+    /// Where the models are valid.
+    valid: &'a ValidRange,
+}
+
+impl<'a> Referred<'a> {
+    fn all(found: &'a SurfaceResults) -> Vec<Self> {
+        let cases = found.first.cases.iter().zip(&found.findings.cases);
+        let referred = cases.filter_map(|(case, findings)| {
+            Some(Self { case, curve: case.reference.as_ref()?, valid: &findings.verdicts.valid })
+        });
+        referred.collect()
+    }
+
+    /// The loads, ascending, each once.
+    fn points(&self) -> Vec<&'a ReferencePoint> {
+        let mut points: Vec<&ReferencePoint> = self.curve.points.iter().collect();
+        points.sort_by(|a, b| a.pressure.total_cmp(&b.pressure));
+        points.dedup_by_key(|point| point.pressure);
+        points
+    }
+
+    /// Whether the models are valid at a load (Pa).
+    fn is_valid_at(&self, load: f64) -> bool {
+        self.valid.stretches.iter().any(|[from, to]| (*from..=*to).contains(&load))
     }
 }
 
@@ -51,8 +95,8 @@ fn method(metadata: &ReferenceMetadata, found: &SurfaceResults, curve: &Referenc
         "Boundary elements on the same map as the models ({nx} × {ny} points, levelled and filtered, boundary `{}`) and the same bodies, \
          without asperities: the rough surface deforms as a whole, so that contacts interact and merge. {boundary} The solution at each load \
          has a relative dual gap of at most {:e}. The separation is the mean gap, zero at points in contact, less the height of the plane \
-         that the models measure from above the mean plane; the area is corrected for the perimeter of the contacts. Error of \
-         discretisation, steps and convolutions: `reference.csv`.{}",
+         that the models measure from above the mean plane; the area is corrected for the perimeter of the contacts. Steps and \
+         convolutions: `reference.csv`.{}",
         curve.boundary.name(),
         metadata.error,
         if is_single { "" } else { " Shown: the first realisation." },
@@ -69,13 +113,11 @@ fn interpolated(curve: &ReferenceCurve) -> Option<String> {
 /// The loads that no contact carries.
 fn unreached(results: &CompareResults, case: &CaseResults, curve: &ReferenceCurve) -> Option<String> {
     let lowest = curve.unreached.iter().copied().reduce(f64::min)?;
-    let cap = curve.cap?;
     Some(format!(
-        "{}: {} of its loads, from {}, are at or above the largest contact pressure, {}, which no contact carries.",
+        "{}: no reference from {} on, since no contact carries more than {}.",
         escape(&case_name(results, case)),
-        curve.unreached.len(),
         quantity(lowest, "Pa"),
-        quantity(cap, "Pa"),
+        quantity(curve.cap?, "Pa"),
     ))
 }
 
@@ -86,74 +128,67 @@ fn case_name(results: &CompareResults, case: &CaseResults) -> String {
     format!("law {}{layer}", case.law)
 }
 
+/// The models that were run in some case.
+fn models(cases: &[Referred]) -> Vec<Kind> {
+    let is_run = |kind: &Kind| {
+        cases.iter().any(|on| on.case.comparison.curves.iter().any(|point| point.kind == *kind))
+    };
+    [Kind::Statistical, Kind::Deterministic].into_iter().filter(is_run).collect()
+}
+
 /// Both models and the reference at the loads of the reference.
-fn table(
-    page: &mut Page,
-    results: &CompareResults,
-    found: &SurfaceResults,
-    cases: &[(&CaseResults, &ReferenceCurve)],
-) {
-    let kinds: Vec<Kind> = [Kind::Statistical, Kind::Deterministic]
-        .into_iter()
-        .filter(|&kind| {
-            cases.iter().any(|(case, _)| case.comparison.curves.iter().any(|point| point.kind == kind))
-        })
-        .collect();
-    let short = |kind: &Kind| if *kind == Kind::Statistical { "stat." } else { "det." };
+fn table(page: &mut Page, results: &CompareResults, cases: &[Referred]) {
+    let kinds = models(cases);
     let has_several = cases.len() > 1;
-    let mut header = Vec::new();
-    if has_several {
-        header.push("case".to_owned());
-    }
+    let of_each = |quantity: &str| {
+        let short = |kind: &Kind| if *kind == Kind::Statistical { "stat." } else { "det." };
+        let mut names: Vec<String> = kinds.iter().map(|kind| format!("{quantity} {}", short(kind))).collect();
+        names.push(format!("{quantity} ref."));
+        names
+    };
+    let mut header: Vec<String> = has_several.then(|| "case".to_owned()).into_iter().collect();
     header.push("p".to_owned());
-    for quantity in ["A/A_nom", "d/σ"] {
-        header.extend(kinds.iter().map(|kind| format!("{quantity} {}", short(kind))));
-        header.push(format!("{quantity} ref."));
-        if quantity == "A/A_nom" {
-            header.push("points in contact".to_owned());
-        }
-    }
-    header.extend(["at the cap".to_owned(), "dual gap".to_owned()]);
-    let rows = cases.iter().flat_map(|(case, curve)| {
-        let mut points: Vec<&ReferencePoint> = curve.points.iter().collect();
-        points.sort_by(|a, b| a.pressure.total_cmp(&b.pressure));
-        points.dedup_by_key(|point| point.pressure);
+    header.extend(of_each("A/A_nom"));
+    header.push("points in contact".to_owned());
+    header.extend(of_each("d/σ"));
+    header.extend(["at the cap", "dual gap"].map(str::to_owned));
+    let rows = cases.iter().flat_map(|on| {
+        let name = has_several.then(|| case_name(results, on.case));
         let kinds = &kinds;
-        points.into_iter().map(move |point| {
-            let mut row = Vec::new();
-            if has_several {
-                row.push(case_name(results, case));
-            }
-            let mark = if is_valid_at(found, case, point.pressure) { "" } else { " *" };
-            row.push(format!("{}{mark}", input_quantity(point.pressure, "Pa")));
-            let models: Vec<Option<[f64; 2]>> =
-                kinds.iter().map(|&kind| of_model(case, kind, point.pressure)).collect();
-            let shown = |value: Option<f64>| value.map_or_else(|| "–".to_owned(), number);
-            row.extend(models.iter().map(|values| shown(values.map(|values| values[0]))));
-            row.extend([number(point.area_ratio), number(point.raw_area_ratio)]);
-            row.extend(models.iter().map(|values| shown(values.map(|values| values[1]))));
-            row.push(shown(point.separation_over_sigma));
-            row.push(if curve.cap.is_some() {
-                percent(point.capped_area_ratio / point.raw_area_ratio.max(f64::MIN_POSITIVE))
-            } else {
-                "–".to_owned()
-            });
-            row.push(number(point.error));
-            row
+        on.points().into_iter().map(move |point| {
+            let mut cells: Vec<String> = name.clone().into_iter().collect();
+            cells.extend(row(on, point, kinds));
+            cells
         })
     });
     page.table(header, rows);
-    page.paragraph(
-        "\\* Beyond the valid range of the models. Points in contact: share of the points of the map, before the correction for the \
-         perimeter. At the cap: share of the points in contact that carry the largest pressure.",
-    );
+    let mark = if kinds.is_empty() { "" } else { "\\* Beyond the valid range of the models. " };
+    page.paragraph(&format!(
+        "{mark}Points in contact: share of the points of the map, before the correction for the perimeter. At the cap: share of the \
+         points in contact that carry the largest pressure.",
+    ));
 }
 
-fn is_valid_at(found: &SurfaceResults, case: &CaseResults, load: f64) -> bool {
-    let cases = found.first.cases.iter().zip(&found.findings.cases);
-    let mut findings = cases.filter(|(one, _)| std::ptr::eq(*one, case));
-    let is_within = |[from, to]: &[f64; 2]| (*from..=*to).contains(&load);
-    findings.all(|(_, findings)| findings.verdicts.valid.stretches.iter().any(is_within))
+/// One load.
+fn row(on: &Referred, point: &ReferencePoint, kinds: &[Kind]) -> Vec<String> {
+    let shown = |value: Option<f64>| value.map_or_else(|| "–".to_owned(), number);
+    let is_valid = kinds.is_empty() || on.is_valid_at(point.pressure);
+    let models: Vec<Option<[f64; 2]>> =
+        kinds.iter().map(|&kind| of_model(on.case, kind, point.pressure)).collect();
+    let of_models = |index: usize| models.iter().map(move |values| shown(values.map(|values| values[index])));
+    let capped = on.curve.cap.filter(|_| point.raw_area_ratio > 0.0);
+    let capped = capped.map(|_| percent(point.capped_area_ratio / point.raw_area_ratio));
+    let mut cells =
+        vec![format!("{}{}", input_quantity(point.pressure, "Pa"), if is_valid { "" } else { " *" })];
+    cells.extend(of_models(0));
+    cells.extend([number(point.area_ratio), number(point.raw_area_ratio)]);
+    cells.extend(of_models(1));
+    cells.extend([
+        shown(point.separation_over_sigma),
+        capped.unwrap_or_else(|| "–".to_owned()),
+        number(point.error),
+    ]);
+    cells
 }
 
 /// Area ratio and d/sigma of a model at a load (Pa).
@@ -187,14 +222,11 @@ fn look(page: &mut Page, results: &CompareResults, found: &SurfaceResults, view:
     let part =
         if view.part.is_whole { "The map." } else { "A part of the map with the contact area of the whole." };
     let summits = view.sum.as_ref().map_or_else(String::new, |sum| {
-        let missed = sum.count - sum.touched;
         format!(
-            " Of {} asperities in contact in the sum (law {}) on the whole map, {} touch in the reference too (rings) and {} do not \
-             (crosses).",
+            " {} of the {} asperities in contact in the sum (law {}) touch in the reference too (rings; the others: crosses).",
+            count(sum.touched),
             count(sum.count),
             escape(&sum.law),
-            count(sum.touched),
-            count(missed),
         )
     });
     page.figure(

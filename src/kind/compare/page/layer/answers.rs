@@ -10,9 +10,13 @@ use asperity_framework::report::page::Page;
 impl Series<'_> {
     /// The figures and tables.
     pub fn answers(&self, page: &mut Page) {
+        let is_single = self.cases.iter().all(|case| is_single(case));
+        if self.findings.models.is_empty() && is_single {
+            return;
+        }
         page.heading(2, &format!("{}: results", self.subject));
         // A figure of one load shows less than the tables.
-        if !self.cases.iter().all(|case| is_single(case)) {
+        if !is_single {
             page.figure(
                 &format!("{}-layers.svg", self.stem),
                 figures::by_load(self),
