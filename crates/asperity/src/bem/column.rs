@@ -84,7 +84,7 @@ impl Columns {
                 let a = &mut first[k + 1];
                 (*a, *b) = (pair(*a, *b, k + 1), pair(*b, *a, k + 1));
             }
-            if self.length % 2 == 0 {
+            if self.length.is_multiple_of(2) {
                 let middle = first[self.stride - 1];
                 first[self.stride - 1] = pair(middle, middle, self.stride - 1);
             }
@@ -98,7 +98,7 @@ impl Columns {
     fn opposite(&self, j: usize) -> usize {
         if j > 0 {
             self.width - j
-        } else if self.width % 2 == 0 {
+        } else if self.width.is_multiple_of(2) {
             self.width / 2
         } else {
             0

@@ -12,7 +12,7 @@ use asperity_fft::{Complex64, ComplexToReal, RealToComplex};
 
 /// The place of point `i` of a mirrored line of `count` points in the line that is transformed.
 pub fn permuted(i: usize, count: usize) -> usize {
-    if i % 2 == 0 { i / 2 } else { count - 1 - i / 2 }
+    if i.is_multiple_of(2) { i / 2 } else { count - 1 - i / 2 }
 }
 
 /// w^k of a mirrored line of `count` points, for the first half of its waves.
@@ -82,7 +82,7 @@ impl RowTransform {
         for (pair, wave) in packed.as_chunks_mut::<2>().0.iter_mut().zip(&*waves) {
             *pair = [wave.re, wave.im];
         }
-        packed[1] = if self.length % 2 == 0 { waves[self.length / 2].re } else { 0.0 };
+        packed[1] = if self.length.is_multiple_of(2) { waves[self.length / 2].re } else { 0.0 };
     }
 
     /// The numbers of `row`, times the length, from its packed waves.
@@ -92,12 +92,12 @@ impl RowTransform {
             *wave = Complex64::new(re, im);
         }
         waves[0].im = 0.0;
-        if self.length % 2 == 0 {
+        if self.length.is_multiple_of(2) {
             waves[self.length / 2] = Complex64::new(packed[1], 0.0);
         }
         if let Some(twiddles) = &self.twiddles {
             waves.iter_mut().zip(twiddles).for_each(|(wave, w)| *wave *= w.conj());
-            if self.length % 2 == 0 {
+            if self.length.is_multiple_of(2) {
                 // X_k - i X_(n-k) of k = n/2, times exp(i pi/4).
                 waves[self.length / 2] = Complex64::new(packed[1] / FRAC_1_SQRT_2, 0.0);
             }
