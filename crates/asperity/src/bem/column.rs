@@ -73,15 +73,42 @@ impl Columns {
     fn multiply_waves(&self, j: usize, column: &mut [Complex64]) {
         let response = self.response(j);
         let (first, rest) = column.split_at_mut(self.stride);
+        if j == 0 {
+            // The real part is wave 0 along y, the imaginary part the last one: both real.
+            let other = self.response(self.opposite(0));
+            let pair = |z: Complex64, mirror: Complex64, k: usize| {
+                0.5 * (response[k] + other[k]) * z + 0.5 * (response[k] - other[k]) * mirror.conj()
+            };
+            first[0] = pair(first[0], first[0], 0);
+            for (k, b) in rest.iter_mut().rev().enumerate() {
+                let a = &mut first[k + 1];
+                (*a, *b) = (pair(*a, *b, k + 1), pair(*b, *a, k + 1));
+            }
+            if self.length.is_multiple_of(2) {
+                let middle = first[self.stride - 1];
+                first[self.stride - 1] = pair(middle, middle, self.stride - 1);
+            }
+            return;
+        }
         first.iter_mut().zip(response).for_each(|(wave, r)| *wave *= *r);
         rest.iter_mut().rev().zip(&response[1..]).for_each(|(wave, r)| *wave *= *r);
+    }
+
+    /// The wave along y in the imaginary part of column `j`: of a mirrored map n - j, and of column 0 the last one.
+    fn opposite(&self, j: usize) -> usize {
+        if j > 0 {
+            self.width - j
+        } else if self.width.is_multiple_of(2) {
+            self.width / 2
+        } else {
+            0
+        }
     }
 
     /// The cosine transform is linear over complex numbers too: the real part of the column is the cosine j along y, the
     /// imaginary part minus the cosine n - j.
     fn multiply_cosines(&self, j: usize, column: &mut [Complex64], twiddles: &[Complex64]) {
-        let opposite = if j == 0 { 0 } else { self.width - j };
-        let (real, imaginary) = (self.response(j), self.response(opposite));
+        let (real, imaginary) = (self.response(j), self.response(self.opposite(j)));
         let product = |k: usize, wave: Complex64| Complex64::new(wave.re * real[k], wave.im * imaginary[k]);
         column[0] = product(0, column[0]);
         let n = self.points;

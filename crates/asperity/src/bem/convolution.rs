@@ -14,20 +14,27 @@ use asperity_fft::Complex64;
 /// Rows or columns transposed together: eight complex numbers are two cache lines.
 const BLOCK: usize = 8;
 
+/// Numbers between the columns of a batch beyond their length: columns of a power of two would share the places of the
+/// cache.
+const PADDING: usize = 8;
+
 /// Displacements from pressures on one grid.
+///
+/// Waves along y are kept in pairs of numbers, by blocks of eight rows and of eight columns: both passes read and write
+/// them in pieces of a kilobyte.
 pub struct Convolution {
     points: [usize; 2],
     rows: RowTransform,
     columns: Columns,
-    /// Numbers along y of the transform: as many as points, or twice as many where nothing repeats.
-    width: usize,
+    /// Numbers of a row of waves.
+    stride: usize,
 }
 
 /// Buffers of a convolution, which others may use between two of them.
 pub struct Buffers {
-    /// Waves by columns, two numbers each.
+    /// Waves by blocks of columns, two numbers each: at least as many as points.
     pub columns: Vec<f64>,
-    /// Waves by rows, where they do not fit into the rows of the map.
+    /// Waves by blocks of rows, where they do not fit into the rows of the map.
     rows: Vec<f64>,
 }
 
@@ -41,24 +48,16 @@ impl Convolution {
             Boundary::Finite => influence::response(points, pixel, pair),
             _ => waves(points, pixel, pair, is_mirrored),
         };
-        Self {
-            points,
-            rows: RowTransform::new(width, is_mirrored),
-            columns: Columns::new(points[0], length, width, is_mirrored, response),
-            width,
-        }
+        let rows = RowTransform::new(width, is_mirrored);
+        let stride = 2 * rows.pairs();
+        Self { points, rows, columns: Columns::new(points[0], length, width, is_mirrored, response), stride }
     }
 
     /// Its buffers.
     pub fn buffers(&self) -> Buffers {
         let [nx, ny] = self.points;
-        let rows = if self.width == ny { Vec::new() } else { zeros(nx * self.width) };
-        Buffers { columns: zeros(2 * nx * self.waves()), rows }
-    }
-
-    /// Waves along y.
-    fn waves(&self) -> usize {
-        self.width / 2 + 1
+        let rows = if self.stride == ny { Vec::new() } else { zeros(nx * self.stride) };
+        Buffers { columns: zeros(nx * self.stride), rows }
     }
 
     /// Displacements (m) to `out` from the pressures (Pa) that `fill` writes to row i, given as zeros. `each` sees every
@@ -70,62 +69,70 @@ impl Convolution {
         buffers: &mut Buffers,
         each: impl Fn(usize, &mut [f64]) -> T + Sync,
     ) -> Vec<T> {
-        let Self { points: [_, ny], width, .. } = *self;
-        let fits = width == ny;
-        let rows = if fits { &mut *out } else { &mut buffers.rows };
-        rows.par_chunks_mut(width).enumerate().with_min_len(BLOCK).for_each_init(
-            || self.rows.scratch(),
-            |scratch, (i, row)| {
-                row.fill(0.0);
-                fill(i, &mut row[..ny]);
-                self.rows.forward(row, scratch);
+        let Self { points: [_, ny], stride, .. } = *self;
+        let rows = if stride == ny { &mut *out } else { &mut buffers.rows };
+        rows.par_chunks_mut(BLOCK * stride).enumerate().for_each_init(
+            || (vec![0.0; ny], vec![0.0; stride], self.rows.scratch()),
+            |(row, packed, scratch), (block, tiles)| {
+                let count = tiles.len() / stride;
+                for k in 0..count {
+                    row.fill(0.0);
+                    fill(block * BLOCK + k, row);
+                    self.rows.forward(row, packed, scratch);
+                    for (tile, waves) in tiles.chunks_mut(2 * BLOCK * count).zip(packed.chunks(2 * BLOCK)) {
+                        tile[k * waves.len()..][..waves.len()].copy_from_slice(waves);
+                    }
+                }
             },
         );
         self.respond(rows, &mut buffers.columns);
         let columns = &buffers.columns;
         let mut answers: Vec<Vec<T>> = Vec::new();
-        let line = if fits { 0 } else { width };
         out.par_chunks_mut(BLOCK * ny)
             .enumerate()
             .map_init(
-                || (vec![0.0; BLOCK * line], self.rows.scratch()),
-                |(wide, scratch), (block, out)| {
+                || (vec![0.0; BLOCK * stride], self.rows.scratch()),
+                |(packed, scratch), (block, out)| {
                     let first = block * BLOCK;
-                    let count = out.len() / ny;
-                    let rows = if fits { &mut *out } else { &mut wide[..count * width] };
-                    self.gather_rows(columns, first, rows);
-                    rows.chunks_mut(width).for_each(|row| self.rows.backward(row, scratch));
-                    if !fits {
-                        let wide = wide.chunks(width);
-                        out.chunks_mut(ny).zip(wide).for_each(|(out, wide)| out.copy_from_slice(&wide[..ny]));
-                    }
-                    out.chunks_mut(ny).enumerate().map(|(k, row)| each(first + k, row)).collect()
+                    self.gather(columns, first, &mut packed[..out.len() / ny * stride]);
+                    let rows = out.chunks_mut(ny).zip(packed.chunks(stride));
+                    rows.enumerate()
+                        .map(|(k, (row, packed))| {
+                            self.rows.backward(packed, row, scratch);
+                            each(first + k, row)
+                        })
+                        .collect()
                 },
             )
             .collect_into_vec(&mut answers);
         answers.into_iter().flatten().collect()
     }
 
-    /// The response to the waves along y of all rows, by columns.
+    /// The response to the waves along y of all rows, by blocks of columns.
     fn respond(&self, rows: &[f64], columns: &mut [f64]) {
-        let Self { points: [nx, _], width, .. } = *self;
+        let Self { points: [nx, _], stride, .. } = *self;
         let length = self.columns.length();
         columns.par_chunks_mut(2 * BLOCK * nx).enumerate().for_each_init(
-            || (vec![Complex64::default(); BLOCK * length], self.columns.scratch()),
+            || (vec![Complex64::default(); BLOCK * (length + PADDING)], self.columns.scratch()),
             |(batch, scratch), (block, columns)| {
                 let first = block * BLOCK;
                 let count = columns.len() / (2 * nx);
-                for (i, row) in rows.chunks(width).enumerate() {
-                    let place = self.columns.place(i);
-                    for k in 0..count {
-                        batch[k * length + place] = wave(row, first + k);
+                for (b, tiles) in rows.chunks(BLOCK * stride).enumerate() {
+                    let tile = &tiles[2 * first * (tiles.len() / stride)..];
+                    for (k, waves) in tile.chunks(2 * count).take(tiles.len() / stride).enumerate() {
+                        let place = self.columns.place(b * BLOCK + k);
+                        let batch = batch[place..].iter_mut().step_by(length + PADDING);
+                        for (to, &[re, im]) in batch.zip(waves.as_chunks::<2>().0) {
+                            *to = Complex64::new(re, im);
+                        }
                     }
                 }
-                for (k, column) in batch.chunks_mut(length).take(count).enumerate() {
-                    self.columns.respond(first + k, column, scratch);
+                for (k, column) in batch.chunks_mut(length + PADDING).take(count).enumerate() {
+                    self.columns.respond(first + k, &mut column[..length], scratch);
                 }
-                for (to, from) in columns.chunks_mut(2 * nx).zip(batch.chunks(length)) {
-                    for (to, from) in to.as_chunks_mut::<2>().0.iter_mut().zip(from) {
+                for (i, waves) in columns.chunks_mut(2 * count).enumerate() {
+                    let batch = batch[self.columns.place(i)..].iter().step_by(length + PADDING);
+                    for (to, from) in waves.as_chunks_mut::<2>().0.iter_mut().zip(batch) {
                         *to = [from.re, from.im];
                     }
                 }
@@ -133,33 +140,16 @@ impl Convolution {
         );
     }
 
-    /// Packs the waves of consecutive rows, the first being `first`.
-    fn gather_rows(&self, columns: &[f64], first: usize, rows: &mut [f64]) {
-        let Self { points: [nx, _], width, .. } = *self;
-        let last = self.waves() - 1;
-        for (j, column) in columns.chunks(2 * nx).enumerate() {
-            for (k, row) in rows.chunks_mut(width).enumerate() {
-                let i = self.columns.place(first + k);
-                let [re, im] = [column[2 * i], column[2 * i + 1]];
-                if j == 0 {
-                    row[0] = re;
-                } else if j == last && width % 2 == 0 {
-                    row[width - 1] = re;
-                } else {
-                    row[2 * j - 1] = re;
-                    row[2 * j] = im;
-                }
+    /// The packed waves of consecutive rows, the first being `first`.
+    fn gather(&self, columns: &[f64], first: usize, packed: &mut [f64]) {
+        let Self { points: [nx, _], stride, .. } = *self;
+        for (block, columns) in columns.chunks(2 * BLOCK * nx).enumerate() {
+            let count = columns.len() / nx;
+            let rows = columns[first * count..].chunks(count);
+            for (packed, waves) in packed.chunks_mut(stride).zip(rows) {
+                packed[2 * BLOCK * block..][..count].copy_from_slice(waves);
             }
         }
-    }
-}
-
-/// Wave j of packed waves.
-fn wave(row: &[f64], j: usize) -> Complex64 {
-    match j {
-        0 => Complex64::new(row[0], 0.0),
-        _ if 2 * j == row.len() => Complex64::new(row[2 * j - 1], 0.0),
-        _ => Complex64::new(row[2 * j - 1], row[2 * j]),
     }
 }
 

@@ -26,7 +26,7 @@ pub fn finer(pressures: &[f64], points: [usize; 2], wraps: bool) -> Vec<f64> {
         } else {
             k / 2
         };
-        [k / 2, if k % 2 == 0 { k / 2 } else { next }]
+        [k / 2, if k.is_multiple_of(2) { k / 2 } else { next }]
     };
     let mut fine = vec![0.0; nx * ny];
     fine.par_chunks_mut(ny).enumerate().for_each(|(i, row)| {

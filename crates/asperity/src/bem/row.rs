@@ -12,7 +12,7 @@ use asperity_fft::{Complex64, ComplexToReal, RealToComplex};
 
 /// The place of point `i` of a mirrored line of `count` points in the line that is transformed.
 pub fn permuted(i: usize, count: usize) -> usize {
-    if i % 2 == 0 { i / 2 } else { count - 1 - i / 2 }
+    if i.is_multiple_of(2) { i / 2 } else { count - 1 - i / 2 }
 }
 
 /// w^k of a mirrored line of `count` points, for the first half of its waves.
@@ -21,8 +21,8 @@ pub fn twiddles(count: usize) -> Vec<Complex64> {
     (0..=count / 2).map(|k| Complex64::from_polar(1.0, angle(k))).collect()
 }
 
-/// The transform of a row and its inverse, not normalised. The waves of a row of n numbers are packed in n numbers: Re 0,
-/// then Re k, Im k, and for an even n Re of the last at the end.
+/// The transform of a row and its inverse, not normalised. The waves of a row are packed in pairs: Re 0 and, for an even
+/// number of points, Re of the last; then Re k, Im k.
 pub struct RowTransform {
     length: usize,
     /// Of a mirrored row.
@@ -59,10 +59,19 @@ impl RowTransform {
         }
     }
 
-    /// Replaces the numbers of `row` by its packed waves.
-    pub fn forward(&self, row: &mut [f64], RowScratch { line, waves, scratch }: &mut RowScratch) {
+    /// Pairs of numbers in which the waves are packed.
+    pub fn pairs(&self) -> usize {
+        self.length.div_ceil(2)
+    }
+
+    /// The packed waves of `row`; what is missing at its end is zero.
+    pub fn forward(&self, row: &[f64], packed: &mut [f64], scratch: &mut RowScratch) {
+        let RowScratch { line, waves, scratch } = scratch;
         match &self.twiddles {
-            None => line.copy_from_slice(row),
+            None => {
+                line[..row.len()].copy_from_slice(row);
+                line[row.len()..].fill(0.0);
+            }
             Some(_) => row.iter().enumerate().for_each(|(i, &x)| line[permuted(i, row.len())] = x),
         }
         // Cannot fail: the lengths are those of the plan.
@@ -70,39 +79,37 @@ impl RowTransform {
         if let Some(twiddles) = &self.twiddles {
             waves.iter_mut().zip(twiddles).for_each(|(wave, w)| *wave *= w);
         }
-        row[0] = waves[0].re;
-        let (pairs, last) = row[1..].as_chunks_mut::<2>();
-        for (pair, wave) in pairs.iter_mut().zip(&waves[1..]) {
+        for (pair, wave) in packed.as_chunks_mut::<2>().0.iter_mut().zip(&*waves) {
             *pair = [wave.re, wave.im];
         }
-        if let [last] = last {
-            *last = waves[waves.len() - 1].re;
-        }
+        packed[1] = if self.length.is_multiple_of(2) { waves[self.length / 2].re } else { 0.0 };
     }
 
-    /// The numbers whose waves are packed in `row`, times the length.
-    pub fn backward(&self, row: &mut [f64], RowScratch { line, waves, scratch }: &mut RowScratch) {
-        waves[0] = Complex64::new(row[0], 0.0);
-        let (pairs, last) = row[1..].as_chunks::<2>();
-        for (wave, &[re, im]) in waves[1..].iter_mut().zip(pairs) {
+    /// The numbers of `row`, times the length, from its packed waves.
+    pub fn backward(&self, packed: &[f64], row: &mut [f64], scratch: &mut RowScratch) {
+        let RowScratch { line, waves, scratch } = scratch;
+        for (wave, &[re, im]) in waves.iter_mut().zip(packed.as_chunks::<2>().0) {
             *wave = Complex64::new(re, im);
         }
-        let end = waves.len() - 1;
-        if let [last] = *last {
-            waves[end] = Complex64::new(last, 0.0);
+        waves[0].im = 0.0;
+        if self.length.is_multiple_of(2) {
+            waves[self.length / 2] = Complex64::new(packed[1], 0.0);
         }
-        let Some(twiddles) = &self.twiddles else {
-            let _ = self.backward.process_with_scratch(waves, row, scratch);
-            return;
-        };
-        waves.iter_mut().zip(twiddles).for_each(|(wave, w)| *wave *= w.conj());
-        if let [last] = *last {
-            // X_k - i X_(n-k) of k = n/2, times exp(i pi/4).
-            waves[end] = Complex64::new(last / FRAC_1_SQRT_2, 0.0);
+        if let Some(twiddles) = &self.twiddles {
+            waves.iter_mut().zip(twiddles).for_each(|(wave, w)| *wave *= w.conj());
+            if self.length.is_multiple_of(2) {
+                // X_k - i X_(n-k) of k = n/2, times exp(i pi/4).
+                waves[self.length / 2] = Complex64::new(packed[1] / FRAC_1_SQRT_2, 0.0);
+            }
         }
         let _ = self.backward.process_with_scratch(waves, line, scratch);
-        let count = row.len();
-        row.iter_mut().enumerate().for_each(|(i, x)| *x = line[permuted(i, count)]);
+        match &self.twiddles {
+            None => row.copy_from_slice(&line[..row.len()]),
+            Some(_) => {
+                let count = row.len();
+                row.iter_mut().enumerate().for_each(|(i, x)| *x = line[permuted(i, count)]);
+            }
+        }
     }
 }
 
@@ -111,47 +118,41 @@ mod tests {
     use super::*;
     use std::f64::consts::PI;
 
+    fn there_and_back(count: usize, is_mirrored: bool) -> [Vec<f64>; 3] {
+        let transform = RowTransform::new(count, is_mirrored);
+        let mut scratch = transform.scratch();
+        let row: Vec<f64> = (0..count).map(|i| (i as f64 * 1.7).sin() + 0.1 * i as f64).collect();
+        let (mut waves, mut back) = (vec![0.0; 2 * transform.pairs()], vec![0.0; count]);
+        transform.forward(&row, &mut waves, &mut scratch);
+        transform.backward(&waves, &mut back, &mut scratch);
+        [row, waves, back.into_iter().map(|x| x / count as f64).collect()]
+    }
+
     #[test]
-    fn cosines_are_those_of_the_definition_and_come_back() {
+    fn cosines_are_those_of_the_definition() {
         for count in [3, 4, 5, 8, 30, 31] {
-            let transform = RowTransform::new(count, true);
-            let mut scratch = transform.scratch();
-            let row: Vec<f64> = (0..count).map(|i| (i as f64 * 1.7).sin() + 0.1 * i as f64).collect();
-            let mut waves = row.clone();
-            transform.forward(&mut waves, &mut scratch);
-            let cosine = |k: usize| -> f64 {
-                let angle = |i: usize| PI * k as f64 * (i as f64 + 0.5) / count as f64;
-                row.iter().enumerate().map(|(i, x)| x * angle(i).cos()).sum()
-            };
+            let [row, waves, _] = there_and_back(count, true);
             for k in 0..count {
-                // Re k at 2 k - 1, Im k at 2 k.
                 let found = match k {
                     0 => waves[0],
-                    _ if 2 * k == count => waves[count - 1],
-                    _ if 2 * k < count => waves[2 * k - 1],
-                    _ => -waves[2 * (count - k)],
+                    _ if 2 * k == count => waves[1],
+                    _ if 2 * k < count => waves[2 * k],
+                    _ => -waves[2 * (count - k) + 1],
                 };
-                let exact = cosine(k);
+                let angle = |i: usize| PI * k as f64 * (i as f64 + 0.5) / count as f64;
+                let exact: f64 = row.iter().enumerate().map(|(i, x)| x * angle(i).cos()).sum();
                 assert!((found - exact).abs() < 1e-13 * count as f64, "{count}: {k}: {found} for {exact}");
-            }
-            transform.backward(&mut waves, &mut scratch);
-            for (back, x) in waves.iter().zip(&row) {
-                assert!((back / count as f64 - x).abs() < 1e-14 * count as f64);
             }
         }
     }
 
     #[test]
-    fn periodic_rows_come_back() {
-        for count in [3, 4, 9, 16] {
-            let transform = RowTransform::new(count, false);
-            let mut scratch = transform.scratch();
-            let row: Vec<f64> = (0..count).map(|i| (i as f64 * 2.3).cos()).collect();
-            let mut waves = row.clone();
-            transform.forward(&mut waves, &mut scratch);
-            assert!((waves[0] - row.iter().sum::<f64>()).abs() < 1e-13);
-            transform.backward(&mut waves, &mut scratch);
-            assert!(waves.iter().zip(&row).all(|(back, x)| (back / count as f64 - x).abs() < 1e-14));
+    fn rows_come_back() {
+        for count in [3, 4, 9, 16, 31] {
+            for is_mirrored in [false, true] {
+                let [row, _, back] = there_and_back(count, is_mirrored);
+                assert!(row.iter().zip(back).all(|(x, back)| (x - back).abs() < 1e-14 * count as f64));
+            }
         }
     }
 }
