@@ -32,6 +32,7 @@ mod levels;
 mod missing;
 mod preconditioner;
 mod projection;
+mod refine;
 mod row;
 mod solver;
 
@@ -39,6 +40,7 @@ use std::ops::RangeInclusive;
 
 pub use compliance::ElasticPair;
 pub use contact::Contact;
+pub use refine::refined;
 pub use solver::{MOST_MISSING, Solver};
 
 /// What lies beyond the border of the map.

@@ -57,6 +57,8 @@ struct Level<'a> {
     heights: Cow<'a, [f64]>,
     /// Mean and standard deviation, m.
     moments: [f64; 2],
+    /// m.
+    highest: f64,
     convolution: Convolution,
     stencil: Stencil,
 }
@@ -72,6 +74,7 @@ impl<'a> Level<'a> {
         Self {
             points,
             moments: moments(&heights),
+            highest: heights.iter().fold(f64::NEG_INFINITY, |highest, &z| highest.max(z)),
             heights,
             convolution: Convolution::new(points, pixel, pair, boundary),
             stencil: Stencil::new(pixel, pair),
@@ -183,10 +186,11 @@ impl<'a> Solver<'a> {
     /// No convergence at one of the loads, or no load with this gap.
     pub fn at_mean_gap(&self, gap: f64, progress: &dyn Progress) -> Result<Contact, SolverError> {
         let unreachable = || SolverError::Gap(gap);
-        if !is_positive(gap) {
+        let Level { moments: [mean, deviation], highest, .. } = self.levels[0];
+        // The highest point touches before it is pressed.
+        if !is_positive(gap) || gap >= highest - mean {
             return Err(unreachable());
         }
-        let [_, deviation] = self.levels[0].moments;
         let tolerance = self.error * deviation;
         // Ends of the bracket: ln(pressure), and how far the gap there exceeds the one that is looked for.
         let mut ends: [Option<[f64; 2]>; 2] = [None; 2];

@@ -148,6 +148,13 @@ impl HeightMap {
         }
     }
 
+    /// Heights (m) on a grid `factor` times as fine over the same area.
+    pub(crate) fn regridded(&self, factor: usize, heights: Vec<f64>) -> Self {
+        let points = self.points.map(|count| factor * count);
+        let pixel = self.pixel.map(|side| side / factor as f64);
+        Self { points, pixel, heights, ..*self }
+    }
+
     /// The same heights, relative to a height of `offset` (m) that is kept apart.
     #[must_use]
     pub fn with_offset(self, offset: f64) -> Self {

@@ -1,5 +1,6 @@
 //! Tests of the library against reference vectors, closed forms and itself. One program, so that it is linked once.
 
+mod bem;
 mod coated;
 mod common;
 mod conformance;

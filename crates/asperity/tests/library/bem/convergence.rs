@@ -1,0 +1,57 @@
+//! Every load converges, from a few points in contact to all.
+
+use asperity::Material;
+use asperity::bem::{Boundary, ElasticPair, Options, Solver};
+use asperity::progress::Silent;
+
+use super::{rough, unit_body};
+
+#[test]
+fn a_hundred_maps_at_all_loads() {
+    let body = unit_body();
+    let [soft, stiff] = [0.1, 20.0].map(|young| Material::new(young, 0.3, None, None).unwrap());
+    let sizes = [[96, 96], [100, 130], [127, 97], [64, 160], [128, 128]];
+    let loads = [1e-6, 1e-5, 1e-4, 1e-3, 1e-2, 0.05, 0.2, 0.5, 1.0, 3.0];
+    let (mut solved, mut most_steps) = (0, 0);
+    for seed in 0..100 {
+        let points = sizes[seed % sizes.len()];
+        let hurst = [0.3, 0.8][seed % 2];
+        let shortest = [2.0, 4.0, 8.0][seed % 3] / points[0] as f64;
+        let map = rough(points, hurst, [0.25, 0.9][seed / 2 % 2], shortest, seed as u8);
+        let boundary = Boundary::ALL[seed % 3];
+        let layer = [None, Some((&soft, 0.02)), Some((&stiff, 0.01)), None][seed % 4];
+        let pair = ElasticPair::new(&body, &body, layer);
+        let cap = (layer.is_none() && seed % 5 < 2).then_some(0.3);
+        let solver = Solver::new(&map, &pair, &Options { boundary, error: 1e-9, cap }).unwrap();
+        for load in loads.into_iter().filter(|&load| cap.is_none_or(|cap| load < cap)) {
+            let contact = solver.at_pressure(load, &Silent);
+            let contact = contact.unwrap_or_else(|error| panic!("map {seed}: {error}"));
+            let found = contact.pressure() / load - 1.0;
+            assert!(contact.error <= 1e-9 && found.abs() < 1e-12, "{seed}: {load}: {found:e}");
+            let limit = cap.unwrap_or(f64::INFINITY);
+            assert!(contact.pressures().iter().all(|&p| (0.0..=limit).contains(&p)), "{seed}: {load}");
+            most_steps = most_steps.max(contact.steps);
+            solved += 1;
+        }
+    }
+    assert!(solved > 900, "{solved}");
+    assert!(most_steps < 400, "{most_steps} steps");
+}
+
+/// Users of a peer report that it stops converging above p = 0.07 E* there.
+#[test]
+fn a_hardness_of_a_tenth_and_a_gradient_of_eight_hundredths() {
+    let map = rough([128, 128], 0.8, 0.25, 8.0 / 128.0, 3);
+    let heights = map.heights().iter().map(|z| 0.08 * z).collect();
+    let map = asperity::HeightMap::new(map.points(), map.pixel(), heights, 0.0).unwrap();
+    let body = unit_body();
+    let pair = ElasticPair::new(&body, &body, None);
+    let options = Options { boundary: Boundary::Periodic, error: 1e-9, cap: Some(0.1) };
+    let solver = Solver::new(&map, &pair, &options).unwrap();
+    let mut before = 0.0;
+    for load in [0.01, 0.05, 0.07, 0.08, 0.09, 0.095, 0.099] {
+        let contact = solver.at_pressure(load, &Silent).unwrap();
+        assert!(contact.raw_area_ratio() > before && contact.raw_area_ratio() >= load / 0.1);
+        before = contact.raw_area_ratio();
+    }
+}

@@ -1,0 +1,38 @@
+//! Boundary elements.
+
+mod active_set;
+mod convergence;
+mod solver;
+
+use asperity::topography::generate::{Process, Seeds, SpectrumOf, SurfaceGenerator};
+use asperity::topography::spectrum::{Lay, Spectrum, SpectrumShape};
+use asperity::{HeightMap, Heights, Material};
+
+/// Two of them have E* = 1 Pa.
+fn unit_body() -> Material {
+    Material::new(2.0, 0.0, None, None).unwrap()
+}
+
+/// A periodic self-affine surface of unit length along x and an r.m.s. gradient of about 1, with waves from `longest` to
+/// `shortest`, over the length.
+fn rough(points: [usize; 2], hurst: f64, longest: f64, shortest: f64, seed: u8) -> HeightMap {
+    let pixel = [(points[0] as f64).recip(); 2];
+    let shape = SpectrumShape::SelfAffine { hurst, roll_off: longest, cut_off: shortest };
+    let process = Process {
+        spectrum: Spectrum::new(shape, Lay::default()).unwrap(),
+        of: SpectrumOf::Heights,
+        sigma: 1.0,
+        heights: Heights::GAUSSIAN,
+    };
+    let generator = SurfaceGenerator { points, pixel, process, plateau: None };
+    let (map, _) = generator.surface(Seeds { process: [seed; 32], plateau: [0; 32] }).unwrap();
+    let [nx, ny] = points;
+    let z = map.heights();
+    let slope = |i: usize, j: usize| {
+        let (here, x, y) = (z[i * ny + j], z[(i + 1) % nx * ny + j], z[i * ny + (j + 1) % ny]);
+        ((x - here) / pixel[0]).powi(2) + ((y - here) / pixel[1]).powi(2)
+    };
+    let mean = (0..nx * ny).map(|k| slope(k / ny, k % ny)).sum::<f64>() / (nx * ny) as f64;
+    let heights = z.iter().map(|z| z / mean.sqrt()).collect();
+    HeightMap::new(points, pixel, heights, 0.0).unwrap().periodic()
+}
