@@ -256,6 +256,45 @@ fn a_measured_map_is_levelled_and_mirrored_and_a_finite_patch_has_no_separation(
     assert!(finite.page().markdown().contains("patch on a half-space"));
 }
 
+/// On well resolved waves four times the points change little; the correction for the perimeter shrinks.
+#[test]
+fn a_refined_map_gives_nearly_the_same_on_twice_the_points() {
+    let spec = format!("law = \"hertz\"\n{THREE}pressure = [\"20 MPa\"]\nrobustness = false\n");
+    for surface in [SMOOTH, MEASURED] {
+        let coarse = run(&spec, surface);
+        let fine = run(&format!("{spec}reference = {{ refine = 2 }}"), surface);
+        let [coarse, fine] = [&coarse, &fine].map(|outcome| {
+            assert!(outcome.page().figures().any(|(name, _)| name.ends_with("reference-contact.svg")));
+            let row = &table(&**outcome, "reference.csv").unwrap()[0];
+            (
+                row["interpolated_points"].clone(),
+                ["area_ratio", "raw_area_ratio", "mean_gap_m"].map(|name| number(row, name)),
+            )
+        });
+        assert_eq!(coarse.0, fine.0);
+        let ([area, raw, gap], [finer, finer_raw, finer_gap]) = (coarse.1, fine.1);
+        assert!(area != finer && (finer / area - 1.0).abs() < 0.04, "{area} {finer}");
+        assert!((finer_gap / gap - 1.0).abs() < 0.01, "{gap} {finer_gap}");
+        assert!(finer_raw - finer < 0.7 * (raw - area), "{raw} {area} {finer_raw} {finer}");
+    }
+    let (_folder, experiment) = read(&format!("{spec}reference = {{ refine = 2 }}"), SMOOTH);
+    assert!(experiment.to_string().contains("256 x 256 points"), "{experiment}");
+    assert!(experiment.run(&Silent).unwrap().page().markdown().contains("256 × 256 points"));
+}
+
+#[test]
+fn a_map_with_many_missing_points_is_refused() {
+    let (folder, experiment) =
+        read("law = \"hertz\"\nmodels = [\"reference\"]\npressure = \"5 MPa\"\n", MEASURED);
+    let heights =
+        (0..60 * 50).map(|k| if k % 80 == 0 { f64::NAN } else { 1e-7 * (k as f64).sin() }).collect();
+    let map = HeightMap::new([60, 50], [1e-6; 2], heights, 0.0).unwrap();
+    map.write_npy(&folder.path().join("map.npy")).unwrap();
+    let Err(error) = experiment.run(&Silent) else { panic!("it ran") };
+    let error = error.to_string();
+    assert!(error.contains("compare.models: surface m: reference: 38 of 3000 points are missing"), "{error}");
+}
+
 #[test]
 fn it_runs_alone_at_one_load_and_at_several() {
     for loads in ["\"5 MPa\"", "[\"5 MPa\", \"20 MPa\"]"] {

@@ -70,7 +70,6 @@ impl Row for CurveRow {
             pressure_pa["Pa"] = row.pressure(), "Nominal pressure, load over nominal area; above the target where the law jumps past it.";
             load_ratio["1"] = row.pressure() / row.reduced_modulus, "Nominal pressure over E* (Eq. 3) of the pair without a layer.";
             area_ratio["1"] = row.either(|point| point.response.area_ratio.total(), |point| point.area_ratio), "Real contact area over nominal area, never clamped; for the reference corrected for the perimeter of the contacts.";
-            raw_area_ratio["1"] = row.either(|_| None, |point| Some(point.raw_area_ratio)), "Points in contact over all points of the reference; empty for the models.";
             contact_density_per_m2["1/m²"] = row.model(|response| response.contact_density), "Contacts per nominal area.";
             mean_real_pressure_pa["Pa"] = row.either(|point| point.response.mean_real_pressure(), ReferencePoint::mean_real_pressure), "Load over real contact area; empty where there is no contact.";
             stiffness_pa_per_m["Pa/m"] = row.either(|point| Some(point.response.stiffness), |point| point.stiffness), "Contact stiffness -dp/dd per nominal area; jumps of a law are excluded for the sum and included for the integral; for the reference from the neighbouring loads, empty where one is further than a factor of 2.";
@@ -87,6 +86,7 @@ impl Row for CurveRow {
             largest_load_share["1"] = row.model_value(|response| Some(response.sharing?.largest_share)), "Share of the load in the most heavily loaded contact of the sum.";
             large_strain_load_share["1"] = row.model_value(|response| Some(response.sharing?.large_strain_share)), "Share of the load of the sum in contacts whose radius exceeds 0.3 of the asperity radius.";
             limits["text"] = limits(row.exceeded()), "Limits of the valid range that one of the models exceeds at this control point, separated by spaces: `few-contacts` (fewer than 30 effective), `dominant-contact` (more than 10 % of the load in one), `interaction` (area ratio above 0.05), `large-strain` (more than 10 % of the load in contacts whose radius exceeds 0.3 of the asperity radius); empty within the valid range.";
+            raw_area_ratio["1"] = row.either(|_| None, |point| Some(point.raw_area_ratio)), "Points in contact over all points of the reference; empty for the models.";
         });
         columns
     }

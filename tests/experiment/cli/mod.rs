@@ -159,7 +159,8 @@ fn the_tables_have_the_columns_and_rows_of_the_contract() {
          pressure_pa,load_ratio,area_ratio,contact_density_per_m2,mean_real_pressure_pa,stiffness_pa_per_m,\
          elastic_load_share,elastic_plastic_load_share,plastic_load_share,elastic_area_share,\
          elastic_plastic_area_share,plastic_area_share,pressure_standard_error_pa,area_ratio_standard_error,\
-         beyond_model,effective_contacts,largest_load_share,large_strain_load_share,limits"
+         beyond_model,effective_contacts,largest_load_share,large_strain_load_share,limits,\
+         raw_area_ratio"
     );
     // 2 surfaces, 2 laws, 2 models, 4 control points.
     assert_eq!(rows.len(), 2 * 2 * 2 * 4);

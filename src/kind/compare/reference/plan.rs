@@ -113,12 +113,13 @@ impl ReferencePlan {
         surface.map_points().map_or([0; 2], |points| points.map(|count| count * self.refine))
     }
 
-    /// An estimate of the bytes that it needs on a surface: a copy of the map, and the solver's arrays.
+    /// An estimate of the bytes that it needs on a surface: a copy of the map, the refined map, and the solver's arrays.
     pub fn memory(&self, surface: &SurfacePlan) -> u128 {
         const BYTES_PER_HEIGHT: u128 = 8;
         let points = self.points(surface);
         let copy = surface.map_points().map_or(0, |[nx, ny]| nx as u128 * ny as u128 * BYTES_PER_HEIGHT);
-        copy + Solver::memory(points, self.boundary(surface))
+        let finer = if self.refine > 1 { (points[0] * points[1]) as u128 * BYTES_PER_HEIGHT } else { 0 };
+        copy + finer + Solver::memory(points, self.boundary(surface))
     }
 
     /// An estimate of the time that it takes on all realisations of a surface, on two cores.

@@ -1,10 +1,11 @@
 //! Running the reference on one realisation of a surface.
 
+use std::borrow::Cow;
 use std::collections::BTreeMap;
-use std::fmt;
 use std::time::Instant;
 
-use asperity::bem::{Boundary, Contact, ElasticPair, Options, Solver};
+use asperity::HeightMap;
+use asperity::bem::{Boundary, Contact, ElasticPair, MOST_MISSING, Options, Solver, SolverError, refined};
 use asperity::compare::{Control, Kind, ReferenceCurve, ReferencePoint, stiffnesses};
 use asperity_framework::RunContext;
 use asperity_framework::input::InputError;
@@ -48,7 +49,7 @@ impl ReferenceRun<'_> {
         let start = Instant::now();
         let reference = self.reference;
         let area = self.surface.set.nominal_area();
-        let loads: Vec<Vec<Load>> = cases.iter().map(|case| Load::all(reference, case, area)).collect();
+        let loads: Vec<Vec<Load>> = cases.iter().map(|case| Load::all(self, case, area)).collect();
         let of_solution = |index: usize| -> Vec<f64> {
             let served = loads.iter().zip(&reference.serves).filter(|(_, serves)| **serves == index);
             let pressures = served.flat_map(|(loads, _)| loads.iter().map(|load| load.pressure));
@@ -60,12 +61,13 @@ impl ReferenceRun<'_> {
         let all: Vec<Vec<f64>> = (0..reference.solutions.len()).map(of_solution).collect();
         context.progress.stage("boundary elements", all.iter().map(Vec::len).sum::<usize>() as f64);
         let boundary = reference.boundary(self.plan);
+        let map = self.map(boundary).map_err(|error| self.refuse(context, None, &error))?;
         let mut views = Vec::new();
         for (index, (solution, pressures)) in reference.solutions.iter().zip(&all).enumerate() {
             let served: Vec<usize> =
                 (0..cases.len()).filter(|&case| reference.serves[case] == index).collect();
             let sum_at = |pressure: f64| served.iter().find_map(|&case| Sum::of(&cases[case], pressure));
-            let (solved, view) = self.solve(context, solution, pressures, &sum_at)?;
+            let (solved, view) = self.solve(context, &map, solution, pressures, &sum_at)?;
             views.extend(view);
             for case in served {
                 cases[case].reference = Some(solved.curve(boundary, solution.cap, &loads[case]));
@@ -75,28 +77,45 @@ impl ReferenceRun<'_> {
         Ok(views)
     }
 
+    /// The map that is solved.
+    ///
+    /// # Errors
+    /// Too many missing points.
+    fn map(&self, boundary: Boundary) -> Result<Cow<'_, HeightMap>, SolverError> {
+        let map = &self.prepared.map;
+        let (missing, points) = (missing(map), map.heights().len());
+        if missing as f64 > MOST_MISSING * points as f64 {
+            return Err(SolverError::Missing { missing, points });
+        }
+        Ok(match self.reference.refine {
+            1 => Cow::Borrowed(map),
+            factor => Cow::Owned(refined(map, boundary, factor)),
+        })
+    }
+
+    fn refuse(&self, context: &RunContext, thickness: Option<f64>, error: &SolverError) -> InputError {
+        let layer = thickness.map_or_else(String::new, |t| format!(", thickness {}", thickness_words(t)));
+        let message = format!("surface {}{layer}: reference: {error}", self.surface.name);
+        context.source.error_at(self.reference.key.clone(), message)
+    }
+
     /// Solves one contact at ascending pressures (Pa).
     fn solve(
         &self,
         context: &RunContext,
+        map: &HeightMap,
         solution: &Solution,
         pressures: &[f64],
         sum_at: &dyn Fn(f64) -> Option<Sum>,
     ) -> Result<(Solved, Option<ContactView>), InputError> {
-        let refuse = |error: &dyn fmt::Display| {
-            let layer = solution
-                .thickness
-                .map_or_else(String::new, |t| format!(", thickness {}", thickness_words(t)));
-            let message = format!("surface {}{layer}: the reference {error}", self.surface.name);
-            context.source.error_at(self.reference.key.clone(), message)
-        };
+        let refuse = |error: &SolverError| self.refuse(context, solution.thickness, error);
         let boundary = self.reference.boundary(self.plan);
         let [rough, flat] = &self.compare.pair;
         let layer = self.compare.layer.as_ref().map(|layer| &layer.material).zip(solution.thickness);
         let pair = ElasticPair::new(rough, flat, layer);
         let options = Options { boundary, error: self.reference.error, cap: solution.cap };
-        let solver = Solver::new(&self.prepared.map, &pair, &options).map_err(|error| refuse(&error))?;
-        let mut solved = Solved { interpolated: solver.interpolated(), ..Solved::default() };
+        let solver = Solver::new(map, &pair, &options).map_err(|error| refuse(&error))?;
+        let mut solved = Solved { interpolated: missing(&self.prepared.map), ..Solved::default() };
         let mut view: Option<ContactView> = None;
         for &pressure in pressures {
             if solution.cap.is_some_and(|cap| pressure >= cap) {
@@ -116,6 +135,9 @@ impl ReferenceRun<'_> {
     }
 }
 
+/// The least load of a separation sweep over E*: far below it not a single point of a map would be in contact.
+const LEAST_CARRIED: f64 = 1e-9;
+
 /// A load that is prescribed, or that a model carries at a prescribed separation.
 struct Load {
     control: Control,
@@ -126,27 +148,33 @@ struct Load {
 
 impl Load {
     /// The loads of a case on a nominal area (m^2).
-    fn all(reference: &ReferencePlan, case: &CaseResults, area: f64) -> Vec<Self> {
+    fn all(run: &ReferenceRun, case: &CaseResults, area: f64) -> Vec<Self> {
+        let reference = run.reference;
         let prescribed = reference.prescribed.iter().map(|&(control, target)| {
             let pressure = if control == Control::Force { target / area } else { target };
             Self { control, target, pressure }
         });
         let comparison = &case.comparison;
-        let of = |kind: Kind| -> Vec<f64> {
-            let points = comparison.curves.iter().filter(|point| point.kind == kind);
-            let pressures = points
-                .filter(|point| point.control == Control::Separation)
-                .map(|point| point.response.pressure.total())
-                .filter(|pressure| *pressure > 0.0 && !comparison.unpaired.contains(pressure));
-            pressures.collect()
-        };
-        let sums = of(Kind::Deterministic);
-        let carried = if sums.is_empty() { of(Kind::Statistical) } else { sums };
+        let models = &run.compare.models;
+        let kind =
+            if models.contains(&Kind::Deterministic) { Kind::Deterministic } else { Kind::Statistical };
+        let least = LEAST_CARRIED * run.compare.laws[0].contact.reference_modulus();
+        let points = comparison.curves.iter().filter(|point| point.kind == kind);
+        let carried: Vec<f64> = points
+            .filter(|point| point.control == Control::Separation)
+            .map(|point| point.response.pressure.total())
+            .filter(|pressure| *pressure >= least && !comparison.unpaired.contains(pressure))
+            .collect();
         let carried = spread_over(&carried, reference.loads).into_iter();
         prescribed
             .chain(carried.map(|pressure| Self { control: Control::Pressure, target: pressure, pressure }))
             .collect()
     }
+}
+
+/// Number of missing points.
+fn missing(map: &HeightMap) -> usize {
+    map.heights().iter().filter(|z| z.is_nan()).count()
 }
 
 /// The results of one solution by pressure (bits of the f64, whose order is that of positive numbers).
