@@ -31,6 +31,8 @@ pub struct SurfaceFactory<'a> {
     counter: &'a Counter,
     /// A bandwidth that met the target before.
     bandwidth: Option<f64>,
+    /// Whether a surface keeps its prepared map.
+    keeps_map: bool,
     /// The measured map that was made last, as read.
     raw: Option<Rc<dyn Rows>>,
 }
@@ -39,7 +41,12 @@ impl<'a> SurfaceFactory<'a> {
     /// A factory of the realisations of `plan`, made one after the other.
     pub fn new(plan: &'a SurfacePlan, context: &RunContext<'a>, counter: &'a Counter) -> Self {
         let &RunContext { source, seed, progress, .. } = context;
-        Self { plan, source, seed, progress, counter, bandwidth: None, raw: None }
+        Self { plan, source, seed, progress, counter, bandwidth: None, keeps_map: false, raw: None }
+    }
+
+    /// The same, of surfaces that keep their prepared map if they have one and `keeps_map`.
+    pub fn keeping_map(self, keeps_map: bool) -> Self {
+        Self { keeps_map, ..self }
     }
 
     /// Makes or reads realisation `realisation` (from 1).
@@ -80,6 +87,7 @@ impl<'a> SurfaceFactory<'a> {
             depth: AnalysisDepth::Asperities,
             divides: true,
             correlation,
+            keeps_map: false,
             progress: &Silent,
         };
         self.counter.add(Item::Surfaces, 1);
@@ -165,6 +173,7 @@ impl<'a> SurfaceFactory<'a> {
                     depth,
                     divides: self.divides(depth),
                     correlation: None,
+                    keeps_map: self.keeps_map,
                     progress: self.progress,
                 };
                 found(name, &search, &made.map, timing).map_err(|error| refuse(&error))
@@ -184,6 +193,7 @@ impl<'a> SurfaceFactory<'a> {
                     depth,
                     divides: self.divides(depth),
                     correlation: None,
+                    keeps_map: self.keeps_map,
                     progress: self.progress,
                 };
                 let surface = found(name, &search, &*rows, timing).map_err(|error| refuse(&error))?;
@@ -208,7 +218,7 @@ fn found(
     timing: &mut Timing,
 ) -> Result<Surface, NoAsperities> {
     let start = Instant::now();
-    let Found { set, facts, independence } = search.asperities(map)?;
+    let Found { set, facts, independence, prepared } = search.asperities(map)?;
     timing.summits += start.elapsed();
     let (set, origin) = set.near_zero();
     let statistics = Statistics::of(&set);
@@ -233,6 +243,7 @@ fn found(
     let plane = ReferencePlane { mean, sigma: moments.sq };
     surface.map = Some(facts);
     surface.independence = independence;
+    surface.prepared = prepared;
     if surface.separations_of() == SigmaOf::Surface {
         surface.plane = plane;
     }

@@ -2,6 +2,7 @@
 
 use super::independence::Independence;
 use super::overview::MapOverview;
+use super::search::PreparedMap;
 use asperity::compare::Division;
 use asperity::topography::fitness::{Finding, LineOffsets, Lines, Spikes};
 use asperity::topography::generate::{SigmaOf, SurfaceGenerator, Target};
@@ -35,6 +36,8 @@ pub struct Surface {
     pub ellipticity: Option<Ellipticity>,
     /// The map that it was found on.
     pub map: Option<MapFacts>,
+    /// The map as prepared, where it is kept for more than its asperities.
+    pub prepared: Option<PreparedMap>,
     /// What its sampling error rests on.
     pub independence: Independence,
     /// Number of realisations of this surface.
@@ -206,6 +209,7 @@ impl Surface {
             nominal: None,
             ellipticity,
             map: None,
+            prepared: None,
             independence: Independence::Asperities,
             realisations: 1,
             warnings: Vec::new(),
@@ -266,6 +270,11 @@ impl Surface {
     /// Height of the mean asperity above the mean plane of the surface, m, where known.
     pub fn offset_to_mean_plane(&self) -> Option<f64> {
         self.mean_plane.map(|plane| self.population_mean() - plane)
+    }
+
+    /// Height of the plane that separations are measured from above the mean plane of the surface, m, where known.
+    pub fn plane_above_mean_plane(&self) -> Option<f64> {
+        self.mean_plane.map(|mean| self.plane.mean - mean)
     }
 
     /// Whose mean and standard deviation separations are measured by.

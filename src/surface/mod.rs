@@ -28,7 +28,7 @@ pub use independence::{Independence, MapBlocks};
 pub use options::FileOptions;
 pub use overview::{AnalysisDepth, MapOverview};
 pub use plan::{SurfacePlan, beside, curvature_ratio, describe, inputs, memory, surfaces};
-pub use search::Preparation;
+pub use search::{Preparation, PreparedMap};
 pub use summary::{PopulationSummary, RealisationSummary, SurfaceSummary, summary};
 
 use asperity::work::Counter;

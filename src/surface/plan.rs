@@ -215,6 +215,20 @@ impl SurfacePlan {
         matches!(self.origin, Origin::List { .. } | Origin::Population { .. })
     }
 
+    /// Points of its height map along x and y; `None` of given asperities.
+    pub fn map_points(&self) -> Option<[usize; 2]> {
+        match &self.origin {
+            Origin::Generated(generation) => Some(generation.points()),
+            Origin::Map(map) => Some(map.points),
+            Origin::List { .. } | Origin::Population { .. } => None,
+        }
+    }
+
+    /// Whether it is a measured height map.
+    pub fn is_measured(&self) -> bool {
+        matches!(self.origin, Origin::Map(_))
+    }
+
     /// Warnings about radius, heights and area that are hardly meant; they are known before a run of a population only.
     pub fn implausible(&self) -> Vec<String> {
         let Origin::Population { population: Population { radius, sigma, density, .. }, count, .. } =

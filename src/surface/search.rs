@@ -8,7 +8,7 @@ use asperity::topography::{
     Autocorrelation, CorrelationLengths, Filter, FilterError, Level, Levelled, Quantisation,
     RoughnessParameters, Rows, Undetermined, Watched, Window, theory, thumbnail,
 };
-use asperity::{AsperitySet, Ellipse, SetError};
+use asperity::{AsperitySet, Ellipse, HeightMap, SetError};
 use asperity_framework::progress::Progress;
 
 use super::found::{GenerationFacts, MapFacts, SpikeFacts};
@@ -78,6 +78,8 @@ pub(super) struct SummitSearch<'a> {
     pub(super) divides: bool,
     /// Correlation lengths of the heights, where they are known already.
     pub(super) correlation: Option<CorrelationLengths>,
+    /// Whether the prepared map is kept.
+    pub(super) keeps_map: bool,
     pub(super) progress: &'a dyn Progress,
 }
 
@@ -86,6 +88,17 @@ pub(super) struct Found {
     pub(super) set: AsperitySet,
     pub(super) facts: MapFacts,
     pub(super) independence: Independence,
+    /// The prepared map, where it is kept.
+    pub(super) prepared: Option<PreparedMap>,
+}
+
+/// A map as its summits were searched.
+#[derive(Debug)]
+pub struct PreparedMap {
+    /// Aligned, levelled and filtered, spikes missing.
+    pub map: HeightMap,
+    /// Index of the point of each summit, in the order of the asperities.
+    pub positions: Vec<usize>,
 }
 
 /// Spikes of a map beside spikes stand out only once those are gone.
@@ -136,7 +149,7 @@ impl SummitSearch<'_> {
         }
         // The drops reveal only height steps of an instrument.
         let detail = Detail {
-            positions: self.divides,
+            positions: self.divides || self.keeps_map,
             principal: true,
             drops: self.generation.is_none() && is_checked,
         };
@@ -166,14 +179,18 @@ impl SummitSearch<'_> {
             facts.offsets = facts.spikes.is_some().then(|| LineOffsets::of(map));
             facts.fitness = fitness(map, &facts, &summits, aspect);
         }
+        let prepared = self.keeps_map.then(|| {
+            progress.stage("copying the map", 1.0);
+            PreparedMap { map: HeightMap::of(map), positions: summits.positions.clone() }
+        });
         let [dx, dy] = map.pixel();
         let radii = summits.curvatures.iter().map(|curvature| curvature.recip()).collect();
         let set = AsperitySet::new(summits.heights, radii, dx * dy * summits.tested as f64)?;
         if !self.as_ellipses {
-            return Ok(Found { set, facts, independence });
+            return Ok(Found { set, facts, independence, prepared });
         }
         let ellipses = summits.principal.iter().copied().map(Ellipse::of_summit).collect();
-        Ok(Found { set: set.with_ellipses(ellipses)?, facts, independence })
+        Ok(Found { set: set.with_ellipses(ellipses)?, facts, independence, prepared })
     }
 
     fn facts(
@@ -252,11 +269,11 @@ fn correlation_of(map: &dyn Rows, mean: f64) -> Option<Autocorrelation> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use asperity::Heights;
     use asperity::topography::generate::SurfaceGenerator;
     use asperity::topography::generate::{Plateau, Process, Seeds, SpectrumOf};
     use asperity::topography::spectrum::Spectrum;
     use asperity::topography::spectrum::{Lay, SpectrumShape};
-    use asperity::{HeightMap, Heights};
     use asperity_framework::progress::Silent;
 
     fn map(points: [usize; 2], height: impl Fn(usize) -> f64) -> HeightMap {
@@ -275,6 +292,7 @@ mod tests {
             depth: AnalysisDepth::Everything,
             divides: false,
             correlation: None,
+            keeps_map: false,
             progress: &Silent,
         };
         let facts = search.asperities(&map).unwrap().facts;
@@ -318,6 +336,7 @@ mod tests {
                 depth: AnalysisDepth::Asperities,
                 divides: false,
                 correlation: None,
+                keeps_map: false,
                 progress: &Silent,
             }
             .asperities(&map)

@@ -88,9 +88,16 @@ rough = "steel"
 flat = "steel"
 law = "zmc"
 layer = { material = "lead", thickness = [0, "50 nm", "inf"] }
+models = ["statistical", "deterministic", "reference"]
 separation = { values = [9, 2] }
 pressure = { values = ["1 MPa"] }
-force = { values = ["0.1 N"] }
+force = { values = ["1 mN"] }
+
+[surface.random.generate]
+points = 64
+pixel = "1 um"
+sigma = "100 nm"
+spectrum.self-affine = { hurst = 0.8, roll-off = "40 um", cut-off = "8 um" }
 "#;
 
 const COVERAGE: &str = r#"
@@ -197,7 +204,7 @@ fn fits(cell: &str, unit: &str) -> bool {
 fn every_kind_writes_the_tables_that_it_declares() {
     let bodies = concat!(steel!(), lead!());
     let specs = [
-        ("compare", [bodies, COMPARE, SURFACE].concat()),
+        ("compare", [bodies, COMPARE].concat()),
         ("coverage", [bodies, COVERAGE].concat()),
         ("indentation", [bodies, INDENTATION].concat()),
         ("laws", [bodies, LAWS, SURFACE].concat()),
@@ -213,15 +220,18 @@ fn every_kind_writes_the_tables_that_it_declares() {
         for (schema, (file, content)) in declared.iter().zip(written) {
             let mut reader = csv::Reader::from_reader(content.as_slice());
             let header: Vec<String> = reader.headers().unwrap().iter().map(str::to_owned).collect();
+            // The reference of `comparison.csv` is there only where it ran.
+            let is_there = |heading: &&Heading| name == "compare" || !heading.name.starts_with("reference_");
+            let columns: Vec<&Heading> = schema.columns.iter().filter(is_there).collect();
             assert_eq!(
                 header,
-                schema.columns.iter().map(|column| column.name.clone()).collect::<Vec<_>>(),
+                columns.iter().map(|column| column.name.clone()).collect::<Vec<_>>(),
                 "{file}"
             );
             let rows: Vec<csv::StringRecord> = reader.records().map(Result::unwrap).collect();
             assert!(!rows.is_empty(), "{name}, {file}");
             for (cell, Heading { name, unit, .. }) in
-                rows.iter().flat_map(|row| row.iter().zip(&schema.columns))
+                rows.iter().flat_map(|row| row.iter().zip(columns.iter().copied()))
             {
                 assert!(fits(cell, unit), "{file}, {name} [{unit}]: {cell}");
             }

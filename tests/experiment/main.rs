@@ -29,6 +29,7 @@ mod layers;
 mod limit;
 mod materials;
 mod readings;
+mod reference;
 mod registry;
 mod single_load;
 mod verdicts;

@@ -45,6 +45,8 @@ pub struct Timing {
     pub deterministic: Duration,
     /// Both models again, for sampling errors.
     pub sampling: Duration,
+    /// The boundary element reference.
+    pub reference: Duration,
     /// From the spec to the results.
     pub total: Duration,
 }

@@ -72,6 +72,8 @@ struct Times {
     statistical_s: f64,
     deterministic_s: f64,
     sampling_s: f64,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    reference_s: Option<f64>,
     report_s: f64,
     total_s: f64,
 }
@@ -89,6 +91,7 @@ pub(super) fn timing(metadata: &Metadata, report: Duration) -> serde_json::Resul
         statistical_s: timing.statistical.as_secs_f64(),
         deterministic_s: timing.deterministic.as_secs_f64(),
         sampling_s: timing.sampling.as_secs_f64(),
+        reference_s: Some(timing.reference.as_secs_f64()).filter(|&seconds| seconds > 0.0),
         report_s: report.as_secs_f64(),
         total_s: (timing.total + report).as_secs_f64(),
     })

@@ -119,6 +119,9 @@ impl Canvas {
         let extra = match stroke.dash {
             Dash::Solid => "stroke-linejoin=\"round\"".to_owned(),
             Dash::Dashed => format!("stroke-dasharray=\"{} {}\"", 4 * w, 5 * w / 2),
+            Dash::DashDot => {
+                format!("stroke-dasharray=\"{} {} {} {}\"", 5 * w, 2 * w, w, 2 * w)
+            }
             Dash::Dotted => format!("stroke-dasharray=\"0 {}\" stroke-linecap=\"round\"", 2 * w),
         };
         self.group(&common, &extra, &elements);

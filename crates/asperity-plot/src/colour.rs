@@ -10,6 +10,8 @@ pub enum Colour {
     Statistical,
     /// The deterministic model: vermillion.
     Deterministic,
+    /// The boundary element reference: green.
+    Reference,
     /// Elastic contacts: light blue.
     Elastic,
     /// Elastic-plastic contacts: orange.
@@ -30,12 +32,13 @@ pub enum Colour {
 
 const BLUE: RGBColor = RGBColor(0x00, 0x72, 0xb2);
 const VERMILLION: RGBColor = RGBColor(0xd5, 0x5e, 0x00);
+const GREEN: RGBColor = RGBColor(0x00, 0x9e, 0x73);
 const ORANGE: RGBColor = RGBColor(0xe6, 0x9f, 0x00);
 
 const SERIES: [RGBColor; 8] = [
     BLUE,
     VERMILLION,
-    RGBColor(0x00, 0x9e, 0x73),
+    GREEN,
     RGBColor(0xcc, 0x79, 0xa7),
     ORANGE,
     RGBColor(0x56, 0xb4, 0xe9),
@@ -52,6 +55,7 @@ impl Colour {
         match self {
             Self::Statistical => BLUE,
             Self::Deterministic => VERMILLION,
+            Self::Reference => GREEN,
             Self::Elastic => RGBColor(0x9a, 0xd0, 0xf0),
             Self::ElasticPlastic => ORANGE,
             Self::Plastic => RGBColor(0x88, 0x22, 0x55),

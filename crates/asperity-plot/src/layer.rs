@@ -9,6 +9,8 @@ pub enum Dash {
     Solid,
     Dashed,
     Dotted,
+    /// Dashes and dots in turn.
+    DashDot,
 }
 
 /// The shape of a point.

@@ -1,6 +1,6 @@
 //! Results of both models on the realisations of a surface.
 
-use asperity::compare::{Comparison, Difference, Gaps, Kind};
+use asperity::compare::{Comparison, Difference, Gaps, Kind, Pair, Pairing, ReferenceCurve, ReferencePoint};
 use asperity::sphere::Decrease;
 use asperity::topography::Moments;
 use asperity::{Population, Statistics};
@@ -65,4 +65,13 @@ pub struct CaseResults {
     pub gaps: Gaps,
     /// The differences at equal load, in the order of the pairs, with their sampling uncertainty.
     pub differences: Vec<Difference>,
+    /// The reference; `None` where none is asked for.
+    pub reference: Option<ReferenceCurve>,
+}
+
+impl CaseResults {
+    /// The reference at the load of a pair of both models; `None` where it did not run.
+    pub fn reference_of(&self, pair: &Pair) -> Option<&ReferencePoint> {
+        self.reference.as_ref().filter(|_| pair.pairing == Pairing::Load)?.at_load(pair.target)
+    }
 }

@@ -10,6 +10,7 @@ pub mod page;
 pub mod plan;
 mod reach;
 mod readings_summary;
+pub mod reference;
 pub mod results;
 pub mod robustness;
 mod run;
@@ -58,6 +59,7 @@ impl Kind for Compare {
             Schema::of::<tables::CurveRow>(),
             Schema::of::<tables::PairRow>(),
             Schema::of::<differences::DifferenceRow>(),
+            Schema::of::<reference::tables::ReferenceRow>(),
         ]
     }
 }
@@ -68,7 +70,11 @@ impl Plan for ComparePlan {
     }
 
     fn memory(&self) -> Memory {
-        memory(&self.surfaces, self.depth(), self.is_robustness_examined && self.models.len() > 1)
+        let of_models =
+            memory(&self.surfaces, self.depth(), self.is_robustness_examined && self.models.len() > 1);
+        let Some(reference) = &self.reference else { return of_models };
+        let of_reference = self.surfaces.iter().map(|surface| reference.memory(surface)).max();
+        Memory { bytes: of_models.bytes + of_reference.unwrap_or(0), ..of_models }
     }
 
     fn work(&self) -> u128 {
@@ -102,11 +108,15 @@ impl Outcome for CompareResults {
     }
 
     fn tables(&self) -> Result<Vec<(&'static str, Vec<u8>)>, TableError> {
-        Ok(vec![
+        let mut files = vec![
             csv_file(tables::curves(self))?,
-            csv_file(tables::comparison(self))?,
+            tables::comparison_file(tables::comparison(self), self.reference.is_some())?,
             csv_file(differences::rows(self))?,
-        ])
+        ];
+        if self.reference.is_some() {
+            files.push(csv_file(reference::tables::rows(self))?);
+        }
+        Ok(files)
     }
 
     fn summary(&self) -> serde_json::Result<Map<String, Value>> {

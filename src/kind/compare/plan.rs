@@ -13,7 +13,9 @@ use asperity_framework::input::{InputError, SpecFile};
 use asperity_framework::progress::Progress;
 use toml::Spanned;
 
-use super::spec::CompareSpec;
+use super::reference::ReferencePlan;
+use super::reference::plan::{Resolved, reference};
+use super::spec::{CompareSpec, Models};
 use crate::layer::{LayerPlan, layer};
 use crate::plausibility;
 use crate::surface::{AnalysisDepth, SurfacePlan, describe, surfaces};
@@ -32,6 +34,8 @@ pub struct ComparePlan {
     pub law_specs: Vec<ContactLaw>,
     /// The models to run.
     pub models: Vec<Kind>,
+    /// The reference beside them, where one is asked for.
+    pub reference: Option<Box<ReferencePlan>>,
     /// Height density of the statistical model, where the spec names one.
     pub heights: Option<Heights>,
     /// Which mean radius the statistical model uses.
@@ -122,8 +126,13 @@ impl fmt::Display for ComparePlan {
         };
         let points = self.controls.points();
         let unit = if points == 1 { "point" } else { "points" };
-        writeln!(f, "  {} at {points} {unit} a {each}", models.join(" and "))?;
+        if !models.is_empty() {
+            writeln!(f, "  {} at {points} {unit} a {each}", models.join(" and "))?;
+        }
         describe(&self.surfaces, f)?;
+        if let Some(reference) = &self.reference {
+            reference.describe(&self.surfaces, f)?;
+        }
         let surfaces = self.surfaces.iter().flat_map(SurfacePlan::implausible);
         self.implausible
             .iter()
@@ -196,20 +205,25 @@ pub(crate) fn compared(
     implausible.extend(plausibility::of_separations(&controls.separations));
     let law_specs = raw.law.get_ref().0.clone();
     let as_ellipses = law_specs.iter().any(ContactLaw::is_elliptic);
+    let surfaces = surfaces(file, raw.surfaces.as_deref(), span, as_ellipses)?;
+    let laws = file.law_plans(&raw.law, (rough_name, &rough), &flats, flat_name)?;
+    let resolved = Resolved { rough: &rough, flats: &flats, laws: &laws, surfaces: &surfaces };
+    let reference = reference(file, raw, &resolved)?.map(Box::new);
     Ok(ComparePlan {
         bodies: Bodies { rough: rough_name.clone(), flat: flat_name.clone() },
         pair: [rough, flat],
         law_specs,
-        laws: file.law_plans(&raw.law, (rough_name, &rough), &flats, flat_name)?,
+        laws,
         layer,
-        models: raw.models.0.clone(),
+        models: raw.models.as_ref().map_or_else(Models::default, |models| models.get_ref().clone()).kinds,
+        reference,
         heights: raw.statistical.heights.as_ref().map(|heights| heights.0.clone()),
         mean_radius: raw.statistical.mean_radius,
         accept: raw.accept,
         is_robustness_examined: raw.robustness,
         controls,
         load_keys: [raw.pressure.as_ref().map(Spanned::span), raw.force.as_ref().map(Spanned::span)],
-        surfaces: surfaces(file, raw.surfaces.as_deref(), span, as_ellipses)?,
+        surfaces,
         implausible,
         described: None,
     })

@@ -8,6 +8,7 @@ use asperity_framework::metadata::Metadata;
 
 use super::answers::{DecreaseResults, RealisationResults, Threshold};
 use super::findings::{Readings, SurfaceFindings};
+use super::reference::{ContactView, ElasticCase};
 use super::robustness::Robustness;
 use crate::layer::rule_warning;
 use crate::surface::{Surface, warnings};
@@ -27,8 +28,21 @@ pub struct CompareResults {
     pub surfaces: Vec<SurfaceResults>,
     /// What the reading of sigma and d changes, where surfaces with the same numbers have both.
     pub readings: Option<Readings>,
+    /// How the reference was run; `None` where none was asked for.
+    pub reference: Option<ReferenceMetadata>,
     /// Of a measured file that the command line named.
     pub described: Option<Described>,
+}
+
+/// How the reference was run.
+#[derive(Debug)]
+pub struct ReferenceMetadata {
+    /// The relative dual gap that was asked for.
+    pub error: f64,
+    /// Points along an axis for each of the map's.
+    pub refine: usize,
+    /// Laws that yield beside an elastic reference.
+    pub elastic: Vec<ElasticCase>,
 }
 
 /// What the command line made of a measured file.
@@ -74,6 +88,8 @@ pub struct SurfaceResults {
     pub findings: SurfaceFindings,
     /// The verdicts under other treatments of a measured map; `None` where none were examined.
     pub robustness: Option<Robustness>,
+    /// A look at the contact of each solution of the reference on the first.
+    pub contacts: Vec<ContactView>,
 }
 
 impl SurfaceResults {

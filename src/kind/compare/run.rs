@@ -1,4 +1,4 @@
-//! Running `[compare]`: both models on every realisation of every surface, under every law and thickness.
+//! Running `[compare]`: both models, and the reference, on every realisation of every surface, under every law and thickness.
 
 use std::time::Instant;
 
@@ -19,7 +19,8 @@ use super::findings::{Readings, SurfaceFindings};
 use super::implausible;
 use super::models::SurfaceModels;
 use super::plan::{ComparePlan, Setup};
-use super::results::{CompareResults, Described, SurfaceResults};
+use super::reference::ReferenceRun;
+use super::results::{CompareResults, Described, ReferenceMetadata, SurfaceResults};
 use super::robustness;
 use super::sampling::sampling;
 use super::threshold;
@@ -45,8 +46,10 @@ pub fn run(
     let setup = compare.setup(context);
     let mut surfaces = Vec::new();
     for surface in &compare.surfaces {
-        let mut factory = SurfaceFactory::new(surface, context, counter);
-        let first_surface = factory.make(1, compare.depth(), &mut files, &mut timing)?;
+        let has_reference = compare.reference.is_some();
+        let mut factory = SurfaceFactory::new(surface, context, counter).keeping_map(has_reference);
+        let mut first_surface = factory.make(1, compare.depth(), &mut files, &mut timing)?;
+        let prepared = first_surface.prepared.take();
         let models = models_of(setup, &first_surface, &mut timing);
         let mut first = run_surface(setup, &first_surface, &models, counter, &mut timing)
             .map_err(|(law, error)| unreachable_load(context, compare, &first_surface.name, law, &error))?;
@@ -61,17 +64,41 @@ pub fn run(
             papers.extend(heights.papers());
         }
         drop(models);
+        let mut contacts = Vec::new();
+        if let Some((reference, prepared)) = compare.reference.as_deref().zip(prepared) {
+            let run = ReferenceRun {
+                reference,
+                compare,
+                plan: surface,
+                surface: &first_surface,
+                prepared,
+                is_viewed: true,
+            };
+            contacts = run.run(context, &mut first.cases, &mut timing)?;
+        }
         let robustness =
             robustness::robustness(context, compare, &factory, &first_surface, &first.cases, counter);
         context.progress.step();
         let mut others = Vec::new();
         for realisation in 2..=surface.realisations {
-            let surface = factory.make(realisation, AnalysisDepth::Asperities, &mut files, &mut timing)?;
-            let models = models_of(setup, &surface, &mut timing);
-            let mut other = run_surface(setup, &surface, &models, counter, &mut timing)
-                .map_err(|(law, error)| unreachable_load(context, compare, &surface.name, law, &error))?;
+            let mut made = factory.make(realisation, AnalysisDepth::Asperities, &mut files, &mut timing)?;
+            let prepared = made.prepared.take();
+            let models = models_of(setup, &made, &mut timing);
+            let mut other = run_surface(setup, &made, &models, counter, &mut timing)
+                .map_err(|(law, error)| unreachable_load(context, compare, &made.name, law, &error))?;
             // The scatter of the realisations is the error of each.
             differ(&mut other.cases, &vec![CaseSampling::default(); compare.laws.len()], setup.laws, &models);
+            if let Some((reference, prepared)) = compare.reference.as_deref().zip(prepared) {
+                let run = ReferenceRun {
+                    reference,
+                    compare,
+                    plan: surface,
+                    surface: &made,
+                    prepared,
+                    is_viewed: false,
+                };
+                run.run(context, &mut other.cases, &mut timing)?;
+            }
             others.push(other);
             context.progress.step();
         }
@@ -86,6 +113,7 @@ pub fn run(
             decreases,
             findings,
             robustness,
+            contacts,
         });
     }
     timing.total = start.elapsed();
@@ -118,7 +146,21 @@ pub fn run(
         let Surface { name, statistics, set, .. } = &found.surface;
         plausibility::of_surface(name, statistics.mean_radius, statistics.sigma, set.nominal_area())
     }));
-    Ok(CompareResults { metadata, contact, implausible, tolerances, surfaces, readings, described })
+    let reference = compare.reference.as_deref().map(|reference| ReferenceMetadata {
+        error: reference.error,
+        refine: reference.refine,
+        elastic: reference.elastic.clone(),
+    });
+    Ok(CompareResults {
+        metadata,
+        contact,
+        implausible,
+        tolerances,
+        surfaces,
+        readings,
+        reference,
+        described,
+    })
 }
 
 /// Both models on a surface, its asperities as the laws see them.
@@ -164,6 +206,7 @@ pub(super) fn run_surface<'a>(
             plasticity_index: plasticity_index(contact, population.sigma, population.radius),
             gaps: Gaps::of(&comparison.pairs),
             differences: Vec::new(),
+            reference: None,
             comparison,
         });
         setup.progress.advance(1.0);

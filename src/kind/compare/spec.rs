@@ -1,4 +1,4 @@
-//! `[compare]`: both models on the same surfaces.
+//! `[compare]`: both models on the same surfaces, and the reference beside them.
 
 use std::fmt;
 
@@ -6,6 +6,7 @@ use serde::Deserialize;
 use serde::de::{Deserializer, Error, SeqAccess, Visitor};
 use toml::Spanned;
 
+use super::reference::ReferenceSpec;
 use crate::layer::LayerSpec;
 use asperity::MeanRadius;
 use asperity::compare::Kind;
@@ -28,9 +29,10 @@ pub struct CompareSpec {
     pub law: Spanned<Laws>,
     /// The layer on the flat.
     pub layer: Option<LayerSpec>,
-    /// The models to run; both by default.
-    #[serde(default)]
-    pub models: Models,
+    /// What to run; both models by default.
+    pub models: Option<Spanned<Models>>,
+    /// How the reference is run.
+    pub reference: Option<Spanned<ReferenceSpec>>,
     /// Inputs of the statistical model.
     #[serde(default)]
     pub statistical: StatisticalSpec,
@@ -86,28 +88,52 @@ impl<'de> Deserialize<'de> for RoughBody {
     }
 }
 
-/// A list of models, none twice, at least one.
+/// A list of models and the reference, none twice, at least one.
 #[derive(Debug, Clone, PartialEq, Deserialize)]
-#[serde(try_from = "Vec<Kind>")]
-pub struct Models(pub Vec<Kind>);
+#[serde(try_from = "Vec<ModelName>")]
+pub struct Models {
+    /// The models.
+    pub kinds: Vec<Kind>,
+    /// Whether the reference runs.
+    pub has_reference: bool,
+}
+
+/// One of `models`.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+enum ModelName {
+    Statistical,
+    Deterministic,
+    Reference,
+}
 
 impl Default for Models {
     fn default() -> Self {
-        Self(vec![Kind::Statistical, Kind::Deterministic])
+        Self { kinds: vec![Kind::Statistical, Kind::Deterministic], has_reference: false }
     }
 }
 
-impl TryFrom<Vec<Kind>> for Models {
+impl TryFrom<Vec<ModelName>> for Models {
     type Error = String;
 
-    fn try_from(kinds: Vec<Kind>) -> Result<Self, String> {
-        const ALLOWED: &str = "allowed: \"statistical\", \"deterministic\", or both";
-        match kinds[..] {
-            [] => Err(format!("found an empty list; {ALLOWED}")),
-            [_] => Ok(Self(kinds)),
-            [a, b] if a != b => Ok(Self(kinds)),
-            _ => Err(format!("found a model twice; {ALLOWED}")),
+    fn try_from(names: Vec<ModelName>) -> Result<Self, String> {
+        const ALLOWED: &str =
+            "allowed: one or more of \"statistical\", \"deterministic\" and \"reference\", each once";
+        if names.is_empty() {
+            return Err(format!("found an empty list; {ALLOWED}"));
         }
+        if (1..names.len()).any(|k| names[..k].contains(&names[k])) {
+            return Err(format!("found a model twice; {ALLOWED}"));
+        }
+        let kind = |name: &ModelName| match name {
+            ModelName::Statistical => Some(Kind::Statistical),
+            ModelName::Deterministic => Some(Kind::Deterministic),
+            ModelName::Reference => None,
+        };
+        Ok(Self {
+            kinds: names.iter().filter_map(kind).collect(),
+            has_reference: names.contains(&ModelName::Reference),
+        })
     }
 }
 

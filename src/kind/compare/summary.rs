@@ -12,6 +12,7 @@ use serde_json::{Map, Value};
 use super::layer_summary as layer;
 use super::layer_summary::{DecreaseSummary, LayerSummary, Thickness, ThresholdSummary};
 use super::readings_summary::{ReadingSummary, readings};
+use super::reference::{self, ReferenceSummary};
 use super::results::{CompareResults, SurfaceResults};
 use crate::surface::fitness::{FitnessSummary, fitness_summary};
 use crate::surface::{PopulationSummary, RealisationSummary, SurfaceSummary};
@@ -32,6 +33,8 @@ struct CompareSummary<'a> {
     #[serde(skip_serializing_if = "Vec::is_empty")]
     robustness: Vec<RobustnessSummary<'a>>,
     largest_gaps: Vec<GapSummary<'a>>,
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    reference: Vec<ReferenceSummary<'a>>,
     #[serde(skip_serializing_if = "Vec::is_empty")]
     readings: Vec<ReadingSummary<'a>>,
     #[serde(skip_serializing_if = "Vec::is_empty")]
@@ -180,6 +183,7 @@ pub fn summary(results: &CompareResults) -> serde_json::Result<Map<String, Value
         verdicts: results.surfaces.iter().flat_map(verdicts).collect(),
         robustness: results.surfaces.iter().flat_map(robustness).collect(),
         largest_gaps: results.surfaces.iter().flat_map(gaps).collect(),
+        reference: reference::summary(results),
         readings: readings(results.readings.as_ref()),
         layer_thresholds: results.surfaces.iter().flat_map(layer::thresholds).collect(),
         falls: results.surfaces.iter().flat_map(layer::decreases).collect(),

@@ -1,13 +1,13 @@
 //! `curves.csv` and `comparison.csv`: pure writers, results to bytes.
 
 use asperity_framework::columns;
-use asperity_framework::report::table::{Column, Heading, Row, Value};
+use asperity_framework::report::table::{Column, Heading, Row, TableError, Value, csv_file_with};
 
 use crate::kind::compare::answers::{CaseResults, RealisationResults};
 use crate::kind::compare::results::CompareResults;
 
-use asperity::compare::{CurvePoint, Kind, Pair};
-use asperity::{ByRegime, Exceeded, Limit, LoadSharing, Response};
+use asperity::compare::{CurvePoint, Kind, Pair, ReferencePoint};
+use asperity::{ByRegime, Exceeded, Limit, Response};
 
 /// What a row belongs to.
 #[derive(Debug, Clone)]
@@ -28,7 +28,7 @@ impl Case {
     }
 
     /// The columns of the case that a row belongs to.
-    fn columns<R>(case: impl Fn(&R) -> &Self + Copy + 'static) -> Vec<Column<R>> {
+    pub(crate) fn columns<R>(case: impl Fn(&R) -> &Self + Copy + 'static) -> Vec<Column<R>> {
         columns! { row: R =>
             surface["text"] = case(row).surface.as_str(), "Name of the surface; in `[limit]` the set of asperities, `random-N` or `quantiles-N`, or `population` for the integral.";
             realisation["count"] = case(row).realisation, "Number of the realisation of the surface, from 1; a given or measured surface has one.";
@@ -38,14 +38,20 @@ impl Case {
     }
 }
 
-/// A point of a model's curve.
+/// A point of the curve of a model or of the reference.
 pub(crate) struct CurveRow {
     pub(crate) case: Case,
-    pub(crate) point: CurvePoint,
-    /// The limits that one of the models exceeds there.
-    pub(crate) exceeded: Exceeded,
+    pub(crate) point: AnyPoint,
     /// E* of the pair without a layer, Pa.
     pub(crate) reduced_modulus: f64,
+}
+
+/// A point of a curve.
+pub(crate) enum AnyPoint {
+    /// Of a model, with the limits that one of the models exceeds there.
+    Model(CurvePoint, Exceeded),
+    /// Of the reference.
+    Reference(ReferencePoint),
 }
 
 impl Row for CurveRow {
@@ -56,38 +62,70 @@ impl Row for CurveRow {
     fn columns() -> Vec<Column<Self>> {
         let mut columns = Case::columns(|row: &Self| &row.case);
         columns.extend(columns! { row: Self =>
-            model["text"] = row.point.kind.name(), "Model: `statistical` (integral over the height density) or `deterministic` (sum over the asperities, Eq. 13).";
-            control["text"] = row.point.control.name(), "Quantity that is prescribed: `separation`, `pressure` or `force`.";
-            target["1, Pa or N"] = row.point.target, "Prescribed value: separation over sigma, nominal pressure or force on the nominal area.";
-            separation_m["m"] = row.point.response.separation, "Separation d of the flat from the mean asperity height.";
-            separation_over_sigma["1"] = row.point.response.separation_over_sigma, "Separation over sigma, the standard deviation of the asperity heights.";
-            pressure_pa["Pa"] = row.point.response.pressure.total(), "Nominal pressure, load over nominal area; above the target where the law jumps past it.";
-            load_ratio["1"] = row.point.response.pressure.total() / row.reduced_modulus, "Nominal pressure over E* (Eq. 3) of the pair without a layer.";
-            area_ratio["1"] = row.point.response.area_ratio.total(), "Real contact area over nominal area, never clamped.";
-            contact_density_per_m2["1/m²"] = row.point.response.contact_density, "Contacts per nominal area.";
-            mean_real_pressure_pa["Pa"] = row.point.response.mean_real_pressure(), "Load over real contact area; empty where there is no contact.";
-            stiffness_pa_per_m["Pa/m"] = row.point.response.stiffness, "Contact stiffness -dp/dd per nominal area; jumps of a law are excluded for the sum and included for the integral.";
-            elastic_load_share["1"] = share(&row.point.response.pressure, 0), "Share of the load in elastic contacts; empty where there is no contact.";
-            elastic_plastic_load_share["1"] = share(&row.point.response.pressure, 1), "Share of the load in elastic-plastic contacts.";
-            plastic_load_share["1"] = share(&row.point.response.pressure, 2), "Share of the load in plastic contacts.";
-            elastic_area_share["1"] = share(&row.point.response.area_ratio, 0), "Share of the real contact area in elastic contacts; empty where there is no contact.";
-            elastic_plastic_area_share["1"] = share(&row.point.response.area_ratio, 1), "Share of the real contact area in elastic-plastic contacts.";
-            plastic_area_share["1"] = share(&row.point.response.area_ratio, 2), "Share of the real contact area in plastic contacts.";
-            pressure_standard_error_pa["Pa"] = row.point.response.sampling.map(|error| error.pressure), "Standard error of the nominal pressure of the sum at fixed separation, for independent asperities; empty for the integral.";
-            area_ratio_standard_error["1"] = row.point.response.sampling.map(|error| error.area_ratio), "Standard error of the area ratio of the sum, likewise.";
-            beyond_model["true/false"] = row.point.response.is_beyond_model(), "Whether the area ratio exceeds 0.05, where neighbouring asperities interact and no asperity model is valid.";
-            effective_contacts["1"] = row.sharing(|sharing| sharing.effective_contacts), "Effective contacts of the sum: 1 over the sum of squared load shares; empty for the integral and without contact.";
-            largest_load_share["1"] = row.sharing(|sharing| sharing.largest_share), "Share of the load in the most heavily loaded contact of the sum.";
-            large_strain_load_share["1"] = row.sharing(|sharing| sharing.large_strain_share), "Share of the load of the sum in contacts whose radius exceeds 0.3 of the asperity radius.";
-            limits["text"] = limits(row.exceeded), "Limits of the valid range that one of the models exceeds at this control point, separated by spaces: `few-contacts` (fewer than 30 effective), `dominant-contact` (more than 10 % of the load in one), `interaction` (area ratio above 0.05), `large-strain` (more than 10 % of the load in contacts whose radius exceeds 0.3 of the asperity radius); empty within the valid range.";
+            model["text"] = row.either(|point| point.kind.name(), |_| REFERENCE), "Model: `statistical` (integral over the height density), `deterministic` (sum over the asperities, Eq. 13) or `reference` (boundary elements on the same map; columns about asperities are empty).";
+            control["text"] = row.either(|point| point.control, |point| point.control).name(), "Quantity that is prescribed: `separation`, `pressure` or `force`; for the reference the loads of a separation sweep are pressures.";
+            target["1, Pa or N"] = row.either(|point| point.target, |point| point.target), "Prescribed value: separation over sigma, nominal pressure or force on the nominal area.";
+            separation_m["m"] = row.either(|point| Some(point.response.separation), |point| point.separation), "Separation d of the flat from the mean asperity height; for the reference the mean gap, zero at points in contact, less the height of the mean asperity above the mean plane of the map, and empty with a finite boundary.";
+            separation_over_sigma["1"] = row.either(|point| Some(point.response.separation_over_sigma), |point| point.separation_over_sigma), "Separation over sigma, the standard deviation of the asperity heights.";
+            pressure_pa["Pa"] = row.pressure(), "Nominal pressure, load over nominal area; above the target where the law jumps past it.";
+            load_ratio["1"] = row.pressure() / row.reduced_modulus, "Nominal pressure over E* (Eq. 3) of the pair without a layer.";
+            area_ratio["1"] = row.either(|point| point.response.area_ratio.total(), |point| point.area_ratio), "Real contact area over nominal area, never clamped; for the reference corrected for the perimeter of the contacts.";
+            raw_area_ratio["1"] = row.either(|_| None, |point| Some(point.raw_area_ratio)), "Points in contact over all points of the reference; empty for the models.";
+            contact_density_per_m2["1/m²"] = row.model(|response| response.contact_density), "Contacts per nominal area.";
+            mean_real_pressure_pa["Pa"] = row.either(|point| point.response.mean_real_pressure(), ReferencePoint::mean_real_pressure), "Load over real contact area; empty where there is no contact.";
+            stiffness_pa_per_m["Pa/m"] = row.either(|point| Some(point.response.stiffness), |point| point.stiffness), "Contact stiffness -dp/dd per nominal area; jumps of a law are excluded for the sum and included for the integral; for the reference from the neighbouring loads, empty where one is further than a factor of 2.";
+            elastic_load_share["1"] = row.model_value(|response| share(&response.pressure, 0)), "Share of the load in elastic contacts; empty where there is no contact.";
+            elastic_plastic_load_share["1"] = row.model_value(|response| share(&response.pressure, 1)), "Share of the load in elastic-plastic contacts.";
+            plastic_load_share["1"] = row.model_value(|response| share(&response.pressure, 2)), "Share of the load in plastic contacts.";
+            elastic_area_share["1"] = row.model_value(|response| share(&response.area_ratio, 0)), "Share of the real contact area in elastic contacts; empty where there is no contact.";
+            elastic_plastic_area_share["1"] = row.model_value(|response| share(&response.area_ratio, 1)), "Share of the real contact area in elastic-plastic contacts.";
+            plastic_area_share["1"] = row.model_value(|response| share(&response.area_ratio, 2)), "Share of the real contact area in plastic contacts.";
+            pressure_standard_error_pa["Pa"] = row.model_value(|response| Some(response.sampling?.pressure)), "Standard error of the nominal pressure of the sum at fixed separation, for independent asperities; empty for the integral.";
+            area_ratio_standard_error["1"] = row.model_value(|response| Some(response.sampling?.area_ratio)), "Standard error of the area ratio of the sum, likewise.";
+            beyond_model["true/false"] = row.model(Response::is_beyond_model), "Whether the area ratio exceeds 0.05, where neighbouring asperities interact and no asperity model is valid.";
+            effective_contacts["1"] = row.model_value(|response| Some(response.sharing?.effective_contacts)), "Effective contacts of the sum: 1 over the sum of squared load shares; empty for the integral and without contact.";
+            largest_load_share["1"] = row.model_value(|response| Some(response.sharing?.largest_share)), "Share of the load in the most heavily loaded contact of the sum.";
+            large_strain_load_share["1"] = row.model_value(|response| Some(response.sharing?.large_strain_share)), "Share of the load of the sum in contacts whose radius exceeds 0.3 of the asperity radius.";
+            limits["text"] = limits(row.exceeded()), "Limits of the valid range that one of the models exceeds at this control point, separated by spaces: `few-contacts` (fewer than 30 effective), `dominant-contact` (more than 10 % of the load in one), `interaction` (area ratio above 0.05), `large-strain` (more than 10 % of the load in contacts whose radius exceeds 0.3 of the asperity radius); empty within the valid range.";
         });
         columns
     }
 }
 
+/// The name of the reference in tables.
+pub(crate) const REFERENCE: &str = "reference";
+
 impl CurveRow {
-    fn sharing(&self, of: fn(&LoadSharing) -> f64) -> Option<f64> {
-        self.point.response.sharing.as_ref().map(of)
+    fn either<T>(&self, of_model: fn(&CurvePoint) -> T, of_reference: fn(&ReferencePoint) -> T) -> T {
+        match &self.point {
+            AnyPoint::Model(point, _) => of_model(point),
+            AnyPoint::Reference(point) => of_reference(point),
+        }
+    }
+
+    fn pressure(&self) -> f64 {
+        self.either(|point| point.response.pressure.total(), |point| point.pressure)
+    }
+
+    /// A value of a model; `None` for the reference.
+    fn model<T>(&self, of: fn(&Response) -> T) -> Option<T> {
+        match &self.point {
+            AnyPoint::Model(point, _) => Some(of(&point.response)),
+            AnyPoint::Reference(_) => None,
+        }
+    }
+
+    /// A value that a model may lack; `None` for the reference.
+    fn model_value(&self, of: fn(&Response) -> Option<f64>) -> Option<f64> {
+        self.model(of).flatten()
+    }
+
+    /// The limits of the models; the reference has none.
+    fn exceeded(&self) -> Exceeded {
+        match &self.point {
+            AnyPoint::Model(_, exceeded) => *exceeded,
+            AnyPoint::Reference(_) => Exceeded::default(),
+        }
     }
 }
 
@@ -108,6 +146,8 @@ pub(crate) struct PairRow {
     /// Nominal area, m^2.
     pub(crate) nominal_area: f64,
     pub(crate) plasticity_index: Option<f64>,
+    /// The reference at the load of the pair.
+    pub(crate) reference: Option<ReferencePoint>,
 }
 
 /// Result of one model of a pair.
@@ -143,6 +183,10 @@ impl Answer {
 }
 
 impl PairRow {
+    fn reference(&self, of: fn(&ReferencePoint) -> Option<f64>) -> Option<f64> {
+        self.reference.as_ref().and_then(of)
+    }
+
     fn answer(&self, model: Kind) -> Answer {
         let response = match model {
             Kind::Statistical => self.pair.statistical,
@@ -194,9 +238,19 @@ impl Row for PairRow {
             plasticity_index["1"] = row.plasticity_index, "Plasticity index (E*/H)(sigma/R)^0.5 of Greenwood and Williamson (1966); empty where nothing yields.";
             beyond_model["true/false"] = row.pair.is_beyond_model(), "Whether either area ratio exceeds 0.05, where neighbouring asperities interact and no asperity model is valid.";
             limits["text"] = limits(row.pair.exceeded()), "Limits of the valid range that one of the models exceeds, as in `curves.csv`.";
+            reference_separation_over_sigma["1"] = row.reference(|point| point.separation_over_sigma), "Reference: separation as in `curves.csv`; this and the next columns are there only where a reference was run, and empty at loads without it.";
+            reference_area_ratio["1"] = row.reference(|point| Some(point.area_ratio)), "Reference: real contact area over nominal area, corrected for the perimeter of the contacts.";
+            reference_mean_real_pressure_pa["Pa"] = row.reference(ReferencePoint::mean_real_pressure), "Reference: load over real contact area.";
+            reference_pressure_pa["Pa"] = row.reference(|point| Some(point.pressure)), "Reference: nominal pressure.";
+            reference_stiffness_pa_per_m["Pa/m"] = row.reference(|point| point.stiffness), "Reference: contact stiffness -dp/dd per nominal area, from the neighbouring loads.";
         });
         columns
     }
+}
+
+/// Whether a column of `comparison.csv` is there only where a reference was run.
+pub(crate) fn is_of_reference(heading: &Heading) -> bool {
+    heading.name.strip_prefix(REFERENCE).is_some_and(|rest| rest.starts_with('_'))
 }
 
 /// The rows of `curves.csv`.
@@ -204,7 +258,10 @@ pub fn curves(results: &CompareResults) -> impl Iterator<Item = CurveRow> {
     let reduced_modulus = results.contact.reduced_modulus;
     cases(results).flat_map(move |(case, _, found)| {
         let points = found.comparison.curves.iter().copied().zip(found.comparison.exceeded());
-        points.map(move |(point, exceeded)| CurveRow { case: case.clone(), point, exceeded, reduced_modulus })
+        let points = points.map(|(point, exceeded)| AnyPoint::Model(point, exceeded));
+        let reference = found.reference.iter().flat_map(|curve| curve.points.iter().copied());
+        let all = points.chain(reference.map(AnyPoint::Reference));
+        all.map(move |point| CurveRow { case: case.clone(), point, reduced_modulus })
     })
 }
 
@@ -212,13 +269,31 @@ pub fn curves(results: &CompareResults) -> impl Iterator<Item = CurveRow> {
 pub fn comparison(results: &CompareResults) -> impl Iterator<Item = PairRow> {
     cases(results).flat_map(|(case, realisation, found)| {
         let (nominal_area, plasticity_index) = (realisation.nominal_area, found.plasticity_index);
-        let pairs = found.comparison.pairs.iter().copied();
-        pairs.map(move |pair| PairRow { case: case.clone(), pair, nominal_area, plasticity_index })
+        found.comparison.pairs.iter().map(move |&pair| PairRow {
+            case: case.clone(),
+            pair,
+            nominal_area,
+            plasticity_index,
+            reference: found.reference_of(&pair).copied(),
+        })
     })
 }
 
+/// `comparison.csv`; without the columns of the reference where none was run.
+///
+/// # Errors
+/// See [`TableError`].
+pub(crate) fn comparison_file(
+    rows: impl IntoIterator<Item = PairRow>,
+    has_reference: bool,
+) -> Result<(&'static str, Vec<u8>), TableError> {
+    csv_file_with(rows, |heading| has_reference || !is_of_reference(heading))
+}
+
 /// Every surface under every law, in file order.
-fn cases(results: &CompareResults) -> impl Iterator<Item = (Case, &RealisationResults, &CaseResults)> {
+pub(crate) fn cases(
+    results: &CompareResults,
+) -> impl Iterator<Item = (Case, &RealisationResults, &CaseResults)> {
     results.surfaces.iter().flat_map(|found| {
         found.realisations().flat_map(move |(number, realisation)| {
             let case = move |case| (Case::of(&found.surface.name, number, case), realisation, case);

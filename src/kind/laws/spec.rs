@@ -3,8 +3,7 @@
 use serde::Deserialize;
 use toml::Spanned;
 
-use crate::kind::compare::spec::{CompareSpec, StatisticalSpec};
-use crate::kind::compare::spec::{Models, RoughBody};
+use crate::kind::compare::spec::{CompareSpec, RoughBody, StatisticalSpec};
 use asperity_framework::input::accept::AcceptSpec;
 use asperity_framework::input::law::Laws;
 use asperity_framework::input::quantity::{Length, Pressure, Pure, Quantity};
@@ -58,7 +57,8 @@ impl LawsSpec {
             flat: self.flat.clone(),
             law: self.law.clone(),
             layer: None,
-            models: Models::default(),
+            models: None,
+            reference: None,
             statistical: self.statistical.clone(),
             accept: self.accept,
             robustness: false,

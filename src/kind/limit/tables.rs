@@ -6,7 +6,7 @@ use asperity_framework::columns;
 use asperity_framework::report::table::{Column, Row, Schema, TableError, csv_file};
 
 use super::run::LimitResults;
-use crate::kind::compare::tables::{Case, CurveRow, PairRow};
+use crate::kind::compare::tables::{AnyPoint, Case, CurveRow, PairRow, comparison_file};
 
 /// The errors of sets of one size at one separation.
 struct ConvergenceRow<'a> {
@@ -48,7 +48,11 @@ fn sets(point: &LimitPoint) -> impl Iterator<Item = (Case, &Response)> {
 /// # Errors
 /// See [`TableError`].
 pub(super) fn tables(results: &LimitResults) -> Result<Vec<(&'static str, Vec<u8>)>, TableError> {
-    Ok(vec![csv_file(curves(results))?, csv_file(comparison(results))?, csv_file(convergence(results))?])
+    Ok(vec![
+        csv_file(curves(results))?,
+        comparison_file(comparison(results), false)?,
+        csv_file(convergence(results))?,
+    ])
 }
 
 /// Those of a comparison and `convergence.csv`.
@@ -69,7 +73,7 @@ fn curves(results: &LimitResults) -> impl Iterator<Item = CurveRow> {
             response: *response,
             in_jump: false,
         };
-        CurveRow { case, point, exceeded: point.response.exceeded(), reduced_modulus }
+        CurveRow { case, point: AnyPoint::Model(point, response.exceeded()), reduced_modulus }
     };
     let smallest = results.points.iter().map(|point| point.count).min();
     let of_smallest = results.points.iter().filter(move |point| Some(point.count) == smallest);
@@ -90,6 +94,7 @@ fn comparison(results: &LimitResults) -> impl Iterator<Item = PairRow> {
             pair: Pair { pairing: Pairing::Separation, target, statistical, deterministic },
             nominal_area: point.count as f64 / results.population.density,
             plasticity_index: results.plasticity_index,
+            reference: None,
         }
     };
     results

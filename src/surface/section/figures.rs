@@ -77,7 +77,7 @@ fn histogram(values: &[f64], (from, to): (f64, f64)) -> (Vec<f64>, Vec<f64>) {
 }
 
 /// A length unit suited to numbers up to `largest` (m), and its name.
-fn unit(largest: f64) -> (f64, &'static str) {
+pub fn unit(largest: f64) -> (f64, &'static str) {
     let units = [(1e-9, "nm"), (1e-6, "µm"), (1e-3, "mm"), (1.0, "m")];
     units.into_iter().rev().find(|(size, _)| largest >= *size).unwrap_or(units[0])
 }

@@ -9,6 +9,7 @@ use crate::surface::found::{MapFacts, Surface};
 use asperity::topography::theory::Expected;
 use asperity_framework::report::format::{count, number, percent, ratio};
 use asperity_framework::report::page::Page;
+pub use figures::unit as length_unit;
 use properties::{columns, properties, table};
 
 /// Adds tables and figures of a surface to a page.

@@ -128,6 +128,9 @@ impl TryFrom<Written<Pure, SeparationRange>> for LinearSweep {
 pub struct LogSweep<D> {
     /// The values, SI.
     pub values: Vec<f64>,
+    /// Whether they were given one by one.
+    #[serde(skip)]
+    pub is_listed: bool,
     #[serde(skip)]
     kind: PhantomData<D>,
 }
@@ -136,8 +139,9 @@ impl<D: Dimension> TryFrom<Written<D, Positive>> for LogSweep<D> {
     type Error = String;
 
     fn try_from(Written(keys): Written<D, Positive>) -> Result<Self, String> {
+        let is_listed = keys.values.is_some();
         let values = keys.values(|from, to, fraction| from * (to / from).powf(fraction))?;
-        Ok(Self { values, kind: PhantomData })
+        Ok(Self { values, is_listed, kind: PhantomData })
     }
 }
 

@@ -173,7 +173,19 @@ impl Schema {
 /// # Errors
 /// See [`TableError`].
 pub fn csv_file<R: Row>(rows: impl IntoIterator<Item = R>) -> Result<(&'static str, Vec<u8>), TableError> {
-    let columns = R::columns();
+    csv_file_with(rows, |_| true)
+}
+
+/// The same with the columns that `is_kept` holds for, for columns about something that was not run.
+///
+/// # Errors
+/// See [`TableError`].
+pub fn csv_file_with<R: Row>(
+    rows: impl IntoIterator<Item = R>,
+    is_kept: impl Fn(&Heading) -> bool,
+) -> Result<(&'static str, Vec<u8>), TableError> {
+    let columns: Vec<Column<R>> =
+        R::columns().into_iter().filter(|column| is_kept(&column.heading)).collect();
     let mut writer = csv::WriterBuilder::new().has_headers(false).from_writer(Vec::new());
     writer.write_record(columns.iter().map(|column| &column.heading.name))?;
     for row in rows {
@@ -217,6 +229,9 @@ mod tests {
         let (name, file) = csv_file(rows).unwrap();
         let expected = "name,radius_m,load_n,in_contact,letters\n\"a, b\",1e-6,0.30000000000000004,true,4\nc,2.0,,false,1\n";
         assert_eq!((name, String::from_utf8(file).unwrap().as_str()), ("spheres.csv", expected));
+        let (_, two) =
+            csv_file_with::<Sphere>([], |heading| heading.unit == "m" || heading.unit == "N").unwrap();
+        assert_eq!(two, b"radius_m,load_n\n");
         let (_, empty) = csv_file::<Sphere>([]).unwrap();
         assert_eq!(empty, b"name,radius_m,load_n,in_contact,letters\n");
     }

@@ -20,7 +20,7 @@ pub fn answers(page: &mut Page, results: &CompareResults, found: &SurfaceResults
         page.paragraph(&format!("Plasticity index ψ = (E*/H)(σ/R)^½ = {}.", number(index)));
     }
     // A figure of one point shows less than the tables.
-    if !is_single(comparison) {
+    if !is_single(case) {
         curves(page, results, found, index);
     }
     realisations(page, found, index);
@@ -41,7 +41,7 @@ pub fn answers(page: &mut Page, results: &CompareResults, found: &SurfaceResults
 /// The figures of the curves over load.
 fn curves(page: &mut Page, results: &CompareResults, found: &SurfaceResults, index: usize) {
     let case = &found.first.cases[index];
-    let (modulus, comparison) = (results.contact.reduced_modulus, &case.comparison);
+    let modulus = results.contact.reduced_modulus;
     let stem = stem(found, &case.law);
     let mut figure = |name: &str, caption: &str, svg: String| {
         page.figure(&format!("{stem}-{name}.svg"), svg, caption);
@@ -53,18 +53,21 @@ fn curves(page: &mut Page, results: &CompareResults, found: &SurfaceResults, ind
         "separation",
         "Separation against load. Bands: 95 % sampling uncertainty at fixed separation for independent asperities. Shaded: \
          beyond the valid range.",
-        figures::separation(comparison, &others, valid, modulus, found.surface.plane.sigma),
+        figures::separation(case, &others, valid, modulus, found.surface.plane.sigma),
     );
     figure(
         "area",
         "Real contact area against load. Bands and shading as above.",
-        figures::area(comparison, valid, modulus),
+        figures::area(case, valid, modulus),
     );
+    if case.comparison.curves.is_empty() {
+        return;
+    }
     figure(
         "regimes",
         "Share of the load carried by elastic, elastic-plastic and plastic contacts, by model; vertical lines: ends of the \
          valid range.",
-        figures::regimes(comparison, valid, modulus),
+        figures::regimes(case, valid, modulus),
     );
 }
 

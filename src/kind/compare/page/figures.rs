@@ -1,20 +1,22 @@
 //! The figures of a comparison.
 
 use super::differences::invalid;
-use asperity::compare::{Comparison, CurvePoint, Kind, Pair, Pairing, ValidRange};
+use crate::kind::compare::answers::CaseResults;
+use asperity::compare::{Comparison, CurvePoint, Kind, Pair, Pairing, ReferencePoint, ValidRange};
 use asperity::{INTERACTION, Regime};
-use asperity_plot::{Axis, Colour, Dash, Figure, Layer, Plot};
+use asperity_plot::{Axis, Colour, Dash, Figure, Layer, Marker, Plot};
 
 /// Half-width of a band in standard errors: 95 % of all samples lie within.
 const BAND: f64 = 1.96;
 
 /// The load axis shared by all figures of one comparison.
-fn load_axis(comparison: &Comparison, modulus: f64) -> Axis {
+fn load_axis(case: &CaseResults, modulus: f64) -> Axis {
     /// Margin at both ends, as a ratio.
     const ROOM: f64 = 1.3;
     let loads = || {
-        let all = comparison.curves.iter().map(|point| point.response.pressure.total() / modulus);
-        all.filter(|&load| load > 0.0)
+        let of_models = case.comparison.curves.iter().map(|point| point.response.pressure.total());
+        let of_reference = case.reference.iter().flat_map(|curve| &curve.points).map(|point| point.pressure);
+        of_models.chain(of_reference).map(|load| load / modulus).filter(|&load| load > 0.0)
     };
     let (low, high) = (loads().fold(f64::INFINITY, f64::min), loads().fold(0.0, f64::max));
     Axis::log("load ratio P/(A_nom E*)").range(low / ROOM, high * ROOM)
@@ -48,14 +50,15 @@ pub fn at_equal_load(comparison: &Comparison) -> Vec<&Pair> {
 
 /// d/sigma against load (Pasaribu and Schipper 2005, Fig. 4); the deterministic results of other realisations are dotted.
 pub fn separation(
-    comparison: &Comparison,
+    case: &CaseResults,
     others: &[&Comparison],
     valid: &ValidRange,
     modulus: f64,
     sigma: f64,
 ) -> String {
     const OTHERS: &str = "other realisations";
-    let axis = load_axis(comparison, modulus);
+    let comparison = &case.comparison;
+    let axis = load_axis(case, modulus);
     let mut plot = Plot::new("Separation against load", axis, Axis::linear("separation d/σ"));
     for region in invalid(valid, modulus.recip()) {
         plot = plot.with(region);
@@ -81,7 +84,36 @@ pub fn separation(
         let line = points.iter().map(|point| (load(point), point.response.separation_over_sigma));
         plot = plot.with(model_line(kind, line));
     }
-    plot.svg()
+    with_reference(plot, case, modulus, |point| point.separation_over_sigma).svg()
+}
+
+/// Adds the line of the reference, where it was run.
+fn with_reference(
+    plot: Plot,
+    case: &CaseResults,
+    modulus: f64,
+    value: fn(&ReferencePoint) -> Option<f64>,
+) -> Plot {
+    let points = reference_line(case, modulus, value);
+    if points.is_empty() {
+        return plot;
+    }
+    let line = Layer::line(points.iter().copied()).coloured(Colour::Reference).dashed(Dash::DashDot);
+    let places = Layer::points(points, Marker::Triangle).coloured(Colour::Reference);
+    plot.with(line.named("reference")).with(places.named("reference"))
+}
+
+/// Load ratio and a value of the reference, by increasing load.
+pub fn reference_line(
+    case: &CaseResults,
+    modulus: f64,
+    value: fn(&ReferencePoint) -> Option<f64>,
+) -> Vec<(f64, f64)> {
+    let points = case.reference.iter().flat_map(|curve| &curve.points);
+    let mut line: Vec<(f64, f64)> =
+        points.filter_map(|point| Some((point.pressure / modulus, value(point)?))).collect();
+    line.sort_by(|a, b| a.0.total_cmp(&b.0));
+    line
 }
 
 fn model_line(kind: Kind, points: impl Iterator<Item = (f64, f64)>) -> Layer {
@@ -90,10 +122,11 @@ fn model_line(kind: Kind, points: impl Iterator<Item = (f64, f64)>) -> Layer {
 }
 
 /// Real over nominal area against load.
-pub fn area(comparison: &Comparison, valid: &ValidRange, modulus: f64) -> String {
+pub fn area(case: &CaseResults, valid: &ValidRange, modulus: f64) -> String {
+    let comparison = &case.comparison;
     let mut plot = Plot::new(
         "Real contact area against load",
-        load_axis(comparison, modulus),
+        load_axis(case, modulus),
         Axis::log("area ratio A/A_nom"),
     )
     .with(Layer::at_y(INTERACTION, "asperities interact above"));
@@ -111,7 +144,7 @@ pub fn area(comparison: &Comparison, valid: &ValidRange, modulus: f64) -> String
         plot = plot.with(Layer::band(band.collect::<Vec<_>>()).coloured(colour(kind)));
         plot = plot.with(model_line(kind, points.iter().map(|p| (load(p), p.response.area_ratio.total()))));
     }
-    plot.svg()
+    with_reference(plot, case, modulus, |point| Some(point.area_ratio)).svg()
 }
 
 /// The colour of a regime.
@@ -135,13 +168,14 @@ pub fn shares_of_load(title: &str, x: Axis, shares: impl Iterator<Item = (f64, [
 }
 
 /// Each regime's share of the load, one panel per model.
-pub fn regimes(comparison: &Comparison, valid: &ValidRange, modulus: f64) -> String {
+pub fn regimes(case: &CaseResults, valid: &ValidRange, modulus: f64) -> String {
+    let comparison = &case.comparison;
     let panel = |kind: Kind| {
         let points = curve(comparison, kind);
         let load: Vec<f64> = points.iter().map(|p| p.response.pressure.total() / modulus).collect();
         let shares: Vec<[f64; 3]> =
             points.iter().filter_map(|point| point.response.pressure.shares()).collect();
-        let axis = load_axis(comparison, modulus);
+        let axis = load_axis(case, modulus);
         let plot = shares_of_load(kind.name(), axis, load.into_iter().zip(shares));
         // Regions lie below the shares: the edges of the valid range are lines.
         let edges = valid.stretches.iter().flatten().map(|load| load / modulus);

@@ -6,6 +6,7 @@
 //! | `differences` | the figure behind the verdicts |
 //! | `decreasing` | area or load that decreases with increasing indentation |
 //! | `layer` | results by layer thickness |
+//! | `reference` | the boundary element reference |
 //! | `readings` | σ and d read as those of the asperities or of the surface |
 //! | `robustness` | the verdicts under other treatments of a map |
 //! | `single_load` | the answer at one load, in N, Pa, nm and µm² |
@@ -23,6 +24,7 @@ mod layer;
 mod limits;
 mod names;
 mod readings;
+mod reference;
 mod robustness;
 mod single_load;
 mod surface;
@@ -54,6 +56,7 @@ pub fn page(results: &CompareResults) -> Page {
         page.bullets(results.surfaces.iter().flat_map(|found| headlines(results, found)));
     } else {
         page.bullets(layered.iter().filter_map(layer::Series::headline));
+        page.bullets(reference::alone(results));
     }
     decreasing::bullets(&mut page, results);
     if let Some(found) = &results.readings {
@@ -89,6 +92,7 @@ pub fn page(results: &CompareResults) -> Page {
         for index in (0..found.first.cases.len()).filter(|_| in_full) {
             answers::answers(&mut page, results, found, index);
         }
+        reference::section(&mut page, results, found);
     }
     limits::limits(&mut page, results);
     if let Some(described) = &results.described {
@@ -133,6 +137,8 @@ fn sentences(results: &CompareResults, found: &SurfaceResults) -> Vec<(String, S
             "the realisations have no load in common, so that the models are not compared at equal load; add `pressure` or \
              `force` to the spec."
                 .to_owned()
+        } else if case.comparison.curves.is_empty() {
+            reference::ALONE.to_owned()
         } else if verdicts.differences.is_empty() {
             format!("one model was run, so that no models are compared. {}", verdict::range_line(verdicts))
         } else {
@@ -163,7 +169,7 @@ pub fn answer(page: &mut Page, results: &CompareResults, found: &SurfaceResults)
         ];
         lines.extend(verdict::stiffness_line(verdicts).map(|line| format!("{}: {line}", escape(&case.law))));
         page.bullets(lines);
-        if single_load::is_single(&case.comparison) {
+        if single_load::is_single(case) {
             continue;
         }
         page.figure(

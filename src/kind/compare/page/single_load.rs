@@ -1,6 +1,6 @@
 //! The answer where the spec asks for one load or one separation: in N, Pa, nm and µm², model by model.
 
-use asperity::compare::{Comparison, Control, Kind};
+use asperity::compare::{Control, Kind};
 use asperity::{Exceeded, Response};
 use asperity_framework::report::format::{count, listed, number, percent, quantity};
 use asperity_framework::report::page::Page;
@@ -9,10 +9,13 @@ use super::names::{subject, under};
 use crate::kind::compare::answers::CaseResults;
 use crate::kind::compare::results::{CompareResults, SurfaceResults};
 
-/// Whether each model was asked for one point only, so that its curves are points.
-pub fn is_single(comparison: &Comparison) -> bool {
-    let points = |kind| comparison.curves.iter().filter(|point| point.kind == kind).count();
-    !comparison.curves.is_empty() && points(Kind::Statistical) <= 1 && points(Kind::Deterministic) <= 1
+/// Whether each model, and the reference, was asked for one point only, so that its curves are points.
+pub fn is_single(case: &CaseResults) -> bool {
+    let curves = &case.comparison.curves;
+    let points = |kind| curves.iter().filter(|point| point.kind == kind).count();
+    let of_reference = case.reference.as_ref().map_or(0, |curve| curve.points.len());
+    let is_empty = curves.is_empty() && of_reference == 0;
+    !is_empty && points(Kind::Statistical) <= 1 && points(Kind::Deterministic) <= 1 && of_reference <= 1
 }
 
 /// A table for each surface, law and thickness with one load or one separation; of more than two thicknesses there is a table
@@ -22,8 +25,11 @@ pub fn answers(page: &mut Page, results: &CompareResults) {
     for found in &results.surfaces {
         let cases = &found.first.cases;
         let thicknesses = |law: &str| cases.iter().filter(|case| case.law == law).count();
-        let is_shown =
-            |case: &&CaseResults| is_single(&case.comparison) && thicknesses(&case.law) <= MOST_THICKNESSES;
+        let is_shown = |case: &&CaseResults| {
+            is_single(case)
+                && !case.comparison.curves.is_empty()
+                && thicknesses(&case.law) <= MOST_THICKNESSES
+        };
         cases.iter().filter(is_shown).for_each(|case| answer(page, results, found, case));
     }
 }

@@ -10,9 +10,13 @@ use asperity_framework::report::page::Page;
 impl Series<'_> {
     /// The figures and tables.
     pub fn answers(&self, page: &mut Page) {
+        let is_single = self.cases.iter().all(|case| is_single(case));
+        if self.findings.models.is_empty() && is_single {
+            return;
+        }
         page.heading(2, &format!("{}: results", self.subject));
         // A figure of one load shows less than the tables.
-        if !self.cases.iter().all(|case| is_single(&case.comparison)) {
+        if !is_single {
             page.figure(
                 &format!("{}-layers.svg", self.stem),
                 figures::by_load(self),
@@ -25,6 +29,9 @@ impl Series<'_> {
         let loads = &self.findings.loads;
         if !self.found.others.is_empty() {
             page.paragraph("Figures, tables and conclusions by thickness are for the first realisation; the others are in `curves.csv`.");
+        }
+        if self.findings.models.is_empty() {
+            return;
         }
         if loads.is_empty() {
             page.paragraph(
@@ -127,14 +134,18 @@ impl Series<'_> {
     }
 
     /// Line styles of a figure.
-    fn lines_are(&self) -> &'static str {
-        match self.findings.models[..] {
+    fn lines_are(&self) -> String {
+        let of_models = match self.findings.models[..] {
+            [] => "Lines: reference.",
             [Kind::Statistical] => "Lines: statistical model.",
             [Kind::Deterministic] => "Lines: deterministic model.",
             _ => {
                 "Solid: deterministic model; dashed: statistical model (as in Fig. 6 of Pasaribu and Schipper 2005)."
             }
-        }
+        };
+        let has_both =
+            !self.findings.models.is_empty() && self.cases.iter().any(|case| case.reference.is_some());
+        format!("{of_models}{}", if has_both { " Dash-dot, in the curves over load: reference." } else { "" })
     }
 }
 

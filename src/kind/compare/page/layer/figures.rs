@@ -2,7 +2,7 @@
 
 use super::{Series, is_valid_at};
 use crate::kind::compare::answers::CaseResults;
-use crate::kind::compare::page::figures::{curve, shares_of_load};
+use crate::kind::compare::page::figures::{curve, reference_line, shares_of_load};
 use asperity::compare::{CurvePoint, Kind};
 use asperity::{INTERACTION, Regime, Response};
 use asperity_framework::report::format::{input_quantity, thickness};
@@ -44,6 +44,15 @@ pub fn by_load(series: &Series) -> String {
             for line in lines(|r| r.area_ratio.total()) {
                 area = area.with(line);
             }
+        }
+        let reference = |value| {
+            let line =
+                Layer::line(reference_line(case, modulus, value)).coloured(colour).dashed(Dash::DashDot);
+            if kinds.is_empty() { line.named(thickness(case.thickness.unwrap_or(0.0))) } else { line }
+        };
+        if case.reference.is_some() {
+            separation = separation.with(reference(|point| point.separation_over_sigma));
+            area = area.with(reference(|point| Some(point.area_ratio)));
         }
     }
     Figure::row("Separation and real contact area by layer thickness", vec![separation, area]).svg()

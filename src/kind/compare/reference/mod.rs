@@ -1,0 +1,23 @@
+//! The boundary element reference beside the models: the same maps, bodies and loads, without asperities.
+//!
+//! | file | what lives there |
+//! |---|---|
+//! | `spec` | `reference = { ... }` |
+//! | `plan` | its loads, the contacts that it solves, time and memory |
+//! | `run` | the solver on a realisation of a surface, and its results in the terms of the models |
+//! | `view` | a part of the contact, and the distribution of pressures |
+//! | `tables` | `reference.csv` |
+//! | `summary` | its part of `summary.json` |
+
+pub mod plan;
+mod run;
+mod spec;
+mod summary;
+pub(crate) mod tables;
+mod view;
+
+pub use plan::{ElasticCase, ReferencePlan};
+pub use run::ReferenceRun;
+pub use spec::ReferenceSpec;
+pub(super) use summary::{ReferenceSummary, summary};
+pub use view::{ContactView, Part, SummitsInContact};

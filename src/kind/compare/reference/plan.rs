@@ -1,0 +1,361 @@
+//! The reference resolved: its loads, the contacts that it solves, and what that takes.
+
+use std::fmt;
+use std::ops::Range;
+use std::time::Duration;
+
+use asperity::bem::{Boundary, Options, Solver};
+use asperity::compare::Control;
+use asperity::law::Property;
+use asperity::{Flat, Material, softer_hardness};
+use asperity_framework::contact::LawPlan;
+use asperity_framework::input::{InputError, SpecFile, Whole, materials};
+use asperity_framework::report::format::number;
+use toml::Spanned;
+
+use super::spec::{CapSpec, ReferenceSpec};
+use crate::kind::compare::spec::CompareSpec;
+use crate::layer::thickness_words;
+use crate::surface::SurfacePlan;
+
+/// The boundary element reference of a comparison.
+#[derive(Debug)]
+pub struct ReferencePlan {
+    /// Loads of a separation sweep at which it runs.
+    pub loads: usize,
+    /// The relative dual gap that is reached at each load.
+    pub error: f64,
+    /// What lies beyond the edge of a map; by the surface where the spec says nothing.
+    boundary: Option<Boundary>,
+    /// Points along an axis for each of the map's.
+    pub refine: usize,
+    /// The prescribed loads at which it runs, Pa or N.
+    pub prescribed: Vec<(Control, f64)>,
+    /// Number of separations in the spec.
+    separations: usize,
+    /// The different contacts.
+    pub solutions: Vec<Solution>,
+    /// The solution that serves each law and thickness, by its index.
+    pub serves: Vec<usize>,
+    /// Laws that yield while the reference is elastic.
+    pub elastic: Vec<ElasticCase>,
+    /// Position in the spec, for errors that only a run can find.
+    pub key: Range<usize>,
+}
+
+/// One contact of the reference; laws of the same largest pressure share it.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Solution {
+    /// Thickness of the layer, m; `None` without a layer in the spec.
+    pub thickness: Option<f64>,
+    /// The largest pressure, Pa; `None` for an elastic contact.
+    pub cap: Option<f64>,
+}
+
+/// A law that yields beside an elastic reference.
+#[derive(Debug, Clone, PartialEq)]
+pub struct ElasticCase {
+    /// The law, as tables name it.
+    pub law: String,
+    /// Thickness of the layer, m; `None` without a layer in the spec.
+    pub thickness: Option<f64>,
+    /// Why.
+    pub reason: ElasticReason,
+}
+
+/// Why the reference is elastic beside a law that yields.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum ElasticReason {
+    /// There is no perfectly plastic limit under a layer of finite thickness.
+    Layer,
+    /// Neither body has a hardness.
+    NoHardness,
+    /// The spec asks for it.
+    Asked,
+}
+
+impl fmt::Display for ElasticCase {
+    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        let Self { law, thickness, reason } = self;
+        write!(f, "law {law}")?;
+        if let Some(thickness) = thickness {
+            write!(f, ", thickness {}", thickness_words(*thickness))?;
+        }
+        f.write_str(match reason {
+            ElasticReason::Layer => ": the reference is elastic under a layer of finite thickness",
+            ElasticReason::NoHardness => ": the reference is elastic, since neither body has a hardness",
+            ElasticReason::Asked => ": the reference is elastic, as the spec asks (cap = \"none\")",
+        })
+    }
+}
+
+/// Wall time of one convolution and the vector operations of its step, per point of the map, on two cores, s: 9 loads of a
+/// periodic map of 1024 x 1024 points take 350 convolutions in 4.8 s (docs/performance.md).
+const SECONDS_PER_POINT: f64 = 13e-9;
+/// Convolutions per load at an error of 1e-6: 20 at 0.1 % of contact area, 31 at 2 %, 78 at 50 %.
+const CONVOLUTIONS_PER_LOAD: f64 = 45.0;
+
+impl ReferencePlan {
+    /// What lies beyond the edge of the map of a surface: a generated map is periodic, a measured one is mirrored unless the
+    /// spec says otherwise.
+    pub fn boundary(&self, surface: &SurfacePlan) -> Boundary {
+        let own = if surface.is_measured() { Boundary::Mirrored } else { Boundary::Periodic };
+        self.boundary.unwrap_or(own)
+    }
+
+    /// Loads at which it is solved on each realisation of a surface, at most: those of a separation sweep differ between laws.
+    fn solves(&self) -> usize {
+        self.prescribed.len() * self.solutions.len() + self.loads.min(self.separations) * self.serves.len()
+    }
+
+    /// Points of the map that it solves on.
+    fn points(&self, surface: &SurfacePlan) -> [usize; 2] {
+        surface.map_points().map_or([0; 2], |points| points.map(|count| count * self.refine))
+    }
+
+    /// An estimate of the bytes that it needs on a surface: a copy of the map, and the solver's arrays.
+    pub fn memory(&self, surface: &SurfacePlan) -> u128 {
+        const BYTES_PER_HEIGHT: u128 = 8;
+        let points = self.points(surface);
+        let copy = surface.map_points().map_or(0, |[nx, ny]| nx as u128 * ny as u128 * BYTES_PER_HEIGHT);
+        copy + Solver::memory(points, self.boundary(surface))
+    }
+
+    /// An estimate of the time that it takes on all realisations of a surface, on two cores.
+    fn time(&self, surface: &SurfacePlan) -> Duration {
+        let [nx, ny] = self.points(surface);
+        // The padded problem of a finite patch has four times the points.
+        let padding = if self.boundary(surface) == Boundary::Finite { 4.0 } else { 1.0 };
+        let points = padding * nx as f64 * ny as f64;
+        let convolutions = CONVOLUTIONS_PER_LOAD * (self.solves() * surface.realisations) as f64;
+        Duration::from_secs_f64(points * convolutions * SECONDS_PER_POINT)
+    }
+
+    /// A line for each surface, for a plan that a person reads.
+    pub fn describe(&self, surfaces: &[SurfacePlan], f: &mut fmt::Formatter) -> fmt::Result {
+        for surface in surfaces {
+            let [nx, ny] = self.points(surface);
+            writeln!(
+                f,
+                "  reference on {}: boundary elements, {nx} x {ny} points, {}, dual gap {:e}, {} loads; about {} s on 2 cores, {:.0} MB",
+                surface.name,
+                self.boundary(surface).name(),
+                self.error,
+                self.solves() * surface.realisations,
+                number(self.time(surface).as_secs_f64()),
+                self.memory(surface) as f64 / 1e6,
+            )?;
+        }
+        self.elastic.iter().try_for_each(|case| writeln!(f, "  {case}"))
+    }
+}
+
+/// Loads of a sweep at which the reference runs where the spec does not say.
+const LOADS: u64 = 9;
+/// Relative dual gap where the spec does not say.
+const ERROR: f64 = 1e-6;
+/// The most loads of a sweep.
+const MOST_LOADS: u64 = 1000;
+
+/// What the reference is resolved with.
+pub struct Resolved<'a> {
+    /// The rough body.
+    pub rough: &'a Material,
+    /// The flats: without a layer, or under each thickness.
+    pub flats: &'a [(Option<f64>, Flat)],
+    /// Each law on each flat, the flats changing first.
+    pub laws: &'a [LawPlan],
+    /// The surfaces.
+    pub surfaces: &'a [SurfacePlan],
+}
+
+/// Resolves the reference of `[compare]`; `None` where none is asked for.
+pub fn reference(
+    file: &SpecFile,
+    raw: &CompareSpec,
+    resolved: &Resolved,
+) -> Result<Option<ReferencePlan>, InputError> {
+    let models = raw.models.as_ref().filter(|models| models.get_ref().has_reference);
+    let Some(models) = models else {
+        let Some(reference) = &raw.reference else { return Ok(None) };
+        let message = "found keys of the reference, which does not run; allowed: \"reference\" among the models (models = \
+                       [\"statistical\", \"deterministic\", \"reference\"]), or no `reference`";
+        return Err(file.source.error_at(reference.span(), message));
+    };
+    let refuse = |span: Range<usize>, message: String| Err(file.source.error_at(span, message));
+    let default = ReferenceSpec::default();
+    let spec = raw.reference.as_ref().map_or(&default, Spanned::get_ref);
+    if let Some(surface) = resolved.surfaces.iter().find(|surface| surface.map_points().is_none()) {
+        let message = format!(
+            "found the reference on surface {} ({}), which has no height map; allowed: surfaces made by [surface.NAME.generate] or \
+             read by [surface.NAME.file], chosen by `surfaces = [...]`, or no \"reference\"",
+            surface.name,
+            surface.describe()
+        );
+        return refuse(models.span(), message);
+    }
+    if models.get_ref().kinds.is_empty() && raw.separation.is_some() {
+        let span = file.source.value_at(&["compare", "separation"]).map_or(models.span(), |(span, _)| span);
+        let message = "found separations, and only the reference, which runs at loads; allowed: `pressure` or `force`, or a \
+                       model beside it, at whose loads it then runs";
+        return refuse(span, message.to_owned());
+    }
+    let loads = whole(file, spec.loads.as_ref(), LOADS, 1..=MOST_LOADS)?;
+    let refine = whole(file, spec.refine.as_ref(), 1, 1..=2)?;
+    let error = match &spec.error {
+        None => ERROR,
+        Some(given) => {
+            let (value, least, most) =
+                (given.get_ref().value(), Options::ERRORS.start(), Options::ERRORS.end());
+            if !Options::ERRORS.contains(&value) {
+                return refuse(given.span(), format!("found {value:?}; allowed: {least:?} to {most:?}"));
+            }
+            value
+        }
+    };
+    let cap = spec.cap.as_ref();
+    if let Some(given) = cap.filter(|cap| *cap.get_ref() == CapSpec::Hardness) {
+        refuse_cap(file, raw, resolved, given.span())?;
+    }
+    let mut plan = ReferencePlan {
+        loads,
+        error,
+        boundary: spec.boundary,
+        refine,
+        prescribed: Vec::new(),
+        separations: raw.separation.as_ref().map_or(0, |sweep| sweep.0.len()),
+        solutions: Vec::new(),
+        serves: Vec::new(),
+        elastic: Vec::new(),
+        key: raw.reference.as_ref().map_or_else(|| models.span(), Spanned::span),
+    };
+    let sweeps = [
+        (
+            Control::Pressure,
+            raw.pressure.as_ref().map(|sweep| (&sweep.get_ref().values, sweep.get_ref().is_listed)),
+        ),
+        (
+            Control::Force,
+            raw.force.as_ref().map(|sweep| (&sweep.get_ref().values, sweep.get_ref().is_listed)),
+        ),
+    ];
+    for (control, sweep) in sweeps {
+        let Some((values, is_listed)) = sweep else { continue };
+        let chosen = if is_listed { values.clone() } else { spread_over(values, loads) };
+        plan.prescribed.extend(chosen.into_iter().map(|value| (control, value)));
+    }
+    for (law, (thickness, flat)) in resolved.laws.iter().zip(resolved.flats.iter().cycle()) {
+        let solution = plan.solution(law, resolved.rough, *thickness, flat, cap.map(|cap| *cap.get_ref()));
+        let index = plan.solutions.iter().position(|known| *known == solution).unwrap_or_else(|| {
+            plan.solutions.push(solution);
+            plan.solutions.len() - 1
+        });
+        plan.serves.push(index);
+    }
+    Ok(Some(plan))
+}
+
+impl ReferencePlan {
+    /// The contact beside `law`; notes where it is elastic although the law yields.
+    fn solution(
+        &mut self,
+        law: &LawPlan,
+        rough: &Material,
+        thickness: Option<f64>,
+        flat: &Flat,
+        asked: Option<CapSpec>,
+    ) -> Solution {
+        let yields = law.spec.law().yields_by().is_some();
+        let hardness = homogeneous(flat).map(|flat| softer_hardness(rough, flat));
+        let (cap, reason) = match (asked, hardness) {
+            (Some(CapSpec::None), _) => (None, Some(ElasticReason::Asked)),
+            (_, None) => (None, Some(ElasticReason::Layer)),
+            (asked, Some(hardness)) if asked.is_some() || yields => {
+                let cap = Some(hardness).filter(|hardness| hardness.is_finite());
+                (cap, cap.is_none().then_some(ElasticReason::NoHardness))
+            }
+            (_, Some(_)) => (None, None),
+        };
+        if let Some(reason) = reason.filter(|_| yields) {
+            self.elastic.push(ElasticCase { law: law.label.clone(), thickness, reason });
+        }
+        Solution { thickness, cap }
+    }
+}
+
+/// The material of a flat without a layer of finite thickness.
+fn homogeneous(flat: &Flat) -> Option<&Material> {
+    match flat {
+        Flat::Bare(material) | Flat::AllLayer { layer: material, .. } => Some(material),
+        Flat::Layered { .. } => None,
+    }
+}
+
+/// Refuses a cap that is asked for under a layer, or where no body has a hardness.
+fn refuse_cap(
+    file: &SpecFile,
+    raw: &CompareSpec,
+    resolved: &Resolved,
+    span: Range<usize>,
+) -> Result<(), InputError> {
+    for (thickness, flat) in resolved.flats {
+        let Some(flat) = homogeneous(flat) else {
+            let message = format!(
+                "found \"hardness\" under a layer of {}, where the reference is elastic; allowed: cap = \"none\", or thicknesses of 0 \
+                 and \"inf\"",
+                thickness.map_or_else(String::new, thickness_words)
+            );
+            return Err(file.source.error_at(span, message));
+        };
+        if softer_hardness(resolved.rough, flat).is_infinite() {
+            let message = format!(
+                "found \"hardness\", but no `{}` in {}; allowed: cap = \"none\", or hardness = \"...\" with a unit of pressure in a material",
+                Property::Hardness.key(),
+                materials(&raw.rough.get_ref().0, raw.flat.get_ref())
+            );
+            return Err(file.source.error_at(span, message));
+        }
+    }
+    Ok(())
+}
+
+/// A whole number within a range, or its default.
+fn whole(
+    file: &SpecFile,
+    raw: Option<&Spanned<Whole>>,
+    otherwise: u64,
+    allowed: std::ops::RangeInclusive<u64>,
+) -> Result<usize, InputError> {
+    let Some(raw) = raw else { return Ok(otherwise as usize) };
+    let Whole(value) = *raw.get_ref();
+    if allowed.contains(&value) {
+        return Ok(value as usize);
+    }
+    let message = format!("found {value}; allowed: {} to {}", allowed.start(), allowed.end());
+    Err(file.source.error_at(raw.span(), message))
+}
+
+/// At most `count` of the values, evenly spread over their indices, with both ends; of one the middle.
+pub(super) fn spread_over<T: Clone>(values: &[T], count: usize) -> Vec<T> {
+    let last = values.len().saturating_sub(1);
+    match count {
+        _ if values.len() <= count => values.to_vec(),
+        1 => vec![values[last / 2].clone()],
+        _ => (0..count).map(|k| values[(k * last + (count - 1) / 2) / (count - 1)].clone()).collect(),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::spread_over;
+
+    #[test]
+    fn some_of_a_sweep_have_both_its_ends_and_are_evenly_spread() {
+        let values: Vec<usize> = (0..61).collect();
+        assert_eq!(spread_over(&values, 9), [0, 8, 15, 23, 30, 38, 45, 53, 60]);
+        assert_eq!(spread_over(&values, 2), [0, 60]);
+        assert_eq!(spread_over(&values, 1), [30]);
+        assert_eq!(spread_over(&values[..3], 9), [0, 1, 2]);
+        assert_eq!(spread_over(&values[..0], 9), [0; 0]);
+    }
+}

@@ -1,0 +1,206 @@
+//! Running the reference on one realisation of a surface.
+
+use std::collections::BTreeMap;
+use std::fmt;
+use std::time::Instant;
+
+use asperity::bem::{Boundary, Contact, ElasticPair, Options, Solver};
+use asperity::compare::{Control, Kind, ReferenceCurve, ReferencePoint, stiffnesses};
+use asperity_framework::RunContext;
+use asperity_framework::input::InputError;
+use asperity_framework::metadata::Timing;
+
+use super::plan::{ReferencePlan, Solution, spread_over};
+use super::view::{ContactView, Sum};
+use crate::kind::compare::answers::CaseResults;
+use crate::kind::compare::plan::ComparePlan;
+use crate::layer::thickness_words;
+use crate::surface::{PreparedMap, Surface, SurfacePlan};
+
+/// A surface whose prepared map is solved.
+pub struct ReferenceRun<'a> {
+    /// How.
+    pub reference: &'a ReferencePlan,
+    /// The plan of the comparison.
+    pub compare: &'a ComparePlan,
+    /// The plan of the surface.
+    pub plan: &'a SurfacePlan,
+    /// The surface with its asperities.
+    pub surface: &'a Surface,
+    /// Its map.
+    pub prepared: PreparedMap,
+    /// Whether views of a contact are wanted.
+    pub is_viewed: bool,
+}
+
+impl ReferenceRun<'_> {
+    /// Adds the reference to the results of the models, and gives a view of the contact of each solution where they are
+    /// wanted.
+    ///
+    /// # Errors
+    /// A map that cannot be solved, and a load at which the solver does not converge.
+    pub fn run(
+        &self,
+        context: &RunContext,
+        cases: &mut [CaseResults],
+        timing: &mut Timing,
+    ) -> Result<Vec<ContactView>, InputError> {
+        let start = Instant::now();
+        let reference = self.reference;
+        let area = self.surface.set.nominal_area();
+        let loads: Vec<Vec<Load>> = cases.iter().map(|case| Load::all(reference, case, area)).collect();
+        let of_solution = |index: usize| -> Vec<f64> {
+            let served = loads.iter().zip(&reference.serves).filter(|(_, serves)| **serves == index);
+            let pressures = served.flat_map(|(loads, _)| loads.iter().map(|load| load.pressure));
+            let mut pressures: Vec<f64> = pressures.collect();
+            pressures.sort_by(f64::total_cmp);
+            pressures.dedup();
+            pressures
+        };
+        let all: Vec<Vec<f64>> = (0..reference.solutions.len()).map(of_solution).collect();
+        context.progress.stage("boundary elements", all.iter().map(Vec::len).sum::<usize>() as f64);
+        let boundary = reference.boundary(self.plan);
+        let mut views = Vec::new();
+        for (index, (solution, pressures)) in reference.solutions.iter().zip(&all).enumerate() {
+            let served: Vec<usize> =
+                (0..cases.len()).filter(|&case| reference.serves[case] == index).collect();
+            let sum_at = |pressure: f64| served.iter().find_map(|&case| Sum::of(&cases[case], pressure));
+            let (solved, view) = self.solve(context, solution, pressures, &sum_at)?;
+            views.extend(view);
+            for case in served {
+                cases[case].reference = Some(solved.curve(boundary, solution.cap, &loads[case]));
+            }
+        }
+        timing.reference += start.elapsed();
+        Ok(views)
+    }
+
+    /// Solves one contact at ascending pressures (Pa).
+    fn solve(
+        &self,
+        context: &RunContext,
+        solution: &Solution,
+        pressures: &[f64],
+        sum_at: &dyn Fn(f64) -> Option<Sum>,
+    ) -> Result<(Solved, Option<ContactView>), InputError> {
+        let refuse = |error: &dyn fmt::Display| {
+            let layer = solution
+                .thickness
+                .map_or_else(String::new, |t| format!(", thickness {}", thickness_words(t)));
+            let message = format!("surface {}{layer}: the reference {error}", self.surface.name);
+            context.source.error_at(self.reference.key.clone(), message)
+        };
+        let boundary = self.reference.boundary(self.plan);
+        let [rough, flat] = &self.compare.pair;
+        let layer = self.compare.layer.as_ref().map(|layer| &layer.material).zip(solution.thickness);
+        let pair = ElasticPair::new(rough, flat, layer);
+        let options = Options { boundary, error: self.reference.error, cap: solution.cap };
+        let solver = Solver::new(&self.prepared.map, &pair, &options).map_err(|error| refuse(&error))?;
+        let mut solved = Solved { interpolated: solver.interpolated(), ..Solved::default() };
+        let mut view: Option<ContactView> = None;
+        for &pressure in pressures {
+            if solution.cap.is_some_and(|cap| pressure >= cap) {
+                solved.unreached.push(pressure);
+                context.progress.advance(1.0);
+                continue;
+            }
+            let contact = solver.at_pressure(pressure, context.progress).map_err(|error| refuse(&error))?;
+            solved.points.insert(pressure.to_bits(), point(pressure, &contact, self.surface, boundary));
+            let is_nearer = |view: &ContactView| ContactView::distance(&contact) < view.distance;
+            if self.is_viewed && view.as_ref().is_none_or(is_nearer) {
+                view = Some(ContactView::new(self, solution, pressure, &contact, sum_at(pressure)));
+            }
+        }
+        solved.set_stiffnesses();
+        Ok((solved, view))
+    }
+}
+
+/// A load that is prescribed, or that a model carries at a prescribed separation.
+struct Load {
+    control: Control,
+    target: f64,
+    /// Nominal pressure, Pa.
+    pressure: f64,
+}
+
+impl Load {
+    /// The loads of a case on a nominal area (m^2).
+    fn all(reference: &ReferencePlan, case: &CaseResults, area: f64) -> Vec<Self> {
+        let prescribed = reference.prescribed.iter().map(|&(control, target)| {
+            let pressure = if control == Control::Force { target / area } else { target };
+            Self { control, target, pressure }
+        });
+        let comparison = &case.comparison;
+        let of = |kind: Kind| -> Vec<f64> {
+            let points = comparison.curves.iter().filter(|point| point.kind == kind);
+            let pressures = points
+                .filter(|point| point.control == Control::Separation)
+                .map(|point| point.response.pressure.total())
+                .filter(|pressure| *pressure > 0.0 && !comparison.unpaired.contains(pressure));
+            pressures.collect()
+        };
+        let sums = of(Kind::Deterministic);
+        let carried = if sums.is_empty() { of(Kind::Statistical) } else { sums };
+        let carried = spread_over(&carried, reference.loads).into_iter();
+        prescribed
+            .chain(carried.map(|pressure| Self { control: Control::Pressure, target: pressure, pressure }))
+            .collect()
+    }
+}
+
+/// The results of one solution by pressure (bits of the f64, whose order is that of positive numbers).
+#[derive(Default)]
+struct Solved {
+    interpolated: usize,
+    points: BTreeMap<u64, ReferencePoint>,
+    unreached: Vec<f64>,
+}
+
+impl Solved {
+    fn curve(&self, boundary: Boundary, cap: Option<f64>, loads: &[Load]) -> ReferenceCurve {
+        let point = |load: &Load| {
+            let point = self.points.get(&load.pressure.to_bits())?;
+            Some(ReferencePoint { control: load.control, target: load.target, ..*point })
+        };
+        let is_unreached = |load: &&Load| self.unreached.contains(&load.pressure);
+        ReferenceCurve {
+            boundary,
+            cap,
+            interpolated: self.interpolated,
+            points: loads.iter().filter_map(point).collect(),
+            unreached: loads.iter().filter(is_unreached).map(|load| load.pressure).collect(),
+        }
+    }
+
+    /// Sets the stiffnesses from the neighbouring loads.
+    fn set_stiffnesses(&mut self) {
+        let measured = self.points.values().map(|point| Some((point.pressure, point.separation?)));
+        let (pressures, separations): (Vec<f64>, Vec<f64>) = measured.flatten().unzip();
+        for (point, stiffness) in self.points.values_mut().zip(stiffnesses(&pressures, &separations)) {
+            point.stiffness = stiffness;
+        }
+    }
+}
+
+/// The contact at a nominal pressure (Pa) in the terms of the models.
+fn point(pressure: f64, contact: &Contact, surface: &Surface, boundary: Boundary) -> ReferencePoint {
+    let mean_gap = contact.mean_gap();
+    let offset = surface.plane_above_mean_plane().filter(|_| boundary != Boundary::Finite);
+    let separation = offset.map(|offset| mean_gap - offset);
+    ReferencePoint {
+        control: Control::Pressure,
+        target: pressure,
+        pressure,
+        mean_gap,
+        separation,
+        separation_over_sigma: separation.map(|d| d / surface.plane.sigma),
+        area_ratio: contact.area_ratio(),
+        raw_area_ratio: contact.raw_area_ratio(),
+        capped_area_ratio: contact.capped_area_ratio(),
+        stiffness: None,
+        error: contact.error,
+        steps: contact.steps,
+        convolutions: contact.convolutions,
+    }
+}

@@ -1,0 +1,61 @@
+//! `reference.csv`: what the boundary element solver did at each load.
+
+use asperity::compare::ReferencePoint;
+use asperity_framework::columns;
+use asperity_framework::report::table::{Column, Row};
+
+use crate::kind::compare::results::CompareResults;
+use crate::kind::compare::tables::{Case, cases};
+
+/// One load of the reference.
+pub(crate) struct ReferenceRow {
+    case: Case,
+    boundary: &'static str,
+    cap: Option<f64>,
+    interpolated: usize,
+    /// Height of the plane of separations above the mean plane of the map, m.
+    offset: Option<f64>,
+    point: ReferencePoint,
+}
+
+impl Row for ReferenceRow {
+    const FILE: &'static str = "reference.csv";
+    const ROWS: &'static str = "One row for each surface, realisation, law, layer thickness and load at which the boundary element reference was run; the file is there only where it was.";
+
+    fn columns() -> Vec<Column<Self>> {
+        let mut columns = Case::columns(|row: &Self| &row.case);
+        columns.extend(columns! { row: Self =>
+            boundary["text"] = row.boundary, "What lies beyond the edge of the map: `periodic` (the map again), `mirrored` (its mirror image) or `finite` (nothing).";
+            cap_pa["Pa"] = row.cap, "The largest contact pressure, the hardness of the softer body; empty for an elastic contact.";
+            pressure_pa["Pa"] = row.point.pressure, "Nominal pressure.";
+            mean_gap_m["m"] = row.point.mean_gap, "Mean gap between the deformed surfaces, zero at points in contact.";
+            plane_offset_m["m"] = row.offset, "Height of the plane that separations are measured from, the mean asperity height, above the mean plane of the map: the mean gap less this is the separation in `curves.csv`.";
+            raw_area_ratio["1"] = row.point.raw_area_ratio, "Points in contact over all points.";
+            area_ratio["1"] = row.point.area_ratio, "The same corrected for the perimeter of the contacts.";
+            capped_area_ratio["1"] = row.point.capped_area_ratio, "Points at the largest pressure over all points.";
+            dual_gap["1"] = row.point.error, "Relative dual gap: a bound of the error in energy.";
+            steps["count"] = row.point.steps, "Steps of the solver.";
+            convolutions["count"] = row.point.convolutions, "Convolutions of the solver.";
+            interpolated_points["count"] = row.interpolated, "Missing points of the map that were interpolated for the reference alone.";
+        });
+        columns
+    }
+}
+
+/// The rows.
+pub(crate) fn rows(results: &CompareResults) -> impl Iterator<Item = ReferenceRow> {
+    cases(results).flat_map(|(case, _, found)| {
+        let curves = found.reference.iter();
+        curves.flat_map(move |curve| {
+            let case = case.clone();
+            curve.points.iter().map(move |&point| ReferenceRow {
+                case: case.clone(),
+                boundary: curve.boundary.name(),
+                cap: curve.cap,
+                interpolated: curve.interpolated,
+                offset: point.separation.map(|d| point.mean_gap - d),
+                point,
+            })
+        })
+    })
+}

@@ -1,0 +1,204 @@
+//! A look at the contact of the reference at one load: a part of the map, and the distribution of pressures.
+
+use asperity::bem::Contact;
+use asperity::compare::Kind;
+
+use super::plan::Solution;
+use super::run::ReferenceRun;
+use crate::kind::compare::answers::CaseResults;
+
+/// The contact at the load whose contact area is nearest to 2 %.
+#[derive(Debug)]
+pub struct ContactView {
+    /// Thickness of the layer, m; `None` without a layer in the spec.
+    pub thickness: Option<f64>,
+    /// The largest pressure, Pa; `None` for an elastic contact.
+    pub cap: Option<f64>,
+    /// Nominal pressure, Pa.
+    pub load: f64,
+    /// Points in contact over all points.
+    pub raw_area_ratio: f64,
+    /// How far the area is from 2 %, as the absolute logarithm of their ratio.
+    pub(super) distance: f64,
+    /// Mean pressure of the points in contact, Pa.
+    pub mean_pressure: f64,
+    /// The part of the map that is shown.
+    pub part: Part,
+    /// What the sum takes to be in contact at the same load; `None` where it was not run.
+    pub sum: Option<SummitsInContact>,
+    /// Share of the points in contact per unit of p over its mean, in bins of equal width from 0.
+    pub density: Vec<f64>,
+    /// Width of a bin.
+    pub bin: f64,
+}
+
+/// A rectangle of points of the map.
+#[derive(Debug)]
+pub struct Part {
+    /// Its first corner on the map, m.
+    pub corner: [f64; 2],
+    /// Its sides, m.
+    pub sides: [f64; 2],
+    /// Points along x and y.
+    pub points: [usize; 2],
+    /// Contact pressures, Pa, y running fastest.
+    pub pressures: Vec<f64>,
+    /// Whether it is the whole map.
+    pub is_whole: bool,
+}
+
+/// The asperities in contact in the sum, and whether the reference touches them.
+#[derive(Debug)]
+pub struct SummitsInContact {
+    /// The law of the sum.
+    pub law: String,
+    /// Number of asperities in contact on the whole map.
+    pub count: usize,
+    /// Those of them at or beside a point of the map in contact.
+    pub touched: usize,
+    /// Places of those on the part that is shown, m, and whether they are touched.
+    pub places: Vec<([f64; 2], bool)>,
+}
+
+/// The sum at the load of a view: its law, and its separation, m.
+pub(super) struct Sum {
+    law: String,
+    separation: f64,
+}
+
+impl Sum {
+    /// The sum of a case at the nominal pressure `pressure` (Pa), where it was run there.
+    pub(super) fn of(case: &CaseResults, pressure: f64) -> Option<Self> {
+        let mut curves = case.comparison.curves.iter().filter(|point| point.kind == Kind::Deterministic);
+        let point = curves.find(|point| {
+            point.prescribed_pressure == Some(pressure) || point.response.pressure.total() == pressure
+        })?;
+        Some(Self { law: case.law.clone(), separation: point.response.separation })
+    }
+}
+
+/// Area ratio that a view is wanted at.
+const AREA: f64 = 0.02;
+/// Points along the sides of the part that is shown, at most.
+const SIDE: usize = 256;
+/// Bins of the distribution of pressures.
+const BINS: usize = 40;
+
+impl ContactView {
+    /// How far the area of a contact is from what is wanted.
+    pub(super) fn distance(contact: &Contact) -> f64 {
+        (contact.raw_area_ratio() / AREA).ln().abs()
+    }
+
+    /// Of a contact at the nominal pressure `load` (Pa), beside a sum at the same load.
+    pub(super) fn new(
+        on: &ReferenceRun,
+        solution: &Solution,
+        load: f64,
+        contact: &Contact,
+        sum: Option<Sum>,
+    ) -> Self {
+        let (pressures, grid) = (contact.pressures(), contact.points());
+        let refine = grid[0] / on.prepared.map.points()[0];
+        let pixel = on.prepared.map.pixel().map(|size| size / refine as f64);
+        let touching = pressures.iter().filter(|&&p| p > 0.0);
+        let (count, total) = touching.fold((0_usize, 0.0), |(count, total), p| (count + 1, total + p));
+        let mean_pressure = if count > 0 { total / count as f64 } else { 0.0 };
+        let (bin, density) = distribution(pressures, mean_pressure, count);
+        let part = Part::of(pressures, grid, pixel);
+        let sum = sum.map(|sum| SummitsInContact::new(on, &sum, contact, refine, &part));
+        Self {
+            thickness: solution.thickness,
+            cap: solution.cap,
+            load,
+            raw_area_ratio: contact.raw_area_ratio(),
+            distance: Self::distance(contact),
+            mean_pressure,
+            part,
+            sum,
+            density,
+            bin,
+        }
+    }
+}
+
+/// Width of the bins of p/mean, and the share of the `count` points in contact per unit of it in each.
+fn distribution(pressures: &[f64], mean: f64, count: usize) -> (f64, Vec<f64>) {
+    let highest = pressures.iter().fold(0.0_f64, |highest, &p| highest.max(p));
+    if count == 0 {
+        return (1.0, Vec::new());
+    }
+    let bin = highest / mean / BINS as f64;
+    let mut counts = vec![0_usize; BINS];
+    for p in pressures.iter().filter(|&&p| p > 0.0) {
+        counts[((p / mean / bin) as usize).min(BINS - 1)] += 1;
+    }
+    (bin, counts.into_iter().map(|inside| inside as f64 / (count as f64 * bin)).collect())
+}
+
+impl Part {
+    /// The whole map, or of a large one the part whose share of points in contact is nearest to that of the map.
+    fn of(pressures: &[f64], grid: [usize; 2], pixel: [f64; 2]) -> Self {
+        let points = grid.map(|count| count.min(SIDE));
+        let blocks = [0, 1].map(|axis| grid[axis] / points[axis]);
+        let first = |block: usize| [block / blocks[1] * points[0], block % blocks[1] * points[1]];
+        let rows = |[x, y]: [usize; 2]| {
+            (x..x + points[0]).map(move |ix| &pressures[ix * grid[1] + y..ix * grid[1] + y + points[1]])
+        };
+        let touching = |row: &[f64]| row.iter().filter(|&&p| p > 0.0).count();
+        let of_map = pressures.chunks(grid[1]).map(touching).sum::<usize>() as f64 / pressures.len() as f64;
+        let away = |block: usize| {
+            let share =
+                rows(first(block)).map(touching).sum::<usize>() as f64 / (points[0] * points[1]) as f64;
+            (share - of_map).abs()
+        };
+        let nearest =
+            (0..blocks[0] * blocks[1]).map(|block| (away(block), block)).min_by(|a, b| a.0.total_cmp(&b.0));
+        let at = first(nearest.map_or(0, |(_, block)| block));
+        Self {
+            corner: [0, 1].map(|axis| at[axis] as f64 * pixel[axis]),
+            sides: [0, 1].map(|axis| points[axis] as f64 * pixel[axis]),
+            points,
+            pressures: rows(at).flatten().copied().collect(),
+            is_whole: points == grid,
+        }
+    }
+
+    fn holds(&self, place: [f64; 2]) -> bool {
+        (0..2).all(|axis| {
+            let along = place[axis] - self.corner[axis];
+            (0.0..self.sides[axis]).contains(&along)
+        })
+    }
+}
+
+impl SummitsInContact {
+    fn new(on: &ReferenceRun, sum: &Sum, contact: &Contact, refine: usize, part: &Part) -> Self {
+        let (pressures, grid) = (contact.pressures(), contact.points());
+        let flat = on.surface.plane.mean + sum.separation;
+        let (columns, pixel) = (on.prepared.map.points()[1], on.prepared.map.pixel());
+        // At or beside a point of the map: as many points of the grid as one of the map has.
+        let is_touched = |at: [usize; 2]| {
+            let around = |axis: usize| {
+                let centre = at[axis] * refine;
+                centre.saturating_sub(refine)..(centre + refine + 1).min(grid[axis])
+            };
+            around(0).any(|ix| pressures[ix * grid[1]..][around(1)].iter().any(|&p| p > 0.0))
+        };
+        let mut found = Self { law: sum.law.clone(), count: 0, touched: 0, places: Vec::new() };
+        for (&position, &height) in on.prepared.positions.iter().zip(on.surface.set.heights()) {
+            if height <= flat {
+                continue;
+            }
+            let at = [position / columns, position % columns];
+            let touched = is_touched(at);
+            found.count += 1;
+            found.touched += usize::from(touched);
+            let place = [0, 1].map(|axis| (at[axis] as f64 + 0.5) * pixel[axis]);
+            if part.holds(place) {
+                found.places.push((place, touched));
+            }
+        }
+        found
+    }
+}

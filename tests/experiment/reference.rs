@@ -1,0 +1,315 @@
+//! The boundary element reference beside the models: where it runs, what it gives, and that nothing changes without it.
+
+use std::collections::BTreeMap;
+use std::path::Path;
+
+use asperity::HeightMap;
+use asperity_experiment::Experiment;
+use asperity_framework::Outcome;
+use asperity_framework::progress::Silent;
+
+/// A smooth periodic surface of 128 x 128 points, 32 of them per shortest wave.
+const SMOOTH: &str = r#"
+[surface.a.generate]
+points = 128
+pixel = "0.25 um"
+sigma = "20 nm"
+spectrum.self-affine = { hurst = 0.8, roll-off = "16 um", cut-off = "8 um" }
+"#;
+
+/// A rough one of 64 x 64 points.
+const ROUGH: &str = r#"
+[surface.a.generate]
+points = 64
+pixel = "1 um"
+sigma = "100 nm"
+spectrum.self-affine = { hurst = 0.8, roll-off = "40 um", cut-off = "8 um" }
+"#;
+
+const THREE: &str = "models = [\"statistical\", \"deterministic\", \"reference\"]\n";
+
+/// A comparison in a folder of its own, in which `map.npy` is a tilted map.
+fn read(compare: &str, surfaces: &str) -> (tempfile::TempDir, Experiment) {
+    let folder = tempfile::tempdir().unwrap();
+    write_map(&folder.path().join("map.npy"));
+    let path = folder.path().join("t.toml");
+    let head =
+        concat!("title = \"t\"\n", steel!(), lead!(), "[compare]\nrough = \"steel\"\nflat = \"steel\"\n");
+    std::fs::write(&path, format!("{head}{compare}\n{surfaces}")).unwrap();
+    let experiment = Experiment::read(&path).unwrap();
+    (folder, experiment)
+}
+
+fn run(compare: &str, surfaces: &str) -> Box<dyn Outcome> {
+    read(compare, surfaces).1.run(&Silent).unwrap()
+}
+
+/// 60 x 50 points of waves on a slope, three of them missing.
+fn write_map(path: &Path) {
+    let height = |k: usize| {
+        let (x, y) = ((k / 50) as f64, (k % 50) as f64);
+        let wave = (0.5 * x).sin() * (0.4 * y).cos() + 0.6 * (0.31 * x + 0.23 * y).sin();
+        if (1000..1003).contains(&k) { f64::NAN } else { 1e-7 * wave + 2e-8 * x }
+    };
+    let heights = (0..60 * 50).map(height).collect();
+    HeightMap::new([60, 50], [1e-6; 2], heights, 0.0).unwrap().write_npy(path).unwrap();
+}
+
+type Rows = Vec<BTreeMap<String, String>>;
+
+/// The rows of a table, each by the names of its columns; `None` where the report has no such table.
+fn table(outcome: &dyn Outcome, file: &str) -> Option<Rows> {
+    let tables = outcome.tables().unwrap();
+    let (_, content) = tables.iter().find(|(name, _)| *name == file)?;
+    let mut reader = csv::Reader::from_reader(content.as_slice());
+    Some(reader.deserialize().map(Result::unwrap).collect())
+}
+
+fn of_model(outcome: &dyn Outcome, model: &str) -> Rows {
+    let rows = table(outcome, "curves.csv").unwrap();
+    rows.into_iter().filter(|row| row["model"] == model).collect()
+}
+
+fn number(row: &BTreeMap<String, String>, column: &str) -> f64 {
+    row[column].parse().unwrap_or_else(|_| panic!("{column}: {}", row[column]))
+}
+
+fn column(rows: &Rows, name: &str) -> Vec<f64> {
+    rows.iter().map(|row| number(row, name)).collect()
+}
+
+const SWEEP: &str = "pressure = { from = \"1 MPa\", to = \"100 MPa\", points = 21 }\n";
+
+#[test]
+fn nothing_changes_where_no_reference_is_asked_for_and_the_models_do_not_where_it_is() {
+    let without = run(&format!("law = \"hertz\"\n{SWEEP}"), ROUGH);
+    let with = run(&format!("law = \"hertz\"\n{THREE}{SWEEP}"), ROUGH);
+    assert!(table(&*without, "reference.csv").is_none() && table(&*with, "reference.csv").is_some());
+    let [plain, beside] = [&without, &with].map(|outcome| table(&**outcome, "comparison.csv").unwrap());
+    assert!(plain[0].keys().all(|name| !name.starts_with("reference")), "{:?}", plain[0].keys());
+    for (plain, beside) in plain.iter().zip(&beside) {
+        assert!(plain.iter().all(|(name, cell)| beside[name] == *cell));
+    }
+    for model in ["statistical", "deterministic"] {
+        let rows = of_model(&*with, model);
+        assert_eq!(rows, of_model(&*without, model));
+        assert!(rows.iter().all(|row| row["raw_area_ratio"].is_empty()));
+    }
+    let [plain, beside] = [&without, &with].map(|outcome| outcome.summary().unwrap());
+    assert!(!plain.contains_key("reference") && beside["reference"][0]["boundary"] == "periodic");
+    let [plain, beside] = [&without, &with].map(|outcome| outcome.page().markdown());
+    assert!(!plain.contains("the reference") && beside.contains("## a: the reference"));
+}
+
+#[test]
+fn a_sweep_runs_at_some_of_its_loads_and_a_list_at_all() {
+    let loads = |compare: &str| {
+        let outcome = run(&format!("law = \"hertz\"\n{THREE}{compare}"), ROUGH);
+        let rows = of_model(&*outcome, "reference");
+        let pairs = table(&*outcome, "comparison.csv").unwrap();
+        let filled: Vec<f64> = pairs
+            .iter()
+            .filter(|row| !row["reference_area_ratio"].is_empty())
+            .map(|row| {
+                assert_eq!(row["pairing"], "load");
+                assert_eq!(number(row, "target"), number(row, "reference_pressure_pa"));
+                number(row, "target")
+            })
+            .collect();
+        let pressures = column(&rows, "pressure_pa");
+        // A row of each load of the reference.
+        assert!(pressures.iter().all(|pressure| filled.contains(pressure)), "{pressures:?} {filled:?}");
+        (pressures, filled.len(), pairs.len())
+    };
+    let (pressures, filled, pairs) = loads(SWEEP);
+    assert_eq!((pressures.len(), filled, pairs), (9, 9, 21));
+    assert_eq!((pressures[0], pressures[8]), (1e6, 1e8));
+    let (pressures, ..) = loads(&format!("{SWEEP}reference = {{ loads = 3 }}"));
+    assert_eq!(pressures.len(), 3);
+    assert!((pressures[1] / 1e7 - 1.0).abs() < 1e-12);
+    let twelve: Vec<String> = (1..=12).map(|k| format!("\"{k} MPa\"")).collect();
+    let (pressures, ..) = loads(&format!("pressure = [{}]", twelve.join(", ")));
+    assert_eq!(pressures.len(), 12);
+    // On an area of 64 x 64 um^2.
+    let (pressures, ..) = loads("force = [\"4.096 mN\", \"40.96 mN\"]");
+    assert!(pressures.iter().zip([1e6, 1e7]).all(|(found, asked)| (found / asked - 1.0).abs() < 1e-12));
+}
+
+#[test]
+fn under_a_separation_sweep_it_runs_at_the_loads_of_a_model() {
+    let spec = "separation = { from = 3, to = 0, points = 31 }\nreference = { loads = 4 }\n";
+    for (models, kind) in
+        [("\"deterministic\", \"statistical\", ", "deterministic"), ("\"statistical\", ", "statistical")]
+    {
+        let outcome = run(&format!("law = \"hertz\"\nmodels = [{models}\"reference\"]\n{spec}"), ROUGH);
+        let carried: Vec<f64> = column(&of_model(&*outcome, kind), "pressure_pa");
+        let rows = of_model(&*outcome, "reference");
+        assert_eq!(rows.len(), 4, "{kind}");
+        assert!(
+            rows.iter()
+                .all(|row| row["control"] == "pressure" && carried.contains(&number(row, "pressure_pa")))
+        );
+        assert_eq!(number(&rows[3], "pressure_pa"), carried[30], "{kind}");
+        let pairs = table(&*outcome, "comparison.csv").unwrap();
+        let filled = pairs.iter().filter(|row| !row["reference_area_ratio"].is_empty()).count();
+        assert_eq!(filled, if kind == "deterministic" { 4 } else { 0 });
+    }
+}
+
+/// At light loads contacts are few and far apart, so that spheres on well resolved summits are near the reference: the
+/// separation counts from the same plane, the area from the same pair.
+#[test]
+fn at_light_loads_it_is_near_the_sum() {
+    let outcome =
+        run(&format!("law = \"hertz\"\n{THREE}pressure = [\"2 MPa\", \"2.5 MPa\", \"3 MPa\"]"), SMOOTH);
+    let [sum, reference] = ["deterministic", "reference"].map(|model| of_model(&*outcome, model));
+    let solved = table(&*outcome, "reference.csv").unwrap();
+    for ((sum, reference), solved) in sum.iter().zip(&reference).zip(&solved) {
+        let area = number(reference, "area_ratio") / number(sum, "area_ratio");
+        assert!((area - 1.0).abs() < 0.15, "{area}");
+        let [far, near] = [reference, sum].map(|row| number(row, "separation_over_sigma"));
+        assert!((far - near).abs() < 0.15, "{far} {near}");
+        let d = number(solved, "mean_gap_m") - number(solved, "plane_offset_m");
+        assert!((d - number(reference, "separation_m")).abs() < 1e-20);
+        assert!(number(reference, "raw_area_ratio") > number(reference, "area_ratio"));
+        assert!(number(solved, "dual_gap") <= 1e-6);
+    }
+    // Only the middle load has neighbours on both sides.
+    assert!(reference[0]["stiffness_pa_per_m"].is_empty() && reference[2]["stiffness_pa_per_m"].is_empty());
+    let [far, near] = [&reference, &sum].map(|rows| number(&rows[1], "stiffness_pa_per_m"));
+    assert!((far / near - 1.0).abs() < 0.3, "{far} {near}");
+}
+
+#[test]
+fn laws_that_yield_have_the_hardness_as_cap_and_laws_of_one_cap_share_a_solution() {
+    let spec = format!(
+        "law = [\"hertz\", \"zmc\", \"kogut-etsion\"]\n{THREE}pressure = [\"10 MPa\", \"300 MPa\"]\n"
+    );
+    let caps = |keys: &str| {
+        let outcome = run(&format!("{spec}{keys}"), &ROUGH.replace("100 nm", "400 nm"));
+        let rows = table(&*outcome, "reference.csv").unwrap();
+        let of = |law: &str| -> Rows {
+            let own = rows.iter().filter(|row| row["law"] == law).cloned();
+            own.map(|row| row.into_iter().filter(|(name, _)| name != "law").collect()).collect()
+        };
+        ["hertz", "zmc", "kogut-etsion"].map(of)
+    };
+    let [hertz, zmc, other] = caps("");
+    assert!(hertz.iter().all(|row| row["cap_pa"].is_empty()));
+    assert!(zmc.iter().all(|row| number(row, "cap_pa") == 7.6e9));
+    assert_eq!(zmc, other);
+    assert_ne!(hertz, zmc);
+    assert!(number(&zmc[1], "capped_area_ratio") > 0.0 && number(&hertz[1], "capped_area_ratio") == 0.0);
+    let all = caps("reference = { cap = \"none\" }");
+    assert!(all.iter().all(|rows| *rows == hertz));
+    let all = caps("reference = { cap = \"hardness\" }");
+    assert!(all.iter().all(|rows| *rows == zmc));
+}
+
+#[test]
+fn under_a_layer_it_is_elastic_and_says_so_and_loads_above_the_hardness_are_left_out() {
+    let layer = "layer = { material = \"lead\", thickness = [0, \"200 nm\", \"inf\"] }\n";
+    let spec = format!("law = \"zmc\"\n{THREE}{layer}pressure = [\"10 MPa\", \"200 MPa\"]\n");
+    let (_folder, experiment) = read(&spec, ROUGH);
+    let words = "law zmc, thickness 200 nm: the reference is elastic under a layer of finite thickness";
+    assert!(experiment.to_string().contains(words), "{experiment}");
+    let outcome = experiment.run(&Silent).unwrap();
+    let text = outcome.page().markdown();
+    assert!(text.contains(words), "{text}");
+    assert!(
+        text.contains(
+            "on bulk lead: no reference from 200 MPa on, since no contact carries more than 170 MPa"
+        )
+    );
+    let rows = table(&*outcome, "reference.csv").unwrap();
+    let found: Vec<(&str, &str)> =
+        rows.iter().map(|row| (&*row["layer_thickness_m"], &*row["cap_pa"])).collect();
+    let [bare, layered, bulk] = [("0.0", "7600000000.0"), ("2e-7", ""), ("inf", "170000000.0")];
+    assert_eq!(found, [bare, bare, layered, layered, bulk]);
+    assert_eq!(outcome.summary().unwrap()["reference"][2]["unreached_loads"], 1);
+}
+
+const MEASURED: &str = "[surface.m.file]\npath = \"map.npy\"\npixel = \"1 um\"\n";
+
+#[test]
+fn a_measured_map_is_levelled_and_mirrored_and_a_finite_patch_has_no_separation() {
+    let spec = format!(
+        "law = \"hertz\"\n{THREE}pressure = [\"5 MPa\", \"8 MPa\", \"12 MPa\"]\nrobustness = false\n"
+    );
+    let mirrored = run(&spec, MEASURED);
+    let rows = table(&*mirrored, "reference.csv").unwrap();
+    assert!(rows.iter().all(|row| row["boundary"] == "mirrored" && row["interpolated_points"] == "3"));
+    assert!(
+        mirrored.page().markdown().contains("3 missing points were interpolated for the reference alone")
+    );
+    let level = of_model(&*mirrored, "reference");
+    let tilted = of_model(&*run(&spec, &format!("{MEASURED}level = \"mean\"\n")), "reference");
+    // On its slope of 1.2 um one side of the map alone is in contact.
+    assert!(number(&tilted[0], "separation_m") > 2.0 * number(&level[0], "separation_m").abs());
+    let finite = run(&format!("{spec}reference = {{ boundary = \"finite\" }}\n"), MEASURED);
+    for row in of_model(&*finite, "reference") {
+        for name in ["separation_m", "separation_over_sigma", "stiffness_pa_per_m"] {
+            assert!(row[name].is_empty(), "{name}");
+        }
+        assert!(number(&row, "area_ratio") > 0.0);
+    }
+    assert!(finite.page().markdown().contains("patch on a half-space"));
+}
+
+#[test]
+fn it_runs_alone_at_one_load_and_at_several() {
+    for loads in ["\"5 MPa\"", "[\"5 MPa\", \"20 MPa\"]"] {
+        for layer in ["", "layer = { material = \"lead\", thickness = [0, \"200 nm\"] }\n"] {
+            let spec = format!("law = \"zmc\"\n{layer}models = [\"reference\"]\npressure = {loads}\n");
+            let outcome = run(&spec, &format!("{ROUGH}realisations = 2\n"));
+            let count = loads.matches("MPa").count() * if layer.is_empty() { 1 } else { 2 };
+            assert_eq!(table(&*outcome, "curves.csv").unwrap().len(), 2 * count);
+            assert_eq!(of_model(&*outcome, "reference").len(), 2 * count);
+            let text = outcome.page().markdown();
+            assert!(text.contains("the reference alone was run, so that no models are compared"), "{text}");
+            assert!(
+                text.contains("a: the reference") && !text.contains("NaN") && !text.contains("inf,"),
+                "{text}"
+            );
+            assert!(outcome.summary().unwrap()["verdicts"].as_array().unwrap().is_empty());
+        }
+    }
+}
+
+#[test]
+fn results_are_the_same_on_any_number_of_threads() {
+    let spec = format!("law = [\"hertz\", \"zmc\"]\n{THREE}pressure = [\"10 MPa\", \"100 MPa\"]\n");
+    let on = |threads: usize| {
+        let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
+        pool.install(|| {
+            let outcome = run(&spec, SMOOTH);
+            let figures: Vec<String> = outcome.page().figures().map(|(_, svg)| svg.to_owned()).collect();
+            (outcome.tables().unwrap(), figures)
+        })
+    };
+    assert!(on(1) == on(3));
+}
+
+#[test]
+fn the_contact_is_shown_with_the_asperities_of_the_sum() {
+    let outcome = run(&format!("law = \"hertz\"\n{THREE}{SWEEP}"), SMOOTH);
+    let page = outcome.page();
+    let figure = |name: &str| page.figures().find(|(file, _)| *file == name).map(|(_, svg)| svg.to_owned());
+    let contact = figure("a-reference-contact.svg").unwrap();
+    assert!(contact.contains("in contact in the sum and in the reference"));
+    assert!(figure("a-reference-pressures.svg").is_some());
+    assert!(figure("a-area.svg").unwrap().contains("reference"));
+    assert!(page.markdown().contains("touch in the reference too"));
+    let (_folder, experiment) = read(&format!("law = \"hertz\"\nmodels = [\"reference\"]\n{SWEEP}"), SMOOTH);
+    assert!(!experiment.run(&Silent).unwrap().page().markdown().contains("touch in the reference too"));
+}
+
+#[test]
+fn a_check_says_its_size_time_and_memory() {
+    let (_folder, experiment) = read(&format!("law = [\"hertz\", \"ceb\"]\n{THREE}{SWEEP}"), SMOOTH);
+    let line = experiment.to_string();
+    let line = line.lines().find(|line| line.contains("reference on a")).unwrap();
+    for words in ["128 x 128 points", "periodic", "dual gap 1e-6", "18 loads", " s on 2 cores", " MB"] {
+        assert!(line.contains(words), "{words}: {line}");
+    }
+}
