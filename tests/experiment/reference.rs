@@ -316,6 +316,21 @@ fn it_runs_alone_at_one_load_and_at_several() {
 }
 
 #[test]
+fn one_load_is_answered_beside_both_models() {
+    let outcome = run(&format!("law = \"hertz\"\n{THREE}force = \"8 mN\"\n"), SMOOTH);
+    let text = outcome.page().markdown();
+    let text = text.split("results at this load").nth(1).unwrap();
+    let row = |name: &str| -> Vec<String> {
+        let line = text.lines().find(|line| line.starts_with(&format!("| {name} |"))).unwrap();
+        line.trim_matches('|').split('|').map(|cell| cell.trim().to_owned()).collect()
+    };
+    assert!(text.contains("| statistical − deterministic | reference |"), "{text}");
+    assert_eq!(row("load"), ["load", "8 mN", "8 mN", "0 %", "8 mN"]);
+    assert_eq!((&*row("contacts")[4], &*row("stiffness")[4]), ("–", "–"));
+    assert!(row("separation in σ")[4].ends_with('σ') && row("real contact area")[4].ends_with("µm²"));
+}
+
+#[test]
 fn results_are_the_same_on_any_number_of_threads() {
     let spec = format!("law = [\"hertz\", \"zmc\"]\n{THREE}pressure = [\"10 MPa\", \"100 MPa\"]\n");
     let on = |threads: usize| {

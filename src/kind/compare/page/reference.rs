@@ -233,7 +233,8 @@ fn look(page: &mut Page, results: &CompareResults, found: &SurfaceResults, view:
         &format!("{}-reference-contact{name}.svg", found.surface.name),
         contact(view),
         &format!(
-            "Contact pressure of the reference at {at}, where {} of the points are in contact. {part}{summits}",
+            "Contact pressure of the reference at {at}, where {} of the points are in contact; colours end at {HIGHEST} mean contact pressures or the largest \
+             pressure. {part}{summits}",
             percent(view.raw_area_ratio),
         ),
     );
@@ -266,7 +267,7 @@ fn contact(view: &ContactView) -> String {
             rows: *ny,
             values,
             map: ColourMap::Sequential,
-            limits: Some((0.0, view.cap.unwrap_or(HIGHEST * view.mean_pressure) / GIGA)),
+            limits: Some((0.0, view.cap.unwrap_or(f64::INFINITY).min(HIGHEST * view.mean_pressure) / GIGA)),
             label: "contact pressure [GPa]".to_owned(),
         }));
     let Some(sum) = &view.sum else { return plot.svg() };
@@ -283,7 +284,7 @@ fn contact(view: &ContactView) -> String {
     plot.svg()
 }
 
-/// Upper end of the colours of an elastic contact, in mean contact pressures.
+/// Upper end of the colours in mean contact pressures, unless the largest pressure is below.
 const HIGHEST: f64 = 3.0;
 
 fn pressures(view: &ContactView) -> String {
