@@ -246,6 +246,9 @@ fn a_measured_map_is_levelled_and_mirrored_and_a_finite_patch_has_no_separation(
     let tilted = of_model(&*run(&spec, &format!("{MEASURED}level = \"mean\"\n")), "reference");
     // On its slope of 1.2 um one side of the map alone is in contact.
     assert!(number(&tilted[0], "separation_m") > 2.0 * number(&level[0], "separation_m").abs());
+    let periodic = run(&format!("{spec}reference = {{ boundary = \"periodic\" }}\n"), MEASURED);
+    assert!(periodic.page().markdown().contains("steps at the edges of a measured map"));
+    assert!(!mirrored.page().markdown().contains("steps at the edges"));
     let finite = run(&format!("{spec}reference = {{ boundary = \"finite\" }}\n"), MEASURED);
     for row in of_model(&*finite, "reference") {
         for name in ["separation_m", "separation_over_sigma", "stiffness_pa_per_m"] {

@@ -1,4 +1,4 @@
-//! A look at the contact of the reference at one load: a part of the map, and the distribution of pressures.
+//! The contact of the reference at one load: a part of the map, and the distribution of pressures.
 
 use asperity::bem::Contact;
 use asperity::compare::Kind;
@@ -61,12 +61,12 @@ pub struct SummitsInContact {
 }
 
 /// The sum at the load of a view: its law, and its separation, m.
-pub(super) struct Sum {
+pub(super) struct SumAtLoad {
     law: String,
     separation: f64,
 }
 
-impl Sum {
+impl SumAtLoad {
     /// The sum of a case at the nominal pressure `pressure` (Pa), where it was run there.
     pub(super) fn of(case: &CaseResults, pressure: f64) -> Option<Self> {
         let mut curves = case.comparison.curves.iter().filter(|point| point.kind == Kind::Deterministic);
@@ -98,7 +98,7 @@ impl ContactView {
         solution: &Solution,
         load: f64,
         contact: &Contact,
-        sum: Option<Sum>,
+        sum: Option<SumAtLoad>,
     ) -> Self {
         let (pressures, grid) = (contact.pressures(), contact.points());
         let refine = grid[0] / on.prepared.map.points()[0];
@@ -187,7 +187,7 @@ impl Part {
 }
 
 impl SummitsInContact {
-    fn new(on: &ReferenceRun, sum: &Sum, contact: &Contact, refine: usize) -> Self {
+    fn new(on: &ReferenceRun, sum: &SumAtLoad, contact: &Contact, refine: usize) -> Self {
         let (pressures, grid) = (contact.pressures(), contact.points());
         let flat = on.surface.plane.mean + sum.separation;
         let (columns, pixel) = (on.prepared.map.points()[1], on.prepared.map.pixel());
