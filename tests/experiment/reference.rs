@@ -246,6 +246,9 @@ fn a_measured_map_is_levelled_and_mirrored_and_a_finite_patch_has_no_separation(
     let tilted = of_model(&*run(&spec, &format!("{MEASURED}level = \"mean\"\n")), "reference");
     // On its slope of 1.2 um one side of the map alone is in contact.
     assert!(number(&tilted[0], "separation_m") > 2.0 * number(&level[0], "separation_m").abs());
+    let periodic = run(&format!("{spec}reference = {{ boundary = \"periodic\" }}\n"), MEASURED);
+    assert!(periodic.page().markdown().contains("steps at the edges of a measured map"));
+    assert!(!mirrored.page().markdown().contains("steps at the edges"));
     let finite = run(&format!("{spec}reference = {{ boundary = \"finite\" }}\n"), MEASURED);
     for row in of_model(&*finite, "reference") {
         for name in ["separation_m", "separation_over_sigma", "stiffness_pa_per_m"] {
@@ -313,6 +316,21 @@ fn it_runs_alone_at_one_load_and_at_several() {
             assert!(outcome.summary().unwrap()["verdicts"].as_array().unwrap().is_empty());
         }
     }
+}
+
+#[test]
+fn one_load_is_answered_beside_both_models() {
+    let outcome = run(&format!("law = \"hertz\"\n{THREE}force = \"8 mN\"\n"), SMOOTH);
+    let text = outcome.page().markdown();
+    let text = text.split("results at this load").nth(1).unwrap();
+    let row = |name: &str| -> Vec<String> {
+        let line = text.lines().find(|line| line.starts_with(&format!("| {name} |"))).unwrap();
+        line.trim_matches('|').split('|').map(|cell| cell.trim().to_owned()).collect()
+    };
+    assert!(text.contains("| statistical − deterministic | reference |"), "{text}");
+    assert_eq!(row("load"), ["load", "8 mN", "8 mN", "0 %", "8 mN"]);
+    assert_eq!((&*row("contacts")[4], &*row("stiffness")[4]), ("–", "–"));
+    assert!(row("separation in σ")[4].ends_with('σ') && row("real contact area")[4].ends_with("µm²"));
 }
 
 #[test]

@@ -88,7 +88,7 @@ pub struct SurfaceResults {
     pub findings: SurfaceFindings,
     /// The verdicts under other treatments of a measured map; `None` where none were examined.
     pub robustness: Option<Robustness>,
-    /// A look at the contact of each solution of the reference on the first.
+    /// The contact of each solution of the reference at one load, on the first.
     pub contacts: Vec<ContactView>,
 }
 

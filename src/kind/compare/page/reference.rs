@@ -1,4 +1,4 @@
-//! The boundary element reference: its results load by load, a look at the contact, and the distribution of pressures.
+//! The boundary element reference: its results load by load, the contact at one load, and the distribution of pressures.
 
 use asperity::bem::Boundary;
 use asperity::compare::{Kind, ReferenceCurve, ReferencePoint, ValidRange};
@@ -15,7 +15,7 @@ use crate::surface::section::length_unit;
 /// The section on one surface; nothing where no reference was run.
 pub fn section(page: &mut Page, results: &CompareResults, found: &SurfaceResults) {
     let Some(metadata) = &results.reference else { return };
-    let cases = Referred::all(found);
+    let cases = ReferenceCase::all(found);
     let Some(first) = cases.first().map(|on| on.curve) else { return };
     page.heading(2, &format!("{}: the reference", found.surface.name));
     page.paragraph(&method(metadata, found, first));
@@ -29,7 +29,7 @@ pub fn section(page: &mut Page, results: &CompareResults, found: &SurfaceResults
     const MOST_VIEWS: usize = 4;
     for (index, view) in found.contacts.iter().take(MOST_VIEWS).enumerate() {
         let name = if found.contacts.len() == 1 { String::new() } else { format!("-{}", index + 1) };
-        look(page, results, found, view, &name);
+        contact_figures(page, results, found, view, &name);
     }
 }
 
@@ -38,8 +38,9 @@ pub const ALONE: &str = "the reference alone was run, so that no models are comp
 
 /// The same of each surface.
 pub fn alone(results: &CompareResults) -> impl Iterator<Item = String> {
-    let is_alone =
-        |found: &&SurfaceResults| models(&Referred::all(found)).is_empty() && results.reference.is_some();
+    let is_alone = |found: &&SurfaceResults| {
+        models(&ReferenceCase::all(found)).is_empty() && results.reference.is_some()
+    };
     results
         .surfaces
         .iter()
@@ -48,14 +49,14 @@ pub fn alone(results: &CompareResults) -> impl Iterator<Item = String> {
 }
 
 /// A case with a reference.
-struct Referred<'a> {
+struct ReferenceCase<'a> {
     case: &'a CaseResults,
     curve: &'a ReferenceCurve,
     /// Where the models are valid.
     valid: &'a ValidRange,
 }
 
-impl<'a> Referred<'a> {
+impl<'a> ReferenceCase<'a> {
     fn all(found: &'a SurfaceResults) -> Vec<Self> {
         let cases = found.first.cases.iter().zip(&found.findings.cases);
         let referred = cases.filter_map(|(case, findings)| {
@@ -82,7 +83,11 @@ impl<'a> Referred<'a> {
 fn method(metadata: &ReferenceMetadata, found: &SurfaceResults, curve: &ReferenceCurve) -> String {
     let points = found.surface.map.as_ref().map_or([0; 2], |map| map.points);
     let [nx, ny] = points.map(|points| points * metadata.refine);
+    let is_measured = found.surface.map.as_ref().is_some_and(|map| map.generation.is_none());
     let boundary = match curve.boundary {
+        Boundary::Periodic if is_measured => {
+            "The map is continued periodically: steps at the edges of a measured map touch first (`boundary = \"mirrored\"` has none)."
+        }
         Boundary::Periodic => "The map is continued periodically.",
         Boundary::Mirrored => "Beyond its edges the map is continued by its mirror images.",
         Boundary::Finite => {
@@ -129,7 +134,7 @@ fn case_name(results: &CompareResults, case: &CaseResults) -> String {
 }
 
 /// The models that were run in some case.
-fn models(cases: &[Referred]) -> Vec<Kind> {
+fn models(cases: &[ReferenceCase]) -> Vec<Kind> {
     let is_run = |kind: &Kind| {
         cases.iter().any(|on| on.case.comparison.curves.iter().any(|point| point.kind == *kind))
     };
@@ -137,7 +142,7 @@ fn models(cases: &[Referred]) -> Vec<Kind> {
 }
 
 /// Both models and the reference at the loads of the reference.
-fn table(page: &mut Page, results: &CompareResults, cases: &[Referred]) {
+fn table(page: &mut Page, results: &CompareResults, cases: &[ReferenceCase]) {
     let kinds = models(cases);
     let has_several = cases.len() > 1;
     let of_each = |quantity: &str| {
@@ -170,7 +175,7 @@ fn table(page: &mut Page, results: &CompareResults, cases: &[Referred]) {
 }
 
 /// One load.
-fn row(on: &Referred, point: &ReferencePoint, kinds: &[Kind]) -> Vec<String> {
+fn row(on: &ReferenceCase, point: &ReferencePoint, kinds: &[Kind]) -> Vec<String> {
     let shown = |value: Option<f64>| value.map_or_else(|| "–".to_owned(), number);
     let is_valid = kinds.is_empty() || on.is_valid_at(point.pressure);
     let models: Vec<Option<[f64; 2]>> =
@@ -211,7 +216,13 @@ fn of_model(case: &CaseResults, kind: Kind, load: f64) -> Option<[f64; 2]> {
 }
 
 /// The contact at one load, and its distribution of pressures.
-fn look(page: &mut Page, results: &CompareResults, found: &SurfaceResults, view: &ContactView, name: &str) {
+fn contact_figures(
+    page: &mut Page,
+    results: &CompareResults,
+    found: &SurfaceResults,
+    view: &ContactView,
+    name: &str,
+) {
     let layer = results.contact.layer.as_ref().zip(view.thickness);
     let layer = layer.map_or_else(String::new, |(layer, thickness)| format!(", {}", under(layer, thickness)));
     let material = match view.cap {
@@ -233,7 +244,8 @@ fn look(page: &mut Page, results: &CompareResults, found: &SurfaceResults, view:
         &format!("{}-reference-contact{name}.svg", found.surface.name),
         contact(view),
         &format!(
-            "Contact pressure of the reference at {at}, where {} of the points are in contact. {part}{summits}",
+            "Contact pressure of the reference at {at}, where {} of the points are in contact; colours end at {HIGHEST} mean contact pressures or the largest \
+             pressure. {part}{summits}",
             percent(view.raw_area_ratio),
         ),
     );
@@ -266,7 +278,7 @@ fn contact(view: &ContactView) -> String {
             rows: *ny,
             values,
             map: ColourMap::Sequential,
-            limits: Some((0.0, view.cap.unwrap_or(HIGHEST * view.mean_pressure) / GIGA)),
+            limits: Some((0.0, view.cap.unwrap_or(f64::INFINITY).min(HIGHEST * view.mean_pressure) / GIGA)),
             label: "contact pressure [GPa]".to_owned(),
         }));
     let Some(sum) = &view.sum else { return plot.svg() };
@@ -283,7 +295,7 @@ fn contact(view: &ContactView) -> String {
     plot.svg()
 }
 
-/// Upper end of the colours of an elastic contact, in mean contact pressures.
+/// Upper end of the colours in mean contact pressures, unless the largest pressure is below.
 const HIGHEST: f64 = 3.0;
 
 fn pressures(view: &ContactView) -> String {

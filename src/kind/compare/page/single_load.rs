@@ -1,6 +1,6 @@
-//! The answer where the spec asks for one load or one separation: in N, Pa, nm and µm², model by model.
+//! The answer where the spec asks for one load or one separation: in N, Pa, nm and µm², model by model, and by the reference where it was run.
 
-use asperity::compare::{Control, Kind};
+use asperity::compare::{Control, Kind, ReferencePoint};
 use asperity::{Exceeded, Response};
 use asperity_framework::report::format::{count, listed, number, percent, quantity};
 use asperity_framework::report::page::Page;
@@ -48,7 +48,14 @@ fn answer(page: &mut Page, results: &CompareResults, found: &SurfaceResults, cas
     if let [_, _] = responses[..] {
         header.push("statistical − deterministic".to_owned());
     }
-    page.table(header, ROWS.iter().map(|row| row.cells(&responses, area)));
+    let reference = case.reference.as_ref().and_then(|curve| curve.points.first());
+    header.extend(reference.map(|_| "reference".to_owned()));
+    let cells = |row: &Row| {
+        let mut cells = row.cells(&responses, area);
+        cells.extend(reference.map(|point| row.shown_or_none((row.of_reference)(point, area))));
+        cells
+    };
+    page.table(header, ROWS.iter().map(cells));
     let exceeded = case.comparison.exceeded().fold(Exceeded::default(), Exceeded::union);
     let limits: Vec<String> = exceeded.limits().map(|limit| limit.name().replace('-', " ")).collect();
     let mut remarks = Vec::new();
@@ -68,6 +75,8 @@ struct Row {
     name: &'static str,
     /// The value; `None` without contact.
     value: fn(&Response, f64) -> Option<f64>,
+    /// The same of the reference; `None` where it has none.
+    of_reference: fn(&ReferencePoint, f64) -> Option<f64>,
     shown: fn(f64) -> String,
     /// Whether the difference is relative to the deterministic model.
     is_relative: bool,
@@ -77,42 +86,49 @@ const ROWS: [Row; 9] = [
     Row {
         name: "load",
         value: |r, area| Some(r.pressure.total() * area),
+        of_reference: |p, area| Some(p.pressure * area),
         shown: |load| quantity(load, "N"),
         is_relative: true,
     },
     Row {
         name: "nominal pressure",
         value: |r, _| Some(r.pressure.total()),
+        of_reference: |p, _| Some(p.pressure),
         shown: |pressure| quantity(pressure, "Pa"),
         is_relative: true,
     },
     Row {
         name: "separation (from the mean asperity height)",
         value: |r, _| Some(r.separation),
+        of_reference: |p, _| p.separation,
         shown: |d| format!("{} nm", number(1e9 * d)),
         is_relative: false,
     },
     Row {
         name: "separation in σ",
         value: |r, _| Some(r.separation_over_sigma),
+        of_reference: |p, _| p.separation_over_sigma,
         shown: |d| format!("{} σ", number(d)),
         is_relative: false,
     },
     Row {
         name: "real contact area",
         value: |r, area| Some(r.area_ratio.total() * area),
+        of_reference: |p, area| Some(p.area_ratio * area),
         shown: |real| format!("{} µm²", number(1e12 * real)),
         is_relative: true,
     },
     Row {
         name: "real contact area, of the nominal",
         value: |r, _| Some(r.area_ratio.total()),
+        of_reference: |p, _| Some(p.area_ratio),
         shown: percent,
         is_relative: true,
     },
     Row {
         name: "contacts",
         value: |r, area| Some(r.contact_density * area),
+        of_reference: |_, _| None,
         shown: |contacts| {
             // A large number is a count; the integral has fractions of a contact.
             if contacts < 100.0 { number(contacts) } else { count(contacts.round() as usize) }
@@ -122,27 +138,34 @@ const ROWS: [Row; 9] = [
     Row {
         name: "mean contact pressure",
         value: |r, _| r.mean_real_pressure(),
+        of_reference: |p, _| p.mean_real_pressure(),
         shown: |pressure| quantity(pressure, "Pa"),
         is_relative: true,
     },
     Row {
         name: "stiffness",
         value: |r, area| Some(r.stiffness * area),
+        of_reference: |p, area| Some(p.stiffness? * area),
         shown: |stiffness| format!("{} N/µm", number(1e-6 * stiffness)),
         is_relative: true,
     },
 ];
 
+/// Where a quantity does not apply.
+const NONE: &str = "–";
+
 impl Row {
+    fn shown_or_none(&self, value: Option<f64>) -> String {
+        value.map_or_else(|| NONE.to_owned(), self.shown)
+    }
+
     fn cells(&self, responses: &[&Response], area: f64) -> Vec<String> {
-        const NONE: &str = "–";
         /// A load is met to rounding.
         const ROUNDING: f64 = 1e-9;
         let values: Vec<Option<f64>> =
             responses.iter().map(|response| (self.value)(response, area)).collect();
-        let shown = |value: &Option<f64>| value.map_or_else(|| NONE.to_owned(), self.shown);
         let mut cells = vec![self.name.to_owned()];
-        cells.extend(values.iter().map(shown));
+        cells.extend(values.iter().map(|value| self.shown_or_none(*value)));
         if let [statistical, deterministic] = values[..] {
             let pair = statistical.zip(deterministic);
             cells.push(match pair {

@@ -90,7 +90,7 @@ impl fmt::Display for ElasticCase {
 }
 
 /// Wall time of one convolution and the vector operations of its step, per point of the map, on two cores, s: 9 loads of a
-/// periodic map of 1024 x 1024 points take 350 convolutions in 4.8 s (docs/performance.md).
+/// periodic map of 1024 x 1024 points take 350 convolutions in 4.8 s (docs/theory.md, section 9).
 const SECONDS_PER_POINT: f64 = 13e-9;
 /// Convolutions per load at an error of 1e-6: 20 at 0.1 % of contact area, 31 at 2 %, 78 at 50 %.
 const CONVOLUTIONS_PER_LOAD: f64 = 45.0;

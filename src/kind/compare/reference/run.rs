@@ -16,7 +16,7 @@ use asperity_framework::input::InputError;
 use asperity_framework::metadata::Timing;
 
 use super::plan::{ReferencePlan, Solution, spread_over};
-use super::view::{ContactView, Sum};
+use super::view::{ContactView, SumAtLoad};
 use crate::kind::compare::answers::CaseResults;
 use crate::kind::compare::plan::ComparePlan;
 use crate::layer::thickness_words;
@@ -70,7 +70,8 @@ impl ReferenceRun<'_> {
         for (index, (solution, pressures)) in reference.solutions.iter().zip(&all).enumerate() {
             let served: Vec<usize> =
                 (0..cases.len()).filter(|&case| reference.serves[case] == index).collect();
-            let sum_at = |pressure: f64| served.iter().find_map(|&case| Sum::of(&cases[case], pressure));
+            let sum_at =
+                |pressure: f64| served.iter().find_map(|&case| SumAtLoad::of(&cases[case], pressure));
             let (solved, view) = self.solve(context, &map, solution, pressures, &sum_at)?;
             views.extend(view);
             for case in served {
@@ -110,7 +111,7 @@ impl ReferenceRun<'_> {
         map: &HeightMap,
         solution: &Solution,
         pressures: &[f64],
-        sum_at: &dyn Fn(f64) -> Option<Sum>,
+        sum_at: &dyn Fn(f64) -> Option<SumAtLoad>,
     ) -> Result<(Solved, Option<ContactView>), InputError> {
         let refuse = |error: &SolverError| self.refuse(context, solution.thickness, error);
         let boundary = self.reference.boundary(self.plan);

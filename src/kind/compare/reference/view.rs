@@ -1,4 +1,4 @@
-//! A look at the contact of the reference at one load: a part of the map, and the distribution of pressures.
+//! The contact of the reference at one load: a part of the map, and the distribution of pressures.
 
 use asperity::bem::Contact;
 use asperity::compare::Kind;
@@ -61,12 +61,12 @@ pub struct SummitsInContact {
 }
 
 /// The sum at the load of a view: its law, and its separation, m.
-pub(super) struct Sum {
+pub(super) struct SumAtLoad {
     law: String,
     separation: f64,
 }
 
-impl Sum {
+impl SumAtLoad {
     /// The sum of a case at the nominal pressure `pressure` (Pa), where it was run there.
     pub(super) fn of(case: &CaseResults, pressure: f64) -> Option<Self> {
         let mut curves = case.comparison.curves.iter().filter(|point| point.kind == Kind::Deterministic);
@@ -79,8 +79,10 @@ impl Sum {
 
 /// Area ratio that a view is wanted at.
 const AREA: f64 = 0.02;
-/// Points along the sides of the part that is shown, at most.
-const SIDE: usize = 256;
+/// Points along the sides of the part that is shown: the most, and fewer where marks would hide the contacts.
+const SIDES: [usize; 3] = [256, 128, 64];
+/// Marks on the part that is shown, at most, unless it has the fewest points.
+const MOST_MARKS: usize = 120;
 /// Bins of the distribution of pressures.
 const BINS: usize = 40;
 
@@ -96,7 +98,7 @@ impl ContactView {
         solution: &Solution,
         load: f64,
         contact: &Contact,
-        sum: Option<Sum>,
+        sum: Option<SumAtLoad>,
     ) -> Self {
         let (pressures, grid) = (contact.pressures(), contact.points());
         let refine = grid[0] / on.prepared.map.points()[0];
@@ -105,8 +107,20 @@ impl ContactView {
         let (count, total) = touching.fold((0_usize, 0.0), |(count, total), p| (count + 1, total + p));
         let mean_pressure = if count > 0 { total / count as f64 } else { 0.0 };
         let (bin, density) = distribution(pressures, mean_pressure, count);
-        let part = Part::of(pressures, grid, pixel);
-        let sum = sum.map(|sum| SummitsInContact::new(on, &sum, contact, refine, &part));
+        let mut sum = sum.map(|sum| SummitsInContact::new(on, &sum, contact, refine));
+        let marks = |part: &Part| {
+            let places = sum.iter().flat_map(|sum| &sum.places);
+            places.filter(|(place, _)| part.holds(*place)).count()
+        };
+        let mut part = Part::of(pressures, grid, pixel, SIDES[0]);
+        for side in &SIDES[1..] {
+            if marks(&part) > MOST_MARKS {
+                part = Part::of(pressures, grid, pixel, *side);
+            }
+        }
+        if let Some(sum) = &mut sum {
+            sum.places.retain(|(place, _)| part.holds(*place));
+        }
         Self {
             thickness: solution.thickness,
             cap: solution.cap,
@@ -138,8 +152,8 @@ fn distribution(pressures: &[f64], mean: f64, count: usize) -> (f64, Vec<f64>) {
 
 impl Part {
     /// The whole map, or of a large one the part whose share of points in contact is nearest to that of the map.
-    fn of(pressures: &[f64], grid: [usize; 2], pixel: [f64; 2]) -> Self {
-        let points = grid.map(|count| count.min(SIDE));
+    fn of(pressures: &[f64], grid: [usize; 2], pixel: [f64; 2], side: usize) -> Self {
+        let points = grid.map(|count| count.min(side));
         let blocks = [0, 1].map(|axis| grid[axis] / points[axis]);
         let first = |block: usize| [block / blocks[1] * points[0], block % blocks[1] * points[1]];
         let rows = |[x, y]: [usize; 2]| {
@@ -173,7 +187,7 @@ impl Part {
 }
 
 impl SummitsInContact {
-    fn new(on: &ReferenceRun, sum: &Sum, contact: &Contact, refine: usize, part: &Part) -> Self {
+    fn new(on: &ReferenceRun, sum: &SumAtLoad, contact: &Contact, refine: usize) -> Self {
         let (pressures, grid) = (contact.pressures(), contact.points());
         let flat = on.surface.plane.mean + sum.separation;
         let (columns, pixel) = (on.prepared.map.points()[1], on.prepared.map.pixel());
@@ -194,10 +208,7 @@ impl SummitsInContact {
             let touched = is_touched(at);
             found.count += 1;
             found.touched += usize::from(touched);
-            let place = [0, 1].map(|axis| (at[axis] as f64 + 0.5) * pixel[axis]);
-            if part.holds(place) {
-                found.places.push((place, touched));
-            }
+            found.places.push(([0, 1].map(|axis| (at[axis] as f64 + 0.5) * pixel[axis]), touched));
         }
         found
     }
