@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use asperity::compare::{ComparedQuantity, Kind, Tolerances, Verdict};
+use asperity::compare::{ComparedQuantity, Kind, Stretch, Tolerances, Verdict};
 use asperity_framework::contact::ContactSummary;
 use asperity_framework::fields;
 use indexmap::IndexMap;
@@ -14,6 +14,7 @@ use super::layer_summary::{DecreaseSummary, LayerSummary, Thickness, ThresholdSu
 use super::readings_summary::{ReadingSummary, readings};
 use super::reference::{self, ReferenceSummary};
 use super::results::{CompareResults, SurfaceResults};
+use super::tables::REFERENCE;
 use crate::surface::fitness::{FitnessSummary, fitness_summary};
 use crate::surface::{PopulationSummary, RealisationSummary, SurfaceSummary};
 
@@ -143,7 +144,7 @@ fn verdicts(found: &SurfaceResults) -> impl Iterator<Item = VerdictSummary<'_>> 
             let of = found.robustness.iter().flat_map(|robustness| &robustness.dependences[index]);
             of.filter(|one| one.quantity == quantity).map(|one| one.choice.name()).collect()
         };
-        verdicts.stretches.iter().map(move |stretch| {
+        let of = move |[model, against]: [&'static str; 2], stretch: &Stretch| {
             let reported = |contrast: f64| stretch.quantity.reported(contrast);
             let estimate = stretch.largest.map(|(_, estimate)| estimate);
             let ends = estimate.and_then(|estimate| estimate.interval());
@@ -152,8 +153,8 @@ fn verdicts(found: &SurfaceResults) -> impl Iterator<Item = VerdictSummary<'_>> 
                 law: &case.law,
                 layer_thickness_m: case.thickness.map(Thickness),
                 quantity: stretch.quantity.name(),
-                against: Kind::Deterministic.name(),
-                model: Kind::Statistical.name(),
+                against,
+                model,
                 from_pa: stretch.loads[0],
                 to_pa: stretch.loads[1],
                 verdict: verdicts.name(stretch.verdict),
@@ -164,9 +165,17 @@ fn verdicts(found: &SurfaceResults) -> impl Iterator<Item = VerdictSummary<'_>> 
                 accepted: stretch.accepted,
                 area_needed_m2: verdicts.area_needed(stretch),
                 cause: None,
-                depends_on: depends_on(stretch.quantity),
+                depends_on: if against == REFERENCE { Vec::new() } else { depends_on(stretch.quantity) },
             }
-        })
+        };
+        let [statistical, deterministic] = [Kind::Statistical.name(), Kind::Deterministic.name()];
+        let between = verdicts.stretches.iter().map(move |one| of([statistical, deterministic], one));
+        let reference = verdicts.reference.iter().flat_map(move |reference| {
+            let names = [statistical, deterministic].map(|model| [model, REFERENCE]);
+            let each = names.into_iter().zip(&reference.stretches);
+            each.flat_map(move |(names, stretches)| stretches.iter().map(move |one| of(names, one)))
+        });
+        between.chain(reference)
     })
 }
 

@@ -187,6 +187,11 @@ impl PairRow {
         self.reference.as_ref().and_then(of)
     }
 
+    /// A contrast of the deterministic model over the reference.
+    fn missed(&self, of: fn(&Response, &ReferencePoint) -> Option<f64>) -> Option<f64> {
+        of(&self.pair.deterministic, self.reference.as_ref()?)
+    }
+
     fn answer(&self, model: Kind) -> Answer {
         let response = match model {
             Kind::Statistical => self.pair.statistical,
@@ -243,6 +248,8 @@ impl Row for PairRow {
             reference_mean_real_pressure_pa["Pa"] = row.reference(ReferencePoint::mean_real_pressure), "Reference: load over real contact area.";
             reference_pressure_pa["Pa"] = row.reference(|point| Some(point.pressure)), "Reference: nominal pressure.";
             reference_stiffness_pa_per_m["Pa/m"] = row.reference(|point| point.stiffness), "Reference: contact stiffness -dp/dd per nominal area, from the neighbouring loads.";
+            separation_from_interaction["1"] = row.missed(|deterministic, point| Some(deterministic.separation_over_sigma - point.separation_over_sigma?)), "Deterministic model minus reference: what the sum leaves out, in separation over sigma. Interaction of the asperities and their shape; where a law yields or under a layer, the difference between that law and the reference, too.";
+            log_area_from_interaction["1"] = row.missed(|deterministic, point| Some((deterministic.area_ratio.total() / point.area_ratio).ln()).filter(|log| log.is_finite())), "The same of the real contact area: ln(deterministic/reference).";
         });
         columns
     }
@@ -250,7 +257,8 @@ impl Row for PairRow {
 
 /// Whether a column of `comparison.csv` is there only where a reference was run.
 pub(crate) fn is_of_reference(heading: &Heading) -> bool {
-    heading.name.strip_prefix(REFERENCE).is_some_and(|rest| rest.starts_with('_'))
+    heading.name.ends_with("_from_interaction")
+        || heading.name.strip_prefix(REFERENCE).is_some_and(|rest| rest.starts_with('_'))
 }
 
 /// The rows of `curves.csv`.

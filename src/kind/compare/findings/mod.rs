@@ -3,6 +3,7 @@
 //! | file | what lives there |
 //! |---|---|
 //! | `verdicts` | whether the statistical model may be used, by quantity and stretch of load |
+//! | `reference` | which model is nearer to the reference, and whether it is near enough |
 //! | `layer` | what the thickness of a layer changes |
 //! | `decreasing` | where a deeper asperity has less area or load |
 //! | `readings` | what reading sigma and d as those of the surface changes |
@@ -10,11 +11,13 @@
 mod decreasing;
 mod layer;
 mod readings;
+mod reference;
 mod verdicts;
 
 pub use decreasing::Decreasing;
 pub use layer::{AtThickness, GapRange, LayerFindings, PlasticRange};
 pub use readings::{ReadAnswer, ReadLoads, Readings};
+pub use reference::ReferenceVerdicts;
 pub use verdicts::{Basis, Verdicts};
 
 use asperity::compare::{PointCounts, Realisation, Spread, spread};

@@ -2,6 +2,7 @@
 
 use asperity::compare::{Accepted, Comparison, Difference, Stretch, ValidRange, Verdict};
 
+use super::ReferenceVerdicts;
 use crate::kind::compare::answers::RealisationResults;
 use crate::surface::{Independence, Surface};
 
@@ -25,6 +26,8 @@ pub struct Verdicts {
     pub area: f64,
     /// Whether a failed fitness check of the surface keeps it from carrying a verdict.
     pub is_blocked: bool,
+    /// Both models against the reference, where one was run at some load of both.
+    pub reference: Option<ReferenceVerdicts>,
 }
 
 /// What 95 % intervals rest on.
@@ -92,6 +95,7 @@ impl Verdicts {
             over_independent: over_independent(&differences),
             area: surface.set.nominal_area(),
             is_blocked: surface.is_blocked(),
+            reference: ReferenceVerdicts::of(realisations, index, &accepted),
             differences,
         }
     }

@@ -143,6 +143,7 @@ fn sentences(results: &CompareResults, found: &SurfaceResults) -> Vec<(String, S
             format!("one model was run, so that no models are compared. {}", verdict::range_line(verdicts))
         } else {
             let mut sentence = verdict::headline(verdicts, found.surface.plane.sigma);
+            sentence.extend(verdict::nearer_sentence(verdicts).map(|nearer| format!(" {nearer}")));
             sentence.extend(robustness::sentence(found, index).map(|depends| format!(" {depends}")));
             if_fit(found, sentence)
         };
@@ -169,6 +170,7 @@ pub fn answer(page: &mut Page, results: &CompareResults, found: &SurfaceResults)
         ];
         lines.extend(verdict::stiffness_line(verdicts).map(|line| format!("{}: {line}", escape(&case.law))));
         page.bullets(lines);
+        against_reference(page, found, verdicts, &name);
         if single_load::is_single(case) {
             continue;
         }
@@ -182,6 +184,19 @@ pub fn answer(page: &mut Page, results: &CompareResults, found: &SurfaceResults)
         );
         robustness::section(page, found, index, &name, &stem(found, &case.law));
     }
+}
+
+/// Both models against the reference; nothing where none was run.
+fn against_reference(page: &mut Page, found: &SurfaceResults, verdicts: &Verdicts, name: &str) {
+    let Some(reference) = &verdicts.reference else { return };
+    page.heading(3, &format!("{name}: against the reference"));
+    if reference.nearer.is_empty() {
+        page.paragraph("At none of the loads of the reference are both models valid, so that they get no verdict against it.");
+        return;
+    }
+    verdict::nearer(page, verdicts, reference);
+    let alpha = found.surface.map.as_ref().and_then(|map| map.roughness.alpha());
+    page.bullets(verdict::misses(reference, alpha));
 }
 
 /// The answer on one surface, a row for each law.

@@ -5,14 +5,17 @@
 //! | `headline` | the answer in one sentence |
 //! | `table` | the verdicts, one row per stretch of load; one row per thickness or law |
 //! | `range` | the valid range, what is accepted, and what the intervals rest on |
+//! | `nearer` | both models against the reference |
 //! | `words` | differences, loads and needs |
 
 mod headline;
+mod nearer;
 mod range;
 mod table;
 mod words;
 
 pub use headline::{headline, over_cases};
+pub use nearer::{misses, nearer, nearer_sentence};
 pub use range::{accepted_line, basis_line, limit_words, range_line, stiffness_line};
 pub use table::{by_case, stretches};
 pub use words::{loads, name, signed, verdict};
@@ -57,6 +60,7 @@ pub mod examples {
             over_independent: Some(1.5),
             area: 1e-6,
             is_blocked: false,
+            reference: None,
             differences,
         }
     }

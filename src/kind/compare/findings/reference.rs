@@ -1,0 +1,39 @@
+//! Verdicts on both models against the reference, on one surface under one law and thickness.
+
+use asperity::compare::{Accepted, AgainstReference, NearerStretch, Stretch};
+
+use crate::kind::compare::answers::RealisationResults;
+
+/// Which model is nearer to the reference, and whether it is near enough.
+#[derive(Debug)]
+pub struct ReferenceVerdicts {
+    /// The differences, by growing load; over several realisations their mean.
+    pub against: AgainstReference,
+    /// The verdicts on the statistical and on the deterministic model: quantity by quantity, by growing load.
+    pub stretches: [Vec<Stretch>; 2],
+    /// Loads at which both stand alike: quantity by quantity, by growing load.
+    pub nearer: Vec<NearerStretch>,
+    /// Whether the sum and the reference differ by more than the interaction and the shape of the asperities: in how they
+    /// yield, or under a layer.
+    pub includes_plasticity: bool,
+}
+
+impl ReferenceVerdicts {
+    /// Of case `index` of all realisations; `None` where no load was compared.
+    pub fn of(realisations: &[&RealisationResults], index: usize, accepted: &Accepted) -> Option<Self> {
+        let cases = || realisations.iter().map(|answered| &answered.cases[index]);
+        let each: Vec<AgainstReference> = cases().map(|case| case.against_reference.clone()).collect();
+        let against = AgainstReference::over(&each).sorted();
+        let is_elastic = |law: &str| law == "hertz";
+        let includes_plasticity = cases().any(|case| {
+            let cap = case.reference.as_ref().and_then(|curve| curve.cap);
+            cap.is_some() || !is_elastic(&case.law) || case.thickness.is_some_and(|t| t > 0.0)
+        });
+        (!against.nearness.is_empty()).then(|| Self {
+            stretches: [0, 1].map(|model| Stretch::all(&against.models[model], accepted)),
+            nearer: NearerStretch::all(&against, accepted),
+            against,
+            includes_plasticity,
+        })
+    }
+}
