@@ -236,9 +236,10 @@ impl Solved {
     }
 }
 
-/// The part of the correction for the perimeter that is taken as the bound of its error, where no second resolution gives
-/// one: spheres and self-affine surfaces of 2 to 16 points per shortest wave are within 0.03 to 0.27 of it.
-const CORRECTION_ERROR: f64 = 0.5;
+/// The part of the correction for the perimeter that is taken as the bound of its error where no second resolution gives
+/// one. The correction removes at least 0.73 of the error of spheres and of self-affine surfaces with 2 to 16 points per
+/// shortest wave.
+const CORRECTION_ERROR: f64 = 0.3;
 
 /// The contact at a nominal pressure (Pa) in the terms of the models, with that of another resolution.
 fn point(
