@@ -1,6 +1,8 @@
 //! Results of both models on the realisations of a surface.
 
-use asperity::compare::{Comparison, Difference, Gaps, Kind, Pair, Pairing, ReferenceCurve, ReferencePoint};
+use asperity::compare::{
+    AgainstReference, Comparison, Difference, Gaps, Kind, Pair, Pairing, ReferenceCurve, ReferencePoint,
+};
 use asperity::sphere::Decrease;
 use asperity::topography::Moments;
 use asperity::{Population, Statistics};
@@ -67,6 +69,8 @@ pub struct CaseResults {
     pub differences: Vec<Difference>,
     /// The reference; `None` where none is asked for.
     pub reference: Option<ReferenceCurve>,
+    /// How far both models are from it, in the order of the pairs.
+    pub against_reference: AgainstReference,
 }
 
 impl CaseResults {

@@ -3,8 +3,8 @@
 use std::time::Instant;
 
 use asperity::compare::{
-    CaseSampling, ComparedQuantity, Control, Difference, Gaps, Kind, Models, ModulusCheck, ModulusFindings,
-    NotReached, compare,
+    AgainstReference, CaseSampling, ComparedQuantity, Control, Difference, Gaps, Kind, Models, ModulusCheck,
+    ModulusFindings, NotReached, compare,
 };
 use asperity::sphere::{Curve, boundaries};
 use asperity::work::{CountedContact, Counter};
@@ -75,6 +75,7 @@ pub fn run(
                 is_viewed: true,
             };
             contacts = run.run(context, &mut first.cases, &mut timing)?;
+            against_reference(&mut first.cases, &samplings, &first_surface);
         }
         let robustness =
             robustness::robustness(context, compare, &factory, &first_surface, &first.cases, counter);
@@ -98,6 +99,7 @@ pub fn run(
                     is_viewed: false,
                 };
                 run.run(context, &mut other.cases, &mut timing)?;
+                against_reference(&mut other.cases, &[], &made);
             }
             others.push(other);
             context.progress.step();
@@ -207,6 +209,7 @@ pub(super) fn run_surface<'a>(
             gaps: Gaps::of(&comparison.pairs),
             differences: Vec::new(),
             reference: None,
+            against_reference: AgainstReference::default(),
             comparison,
         });
         setup.progress.advance(1.0);
@@ -239,6 +242,17 @@ pub(super) fn differ(
                 case.differences.iter_mut().map(|at| &mut at.estimates[ComparedQuantity::Stiffness as usize]);
             stiffnesses.for_each(|stiffness| *stiffness = None);
         }
+    }
+}
+
+/// How far both models of each case are from its reference; without sampling errors where `samplings` has none.
+fn against_reference(cases: &mut [CaseResults], samplings: &[CaseSampling], surface: &Surface) {
+    let none = CaseSampling::default();
+    for (index, case) in cases.iter_mut().enumerate() {
+        let Some(curve) = &case.reference else { continue };
+        let sampling = samplings.get(index).unwrap_or(&none);
+        let (pairs, differences) = (&case.comparison.pairs, &case.differences);
+        case.against_reference = AgainstReference::of(pairs, differences, curve, sampling, surface.plane);
     }
 }
 

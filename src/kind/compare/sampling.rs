@@ -1,6 +1,6 @@
 //! Both models on a surface with groups of its asperities left out, from which sampling errors follow.
 
-use asperity::compare::{CaseSampling, Division, Kind, LeftOut, OneStep, Pair, Pairing};
+use asperity::compare::{CaseSampling, Division, Kind, LeftOut, OneStep, Pair, Pairing, State};
 use asperity::{Model, Total};
 use asperity_framework::contact::LawPlan;
 use asperity_framework::digest::stream_seed;
@@ -55,12 +55,10 @@ pub(super) fn sampling(
 fn left_out(setup: Setup, surface: &Surface, division: &Division, steps: &[OneStep]) -> Vec<LeftOut> {
     let shares = division.shares();
     setup.progress.stage("sampling errors", shares.len() as f64);
-    let without = |group: usize| -> Vec<Vec<[Option<f64>; 3]>> {
+    let without = |group: usize| {
         let Some(rest) = surface.without(division, group) else {
-            return steps
-                .iter()
-                .map(|step| vec![[None; 3]; step.deterministic_separations().len()])
-                .collect();
+            let none = |step: &OneStep| vec![None; step.deterministic_separations().len()];
+            return (None, steps.iter().map(none).collect());
         };
         let models = |surface, is_summed| {
             let population = rest.population(setup.heights, setup.mean_radius);
@@ -78,13 +76,16 @@ fn left_out(setup: Setup, surface: &Surface, division: &Division, steps: &[OneSt
                 sum.map_or_else(|| vec![Total::default(); separations.len()], |sum| sum.totals(separations));
             step.without(&responses, &totals, shares[group], rest.plane)
         };
-        let all = setup.laws.iter().zip(steps).map(case).collect();
+        let all: Vec<Vec<Option<[State; 2]>>> = setup.laws.iter().zip(steps).map(case).collect();
         setup.progress.advance(1.0);
-        all
+        (Some(rest.plane), all)
     };
-    let mut cases = vec![LeftOut { contrasts: Vec::new(), shares: shares.to_vec() }; steps.len()];
-    for contrasts in division.for_each_group(without) {
-        cases.iter_mut().zip(contrasts).for_each(|(case, contrasts)| case.contrasts.push(contrasts));
+    let mut cases = vec![LeftOut { shares: shares.to_vec(), ..LeftOut::default() }; steps.len()];
+    for (plane, states) in division.for_each_group(without) {
+        for (case, states) in cases.iter_mut().zip(states) {
+            case.states.push(states);
+            case.planes.push(plane);
+        }
     }
     cases
 }

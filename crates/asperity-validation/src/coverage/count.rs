@@ -75,6 +75,7 @@ impl Coverage {
         let as_independent = |one: &Found| Estimate {
             error: one.independent_error,
             quantile: jackknife_quantile(GROUPS),
+            bound: 0.0,
             ..one.estimate
         };
         Some(Self {

@@ -166,6 +166,7 @@ impl WindowTask<'_> {
                 contrast: full,
                 error: enough.and_then(|groups| groups.error(full, value)),
                 quantile: enough.map_or(f64::INFINITY, |groups| jackknife_quantile(groups.results.len())),
+                bound: 0.0,
                 independent_error: independent.as_ref().and_then(|groups| groups.error(full, value)),
             }
         };
@@ -210,17 +211,23 @@ impl WindowTask<'_> {
         let without = |group: usize| {
             let separations = step.deterministic_separations();
             let Some(rest) = division.without(set, group) else {
-                return (vec![[None; 3]; separations.len()], None);
+                return (vec![None; separations.len()], None, None);
             };
             let (integral, sum) = self.models(&rest);
             let part = division.only(set, group).map(|part| self.models(&part).1.totals(separations));
             let part = part.unwrap_or_else(|| vec![Total::default(); separations.len()]);
             let responses = integral.respond_all(&step.statistical_separations());
-            let contrasts = step.without(&responses, &part, shares[group], sum.plane());
-            (contrasts, Some(self.results(&rest)))
+            let states = step.without(&responses, &part, shares[group], sum.plane());
+            (states, Some(sum.plane()), Some(self.results(&rest)))
         };
-        let (contrasts, results) = division.for_each_group(without).into_iter().unzip();
-        Groups { left_out: LeftOut { contrasts, shares: shares.to_vec() }, results }
+        let mut left_out = LeftOut { shares: shares.to_vec(), ..LeftOut::default() };
+        let mut all = Vec::new();
+        for (states, plane, results) in division.for_each_group(without) {
+            left_out.states.push(states);
+            left_out.planes.push(plane);
+            all.push(results);
+        }
+        Groups { left_out, results: all }
     }
 
     /// Both models of a set, whose own statistics are the inputs of the statistical one: mean radius, sigma, density, and

@@ -12,7 +12,7 @@ use asperity_validation::coverage::{
 const PIXEL: f64 = 1e-6;
 
 fn found(contrast: f64, error: Option<f64>, independent_error: Option<f64>) -> Found {
-    let estimate = Estimate { contrast, error, quantile: 2.0, independent_error };
+    let estimate = Estimate { contrast, error, quantile: 2.0, bound: 0.0, independent_error };
     Found { estimate, independent_error, contacts: 100.0, area_ratio: 0.01 }
 }
 

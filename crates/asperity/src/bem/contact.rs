@@ -6,6 +6,7 @@ use rayon::prelude::*;
 
 use super::Boundary;
 use crate::numeric::sum::sum_of;
+use crate::topography::Blocks;
 
 /// How much a point of the border between contact and gap overestimates the area on average, in pixels (Yastrebov,
 /// Anciaux and Molinari 2017).
@@ -84,6 +85,30 @@ impl Contact {
             along + around + across
         };
         (0..nx).into_par_iter().map(of_row).sum()
+    }
+
+    /// What each block of a division of the points contributes to mean pressure (Pa) and corrected area ratio; `blocks` must
+    /// divide as many points. The border between two blocks counts for the first.
+    pub fn block_sums(&self, blocks: &Blocks) -> Vec<[f64; 2]> {
+        let [nx, ny] = self.points;
+        let wraps = self.boundary == Boundary::Periodic;
+        let all = self.pressures.len() as f64;
+        let mut sums = vec![[0.0; 2]; blocks.count()];
+        let touches = |i: usize, j: usize| self.pressures[i * ny + j] > 0.0;
+        for (k, &p) in self.pressures.iter().enumerate() {
+            let (i, j) = (k / ny, k % ny);
+            let here = p > 0.0;
+            let across = if i + 1 < nx { Some(i + 1) } else { wraps.then_some(0) };
+            let along = if j + 1 < ny { Some(j + 1) } else { wraps.then_some(0) };
+            let sides = usize::from(across.is_some_and(|i| touches(i, j) != here))
+                + usize::from(along.is_some_and(|j| touches(i, j) != here));
+            if here || sides > 0 {
+                let [pressure, area] = &mut sums[blocks.of_point(k)];
+                *pressure += p / all;
+                *area += (f64::from(u8::from(here)) - BORDER * sides as f64) / all;
+            }
+        }
+        sums
     }
 
     fn ratio(&self, is_counted: impl Fn(f64) -> bool) -> f64 {

@@ -2,7 +2,7 @@
 
 use super::sampling::{jackknife_error, jackknife_quantile, student_quantile};
 use super::{Pair, Pairing};
-use crate::model::{Exceeded, LoadSharing, MIN_CONTACTS};
+use crate::model::{Exceeded, LoadSharing, MIN_CONTACTS, ReferencePlane};
 
 /// A quantity in which the models are compared at equal load.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
@@ -63,6 +63,8 @@ pub struct Estimate {
     pub error: Option<f64>,
     /// Half-width of its pointwise 95 % interval in standard errors.
     pub quantile: f64,
+    /// Bound of an error that is not one of sampling, such as that of a discretisation: widens the interval on both sides.
+    pub bound: f64,
     /// Standard error for independent asperities, whether or not an interval is claimed.
     pub independent_error: Option<f64>,
 }
@@ -70,7 +72,7 @@ pub struct Estimate {
 impl Estimate {
     /// Half-width of the pointwise 95 % interval; `None` where none is claimed.
     pub fn half_width(&self) -> Option<f64> {
-        self.error.map(|error| self.quantile * error)
+        self.error.map(|error| self.quantile * error + self.bound)
     }
 
     /// The ends of the 95 % interval.
@@ -97,11 +99,16 @@ pub struct Difference {
 /// The smallest number of effective contacts per group at which an interval is claimed.
 pub const CONTACTS_PER_GROUP: f64 = 4.0;
 
-/// The contrasts between the models at the same loads, with each group of the asperities left out.
-#[derive(Debug, Clone, PartialEq)]
+/// A model at one load: d/sigma, and the logarithms of area ratio and stiffness, in the order of [`ComparedQuantity::ALL`].
+pub type State = [f64; 3];
+
+/// Both models at the same loads, with each group of the asperities left out.
+#[derive(Debug, Clone, PartialEq, Default)]
 pub struct LeftOut {
-    /// Without each group, at each load, in the order of [`ComparedQuantity::ALL`]; `None` where a model has no contact.
-    pub contrasts: Vec<Vec<[Option<f64>; 3]>>,
+    /// Without each group, at each load, the statistical and the deterministic model; `None` where one has no contact.
+    pub states: Vec<Vec<Option<[State; 2]>>>,
+    /// The plane from which separations are measured without each group; `None` where nothing is left.
+    pub planes: Vec<Option<ReferencePlane>>,
     /// The groups' shares of the nominal area.
     pub shares: Vec<f64>,
 }
@@ -109,8 +116,10 @@ pub struct LeftOut {
 impl LeftOut {
     /// The standard error of a contrast at the load of index `load`; `None` where a group's is not known.
     fn error(&self, quantity: ComparedQuantity, contrast: f64, load: usize) -> Option<f64> {
-        let of = |contrasts: &Vec<[Option<f64>; 3]>| contrasts[load][quantity as usize];
-        let without: Option<Vec<f64>> = self.contrasts.iter().map(of).collect();
+        let of = |states: &Vec<Option<[State; 2]>>| {
+            states[load].map(|[integral, sum]| integral[quantity as usize] - sum[quantity as usize])
+        };
+        let without: Option<Vec<f64>> = self.states.iter().map(of).collect();
         Some(jackknife_error(contrast, &without?, &self.shares))
     }
 }
@@ -156,6 +165,7 @@ impl Difference {
                 contrast,
                 error: groups.and_then(error),
                 quantile: groups.map_or(f64::INFINITY, |groups| jackknife_quantile(groups.shares.len())),
+                bound: 0.0,
                 independent_error: sampling.independent.as_ref().and_then(error),
             })
         };
@@ -201,6 +211,7 @@ impl Difference {
                 contrast,
                 error: Some(error),
                 quantile: student_quantile(all.len()),
+                bound: each.iter().map(|one| one.bound).sum::<f64>() / count,
                 independent_error,
             })
         };
@@ -259,10 +270,14 @@ mod tests {
     fn left_out(scatter: f64, missing: bool) -> LeftOut {
         let without = |k: usize| {
             let sign = if k.is_multiple_of(2) { 1.0 } else { -1.0 };
-            let contrasts = [0.2 + sign * scatter, 2f64.ln(), 0.0];
-            vec![contrasts.map(|contrast| (!(missing && k == 3)).then_some(contrast))]
+            let states = [[0.2 + sign * scatter, 2f64.ln(), 0.0], [0.0; 3]];
+            vec![(!(missing && k == 3)).then_some(states)]
         };
-        LeftOut { contrasts: (0..16).map(without).collect(), shares: vec![1.0 / 16.0; 16] }
+        LeftOut {
+            states: (0..16).map(without).collect(),
+            planes: vec![None; 16],
+            shares: vec![1.0 / 16.0; 16],
+        }
     }
 
     fn sampling(groups: Option<LeftOut>) -> CaseSampling {

@@ -7,6 +7,7 @@ mod gap;
 mod influence;
 mod limit;
 mod modulus_check;
+mod nearness;
 mod reference;
 mod sampling;
 mod spread;
@@ -15,12 +16,15 @@ mod validity;
 mod verdict;
 
 pub use attribution::{Attribution, Dominant};
-pub use difference::{CONTACTS_PER_GROUP, CaseSampling, ComparedQuantity, Difference, Estimate, LeftOut};
+pub use difference::{
+    CONTACTS_PER_GROUP, CaseSampling, ComparedQuantity, Difference, Estimate, LeftOut, State,
+};
 pub use gap::{Gap, GapQuantity, Gaps};
 pub use influence::{AtLoad, DETECTABLE, Effect, Group, Influence, Measure, UnderLaw};
 pub use limit::{Exact, LimitCase, LimitPoint, Quantity, SlopeFit, convergence};
 pub use modulus_check::{GOOD_RATIO, ModulusCheck, ModulusError, ModulusFindings, apart};
-pub use reference::{LARGEST_LOAD_RATIO, ReferenceCurve, ReferencePoint, stiffnesses};
+pub use nearness::{AgainstReference, NearerStretch};
+pub use reference::{BlockShare, LARGEST_LOAD_RATIO, ReferenceCurve, ReferencePoint, Stiffness, stiffnesses};
 pub use sampling::{Division, GROUPS, OneStep, jackknife_error, jackknife_quantile, student_quantile};
 pub use spread::{Realisation, Scatter, Spread, spread};
 pub use threshold::threshold;

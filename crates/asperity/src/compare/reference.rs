@@ -1,7 +1,7 @@
 //! The boundary element reference of a comparison, in the terms of the models: its results at loads, beside a
 //! [`Comparison`](super::Comparison) of two models on the same surface.
 
-use super::Control;
+use super::{Control, State};
 use crate::bem::Boundary;
 
 /// The reference at one load.
@@ -28,6 +28,8 @@ pub struct ReferencePoint {
     pub capped_area_ratio: f64,
     /// -dp/dd, Pa/m, from the neighbouring loads; `None` where these are not close enough, see [`stiffnesses`].
     pub stiffness: Option<f64>,
+    /// Bounds of the errors of solver and discretisation, of d/sigma, ln(area) and ln(stiffness).
+    pub bounds: State,
     /// Relative dual gap.
     pub error: f64,
     /// Steps of the solver.
@@ -43,6 +45,15 @@ impl ReferencePoint {
     }
 }
 
+/// What a block of the map contributes to the contact at one load.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct BlockShare {
+    /// Its part of the nominal pressure, Pa.
+    pub pressure: f64,
+    /// Its part of the area ratio.
+    pub area_ratio: f64,
+}
+
 /// The reference on one surface under one law and thickness.
 #[derive(Debug, Clone, PartialEq)]
 pub struct ReferenceCurve {
@@ -54,6 +65,8 @@ pub struct ReferenceCurve {
     pub interpolated: usize,
     /// The results, in the order of the prescribed loads.
     pub points: Vec<ReferencePoint>,
+    /// What each block of the map contributes to each of these; empty where the map is not divided.
+    pub blocks: Vec<Vec<BlockShare>>,
     /// Loads (Pa) at or above the largest pressure, which no contact carries.
     pub unreached: Vec<f64>,
 }
@@ -67,7 +80,20 @@ impl ReferenceCurve {
 
 /// The largest ratio of neighbouring loads between which a stiffness is formed: d is nearly straight over ln p, but not over
 /// decades.
-pub const LARGEST_LOAD_RATIO: f64 = 2.0;
+pub const LARGEST_LOAD_RATIO: f64 = 3.0;
+
+/// The part of the logarithm of the slopes towards both neighbours that bounds the error of the slope between them: that of
+/// a parabola is none.
+const SLOPE_ERROR: f64 = 0.25;
+
+/// A stiffness from neighbouring loads.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Stiffness {
+    /// -dp/dd, Pa/m.
+    pub stiffness: f64,
+    /// Bound of the error of its logarithm.
+    pub bound: f64,
+}
 
 /// Loads whose ratio is smaller are not neighbours: the error of the solver would be seen in the slope.
 const SMALLEST_LOAD_RATIO: f64 = 1.05;
@@ -75,7 +101,7 @@ const SMALLEST_LOAD_RATIO: f64 = 1.05;
 /// The stiffness -dp/dd (Pa/m) at each of the ascending `pressures` (Pa) reached at `separations` (m): the slope of the
 /// parabola of d over ln p through the load and its neighbours. `None` where there is no neighbour within a factor of
 /// [`LARGEST_LOAD_RATIO`] on both sides, as at the first and the last load, and where the separation does not decrease.
-pub fn stiffnesses(pressures: &[f64], separations: &[f64]) -> Vec<Option<f64>> {
+pub fn stiffnesses(pressures: &[f64], separations: &[f64]) -> Vec<Option<Stiffness>> {
     let points: Vec<(f64, f64)> = pressures.iter().copied().zip(separations.iter().copied()).collect();
     let is_neighbour = |ratio: f64| {
         const ROUNDING: f64 = 1e-12;
@@ -89,7 +115,9 @@ pub fn stiffnesses(pressures: &[f64], separations: &[f64]) -> Vec<Option<f64>> {
         }
         let (back, ahead) = ((p / p0).ln(), (p1 / p).ln());
         let slope = (ahead / back * (d - d0) + back / ahead * (d1 - d)) / (back + ahead);
-        (slope < 0.0).then(|| -p / slope)
+        let steepening = ((d1 - d) / ahead) / ((d - d0) / back);
+        (slope < 0.0 && steepening > 0.0)
+            .then(|| Stiffness { stiffness: -p / slope, bound: SLOPE_ERROR * steepening.ln().abs() })
     };
     points.iter().enumerate().map(at).collect()
 }
@@ -100,7 +128,7 @@ mod tests {
 
     #[test]
     fn the_stiffness_is_exact_for_a_parabola_in_the_logarithm_of_the_load() {
-        let pressures = [1e6, 1.5e6, 2.5e6, 4e6, 1e7];
+        let pressures = [1e6, 1.5e6, 2.5e6, 4e6, 1.3e7];
         let d = |p: f64| -1e-8 * p.ln() - 2e-10 * p.ln() * p.ln();
         let separations = pressures.map(d);
         let found = stiffnesses(&pressures, &separations);
@@ -109,7 +137,7 @@ mod tests {
             match found[k] {
                 // The ends, and the neighbour of a wide step.
                 None => assert!(k == 0 || k >= 3, "{k}"),
-                Some(stiffness) => {
+                Some(Stiffness { stiffness, .. }) => {
                     assert!((stiffness / exact - 1.0).abs() < 1e-9, "{k}: {stiffness} {exact}")
                 }
             }
@@ -119,7 +147,10 @@ mod tests {
         let close = [1e6, 1.5e6, 1.5e6 * (1.0 + 1e-9), 2.5e6];
         let found = stiffnesses(&close, &close.map(d));
         let exact = 1.5e6 / (1e-8 + 4e-10 * 1.5e6_f64.ln());
-        assert!([1, 2].iter().all(|&k| (found[k].unwrap() / exact - 1.0).abs() < 1e-6), "{found:?}");
+        assert!(
+            [1, 2].iter().all(|&k| (found[k].unwrap().stiffness / exact - 1.0).abs() < 1e-6),
+            "{found:?}"
+        );
     }
 
     #[test]

@@ -199,7 +199,7 @@ mod tests {
     const ACCEPTED: Accepted = Accepted { separation: 0.1, area: 0.1, stiffness: 0.2 };
 
     fn estimate(contrast: f64, error: Option<f64>) -> Option<Estimate> {
-        Some(Estimate { contrast, error, quantile: 2.0, independent_error: None })
+        Some(Estimate { contrast, error, quantile: 2.0, bound: 0.0, independent_error: None })
     }
 
     /// One load with the same contrast and error of separation and area.

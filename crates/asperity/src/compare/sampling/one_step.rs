@@ -1,14 +1,11 @@
 //! Both models at equal load with a group of asperities left out, in one step from the result of all.
 
 use crate::accumulator::Total;
-use crate::compare::{ComparedQuantity, Pair};
+use crate::compare::{Pair, State};
 use crate::model::{Deterministic, Model, ReferencePlane, Response};
 
 /// Distance (in sigma) of the separations from which slopes are taken.
 const STEP: f64 = 0.05;
-
-/// A model at one load: d/sigma, and the logarithms of area ratio and stiffness.
-type State = [f64; 3];
 
 /// Both models at the loads of some pairs, and how each changes with the load. A group of asperities is left out without
 /// a new search for the load: the rest is evaluated at the separations of all, and d/sigma, area and stiffness follow the
@@ -56,7 +53,7 @@ impl OneStep {
         &self.separations
     }
 
-    /// The contrast of each of [`ComparedQuantity::ALL`] at each load without a group: `rest` are the responses of the statistical
+    /// The statistical and the deterministic model at each load without a group: `rest` are the responses of the statistical
     /// model without it, `group` the sums over it, `share` its share of the nominal area, `plane` that of the rest.
     pub fn without(
         &self,
@@ -64,9 +61,9 @@ impl OneStep {
         group: &[Total],
         share: f64,
         plane: ReferencePlane,
-    ) -> Vec<[Option<f64>; 3]> {
+    ) -> Vec<Option<[State; 2]>> {
         let area = self.area * (1.0 - share);
-        let at = |k: usize| -> Option<[f64; 3]> {
+        let at = |k: usize| {
             let pair = &self.pairs[k];
             let per_area = |of: fn(&Total) -> f64| positive((of(&self.totals[k]) - of(&group[k])) / area);
             let pressure = per_area(|total| total.load().total())?;
@@ -78,10 +75,9 @@ impl OneStep {
             let sum = moved(sum, self.deterministic_slopes[k]?, pressure, &pair.deterministic);
             let (integral, pressure) = state(&rest[k])?;
             let integral = moved(integral, self.statistical_slopes[k]?, pressure, &pair.statistical);
-            Some(ComparedQuantity::ALL.map(|quantity| integral[quantity as usize] - sum[quantity as usize]))
+            Some([integral, sum])
         };
-        let found = (0..self.pairs.len()).map(at);
-        found.map(|contrasts| contrasts.map_or([None; 3], |contrasts| contrasts.map(Some))).collect()
+        (0..self.pairs.len()).map(at).collect()
     }
 }
 
@@ -118,7 +114,7 @@ fn slopes(model: &dyn Model, h: &[f64]) -> Vec<Option<State>> {
 mod tests {
     use super::*;
     use crate::asperity::{AsperitySet, Draw, Population, Statistics};
-    use crate::compare::{Division, jackknife_error, pairs_at};
+    use crate::compare::{ComparedQuantity, Division, jackknife_error, pairs_at};
     use crate::distribution::Heights;
     use crate::interface::{Interface, MicroContact};
     use crate::law::{Hertz, Law, Zmc};
@@ -171,7 +167,8 @@ mod tests {
                 for quantity in ComparedQuantity::ALL {
                     let place = 3 * k + quantity as usize;
                     exact[place].push(quantity.contrast(solved.as_ref().unwrap()).unwrap());
-                    stepped[place].push(found[quantity as usize].unwrap());
+                    let [integral, sum] = found.unwrap().map(|state| state[quantity as usize]);
+                    stepped[place].push(integral - sum);
                 }
             }
         }

@@ -31,8 +31,9 @@ pub mod examples {
 
     /// One load of `contacts` effective contacts: contrasts and standard errors of separation, area and stiffness.
     pub fn at(load: f64, contacts: f64, estimates: [(f64, Option<f64>); 3]) -> Difference {
-        let estimate =
-            |(contrast, error)| Some(Estimate { contrast, error, quantile: 2.0, independent_error: error });
+        let estimate = |(contrast, error)| {
+            Some(Estimate { contrast, error, quantile: 2.0, bound: 0.0, independent_error: error })
+        };
         Difference {
             load,
             sharing: Some(LoadSharing {

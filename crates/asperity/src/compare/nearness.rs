@@ -1,0 +1,251 @@
+//! How far both models are from the boundary element reference at equal load, and which is nearer.
+//!
+//! All three are on the same map, so that the sampling error of a difference is that of leaving out the same block from
+//! all three. Without a block the flat stays where it is; the reference of the rest is what the other blocks carry there,
+//! brought back to the load along the slopes between its loads. That neglects how a block deforms the others.
+
+use super::difference::{CaseSampling, ComparedQuantity, Difference, Estimate, LeftOut};
+use super::reference::{ReferenceCurve, ReferencePoint};
+use super::sampling::jackknife_error;
+use super::verdict::{Accepted, Verdict};
+use super::{Kind, Pair, Pairing};
+use crate::model::{ReferencePlane, Response};
+
+/// The distances of both models from the reference, load by load.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct AgainstReference {
+    /// Statistical model and reference, and deterministic model and reference: contrasts of model over reference.
+    pub models: [Vec<Difference>; 2],
+    /// How much farther the statistical model is from the reference than the deterministic one: the difference of the
+    /// absolute contrasts.
+    pub nearness: Vec<Difference>,
+}
+
+/// A quantity by the reference; `None` where it has none.
+fn of_reference(point: &ReferencePoint) -> [Option<f64>; 3] {
+    let log = |value: f64| (value > 0.0).then(|| value.ln());
+    [point.separation_over_sigma, log(point.area_ratio), point.stiffness.and_then(log)]
+}
+
+/// The same by a model.
+fn of_model(response: &Response) -> [Option<f64>; 3] {
+    let log = |value: f64| (value > 0.0).then(|| value.ln());
+    [Some(response.separation_over_sigma), log(response.area_ratio.total()), log(response.stiffness)]
+}
+
+impl AgainstReference {
+    /// From the `pairs` of both models, their `differences` in the same order, the reference on the same surface, the
+    /// models without each group, and the plane from which separations are measured.
+    pub fn of(
+        pairs: &[Pair],
+        differences: &[Difference],
+        curve: &ReferenceCurve,
+        sampling: &CaseSampling,
+        plane: ReferencePlane,
+    ) -> Self {
+        let mut found = Self::default();
+        let without = sampling.groups.as_ref().map(|groups| (groups, curve.without(groups, plane)));
+        let at_load = pairs.iter().filter(|pair| pair.pairing == Pairing::Load);
+        for (index, (pair, both)) in at_load.zip(differences).enumerate() {
+            let Some(place) = curve.points.iter().position(|point| point.pressure == pair.target) else {
+                continue;
+            };
+            let point = &curve.points[place];
+            let reference = of_reference(point);
+            let models = [of_model(&pair.statistical), of_model(&pair.deterministic)];
+            // Both contrasts of a quantity, without each group.
+            let left_out = |quantity: usize| -> Option<Vec<[f64; 2]>> {
+                let (groups, reference) = without.as_ref()?;
+                let of_group = |group: usize| {
+                    let reference = reference[group][place][quantity]?;
+                    let models = groups.states[group][index]?;
+                    Some(models.map(|state| state[quantity] - reference))
+                };
+                (0..groups.shares.len()).map(of_group).collect()
+            };
+            let mut estimates = [[None; 3]; 3];
+            for quantity in 0..3 {
+                // The interval of both models says whether there are contacts enough.
+                let Some(of_both) = both.estimates[quantity] else { continue };
+                let Some(reference) = reference[quantity] else { continue };
+                let [Some(s), Some(d)] = models.map(|model| model[quantity]) else { continue };
+                let contrasts = [s - reference, d - reference];
+                let left_out = left_out(quantity).filter(|_| of_both.error.is_some());
+                let shares = without.as_ref().map_or(&[][..], |(groups, _)| &groups.shares);
+                let error = |full: f64, of: &dyn Fn(&[f64; 2]) -> f64| {
+                    let without: Vec<f64> = left_out.as_ref()?.iter().map(of).collect();
+                    Some(jackknife_error(full, &without, shares))
+                };
+                let bound = point.bounds[quantity];
+                let estimate = |contrast, error, bound| Estimate {
+                    contrast,
+                    error,
+                    quantile: of_both.quantile,
+                    bound,
+                    independent_error: None,
+                };
+                for model in 0..2 {
+                    let contrast = contrasts[model];
+                    estimates[model][quantity] =
+                        Some(estimate(contrast, error(contrast, &|both| both[model]), bound));
+                }
+                let nearness = |[s, d]: [f64; 2]| s.abs() - d.abs();
+                // An error of the reference moves both the same way, and no distance where they are on one side.
+                let is_one_side = contrasts[0].signum() == contrasts[1].signum()
+                    && contrasts.iter().all(|contrast| contrast.abs() > bound);
+                let bound = if is_one_side { 0.0 } else { 2.0 * bound };
+                let full = nearness(contrasts);
+                estimates[2][quantity] = Some(estimate(full, error(full, &|&both| nearness(both)), bound));
+            }
+            let [s, d, nearness] = estimates.map(|estimates| Difference { estimates, ..both.clone() });
+            found.models[0].push(s);
+            found.models[1].push(d);
+            found.nearness.push(nearness);
+        }
+        found
+    }
+
+    /// Over realisations: their mean, with the interval of their scatter.
+    pub fn over(realisations: &[Self]) -> Self {
+        let over = |of: &dyn Fn(&Self) -> &Vec<Difference>| {
+            let each: Vec<Vec<Difference>> = realisations.iter().map(|one| of(one).clone()).collect();
+            if let [only] = &each[..] { only.clone() } else { Difference::over(&each) }
+        };
+        Self {
+            models: [over(&|one| &one.models[0]), over(&|one| &one.models[1])],
+            nearness: over(&|one| &one.nearness),
+        }
+    }
+
+    /// By growing load.
+    #[must_use]
+    pub fn sorted(mut self) -> Self {
+        let [statistical, deterministic] = &mut self.models;
+        for all in [statistical, deterministic, &mut self.nearness] {
+            all.sort_by(|a, b| a.load.total_cmp(&b.load));
+        }
+        self
+    }
+}
+
+impl ReferenceCurve {
+    /// The reference without each group, at each of its points: d/sigma, ln(area), ln(stiffness).
+    fn without(&self, groups: &LeftOut, plane: ReferencePlane) -> Vec<Vec<[Option<f64>; 3]>> {
+        let mut order: Vec<usize> = (0..self.points.len()).collect();
+        order.sort_by(|&a, &b| self.points[a].pressure.total_cmp(&self.points[b].pressure));
+        let none = vec![[None; 3]; self.points.len()];
+        let of_group = |group: usize| {
+            let (Some(Some(rest)), false) = (groups.planes.get(group), self.blocks.is_empty()) else {
+                return none.clone();
+            };
+            let mut found = none.clone();
+            for (rank, &k) in order.iter().enumerate() {
+                let neighbours = [order[rank.saturating_sub(1)], order[(rank + 1).min(order.len() - 1)]];
+                found[k] = self.rest(k, neighbours, group, groups.shares[group], [plane, *rest]);
+            }
+            found
+        };
+        (0..groups.shares.len()).map(of_group).collect()
+    }
+
+    /// The reference at point `k`, between its `neighbours` in load, without a block that holds `share` of the area.
+    fn rest(
+        &self,
+        k: usize,
+        neighbours: [usize; 2],
+        block: usize,
+        share: f64,
+        [all, rest]: [ReferencePlane; 2],
+    ) -> [Option<f64>; 3] {
+        let [low, high] = neighbours.map(|k| &self.points[k]);
+        let of = |k: usize| self.blocks[k][block];
+        let (point, part) = (&self.points[k], of(k));
+        let without = |whole: f64, part: f64| Some((whole - part) / (1.0 - share)).filter(|rest| *rest > 0.0);
+        let log_ratio = (high.pressure / low.pressure).ln();
+        let Some(pressure) = without(point.pressure, part.pressure).filter(|_| log_ratio > 0.0) else {
+            return [None; 3];
+        };
+        let step = (point.pressure / pressure).ln();
+        let slope = |quantity: usize| {
+            let ends = [low, high].map(|point| of_reference(point)[quantity]);
+            Some((ends[1]? - ends[0]?) / log_ratio)
+        };
+        let separation = point.separation_over_sigma.zip(slope(0)).map(|(h, slope)| {
+            let absolute = all.mean + h * all.sigma;
+            (absolute - rest.mean) / rest.sigma + step * slope
+        });
+        let area = without(point.area_ratio, part.area_ratio).zip(slope(1));
+        // What the block adds to the load between both neighbours is its part of the stiffness.
+        let [light, heavy] = neighbours.map(of);
+        let of_stiffness = (heavy.pressure - light.pressure) / (high.pressure - low.pressure);
+        let stiffness = of_reference(point)[2].zip(without(1.0, of_stiffness)).zip(slope(2));
+        [
+            separation,
+            area.map(|(area, slope)| area.ln() + step * slope),
+            stiffness.map(|((stiffness, ratio), slope)| stiffness + ratio.ln() + step * slope),
+        ]
+    }
+}
+
+/// Neighbouring loads at which both models stand alike against the reference.
+#[derive(Debug, Clone, PartialEq)]
+pub struct NearerStretch {
+    /// What is compared.
+    pub quantity: ComparedQuantity,
+    /// From and to, Pa.
+    pub loads: [f64; 2],
+    /// The nearer model; `None` where that cannot be told.
+    pub nearer: Option<Kind>,
+    /// Whether the statistical and the deterministic model agree with the reference within what is accepted.
+    pub verdicts: [Verdict; 2],
+    /// The largest difference of each from the reference, and its load, Pa.
+    pub largest: [(f64, Estimate); 2],
+}
+
+impl NearerStretch {
+    /// The stretches of all quantities over the valid loads; `against` is sorted by load.
+    pub fn all(against: &AgainstReference, accepted: &Accepted) -> Vec<Self> {
+        ComparedQuantity::ALL.into_iter().flat_map(|quantity| Self::of(quantity, against, accepted)).collect()
+    }
+
+    fn of(quantity: ComparedQuantity, against: &AgainstReference, accepted: &Accepted) -> Vec<Self> {
+        let band = accepted.band(quantity);
+        let index = quantity as usize;
+        let [statistical, deterministic] = &against.models;
+        let valid = statistical.iter().zip(deterministic).zip(&against.nearness);
+        let each: Vec<Self> = valid
+            .filter(|(_, at)| at.exceeded().is_none())
+            .filter_map(|((s, d), at)| {
+                let (estimates, nearness) =
+                    ([s.estimates[index]?, d.estimates[index]?], at.estimates[index]?);
+                let nearer = match nearness.interval() {
+                    Some([_, high]) if high < 0.0 => Some(Kind::Statistical),
+                    Some([low, _]) if low > 0.0 => Some(Kind::Deterministic),
+                    _ => None,
+                };
+                Some(Self {
+                    quantity,
+                    loads: [at.load; 2],
+                    nearer,
+                    verdicts: estimates.map(|estimate| Verdict::of(&estimate, band)),
+                    largest: estimates.map(|estimate| (at.load, estimate)),
+                })
+            })
+            .collect();
+        let alike = |a: &Self, b: &Self| (a.nearer, a.verdicts) == (b.nearer, b.verdicts);
+        each.chunk_by(alike).map(Self::joined).collect()
+    }
+
+    fn joined(stretch: &[Self]) -> Self {
+        let largest = |model: usize| {
+            let each = stretch.iter().map(|one| one.largest[model]);
+            each.max_by(|a, b| a.1.contrast.abs().total_cmp(&b.1.contrast.abs()))
+        };
+        let (first, last) = (&stretch[0], &stretch[stretch.len() - 1]);
+        Self {
+            loads: [first.loads[0], last.loads[1]],
+            largest: [0, 1].map(|model| largest(model).unwrap_or(first.largest[model])),
+            ..first.clone()
+        }
+    }
+}
