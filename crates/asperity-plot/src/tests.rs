@@ -157,6 +157,19 @@ fn pictures_stay_small() {
 }
 
 #[test]
+fn each_way_to_break_a_line_has_its_own_pattern() {
+    let pattern = |dash: Dash| {
+        let svg = plot().with(Layer::line(wave(9)).coloured(Colour::Reference).dashed(dash)).svg();
+        svg.split("stroke-dasharray=\"")
+            .nth(1)
+            .map(|rest| rest.split('"').next().unwrap_or_default().to_owned())
+    };
+    let lengths = [Dash::Solid, Dash::Dotted, Dash::Dashed, Dash::DashDot]
+        .map(|dash| pattern(dash).map_or(0, |pattern| pattern.split(' ').count()));
+    assert_eq!(lengths, [0, 2, 2, 4]);
+}
+
+#[test]
 fn a_legend_without_a_clear_corner_stands_below() {
     let x = [1.0, 10.0, 100.0];
     let part = [0.3, 0.5, f64::NAN];
