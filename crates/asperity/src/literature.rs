@@ -122,3 +122,21 @@ pub const BUSING_1999: Paper = Paper {
     short: "Busing, Meijer and van der Leeden 1999",
     full: "Busing, F. M. T. A., Meijer, E., van der Leeden, R. (1999). Delete-m jackknife for unequal m. Statistics and Computing 9(1), 3-8. doi:10.1023/A:1008800423698",
 };
+
+/// Conjugate gradients for the contact of rough surfaces.
+pub const POLONSKY_KEER_1999: Paper = Paper {
+    short: "Polonsky and Keer 1999",
+    full: "Polonsky, I. A., Keer, L. M. (1999). A numerical method for solving rough contact problems based on the multi-level multi-summation and conjugate gradient techniques. Wear 231(2), 206-219. doi:10.1016/S0043-1648(99)00113-1",
+};
+
+/// Pressures capped at the hardness.
+pub const ALMQVIST_2007: Paper = Paper {
+    short: "Almqvist et al. 2007",
+    full: "Almqvist, A., Sahlin, F., Larsson, R., Glavatskih, S. (2007). On the dry elasto-plastic contact of nominally flat surfaces. Tribology International 40(4), 574-579. doi:10.1016/j.triboint.2005.11.008",
+};
+
+/// The correction of a counted contact area for its perimeter.
+pub const YASTREBOV_2017: Paper = Paper {
+    short: "Yastrebov, Anciaux and Molinari 2017",
+    full: "Yastrebov, V. A., Anciaux, G., Molinari, J.-F. (2017). On the accurate computation of the true contact-area in mechanical contact of random rough surfaces. Tribology International 114, 161-171. arXiv:1701.02727",
+};

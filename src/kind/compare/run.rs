@@ -2,6 +2,7 @@
 
 use std::time::Instant;
 
+use asperity::bem::Solver;
 use asperity::compare::{
     AgainstReference, CaseSampling, ComparedQuantity, Control, Difference, Gaps, Kind, Models, ModulusCheck,
     ModulusFindings, NotReached, compare,
@@ -117,6 +118,9 @@ pub fn run(
             robustness,
             contacts,
         });
+    }
+    if let Some(reference) = compare.reference.as_deref() {
+        papers.extend(Solver::papers(reference.solutions.iter().any(|solution| solution.cap.is_some())));
     }
     timing.total = start.elapsed();
     let mut layer_metadata = None;

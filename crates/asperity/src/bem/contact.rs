@@ -8,8 +8,10 @@ use super::Boundary;
 use crate::numeric::sum::sum_of;
 use crate::topography::Blocks;
 
-/// How much a point of the border between contact and gap overestimates the area on average, in pixels (Yastrebov,
-/// Anciaux and Molinari 2017).
+/// How much of a pixel a side of the border between contact and gap adds to the counted area on average (Yastrebov,
+/// Anciaux and Molinari 2017, Tribology International 114, 161, Eq. 15): the mean smaller part of a pixel that a straight
+/// border cuts, times pi/4 for the length of the border along the pixels. On self-affine surfaces the error is 0.099 to
+/// 0.110 a side, so that the correction removes it up to about a fifth.
 const BORDER: f64 = (PI - 1.0 + LN_2) / 24.0;
 
 /// A pressure this close to the cap counts as at it.

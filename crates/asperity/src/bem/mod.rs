@@ -128,6 +128,9 @@ pub enum SolverError {
         /// Pa.
         cap: f64,
     },
+    /// Under such a load a point yields less than rounding.
+    #[error("mean pressure {0} Pa is lost in rounding; allowed: a larger one, of 1e-12 of E* or more")]
+    TooLight(f64),
     /// No load gives the gap.
     #[error("mean gap {0} m; allowed: above 0 and below that of the first point in contact")]
     Gap(f64),

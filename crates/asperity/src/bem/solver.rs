@@ -12,6 +12,7 @@ use super::levels::{coarser, coarser_points, finer};
 use super::missing::filled;
 use super::preconditioner::Stencil;
 use super::{Boundary, Options, SolverError};
+use crate::literature::{self, Paper};
 use crate::numeric::is_positive;
 use crate::numeric::sum::sum_of;
 use crate::progress::Progress;
@@ -138,7 +139,7 @@ impl<'a> Solver<'a> {
     /// The contact under a mean pressure (Pa) on the nominal area: one unit of progress.
     ///
     /// # Errors
-    /// A pressure that is not positive, or not below the cap; no convergence.
+    /// A pressure that is not positive, not below the cap, or lost in rounding; no convergence.
     pub fn at_pressure(&self, pressure: f64, progress: &dyn Progress) -> Result<Contact, SolverError> {
         if !is_positive(pressure) || pressure >= self.cap {
             return Err(SolverError::Pressure { pressure, cap: self.cap });
@@ -162,7 +163,10 @@ impl<'a> Solver<'a> {
 
     fn contact(&self, pressure: f64, descent: Descent) -> Result<Contact, SolverError> {
         let Descent { pressures, gaps, level, error, steps, convolutions } = descent;
-        if error > self.error || !error.is_finite() {
+        if !error.is_finite() {
+            return Err(SolverError::TooLight(pressure));
+        }
+        if error > self.error {
             return Err(SolverError::NotConverged { pressure, error, steps, wanted: self.error });
         }
         let open = |k: usize| if pressures[k] > 0.0 { 0.0 } else { (gaps[k] - level).max(0.0) };
@@ -221,6 +225,13 @@ impl<'a> Solver<'a> {
             };
         }
         Err(unreachable())
+    }
+
+    /// The sources of the method; of the perfectly plastic limit with a cap.
+    pub fn papers(has_cap: bool) -> Vec<Paper> {
+        let mut papers = vec![literature::POLONSKY_KEER_1999, literature::YASTREBOV_2017];
+        papers.extend(has_cap.then_some(literature::ALMQVIST_2007));
+        papers
     }
 
     /// Bytes that a solver for a map of `points` needs beside the map.

@@ -194,8 +194,11 @@ pub struct NearerStretch {
     pub quantity: ComparedQuantity,
     /// From and to, Pa.
     pub loads: [f64; 2],
-    /// The nearer model; `None` where that cannot be told.
+    /// The nearer model; `None` where that cannot be told of such surfaces.
     pub nearer: Option<Kind>,
+    /// The nearer model on this very surface, whatever another sample of it would give; `None` where the reference is not
+    /// accurate enough. Over several realisations that of their mean.
+    pub nearer_here: Option<Kind>,
     /// Whether the statistical and the deterministic model agree with the reference within what is accepted.
     pub verdicts: [Verdict; 2],
     /// The largest difference of each from the reference, and its load, Pa.
@@ -218,21 +221,24 @@ impl NearerStretch {
             .filter_map(|((s, d), at)| {
                 let (estimates, nearness) =
                     ([s.estimates[index]?, d.estimates[index]?], at.estimates[index]?);
-                let nearer = match nearness.interval() {
-                    Some([_, high]) if high < 0.0 => Some(Kind::Statistical),
-                    Some([low, _]) if low > 0.0 => Some(Kind::Deterministic),
-                    _ => None,
+                let side = |[low, high]: [f64; 2]| match () {
+                    () if high < 0.0 => Some(Kind::Statistical),
+                    () if low > 0.0 => Some(Kind::Deterministic),
+                    () => None,
                 };
+                let Estimate { contrast, bound, .. } = nearness;
                 Some(Self {
                     quantity,
                     loads: [at.load; 2],
-                    nearer,
+                    nearer: nearness.interval().and_then(side),
+                    nearer_here: side([contrast - bound, contrast + bound]),
                     verdicts: estimates.map(|estimate| Verdict::of(&estimate, band)),
                     largest: estimates.map(|estimate| (at.load, estimate)),
                 })
             })
             .collect();
-        let alike = |a: &Self, b: &Self| (a.nearer, a.verdicts) == (b.nearer, b.verdicts);
+        let key = |one: &Self| (one.nearer, one.nearer_here, one.verdicts);
+        let alike = |a: &Self, b: &Self| key(a) == key(b);
         each.chunk_by(alike).map(Self::joined).collect()
     }
 
@@ -247,5 +253,158 @@ impl NearerStretch {
             largest: [0, 1].map(|model| largest(model).unwrap_or(first.largest[model])),
             ..first.clone()
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::bem::Boundary;
+    use crate::compare::{BlockShare, Control};
+    use crate::contact::ByRegime;
+    use crate::model::LoadSharing;
+
+    const PLANE: ReferencePlane = ReferencePlane { mean: 3e-8, sigma: 1e-8 };
+    const ACCEPTED: Accepted = Accepted { separation: 0.1, area: 0.1, stiffness: 0.2 };
+    const LOADS: [f64; 3] = [1e6, 2e6, 4e6];
+
+    fn response(h: f64, area: f64, contacts: Option<f64>) -> Response {
+        Response {
+            separation_over_sigma: h,
+            separation: h * PLANE.sigma,
+            contact_density: 100.0,
+            area_ratio: ByRegime([area, 0.0, 0.0]),
+            pressure: ByRegime([1.0, 0.0, 0.0]),
+            stiffness: 1e14,
+            sampling: None,
+            sharing: contacts.map(|effective_contacts| LoadSharing {
+                effective_contacts,
+                largest_share: 0.01,
+                large_strain_share: 0.0,
+            }),
+        }
+    }
+
+    /// At each load the separations and areas of integral, sum and reference; four blocks of equal parts, or one that
+    /// carries twice as much.
+    fn against(separations: [f64; 3], areas: [f64; 3], heavy: bool, bound: f64) -> AgainstReference {
+        let share = |k: usize| if heavy { [0.4, 0.2, 0.2, 0.2][k] } else { 0.25 };
+        let drift = |k: usize| -0.5 * (LOADS[k] / LOADS[0]).ln();
+        let pair = |k: usize| Pair {
+            pairing: Pairing::Load,
+            target: LOADS[k],
+            statistical: response(separations[0] + drift(k), areas[0] * LOADS[k] / 1e6, None),
+            deterministic: response(separations[1] + drift(k), areas[1] * LOADS[k] / 1e6, Some(200.0)),
+        };
+        let pairs: Vec<Pair> = (0..3).map(pair).collect();
+        let point = |k: usize| ReferencePoint {
+            control: Control::Pressure,
+            target: LOADS[k],
+            pressure: LOADS[k],
+            mean_gap: 1e-8,
+            separation: Some(1e-8 * (separations[2] + drift(k))),
+            separation_over_sigma: Some(separations[2] + drift(k)),
+            area_ratio: areas[2] * LOADS[k] / 1e6,
+            raw_area_ratio: 1.1 * areas[2] * LOADS[k] / 1e6,
+            capped_area_ratio: 0.0,
+            stiffness: None,
+            bounds: [bound, bound, 0.0],
+            error: 1e-6,
+            steps: 1,
+            convolutions: 1,
+        };
+        let block = |k: usize, b: usize| BlockShare {
+            pressure: share(b) * LOADS[k],
+            area_ratio: share(b) * areas[2] * LOADS[k] / 1e6,
+        };
+        let curve = ReferenceCurve {
+            boundary: Boundary::Periodic,
+            cap: None,
+            interpolated: 0,
+            points: (0..3).map(point).collect(),
+            blocks: (0..3).map(|k| (0..4).map(|b| block(k, b)).collect()).collect(),
+            unreached: Vec::new(),
+        };
+        // Without a block the sum is as the reference; the integral knows of no block.
+        let state = |pair: &Pair, b: usize| {
+            let of = |response: &Response, lighter: f64| {
+                let logs = [response.area_ratio.total().ln(), response.stiffness.ln()];
+                [response.separation_over_sigma + 0.5 * lighter, logs[0], logs[1]]
+            };
+            let lighter = ((1.0 - share(b)) / 0.75).ln();
+            Some([of(&pair.statistical, 0.0), of(&pair.deterministic, lighter)])
+        };
+        let groups = LeftOut {
+            states: (0..4).map(|b| pairs.iter().map(|pair| state(pair, b)).collect()).collect(),
+            planes: vec![Some(PLANE); 4],
+            shares: vec![0.25; 4],
+        };
+        let sampling = CaseSampling { groups: Some(groups), area: 1e-6, ..CaseSampling::default() };
+        let differences = Difference::of(&pairs, &sampling);
+        AgainstReference::of(&pairs, &differences, &curve, &sampling, PLANE).sorted()
+    }
+
+    fn nearer(against: &AgainstReference, quantity: ComparedQuantity) -> Vec<(Option<Kind>, [Verdict; 2])> {
+        let all = NearerStretch::all(against, &ACCEPTED);
+        let of = all.iter().filter(|stretch| stretch.quantity == quantity);
+        of.map(|stretch| (stretch.nearer, stretch.verdicts)).collect()
+    }
+
+    #[test]
+    fn equal_blocks_leave_no_sampling_error_and_the_nearer_model_is_told() {
+        use Verdict::{Beyond, Within};
+        let found = against([2.3, 2.05, 2.0], [1.2e-3, 0.9e-3, 1e-3], false, 0.0);
+        let separation = ComparedQuantity::Separation;
+        assert_eq!(nearer(&found, separation), [(Some(Kind::Deterministic), [Beyond, Within])]);
+        let estimate = found.models[0][1].estimates[0].unwrap();
+        assert!((estimate.contrast - 0.3).abs() < 1e-12 && estimate.error.unwrap() < 1e-12, "{estimate:?}");
+        // ln 1.2 is farther than ln 0.9; -10 % is just what is accepted.
+        let area = found.models[0][0].estimates[1].unwrap();
+        assert!((area.contrast - 1.2f64.ln()).abs() < 1e-12);
+        assert_eq!(nearer(&found, ComparedQuantity::Area)[0].0, Some(Kind::Deterministic));
+        let found = against([2.02, 1.7, 2.0], [1e-3; 3], false, 0.0);
+        assert_eq!(nearer(&found, separation), [(Some(Kind::Statistical), [Within, Beyond])]);
+        // Equally far.
+        assert_eq!(nearer(&found, ComparedQuantity::Area), [(None, [Within, Within])]);
+    }
+
+    #[test]
+    fn the_bound_of_the_reference_widens_intervals_but_shifts_both_models() {
+        let told = |separations, bound| {
+            let found = against(separations, [1e-3; 3], false, bound);
+            nearer(&found, ComparedQuantity::Separation)[0].clone()
+        };
+        use Verdict::{CannotTell, Within};
+        // Both on one side: an error of the reference moves both.
+        assert_eq!(told([2.15, 2.08, 2.0], 0.06), (Some(Kind::Deterministic), [CannotTell; 2]));
+        // On both sides: it may turn the order.
+        assert_eq!(told([2.08, 1.95, 2.0], 0.06).0, None);
+        assert_eq!(told([2.08, 1.95, 2.0], 0.01), (Some(Kind::Deterministic), [Within; 2]));
+    }
+
+    /// What block and sum share cancels: the sum's distance has less error than the integral's.
+    #[test]
+    fn a_heavy_block_moves_sum_and_reference_together() {
+        let found = against([2.3, 2.05, 2.0], [1e-3; 3], true, 0.0);
+        let error = |model: usize| found.models[model][1].estimates[0].unwrap().error.unwrap();
+        assert!(error(0) > 0.05 && error(1) < 0.02 * error(0), "{} {}", error(0), error(1));
+        assert_eq!(nearer(&found, ComparedQuantity::Stiffness), []);
+    }
+
+    #[test]
+    fn without_groups_there_is_no_interval_but_a_nearer_model_on_this_surface() {
+        let whole = against([2.3, 2.05, 2.0], [1e-3; 3], false, 0.0);
+        let strip = |all: &[Difference]| -> Vec<Difference> {
+            let without = |one: &Difference| {
+                let estimates = one.estimates.map(|at| at.map(|at| Estimate { error: None, ..at }));
+                Difference { estimates, ..one.clone() }
+            };
+            all.iter().map(without).collect()
+        };
+        let [s, d] = &whole.models;
+        let bare = AgainstReference { models: [strip(s), strip(d)], nearness: strip(&whole.nearness) };
+        let first = &NearerStretch::all(&bare, &ACCEPTED)[0];
+        assert_eq!((first.nearer, first.nearer_here), (None, Some(Kind::Deterministic)));
+        assert_eq!((first.verdicts, first.loads), ([Verdict::CannotTell; 2], [1e6, 4e6]));
     }
 }

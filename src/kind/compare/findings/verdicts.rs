@@ -114,6 +114,11 @@ impl Verdicts {
         if self.is_blocked { "blocked" } else { verdict.name() }
     }
 
+    /// Whether one surface was compared, not several realisations.
+    pub fn has_one_surface(&self) -> bool {
+        !matches!(self.basis, Basis::Realisations(_))
+    }
+
     /// The area (m^2) of surface at which a stretch that cannot be told would be, where that can be said.
     pub fn area_needed(&self, stretch: &Stretch) -> Option<f64> {
         let now = match self.basis {

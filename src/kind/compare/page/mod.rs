@@ -125,7 +125,7 @@ pub fn for_terminal(results: &CompareResults) -> String {
     texts.join("\n")
 }
 
-/// The answer on one surface: for each law its subject and a sentence.
+/// The answer on one surface: for each law its subject and a sentence, and another against the reference.
 fn sentences(results: &CompareResults, found: &SurfaceResults) -> Vec<(String, String)> {
     let line = |(index, (case, findings)): (usize, (&CaseResults, &CaseFindings))| {
         let verdicts = &findings.verdicts;
@@ -143,13 +143,16 @@ fn sentences(results: &CompareResults, found: &SurfaceResults) -> Vec<(String, S
             format!("one model was run, so that no models are compared. {}", verdict::range_line(verdicts))
         } else {
             let mut sentence = verdict::headline(verdicts, found.surface.plane.sigma);
-            sentence.extend(verdict::nearer_sentence(verdicts).map(|nearer| format!(" {nearer}")));
             sentence.extend(robustness::sentence(found, index).map(|depends| format!(" {depends}")));
             if_fit(found, sentence)
         };
-        (name, sentence)
+        let nearer = verdict::nearer_sentence(verdicts).map(|nearer| {
+            let blocked = if verdicts.is_blocked { "as the data stand, " } else { "" };
+            (format!("{name}, against the reference"), format!("{blocked}{nearer}"))
+        });
+        std::iter::once((name, sentence)).chain(nearer)
     };
-    found.first.cases.iter().zip(&found.findings.cases).enumerate().map(line).collect()
+    found.first.cases.iter().zip(&found.findings.cases).enumerate().flat_map(line).collect()
 }
 
 /// The answer on one surface under every law: verdicts and the figure behind them.

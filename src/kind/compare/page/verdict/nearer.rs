@@ -19,6 +19,11 @@ fn model(kind: Kind) -> &'static str {
     }
 }
 
+fn capitalised(text: &str) -> String {
+    let mut characters = text.chars();
+    characters.next().map_or_else(String::new, |first| first.to_uppercase().chain(characters).collect())
+}
+
 fn decades(loads: [f64; 2]) -> f64 {
     (loads[1] / loads[0]).ln()
 }
@@ -29,7 +34,8 @@ pub fn nearer_sentence(verdicts: &Verdicts) -> Option<String> {
     let reference = verdicts.reference.as_ref()?;
     let widest = |quantity: ComparedQuantity| {
         let of = reference.nearer.iter().filter(move |stretch| stretch.quantity == quantity);
-        let rank = |stretch: &NearerStretch| (stretch.nearer.is_some(), decades(stretch.loads));
+        let told = |stretch: &NearerStretch| (stretch.nearer.is_some(), stretch.nearer_here.is_some());
+        let rank = |stretch: &NearerStretch| (told(stretch), decades(stretch.loads));
         of.max_by(|a, b| {
             let (a, b) = (rank(a), rank(b));
             a.0.cmp(&b.0).then(a.1.total_cmp(&b.1))
@@ -41,25 +47,32 @@ pub fn nearer_sentence(verdicts: &Verdicts) -> Option<String> {
     }
     let (told, open): (Vec<&NearerStretch>, Vec<&NearerStretch>) =
         main.into_iter().partition(|stretch| stretch.nearer.is_some());
-    let mut sentence = String::new();
+    let mut sentences = Vec::new();
     if !told.is_empty() {
-        let clauses: Vec<String> = told.iter().filter_map(|stretch| clause(stretch)).collect();
-        sentence = format!("Nearer to the reference: {}.", clauses.join("; "));
+        let clauses: Vec<String> = told.iter().filter_map(|one| Some(clause(one, one.nearer?))).collect();
+        sentences.push(format!("nearer to it is {}.", clauses.join("; ")));
     }
-    if !open.is_empty() {
-        let space = if sentence.is_empty() { "" } else { " " };
-        let names: Vec<String> = open.iter().map(|stretch| open_clause(stretch)).collect();
-        sentence.push_str(&format!(
-            "{space}Which model is nearer to the reference cannot be told in {}.",
-            listed(&names)
+    // What holds on this very map may be said where no interval allows more.
+    let (here, open): (Vec<&NearerStretch>, Vec<&NearerStretch>) =
+        open.into_iter().partition(|stretch| stretch.nearer_here.is_some() && verdicts.has_one_surface());
+    if !here.is_empty() {
+        let clauses: Vec<String> =
+            here.iter().filter_map(|one| Some(clause(one, one.nearer_here?))).collect();
+        sentences.push(format!(
+            "on this map nearer to it is {}; whether that holds for such surfaces cannot be told.",
+            clauses.join("; ")
         ));
     }
-    Some(sentence)
+    if !open.is_empty() {
+        let names: Vec<String> = open.iter().map(|stretch| open_clause(stretch)).collect();
+        sentences.push(format!("which model is nearer cannot be told in {}.", listed(&names)));
+    }
+    let rest = sentences.split_off(1).into_iter().map(|sentence| capitalised(&sentence));
+    Some(sentences.into_iter().chain(rest).collect::<Vec<_>>().join(" "))
 }
 
-/// "in real contact area from 1 to 20 MPa the statistical model (−9 %; the sum −40 %)".
-fn clause(stretch: &NearerStretch) -> Option<String> {
-    let nearer = stretch.nearer?;
+/// "the statistical model in real contact area from 1 to 20 MPa (−9 %; the sum −40 %)".
+fn clause(stretch: &NearerStretch, nearer: Kind) -> String {
     let (near, far) = match nearer {
         Kind::Statistical => (0, 1),
         Kind::Deterministic => (1, 0),
@@ -73,15 +86,15 @@ fn clause(stretch: &NearerStretch) -> Option<String> {
         verdicts if verdicts[near] == Verdict::Beyond => ", beyond what is accepted",
         _ => "",
     };
-    Some(format!(
-        "in {} {} {} ({}; {} {}){end}",
+    format!(
+        "{} in {} {} ({}; {} {}){end}",
+        model(nearer),
         name(stretch.quantity),
         over(stretch.loads),
-        model(nearer),
         at(near),
         model(other),
         at(far),
-    ))
+    )
 }
 
 /// "stiffness at 1 MPa (statistical model −3 %, sum −5 %)".
@@ -111,7 +124,11 @@ pub fn nearer(page: &mut Page, verdicts: &Verdicts, reference: &ReferenceVerdict
         let nearer = match stretch.nearer {
             Some(Kind::Statistical) => "statistical",
             Some(Kind::Deterministic) => "sum",
-            None => "cannot tell",
+            None => match stretch.nearer_here.filter(|_| verdicts.has_one_surface()) {
+                Some(Kind::Statistical) => "on this map: statistical",
+                Some(Kind::Deterministic) => "on this map: sum",
+                None => "cannot tell",
+            },
         };
         let blocked = if verdicts.is_blocked { "blocked: " } else { "" };
         vec![
@@ -169,4 +186,86 @@ pub fn misses(reference: &ReferenceVerdicts, alpha: Option<f64>) -> Option<Strin
 fn signed_number(value: f64) -> String {
     let sign = if value < 0.0 { "−" } else { "+" };
     format!("{sign}{}", number(value.abs()))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::kind::compare::findings::Basis;
+    use crate::kind::compare::page::verdict::examples::{at, verdicts};
+    use asperity::compare::{AgainstReference, Difference};
+
+    /// Contrasts (separation, area) of both models over the reference at 1 and 10 MPa, with or without intervals.
+    fn against(
+        statistical: [f64; 2],
+        sum: [f64; 2],
+        error: Option<f64>,
+        basis: Basis,
+    ) -> (Verdicts, Option<String>) {
+        let loads = [1e6, 1e7];
+        let differences = |contrasts: [f64; 2]| -> Vec<Difference> {
+            let of = |load| at(load, 90.0, [(contrasts[0], error), (contrasts[1], error), (0.0, error)]);
+            loads
+                .map(of)
+                .map(|one| Difference { estimates: [one.estimates[0], one.estimates[1], None], ..one })
+                .to_vec()
+        };
+        let nearness = [0, 1].map(|k| statistical[k].abs() - sum[k].abs());
+        let against = AgainstReference {
+            models: [differences(statistical), differences(sum)],
+            nearness: differences(nearness),
+        };
+        let mut all = verdicts(differences([0.0; 2]), basis);
+        let nearer = NearerStretch::all(&against, &all.accepted);
+        all.reference = Some(ReferenceVerdicts {
+            stretches: [Vec::new(), Vec::new()],
+            nearer,
+            against,
+            includes_plasticity: false,
+        });
+        let sentence = nearer_sentence(&all);
+        (all, sentence)
+    }
+
+    #[test]
+    fn the_nearer_model_with_both_differences_and_whether_it_is_accepted() {
+        let sentence = against([0.3, 0.05], [0.02, -0.5], Some(0.001), Basis::Asperities).1.unwrap();
+        assert_eq!(
+            sentence,
+            "nearer to it is the statistical model in real contact area from 1 to 10 MPa (+5.13 %; the sum −39.3 %), within what \
+             is accepted; the sum in separation from 1 to 10 MPa (+0.02 σ; the statistical model +0.3 σ), within what is accepted."
+        );
+        let sentence = against([0.5, 0.2], [0.3, 0.02], Some(0.001), Basis::Asperities).1.unwrap();
+        assert!(sentence.contains(
+            "the sum in separation from 1 to 10 MPa (+0.3 σ; the statistical model +0.5 σ), neither within"
+        ));
+        let sentence = against([0.05, 0.02], [0.01, 0.01], Some(0.001), Basis::Asperities).1.unwrap();
+        assert!(sentence.contains("(+0.01 σ; the statistical model +0.05 σ), both within what is accepted"));
+    }
+
+    #[test]
+    fn without_an_interval_this_map_alone_is_spoken_of() {
+        let sentence = against([0.3, 0.05], [0.02, -0.5], None, Basis::Asperities).1.unwrap();
+        assert!(
+            sentence.starts_with("on this map nearer to it is the statistical model in real contact area"),
+            "{sentence}"
+        );
+        assert!(sentence.ends_with("whether that holds for such surfaces cannot be told."));
+        let sentence = against([0.3, 0.05], [0.02, -0.5], Some(0.5), Basis::Realisations(3)).1.unwrap();
+        assert_eq!(
+            sentence,
+            "which model is nearer cannot be told in real contact area from 1 to 10 MPa (statistical model +5.13 %, sum −39.3 %) \
+             and separation from 1 to 10 MPa (statistical model +0.3 σ, sum +0.02 σ)."
+        );
+    }
+
+    #[test]
+    fn what_the_sum_misses() {
+        let (found, _) = against([0.3, 0.05], [-0.02, -0.5], Some(0.001), Basis::Asperities);
+        assert_eq!(
+            misses(found.reference.as_ref().unwrap(), Some(12.34)).unwrap(),
+            "What the sum misses (interaction and geometry; sum minus reference): −0.02 σ of separation and −0.5 in ln(A) (39.3 %) \
+             at 1 MPa, −0.02 σ of separation and −0.5 in ln(A) (39.3 %) at 10 MPa. Nayak's α of the map: 12.3."
+        );
+    }
 }
