@@ -187,6 +187,9 @@ impl ReferenceCurve {
     }
 }
 
+/// A model is nearer if its distance is smaller by more than this part of what is accepted; less is of no relevance.
+pub const NEARER: f64 = 0.1;
+
 /// Neighbouring loads at which both models stand alike against the reference.
 #[derive(Debug, Clone, PartialEq)]
 pub struct NearerStretch {
@@ -194,7 +197,7 @@ pub struct NearerStretch {
     pub quantity: ComparedQuantity,
     /// From and to, Pa.
     pub loads: [f64; 2],
-    /// The nearer model; `None` where that cannot be told of such surfaces.
+    /// The nearer model, by more than [`NEARER`]; `None` where that cannot be told of such surfaces, or both are as near.
     pub nearer: Option<Kind>,
     /// The nearer model on this very surface, whatever another sample of it would give; `None` where the reference is not
     /// accurate enough. Over several realisations that of their mean.
@@ -221,9 +224,10 @@ impl NearerStretch {
             .filter_map(|((s, d), at)| {
                 let (estimates, nearness) =
                     ([s.estimates[index]?, d.estimates[index]?], at.estimates[index]?);
+                let least = NEARER * band[1];
                 let side = |[low, high]: [f64; 2]| match () {
-                    () if high < 0.0 => Some(Kind::Statistical),
-                    () if low > 0.0 => Some(Kind::Deterministic),
+                    () if high < -least => Some(Kind::Statistical),
+                    () if low > least => Some(Kind::Deterministic),
                     () => None,
                 };
                 let Estimate { contrast, bound, .. } = nearness;
@@ -364,6 +368,9 @@ mod tests {
         assert_eq!(nearer(&found, ComparedQuantity::Area)[0].0, Some(Kind::Deterministic));
         let found = against([2.02, 1.7, 2.0], [1e-3; 3], false, 0.0);
         assert_eq!(nearer(&found, separation), [(Some(Kind::Statistical), [Within, Beyond])]);
+        // Nearer by less than a tenth of what is accepted.
+        let found = against([2.02, 2.015, 2.0], [1e-3; 3], false, 0.0);
+        assert_eq!(nearer(&found, separation), [(None, [Within, Within])]);
         // Equally far.
         assert_eq!(nearer(&found, ComparedQuantity::Area), [(None, [Within, Within])]);
     }

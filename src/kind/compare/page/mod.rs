@@ -67,6 +67,7 @@ pub fn page(results: &CompareResults) -> Page {
             "An experiment of kind `[laws]` compares the effect of the contact law with that of the summation method.",
         );
     }
+    verdict::overview(&mut page, &cases(results));
     if in_full {
         results.surfaces.iter().for_each(|found| answer(&mut page, results, found));
     } else {
@@ -102,6 +103,19 @@ pub fn page(results: &CompareResults) -> Page {
     }
     sections::sources(&mut page, &results.metadata);
     page
+}
+
+/// The verdicts on every surface under every law and thickness, with their names.
+fn cases(results: &CompareResults) -> Vec<(String, &Verdicts)> {
+    let mut all = Vec::new();
+    for found in &results.surfaces {
+        for (case, findings) in found.first.cases.iter().zip(&found.findings.cases) {
+            let layer = results.contact.layer.as_ref().zip(case.thickness);
+            let layer = layer.map_or_else(String::new, |(layer, t)| format!(", {}", names::under(layer, t)));
+            all.push((format!("{}, {}{layer}", found.surface.name, case.law), &findings.verdicts));
+        }
+    }
+    all
 }
 
 /// The answer on one surface, a sentence for each law.

@@ -6,16 +6,19 @@
 //! | `table` | the verdicts, one row per stretch of load; one row per thickness or law |
 //! | `range` | the valid range, what is accepted, and what the intervals rest on |
 //! | `nearer` | both models against the reference |
+//! | `overview` | the same over all surfaces, laws and thicknesses |
 //! | `words` | differences, loads and needs |
 
 mod headline;
 mod nearer;
+mod overview;
 mod range;
 mod table;
 mod words;
 
 pub use headline::{headline, over_cases};
 pub use nearer::{misses, nearer, nearer_sentence};
+pub use overview::overview;
 pub use range::{accepted_line, basis_line, limit_words, range_line, stiffness_line};
 pub use table::{by_case, stretches};
 pub use words::{loads, name, signed, verdict};

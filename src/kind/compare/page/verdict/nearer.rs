@@ -8,7 +8,7 @@ use super::words::{loads, name, over, signed};
 use crate::kind::compare::findings::{ReferenceVerdicts, Verdicts};
 
 /// The order in which quantities are spoken of.
-const ORDER: [ComparedQuantity; 3] =
+pub(super) const ORDER: [ComparedQuantity; 3] =
     [ComparedQuantity::Area, ComparedQuantity::Separation, ComparedQuantity::Stiffness];
 
 /// A model as sentences name it.
@@ -65,7 +65,10 @@ pub fn nearer_sentence(verdicts: &Verdicts) -> Option<String> {
     }
     if !open.is_empty() {
         let names: Vec<String> = open.iter().map(|stretch| open_clause(stretch)).collect();
-        sentences.push(format!("which model is nearer cannot be told in {}.", listed(&names)));
+        sentences.push(format!(
+            "which model is nearer cannot be told, or both are as near, in {}.",
+            listed(&names)
+        ));
     }
     let rest = sentences.split_off(1).into_iter().map(|sentence| capitalised(&sentence));
     Some(sentences.into_iter().chain(rest).collect::<Vec<_>>().join(" "))
@@ -254,8 +257,8 @@ mod tests {
         let sentence = against([0.3, 0.05], [0.02, -0.5], Some(0.5), Basis::Realisations(3)).1.unwrap();
         assert_eq!(
             sentence,
-            "which model is nearer cannot be told in real contact area from 1 to 10 MPa (statistical model +5.13 %, sum −39.3 %) \
-             and separation from 1 to 10 MPa (statistical model +0.3 σ, sum +0.02 σ)."
+            "which model is nearer cannot be told, or both are as near, in real contact area from 1 to 10 MPa (statistical model \
+             +5.13 %, sum −39.3 %) and separation from 1 to 10 MPa (statistical model +0.3 σ, sum +0.02 σ)."
         );
     }
 
