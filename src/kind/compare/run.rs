@@ -20,14 +20,14 @@ use super::findings::{Readings, SurfaceFindings};
 use super::implausible;
 use super::models::SurfaceModels;
 use super::plan::{ComparePlan, Setup};
-use super::reference::ReferenceRun;
+use super::reference::{ContactView, ReferenceRun};
 use super::results::{CompareResults, Described, ReferenceMetadata, SurfaceResults};
 use super::robustness;
 use super::sampling::sampling;
 use super::threshold;
 use crate::layer::{LayerPlan, thickness_words};
 use crate::plausibility;
-use crate::surface::{AnalysisDepth, Surface, SurfaceFactory, files_of};
+use crate::surface::{AnalysisDepth, PreparedMap, Surface, SurfaceFactory, SurfacePlan, files_of};
 
 /// Runs a comparison and counts its work.
 ///
@@ -65,19 +65,15 @@ pub fn run(
             papers.extend(heights.papers());
         }
         drop(models);
-        let mut contacts = Vec::new();
-        if let Some((reference, prepared)) = compare.reference.as_deref().zip(prepared) {
-            let run = ReferenceRun {
-                reference,
-                compare,
-                plan: surface,
-                surface: &first_surface,
-                prepared,
-                is_viewed: true,
-            };
-            contacts = run.run(context, &mut first.cases, &mut timing)?;
-            against_reference(&mut first.cases, &samplings, &first_surface);
-        }
+        let contacts = with_reference(
+            context,
+            compare,
+            surface,
+            (&first_surface, prepared),
+            (&mut first.cases, &samplings),
+            true,
+            &mut timing,
+        )?;
         let robustness =
             robustness::robustness(context, compare, &factory, &first_surface, &first.cases, counter);
         context.progress.step();
@@ -90,18 +86,15 @@ pub fn run(
                 .map_err(|(law, error)| unreachable_load(context, compare, &made.name, law, &error))?;
             // The scatter of the realisations is the error of each.
             differ(&mut other.cases, &vec![CaseSampling::default(); compare.laws.len()], setup.laws, &models);
-            if let Some((reference, prepared)) = compare.reference.as_deref().zip(prepared) {
-                let run = ReferenceRun {
-                    reference,
-                    compare,
-                    plan: surface,
-                    surface: &made,
-                    prepared,
-                    is_viewed: false,
-                };
-                run.run(context, &mut other.cases, &mut timing)?;
-                against_reference(&mut other.cases, &[], &made);
-            }
+            with_reference(
+                context,
+                compare,
+                surface,
+                (&made, prepared),
+                (&mut other.cases, &[]),
+                false,
+                &mut timing,
+            )?;
             others.push(other);
             context.progress.step();
         }
@@ -249,8 +242,26 @@ pub(super) fn differ(
     }
 }
 
-/// How far both models of each case are from its reference; without sampling errors where `samplings` has none.
-fn against_reference(cases: &mut [CaseResults], samplings: &[CaseSampling], surface: &Surface) {
+/// Adds the reference to the cases of a surface with its prepared map, and how far both models are from it; without
+/// sampling errors where there are no `samplings`. Gives a view of each contact where it `is_viewed`. Nothing where no
+/// reference is asked for.
+///
+/// # Errors
+/// A map that cannot be solved, and a load at which the solver does not converge.
+fn with_reference(
+    context: &RunContext,
+    compare: &ComparePlan,
+    plan: &SurfacePlan,
+    (surface, prepared): (&Surface, Option<PreparedMap>),
+    (cases, samplings): (&mut [CaseResults], &[CaseSampling]),
+    is_viewed: bool,
+    timing: &mut Timing,
+) -> Result<Vec<ContactView>, InputError> {
+    let Some((reference, prepared)) = compare.reference.as_deref().zip(prepared) else {
+        return Ok(Vec::new());
+    };
+    let run = ReferenceRun { reference, compare, plan, surface, prepared, is_viewed };
+    let views = run.run(context, cases, timing)?;
     let none = CaseSampling::default();
     for (index, case) in cases.iter_mut().enumerate() {
         let Some(curve) = &case.reference else { continue };
@@ -258,6 +269,7 @@ fn against_reference(cases: &mut [CaseResults], samplings: &[CaseSampling], surf
         let (pairs, differences) = (&case.comparison.pairs, &case.differences);
         case.against_reference = AgainstReference::of(pairs, differences, curve, sampling, surface.plane);
     }
+    Ok(views)
 }
 
 /// Where area or load of the sharpest asperity, of one of the mean radius and of the bluntest falls, as deep as the

@@ -149,3 +149,41 @@ impl Excess {
         mean * pixel[0] * pixel[1] / (PI * self.thickness)
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::material::Material;
+
+    #[test]
+    fn love_in_the_middle_and_far_away() {
+        // A square of side s: 4 s ln(1 + 2^.5)/pi; far away the force over pi r.
+        let side = 0.3;
+        let middle = 4.0 * side * (1.0 + 2f64.sqrt()).ln() / PI;
+        assert!((love([0.0; 2], [side; 2]) / middle - 1.0).abs() < 1e-14);
+        let far = love([40.0, 30.0], [0.3, 0.2]);
+        assert!((far / (0.06 / (50.0 * PI)) - 1.0).abs() < 1e-5);
+        assert!((love([0.1, 0.5], [0.3, 0.2]) / love([0.5, 0.1], [0.2, 0.3]) - 1.0).abs() < 1e-14);
+    }
+
+    /// M(y) at y = 0 is the integral of kappa - 1, far away it decays as (kappa(0) - 1)/y.
+    #[test]
+    fn the_layer_near_and_far() {
+        let body = |young, poisson| Material::new(young, poisson, None, None).unwrap();
+        for ratio in [0.05, 8.0] {
+            let pair = ElasticPair::new(&body(1.0, 0.3), &body(1.0, 0.3), Some((&body(ratio, 0.35), 0.5)));
+            let (layer, _) = pair.layer().unwrap();
+            let excess = Excess::new(layer, 5e3);
+            let influence = Influence::new(layer.kernel, 10.0);
+            assert!((excess.at(0.0) / influence.at(0.0) - 1.0).abs() < 1e-12);
+            let far = 1e4;
+            let limit = (layer.kernel.kappa(0.0) - 1.0) / far;
+            assert!((excess.at(far) / limit - 1.0).abs() < 2e-3, "{}", excess.at(far) / limit);
+            // The table against the mean itself, between its points.
+            for y in [0.013, 0.4, 2.3, 17.0, 300.0] {
+                let exact = mean_over_angles(&Influence::new(layer.kernel, 2.0 * y), y);
+                assert!((excess.at(y) - exact).abs() < 1e-7 * influence.at(0.0).abs(), "{y}");
+            }
+        }
+    }
+}
