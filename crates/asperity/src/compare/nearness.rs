@@ -379,7 +379,7 @@ mod tests {
     fn the_bound_of_the_reference_widens_intervals_but_shifts_both_models() {
         let told = |separations, bound| {
             let found = against(separations, [1e-3; 3], false, bound);
-            nearer(&found, ComparedQuantity::Separation)[0].clone()
+            nearer(&found, ComparedQuantity::Separation)[0]
         };
         use Verdict::{CannotTell, Within};
         // Both on one side: an error of the reference moves both.
