@@ -162,7 +162,7 @@ pub fn nearer(page: &mut Page, verdicts: &Verdicts, reference: &ReferenceVerdict
 /// What the sum misses of the reference at its lightest and heaviest valid load, with Nayak's `alpha` of the map.
 pub fn misses(reference: &ReferenceVerdicts, alpha: Option<f64>) -> Option<String> {
     let valid = || reference.against.models[1].iter().filter(|at| at.exceeded().is_none());
-    let (first, last) = (valid().next()?, valid().last()?);
+    let (first, last) = (valid().next()?, valid().next_back()?);
     let of = |at: &asperity::compare::Difference| {
         let contrast = |quantity: ComparedQuantity| at.estimates[quantity as usize].map(|one| one.contrast);
         let parts: Vec<String> = [

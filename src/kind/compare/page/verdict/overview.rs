@@ -89,7 +89,7 @@ impl Nearer {
         let least = NEARER * verdicts.accepted.band(quantity)[1];
         let most = |side: &dyn Fn(&Estimate) -> Option<[f64; 2]>| {
             let count = |is_side: &dyn Fn([f64; 2]) -> bool| {
-                each.iter().filter(|one| side(one).is_some_and(|ends| is_side(ends))).count()
+                each.iter().filter(|one| side(one).is_some_and(is_side)).count()
             };
             let [statistical, sum] = [count(&|ends| ends[1] < -least), count(&|ends| ends[0] > least)];
             let is_most = |count: usize| 2 * count > each.len();
@@ -101,7 +101,7 @@ impl Nearer {
         };
         let told = most(&Estimate::interval);
         let of_map = |one: &Estimate| {
-            verdicts.has_one_surface().then(|| [one.contrast - one.bound, one.contrast + one.bound])
+            verdicts.has_one_surface().then_some([one.contrast - one.bound, one.contrast + one.bound])
         };
         (!each.is_empty()).then(|| Self { told, here: most(&of_map) })
     }
