@@ -6,4 +6,5 @@
 pub mod coverage;
 pub mod kind;
 pub mod precision;
+pub mod solver;
 pub mod stability;
