@@ -6,13 +6,18 @@ use std::io::{BufRead, Write};
 use std::path::Path;
 use std::time::Instant;
 
+use asperity::bem::{Boundary, ElasticPair, Options, Solver};
+use asperity::progress::Silent;
 use asperity::topography::generate::gaussian;
+use asperity::topography::read::{ReadOptions, height_map};
 use asperity::topography::spectrum::{Lay, Spectrum, SpectrumShape};
 use asperity::topography::summits::{Detail, Neighbours, find};
 use asperity::{
-    AsperityList, AsperitySet, Deterministic, HeightMap, ListOptions, MicroContact, Model, Population,
-    ReferencePlane, Response, Statistical, Zmc,
+    AsperityList, AsperitySet, Deterministic, HeightMap, ListOptions, Material, MicroContact, Model,
+    Population, ReferencePlane, Response, Statistical, Zmc, npy,
 };
+use asperity_fft::{Complex64, FftDirection, complex, complex_to_real, real_to_complex};
+use rayon::prelude::*;
 
 fn main() -> std::io::Result<()> {
     let mut out = std::io::stdout();
@@ -36,6 +41,14 @@ fn main() -> std::io::Result<()> {
                 asperities.as_ref().and_then(|(population, set)| sums(population, set, separations))
             }
             ["integral", case, ref separations @ ..] => integral(case, separations),
+            ["map", path] => {
+                surface = unit_square(path);
+                surface.as_ref().map(|map| map.heights().len().to_string())
+            }
+            ["contacts", out, error, ref loads @ ..] => {
+                surface.as_ref().and_then(|map| contacts(map, out, error, loads))
+            }
+            ["transforms", points] => points.parse().ok().map(transforms),
             _ => None,
         };
         writeln!(out, "{}", answer.unwrap_or_else(|| format!("unknown task: {line}")))?;
@@ -105,6 +118,67 @@ fn integral(case: &str, separations: &[&str]) -> Option<String> {
     let seconds = start.elapsed().as_secs_f64() / (rounds * separations.len()) as f64;
     let responses: Vec<Response> = separations.iter().map(|&h| model.respond(h)).collect();
     Some(answer(seconds, &responses))
+}
+
+/// A map in a `.npy` file, on a unit square.
+fn unit_square(path: &str) -> Option<HeightMap> {
+    let map = height_map(Path::new(path), ReadOptions { pixel: Some([1.0; 2]), unit: None }).ok()?;
+    let points = map.points();
+    HeightMap::new(points, points.map(|count| (count as f64).recip()), map.into_heights(), 0.0).ok()
+}
+
+/// Boundary elements with E* = 1 at mean pressures, periodic, the solver made anew: wall and CPU seconds, then of each load
+/// the share of points in contact, steps and convolutions. The last pressures are written to `out`.
+fn contacts(map: &HeightMap, out: &str, error: &str, loads: &[&str]) -> Option<String> {
+    let body = Material::new(2.0, 0.0, None, None).ok()?;
+    let pair = ElasticPair::new(&body, &body, None);
+    let options = Options { boundary: Boundary::Periodic, error: error.parse().ok()?, cap: None };
+    let (loads, start, cpu) = (numbers(loads)?, Instant::now(), cpu_seconds());
+    let solver = Solver::new(map, &pair, &options).ok()?;
+    let solved: Result<Vec<_>, _> = loads.iter().map(|&load| solver.at_pressure(load, &Silent)).collect();
+    let (seconds, cpu) = (start.elapsed().as_secs_f64(), cpu_seconds() - cpu);
+    let solved = solved.ok()?;
+    let pressures = solved.last()?.pressures().iter().copied();
+    npy::write(std::fs::File::create(out).ok()?, map.points(), pressures).ok()?;
+    let mut words = vec![seconds, cpu];
+    for contact in &solved {
+        words.extend([contact.raw_area_ratio(), contact.steps as f64, contact.convolutions as f64]);
+    }
+    Some(words.iter().map(f64::to_string).collect::<Vec<_>>().join(" "))
+}
+
+/// The transforms of one convolution on a square of `points`, without moving a number between rows and columns: wall seconds.
+fn transforms(points: usize) -> String {
+    let (forward, backward) = (real_to_complex(points), complex_to_real(points));
+    let columns = [FftDirection::Forward, FftDirection::Inverse].map(|way| complex(points, way));
+    let run = || {
+        let row =
+            || (forward.make_input_vec(), forward.make_output_vec(), vec![Complex64::default(); points]);
+        (0..points).into_par_iter().for_each_init(row, |(line, waves, scratch), _| {
+            let _ = forward.process_with_scratch(line, waves, &mut scratch[..forward.get_scratch_len()]);
+            let _ = backward.process_with_scratch(waves, line, &mut scratch[..backward.get_scratch_len()]);
+        });
+        let column = || (vec![Complex64::default(); points], vec![Complex64::default(); points]);
+        (0..points / 2).into_par_iter().for_each_init(column, |(line, scratch), _| {
+            columns.iter().for_each(|plan| {
+                plan.process_with_scratch(line, &mut scratch[..plan.get_inplace_scratch_len()]);
+            });
+        });
+    };
+    run();
+    median_of_three(run).0.to_string()
+}
+
+/// User and system time of this process, to 0.01 s; 0 where the system does not report it.
+fn cpu_seconds() -> f64 {
+    const TICKS_PER_SECOND: f64 = 100.0;
+    let text = std::fs::read_to_string("/proc/self/stat").unwrap_or_default();
+    let fields: Vec<f64> = text
+        .rsplit(')')
+        .next()
+        .map_or_else(Vec::new, |rest| rest.split_whitespace().filter_map(|word| word.parse().ok()).collect());
+    // utime and stime, after the state, which is no number.
+    fields.get(10..12).map_or(0.0, |ticks| ticks.iter().sum::<f64>() / TICKS_PER_SECOND)
 }
 
 fn population(case: &str) -> Option<Population> {

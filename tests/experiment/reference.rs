@@ -370,3 +370,69 @@ fn a_check_says_its_size_time_and_memory() {
         assert!(line.contains(words), "{words}: {line}");
     }
 }
+
+/// Rough, with a short correlation length: it holds blocks.
+const BLOCKS: &str = r#"
+[surface.a.generate]
+points = 384
+pixel = "0.5 um"
+sigma = "50 nm"
+spectrum.self-affine = { hurst = 0.8, roll-off = "8 um", cut-off = "4 um" }
+"#;
+
+#[test]
+fn verdicts_against_the_reference_are_those_of_the_tables() {
+    let loads = "pressure = { from = \"10 MPa\", to = \"200 MPa\", points = 9 }\n";
+    let outcome = run(&format!("law = \"hertz\"\n{THREE}{loads}"), BLOCKS);
+    let pairs = table(&*outcome, "comparison.csv").unwrap();
+    let differences = table(&*outcome, "differences.csv").unwrap();
+    let mut compared = 0;
+    for row in differences.iter().filter(|row| row["against"] == "reference" && row["quantity"] == "area") {
+        let pair = pairs.iter().find(|pair| pair["target"] == row["pressure_pa"]).unwrap();
+        let reference = number(pair, "reference_area_ratio");
+        let relative = number(pair, &format!("{}_area_ratio", row["model"])) / reference - 1.0;
+        assert!((number(row, "difference") - relative).abs() < 1e-12, "{row:?}");
+        if row["model"] == "deterministic" {
+            assert!((number(pair, "log_area_from_interaction") - relative.ln_1p()).abs() < 1e-12);
+        }
+        // The error of the grid is in the interval.
+        assert!(number(row, "bound") > 0.01);
+        if let Ok(high) = row["high"].parse::<f64>() {
+            let half = number(row, "bound") + 1.0 * number(row, "standard_error");
+            assert!(high.ln_1p() >= relative.ln_1p() + half);
+        }
+        compared += 1;
+    }
+    assert_eq!(compared, 2 * 9);
+    let summary = outcome.summary().unwrap();
+    let verdicts = summary["verdicts"].as_array().unwrap();
+    for model in ["statistical", "deterministic"] {
+        let of: Vec<_> =
+            verdicts.iter().filter(|one| one["against"] == "reference" && one["model"] == model).collect();
+        assert!(of.iter().any(|one| one["quantity"] == "area"), "{model}");
+        assert!(of.iter().any(|one| one["verdict"] != "cannot-tell"), "{model}: {of:?}");
+    }
+    let page = outcome.page().markdown();
+    assert!(
+        page.contains("**a, against the reference**: ")
+            && page.contains("What the sum misses (interaction and geometry;")
+    );
+    let capped = run(&format!("law = \"zmc\"\n{THREE}{loads}"), BLOCKS).page().markdown();
+    assert!(capped.contains("(interaction, geometry and plasticity;"));
+}
+
+#[test]
+fn a_second_resolution_bounds_the_error_of_separations_too() {
+    let loads = "pressure = { values = [\"20 MPa\", \"40 MPa\", \"80 MPa\"] }\n";
+    let bounds = |refine: &str| -> Vec<f64> {
+        let outcome = run(&format!("law = \"hertz\"\n{THREE}{refine}{loads}"), BLOCKS);
+        let rows = table(&*outcome, "differences.csv").unwrap();
+        let of = |row: &&BTreeMap<String, String>| {
+            row["against"] == "reference" && row["quantity"] == "separation" && row["model"] == "statistical"
+        };
+        rows.iter().filter(of).map(|row| number(row, "bound")).collect()
+    };
+    let [one, two] = ["", "reference = { refine = 2 }\n"].map(bounds);
+    assert!(one.len() == 3 && one.iter().all(|bound| *bound < 1e-5), "{one:?}");
+    assert!(two.len() == 3 && two.iter().all(|bound| (1e-5..0.05).contains(bound)), "{two:?}");
+}

@@ -38,6 +38,8 @@ pub struct Deviation {
     pub published: f64,
     /// The same of the earlier ones, where there are any.
     pub earlier: Option<f64>,
+    /// [`Self::published`] over all pressures, whatever their sampling error.
+    pub at_all_loads: f64,
 }
 
 /// An extrapolated area beside the published one.
@@ -174,11 +176,13 @@ fn deviations(found: &EnsembleFindings) -> Vec<Deviation> {
     let extrapolated = found.extrapolated.iter().map(|at| (at.pressure, at.raw_area.mean)).collect();
     let all = of_grids.chain([(AreaOf::Extrapolated, extrapolated)]);
     all.filter_map(|(of, mut areas): (AreaOf, Vec<(f64, f64)>)| {
+        let at_all_loads = apart(&areas, |published| Some(published.area))?;
         areas.retain(|(pressure, _)| sampled(*pressure));
         Some(Deviation {
             of,
             published: apart(&areas, |published| Some(published.area))?,
             earlier: apart(&areas, |published| published.earlier),
+            at_all_loads,
         })
     })
     .collect()

@@ -1,6 +1,7 @@
 //! Where both models agree with the reference, over all surfaces, laws and thicknesses.
 
 use asperity::compare::{ComparedQuantity, Difference, Estimate, Kind, NEARER, Verdict};
+use asperity_framework::report::format::number;
 use asperity_framework::report::page::Page;
 
 use super::nearer::ORDER;
@@ -15,25 +16,35 @@ struct Count {
     open: usize,
 }
 
-/// One row per case and quantity. `all` are the cases with their names.
-pub fn overview(page: &mut Page, all: &[(String, &Verdicts)]) {
-    let referred: Vec<(&String, &Verdicts, &ReferenceVerdicts)> = all
-        .iter()
-        .filter_map(|(name, verdicts)| Some((name, *verdicts, verdicts.reference.as_ref()?)))
-        .collect();
+/// A surface under a law and a thickness.
+pub struct Case<'a> {
+    /// What it is called.
+    pub name: String,
+    /// Nayak's alpha of the map.
+    pub alpha: Option<f64>,
+    /// The verdicts on it.
+    pub verdicts: &'a Verdicts,
+}
+
+/// One row per case and quantity; nothing for a single case.
+pub fn overview(page: &mut Page, all: &[Case]) {
+    let referred: Vec<(&Case, &ReferenceVerdicts)> =
+        all.iter().filter_map(|case| Some((case, case.verdicts.reference.as_ref()?))).collect();
     if referred.len() < 2 {
         return;
     }
     page.heading(2, "Which model agrees with the reference?");
     let (mut told, mut here) = (Count::default(), Count::default());
     let mut rows = Vec::new();
-    for (case, verdicts, reference) in referred {
+    for (case, reference) in referred {
+        let verdicts = case.verdicts;
         for quantity in ORDER {
             let Some(nearer) = Nearer::of(verdicts, reference, quantity) else { continue };
             told.add(nearer.told);
             here.add(nearer.here);
             rows.push(vec![
-                case.clone(),
+                case.name.clone(),
+                case.alpha.map_or_else(|| "–".to_owned(), number),
                 name(quantity).to_owned(),
                 within(verdicts, reference, quantity, 0),
                 within(verdicts, reference, quantity, 1),
@@ -42,7 +53,10 @@ pub fn overview(page: &mut Page, all: &[(String, &Verdicts)]) {
         }
     }
     let total = rows.len();
-    page.table(["case", "quantity", "statistical model within", "sum within", "nearer at most loads"], rows);
+    page.table(
+        ["case", "Nayak's α", "quantity", "statistical model within", "sum within", "nearer at most loads"],
+        rows,
+    );
     page.paragraph(&format!(
         "Within: the valid loads of the reference at which the difference from it, with its 95 % interval, lies inside what is accepted; \
          in brackets those at which that holds on this very map, with the error of the reference but without an interval for other maps \

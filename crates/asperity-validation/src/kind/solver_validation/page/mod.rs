@@ -175,15 +175,21 @@ fn resolution_line(results: &SolverResults) -> Option<String> {
         )
     });
     let explained = match nearest.of {
-        AreaOf::Raw(_) => ": the published areas look like points counted at such a resolution",
+        AreaOf::Raw(_) => {
+            ": the published areas may be points counted at such a resolution, which is not published"
+        }
         AreaOf::Corrected(_) | AreaOf::Extrapolated => "",
     };
+    let over_all = deviations.iter().min_by(|a, b| a.at_all_loads.total_cmp(&b.at_all_loads))?;
     Some(format!(
         "**Resolution**: at the loads with standard errors of at most {}, published areas are nearest to {}{per_wave}, with an r.m.s. \
-         difference of {}{explained}.{earlier}",
+         difference of {}{explained}.{earlier} Over all loads, with sampling errors of several percent at light ones, {} are the \
+         nearest to the published ones ({}).",
         percent(MOST_SAMPLING),
         area_name(nearest.of),
         percent(nearest.published),
+        area_name(over_all.of),
+        percent(over_all.at_all_loads),
     ))
 }
 
@@ -311,12 +317,12 @@ fn sinusoid(page: &mut Page, results: &SolverResults) {
         .into_iter()
         .filter_map(|(quantity, name)| {
             let order = fitted_order(&results.measured, Problem::Sinusoid, quantity)?;
-            Some(format!("{name} with order {}", number(order)))
+            Some(format!("{name} with order {}", ratio(order)))
         })
         .collect();
     let finding = match orders.as_slice() {
         [] => "Errors on a wave.".to_owned(),
-        orders => format!("As points are added, {} converge.", listed(orders)),
+        orders => format!("Convergence: {}.", listed(orders)),
     };
     let caption = format!(
         "{finding} Left: pressures (points) and the exact ones (lines) over their maximum in full contact. Right: the largest errors \
@@ -474,9 +480,12 @@ fn deviations(page: &mut Page, results: &SolverResults) {
     if results.findings.deviations.is_empty() {
         return;
     }
-    page.paragraph(
-        "R.m.s. relative difference from the published areas over the pressures, the smallest first:",
-    );
+    page.paragraph(&format!(
+        "R.m.s. relative difference from the published areas and from those of the earlier file, over the loads at which the standard \
+         error of the area is at most {} on every grid, the smallest first; the last column counts all loads. At lighter loads the \
+         scatter of the surfaces is as large as the effect of the grid.",
+        percent(MOST_SAMPLING)
+    ));
     let row = |deviation: &Deviation| {
         let per_wave = match deviation.of {
             AreaOf::Raw(points) | AreaOf::Corrected(points) => number(pixels(points)),
@@ -487,10 +496,11 @@ fn deviations(page: &mut Page, results: &SolverResults) {
             per_wave,
             percent(deviation.published),
             deviation.earlier.map_or_else(String::new, percent),
+            percent(deviation.at_all_loads),
         ]
     };
     page.table(
-        ["area", "points per shortest wave", "published", "earlier file"],
+        ["area", "points per shortest wave", "published", "earlier file", "published, all loads"],
         results.findings.deviations.iter().map(row),
     );
 }
@@ -515,10 +525,7 @@ fn work(page: &mut Page, results: &SolverResults) {
     let caption = if growth.is_empty() {
         "Convolutions against points.".to_owned()
     } else {
-        format!(
-            "Convolutions grow more slowly than the points along a side: with the power {}.",
-            growth.join(", ")
-        )
+        format!("Convolutions grow with the points along a side to the power {}.", growth.join(", "))
     };
     page.figure("work.svg", figures::work(&results.work), &caption);
     page.table(
