@@ -7,7 +7,10 @@ pub mod limit;
 
 use asperity_framework::Kind;
 use asperity_framework::report::table_docs;
-use asperity_validation::kind::{coverage::IntervalCoverage, precision::Precision, stability::Stability};
+use asperity_validation::kind::{
+    coverage::IntervalCoverage, precision::Precision, solver_validation::SolverValidation,
+    stability::Stability,
+};
 
 /// Every kind, in the order in which messages list them.
 pub const KINDS: &[&dyn Kind] = &[
@@ -17,6 +20,7 @@ pub const KINDS: &[&dyn Kind] = &[
     &laws::Laws,
     &limit::Limit,
     &Precision,
+    &SolverValidation,
     &Stability,
 ];
 

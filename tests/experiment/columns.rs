@@ -180,6 +180,15 @@ realisations = 2
 const STABILITY: &str =
     "[stability]\ncontacts = 4\nsums = 2\nintegrals = 2\nloads = 1\nmillions = 1\ncells = 8\n";
 
+const SOLVER_VALIDATION: &str = r#"
+[solver-validation]
+hertz.pixels = 4
+sinusoid = { points = 16, pressure = 0.3 }
+layered-sphere.pixels = 4
+ensemble = { points = [200, 240], realisations = 2, pressure = [0.1, 0.15], error = 1e-3 }
+work = { points = 64, pressure = 0.1, error = 1e-3 }
+"#;
+
 /// The tables of a spec.
 fn tables(spec: &str) -> Vec<(&'static str, Vec<u8>)> {
     let folder = tempfile::tempdir().unwrap();
@@ -210,6 +219,7 @@ fn every_kind_writes_the_tables_that_it_declares() {
         ("laws", [bodies, LAWS, SURFACE].concat()),
         ("limit", [bodies, LIMIT].concat()),
         ("precision", [bodies, PRECISION].concat()),
+        ("solver-validation", SOLVER_VALIDATION.to_owned()),
         ("stability", STABILITY.to_owned()),
     ];
     assert!(KINDS.iter().map(|kind| kind.name()).eq(specs.iter().map(|(kind, _)| *kind)));

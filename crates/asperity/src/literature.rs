@@ -140,3 +140,27 @@ pub const YASTREBOV_2017: Paper = Paper {
     short: "Yastrebov, Anciaux and Molinari 2017",
     full: "Yastrebov, V. A., Anciaux, G., Molinari, J.-F. (2017). On the accurate computation of the true contact-area in mechanical contact of random rough surfaces. Tribology International 114, 161-171. arXiv:1701.02727",
 };
+
+/// Wavy surfaces in contact.
+pub const JOHNSON_GREENWOOD_HIGGINSON_1985: Paper = Paper {
+    short: "Johnson, Greenwood and Higginson 1985",
+    full: "Johnson, K. L., Greenwood, J. A., Higginson, J. G. (1985). The contact of elastic regular wavy surfaces. International Journal of Mechanical Sciences 27(6), 383-396. doi:10.1016/0020-7403(85)90029-3",
+};
+
+/// Contact areas of self-affine surfaces.
+pub const XU_2024: Paper = Paper {
+    short: "Xu, Zhu, Xiao and Zhou 2024",
+    full: "Xu, Zhu, Xiao, Zhou (2024). A new fudge factor for Persson's theory of purely normal elastic rough surface contact. Tribology Letters. doi:10.1007/s11249-024-01838-4; areas from the repository beside it, github.com/xylcsi/PerssonModelFudgeFactor",
+};
+
+/// Contact area from the spectrum alone.
+pub const PERSSON_2001: Paper = Paper {
+    short: "Persson 2001",
+    full: "Persson, B. N. J. (2001). Theory of rubber friction and contact mechanics. Journal of Chemical Physics 115(8), 3840-3861. doi:10.1063/1.1388626",
+};
+
+/// Contact area of elliptic asperities at light loads.
+pub const BUSH_GIBSON_THOMAS_1975: Paper = Paper {
+    short: "Bush, Gibson and Thomas 1975",
+    full: "Bush, A. W., Gibson, R. D., Thomas, T. R. (1975). The elastic contact of a rough surface. Wear 35(1), 87-111. doi:10.1016/0043-1648(75)90145-3",
+};

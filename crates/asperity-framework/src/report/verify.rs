@@ -105,7 +105,7 @@ fn compare_tables(
                     .and_then(|index| a.get(index)?.parse::<f64>().ok())
                     .unwrap_or(0.0),
                 None if is_between_laws(place, column) => LAW_SCALE,
-                None if place.ends_with("convergence.csv") && column.ends_with("_error") => ERROR_SCALE,
+                None if is_error(place, column) => ERROR_SCALE,
                 None => 0.0,
             };
             let (a, b) = (a.get(k).unwrap_or_default(), b.get(k).unwrap_or_default());
@@ -118,6 +118,12 @@ fn compare_tables(
         }
     }
     Ok(())
+}
+
+/// Whether a column contains errors of results against exact ones.
+fn is_error(place: &str, column: &str) -> bool {
+    let tables = ["convergence.csv", "benchmarks.csv"];
+    tables.iter().any(|table| place.ends_with(table)) && column.ends_with("_error")
 }
 
 /// Whether a column contains differences between laws or jumps of one.

@@ -2,4 +2,5 @@
 
 pub mod coverage;
 pub mod precision;
+pub mod solver_validation;
 pub mod stability;

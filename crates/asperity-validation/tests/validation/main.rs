@@ -5,4 +5,5 @@ mod common;
 
 mod adaptive;
 mod coverage;
+mod solver;
 mod stability;

@@ -25,6 +25,7 @@ pub struct Contact {
     pub(super) cap: f64,
     pub(super) pressures: Vec<f64>,
     pub(super) mean_gap: f64,
+    pub(super) approach: f64,
     /// Dual gap over mean pressure and standard deviation of the heights: a bound of how far the elastic energy is from
     /// its minimum.
     pub error: f64,
@@ -54,6 +55,13 @@ impl Contact {
     /// the flat from the mean plane of the undeformed heights, if nothing yields.
     pub fn mean_gap(&self) -> f64 {
         self.mean_gap
+    }
+
+    /// Displacement less height at points in contact, m: how far the flat lies below height 0 of the map, measured far from
+    /// the contact. Of a paraboloid with its tip at 0 on a finite map it is the indentation. On a map that repeats it is minus
+    /// the mean gap where heights have zero mean and nothing yields.
+    pub fn approach(&self) -> f64 {
+        self.approach
     }
 
     /// Points in contact over all points.

@@ -176,6 +176,7 @@ impl<'a> Solver<'a> {
             boundary: self.boundary,
             cap: self.cap,
             mean_gap,
+            approach: level,
             pressures,
             error,
             steps,

@@ -2,7 +2,10 @@
 
 mod active_set;
 mod convergence;
+mod hertz;
+mod layered_sphere;
 mod solver;
+mod westergaard;
 
 use asperity::topography::generate::{Process, Seeds, SpectrumOf, SurfaceGenerator};
 use asperity::topography::spectrum::{Lay, Spectrum, SpectrumShape};
@@ -11,6 +14,16 @@ use asperity::{HeightMap, Heights, Material};
 /// Two of them have E* = 1 Pa.
 fn unit_body() -> Material {
     Material::new(2.0, 0.0, None, None).unwrap()
+}
+
+/// A paraboloid of R = 1 on `count` x `count` points at a distance of `pixel`, its tip at height 0 and off the symmetry of the
+/// grid, with the distance of each point from it.
+fn paraboloid(count: usize, pixel: f64) -> (HeightMap, Vec<f64>) {
+    let middle = [0.5 * count as f64 + 0.317, 0.5 * count as f64 - 0.171];
+    let distance = |k: usize| pixel * ((k / count) as f64 - middle[0]).hypot((k % count) as f64 - middle[1]);
+    let distances: Vec<f64> = (0..count * count).map(distance).collect();
+    let heights = distances.iter().map(|r| -0.5 * r * r).collect();
+    (HeightMap::new([count; 2], [pixel; 2], heights, 0.0).unwrap(), distances)
 }
 
 /// A periodic self-affine surface of unit length along x and an r.m.s. gradient of about 1, with waves from `longest` to

@@ -1,0 +1,173 @@
+//! The boundary element solver against closed forms, exact solutions and a published ensemble.
+//!
+//! Lengths, moduli and pressures are in units in which E* = 1 wherever the problem leaves the choice.
+//!
+//! | module | contents |
+//! |---|---|
+//! | `spheres` | paraboloids on a half-space (Hertz) and on a bonded layer |
+//! | `waves` | a wavy surface in partial contact (Westergaard), waves in full contact |
+//! | `surfaces` | self-affine surfaces of a given r.m.s. gradient |
+//! | `published` | the published ensemble |
+//! | `ensemble` | area, gap and kappa of the ensemble |
+//! | `work` | steps and convolutions against points |
+
+pub mod ensemble;
+pub mod published;
+mod spheres;
+mod surfaces;
+mod waves;
+pub mod work;
+
+pub use spheres::{LAYERED_CASES, LayeredCase, Profile, hertz, hertz_profile, layered};
+pub use surfaces::{SelfAffine, SurfaceError, rms_gradient};
+pub use waves::{full_contact, partial_contact, wave_profile};
+
+use asperity::bem::{Contact, ElasticPair, Options, Solver, SolverError};
+use asperity::progress::Silent;
+use asperity::{HeightMap, MapError, Material, MaterialError};
+
+/// Relative dual gap of the problems whose solution is known: far below the errors of discretisation.
+pub const DUAL_GAP: f64 = 1e-11;
+
+/// A problem whose solution is known.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Problem {
+    /// A paraboloid on a half-space.
+    Hertz,
+    /// A wave in partial contact.
+    Sinusoid,
+    /// Waves in full contact.
+    FullContact,
+    /// A sphere on a bonded layer.
+    LayeredSphere,
+}
+
+impl Problem {
+    /// All of them.
+    pub const ALL: [Self; 4] = [Self::Hertz, Self::Sinusoid, Self::FullContact, Self::LayeredSphere];
+
+    /// As tables name it.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Hertz => "hertz",
+            Self::Sinusoid => "sinusoid",
+            Self::FullContact => "full-contact",
+            Self::LayeredSphere => "layered-sphere",
+        }
+    }
+}
+
+/// What is compared with the solution.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Quantity {
+    /// Approach of distant points, relative.
+    Indentation,
+    /// Points in contact, relative; of the sinusoid the width over the wavelength, absolute.
+    RawArea,
+    /// The same, corrected for the border.
+    Area,
+    /// The highest pressure, relative.
+    PeakPressure,
+    /// Root mean square of the error of the pressures over that of the pressures.
+    Pressures,
+    /// Mean gap over the height of the wave, absolute.
+    MeanGap,
+}
+
+impl Quantity {
+    /// As tables name it.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Indentation => "indentation",
+            Self::RawArea => "raw-area",
+            Self::Area => "area",
+            Self::PeakPressure => "peak-pressure",
+            Self::Pressures => "pressures",
+            Self::MeanGap => "mean-gap",
+        }
+    }
+
+    /// In a sentence.
+    pub const fn words(self) -> &'static str {
+        match self {
+            Self::Indentation => "indentation",
+            Self::RawArea => "area by counting points",
+            Self::Area => "corrected area",
+            Self::PeakPressure => "peak pressure",
+            Self::Pressures => "pressures (r.m.s.)",
+            Self::MeanGap => "mean gap",
+        }
+    }
+}
+
+/// One quantity of one problem at one resolution.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Measured {
+    /// The problem.
+    pub problem: Problem,
+    /// Which of its cases.
+    pub case: String,
+    /// Points per contact radius or per wavelength.
+    pub points: usize,
+    /// The quantity.
+    pub quantity: Quantity,
+    /// The exact value; `None` of a norm of an error.
+    pub exact: Option<f64>,
+    /// The value found; `None` of a norm of an error.
+    pub found: Option<f64>,
+    /// The error, as [`Quantity`] defines it.
+    pub error: f64,
+    /// The largest error that is allowed.
+    pub allowed: Option<f64>,
+}
+
+impl Measured {
+    /// Whether the error is within its bound.
+    pub fn holds(&self) -> bool {
+        self.allowed.is_none_or(|allowed| self.error.abs() <= allowed)
+    }
+}
+
+/// A problem that cannot be set up or solved.
+#[derive(Debug, thiserror::Error)]
+pub enum Unsolved {
+    /// Bodies outside the range of materials.
+    #[error(transparent)]
+    Material(#[from] MaterialError),
+    /// Heights that form no map.
+    #[error(transparent)]
+    Map(#[from] MapError),
+    /// The solver's reason.
+    #[error(transparent)]
+    Solver(#[from] SolverError),
+    /// A surface that cannot be made.
+    #[error(transparent)]
+    Surface(#[from] SurfaceError),
+}
+
+/// Half-spaces with E* = 1.
+fn unit_pair() -> Result<ElasticPair, MaterialError> {
+    let body = Material::new(2.0, 0.0, None, None)?;
+    Ok(ElasticPair::new(&body, &body, None))
+}
+
+fn solved(
+    map: &HeightMap,
+    pair: &ElasticPair,
+    options: Options,
+    pressure: f64,
+) -> Result<Contact, SolverError> {
+    Solver::new(map, pair, &options)?.at_pressure(pressure, &Silent)
+}
+
+/// Root mean square of `found - exact` over that of `exact`, and the highest of `found`.
+fn pressure_errors(found: &[f64], exact: impl Fn(usize) -> f64) -> [f64; 2] {
+    let [mut apart, mut norm, mut highest] = [0.0f64; 3];
+    for (k, &p) in found.iter().enumerate() {
+        let exact = exact(k);
+        apart += (p - exact).powi(2);
+        norm += exact * exact;
+        highest = highest.max(p);
+    }
+    [(apart / norm).sqrt(), highest]
+}

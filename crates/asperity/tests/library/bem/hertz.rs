@@ -1,0 +1,53 @@
+//! A paraboloid on a half-space (Hertz): R = 1 m, E* = 1 Pa, contact radius 0.1 m, nothing repeats.
+
+use std::f64::consts::PI;
+
+use asperity::bem::{Boundary, ElasticPair, Options, Solver};
+use asperity::progress::Silent;
+
+use super::{paraboloid, unit_body};
+
+const RADIUS: f64 = 0.1;
+
+/// Relative errors of indentation, raw and corrected area, peak pressure, and the r.m.s. error of the pressures over
+/// their own r.m.s.
+fn errors(pixels: usize) -> [f64; 5] {
+    let pixel = RADIUS / pixels as f64;
+    let count = 3 * pixels;
+    let (map, distances) = paraboloid(count, pixel);
+    let pair = ElasticPair::new(&unit_body(), &unit_body(), None);
+    let options = Options { boundary: Boundary::Finite, error: 1e-10, cap: None };
+    let nominal = (count as f64 * pixel).powi(2);
+    let contact = Solver::new(&map, &pair, &options)
+        .unwrap()
+        .at_pressure(4.0 / 3.0 * RADIUS.powi(3) / nominal, &Silent)
+        .unwrap();
+    let peak = 2.0 * RADIUS / PI;
+    let area = PI * RADIUS * RADIUS / nominal;
+    let [mut apart, mut norm, mut highest] = [0.0f64; 3];
+    for (p, r) in contact.pressures().iter().zip(&distances) {
+        let exact = peak * (1.0 - (r / RADIUS).powi(2)).max(0.0).sqrt();
+        apart += (p - exact).powi(2);
+        norm += exact.powi(2);
+        highest = highest.max(*p);
+    }
+    [
+        contact.approach() / (RADIUS * RADIUS) - 1.0,
+        contact.raw_area_ratio() / area - 1.0,
+        contact.area_ratio() / area - 1.0,
+        highest / peak - 1.0,
+        (apart / norm).sqrt(),
+    ]
+}
+
+#[test]
+fn indentation_is_of_second_order() {
+    let found = [16, 32, 64].map(errors);
+    let [_, middle, fine] = found.map(|[indentation, ..]| indentation.abs());
+    assert!(fine < 2e-5, "{found:?}");
+    let order = (middle / fine).log2();
+    assert!((1.7..2.5).contains(&order), "order {order}: {found:?}");
+    let [_, area, corrected, peak, pressures] = found[2];
+    assert!(corrected.abs() < 2e-3 && area < 0.02, "{found:?}");
+    assert!(peak.abs() < 1e-3 && pressures < 0.01, "{found:?}");
+}
