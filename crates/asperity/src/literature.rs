@@ -140,3 +140,21 @@ pub const YASTREBOV_2017: Paper = Paper {
     short: "Yastrebov, Anciaux and Molinari 2017",
     full: "Yastrebov, V. A., Anciaux, G., Molinari, J.-F. (2017). On the accurate computation of the true contact-area in mechanical contact of random rough surfaces. Tribology International 114, 161-171. arXiv:1701.02727",
 };
+
+/// Area of contact from the power spectrum.
+pub const PERSSON_2001: Paper = Paper {
+    short: "Persson 2001",
+    full: "Persson, B. N. J. (2001). Theory of rubber friction and contact mechanics. Journal of Chemical Physics 115(8), 3840-3861. doi:10.1063/1.1388626",
+};
+
+/// Area of contact from the spectral moments, by elliptic summits.
+pub const BUSH_GIBSON_THOMAS_1975: Paper = Paper {
+    short: "Bush, Gibson and Thomas 1975",
+    full: "Bush, A. W., Gibson, R. D., Thomas, T. R. (1975). The elastic contact of a rough surface. Wear 35(1), 87-111. doi:10.1016/0043-1648(75)90145-3",
+};
+
+/// Asperities that interact through the mean deflection of the patch.
+pub const CIAVARELLA_GREENWOOD_PAGGI_2008: Paper = Paper {
+    short: "Ciavarella, Greenwood and Paggi 2008",
+    full: "Ciavarella, M., Greenwood, J. A., Paggi, M. (2008). Inclusion of \"interaction\" in the Greenwood and Williamson contact theory. Wear 265(5-6), 729-734",
+};

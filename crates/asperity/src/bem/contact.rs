@@ -25,6 +25,7 @@ pub struct Contact {
     pub(super) cap: f64,
     pub(super) pressures: Vec<f64>,
     pub(super) mean_gap: f64,
+    pub(super) undeformed_gap: f64,
     /// Dual gap over mean pressure and standard deviation of the heights: a bound of how far the elastic energy is from
     /// its minimum.
     pub error: f64,
@@ -54,6 +55,12 @@ impl Contact {
     /// the flat from the mean plane of the undeformed heights, if nothing yields.
     pub fn mean_gap(&self) -> f64 {
         self.mean_gap
+    }
+
+    /// The distance of the flat from the mean plane of the undeformed heights, m: the mean gap less the mean deflection. Of a
+    /// finite patch it is negative under loads that sink the patch further than it is rough.
+    pub fn undeformed_gap(&self) -> f64 {
+        self.undeformed_gap
     }
 
     /// Points in contact over all points.

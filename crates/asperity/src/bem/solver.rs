@@ -176,6 +176,8 @@ impl<'a> Solver<'a> {
             boundary: self.boundary,
             cap: self.cap,
             mean_gap,
+            // Gaps are displacements less heights, and the flat lies where they are `level`.
+            undeformed_gap: -level - self.levels[0].moments[0],
             pressures,
             error,
             steps,
