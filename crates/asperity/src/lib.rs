@@ -42,6 +42,7 @@
 //! | the result | [`Response`]: contacts, area, pressure, stiffness, shares of the regimes, standard errors for independent asperities, [`LoadSharing`]; the limits of the valid range that it exceeds: [`Response::exceeded`] |
 //! | one asperity | [`sphere`]: its curve, its critical indentations |
 //! | comparison of both models | [`compare`]: pairs at equal load and separation, [`Difference`](compare::Difference) with its 95 % interval, [`ValidRange`](compare::ValidRange), [`Stretch`](compare::Stretch) of loads with one [`Verdict`](compare::Verdict) |
+//! | the map itself | [`bem`]: boundary elements without asperities; [`analytical`]: closed results from its r.m.s. gradient |
 //! | files and units | [`topography::read`], [`AsperityList::read`], [`npy`], [`units`] |
 //! | tools | [`numeric`], [`literature`], [`work`] |
 //!
@@ -74,6 +75,7 @@
 #![warn(missing_docs)]
 
 mod accumulator;
+pub mod analytical;
 mod asperity;
 pub mod bem;
 pub mod compare;

@@ -164,3 +164,9 @@ pub const BUSH_GIBSON_THOMAS_1975: Paper = Paper {
     short: "Bush, Gibson and Thomas 1975",
     full: "Bush, A. W., Gibson, R. D., Thomas, T. R. (1975). The elastic contact of a rough surface. Wear 35(1), 87-111. doi:10.1016/0043-1648(75)90145-3",
 };
+
+/// Asperities that interact through the mean deflection of the patch.
+pub const CIAVARELLA_GREENWOOD_PAGGI_2008: Paper = Paper {
+    short: "Ciavarella, Greenwood and Paggi 2008",
+    full: "Ciavarella, M., Greenwood, J. A., Paggi, M. (2008). Inclusion of \"interaction\" in the Greenwood and Williamson contact theory. Wear 265(5-6), 729-734",
+};

@@ -5,6 +5,7 @@ pub(crate) mod differences;
 pub mod findings;
 mod implausible;
 mod layer_summary;
+mod lines;
 mod models;
 pub mod page;
 pub mod plan;

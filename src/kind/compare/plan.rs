@@ -4,6 +4,7 @@ use std::fmt;
 use std::ops::Range;
 use std::path::PathBuf;
 
+use asperity::analytical::AnalyticalLine;
 use asperity::compare::{Controls, Kind};
 use asperity::{ContactLaw, Flat, Heights, Material, MeanRadius};
 use asperity_framework::RunContext;
@@ -13,6 +14,7 @@ use asperity_framework::input::{InputError, SpecFile};
 use asperity_framework::progress::Progress;
 use toml::Spanned;
 
+use super::lines::lines;
 use super::reference::ReferencePlan;
 use super::reference::plan::{Resolved, reference};
 use super::spec::{CompareSpec, Models};
@@ -36,6 +38,8 @@ pub struct ComparePlan {
     pub models: Vec<Kind>,
     /// The reference beside them, where one is asked for.
     pub reference: Option<Box<ReferencePlan>>,
+    /// Closed results beside the models.
+    pub lines: Vec<AnalyticalLine>,
     /// Height density of the statistical model, where the spec names one.
     pub heights: Option<Heights>,
     /// Which mean radius the statistical model uses.
@@ -209,6 +213,7 @@ pub(crate) fn compared(
     let laws = file.law_plans(&raw.law, (rough_name, &rough), &flats, flat_name)?;
     let resolved = Resolved { rough: &rough, flats: &flats, laws: &laws, surfaces: &surfaces };
     let reference = reference(file, raw, &resolved)?.map(Box::new);
+    let lines = lines(file, raw, &surfaces, reference.as_deref())?;
     Ok(ComparePlan {
         bodies: Bodies { rough: rough_name.clone(), flat: flat_name.clone() },
         pair: [rough, flat],
@@ -217,6 +222,7 @@ pub(crate) fn compared(
         layer,
         models: raw.models.as_ref().map_or_else(Models::default, |models| models.get_ref().clone()).kinds,
         reference,
+        lines,
         heights: raw.statistical.heights.as_ref().map(|heights| heights.0.clone()),
         mean_radius: raw.statistical.mean_radius,
         accept: raw.accept,

@@ -2,6 +2,7 @@
 
 use std::path::PathBuf;
 
+use asperity::analytical::AnalyticalLine;
 use asperity::compare::Tolerances;
 use asperity_framework::contact::ContactMetadata;
 use asperity_framework::metadata::Metadata;
@@ -28,6 +29,8 @@ pub struct CompareResults {
     pub surfaces: Vec<SurfaceResults>,
     /// What the reading of sigma and d changes, where surfaces with the same numbers have both.
     pub readings: Option<Readings>,
+    /// Closed results beside the models.
+    pub lines: Vec<AnalyticalLine>,
     /// How the reference was run; `None` where none was asked for.
     pub reference: Option<ReferenceMetadata>,
     /// Of a measured file that the command line named.

@@ -115,6 +115,7 @@ pub fn run(
     if let Some(reference) = compare.reference.as_deref() {
         papers.extend(Solver::papers(reference.solutions.iter().any(|solution| solution.cap.is_some())));
     }
+    papers.extend(compare.lines.iter().map(|line| line.paper()));
     timing.total = start.elapsed();
     let mut layer_metadata = None;
     if let Some(layer) = &compare.layer {
@@ -157,6 +158,7 @@ pub fn run(
         tolerances,
         surfaces,
         readings,
+        lines: compare.lines.clone(),
         reference,
         described,
     })

@@ -6,6 +6,7 @@ use serde::Deserialize;
 use serde::de::{Deserializer, Error, SeqAccess, Visitor};
 use toml::Spanned;
 
+use super::lines::Lines;
 use super::reference::ReferenceSpec;
 use crate::layer::LayerSpec;
 use asperity::MeanRadius;
@@ -33,6 +34,8 @@ pub struct CompareSpec {
     pub models: Option<Spanned<Models>>,
     /// How the reference is run.
     pub reference: Option<Spanned<ReferenceSpec>>,
+    /// Closed results beside the models.
+    pub lines: Option<Spanned<Lines>>,
     /// Inputs of the statistical model.
     #[serde(default)]
     pub statistical: StatisticalSpec,

@@ -59,6 +59,7 @@ impl LawsSpec {
             layer: None,
             models: None,
             reference: None,
+            lines: None,
             statistical: self.statistical.clone(),
             accept: self.accept,
             robustness: false,

@@ -26,6 +26,7 @@ pub struct Contact {
     pub(super) pressures: Vec<f64>,
     pub(super) mean_gap: f64,
     pub(super) approach: f64,
+    pub(super) mean_height: f64,
     /// Dual gap over mean pressure and standard deviation of the heights: a bound of how far the elastic energy is from
     /// its minimum.
     pub error: f64,
@@ -62,6 +63,12 @@ impl Contact {
     /// the mean gap where heights have zero mean and nothing yields.
     pub fn approach(&self) -> f64 {
         self.approach
+    }
+
+    /// The distance of the flat from the mean plane of the undeformed heights, m: the mean gap less the mean deflection. Of a
+    /// finite patch it is negative under loads that sink the patch further than it is rough.
+    pub fn undeformed_gap(&self) -> f64 {
+        -self.approach - self.mean_height
     }
 
     /// Points in contact over all points.

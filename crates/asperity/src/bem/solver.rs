@@ -177,6 +177,7 @@ impl<'a> Solver<'a> {
             cap: self.cap,
             mean_gap,
             approach: level,
+            mean_height: self.levels[0].moments[0],
             pressures,
             error,
             steps,

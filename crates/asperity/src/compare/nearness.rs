@@ -306,6 +306,7 @@ mod tests {
             target: LOADS[k],
             pressure: LOADS[k],
             mean_gap: 1e-8,
+            undeformed_gap: 1e-8,
             separation: Some(1e-8 * (separations[2] + drift(k))),
             separation_over_sigma: Some(separations[2] + drift(k)),
             area_ratio: areas[2] * LOADS[k] / 1e6,

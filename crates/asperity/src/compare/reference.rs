@@ -15,6 +15,8 @@ pub struct ReferencePoint {
     pub pressure: f64,
     /// Mean gap between the deformed surfaces, zero at points in contact, m.
     pub mean_gap: f64,
+    /// Distance of the flat from the mean plane of the undeformed heights, m.
+    pub undeformed_gap: f64,
     /// The mean gap from the plane that the models measure separations from, m; `None` where it includes the compliance of
     /// a finite patch and does not compare with the models'.
     pub separation: Option<f64>,

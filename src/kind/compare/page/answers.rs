@@ -7,6 +7,7 @@ use asperity_framework::report::format::{
 use asperity_framework::report::page::Page;
 
 use super::figures::{self, at_equal_load};
+use super::lines;
 use super::names::{stem, subject};
 use super::single_load::is_single;
 use crate::kind::compare::results::{CompareResults, SurfaceResults};
@@ -23,6 +24,7 @@ pub fn answers(page: &mut Page, results: &CompareResults, found: &SurfaceResults
     if !is_single(case) {
         curves(page, results, found, index);
     }
+    lines::section(page, results, found, case);
     realisations(page, found, index);
     let pairs = of_each_decade(at_equal_load(comparison), |pair| pair.target, STEPS);
     if !pairs.is_empty() {
@@ -49,16 +51,17 @@ fn curves(page: &mut Page, results: &CompareResults, found: &SurfaceResults, ind
     let others: Vec<&Comparison> =
         found.others.iter().map(|answered| &answered.cases[index].comparison).collect();
     let valid = &found.findings.cases[index].verdicts.valid;
+    let [beside_separation, beside_area] = lines::layers(results, found, case);
     figure(
         "separation",
         "Separation against load. Bands: 95 % sampling uncertainty at fixed separation for independent asperities. Shaded: \
          beyond the valid range.",
-        figures::separation(case, &others, valid, modulus, found.surface.plane.sigma),
+        figures::separation(case, &others, valid, modulus, found.surface.plane.sigma, beside_separation),
     );
     figure(
         "area",
         "Real contact area against load. Bands and shading as above.",
-        figures::area(case, valid, modulus),
+        figures::area(case, valid, modulus, beside_area),
     );
     if case.comparison.curves.is_empty() {
         return;

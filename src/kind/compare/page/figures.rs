@@ -48,13 +48,15 @@ pub fn at_equal_load(comparison: &Comparison) -> Vec<&Pair> {
     pairs
 }
 
-/// d/sigma against load (Pasaribu and Schipper 2005, Fig. 4); the deterministic results of other realisations are dotted.
+/// d/sigma against load (Pasaribu and Schipper 2005, Fig. 4), with `lines` beside the models; the deterministic results of other
+/// realisations are dotted.
 pub fn separation(
     case: &CaseResults,
     others: &[&Comparison],
     valid: &ValidRange,
     modulus: f64,
     sigma: f64,
+    lines: Vec<Layer>,
 ) -> String {
     const OTHERS: &str = "other realisations";
     let comparison = &case.comparison;
@@ -84,6 +86,7 @@ pub fn separation(
         let line = points.iter().map(|point| (load(point), point.response.separation_over_sigma));
         plot = plot.with(model_line(kind, line));
     }
+    let plot = lines.into_iter().fold(plot, Plot::with);
     with_reference(plot, case, modulus, |point| point.separation_over_sigma).svg()
 }
 
@@ -121,8 +124,8 @@ fn model_line(kind: Kind, points: impl Iterator<Item = (f64, f64)>) -> Layer {
     Layer::line(points.collect::<Vec<_>>()).coloured(colour(kind)).dashed(dash).named(kind.name())
 }
 
-/// Real over nominal area against load.
-pub fn area(case: &CaseResults, valid: &ValidRange, modulus: f64) -> String {
+/// Real over nominal area against load, with `lines` beside the models.
+pub fn area(case: &CaseResults, valid: &ValidRange, modulus: f64, lines: Vec<Layer>) -> String {
     let comparison = &case.comparison;
     let mut plot = Plot::new(
         "Real contact area against load",
@@ -144,6 +147,7 @@ pub fn area(case: &CaseResults, valid: &ValidRange, modulus: f64) -> String {
         plot = plot.with(Layer::band(band.collect::<Vec<_>>()).coloured(colour(kind)));
         plot = plot.with(model_line(kind, points.iter().map(|p| (load(p), p.response.area_ratio.total()))));
     }
+    let plot = lines.into_iter().fold(plot, Plot::with);
     with_reference(plot, case, modulus, |point| Some(point.area_ratio)).svg()
 }
 

@@ -14,6 +14,7 @@
 //! | `answers` | results of both models |
 //! | `limits` | limits of validity |
 //! | `figures` | figures of one law and thickness |
+//! | `lines` | closed results in these figures, and load by load |
 //! | `names` | surfaces, laws and thicknesses |
 
 mod answers;
@@ -22,6 +23,7 @@ mod differences;
 pub mod figures;
 mod layer;
 mod limits;
+mod lines;
 mod names;
 mod readings;
 mod reference;

@@ -197,7 +197,7 @@ fn row(on: &ReferenceCase, point: &ReferencePoint, kinds: &[Kind]) -> Vec<String
 }
 
 /// Area ratio and d/sigma of a model at a load (Pa).
-fn of_model(case: &CaseResults, kind: Kind, load: f64) -> Option<[f64; 2]> {
+pub(super) fn of_model(case: &CaseResults, kind: Kind, load: f64) -> Option<[f64; 2]> {
     let pair =
         case.comparison.pairs.iter().find(|pair| case.reference_of(pair).is_some() && pair.target == load);
     let of_pair = pair.map(|pair| match kind {

@@ -264,6 +264,7 @@ fn point(
         target: pressure,
         pressure,
         mean_gap,
+        undeformed_gap: contact.undeformed_gap(),
         separation,
         separation_over_sigma: separation.map(|d| d / sigma),
         area_ratio: area,

@@ -29,6 +29,7 @@ impl Row for ReferenceRow {
             cap_pa["Pa"] = row.cap, "The largest contact pressure, the hardness of the softer body; empty for an elastic contact.";
             pressure_pa["Pa"] = row.point.pressure, "Nominal pressure.";
             mean_gap_m["m"] = row.point.mean_gap, "Mean gap between the deformed surfaces, zero at points in contact.";
+            undeformed_gap_m["m"] = row.point.undeformed_gap, "Distance of the flat from the mean plane of the undeformed heights: the mean gap less the mean deflection, which is that of the patch as a whole with a finite boundary.";
             plane_offset_m["m"] = row.offset, "Height of the plane that separations are measured from, the mean asperity height, above the mean plane of the map: the mean gap less this is the separation in `curves.csv`.";
             raw_area_ratio["1"] = row.point.raw_area_ratio, "Points in contact over all points.";
             area_ratio["1"] = row.point.area_ratio, "The same corrected for the perimeter of the contacts.";

@@ -2,6 +2,7 @@
 
 use std::f64::consts::{PI, TAU};
 
+use asperity::analytical::mean_deflection;
 use asperity::bem::{Boundary, ElasticPair, Options, Solver, SolverError, refined};
 use asperity::progress::Silent;
 use asperity::{HeightMap, Material};
@@ -223,4 +224,24 @@ fn the_area_of_a_sphere_is_corrected_for_its_border() {
     }
     assert!(errors[0] > 0.015, "{errors:?}");
     assert!(errors[1].abs() < 0.35 * errors[0], "{errors:?}");
+}
+
+/// The distance of the flat from the undeformed mean plane is the mean gap where the surface has no end; a finite patch sinks
+/// on average as under a uniform pressure, or less, since a rigid flat presses on its edges.
+#[test]
+fn a_finite_patch_sinks_as_a_whole() {
+    let map = rough([64, 48], 0.5, 0.3, 0.1, 7);
+    for boundary in [Boundary::Periodic, Boundary::Mirrored] {
+        let solver = Solver::new(&map, &bare(), &elastic(boundary, 1e-10)).unwrap();
+        let contact = solver.at_pressure(0.05, &Silent).unwrap();
+        assert!((contact.undeformed_gap() / contact.mean_gap() - 1.0).abs() < 1e-6, "{boundary:?}");
+    }
+    let sides = [0, 1].map(|axis| map.points()[axis] as f64 * map.pixel()[axis]);
+    let solver = Solver::new(&map, &bare(), &elastic(Boundary::Finite, 1e-10)).unwrap();
+    for load in [1e-3, 0.05, 0.5] {
+        let contact = solver.at_pressure(load, &Silent).unwrap();
+        let deflection = contact.mean_gap() - contact.undeformed_gap();
+        let of_uniform = deflection / mean_deflection(load, sides);
+        assert!((0.7..1.1).contains(&of_uniform), "{load}: {of_uniform}");
+    }
 }
