@@ -92,6 +92,21 @@ impl Generation {
         }
     }
 
+    /// Points per shortest wave: of the finer process of two; at least the two of the finest wave that a grid holds.
+    pub fn points_per_wave(&self) -> f64 {
+        /// Of the finest wave.
+        const FEWEST: f64 = 2.0;
+        let least = match &self.way {
+            Way::SurfaceGenerator(SurfaceGenerator { pixel, process, plateau, .. }) => {
+                let of = |process: &Process| process.spectrum.shortest_wave().unwrap_or(0.0);
+                let finer = plateau.as_ref().map_or(f64::INFINITY, |plateau| of(&plateau.process));
+                of(process).min(finer) / pixel[0].max(pixel[1])
+            }
+            Way::Target { generator, .. } => generator.cut_off * generator.lay.elongation.min(1.0),
+        };
+        least.max(FEWEST)
+    }
+
     /// Arrays of the map's size that are in memory at once.
     pub fn arrays(&self) -> u128 {
         match &self.way {

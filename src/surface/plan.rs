@@ -224,6 +224,21 @@ impl SurfacePlan {
         }
     }
 
+    /// Points of its height map per shortest wave: the cut-off of a random surface, the S filter's nesting index of a measured
+    /// one, without which it holds waves of two points; `None` of given asperities.
+    pub fn points_per_wave(&self) -> Option<f64> {
+        /// Of the finest wave.
+        const FEWEST: f64 = 2.0;
+        match &self.origin {
+            Origin::Generated(generation) => Some(generation.points_per_wave()),
+            Origin::Map(MapPlan { pixel, preparation, .. }) => {
+                let shortest = preparation.filter.and_then(|filter| filter.s());
+                Some(shortest.map_or(FEWEST, |s| (s / pixel[0].max(pixel[1])).max(FEWEST)))
+            }
+            Origin::List { .. } | Origin::Population { .. } => None,
+        }
+    }
+
     /// Whether it is a measured height map.
     pub fn is_measured(&self) -> bool {
         matches!(self.origin, Origin::Map(_))

@@ -371,6 +371,61 @@ fn a_check_says_its_size_time_and_memory() {
     }
 }
 
+#[test]
+fn a_map_too_coarse_for_its_shortest_wave_is_warned_of() {
+    let of = |reference: &str, surface: &str| {
+        let spec = format!("law = \"hertz\"\n{THREE}pressure = \"10 MPa\"\nrobustness = false\n{reference}");
+        let (_folder, experiment) = read(&spec, surface);
+        let plan = experiment.to_string();
+        let warnings = experiment.run(&Silent).unwrap().warnings();
+        let found = warnings.into_iter().find(|warning| warning.contains("points per shortest wave"));
+        assert_eq!(found.is_some(), plan.contains("points per shortest wave"), "{plan}");
+        assert!(found.as_ref().is_none_or(|warning| plan.contains(&format!("  warning: {warning}"))));
+        found
+    };
+    let cut_off = |points: &str| ROUGH.replace("\"8 um\"", &format!("\"{points} um\""));
+    let filtered = |s: &str| format!("{MEASURED}filter = {{ s = \"{s} um\" }}\n");
+    let finer = "reference = { refine = 2 }\n";
+    // Resolved: four points and more.
+    for (reference, surface) in [
+        ("", cut_off("4")),
+        ("", filtered("4")),
+        (finer, cut_off("2")),
+        (finer, filtered("2")),
+        (finer, MEASURED.to_owned()),
+        (
+            "",
+            ROUGH.replace(
+                "self-affine = { hurst = 0.8, roll-off = \"40 um\", cut-off = \"8 um\" }",
+                "gaussian = { correlation-length = \"5 um\" }",
+            ),
+        ),
+    ] {
+        assert_eq!(of(reference, &surface), None, "{surface}");
+    }
+    let exponential = ROUGH.replace(
+        "self-affine = { hurst = 0.8, roll-off = \"40 um\", cut-off = \"8 um\" }",
+        "exponential = { correlation-length = \"5 um\" }",
+    );
+    for (surface, points) in [
+        (cut_off("3.9"), "3.9 points per shortest wave, fewer"),
+        (filtered("3"), "3 points per shortest wave, fewer"),
+        (
+            MEASURED.to_owned(),
+            "2 points per shortest wave (a map without S filter holds waves of two pixels), fewer",
+        ),
+        (exponential, "2 points per shortest wave, fewer"),
+    ] {
+        let warning = of("", &surface).unwrap();
+        assert!(
+            !warning.contains("  ")
+                && warning.contains(points)
+                && warning.contains("`reference = { refine = 2 }`"),
+            "{warning}"
+        );
+    }
+}
+
 /// Rough, with a short correlation length: it holds blocks.
 const BLOCKS: &str = r#"
 [surface.a.generate]

@@ -54,7 +54,7 @@ pub struct ComparePlan {
     pub load_keys: [Option<std::ops::Range<usize>>; 2],
     /// The surfaces.
     pub surfaces: Vec<SurfacePlan>,
-    /// Warnings about materials and separations that are hardly meant.
+    /// Warnings about materials and separations that are hardly meant, and maps too coarse for the reference.
     pub implausible: Vec<String>,
     /// The measured file that the command line named: its surface is described in full.
     pub described: Option<PathBuf>,
@@ -213,6 +213,7 @@ pub(crate) fn compared(
     let laws = file.law_plans(&raw.law, (rough_name, &rough), &flats, flat_name)?;
     let resolved = Resolved { rough: &rough, flats: &flats, laws: &laws, surfaces: &surfaces };
     let reference = reference(file, raw, &resolved)?.map(Box::new);
+    implausible.extend(reference.iter().flat_map(|reference| reference.warnings(&surfaces)));
     let lines = lines(file, raw, &surfaces, reference.as_deref())?;
     Ok(ComparePlan {
         bodies: Bodies { rough: rough_name.clone(), flat: flat_name.clone() },

@@ -21,7 +21,7 @@ pub struct CompareResults {
     pub metadata: Metadata,
     /// The bodies.
     pub contact: ContactMetadata,
-    /// Warnings about inputs that are hardly meant.
+    /// Warnings about inputs that are hardly meant or too coarse.
     pub implausible: Vec<String>,
     /// How far the curves over d/sigma may be off.
     pub tolerances: Tolerances,

@@ -186,6 +186,17 @@ impl Spectrum {
         Ok(())
     }
 
+    /// The shortest wave, m: the cut-off, or the correlation length of a Gaussian autocorrelation, below which waves hold less
+    /// than a thousandth of the mean square gradient; `None` of an exponential autocorrelation, whose waves have no shortest.
+    pub fn shortest_wave(&self) -> Option<f64> {
+        let across = match self.shape {
+            SpectrumShape::SelfAffine { cut_off, .. } => cut_off,
+            SpectrumShape::Gaussian(length) => length,
+            SpectrumShape::Exponential(_) => return None,
+        };
+        Some(across * self.lay.elongation.min(1.0))
+    }
+
     /// Autocorrelation at a distance (m, along x and y) of an infinite surface; `None` if it has no closed form.
     pub fn autocorrelation(&self, distance: [f64; 2]) -> Option<f64> {
         let r = self.lay.squared(distance, self.lay.elongation.recip()).sqrt();
@@ -389,6 +400,21 @@ impl GridSpectrum {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn the_shortest_wave_lies_across_a_lay() {
+        let self_affine = SpectrumShape::SelfAffine { hurst: 0.8, roll_off: 40.0, cut_off: 8.0 };
+        for (shape, elongation, shortest) in [
+            (self_affine, 1.0, Some(8.0)),
+            (self_affine, 5.0, Some(8.0)),
+            (self_affine, 0.5, Some(4.0)),
+            (SpectrumShape::Gaussian(3.0), 1.0, Some(3.0)),
+            (SpectrumShape::Exponential(3.0), 1.0, None),
+        ] {
+            let spectrum = Spectrum::new(shape, Lay { elongation, angle: 0.0 }).unwrap();
+            assert_eq!(spectrum.shortest_wave(), shortest, "{shape:?} {elongation}");
+        }
+    }
 
     /// The autocorrelation that the waves of a spectrum have on the grid, the mean wave among them.
     fn realised(spectrum: &GridSpectrum, points: [usize; 2]) -> Vec<f64> {
