@@ -30,7 +30,7 @@ fn a_surface_is_described() {
     // Sal from the definition in numpy: unbiased pairs about the mean, least distance to 0.2 over all directions.
     assert!((map["autocorrelation_length_m"].as_f64().unwrap() / 3.64e-6 - 1.0).abs() < 0.01);
 
-    let x3p = look(&[root.join("crates/asperity/tests/library/formats/x3p-2.x3p").to_str().unwrap()]);
+    let x3p = look(&[root.join("experiments/surfaces/x3p-2.x3p").to_str().unwrap()]);
     assert!(text(&x3p.stdout).contains("2,916"), "{}", text(&x3p.stderr));
     let spec = look(&[root.join("experiments/heights-of-one-spectrum.toml").to_str().unwrap(), "--quiet"]);
     assert!(spec.status.success() && text(&spec.stdout).is_empty());

@@ -3,7 +3,7 @@
 use indexmap::IndexMap;
 
 use super::format::{input_number, input_quantity, quantity, thickness};
-use super::page::{Page, escape};
+use super::page::{Page, escape, escape_around_code};
 use crate::contact::ContactMetadata;
 use crate::metadata::Metadata;
 use asperity::Material;
@@ -11,7 +11,7 @@ use asperity::Material;
 /// Notes of the author of the spec.
 pub fn notes(page: &mut Page, metadata: &Metadata) {
     for paragraph in metadata.notes.split("\n\n").map(str::trim).filter(|paragraph| !paragraph.is_empty()) {
-        page.paragraph(&escape(&paragraph.replace('\n', " ")));
+        page.paragraph(&escape_around_code(&paragraph.replace('\n', " ")));
     }
 }
 

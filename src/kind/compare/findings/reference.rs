@@ -13,9 +13,10 @@ pub struct ReferenceVerdicts {
     pub stretches: [Vec<Stretch>; 2],
     /// Loads at which both stand alike: quantity by quantity, by growing load.
     pub nearer: Vec<NearerStretch>,
-    /// Whether the sum and the reference differ by more than the interaction and the shape of the asperities: in how they
-    /// yield, or under a layer.
-    pub includes_plasticity: bool,
+    /// Whether sum or reference yields: the cap is not the law.
+    pub yields: bool,
+    /// Whether there is a layer, which the sum replaces by an effective modulus.
+    pub is_layered: bool,
 }
 
 impl ReferenceVerdicts {
@@ -25,15 +26,17 @@ impl ReferenceVerdicts {
         let each: Vec<AgainstReference> = cases().map(|case| case.against_reference.clone()).collect();
         let against = AgainstReference::over(&each).sorted();
         let is_elastic = |law: &str| law == "hertz";
-        let includes_plasticity = cases().any(|case| {
+        let yields = cases().any(|case| {
             let cap = case.reference.as_ref().and_then(|curve| curve.cap);
-            cap.is_some() || !is_elastic(&case.law) || case.thickness.is_some_and(|t| t > 0.0)
+            cap.is_some() || !is_elastic(&case.law)
         });
+        let is_layered = cases().any(|case| case.thickness.is_some_and(|t| t > 0.0 && t.is_finite()));
         (!against.nearness.is_empty()).then(|| Self {
             stretches: [0, 1].map(|model| Stretch::all(&against.models[model], accepted)),
             nearer: NearerStretch::all(&against, accepted),
             against,
-            includes_plasticity,
+            yields,
+            is_layered,
         })
     }
 }

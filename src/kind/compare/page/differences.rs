@@ -1,43 +1,85 @@
-//! The figure behind the verdicts: the differences between the models against load, with what is accepted.
+//! The figures behind the verdicts: differences between the models, and between each and the reference, against load, with
+//! what is accepted.
 
-use asperity::compare::{ComparedQuantity, Difference, ValidRange};
+use asperity::compare::{AgainstReference, ComparedQuantity, Difference, Estimate, ValidRange};
 use asperity_plot::{Axis, Colour, Dash, Figure, Layer, Marker, Plot};
 
 use crate::kind::compare::findings::Verdicts;
 
-/// Differences of area, separation and stiffness at equal load, one panel each.
-pub fn differences(verdicts: &Verdicts) -> String {
-    let panels = [
-        (ComparedQuantity::Area, "area (%)", 100.0),
-        (ComparedQuantity::Separation, "separation (σ)", 1.0),
-        (ComparedQuantity::Stiffness, "stiffness (%)", 100.0),
-    ];
-    let is_compared = |compared: ComparedQuantity| {
-        verdicts.differences.iter().any(|at| at.estimates[compared as usize].is_some())
-    };
-    let panels = panels.into_iter().filter(|(compared, ..)| is_compared(*compared));
-    let plots = panels.map(|(compared, label, unit)| panel(verdicts, compared, label, unit)).collect();
-    Figure::column("Statistical minus deterministic model at equal load", plots).svg()
+/// The quantities in the order of their panels, with their axes and the factor from a share or sigma to its unit.
+const PANELS: [(ComparedQuantity, &str, f64); 3] = [
+    (ComparedQuantity::Area, "area (%)", 100.0),
+    (ComparedQuantity::Separation, "separation (σ)", 1.0),
+    (ComparedQuantity::Stiffness, "stiffness (%)", 100.0),
+];
+
+/// Differences over load, with how they are drawn.
+struct Curve<'a> {
+    name: &'static str,
+    /// The name of its interval in the legend.
+    interval: Option<&'static str>,
+    colour: Colour,
+    dash: Dash,
+    differences: &'a [Difference],
 }
 
-fn panel(verdicts: &Verdicts, compared: ComparedQuantity, label: &str, unit: f64) -> Plot {
+impl Curve<'_> {
+    /// The loads at which a quantity is compared, with its estimates.
+    fn of(&self, compared: ComparedQuantity) -> impl Iterator<Item = (&Difference, Estimate)> + Clone {
+        self.differences.iter().filter_map(move |at| Some((at, at.estimates[compared as usize]?)))
+    }
+}
+
+/// Differences of area, separation and stiffness between the models at equal load, one panel each.
+pub fn differences(verdicts: &Verdicts) -> String {
+    let curve = Curve {
+        name: "statistical − deterministic",
+        interval: Some("95 % interval"),
+        colour: Colour::Statistical,
+        dash: Dash::Solid,
+        differences: &verdicts.differences,
+    };
+    figure("Statistical minus deterministic model at equal load", verdicts, &[curve])
+}
+
+/// The same of both models and the reference.
+pub fn against_reference(verdicts: &Verdicts, against: &AgainstReference) -> String {
+    let [statistical, sum] = &against.models;
+    let curves = [
+        Curve {
+            name: "statistical − reference",
+            interval: None,
+            colour: Colour::Statistical,
+            dash: Dash::Dashed,
+            differences: statistical,
+        },
+        Curve {
+            name: "deterministic − reference",
+            interval: Some("95 % intervals"),
+            colour: Colour::Deterministic,
+            dash: Dash::Solid,
+            differences: sum,
+        },
+    ];
+    figure("Both models minus the reference at equal load", verdicts, &curves)
+}
+
+fn figure(title: &str, verdicts: &Verdicts, curves: &[Curve]) -> String {
+    let is_compared =
+        |compared: ComparedQuantity| curves.iter().any(|curve| curve.of(compared).next().is_some());
+    let panels = PANELS.into_iter().filter(|(compared, ..)| is_compared(*compared));
+    let plots = panels.map(|(compared, label, unit)| panel(verdicts, curves, compared, label, unit));
+    Figure::column(title, plots.collect()).svg()
+}
+
+fn panel(verdicts: &Verdicts, curves: &[Curve], compared: ComparedQuantity, label: &str, unit: f64) -> Plot {
     let shown = |contrast: f64| unit * compared.reported(contrast);
-    let estimate = |at: &Difference| at.estimates[compared as usize];
     let accepted = unit * verdicts.accepted.of(compared);
-    let loads = verdicts.differences.iter().map(|at| megapascals(at.load));
+    let loads = curves.iter().flat_map(|curve| curve.differences).map(|at| megapascals(at.load));
     let axis = Axis::log("nominal pressure (MPa)")
         .range(loads.clone().fold(f64::INFINITY, f64::min) / MARGIN, loads.fold(0.0, f64::max) * MARGIN);
-    let points = verdicts.differences.iter().filter_map(|at| Some((at, estimate(at)?)));
-    let line: Vec<(f64, f64)> =
-        points.clone().map(|(at, found)| (megapascals(at.load), shown(found.contrast))).collect();
-    let band: Vec<(f64, f64, f64)> = points
-        .clone()
-        .filter_map(|(at, found)| {
-            let [low, high] = found.interval()?;
-            Some((megapascals(at.load), shown(low), shown(high)))
-        })
-        .collect();
-    let in_view = points.filter(|(at, _)| at.exceeded().is_none());
+    let all = curves.iter().flat_map(|curve| curve.of(compared));
+    let in_view = all.filter(|(at, _)| at.exceeded().is_none());
     let ends = in_view.flat_map(|(_, found)| found.interval().unwrap_or([found.contrast; 2])).map(shown);
     let [low, high] =
         ends.fold([-VIEW * accepted, VIEW * accepted], |[low, high], end| [low.min(end), high.max(end)]);
@@ -49,23 +91,35 @@ fn panel(verdicts: &Verdicts, compared: ComparedQuantity, label: &str, unit: f64
         plot = plot.with(region);
     }
     plot = plot.with(Layer::at_y(0.0, ""));
-    if let &[(load, low, high)] = &band[..] {
-        // One load has no band to fill: an error bar.
-        plot = plot.with(
-            Layer::line([(load, low), (load, high)])
-                .coloured(Colour::Statistical)
-                .named("95 % interval")
-                .thick(),
-        );
-    } else if !band.is_empty() {
-        plot = plot.with(Layer::band(band).coloured(Colour::Statistical).named("95 % interval"));
+    for curve in curves {
+        let named = |layer: Layer| match curve.interval {
+            Some(name) => layer.named(name),
+            None => layer,
+        };
+        let band = curve.of(compared).filter_map(|(at, found)| {
+            let [low, high] = found.interval()?;
+            Some((megapascals(at.load), shown(low), shown(high)))
+        });
+        let band: Vec<(f64, f64, f64)> = band.collect();
+        if let &[(load, low, high)] = &band[..] {
+            // One load has no band to fill: an error bar.
+            let bar = Layer::line([(load, low), (load, high)]).coloured(curve.colour);
+            plot = plot.with(named(bar.thick()));
+        } else if !band.is_empty() {
+            plot = plot.with(named(Layer::band(band).coloured(curve.colour)));
+        }
     }
-    let line = if line.len() == 1 {
-        Layer::points(line, Marker::Circle).coloured(Colour::Statistical)
-    } else {
-        Layer::line(line).coloured(Colour::Statistical).dashed(Dash::Solid)
-    };
-    plot.with(line.named("statistical − deterministic"))
+    for curve in curves {
+        let line = curve.of(compared).map(|(at, found)| (megapascals(at.load), shown(found.contrast)));
+        let line: Vec<(f64, f64)> = line.collect();
+        let line = if line.len() == 1 {
+            Layer::points(line, Marker::Circle).coloured(curve.colour)
+        } else {
+            Layer::line(line).coloured(curve.colour).dashed(curve.dash)
+        };
+        plot = plot.with(line.named(curve.name));
+    }
+    plot
 }
 
 /// Margin of the load axis at both ends, as a ratio.

@@ -53,7 +53,12 @@ pub fn page(results: &CompareResults) -> Page {
     let layered = layer::all(results);
     // A single thickness is shown in as much detail as an uncoated flat.
     let in_full = layered.iter().all(|series| !series.has_several());
+    let overview = verdict::Overview::of(&cases(results));
     page.heading(2, "Summary");
+    let against = |overview: &verdict::Overview| {
+        format!("**Against the reference**: {}", escape_around_code(&overview.sentence()))
+    };
+    page.bullets(overview.iter().map(against));
     if in_full {
         page.bullets(results.surfaces.iter().flat_map(|found| headlines(results, found)));
     } else {
@@ -69,7 +74,9 @@ pub fn page(results: &CompareResults) -> Page {
             "An experiment of kind `[laws]` compares the effect of the contact law with that of the summation method.",
         );
     }
-    verdict::overview(&mut page, &cases(results));
+    if let Some(overview) = &overview {
+        overview.section(&mut page);
+    }
     if in_full {
         results.surfaces.iter().for_each(|found| answer(&mut page, results, found));
     } else {
@@ -193,7 +200,7 @@ pub fn answer(page: &mut Page, results: &CompareResults, found: &SurfaceResults)
         ];
         lines.extend(verdict::stiffness_line(verdicts).map(|line| format!("{}: {line}", escape(&case.law))));
         page.bullets(lines);
-        against_reference(page, found, verdicts, &name);
+        against_reference(page, found, index, &name);
         if single_load::is_single(case) {
             continue;
         }
@@ -210,7 +217,8 @@ pub fn answer(page: &mut Page, results: &CompareResults, found: &SurfaceResults)
 }
 
 /// Both models against the reference; nothing where none was run.
-fn against_reference(page: &mut Page, found: &SurfaceResults, verdicts: &Verdicts, name: &str) {
+fn against_reference(page: &mut Page, found: &SurfaceResults, index: usize, name: &str) {
+    let verdicts = &found.findings.cases[index].verdicts;
     let Some(reference) = &verdicts.reference else { return };
     page.heading(3, &format!("{name}: against the reference"));
     if reference.nearer.is_empty() {
@@ -218,6 +226,17 @@ fn against_reference(page: &mut Page, found: &SurfaceResults, verdicts: &Verdict
         return;
     }
     verdict::nearer(page, verdicts, reference);
+    let case = &found.first.cases[index];
+    if !single_load::is_single(case) {
+        page.figure(
+            &format!("{}-against-reference.svg", stem(found, &case.law)),
+            differences::against_reference(verdicts, &reference.against),
+            &format!(
+                "{name}: each model minus the reference at equal load, with 95 % intervals where they can be claimed. Green: accepted; \
+                 grey: beyond the valid range; curves are cut at the edge of the panel."
+            ),
+        );
+    }
     let alpha = found.surface.map.as_ref().and_then(|map| map.roughness.alpha());
     page.bullets(verdict::misses(reference, alpha));
 }

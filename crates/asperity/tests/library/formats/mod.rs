@@ -81,9 +81,13 @@ fn sample(name: &str) -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/library/formats").join(name)
 }
 
+fn measured(name: &str) -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("../../experiments/surfaces").join(name)
+}
+
 fn opd() -> HeightMap {
-    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../experiments/surfaces/opd-1.npy");
-    height_map(&path, ReadOptions { pixel: Some([1.9673303177114576e-7; 2]), unit: None }).unwrap()
+    height_map(&measured("opd-1.npy"), ReadOptions { pixel: Some([1.9673303177114576e-7; 2]), unit: None })
+        .unwrap()
 }
 
 /// Asserts that a file gives the heights of opd-1 to the relative precision of its largest height.

@@ -8,7 +8,7 @@ use super::*;
 
 #[test]
 fn x3p_of_an_instrument_has_its_known_statistics() {
-    let path = sample("x3p-2.x3p");
+    let path = measured("x3p-2.x3p");
     assert_eq!(metadata(&path).unwrap().points, [650, 650]);
     let map = height_map(&path, ReadOptions::default()).unwrap();
     assert_eq!((map.points(), RoughnessParameters::of(&map).missing), ([650, 650], 0));

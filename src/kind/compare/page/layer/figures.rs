@@ -3,7 +3,7 @@
 use super::{Series, is_valid_at};
 use crate::kind::compare::answers::CaseResults;
 use crate::kind::compare::page::figures::{curve, reference_line, shares_of_load};
-use asperity::compare::{CurvePoint, Kind};
+use asperity::compare::{ComparedQuantity, CurvePoint, Kind};
 use asperity::{INTERACTION, Regime, Response};
 use asperity_framework::report::format::{input_quantity, thickness};
 use asperity_plot::{Axis, Colour, Dash, Figure, Layer, Marker, Plot};
@@ -56,6 +56,42 @@ pub fn by_load(series: &Series) -> String {
         }
     }
     Figure::row("Separation and real contact area by layer thickness", vec![separation, area]).svg()
+}
+
+/// Both models minus the reference against load, by thickness, at valid loads: area and separation. Nothing where no load was
+/// compared.
+pub fn against_reference(series: &Series) -> Option<String> {
+    let panel = |quantity: ComparedQuantity, title: &str, label: &str, unit: f64| {
+        let axis = Axis::log("nominal pressure (MPa)");
+        let accepted = series.verdicts().next().map(|(_, verdicts)| unit * verdicts.accepted.of(quantity));
+        let mut plot = Plot::new(title, axis, Axis::linear(label)).with(Layer::at_y(0.0, ""));
+        plot = accepted.into_iter().fold(plot, |plot, accepted| {
+            plot.with(Layer::region_y(-accepted, accepted, "accepted").coloured(Colour::Series(2)))
+        });
+        for (index, (t, verdicts)) in series.verdicts().enumerate() {
+            let Some(reference) = &verdicts.reference else { continue };
+            let colour = Colour::Ordered { index, of: series.cases.len() };
+            let lines = reference.against.models.each_ref().map(|differences| {
+                let valid = differences.iter().filter(|at| at.exceeded().is_none());
+                let shown = valid.filter_map(|at| {
+                    let contrast = at.estimates[quantity as usize]?.contrast;
+                    Some((1e-6 * at.load, unit * quantity.reported(contrast)))
+                });
+                Layer::line(shown.collect::<Vec<_>>()).coloured(colour)
+            });
+            let [statistical, sum] = lines;
+            plot = plot.with(statistical.dashed(Dash::Dashed)).with(sum.named(thickness(t)));
+        }
+        plot
+    };
+    let has_reference = series.verdicts().any(|(_, verdicts)| verdicts.reference.is_some());
+    has_reference.then(|| {
+        let panels = vec![
+            panel(ComparedQuantity::Area, "Real contact area", "area minus reference (%)", 100.0),
+            panel(ComparedQuantity::Separation, "Separation", "separation minus reference (σ)", 1.0),
+        ];
+        Figure::row("Both models minus the reference, by layer thickness", panels).svg()
+    })
 }
 
 /// Real contact area, mean contact pressure and plastic share against layer thickness, by load.

@@ -165,6 +165,17 @@ impl<'a> Series<'a> {
         let all: Vec<(String, &Verdicts)> =
             self.verdicts().map(|(t, verdicts)| (thickness(t), verdicts)).collect();
         answer_over(page, &self.subject, "thickness", &all, self.found);
+        if let Some(figure) = figures::against_reference(self) {
+            page.figure(
+                &format!("{}-against-reference.svg", self.stem),
+                figure,
+                &format!(
+                    "{}: both models minus the reference at equal load, by layer thickness. Solid: deterministic model; dashed: \
+                     statistical model; green: accepted. Valid loads only.",
+                    self.subject
+                ),
+            );
+        }
     }
 
     /// The valid range of each case.

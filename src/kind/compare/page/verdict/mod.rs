@@ -18,7 +18,7 @@ mod words;
 
 pub use headline::{headline, over_cases};
 pub use nearer::{misses, nearer, nearer_sentence};
-pub use overview::{Case, overview};
+pub use overview::{Case, Overview};
 pub use range::{accepted_line, basis_line, limit_words, range_line, stiffness_line};
 pub use table::{by_case, stretches};
 pub use words::{loads, name, signed, verdict};

@@ -176,11 +176,10 @@ pub fn misses(reference: &ReferenceVerdicts, alpha: Option<f64>) -> Option<Strin
         .collect();
         format!("{} at {}", listed(&parts), loads([at.load; 2]))
     };
-    let what = if reference.includes_plasticity {
-        "interaction, geometry and plasticity"
-    } else {
-        "interaction and geometry"
-    };
+    let causes = ["interaction", "geometry"].into_iter();
+    let causes = causes.chain(reference.yields.then_some("plasticity"));
+    let causes = causes.chain(reference.is_layered.then_some("the effective modulus of the layer"));
+    let what = listed(&causes.map(str::to_owned).collect::<Vec<_>>());
     let values = if first.load == last.load { of(first) } else { format!("{}, {}", of(first), of(last)) };
     let alpha = alpha.map_or_else(String::new, |alpha| format!(" Nayak's α of the map: {}.", number(alpha)));
     Some(format!("What the sum misses ({what}; sum minus reference): {values}.{alpha}"))
@@ -224,7 +223,8 @@ mod tests {
             stretches: [Vec::new(), Vec::new()],
             nearer,
             against,
-            includes_plasticity: false,
+            yields: false,
+            is_layered: false,
         });
         let sentence = nearer_sentence(&all);
         (all, sentence)

@@ -5,7 +5,7 @@ use asperity_framework::report::format::number;
 use asperity_framework::report::page::Page;
 
 use super::nearer::ORDER;
-use super::words::{loads, name};
+use super::words::{loads, name, signed};
 use crate::kind::compare::findings::{ReferenceVerdicts, Verdicts};
 
 /// How often which model is nearer.
@@ -13,7 +13,6 @@ use crate::kind::compare::findings::{ReferenceVerdicts, Verdicts};
 struct Count {
     statistical: usize,
     sum: usize,
-    open: usize,
 }
 
 /// A surface under a law and a thickness.
@@ -26,44 +25,132 @@ pub struct Case<'a> {
     pub verdicts: &'a Verdicts,
 }
 
-/// One row per case and quantity; nothing for a single case.
-pub fn overview(page: &mut Page, all: &[Case]) {
-    let referred: Vec<(&Case, &ReferenceVerdicts)> =
-        all.iter().filter_map(|case| Some((case, case.verdicts.reference.as_ref()?))).collect();
-    if referred.len() < 2 {
-        return;
-    }
-    page.heading(2, "Which model agrees with the reference?");
-    let (mut told, mut here) = (Count::default(), Count::default());
-    let mut rows = Vec::new();
-    for (case, reference) in referred {
-        let verdicts = case.verdicts;
-        for quantity in ORDER {
-            let Some(nearer) = Nearer::of(verdicts, reference, quantity) else { continue };
+/// Where both models agree with the reference, over several cases.
+pub struct Overview {
+    rows: Vec<Row>,
+    /// The model that is nearer for surfaces of the kind, and on the maps themselves.
+    told: Count,
+    here: Count,
+}
+
+/// A quantity of a case.
+struct Row {
+    case: String,
+    alpha: Option<f64>,
+    quantity: ComparedQuantity,
+    /// Loads at which the statistical model and the sum are within what is accepted.
+    within: [String; 2],
+    /// Their largest differences from the reference, with the load (Pa).
+    largest: [(f64, f64); 2],
+    nearer: Nearer,
+}
+
+impl Overview {
+    /// Of cases with a reference; `None` where there are not several.
+    pub fn of(all: &[Case]) -> Option<Self> {
+        let referred: Vec<(&Case, &ReferenceVerdicts)> =
+            all.iter().filter_map(|case| Some((case, case.verdicts.reference.as_ref()?))).collect();
+        let rows = || {
+            referred.iter().flat_map(|(case, reference)| ORDER.map(|quantity| (case, reference, quantity)))
+        };
+        let rows: Vec<Row> = rows()
+            .filter_map(|(case, reference, quantity)| {
+                let verdicts = case.verdicts;
+                Some(Row {
+                    case: case.name.clone(),
+                    alpha: case.alpha,
+                    quantity,
+                    within: [0, 1].map(|model| within(verdicts, reference, quantity, model)),
+                    largest: [largest(reference, quantity, 0)?, largest(reference, quantity, 1)?],
+                    nearer: Nearer::of(verdicts, reference, quantity)?,
+                })
+            })
+            .collect();
+        let (mut told, mut here) = (Count::default(), Count::default());
+        for Row { nearer, .. } in &rows {
             told.add(nearer.told);
             here.add(nearer.here);
-            rows.push(vec![
-                case.name.clone(),
-                case.alpha.map_or_else(|| "–".to_owned(), number),
-                name(quantity).to_owned(),
-                within(verdicts, reference, quantity, 0),
-                within(verdicts, reference, quantity, 1),
-                nearer.words(),
-            ]);
         }
+        (referred.len() > 1 && !rows.is_empty()).then_some(Self { rows, told, here })
     }
-    let total = rows.len();
-    page.table(
-        ["case", "Nayak's α", "quantity", "statistical model within", "sum within", "nearer at most loads"],
-        rows,
-    );
-    page.paragraph(&format!(
-        "Within: the valid loads of the reference at which the difference from it, with its 95 % interval, lies inside what is accepted; \
-         in brackets those at which that holds on this very map, with the error of the reference but without an interval for other maps \
-         of such a surface. Nearer: by more than a tenth of what is accepted, at more than half of the loads. Of {total} rows the sum is nearer in {}, the statistical model in {}, and {} cannot be told; on these very \
-         maps the sum is nearer in {}, the statistical model in {}.",
-        told.sum, told.statistical, told.open, here.sum, here.statistical,
-    ));
+
+    /// How far each model is from the reference at worst, and which is nearer how often.
+    pub fn sentence(&self) -> String {
+        let of_quantity = |quantity: ComparedQuantity| {
+            let rows = || self.rows.iter().filter(move |row| row.quantity == quantity);
+            let worst = |model: usize| {
+                let size = |row: &&Row| quantity.reported(row.largest[model].0).abs();
+                let row = rows().max_by(|a, b| size(a).total_cmp(&size(b)))?;
+                let (contrast, load) = row.largest[model];
+                Some(format!("{} ({} at {})", signed(quantity, contrast), row.case, loads([load; 2])))
+            };
+            Some(format!(
+                "in {} the statistical model differs by up to {}, the sum by up to {}",
+                name(quantity),
+                worst(0)?,
+                worst(1)?
+            ))
+        };
+        let quantities: Vec<String> = ORDER.into_iter().filter_map(of_quantity).collect();
+        let Self { rows, told, here } = self;
+        format!(
+            "at valid loads, {}. That the sum is the more accurate model (Pasaribu and Schipper 2005) is so on these \
+             very maps in {} of the {} rows of the next table, the opposite in {}; with the sampling error of such surfaces it is so in {}, the \
+             opposite in {}.",
+            quantities.join("; "),
+            here.sum,
+            rows.len(),
+            here.statistical,
+            told.sum,
+            told.statistical,
+        )
+    }
+
+    /// One row per case and quantity.
+    pub fn section(&self, page: &mut Page) {
+        page.heading(2, "Which model agrees with the reference?");
+        let shown = |row: &Row| {
+            let [statistical, sum] = &row.within;
+            let [worst_statistical, worst_sum] =
+                row.largest.map(|(contrast, _)| signed(row.quantity, contrast));
+            vec![
+                row.case.clone(),
+                row.alpha.map_or_else(|| "–".to_owned(), number),
+                name(row.quantity).to_owned(),
+                statistical.clone(),
+                worst_statistical,
+                sum.clone(),
+                worst_sum,
+                row.nearer.words(),
+            ]
+        };
+        page.table(
+            [
+                "case",
+                "Nayak's α",
+                "quantity",
+                "statistical model within",
+                "largest",
+                "sum within",
+                "largest",
+                "nearer at most loads",
+            ],
+            self.rows.iter().map(shown),
+        );
+        page.paragraph(
+            "Within: the valid loads of the reference at which the difference from it, with its 95 % interval, lies inside what is accepted; \
+             in brackets those at which that holds on this very map, with the error of the reference but without an interval for other maps \
+             of such a surface. Largest: the largest difference from the reference at a valid load. Nearer: by more than a tenth of what is \
+             accepted, at more than half of the loads.",
+        );
+    }
+}
+
+/// The largest difference of a model from the reference at a valid load, and that load (Pa).
+fn largest(reference: &ReferenceVerdicts, quantity: ComparedQuantity, model: usize) -> Option<(f64, f64)> {
+    let each = valid(&reference.against.models[model])
+        .filter_map(|at| Some((at.estimates[quantity as usize]?.contrast, at.load)));
+    each.max_by(|a, b| quantity.reported(a.0).abs().total_cmp(&quantity.reported(b.0).abs()))
 }
 
 impl Count {
@@ -71,7 +158,7 @@ impl Count {
         match nearer {
             Some(Kind::Statistical) => self.statistical += 1,
             Some(Kind::Deterministic) => self.sum += 1,
-            None => self.open += 1,
+            None => {}
         }
     }
 }
