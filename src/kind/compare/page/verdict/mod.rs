@@ -28,9 +28,11 @@ pub mod examples {
     //! Verdicts for tests of the sentences.
 
     use asperity::LoadSharing;
-    use asperity::compare::{Accepted, Difference, Estimate, Stretch, ValidRange};
+    use asperity::compare::{
+        Accepted, AgainstReference, Difference, Estimate, NearerStretch, Stretch, ValidRange,
+    };
 
-    use crate::kind::compare::findings::{Basis, Verdicts};
+    use crate::kind::compare::findings::{Basis, ReferenceVerdicts, Verdicts};
 
     /// What is accepted by default.
     pub const ACCEPTED: Accepted = Accepted { separation: 0.1, area: 0.1, stiffness: 0.2 };
@@ -66,5 +68,37 @@ pub mod examples {
             reference: None,
             differences,
         }
+    }
+    /// The verdicts of two models that agree, whose contrasts (separation, area) over the reference are given, at 1 and 10 MPa,
+    /// with or without intervals.
+    pub fn against_reference(
+        statistical: [f64; 2],
+        sum: [f64; 2],
+        error: Option<f64>,
+        basis: Basis,
+    ) -> Verdicts {
+        let loads = [1e6, 1e7];
+        let differences = |contrasts: [f64; 2]| -> Vec<Difference> {
+            let of = |load| at(load, 90.0, [(contrasts[0], error), (contrasts[1], error), (0.0, error)]);
+            loads
+                .map(of)
+                .map(|one| Difference { estimates: [one.estimates[0], one.estimates[1], None], ..one })
+                .to_vec()
+        };
+        let nearness = [0, 1].map(|k| statistical[k].abs() - sum[k].abs());
+        let against = AgainstReference {
+            models: [differences(statistical), differences(sum)],
+            nearness: differences(nearness),
+        };
+        let mut all = verdicts(differences([0.0; 2]), basis);
+        let nearer = NearerStretch::all(&against, &all.accepted);
+        all.reference = Some(ReferenceVerdicts {
+            stretches: [Vec::new(), Vec::new()],
+            nearer,
+            against,
+            yields: false,
+            is_layered: false,
+        });
+        all
     }
 }

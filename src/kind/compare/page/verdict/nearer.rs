@@ -194,40 +194,18 @@ fn signed_number(value: f64) -> String {
 mod tests {
     use super::*;
     use crate::kind::compare::findings::Basis;
-    use crate::kind::compare::page::verdict::examples::{at, verdicts};
-    use asperity::compare::{AgainstReference, Difference};
+    use crate::kind::compare::page::verdict::examples::against_reference;
 
-    /// Contrasts (separation, area) of both models over the reference at 1 and 10 MPa, with or without intervals.
+    /// The verdicts and the sentence.
     fn against(
         statistical: [f64; 2],
         sum: [f64; 2],
         error: Option<f64>,
         basis: Basis,
     ) -> (Verdicts, Option<String>) {
-        let loads = [1e6, 1e7];
-        let differences = |contrasts: [f64; 2]| -> Vec<Difference> {
-            let of = |load| at(load, 90.0, [(contrasts[0], error), (contrasts[1], error), (0.0, error)]);
-            loads
-                .map(of)
-                .map(|one| Difference { estimates: [one.estimates[0], one.estimates[1], None], ..one })
-                .to_vec()
-        };
-        let nearness = [0, 1].map(|k| statistical[k].abs() - sum[k].abs());
-        let against = AgainstReference {
-            models: [differences(statistical), differences(sum)],
-            nearness: differences(nearness),
-        };
-        let mut all = verdicts(differences([0.0; 2]), basis);
-        let nearer = NearerStretch::all(&against, &all.accepted);
-        all.reference = Some(ReferenceVerdicts {
-            stretches: [Vec::new(), Vec::new()],
-            nearer,
-            against,
-            yields: false,
-            is_layered: false,
-        });
-        let sentence = nearer_sentence(&all);
-        (all, sentence)
+        let verdicts = against_reference(statistical, sum, error, basis);
+        let sentence = nearer_sentence(&verdicts);
+        (verdicts, sentence)
     }
 
     #[test]

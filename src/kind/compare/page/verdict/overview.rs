@@ -94,15 +94,14 @@ impl Overview {
         let quantities: Vec<String> = ORDER.into_iter().filter_map(of_quantity).collect();
         let Self { rows, told, here } = self;
         format!(
-            "at valid loads, {}. That the sum is the more accurate model (Pasaribu and Schipper 2005) is so on these \
-             very maps in {} of the {} rows of the next table, the opposite in {}; with the sampling error of such surfaces it is so in {}, the \
-             opposite in {}.",
+            "at valid loads, {}. The sum is the nearer model, as Pasaribu and Schipper (2005) conclude, in {} of the {} rows of the next \
+             table on these very maps, the statistical model in {}; with the sampling error of such surfaces in {} and {}.",
             quantities.join("; "),
             here.sum,
             rows.len(),
             here.statistical,
             told.sum,
-            told.statistical,
+            told.statistical
         )
     }
 
@@ -241,4 +240,43 @@ fn spans(differences: &[Difference], is_in: &dyn Fn(&Difference) -> bool) -> Str
     let each: Vec<String> =
         stretches.map(|stretch| loads([stretch[0].load, stretch[stretch.len() - 1].load])).collect();
     each.join("; ")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::kind::compare::findings::Basis;
+    use crate::kind::compare::page::verdict::examples::against_reference;
+
+    fn overview(all: &[Verdicts]) -> Option<Overview> {
+        let names = ["first", "second", "third"].into_iter();
+        let case = |(name, verdicts): (&str, _)| Case { name: name.to_owned(), alpha: Some(4.0), verdicts };
+        Overview::of(&names.zip(all).map(case).collect::<Vec<_>>())
+    }
+
+    #[test]
+    fn the_largest_differences_and_how_often_the_sum_is_nearer() {
+        let nearer_sum = against_reference([0.3, 0.4], [0.02, -0.05], Some(0.001), Basis::Asperities);
+        let nearer_statistical = against_reference([0.01, 0.02], [-0.2, -0.5], None, Basis::Asperities);
+        assert!(overview(&[against_reference([0.3; 2], [0.1; 2], None, Basis::Asperities)]).is_none());
+        let found = overview(&[nearer_sum, nearer_statistical]).unwrap();
+        assert_eq!(
+            found.sentence(),
+            "at valid loads, in real contact area the statistical model differs by up to +49.2 % (first at 10 MPa), the sum by up to \
+             −39.3 % (second at 10 MPa); in separation the statistical model differs by up to +0.3 σ (first at 10 MPa), the sum by up to \
+             −0.2 σ (second at 10 MPa). The sum is the nearer model, as Pasaribu and Schipper \
+             (2005) conclude, in 2 of the 4 rows of the next table on these very maps, the statistical model in 2; with the sampling \
+             error of such surfaces in 2 and 0."
+        );
+    }
+
+    #[test]
+    fn a_model_within_on_the_map_alone_is_in_brackets() {
+        let told = against_reference([0.3, 0.4], [0.02, -0.05], Some(0.001), Basis::Asperities);
+        let here = against_reference([0.3, 0.4], [0.02, -0.05], None, Basis::Asperities);
+        let found = overview(&[told, here]).unwrap();
+        let within: Vec<&str> = found.rows.iter().map(|row| row.within[1].as_str()).collect();
+        assert_eq!(within, ["1 to 10 MPa", "1 to 10 MPa", "(1 to 10 MPa)", "(1 to 10 MPa)"]);
+        assert!(found.rows.iter().all(|row| row.within[0] == "no load"));
+    }
 }
