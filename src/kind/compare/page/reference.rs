@@ -96,11 +96,17 @@ fn method(metadata: &ReferenceMetadata, found: &SurfaceResults, curve: &Referenc
         }
     };
     let is_single = found.others.is_empty();
+    let separation = match curve.boundary {
+        Boundary::Finite => "",
+        _ => {
+            "The separation is the mean gap, zero at points in contact, less the height of the plane that the models measure from above \
+             the mean plane. "
+        }
+    };
     format!(
         "Boundary elements on the same map as the models ({nx} × {ny} points, levelled and filtered, boundary `{}`) and the same bodies, \
          without asperities: the rough surface deforms as a whole, so that contacts interact and merge. {boundary} The solution at each load \
-         has a relative dual gap of at most {:e}. The separation is the mean gap, zero at points in contact, less the height of the plane \
-         that the models measure from above the mean plane; the area is corrected for the perimeter of the contacts. Steps and \
+         has a relative dual gap of at most {:e}. {separation}The area is corrected for the perimeter of the contacts. Steps and \
          convolutions: `reference.csv`.{}",
         curve.boundary.name(),
         metadata.error,

@@ -42,6 +42,7 @@ struct Row {
     within: [String; 2],
     /// Their largest differences from the reference, with the load (Pa).
     largest: [(f64, f64); 2],
+    has_one_surface: bool,
     nearer: Nearer,
 }
 
@@ -62,6 +63,7 @@ impl Overview {
                     quantity,
                     within: [0, 1].map(|model| within(verdicts, reference, quantity, model)),
                     largest: [largest(reference, quantity, 0)?, largest(reference, quantity, 1)?],
+                    has_one_surface: verdicts.has_one_surface(),
                     nearer: Nearer::of(verdicts, reference, quantity)?,
                 })
             })
@@ -93,15 +95,28 @@ impl Overview {
         };
         let quantities: Vec<String> = ORDER.into_iter().filter_map(of_quantity).collect();
         let Self { rows, told, here } = self;
+        // Over several realisations there is no single map to speak of.
+        let nearer = if rows.iter().any(|row| row.has_one_surface) {
+            format!(
+                "in {} of the {} rows of the next table on these very maps, the statistical model in {}; with the sampling error of \
+                 such surfaces in {} and {}",
+                here.sum,
+                rows.len(),
+                here.statistical,
+                told.sum,
+                told.statistical
+            )
+        } else {
+            format!(
+                "in {} of the {} rows of the next table, the statistical model in {}",
+                told.sum,
+                rows.len(),
+                told.statistical
+            )
+        };
         format!(
-            "at valid loads, {}. The sum is the nearer model, as Pasaribu and Schipper (2005) conclude, in {} of the {} rows of the next \
-             table on these very maps, the statistical model in {}; with the sampling error of such surfaces in {} and {}.",
+            "at valid loads, {}. The sum is the nearer model, as Pasaribu and Schipper (2005) conclude, {nearer}.",
             quantities.join("; "),
-            here.sum,
-            rows.len(),
-            here.statistical,
-            told.sum,
-            told.statistical
         )
     }
 
@@ -267,6 +282,16 @@ mod tests {
              −0.2 σ (second at 10 MPa). The sum is the nearer model, as Pasaribu and Schipper \
              (2005) conclude, in 2 of the 4 rows of the next table on these very maps, the statistical model in 2; with the sampling \
              error of such surfaces in 2 and 0."
+        );
+    }
+
+    #[test]
+    fn over_realisations_no_map_is_spoken_of() {
+        let over = |error| against_reference([0.3, 0.4], [0.02, -0.05], error, Basis::Realisations(3));
+        let found = overview(&[over(Some(0.001)), over(Some(0.5))]).unwrap().sentence();
+        assert!(
+            found.ends_with("in 2 of the 4 rows of the next table, the statistical model in 0."),
+            "{found}"
         );
     }
 
