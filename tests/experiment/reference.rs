@@ -472,8 +472,26 @@ fn verdicts_against_the_reference_are_those_of_the_tables() {
         page.contains("**a, against the reference**: ")
             && page.contains("What the sum misses (interaction and geometry;")
     );
+    let figure = |outcome: &dyn Outcome, name: &str| {
+        outcome.page().figures().find(|(file, _)| *file == name).map(|(_, svg)| svg.to_owned())
+    };
+    assert!(figure(&*outcome, "a-against-reference.svg").unwrap().contains("deterministic − reference"));
+    // A single case is no overview.
+    assert!(!page.contains("**Against the reference**"));
     let capped = run(&format!("law = \"zmc\"\n{THREE}{loads}"), BLOCKS).page().markdown();
     assert!(capped.contains("(interaction, geometry and plasticity;"));
+    let layer = "layer = { material = \"lead\", thickness = [\"200 nm\"] }\n";
+    let layered = run(&format!("law = \"hertz\"\n{THREE}{layer}{loads}"), BLOCKS).page().markdown();
+    assert!(
+        layered.contains("(interaction, geometry and the effective modulus of the layer;"),
+        "nothing yields"
+    );
+    let layers = "layer = { material = \"lead\", thickness = [0, \"200 nm\"] }\n";
+    let layered = run(&format!("law = \"hertz\"\n{THREE}{layers}{loads}"), BLOCKS);
+    assert!(figure(&*layered, "a-against-reference.svg").unwrap().contains("200 nm"));
+    let overview = layered.page().markdown();
+    assert!(overview.contains("**Against the reference**: at valid loads, in real contact area"));
+    assert!(overview.contains("of the 6 rows of the next table on these very maps"));
 }
 
 #[test]
