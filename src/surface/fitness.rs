@@ -288,7 +288,7 @@ fn remedy(finding: &Finding, map: &MapFacts) -> String {
         Measure::Slope if finding.is_blocking() => {
             "`unit` or `pixel`: heights and pixel size are probably in different units".to_owned()
         }
-        Measure::Slope => "both models leave out terms of second order in the slope".to_owned(),
+        Measure::Slope => "the models and boundary elements leave out terms of second order in the slope".to_owned(),
     }
 }
 

@@ -72,7 +72,7 @@ impl Row for CurveRow {
             area_ratio["1"] = row.either(|point| point.response.area_ratio.total(), |point| point.area_ratio), "Real contact area over nominal area, never clamped; for the reference corrected for the perimeter of the contacts.";
             contact_density_per_m2["1/m²"] = row.model(|response| response.contact_density), "Contacts per nominal area.";
             mean_real_pressure_pa["Pa"] = row.either(|point| point.response.mean_real_pressure(), ReferencePoint::mean_real_pressure), "Load over real contact area; empty where there is no contact.";
-            stiffness_pa_per_m["Pa/m"] = row.either(|point| Some(point.response.stiffness), |point| point.stiffness), "Contact stiffness -dp/dd per nominal area; jumps of a law are excluded for the sum and included for the integral; for the reference from the neighbouring loads, empty where one is further than a factor of 2.";
+            stiffness_pa_per_m["Pa/m"] = row.either(|point| Some(point.response.stiffness), |point| point.stiffness), "Contact stiffness -dp/dd per nominal area; jumps of a law are excluded for the sum and included for the integral; for the reference from the neighbouring loads, empty where one is further than a factor of 3.";
             elastic_load_share["1"] = row.model_value(|response| share(&response.pressure, 0)), "Share of the load in elastic contacts; empty where there is no contact.";
             elastic_plastic_load_share["1"] = row.model_value(|response| share(&response.pressure, 1)), "Share of the load in elastic-plastic contacts.";
             plastic_load_share["1"] = row.model_value(|response| share(&response.pressure, 2)), "Share of the load in plastic contacts.";
@@ -81,11 +81,11 @@ impl Row for CurveRow {
             plastic_area_share["1"] = row.model_value(|response| share(&response.area_ratio, 2)), "Share of the real contact area in plastic contacts.";
             pressure_standard_error_pa["Pa"] = row.model_value(|response| Some(response.sampling?.pressure)), "Standard error of the nominal pressure of the sum at fixed separation, for independent asperities; empty for the integral.";
             area_ratio_standard_error["1"] = row.model_value(|response| Some(response.sampling?.area_ratio)), "Standard error of the area ratio of the sum, likewise.";
-            beyond_model["true/false"] = row.model(Response::is_beyond_model), "Whether the area ratio exceeds 0.05, where neighbouring asperities interact and no asperity model is valid.";
+            beyond_model["true/false"] = row.model(Response::is_beyond_model), "Whether the area ratio exceeds 0.05, where neighbouring asperities interact and no asperity model is valid; empty for the reference.";
             effective_contacts["1"] = row.model_value(|response| Some(response.sharing?.effective_contacts)), "Effective contacts of the sum: 1 over the sum of squared load shares; empty for the integral and without contact.";
             largest_load_share["1"] = row.model_value(|response| Some(response.sharing?.largest_share)), "Share of the load in the most heavily loaded contact of the sum.";
             large_strain_load_share["1"] = row.model_value(|response| Some(response.sharing?.large_strain_share)), "Share of the load of the sum in contacts whose radius exceeds 0.3 of the asperity radius.";
-            limits["text"] = limits(row.exceeded()), "Limits of the valid range that one of the models exceeds at this control point, separated by spaces: `few-contacts` (fewer than 30 effective), `dominant-contact` (more than 10 % of the load in one), `interaction` (area ratio above 0.05), `large-strain` (more than 10 % of the load in contacts whose radius exceeds 0.3 of the asperity radius); empty within the valid range.";
+            limits["text"] = limits(row.exceeded()), "Limits of the valid range that one of the models exceeds at this control point, separated by spaces: `few-contacts` (fewer than 30 effective), `dominant-contact` (more than 10 % of the load in one), `interaction` (area ratio above 0.05), `large-strain` (more than 10 % of the load in contacts whose radius exceeds 0.3 of the asperity radius); empty within the valid range, and for the reference.";
             raw_area_ratio["1"] = row.either(|_| None, |point| Some(point.raw_area_ratio)), "Points in contact over all points of the reference; empty for the models.";
         });
         columns

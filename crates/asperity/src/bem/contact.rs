@@ -82,18 +82,21 @@ impl Contact {
     }
 
     /// Contact area over nominal area: the raw ratio, corrected for the points that the border of the contact cuts. No
-    /// correction where the contact has no border, in full contact.
+    /// correction where the contact has no border, in full contact, nor where it is at the cap: a point there bears the
+    /// cap on all of its pixel. At least the area that carries the load at the cap.
     pub fn area_ratio(&self) -> f64 {
-        self.raw_area_ratio() - BORDER * self.border() as f64 / self.pressures.len() as f64
+        let corrected = self.raw_area_ratio() - BORDER * self.border() as f64 / self.pressures.len() as f64;
+        corrected.max(self.pressure() / self.cap)
     }
 
-    /// Pairs of neighbours of which one is in contact: sides of pixels that make up the border of the contact.
+    /// Pairs of neighbours of which one is in contact below the cap and the other is not: sides of pixels that make up the
+    /// border of the contact, where the pressure falls to zero.
     pub fn border(&self) -> usize {
         let [nx, ny] = self.points;
         let wraps = self.boundary == Boundary::Periodic;
         let row = |i: usize| &self.pressures[i * ny..][..ny];
         let of_row = |i: usize| {
-            let differ = |a: f64, b: f64| usize::from((a > 0.0) != (b > 0.0));
+            let differ = |a: f64, b: f64| usize::from(self.is_border(a, b));
             let here = row(i);
             let along: usize = here.windows(2).map(|pair| differ(pair[0], pair[1])).sum();
             let around = if wraps { differ(here[0], here[ny - 1]) } else { 0 };
@@ -104,6 +107,11 @@ impl Contact {
         (0..nx).into_par_iter().map(of_row).sum()
     }
 
+    /// Whether neighbours with the pressures `a` and `b` (Pa) make up the border.
+    fn is_border(&self, a: f64, b: f64) -> bool {
+        (a > 0.0) != (b > 0.0) && a.max(b) < AT_CAP * self.cap
+    }
+
     /// What each block of a division of the points contributes to mean pressure (Pa) and corrected area ratio; `blocks` must
     /// divide as many points. The border between two blocks counts for the first.
     pub fn block_sums(&self, blocks: &Blocks) -> Vec<[f64; 2]> {
@@ -111,18 +119,17 @@ impl Contact {
         let wraps = self.boundary == Boundary::Periodic;
         let all = self.pressures.len() as f64;
         let mut sums = vec![[0.0; 2]; blocks.count()];
-        let touches = |i: usize, j: usize| self.pressures[i * ny + j] > 0.0;
+        let at = |i: usize, j: usize| self.pressures[i * ny + j];
         for (k, &p) in self.pressures.iter().enumerate() {
             let (i, j) = (k / ny, k % ny);
-            let here = p > 0.0;
             let across = if i + 1 < nx { Some(i + 1) } else { wraps.then_some(0) };
             let along = if j + 1 < ny { Some(j + 1) } else { wraps.then_some(0) };
-            let sides = usize::from(across.is_some_and(|i| touches(i, j) != here))
-                + usize::from(along.is_some_and(|j| touches(i, j) != here));
-            if here || sides > 0 {
+            let sides = usize::from(across.is_some_and(|i| self.is_border(at(i, j), p)))
+                + usize::from(along.is_some_and(|j| self.is_border(at(i, j), p)));
+            if p > 0.0 || sides > 0 {
                 let [pressure, area] = &mut sums[blocks.of_point(k)];
                 *pressure += p / all;
-                *area += (f64::from(u8::from(here)) - BORDER * sides as f64) / all;
+                *area += (f64::from(u8::from(p > 0.0)) - BORDER * sides as f64) / all;
             }
         }
         sums

@@ -75,6 +75,12 @@ impl Estimate {
         self.error.map(|error| self.quantile * error + self.bound)
     }
 
+    /// What holds on the very surface that was compared, whatever another sample of it would give: the bound alone is its error.
+    #[must_use]
+    pub fn here(&self) -> Self {
+        Self { error: Some(0.0), quantile: 0.0, ..*self }
+    }
+
     /// The ends of the 95 % interval.
     pub fn interval(&self) -> Option<[f64; 2]> {
         self.half_width().map(|half| [self.contrast - half, self.contrast + half])

@@ -97,7 +97,12 @@ impl AgainstReference {
                 let full = nearness(contrasts);
                 estimates[2][quantity] = Some(estimate(full, error(full, &|&both| nearness(both)), bound));
             }
-            let [s, d, nearness] = estimates.map(|estimates| Difference { estimates, ..both.clone() });
+            let [s, d, nearness] = estimates.map(|estimates| Difference {
+                estimates,
+                // Asperities interact where the reference says so, too.
+                area_ratio: both.area_ratio.max(point.area_ratio),
+                ..both.clone()
+            });
             found.models[0].push(s);
             found.models[1].push(d);
             found.nearness.push(nearness);
@@ -204,6 +209,8 @@ pub struct NearerStretch {
     pub nearer_here: Option<Kind>,
     /// Whether the statistical and the deterministic model agree with the reference within what is accepted.
     pub verdicts: [Verdict; 2],
+    /// The same on this very surface.
+    pub verdicts_here: [Verdict; 2],
     /// The largest difference of each from the reference, and its load, Pa.
     pub largest: [(f64, Estimate); 2],
 }
@@ -237,11 +244,12 @@ impl NearerStretch {
                     nearer: nearness.interval().and_then(side),
                     nearer_here: side([contrast - bound, contrast + bound]),
                     verdicts: estimates.map(|estimate| Verdict::of(&estimate, band)),
+                    verdicts_here: estimates.map(|estimate| Verdict::of(&estimate.here(), band)),
                     largest: estimates.map(|estimate| (at.load, estimate)),
                 })
             })
             .collect();
-        let key = |one: &Self| (one.nearer, one.nearer_here, one.verdicts);
+        let key = |one: &Self| (one.nearer, one.nearer_here, one.verdicts, one.verdicts_here);
         let alike = |a: &Self, b: &Self| key(a) == key(b);
         each.chunk_by(alike).map(Self::joined).collect()
     }

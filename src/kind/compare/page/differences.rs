@@ -16,8 +16,6 @@ const PANELS: [(ComparedQuantity, &str, f64); 3] = [
 /// Differences over load, with how they are drawn.
 struct Curve<'a> {
     name: &'static str,
-    /// The name of its interval in the legend.
-    interval: Option<&'static str>,
     colour: Colour,
     dash: Dash,
     differences: &'a [Difference],
@@ -34,7 +32,6 @@ impl Curve<'_> {
 pub fn differences(verdicts: &Verdicts) -> String {
     let curve = Curve {
         name: "statistical − deterministic",
-        interval: Some("95 % interval"),
         colour: Colour::Statistical,
         dash: Dash::Solid,
         differences: &verdicts.differences,
@@ -48,14 +45,12 @@ pub fn against_reference(verdicts: &Verdicts, against: &AgainstReference) -> Str
     let curves = [
         Curve {
             name: "statistical − reference",
-            interval: None,
             colour: Colour::Statistical,
             dash: Dash::Dashed,
             differences: statistical,
         },
         Curve {
             name: "deterministic − reference",
-            interval: Some("95 % intervals"),
             colour: Colour::Deterministic,
             dash: Dash::Solid,
             differences: sum,
@@ -92,10 +87,6 @@ fn panel(verdicts: &Verdicts, curves: &[Curve], compared: ComparedQuantity, labe
     }
     plot = plot.with(Layer::at_y(0.0, ""));
     for curve in curves {
-        let named = |layer: Layer| match curve.interval {
-            Some(name) => layer.named(name),
-            None => layer,
-        };
         let band = curve.of(compared).filter_map(|(at, found)| {
             let [low, high] = found.interval()?;
             Some((megapascals(at.load), shown(low), shown(high)))
@@ -104,9 +95,9 @@ fn panel(verdicts: &Verdicts, curves: &[Curve], compared: ComparedQuantity, labe
         if let &[(load, low, high)] = &band[..] {
             // One load has no band to fill: an error bar.
             let bar = Layer::line([(load, low), (load, high)]).coloured(curve.colour);
-            plot = plot.with(named(bar.thick()));
+            plot = plot.with(bar.named(INTERVAL).thick());
         } else if !band.is_empty() {
-            plot = plot.with(named(Layer::band(band).coloured(curve.colour)));
+            plot = plot.with(Layer::band(band).coloured(curve.colour).named(INTERVAL));
         }
     }
     for curve in curves {
@@ -121,6 +112,9 @@ fn panel(verdicts: &Verdicts, curves: &[Curve], compared: ComparedQuantity, labe
     }
     plot
 }
+
+/// The intervals in the legend.
+const INTERVAL: &str = "95 % interval";
 
 /// Margin of the load axis at both ends, as a ratio.
 const MARGIN: f64 = 1.3;

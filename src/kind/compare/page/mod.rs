@@ -165,7 +165,7 @@ fn sentences(results: &CompareResults, found: &SurfaceResults) -> Vec<(String, S
              `force` to the spec."
                 .to_owned()
         } else if case.comparison.curves.is_empty() {
-            reference::ALONE.to_owned()
+            reference::alone_sentence(case)
         } else if verdicts.differences.is_empty() {
             format!("one model was run, so that no models are compared. {}", verdict::range_line(verdicts))
         } else {

@@ -24,7 +24,9 @@ pub fn section(page: &mut Page, results: &CompareResults, found: &SurfaceResults
     lines.extend(interpolated(first));
     lines.extend(cases.iter().filter_map(|on| unreached(results, on.case, on.curve)));
     page.bullets(lines);
-    table(page, results, &cases);
+    let points = found.surface.map.as_ref().map_or([0; 2], |map| map.points);
+    let all_points = points.iter().map(|&count| (count * metadata.refine) as f64).product();
+    table(page, results, &cases, all_points);
     /// More contacts, as of many thicknesses, are left to the tables.
     const MOST_VIEWS: usize = 4;
     for (index, view) in found.contacts.iter().take(MOST_VIEWS).enumerate() {
@@ -33,19 +35,39 @@ pub fn section(page: &mut Page, results: &CompareResults, found: &SurfaceResults
     }
 }
 
-/// What is said where there is nothing beside the reference.
-pub const ALONE: &str = "the reference alone was run, so that no models are compared.";
+/// What is said of a case where there is nothing beside the reference.
+pub fn alone_sentence(case: &CaseResults) -> String {
+    let points = case.reference.iter().flat_map(|curve| &curve.points);
+    let mut points: Vec<&ReferencePoint> = points.collect();
+    points.sort_by(|a, b| a.pressure.total_cmp(&b.pressure));
+    let at = |point: &&ReferencePoint| {
+        let separation = point.separation_over_sigma.map(|h| format!(" and a separation of {} σ", number(h)));
+        format!(
+            "a real contact area of {} of the nominal one{} at {}",
+            percent(point.area_ratio),
+            separation.unwrap_or_default(),
+            input_quantity(point.pressure, "Pa")
+        )
+    };
+    let found = match &points[..] {
+        [] => "no load was solved".to_owned(),
+        [only] => at(only),
+        [first, .., last] => format!("{}, {}", at(first), at(last)),
+    };
+    format!("the reference alone was run: {found}.")
+}
 
-/// The same of each surface.
+/// The same of each surface where several thicknesses are compared.
 pub fn alone(results: &CompareResults) -> impl Iterator<Item = String> {
     let is_alone = |found: &&SurfaceResults| {
         models(&ReferenceCase::all(found)).is_empty() && results.reference.is_some()
     };
-    results
-        .surfaces
-        .iter()
-        .filter(is_alone)
-        .map(|found| format!("**{}**: {ALONE}", escape(&found.surface.name)))
+    results.surfaces.iter().filter(is_alone).map(|found| {
+        format!(
+            "**{}**: the reference alone was run, so that no models are compared.",
+            escape(&found.surface.name)
+        )
+    })
 }
 
 /// A case with a reference.
@@ -82,7 +104,15 @@ impl<'a> ReferenceCase<'a> {
 /// What was solved.
 fn method(metadata: &ReferenceMetadata, found: &SurfaceResults, curve: &ReferenceCurve) -> String {
     let points = found.surface.map.as_ref().map_or([0; 2], |map| map.points);
-    let [nx, ny] = points.map(|points| points * metadata.refine);
+    let [nx, ny] = points;
+    let map = if metadata.refine > 1 {
+        let [finer_x, finer_y] = points.map(|points| points * metadata.refine);
+        format!(
+            "the map of the models ({nx} × {ny} points, levelled and filtered), interpolated to {finer_x} × {finer_y} points by its own waves"
+        )
+    } else {
+        format!("the map of the models ({nx} × {ny} points, levelled and filtered)")
+    };
     let is_measured = found.surface.map.as_ref().is_some_and(|map| map.generation.is_none());
     let boundary = match curve.boundary {
         Boundary::Periodic if is_measured => {
@@ -104,8 +134,7 @@ fn method(metadata: &ReferenceMetadata, found: &SurfaceResults, curve: &Referenc
         }
     };
     format!(
-        "Boundary elements on the same map as the models ({nx} × {ny} points, levelled and filtered, boundary `{}`) and the same bodies, \
-         without asperities: the rough surface deforms as a whole, so that contacts interact and merge. {boundary} The solution at each load \
+        "Boundary elements on {map}, boundary `{}`, with the same bodies and without asperities: the rough surface deforms as a whole, so that contacts interact and merge. {boundary} The solution at each load \
          has a relative dual gap of at most {:e}. {separation}The area is corrected for the perimeter of the contacts. Steps and \
          convolutions: `reference.csv`.{}",
         curve.boundary.name(),
@@ -147,8 +176,11 @@ fn models(cases: &[ReferenceCase]) -> Vec<Kind> {
     [Kind::Statistical, Kind::Deterministic].into_iter().filter(is_run).collect()
 }
 
-/// Both models and the reference at the loads of the reference.
-fn table(page: &mut Page, results: &CompareResults, cases: &[ReferenceCase]) {
+/// Points in contact below which an area is a matter of single points.
+const FEW_POINTS: f64 = 100.0;
+
+/// Both models and the reference at the loads of the reference; `all_points` of its grid.
+fn table(page: &mut Page, results: &CompareResults, cases: &[ReferenceCase], all_points: f64) {
     let kinds = models(cases);
     let has_several = cases.len() > 1;
     let of_each = |quantity: &str| {
@@ -168,20 +200,20 @@ fn table(page: &mut Page, results: &CompareResults, cases: &[ReferenceCase]) {
         let kinds = &kinds;
         on.points().into_iter().map(move |point| {
             let mut cells: Vec<String> = name.clone().into_iter().collect();
-            cells.extend(row(on, point, kinds));
+            cells.extend(row(on, point, kinds, all_points));
             cells
         })
     });
     page.table(header, rows);
     let mark = if kinds.is_empty() { "" } else { "\\* Beyond the valid range of the models. " };
     page.paragraph(&format!(
-        "{mark}Points in contact: share of the points of the map, before the correction for the perimeter. At the cap: share of the \
-         points in contact that carry the largest pressure.",
+        "{mark}Points in contact: share of the points, before the correction for the perimeter; † fewer than {FEW_POINTS} points, so that \
+         the area depends on the grid. At the cap: share of the points in contact that carry the largest pressure.",
     ));
 }
 
 /// One load.
-fn row(on: &ReferenceCase, point: &ReferencePoint, kinds: &[Kind]) -> Vec<String> {
+fn row(on: &ReferenceCase, point: &ReferencePoint, kinds: &[Kind], all_points: f64) -> Vec<String> {
     let shown = |value: Option<f64>| value.map_or_else(|| "–".to_owned(), number);
     let is_valid = kinds.is_empty() || on.is_valid_at(point.pressure);
     let models: Vec<Option<[f64; 2]>> =
@@ -192,7 +224,9 @@ fn row(on: &ReferenceCase, point: &ReferencePoint, kinds: &[Kind]) -> Vec<String
     let mut cells =
         vec![format!("{}{}", input_quantity(point.pressure, "Pa"), if is_valid { "" } else { " *" })];
     cells.extend(of_models(0));
-    cells.extend([number(point.area_ratio), number(point.raw_area_ratio)]);
+    let is_coarse = point.raw_area_ratio * all_points < FEW_POINTS;
+    let in_contact = format!("{}{}", number(point.raw_area_ratio), if is_coarse { " †" } else { "" });
+    cells.extend([number(point.area_ratio), in_contact]);
     cells.extend(of_models(1));
     cells.extend([
         shown(point.separation_over_sigma),
@@ -236,8 +270,11 @@ fn contact_figures(
         Some(cap) => format!("contact pressure at most {}", quantity(cap, "Pa")),
     };
     let at = format!("{} ({material}{layer})", input_quantity(view.load, "Pa"));
-    let part =
-        if view.part.is_whole { "The map." } else { "A part of the map with the contact area of the whole." };
+    let part = if view.part.is_whole {
+        "The map."
+    } else {
+        "A part of the map with the same share of points in contact as the whole."
+    };
     let summits = view.sum.as_ref().map_or_else(String::new, |sum| {
         format!(
             " {} of the {} asperities in contact in the sum (law {}) touch in the reference too (rings; the others: crosses).",
@@ -259,7 +296,8 @@ fn contact_figures(
         &format!("{}-reference-pressures{name}.svg", found.surface.name),
         pressures(view),
         &format!(
-            "Distribution of the contact pressure at {at}, over its mean {}.",
+            "Distribution of the contact pressure at {at}, over its mean {}. An elastic pressure falls to zero at the edge of a contact; that \
+             the density does not is due to the grid.",
             quantity(view.mean_pressure, "Pa")
         ),
     );

@@ -10,7 +10,7 @@ use asperity::law::Property;
 use asperity::{Flat, Material, softer_hardness};
 use asperity_framework::contact::LawPlan;
 use asperity_framework::input::{InputError, SpecFile, Whole, materials};
-use asperity_framework::report::format::number;
+use asperity_framework::report::format::{number, quantity};
 use toml::Spanned;
 
 use super::spec::{CapSpec, ReferenceSpec};
@@ -89,12 +89,16 @@ impl fmt::Display for ElasticCase {
     }
 }
 
-/// Wall time of one convolution and the vector operations of its step, per point of the map, on two cores, s: 8 ns of a periodic
-/// map, 11 ns of a mirrored one (docs/theory.md, section 9).
-const SECONDS_PER_POINT: f64 = 10e-9;
-/// Convolutions per load at an error of 1e-6: 15 at 0.04 % of contact area, 31 at 3 %, 75 at 34 % of a periodic map, half as many
-/// again of a mirrored one.
-const CONVOLUTIONS_PER_LOAD: f64 = 45.0;
+/// Wall time of a load at an error of 1e-6 on two cores, per point of the map, s (docs/theory.md, section 9): of a periodic map
+/// 34 convolutions of 8 ns, of a mirrored one 46 of 11 ns and more where waves of two pixels are left in it, of a finite patch
+/// 46 of 22 ns.
+const fn seconds_per_point(boundary: Boundary) -> f64 {
+    match boundary {
+        Boundary::Periodic => 2.8e-7,
+        Boundary::Mirrored => 7e-7,
+        Boundary::Finite => 1e-6,
+    }
+}
 
 impl ReferencePlan {
     /// What lies beyond the edge of the map of a surface: a generated map is periodic, a measured one is mirrored unless the
@@ -126,13 +130,13 @@ impl ReferencePlan {
     /// An estimate of the time that it takes on all realisations of a surface, on two cores.
     fn time(&self, surface: &SurfacePlan) -> Duration {
         let [nx, ny] = self.points(surface);
-        // The padded problem of a finite patch has four times the points.
-        let padding = if self.boundary(surface) == Boundary::Finite { 4.0 } else { 1.0 };
         // The map as it is, is solved beside the finer one.
         let both = if self.refine > 1 { 1.0 + (self.refine as f64).powi(-2) } else { 1.0 };
-        let points = padding * both * nx as f64 * ny as f64;
-        let convolutions = CONVOLUTIONS_PER_LOAD * (self.solves() * surface.realisations) as f64;
-        Duration::from_secs_f64(points * convolutions * SECONDS_PER_POINT)
+        let points = both * nx as f64 * ny as f64;
+        // Steps grow as the logarithm of the error.
+        let steps = self.error.ln() / ERROR.ln();
+        let loads = (self.solves() * surface.realisations) as f64;
+        Duration::from_secs_f64(points * loads * steps * seconds_per_point(self.boundary(surface)))
     }
 
     /// A warning for each surface whose shortest waves the grid resolves too coarsely for an area of contact.
@@ -283,6 +287,21 @@ pub fn reference(
             plan.solutions.len() - 1
         });
         plan.serves.push(index);
+    }
+    let is_alone = models.get_ref().kinds.is_empty();
+    let highest =
+        plan.solutions.iter().map(|solution| solution.cap.unwrap_or(f64::INFINITY)).fold(0.0, f64::max);
+    let pressures = || plan.prescribed.iter().filter(|(control, _)| *control == Control::Pressure);
+    if is_alone
+        && plan.prescribed.len() == pressures().count()
+        && pressures().all(|(_, load)| *load >= highest)
+    {
+        let span = file.source.value_at(&["compare", "pressure"]).map_or(models.span(), |(span, _)| span);
+        let message = format!(
+            "found no load below {}, the largest contact pressure of the reference; allowed: a nominal pressure below it, or cap = \"none\"",
+            quantity(highest, "Pa")
+        );
+        return refuse(span, message);
     }
     Ok(Some(plan))
 }

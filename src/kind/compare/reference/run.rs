@@ -138,7 +138,7 @@ impl ReferenceRun<'_> {
             let contact = solver.at_pressure(pressure, context.progress).map_err(|error| refuse(&error))?;
             let at_own = own.as_ref().map(|solver| solver.at_pressure(pressure, &Silent)).transpose();
             let at_own = at_own.map_err(|error| refuse(&error))?;
-            let found = point(pressure, &contact, at_own.as_ref(), self.surface, boundary);
+            let found = point(pressure, &contact, at_own.as_ref(), self.surface, boundary, pair.is_layered());
             solved.points.insert(pressure.to_bits(), found);
             let of_block = |[pressure, area_ratio]: [f64; 2]| BlockShare { pressure, area_ratio };
             let sums = blocks.as_ref().map(|blocks| contact.block_sums(blocks)).unwrap_or_default();
@@ -236,10 +236,13 @@ impl Solved {
     }
 }
 
-/// The part of the correction for the perimeter that is taken as the bound of its error where no second resolution gives
-/// one. The correction removes at least 0.73 of the error of spheres and of self-affine surfaces with 2 to 16 points per
-/// shortest wave.
+/// The part of the correction for the perimeter that bounds its error: it removes at least 0.73 of the error of spheres and of
+/// self-affine surfaces with 2 to 16 points per shortest wave.
 const CORRECTION_ERROR: f64 = 0.3;
+
+/// The same of contacts that yield and under a layer, where the pressure does not fall to zero as on an elastic half-space:
+/// the area lies between the corrected and the counted one.
+const UNSURE_CORRECTION_ERROR: f64 = 1.0;
 
 /// The contact at a nominal pressure (Pa) in the terms of the models, with that of another resolution.
 fn point(
@@ -248,6 +251,7 @@ fn point(
     other: Option<&Contact>,
     surface: &Surface,
     boundary: Boundary,
+    is_layered: bool,
 ) -> ReferencePoint {
     let (mean_gap, sigma) = (contact.mean_gap(), surface.plane.sigma);
     let offset = surface.plane_above_mean_plane().filter(|_| boundary != Boundary::Finite);
@@ -255,10 +259,12 @@ fn point(
     let (area, raw) = (contact.area_ratio(), contact.raw_area_ratio());
     // The dual gap is relative to the standard deviation of the heights.
     let roughness = surface.map.as_ref().map_or(sigma, |map| map.roughness.moments.sq);
-    let of_grid = match other {
-        Some(other) => [(other.mean_gap() - mean_gap).abs() / sigma, (other.area_ratio() / area).ln().abs()],
-        None => [0.0, CORRECTION_ERROR * (raw / area - 1.0)],
-    };
+    let is_sure = contact.capped_area_ratio() == 0.0 && !is_layered;
+    let part = if is_sure { CORRECTION_ERROR } else { UNSURE_CORRECTION_ERROR };
+    let between = other.map_or([0.0; 2], |other| {
+        [(other.mean_gap() - mean_gap).abs() / sigma, (other.area_ratio() / area).ln().abs()]
+    });
+    let of_grid = [between[0], between[1].max(part * (raw / area - 1.0))];
     ReferencePoint {
         control: Control::Pressure,
         target: pressure,

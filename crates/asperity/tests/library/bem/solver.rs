@@ -226,6 +226,25 @@ fn the_area_of_a_sphere_is_corrected_for_its_border() {
     assert!(errors[1].abs() < 0.35 * errors[0], "{errors:?}");
 }
 
+/// A point at the cap bears it on all of its pixel: its sides are no border, and no area is less than the load needs.
+#[test]
+fn the_area_at_the_cap_is_not_corrected() {
+    let map = rough([96, 96], 0.8, 0.25, 8.0 / 96.0, 5);
+    let cap = 0.05;
+    let of = |cap| Options { boundary: Boundary::Periodic, error: 1e-9, cap };
+    let elastic = Solver::new(&map, &bare(), &of(None)).unwrap();
+    let capped = Solver::new(&map, &bare(), &of(Some(cap))).unwrap();
+    for load in [1e-4, 1e-3, 0.01, 0.03, 0.045] {
+        let contact = capped.at_pressure(load, &Silent).unwrap();
+        let least = (load / cap).max(contact.capped_area_ratio());
+        assert!(contact.area_ratio() >= least, "{load}: {} < {least}", contact.area_ratio());
+        let correction = contact.raw_area_ratio() - contact.area_ratio();
+        let without = elastic.at_pressure(load, &Silent).unwrap();
+        let of_elastic = 1.0 - without.area_ratio() / without.raw_area_ratio();
+        assert!(correction / contact.raw_area_ratio() < 0.5 * of_elastic, "{load}");
+    }
+}
+
 /// The distance of the flat from the undeformed mean plane is the mean gap where the surface has no end; a finite patch sinks
 /// on average as under a uniform pressure, or less, since a rigid flat presses on its edges.
 #[test]

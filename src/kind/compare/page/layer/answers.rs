@@ -21,8 +21,9 @@ impl Series<'_> {
                 &format!("{}-layers.svg", self.stem),
                 figures::by_load(self),
                 &format!(
-                    "Separation and real contact area against load, by layer thickness. {} Thin: beyond the valid range.",
-                    self.lines_are()
+                    "Separation and real contact area against load, by layer thickness. {}{} Thin: beyond the valid range.",
+                    self.lines_are(),
+                    self.reference_is()
                 ),
             );
         }
@@ -134,18 +135,22 @@ impl Series<'_> {
     }
 
     /// Line styles of a figure.
-    fn lines_are(&self) -> String {
-        let of_models = match self.findings.models[..] {
+    fn lines_are(&self) -> &'static str {
+        match self.findings.models[..] {
             [] => "Lines: reference.",
             [Kind::Statistical] => "Lines: statistical model.",
             [Kind::Deterministic] => "Lines: deterministic model.",
             _ => {
                 "Solid: deterministic model; dashed: statistical model (as in Fig. 6 of Pasaribu and Schipper 2005)."
             }
-        };
+        }
+    }
+
+    /// The line style of the reference beside models.
+    fn reference_is(&self) -> &'static str {
         let has_both =
             !self.findings.models.is_empty() && self.cases.iter().any(|case| case.reference.is_some());
-        format!("{of_models}{}", if has_both { " Dash-dot, in the curves over load: reference." } else { "" })
+        if has_both { " Dash-dot: reference." } else { "" }
     }
 }
 

@@ -11,7 +11,7 @@ use crate::kind::compare::findings::{
 };
 use crate::kind::compare::results::{CompareResults, SurfaceResults};
 use asperity::Exceeded;
-use asperity::compare::{GOOD_RATIO, ValidRange};
+use asperity::compare::{GOOD_RATIO, ReferencePoint, ValidRange};
 use asperity_framework::contact::LayerMetadata;
 use asperity_framework::report::format::{
     input_quantity, listed, number, percent, quantity, ratio, thickness,
@@ -113,13 +113,36 @@ impl<'a> Series<'a> {
         let parts: Vec<String> = self.findings.loads.iter().map(at_load).collect();
         (!parts.is_empty()).then(|| {
             format!(
-                "**{}**: the thickness of {} below which the layer has no effect (real contact area within 5 % of the \
-                 uncoated one) is {}.",
+                "**{}**: by the models the thickness of {} below which the layer has no effect (real contact area within 5 % of the \
+                 uncoated one) is {}.{}",
                 escape(&self.subject),
                 escape(&self.layer.name),
-                listed(&parts)
+                listed(&parts),
+                self.thinnest_in_reference().unwrap_or_default(),
             )
         })
+    }
+
+    /// What the thinnest layer changes in the reference, whatever the models say.
+    fn thinnest_in_reference(&self) -> Option<String> {
+        let uncoated = self.cases.iter().find(|case| case.thickness == Some(0.0))?.reference.as_ref()?;
+        let (thickness, thinnest) = self.finite().next()?;
+        let valid = self.valid().next()?;
+        let thinnest = thinnest.reference.as_ref()?.points.iter();
+        let thinnest = thinnest
+            .filter(|point| valid.stretches.iter().any(|[from, to]| (*from..=*to).contains(&point.pressure)));
+        let change = |point: &ReferencePoint| {
+            Some((point.area_ratio / uncoated.at_load(point.pressure)?.area_ratio - 1.0, point.pressure))
+        };
+        let (change, load) = thinnest.filter_map(change).max_by(|a, b| a.0.abs().total_cmp(&b.0.abs()))?;
+        let sign = if change < 0.0 { "−" } else { "+" };
+        Some(format!(
+            " In the reference {} of {} change it by up to {sign}{} (at {}).",
+            input_quantity(thickness, "m"),
+            escape(&self.layer.name),
+            percent(change.abs()),
+            input_quantity(load, "Pa"),
+        ))
     }
 
     fn plastic_line(&self, found: &PlasticRange) -> String {

@@ -192,7 +192,7 @@ fn counted(compared: ComparedQuantity, what: &str, all: &[&Verdicts]) -> Option<
     let open = told - within - beyond;
     let parts = [
         (within, "within what is accepted wherever it can be told"),
-        (beyond, "beyond it at some load"),
+        (beyond, "beyond what is accepted at some load"),
         (open, "unknown at every load"),
     ];
     let parts = parts.into_iter().filter(|(count, _)| *count > 0);
@@ -308,7 +308,7 @@ mod tests {
         assert_eq!(
             over_cases("thicknesses", &[&good, &bad]),
             "the difference between the models is in real contact area within what is accepted wherever it can be told for all 2 \
-             thicknesses; in separation within what is accepted wherever it can be told for 1 of 2 and beyond it at some load for \
+             thicknesses; in separation within what is accepted wherever it can be told for 1 of 2 and beyond what is accepted at some load for \
              1 of 2; in stiffness within what is accepted wherever it can be told for 1 of 2 and unknown at every load for 1 \
              of 2."
         );

@@ -1,7 +1,7 @@
 //! Both models against the reference, in words and in a table.
 
-use asperity::compare::{ComparedQuantity, Estimate, Kind, NearerStretch, Verdict};
-use asperity_framework::report::format::{listed, number, percent};
+use asperity::compare::{ComparedQuantity, Difference, Estimate, Kind, NearerStretch, Verdict};
+use asperity_framework::report::format::{listed, number};
 use asperity_framework::report::page::Page;
 
 use super::words::{loads, name, over, signed};
@@ -49,15 +49,16 @@ pub fn nearer_sentence(verdicts: &Verdicts) -> Option<String> {
         main.into_iter().partition(|stretch| stretch.nearer.is_some());
     let mut sentences = Vec::new();
     if !told.is_empty() {
-        let clauses: Vec<String> = told.iter().filter_map(|one| Some(clause(one, one.nearer?))).collect();
+        let clause = |one: &&NearerStretch| clause(reference, one, Reach::Surfaces);
+        let clauses: Vec<String> = told.iter().filter_map(clause).collect();
         sentences.push(format!("nearer to it is {}.", clauses.join("; ")));
     }
     // What holds on this very map may be said where no interval allows more.
     let (here, open): (Vec<&NearerStretch>, Vec<&NearerStretch>) =
         open.into_iter().partition(|stretch| stretch.nearer_here.is_some() && verdicts.has_one_surface());
     if !here.is_empty() {
-        let clauses: Vec<String> =
-            here.iter().filter_map(|one| Some(clause(one, one.nearer_here?))).collect();
+        let clause = |one: &&NearerStretch| clause(reference, one, Reach::ThisMap);
+        let clauses: Vec<String> = here.iter().filter_map(clause).collect();
         sentences.push(format!(
             "on this map nearer to it is {}; whether that holds for such surfaces cannot be told.",
             clauses.join("; ")
@@ -74,30 +75,69 @@ pub fn nearer_sentence(verdicts: &Verdicts) -> Option<String> {
     Some(sentences.into_iter().chain(rest).collect::<Vec<_>>().join(" "))
 }
 
-/// "the statistical model in real contact area from 1 to 20 MPa (−9 %; the sum −40 %)".
-fn clause(stretch: &NearerStretch, nearer: Kind) -> String {
+/// What a statement is about.
+#[derive(Clone, Copy)]
+enum Reach {
+    /// Surfaces of which the map is a sample.
+    Surfaces,
+    /// The map alone.
+    ThisMap,
+}
+
+impl Reach {
+    fn nearer(self, stretch: &NearerStretch) -> Option<Kind> {
+        match self {
+            Self::Surfaces => stretch.nearer,
+            Self::ThisMap => stretch.nearer_here,
+        }
+    }
+
+    fn verdicts(self, stretch: &NearerStretch) -> [Verdict; 2] {
+        match self {
+            Self::Surfaces => stretch.verdicts,
+            Self::ThisMap => stretch.verdicts_here,
+        }
+    }
+}
+
+/// "the statistical model in real contact area from 1 to 20 MPa (−9 % at 1 MPa; the sum −40 % at 20 MPa), but the sum at 50 MPa".
+fn clause(reference: &ReferenceVerdicts, stretch: &NearerStretch, reach: Reach) -> Option<String> {
+    let nearer = reach.nearer(stretch)?;
     let (near, far) = match nearer {
         Kind::Statistical => (0, 1),
         Kind::Deterministic => (1, 0),
     };
     let other = [Kind::Statistical, Kind::Deterministic][far];
-    let at = |model: usize| signed(stretch.quantity, stretch.largest[model].1.contrast);
-    let end = match stretch.verdicts {
+    let largest = |model: usize| {
+        let (load, estimate) = stretch.largest[model];
+        let at = if stretch.loads[0] == stretch.loads[1] {
+            String::new()
+        } else {
+            format!(" at {}", loads([load; 2]))
+        };
+        format!("{}{at}", signed(stretch.quantity, estimate.contrast))
+    };
+    let end = match reach.verdicts(stretch) {
         [Verdict::Within, Verdict::Within] => ", both within what is accepted",
         [Verdict::Beyond, Verdict::Beyond] => ", neither within what is accepted",
         verdicts if verdicts[near] == Verdict::Within => ", within what is accepted",
         verdicts if verdicts[near] == Verdict::Beyond => ", beyond what is accepted",
         _ => "",
     };
-    format!(
-        "{} in {} {} ({}; {} {}){end}",
+    let turned = reference.nearer.iter().filter(|one| one.quantity == stretch.quantity);
+    let turned = turned.filter(|one| reach.nearer(one) == Some(other));
+    let turned: Vec<String> = turned.map(|one| over(one.loads)).collect();
+    let turn =
+        if turned.is_empty() { String::new() } else { format!(", but {} {}", model(other), listed(&turned)) };
+    Some(format!(
+        "{} in {} {} ({}; {} {}){end}{turn}",
         model(nearer),
         name(stretch.quantity),
         over(stretch.loads),
-        at(near),
+        largest(near),
         model(other),
-        at(far),
-    )
+        largest(far),
+    ))
 }
 
 /// "stiffness at 1 MPa (statistical model −3 %, sum −5 %)".
@@ -159,28 +199,30 @@ pub fn nearer(page: &mut Page, verdicts: &Verdicts, reference: &ReferenceVerdict
     );
 }
 
-/// What the sum misses of the reference at its lightest and heaviest valid load, with Nayak's `alpha` of the map.
+/// The difference of the sum from the reference at its lightest and heaviest valid load, with Nayak's `alpha` of the map.
 pub fn misses(reference: &ReferenceVerdicts, alpha: Option<f64>) -> Option<String> {
     let valid = || reference.against.models[1].iter().filter(|at| at.exceeded().is_none());
     let (first, last) = (valid().next()?, valid().next_back()?);
-    let of = |at: &asperity::compare::Difference| {
-        let contrast = |quantity: ComparedQuantity| at.estimates[quantity as usize].map(|one| one.contrast);
-        let parts: Vec<String> = [
-            contrast(ComparedQuantity::Separation)
-                .map(|h| format!("{} of separation", signed(ComparedQuantity::Separation, h))),
-            contrast(ComparedQuantity::Area)
-                .map(|log| format!("{} in ln(A) ({})", signed_number(log), percent(log.exp_m1().abs()))),
-        ]
-        .into_iter()
-        .flatten()
-        .collect();
-        format!("{} at {}", listed(&parts), loads([at.load; 2]))
+    let of = |at: &Difference| {
+        let part = |quantity: ComparedQuantity, shown: &dyn Fn(f64) -> String| {
+            let Estimate { contrast, bound, .. } = at.estimates[quantity as usize]?;
+            let doubt = if contrast.abs() <= bound { ", less than the error of the reference" } else { "" };
+            Some(format!("{}{doubt}", shown(contrast)))
+        };
+        let separation = part(ComparedQuantity::Separation, &|h| {
+            format!("{} of separation", signed(ComparedQuantity::Separation, h))
+        });
+        let area = part(ComparedQuantity::Area, &|log| {
+            format!("{} in ln(A) ({} of area)", signed_number(log), signed(ComparedQuantity::Area, log))
+        });
+        let parts: Vec<String> = [separation, area].into_iter().flatten().collect();
+        format!("at {} {}", loads([at.load; 2]), listed(&parts))
     };
     let causes = ["interaction", "geometry"].into_iter();
     let causes = causes.chain(reference.yields.then_some("plasticity"));
     let causes = causes.chain(reference.is_layered.then_some("the effective modulus of the layer"));
     let what = listed(&causes.map(str::to_owned).collect::<Vec<_>>());
-    let values = if first.load == last.load { of(first) } else { format!("{}, {}", of(first), of(last)) };
+    let values = if first.load == last.load { of(first) } else { format!("{}; {}", of(first), of(last)) };
     let alpha = alpha.map_or_else(String::new, |alpha| format!(" Nayak's α of the map: {}.", number(alpha)));
     Some(format!("What the sum misses ({what}; sum minus reference): {values}.{alpha}"))
 }
@@ -213,15 +255,18 @@ mod tests {
         let sentence = against([0.3, 0.05], [0.02, -0.5], Some(0.001), Basis::Asperities).1.unwrap();
         assert_eq!(
             sentence,
-            "nearer to it is the statistical model in real contact area from 1 to 10 MPa (+5.13 %; the sum −39.3 %), within what \
-             is accepted; the sum in separation from 1 to 10 MPa (+0.02 σ; the statistical model +0.3 σ), within what is accepted."
+            "nearer to it is the statistical model in real contact area from 1 to 10 MPa (+5.13 % at 10 MPa; the sum −39.3 % at 10 MPa), \
+             within what is accepted; the sum in separation from 1 to 10 MPa (+0.02 σ at 10 MPa; the statistical model +0.3 σ at \
+             10 MPa), within what is accepted."
         );
         let sentence = against([0.5, 0.2], [0.3, 0.02], Some(0.001), Basis::Asperities).1.unwrap();
         assert!(sentence.contains(
-            "the sum in separation from 1 to 10 MPa (+0.3 σ; the statistical model +0.5 σ), neither within"
+            "the sum in separation from 1 to 10 MPa (+0.3 σ at 10 MPa; the statistical model +0.5 σ at 10 MPa), neither within"
         ));
         let sentence = against([0.05, 0.02], [0.01, 0.01], Some(0.001), Basis::Asperities).1.unwrap();
-        assert!(sentence.contains("(+0.01 σ; the statistical model +0.05 σ), both within what is accepted"));
+        assert!(sentence.contains(
+            "(+0.01 σ at 10 MPa; the statistical model +0.05 σ at 10 MPa), both within what is accepted"
+        ));
     }
 
     #[test]
@@ -241,12 +286,41 @@ mod tests {
     }
 
     #[test]
+    fn a_ranking_that_turns_is_said() {
+        let (mut found, _) = against([0.3, 0.4], [0.02, -0.05], Some(0.001), Basis::Asperities);
+        let reference = found.reference.as_mut().unwrap();
+        let turned =
+            NearerStretch { loads: [5e7; 2], nearer: Some(Kind::Statistical), ..reference.nearer[0].clone() };
+        reference.nearer.push(turned);
+        let sentence = nearer_sentence(&found).unwrap();
+        assert!(
+            sentence.ends_with("within what is accepted, but the statistical model at 50 MPa."),
+            "{sentence}"
+        );
+        let (found, sentence) = against([0.5, 0.4], [0.3, -0.3], None, Basis::Asperities);
+        assert_eq!(found.reference.unwrap().nearer[0].verdicts, [Verdict::CannotTell; 2]);
+        assert!(
+            sentence
+                .unwrap()
+                .contains("the statistical model +0.5 σ at 10 MPa), neither within what is accepted")
+        );
+    }
+
+    #[test]
     fn what_the_sum_misses() {
         let (found, _) = against([0.3, 0.05], [-0.02, -0.5], Some(0.001), Basis::Asperities);
         assert_eq!(
             misses(found.reference.as_ref().unwrap(), Some(12.34)).unwrap(),
-            "What the sum misses (interaction and geometry; sum minus reference): −0.02 σ of separation and −0.5 in ln(A) (39.3 %) \
-             at 1 MPa, −0.02 σ of separation and −0.5 in ln(A) (39.3 %) at 10 MPa. Nayak's α of the map: 12.3."
+            "What the sum misses (interaction and geometry; sum minus reference): at 1 MPa −0.02 σ of separation and −0.5 in ln(A) \
+             (−39.3 % of area); at 10 MPa −0.02 σ of separation and −0.5 in ln(A) (−39.3 % of area). Nayak's α of the map: 12.3."
         );
+        let (mut found, _) = against([0.3, 0.05], [-0.02, 0.5], Some(0.001), Basis::Asperities);
+        let reference = found.reference.as_mut().unwrap();
+        let of_sum = reference.against.models[1].iter_mut().flat_map(|at| at.estimates.iter_mut().flatten());
+        of_sum.for_each(|estimate| estimate.bound = 0.1);
+        let missed = misses(reference, None).unwrap();
+        assert!(missed.contains(
+            "at 1 MPa −0.02 σ of separation, less than the error of the reference and +0.5 in ln(A)"
+        ));
     }
 }

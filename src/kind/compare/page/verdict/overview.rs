@@ -41,7 +41,7 @@ struct Row {
     /// Loads at which the statistical model and the sum are within what is accepted.
     within: [String; 2],
     /// Their largest differences from the reference, with the load (Pa).
-    largest: [(f64, f64); 2],
+    largest: [(Estimate, f64); 2],
     has_one_surface: bool,
     nearer: Nearer,
 }
@@ -81,10 +81,15 @@ impl Overview {
         let of_quantity = |quantity: ComparedQuantity| {
             let rows = || self.rows.iter().filter(move |row| row.quantity == quantity);
             let worst = |model: usize| {
-                let size = |row: &&Row| quantity.reported(row.largest[model].0).abs();
+                let size = |row: &&Row| quantity.reported(row.largest[model].0.contrast).abs();
                 let row = rows().max_by(|a, b| size(a).total_cmp(&size(b)))?;
-                let (contrast, load) = row.largest[model];
-                Some(format!("{} ({} at {})", signed(quantity, contrast), row.case, loads([load; 2])))
+                let (estimate, load) = row.largest[model];
+                Some(format!(
+                    "{} ({} at {})",
+                    signed(quantity, estimate.contrast),
+                    row.case,
+                    loads([load; 2])
+                ))
             };
             Some(format!(
                 "in {} the statistical model differs by up to {}, the sum by up to {}",
@@ -96,27 +101,27 @@ impl Overview {
         let quantities: Vec<String> = ORDER.into_iter().filter_map(of_quantity).collect();
         let Self { rows, told, here } = self;
         // Over several realisations there is no single map to speak of.
-        let nearer = if rows.iter().any(|row| row.has_one_surface) {
+        let has_map = rows.iter().any(|row| row.has_one_surface);
+        let here = has_map.then(|| {
             format!(
-                "in {} of the {} rows of the next table on these very maps, the statistical model in {}; with the sampling error of \
-                 such surfaces in {} and {}",
-                here.sum,
-                rows.len(),
-                here.statistical,
-                told.sum,
-                told.statistical
+                "; on these very maps, whatever others would give, in {} and {}",
+                here.sum, here.statistical
             )
-        } else {
-            format!(
-                "in {} of the {} rows of the next table, the statistical model in {}",
-                told.sum,
-                rows.len(),
-                told.statistical
-            )
+        });
+        let claim = match (told.sum > 0, told.statistical > 0) {
+            (true, false) => "in all rows that can be told",
+            (false, true) => "in no row that can be told",
+            (true, true) => "in some of the rows that can be told",
+            (false, false) => "in no row, and no row can be told",
         };
         format!(
-            "at valid loads, {}. The sum is the nearer model, as Pasaribu and Schipper (2005) conclude, {nearer}.",
+            "at valid loads, {}. Of the {} rows of the next table the sum is nearer in {}, the statistical model in {}, with the sampling \
+             error of such surfaces{}. That the sum is the more accurate model, as Pasaribu and Schipper (2005) conclude, holds {claim}.",
             quantities.join("; "),
+            rows.len(),
+            told.sum,
+            told.statistical,
+            here.unwrap_or_default(),
         )
     }
 
@@ -125,8 +130,12 @@ impl Overview {
         page.heading(2, "Which model agrees with the reference?");
         let shown = |row: &Row| {
             let [statistical, sum] = &row.within;
-            let [worst_statistical, worst_sum] =
-                row.largest.map(|(contrast, _)| signed(row.quantity, contrast));
+            let worst = |(estimate, _): (Estimate, f64)| {
+                let interval = estimate.interval().map(|ends| ends.map(|end| signed(row.quantity, end)));
+                let interval = interval.map_or_else(String::new, |[low, high]| format!(" ({low} to {high})"));
+                format!("{}{interval}", signed(row.quantity, estimate.contrast))
+            };
+            let [worst_statistical, worst_sum] = row.largest.map(worst);
             vec![
                 row.case.clone(),
                 row.alpha.map_or_else(|| "–".to_owned(), number),
@@ -154,17 +163,22 @@ impl Overview {
         page.paragraph(
             "Within: the valid loads of the reference at which the difference from it, with its 95 % interval, lies inside what is accepted; \
              in brackets those at which that holds on this very map, with the error of the reference but without an interval for other maps \
-             of such a surface. Largest: the largest difference from the reference at a valid load. Nearer: by more than a tenth of what is \
+             of such a surface. Largest: the largest difference from the reference at a valid load, with its 95 % interval where one is claimed. Nearer: by more than a tenth of what is \
              accepted, at more than half of the loads.",
         );
     }
 }
 
 /// The largest difference of a model from the reference at a valid load, and that load (Pa).
-fn largest(reference: &ReferenceVerdicts, quantity: ComparedQuantity, model: usize) -> Option<(f64, f64)> {
+fn largest(
+    reference: &ReferenceVerdicts,
+    quantity: ComparedQuantity,
+    model: usize,
+) -> Option<(Estimate, f64)> {
     let each = valid(&reference.against.models[model])
-        .filter_map(|at| Some((at.estimates[quantity as usize]?.contrast, at.load)));
-    each.max_by(|a, b| quantity.reported(a.0).abs().total_cmp(&quantity.reported(b.0).abs()))
+        .filter_map(|at| Some((at.estimates[quantity as usize]?, at.load)));
+    let size = |one: &(Estimate, f64)| quantity.reported(one.0.contrast).abs();
+    each.max_by(|a, b| size(a).total_cmp(&size(b)))
 }
 
 impl Count {
@@ -234,8 +248,7 @@ fn within(
         estimate.is_some_and(|estimate| Verdict::of(&estimate, band) == Verdict::Within)
     };
     let is_here = |at: &Difference| {
-        let here = |one: Estimate| Estimate { error: Some(0.0), quantile: 0.0, ..one };
-        let estimate = at.estimates[quantity as usize].map(here);
+        let estimate = at.estimates[quantity as usize].map(|estimate| estimate.here());
         estimate.is_some_and(|estimate| Verdict::of(&estimate, band) == Verdict::Within)
     };
     let told = spans(&reference.against.models[model], &is_within);
@@ -252,8 +265,11 @@ fn within(
 fn spans(differences: &[Difference], is_in: &dyn Fn(&Difference) -> bool) -> String {
     let all: Vec<&Difference> = valid(differences).collect();
     let stretches = all.chunk_by(|a, b| is_in(a) == is_in(b)).filter(|stretch| is_in(stretch[0]));
-    let each: Vec<String> =
-        stretches.map(|stretch| loads([stretch[0].load, stretch[stretch.len() - 1].load])).collect();
+    let words = |stretch: &[&Difference]| match stretch {
+        [only] => format!("at {}", loads([only.load; 2])),
+        _ => loads([stretch[0].load, stretch[stretch.len() - 1].load]),
+    };
+    let each: Vec<String> = stretches.map(words).collect();
     each.join("; ")
 }
 
@@ -279,9 +295,9 @@ mod tests {
             found.sentence(),
             "at valid loads, in real contact area the statistical model differs by up to +49.2 % (first at 10 MPa), the sum by up to \
              −39.3 % (second at 10 MPa); in separation the statistical model differs by up to +0.3 σ (first at 10 MPa), the sum by up to \
-             −0.2 σ (second at 10 MPa). The sum is the nearer model, as Pasaribu and Schipper \
-             (2005) conclude, in 2 of the 4 rows of the next table on these very maps, the statistical model in 2; with the sampling \
-             error of such surfaces in 2 and 0."
+             −0.2 σ (second at 10 MPa). Of the 4 rows of the next table the sum is nearer in 2, the statistical model in 0, with the \
+             sampling error of such surfaces; on these very maps, whatever others would give, in 2 and 2. That the sum is the more \
+             accurate model, as Pasaribu and Schipper (2005) conclude, holds in all rows that can be told."
         );
     }
 
@@ -290,7 +306,7 @@ mod tests {
         let over = |error| against_reference([0.3, 0.4], [0.02, -0.05], error, Basis::Realisations(3));
         let found = overview(&[over(Some(0.001)), over(Some(0.5))]).unwrap().sentence();
         assert!(
-            found.ends_with("in 2 of the 4 rows of the next table, the statistical model in 0."),
+            found.contains("the sum is nearer in 2, the statistical model in 0, with the sampling error of such surfaces. That"),
             "{found}"
         );
     }

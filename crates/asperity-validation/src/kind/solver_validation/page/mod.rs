@@ -361,7 +361,7 @@ fn method(results: &SolverResults) -> Vec<String> {
                 .to_owned(),
         );
         lines.push(
-            "Three further publications give no figure to compare with, since public text holds their abstracts only: Yastrebov, Anciaux and \
+            "Three further publications are not compared with, since of them only abstracts and introductions could be read, without figures: Yastrebov, Anciaux and \
              Molinari (J. Mech. Phys. Solids 107, 2017, 469; arXiv 1704.05650), by which the area at a given p/(E* g) decreases with \
              the logarithm of Nayak's α; Prodanov, Dapp and Müser (Tribol. Lett. 53, 2014, 433), by which it hardly depends on the Hurst \
              exponent; and the contact-mechanics challenge (Müser et al. 2017; problem: arXiv 1512.02403), whose surfaces adhere."

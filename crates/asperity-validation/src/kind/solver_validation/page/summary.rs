@@ -100,10 +100,31 @@ fn layered_line(results: &SolverResults) -> Option<String> {
 fn ensemble_line(results: &SolverResults) -> Option<String> {
     let farthest = results.findings.farthest()?;
     let difference = farthest.difference;
-    let all_hold = results.findings.beside.iter().all(|one| one.holds());
+    let beside = &results.findings.beside;
+    let all_hold = beside.iter().all(|one| one.holds());
+    let resolved: Vec<f64> = beside
+        .iter()
+        .map(|one| one.difference)
+        .filter(|difference| difference.mean.abs() > 2.0 * difference.error)
+        .map(|difference| difference.mean)
+        .collect();
+    let signed = |share: f64| format!("{}{}", if share < 0.0 { "−" } else { "+" }, percent(share.abs()));
+    let ends = resolved.iter().fold(None, |ends: Option<[f64; 2]>, &share| {
+        let [low, high] = ends.unwrap_or([share; 2]);
+        Some([low.min(share), high.max(share)])
+    });
+    let offset = ends.map_or_else(String::new, |[low, high]| {
+        format!(
+            " At {} of {} loads the difference exceeds two standard errors: {} to {}.",
+            resolved.len(),
+            beside.len(),
+            signed(low),
+            signed(high)
+        )
+    });
     Some(format!(
         "**Published ensemble**: extrapolated areas differ from the published ones by at most {} ± {} (at p/E* = {}); {} {} and two \
-         standard errors.",
+         standard errors.{offset}",
         percent(difference.mean),
         percent(difference.error),
         input_number(farthest.pressure),
@@ -149,16 +170,12 @@ fn resolution_line(results: &SolverResults) -> Option<String> {
         }
         AreaOf::Corrected(_) | AreaOf::Extrapolated => "",
     };
-    let over_all = deviations.iter().min_by(|a, b| a.at_all_loads.total_cmp(&b.at_all_loads))?;
     Some(format!(
         "**Resolution**: at the loads with standard errors of at most {}, published areas are nearest to {}{per_wave}, with an r.m.s. \
-         difference of {}{explained}.{earlier} Over all loads, with sampling errors of several percent at light ones, {} are the \
-         nearest to the published ones ({}).",
+         difference of {}{explained}.{earlier}",
         percent(MOST_SAMPLING),
         area_name(nearest.of),
         percent(nearest.published),
-        area_name(over_all.of),
-        percent(over_all.at_all_loads),
     ))
 }
 
