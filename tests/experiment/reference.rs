@@ -472,6 +472,9 @@ fn verdicts_against_the_reference_are_those_of_the_tables() {
         assert!(of.iter().any(|one| one["quantity"] == "area"), "{model}");
         assert!(of.iter().any(|one| one["verdict"] != "cannot-tell"), "{model}: {of:?}");
     }
+    let nearer = summary["nearer_to_reference"].as_array().unwrap();
+    let of_area: Vec<_> = nearer.iter().filter(|one| one["quantity"] == "area").collect();
+    assert!(of_area.iter().any(|one| one["nearer_on_this_map"] == "deterministic"), "{nearer:?}");
     let page = outcome.page().markdown();
     assert!(
         page.contains("**a, against the reference**: ")

@@ -12,7 +12,7 @@ use serde_json::{Map, Value};
 use super::layer_summary as layer;
 use super::layer_summary::{DecreaseSummary, LayerSummary, Thickness, ThresholdSummary};
 use super::readings_summary::{ReadingSummary, readings};
-use super::reference::{self, ReferenceSummary};
+use super::reference::{self, NearerSummary, ReferenceSummary};
 use super::results::{CompareResults, SurfaceResults};
 use super::tables::REFERENCE;
 use crate::surface::fitness::{FitnessSummary, fitness_summary};
@@ -36,6 +36,8 @@ struct CompareSummary<'a> {
     largest_gaps: Vec<GapSummary<'a>>,
     #[serde(skip_serializing_if = "Vec::is_empty")]
     reference: Vec<ReferenceSummary<'a>>,
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    nearer_to_reference: Vec<NearerSummary<'a>>,
     #[serde(skip_serializing_if = "Vec::is_empty")]
     readings: Vec<ReadingSummary<'a>>,
     #[serde(skip_serializing_if = "Vec::is_empty")]
@@ -193,6 +195,7 @@ pub fn summary(results: &CompareResults) -> serde_json::Result<Map<String, Value
         robustness: results.surfaces.iter().flat_map(robustness).collect(),
         largest_gaps: results.surfaces.iter().flat_map(gaps).collect(),
         reference: reference::summary(results),
+        nearer_to_reference: reference::nearer(results),
         readings: readings(results.readings.as_ref()),
         layer_thresholds: results.surfaces.iter().flat_map(layer::thresholds).collect(),
         falls: results.surfaces.iter().flat_map(layer::decreases).collect(),

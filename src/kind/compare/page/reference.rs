@@ -277,10 +277,12 @@ fn contact_figures(
     };
     let summits = view.sum.as_ref().map_or_else(String::new, |sum| {
         format!(
-            " {} of the {} asperities in contact in the sum (law {}) touch in the reference too (rings; the others: crosses).",
+            " {} of the {} asperities in contact in the sum (law {}) touch in the reference too (rings; the others: crosses); {} of the points \
+             in contact lie in patches without any of them.",
             count(sum.touched),
             count(sum.count),
             escape(&sum.law),
+            percent(sum.without),
         )
     });
     page.figure(

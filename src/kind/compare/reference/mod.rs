@@ -19,5 +19,5 @@ mod view;
 pub use plan::{ElasticCase, ReferencePlan};
 pub use run::ReferenceRun;
 pub use spec::ReferenceSpec;
-pub(super) use summary::{ReferenceSummary, summary};
+pub(super) use summary::{NearerSummary, ReferenceSummary, nearer, summary};
 pub use view::{ContactView, Part, SummitsInContact};

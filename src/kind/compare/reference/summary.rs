@@ -1,5 +1,6 @@
 //! The reference in `summary.json`.
 
+use asperity::compare::Kind;
 use serde::Serialize;
 
 use crate::kind::compare::layer_summary::Thickness;
@@ -25,6 +26,49 @@ pub(in crate::kind::compare) struct ReferenceSummary<'a> {
     dual_gap: Option<f64>,
     convolutions: usize,
     interpolated_points: usize,
+}
+
+/// Loads at which both models stand alike against the reference.
+#[derive(Serialize)]
+pub(in crate::kind::compare) struct NearerSummary<'a> {
+    surface: &'a str,
+    law: &'a str,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    layer_thickness_m: Option<Thickness>,
+    quantity: &'static str,
+    from_pa: f64,
+    to_pa: f64,
+    /// The nearer model, with the sampling error of such surfaces; null where it cannot be told or both are as near.
+    nearer: Option<&'static str>,
+    /// The same on this very map; null over several realisations.
+    nearer_on_this_map: Option<&'static str>,
+}
+
+/// Which model is nearer, on all surfaces.
+pub(in crate::kind::compare) fn nearer(results: &CompareResults) -> Vec<NearerSummary<'_>> {
+    let cases = results
+        .surfaces
+        .iter()
+        .flat_map(|found| found.first.cases.iter().zip(&found.findings.cases).map(move |case| (found, case)));
+    cases
+        .flat_map(|(found, (case, findings))| {
+            let verdicts = &findings.verdicts;
+            let stretches = verdicts.reference.iter().flat_map(|reference| &reference.nearer);
+            stretches.map(move |stretch| NearerSummary {
+                surface: &found.surface.name,
+                law: &case.law,
+                layer_thickness_m: case.thickness.map(Thickness),
+                quantity: stretch.quantity.name(),
+                from_pa: stretch.loads[0],
+                to_pa: stretch.loads[1],
+                nearer: stretch.nearer.map(Kind::name),
+                nearer_on_this_map: stretch
+                    .nearer_here
+                    .filter(|_| verdicts.has_one_surface())
+                    .map(Kind::name),
+            })
+        })
+        .collect()
 }
 
 /// Of all surfaces; empty where no reference was run.

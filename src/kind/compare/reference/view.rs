@@ -56,6 +56,8 @@ pub struct SummitsInContact {
     pub count: usize,
     /// Those of them at or beside a point of the map in contact.
     pub touched: usize,
+    /// Share of the points in contact that lie in patches without any of them.
+    pub without: f64,
     /// Places of those on the part that is shown, m, and whether they are touched.
     pub places: Vec<([f64; 2], bool)>,
 }
@@ -191,25 +193,71 @@ impl SummitsInContact {
         let (pressures, grid) = (contact.pressures(), contact.points());
         let flat = on.surface.plane.mean + sum.separation;
         let (columns, pixel) = (on.prepared.map.points()[1], on.prepared.map.pixel());
-        // At or beside a point of the map: as many points of the grid as one of the map has.
-        let is_touched = |at: [usize; 2]| {
-            let around = |axis: usize| {
-                let centre = at[axis] * refine;
-                centre.saturating_sub(refine)..(centre + refine + 1).min(grid[axis])
-            };
-            around(0).any(|ix| pressures[ix * grid[1]..][around(1)].iter().any(|&p| p > 0.0))
-        };
-        let mut found = Self { law: sum.law.clone(), count: 0, touched: 0, places: Vec::new() };
+        let mut patches = Patches { pressures, grid, seen: vec![false; pressures.len()] };
+        let mut found = Self { law: sum.law.clone(), count: 0, touched: 0, without: 0.0, places: Vec::new() };
         for (&position, &height) in on.prepared.positions.iter().zip(on.surface.set.heights()) {
             if height <= flat {
                 continue;
             }
             let at = [position / columns, position % columns];
-            let touched = is_touched(at);
+            // At or beside a point of the map: as many points of the grid as one of the map has.
+            let touched = patches.visit(at.map(|index| index * refine), refine);
             found.count += 1;
             found.touched += usize::from(touched);
             found.places.push(([0, 1].map(|axis| (at[axis] as f64 + 0.5) * pixel[axis]), touched));
         }
+        let all = pressures.iter().filter(|&&p| p > 0.0).count();
+        let seen = patches.seen.iter().filter(|seen| **seen).count();
+        found.without = if all > 0 { (all - seen) as f64 / all as f64 } else { 0.0 };
         found
+    }
+}
+
+/// Connected points in contact, over sides and corners.
+struct Patches<'a> {
+    pressures: &'a [f64],
+    grid: [usize; 2],
+    /// Points in contact that were visited.
+    seen: Vec<bool>,
+}
+
+impl Patches<'_> {
+    /// Visits the patches with a point at most `reach` points from `at`; whether there is one.
+    fn visit(&mut self, at: [usize; 2], reach: usize) -> bool {
+        let mut ahead: Vec<usize> = self.contacts(at, reach).collect();
+        let is_touched = !ahead.is_empty();
+        while let Some(point) = ahead.pop() {
+            if !std::mem::replace(&mut self.seen[point], true) {
+                let around = self.contacts([point / self.grid[1], point % self.grid[1]], 1);
+                let new: Vec<usize> = around.filter(|&point| !self.seen[point]).collect();
+                ahead.extend(new);
+            }
+        }
+        is_touched
+    }
+
+    /// Points in contact at most `reach` points from `at` along both axes.
+    fn contacts(&self, at: [usize; 2], reach: usize) -> impl Iterator<Item = usize> + '_ {
+        let [rows, columns] =
+            [0, 1].map(|axis| at[axis].saturating_sub(reach)..(at[axis] + reach + 1).min(self.grid[axis]));
+        let places = rows.flat_map(move |ix| columns.clone().map(move |iy| ix * self.grid[1] + iy));
+        places.filter(|&point| self.pressures[point] > 0.0)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn patches_without_a_summit_are_left() {
+        let rows = ["1100", "0010", "0000", "1001"];
+        let pressures: Vec<f64> =
+            rows.iter().flat_map(|row| row.bytes()).map(|p| f64::from(p - b'0')).collect();
+        let mut patches = Patches { pressures: &pressures, grid: [4, 4], seen: vec![false; 16] };
+        assert!(!patches.visit([1, 0], 0));
+        assert!(patches.visit([1, 0], 1));
+        let seen: Vec<usize> = (0..16).filter(|&point| patches.seen[point]).collect();
+        assert_eq!(seen, [0, 1, 6], "over the corner, and neither patch of the last row");
     }
 }
