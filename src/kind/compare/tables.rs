@@ -72,7 +72,7 @@ impl Row for CurveRow {
             area_ratio["1"] = row.either(|point| point.response.area_ratio.total(), |point| point.area_ratio), "Real contact area over nominal area, never clamped; for the reference corrected for the perimeter of the contacts.";
             contact_density_per_m2["1/m²"] = row.model(|response| response.contact_density), "Contacts per nominal area.";
             mean_real_pressure_pa["Pa"] = row.either(|point| point.response.mean_real_pressure(), ReferencePoint::mean_real_pressure), "Load over real contact area; empty where there is no contact.";
-            stiffness_pa_per_m["Pa/m"] = row.either(|point| Some(point.response.stiffness), |point| point.stiffness), "Contact stiffness -dp/dd per nominal area; jumps of a law are excluded for the sum and included for the integral; for the reference from the neighbouring loads, empty where one is further than a factor of 2.";
+            stiffness_pa_per_m["Pa/m"] = row.either(|point| Some(point.response.stiffness), |point| point.stiffness), "Contact stiffness -dp/dd per nominal area; jumps of a law are excluded for the sum and included for the integral; for the reference from the neighbouring loads, empty where one is further than a factor of 3.";
             elastic_load_share["1"] = row.model_value(|response| share(&response.pressure, 0)), "Share of the load in elastic contacts; empty where there is no contact.";
             elastic_plastic_load_share["1"] = row.model_value(|response| share(&response.pressure, 1)), "Share of the load in elastic-plastic contacts.";
             plastic_load_share["1"] = row.model_value(|response| share(&response.pressure, 2)), "Share of the load in plastic contacts.";
