@@ -488,6 +488,8 @@ fn verdicts_against_the_reference_are_those_of_the_tables() {
     assert!(!page.contains("**Against the reference**"));
     let capped = run(&format!("law = \"zmc\"\n{THREE}{loads}"), BLOCKS).page().markdown();
     assert!(capped.contains("(interaction, geometry and plasticity;"));
+    let ellipses = run(&format!("law = \"elliptic-hertz\"\n{THREE}{loads}"), BLOCKS).page().markdown();
+    assert!(ellipses.contains("(interaction and geometry;"), "nothing yields on ellipses either");
     let layer = "layer = { material = \"lead\", thickness = [\"200 nm\"] }\n";
     let layered = run(&format!("law = \"hertz\"\n{THREE}{layer}{loads}"), BLOCKS).page().markdown();
     assert!(

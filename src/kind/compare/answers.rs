@@ -57,6 +57,8 @@ pub struct RealisationResults {
 pub struct CaseResults {
     /// The law, as tables name it.
     pub law: String,
+    /// Whether contacts yield under it.
+    pub yields: bool,
     /// Thickness of the layer, m; `None` without a layer in the spec.
     pub thickness: Option<f64>,
     /// Greenwood and Williamson's plasticity index; `None` where nothing yields.

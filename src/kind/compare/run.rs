@@ -203,6 +203,7 @@ pub(super) fn run_surface<'a>(
         timing.deterministic += comparison.deterministic_time;
         cases.push(CaseResults {
             law: law.label.clone(),
+            yields: law.spec.law().yields_by().is_some(),
             thickness: law.thickness,
             plasticity_index: plasticity_index(contact, population.sigma, population.radius),
             gaps: Gaps::of(&comparison.pairs),

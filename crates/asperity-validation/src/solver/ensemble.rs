@@ -4,7 +4,6 @@ use std::f64::consts::PI;
 
 use asperity::bem::{Boundary, Options, Solver};
 use asperity::progress::{Progress, Silent};
-use statrs::function::erf::erf;
 
 use super::{SelfAffine, Unsolved, unit_pair};
 
@@ -171,14 +170,10 @@ pub fn persson() -> f64 {
     (8.0 / PI).sqrt()
 }
 
-/// Persson's area ratio at p/(E* g): erf(2^1/2 p/(E* g)).
-pub fn persson_area(pressure: f64) -> f64 {
-    erf(std::f64::consts::SQRT_2 * pressure)
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
+    use asperity::analytical;
 
     #[test]
     fn extrapolation_removes_an_error_that_falls_with_the_pixel() {
@@ -196,8 +191,10 @@ mod tests {
     }
 
     #[test]
-    fn light_loads_of_persson() {
-        assert!((persson_area(1e-6) / 1e-6 / persson() - 1.0).abs() < 1e-9);
-        assert!(persson() < bush_gibson_thomas());
+    fn light_loads_are_those_of_the_analytical_lines() {
+        assert!((analytical::persson(1e-6, 1.0) / 1e-6 / persson() - 1.0).abs() < 1e-9);
+        assert!(
+            (analytical::bush_gibson_thomas(1e-6, 1.0) / 1e-6 / bush_gibson_thomas() - 1.0).abs() < 1e-15
+        );
     }
 }

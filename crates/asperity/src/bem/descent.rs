@@ -164,7 +164,9 @@ impl State<'_> {
         project(&mut self.pressures, width, &self.active, load - fixed, self.target.cap);
     }
 
-    /// The gaps under the pressures, and their mean over points that carry pressure below the cap.
+    /// The gaps under the pressures, and the level of the flat: their mean over points that carry pressure below the cap. Where
+    /// there are none, it lies halfway between the highest gap at the cap and the lowest without pressure: no point leaves its
+    /// bounds, or one on each side does and they share the load anew.
     fn find_gaps(&mut self) {
         let (ny, cap) = (self.width(), self.target.cap);
         let (pressures, heights) = (&self.pressures, self.grid.heights);
@@ -174,21 +176,31 @@ impl State<'_> {
             &mut self.buffers,
             |i, gaps| {
                 let (heights, pressures) = (&heights[i * ny..][..ny], &pressures[i * ny..][..ny]);
-                let mut sums = [0.0; 4];
+                let (mut sums, mut capped, mut open) = ([0.0; 2], f64::NEG_INFINITY, f64::INFINITY);
                 for ((gap, height), &p) in gaps.iter_mut().zip(heights).zip(pressures) {
                     *gap -= height;
-                    if p > 0.0 {
-                        let k = if p < cap { 0 } else { 2 };
-                        sums[k] += *gap;
-                        sums[k + 1] += 1.0;
+                    if p >= cap {
+                        capped = capped.max(*gap);
+                    } else if p > 0.0 {
+                        sums[0] += *gap;
+                        sums[1] += 1.0;
+                    } else {
+                        open = open.min(*gap);
                     }
                 }
-                Sums(sums)
+                (Sums(sums), capped, open)
             },
         );
         self.convolutions += 1;
-        let [free, free_count, capped, capped_count] = total(&rows);
-        self.level = if free_count > 0.0 { free / free_count } else { capped / capped_count };
+        let sums: Vec<Sums<2>> = rows.iter().map(|row| row.0).collect();
+        let [free, free_count] = total(&sums);
+        self.level = if free_count > 0.0 {
+            free / free_count
+        } else {
+            let capped = rows.iter().fold(f64::NEG_INFINITY, |highest, row| highest.max(row.1));
+            let open = rows.iter().fold(f64::INFINITY, |lowest, row| lowest.min(row.2));
+            0.5 * (capped + open)
+        };
         self.step = 0.0;
     }
 

@@ -10,6 +10,9 @@ const LOAD_ERROR: f64 = 1e-14;
 /// Newton steps and bisections of the search for the offset.
 const STEPS: usize = 100;
 
+/// How much longer each step is than the last until the offset is bracketed, where no point is free.
+const WIDEN: f64 = 8.0;
+
 /// Replaces the pressures of `points` by the nearest ones between 0 and `cap` that sum to `target`: all are moved by one
 /// offset, then clamped. The sum is a piecewise linear, increasing function of the offset, whose root Newton's method
 /// finds within a bracket.
@@ -31,7 +34,7 @@ pub fn project(pressures: &mut [f64], ny: usize, points: &Points, target: f64, c
         rows.iter().fold((0.0, 0), |(load, free), row| (load + row.0, free + row.1))
     };
     let (mut low, mut high) = (f64::NEG_INFINITY, f64::INFINITY);
-    let mut offset = 0.0;
+    let (mut offset, mut reach) = (0.0, 0.0);
     for _ in 0..STEPS {
         let (load, free) = sums(pressures, offset);
         let missing = target - load;
@@ -43,9 +46,17 @@ pub fn project(pressures: &mut [f64], ny: usize, points: &Points, target: f64, c
         } else {
             high = offset;
         }
-        // Where no point is free the slope is zero: a whole pressure's worth of one point is a step that leaves the range.
-        let newton = offset + missing / free.max(1) as f64;
-        let next = if newton > low && newton < high { newton } else { 0.5 * (low + high) };
+        let newton = offset + missing / free as f64;
+        let middle = 0.5 * (low + high);
+        let next = if free > 0 && newton > low && newton < high {
+            newton
+        } else if middle.is_finite() {
+            middle
+        } else {
+            // Where no point is free the slope is zero.
+            reach = if reach == 0.0 { missing } else { WIDEN * reach };
+            offset + reach
+        };
         if next == offset || !next.is_finite() {
             break;
         }
@@ -54,4 +65,23 @@ pub fn project(pressures: &mut [f64], ny: usize, points: &Points, target: f64, c
     pressures.par_chunks_mut(ny).zip(points.rows()).for_each(|(row, words)| {
         members(words).for_each(|j| row[j] = (row[j] + offset).clamp(0.0, cap));
     });
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Pressures far apart beside a low cap: between two of them no point is free.
+    #[test]
+    fn the_load_is_kept_where_hardly_a_point_is_free() {
+        for (spread, rounding) in [(1.0, 1e-9), (1e3, 1e-6)] {
+            for (target, cap) in [(0.037, 1e-3), (0.0375, 1e-3), (1e-4, 1e-3), (50.0, f64::INFINITY)] {
+                let mut pressures: Vec<f64> = (0..100).map(|k| spread * f64::from(k - 150)).collect();
+                project(&mut pressures, 10, &Points::all([10, 10]), target, cap);
+                let load: f64 = pressures.iter().sum();
+                assert!((load / target - 1.0).abs() < rounding, "{spread} {target} {cap}: {load}");
+                assert!(pressures.is_sorted() && pressures.iter().all(|p| (0.0..=cap).contains(p)));
+            }
+        }
+    }
 }

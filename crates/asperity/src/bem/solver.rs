@@ -246,6 +246,9 @@ impl<'a> Solver<'a> {
             Boundary::Mirrored => (20, 4),
             Boundary::Finite => (32, 4),
         };
+        // Rows of an odd number of points do not hold their own waves.
+        let arrays =
+            if boundary != Boundary::Finite && !points[1].is_multiple_of(2) { arrays + 4 } else { arrays };
         // Heights and responses of the coarser grids make a third; everything in quarters of an array.
         8 * count * (arrays + response + (4 + response).div_ceil(3)) / 4 + Points::memory(points)
     }

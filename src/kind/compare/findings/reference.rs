@@ -25,10 +25,9 @@ impl ReferenceVerdicts {
         let cases = || realisations.iter().map(|answered| &answered.cases[index]);
         let each: Vec<AgainstReference> = cases().map(|case| case.against_reference.clone()).collect();
         let against = AgainstReference::over(&each).sorted();
-        let is_elastic = |law: &str| law == "hertz";
         let yields = cases().any(|case| {
             let cap = case.reference.as_ref().and_then(|curve| curve.cap);
-            cap.is_some() || !is_elastic(&case.law)
+            cap.is_some() || case.yields
         });
         let is_layered = cases().any(|case| case.thickness.is_some_and(|t| t > 0.0 && t.is_finite()));
         (!against.nearness.is_empty()).then(|| Self {

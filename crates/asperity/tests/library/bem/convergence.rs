@@ -55,3 +55,24 @@ fn a_hardness_of_a_tenth_and_a_gradient_of_eight_hundredths() {
         before = contact.raw_area_ratio();
     }
 }
+
+/// A low cap: all points in contact are at it, but for one that carries the rest of the load, or none where the load is that
+/// of a whole number of points.
+#[test]
+fn all_contacts_at_the_cap() {
+    let map = rough([64, 64], 0.8, 0.9, 0.1, 4);
+    let body = unit_body();
+    let pair = ElasticPair::new(&body, &body, None);
+    for boundary in Boundary::ALL {
+        for cap in [1e-2, 1e-3, 1e-4, 1e-6] {
+            let options = Options { boundary, error: 1e-9, cap: Some(cap) };
+            let solver = Solver::new(&map, &pair, &options).unwrap();
+            for points in [1.0, 64.0, 100.5, 2048.0, 4095.0] {
+                let load = cap * points / 4096.0;
+                let contact = solver.at_pressure(load, &Silent);
+                let contact = contact.unwrap_or_else(|error| panic!("{boundary:?} {cap} {points}: {error}"));
+                assert!((contact.pressure() / load - 1.0).abs() < 1e-12, "{boundary:?} {cap} {points}");
+            }
+        }
+    }
+}

@@ -200,6 +200,11 @@ fn what_cannot_be_solved_is_refused() {
     for pressure in [0.0, -1.0, f64::NAN, 0.5, 1.0] {
         assert!(matches!(solver.at_pressure(pressure, &Silent), Err(SolverError::Pressure { .. })));
     }
+    for cap in [None, Some(0.5)] {
+        let solver = Solver::new(&map, &pair, &Options { cap, ..periodic }).unwrap();
+        let found = solver.at_pressure(1e-30, &Silent).err();
+        assert_eq!(found, Some(SolverError::TooLight(1e-30)), "{cap:?}");
+    }
 }
 
 /// The border of a disc of radius r has 8 r sides of pixels, and the correction is that of a straight border on average.

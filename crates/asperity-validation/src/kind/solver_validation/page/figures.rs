@@ -1,12 +1,11 @@
 //! Figures of the comparisons.
 
 use crate::kind::solver_validation::findings::SolverFindings;
-use crate::solver::ensemble::{
-    EnsembleFindings, EnsemblePoint, Mean, bush_gibson_thomas, persson, persson_area,
-};
+use crate::solver::ensemble::{EnsembleFindings, EnsemblePoint, Mean, bush_gibson_thomas, persson};
 use crate::solver::published::{PUBLISHED, PublishedArea, published};
 use crate::solver::work::WorkPoint;
 use crate::solver::{LAYERED_CASES, Measured, Problem, Profile, Quantity};
+use asperity::analytical;
 use asperity_plot::{Axis, Colour, Dash, Figure, Layer, Legend, Marker, Plot};
 
 /// Standard errors of a band: 95 % of many surfaces.
@@ -247,7 +246,7 @@ pub fn kappa(found: &EnsembleFindings, findings: &SolverFindings) -> String {
     }
     let curve = (0..=DENSE).map(|k| {
         let pressure = least * (most / least).powf(k as f64 / DENSE as f64);
-        (pressure, persson_area(pressure) / pressure)
+        (pressure, analytical::persson(pressure, 1.0) / pressure)
     });
     plot = plot
         .with(Layer::line(curve).coloured(Colour::Neutral).dashed(Dash::DashDot).named("Persson, all loads"));
