@@ -2,7 +2,6 @@
 
 use super::independence::Independence;
 use super::overview::MapOverview;
-use super::search::PreparedMap;
 use asperity::compare::Division;
 use asperity::topography::fitness::{Finding, LineOffsets, Lines, Spikes};
 use asperity::topography::generate::{SigmaOf, SurfaceGenerator, Target};
@@ -11,7 +10,8 @@ use asperity::topography::summits::Neighbours;
 use asperity::topography::theory::Expected;
 use asperity::topography::{CorrelationLengths, Filter, Level, Quantisation, RoughnessParameters};
 use asperity::{
-    AsperitySet, Ellipticity, Heights, MeanRadius, Paper, Population, ReferencePlane, Statistics, literature,
+    AsperitySet, Ellipticity, HeightMap, Heights, MeanRadius, Paper, Population, ReferencePlane, Statistics,
+    literature,
 };
 use asperity_framework::report::format::{number, percent, quantity};
 
@@ -193,6 +193,15 @@ impl MapFacts {
         }
         papers
     }
+}
+
+/// A map as its summits were searched.
+#[derive(Debug)]
+pub struct PreparedMap {
+    /// Aligned, levelled and filtered, spikes missing.
+    pub map: HeightMap,
+    /// Index of the point of each summit, in the order of the asperities.
+    pub positions: Vec<usize>,
 }
 
 impl Surface {

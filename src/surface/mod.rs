@@ -23,12 +23,12 @@ mod summary;
 pub use description::{SurfacesPlan, described_file};
 pub use factory::SurfaceFactory;
 pub use files::Files;
-pub use found::{GenerationFacts, MapFacts, Surface};
+pub use found::{GenerationFacts, MapFacts, PreparedMap, Surface};
 pub use independence::{Independence, MapBlocks};
 pub use options::FileOptions;
 pub use overview::{AnalysisDepth, MapOverview};
 pub use plan::{SurfacePlan, beside, curvature_ratio, describe, inputs, memory, surfaces};
-pub use search::{Preparation, PreparedMap};
+pub use search::Preparation;
 pub use summary::{PopulationSummary, RealisationSummary, SurfaceSummary, summary};
 
 use asperity::work::Counter;

@@ -11,7 +11,7 @@ use asperity::topography::{
 use asperity::{AsperitySet, Ellipse, HeightMap, SetError};
 use asperity_framework::progress::Progress;
 
-use super::found::{GenerationFacts, MapFacts, SpikeFacts};
+use super::found::{GenerationFacts, MapFacts, PreparedMap, SpikeFacts};
 use super::independence::Independence;
 use super::overview::{AnalysisDepth, MapOverview};
 
@@ -90,15 +90,6 @@ pub(super) struct Found {
     pub(super) independence: Independence,
     /// The prepared map, where it is kept.
     pub(super) prepared: Option<PreparedMap>,
-}
-
-/// A map as its summits were searched.
-#[derive(Debug)]
-pub struct PreparedMap {
-    /// Aligned, levelled and filtered, spikes missing.
-    pub map: HeightMap,
-    /// Index of the point of each summit, in the order of the asperities.
-    pub positions: Vec<usize>,
 }
 
 /// Spikes of a map beside spikes stand out only once those are gone.

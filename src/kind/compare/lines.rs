@@ -3,33 +3,10 @@
 use asperity::analytical::AnalyticalLine;
 use asperity::bem::Boundary;
 use asperity_framework::input::{InputError, SpecFile};
-use serde::Deserialize;
 
 use super::reference::ReferencePlan;
 use super::spec::CompareSpec;
 use crate::surface::SurfacePlan;
-
-/// A list of lines, none twice, at least one.
-#[derive(Debug, Clone, PartialEq, Deserialize)]
-#[serde(try_from = "Vec<AnalyticalLine>")]
-pub struct Lines(pub Vec<AnalyticalLine>);
-
-impl TryFrom<Vec<AnalyticalLine>> for Lines {
-    type Error = String;
-
-    fn try_from(lines: Vec<AnalyticalLine>) -> Result<Self, String> {
-        let names: Vec<String> =
-            AnalyticalLine::ALL.iter().map(|line| format!("\"{}\"", line.name())).collect();
-        let allowed = format!("allowed: one or more of {}, each once", names.join(", "));
-        if lines.is_empty() {
-            return Err(format!("found an empty list; {allowed}"));
-        }
-        if (1..lines.len()).any(|k| lines[..k].contains(&lines[k])) {
-            return Err(format!("found a line twice; {allowed}"));
-        }
-        Ok(Self(lines))
-    }
-}
 
 /// Resolves the lines of `[compare]`; none where none are asked for.
 ///

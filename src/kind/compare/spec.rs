@@ -6,10 +6,10 @@ use serde::Deserialize;
 use serde::de::{Deserializer, Error, SeqAccess, Visitor};
 use toml::Spanned;
 
-use super::lines::Lines;
 use super::reference::ReferenceSpec;
 use crate::layer::LayerSpec;
 use asperity::MeanRadius;
+use asperity::analytical::AnalyticalLine;
 use asperity::compare::Kind;
 use asperity_framework::input::accept::AcceptSpec;
 use asperity_framework::input::heights::HeightsSpec;
@@ -137,6 +137,28 @@ impl TryFrom<Vec<ModelName>> for Models {
             kinds: names.iter().filter_map(kind).collect(),
             has_reference: names.contains(&ModelName::Reference),
         })
+    }
+}
+
+/// A list of lines, none twice, at least one.
+#[derive(Debug, Clone, PartialEq, Deserialize)]
+#[serde(try_from = "Vec<AnalyticalLine>")]
+pub struct Lines(pub Vec<AnalyticalLine>);
+
+impl TryFrom<Vec<AnalyticalLine>> for Lines {
+    type Error = String;
+
+    fn try_from(lines: Vec<AnalyticalLine>) -> Result<Self, String> {
+        let names: Vec<String> =
+            AnalyticalLine::ALL.iter().map(|line| format!("\"{}\"", line.name())).collect();
+        let allowed = format!("allowed: one or more of {}, each once", names.join(", "));
+        if lines.is_empty() {
+            return Err(format!("found an empty list; {allowed}"));
+        }
+        if (1..lines.len()).any(|k| lines[..k].contains(&lines[k])) {
+            return Err(format!("found a line twice; {allowed}"));
+        }
+        Ok(Self(lines))
     }
 }
 
