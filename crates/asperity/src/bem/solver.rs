@@ -27,6 +27,9 @@ const COARSE_ERROR: f64 = 1e-3;
 /// Steps after which a load is given up.
 const STEPS: usize = 2000;
 
+/// How far the load of a solution may be from what is asked for: more was lost in rounding.
+const LOAD_ERROR: f64 = 1e-9;
+
 /// Part of the progress of a load on coarser grids.
 const COARSE_PROGRESS: f64 = 0.3;
 
@@ -168,6 +171,10 @@ impl<'a> Solver<'a> {
         }
         if error > self.error {
             return Err(SolverError::NotConverged { pressure, error, steps, wanted: self.error });
+        }
+        let load = sum_of(pressures.len(), |k| pressures[k]) / pressures.len() as f64;
+        if (load / pressure - 1.0).abs() > LOAD_ERROR {
+            return Err(SolverError::TooLight(pressure));
         }
         let open = |k: usize| if pressures[k] > 0.0 { 0.0 } else { (gaps[k] - level).max(0.0) };
         let mean_gap = sum_of(gaps.len(), open) / gaps.len() as f64;

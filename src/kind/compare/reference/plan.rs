@@ -124,7 +124,10 @@ impl ReferencePlan {
         let points = self.points(surface);
         let copy = surface.map_points().map_or(0, |[nx, ny]| nx as u128 * ny as u128 * BYTES_PER_HEIGHT);
         let finer = if self.refine > 1 { (points[0] * points[1]) as u128 * BYTES_PER_HEIGHT } else { 0 };
-        copy + finer + Solver::memory(points, self.boundary(surface))
+        let boundary = self.boundary(surface);
+        let own = surface.map_points().filter(|_| self.refine > 1);
+        let own = own.map_or(0, |points| Solver::memory(points, boundary));
+        copy + finer + own + Solver::memory(points, boundary)
     }
 
     /// An estimate of the time that it takes on all realisations of a surface, on two cores.

@@ -140,6 +140,9 @@ impl ReferenceRun<'_> {
             let at_own = at_own.map_err(|error| refuse(&error))?;
             let found = point(pressure, &contact, at_own.as_ref(), self.surface, boundary, pair.is_layered());
             solved.points.insert(pressure.to_bits(), found);
+            if let Some(own) = &at_own {
+                solved.coarse_gaps.insert(pressure.to_bits(), own.mean_gap());
+            }
             let of_block = |[pressure, area_ratio]: [f64; 2]| BlockShare { pressure, area_ratio };
             let sums = blocks.as_ref().map(|blocks| contact.block_sums(blocks)).unwrap_or_default();
             solved.blocks.insert(pressure.to_bits(), sums.into_iter().map(of_block).collect());
@@ -200,6 +203,8 @@ fn missing(map: &HeightMap) -> usize {
 struct Solved {
     interpolated: usize,
     points: BTreeMap<u64, ReferencePoint>,
+    /// Mean gaps of the map as it is, m, where a finer one is solved.
+    coarse_gaps: BTreeMap<u64, f64>,
     blocks: BTreeMap<u64, Vec<BlockShare>>,
     unreached: Vec<f64>,
 }
@@ -227,10 +232,17 @@ impl Solved {
     fn set_stiffnesses(&mut self) {
         let measured = self.points.values().map(|point| Some((point.pressure, point.separation?)));
         let (pressures, separations): (Vec<f64>, Vec<f64>) = measured.flatten().unzip();
-        for (point, stiffness) in self.points.values_mut().zip(stiffnesses(&pressures, &separations)) {
+        // The slopes do not depend on the plane from which gaps are measured.
+        let coarse: Vec<f64> = self.coarse_gaps.values().copied().collect();
+        let coarse =
+            if coarse.len() == pressures.len() { stiffnesses(&pressures, &coarse) } else { Vec::new() };
+        let found = stiffnesses(&pressures, &separations);
+        for (k, (point, stiffness)) in self.points.values_mut().zip(found).enumerate() {
             if let Some(Stiffness { stiffness, bound }) = stiffness {
+                let other = coarse.get(k).copied().flatten();
+                let of_grid = other.map_or(0.0, |other| (other.stiffness / stiffness).ln().abs());
                 point.stiffness = Some(stiffness);
-                point.bounds[ComparedQuantity::Stiffness as usize] = bound;
+                point.bounds[ComparedQuantity::Stiffness as usize] = bound + of_grid;
             }
         }
     }
