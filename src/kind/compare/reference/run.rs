@@ -252,8 +252,8 @@ impl Solved {
 /// self-affine surfaces with 2 to 16 points per shortest wave.
 const CORRECTION_ERROR: f64 = 0.3;
 
-/// The same of contacts that yield and under a layer, where the pressure does not fall to zero as on an elastic half-space:
-/// the area lies between the corrected and the counted one.
+/// The same under a layer and where all points in contact are at the cap (in proportion where some are): the pressure does not
+/// fall to zero as on an elastic half-space, and the area lies between the corrected and the counted one.
 const UNSURE_CORRECTION_ERROR: f64 = 1.0;
 
 /// The contact at a nominal pressure (Pa) in the terms of the models, with that of another resolution.
@@ -271,8 +271,8 @@ fn point(
     let (area, raw) = (contact.area_ratio(), contact.raw_area_ratio());
     // The dual gap is relative to the standard deviation of the heights.
     let roughness = surface.map.as_ref().map_or(sigma, |map| map.roughness.moments.sq);
-    let is_sure = contact.capped_area_ratio() == 0.0 && !is_layered;
-    let part = if is_sure { CORRECTION_ERROR } else { UNSURE_CORRECTION_ERROR };
+    let unsure = if is_layered { 1.0 } else { contact.capped_area_ratio() / raw };
+    let part = CORRECTION_ERROR + unsure * (UNSURE_CORRECTION_ERROR - CORRECTION_ERROR);
     let between = other.map_or([0.0; 2], |other| {
         [(other.mean_gap() - mean_gap).abs() / sigma, (other.area_ratio() / area).ln().abs()]
     });

@@ -11,7 +11,7 @@ use crate::kind::compare::findings::{
 };
 use crate::kind::compare::results::{CompareResults, SurfaceResults};
 use asperity::Exceeded;
-use asperity::compare::{GOOD_RATIO, ReferencePoint, ValidRange};
+use asperity::compare::{ComparedQuantity, GOOD_RATIO, ReferencePoint, ValidRange};
 use asperity_framework::contact::LayerMetadata;
 use asperity_framework::report::format::{
     input_quantity, listed, number, percent, quantity, ratio, thickness,
@@ -131,17 +131,18 @@ impl<'a> Series<'a> {
         let thinnest = thinnest.reference.as_ref()?.points.iter();
         let thinnest = thinnest
             .filter(|point| valid.stretches.iter().any(|[from, to]| (*from..=*to).contains(&point.pressure)));
-        let change = |point: &ReferencePoint| {
-            Some((point.area_ratio / uncoated.at_load(point.pressure)?.area_ratio - 1.0, point.pressure))
+        let change = |point: &'a ReferencePoint| {
+            Some((point.area_ratio / uncoated.at_load(point.pressure)?.area_ratio - 1.0, point))
         };
-        let (change, load) = thinnest.filter_map(change).max_by(|a, b| a.0.abs().total_cmp(&b.0.abs()))?;
+        let (change, point) = thinnest.filter_map(change).max_by(|a, b| a.0.abs().total_cmp(&b.0.abs()))?;
         let sign = if change < 0.0 { "−" } else { "+" };
         Some(format!(
-            " In the reference {} of {} change it by up to {sign}{} (at {}).",
+            " In the reference {} of {} change it by up to {sign}{} (at {}; error of the grid up to {}).",
             input_quantity(thickness, "m"),
             escape(&self.layer.name),
             percent(change.abs()),
-            input_quantity(load, "Pa"),
+            input_quantity(point.pressure, "Pa"),
+            percent(point.bounds[ComparedQuantity::Area as usize]),
         ))
     }
 
