@@ -42,6 +42,11 @@ impl Contact {
         self.points
     }
 
+    /// What lies beyond the border of the map.
+    pub fn boundary(&self) -> Boundary {
+        self.boundary
+    }
+
     /// The pressure at each point, Pa, the y index running fastest.
     pub fn pressures(&self) -> &[f64] {
         &self.pressures
@@ -93,7 +98,7 @@ impl Contact {
     /// border of the contact, where the pressure falls to zero.
     pub fn border(&self) -> usize {
         let [nx, ny] = self.points;
-        let wraps = self.boundary == Boundary::Periodic;
+        let wraps = self.boundary.wraps();
         let row = |i: usize| &self.pressures[i * ny..][..ny];
         let of_row = |i: usize| {
             let differ = |a: f64, b: f64| usize::from(self.is_border(a, b));
@@ -116,7 +121,7 @@ impl Contact {
     /// divide as many points. The border between two blocks counts for the first.
     pub fn block_sums(&self, blocks: &Blocks) -> Vec<[f64; 2]> {
         let [nx, ny] = self.points;
-        let wraps = self.boundary == Boundary::Periodic;
+        let wraps = self.boundary.wraps();
         let all = self.pressures.len() as f64;
         let mut sums = vec![[0.0; 2]; blocks.count()];
         let at = |i: usize, j: usize| self.pressures[i * ny + j];

@@ -209,7 +209,7 @@ impl State<'_> {
     fn find_contact(&mut self, is_known: bool) -> Contact {
         let (ny, cap, level) = (self.width(), self.target.cap, self.level);
         let step = if is_known { self.step } else { 0.0 };
-        let rows: Vec<(Sums<7>, f64)> = self
+        let rows: Vec<(Sums<6>, f64)> = self
             .gaps
             .par_chunks_mut(ny)
             .zip(self.response.par_chunks(ny))
@@ -221,7 +221,7 @@ impl State<'_> {
                 if step != 0.0 {
                     gaps.iter_mut().zip(response).for_each(|(gap, r)| *gap -= step * r);
                 }
-                let (mut sums, mut lowest) = ([0.0; 7], f64::INFINITY);
+                let (mut sums, mut lowest) = ([0.0; 6], f64::INFINITY);
                 let points = gaps.chunks(64).zip(pressures.chunks(64));
                 for ((k, (gaps, pressures)), word) in points.enumerate().zip(words) {
                     lowest = gaps.iter().fold(lowest, |lowest, &gap| if gap < lowest { gap } else { lowest });
@@ -255,8 +255,8 @@ impl State<'_> {
             })
             .collect();
         let lowest = rows.iter().fold(f64::INFINITY, |lowest, row| lowest.min(row.1));
-        let sums: Vec<Sums<7>> = rows.iter().map(|row| row.0).collect();
-        let [load, energy, bounded, fixed_load, count, gaps, _] = total(&sums);
+        let sums: Vec<Sums<6>> = rows.iter().map(|row| row.0).collect();
+        let [load, energy, bounded, fixed_load, count, gaps] = total(&sums);
         // Both bound the distance from the minimum; without a cap the second is infinite, or not a number.
         let dual_gap = (energy - (lowest - level) * load).min(bounded);
         Contact { error: dual_gap / (load * self.grid.deviation), count, mean_gap: gaps / count, fixed_load }

@@ -70,7 +70,7 @@ impl Boundary {
     }
 
     /// Whether points on opposite borders are neighbours.
-    fn wraps(self) -> bool {
+    pub fn wraps(self) -> bool {
         self == Self::Periodic
     }
 }

@@ -9,11 +9,14 @@ use crate::memory::zeros;
 use crate::topography::HeightMap;
 
 /// `map` on a grid `factor` times as fine along both axes: the same Fourier series of a periodic map, the same cosines of
-/// another. Missing points are interpolated first.
+/// another. Missing points are interpolated first. A factor of 0 counts as 1.
 pub fn refined(map: &HeightMap, boundary: Boundary, factor: usize) -> HeightMap {
     let [nx, ny] = map.points();
-    let is_mirrored = boundary != Boundary::Periodic;
+    let is_mirrored = !boundary.wraps();
     let heights = filled(map.heights(), [nx, ny]);
+    if factor < 2 {
+        return map.regridded(1, heights);
+    }
     let along_y = finer_rows(&heights, ny, factor, is_mirrored);
     let along_x = finer_rows(&transposed(&along_y, factor * ny), nx, factor, is_mirrored);
     map.regridded(factor, transposed(&along_x, factor * nx))

@@ -207,6 +207,7 @@ impl<'a> Solver<'a> {
         let tolerance = self.error * deviation;
         // Ends of the bracket: ln(pressure), and how far the gap there exceeds the one that is looked for.
         let mut ends: [Option<[f64; 2]>; 2] = [None; 2];
+        let mut last_side = None;
         let mut log = (FIRST_LOAD * self.reduced_modulus).min(0.5 * self.cap).ln();
         for _ in 0..SEARCHES {
             let contact = self.at_pressure(log.exp(), progress).map_err(|error| match error {
@@ -218,11 +219,11 @@ impl<'a> Solver<'a> {
                 return Ok(contact);
             }
             let side = usize::from(excess < 0.0);
-            let has_repeated = ends[side].is_some();
+            let has_repeated = last_side.replace(side) == Some(side);
             ends[side] = Some([log, excess]);
             log = match &mut ends {
                 [Some(low), Some(high)] => {
-                    // The Illinois rule: an end that stays counts half.
+                    // The Illinois rule: an end that stays twice in a row counts half.
                     let other = if side == 0 { &mut *high } else { &mut *low };
                     if has_repeated {
                         other[1] *= 0.5;

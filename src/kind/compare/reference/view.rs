@@ -193,7 +193,8 @@ impl SummitsInContact {
         let (pressures, grid) = (contact.pressures(), contact.points());
         let flat = on.surface.plane.mean + sum.separation;
         let (columns, pixel) = (on.prepared.map.points()[1], on.prepared.map.pixel());
-        let mut patches = Patches { pressures, grid, seen: vec![false; pressures.len()] };
+        let wraps = contact.boundary().wraps();
+        let mut patches = Patches { pressures, grid, wraps, seen: vec![false; pressures.len()] };
         let mut found = Self { law: sum.law.clone(), count: 0, touched: 0, without: 0.0, places: Vec::new() };
         for (&position, &height) in on.prepared.positions.iter().zip(on.surface.set.heights()) {
             if height <= flat {
@@ -217,6 +218,8 @@ impl SummitsInContact {
 struct Patches<'a> {
     pressures: &'a [f64],
     grid: [usize; 2],
+    /// Whether points on opposite borders are neighbours.
+    wraps: bool,
     /// Points in contact that were visited.
     seen: Vec<bool>,
 }
@@ -238,8 +241,16 @@ impl Patches<'_> {
 
     /// Points in contact at most `reach` points from `at` along both axes.
     fn contacts(&self, at: [usize; 2], reach: usize) -> impl Iterator<Item = usize> + '_ {
-        let [rows, columns] =
-            [0, 1].map(|axis| at[axis].saturating_sub(reach)..(at[axis] + reach + 1).min(self.grid[axis]));
+        let [rows, columns] = [0, 1].map(|axis| {
+            let (at, count) = (at[axis], self.grid[axis]);
+            // A map is larger than what is reached: no point comes twice.
+            let (first, end) = if self.wraps {
+                (at + count - reach, at + count + reach + 1)
+            } else {
+                (at.saturating_sub(reach), (at + reach + 1).min(count))
+            };
+            (first..end).map(move |index| index % count)
+        });
         let places = rows.flat_map(move |ix| columns.clone().map(move |iy| ix * self.grid[1] + iy));
         places.filter(|&point| self.pressures[point] > 0.0)
     }
@@ -254,10 +265,18 @@ mod tests {
         let rows = ["1100", "0010", "0000", "1001"];
         let pressures: Vec<f64> =
             rows.iter().flat_map(|row| row.bytes()).map(|p| f64::from(p - b'0')).collect();
-        let mut patches = Patches { pressures: &pressures, grid: [4, 4], seen: vec![false; 16] };
-        assert!(!patches.visit([1, 0], 0));
-        assert!(patches.visit([1, 0], 1));
-        let seen: Vec<usize> = (0..16).filter(|&point| patches.seen[point]).collect();
-        assert_eq!(seen, [0, 1, 6], "over the corner, and neither patch of the last row");
+        let visited = |wraps, at, reach| {
+            let mut patches = Patches { pressures: &pressures, grid: [4, 4], wraps, seen: vec![false; 16] };
+            let is_touched = patches.visit(at, reach);
+            (is_touched, (0..16).filter(|&point| patches.seen[point]).collect::<Vec<usize>>())
+        };
+        assert_eq!(visited(false, [1, 0], 0), (false, vec![]));
+        assert_eq!(visited(false, [1, 0], 1), (true, vec![0, 1, 6]), "over the corner, not the last row");
+        assert_eq!(
+            visited(true, [1, 0], 1),
+            (true, vec![0, 1, 6, 12, 15]),
+            "over the border of a map that repeats"
+        );
+        assert_eq!(visited(true, [2, 0], 0), (false, vec![]));
     }
 }

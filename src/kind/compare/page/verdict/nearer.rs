@@ -4,7 +4,7 @@ use asperity::compare::{ComparedQuantity, Difference, Estimate, Kind, NearerStre
 use asperity_framework::report::format::{listed, number};
 use asperity_framework::report::page::Page;
 
-use super::words::{loads, name, over, signed};
+use super::words::{loads, name, over, signed, verdict};
 use crate::kind::compare::findings::{ReferenceVerdicts, Verdicts};
 
 /// The order in which quantities are spoken of.
@@ -157,11 +157,6 @@ pub fn nearer(page: &mut Page, verdicts: &Verdicts, reference: &ReferenceVerdict
             },
         );
         format!("{}{interval} at {}", signed(quantity, estimate.contrast), loads([load; 2]))
-    };
-    let verdict = |verdict: Verdict| match verdict {
-        Verdict::Within => "within",
-        Verdict::Beyond => "beyond",
-        Verdict::CannotTell => "cannot tell",
     };
     let row = |stretch: &NearerStretch| {
         let nearer = match stretch.nearer {
