@@ -4,6 +4,7 @@
 //! |---|---|
 //! | `verdict` | the answer: headline, verdicts, valid range |
 //! | `differences` | the figure behind the verdicts |
+//! | `causes` | why the models differ |
 //! | `decreasing` | area or load that decreases with increasing indentation |
 //! | `layer` | results by layer thickness |
 //! | `reference` | the boundary element reference |
@@ -18,6 +19,7 @@
 //! | `names` | surfaces, laws and thicknesses |
 
 mod answers;
+mod causes;
 mod decreasing;
 mod differences;
 pub mod figures;
@@ -200,19 +202,22 @@ pub fn answer(page: &mut Page, results: &CompareResults, found: &SurfaceResults)
         ];
         lines.extend(verdict::stiffness_line(verdicts).map(|line| format!("{}: {line}", escape(&case.law))));
         page.bullets(lines);
-        against_reference(page, found, index, &name);
-        if single_load::is_single(case) {
-            continue;
+        let is_curve = !single_load::is_single(case);
+        if is_curve {
+            page.figure(
+                &format!("{}-differences.svg", stem(found, &case.law)),
+                differences::differences(verdicts),
+                &format!(
+                    "{name}: differences between the models at equal load, with their 95 % intervals. Green: accepted; grey: beyond \
+                     the valid range; curves are cut at the edge of the panel."
+                ),
+            );
         }
-        page.figure(
-            &format!("{}-differences.svg", stem(found, &case.law)),
-            differences::differences(verdicts),
-            &format!(
-                "{name}: differences between the models at equal load, with their 95 % intervals. Green: accepted; grey: beyond \
-                 the valid range; curves are cut at the edge of the panel."
-            ),
-        );
-        robustness::section(page, found, index, &name, &stem(found, &case.law));
+        causes::section(page, verdicts, &name, &stem(found, &case.law), sigma);
+        against_reference(page, found, index, &name);
+        if is_curve {
+            robustness::section(page, found, index, &name, &stem(found, &case.law));
+        }
     }
 }
 
