@@ -55,12 +55,19 @@ pub fn page(results: &CompareResults) -> Page {
     let layered = layer::all(results);
     // A single thickness is shown in as much detail as an uncoated flat.
     let in_full = layered.iter().all(|series| !series.has_several());
-    let overview = verdict::Overview::of(&cases(results));
+    let cases = cases(results);
+    let overview = verdict::Overview::of(&cases);
+    let causes = causes::Overview::of(&cases);
     page.heading(2, "Summary");
     let against = |overview: &verdict::Overview| {
         format!("**Against the reference**: {}", escape_around_code(&overview.sentence()))
     };
     page.bullets(overview.iter().map(against));
+    page.bullets(
+        causes
+            .iter()
+            .map(|causes| format!("**Why the models differ**: {}", escape_around_code(&causes.sentence()))),
+    );
     if in_full {
         page.bullets(results.surfaces.iter().flat_map(|found| headlines(results, found)));
     } else {
@@ -78,6 +85,9 @@ pub fn page(results: &CompareResults) -> Page {
     }
     if let Some(overview) = &overview {
         overview.section(&mut page);
+    }
+    if let Some(causes) = &causes {
+        causes.section(&mut page);
     }
     if in_full {
         results.surfaces.iter().for_each(|found| answer(&mut page, results, found));
