@@ -3,6 +3,7 @@
 use super::independence::Independence;
 use super::overview::MapOverview;
 use asperity::compare::Division;
+use asperity::distribution::{HeightModel, HeightsError};
 use asperity::topography::fitness::{Finding, LineOffsets, Lines, Spikes};
 use asperity::topography::generate::{SigmaOf, SurfaceGenerator, Target};
 use asperity::topography::spectrum::{Lay, SpectrumShape};
@@ -255,7 +256,14 @@ impl Surface {
 
     /// Inputs of the statistical model: the nominal numbers of a population, the statistics of
     /// any other set.
-    pub fn population(&self, heights: Option<&Heights>, mean_radius: MeanRadius) -> Population {
+    ///
+    /// # Errors
+    /// Heights that the distribution cannot be fitted to.
+    pub fn population(
+        &self,
+        heights: Option<&HeightModel>,
+        mean_radius: MeanRadius,
+    ) -> Result<Population, HeightsError> {
         let own = Population {
             radius: mean_radius.of(&self.statistics),
             sigma: self.statistics.sigma,
@@ -263,7 +271,9 @@ impl Surface {
             heights: Heights::GAUSSIAN,
         };
         let population = self.nominal.clone().unwrap_or(own);
-        Population { heights: heights.unwrap_or(&population.heights).clone(), ..population }
+        let Some(heights) = heights else { return Ok(population) };
+        let moments = self.statistics.skewness.zip(self.statistics.kurtosis).map(|(s, k)| [s, k]);
+        Ok(Population { heights: heights.of(self.set.heights(), moments)?, ..population })
     }
 
     /// Mean height of the statistical model's population in the frame of the set's heights, m.

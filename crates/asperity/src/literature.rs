@@ -51,6 +51,12 @@ pub const WEIBULL_1951: Paper = Paper {
     full: "Weibull, W. (1951). A statistical distribution function of wide applicability. ASME Journal of Applied Mechanics 18(3), 293-297. doi:10.1115/1.4010337",
 };
 
+/// Kernel density estimates.
+pub const SILVERMAN_1986: Paper = Paper {
+    short: "Silverman 1986",
+    full: "Silverman, B. W. (1986). Density Estimation for Statistics and Data Analysis. Chapman and Hall, London.",
+};
+
 /// The areal Gaussian filter.
 pub const ISO_16610_61: Paper = Paper {
     short: "ISO 16610-61:2015",

@@ -18,6 +18,7 @@ pub mod robustness;
 mod run;
 mod sampling;
 pub mod spec;
+pub mod statistical;
 mod summary;
 pub(crate) mod tables;
 mod threshold;

@@ -1,30 +1,38 @@
 //! Both models on one surface, for laws of spheres and of ellipses.
 
+use super::statistical::StatisticalModel;
 use crate::surface::Surface;
 use asperity::compare::Inputs;
+use asperity::distribution::HeightsError;
 use asperity::{
-    Asperities, ContactLaw, Deterministic, Ellipse, Ellipses, MicroContact, Population, Shape, Statistical,
+    Asperities, ContactLaw, Deterministic, Ellipse, Ellipses, MeanRadius, MicroContact, Model, Population,
+    RadiusInContact, Shape, Statistical,
 };
 
 /// A surface with its asperities as the laws of the sums that are asked for see them.
 pub(super) struct SurfaceModels<'a> {
     surface: &'a Surface,
     population: Population,
+    mean_radius: MeanRadius,
     is_summed: bool,
     ellipses: Option<Ellipses<'a>>,
 }
 
 impl<'a> SurfaceModels<'a> {
-    /// The models of `laws` on a surface, with `population` as input of the statistical one.
+    /// The models of `laws` on a surface.
+    ///
+    /// # Errors
+    /// A statistical model that does not apply to the surface.
     pub(super) fn new(
         surface: &'a Surface,
-        population: Population,
+        statistical: &StatisticalModel,
         laws: &[ContactLaw],
         is_summed: bool,
-    ) -> Self {
+    ) -> Result<Self, HeightsError> {
         let is_elliptic = is_summed && laws.iter().any(ContactLaw::is_elliptic);
         let ellipses = if is_elliptic { Ellipses::of(&surface.set) } else { None };
-        Self { surface, population, is_summed, ellipses }
+        let population = surface.population(statistical.heights.as_ref(), statistical.mean_radius)?;
+        Ok(Self { surface, population, mean_radius: statistical.mean_radius, is_summed, ellipses })
     }
 
     /// Input of the statistical model.
@@ -54,10 +62,23 @@ impl<'a> SurfaceModels<'a> {
         }
     }
 
-    /// The integral over one contact of a law.
-    pub(super) fn statistical<'b>(&self, contact: &'b dyn MicroContact, law: &ContactLaw) -> Statistical<'b> {
-        Statistical::of_shape(contact, self.population.clone(), self.mean_shape(law))
-            .reported_from(self.surface.reporting_plane())
+    /// The statistical model with one contact of a law.
+    pub(super) fn statistical<'b>(
+        &'b self,
+        contact: &'b dyn MicroContact,
+        law: &ContactLaw,
+    ) -> Box<dyn Model + 'b> {
+        let (population, shape) = (self.population.clone(), self.mean_shape(law));
+        let plane = self.surface.reporting_plane();
+        match self.mean_radius {
+            MeanRadius::InContact => {
+                let (spheres, origin) = (self.surface.set.spheres(), self.surface.plane.mean);
+                Box::new(RadiusInContact::new(contact, spheres, population, shape, plane, origin))
+            }
+            MeanRadius::Arithmetic | MeanRadius::InverseMeanCurvature => {
+                Box::new(Statistical::of_shape(contact, population, shape).reported_from(plane))
+            }
+        }
     }
 
     /// The asperities as a law sees them; `None` unless the sum is requested.
@@ -69,8 +90,12 @@ impl<'a> SurfaceModels<'a> {
         }
     }
 
-    /// What the states between both models are made from under laws of the same shapes; `None` unless the sum is requested.
+    /// What the states between both models are made from under laws of the same shapes; `None` unless the sum is requested, and
+    /// of a statistical model that has not one radius.
     pub(super) fn inputs(&self, law: &ContactLaw) -> Option<Inputs<'_>> {
+        if self.mean_radius == MeanRadius::InContact {
+            return None;
+        }
         Some(Inputs {
             asperities: self.asperities(law)?,
             plane: self.surface.plane,

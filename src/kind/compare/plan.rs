@@ -6,7 +6,7 @@ use std::path::PathBuf;
 
 use asperity::analytical::AnalyticalLine;
 use asperity::compare::{Controls, Kind};
-use asperity::{ContactLaw, Flat, Heights, Material, MeanRadius};
+use asperity::{ContactLaw, Flat, Material};
 use asperity_framework::RunContext;
 use asperity_framework::contact::{Bodies, LawPlan};
 use asperity_framework::input::accept::AcceptSpec;
@@ -18,6 +18,7 @@ use super::lines::lines;
 use super::reference::ReferencePlan;
 use super::reference::plan::{Resolved, reference};
 use super::spec::{CompareSpec, Models};
+use super::statistical::StatisticalModel;
 use crate::layer::{LayerPlan, layer};
 use crate::plausibility;
 use crate::surface::{AnalysisDepth, SurfacePlan, describe, surfaces};
@@ -40,10 +41,10 @@ pub struct ComparePlan {
     pub reference: Option<Box<ReferencePlan>>,
     /// Closed results beside the models.
     pub lines: Vec<AnalyticalLine>,
-    /// Height density of the statistical model, where the spec names one.
-    pub heights: Option<Heights>,
-    /// Which mean radius the statistical model uses.
-    pub mean_radius: MeanRadius,
+    /// The statistical model.
+    pub statistical: StatisticalModel,
+    /// Its position in the spec, for surfaces that it does not apply to.
+    pub statistical_key: Option<Range<usize>>,
     /// The largest differences between the models that are accepted.
     pub accept: AcceptSpec,
     /// Whether the verdicts on measured maps are computed again under other treatments of the map.
@@ -71,10 +72,8 @@ pub struct Setup<'a> {
     pub law_specs: &'a [ContactLaw],
     /// The models to run.
     pub models: &'a [Kind],
-    /// Height density of the statistical model, where the spec names one.
-    pub heights: Option<&'a Heights>,
-    /// Which mean radius the statistical model uses.
-    pub mean_radius: MeanRadius,
+    /// The statistical model.
+    pub statistical: &'a StatisticalModel,
     /// Whether the gap between the models is divided among its causes.
     pub is_attributed: bool,
     /// What the surface is pressed to.
@@ -97,8 +96,7 @@ impl ComparePlan {
             laws: &self.laws,
             law_specs: &self.law_specs,
             models: &self.models,
-            heights: self.heights.as_ref(),
-            mean_radius: self.mean_radius,
+            statistical: &self.statistical,
             is_attributed: self.is_attributed,
             controls: &self.controls,
             seed: context.seed,
@@ -229,8 +227,8 @@ pub(crate) fn compared(
         models: raw.models.as_ref().map_or_else(Models::default, |models| models.get_ref().clone()).kinds,
         reference,
         lines,
-        heights: raw.statistical.heights.as_ref().map(|heights| heights.0.clone()),
-        mean_radius: raw.statistical.mean_radius,
+        statistical: raw.statistical.as_ref().map(|spec| spec.get_ref().into()).unwrap_or_default(),
+        statistical_key: raw.statistical.as_ref().map(Spanned::span),
         accept: raw.accept,
         is_robustness_examined: raw.robustness,
         is_attributed: raw.attribution,

@@ -8,7 +8,7 @@ use asperity_framework::input::InputError;
 use asperity_framework::metadata::Timing;
 
 use super::plan::ComparePlan;
-use super::run::{models_of, unreachable_load};
+use super::run::{inapplicable, models_of, unreachable_load};
 use crate::surface::{AnalysisDepth, SurfaceFactory, files_of};
 
 /// Refuses a load that a population or a list does not reach, as a run would; of several realisations the first is tried.
@@ -24,7 +24,8 @@ pub(super) fn check(context: &RunContext, plan: &ComparePlan) -> Result<(), Inpu
     for surface in plan.surfaces.iter().filter(|surface| surface.has_given_asperities()) {
         let mut factory = SurfaceFactory::new(surface, context, &counter);
         let surface = factory.make(1, AnalysisDepth::Asperities, &mut files, &mut timing)?;
-        let models = models_of(plan.setup(context), &surface, &mut timing);
+        let models = models_of(plan.setup(context), &surface, &mut timing)
+            .map_err(|error| inapplicable(context, plan, &surface.name, &error))?;
         let area = surface.set.nominal_area();
         for law in &plan.laws {
             let statistical = plan
@@ -32,7 +33,7 @@ pub(super) fn check(context: &RunContext, plan: &ComparePlan) -> Result<(), Inpu
                 .contains(&Kind::Statistical)
                 .then(|| models.statistical(&*law.contact, &law.spec));
             let deterministic = models.deterministic(&*law.contact, &law.spec);
-            let statistical = statistical.as_ref().map(|model| model as &dyn Model);
+            let statistical = statistical.as_deref();
             let deterministic = deterministic.as_ref().map(|model| model as &dyn Model);
             for (model, alone) in [
                 (statistical, Models { statistical, deterministic: None }),

@@ -7,6 +7,7 @@ use asperity::compare::{
     AgainstReference, CaseSampling, ComparedQuantity, Control, Difference, Gaps, Kind, Models, ModulusCheck,
     ModulusFindings, NotReached, compare,
 };
+use asperity::distribution::HeightsError;
 use asperity::sphere::{Curve, boundaries};
 use asperity::work::{CountedContact, Counter};
 use asperity::{ContactError, Heights, Model, Paper, plasticity_index};
@@ -52,7 +53,8 @@ pub fn run(
         let mut factory = SurfaceFactory::new(surface, context, counter).keeping_map(has_reference);
         let mut first_surface = factory.make(1, compare.depth(), &mut files, &mut timing)?;
         let prepared = first_surface.prepared.take();
-        let models = models_of(setup, &first_surface, &mut timing);
+        let models = models_of(setup, &first_surface, &mut timing)
+            .map_err(|error| inapplicable(context, compare, &first_surface.name, &error))?;
         let mut first = run_surface(setup, &first_surface, &models, counter, &mut timing)
             .map_err(|(law, error)| unreachable_load(context, compare, &first_surface.name, law, &error))?;
         let start = Instant::now();
@@ -83,7 +85,8 @@ pub fn run(
         for realisation in 2..=surface.realisations {
             let mut made = factory.make(realisation, AnalysisDepth::Asperities, &mut files, &mut timing)?;
             let prepared = made.prepared.take();
-            let models = models_of(setup, &made, &mut timing);
+            let models = models_of(setup, &made, &mut timing)
+                .map_err(|error| inapplicable(context, compare, &made.name, &error))?;
             let mut other = run_surface(setup, &made, &models, counter, &mut timing)
                 .map_err(|(law, error)| unreachable_load(context, compare, &made.name, law, &error))?;
             // The scatter of the realisations is the error of each.
@@ -168,13 +171,33 @@ pub fn run(
 }
 
 /// Both models on a surface, its asperities as the laws see them.
-pub(super) fn models_of<'a>(setup: Setup, surface: &'a Surface, timing: &mut Timing) -> SurfaceModels<'a> {
+///
+/// # Errors
+/// A statistical model that does not apply to the surface.
+pub(super) fn models_of<'a>(
+    setup: Setup,
+    surface: &'a Surface,
+    timing: &mut Timing,
+) -> Result<SurfaceModels<'a>, HeightsError> {
     let start = Instant::now();
-    let population = surface.population(setup.heights, setup.mean_radius);
     let is_summed = setup.models.contains(&Kind::Deterministic);
-    let models = SurfaceModels::new(surface, population, setup.law_specs, is_summed);
+    let models = SurfaceModels::new(surface, setup.statistical, setup.law_specs, is_summed);
     timing.deterministic += start.elapsed();
     models
+}
+
+/// Points at the statistical model that does not apply to a surface.
+pub(super) fn inapplicable(
+    context: &RunContext,
+    compare: &ComparePlan,
+    surface: &str,
+    error: &HeightsError,
+) -> InputError {
+    let message = format!("the statistical model does not apply to surface {surface}: {error}");
+    match &compare.statistical_key {
+        Some(span) => context.source.error_at(span.clone(), message),
+        None => InputError::file(&context.source.path, message),
+    }
 }
 
 /// Both models under every law.
@@ -198,7 +221,7 @@ pub(super) fn run_surface<'a>(
         let statistical = is_run(Kind::Statistical).then(|| models.statistical(contact, &law.spec));
         let deterministic = models.deterministic(contact, &law.spec);
         let models = Models {
-            statistical: statistical.as_ref().map(|model| model as &dyn Model),
+            statistical: statistical.as_deref(),
             deterministic: deterministic.as_ref().map(|model| model as &dyn Model),
         };
         let comparison = compare(models, setup.controls, area).map_err(|error| (law, error))?;

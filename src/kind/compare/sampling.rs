@@ -1,13 +1,14 @@
 //! Both models on a surface with groups of its asperities left out, from which sampling errors follow.
 
+use asperity::Total;
 use asperity::compare::{CaseSampling, Division, Kind, LeftOut, OneStep, Pair, Pairing, State};
-use asperity::{Model, Total};
 use asperity_framework::contact::LawPlan;
 use asperity_framework::digest::stream_seed;
 
 use super::answers::CaseResults;
 use super::models::SurfaceModels;
 use super::plan::Setup;
+use super::statistical::StatisticalModel;
 use crate::surface::{Independence, Surface};
 
 /// The sampling uncertainty of each case on a surface that has been compared; nothing where only one model was run.
@@ -29,7 +30,7 @@ pub(super) fn sampling(
             let pairs: Vec<Pair> = at_load.copied().collect();
             let statistical = models.statistical(&*law.contact, &law.spec);
             let deterministic = models.deterministic(&*law.contact, &law.spec)?;
-            Some(OneStep::new(pairs, &statistical, &deterministic, surface.set.nominal_area()))
+            Some(OneStep::new(pairs, &*statistical, &deterministic, surface.set.nominal_area()))
         })
         .collect();
     let seed = stream_seed(setup.seed, &format!("groups of {}", surface.name));
@@ -56,16 +57,20 @@ fn left_out(setup: Setup, surface: &Surface, division: &Division, steps: &[OneSt
     let shares = division.shares();
     setup.progress.stage("sampling errors", shares.len() as f64);
     let without = |group: usize| {
-        let Some(rest) = surface.without(division, group) else {
+        let rest = surface.without(division, group);
+        let of_rest = rest.as_ref().and_then(|rest| {
+            let models = SurfaceModels::new(rest, setup.statistical, setup.law_specs, false).ok()?;
+            Some((rest, models))
+        });
+        let Some((rest, of_rest)) = of_rest else {
             let none = |step: &OneStep| vec![None; step.deterministic_separations().len()];
             return (None, steps.iter().map(none).collect());
         };
-        let models = |surface, is_summed| {
-            let population = rest.population(setup.heights, setup.mean_radius);
-            SurfaceModels::new(surface, population, setup.law_specs, is_summed)
-        };
         let part = surface.only(division, group);
-        let (of_rest, of_part) = (models(&rest, false), part.as_ref().map(|part| models(part, true)));
+        // The sum over a group needs no statistical model.
+        let of_part = part.as_ref().and_then(|part| {
+            SurfaceModels::new(part, &StatisticalModel::default(), setup.law_specs, true).ok()
+        });
         let case = |(law, step): (&LawPlan, &OneStep)| {
             let statistical = of_rest.statistical(&*law.contact, &law.spec);
             let responses = statistical.respond_all(&step.statistical_separations());

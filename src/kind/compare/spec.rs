@@ -7,12 +7,11 @@ use serde::de::{Deserializer, Error, SeqAccess, Visitor};
 use toml::Spanned;
 
 use super::reference::ReferenceSpec;
+use super::statistical::StatisticalSpec;
 use crate::layer::LayerSpec;
-use asperity::MeanRadius;
 use asperity::analytical::AnalyticalLine;
 use asperity::compare::Kind;
 use asperity_framework::input::accept::AcceptSpec;
-use asperity_framework::input::heights::HeightsSpec;
 use asperity_framework::input::law::Laws;
 use asperity_framework::input::quantity::{Force, Pressure};
 use asperity_framework::input::sweep::{LinearSweep, LogSweep};
@@ -36,9 +35,8 @@ pub struct CompareSpec {
     pub reference: Option<Spanned<ReferenceSpec>>,
     /// Closed results beside the models.
     pub lines: Option<Spanned<Lines>>,
-    /// Inputs of the statistical model.
-    #[serde(default)]
-    pub statistical: StatisticalSpec,
+    /// The statistical model.
+    pub statistical: Option<Spanned<StatisticalSpec>>,
     /// The largest differences between the models that are accepted.
     #[serde(default)]
     pub accept: AcceptSpec,
@@ -163,15 +161,4 @@ impl TryFrom<Vec<AnalyticalLine>> for Lines {
         }
         Ok(Self(lines))
     }
-}
-
-/// Inputs of the statistical model.
-#[derive(Debug, Clone, Default, Deserialize)]
-#[serde(deny_unknown_fields, rename_all = "kebab-case")]
-pub struct StatisticalSpec {
-    /// Height distribution; Gaussian, or a population's own, by default.
-    pub heights: Option<HeightsSpec>,
-    /// Which mean radius the statistical model uses.
-    #[serde(default)]
-    pub mean_radius: MeanRadius,
 }

@@ -100,7 +100,7 @@ impl Question<'_> {
         let contact = &CountedContact::new(&*contact, self.counter);
         let press = |model: &dyn Model| reached_at(model, &[self.pressure])[0];
         let reached = match self.kind {
-            Kind::Statistical => press(&self.models.statistical(contact, self.law)),
+            Kind::Statistical => press(&*self.models.statistical(contact, self.law)),
             Kind::Deterministic => press(&self.models.deterministic(contact, self.law)?),
         };
         reached.map(|reached| reached.response.area_ratio.total())

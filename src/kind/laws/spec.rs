@@ -3,7 +3,8 @@
 use serde::Deserialize;
 use toml::Spanned;
 
-use crate::kind::compare::spec::{CompareSpec, RoughBody, StatisticalSpec};
+use crate::kind::compare::spec::{CompareSpec, RoughBody};
+use crate::kind::compare::statistical::StatisticalSpec;
 use asperity_framework::input::accept::AcceptSpec;
 use asperity_framework::input::law::Laws;
 use asperity_framework::input::quantity::{Length, Pressure, Pure, Quantity};
@@ -26,9 +27,8 @@ pub struct LawsSpec {
     pub indentation: Spanned<LogSweep<Pure>>,
     /// Nominal pressures at which the laws are compared on surfaces.
     pub pressure: Spanned<LogSweep<Pressure>>,
-    /// Inputs of the statistical model.
-    #[serde(default)]
-    pub statistical: StatisticalSpec,
+    /// The statistical model.
+    pub statistical: Option<Spanned<StatisticalSpec>>,
     /// The largest differences between the models that are accepted.
     #[serde(default)]
     pub accept: AcceptSpec,

@@ -7,10 +7,12 @@
 //! Heights z, separations h and indentations x = z - h are in units of sigma here.
 
 mod exponential;
+mod fitted;
 mod gaussian;
 mod hazard;
 pub mod johnson;
 mod moments;
+mod smoothed;
 pub mod weibull;
 
 use std::error::Error;
@@ -25,10 +27,12 @@ use statrs::distribution::{ContinuousCDF, Normal};
 use crate::literature::Paper;
 use crate::numeric::lanes::{Real, Work, run};
 pub use exponential::Exponential;
+pub use fitted::HeightModel;
 pub use gaussian::{Gaussian, gaussian_moment};
 pub use johnson::Johnson;
 pub use moments::Moments;
 pub(crate) use moments::normal_nodes;
+pub use smoothed::{EqualHeights, Smoothed};
 pub use weibull::Weibull;
 
 /// E-foldings of a density that are integrated: to exp(-40) = 4e-18 of its largest value.

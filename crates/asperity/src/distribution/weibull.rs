@@ -32,6 +32,15 @@ const GROWTH: f64 = 2.0;
 #[error("Weibull shape {0}; allowed: {least} to {most}", least = SHAPES[0], most = SHAPES[1])]
 pub struct ShapeError(pub f64);
 
+/// A skewness that no shape within [`SHAPES`] has.
+#[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
+#[error("skewness {skewness:.3}; Weibull heights have {least:.3} to {most:.3}")]
+pub struct SkewnessError {
+    skewness: f64,
+    least: f64,
+    most: f64,
+}
+
 /// Weibull's distribution (1951), 1 - exp(-t^k), shifted and scaled to zero mean and unit standard deviation: the height
 /// is (t - mean)/sd.
 ///
@@ -63,6 +72,30 @@ impl Weibull {
         let fourth = raw(4.0) - mean * (4.0 * raw(3.0) - mean * (6.0 * second - 3.0 * mean * mean));
         let [skewness, kurtosis] = [third / sd.powi(3), fourth / sd.powi(4)];
         Ok(Self { shape, power: 1.0 / shape, mean, sd, skewness, kurtosis })
+    }
+
+    /// Heights of this skewness, which falls as the shape grows.
+    ///
+    /// # Errors
+    /// A skewness that no shape within [`SHAPES`] has.
+    pub fn with_skewness(skewness: f64) -> Result<Self, SkewnessError> {
+        /// Bisections of ln(shape), to rounding.
+        const HALVINGS: usize = 60;
+        let ends = SHAPES.map(Self::new).map(|end| end.map_or(f64::NAN, |weibull| weibull.skewness));
+        let error = SkewnessError { skewness, least: ends[1], most: ends[0] };
+        if !(ends[1]..=ends[0]).contains(&skewness) {
+            return Err(error);
+        }
+        let [mut low, mut high] = SHAPES;
+        for _ in 0..HALVINGS {
+            let middle = (low * high).sqrt();
+            if Self::new(middle).map_err(|_| error)?.skewness > skewness {
+                low = middle;
+            } else {
+                high = middle;
+            }
+        }
+        Self::new((low * high).sqrt()).map_err(|_| error)
     }
 
     /// The shape k.
@@ -202,6 +235,16 @@ impl HeightDistribution for Weibull {
 mod tests {
     use super::*;
     use crate::distribution::tests::moments;
+
+    #[test]
+    fn the_shape_of_a_skewness() {
+        for shape in [0.6, 1.0, 2.0, 3.6, 5.0, 19.0] {
+            let found = Weibull::with_skewness(Weibull::new(shape).unwrap().skewness()).unwrap();
+            assert!((found.shape() / shape - 1.0).abs() < 1e-7, "{shape}: {}", found.shape());
+        }
+        let error = Weibull::with_skewness(-1.5).unwrap_err().to_string();
+        assert!(error.starts_with("skewness -1.500; Weibull heights have -0."), "{error}");
+    }
 
     #[test]
     fn skewness_and_kurtosis_of_known_shapes() {

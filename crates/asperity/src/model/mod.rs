@@ -6,6 +6,7 @@ mod deterministic;
 mod load_control;
 mod mixture;
 mod plane;
+mod radius_in_contact;
 mod response;
 mod sparse;
 mod statistical;
@@ -16,6 +17,7 @@ pub use deterministic::Deterministic;
 pub use load_control::{LOWEST_SEPARATION, Reached, Unreachable, at_pressure, at_pressures, reached_at};
 pub(crate) use mixture::Mixture;
 pub use plane::ReferencePlane;
+pub use radius_in_contact::RadiusInContact;
 pub use response::{Response, SamplingError};
 pub use statistical::{MeanRadius, Statistical};
 pub use validity::{

@@ -27,13 +27,15 @@ pub enum MeanRadius {
     Arithmetic,
     /// 1/(mean curvature).
     InverseMeanCurvature,
+    /// The arithmetic mean of the asperities that touch; see [`RadiusInContact`](super::RadiusInContact).
+    InContact,
 }
 
 impl MeanRadius {
-    /// The mean radius of a set with these statistics, m.
+    /// The mean radius of a set with these statistics, m; of those that touch, the limit where all do.
     pub fn of(self, statistics: &Statistics) -> f64 {
         match self {
-            Self::Arithmetic => statistics.mean_radius,
+            Self::Arithmetic | Self::InContact => statistics.mean_radius,
             Self::InverseMeanCurvature => statistics.radius_of_mean_curvature,
         }
     }

@@ -1,5 +1,6 @@
 //! Numerical tools: quadrature, root search, reproducible sums, tabulated functions, vector registers.
 
+pub(crate) mod condensed;
 pub(crate) mod interval;
 pub mod lanes;
 pub(crate) mod levels;

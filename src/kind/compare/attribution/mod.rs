@@ -95,8 +95,7 @@ fn left_out(
     setup.progress.stage("sampling errors of the causes", division.shares().len() as f64);
     let without = |group: usize| {
         let rest = surface.without(division, group)?;
-        let population = rest.population(setup.heights, setup.mean_radius);
-        let models = SurfaceModels::new(&rest, population, setup.law_specs, true);
+        let models = SurfaceModels::new(&rest, setup.statistical, setup.law_specs, true).ok()?;
         let rearranged = ForLaws::new(&models, setup.law_specs, Rearranged::coarse);
         let case = |(index, law): (usize, &LawPlan)| {
             let contact: &dyn MicroContact = &*law.contact;

@@ -97,6 +97,7 @@ fn label(treatment: &Treatment) -> String {
         Treatment::Summits(neighbours) => format!("with {} summits", neighbours.name()),
         Treatment::MeanRadius(MeanRadius::Arithmetic) => "with the arithmetic mean radius".to_owned(),
         Treatment::MeanRadius(MeanRadius::InverseMeanCurvature) => "with 1/(mean curvature)".to_owned(),
+        Treatment::MeanRadius(MeanRadius::InContact) => "with the mean radius in contact".to_owned(),
         Treatment::Level(level) => format!("with level = \"{}\"", level.name()),
         Treatment::SpikesRemoved => "without the spikes".to_owned(),
         Treatment::Half(0) => "on the first half".to_owned(),

@@ -16,6 +16,7 @@ use super::answers::CaseResults;
 use super::plan::{ComparePlan, Setup};
 use super::run::{differ, models_of, run_surface};
 use super::sampling::sampling;
+use super::statistical::StatisticalModel;
 use crate::surface::{Surface, SurfaceFactory};
 
 /// The verdicts under other treatments of a map.
@@ -74,14 +75,16 @@ pub(super) fn robustness(
         forces: Vec::new(),
         tolerances: Tolerances::default(),
     };
-    let treatments = Treatment::all(&own, plan.mean_radius, map);
+    let treatments = Treatment::all(&own, plan.statistical.mean_radius, map);
     context.progress.stage("robustness", treatments.len() as f64);
     let treated = treatments.into_iter().map(|treatment| {
-        let mean_radius = match treatment {
-            Treatment::MeanRadius(mean_radius) => mean_radius,
-            _ => plan.mean_radius,
+        let statistical = match treatment {
+            Treatment::MeanRadius(mean_radius) => {
+                &StatisticalModel { mean_radius, ..plan.statistical.clone() }
+            }
+            _ => &plan.statistical,
         };
-        let setup = Setup { controls: &controls, mean_radius, progress: &Silent, ..plan.setup(context) };
+        let setup = Setup { controls: &controls, statistical, progress: &Silent, ..plan.setup(context) };
         let treat = || {
             // The mean radius changes nothing on the surface.
             let prepared = match treatment {
@@ -89,7 +92,7 @@ pub(super) fn robustness(
                 _ => Some(factory.prepared(treatment.preparation(own), map.correlation)?),
             };
             let surface = prepared.as_ref().unwrap_or(surface);
-            let models = models_of(setup, surface, &mut Timing::default());
+            let models = models_of(setup, surface, &mut Timing::default()).ok()?;
             let answered = run_surface(setup, surface, &models, counter, &mut Timing::default());
             let mut cases = answered.ok()?.cases;
             let samplings = sampling(setup, surface, &models, &cases);

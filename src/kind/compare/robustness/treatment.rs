@@ -73,7 +73,7 @@ impl Treatment {
             }),
             Self::MeanRadius(match mean_radius {
                 MeanRadius::Arithmetic => MeanRadius::InverseMeanCurvature,
-                MeanRadius::InverseMeanCurvature => MeanRadius::Arithmetic,
+                MeanRadius::InverseMeanCurvature | MeanRadius::InContact => MeanRadius::Arithmetic,
             }),
         ];
         all.extend(own.level.previous().map(Self::Level));
@@ -120,6 +120,7 @@ impl fmt::Display for Treatment {
             Self::Summits(neighbours) => write!(f, "{} summits", neighbours.name()),
             Self::MeanRadius(MeanRadius::Arithmetic) => f.write_str("arithmetic mean radius"),
             Self::MeanRadius(MeanRadius::InverseMeanCurvature) => f.write_str("1/(mean curvature)"),
+            Self::MeanRadius(MeanRadius::InContact) => f.write_str("mean radius in contact"),
             Self::Level(level) => write!(f, "level {}", level.name()),
             Self::SpikesRemoved => f.write_str("spikes removed"),
             Self::Half(half) => write!(f, "half {} of the map", half + 1),

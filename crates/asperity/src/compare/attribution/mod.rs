@@ -18,11 +18,9 @@
 //! | module | content |
 //! |---|---|
 //! | `states` | the models of the states |
-//! | `condensed` | samples condensed to few weighted nodes |
 //! | `at_loads` | the states at the loads of pairs, and the gap divided among the causes |
 
 mod at_loads;
-mod condensed;
 mod states;
 #[cfg(test)]
 mod tests;

@@ -2,10 +2,10 @@
 
 use rayon::prelude::*;
 
-use super::condensed::{Node, condensed};
 use crate::asperity::{Asperities, Draw, Population};
 use crate::interface::{AveragedContact, MicroContact, RadiusShare, jumps};
 use crate::model::{Deterministic, Mixture, Model, ReferencePlane, Statistical};
+use crate::numeric::condensed::{Node, condensed};
 use crate::shape::Shape;
 
 /// Up to this many asperities all pairs of heights and radii are summed.

@@ -2,7 +2,7 @@
 
 /// A weighted value.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct Node {
+pub(crate) struct Node {
     pub value: f64,
     pub weight: f64,
 }
@@ -11,7 +11,7 @@ pub(super) struct Node {
 /// powers in every bin of at most `width`. Up to two values of a bin stay as they are. The sum of a function over the
 /// nodes differs from that over the values by its fourth derivative times `width`^4/4320 at most, and in a bin where it
 /// is not smooth by its change there times the weight of the bin.
-pub(super) fn condensed(sorted: &[Node], width: f64) -> Vec<Node> {
+pub(crate) fn condensed(sorted: &[Node], width: f64) -> Vec<Node> {
     let mut nodes = Vec::new();
     let mut rest = sorted;
     while let Some(first) = rest.first() {
