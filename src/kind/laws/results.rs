@@ -4,7 +4,7 @@ use std::f64::consts::PI;
 
 use super::plan::Critical;
 use crate::kind::compare::results::CompareResults;
-use asperity::compare::{Attribution, Influence, Measure};
+use asperity::compare::{Dominance, Influence, Measure};
 use asperity::sphere::{Boundary, Curve, LARGEST_SLOPE};
 use asperity::{Contact, Paper};
 
@@ -93,12 +93,12 @@ pub struct SurfaceInfluence {
     /// The numbers, load by load.
     pub influence: Influence,
     /// Which of the two matters more: one per measure that allows a conclusion.
-    pub attributions: Vec<Attribution>,
+    pub dominances: Vec<Dominance>,
 }
 
 impl SurfaceInfluence {
     /// Which matters more by a measure.
-    pub fn attribution(&self, measure: Measure) -> Option<&Attribution> {
-        self.attributions.iter().find(|found| found.measure == measure)
+    pub fn dominance(&self, measure: Measure) -> Option<&Dominance> {
+        self.dominances.iter().find(|found| found.measure == measure)
     }
 }

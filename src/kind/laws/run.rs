@@ -6,7 +6,7 @@ use crate::kind::compare::answers::RealisationResults;
 use crate::kind::compare::findings::CaseFindings;
 use crate::kind::compare::results::SurfaceResults;
 use crate::kind::compare::run_compare;
-use asperity::compare::{Attribution, Difference, Influence, Measure, UnderLaw};
+use asperity::compare::{Difference, Dominance, Influence, Measure, UnderLaw};
 use asperity::sphere::{Curve, boundaries};
 use asperity::work::{CountedContact, Counter};
 use asperity_framework::RunContext;
@@ -20,9 +20,9 @@ pub(super) fn run(context: &RunContext, laws_plan: &LawsPlan) -> Result<LawsResu
     for found in &compare.surfaces {
         influences.extend(found.realisations().map(|(realisation, answered)| {
             let influence = influence(&laws_plan.compare.laws, found, answered);
-            let by = |measure| Attribution::of(&influence, measure);
-            let attributions = Measure::ALL.into_iter().filter_map(by).collect();
-            SurfaceInfluence { surface: found.surface.name.clone(), realisation, influence, attributions }
+            let by = |measure| Dominance::of(&influence, measure);
+            let dominances = Measure::ALL.into_iter().filter_map(by).collect();
+            SurfaceInfluence { surface: found.surface.name.clone(), realisation, influence, dominances }
         }));
     }
     let laws: Vec<LawOnOne> =

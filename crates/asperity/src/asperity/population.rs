@@ -39,6 +39,12 @@ impl Population {
     /// # Errors
     /// A count of 0, or values that [`AsperitySet::new`] rejects.
     pub fn set(&self, count: usize, draw: Draw) -> Result<AsperitySet, SetError> {
+        let heights = self.heights_of(count, draw);
+        AsperitySet::new(heights, vec![self.radius; count], count as f64 / self.density)
+    }
+
+    /// The heights of [`Self::set`], m.
+    pub(crate) fn heights_of(&self, count: usize, draw: Draw) -> Vec<f64> {
         let mut heights = vec![0.0; count];
         for_each_row(&mut heights, STREAM, &|k, chunk| match draw {
             Draw::Random(seed) => self.draw(seed, k, chunk),
@@ -49,7 +55,7 @@ impl Population {
                 }
             }
         });
-        AsperitySet::new(heights, vec![self.radius; count], count as f64 / self.density)
+        heights
     }
 
     /// Heights of one ChaCha stream.

@@ -81,10 +81,46 @@ impl Estimate {
         Self { error: Some(0.0), quantile: 0.0, ..*self }
     }
 
+    /// The mean over realisations (at least two), with the interval that their scatter gives.
+    pub(super) fn over(each: &[Self]) -> Self {
+        let count = each.len() as f64;
+        let contrast = each.iter().map(|one| one.contrast).sum::<f64>() / count;
+        let squares: f64 = each.iter().map(|one| (one.contrast - contrast).powi(2)).sum();
+        let error = (squares / (count - 1.0) / count).sqrt();
+        // Of those realisations that have one.
+        let independent: Vec<f64> = each.iter().filter_map(|one| one.independent_error).collect();
+        let of_one = independent.iter().sum::<f64>() / independent.len() as f64;
+        let independent_error = (!independent.is_empty()).then(|| of_one / count.sqrt());
+        Self {
+            contrast,
+            error: Some(error),
+            quantile: student_quantile(each.len()),
+            bound: each.iter().map(|one| one.bound).sum::<f64>() / count,
+            independent_error,
+        }
+    }
+
     /// The ends of the 95 % interval.
     pub fn interval(&self) -> Option<[f64; 2]> {
         self.half_width().map(|half| [self.contrast - half, self.contrast + half])
     }
+}
+
+/// The `mean` of the results of all realisations at each load that all of them have.
+pub(super) fn over_realisations<T: Clone>(
+    realisations: &[Vec<T>],
+    load: fn(&T) -> f64,
+    mean: fn(&[T]) -> T,
+) -> Vec<T> {
+    let Some((first, others)) = realisations.split_first() else { return Vec::new() };
+    let at = |one: &T| {
+        let same = |other: &Vec<T>| other.iter().find(|at| load(at) == load(one)).cloned();
+        let others: Option<Vec<T>> = others.iter().map(same).collect();
+        let mut all = vec![one.clone()];
+        all.extend(others?);
+        Some(mean(&all))
+    };
+    first.iter().filter_map(at).collect()
 }
 
 /// The difference between both models at one load.
@@ -188,15 +224,7 @@ impl Difference {
     /// The mean differences over realisations (at least two), at the loads that all of them have, with the interval that
     /// their scatter gives.
     pub fn over(realisations: &[Vec<Self>]) -> Vec<Self> {
-        let Some((first, others)) = realisations.split_first() else { return Vec::new() };
-        let at = |one: &Self| {
-            let same = |other: &Vec<Self>| other.iter().find(|at| at.load == one.load).cloned();
-            let others: Option<Vec<Self>> = others.iter().map(same).collect();
-            let mut all = vec![one.clone()];
-            all.extend(others?);
-            Some(Self::mean(&all))
-        };
-        first.iter().filter_map(at).collect()
+        over_realisations(realisations, |one| one.load, Self::mean)
     }
 
     fn mean(all: &[Self]) -> Self {
@@ -205,21 +233,7 @@ impl Difference {
         let estimate = |quantity: ComparedQuantity| {
             let each: Option<Vec<Estimate>> =
                 all.iter().map(|one| one.estimates[quantity as usize]).collect();
-            let each = each?;
-            let contrast = each.iter().map(|one| one.contrast).sum::<f64>() / count;
-            let squares: f64 = each.iter().map(|one| (one.contrast - contrast).powi(2)).sum();
-            let error = (squares / (count - 1.0) / count).sqrt();
-            // Of those realisations that have one.
-            let independent: Vec<f64> = each.iter().filter_map(|one| one.independent_error).collect();
-            let of_one = independent.iter().sum::<f64>() / independent.len() as f64;
-            let independent_error = (!independent.is_empty()).then(|| of_one / count.sqrt());
-            Some(Estimate {
-                contrast,
-                error: Some(error),
-                quantile: student_quantile(all.len()),
-                bound: each.iter().map(|one| one.bound).sum::<f64>() / count,
-                independent_error,
-            })
+            each.map(|each| Estimate::over(&each))
         };
         let sharings: Option<Vec<LoadSharing>> = all.iter().map(|one| one.sharing).collect();
         let sharing = sharings.map(|each| {

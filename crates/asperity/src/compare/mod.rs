@@ -3,6 +3,7 @@
 
 mod attribution;
 mod difference;
+mod dominance;
 mod gap;
 mod influence;
 mod limit;
@@ -15,10 +16,13 @@ mod threshold;
 mod validity;
 mod verdict;
 
-pub use attribution::{Attribution, Dominant};
+pub use attribution::{
+    Attribution, Cause, Contributions, GroupsLeftOut, Inputs, Order, Rearranged, StatesAtLoads,
+};
 pub use difference::{
     CONTACTS_PER_GROUP, CaseSampling, ComparedQuantity, Difference, Estimate, LeftOut, State,
 };
+pub use dominance::{Dominance, Dominant};
 pub use gap::{Gap, GapQuantity, Gaps};
 pub use influence::{AtLoad, DETECTABLE, Effect, Group, Influence, Measure, UnderLaw};
 pub use limit::{Exact, LimitCase, LimitPoint, Quantity, SlopeFit, convergence};

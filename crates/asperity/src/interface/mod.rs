@@ -1,10 +1,12 @@
 //! The micro-contact of two bodies under a law, which both models sum.
 
+mod averaged;
 mod bare;
 mod batch;
 mod flat;
 mod layered;
 
+pub(crate) use averaged::{AveragedContact, RadiusShare};
 pub use bare::Interface;
 pub use flat::Flat;
 pub use layered::LayeredInterface;
@@ -175,6 +177,23 @@ pub trait MicroContact: Send + Sync {
 pub fn plasticity_index(contact: &dyn MicroContact, sigma: f64, radius: f64) -> Option<f64> {
     let hardness = contact.reference_hardness();
     hardness.is_finite().then(|| contact.reference_modulus() / hardness * (sigma / radius).sqrt())
+}
+
+/// The jumps of load (N) and area (m^2) at the indentation `w` (m); 0 where they are continuous.
+pub(crate) fn jumps(contact: &dyn MicroContact, shape: Shape, w: f64) -> [f64; 2] {
+    /// Relative distance from a breakpoint at which both of its sides are evaluated: above the rounding of the
+    /// breakpoint.
+    const OFFSET: f64 = 1e-12;
+    /// Relative rounding error of the difference of two loads.
+    const ROUNDING: f64 = 32.0 * f64::EPSILON;
+    /// A continuous area changes less, relatively, over the two distances.
+    const CONTINUOUS: f64 = 1e2 * OFFSET;
+    let step = OFFSET * w;
+    let [below, above] = [-step, step].map(|step| contact.contact(w + step, shape));
+    let load = above.load - below.load - (below.stiffness + above.stiffness) * step;
+    let area = above.area - below.area;
+    let unless_below = |jump: f64, least: f64| if jump.abs() > least { jump } else { 0.0 };
+    [unless_below(load, ROUNDING * above.load), unless_below(area, CONTINUOUS * above.area)]
 }
 
 /// Relative threshold of a jump of load or area: above rounding, below every jump of a law.

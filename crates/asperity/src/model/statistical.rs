@@ -4,7 +4,7 @@ use super::load_control::{LOWEST_SEPARATION, search_missing};
 use super::{Model, ReferencePlane, Response};
 use crate::accumulator::{Accumulator, Total};
 use crate::asperity::{Population, Statistics};
-use crate::interface::MicroContact;
+use crate::interface::{MicroContact, jumps};
 use crate::numeric::lanes::{Real, Work, run};
 use crate::numeric::parallel;
 use crate::numeric::quadrature::{NODES, Piece, Variable, pieces};
@@ -72,8 +72,8 @@ impl<'a> Statistical<'a> {
     pub fn of_shape(contact: &'a dyn MicroContact, population: Population, shape: Shape) -> Self {
         let sigma = population.sigma;
         let breakpoints: Vec<f64> = contact.breakpoints(shape).into_iter().map(|w| w / sigma).collect();
-        let jump = |&x: &f64| Some((x, jump(contact, shape, x * sigma)?));
-        let jumps = breakpoints.iter().filter_map(jump).collect();
+        let jump = |&x: &f64| (x, jumps(contact, shape, x * sigma)[0]);
+        let jumps = breakpoints.iter().map(jump).filter(|(_, load)| *load != 0.0).collect();
         Self { contact, population, shape, plane: ReferencePlane { mean: 0.0, sigma }, breakpoints, jumps }
     }
 
@@ -159,23 +159,15 @@ impl<'a> Statistical<'a> {
         *count = 0;
     }
 
+    /// The reported separation from which on there are no contacts.
+    pub(super) fn highest_separation(&self) -> f64 {
+        self.reported(self.population.heights.highest_separation())
+    }
+
     /// Nominal pressure at the reported separation `h`, Pa.
     fn pressure(&self, h: f64) -> f64 {
         self.respond(h).pressure.total()
     }
-}
-
-/// The load jump (N) at the indentation `w` (m); `None` if the load is continuous.
-fn jump(contact: &dyn MicroContact, shape: Shape, w: f64) -> Option<f64> {
-    /// Relative distance from a breakpoint at which both of its sides are evaluated: above the rounding of the
-    /// breakpoint.
-    const OFFSET: f64 = 1e-12;
-    /// Relative rounding error of the difference of two loads.
-    const ROUNDING: f64 = 32.0 * f64::EPSILON;
-    let step = OFFSET * w;
-    let [below, above] = [-step, step].map(|step| contact.contact(w + step, shape));
-    let jump = above.load - below.load - (below.stiffness + above.stiffness) * step;
-    (jump.abs() > ROUNDING * above.load).then_some(jump)
 }
 
 /// Quadrature nodes whose contacts are evaluated together.
@@ -274,7 +266,7 @@ impl Model for Statistical<'_> {
 
     fn separations_at(&self, pressures: &[f64]) -> Vec<Option<f64>> {
         let density = &self.population.heights;
-        let highest = self.reported(density.highest_separation());
+        let highest = self.highest_separation();
         let mode = self.reported(density.decreasing_from()).max(LOWEST_SEPARATION);
         let may_decrease = self.may_decrease();
         let low = if may_decrease { mode } else { LOWEST_SEPARATION };

@@ -2,7 +2,7 @@
 
 use super::measures::size;
 use crate::kind::laws::results::{LawsResults, SurfaceInfluence};
-use asperity::compare::{Attribution, Dominant, Group, Measure};
+use asperity::compare::{Dominance, Dominant, Group, Measure};
 use asperity_framework::report::format::{input_quantity, listed, number};
 use asperity_framework::report::page::escape;
 
@@ -17,10 +17,10 @@ fn verdict_by(results: &LawsResults, measure: Measure) -> Option<String> {
         Measure::Area => "real area",
     };
     let found = results.compare.surfaces.iter().filter_map(|found| {
-        Some((escape(&found.surface.name), results.of_first(&found.surface.name)?.attribution(measure)?))
+        Some((escape(&found.surface.name), results.of_first(&found.surface.name)?.dominance(measure)?))
     });
-    let found: Vec<(String, &Attribution)> = found.collect();
-    let names = |is_it: &dyn Fn(&Attribution) -> bool| -> Vec<String> {
+    let found: Vec<(String, &Dominance)> = found.collect();
+    let names = |is_it: &dyn Fn(&Dominance) -> bool| -> Vec<String> {
         found.iter().filter(|(_, found)| is_it(found)).map(|(name, _)| name.clone()).collect()
     };
     let part = |(what, dominant): (&str, Dominant)| {
@@ -50,17 +50,17 @@ fn verdict_by(results: &LawsResults, measure: Measure) -> Option<String> {
 /// Which matters more on one surface, by how much, and within which sampling uncertainty: one line per measure.
 pub fn summary_lines(results: &LawsResults, surface: &str) -> Vec<String> {
     let Some(found) = results.of_first(surface) else { return Vec::new() };
-    if found.attributions.is_empty() {
+    if found.dominances.is_empty() {
         return vec![format!(
             "**{}**: no load is within the valid range under every law, so no conclusion is drawn.",
             escape(surface)
         )];
     }
-    found.attributions.iter().map(|attribution| line(found, attribution)).collect()
+    found.dominances.iter().map(|dominance| line(found, dominance)).collect()
 }
 
-fn line(found: &SurfaceInfluence, attribution: &Attribution) -> String {
-    let &Attribution { measure, group, law, summation, without_furthest, .. } = attribution;
+fn line(found: &SurfaceInfluence, dominance: &Dominance) -> String {
+    let &Dominance { measure, group, law, summation, without_furthest, .. } = dominance;
     let what = match measure {
         Measure::Separation => "d/σ",
         Measure::Area => "real area (inversely, mean contact pressure)",
@@ -82,7 +82,7 @@ fn line(found: &SurfaceInfluence, attribution: &Attribution) -> String {
         "**{}, {what}**: {}. {members} differ by {} on average in the deterministic model (at most {}, at {}){rest}. Under \
          {} the statistical and the deterministic model differ by {} on average (at most {}, at {}). {}",
         escape(&found.surface),
-        which(attribution),
+        which(dominance),
         size(measure, law.mean),
         size(measure, law.largest),
         input_quantity(law.at, "Pa"),
@@ -90,23 +90,23 @@ fn line(found: &SurfaceInfluence, attribution: &Attribution) -> String {
         size(measure, summation.mean),
         size(measure, summation.largest),
         input_quantity(summation.at, "Pa"),
-        chance(attribution),
+        chance(dominance),
     )
 }
 
 /// Which matters more, and how many times as much.
-fn which(attribution: &Attribution) -> String {
-    let ratio = attribution.ratio();
+fn which(dominance: &Dominance) -> String {
+    let ratio = dominance.ratio();
     let times = if ratio < 10.0 { format!("{ratio:.1} times") } else { format!("{} times", number(ratio)) };
-    let logarithms = match attribution.measure {
+    let logarithms = match dominance.measure {
         Measure::Separation => "",
         Measure::Area => " (ratio of logarithms)",
     };
-    match attribution.dominant() {
+    match dominance.dominant() {
         Dominant::Law => format!("the contact law matters {times} as much as the summation method{logarithms}"),
         Dominant::Summation => format!("the summation method matters {times} as much as the contact law{logarithms}"),
         Dominant::Equal => "contact law and summation method matter equally".to_owned(),
-        Dominant::Undecided if attribution.sampling.is_none() => {
+        Dominant::Undecided if dominance.sampling.is_none() => {
             "no interval of the difference between the models is claimed, so no conclusion is drawn on which matters more".to_owned()
         }
         Dominant::Undecided => {
@@ -118,7 +118,7 @@ fn which(attribution: &Attribution) -> String {
 }
 
 /// The sampling error of the difference between the models.
-fn chance(attribution: &Attribution) -> String {
-    let error = attribution.sampling.map(|error| size(attribution.measure, error.mean));
+fn chance(dominance: &Dominance) -> String {
+    let error = dominance.sampling.map(|error| size(dominance.measure, error.mean));
     error.map_or_else(String::new, |error| format!("The mean standard error of that difference is {error}."))
 }

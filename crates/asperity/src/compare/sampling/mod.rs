@@ -13,3 +13,4 @@ mod one_step;
 pub use division::{Division, GROUPS};
 pub use jackknife::{jackknife_error, jackknife_quantile, student_quantile};
 pub use one_step::OneStep;
+pub(super) use one_step::{moved, slopes, state};

@@ -72,9 +72,11 @@ impl OneStep {
                 per_area(|total| total.area().total())?.ln(),
                 per_area(Total::stiffness)?.ln(),
             ];
-            let sum = moved(sum, self.deterministic_slopes[k]?, pressure, &pair.deterministic);
+            let sum =
+                moved(sum, self.deterministic_slopes[k]?, pressure, pair.deterministic.pressure.total());
             let (integral, pressure) = state(&rest[k])?;
-            let integral = moved(integral, self.statistical_slopes[k]?, pressure, &pair.statistical);
+            let integral =
+                moved(integral, self.statistical_slopes[k]?, pressure, pair.statistical.pressure.total());
             Some([integral, sum])
         };
         (0..self.pairs.len()).map(at).collect()
@@ -86,20 +88,20 @@ fn positive(value: f64) -> Option<f64> {
 }
 
 /// The state of a response and its pressure (Pa); `None` without contact.
-fn state(response: &Response) -> Option<(State, f64)> {
+pub(in crate::compare) fn state(response: &Response) -> Option<(State, f64)> {
     let [area, stiffness] = [positive(response.area_ratio.total())?, positive(response.stiffness)?];
     let state = [response.separation_over_sigma, area.ln(), stiffness.ln()];
     Some((state, positive(response.pressure.total())?))
 }
 
-/// A state at `pressure` moved along `slopes` to the pressure of `target`.
-fn moved(state: State, slopes: State, pressure: f64, target: &Response) -> State {
-    let step = (target.pressure.total() / pressure).ln();
+/// A state at `pressure` moved along `slopes` to the pressure `target`.
+pub(in crate::compare) fn moved(state: State, slopes: State, pressure: f64, target: f64) -> State {
+    let step = (target / pressure).ln();
     std::array::from_fn(|k| state[k] + step * slopes[k])
 }
 
 /// The slopes of a model over the logarithm of its pressure at each separation `h` (d/sigma).
-fn slopes(model: &dyn Model, h: &[f64]) -> Vec<Option<State>> {
+pub(in crate::compare) fn slopes(model: &dyn Model, h: &[f64]) -> Vec<Option<State>> {
     let both: Vec<f64> = h.iter().flat_map(|h| [h - STEP, h + STEP]).collect();
     let responses = model.respond_all(&both);
     let slope = |pair: &[Response]| {

@@ -17,7 +17,7 @@ pub enum Dominant {
 
 /// The effects of contact law and summation method on one measure, over the valid loads.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Attribution {
+pub struct Dominance {
     /// The quantity compared.
     pub measure: Measure,
     /// The laws included in the spread.
@@ -36,7 +36,7 @@ pub struct Attribution {
 /// Effects of a smaller ratio count as equal.
 const EQUAL: f64 = 1.05;
 
-impl Attribution {
+impl Dominance {
     /// The effects on one measure; `None` if no load is valid or fewer than two laws are compared.
     pub fn of(influence: &Influence, measure: Measure) -> Option<Self> {
         let group = influence.group();
@@ -114,18 +114,18 @@ mod tests {
         (pairs, differences)
     }
 
-    fn attribution(all: &[(Vec<Pair>, Vec<Difference>)]) -> Option<Attribution> {
+    fn dominance(all: &[(Vec<Pair>, Vec<Difference>)]) -> Option<Dominance> {
         let laws: Vec<UnderLaw> = all
             .iter()
             .map(|(pairs, differences)| UnderLaw { law: "law", is_elastic_plastic: true, pairs, differences })
             .collect();
-        Attribution::of(&Influence::of(&laws), Measure::Separation)
+        Dominance::of(&Influence::of(&laws), Measure::Separation)
     }
 
     #[test]
     fn the_law_the_summation_or_neither() {
         let of = |second: f64, error: f64| {
-            attribution(&[under(3.0, 2.5, error), under(3.0, second, error)]).unwrap()
+            dominance(&[under(3.0, 2.5, error), under(3.0, second, error)]).unwrap()
         };
         let close = |a: f64, b: f64| (a - b).abs() < 1e-12;
         let law = of(4.0, 0.1);
@@ -136,13 +136,13 @@ mod tests {
         assert!(close(summation.summation.mean / summation.sampling.unwrap().mean, 2.5));
         assert_eq!(of(3.01, 0.1).dominant(), Dominant::Equal);
         assert_eq!(of(4.0, 0.25).dominant(), Dominant::Undecided);
-        assert_eq!(attribution(&[under(3.0, 2.5, 0.1)]), None);
+        assert_eq!(dominance(&[under(3.0, 2.5, 0.1)]), None);
     }
 
     #[test]
     fn one_law_that_lies_far_off_is_named() {
         let pairs = [under(3.0, 2.5, 0.0), under(3.0, 2.625, 0.0), under(3.0, 9.5, 0.0)];
-        let found = attribution(&pairs).unwrap();
+        let found = dominance(&pairs).unwrap();
         let (furthest, rest) = found.without_furthest.unwrap();
         assert_eq!((furthest, rest.mean, found.law.mean), (2, 0.125, 7.0));
         assert_eq!(found.is_law_without_furthest(), Some(false));

@@ -1,0 +1,210 @@
+//! The states between both models.
+
+use rayon::prelude::*;
+
+use super::condensed::{Node, condensed};
+use crate::asperity::{Asperities, Draw, Population};
+use crate::interface::{AveragedContact, MicroContact, RadiusShare, jumps};
+use crate::model::{Deterministic, Mixture, Model, ReferencePlane, Statistical};
+use crate::shape::Shape;
+
+/// Up to this many asperities all pairs of heights and radii are summed.
+const FEW: usize = 256;
+
+/// Width of the bins of heights, in sigma.
+const HEIGHT_BIN: f64 = 2e-3;
+
+/// Width of the bins of ln(radius); also the half of the step of the averaged contact in ln w.
+const RADIUS_BIN: f64 = 5e-3;
+
+/// Bins are wider by this under a layer, where a contact costs more, and with a group left out.
+const COARSE: f64 = 4.0;
+
+/// The same for the classes of radii of an integral, which is smooth in the radius under any law.
+const CLASS: f64 = 0.05;
+
+/// What is compared: a set of asperities, and the statistical model of it.
+#[derive(Debug, Clone)]
+pub struct Inputs<'a> {
+    /// The asperities as the law sees them.
+    pub asperities: Asperities<'a>,
+    /// What separations of the sum are measured from, in the frame of the heights.
+    pub plane: ReferencePlane,
+    /// The population of the statistical model.
+    pub population: Population,
+    /// The shape of its asperities.
+    pub mean_shape: Shape,
+    /// What its separations are measured from, relative to the mean height of the population.
+    pub reporting_plane: ReferencePlane,
+}
+
+/// The asperities of a surface rearranged, as the states between both models sum them.
+#[derive(Debug)]
+pub struct Rearranged<'a> {
+    inputs: Inputs<'a>,
+    /// The mean radius and its number of spheres, for each asperity.
+    mean_radii: Vec<f64>,
+    mean_spheres: Option<Vec<f64>>,
+    /// Condensed heights with their weights.
+    heights: Sample,
+    /// ln(radius) of all, ascending, weighted by number of spheres over number of asperities.
+    radii: Vec<Node>,
+    /// Width of the bins of ln(radius).
+    radius_bin: f64,
+    /// Quantiles of the density of the statistical model in the order of the own heights, relative to its mean.
+    paired: Vec<f64>,
+    /// Whether every asperity has the mean shape.
+    is_uniform: bool,
+}
+
+/// Nodes of a sample as a set of asperities.
+#[derive(Debug, Default)]
+struct Sample {
+    heights: Vec<f64>,
+    radii: Vec<f64>,
+    weights: Vec<f64>,
+}
+
+impl Sample {
+    fn asperities(&self, nominal_area: f64) -> Asperities<'_> {
+        Asperities::new(&self.heights, &self.radii, Some(&self.weights), nominal_area)
+    }
+}
+
+/// A state; see the table of the module above.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Arrangement {
+    Statistical,
+    OwnHeights,
+    OwnRadii,
+    Independent,
+    PairedByRank,
+    Deterministic,
+}
+
+/// The number of states.
+pub(super) const STATES: usize = Arrangement::Deterministic as usize + 1;
+
+impl<'a> Rearranged<'a> {
+    /// Rearranges the asperities.
+    pub fn new(inputs: Inputs<'a>) -> Self {
+        let Inputs { asperities, population, mean_shape, .. } = &inputs;
+        let count = asperities.count();
+        let width = |width: f64| if count > FEW { width } else { 0.0 };
+
+        let mut order: Vec<usize> = (0..count).collect();
+        let own = asperities.heights();
+        // Ties in file order.
+        order.par_sort_by(|&a, &b| own[a].total_cmp(&own[b]));
+        let sorted: Vec<Node> = order.iter().map(|&k| Node { value: own[k], weight: 1.0 }).collect();
+        let nodes = nodes_of(&sorted, width(HEIGHT_BIN * inputs.plane.sigma));
+        let heights = Sample {
+            radii: vec![mean_shape.radius; nodes.len()],
+            weights: nodes.iter().map(|node| node.weight).collect(),
+            heights: nodes.iter().map(|node| node.value).collect(),
+        };
+
+        let quantiles = population.heights_of(count, Draw::Quantiles);
+        let mut paired = vec![0.0; count];
+        order.iter().zip(quantiles).for_each(|(&k, z)| paired[k] = z);
+
+        let share = |(_, shape): (f64, Shape)| Node {
+            value: shape.radius.ln(),
+            weight: shape.spheres / count as f64,
+        };
+        let mut radii: Vec<Node> = asperities.each().map(share).collect();
+        // In file order where radii are equal.
+        radii.par_sort_by(|a, b| a.value.total_cmp(&b.value));
+        let mean_spheres = asperities.spheres().map(|all| vec![mean_shape.spheres; all.len()]);
+        let is_uniform = asperities.each().all(|(_, shape)| shape == *mean_shape);
+        let mean_radii = vec![mean_shape.radius; count];
+        let radius_bin = width(RADIUS_BIN);
+        Self { mean_radii, mean_spheres, heights, radii, radius_bin, paired, is_uniform, inputs }
+    }
+
+    /// The same with fewer nodes: accurate enough for the change that a group left out makes.
+    #[must_use]
+    pub fn coarse(self) -> Self {
+        Self { radius_bin: COARSE * self.radius_bin, ..self }
+    }
+
+    /// Evaluates something with the model of each state under one law, in the order of [`Arrangement`].
+    pub(super) fn with_models<T>(
+        &self,
+        contact: &dyn MicroContact,
+        of: impl FnOnce([&dyn Model; STATES]) -> T,
+    ) -> T {
+        let Inputs { asperities, plane, population, mean_shape, reporting_plane } = &self.inputs;
+        let area = asperities.nominal_area();
+        let integral = |contact, shape| {
+            Statistical::of_shape(contact, population.clone(), shape).reported_from(*reporting_plane)
+        };
+        let rearranged = |heights, radii, spheres| Asperities::new(heights, radii, spheres, area);
+        let statistical = integral(contact, *mean_shape);
+        let deterministic = Deterministic::new(contact, *asperities, *plane);
+        let own_heights = Deterministic::new(
+            contact,
+            rearranged(asperities.heights(), &self.mean_radii, self.mean_spheres.as_deref()),
+            *plane,
+        );
+        let paired = Deterministic::new(
+            contact,
+            rearranged(&self.paired, asperities.radii(), asperities.spheres()),
+            *reporting_plane,
+        );
+        if self.is_uniform {
+            return of([&statistical, &own_heights, &statistical, &own_heights, &paired, &deterministic]);
+        }
+        let averaged = self.averaged(contact);
+        let independent = Deterministic::new(&averaged, self.heights.asperities(area), *plane);
+        let both = |own_radii: &dyn Model| {
+            of([&statistical, &own_heights, own_radii, &independent, &paired, &deterministic])
+        };
+        if self.has_load_jumps(contact) {
+            both(&Mixture::new(
+                self.classes().map(|(share, shape)| (share, integral(contact, shape))).collect(),
+            ))
+        } else {
+            both(&integral(&averaged, Shape::sphere(mean_shape.radius)))
+        }
+    }
+
+    /// The largest indentation (m) of a state: from the highest asperity, and from where a density is negligible.
+    fn deepest(&self) -> f64 {
+        /// In sigma, the lowest separation searched and the height above which a density is negligible.
+        const LOWEST: f64 = -10.0;
+        const HIGHEST: f64 = 12.0;
+        let Inputs { asperities, plane, population, .. } = &self.inputs;
+        let of_set = asperities.highest() - (plane.mean + LOWEST * plane.sigma);
+        of_set.max((HIGHEST - LOWEST) * population.sigma.max(plane.sigma))
+    }
+
+    /// Whether the load of an asperity on a homogeneous flat jumps.
+    fn has_load_jumps(&self, contact: &dyn MicroContact) -> bool {
+        let shape = Shape::sphere(self.inputs.mean_shape.radius);
+        let jumps_at = |w: f64| jumps(contact, shape, w)[0] != 0.0;
+        !contact.is_layered() && contact.regime_changes(shape).into_iter().any(jumps_at)
+    }
+
+    /// The contact averaged over all radii.
+    fn averaged<'b>(&self, contact: &'b dyn MicroContact) -> AveragedContact<'b> {
+        let bin = if contact.is_layered() { COARSE * self.radius_bin } else { self.radius_bin };
+        let radius = |node: &Node| RadiusShare { radius: node.value.exp(), share: node.weight };
+        let nodes = nodes_of(&self.radii, bin).iter().map(radius).collect();
+        if bin == 0.0 {
+            return AveragedContact::exact(contact, nodes);
+        }
+        AveragedContact::tabulated(contact, nodes, self.radii.iter().map(radius), 2.0 * bin, self.deepest())
+    }
+
+    /// Classes of radii with their weights.
+    fn classes(&self) -> impl Iterator<Item = (f64, Shape)> {
+        let width = if self.radius_bin > 0.0 { CLASS } else { 0.0 };
+        nodes_of(&self.radii, width).into_iter().map(|node| (node.weight, Shape::sphere(node.value.exp())))
+    }
+}
+
+/// Condensed values; all of them for a width of zero.
+fn nodes_of(sorted: &[Node], width: f64) -> Vec<Node> {
+    if width > 0.0 { condensed(sorted, width) } else { sorted.to_vec() }
+}

@@ -1,0 +1,82 @@
+//! A statistical model of several classes of asperities: the weighted sum of their integrals.
+
+use super::load_control::{LOWEST_SEPARATION, search_missing};
+use super::{Model, ReferencePlane, Response, Statistical};
+use crate::contact::ByRegime;
+use crate::numeric::parallel;
+use crate::numeric::root::last_reaching;
+
+/// Classes of asperities, each with its share of all, which report separations from one plane.
+pub(crate) struct Mixture<'a> {
+    classes: Vec<(f64, Statistical<'a>)>,
+}
+
+impl<'a> Mixture<'a> {
+    /// At least one class.
+    pub(crate) fn new(classes: Vec<(f64, Statistical<'a>)>) -> Self {
+        Self { classes }
+    }
+
+    fn models(&self) -> impl Iterator<Item = &Statistical<'a>> {
+        self.classes.iter().map(|(_, model)| model)
+    }
+
+    /// The separation from which on no class has contacts.
+    fn highest_separation(&self) -> f64 {
+        self.models().map(Statistical::highest_separation).fold(f64::NEG_INFINITY, f64::max)
+    }
+
+    /// The largest separation with at least `pressure` (Pa), where it may be reached more than once.
+    fn search(&self, pressure: f64, highest: f64) -> Option<f64> {
+        /// Step of the search, in sigma.
+        const STEP: f64 = 1.0 / 16.0;
+        let steps = ((highest - LOWEST_SEPARATION) / STEP).ceil().max(0.0) as i32;
+        let end = |k: i32| (highest - STEP * f64::from(k)).max(LOWEST_SEPARATION);
+        let at = |h: f64| self.respond(h).pressure.total();
+        (0..steps).find_map(|k| last_reaching(at, pressure, end(k + 1), end(k)))
+    }
+}
+
+impl Model for Mixture<'_> {
+    fn plane(&self) -> ReferencePlane {
+        self.classes[0].1.plane()
+    }
+
+    fn respond_all(&self, separations: &[f64]) -> Vec<Response> {
+        let each = parallel::map(self.classes.len(), |k| self.classes[k].1.respond_all(separations));
+        let sum = |index: usize| {
+            let sum_of = |of: &dyn Fn(&Response) -> f64| {
+                self.classes.iter().zip(&each).map(|((share, _), all)| share * of(&all[index])).sum::<f64>()
+            };
+            let by_regime = |of: fn(&Response) -> ByRegime| {
+                ByRegime(std::array::from_fn(|regime| sum_of(&|response| of(response).0[regime])))
+            };
+            Response {
+                contact_density: sum_of(&|response| response.contact_density),
+                area_ratio: by_regime(|response| response.area_ratio),
+                pressure: by_regime(|response| response.pressure),
+                stiffness: sum_of(&|response| response.stiffness),
+                ..each[0][index]
+            }
+        };
+        (0..separations.len()).map(sum).collect()
+    }
+
+    fn may_decrease(&self) -> bool {
+        self.models().any(Statistical::may_decrease)
+    }
+
+    fn is_monotonic(&self) -> bool {
+        self.models().all(Statistical::is_monotonic)
+    }
+
+    fn separations_at(&self, pressures: &[f64]) -> Vec<Option<f64>> {
+        let highest = self.highest_separation().max(LOWEST_SEPARATION);
+        if !self.may_decrease() {
+            return self.last_reaching(pressures, LOWEST_SEPARATION, highest);
+        }
+        let mut found = vec![None; pressures.len()];
+        search_missing(&mut found, pressures, |pressure| self.search(pressure, highest));
+        found
+    }
+}
