@@ -22,6 +22,8 @@ pub(crate) mod tables;
 mod threshold;
 
 pub use run::run as run_compare;
+pub(crate) use run::{differ, models_of, run_surface};
+pub(crate) use sampling::sampling;
 pub use summary::summary;
 
 use std::path::PathBuf;

@@ -4,7 +4,7 @@ use crate::surface::Surface;
 use asperity::{ContactLaw, Deterministic, Ellipse, Ellipses, MicroContact, Population, Shape, Statistical};
 
 /// A surface with its asperities as the laws of the sums that are asked for see them.
-pub(super) struct SurfaceModels<'a> {
+pub(crate) struct SurfaceModels<'a> {
     surface: &'a Surface,
     population: Population,
     is_summed: bool,

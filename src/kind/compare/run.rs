@@ -165,7 +165,7 @@ pub fn run(
 }
 
 /// Both models on a surface, its asperities as the laws see them.
-pub(super) fn models_of<'a>(setup: Setup, surface: &'a Surface, timing: &mut Timing) -> SurfaceModels<'a> {
+pub(crate) fn models_of<'a>(setup: Setup, surface: &'a Surface, timing: &mut Timing) -> SurfaceModels<'a> {
     let start = Instant::now();
     let population = surface.population(setup.heights, setup.mean_radius);
     let is_summed = setup.models.contains(&Kind::Deterministic);
@@ -178,7 +178,7 @@ pub(super) fn models_of<'a>(setup: Setup, surface: &'a Surface, timing: &mut Tim
 ///
 /// # Errors
 /// A load that a model does not reach, and under which law.
-pub(super) fn run_surface<'a>(
+pub(crate) fn run_surface<'a>(
     setup: Setup<'a>,
     surface: &Surface,
     models: &SurfaceModels,
@@ -226,7 +226,7 @@ pub(super) fn run_surface<'a>(
 }
 
 /// The differences of each case with their sampling uncertainty, where both models were run.
-pub(super) fn differ(
+pub(crate) fn differ(
     cases: &mut [CaseResults],
     samplings: &[CaseSampling],
     laws: &[LawPlan],

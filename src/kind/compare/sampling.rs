@@ -11,7 +11,7 @@ use super::plan::Setup;
 use crate::surface::{Independence, Surface};
 
 /// The sampling uncertainty of each case on a surface that has been compared; nothing where only one model was run.
-pub(super) fn sampling(
+pub(crate) fn sampling(
     setup: Setup,
     surface: &Surface,
     models: &SurfaceModels,
