@@ -1,7 +1,8 @@
 //! Results of both models on the realisations of a surface.
 
 use asperity::compare::{
-    AgainstReference, Comparison, Difference, Gaps, Kind, Pair, Pairing, ReferenceCurve, ReferencePoint,
+    AgainstReference, Attribution, Comparison, Difference, Gaps, Kind, Pair, Pairing, ReferenceCurve,
+    ReferencePoint,
 };
 use asperity::sphere::Decrease;
 use asperity::topography::Moments;
@@ -69,6 +70,8 @@ pub struct CaseResults {
     pub gaps: Gaps,
     /// The differences at equal load, in the order of the pairs, with their sampling uncertainty.
     pub differences: Vec<Difference>,
+    /// The differences divided among their causes, in the order of the pairs at equal load; empty where none is asked for.
+    pub attribution: Vec<Attribution>,
     /// The reference; `None` where none is asked for.
     pub reference: Option<ReferenceCurve>,
     /// How far both models are from it, in the order of the pairs.
@@ -76,6 +79,11 @@ pub struct CaseResults {
 }
 
 impl CaseResults {
+    /// The gap of a pair at equal load divided among its causes; `None` for other pairs, and where it is not divided.
+    pub fn attribution_of(&self, pair: &Pair) -> Option<&Attribution> {
+        self.attribution.iter().filter(|_| pair.pairing == Pairing::Load).find(|at| at.load == pair.target)
+    }
+
     /// The reference at the load of a pair of both models; `None` where it did not run.
     pub fn reference_of(&self, pair: &Pair) -> Option<&ReferencePoint> {
         self.reference.as_ref().filter(|_| pair.pairing == Pairing::Load)?.at_load(pair.target)

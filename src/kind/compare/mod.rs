@@ -1,6 +1,7 @@
 //! `[compare]`: both models on given surfaces.
 
 pub mod answers;
+mod attribution;
 pub(crate) mod differences;
 pub mod findings;
 mod implausible;
@@ -62,6 +63,7 @@ impl Kind for Compare {
             Schema::of::<tables::CurveRow>(),
             Schema::of::<tables::PairRow>(),
             Schema::of::<differences::DifferenceRow>(),
+            Schema::of::<attribution::tables::AttributionRow>(),
             Schema::of::<reference::tables::ReferenceRow>(),
         ]
     }
@@ -111,11 +113,16 @@ impl Outcome for CompareResults {
     }
 
     fn tables(&self) -> Result<Vec<(&'static str, Vec<u8>)>, TableError> {
+        let extras =
+            tables::Extras { attribution: self.is_attributed(), reference: self.reference.is_some() };
         let mut files = vec![
             csv_file(tables::curves(self))?,
-            tables::comparison_file(tables::comparison(self), self.reference.is_some())?,
+            tables::comparison_file(tables::comparison(self), extras)?,
             csv_file(differences::rows(self))?,
         ];
+        if self.is_attributed() {
+            files.push(csv_file(attribution::tables::rows(self))?);
+        }
         if self.reference.is_some() {
             files.push(csv_file(reference::tables::rows(self))?);
         }

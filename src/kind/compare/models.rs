@@ -1,7 +1,10 @@
 //! Both models on one surface, for laws of spheres and of ellipses.
 
 use crate::surface::Surface;
-use asperity::{ContactLaw, Deterministic, Ellipse, Ellipses, MicroContact, Population, Shape, Statistical};
+use asperity::compare::Inputs;
+use asperity::{
+    Asperities, ContactLaw, Deterministic, Ellipse, Ellipses, MicroContact, Population, Shape, Statistical,
+};
 
 /// A surface with its asperities as the laws of the sums that are asked for see them.
 pub(crate) struct SurfaceModels<'a> {
@@ -57,17 +60,32 @@ impl<'a> SurfaceModels<'a> {
             .reported_from(self.surface.reporting_plane())
     }
 
+    /// The asperities as a law sees them; `None` unless the sum is requested.
+    fn asperities(&self, law: &ContactLaw) -> Option<Asperities<'_>> {
+        if law.is_elliptic() {
+            self.ellipses.as_ref().map(Ellipses::asperities)
+        } else {
+            self.is_summed.then(|| self.surface.set.spheres())
+        }
+    }
+
+    /// What the states between both models are made from under laws of the same shapes; `None` unless the sum is requested.
+    pub(super) fn inputs(&self, law: &ContactLaw) -> Option<Inputs<'_>> {
+        Some(Inputs {
+            asperities: self.asperities(law)?,
+            plane: self.surface.plane,
+            population: self.population.clone(),
+            mean_shape: self.mean_shape(law),
+            reporting_plane: self.surface.reporting_plane(),
+        })
+    }
+
     /// The sum of one contact of a law; `None` unless the sum is requested.
     pub(super) fn deterministic<'b>(
         &'b self,
         contact: &'b dyn MicroContact,
         law: &ContactLaw,
     ) -> Option<Deterministic<'b>> {
-        let asperities = if law.is_elliptic() {
-            self.ellipses.as_ref().map(Ellipses::asperities)
-        } else {
-            self.is_summed.then(|| self.surface.set.spheres())
-        };
-        asperities.map(|asperities| Deterministic::new(contact, asperities, self.surface.plane))
+        self.asperities(law).map(|asperities| Deterministic::new(contact, asperities, self.surface.plane))
     }
 }

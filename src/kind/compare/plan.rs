@@ -48,6 +48,8 @@ pub struct ComparePlan {
     pub accept: AcceptSpec,
     /// Whether the verdicts on measured maps are computed again under other treatments of the map.
     pub is_robustness_examined: bool,
+    /// Whether the gap between the models is divided among its causes.
+    pub is_attributed: bool,
     /// What the surfaces are pressed to.
     pub controls: Controls,
     /// Position of pressures and forces in the spec, for errors about loads out of reach.
@@ -73,6 +75,8 @@ pub struct Setup<'a> {
     pub heights: Option<&'a Heights>,
     /// Which mean radius the statistical model uses.
     pub mean_radius: MeanRadius,
+    /// Whether the gap between the models is divided among its causes.
+    pub is_attributed: bool,
     /// What the surface is pressed to.
     pub controls: &'a Controls,
     /// The seed of the spec.
@@ -95,6 +99,7 @@ impl ComparePlan {
             models: &self.models,
             heights: self.heights.as_ref(),
             mean_radius: self.mean_radius,
+            is_attributed: self.is_attributed,
             controls: &self.controls,
             seed: context.seed,
             progress: context.progress,
@@ -228,6 +233,7 @@ pub(crate) fn compared(
         mean_radius: raw.statistical.mean_radius,
         accept: raw.accept,
         is_robustness_examined: raw.robustness,
+        is_attributed: raw.attribution,
         controls,
         load_keys: [raw.pressure.as_ref().map(Spanned::span), raw.force.as_ref().map(Spanned::span)],
         surfaces,

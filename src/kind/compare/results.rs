@@ -58,6 +58,12 @@ pub struct Described {
 }
 
 impl CompareResults {
+    /// Whether the gap between the models is divided among its causes.
+    pub fn is_attributed(&self) -> bool {
+        let cases = self.surfaces.iter().flat_map(|found| &found.first.cases);
+        cases.into_iter().any(|case| !case.attribution.is_empty())
+    }
+
     /// Warnings about the results, one per line.
     pub fn warnings(&self) -> Vec<String> {
         let mut lines = warnings(self.surfaces.iter().map(|found| &found.surface));

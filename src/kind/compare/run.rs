@@ -16,6 +16,7 @@ use asperity_framework::input::InputError;
 use asperity_framework::metadata::Timing;
 
 use super::answers::{CaseResults, DecreaseResults, RealisationResults};
+use super::attribution::attribute;
 use super::findings::{Readings, SurfaceFindings};
 use super::implausible;
 use super::models::SurfaceModels;
@@ -57,6 +58,7 @@ pub fn run(
         let start = Instant::now();
         let samplings = sampling(setup, &first_surface, &models, &first.cases);
         differ(&mut first.cases, &samplings, setup.laws, &models);
+        attribute(setup, &first_surface, &models, &mut first.cases, surface.realisations == 1);
         timing.sampling += start.elapsed();
         let thresholds = threshold::thresholds(compare, &first_surface, &models, &first, counter);
         let decreases = decreases(compare, &first_surface, &models, &first, counter);
@@ -86,6 +88,7 @@ pub fn run(
                 .map_err(|(law, error)| unreachable_load(context, compare, &made.name, law, &error))?;
             // The scatter of the realisations is the error of each.
             differ(&mut other.cases, &vec![CaseSampling::default(); compare.laws.len()], setup.laws, &models);
+            attribute(setup, &made, &models, &mut other.cases, false);
             with_reference(
                 context,
                 compare,
@@ -208,6 +211,7 @@ pub(crate) fn run_surface<'a>(
             plasticity_index: plasticity_index(contact, population.sigma, population.radius),
             gaps: Gaps::of(&comparison.pairs),
             differences: Vec::new(),
+            attribution: Vec::new(),
             reference: None,
             against_reference: AgainstReference::default(),
             comparison,

@@ -45,6 +45,9 @@ pub struct CompareSpec {
     /// Whether the verdicts on measured maps are computed again under other treatments of the map.
     #[serde(default = "yes")]
     pub robustness: bool,
+    /// Whether the gap between the models is divided among its causes.
+    #[serde(default = "yes")]
+    pub attribution: bool,
     /// The surfaces to run on; all of the file by default.
     pub surfaces: Option<Vec<Spanned<String>>>,
     /// d/sigma.

@@ -6,7 +6,7 @@ use asperity_framework::report::table::{Column, Heading, Row, TableError, Value,
 use crate::kind::compare::answers::{CaseResults, RealisationResults};
 use crate::kind::compare::results::CompareResults;
 
-use asperity::compare::{CurvePoint, Kind, Pair, ReferencePoint};
+use asperity::compare::{Attribution, Cause, ComparedQuantity, CurvePoint, Kind, Pair, ReferencePoint};
 use asperity::{ByRegime, Exceeded, Limit, Response};
 
 /// What a row belongs to.
@@ -146,6 +146,8 @@ pub(crate) struct PairRow {
     /// Nominal area, m^2.
     pub(crate) nominal_area: f64,
     pub(crate) plasticity_index: Option<f64>,
+    /// The difference at the load of the pair divided among its causes.
+    pub(crate) attribution: Option<Attribution>,
     /// The reference at the load of the pair.
     pub(crate) reference: Option<ReferencePoint>,
 }
@@ -185,6 +187,11 @@ impl Answer {
 impl PairRow {
     fn reference(&self, of: fn(&ReferencePoint) -> Option<f64>) -> Option<f64> {
         self.reference.as_ref().and_then(of)
+    }
+
+    /// The contribution of a cause to the difference in a quantity.
+    fn contribution(&self, quantity: ComparedQuantity, cause: Cause) -> Option<f64> {
+        Some(self.attribution.as_ref()?.of(quantity)?.of(cause))
     }
 
     /// A contrast of the deterministic model over the reference.
@@ -243,6 +250,12 @@ impl Row for PairRow {
             plasticity_index["1"] = row.plasticity_index, "Plasticity index (E*/H)(sigma/R)^0.5 of Greenwood and Williamson (1966); empty where nothing yields.";
             beyond_model["true/false"] = row.pair.is_beyond_model(), "Whether either area ratio exceeds 0.05, where neighbouring asperities interact and no asperity model is valid.";
             limits["text"] = limits(row.pair.exceeded()), "Limits of the valid range that one of the models exceeds, as in `curves.csv`.";
+            separation_from_heights["1"] = row.contribution(ComparedQuantity::Separation, Cause::Heights), "Contribution of the height distribution to the difference in separation over sigma at equal load: the mean over three orders in which heights, radii and their correlation are changed from those of the statistical to those of the deterministic model. The three contributions add up to the difference. Empty where fewer than 30 effective contacts or one with more than 10 % of the load carry it, and at equal separation.";
+            separation_from_radii["1"] = row.contribution(ComparedQuantity::Separation, Cause::Radii), "The same of the spread of radii.";
+            separation_from_correlation["1"] = row.contribution(ComparedQuantity::Separation, Cause::Correlation), "The same of the correlation of heights and radii; with equal radii, of replacing a sum by its integral.";
+            log_area_from_heights["1"] = row.contribution(ComparedQuantity::Area, Cause::Heights), "Contribution of the height distribution to ln(statistical/deterministic) of the real contact area.";
+            log_area_from_radii["1"] = row.contribution(ComparedQuantity::Area, Cause::Radii), "The same of the spread of radii.";
+            log_area_from_correlation["1"] = row.contribution(ComparedQuantity::Area, Cause::Correlation), "The same of the correlation of heights and radii.";
             reference_separation_over_sigma["1"] = row.reference(|point| point.separation_over_sigma), "Reference: separation as in `curves.csv`; this and the next columns are there only where a reference was run, and empty at loads without it.";
             reference_area_ratio["1"] = row.reference(|point| Some(point.area_ratio)), "Reference: real contact area over nominal area, corrected for the perimeter of the contacts.";
             reference_mean_real_pressure_pa["Pa"] = row.reference(ReferencePoint::mean_real_pressure), "Reference: load over real contact area.";
@@ -255,10 +268,25 @@ impl Row for PairRow {
     }
 }
 
-/// Whether a column of `comparison.csv` is there only where a reference was run.
-pub(crate) fn is_of_reference(heading: &Heading) -> bool {
-    heading.name.ends_with("_from_interaction")
-        || heading.name.strip_prefix(REFERENCE).is_some_and(|rest| rest.starts_with('_'))
+/// What `comparison.csv` holds beside both models.
+#[derive(Debug, Clone, Copy, Default)]
+pub(crate) struct Extras {
+    /// Whether the differences are divided among their causes.
+    pub(crate) attribution: bool,
+    /// Whether a reference was run.
+    pub(crate) reference: bool,
+}
+
+impl Extras {
+    /// Whether a column is written.
+    fn include(self, heading: &Heading) -> bool {
+        let of_reference = |rest: &str| rest.starts_with('_');
+        match heading.name.split_once("_from_") {
+            Some((_, "interaction")) => self.reference,
+            Some(_) => self.attribution,
+            None => self.reference || !heading.name.strip_prefix(REFERENCE).is_some_and(of_reference),
+        }
+    }
 }
 
 /// The rows of `curves.csv`.
@@ -282,20 +310,21 @@ pub fn comparison(results: &CompareResults) -> impl Iterator<Item = PairRow> {
             pair,
             nominal_area,
             plasticity_index,
+            attribution: found.attribution_of(&pair).cloned(),
             reference: found.reference_of(&pair).copied(),
         })
     })
 }
 
-/// `comparison.csv`; without the columns of the reference where none was run.
+/// `comparison.csv`, with the columns of `extras`.
 ///
 /// # Errors
 /// See [`TableError`].
 pub(crate) fn comparison_file(
     rows: impl IntoIterator<Item = PairRow>,
-    has_reference: bool,
+    extras: Extras,
 ) -> Result<(&'static str, Vec<u8>), TableError> {
-    csv_file_with(rows, |heading| has_reference || !is_of_reference(heading))
+    csv_file_with(rows, |heading| extras.include(heading))
 }
 
 /// Every surface under every law, in file order.

@@ -63,6 +63,7 @@ impl LawsSpec {
             statistical: self.statistical.clone(),
             accept: self.accept,
             robustness: false,
+            attribution: false,
             surfaces: self.surfaces.clone(),
             separation: None,
             tolerance: ToleranceSpec::default(),

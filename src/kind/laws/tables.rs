@@ -136,7 +136,7 @@ pub(super) fn schemas() -> Vec<Schema> {
 pub(super) fn tables(results: &LawsResults) -> Result<Vec<(&'static str, Vec<u8>)>, TableError> {
     Ok(vec![
         csv_file(tables::curves(&results.compare))?,
-        tables::comparison_file(tables::comparison(&results.compare), false)?,
+        tables::comparison_file(tables::comparison(&results.compare), tables::Extras::default())?,
         csv_file(differences::rows(&results.compare))?,
         csv_file(curves(results))?,
         csv_file(boundaries(results))?,

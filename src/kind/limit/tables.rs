@@ -6,7 +6,7 @@ use asperity_framework::columns;
 use asperity_framework::report::table::{Column, Row, Schema, TableError, csv_file};
 
 use super::run::LimitResults;
-use crate::kind::compare::tables::{AnyPoint, Case, CurveRow, PairRow, comparison_file};
+use crate::kind::compare::tables::{AnyPoint, Case, CurveRow, Extras, PairRow, comparison_file};
 
 /// The errors of sets of one size at one separation.
 struct ConvergenceRow<'a> {
@@ -50,7 +50,7 @@ fn sets(point: &LimitPoint) -> impl Iterator<Item = (Case, &Response)> {
 pub(super) fn tables(results: &LimitResults) -> Result<Vec<(&'static str, Vec<u8>)>, TableError> {
     Ok(vec![
         csv_file(curves(results))?,
-        comparison_file(comparison(results), false)?,
+        comparison_file(comparison(results), Extras::default())?,
         csv_file(convergence(results))?,
     ])
 }
@@ -94,6 +94,7 @@ fn comparison(results: &LimitResults) -> impl Iterator<Item = PairRow> {
             pair: Pair { pairing: Pairing::Separation, target, statistical, deterministic },
             nominal_area: point.count as f64 / results.population.density,
             plasticity_index: results.plasticity_index,
+            attribution: None,
             reference: None,
         }
     };

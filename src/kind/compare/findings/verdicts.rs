@@ -1,6 +1,6 @@
 //! Verdicts on one surface under one law and thickness.
 
-use asperity::compare::{Accepted, Comparison, Difference, Stretch, ValidRange, Verdict};
+use asperity::compare::{Accepted, Attribution, Comparison, Difference, Stretch, ValidRange, Verdict};
 
 use super::ReferenceVerdicts;
 use crate::kind::compare::answers::RealisationResults;
@@ -11,6 +11,9 @@ use crate::surface::{Independence, Surface};
 pub struct Verdicts {
     /// The differences between the models at equal load, by growing load; over several realisations their mean.
     pub differences: Vec<Difference>,
+    /// The differences divided among their causes, by growing load; over several realisations their mean. Empty where none
+    /// is asked for.
+    pub attribution: Vec<Attribution>,
     /// What is accepted.
     pub accepted: Accepted,
     /// The loads at which the models are valid.
@@ -83,8 +86,14 @@ impl Verdicts {
         let mut differences =
             if let [only] = &of_each[..] { only.clone() } else { Difference::over(&of_each) };
         differences.sort_by(|a, b| a.load.total_cmp(&b.load));
+        let of_each: Vec<Vec<Attribution>> =
+            realisations.iter().map(|answered| answered.cases[index].attribution.clone()).collect();
+        let mut attribution =
+            if let [only] = &of_each[..] { only.clone() } else { Attribution::over(&of_each) };
+        attribution.sort_by(|a, b| a.load.total_cmp(&b.load));
         Self {
             accepted,
+            attribution,
             valid: if differences.is_empty() {
                 of_one_model(&realisations[0].cases[index].comparison)
             } else {

@@ -66,6 +66,7 @@ pub mod examples {
             area: 1e-6,
             is_blocked: false,
             reference: None,
+            attribution: Vec::new(),
             differences,
         }
     }

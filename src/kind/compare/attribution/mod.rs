@@ -1,0 +1,118 @@
+//! The gap between both models divided among its causes, at every load of a case.
+
+pub(super) mod tables;
+
+use asperity::compare::{Division, GroupsLeftOut, Kind, Rearranged, StatesAtLoads};
+use asperity::{ContactLaw, MicroContact};
+use asperity_framework::contact::LawPlan;
+use asperity_framework::digest::stream_seed;
+
+use super::answers::CaseResults;
+use super::models::SurfaceModels;
+use super::plan::Setup;
+use crate::surface::{Independence, Surface};
+
+/// The asperities of a surface rearranged, for laws of spheres and of ellipses.
+struct ForLaws<'a>([Option<Rearranged<'a>>; 2]);
+
+impl<'a> ForLaws<'a> {
+    fn new(models: &'a SurfaceModels, laws: &[ContactLaw], of: fn(Rearranged<'a>) -> Rearranged<'a>) -> Self {
+        Self([false, true].map(|is_elliptic| {
+            let law = laws.iter().find(|law| law.is_elliptic() == is_elliptic)?;
+            Some(of(Rearranged::new(models.inputs(law)?)))
+        }))
+    }
+
+    fn of(&self, law: &ContactLaw) -> Option<&Rearranged<'a>> {
+        self.0[usize::from(law.is_elliptic())].as_ref()
+    }
+}
+
+/// Divides the gap of every case of a surface; with its sampling error, where the surface allows one and `has_errors`.
+/// Nothing where only one model was run, or no attribution is asked for.
+pub(super) fn attribute(
+    setup: Setup,
+    surface: &Surface,
+    models: &SurfaceModels,
+    cases: &mut [CaseResults],
+    has_errors: bool,
+) {
+    let has_both = [Kind::Statistical, Kind::Deterministic].iter().all(|kind| setup.models.contains(kind));
+    if !(has_both && setup.is_attributed) {
+        return;
+    }
+    setup.progress.stage("causes", cases.len() as f64);
+    let all = ForLaws::new(models, setup.law_specs, |all| all);
+    let states: Vec<Option<StatesAtLoads>> = setup
+        .laws
+        .iter()
+        .zip(&*cases)
+        .map(|(law, case)| {
+            let found = all.of(&law.spec)?.at_loads(&*law.contact, &case.comparison.pairs);
+            setup.progress.advance(1.0);
+            Some(found)
+        })
+        .collect();
+    let groups = if has_errors { left_out(setup, surface, &all, &states) } else { Vec::new() };
+    for (index, (case, states)) in cases.iter_mut().zip(&states).enumerate() {
+        let Some(states) = states else { continue };
+        case.attribution = states.attributions(groups.get(index));
+        // What the sum leaves out of the stiffness at a load jump is not a cause.
+        for (at, difference) in case.attribution.iter_mut().zip(&case.differences) {
+            for (parts, estimate) in at.quantities.iter_mut().zip(&difference.estimates) {
+                if estimate.is_none() {
+                    *parts = None;
+                }
+            }
+        }
+    }
+}
+
+/// The states of each case with each group of asperities left out; nothing where the surface allows no sampling error.
+fn left_out(
+    setup: Setup,
+    surface: &Surface,
+    all: &ForLaws,
+    states: &[Option<StatesAtLoads>],
+) -> Vec<GroupsLeftOut> {
+    let seed = stream_seed(setup.seed, &format!("groups of {}", surface.name));
+    let drawn = match &surface.independence {
+        Independence::Asperities => Division::independent(surface.set.count(), seed),
+        _ => None,
+    };
+    let division = match &surface.independence {
+        Independence::Blocks(blocks) => &blocks.division,
+        _ => match &drawn {
+            Some(division) => division,
+            None => return Vec::new(),
+        },
+    };
+    let of_case = |(law, states): (&LawPlan, &Option<StatesAtLoads>)| {
+        let slopes = |states: &StatesAtLoads| Some(states.slopes(all.of(&law.spec)?, &*law.contact));
+        states.as_ref().and_then(slopes).unwrap_or_default()
+    };
+    let slopes: Vec<_> = setup.laws.iter().zip(states).map(of_case).collect();
+    setup.progress.stage("sampling errors of the causes", division.shares().len() as f64);
+    let without = |group: usize| {
+        let rest = surface.without(division, group)?;
+        let population = rest.population(setup.heights, setup.mean_radius);
+        let models = SurfaceModels::new(&rest, population, setup.law_specs, true);
+        let rearranged = ForLaws::new(&models, setup.law_specs, Rearranged::coarse);
+        let case = |(index, law): (usize, &LawPlan)| {
+            let contact: &dyn MicroContact = &*law.contact;
+            let (states, rest) = (states[index].as_ref()?, rearranged.of(&law.spec)?);
+            Some(states.without(rest, contact, &slopes[index]))
+        };
+        let all: Vec<_> = setup.laws.iter().enumerate().map(case).collect();
+        setup.progress.advance(1.0);
+        Some(all)
+    };
+    let Some(groups) = division.for_each_group(without).into_iter().collect::<Option<Vec<_>>>() else {
+        return Vec::new();
+    };
+    let of_case = |index: usize| GroupsLeftOut {
+        states: groups.iter().map(|group| group[index].clone().unwrap_or_default()).collect(),
+        shares: division.shares().to_vec(),
+    };
+    (0..states.len()).map(of_case).collect()
+}

@@ -1,0 +1,76 @@
+//! `attribution.csv`: the differences between the models at equal load divided among their causes.
+
+use asperity::compare::{Attribution, Cause, ComparedQuantity, Contributions, Order};
+use asperity_framework::columns;
+use asperity_framework::report::table::{Column, Row};
+
+use crate::kind::compare::results::CompareResults;
+
+/// The contribution of one cause to one quantity at one load.
+pub(crate) struct AttributionRow<'a> {
+    surface: &'a str,
+    law: &'a str,
+    thickness: Option<f64>,
+    at: &'a Attribution,
+    quantity: ComparedQuantity,
+    cause: Cause,
+    parts: &'a Contributions,
+}
+
+impl AttributionRow<'_> {
+    fn end(&self, index: usize) -> Option<f64> {
+        self.parts.estimates[self.cause as usize].interval().map(|ends| ends[index])
+    }
+
+    fn in_order(&self, order: Order) -> f64 {
+        self.parts.by_order[order as usize][self.cause as usize]
+    }
+}
+
+impl Row for AttributionRow<'_> {
+    const FILE: &'static str = "attribution.csv";
+    const ROWS: &'static str = "One row for each surface, law, layer thickness, load, quantity and cause, over all realisations: what each cause contributes to the difference between the models at equal load. The contributions of a load add up to the difference; loads that fewer than 30 effective contacts carry, or one contact with more than 10 % of the load, have none.";
+
+    fn columns() -> Vec<Column<Self>> {
+        columns! { row: Self =>
+            surface["text"] = row.surface, "Name of the surface.";
+            law["text"] = row.law, "Contact law of an asperity.";
+            layer_thickness_m["m"] = row.thickness, "Thickness of the layer, 0 for the bare substrate and inf for a flat of the layer's material; empty where the spec has no layer.";
+            pressure_pa["Pa"] = row.at.load, "Nominal pressure.";
+            quantity["text"] = row.quantity.name(), "What is compared: `separation`, `area` (real contact area) or `stiffness`.";
+            cause["text"] = row.cause.name(), "The cause: `heights` (the heights do not follow the density of the statistical model), `radii` (the radii are not all equal to the mean radius) or `correlation` (heights and radii are correlated; with equal radii, what replacing a sum by its integral leaves).";
+            contribution["1"] = row.parts.of(row.cause), "Mean contribution over the three orders: of the separation in sigma, of area and stiffness to ln(statistical/deterministic).";
+            low["1"] = row.end(0), "Lower end of the pointwise 95 % interval of the contribution; empty where none is claimed.";
+            high["1"] = row.end(1), "Upper end of the interval.";
+            standard_error["1"] = row.parts.estimates[row.cause as usize].error, "Standard error of the contribution, from blocks of a map, groups of independent asperities or realisations; empty where no interval is claimed.";
+            heights_radii_correlation["1"] = row.in_order(Order::HeightsFirst), "Contribution where first the heights, then the radii, then the correlation is changed.";
+            radii_heights_correlation["1"] = row.in_order(Order::RadiiFirst), "Contribution where first the radii, then the heights, then the correlation is changed.";
+            radii_correlation_heights["1"] = row.in_order(Order::HeightsLast), "Contribution where first the radii, then the correlation, then the heights are changed.";
+        }
+    }
+}
+
+/// The rows.
+pub(crate) fn rows(results: &CompareResults) -> impl Iterator<Item = AttributionRow<'_>> {
+    results.surfaces.iter().flat_map(|found| {
+        found.first.cases.iter().zip(&found.findings.cases).flat_map(move |(case, findings)| {
+            let row = move |at, quantity, parts, cause| AttributionRow {
+                surface: &found.surface.name,
+                law: &case.law,
+                thickness: case.thickness,
+                at,
+                quantity,
+                cause,
+                parts,
+            };
+            let of_load = move |at| {
+                let of = move |quantity| Some((quantity, Attribution::of(at, quantity)?));
+                let divided = ComparedQuantity::ALL.into_iter().filter_map(of);
+                divided.flat_map(move |(quantity, parts)| {
+                    Cause::ALL.map(|cause| row(at, quantity, parts, cause))
+                })
+            };
+            findings.verdicts.attribution.iter().flat_map(of_load)
+        })
+    })
+}
