@@ -160,8 +160,7 @@ fn filters(
         return match &raw.nesting_index {
             None => Ok(None),
             Some(index) => {
-                let message =
-                    "found a nesting index, and no filters (s-filter = []); allowed: both, or neither of them";
+                let message = "found a nesting index, and no filters (s-filter = []); allowed: both, or neither of them";
                 Err(file.source.error_at(index.span(), message))
             }
         };

@@ -154,7 +154,8 @@ impl Found {
         self.differences[load].estimates[ComparedQuantity::Area as usize]?.error?;
         let of = |states: &Vec<Option<[State; 2]>>| {
             let [integral, sum] = states[load]?;
-            let [separation, area] = [ComparedQuantity::Separation, ComparedQuantity::Area].map(|k| k as usize);
+            let [separation, area] =
+                [ComparedQuantity::Separation, ComparedQuantity::Area].map(|k| k as usize);
             match quantity {
                 Quantity::AreaOfSum => Some(sum[area]),
                 Quantity::AreaOfIntegral => Some(integral[area]),
@@ -170,9 +171,7 @@ impl Found {
 impl Series {
     /// The trend of a quantity, at the load of index `load` where it depends on one.
     pub fn trend(&self, quantity: Quantity, load: usize) -> Option<&Trend> {
-        self.trends.iter().find(|trend| {
-            trend.quantity == quantity && trend.load.is_none_or(|at| at == load)
-        })
+        self.trends.iter().find(|trend| trend.quantity == quantity && trend.load.is_none_or(|at| at == load))
     }
 
     /// The scales at which there are asperities, from the finest.

@@ -15,12 +15,10 @@ use asperity_framework::progress::Silent;
 
 use super::plan::IntervalPlan;
 use super::quantity::Quantity;
-use super::results::{
-    BlocksLeftOut, Found, IntervalResults, Scale, Series, SurfaceResults, Variation,
-};
+use super::results::{BlocksLeftOut, Found, IntervalResults, Scale, Series, SurfaceResults, Variation};
 use super::trend::{Point, Trend};
 use crate::kind::compare::plan::Setup;
-use crate::kind::compare::{differ, models_of, run_surface, sampling};
+use crate::kind::compare::{attribute, differ, models_of, run_surface, sampling};
 use crate::plausibility;
 use crate::surface::{AnalysisDepth, Independence, MapFacts, Surface, SurfaceFactory, files_of};
 use asperity::compare::Accepted;
@@ -49,7 +47,8 @@ pub(super) fn run(context: &RunContext, plan: &IntervalPlan) -> Result<IntervalR
         let accepted = compare.accept.on(made.plane.sigma);
         // Planned surfaces have a map, which is kept.
         if let Some((map, facts)) = prepared.as_ref().map(|prepared| &prepared.map).zip(made.map.as_ref()) {
-            let varied = Varied { context, setup, factory: &factory, counter: &counter, facts, loads: &loads };
+            let varied =
+                Varied { context, setup, factory: &factory, counter: &counter, facts, loads: &loads };
             let of_interval = plan.intervals.iter().map(|&every| varied.sampled(map, every));
             series.push(Series::new(Variation::Interval, of_interval.collect(), &loads, &accepted));
             if let Some(filters) = &plan.filters {
@@ -62,7 +61,8 @@ pub(super) fn run(context: &RunContext, plan: &IntervalPlan) -> Result<IntervalR
                     };
                     filtered.map_err(refuse)
                 };
-                let scales: Result<Vec<Scale>, InputError> = filters.multiples.iter().map(of_filter).collect();
+                let scales: Result<Vec<Scale>, InputError> =
+                    filters.multiples.iter().map(of_filter).collect();
                 series.push(Series::new(Variation::Filter, scales?, &loads, &accepted));
                 papers.push(asperity::literature::ISO_16610_61);
             }
@@ -141,6 +141,7 @@ impl Varied<'_> {
         let mut cases = answered.map_err(|(_, error)| error.to_string())?.cases;
         let samplings = sampling(setup, surface, &models, &cases);
         differ(&mut cases, &samplings, setup.laws, &models);
+        attribute(setup, surface, &models, &mut cases, true);
         let case = cases.swap_remove(0);
         let at_load = |&load: &f64| {
             let is_there = |pair: &&Pair| pair.pairing == Pairing::Load && pair.target == load;
@@ -166,7 +167,7 @@ impl Varied<'_> {
             plasticity_index: case.plasticity_index,
             pairs: self.loads.iter().filter_map(at_load).collect(),
             differences: places.iter().map(|&place| case.differences[place].clone()).collect(),
-            attributions: Vec::new(),
+            attributions: places.iter().filter_map(|&place| case.attribution.get(place).cloned()).collect(),
             blocks,
         })
     }

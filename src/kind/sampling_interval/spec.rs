@@ -54,6 +54,7 @@ impl SamplingIntervalSpec {
             statistical: self.statistical.clone(),
             accept: self.accept,
             robustness: false,
+            attribution: true,
             surfaces: self.surfaces.clone(),
             separation: None,
             tolerance: ToleranceSpec::default(),

@@ -18,9 +18,8 @@ struct Place<'a> {
 impl<'a> Place<'a> {
     /// The surfaces, varied in each way.
     fn all(results: &'a IntervalResults) -> impl Iterator<Item = Self> {
-        let of = |surface: &'a SurfaceResults| {
-            surface.series.iter().map(move |series| Self { surface, series })
-        };
+        let of =
+            |surface: &'a SurfaceResults| surface.series.iter().map(move |series| Self { surface, series });
         results.surfaces.iter().flat_map(of)
     }
 
@@ -46,7 +45,8 @@ impl ScaleRow<'_> {
 
 impl Row for ScaleRow<'_> {
     const FILE: &'static str = "sampling_interval.csv";
-    const ROWS: &'static str = "One row for each surface and each of its sampling intervals and S filters: its asperities.";
+    const ROWS: &'static str =
+        "One row for each surface and each of its sampling intervals and S filters: its asperities.";
 
     fn columns() -> Vec<Column<Self>> {
         let mut columns = Place::columns(|row: &Self| row.place);
@@ -98,7 +98,8 @@ impl GapRow<'_> {
     }
 
     fn difference_in_m(&self) -> Option<f64> {
-        (self.quantity == ComparedQuantity::Separation).then_some(self.estimate()?.contrast * self.found.sigma)
+        (self.quantity == ComparedQuantity::Separation)
+            .then_some(self.estimate()?.contrast * self.found.sigma)
     }
 }
 

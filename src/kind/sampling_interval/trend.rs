@@ -8,7 +8,7 @@ use super::quantity::Quantity;
 /// its limit as length^p does so with 2^-p per halving, p = 1/2 here; a power law without a limit has 1.
 pub const SHRINKS: f64 = std::f64::consts::FRAC_1_SQRT_2;
 
-/// Halvings over which a small change must stay small if it does not shrink: a factor of 16 in length.
+/// Halvings over which changes that do not shrink must add up to no more than the tolerance: a factor of 16 in length.
 pub const HALVINGS: f64 = 4.0;
 
 /// A quantity at one scale, on the scale on which changes are formed.
@@ -25,11 +25,12 @@ pub struct Point {
 /// What the finest scales tell of a limit.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Outcome {
-    /// The finest value is within the tolerance of its limit.
+    /// The last change is within the tolerance, its interval included; and it cannot be told from none, or it shrinks and what is left
+    /// is within the tolerance too, or it is small over [`HALVINGS`].
     Limit,
-    /// Changes shrink, but what is left of them exceeds the tolerance.
+    /// The last change shrinks, its interval included, but it or what is left exceeds the tolerance.
     Approaching,
-    /// The last change exceeds the tolerance and does not shrink.
+    /// The last change exceeds the tolerance, its interval included, and does not shrink.
     NoLimit,
     /// Anything else.
     CannotTell,
@@ -98,36 +99,45 @@ impl Trend {
             previous,
             exponent: if quantity.is_positive() { SlopeFit::through(values) } else { None },
             tolerance,
-            outcome: outcome(change, half_width.unwrap_or(0.0), previous, last, tolerance),
+            outcome: outcome(change, half_width, previous, last, tolerance),
         })
     }
 
     /// What is left of the change from the finest scale to the limit if changes shrink on as the last one did; `None` where it did
     /// not shrink.
     pub fn remainder(&self) -> Option<f64> {
-        remainder(self.change, self.previous)
+        remainder(self.change, self.previous).map(|left| left.copysign(self.change))
+    }
+
+    /// Whether the change can be told from none.
+    pub fn is_seen(&self) -> bool {
+        self.half_width.is_none_or(|half| self.change.abs() > half)
     }
 }
 
-/// The sum of all further changes of a geometric series.
+/// The size of all further changes if they shrink as the last one did, as a geometric series; a last change of less than a quarter of
+/// the one before is taken as a quarter, as of a smooth surface: a smaller one is an accident. `None` where it did not shrink.
 fn remainder(change: f64, previous: f64) -> Option<f64> {
-    let ratio = (change / previous).abs();
-    (ratio <= SHRINKS).then(|| change * ratio / (1.0 - ratio))
+    const FASTEST: f64 = 0.25;
+    let ratio = (change / previous).abs().max(FASTEST);
+    (ratio <= SHRINKS).then(|| previous.abs() * ratio * ratio / (1.0 - ratio))
 }
 
 /// `octaves` is the ratio of the lengths of the last change, as a power of two.
-fn outcome(change: f64, half_width: f64, previous: f64, octaves: f64, tolerance: f64) -> Outcome {
-    let (largest, smallest) = (change.abs() + half_width, change.abs() - half_width);
-    // A small change stays within the tolerance over some more halvings even if it does not shrink at all.
-    if largest * HALVINGS <= tolerance * octaves {
-        return Outcome::Limit;
-    }
-    match remainder(largest, previous) {
-        Some(left) if left <= tolerance => Outcome::Limit,
-        Some(_) => Outcome::Approaching,
-        // The interval may leave open whether it shrinks.
-        None if remainder(smallest.max(0.0), previous).is_none() && smallest > tolerance => Outcome::NoLimit,
-        None => Outcome::CannotTell,
+fn outcome(change: f64, half_width: Option<f64>, previous: f64, octaves: f64, tolerance: f64) -> Outcome {
+    let half = half_width.unwrap_or(0.0);
+    let (largest, smallest) = (change.abs() + half, change.abs() - half);
+    let is_seen = half_width.is_none() || smallest > 0.0;
+    let left = remainder(change, previous);
+    let is_small = HALVINGS * largest <= tolerance * octaves;
+    if largest <= tolerance && (!is_seen || is_small || left.is_some_and(|left| left <= tolerance)) {
+        Outcome::Limit
+    } else if remainder(largest, previous).is_some() {
+        Outcome::Approaching
+    } else if smallest > tolerance && remainder(smallest, previous).is_none() {
+        Outcome::NoLimit
+    } else {
+        Outcome::CannotTell
     }
 }
 
@@ -175,14 +185,23 @@ mod tests {
 
     #[test]
     fn an_interval_leaves_open_what_it_covers() {
-        let at = |half: f64| outcome(0.1, half, 0.11, 1.0, TOLERANCE);
+        let at = |half: f64| outcome(0.1, Some(half), 0.11, 1.0, TOLERANCE);
         assert_eq!((at(0.01), at(0.06)), (Outcome::NoLimit, Outcome::CannotTell));
         // Shrinks, unless the change is at the upper end of its interval.
-        let shrunk = |half: f64| outcome(0.03, half, 0.1, 1.0, TOLERANCE);
-        assert_eq!((shrunk(0.01), shrunk(0.05)), (Outcome::Limit, Outcome::CannotTell));
-        // Nothing is known to change.
-        assert_eq!(outcome(0.0, 0.012, 0.0, 1.0, TOLERANCE), Outcome::Limit);
-        assert_eq!(outcome(0.0, 0.02, 0.0, 1.0, TOLERANCE), Outcome::CannotTell);
+        let shrunk = |half: f64| outcome(0.03, Some(half), 0.1, 1.0, TOLERANCE);
+        let found = [0.01, 0.025, 0.05].map(shrunk);
+        assert_eq!(found, [Outcome::Limit, Outcome::Approaching, Outcome::CannotTell]);
+        // Nothing is seen to change.
+        let still = |half: f64| outcome(0.01, Some(half), 0.0, 1.0, TOLERANCE);
+        assert_eq!((still(0.02), still(0.045)), (Outcome::Limit, Outcome::CannotTell));
+    }
+
+    /// A change of nearly nothing after a large one is no sign of a limit at hand.
+    #[test]
+    fn an_accident_is_no_limit() {
+        let after = |previous: f64| outcome(1e-4, None, previous, 1.0, TOLERANCE);
+        assert_eq!((after(0.3), after(0.9)), (Outcome::Limit, Outcome::Approaching));
+        assert!((remainder(1e-4, 0.9).unwrap() - 0.9 / 12.0).abs() < 1e-12);
     }
 
     #[test]
