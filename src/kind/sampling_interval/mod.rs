@@ -1,11 +1,13 @@
 //! `[sampling-interval]`: the same surfaces at growing sampling intervals and under growing S filters: which results have a limit?
 
+mod findings;
 mod page;
 mod plan;
 mod quantity;
 mod results;
 mod run;
 mod spec;
+mod summary;
 mod tables;
 mod trend;
 
@@ -88,6 +90,6 @@ impl Outcome for IntervalResults {
     }
 
     fn summary(&self) -> serde_json::Result<Map<String, Value>> {
-        tables::summary(self)
+        summary::summary(self)
     }
 }

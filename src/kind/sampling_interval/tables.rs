@@ -193,7 +193,3 @@ pub(super) fn tables(results: &IntervalResults) -> Result<Vec<(&'static str, Vec
         .flat_map(|place| place.series.trends.iter().map(move |trend| LimitRow { place, trend }));
     Ok(vec![csv_file(scales)?, csv_file(gaps)?, csv_file(limits)?])
 }
-
-pub(super) fn summary(_: &IntervalResults) -> serde_json::Result<serde_json::Map<String, serde_json::Value>> {
-    Ok(serde_json::Map::new())
-}
