@@ -6,8 +6,8 @@ use super::quantity::Quantity;
 use super::results::{Found, Scale, Series, SurfaceResults};
 use super::trend::{Outcome, Trend};
 
-/// The load of the findings of a surface: the lowest of those at which most scales are within the valid range, and of these most
-/// have intervals. `None` where no scale is valid at any load.
+/// The load of the findings of a surface: the highest of those at which most scales are within the valid range, and of these most
+/// have intervals: more contacts carry it. `None` where no scale is valid at any load.
 pub fn main_load(surface: &SurfaceResults) -> Option<usize> {
     let found = || surface.series.iter().flat_map(Series::found).map(|(_, found)| found);
     let rank = |load: usize| {
@@ -15,7 +15,7 @@ pub fn main_load(surface: &SurfaceResults) -> Option<usize> {
         let is_bounded: Vec<bool> = estimates.map(|estimate| estimate.error.is_some()).collect();
         (is_bounded.len(), is_bounded.iter().filter(|bounded| **bounded).count())
     };
-    let best = (0..surface.loads.len()).rev().max_by_key(|&load| rank(load))?;
+    let best = (0..surface.loads.len()).max_by_key(|&load| rank(load))?;
     (rank(best).0 > 0).then_some(best)
 }
 
@@ -70,7 +70,7 @@ pub enum Lead {
     One { cause: Cause, told: usize, of: usize },
     /// The causes that lead, each with the lengths (m) at which it does, from the finest scale.
     Several { causes: Vec<(Cause, Vec<f64>)>, told: usize, of: usize },
-    /// At none of so many scales one part is larger than the others beyond its interval.
+    /// At none of so many scales one part is larger than the others beyond their intervals.
     Open { of: usize },
 }
 
@@ -97,13 +97,18 @@ impl Lead {
     }
 }
 
-/// The cause whose part is the largest in magnitude; `None` where the lower end of its interval is not above the next one.
+/// The cause whose part is larger in magnitude than each of the others, their intervals apart; `None` where there is none.
 pub fn leading(parts: &[Estimate; 3]) -> Option<Cause> {
-    let mut ranked = Cause::ALL;
-    let size = |cause: Cause| parts[cause as usize].contrast.abs();
-    ranked.sort_by(|&a, &b| size(b).total_cmp(&size(a)));
-    let half = parts[ranked[0] as usize].half_width().unwrap_or(0.0);
-    (size(ranked[0]) - half > size(ranked[1])).then_some(ranked[0])
+    let half = |part: &Estimate| part.half_width().unwrap_or(0.0);
+    let is_above = |part: &Estimate, other: &Estimate| {
+        part.contrast.abs() - half(part) > other.contrast.abs() + half(other)
+    };
+    let leads = |cause: &Cause| {
+        let others = Cause::ALL.into_iter().filter(|other| other != cause);
+        let part = &parts[*cause as usize];
+        others.into_iter().all(|other| is_above(part, &parts[other as usize]))
+    };
+    Cause::ALL.into_iter().find(leads)
 }
 
 /// The findings of one variation at one load.
@@ -191,8 +196,8 @@ mod tests {
         let parts = |heights, radii, correlation, half| {
             [heights, radii, correlation].map(|part| estimate(part, Some(half)))
         };
-        assert_eq!(leading(&parts(0.1, -0.3, 0.05, 0.1)), Some(Cause::Radii));
-        assert_eq!(leading(&parts(0.1, -0.3, 0.05, 0.2)), None);
+        assert_eq!(leading(&parts(0.1, -0.3, 0.05, 0.09)), Some(Cause::Radii));
+        assert_eq!(leading(&parts(0.1, -0.3, 0.05, 0.11)), None);
         let lead = |each: &[[Estimate; 3]]| {
             let each: Vec<_> = (1..).zip(each).map(|(length, &parts)| (f64::from(length), parts)).collect();
             Lead::of(&each)

@@ -23,10 +23,8 @@ pub fn page(results: &IntervalResults) -> Page {
         page.warning(&escape_around_code(&warning));
     }
     page.heading(2, "Summary");
-    page.bullets(words::over_surfaces(results));
-    for surface in &results.surfaces {
-        page.bullets(words::summary(surface));
-    }
+    let of_surfaces = results.surfaces.iter().flat_map(words::summary);
+    page.bullets(words::over_surfaces(results).into_iter().chain(of_surfaces));
     criterion(&mut page);
     sections::notes(&mut page, &results.metadata);
     sections::what_was_run(&mut page, &results.metadata, &results.contact);
@@ -65,8 +63,9 @@ fn criterion(page: &mut Page) {
     ]);
     page.paragraph(
         "Intervals are those of the change itself: the same blocks of the map are left out at both lengths, so that what both have in \
-         common cancels. A cause leads where its part of the gap, less the half-width of its interval, is larger than the next one. Gaps are \
-         given within the valid range only.",
+         common cancels. The largest part of a gap is named where its interval, in magnitude, lies above those of the others. Gaps are \
+         given within the valid range only. A filtered map tells of the surface, not of the pixel, as long as the nesting index is a few \
+         pixels long.",
     );
 }
 
@@ -77,7 +76,7 @@ fn of_surface(page: &mut Page, surface: &SurfaceResults) {
     page.heading(3, "Asperities");
     asperities(page, surface);
     page.figure(
-        &format!("{name}-asperities.svg"),
+        &format!("{name}-over-length.svg"),
         figures::asperities(surface),
         "Asperity density and radii against the sampling interval (solid) and the nesting index of the S filter (dashed). A straight \
          line is a power law without a limit, a level end towards the left a limit.",

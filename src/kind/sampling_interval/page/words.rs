@@ -37,26 +37,36 @@ pub fn signed_number(value: f64) -> String {
 /// A change of a quantity with its interval: "+153 ± 1.2 %", "−0.02 ± 0.04 σ".
 pub fn change(of: Quantity, change: f64, half_width: Option<f64>) -> String {
     let value = of.change_shown(change);
-    let (scale, unit, half) = match of {
-        Quantity::Correlation => (1.0, "", half_width),
-        Quantity::SeparationGap => (1.0, " σ", half_width),
+    match of {
+        Quantity::Correlation => with_interval(value, half_width),
+        Quantity::SeparationGap => format!("{} σ", with_interval(value, half_width)),
         // That of the logarithm, as a share of what is there before.
-        _ => (100.0, " %", half_width.map(|half| (1.0 + value) * half)),
-    };
-    let half = half.map_or_else(String::new, |half| format!(" ± {}", two_digits(scale * half)));
-    format!("{}{half}{unit}", signed_number(scale * value))
-}
-
-/// An uncertainty is known no better.
-fn two_digits(value: f64) -> String {
-    number(format!("{value:.1e}").parse().unwrap_or(value))
+        _ => {
+            let half_width = half_width.map(|half| 100.0 * (1.0 + value) * half);
+            format!("{} %", with_interval(100.0 * value, half_width))
+        }
+    }
 }
 
 /// A gap or a part of it with its interval: "+0.12 ± 0.04".
 pub fn estimate(estimate: &Estimate, scale: f64) -> String {
-    let half =
-        estimate.half_width().map_or_else(String::new, |half| format!(" ± {}", two_digits(scale * half)));
-    format!("{}{half}", signed_number(scale * estimate.contrast))
+    with_interval(scale * estimate.contrast, estimate.half_width().map(|half| scale * half))
+}
+
+/// "+0.12 ± 0.04": the half-width with two significant digits, the value with at most three and no more decimals than that.
+fn with_interval(value: f64, half_width: Option<f64>) -> String {
+    let Some(half) = half_width.filter(|half| *half > 0.0) else { return signed_number(value) };
+    let decimals = |value: f64, significant: i32| significant - 1 - value.abs().log10().floor() as i32;
+    let of_half = decimals(half, 2);
+    let of_value = if value == 0.0 { of_half } else { decimals(value, 3).min(of_half) };
+    let half = number(format!("{half:.1e}").parse().unwrap_or(half));
+    let rounded = format!("{:.*}", of_value.max(0) as usize, value.abs());
+    let sign = match value {
+        _ if rounded.chars().all(|digit| matches!(digit, '0' | '.')) => "",
+        negative if negative < 0.0 => "−",
+        _ => "+",
+    };
+    format!("{sign}{rounded} ± {half}")
 }
 
 /// The length that is varied.
@@ -84,7 +94,8 @@ pub fn over_surfaces(results: &IntervalResults) -> Option<String> {
             (!names.is_empty()).then(|| format!("{} on {}", has_words(wanted), listed(&names)))
         };
         let parts: Vec<String> = ORDER.into_iter().filter_map(on).collect();
-        (!parts.is_empty()).then(|| format!("the {} {}", of.label(), parts.join(", ")))
+        let at = if of.is_at_load() { " (at the load given below)" } else { "" };
+        (!parts.is_empty()).then(|| format!("the {}{at} {}", of.label(), listed(&parts)))
     };
     let clauses: Vec<String> = OF.into_iter().filter_map(clause).collect();
     (!clauses.is_empty()).then(|| format!("**As the sampling interval shrinks**, {}.", clauses.join("; ")))
@@ -94,7 +105,7 @@ fn has_words(outcome: Outcome) -> &'static str {
     match outcome {
         Outcome::Limit => "has a limit",
         Outcome::Approaching => "still changes, less and less,",
-        Outcome::NoLimit => "has no limit",
+        Outcome::NoLimit => "has no limit down to the finest interval",
         Outcome::CannotTell => "does not tell whether it has one",
     }
 }
@@ -127,7 +138,11 @@ fn of_series(name: &str, surface: &SurfaceResults, series: &Series, load: Option
         );
     } else {
         let [finest, second] = [0, 1].map(|index| series.scales.get(index).map_or(0.0, |at| at.length));
-        parts.push(format!("(Changes from {} to {}.)", quantity(second, "m"), quantity(finest, "m")));
+        parts.push(format!(
+            "(In brackets: changes from {} to {}.)",
+            quantity(second, "m"),
+            quantity(finest, "m")
+        ));
     }
     match load {
         None => parts.push(
@@ -220,7 +235,7 @@ fn lead(found: &Lead) -> String {
             format!("at all {of} lengths")
         } else {
             format!(
-                "at {told} of {of} lengths; at the others none is larger than the next beyond its interval"
+                "at {told} of {of} lengths; at the others none is larger than the others beyond their intervals"
             )
         }
     };
@@ -235,12 +250,14 @@ fn lead(found: &Lead) -> String {
             let open = if told == of {
                 ""
             } else {
-                "; at the others none is larger than the next beyond its interval"
+                "; at the others none is larger than the others beyond their intervals"
             };
             format!("changes: {}{open}", each.join(", "))
         }
         Lead::Open { of } => {
-            format!("is not known: at none of {of} lengths one is larger than the next beyond its interval")
+            format!(
+                "is not known: at none of {of} lengths one is larger than the others beyond their intervals"
+            )
         }
     }
 }
