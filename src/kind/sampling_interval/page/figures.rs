@@ -39,7 +39,7 @@ pub fn asperities(surface: &SurfaceResults) -> String {
                 .with(Layer::points(points, marker).coloured(colour).named(name))
         })
     };
-    let density = plot("asperity density", "density (1/mm²)", Legend::Below);
+    let density = plot("asperity density", "density (1/µm²)", Legend::Below);
     let density =
         with(density, Colour::Series(0), Marker::Circle, "", &|found| found.density / (MICRO * MICRO));
     let radii = plot("radii", "radius (µm)", Legend::Below);

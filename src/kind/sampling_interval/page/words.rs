@@ -11,7 +11,7 @@ use super::super::trend::{Outcome, Trend};
 use crate::kind::compare::page::verdict::signed;
 use crate::surface::fitness;
 
-/// An outcome, as the beginning of a sentence and in a table.
+/// An outcome in a table.
 pub fn outcome(outcome: Outcome) -> &'static str {
     match outcome {
         Outcome::Limit => "limit",
@@ -174,8 +174,12 @@ fn trends(findings: &Findings, of: Outcome) -> Option<String> {
         )
     };
     let items: Vec<String> = findings.with(of).map(item).collect();
-    let mut title = outcome(of).to_owned();
-    title[..1].make_ascii_uppercase();
+    let title = match of {
+        Outcome::NoLimit => "No limit",
+        Outcome::Approaching => "Still changing, less and less",
+        Outcome::CannotTell => "Cannot be told whether there is a limit",
+        Outcome::Limit => "Limit",
+    };
     (!items.is_empty()).then(|| format!("{title}: {}.", items.join(", ")))
 }
 
@@ -234,9 +238,7 @@ fn lead(found: &Lead) -> String {
         if told == of {
             format!("at all {of} lengths")
         } else {
-            format!(
-                "at {told} of {of} lengths; at the others none is larger than the others beyond their intervals"
-            )
+            format!("at {told} of {of} lengths (elsewhere no part is the largest beyond the intervals)")
         }
     };
     match found {
@@ -247,17 +249,12 @@ fn lead(found: &Lead) -> String {
                 format!("that of the {} at {}", cause.label(), listed(&lengths))
             });
             let each: Vec<String> = each.collect();
-            let open = if told == of {
-                ""
-            } else {
-                "; at the others none is larger than the others beyond their intervals"
-            };
+            let open =
+                if told == of { "" } else { " (elsewhere no part is the largest beyond the intervals)" };
             format!("changes: {}{open}", each.join(", "))
         }
         Lead::Open { of } => {
-            format!(
-                "is not known: at none of {of} lengths one is larger than the others beyond their intervals"
-            )
+            format!("is not known: at none of {of} lengths one is the largest beyond the intervals")
         }
     }
 }
