@@ -18,6 +18,7 @@ macro_rules! case_1 {
     };
 }
 
+mod attribution;
 mod caveats;
 mod cli;
 mod columns;

@@ -18,6 +18,14 @@ pub enum Colour {
     ElasticPlastic,
     /// Fully plastic contacts: dark purple.
     Plastic,
+    /// What the height distribution contributes to a difference: medium blue.
+    Heights,
+    /// What the spread of radii contributes: pale blue.
+    Radii,
+    /// What the correlation of heights and radii contributes: orange.
+    Correlation,
+    /// The sum of contributions: black.
+    Sum,
     /// References and notes: grey.
     Neutral,
     /// One of several series that have no order; repeats after eight.
@@ -59,6 +67,10 @@ impl Colour {
             Self::Elastic => RGBColor(0x9a, 0xd0, 0xf0),
             Self::ElasticPlastic => ORANGE,
             Self::Plastic => RGBColor(0x88, 0x22, 0x55),
+            Self::Heights => RGBColor(0x56, 0x6f, 0xb8),
+            Self::Radii => RGBColor(0xc4, 0xdd, 0xf0),
+            Self::Correlation => ORANGE,
+            Self::Sum => RGBColor(0x11, 0x11, 0x11),
             Self::Neutral => RGBColor(0x66, 0x66, 0x66),
             Self::Series(index) => SERIES[index % SERIES.len()],
             Self::Ordered { index, of } => ordered(index, of),

@@ -145,6 +145,31 @@ impl Plot {
         self
     }
 
+    /// Adds contributions of either sign that are stacked from zero, positive ones upwards and negative ones downwards: per
+    /// contribution its name, its colour and one value for each `x`. A missing value (NaN) is a gap in all of them.
+    pub fn with_contributions<'a>(
+        mut self,
+        x: &[f64],
+        parts: impl IntoIterator<Item = (&'a str, Colour, &'a [f64])>,
+    ) -> Self {
+        let mut ends = vec![[0.0; 2]; x.len()];
+        let first = self.layers.len();
+        for (name, colour, part) in parts {
+            let mut band = Vec::with_capacity(x.len());
+            for ((x, [low, high]), part) in x.iter().zip(&mut ends).zip(part) {
+                let end = if *part < 0.0 { low } else { high };
+                let from = *end;
+                *end += part;
+                band.push((*x, from.min(*end), from.max(*end)));
+            }
+            self.layers.push(Layer::band(band).named(name).coloured(colour).opaque());
+        }
+        for layer in &mut self.layers[first..] {
+            layer.keep_where(|place| ends.get(place).is_some_and(|ends| (ends[0] + ends[1]).is_finite()));
+        }
+        self
+    }
+
     /// Where the names of the layers stand; [`Legend::Auto`] by default.
     pub fn legend(mut self, legend: Legend) -> Self {
         self.legend = legend;

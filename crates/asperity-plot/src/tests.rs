@@ -197,6 +197,23 @@ fn shares_stand_on_each_other_and_gaps_are_shared() {
 }
 
 #[test]
+fn contributions_of_either_sign_stand_on_their_own_side_of_zero() {
+    let plot = plot().with_contributions(
+        &[1.0, 2.0, 3.0],
+        [
+            ("a", Colour::Heights, &[0.5, -0.5, f64::NAN][..]),
+            ("b", Colour::Radii, &[-0.2, -0.2, 1.0][..]),
+            ("c", Colour::Correlation, &[0.1, 0.1, 1.0][..]),
+        ],
+    );
+    let reach: Vec<_> = plot.layers.iter().map(Layer::reach).collect();
+    assert_eq!(reach[0][..4], [(1.0, 0.0), (1.0, 0.5), (2.0, -0.5), (2.0, 0.0)]);
+    assert_eq!(reach[1][..4], [(1.0, -0.2), (1.0, 0.0), (2.0, -0.7), (2.0, -0.5)]);
+    assert_eq!(reach[2][..4], [(1.0, 0.5), (1.0, 0.6), (2.0, 0.0), (2.0, 0.1)]);
+    assert!(reach.iter().all(|points| points[5].1.is_nan()));
+}
+
+#[test]
 fn a_steep_reference_keeps_its_slope() {
     // Twelve decades of x on one decade of y: the ends lie far outside the frame.
     let svg = Plot::new("", Axis::log("").range(1e-6, 1e6), Axis::log("").range(1.0, 10.0))

@@ -9,6 +9,7 @@ use indexmap::IndexMap;
 use serde::Serialize;
 use serde_json::{Map, Value};
 
+use super::findings::LeadingCause;
 use super::layer_summary as layer;
 use super::layer_summary::{DecreaseSummary, LayerSummary, Thickness, ThresholdSummary};
 use super::readings_summary::{ReadingSummary, readings};
@@ -146,6 +147,7 @@ fn verdicts(found: &SurfaceResults) -> impl Iterator<Item = VerdictSummary<'_>> 
             let of = found.robustness.iter().flat_map(|robustness| &robustness.dependences[index]);
             of.filter(|one| one.quantity == quantity).map(|one| one.choice.name()).collect()
         };
+        let [statistical, deterministic] = [Kind::Statistical.name(), Kind::Deterministic.name()];
         let of = move |[model, against]: [&'static str; 2], stretch: &Stretch| {
             let reported = |contrast: f64| stretch.quantity.reported(contrast);
             let estimate = stretch.largest.map(|(_, estimate)| estimate);
@@ -166,11 +168,15 @@ fn verdicts(found: &SurfaceResults) -> impl Iterator<Item = VerdictSummary<'_>> 
                 at_pa: stretch.largest.map(|(load, _)| load),
                 accepted: stretch.accepted,
                 area_needed_m2: verdicts.area_needed(stretch),
-                cause: None,
+                cause: if against == REFERENCE {
+                    let kind = if model == statistical { Kind::Statistical } else { Kind::Deterministic };
+                    verdicts.cause_against_reference(kind, stretch).map(LeadingCause::name)
+                } else {
+                    verdicts.cause(stretch).map(LeadingCause::name)
+                },
                 depends_on: if against == REFERENCE { Vec::new() } else { depends_on(stretch.quantity) },
             }
         };
-        let [statistical, deterministic] = [Kind::Statistical.name(), Kind::Deterministic.name()];
         let between = verdicts.stretches.iter().map(move |one| of([statistical, deterministic], one));
         let reference = verdicts.reference.iter().flat_map(move |reference| {
             let names = [statistical, deterministic].map(|model| [model, REFERENCE]);

@@ -17,7 +17,7 @@ mod validity;
 mod verdict;
 
 pub use attribution::{
-    Attribution, Cause, Contributions, GroupsLeftOut, Inputs, Order, Rearranged, StatesAtLoads,
+    Attribution, Cause, Contributions, GroupsLeftOut, Inputs, Order, Rearranged, StatesAtLoads, leading,
 };
 pub use difference::{
     CONTACTS_PER_GROUP, CaseSampling, ComparedQuantity, Difference, Estimate, LeftOut, State,

@@ -3,17 +3,20 @@
 //! | file | what lives there |
 //! |---|---|
 //! | `verdicts` | whether the statistical model may be used, by quantity and stretch of load |
+//! | `causes` | why the models differ, and why they differ from the reference |
 //! | `reference` | which model is nearer to the reference, and whether it is near enough |
 //! | `layer` | what the thickness of a layer changes |
 //! | `decreasing` | where a deeper asperity has less area or load |
 //! | `readings` | what reading sigma and d as those of the surface changes |
 
+mod causes;
 mod decreasing;
 mod layer;
 mod readings;
 mod reference;
 mod verdicts;
 
+pub use causes::LeadingCause;
 pub use decreasing::Decreasing;
 pub use layer::{AtThickness, GapRange, LayerFindings, PlasticRange};
 pub use readings::{ReadAnswer, ReadLoads, Readings};

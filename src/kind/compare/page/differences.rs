@@ -117,12 +117,13 @@ fn panel(verdicts: &Verdicts, curves: &[Curve], compared: ComparedQuantity, labe
 const INTERVAL: &str = "95 % interval";
 
 /// Margin of the load axis at both ends, as a ratio.
-const MARGIN: f64 = 1.3;
+pub const MARGIN: f64 = 1.3;
 
 /// How much of the axis is shown at least, in accepted differences.
 const VIEW: f64 = 1.5;
 
-fn megapascals(pressure: f64) -> f64 {
+/// A pressure in Pa as one in MPa.
+pub fn megapascals(pressure: f64) -> f64 {
     1e-6 * pressure
 }
 

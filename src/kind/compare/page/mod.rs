@@ -4,6 +4,7 @@
 //! |---|---|
 //! | `verdict` | the answer: headline, verdicts, valid range |
 //! | `differences` | the figure behind the verdicts |
+//! | `causes` | why the models differ |
 //! | `decreasing` | area or load that decreases with increasing indentation |
 //! | `layer` | results by layer thickness |
 //! | `reference` | the boundary element reference |
@@ -18,6 +19,7 @@
 //! | `names` | surfaces, laws and thicknesses |
 
 mod answers;
+mod causes;
 mod decreasing;
 mod differences;
 pub mod figures;
@@ -53,12 +55,19 @@ pub fn page(results: &CompareResults) -> Page {
     let layered = layer::all(results);
     // A single thickness is shown in as much detail as an uncoated flat.
     let in_full = layered.iter().all(|series| !series.has_several());
-    let overview = verdict::Overview::of(&cases(results));
+    let cases = cases(results);
+    let overview = verdict::Overview::of(&cases);
+    let causes = causes::Overview::of(&cases);
     page.heading(2, "Summary");
     let against = |overview: &verdict::Overview| {
         format!("**Against the reference**: {}", escape_around_code(&overview.sentence()))
     };
     page.bullets(overview.iter().map(against));
+    page.bullets(
+        causes
+            .iter()
+            .map(|causes| format!("**Why the models differ**: {}", escape_around_code(&causes.sentence()))),
+    );
     if in_full {
         page.bullets(results.surfaces.iter().flat_map(|found| headlines(results, found)));
     } else {
@@ -76,6 +85,9 @@ pub fn page(results: &CompareResults) -> Page {
     }
     if let Some(overview) = &overview {
         overview.section(&mut page);
+    }
+    if let Some(causes) = &causes {
+        causes.section(&mut page);
     }
     if in_full {
         results.surfaces.iter().for_each(|found| answer(&mut page, results, found));
@@ -200,19 +212,22 @@ pub fn answer(page: &mut Page, results: &CompareResults, found: &SurfaceResults)
         ];
         lines.extend(verdict::stiffness_line(verdicts).map(|line| format!("{}: {line}", escape(&case.law))));
         page.bullets(lines);
-        against_reference(page, found, index, &name);
-        if single_load::is_single(case) {
-            continue;
+        let is_curve = !single_load::is_single(case);
+        if is_curve {
+            page.figure(
+                &format!("{}-differences.svg", stem(found, &case.law)),
+                differences::differences(verdicts),
+                &format!(
+                    "{name}: differences between the models at equal load, with their 95 % intervals. Green: accepted; grey: beyond \
+                     the valid range; curves are cut at the edge of the panel."
+                ),
+            );
         }
-        page.figure(
-            &format!("{}-differences.svg", stem(found, &case.law)),
-            differences::differences(verdicts),
-            &format!(
-                "{name}: differences between the models at equal load, with their 95 % intervals. Green: accepted; grey: beyond \
-                 the valid range; curves are cut at the edge of the panel."
-            ),
-        );
-        robustness::section(page, found, index, &name, &stem(found, &case.law));
+        causes::section(page, verdicts, &name, &stem(found, &case.law), sigma);
+        against_reference(page, found, index, &name);
+        if is_curve {
+            robustness::section(page, found, index, &name, &stem(found, &case.law));
+        }
     }
 }
 

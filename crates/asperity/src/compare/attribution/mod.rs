@@ -115,6 +115,11 @@ impl Contributions {
         self.estimates[cause as usize].contrast
     }
 
+    /// The cause that leads; see [`leading`].
+    pub fn leading(&self) -> Option<Cause> {
+        leading(&Cause::ALL.map(|cause| (cause, self.estimates[cause as usize])))
+    }
+
     /// The smallest and the largest contribution of a cause in an order.
     pub fn range(&self, cause: Cause) -> [f64; 2] {
         let each = self.by_order.map(|order| order[cause as usize]);
@@ -125,6 +130,20 @@ impl Contributions {
     pub fn gap(&self) -> f64 {
         self.estimates.iter().map(|estimate| estimate.contrast).sum()
     }
+}
+
+/// The part that leads: of the `parts` in the direction of their sum the largest one, where it exceeds the next and zero by more than
+/// the half-width of its 95 % interval, where it has one.
+pub fn leading<T: Copy>(parts: &[(T, Estimate)]) -> Option<T> {
+    let sum: f64 = parts.iter().map(|(_, part)| part.contrast).sum();
+    let mut along: Vec<(T, f64, f64)> = parts
+        .iter()
+        .map(|(name, part)| (*name, part.contrast * sum.signum(), part.half_width().unwrap_or(0.0)))
+        .collect();
+    along.sort_by(|a, b| b.1.total_cmp(&a.1));
+    let &(first, size, half_width) = along.first()?;
+    let next = along.get(1).map_or(0.0, |(_, size, _)| size.max(0.0));
+    (sum != 0.0 && size - half_width > next).then_some(first)
 }
 
 /// The division of the gap at one load.

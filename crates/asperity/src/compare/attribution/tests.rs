@@ -4,9 +4,9 @@ use rand_chacha::ChaCha8Rng;
 use rand_distr::{Distribution, StandardNormal};
 
 use super::states::Arrangement;
-use super::{Attribution, Cause, GroupsLeftOut, Inputs, Order, Rearranged};
+use super::{Attribution, Cause, GroupsLeftOut, Inputs, Order, Rearranged, leading};
 use crate::asperity::{AsperitySet, Draw, Population, Statistics};
-use crate::compare::{ComparedQuantity, Division, Pair, pairs_at};
+use crate::compare::{ComparedQuantity, Division, Estimate, Pair, pairs_at};
 use crate::contact_law::named;
 use crate::distribution::Heights;
 use crate::interface::{Flat, MicroContact};
@@ -222,6 +222,30 @@ fn shuffled_radii_have_no_correlation() {
     let square = scores.iter().map(|score| score * score).sum::<f64>() / 16.0;
     assert!((0.4..2.0).contains(&square), "{scores:?}");
     assert!(correlation(&own).abs() > 5.0);
+}
+
+/// The part that leads is in the direction of the sum, and larger than the next one beyond its uncertainty.
+#[test]
+fn the_leading_part() {
+    let part = |contrast: f64, error: Option<f64>| Estimate {
+        contrast,
+        error,
+        quantile: 2.0,
+        bound: 0.0,
+        independent_error: None,
+    };
+    let of = |parts: [(f64, f64); 3]| {
+        let named = ["a", "b", "c"].into_iter().zip(parts);
+        leading(&named.map(|(name, (size, error))| (name, part(size, Some(error)))).collect::<Vec<_>>())
+    };
+    assert_eq!(of([(0.2, 0.01), (0.1, 0.01), (-0.05, 0.01)]), Some("a"));
+    // The largest one is against the direction of the sum.
+    assert_eq!(of([(-0.2, 0.01), (0.3, 0.01), (-0.25, 0.01)]), Some("c"));
+    assert_eq!(of([(-0.2, 0.01), (0.3, 0.01), (-0.21, 0.01)]), None);
+    assert_eq!(of([(0.2, 0.06), (0.1, 0.01), (0.0, 0.0)]), None);
+    assert_eq!(of([(0.0, 0.0); 3]), None);
+    // Without an interval, what holds on this very surface.
+    assert_eq!(leading(&[("a", part(0.2, None)), ("b", part(0.19, None))]), Some("a"));
 }
 
 #[test]

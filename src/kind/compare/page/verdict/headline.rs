@@ -5,7 +5,7 @@ use asperity_framework::report::format::{listed, percent};
 
 use super::range::any_exceeded_words;
 use super::words::{accepted, between, name, need, over, size, span};
-use crate::kind::compare::findings::{Basis, Verdicts};
+use crate::kind::compare::findings::{Basis, LeadingCause, Verdicts};
 
 /// The order in which quantities are spoken of.
 const ORDER: [ComparedQuantity; 3] =
@@ -73,10 +73,33 @@ pub fn headline(verdicts: &Verdicts, sigma: f64) -> String {
             );
         }
     }
+    sentence.extend(causes(&main, verdicts));
     if main.iter().any(|widest| of(widest.quantity).count() > 1) {
         sentence.push_str(" At other loads the verdict differs: see the table.");
     }
     sentence
+}
+
+/// " Leading cause: the height distribution (separation and stiffness)." of the stretches that are not within what is accepted.
+fn causes(main: &[&Stretch], verdicts: &Verdicts) -> Option<String> {
+    let mut causes: Vec<(LeadingCause, Vec<String>)> = Vec::new();
+    for stretch in main {
+        let Some(cause) = verdicts.cause(stretch) else { continue };
+        let quantity = name(stretch.quantity).to_owned();
+        match causes.iter_mut().find(|(known, _)| *known == cause) {
+            Some((_, quantities)) => quantities.push(quantity),
+            None => causes.push((cause, vec![quantity])),
+        }
+    }
+    let clause = |(cause, quantities): &(LeadingCause, Vec<String>)| {
+        format!("the {} ({})", cause.label(), listed(quantities))
+    };
+    let clauses: Vec<String> = causes.iter().map(clause).collect();
+    match clauses.len() {
+        0 => None,
+        1 => Some(format!(" Leading cause: {}.", clauses[0])),
+        _ => Some(format!(" Leading causes: {}.", listed(&clauses))),
+    }
 }
 
 fn by<'a>(main: &[&'a Stretch], verdict: Verdict) -> Vec<&'a Stretch> {

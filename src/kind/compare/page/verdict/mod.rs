@@ -21,7 +21,7 @@ pub use nearer::{misses, nearer, nearer_sentence};
 pub use overview::{Case, Overview};
 pub use range::{accepted_line, basis_line, limit_words, range_line, stiffness_line};
 pub use table::{by_case, stretches};
-pub use words::{loads, name, signed, verdict};
+pub use words::{distance, loads, name, over, signed, verdict};
 
 #[cfg(test)]
 pub mod examples {

@@ -5,7 +5,7 @@ use asperity_framework::report::format::listed;
 use asperity_framework::report::page::Page;
 
 use super::words::{accepted, loads, name, need, signed, verdict};
-use crate::kind::compare::findings::Verdicts;
+use crate::kind::compare::findings::{LeadingCause, Verdicts};
 
 /// One row per quantity and stretch of load; separations in units of `sigma` (m).
 pub fn stretches(page: &mut Page, verdicts: &Verdicts, sigma: f64) {
@@ -20,6 +20,7 @@ pub fn stretches(page: &mut Page, verdicts: &Verdicts, sigma: f64) {
             } else {
                 verdict(stretch.verdict).to_owned()
             },
+            verdicts.cause(stretch).map_or("–", LeadingCause::label).to_owned(),
             // Where no load is valid, the need is that of one load, not of half of them.
             stretch.largest.map(|_| would_tell(stretch, verdicts)).unwrap_or_default(),
         ]
@@ -30,6 +31,7 @@ pub fn stretches(page: &mut Page, verdicts: &Verdicts, sigma: f64) {
         "largest difference (95 % interval)",
         "accepted",
         "verdict",
+        "leading cause",
         "would tell (at half of the loads)",
     ];
     let order = [ComparedQuantity::Area, ComparedQuantity::Separation, ComparedQuantity::Stiffness];
@@ -80,11 +82,13 @@ pub fn by_case(page: &mut Page, what: &str, all: &[(String, &Verdicts)]) {
         let each: Vec<String> = of
             .map(|stretch| {
                 let blocked = if verdicts.is_blocked { "blocked: " } else { "" };
+                let cause = verdicts.cause(stretch).map(|cause| format!(", {}", cause.label()));
                 format!(
-                    "{blocked}{} {} ({})",
+                    "{blocked}{} {} ({}{})",
                     verdict(stretch.verdict),
                     loads(stretch.loads),
-                    at_most(stretch)
+                    at_most(stretch),
+                    cause.unwrap_or_default()
                 )
             })
             .collect();

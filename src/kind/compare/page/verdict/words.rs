@@ -62,11 +62,14 @@ pub fn span(from: &str, to: &str, between: &str) -> String {
 /// The magnitude of a contrast: a length with its part of sigma (m), or a share.
 pub fn size(compared: ComparedQuantity, contrast: f64, sigma: f64) -> String {
     match compared {
-        ComparedQuantity::Separation => {
-            format!("{} ({} σ)", quantity(contrast.abs() * sigma, "m"), number(contrast.abs()))
-        }
+        ComparedQuantity::Separation => distance(contrast, sigma),
         ComparedQuantity::Area | ComparedQuantity::Stiffness => percent(compared.reported(contrast).abs()),
     }
+}
+
+/// The magnitude of a distance of `contrast` sigma (m): "15 nm (0.31 σ)".
+pub fn distance(contrast: f64, sigma: f64) -> String {
+    format!("{} ({} σ)", quantity(contrast.abs() * sigma, "m"), number(contrast.abs()))
 }
 
 /// A contrast with its sign: "+0.32 σ", "−7.9 %".

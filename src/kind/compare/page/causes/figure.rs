@@ -1,0 +1,60 @@
+//! Contributions to the difference between the models over the load.
+
+use asperity::compare::{Cause, ComparedQuantity, Contributions};
+use asperity_plot::{Axis, Colour, Dash, Figure, Layer, Marker, Plot};
+
+use super::QUANTITIES;
+use crate::kind::compare::findings::Verdicts;
+use crate::kind::compare::page::differences::{MARGIN, invalid, megapascals};
+
+/// The contributions over the load, stacked, with the difference; one panel per quantity.
+pub fn figure(verdicts: &Verdicts) -> String {
+    let panels = QUANTITIES.into_iter().map(|quantity| panel(verdicts, quantity));
+    Figure::column("Contributions to the difference between the models", panels.collect()).svg()
+}
+
+/// The colour of a cause.
+pub fn colour(cause: Cause) -> Colour {
+    match cause {
+        Cause::Heights => Colour::Heights,
+        Cause::Radii => Colour::Radii,
+        Cause::Correlation => Colour::Correlation,
+    }
+}
+
+fn panel(verdicts: &Verdicts, quantity: ComparedQuantity) -> Plot {
+    let divided = || verdicts.attribution.iter().map(|at| (megapascals(at.load), at.of(quantity)));
+    let load: Vec<f64> = divided().map(|(load, _)| load).collect();
+    let ends = [load.iter().copied().fold(f64::INFINITY, f64::min), load.iter().copied().fold(0.0, f64::max)];
+    let label = match quantity {
+        ComparedQuantity::Separation => "separation (σ)",
+        _ => "ln(area ratio of the models)",
+    };
+    let parts = Cause::ALL.map(|cause| {
+        divided().map(|(_, parts)| parts.map_or(f64::NAN, |parts| parts.of(cause))).collect::<Vec<f64>>()
+    });
+    let axis = Axis::log("nominal pressure (MPa)").range(ends[0] / MARGIN, ends[1] * MARGIN);
+    let mut plot = Plot::new("", axis, Axis::linear(label)).height(240.0);
+    for region in invalid(&verdicts.valid, 1e-6) {
+        plot = plot.with(region);
+    }
+    let stacked = Cause::ALL.into_iter().zip(&parts);
+    plot = plot
+        .with_contributions(&load, stacked.map(|(cause, part)| (cause.label(), colour(cause), &part[..])));
+    let gap = divided().map(|(load, parts)| (load, parts.map_or(f64::NAN, Contributions::gap)));
+    plot = plot
+        .with(Layer::at_y(0.0, ""))
+        .with(Layer::line(gap).coloured(Colour::Sum).thick().named("statistical − deterministic"));
+    let missed: Vec<(f64, f64)> = verdicts
+        .attribution
+        .iter()
+        .filter_map(|at| Some((megapascals(at.load), verdicts.missed(quantity, at.load)?.contrast)))
+        .collect();
+    if missed.is_empty() {
+        return plot;
+    }
+    let name = "deterministic − reference";
+    let line = Layer::line(missed.iter().copied()).coloured(Colour::Deterministic).dashed(Dash::DashDot);
+    plot.with(line.named(name))
+        .with(Layer::points(missed, Marker::Triangle).coloured(Colour::Deterministic).named(name))
+}

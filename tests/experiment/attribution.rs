@@ -1,0 +1,148 @@
+//! Why the models differ: for each kind of statement a case in which it holds and one in which it does not.
+
+use std::collections::BTreeMap;
+use std::fmt::Write;
+use std::path::Path;
+
+use asperity_experiment::Experiment;
+use asperity_framework::Outcome;
+use asperity_framework::progress::Silent;
+
+/// A list of asperities with Gaussian heights. A sharper radius belongs to a higher one where they are `correlated`.
+fn list(folder: &Path, name: &str, count: usize, correlated: bool) {
+    let mut text = "height,radius\n".to_owned();
+    for k in 0..count {
+        // A Weyl sequence in two dimensions, Box and Muller's pairs.
+        let [u, v] =
+            [0.754_877_666_246_692_7, 0.569_840_290_998_053_3].map(|step| ((k as f64 + 0.5) * step).fract());
+        let (length, angle) = ((-2.0 * u.ln()).sqrt(), std::f64::consts::TAU * v);
+        let [height, other] = [length * angle.cos(), length * angle.sin()];
+        let normal = if correlated { -0.8 * height + 0.6 * other } else { other };
+        writeln!(text, "{:e},{:e}", 48e-9 * height, 2e-5 * (0.4 * normal).exp()).unwrap();
+    }
+    std::fs::write(folder.join(name), text).unwrap();
+}
+
+const COMPARE: &str = "pressure = { from = \"1 MPa\", to = \"60 MPa\", points = 7 }\n";
+
+fn run(folder: &Path, compare: &str, surfaces: &str) -> Box<dyn Outcome> {
+    let spec = format!(
+        "title = \"t\"\nseed = 3\n{}[compare]\nrough = \"steel\"\nflat = \"steel\"\nlaw = \"zmc\"\n{compare}\n{surfaces}",
+        steel!(),
+    );
+    let path = folder.join("attribution.toml");
+    std::fs::write(&path, spec).unwrap();
+    Experiment::read(&path).unwrap().run(&Silent).unwrap()
+}
+
+fn surface(name: &str, file: &str, count: usize) -> String {
+    format!("[surface.{name}.asperities]\nfile = \"{file}\"\nnominal-area = {:e}\n", count as f64 / 6e10)
+}
+
+/// The rows of a table by column name.
+fn table(outcome: &dyn Outcome, file: &str) -> Option<Vec<BTreeMap<String, String>>> {
+    let tables = outcome.tables().unwrap();
+    let (_, bytes) = tables.into_iter().find(|(name, _)| *name == file)?;
+    let mut reader = csv::Reader::from_reader(&bytes[..]);
+    Some(reader.deserialize().collect::<Result<_, _>>().unwrap())
+}
+
+fn number(row: &BTreeMap<String, String>, column: &str) -> f64 {
+    row[column].parse().unwrap_or_else(|_| panic!("{column}: {:?}", row[column]))
+}
+
+#[test]
+fn the_columns_add_up_to_the_difference() {
+    let folder = tempfile::tempdir().unwrap();
+    list(folder.path(), "list.csv", 20_000, true);
+    let outcome = run(folder.path(), COMPARE, &surface("list", "list.csv", 20_000));
+    let pairs = table(&*outcome, "comparison.csv").unwrap();
+    assert_eq!(pairs.len(), 7);
+    let rows = table(&*outcome, "attribution.csv").unwrap();
+    for pair in &pairs {
+        let sum = |of: &str| {
+            ["heights", "radii", "correlation"]
+                .map(|cause| number(pair, &format!("{of}_{cause}")))
+                .iter()
+                .sum::<f64>()
+        };
+        assert!((sum("separation_from") - number(pair, "difference_separation_over_sigma")).abs() < 1e-10);
+        let ratio = number(pair, "statistical_area_ratio") / number(pair, "deterministic_area_ratio");
+        assert!((sum("log_area_from") - ratio.ln()).abs() < 1e-10);
+        let of_load =
+            rows.iter().filter(|row| row["pressure_pa"] == pair["target"] && row["quantity"] == "separation");
+        for row in of_load.clone() {
+            let cause = format!("separation_from_{}", row["cause"]);
+            assert_eq!(row["contribution"], pair[&cause]);
+            let orders =
+                ["heights_radii_correlation", "radii_heights_correlation", "radii_correlation_heights"];
+            let mean = orders.map(|order| number(row, order)).iter().sum::<f64>() / 3.0;
+            assert!((mean - number(row, "contribution")).abs() < 1e-12);
+            assert!(
+                number(row, "low") < number(row, "contribution")
+                    && number(row, "contribution") < number(row, "high")
+            );
+        }
+        assert_eq!(of_load.count(), 3);
+    }
+}
+
+#[test]
+fn the_cause_that_leads_is_named() {
+    let folder = tempfile::tempdir().unwrap();
+    list(folder.path(), "correlated.csv", 20_000, true);
+    list(folder.path(), "independent.csv", 20_000, false);
+    let page = |surfaces: &str| run(folder.path(), COMPARE, surfaces).page().markdown();
+    let leads = "In separation the height-radius correlation leads from 1 to 60 MPa.";
+    let correlated = page(&surface("list", "correlated.csv", 20_000));
+    assert!(correlated.contains(leads), "{correlated}");
+    assert!(correlated.contains("Leading cause: the height-radius correlation"), "{correlated}");
+    assert!(correlated.contains("list-causes.svg"));
+    let independent = page(&surface("list", "independent.csv", 20_000));
+    assert!(
+        !independent.contains("the height-radius correlation leads") && independent.contains("In separation"),
+        "{independent}"
+    );
+    // The heights of a population are its own; of equal radii there is no spread.
+    let population = format!(
+        "[surface.p.population]\n{}count = 100000\nheights.johnson = {{ skewness = -1, kurtosis = 4.5 }}\n",
+        case_1!()
+    );
+    let text = format!("statistical = {{ heights = \"gaussian\" }}\n{COMPARE}");
+    let page = run(folder.path(), &text, &population).page().markdown();
+    assert!(page.contains("In separation the height distribution leads from 1 to 60 MPa."), "{page}");
+    assert!(page.contains(" 0 σ from the spread of radii"), "{page}");
+}
+
+#[test]
+fn few_contacts_and_a_single_model_have_no_parts() {
+    let folder = tempfile::tempdir().unwrap();
+    list(folder.path(), "few.csv", 100, true);
+    let outcome = run(folder.path(), COMPARE, &surface("few", "few.csv", 100));
+    let page = outcome.page().markdown();
+    assert!(
+        page.contains("The differences are not divided among their causes: fewer than 30 effective contacts"),
+        "{page}"
+    );
+    assert_eq!(table(&*outcome, "attribution.csv").unwrap().len(), 0);
+    assert!(
+        table(&*outcome, "comparison.csv").unwrap().iter().all(|row| row["separation_from_radii"].is_empty())
+    );
+    for off in ["attribution = false", "models = [\"deterministic\"]"] {
+        let outcome = run(folder.path(), &format!("{off}\n{COMPARE}"), &surface("few", "few.csv", 100));
+        assert!(table(&*outcome, "attribution.csv").is_none(), "{off}");
+        assert!(!outcome.page().markdown().contains("why the models differ"), "{off}");
+    }
+}
+
+/// The same on any number of threads, to the bit.
+#[test]
+fn threads_change_nothing() {
+    let folder = tempfile::tempdir().unwrap();
+    list(folder.path(), "list.csv", 20_000, true);
+    let bytes = |threads: usize| {
+        let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
+        pool.install(|| run(folder.path(), COMPARE, &surface("list", "list.csv", 20_000)).tables().unwrap())
+    };
+    assert!(bytes(1) == bytes(3));
+}
