@@ -177,6 +177,22 @@ realisations = 2
     case_1!()
 );
 
+const SAMPLING_INTERVAL: &str = r#"
+[sampling-interval]
+rough = "steel"
+flat = "steel"
+law = "zmc"
+pressure = { values = ["10 MPa"] }
+intervals = [1, 2, 4]
+s-filter = [1, 2, 3]
+
+[surface.random.generate]
+points = 128
+pixel = "0.5 um"
+sigma = "100 nm"
+spectrum.self-affine = { hurst = 0.8, roll-off = "10 um", cut-off = "2 um" }
+"#;
+
 const STABILITY: &str =
     "[stability]\ncontacts = 4\nsums = 2\nintegrals = 2\nloads = 1\nmillions = 1\ncells = 8\n";
 
@@ -219,6 +235,7 @@ fn every_kind_writes_the_tables_that_it_declares() {
         ("laws", [bodies, LAWS, SURFACE].concat()),
         ("limit", [bodies, LIMIT].concat()),
         ("precision", [bodies, PRECISION].concat()),
+        ("sampling-interval", [bodies, SAMPLING_INTERVAL].concat()),
         ("solver-validation", SOLVER_VALIDATION.to_owned()),
         ("stability", STABILITY.to_owned()),
     ];

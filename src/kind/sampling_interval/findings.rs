@@ -1,5 +1,7 @@
 //! What the variation of a surface shows: which quantities have a limit, whether the gap keeps its sign, which cause leads.
 
+#[cfg(doc)]
+use asperity::compare::Contributions;
 use asperity::compare::{Cause, ComparedQuantity, Estimate};
 
 use super::quantity::Quantity;
@@ -63,23 +65,23 @@ impl Sign {
     }
 }
 
-/// The leading cause over the scales: the one of the largest part in magnitude.
+/// The leading cause over the scales, as [`Contributions::leading`] tells it at each.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Lead {
     /// One cause at all scales of which it can be told, so many of so many.
     One { cause: Cause, told: usize, of: usize },
     /// The causes that lead, each with the lengths (m) at which it does, from the finest scale.
     Several { causes: Vec<(Cause, Vec<f64>)>, told: usize, of: usize },
-    /// At none of so many scales one part is larger than the others beyond their intervals.
+    /// It can be told at none of so many scales.
     Open { of: usize },
 }
 
 impl Lead {
-    /// Of the parts at each scale with its length (m), in the order of [`Cause::ALL`]; `None` without any.
-    pub fn of(parts: &[(f64, [Estimate; 3])]) -> Option<Self> {
-        let of = parts.len();
-        let leading = parts.iter().filter_map(|(length, parts)| Some((*length, leading(parts)?)));
-        let leading: Vec<(f64, Cause)> = leading.collect();
+    /// Of the cause that leads at each scale with its length (m), as far as it can be told; `None` without any scale.
+    pub fn of(scales: &[(f64, Option<Cause>)]) -> Option<Self> {
+        let of = scales.len();
+        let leading: Vec<(f64, Cause)> =
+            scales.iter().filter_map(|&(length, cause)| Some((length, cause?))).collect();
         let mut causes: Vec<(Cause, Vec<f64>)> = Vec::new();
         for &(length, cause) in &leading {
             match causes.iter_mut().find(|(known, _)| *known == cause) {
@@ -95,20 +97,6 @@ impl Lead {
             _ => Some(Self::Several { causes, told, of }),
         }
     }
-}
-
-/// The cause whose part is larger in magnitude than each of the others, their intervals apart; `None` where there is none.
-pub fn leading(parts: &[Estimate; 3]) -> Option<Cause> {
-    let half = |part: &Estimate| part.half_width().unwrap_or(0.0);
-    let is_above = |part: &Estimate, other: &Estimate| {
-        part.contrast.abs() - half(part) > other.contrast.abs() + half(other)
-    };
-    let leads = |cause: &Cause| {
-        let others = Cause::ALL.into_iter().filter(|other| other != cause);
-        let part = &parts[*cause as usize];
-        others.into_iter().all(|other| is_above(part, &parts[other as usize]))
-    };
-    Cause::ALL.into_iter().find(leads)
 }
 
 /// The findings of one variation at one load.
@@ -150,7 +138,7 @@ impl Findings {
         let lead = |quantity| {
             let parts = |(scale, found, load): (&Scale, &Found, usize)| {
                 gap(found, load, quantity)?;
-                Some((scale.length, found.parts(load, quantity)?.estimates))
+                Some((scale.length, found.parts(load, quantity)?.leading()))
             };
             Lead::of(&scales().filter_map(parts).collect::<Vec<_>>())
         };
@@ -172,10 +160,6 @@ impl Findings {
 mod tests {
     use super::*;
 
-    fn estimate(contrast: f64, half: Option<f64>) -> Estimate {
-        Estimate { contrast, error: half, quantile: 1.0, bound: 0.0, independent_error: None }
-    }
-
     #[test]
     fn a_sign_is_kept_or_changes_only_beyond_the_intervals() {
         let sign = |gaps: &[(f64, Option<f64>)]| {
@@ -192,24 +176,18 @@ mod tests {
     }
 
     #[test]
-    fn a_part_leads_only_beyond_its_interval() {
-        let parts = |heights, radii, correlation, half| {
-            [heights, radii, correlation].map(|part| estimate(part, Some(half)))
+    fn a_lead_that_cannot_be_told_is_counted_but_not_named() {
+        let lead = |each: &[Option<Cause>]| {
+            let scales: Vec<_> = (1..).map(f64::from).zip(each.iter().copied()).collect();
+            Lead::of(&scales)
         };
-        assert_eq!(leading(&parts(0.1, -0.3, 0.05, 0.09)), Some(Cause::Radii));
-        assert_eq!(leading(&parts(0.1, -0.3, 0.05, 0.11)), None);
-        let lead = |each: &[[Estimate; 3]]| {
-            let each: Vec<_> = (1..).zip(each).map(|(length, &parts)| (f64::from(length), parts)).collect();
-            Lead::of(&each)
-        };
-        let [heights, correlation] = [parts(0.3, 0.0, 0.1, 0.05), parts(0.1, 0.0, -0.3, 0.05)];
-        let open = parts(0.3, 0.0, 0.29, 0.05);
+        let [heights, correlation] = [Some(Cause::Heights), Some(Cause::Correlation)];
         let one = Lead::One { cause: Cause::Heights, told: 2, of: 3 };
-        assert_eq!(lead(&[heights, open, heights]), Some(one));
+        assert_eq!(lead(&[heights, None, heights]), Some(one));
         let causes = vec![(Cause::Heights, vec![1.0, 3.0]), (Cause::Correlation, vec![2.0])];
         let several = Lead::Several { causes, told: 3, of: 3 };
         assert_eq!(lead(&[heights, correlation, heights]), Some(several));
-        assert_eq!(lead(&[open]), Some(Lead::Open { of: 1 }));
+        assert_eq!(lead(&[None]), Some(Lead::Open { of: 1 }));
         assert_eq!(lead(&[]), None);
     }
 }

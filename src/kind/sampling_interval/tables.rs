@@ -56,7 +56,7 @@ impl Row for ScaleRow<'_> {
             asperities["count"] = row.found(|found| found.asperities), "Number of asperities; this and the next columns are empty where none is found.";
             density_per_m2["1/m²"] = row.found(|found| found.density), "Asperities per nominal area.";
             mean_radius_m["m"] = row.found(|found| found.statistics.mean_radius), "Arithmetic mean of the radii.";
-            radius_of_mean_curvature_m["m"] = row.found(|found| found.statistics.radius_of_mean_curvature), "1 over the mean curvature.";
+            radius_of_mean_curvature_m["m"] = row.found(|found| found.statistics.radius_of_mean_curvature), "Reciprocal of the mean curvature.";
             asperity_sigma_m["m"] = row.found(|found| found.statistics.sigma), "Standard deviation of the heights of the asperities.";
             nayak_alpha["1"] = row.found(|found| found.alpha).flatten(), "Nayak's bandwidth parameter m0 m4/m2^2 of the map, by differences over one sampling interval.";
             radius_cv["1"] = row.found(|found| found.statistics.radius_cv), "Standard deviation of the radii over their mean.";
@@ -163,7 +163,7 @@ impl Row for LimitRow<'_> {
             exponent["1"] = row.trend.exponent.map(|fit| fit.slope), "Exponent of the power law of the length through all values; empty of quantities that may be negative.";
             exponent_standard_error["1"] = row.trend.exponent.map(|fit| fit.standard_error), "Standard error of the fit.";
             tolerance["1"] = row.trend.tolerance, "The largest change that does not matter.";
-            outcome["text"] = row.trend.outcome.name(), "`limit` (the finest value is within the tolerance of its limit), `approaching` (changes shrink, but more than the tolerance may be left), `no-limit` (the last change exceeds the tolerance and does not shrink) or `cannot-tell`.";
+            outcome["text"] = row.trend.outcome.name(), "What the three finest lengths tell: `limit` (the finest value is within the tolerance of its limit), `approaching` (changes shrink, but more than the tolerance may be left), `no-limit` (the last change exceeds the tolerance and does not shrink) or `cannot-tell`.";
         });
         columns
     }

@@ -8,6 +8,9 @@ use super::quantity::Quantity;
 /// its limit as length^p does so with 2^-p per halving, p = 1/2 here; a power law without a limit has 1.
 pub const SHRINKS: f64 = std::f64::consts::FRAC_1_SQRT_2;
 
+/// The ratio of successive changes of a smooth surface, p = 2: a smaller one is an accident.
+pub const FASTEST: f64 = 0.25;
+
 /// Halvings over which changes that do not shrink must add up to no more than the tolerance: a factor of 16 in length.
 pub const HALVINGS: f64 = 4.0;
 
@@ -25,8 +28,9 @@ pub struct Point {
 /// What the finest scales tell of a limit.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Outcome {
-    /// The last change is within the tolerance, its interval included; and it cannot be told from none, or it shrinks and what is left
-    /// is within the tolerance too, or it is small over [`HALVINGS`].
+    /// The last change is within the tolerance, its interval included, and so is what is left of a smooth surface after the change
+    /// before; and it cannot be told from none, or it shrinks and what is left is within the tolerance too, or it is small over
+    /// [`HALVINGS`].
     Limit,
     /// The last change shrinks, its interval included, but it or what is left exceeds the tolerance.
     Approaching,
@@ -115,10 +119,9 @@ impl Trend {
     }
 }
 
-/// The size of all further changes if they shrink as the last one did, as a geometric series; a last change of less than a quarter of
-/// the one before is taken as a quarter, as of a smooth surface: a smaller one is an accident. `None` where it did not shrink.
+/// The size of all further changes if they shrink as the last one did, as a geometric series whose ratio is at least [`FASTEST`].
+/// `None` where it did not shrink.
 fn remainder(change: f64, previous: f64) -> Option<f64> {
-    const FASTEST: f64 = 0.25;
     let ratio = (change / previous).abs().max(FASTEST);
     (ratio <= SHRINKS).then(|| previous.abs() * ratio * ratio / (1.0 - ratio))
 }
@@ -128,9 +131,11 @@ fn outcome(change: f64, half_width: Option<f64>, previous: f64, octaves: f64, to
     let half = half_width.unwrap_or(0.0);
     let (largest, smallest) = (change.abs() + half, change.abs() - half);
     let is_seen = half_width.is_none() || smallest > 0.0;
-    let left = remainder(change, previous);
+    let is_left = |change| remainder(change, previous).is_some_and(|left| left <= tolerance);
     let is_small = HALVINGS * largest <= tolerance * octaves;
-    if largest <= tolerance && (!is_seen || is_small || left.is_some_and(|left| left <= tolerance)) {
+    // At least as much is left as of a smooth surface, whatever the last change.
+    let may_be_near = largest <= tolerance && (previous == 0.0 || is_left(0.0));
+    if may_be_near && (!is_seen || is_small || is_left(change)) {
         Outcome::Limit
     } else if remainder(largest, previous).is_some() {
         Outcome::Approaching
@@ -157,7 +162,7 @@ mod tests {
     #[test]
     fn what_converges_has_a_limit_once_little_is_left() {
         let of = |c: f64| trend(|h| 1.0 + c * h * h, &[1.0, 2.0, 4.0, 8.0]);
-        assert_eq!(of(0.03).outcome, Outcome::Limit);
+        assert_eq!(of(0.015).outcome, Outcome::Limit);
         let close = of(1e-3);
         assert!((close.change + 3e-3).abs() < 1e-4 && close.outcome == Outcome::Limit);
         assert!((close.remainder().unwrap() / -1e-3 - 1.0).abs() < 0.02);

@@ -19,7 +19,7 @@
 //! | `names` | surfaces, laws and thicknesses |
 
 mod answers;
-mod causes;
+pub mod causes;
 mod decreasing;
 mod differences;
 pub mod figures;

@@ -1,10 +1,11 @@
 //! Density and radii, and the gap with its parts, against the length that is varied.
 
-use asperity::compare::{Cause, ComparedQuantity, Estimate};
+use asperity::compare::{Cause, ComparedQuantity, Contributions, Estimate};
 use asperity_plot::{Axis, Colour, Dash, Figure, Layer, Legend, Marker, Plot};
 
 use super::super::findings::gap as gap_at;
-use super::super::results::{Found, Series, SurfaceResults, Variation};
+use super::super::results::{Found, Scale, Series, SurfaceResults, Variation};
+use crate::kind::compare::page::causes::colour;
 
 const MICRO: f64 = 1e6;
 
@@ -58,46 +59,47 @@ pub fn gap(series: &Series, load: usize) -> Option<String> {
         Variation::Interval => "sampling interval (µm)",
         Variation::Filter => "S nesting index (µm)",
     };
+    const GAP: &str = "statistical − deterministic";
     let panel = |quantity: ComparedQuantity, title: &str, y: &str| {
-        let at = |(scale, found): (&_, &Found)| {
-            let scale: &super::super::results::Scale = scale;
-            Some((MICRO * scale.length, gap_at(found, load, quantity)?))
+        let at = |(scale, found): (&Scale, &Found)| {
+            let parts = found.parts(load, quantity).copied();
+            Some((MICRO * scale.length, gap_at(found, load, quantity)?, parts))
         };
-        let gaps: Vec<(f64, Estimate)> = series.found().filter_map(at).collect();
+        let gaps: Vec<(f64, Estimate, Option<Contributions>)> = series.found().filter_map(at).collect();
         if gaps.len() < 2 {
             return None;
         }
-        let whole = Colour::Series(6);
-        let band = gaps.iter().filter_map(|(x, gap)| gap.interval().map(|[low, high]| (*x, low, high)));
-        let line: Vec<(f64, f64)> = gaps.iter().map(|(x, gap)| (*x, gap.contrast)).collect();
+        let lengths: Vec<f64> = gaps.iter().map(|(length, ..)| *length).collect();
+        let part = |cause: Cause| -> Vec<f64> {
+            gaps.iter().map(|(.., parts)| parts.map_or(f64::NAN, |parts| parts.of(cause))).collect()
+        };
+        let parts = Cause::ALL.map(part);
+        let stacked = Cause::ALL.into_iter().zip(&parts);
         let mut plot = Plot::new(title, axis(std::iter::once(series), label), Axis::linear(y))
             .height(360.0)
             .legend(Legend::Below)
-            .with(Layer::at_y(0.0, ""))
-            .with(Layer::band(band.collect::<Vec<_>>()).coloured(whole).named("gap"))
-            .with(Layer::line(line.clone()).coloured(whole).thick().named("gap"))
-            .with(Layer::points(line, Marker::Ring).coloured(whole).named("gap"));
-        let styles = [
-            (Cause::Heights, Dash::Dashed, Marker::Circle),
-            (Cause::Radii, Dash::Dotted, Marker::Triangle),
-            (Cause::Correlation, Dash::DashDot, Marker::Square),
-        ];
-        for (index, (cause, dash, marker)) in styles.into_iter().enumerate() {
-            let points = series.found().filter_map(|(scale, found)| {
-                gap_at(found, load, quantity)?;
-                Some((MICRO * scale.length, found.parts(load, quantity)?.of(cause)))
-            });
-            let points: Vec<(f64, f64)> = points.collect();
-            let colour = Colour::Series(index);
-            plot = plot
-                .with(Layer::line(points.clone()).coloured(colour).dashed(dash).named(cause.label()))
-                .with(Layer::points(points, marker).coloured(colour).named(cause.label()));
+            .with_contributions(
+                &lengths,
+                stacked.map(|(cause, part)| (cause.label(), colour(cause), &part[..])),
+            )
+            .with(Layer::at_y(0.0, ""));
+        for end in [0, 1] {
+            let ends = gaps.iter().filter_map(|(length, gap, _)| Some((*length, gap.interval()?[end])));
+            let ends: Vec<(f64, f64)> = ends.collect();
+            if !ends.is_empty() {
+                let line = Layer::line(ends).coloured(Colour::Sum).dashed(Dash::Dashed).thin();
+                plot = plot.with(line.named("95 % interval"));
+            }
         }
+        let line: Vec<(f64, f64)> = gaps.iter().map(|(length, gap, _)| (*length, gap.contrast)).collect();
+        plot = plot
+            .with(Layer::line(line.clone()).coloured(Colour::Sum).thick().named(GAP))
+            .with(Layer::points(line, Marker::Circle).coloured(Colour::Sum).named(GAP));
         Some(plot)
     };
     let panels = [
-        panel(ComparedQuantity::Separation, "separation", "d/σ, statistical − deterministic"),
-        panel(ComparedQuantity::Area, "real contact area", "ln(A statistical/A deterministic)"),
+        panel(ComparedQuantity::Separation, "separation", "separation (σ)"),
+        panel(ComparedQuantity::Area, "real contact area", "ln(area ratio of the models)"),
     ];
     let panels: Vec<Plot> = panels.into_iter().flatten().collect();
     (!panels.is_empty()).then(|| Figure::row("Gap between the models and its parts", panels).svg())

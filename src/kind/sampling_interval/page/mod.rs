@@ -11,7 +11,7 @@ use asperity_framework::report::sections;
 use super::findings::{gap, main_load};
 use super::quantity::Quantity;
 use super::results::{Found, IntervalResults, Scale, Series, SurfaceResults, Variation};
-use super::trend::{HALVINGS, SHRINKS};
+use super::trend::{FASTEST, HALVINGS, SHRINKS};
 use crate::kind::compare::page::verdict::limit_words;
 use crate::surface::section;
 
@@ -50,8 +50,8 @@ fn criterion(page: &mut Page) {
     page.bullets([
         format!(
             "**Limit**: |c| with its 95 % interval is within the tolerance, and c cannot be told from zero, or q is at most {} and the \
-             sum of all further changes, |c| q/(1 − q) with q at least 1/4, is within the tolerance too, or {HALVINGS} further changes \
-             as large as this one are.",
+             sum of all further changes, |c| q/(1 − q), is within the tolerance too, or {HALVINGS} further changes as large as this one \
+             are. In any case q counts as {FASTEST} if it is smaller: a sudden stop is an accident.",
             number(SHRINKS)
         ),
         format!("**No limit**: |c| exceeds the tolerance beyond its interval, and q exceeds {}.", number(SHRINKS)),
@@ -63,7 +63,8 @@ fn criterion(page: &mut Page) {
     ]);
     page.paragraph(
         "Intervals are those of the change itself: the same blocks of the map are left out at both lengths, so that what both have in \
-         common cancels. The largest part of a gap is named where its interval, in magnitude, lies above those of the others. Gaps are \
+         common cancels. The leading part of a gap is the largest one in its direction, where it exceeds the next one and zero by more than the half-width of its \
+         interval. Gaps are \
          given within the valid range only. A filtered map tells of the surface, not of the pixel, as long as the nesting index is a few \
          pixels long.",
     );
@@ -89,17 +90,17 @@ fn of_surface(page: &mut Page, surface: &SurfaceResults) {
     page.heading(3, &format!("Gap between the models at {}", input_quantity(surface.loads[load], "Pa")));
     gaps(page, surface, load);
     for series in &surface.series {
-        let (file, what) = match series.variation {
-            Variation::Interval => ("interval", "sampling interval"),
-            Variation::Filter => ("filter", "nesting index of the S filter"),
+        let file = match series.variation {
+            Variation::Interval => "interval",
+            Variation::Filter => "filter",
         };
+        let what = words::varied(series.variation);
         if let Some(figure) = figures::gap(series, load) {
             page.figure(
                 &format!("{name}-gap-{file}.svg"),
                 figure,
                 &format!(
-                    "The gap (statistical minus deterministic, with its 95 % interval) and its parts against the {what}, at {}. The parts \
-                     add up to the gap.",
+                    "The gap between the models (black, with its 95 % interval) and its parts, stacked, against the {what}, at {}.",
                     input_quantity(surface.loads[load], "Pa")
                 ),
             );

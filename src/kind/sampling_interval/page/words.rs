@@ -201,11 +201,11 @@ fn models(findings: &Findings, load: f64) -> Vec<String> {
     let [separation, area] = findings.leads.each_ref().map(|found| found.as_ref().map(lead));
     match (separation, area) {
         (Some(separation), Some(area)) if separation == area => {
-            parts.push(format!("The largest part of the gap in separation and in area {separation}."));
+            parts.push(format!("The leading part of the gap in separation and in area {separation}."));
         }
         (separation, area) => {
-            parts.extend(separation.map(|lead| format!("The largest part of the gap in separation {lead}.")));
-            parts.extend(area.map(|lead| format!("The largest part of the gap in area {lead}.")));
+            parts.extend(separation.map(|lead| format!("The leading part of the gap in separation {lead}.")));
+            parts.extend(area.map(|lead| format!("The leading part of the gap in area {lead}.")));
         }
     }
     parts
@@ -238,7 +238,7 @@ fn lead(found: &Lead) -> String {
         if told == of {
             format!("at all {of} lengths")
         } else {
-            format!("at {told} of {of} lengths (elsewhere no part is the largest beyond the intervals)")
+            format!("at {told} of {of} lengths (elsewhere it cannot be told)")
         }
     };
     match found {
@@ -249,12 +249,11 @@ fn lead(found: &Lead) -> String {
                 format!("that of the {} at {}", cause.label(), listed(&lengths))
             });
             let each: Vec<String> = each.collect();
-            let open =
-                if told == of { "" } else { " (elsewhere no part is the largest beyond the intervals)" };
+            let open = if told == of { "" } else { " (elsewhere it cannot be told)" };
             format!("changes: {}{open}", each.join(", "))
         }
         Lead::Open { of } => {
-            format!("is not known: at none of {of} lengths one is the largest beyond the intervals")
+            format!("cannot be told at any of {of} lengths")
         }
     }
 }

@@ -8,6 +8,7 @@
 mod figure;
 mod overview;
 
+pub use figure::colour;
 pub use overview::Overview;
 
 use asperity::compare::{Cause, ComparedQuantity, Contributions, of_each_decade};
