@@ -13,8 +13,8 @@ use crate::kind::compare::plan::{ComparePlan, compared};
 /// The intervals and multiples of a spec that gives none.
 const DEFAULT: [u32; 4] = [1, 2, 4, 8];
 
-/// The smallest nesting index in pixels of a spec that gives none: ISO 25178-3 asks for a sampling interval of at most a fifth of
-/// the nesting index of the S filter.
+/// The smallest nesting index in pixels of a spec that gives none: it leaves 0.5^(5/2)^2 = 1.3 % of the amplitude of waves of two
+/// pixels, so that the filter and not the pixel ends the spectrum.
 pub const PIXELS: f64 = 5.0;
 
 /// The criterion for a limit compares two changes.
