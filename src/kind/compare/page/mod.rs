@@ -129,12 +129,17 @@ pub fn page(results: &CompareResults) -> Page {
 /// The verdicts on every surface under every law and thickness, with their names and Nayak's alpha.
 fn cases(results: &CompareResults) -> Vec<verdict::Case<'_>> {
     let mut all = Vec::new();
+    let one_law = results.surfaces.iter().all(|found| found.findings.laws.len() == 1);
     for found in &results.surfaces {
         for (case, findings) in found.first.cases.iter().zip(&found.findings.cases) {
             let layer = results.contact.layer.as_ref().zip(case.thickness);
             let layer = layer.map_or_else(String::new, |(layer, t)| format!(", {}", names::under(layer, t)));
             all.push(verdict::Case {
-                name: format!("{}, {}{layer}", found.surface.name, case.law),
+                name: if one_law {
+                    format!("{}{layer}", found.surface.name)
+                } else {
+                    format!("{}, {}{layer}", found.surface.name, case.law)
+                },
                 alpha: found.surface.map.as_ref().and_then(|map| map.roughness.alpha()),
                 verdicts: &findings.verdicts,
             });

@@ -7,6 +7,9 @@ use asperity_framework::report::page::Page;
 use super::{QUANTITIES, middle};
 use crate::kind::compare::page::verdict::{Case, loads, name, signed};
 
+/// More cases are counted, not named.
+const MOST_NAMES: usize = 6;
+
 /// The contributions to the difference in several cases, each at the middle of its valid loads.
 pub struct Overview<'a> {
     rows: Vec<Row<'a>>,
@@ -41,26 +44,33 @@ impl<'a> Overview<'a> {
             format!("{} in {}", self.rows.iter().filter(is_beyond).count(), name(quantity))
         });
         let leading = [0, 1].map(|index| {
-            let count = |cause: Option<Cause>| {
-                self.rows.iter().filter(|row| row.parts[index].leading() == cause).count()
+            let of = |cause: Option<Cause>| {
+                let led = self.rows.iter().filter(|row| row.parts[index].leading() == cause);
+                let names: Vec<String> = led.map(|row| row.case.name.clone()).collect();
+                let cause = cause.map_or("no cause".to_owned(), |cause| format!("the {}", cause.label()));
+                match names.len() {
+                    0 => None,
+                    1..=MOST_NAMES => Some(format!("{cause} leads on {}", listed(&names))),
+                    count => Some(format!("{cause} leads on {count} of them")),
+                }
             };
-            let named = Cause::ALL.map(|cause| (count(Some(cause)), format!("the {}", cause.label())));
-            let all = named.into_iter().chain([(count(None), "none".to_owned())]);
-            let clauses: Vec<String> = all
-                .filter(|(count, _)| *count > 0)
-                .map(|(count, cause)| format!("{cause} in {count}"))
-                .collect();
-            format!("in {} {}", name(QUANTITIES[index]), listed(&clauses))
+            let clauses: Vec<String> =
+                Cause::ALL.map(Some).into_iter().chain([None]).filter_map(of).collect();
+            format!("in {} {}", name(QUANTITIES[index]), clauses.join(", "))
         });
         let of_radii = [0, 1].map(|index| {
             let shares = || self.rows.iter().map(|row| share_of_radii(row.parts[index]));
             let ends = [shares().fold(f64::INFINITY, f64::min), shares().fold(0.0, f64::max)];
             format!("{} to {} in {}", percent(ends[0]), percent(ends[1]), name(QUANTITIES[index]))
         });
+        let blocked = match self.rows.iter().filter(|row| row.case.verdicts.is_blocked).count() {
+            0 => String::new(),
+            count => format!(" ({count} on maps that fail a fitness check)"),
+        };
         format!(
-            "of {} cases with contributions at valid loads the difference is beyond what is accepted at some load, in spite of its sampling \
-             error, in {}. At the middle of the valid loads the leading cause is {}. Pasaribu and Schipper (2005) give the different radii of \
-             the asperities as the cause: the spread of radii has {} of the contributions, taken by magnitude.",
+            "of {} cases with valid loads{blocked} the difference is beyond what is accepted at some of them, beyond its sampling error, \
+             in {}. At the middle of the valid loads, {}. Pasaribu and Schipper (2005) find a significant difference and give the different \
+             radii of the asperities as its cause: of the contributions, taken by magnitude, the spread of radii has {}.",
             self.rows.len(),
             listed(&beyond),
             leading.join("; "),
@@ -86,7 +96,7 @@ impl<'a> Overview<'a> {
         let of_quantity = |row: &Row, index: usize| {
             let (quantity, parts) = (QUANTITIES[index], row.parts[index]);
             let mut cells = vec![
-                row.case.name.clone(),
+                named(row.case),
                 loads([row.load; 2]),
                 name(quantity).to_owned(),
                 signed(quantity, parts.gap()),
@@ -105,6 +115,11 @@ impl<'a> Overview<'a> {
              than its sampling uncertainty.",
         );
     }
+}
+
+/// The name of a case, and whether its map is fit.
+fn named(case: &Case) -> String {
+    if case.verdicts.is_blocked { format!("{} (not fit)", case.name) } else { case.name.clone() }
 }
 
 /// What the sum misses of the reference, at the load of the reference nearest to that of the row.
