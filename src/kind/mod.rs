@@ -4,6 +4,7 @@ pub mod compare;
 pub mod indentation;
 pub mod laws;
 pub mod limit;
+pub mod sampling_interval;
 
 use asperity_framework::Kind;
 use asperity_framework::report::table_docs;
@@ -20,6 +21,7 @@ pub const KINDS: &[&dyn Kind] = &[
     &laws::Laws,
     &limit::Limit,
     &Precision,
+    &sampling_interval::SamplingInterval,
     &SolverValidation,
     &Stability,
 ];

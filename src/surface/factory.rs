@@ -15,7 +15,7 @@ use asperity_framework::progress::{Progress, Silent};
 
 use super::files::Files;
 use super::fitness;
-use super::found::Surface;
+use super::found::{MapFacts, Surface};
 use super::overview::AnalysisDepth;
 use super::plan::{Origin, SurfacePlan};
 use super::read_error::{list_message, spec_message};
@@ -92,6 +92,24 @@ impl<'a> SurfaceFactory<'a> {
         };
         self.counter.add(Item::Surfaces, 1);
         found(&self.plan.name, &search, &**self.raw.as_ref()?, &mut Timing::default()).ok()
+    }
+
+    /// The surface of a `map` that was derived from the prepared map of a surface with these `facts`: not prepared further and not
+    /// checked; summits are searched and separations measured as there, and its blocks are those of the same correlation
+    /// lengths. `None` where it has no asperities.
+    pub fn derived(&self, map: &dyn Rows, facts: &MapFacts) -> Option<Surface> {
+        let search = SummitSearch {
+            preparation: Preparation::none(facts.neighbours),
+            generation: facts.generation.clone(),
+            as_ellipses: self.plan.as_ellipses,
+            depth: AnalysisDepth::Asperities,
+            divides: true,
+            correlation: facts.correlation,
+            keeps_map: false,
+            progress: &Silent,
+        };
+        self.counter.add(Item::Surfaces, 1);
+        found(&self.plan.name, &search, map, &mut Timing::default()).ok()
     }
 
     /// Whether a map is divided into blocks: unless its realisations give the sampling error.

@@ -135,6 +135,63 @@ fn few_contacts_and_a_single_model_have_no_parts() {
     }
 }
 
+/// The largest difference in separation of the first surface, in sigma.
+fn largest_gap(outcome: &dyn Outcome) -> f64 {
+    let rows = table(outcome, "comparison.csv").unwrap();
+    rows.iter().map(|row| number(row, "difference_separation_over_sigma").abs()).fold(0.0, f64::max)
+}
+
+/// Each statistical model removes the cause that it models, and leaves the others.
+#[test]
+fn other_statistical_models() {
+    let folder = tempfile::tempdir().unwrap();
+    list(folder.path(), "list.csv", 20_000, true);
+    let correlated = |statistical: &str| {
+        run(folder.path(), &format!("{statistical}\n{COMPARE}"), &surface("list", "list.csv", 20_000))
+    };
+    let (usual, own) = (correlated(""), correlated("statistical = { heights = \"own\" }"));
+    let touching = correlated("statistical = { mean-radius = \"in-contact\" }");
+    assert!(largest_gap(&*usual) > 0.15 && largest_gap(&*own) > 0.15, "{}", largest_gap(&*own));
+    assert!(largest_gap(&*touching) < 0.1, "{}", largest_gap(&*touching));
+    let page = touching.page().markdown();
+    assert!(page.contains("takes the mean radius of the asperities in contact"), "{page}");
+    assert!(table(&*touching, "attribution.csv").is_none());
+
+    let population = format!(
+        "[surface.p.population]\n{}count = 100000\nheights.johnson = {{ skewness = 1, kurtosis = 4.5 }}\n",
+        case_1!()
+    );
+    let skewed = |heights: &str| {
+        let text = format!("statistical = {{ heights = \"{heights}\" }}\n{COMPARE}");
+        largest_gap(&*run(folder.path(), &text, &population))
+    };
+    assert!(skewed("gaussian") > 0.4, "{}", skewed("gaussian"));
+    // A Weibull distribution of this skewness has another kurtosis.
+    for (heights, most) in [("own", 0.1), ("fitted-johnson", 0.1), ("fitted-weibull", 0.25)] {
+        assert!(skewed(heights) < most, "{heights}: {}", skewed(heights));
+    }
+}
+
+#[test]
+fn heights_that_cannot_be_fitted_are_refused() {
+    let folder = tempfile::tempdir().unwrap();
+    let spec = format!(
+        "title = \"t\"\n{}[compare]\nrough = \"steel\"\nflat = \"steel\"\nlaw = \"zmc\"\nstatistical = {{ heights = \"fitted-weibull\" \
+         }}\n{COMPARE}[surface.p.population]\n{}count = 1000\nheights.johnson = {{ skewness = -2, kurtosis = 9 }}\n",
+        steel!(),
+        case_1!(),
+    );
+    let path = folder.path().join("refused.toml");
+    std::fs::write(&path, spec).unwrap();
+    let error = Experiment::read(&path).unwrap().run(&Silent).err().unwrap().to_string();
+    assert!(
+        error.contains("compare.statistical")
+            && error.contains("surface p: skewness -")
+            && error.contains("Weibull heights have"),
+        "{error}"
+    );
+}
+
 /// The same on any number of threads, to the bit.
 #[test]
 fn threads_change_nothing() {

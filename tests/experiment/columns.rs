@@ -89,15 +89,15 @@ flat = "steel"
 law = "zmc"
 layer = { material = "lead", thickness = [0, "50 nm", "inf"] }
 models = ["statistical", "deterministic", "reference"]
-separation = { values = [9, 2] }
-pressure = { values = ["1 MPa"] }
+separation = { values = [9, 2, 0] }
+pressure = { values = ["20 MPa"] }
 force = { values = ["1 mN"] }
 
 [surface.random.generate]
-points = 64
+points = 128
 pixel = "1 um"
 sigma = "100 nm"
-spectrum.self-affine = { hurst = 0.8, roll-off = "40 um", cut-off = "8 um" }
+spectrum.self-affine = { hurst = 0.8, roll-off = "40 um", cut-off = "3 um" }
 "#;
 
 const COVERAGE: &str = r#"
@@ -177,6 +177,22 @@ realisations = 2
     case_1!()
 );
 
+const SAMPLING_INTERVAL: &str = r#"
+[sampling-interval]
+rough = "steel"
+flat = "steel"
+law = "zmc"
+pressure = { values = ["10 MPa"] }
+intervals = [1, 2, 4]
+s-filter = [1, 2, 3]
+
+[surface.random.generate]
+points = 128
+pixel = "0.5 um"
+sigma = "100 nm"
+spectrum.self-affine = { hurst = 0.8, roll-off = "10 um", cut-off = "2 um" }
+"#;
+
 const STABILITY: &str =
     "[stability]\ncontacts = 4\nsums = 2\nintegrals = 2\nloads = 1\nmillions = 1\ncells = 8\n";
 
@@ -219,6 +235,7 @@ fn every_kind_writes_the_tables_that_it_declares() {
         ("laws", [bodies, LAWS, SURFACE].concat()),
         ("limit", [bodies, LIMIT].concat()),
         ("precision", [bodies, PRECISION].concat()),
+        ("sampling-interval", [bodies, SAMPLING_INTERVAL].concat()),
         ("solver-validation", SOLVER_VALIDATION.to_owned()),
         ("stability", STABILITY.to_owned()),
     ];
@@ -230,11 +247,10 @@ fn every_kind_writes_the_tables_that_it_declares() {
         for (schema, (file, content)) in declared.iter().zip(written) {
             let mut reader = csv::Reader::from_reader(content.as_slice());
             let header: Vec<String> = reader.headers().unwrap().iter().map(str::to_owned).collect();
-            // The reference of `comparison.csv` is there only where it ran.
+            // Reference and causes are in `comparison.csv` only where they were asked for.
             let is_there = |heading: &&Heading| {
                 let name_of = &heading.name;
-                name == "compare"
-                    || !(name_of.starts_with("reference_") || name_of.ends_with("_from_interaction"))
+                name == "compare" || !(name_of.starts_with("reference_") || name_of.contains("_from_"))
             };
             let columns: Vec<&Heading> = schema.columns.iter().filter(is_there).collect();
             assert_eq!(

@@ -32,6 +32,7 @@ mod materials;
 mod readings;
 mod reference;
 mod registry;
+mod sampling_interval;
 mod single_load;
 mod verdicts;
 mod work;

@@ -6,7 +6,7 @@ use asperity::compare::{
 };
 use asperity::sphere::Decrease;
 use asperity::topography::Moments;
-use asperity::{Population, Statistics};
+use asperity::{MeanRadius, Population, Statistics};
 
 /// A range of indentations in which area or load of an asperity decreases.
 #[derive(Debug, Clone)]
@@ -49,6 +49,8 @@ pub struct RealisationResults {
     pub moments: Option<Moments>,
     /// Input of the statistical model.
     pub population: Population,
+    /// Which mean radius the statistical model uses.
+    pub mean_radius: MeanRadius,
     /// Law by law.
     pub cases: Vec<CaseResults>,
 }

@@ -23,7 +23,10 @@ mod summary;
 pub(crate) mod tables;
 mod threshold;
 
+pub(crate) use attribution::attribute;
 pub use run::run as run_compare;
+pub(crate) use run::{differ, models_of, run_surface};
+pub(crate) use sampling::sampling;
 pub use summary::summary;
 
 use std::path::PathBuf;

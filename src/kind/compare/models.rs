@@ -10,7 +10,7 @@ use asperity::{
 };
 
 /// A surface with its asperities as the laws of the sums that are asked for see them.
-pub(super) struct SurfaceModels<'a> {
+pub(crate) struct SurfaceModels<'a> {
     surface: &'a Surface,
     population: Population,
     mean_radius: MeanRadius,

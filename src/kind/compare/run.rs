@@ -174,7 +174,7 @@ pub fn run(
 ///
 /// # Errors
 /// A statistical model that does not apply to the surface.
-pub(super) fn models_of<'a>(
+pub(crate) fn models_of<'a>(
     setup: Setup,
     surface: &'a Surface,
     timing: &mut Timing,
@@ -187,7 +187,7 @@ pub(super) fn models_of<'a>(
 }
 
 /// Points at the statistical model that does not apply to a surface.
-pub(super) fn inapplicable(
+pub(crate) fn inapplicable(
     context: &RunContext,
     compare: &ComparePlan,
     surface: &str,
@@ -204,7 +204,7 @@ pub(super) fn inapplicable(
 ///
 /// # Errors
 /// A load that a model does not reach, and under which law.
-pub(super) fn run_surface<'a>(
+pub(crate) fn run_surface<'a>(
     setup: Setup<'a>,
     surface: &Surface,
     models: &SurfaceModels,
@@ -248,12 +248,13 @@ pub(super) fn run_surface<'a>(
         sigma: surface.plane.sigma,
         moments: surface.map.as_ref().map(|map| map.roughness.moments),
         population: population.clone(),
+        mean_radius: setup.statistical.mean_radius,
         cases,
     })
 }
 
 /// The differences of each case with their sampling uncertainty, where both models were run.
-pub(super) fn differ(
+pub(crate) fn differ(
     cases: &mut [CaseResults],
     samplings: &[CaseSampling],
     laws: &[LawPlan],

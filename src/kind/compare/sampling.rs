@@ -12,7 +12,7 @@ use super::statistical::StatisticalModel;
 use crate::surface::{Independence, Surface};
 
 /// The sampling uncertainty of each case on a surface that has been compared; nothing where only one model was run.
-pub(super) fn sampling(
+pub(crate) fn sampling(
     setup: Setup,
     surface: &Surface,
     models: &SurfaceModels,

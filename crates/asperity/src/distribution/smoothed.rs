@@ -2,9 +2,11 @@
 
 use std::f64::consts::{PI, SQRT_2};
 use std::fmt;
+use std::ops::Range;
 
 use libm::erfc;
 use rayon::prelude::*;
+use statrs::distribution::ContinuousCDF;
 
 use super::{FOLDINGS, HeightDistribution};
 use crate::literature::{Paper, SILVERMAN_1986};
@@ -22,10 +24,6 @@ const REACH: f64 = 9.0;
 
 /// Distance of the ends of the table from the outermost kernels, in their widths.
 const MARGIN: f64 = 12.0;
-
-/// The range of the tabulated quantiles in standard normal variables, and the number of steps.
-const NORMALS: [f64; 2] = [-8.5, 8.5];
-const QUANTILES: usize = 8192;
 
 /// Widths of a kernel per panel in the root of the indentation.
 const WIDTHS_PER_PANEL: f64 = 2.5;
@@ -45,8 +43,19 @@ pub struct Smoothed {
     skewness: f64,
     kurtosis: f64,
     table: LogDensity,
-    /// Heights at equal steps of the standard normal variable, and their slopes.
-    quantiles: Vec<[f64; 2]>,
+    /// The share of the kernels before each, and of all.
+    shares_below: Vec<f64>,
+    /// Standard normal variables of ascending heights.
+    normals: Vec<Normal>,
+}
+
+/// A standard normal variable g and the height z of the same cumulative probability.
+#[derive(Clone, Copy)]
+struct Normal {
+    g: f64,
+    z: f64,
+    /// dz/dg.
+    slope: f64,
 }
 
 /// ln(density) and its slope at equal steps.
@@ -95,17 +104,22 @@ impl Smoothed {
         let moment = |power: i32| kernels.iter().map(|one| one.weight * one.value.powi(power)).sum::<f64>();
         let square = width * width;
         let kurtosis = moment(4) + 6.0 * square * moment(2) + 3.0 * square * square;
+        let mut shares_below = vec![0.0];
+        for one in &kernels {
+            shares_below.push(shares_below[shares_below.len() - 1] + one.weight);
+        }
         let mut smoothed = Self {
             skewness: moment(3) + 3.0 * square * moment(1),
             kurtosis,
             width,
             count,
             table: LogDensity { start: 0.0, step: 1.0, values: Vec::new(), highest: Vec::new() },
-            quantiles: Vec::new(),
+            shares_below,
+            normals: Vec::new(),
             kernels,
         };
         smoothed.table = LogDensity::of(&smoothed);
-        smoothed.quantiles = smoothed.tabulated_quantiles();
+        smoothed.normals = smoothed.tabulated_normals();
         Ok(smoothed)
     }
 
@@ -114,17 +128,10 @@ impl Smoothed {
     }
 
     /// ln(density) at `z` and its slope, from the kernels.
-    fn from_kernels(&self, z: f64) -> [f64; 2] {
-        let above = self.kernels.partition_point(|one| one.value < z);
-        let distance = |index: usize| (z - self.kernels[index].value) / self.width;
-        let near = [above.checked_sub(1), Some(above).filter(|&k| k < self.kernels.len())];
-        let nearest = near.into_iter().flatten().map(|k| distance(k).abs()).fold(f64::INFINITY, f64::min);
-        // exp(-(u^2 - nearest^2)/2) is negligible where u is beyond (nearest^2 + REACH^2)^.5.
-        let reach = nearest.hypot(REACH) * self.width;
-        let from = self.kernels.partition_point(|one| one.value < z - reach);
-        let to = self.kernels.partition_point(|one| one.value <= z + reach);
+    fn by_kernels(&self, z: f64) -> [f64; 2] {
+        let (nearest, near) = self.near(z);
         let (mut sum, mut slope) = (0.0, 0.0);
-        for one in &self.kernels[from..to] {
+        for one in &self.kernels[near] {
             let u = (z - one.value) / self.width;
             let part = one.weight * (-0.5 * (u - nearest) * (u + nearest)).exp();
             sum += part;
@@ -135,7 +142,7 @@ impl Smoothed {
     }
 
     fn log_density(&self, z: f64) -> f64 {
-        self.table.at(z).unwrap_or_else(|| self.from_kernels(z)[0])
+        self.table.at(z).unwrap_or_else(|| self.by_kernels(z)[0])
     }
 
     /// ln of the largest density at or above `h`.
@@ -148,39 +155,51 @@ impl Smoothed {
         self.table.highest.get(place as usize + 1).map_or(own, |highest| own.max(*highest))
     }
 
-    /// By Newton's method with bisection where it leaves the bracket.
-    fn tabulated_quantiles(&self) -> Vec<[f64; 2]> {
-        const STEPS: usize = 60;
-        let [low, high] = self.ends();
-        let [low, high] = [low - MARGIN * self.width, high + MARGIN * self.width];
-        parallel::map(QUANTILES + 1, |k| {
-            let g = NORMALS[0] + (NORMALS[1] - NORMALS[0]) * k as f64 / QUANTILES as f64;
-            // The smaller of both tails is exact.
-            let is_upper = g > 0.0;
-            let wanted = 0.5 * erfc(g.abs() / SQRT_2);
-            let excess = |z: f64| {
-                let tail = if is_upper { self.survival(z) } else { self.below(z) };
-                let gap = (tail / wanted).ln();
-                if is_upper { gap } else { -gap }
-            };
-            let (mut from, mut to) = (low, high);
-            for _ in 0..STEPS {
-                let middle = 0.5 * (from + to);
-                if excess(middle) > 0.0 {
-                    from = middle;
-                } else {
-                    to = middle;
-                }
-            }
-            let z = 0.5 * (from + to);
-            let slope = (-0.5 * g * g - 0.5 * (2.0 * PI).ln() - self.log_density(z)).exp();
-            [z, slope]
-        })
+    /// The distance of the nearest kernel from `z`, in widths, and the kernels that are not negligible beside it.
+    fn near(&self, z: f64) -> (f64, Range<usize>) {
+        let above = self.kernels.partition_point(|one| one.value < z);
+        let distance = |index: usize| ((z - self.kernels[index].value) / self.width).abs();
+        let around = [above.checked_sub(1), Some(above).filter(|&k| k < self.kernels.len())];
+        let nearest = around.into_iter().flatten().map(distance).fold(f64::INFINITY, f64::min);
+        // exp(-(u^2 - nearest^2)/2) is negligible where u is beyond (nearest^2 + REACH^2)^.5.
+        let reach = nearest.hypot(REACH) * self.width;
+        let from = self.kernels.partition_point(|one| one.value < z - reach);
+        (nearest, from..self.kernels.partition_point(|one| one.value <= z + reach))
     }
 
-    /// The fraction of heights below `z`.
-    fn below(&self, z: f64) -> f64 {
-        self.kernels.iter().map(|one| one.weight * 0.5 * erfc((one.value - z) / (self.width * SQRT_2))).sum()
+    /// The fractions of heights below and above `z`, each with its own digits.
+    fn tails(&self, z: f64) -> [f64; 2] {
+        let (_, near) = self.near(z);
+        let tail = |sign: f64| -> f64 {
+            let of = |one: &Node| one.weight * 0.5 * erfc(sign * (one.value - z) / (self.width * SQRT_2));
+            self.kernels[near.clone()].iter().map(of).sum()
+        };
+        let last = self.kernels.len();
+        let beyond = [self.shares_below[near.start], self.shares_below[last] - self.shares_below[near.end]];
+        // Differences of sums of all shares leave rounding where there is none.
+        let beyond_above = if near.end == last { 0.0 } else { beyond[1] };
+        [beyond[0] + tail(1.0), beyond_above + tail(-1.0)]
+    }
+
+    /// At the steps of the density, as far as both tails are above the smallest numbers.
+    fn tabulated_normals(&self) -> Vec<Normal> {
+        let LogDensity { start, step, values, .. } = &self.table;
+        let all = parallel::map(values.len(), |k| {
+            let z = start + step * k as f64;
+            let [below, above] = self.tails(z);
+            let standard = statrs::distribution::Normal::standard();
+            let g = if below < above { standard.inverse_cdf(below) } else { -standard.inverse_cdf(above) };
+            let slope = (-0.5 * g * g - 0.5 * (2.0 * PI).ln() - values[k][0]).exp();
+            Normal { g, z, slope }
+        });
+        let mut normals: Vec<Normal> = Vec::with_capacity(all.len());
+        for one in all {
+            let rises = normals.last().is_none_or(|last| one.g > last.g);
+            if one.g.is_finite() && one.slope.is_finite() && rises {
+                normals.push(one);
+            }
+        }
+        normals
     }
 }
 
@@ -190,7 +209,7 @@ impl LogDensity {
         let step = smoothed.width / STEPS;
         let start = low - MARGIN * smoothed.width;
         let count = ((high - low + 2.0 * MARGIN * smoothed.width) / step).ceil() as usize + 1;
-        let values = parallel::map(count, |k| smoothed.from_kernels(start + step * k as f64));
+        let values = parallel::map(count, |k| smoothed.by_kernels(start + step * k as f64));
         let mut highest: Vec<f64> = values.iter().map(|[value, _]| *value).collect();
         for k in (0..count - 1).rev() {
             highest[k] = highest[k].max(highest[k + 1]);
@@ -270,22 +289,19 @@ impl HeightDistribution for Smoothed {
     }
 
     fn survival(&self, z: f64) -> f64 {
-        self.kernels.iter().map(|one| one.weight * 0.5 * erfc((z - one.value) / (self.width * SQRT_2))).sum()
+        self.tails(z)[1]
     }
 
-    /// From a table, within 1e-7; beyond 8.5 along the tail of the outermost kernel.
+    /// From a table, within 1e-7; beyond it along the tail of the outermost kernel.
     fn height_at_normal(&self, g: f64) -> f64 {
-        let steps_per_unit = QUANTILES as f64 / (NORMALS[1] - NORMALS[0]);
-        let place = (g - NORMALS[0]) * steps_per_unit;
-        let last = self.quantiles.len() - 1;
-        if place < 0.0 {
-            return self.quantiles[0][0] + self.width * (g - NORMALS[0]);
-        }
-        if place >= last as f64 {
-            return self.quantiles[last][0] + self.width * (g - NORMALS[1]);
-        }
-        let cell = place as usize;
-        cubic(self.quantiles[cell], self.quantiles[cell + 1], steps_per_unit.recip(), place - cell as f64)
+        let next = self.normals.partition_point(|one| one.g < g);
+        let (Some(low), Some(high)) = (next.checked_sub(1).map(|k| self.normals[k]), self.normals.get(next))
+        else {
+            let end = self.normals[next.saturating_sub(1).min(self.normals.len() - 1)];
+            return end.z + end.slope * (g - end.g);
+        };
+        let step = high.g - low.g;
+        cubic([low.z, low.slope], [high.z, high.slope], step, (g - low.g) / step)
     }
 
     fn decreasing_from(&self) -> f64 {

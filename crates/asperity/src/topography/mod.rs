@@ -4,7 +4,7 @@
 //! |---|---|
 //! | [`HeightMap`], [`Rows`], [`Watched`] | heights in memory; heights row by row, for maps larger than memory; with progress |
 //! | [`read`] | measured maps, one file per format |
-//! | [`thumbnail`], [`Window`] | a coarse map of a map; a part of it |
+//! | [`thumbnail`], [`Sampled`], [`Window`] | a coarse map of a map; every so many points of it; a part of it |
 //! | [`Level`], [`Filter`] | removing the form; Gaussian S and L filters |
 //! | [`summits`] | summits and their curvatures |
 //! | [`RoughnessParameters`], [`Moments`], [`Drops`] | height and spectral moments, the autocorrelation at neighbours |
@@ -45,7 +45,7 @@ pub use blocks::{BLOCK_LENGTHS, Blocks, CorrelationLengths, MIN_BLOCKS, TooSmall
 pub use correlation::{Autocorrelation, RadialSpectrum};
 pub use filter::{Filter, FilterError};
 pub use level::{Form, Level, Levelled, Undetermined};
-pub use part::{Window, thumbnail};
+pub use part::{Sampled, Window, thumbnail};
 pub use quantisation::Quantisation;
 pub use roughness::{Drops, Moments, RoughnessParameters};
 pub use rows::{Boundary, Rows, Strip, Watched, strips};

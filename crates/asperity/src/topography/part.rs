@@ -1,4 +1,4 @@
-//! Maps derived from a map: a coarse one, and a part of it.
+//! Maps derived from a map: a coarse one, every so many points of it, and a part of it.
 
 use super::{Boundary, HeightMap, Rows};
 use crate::progress::Progress;
@@ -56,6 +56,57 @@ impl Rows for Means<'_> {
             // A block without a point is missing: 0/0.
             *z = sum / count;
         }
+    }
+}
+
+/// Every so many points of a map along x and y, from the first: the same surface at a larger sampling interval. Periodic where
+/// the map is and the interval divides its points.
+pub struct Sampled<'a> {
+    /// The map.
+    pub map: &'a dyn Rows,
+    /// The interval in points of the map, at least 1.
+    pub every: usize,
+}
+
+impl Rows for Sampled<'_> {
+    fn points(&self) -> [usize; 2] {
+        self.map.points().map(|count| count.div_ceil(self.every))
+    }
+
+    fn pixel(&self) -> [f64; 2] {
+        self.map.pixel().map(|pixel| pixel * self.every as f64)
+    }
+
+    fn precision(&self) -> f64 {
+        self.map.precision()
+    }
+
+    fn boundary(&self) -> Boundary {
+        let is_whole = self.map.points().iter().all(|count| count.is_multiple_of(self.every));
+        if is_whole { self.map.boundary() } else { Boundary::Open }
+    }
+
+    fn offset(&self) -> f64 {
+        self.map.offset()
+    }
+
+    fn progress(&self) -> &dyn Progress {
+        self.map.progress()
+    }
+
+    fn read(&self, ix: usize, row: &mut [f64]) {
+        let first = ix * self.every;
+        let mut read = Vec::new();
+        let whole = self.map.block(first..first + 1).unwrap_or_else(|| {
+            read = vec![0.0; self.map.points()[1]];
+            self.map.read(first, &mut read);
+            &read
+        });
+        row.iter_mut().zip(whole.iter().step_by(self.every)).for_each(|(z, height)| *z = *height);
+    }
+
+    fn block(&self, rows: std::ops::Range<usize>) -> Option<&[f64]> {
+        if self.every == 1 { self.map.block(rows) } else { None }
     }
 }
 
@@ -142,6 +193,24 @@ mod tests {
         assert_eq!(small.heights()[..8], [3.0, 5.0, 6.5, 13.0, 15.0, 16.5, 20.5, 22.5]);
         assert!(small.heights()[8].is_nan());
         assert_eq!(thumbnail(&small, 3).heights()[..8], small.heights()[..8]);
+    }
+
+    #[test]
+    fn every_second_and_third_point_of_a_map() {
+        let map = map([6, 8], |k| k as f64).periodic();
+        let sampled = |every| Sampled { map: &map, every };
+        let heights = |every| HeightMap::of(&sampled(every)).into_heights();
+        assert_eq!((sampled(2).points(), sampled(2).pixel()), ([3, 4], [2.0, 4.0]));
+        assert_eq!(heights(2), [0.0, 2.0, 4.0, 6.0, 16.0, 18.0, 20.0, 22.0, 32.0, 34.0, 36.0, 38.0]);
+        assert_eq!(heights(3), [0.0, 3.0, 6.0, 24.0, 27.0, 30.0]);
+        assert_eq!(heights(1), map.heights());
+        // Three does not divide eight: the last interval along y is shorter.
+        let boundaries = [1, 2, 3].map(|every| sampled(every).boundary());
+        assert_eq!(boundaries, [Boundary::Periodic, Boundary::Periodic, Boundary::Open]);
+        // Rows that are not in memory.
+        let part = Window { map: &map, first: [1, 1], points: [5, 7] };
+        let of_part = HeightMap::of(&Sampled { map: &part, every: 3 }).into_heights();
+        assert_eq!(of_part, [9.0, 12.0, 15.0, 33.0, 36.0, 39.0]);
     }
 
     #[test]

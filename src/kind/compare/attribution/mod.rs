@@ -30,7 +30,7 @@ impl<'a> ForLaws<'a> {
 
 /// Divides the gap of every case of a surface; with its sampling error, where the surface allows one and `has_errors`.
 /// Nothing where only one model was run, or no attribution is asked for.
-pub(super) fn attribute(
+pub(crate) fn attribute(
     setup: Setup,
     surface: &Surface,
     models: &SurfaceModels,

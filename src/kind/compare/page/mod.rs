@@ -19,7 +19,7 @@
 //! | `names` | surfaces, laws and thicknesses |
 
 mod answers;
-mod causes;
+pub mod causes;
 mod decreasing;
 mod differences;
 pub mod figures;
@@ -37,7 +37,9 @@ pub mod verdict;
 pub use limits::{assumptions, limits_of};
 pub use surface::surface;
 
-use crate::kind::compare::answers::CaseResults;
+use asperity::{Heights, MeanRadius};
+
+use crate::kind::compare::answers::{CaseResults, RealisationResults};
 use crate::kind::compare::findings::{CaseFindings, Verdicts};
 use crate::kind::compare::results::{CompareResults, SurfaceResults};
 use crate::surface::{fitness, section};
@@ -58,16 +60,18 @@ pub fn page(results: &CompareResults) -> Page {
     let cases = cases(results);
     let overview = verdict::Overview::of(&cases);
     let causes = causes::Overview::of(&cases);
+    let is_of_paper = results.surfaces.iter().all(|found| {
+        let RealisationResults { population, mean_radius, .. } = &found.first;
+        population.heights == Heights::GAUSSIAN && *mean_radius == MeanRadius::Arithmetic
+    });
     page.heading(2, "Summary");
     let against = |overview: &verdict::Overview| {
         format!("**Against the reference**: {}", escape_around_code(&overview.sentence()))
     };
     page.bullets(overview.iter().map(against));
-    page.bullets(
-        causes
-            .iter()
-            .map(|causes| format!("**Why the models differ**: {}", escape_around_code(&causes.sentence()))),
-    );
+    page.bullets(causes.iter().map(|causes| {
+        format!("**Why the models differ**: {}", escape_around_code(&causes.sentence(is_of_paper)))
+    }));
     if in_full {
         page.bullets(results.surfaces.iter().flat_map(|found| headlines(results, found)));
     } else {
@@ -228,7 +232,11 @@ pub fn answer(page: &mut Page, results: &CompareResults, found: &SurfaceResults)
                 ),
             );
         }
-        causes::section(page, verdicts, &name, &stem(found, &case.law), sigma);
+        if found.first.mean_radius == MeanRadius::InContact {
+            causes::undivided(page, &name);
+        } else {
+            causes::section(page, verdicts, &name, &stem(found, &case.law), sigma);
+        }
         against_reference(page, found, index, &name);
         if is_curve {
             robustness::section(page, found, index, &name, &stem(found, &case.law));

@@ -1,5 +1,6 @@
 //! The section on a surface.
 
+use asperity::MeanRadius;
 use asperity::topography::generate::SigmaOf;
 use asperity_framework::report::format::{count, input_number, input_quantity, number, quantity};
 use asperity_framework::report::page::Page;
@@ -32,10 +33,15 @@ pub fn surface(page: &mut Page, found: &SurfaceResults) {
         ));
     }
     page.paragraph(&format!(
-        "Inputs of the statistical model: {} heights with σ = {}, radius {}, density η = {} /m².",
+        "Inputs of the statistical model: {} heights with σ = {}, radius {}{}, density η = {} /m².",
         population.heights.label(),
         input_quantity(population.sigma, "m"),
         input_quantity(population.radius, "m"),
+        match found.first.mean_radius {
+            MeanRadius::InContact =>
+                " (arithmetic mean of all; at each separation the mean of the asperities in contact is used)",
+            MeanRadius::Arithmetic | MeanRadius::InverseMeanCurvature => "",
+        },
         input_number(population.density),
     ));
     if let Some(mean) = &surface.ellipticity {

@@ -8,6 +8,7 @@
 mod figure;
 mod overview;
 
+pub use figure::colour;
 pub use overview::Overview;
 
 use asperity::compare::{Cause, ComparedQuantity, Contributions, of_each_decade};
@@ -54,6 +55,15 @@ pub fn section(page: &mut Page, verdicts: &Verdicts, title: &str, stem: &str, si
             ),
         );
     }
+}
+
+/// Why a difference has no parts whose statistical model takes the radius of the asperities in contact.
+pub fn undivided(page: &mut Page, title: &str) {
+    page.heading(3, &format!("{title}: why the models differ"));
+    page.paragraph(
+        "The differences are not divided among their causes: the statistical model takes the mean radius of the asperities in contact, which \
+         changes with the load, not one radius.",
+    );
 }
 
 /// The contributions at the load in the middle of the valid range: "At 10 MPa the statistical model puts the flat 0.31 σ (15 nm) higher

@@ -34,8 +34,9 @@ impl<'a> Overview<'a> {
         (rows.len() > 1).then_some(Self { rows })
     }
 
-    /// How often which cause leads, and what the spread of radii comes to.
-    pub fn sentence(&self) -> String {
+    /// How often which cause leads, and what the spread of radii comes to; with Pasaribu and Schipper's statement beside it where the
+    /// statistical model `is_of_paper`, with Gaussian heights and the arithmetic mean radius.
+    pub fn sentence(&self, is_of_paper: bool) -> String {
         let beyond = QUANTITIES.map(|quantity| {
             let is_beyond = |row: &&Row| {
                 let of = &row.case.verdicts.stretches;
@@ -63,14 +64,18 @@ impl<'a> Overview<'a> {
             let ends = [shares().fold(f64::INFINITY, f64::min), shares().fold(0.0, f64::max)];
             format!("{} to {} in {}", percent(ends[0]), percent(ends[1]), name(QUANTITIES[index]))
         });
+        let paper = if is_of_paper {
+            "Pasaribu and Schipper (2005) find a significant difference and give the different radii of the asperities as its cause. "
+        } else {
+            ""
+        };
         let blocked = match self.rows.iter().filter(|row| row.case.verdicts.is_blocked).count() {
             0 => String::new(),
             count => format!(" ({count} on maps that fail a fitness check)"),
         };
         format!(
             "of {} cases with valid loads{blocked} the difference is beyond what is accepted at some of them, beyond its sampling error, \
-             in {}. At the middle of the valid loads, {}. Pasaribu and Schipper (2005) find a significant difference and give the different \
-             radii of the asperities as its cause: of the contributions, taken by magnitude, the spread of radii has {}.",
+             in {}. At the middle of the valid loads, {}. {paper}Of the contributions, taken by magnitude, the spread of radii has {}.",
             self.rows.len(),
             listed(&beyond),
             leading.join("; "),

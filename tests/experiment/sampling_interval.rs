@@ -1,0 +1,130 @@
+//! `[sampling-interval]` from the spec to the statements of the report.
+
+use asperity_experiment::Experiment;
+use asperity_framework::Outcome;
+use asperity_framework::progress::Silent;
+use serde_json::Value;
+
+/// A surface of waves down to `cut_off` pixels, on a grid of `points`.
+fn run(points: usize, cut_off: f64, keys: &str) -> Box<dyn Outcome> {
+    let spec = format!(
+        "title = \"t\"\nseed = 3\n{}[sampling-interval]\nrough = \"steel\"\nflat = \"steel\"\nlaw = \"zmc\"\n{keys}\n\
+         [surface.random.generate]\npoints = {points}\npixel = \"0.1 um\"\nsigma = \"20 nm\"\n\
+         spectrum.self-affine = {{ hurst = 0.8, roll-off = \"4 um\", cut-off = \"{:.3} um\" }}\n",
+        steel!(),
+        0.1 * cut_off,
+    );
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("interval.toml");
+    std::fs::write(&path, spec).unwrap();
+    Experiment::read(&path).unwrap().run(&Silent).unwrap()
+}
+
+/// The rows of a table, each cell by its column.
+fn rows(outcome: &dyn Outcome, file: &str) -> Vec<std::collections::HashMap<String, String>> {
+    let tables = outcome.tables().unwrap();
+    let (_, content) = tables.iter().find(|(name, _)| *name == file).unwrap();
+    csv::Reader::from_reader(content.as_slice()).deserialize().map(Result::unwrap).collect()
+}
+
+fn series(summary: &serde_json::Map<String, Value>, variation: &str) -> Value {
+    let all = summary["sampling_interval"].as_array().unwrap();
+    all.iter().find(|one| one["variation"] == variation).unwrap().clone()
+}
+
+fn outcome_of(series: &Value, quantity: &str) -> String {
+    let limits = series["limits"].as_array().unwrap();
+    let found = limits.iter().find(|limit| limit["quantity"] == quantity).unwrap();
+    found["outcome"].as_str().unwrap().to_owned()
+}
+
+/// 32 pixels per shortest wave at one pixel, 8 at four.
+#[test]
+fn a_finely_sampled_surface_has_limits() {
+    let outcome = run(2048, 32.0, "pressure = [\"30 MPa\"]\nintervals = [1, 2, 4]\ns-filter = []");
+    let interval = series(&outcome.summary().unwrap(), "interval");
+    for quantity in ["density", "statistical-area", "deterministic-area"] {
+        assert_eq!(outcome_of(&interval, quantity), "limit", "{interval}");
+    }
+    let page = outcome.page().markdown();
+    let statement = page.lines().find(|line| line.contains("**As the sampling interval shrinks**")).unwrap();
+    assert!(statement.contains("the asperity density has a limit on random"), "{statement}");
+    assert!(!statement.contains("has no limit"), "{statement}");
+}
+
+/// Waves down to two pixels, sampled from two pixels on: the finest interval has waves below it, as the others.
+#[test]
+fn a_surface_that_is_rough_down_to_the_pixel_has_none() {
+    let outcome = run(1024, 2.0, "pressure = [\"30 MPa\"]\nintervals = [2, 4, 8]\ns-filter = [1, 2, 4]");
+    let summary = outcome.summary().unwrap();
+    for variation in ["interval", "s-filter"] {
+        for quantity in ["density", "mean-radius", "statistical-area"] {
+            assert_eq!(outcome_of(&series(&summary, variation), quantity), "no-limit", "{variation}");
+        }
+    }
+    let page = outcome.page().markdown();
+    let statement = page.lines().find(|line| line.contains("**As the sampling interval shrinks**")).unwrap();
+    let words = "the asperity density has no limit down to the finest interval on random; the mean radius has no limit";
+    assert!(statement.contains(words), "{statement}");
+    let density = rows(&*outcome, "sampling_interval_limits.csv");
+    let density = density.iter().find(|row| row["quantity"] == "density").unwrap();
+    let exponent: f64 = density["exponent"].parse().unwrap();
+    assert!((-2.0..-1.2).contains(&exponent), "{exponent}");
+    assert!(page.contains(&format!("as length^−{:.2}", -exponent)), "{exponent}");
+}
+
+#[test]
+fn tables_hold_every_scale_and_parts_that_add_up() {
+    let keys = "pressure = [\"1 MPa\", \"30 MPa\"]\nintervals = [1, 2, 4, 32]\ns-filter = [1, 2, 4]\nnesting-index = \"1 um\"";
+    let outcome = run(512, 8.0, keys);
+    let number = |text: &String| text.parse::<f64>().unwrap();
+    let scales = rows(&*outcome, "sampling_interval.csv");
+    let lengths: Vec<f64> = scales.iter().map(|row| number(&row["length_m"])).collect();
+    let expected = [1e-7, 2e-7, 4e-7, 3.2e-6, 1e-6, 2e-6, 4e-6];
+    assert!(lengths.iter().zip(expected).all(|(found, expected)| (found / expected - 1.0).abs() < 1e-12));
+    assert_eq!(lengths.len(), expected.len());
+    let density = |index: usize| number(&scales[index]["density_per_m2"]);
+    let count = |index: usize| number(&scales[index]["asperities"]);
+    for index in 0..3 {
+        // A periodic surface: all its points are tested at each interval.
+        assert!((density(index) * 51.2e-6f64.powi(2) / count(index) - 1.0).abs() < 1e-9);
+    }
+    let gaps = rows(&*outcome, "sampling_interval_gaps.csv");
+    assert_eq!(gaps.len(), 7 * 2 * 2);
+    let mut divided = 0;
+    for row in &gaps {
+        // No number beyond the valid range.
+        assert_eq!(row["limits"].is_empty(), !row["difference"].is_empty(), "{row:?}");
+        if row["limits"].is_empty() && row["quantity"] == "separation" {
+            let parts = ["from_heights", "from_radii", "from_correlation"].map(|part| number(&row[part]));
+            assert!((parts.iter().sum::<f64>() - number(&row["difference"])).abs() < 1e-9, "{row:?}");
+            divided += 1;
+        }
+    }
+    assert!(divided > 3, "{divided}");
+    let few = |row: &&std::collections::HashMap<String, String>| {
+        row["length_m"].starts_with("3.2") && !row["limits"].is_empty()
+    };
+    assert!(gaps.iter().filter(few).count() > 0, "16 points per axis carry no load by 30 contacts");
+    assert!(outcome.page().markdown().contains("not valid: fewer than 30 effective contacts"));
+}
+
+/// Steps of an instrument.
+#[test]
+fn a_map_that_is_not_fit_carries_no_conclusion() {
+    let path = concat!(env!("CARGO_MANIFEST_DIR"), "/experiments/surfaces/plu-1.npy");
+    let spec = format!(
+        "title = \"t\"\nseed = 3\n{}[sampling-interval]\nrough = \"steel\"\nflat = \"steel\"\nlaw = \"zmc\"\n\
+         pressure = [\"10 MPa\"]\nintervals = [1, 2, 4]\ns-filter = []\n\
+         [surface.ground.file]\npath = \"{path}\"\npixel = \"1.66 um\"\n",
+        steel!()
+    );
+    let folder = tempfile::tempdir().unwrap();
+    let file = folder.path().join("interval.toml");
+    std::fs::write(&file, spec).unwrap();
+    let outcome = Experiment::read(&file).unwrap().run(&Silent).unwrap();
+    let page = outcome.page().markdown();
+    assert!(page.contains("**ground**: no conclusion is drawn, because its map is not fit"), "{page}");
+    assert!(!page.contains("**As the sampling interval shrinks**"));
+    assert_eq!(series(&outcome.summary().unwrap(), "interval")["blocked"], true);
+}
