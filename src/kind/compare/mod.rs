@@ -12,6 +12,7 @@ pub mod page;
 pub mod plan;
 mod reach;
 mod readings_summary;
+pub mod ranking;
 pub mod reference;
 pub mod results;
 pub mod robustness;
@@ -66,6 +67,7 @@ impl Kind for Compare {
             Schema::of::<tables::PairRow>(),
             Schema::of::<differences::DifferenceRow>(),
             Schema::of::<attribution::tables::AttributionRow>(),
+            Schema::of::<ranking::tables::RankingRow>(),
             Schema::of::<reference::tables::ReferenceRow>(),
         ]
     }
@@ -124,6 +126,9 @@ impl Outcome for CompareResults {
         ];
         if self.is_attributed() {
             files.push(csv_file(attribution::tables::rows(self))?);
+        }
+        if self.surfaces.iter().any(|found| !found.rankings.is_empty()) {
+            files.push(csv_file(ranking::tables::rows(self))?);
         }
         if self.reference.is_some() {
             files.push(csv_file(reference::tables::rows(self))?);

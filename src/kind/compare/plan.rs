@@ -51,6 +51,8 @@ pub struct ComparePlan {
     pub is_robustness_examined: bool,
     /// Whether the gap between the models is divided among its causes.
     pub is_attributed: bool,
+    /// Whether all statistical models are compared with sum and reference.
+    pub is_ranked: bool,
     /// What the surfaces are pressed to.
     pub controls: Controls,
     /// Position of pressures and forces in the spec, for errors about loads out of reach.
@@ -76,6 +78,8 @@ pub struct Setup<'a> {
     pub statistical: &'a StatisticalModel,
     /// Whether the gap between the models is divided among its causes.
     pub is_attributed: bool,
+    /// Whether all statistical models are compared with sum and reference.
+    pub is_ranked: bool,
     /// What the surface is pressed to.
     pub controls: &'a Controls,
     /// The seed of the spec.
@@ -98,6 +102,7 @@ impl ComparePlan {
             models: &self.models,
             statistical: &self.statistical,
             is_attributed: self.is_attributed,
+            is_ranked: self.is_ranked,
             controls: &self.controls,
             seed: context.seed,
             progress: context.progress,
@@ -232,6 +237,7 @@ pub(crate) fn compared(
         accept: raw.accept,
         is_robustness_examined: raw.robustness,
         is_attributed: raw.attribution,
+        is_ranked: raw.rank_models,
         controls,
         load_keys: [raw.pressure.as_ref().map(Spanned::span), raw.force.as_ref().map(Spanned::span)],
         surfaces,

@@ -9,6 +9,7 @@ use asperity_framework::metadata::Metadata;
 
 use super::answers::{DecreaseResults, RealisationResults, Threshold};
 use super::findings::{Readings, SurfaceFindings};
+use super::ranking::Ranking;
 use super::reference::{ContactView, ElasticCase};
 use super::robustness::Robustness;
 use crate::layer::rule_warning;
@@ -97,6 +98,8 @@ pub struct SurfaceResults {
     pub findings: SurfaceFindings,
     /// The verdicts under other treatments of a measured map; `None` where none were examined.
     pub robustness: Option<Robustness>,
+    /// The other statistical models, in the order of the cases of the first; empty where none is asked for.
+    pub rankings: Vec<Ranking>,
     /// The contact of each solution of the reference at one load, on the first.
     pub contacts: Vec<ContactView>,
 }

@@ -22,6 +22,7 @@ use super::findings::{Readings, SurfaceFindings};
 use super::implausible;
 use super::models::SurfaceModels;
 use super::plan::{ComparePlan, Setup};
+use super::ranking::rank;
 use super::reference::{ContactView, ReferenceRun};
 use super::results::{CompareResults, Described, ReferenceMetadata, SurfaceResults};
 use super::robustness;
@@ -78,6 +79,7 @@ pub fn run(
             true,
             &mut timing,
         )?;
+        let rankings = rank(setup, &first_surface, &first.cases);
         let robustness =
             robustness::robustness(context, compare, &factory, &first_surface, &first.cases, counter);
         context.progress.step();
@@ -115,6 +117,7 @@ pub fn run(
             decreases,
             findings,
             robustness,
+            rankings,
             contacts,
         });
     }

@@ -46,6 +46,9 @@ pub struct CompareSpec {
     /// Whether the gap between the models is divided among its causes.
     #[serde(default = "yes")]
     pub attribution: bool,
+    /// Whether all statistical models are compared with sum and reference.
+    #[serde(default = "yes")]
+    pub rank_models: bool,
     /// The surfaces to run on; all of the file by default.
     pub surfaces: Option<Vec<Spanned<String>>>,
     /// d/sigma.

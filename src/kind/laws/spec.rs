@@ -64,6 +64,7 @@ impl LawsSpec {
             accept: self.accept,
             robustness: false,
             attribution: false,
+            rank_models: false,
             surfaces: self.surfaces.clone(),
             separation: None,
             tolerance: ToleranceSpec::default(),

@@ -55,6 +55,7 @@ impl SamplingIntervalSpec {
             accept: self.accept,
             robustness: false,
             attribution: true,
+            rank_models: false,
             surfaces: self.surfaces.clone(),
             separation: None,
             tolerance: ToleranceSpec::default(),

@@ -1,7 +1,8 @@
 //! The boundary element reference of a comparison, in the terms of the models: its results at loads, beside a
 //! [`Comparison`](super::Comparison) of two models on the same surface.
 
-use super::{Control, State};
+use super::{ComparedQuantity, Control, State};
+use crate::model::Response;
 use crate::bem::Boundary;
 
 /// The reference at one load.
@@ -41,6 +42,17 @@ pub struct ReferencePoint {
 }
 
 impl ReferencePoint {
+    /// A model's result over the reference's at the same load, as a [contrast](super::ComparedQuantity::contrast); `None` where
+    /// one of them has none.
+    pub fn contrast(&self, quantity: ComparedQuantity, model: &Response) -> Option<f64> {
+        let log_ratio = |model: f64, own: f64| (model > 0.0 && own > 0.0).then(|| (model / own).ln());
+        match quantity {
+            ComparedQuantity::Separation => Some(model.separation_over_sigma - self.separation_over_sigma?),
+            ComparedQuantity::Area => log_ratio(model.area_ratio.total(), self.area_ratio),
+            ComparedQuantity::Stiffness => log_ratio(model.stiffness, self.stiffness?),
+        }
+    }
+
     /// Load over real contact area, Pa; `None` without contact.
     pub fn mean_real_pressure(&self) -> Option<f64> {
         (self.area_ratio > 0.0).then(|| self.pressure / self.area_ratio)

@@ -3,6 +3,7 @@
 mod block;
 mod curve;
 mod deterministic;
+mod joint;
 mod load_control;
 mod mixture;
 mod plane;
@@ -14,6 +15,7 @@ mod validity;
 
 pub use curve::{Curve, respond_within};
 pub use deterministic::Deterministic;
+pub use joint::{SummitShape, joint_model};
 pub use load_control::{LOWEST_SEPARATION, Reached, Unreachable, at_pressure, at_pressures, reached_at};
 pub(crate) use mixture::Mixture;
 pub use plane::ReferencePlane;

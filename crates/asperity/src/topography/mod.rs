@@ -30,6 +30,7 @@ mod roughness;
 mod rows;
 pub mod spectrum;
 pub mod summits;
+pub mod joint;
 pub mod theory;
 
 use std::fs::File;

@@ -205,7 +205,7 @@ impl Beyond {
 
 /// Probability that standard normals of correlation r exceed -t1 and -t2: the product of the single probabilities plus
 /// an integral over the correlation (Plackett 1954), with r = sin(angle).
-fn both_above(t1: f64, t2: f64, r: f64) -> f64 {
+pub(super) fn both_above(t1: f64, t2: f64, r: f64) -> f64 {
     let at = |angle: f64| {
         let (sin, cos) = angle.sin_cos();
         (-(t1 * t1 - 2.0 * t1 * t2 * sin + t2 * t2) / (2.0 * cos * cos)).exp()
@@ -236,7 +236,7 @@ impl Quadrature {
     }
 }
 
-fn density(x: f64) -> f64 {
+pub(super) fn density(x: f64) -> f64 {
     (-0.5 * x * x).exp() / (2.0 * PI).sqrt()
 }
 

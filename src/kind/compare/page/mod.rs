@@ -8,6 +8,7 @@
 //! | `decreasing` | area or load that decreases with increasing indentation |
 //! | `layer` | results by layer thickness |
 //! | `reference` | the boundary element reference |
+//! | `ranking` | the other statistical models |
 //! | `readings` | σ and d read as those of the asperities or of the surface |
 //! | `robustness` | the verdicts under other treatments of a map |
 //! | `single_load` | the answer at one load, in N, Pa, nm and µm² |
@@ -27,6 +28,7 @@ mod layer;
 mod limits;
 mod lines;
 mod names;
+mod ranking;
 mod readings;
 mod reference;
 mod robustness;
@@ -238,6 +240,10 @@ pub fn answer(page: &mut Page, results: &CompareResults, found: &SurfaceResults)
             causes::section(page, verdicts, &name, &stem(found, &case.law), sigma);
         }
         against_reference(page, found, index, &name);
+        let alpha = found.surface.map.as_ref().and_then(|map| map.roughness.alpha());
+        if let Some(ranked) = found.rankings.get(index) {
+            ranking::section(page, ranked, &verdicts.accepted, &name, alpha);
+        }
         if is_curve {
             robustness::section(page, found, index, &name, &stem(found, &case.law));
         }

@@ -1,0 +1,79 @@
+//! `ranking.csv`: how far each statistical model is from the sum and from the reference.
+
+use asperity::compare::ComparedQuantity;
+use asperity_framework::columns;
+use asperity_framework::report::table::{Column, Row};
+
+use super::{Largest, Ranked};
+use crate::kind::compare::results::CompareResults;
+
+/// One model and one quantity.
+pub(crate) struct RankingRow<'a> {
+    surface: &'a str,
+    law: &'a str,
+    thickness: Option<f64>,
+    alpha: Option<f64>,
+    ranked: &'a Ranked,
+    quantity: ComparedQuantity,
+    accepted: f64,
+}
+
+impl RankingRow<'_> {
+    fn reported(&self, largest: Largest) -> Option<f64> {
+        largest.map(|(contrast, _)| self.quantity.reported(contrast))
+    }
+
+    fn load(largest: Largest) -> Option<f64> {
+        largest.map(|(_, load)| load)
+    }
+
+    fn from_sum(&self) -> Largest {
+        self.ranked.from_sum[self.quantity as usize]
+    }
+
+    fn from_reference(&self) -> Largest {
+        self.ranked.from_reference[self.quantity as usize]
+    }
+}
+
+impl Row for RankingRow<'_> {
+    const FILE: &'static str = "ranking.csv";
+    const ROWS: &'static str = "One row for each surface, law, layer thickness, statistical model that applies and quantity, on the first realisation: the largest difference of the model from the sum, and from the reference where one was run, over the valid loads (three per decade, and those of the reference).";
+
+    fn columns() -> Vec<Column<Self>> {
+        columns! { row: Self =>
+            surface["text"] = row.surface, "Name of the surface.";
+            law["text"] = row.law, "Contact law of an asperity.";
+            layer_thickness_m["m"] = row.thickness, "Thickness of the layer, 0 for the bare substrate and inf for a flat of the layer's material; empty where the spec has no layer.";
+            nayak_alpha["1"] = row.alpha, "Nayak's bandwidth parameter of the map; empty without a map.";
+            model["text"] = row.ranked.candidate.name(), "The statistical model: its heights and its radius, or `nayak-greenwood` or `five-point`, joint densities of height and curvature.";
+            quantity["text"] = row.quantity.name(), "What is compared: `separation`, `area` (real contact area) or `stiffness`.";
+            from_deterministic["1"] = row.reported(row.from_sum()), "The difference from the deterministic model that is largest in magnitude: of the separation in sigma, of area and stiffness relative to it; empty where the model does not reach a load.";
+            from_deterministic_at_pa["Pa"] = RankingRow::load(row.from_sum()), "The nominal pressure of that difference.";
+            from_reference["1"] = row.reported(row.from_reference()), "The same from the reference; empty where none was run.";
+            from_reference_at_pa["Pa"] = RankingRow::load(row.from_reference()), "The nominal pressure of that difference.";
+            accepted["1"] = row.accepted, "The largest difference that is accepted.";
+            contacts_per_load["count"] = row.ranked.evaluations, "Contacts evaluated per load, the search for the separation included: what the model costs.";
+        }
+    }
+}
+
+/// The rows.
+pub(crate) fn rows(results: &CompareResults) -> impl Iterator<Item = RankingRow<'_>> {
+    results.surfaces.iter().flat_map(|found| {
+        let alpha = found.surface.map.as_ref().and_then(|map| map.roughness.alpha());
+        let cases = found.first.cases.iter().zip(&found.findings.cases).zip(&found.rankings);
+        cases.flat_map(move |((case, findings), ranking)| {
+            let row = move |ranked, quantity| RankingRow {
+                surface: &found.surface.name,
+                law: &case.law,
+                thickness: case.thickness,
+                alpha,
+                ranked,
+                quantity,
+                accepted: findings.verdicts.accepted.of(quantity),
+            };
+            ranking.models.iter().flat_map(move |ranked| ComparedQuantity::ALL.map(|quantity| row(ranked, quantity)))
+        })
+    })
+}
