@@ -152,17 +152,20 @@ impl Plot {
         x: &[f64],
         parts: impl IntoIterator<Item = (&'a str, Colour, &'a [f64])>,
     ) -> Self {
+        let parts: Vec<(&str, Colour, &[f64])> = parts.into_iter().collect();
+        let values: Vec<&[f64]> = parts.iter().map(|(_, _, part)| *part).collect();
+        let (x, values) = with_changes_of_sign(self.x.spread, x, &values);
         let mut ends = vec![[0.0; 2]; x.len()];
         let first = self.layers.len();
-        for (name, colour, part) in parts {
+        for ((name, colour, _), part) in parts.iter().zip(&values) {
             let mut band = Vec::with_capacity(x.len());
             for ((x, [low, high]), part) in x.iter().zip(&mut ends).zip(part) {
-                let end = if *part < 0.0 { low } else { high };
+                let end = if part.is_sign_negative() { low } else { high };
                 let from = *end;
                 *end += part;
                 band.push((*x, from.min(*end), from.max(*end)));
             }
-            self.layers.push(Layer::band(band).named(name).coloured(colour).opaque());
+            self.layers.push(Layer::band(band).named(*name).coloured(*colour).opaque());
         }
         for layer in &mut self.layers[first..] {
             layer.keep_where(|place| ends.get(place).is_some_and(|ends| (ends[0] + ends[1]).is_finite()));
@@ -265,3 +268,42 @@ impl Figure {
 
 #[cfg(test)]
 mod tests;
+
+/// The parts with two points added where one of them is zero between two values of either sign: zero from above and zero from
+/// below. Between them its band changes sides, which elsewhere would cross the bands of the others.
+fn with_changes_of_sign(spread: Spread, x: &[f64], parts: &[&[f64]]) -> (Vec<f64>, Vec<Vec<f64>>) {
+    let mut places = Vec::with_capacity(x.len());
+    let mut values = vec![Vec::with_capacity(x.len()); parts.len()];
+    for end in 0..x.len() {
+        if let Some(start) = end.checked_sub(1) {
+            let crossing = |part: &&[f64]| part[start] / (part[start] - part[end]);
+            let mut crossings: Vec<(usize, f64)> = parts
+                .iter()
+                .enumerate()
+                .filter(|(_, part)| part[start].is_sign_negative() != part[end].is_sign_negative())
+                .map(|(which, part)| (which, crossing(part)))
+                .filter(|(_, share)| share.is_finite())
+                .collect();
+            crossings.sort_by(|a, b| a.1.total_cmp(&b.1));
+            for (which, share) in crossings {
+                let between = |from: f64, to: f64| from + share * (to - from);
+                let place = match spread {
+                    Spread::Linear => between(x[start], x[end]),
+                    Spread::Log => between(x[start].ln(), x[end].ln()).exp(),
+                };
+                for side in [start, end] {
+                    places.push(place);
+                    for (index, (part, values)) in parts.iter().zip(&mut values).enumerate() {
+                        let zero = 0f64.copysign(part[side]);
+                        values.push(if index == which { zero } else { between(part[start], part[end]) });
+                    }
+                }
+            }
+        }
+        places.push(x[end]);
+        for (part, values) in parts.iter().zip(&mut values) {
+            values.push(part[end]);
+        }
+    }
+    (places, values)
+}

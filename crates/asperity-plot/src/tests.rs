@@ -198,7 +198,7 @@ fn shares_stand_on_each_other_and_gaps_are_shared() {
 
 #[test]
 fn contributions_of_either_sign_stand_on_their_own_side_of_zero() {
-    let plot = plot().with_contributions(
+    let plot = Plot::new("", Axis::linear(""), Axis::linear("")).with_contributions(
         &[1.0, 2.0, 3.0],
         [
             ("a", Colour::Heights, &[0.5, -0.5, f64::NAN][..]),
@@ -207,10 +207,16 @@ fn contributions_of_either_sign_stand_on_their_own_side_of_zero() {
         ],
     );
     let reach: Vec<_> = plot.layers.iter().map(Layer::reach).collect();
-    assert_eq!(reach[0][..4], [(1.0, 0.0), (1.0, 0.5), (2.0, -0.5), (2.0, 0.0)]);
-    assert_eq!(reach[1][..4], [(1.0, -0.2), (1.0, 0.0), (2.0, -0.7), (2.0, -0.5)]);
-    assert_eq!(reach[2][..4], [(1.0, 0.5), (1.0, 0.6), (2.0, 0.0), (2.0, 0.1)]);
-    assert!(reach.iter().all(|points| points[5].1.is_nan()));
+    // Half way "a" leaves the upper side and enters the lower one.
+    let crossing = [(1.5, 0.0), (1.5, 0.0)];
+    assert_eq!(reach[0][..2], [(1.0, 0.0), (1.0, 0.5)]);
+    assert_eq!(reach[0][2..6], [crossing, crossing].concat());
+    assert_eq!(reach[0][6..8], [(2.0, -0.5), (2.0, 0.0)]);
+    assert_eq!(reach[1][..2], [(1.0, -0.2), (1.0, 0.0)]);
+    assert_eq!(reach[1][2..8], [(1.5, -0.2), (1.5, 0.0), (1.5, -0.2), (1.5, 0.0), (2.0, -0.7), (2.0, -0.5)]);
+    assert_eq!(reach[2][..2], [(1.0, 0.5), (1.0, 0.6)]);
+    assert_eq!(reach[2][2..8], [(1.5, 0.0), (1.5, 0.1), (1.5, 0.0), (1.5, 0.1), (2.0, 0.0), (2.0, 0.1)]);
+    assert!(reach.iter().all(|points| points[8..].iter().skip(1).step_by(2).all(|point| point.1.is_nan())));
 }
 
 #[test]

@@ -1,7 +1,7 @@
 //! A statistical model of several classes of asperities: the weighted sum of their integrals.
 
 use super::load_control::{LOWEST_SEPARATION, search_missing};
-use super::{Model, ReferencePlane, Response, Statistical};
+use super::{Model, ReferencePlane, Response, Statistical, descent};
 use crate::contact::ByRegime;
 use crate::numeric::parallel;
 use crate::numeric::root::last_reaching;
@@ -28,12 +28,9 @@ impl<'a> Mixture<'a> {
 
     /// The largest separation with at least `pressure` (Pa), where it may be reached more than once.
     fn search(&self, pressure: f64, highest: f64) -> Option<f64> {
-        /// Step of the search, in sigma.
-        const STEP: f64 = 1.0 / 16.0;
-        let steps = ((highest - LOWEST_SEPARATION) / STEP).ceil().max(0.0) as i32;
-        let end = |k: i32| (highest - STEP * f64::from(k)).max(LOWEST_SEPARATION);
         let at = |h: f64| self.respond(h).pressure.total();
-        (0..steps).find_map(|k| last_reaching(at, pressure, end(k + 1), end(k)))
+        let grid = descent(LOWEST_SEPARATION, highest);
+        grid.windows(2).find_map(|pair| last_reaching(at, pressure, pair[1], pair[0]))
     }
 }
 

@@ -1,7 +1,7 @@
 //! The statistical model with the mean radius of the asperities that touch.
 
 use super::load_control::{LOWEST_SEPARATION, search_missing};
-use super::{Model, ReferencePlane, Response, Statistical};
+use super::{Model, ReferencePlane, Response, Statistical, descent};
 use crate::asperity::{Asperities, Population};
 use crate::interface::MicroContact;
 use crate::numeric::parallel;
@@ -12,7 +12,7 @@ use crate::shape::Shape;
 /// radius enters through it. Above all asperities it is the radius of the highest one.
 ///
 /// The pressure need not increase on approach where few asperities touch; a load is reached at the largest separation that
-/// a search in steps of 1/16 sigma finds. The stiffness is that at a fixed radius.
+/// a search in steps of a quarter of sigma finds, of sigma above 6 sigma. The stiffness is that at a fixed radius.
 pub struct RadiusInContact<'a> {
     contact: &'a dyn MicroContact,
     population: Population,
@@ -78,12 +78,8 @@ impl Model for RadiusInContact<'_> {
     }
 
     fn separations_at(&self, pressures: &[f64]) -> Vec<Option<f64>> {
-        /// Steps per sigma.
-        const STEPS: f64 = 16.0;
         let highest = self.at(0.0).highest_separation().max(LOWEST_SEPARATION);
-        let count = ((highest - LOWEST_SEPARATION) * STEPS).ceil() as usize + 1;
-        let grid: Vec<f64> =
-            (0..count).map(|k| (highest - k as f64 / STEPS).max(LOWEST_SEPARATION)).collect();
+        let grid = descent(LOWEST_SEPARATION, highest);
         let reached: Vec<f64> =
             self.respond_all(&grid).iter().map(|response| response.pressure.total()).collect();
         let pressure = |h: f64| self.at(h).respond(h).pressure.total();
@@ -128,5 +124,11 @@ mod tests {
         let found = model.separation_at(pressure).unwrap();
         assert!(found >= 1.7 - 1e-12 && model.respond(found).pressure.total() >= pressure * (1.0 - 1e-12));
         assert_eq!(model.separation_at(1e30), None);
+        // A heavy tail reaches separations of many thousand sigma.
+        let heavy = Heights::new(crate::distribution::Weibull::new(0.5).unwrap());
+        let population = Population { heights: heavy, ..population };
+        let model = RadiusInContact::new(&contact, set.spheres(), population, shape, plane, 0.0);
+        let found = model.separation_at(pressure).unwrap();
+        assert!((model.respond(found).pressure.total() / pressure - 1.0).abs() < 1e-9);
     }
 }

@@ -63,9 +63,8 @@ fn criterion(page: &mut Page) {
     ]);
     page.paragraph(
         "Intervals are those of the change itself: the same blocks of the map are left out at both lengths, so that what both have in \
-         common cancels. The leading part of a gap is the largest one in its direction, where it exceeds the next one and zero by more than the half-width of its \
-         interval. Gaps are \
-         given within the valid range only. A filtered map tells of the surface, not of the pixel, as long as the nesting index is a few \
+         common cancels. The leading part of a gap is the largest one in its direction, where its interval lies beyond zero and beyond the intervals of the \
+         others. Gaps are given within the valid range only. A filtered map tells of the surface, not of the pixel, as long as the nesting index is a few \
          pixels long.",
     );
 }

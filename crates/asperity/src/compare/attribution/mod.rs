@@ -130,8 +130,8 @@ impl Contributions {
     }
 }
 
-/// The part that leads: of the `parts` in the direction of their sum the largest one, where it exceeds the next and zero by more than
-/// the half-width of its 95 % interval, where it has one.
+/// The part that leads: of the `parts` in the direction of their sum the largest one, where the lower end of its 95 % interval lies
+/// above zero and above the upper end of the interval of every other part. A part without an interval counts as exact.
 pub fn leading<T: Copy>(parts: &[(T, Estimate)]) -> Option<T> {
     let sum: f64 = parts.iter().map(|(_, part)| part.contrast).sum();
     let mut along: Vec<(T, f64, f64)> = parts
@@ -139,8 +139,8 @@ pub fn leading<T: Copy>(parts: &[(T, Estimate)]) -> Option<T> {
         .map(|(name, part)| (*name, part.contrast * sum.signum(), part.half_width().unwrap_or(0.0)))
         .collect();
     along.sort_by(|a, b| b.1.total_cmp(&a.1));
-    let &(first, size, half_width) = along.first()?;
-    let next = along.get(1).map_or(0.0, |(_, size, _)| size.max(0.0));
+    let (&(first, size, half_width), others) = along.split_first()?;
+    let next = others.iter().fold(0.0, |next: f64, (_, size, half_width)| next.max(size + half_width));
     (sum != 0.0 && size - half_width > next).then_some(first)
 }
 

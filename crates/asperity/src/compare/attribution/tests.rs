@@ -224,7 +224,7 @@ fn shuffled_radii_have_no_correlation() {
     assert!(correlation(&own).abs() > 5.0);
 }
 
-/// The part that leads is in the direction of the sum, and larger than the next one beyond its uncertainty.
+/// The part that leads is in the direction of the sum, and its interval lies beyond those of the others.
 #[test]
 fn the_leading_part() {
     let part = |contrast: f64, error: Option<f64>| Estimate {
@@ -243,6 +243,7 @@ fn the_leading_part() {
     assert_eq!(of([(-0.2, 0.01), (0.3, 0.01), (-0.25, 0.01)]), Some("c"));
     assert_eq!(of([(-0.2, 0.01), (0.3, 0.01), (-0.21, 0.01)]), None);
     assert_eq!(of([(0.2, 0.06), (0.1, 0.01), (0.0, 0.0)]), None);
+    assert_eq!(of([(0.2, 0.01), (0.1, 0.06), (0.0, 0.0)]), None);
     assert_eq!(of([(0.0, 0.0); 3]), None);
     // Without an interval, what holds on this very surface.
     assert_eq!(leading(&[("a", part(0.2, None)), ("b", part(0.19, None))]), Some("a"));

@@ -116,8 +116,8 @@ impl<'a> Overview<'a> {
         page.table(header, self.rows.iter().flat_map(|row| [0, 1].map(|index| of_quantity(row, index))));
         page.paragraph(
             "At the valid load nearest to the middle of the valid range on a logarithmic scale. Separations in σ add up, areas multiply. The \
-             leading cause is the largest contribution in the direction of the difference, where it exceeds the next one and zero by more \
-             than its sampling uncertainty.",
+             leading cause is the largest contribution in the direction of the difference, where its 95 % interval lies beyond zero and beyond \
+             the intervals of the others.",
         );
     }
 }

@@ -72,6 +72,9 @@ pub fn distance(contrast: f64, sigma: f64) -> String {
     format!("{} ({} σ)", quantity(contrast.abs() * sigma, "m"), number(contrast.abs()))
 }
 
+/// Smaller differences, in sigma or relative, are written as zero to as many digits.
+const NEGLIGIBLE: f64 = 5e-5;
+
 /// A contrast with its sign: "+0.32 σ", "−7.9 %".
 pub fn signed(compared: ComparedQuantity, contrast: f64) -> String {
     let reported = compared.reported(contrast);
@@ -81,6 +84,10 @@ pub fn signed(compared: ComparedQuantity, contrast: f64) -> String {
     };
     match reported {
         0.0 => size,
+        little if little.abs() < NEGLIGIBLE => match compared {
+            ComparedQuantity::Separation => "0.0000 σ".to_owned(),
+            ComparedQuantity::Area | ComparedQuantity::Stiffness => "0.00 %".to_owned(),
+        },
         negative if negative < 0.0 => format!("−{size}"),
         _ => format!("+{size}"),
     }
