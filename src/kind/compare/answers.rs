@@ -6,7 +6,9 @@ use asperity::compare::{
 };
 use asperity::sphere::Decrease;
 use asperity::topography::Moments;
-use asperity::{MeanRadius, Population, Statistics};
+use asperity::{Population, Statistics};
+
+use super::statistical::StatisticalModel;
 
 /// A range of indentations in which area or load of an asperity decreases.
 #[derive(Debug, Clone)]
@@ -49,8 +51,8 @@ pub struct RealisationResults {
     pub moments: Option<Moments>,
     /// Input of the statistical model.
     pub population: Population,
-    /// Which mean radius the statistical model uses.
-    pub mean_radius: MeanRadius,
+    /// The statistical model.
+    pub model: StatisticalModel,
     /// Law by law.
     pub cases: Vec<CaseResults>,
 }

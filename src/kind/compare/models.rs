@@ -2,18 +2,22 @@
 
 use super::statistical::StatisticalModel;
 use crate::surface::Surface;
+use std::sync::Arc;
+
 use asperity::compare::Inputs;
 use asperity::distribution::HeightsError;
+use asperity::topography::joint::JointDensity;
 use asperity::{
     Asperities, ContactLaw, Deterministic, Ellipse, Ellipses, MeanRadius, MicroContact, Model, Population,
-    RadiusInContact, Shape, Statistical,
+    RadiusInContact, ReferencePlane, Shape, Statistical, joint_model,
 };
 
 /// A surface with its asperities as the laws of the sums that are asked for see them.
 pub(crate) struct SurfaceModels<'a> {
     surface: &'a Surface,
     population: Population,
-    mean_radius: MeanRadius,
+    statistical: StatisticalModel,
+    joint: Option<Arc<JointDensity>>,
     is_summed: bool,
     ellipses: Option<Ellipses<'a>>,
 }
@@ -29,10 +33,34 @@ impl<'a> SurfaceModels<'a> {
         laws: &[ContactLaw],
         is_summed: bool,
     ) -> Result<Self, HeightsError> {
+        let joint = statistical.joint.map(|joint| joint.of(surface)).transpose()?;
+        Self::with(joint.map(Arc::new), surface, statistical, laws, is_summed)
+    }
+
+    /// The same models of a part of the surface; a joint density stays that of the whole map.
+    ///
+    /// # Errors
+    /// As [`Self::new`].
+    pub(super) fn of_part<'b>(
+        &self,
+        part: &'b Surface,
+        laws: &[ContactLaw],
+        is_summed: bool,
+    ) -> Result<SurfaceModels<'b>, HeightsError> {
+        SurfaceModels::with(self.joint.clone(), part, &self.statistical, laws, is_summed)
+    }
+
+    fn with(
+        joint: Option<Arc<JointDensity>>,
+        surface: &'a Surface,
+        statistical: &StatisticalModel,
+        laws: &[ContactLaw],
+        is_summed: bool,
+    ) -> Result<Self, HeightsError> {
         let is_elliptic = is_summed && laws.iter().any(ContactLaw::is_elliptic);
         let ellipses = if is_elliptic { Ellipses::of(&surface.set) } else { None };
         let population = surface.population(statistical.heights.as_ref(), statistical.mean_radius)?;
-        Ok(Self { surface, population, mean_radius: statistical.mean_radius, is_summed, ellipses })
+        Ok(Self { surface, population, statistical: statistical.clone(), joint, is_summed, ellipses })
     }
 
     /// Input of the statistical model.
@@ -68,9 +96,15 @@ impl<'a> SurfaceModels<'a> {
         contact: &'b dyn MicroContact,
         law: &ContactLaw,
     ) -> Box<dyn Model + 'b> {
+        if let (Some(joint), Some(density), Some(mean)) =
+            (self.statistical.joint, &self.joint, self.surface.plane_above_mean_plane())
+        {
+            let plane = ReferencePlane { mean, sigma: self.surface.plane.sigma };
+            return Box::new(joint_model(contact, density, joint.shape(law), plane));
+        }
         let (population, shape) = (self.population.clone(), self.mean_shape(law));
         let plane = self.surface.reporting_plane();
-        match self.mean_radius {
+        match self.statistical.mean_radius {
             MeanRadius::InContact => {
                 let (spheres, origin) = (self.surface.set.spheres(), self.surface.plane.mean);
                 Box::new(RadiusInContact::new(contact, spheres, population, shape, plane, origin))
@@ -93,7 +127,7 @@ impl<'a> SurfaceModels<'a> {
     /// What the states between both models are made from under laws of the same shapes; `None` unless the sum is requested, and
     /// of a statistical model that has not one radius.
     pub(super) fn inputs(&self, law: &ContactLaw) -> Option<Inputs<'_>> {
-        if self.mean_radius == MeanRadius::InContact {
+        if self.statistical.undivided().is_some() {
             return None;
         }
         Some(Inputs {

@@ -232,7 +232,7 @@ pub(crate) fn compared(
         models: raw.models.as_ref().map_or_else(Models::default, |models| models.get_ref().clone()).kinds,
         reference,
         lines,
-        statistical: raw.statistical.as_ref().map(|spec| spec.get_ref().into()).unwrap_or_default(),
+        statistical: statistical_model(file, raw)?,
         statistical_key: raw.statistical.as_ref().map(Spanned::span),
         accept: raw.accept,
         is_robustness_examined: raw.robustness,
@@ -244,4 +244,9 @@ pub(crate) fn compared(
         implausible,
         described: None,
     })
+}
+
+fn statistical_model(file: &SpecFile, raw: &CompareSpec) -> Result<StatisticalModel, InputError> {
+    let Some(spec) = &raw.statistical else { return Ok(StatisticalModel::default()) };
+    spec.get_ref().model().map_err(|message| file.source.error_at(spec.span(), message))
 }

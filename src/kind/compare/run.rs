@@ -251,7 +251,7 @@ pub(crate) fn run_surface<'a>(
         sigma: surface.plane.sigma,
         moments: surface.map.as_ref().map(|map| map.roughness.moments),
         population: population.clone(),
-        mean_radius: setup.statistical.mean_radius,
+        model: setup.statistical.clone(),
         cases,
     })
 }

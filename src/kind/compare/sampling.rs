@@ -35,10 +35,11 @@ pub(crate) fn sampling(
         .collect();
     let seed = stream_seed(setup.seed, &format!("groups of {}", surface.name));
     let draws = Division::independent(surface.set.count(), seed);
-    let independent = draws.map(|draws| left_out(setup, surface, &draws, &steps));
+    let left_out = |division: &Division| left_out(setup, (surface, models), division, &steps);
+    let independent = draws.as_ref().map(left_out);
     let (groups, area_needed) = match &surface.independence {
         Independence::Asperities => (independent.clone(), None),
-        Independence::Blocks(blocks) => (Some(left_out(setup, surface, &blocks.division, &steps)), None),
+        Independence::Blocks(blocks) => (Some(left_out(&blocks.division)), None),
         Independence::TooSmall(error) => (None, Some(error.area_needed)),
         Independence::Realisations => (None, None),
     };
@@ -53,15 +54,18 @@ pub(crate) fn sampling(
 }
 
 /// Each case with each group of `division` left out.
-fn left_out(setup: Setup, surface: &Surface, division: &Division, steps: &[OneStep]) -> Vec<LeftOut> {
+fn left_out(
+    setup: Setup,
+    (surface, models): (&Surface, &SurfaceModels),
+    division: &Division,
+    steps: &[OneStep],
+) -> Vec<LeftOut> {
     let shares = division.shares();
     setup.progress.stage("sampling errors", shares.len() as f64);
     let without = |group: usize| {
         let rest = surface.without(division, group);
-        let of_rest = rest.as_ref().and_then(|rest| {
-            let models = SurfaceModels::new(rest, setup.statistical, setup.law_specs, false).ok()?;
-            Some((rest, models))
-        });
+        let of_rest =
+            rest.as_ref().and_then(|rest| Some((rest, models.of_part(rest, setup.law_specs, false).ok()?)));
         let Some((rest, of_rest)) = of_rest else {
             let none = |step: &OneStep| vec![None; step.deterministic_separations().len()];
             return (None, steps.iter().map(none).collect());

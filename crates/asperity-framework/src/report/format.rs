@@ -83,6 +83,12 @@ pub fn percent(share: f64) -> String {
     format!("{} %", number(100.0 * share))
 }
 
+/// The text with a capital first letter.
+pub fn capitalised(text: &str) -> String {
+    let mut letters = text.chars();
+    letters.next().map_or_else(String::new, |first| first.to_uppercase().chain(letters).collect())
+}
+
 /// A count with commas between thousands: 1234567 gives "1,234,567".
 pub fn count(value: usize) -> String {
     let digits = value.to_string();

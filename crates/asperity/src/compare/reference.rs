@@ -2,8 +2,8 @@
 //! [`Comparison`](super::Comparison) of two models on the same surface.
 
 use super::{ComparedQuantity, Control, State};
-use crate::model::Response;
 use crate::bem::Boundary;
+use crate::model::Response;
 
 /// The reference at one load.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -32,6 +32,18 @@ pub enum MeanRadius {
 }
 
 impl MeanRadius {
+    /// All of them.
+    pub const ALL: [Self; 3] = [Self::Arithmetic, Self::InverseMeanCurvature, Self::InContact];
+
+    /// The name in specs and tables.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Arithmetic => "arithmetic",
+            Self::InverseMeanCurvature => "inverse-mean-curvature",
+            Self::InContact => "in-contact",
+        }
+    }
+
     /// The mean radius of a set with these statistics, m; of those that touch, the limit where all do.
     pub fn of(self, statistics: &Statistics) -> f64 {
         match self {

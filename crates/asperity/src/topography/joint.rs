@@ -114,10 +114,12 @@ impl JointDensity {
                 let share = along * across * 0.5 * sum * exponent.exp() * is_summit(x, y);
                 let curvature = bend[0] * x + bend[1] * y;
                 let height = weights[0] * x + weights[1] * y;
-                let class = SummitClass { share, curvatures: [curvature; 2], height, sd: variance.max(0.0).sqrt() };
+                let class =
+                    SummitClass { share, curvatures: [curvature; 2], height, sd: variance.max(0.0).sqrt() };
                 // On a square grid without a lay both depend on the sum alone.
                 let same = |one: &&mut SummitClass| {
-                    (one.curvatures[0] - curvature).abs() <= SAME * curvature && (one.height - height).abs() <= SAME * sigma
+                    (one.curvatures[0] - curvature).abs() <= SAME * curvature
+                        && (one.height - height).abs() <= SAME * sigma
                 };
                 match classes[first..].iter_mut().find(same) {
                     Some(one) => one.share += share,
@@ -155,7 +157,8 @@ pub fn greenwood(alpha: f64, xi: f64, g: f64) -> f64 {
     let exponent = 1.5 * g * g - alpha * xi * xi / (2.0 * (alpha - 1.0));
     let u = 3.0 * narrow.sqrt() * place;
     // exp(1.5 g^2) alone overflows where erfc underflows.
-    let tail = if u > 0.0 { scaled_erfc(u) * (exponent - u * u).exp() } else { libm::erfc(u) * exponent.exp() };
+    let tail =
+        if u > 0.0 { scaled_erfc(u) * (exponent - u * u).exp() } else { libm::erfc(u) * exponent.exp() };
     4.5 / (2.0 * PI).sqrt() * (alpha / (alpha - 1.0)).sqrt() * g.powi(3) * tail
 }
 
@@ -233,7 +236,10 @@ mod tests {
             let pairs = [
                 (over_greenwood(alpha, |xi, _| xi), joint.mean(|one| one.height)),
                 (over_greenwood(alpha, |_, g| g * g), joint.mean(|one| geometric(one).powi(2))),
-                (over_greenwood(alpha, |xi, g| xi * g * g), joint.mean(|one| one.height * geometric(one).powi(2))),
+                (
+                    over_greenwood(alpha, |xi, g| xi * g * g),
+                    joint.mean(|one| one.height * geometric(one).powi(2)),
+                ),
             ];
             for (closed, classes) in pairs {
                 assert!((closed / classes - 1.0).abs() < 1e-11, "{alpha}: {closed} {classes}");
@@ -245,7 +251,9 @@ mod tests {
     fn five_point_summits_have_the_expected_moments() {
         let isotropic = |scale: f64| Drops::of(move |i: f64, j: f64| (-(i * i + j * j) / scale).exp());
         let oblique = Drops::of(|i, j| (-0.3 * i * i - 0.1 * j * j - 0.15 * i * j).exp());
-        for (drops, pixel) in [(isotropic(1.0), [1.0, 1.0]), (isotropic(25.0), [1.0, 1.0]), (oblique, [0.5, 0.8])] {
+        for (drops, pixel) in
+            [(isotropic(1.0), [1.0, 1.0]), (isotropic(25.0), [1.0, 1.0]), (oblique, [0.5, 0.8])]
+        {
             let wanted = theory::five_point(&drops, 1.0, pixel).unwrap();
             let wanted = [wanted.density, wanted.curvature, wanted.height, wanted.height_variance];
             let joint = JointDensity::five_point(&drops, 1.0, pixel).unwrap();

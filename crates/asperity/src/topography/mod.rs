@@ -22,6 +22,7 @@ pub mod fitness;
 mod fourier;
 pub mod generate;
 mod height_transform;
+pub mod joint;
 mod level;
 mod part;
 mod quantisation;
@@ -30,7 +31,6 @@ mod roughness;
 mod rows;
 pub mod spectrum;
 pub mod summits;
-pub mod joint;
 pub mod theory;
 
 use std::fs::File;

@@ -53,7 +53,7 @@ pub(crate) fn attribute(
             Some(found)
         })
         .collect();
-    let groups = if has_errors { left_out(setup, surface, &all, &states) } else { Vec::new() };
+    let groups = if has_errors { left_out(setup, (surface, models), &all, &states) } else { Vec::new() };
     for (index, (case, states)) in cases.iter_mut().zip(&states).enumerate() {
         let Some(states) = states else { continue };
         case.attribution = states.attributions(groups.get(index));
@@ -71,10 +71,13 @@ pub(crate) fn attribute(
 /// The states of each case with each group of asperities left out; nothing where the surface allows no sampling error.
 fn left_out(
     setup: Setup,
-    surface: &Surface,
+    (surface, models): (&Surface, &SurfaceModels),
     all: &ForLaws,
     states: &[Option<StatesAtLoads>],
 ) -> Vec<GroupsLeftOut> {
+    if states.iter().all(Option::is_none) {
+        return Vec::new();
+    }
     let seed = stream_seed(setup.seed, &format!("groups of {}", surface.name));
     let drawn = match &surface.independence {
         Independence::Asperities => Division::independent(surface.set.count(), seed),
@@ -95,7 +98,7 @@ fn left_out(
     setup.progress.stage("sampling errors of the causes", division.shares().len() as f64);
     let without = |group: usize| {
         let rest = surface.without(division, group)?;
-        let models = SurfaceModels::new(&rest, setup.statistical, setup.law_specs, true).ok()?;
+        let models = models.of_part(&rest, setup.law_specs, true).ok()?;
         let rearranged = ForLaws::new(&models, setup.law_specs, Rearranged::coarse);
         let case = |(index, law): (usize, &LawPlan)| {
             let contact: &dyn MicroContact = &*law.contact;

@@ -8,7 +8,7 @@
 //! | `decreasing` | area or load that decreases with increasing indentation |
 //! | `layer` | results by layer thickness |
 //! | `reference` | the boundary element reference |
-//! | `ranking` | the other statistical models |
+//! | `ranking` | which statistical model is enough |
 //! | `readings` | σ and d read as those of the asperities or of the surface |
 //! | `robustness` | the verdicts under other treatments of a map |
 //! | `single_load` | the answer at one load, in N, Pa, nm and µm² |
@@ -63,8 +63,10 @@ pub fn page(results: &CompareResults) -> Page {
     let overview = verdict::Overview::of(&cases);
     let causes = causes::Overview::of(&cases);
     let is_of_paper = results.surfaces.iter().all(|found| {
-        let RealisationResults { population, mean_radius, .. } = &found.first;
-        population.heights == Heights::GAUSSIAN && *mean_radius == MeanRadius::Arithmetic
+        let RealisationResults { population, model, .. } = &found.first;
+        population.heights == Heights::GAUSSIAN
+            && model.mean_radius == MeanRadius::Arithmetic
+            && model.joint.is_none()
     });
     page.heading(2, "Summary");
     let against = |overview: &verdict::Overview| {
@@ -234,8 +236,8 @@ pub fn answer(page: &mut Page, results: &CompareResults, found: &SurfaceResults)
                 ),
             );
         }
-        if found.first.mean_radius == MeanRadius::InContact {
-            causes::undivided(page, &name);
+        if let Some(reason) = found.first.model.undivided() {
+            causes::undivided(page, &name, reason);
         } else {
             causes::section(page, verdicts, &name, &stem(found, &case.law), sigma);
         }

@@ -1,7 +1,7 @@
 //! Which statistical model is near enough to the sum and to the reference, and what each costs.
 
 use asperity::compare::{Accepted, ComparedQuantity};
-use asperity_framework::report::format::{count, listed, number};
+use asperity_framework::report::format::{capitalised, count, listed, number, percent};
 use asperity_framework::report::page::{Page, escape};
 
 use super::verdict::{loads, name, signed};
@@ -35,47 +35,57 @@ impl Against {
 
 /// The ranking of one surface under one law, called `title`.
 pub fn section(page: &mut Page, ranking: &Ranking, accepted: &Accepted, title: &str, alpha: Option<f64>) {
-    if ranking.loads.is_empty() || ranking.models.is_empty() {
-        return;
-    }
-    page.heading(3, &format!("{title}: other statistical models"));
-    let has_reference = ranking.models.iter().any(|ranked| ranked.from_reference.iter().any(Option::is_some));
+    let [Some(first), Some(last)] = [ranking.loads.first(), ranking.loads.last()] else { return };
+    page.heading(3, &format!("{title}: which statistical model is enough"));
+    let has_reference = ranking.sum_from_reference.iter().any(Option::is_some);
     let against = if has_reference { vec![Against::Sum, Against::Reference] } else { vec![Against::Sum] };
-    page.bullets(against.iter().flat_map(|&against| {
-        QUANTITIES.map(|quantity| statement(ranking, accepted, against, quantity))
-    }));
-    let mut header = vec!["statistical model".to_owned()];
+    let statements = against.iter().flat_map(|&against| QUANTITIES.map(|quantity| (against, quantity)));
+    page.bullets(statements.map(|(against, quantity)| statement(ranking, accepted, against, quantity)));
+    let mut header = vec!["model".to_owned()];
     for against in &against {
-        header.extend(QUANTITIES.map(|quantity| format!("{} from {}", name(quantity), against.label())));
+        header.extend(QUANTITIES.map(|quantity| format!("{} − {}", name(quantity), against.label())));
     }
     header.push("contacts per load".to_owned());
+    let cell = |quantity: ComparedQuantity, largest: Largest| {
+        largest.map_or_else(
+            || "–".to_owned(),
+            |(contrast, load)| {
+                let mark = if is_within(accepted, quantity, contrast) { " ✓" } else { "" };
+                format!("{} at {}{mark}", signed(quantity, contrast), loads([load; 2]))
+            },
+        )
+    };
     let row = |ranked: &Ranked| {
-        let mut row = vec![escape(&ranked.candidate.name())];
+        let mut row = vec![escape(&ranked.model.name())];
         for against in &against {
-            row.extend(QUANTITIES.map(|quantity| {
-                let largest = against.of(ranked, quantity);
-                largest.map_or_else(|| "–".to_owned(), |(contrast, load)| {
-                    let mark = if is_within(accepted, quantity, contrast) { " ✓" } else { "" };
-                    format!("{} at {}{mark}", signed(quantity, contrast), loads([load; 2]))
-                })
-            }));
+            row.extend(QUANTITIES.map(|quantity| cell(quantity, against.of(ranked, quantity))));
         }
         row.push(count(ranked.evaluations.round() as usize));
         row
     };
-    page.table(header, ranking.models.iter().map(row));
-    let bandwidth = alpha.map_or_else(String::new, |alpha| format!("Nayak's α of the map is {}. ", number(alpha)));
+    let sum = has_reference.then(|| {
+        let mut row = vec!["sum of the asperities".to_owned()];
+        row.extend(QUANTITIES.map(|_| "–".to_owned()));
+        row.extend(QUANTITIES.map(|quantity| cell(quantity, ranking.sum_from_reference[quantity as usize])));
+        row.push("–".to_owned());
+        row
+    });
+    page.table(header, ranking.models.iter().map(row).chain(sum));
+    let bandwidth =
+        alpha.map_or_else(String::new, |alpha| format!("Nayak's α of the map is {}. ", number(alpha)));
     let missing: Vec<String> = ranking
         .inapplicable
         .iter()
-        .map(|(candidate, reason)| format!("{} ({})", escape(&candidate.name()), escape(reason)))
+        .map(|(model, reason)| format!("{} ({})", escape(&model.name()), escape(reason)))
         .collect();
-    let missing = if missing.is_empty() { String::new() } else { format!(" Not applicable: {}.", listed(&missing)) };
+    let missing =
+        if missing.is_empty() { String::new() } else { format!(" Not applicable: {}.", listed(&missing)) };
     page.paragraph(&format!(
-        "{bandwidth}Largest difference over {} loads from {}, on the first realisation; ✓: within what is accepted. Contacts per load: those evaluated \
-         with the search for the separation.{missing}",
+        "{bandwidth}A model is named by its heights and its mean radius. Each difference is the largest in magnitude over {} valid loads \
+         from {}, on this very surface, without sampling error; ✓: within what is accepted. Contacts per load: micro-contacts \
+         evaluated, the search for the separation included.{missing}",
         ranking.loads.len(),
-        loads([ranking.loads[0], ranking.loads[ranking.loads.len() - 1]]),
+        loads([*first, *last]),
     ));
 }
 
@@ -83,34 +93,39 @@ fn is_within(accepted: &Accepted, quantity: ComparedQuantity, contrast: f64) -> 
     quantity.reported(contrast).abs() <= accepted.of(quantity)
 }
 
-/// The cheapest model within what is accepted, or the nearest one where none is.
+/// How many models are within what is accepted, the cheapest of them, and the nearest of all.
 fn statement(ranking: &Ranking, accepted: &Accepted, against: Against, quantity: ComparedQuantity) -> String {
-    let found = |ranked: &&Ranked| against.of(ranked, quantity).is_some();
-    let size = |ranked: &Ranked| against.of(ranked, quantity).map_or(f64::INFINITY, |(contrast, _)| quantity.reported(contrast).abs());
-    let within: Vec<&Ranked> =
-        ranking.models.iter().filter(found).filter(|ranked| size(ranked) <= accepted.of(quantity)).collect();
-    let cheapest = within.iter().min_by(|a, b| a.evaluations.total_cmp(&b.evaluations));
-    let nearest = ranking.models.iter().filter(found).min_by(|a, b| size(a).total_cmp(&size(b)));
-    let shown = |ranked: &Ranked| {
-        let largest = against.of(ranked, quantity).map_or_else(String::new, |(contrast, _)| signed(quantity, contrast));
-        format!("{} ({largest} at most)", escape(&ranked.candidate.name()))
+    let about = format!("**{} from {}**", capitalised(name(quantity)), against.label());
+    let found: Vec<(&Ranked, f64)> =
+        ranking.models.iter().filter_map(|ranked| Some((ranked, against.of(ranked, quantity)?.0))).collect();
+    let size = |contrast: f64| quantity.reported(contrast).abs();
+    let shown = |(ranked, contrast): &(&Ranked, f64)| {
+        format!("{} ({})", escape(&ranked.model.name()), signed(quantity, *contrast))
     };
-    let label = against.label();
-    match (cheapest, nearest) {
-        (Some(cheapest), Some(nearest)) => format!(
-            "In {}, {} of {} statistical models are within what is accepted of {label}; the cheapest is {}, the nearest {}.",
-            name(quantity),
-            within.len(),
-            ranking.models.len(),
+    let Some(nearest) = found.iter().min_by(|a, b| size(a.1).total_cmp(&size(b.1))) else {
+        return format!("{about}: no model is compared.");
+    };
+    let within = || found.iter().filter(|(_, contrast)| is_within(accepted, quantity, *contrast));
+    let cheapest = within().min_by(|a, b| a.0.evaluations.total_cmp(&b.0.evaluations));
+    let limit = match quantity {
+        ComparedQuantity::Separation => format!("{} σ", number(accepted.of(quantity))),
+        ComparedQuantity::Area | ComparedQuantity::Stiffness => percent(accepted.of(quantity)),
+    };
+    let sum = ranking.sum_from_reference[quantity as usize].filter(|_| against == Against::Reference);
+    let sum =
+        sum.map_or_else(String::new, |(contrast, _)| format!("; the sum has {}", signed(quantity, contrast)));
+    match cheapest {
+        Some(cheapest) => format!(
+            "{about}: {} of {} statistical models stay within ±{limit}; the cheapest is {}, the nearest {}{sum}.",
+            within().count(),
+            found.len(),
             shown(cheapest),
             shown(nearest)
         ),
-        (None, Some(nearest)) => format!(
-            "In {}, none of {} statistical models is within what is accepted of {label}; the nearest is {}.",
-            name(quantity),
-            ranking.models.len(),
+        None => format!(
+            "{about}: none of {} statistical models stays within ±{limit}; the nearest is {}{sum}.",
+            found.len(),
             shown(nearest)
         ),
-        _ => format!("In {}, no model is compared with {label}.", name(quantity)),
     }
 }

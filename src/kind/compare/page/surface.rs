@@ -32,18 +32,22 @@ pub fn surface(page: &mut Page, found: &SurfaceResults) {
              own σ."
         ));
     }
-    page.paragraph(&format!(
-        "Inputs of the statistical model: {} heights with σ = {}, radius {}{}, density η = {} /m².",
-        population.heights.label(),
-        input_quantity(population.sigma, "m"),
-        input_quantity(population.radius, "m"),
-        match found.first.mean_radius {
-            MeanRadius::InContact =>
-                " (arithmetic mean of all; at each separation the mean of the asperities in contact is used)",
-            MeanRadius::Arithmetic | MeanRadius::InverseMeanCurvature => "",
-        },
-        input_number(population.density),
-    ));
+    let model = &found.first.model;
+    page.paragraph(&match model.joint {
+        Some(joint) => format!("The statistical model has the joint density of height and curvature of {}.", joint.label()),
+        None => format!(
+            "Inputs of the statistical model: {} heights with σ = {}, radius {}{}, density η = {} /m².",
+            population.heights.label(),
+            input_quantity(population.sigma, "m"),
+            input_quantity(population.radius, "m"),
+            match model.mean_radius {
+                MeanRadius::InContact =>
+                    " (arithmetic mean of all; at each separation the mean of the asperities in contact is used)",
+                MeanRadius::Arithmetic | MeanRadius::InverseMeanCurvature => "",
+            },
+            input_number(population.density),
+        ),
+    });
     if let Some(mean) = &surface.ellipticity {
         let spheres = surface.map.as_ref().filter(|map| map.saddles > 0).map(|map| {
             format!(

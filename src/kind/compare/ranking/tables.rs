@@ -46,7 +46,7 @@ impl Row for RankingRow<'_> {
             law["text"] = row.law, "Contact law of an asperity.";
             layer_thickness_m["m"] = row.thickness, "Thickness of the layer, 0 for the bare substrate and inf for a flat of the layer's material; empty where the spec has no layer.";
             nayak_alpha["1"] = row.alpha, "Nayak's bandwidth parameter of the map; empty without a map.";
-            model["text"] = row.ranked.candidate.name(), "The statistical model: its heights and its radius, or `nayak-greenwood` or `five-point`, joint densities of height and curvature.";
+            model["text"] = row.ranked.model.name(), "The statistical model: its heights and its radius, or `nayak-greenwood` or `five-point`, joint densities of height and curvature.";
             quantity["text"] = row.quantity.name(), "What is compared: `separation`, `area` (real contact area) or `stiffness`.";
             from_deterministic["1"] = row.reported(row.from_sum()), "The difference from the deterministic model that is largest in magnitude: of the separation in sigma, of area and stiffness relative to it; empty where the model does not reach a load.";
             from_deterministic_at_pa["Pa"] = RankingRow::load(row.from_sum()), "The nominal pressure of that difference.";
@@ -73,7 +73,10 @@ pub(crate) fn rows(results: &CompareResults) -> impl Iterator<Item = RankingRow<
                 quantity,
                 accepted: findings.verdicts.accepted.of(quantity),
             };
-            ranking.models.iter().flat_map(move |ranked| ComparedQuantity::ALL.map(|quantity| row(ranked, quantity)))
+            ranking
+                .models
+                .iter()
+                .flat_map(move |ranked| ComparedQuantity::ALL.map(|quantity| row(ranked, quantity)))
         })
     })
 }

@@ -75,7 +75,7 @@ pub(super) fn robustness(
         forces: Vec::new(),
         tolerances: Tolerances::default(),
     };
-    let treatments = Treatment::all(&own, plan.statistical.mean_radius, map);
+    let treatments = Treatment::all(&own, &plan.statistical, map);
     context.progress.stage("robustness", treatments.len() as f64);
     let treated = treatments.into_iter().map(|treatment| {
         let statistical = match treatment {

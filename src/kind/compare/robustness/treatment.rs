@@ -6,6 +6,7 @@ use asperity::MeanRadius;
 use asperity::topography::summits::Neighbours;
 use asperity::topography::{Filter, Level};
 
+use crate::kind::compare::statistical::StatisticalModel;
 use crate::surface::{MapFacts, Preparation};
 
 /// A choice made in the analysis of a map.
@@ -65,17 +66,15 @@ const PIXELS: [f64; 4] = [2.0, 4.0, 8.0, 16.0];
 
 impl Treatment {
     /// The treatments of a map that was prepared so, with the facts found, other than its own.
-    pub fn all(own: &Preparation, mean_radius: MeanRadius, map: &MapFacts) -> Vec<Self> {
-        let mut all = vec![
-            Self::Summits(match own.neighbours {
-                Neighbours::Four => Neighbours::Eight,
-                Neighbours::Eight => Neighbours::Four,
-            }),
-            Self::MeanRadius(match mean_radius {
-                MeanRadius::Arithmetic => MeanRadius::InverseMeanCurvature,
-                MeanRadius::InverseMeanCurvature | MeanRadius::InContact => MeanRadius::Arithmetic,
-            }),
-        ];
+    pub fn all(own: &Preparation, model: &StatisticalModel, map: &MapFacts) -> Vec<Self> {
+        let mut all = vec![Self::Summits(match own.neighbours {
+            Neighbours::Four => Neighbours::Eight,
+            Neighbours::Eight => Neighbours::Four,
+        })];
+        all.extend(model.joint.is_none().then_some(Self::MeanRadius(match model.mean_radius {
+            MeanRadius::Arithmetic => MeanRadius::InverseMeanCurvature,
+            MeanRadius::InverseMeanCurvature | MeanRadius::InContact => MeanRadius::Arithmetic,
+        })));
         all.extend(own.level.previous().map(Self::Level));
         all.extend(own.level.next().map(Self::Level));
         all.extend(short_waves(own.filter, map).into_iter().map(Self::ShortWaves));

@@ -57,13 +57,10 @@ pub fn section(page: &mut Page, verdicts: &Verdicts, title: &str, stem: &str, si
     }
 }
 
-/// Why a difference has no parts whose statistical model takes the radius of the asperities in contact.
-pub fn undivided(page: &mut Page, title: &str) {
+/// Why a difference has no parts.
+pub fn undivided(page: &mut Page, title: &str, reason: &str) {
     page.heading(3, &format!("{title}: why the models differ"));
-    page.paragraph(
-        "The differences are not divided among their causes: the statistical model takes the mean radius of the asperities in contact, which \
-         changes with the load, not one radius.",
-    );
+    page.paragraph(&format!("The differences are not divided among their causes: {reason}."));
 }
 
 /// The contributions at the load in the middle of the valid range: "At 10 MPa the statistical model puts the flat 0.31 σ (15 nm) higher

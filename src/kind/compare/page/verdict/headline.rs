@@ -1,7 +1,7 @@
 //! The answer in one sentence.
 
 use asperity::compare::{ComparedQuantity, Stretch, Verdict};
-use asperity_framework::report::format::{listed, percent};
+use asperity_framework::report::format::{capitalised, listed, percent};
 
 use super::range::any_exceeded_words;
 use super::words::{accepted, between, name, need, over, size, span};
@@ -109,11 +109,6 @@ fn by<'a>(main: &[&'a Stretch], verdict: Verdict) -> Vec<&'a Stretch> {
 /// The width of a stretch on a logarithmic scale.
 fn decades(stretch: &Stretch) -> f64 {
     (stretch.loads[1] / stretch.loads[0]).log10()
-}
-
-fn capitalised(text: &str) -> String {
-    let mut letters = text.chars();
-    letters.next().map_or_else(String::new, |first| first.to_uppercase().chain(letters).collect())
 }
 
 /// How much surface it would take to tell of all these stretches, or why none would; nothing where that is not known.

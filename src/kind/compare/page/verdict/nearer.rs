@@ -1,7 +1,7 @@
 //! Both models against the reference, in words and in a table.
 
 use asperity::compare::{ComparedQuantity, Difference, Estimate, Kind, NearerStretch, Verdict};
-use asperity_framework::report::format::{listed, number};
+use asperity_framework::report::format::{capitalised, listed, number};
 use asperity_framework::report::page::Page;
 
 use super::words::{loads, name, over, signed, verdict};
@@ -17,11 +17,6 @@ fn model(kind: Kind) -> &'static str {
         Kind::Statistical => "the statistical model",
         Kind::Deterministic => "the sum",
     }
-}
-
-fn capitalised(text: &str) -> String {
-    let mut characters = text.chars();
-    characters.next().map_or_else(String::new, |first| first.to_uppercase().chain(characters).collect())
 }
 
 fn decades(loads: [f64; 2]) -> f64 {

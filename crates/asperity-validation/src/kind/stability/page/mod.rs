@@ -5,7 +5,7 @@ mod figures;
 use crate::kind::stability::findings::KindFindings;
 use crate::kind::stability::run::StabilityResults;
 use crate::stability::{GroupFindings, Kind, Quantity, Worst, uncovered_heights};
-use asperity_framework::report::format::count;
+use asperity_framework::report::format::{capitalised, count};
 use asperity_framework::report::page::{Page, escape};
 use asperity_framework::report::sections;
 
@@ -117,7 +117,7 @@ fn summary_lines(results: &StabilityResults) -> Vec<String> {
 /// Two tables per kind: the groups, and their worst errors.
 fn groups(page: &mut Page, results: &StabilityResults) {
     for kind in Kind::ALL {
-        page.heading(2, &capital(kind.name()));
+        page.heading(2, &capitalised(kind.name()));
         let of_kind: Vec<&GroupFindings> =
             results.groups.iter().filter(|findings| findings.group.kind() == kind).collect();
         page.table(
@@ -162,9 +162,4 @@ fn errors(page: &mut Page, groups: &[&GroupFindings], bounded: bool, of: impl Fn
         row
     };
     page.table(header, groups.iter().map(row));
-}
-
-fn capital(text: &str) -> String {
-    let mut letters = text.chars();
-    letters.next().map_or_else(String::new, |first| first.to_uppercase().chain(letters).collect())
 }
