@@ -102,7 +102,8 @@ impl ComparePlan {
             models: &self.models,
             statistical: &self.statistical,
             is_attributed: self.is_attributed,
-            is_ranked: self.is_ranked,
+            // A table for each of several thicknesses would have no reader.
+            is_ranked: self.is_ranked && self.layer.as_ref().is_none_or(|layer| layer.thicknesses.len() == 1),
             controls: &self.controls,
             seed: context.seed,
             progress: context.progress,

@@ -11,6 +11,7 @@ mod files;
 mod formats;
 mod heights;
 mod invariants;
+mod joint;
 mod layered_flat;
 mod lists;
 mod measured;

@@ -116,11 +116,15 @@ fn statement(ranking: &Ranking, accepted: &Accepted, against: Against, quantity:
         sum.map_or_else(String::new, |(contrast, _)| format!("; the sum has {}", signed(quantity, contrast)));
     match cheapest {
         Some(cheapest) => format!(
-            "{about}: {} of {} statistical models stay within ±{limit}; the cheapest is {}, the nearest {}{sum}.",
+            "{about}: {} of {} statistical models {} within ±{limit}; the cheapest {}{sum}.",
             within().count(),
             found.len(),
-            shown(cheapest),
-            shown(nearest)
+            if within().count() == 1 { "stays" } else { "stay" },
+            if cheapest.0.model == nearest.0.model {
+                format!("and nearest is {}", shown(nearest))
+            } else {
+                format!("is {}, the nearest {}", shown(cheapest), shown(nearest))
+            }
         ),
         None => format!(
             "{about}: none of {} statistical models stays within ±{limit}; the nearest is {}{sum}.",
