@@ -87,14 +87,14 @@ const COMPARE: &str = r#"
 rough = "steel"
 flat = "steel"
 law = "zmc"
-layer = { material = "lead", thickness = [0, "50 nm", "inf"] }
+layer = { material = "lead", thickness = ["50 nm"] }
 models = ["statistical", "deterministic", "reference"]
 separation = { values = [9, 2, 0] }
 pressure = { values = ["20 MPa"] }
 force = { values = ["1 mN"] }
 
 [surface.random.generate]
-points = 128
+points = 256
 pixel = "1 um"
 sigma = "100 nm"
 spectrum.self-affine = { hurst = 0.8, roll-off = "40 um", cut-off = "3 um" }

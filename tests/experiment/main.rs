@@ -29,6 +29,7 @@ mod indentation;
 mod layers;
 mod limit;
 mod materials;
+mod ranking;
 mod readings;
 mod reference;
 mod registry;

@@ -33,6 +33,12 @@ pub const GREENWOOD_1984: Paper = Paper {
     full: "Greenwood, J. A. (1984). A unified theory of surface roughness. Proceedings of the Royal Society A 393, 133-157. doi:10.1098/rspa.1984.0050",
 };
 
+/// Joint density of height and curvature of summits.
+pub const GREENWOOD_2006: Paper = Paper {
+    short: "Greenwood 2006",
+    full: "Greenwood, J. A. (2006). A simplified elliptic model of rough surface contact. Wear 261(2), 191-200",
+};
+
 /// Surface heights and summit heights.
 pub const NAYAK_1971: Paper = Paper {
     short: "Nayak 1971",

@@ -80,6 +80,8 @@ pub fn run(
             &mut timing,
         )?;
         let rankings = rank(setup, &first_surface, &first.cases);
+        let ranked = rankings.first().map_or(&[][..], |ranking| &ranking.models);
+        papers.extend(ranked.iter().flat_map(|ranked| ranked.model.papers()));
         let robustness =
             robustness::robustness(context, compare, &factory, &first_surface, &first.cases, counter);
         context.progress.step();
@@ -107,6 +109,7 @@ pub fn run(
             context.progress.step();
         }
         papers.extend(first_surface.papers());
+        papers.extend(compare.statistical.papers());
         let all: Vec<&RealisationResults> = std::iter::once(&first).chain(&others).collect();
         let findings = SurfaceFindings::of(&first_surface, &all, &thresholds, &decreases, compare.accept);
         surfaces.push(SurfaceResults {

@@ -4,7 +4,7 @@ use std::fmt;
 
 use asperity::distribution::{HeightModel, HeightsError};
 use asperity::topography::joint::JointDensity;
-use asperity::{ContactLaw, Heights, MeanRadius, Population, SummitShape};
+use asperity::{ContactLaw, Heights, MeanRadius, Paper, Population, SummitShape, literature};
 use serde::Deserialize;
 use serde::de::value::MapAccessDeserializer;
 use serde::de::{Deserializer, Error, MapAccess, Visitor};
@@ -146,6 +146,16 @@ impl StatisticalModel {
             || format!("{heights}, {}", self.mean_radius.name()),
             |joint| joint.name().to_owned(),
         )
+    }
+
+    /// Its references.
+    pub fn papers(&self) -> Vec<Paper> {
+        let own = (self.heights == Some(HeightModel::Own)).then_some(literature::SILVERMAN_1986);
+        let joint = self.joint.map(|joint| match joint {
+            JointModel::NayakGreenwood => literature::GREENWOOD_2006,
+            JointModel::FivePoint => literature::GREENWOOD_1984,
+        });
+        own.into_iter().chain(joint).collect()
     }
 
     /// Why its difference from the sum is not divided among causes; `None` where it is.

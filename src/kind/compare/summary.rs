@@ -12,6 +12,7 @@ use serde_json::{Map, Value};
 use super::findings::LeadingCause;
 use super::layer_summary as layer;
 use super::layer_summary::{DecreaseSummary, LayerSummary, Thickness, ThresholdSummary};
+use super::ranking::summary::{RankingSummary, ranking};
 use super::readings_summary::{ReadingSummary, readings};
 use super::reference::{self, NearerSummary, ReferenceSummary};
 use super::results::{CompareResults, SurfaceResults};
@@ -35,6 +36,8 @@ struct CompareSummary<'a> {
     #[serde(skip_serializing_if = "Vec::is_empty")]
     robustness: Vec<RobustnessSummary<'a>>,
     largest_gaps: Vec<GapSummary<'a>>,
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    statistical_models: Vec<RankingSummary<'a>>,
     #[serde(skip_serializing_if = "Vec::is_empty")]
     reference: Vec<ReferenceSummary<'a>>,
     #[serde(skip_serializing_if = "Vec::is_empty")]
@@ -200,6 +203,7 @@ pub fn summary(results: &CompareResults) -> serde_json::Result<Map<String, Value
         verdicts: results.surfaces.iter().flat_map(verdicts).collect(),
         robustness: results.surfaces.iter().flat_map(robustness).collect(),
         largest_gaps: results.surfaces.iter().flat_map(gaps).collect(),
+        statistical_models: ranking(results),
         reference: reference::summary(results),
         nearer_to_reference: reference::nearer(results),
         readings: readings(results.readings.as_ref()),
@@ -222,7 +226,9 @@ fn surface(found: &SurfaceResults) -> SurfaceSummary<'_> {
     });
     let mut surface = crate::surface::summary(&found.surface);
     surface.plasticity_index = found.first.cases.first().and_then(|case| case.plasticity_index);
-    surface.statistical_model = Some(PopulationSummary::from(&found.first.population));
+    // A joint density is named in the spec.
+    let is_separate = found.first.model.joint.is_none();
+    surface.statistical_model = is_separate.then(|| PopulationSummary::from(&found.first.population));
     surface.realisations = realisations.collect();
     surface
 }

@@ -5,31 +5,15 @@ use asperity_framework::report::format::{capitalised, count, listed, number, per
 use asperity_framework::report::page::{Page, escape};
 
 use super::verdict::{loads, name, signed};
-use crate::kind::compare::ranking::{Largest, Ranked, Ranking};
+use crate::kind::compare::ranking::{Against, Largest, Ranked, Ranking, is_within};
 
 /// The quantities that models are ranked in.
 const QUANTITIES: [ComparedQuantity; 2] = [ComparedQuantity::Area, ComparedQuantity::Separation];
 
-/// What a model is compared with.
-#[derive(Clone, Copy, PartialEq)]
-enum Against {
-    Sum,
-    Reference,
-}
-
-impl Against {
-    fn label(self) -> &'static str {
-        match self {
-            Self::Sum => "the sum",
-            Self::Reference => "the reference",
-        }
-    }
-
-    fn of(self, ranked: &Ranked, quantity: ComparedQuantity) -> Largest {
-        match self {
-            Self::Sum => ranked.from_sum[quantity as usize],
-            Self::Reference => ranked.from_reference[quantity as usize],
-        }
+fn label(against: Against) -> &'static str {
+    match against {
+        Against::Sum => "the sum",
+        Against::Reference => "the reference",
     }
 }
 
@@ -37,13 +21,12 @@ impl Against {
 pub fn section(page: &mut Page, ranking: &Ranking, accepted: &Accepted, title: &str, alpha: Option<f64>) {
     let [Some(first), Some(last)] = [ranking.loads.first(), ranking.loads.last()] else { return };
     page.heading(3, &format!("{title}: which statistical model is enough"));
-    let has_reference = ranking.sum_from_reference.iter().any(Option::is_some);
-    let against = if has_reference { vec![Against::Sum, Against::Reference] } else { vec![Against::Sum] };
+    let against = ranking.against();
     let statements = against.iter().flat_map(|&against| QUANTITIES.map(|quantity| (against, quantity)));
     page.bullets(statements.map(|(against, quantity)| statement(ranking, accepted, against, quantity)));
     let mut header = vec!["model".to_owned()];
-    for against in &against {
-        header.extend(QUANTITIES.map(|quantity| format!("{} − {}", name(quantity), against.label())));
+    for &against in against {
+        header.extend(QUANTITIES.map(|quantity| format!("{} − {}", name(quantity), label(against))));
     }
     header.push("contacts per load".to_owned());
     let cell = |quantity: ComparedQuantity, largest: Largest| {
@@ -57,13 +40,13 @@ pub fn section(page: &mut Page, ranking: &Ranking, accepted: &Accepted, title: &
     };
     let row = |ranked: &Ranked| {
         let mut row = vec![escape(&ranked.model.name())];
-        for against in &against {
-            row.extend(QUANTITIES.map(|quantity| cell(quantity, against.of(ranked, quantity))));
+        for &against in against {
+            row.extend(QUANTITIES.map(|quantity| cell(quantity, ranked.largest(against, quantity))));
         }
         row.push(count(ranked.evaluations.round() as usize));
         row
     };
-    let sum = has_reference.then(|| {
+    let sum = against.contains(&Against::Reference).then(|| {
         let mut row = vec!["sum of the asperities".to_owned()];
         row.extend(QUANTITIES.map(|_| "–".to_owned()));
         row.extend(QUANTITIES.map(|quantity| cell(quantity, ranking.sum_from_reference[quantity as usize])));
@@ -89,24 +72,16 @@ pub fn section(page: &mut Page, ranking: &Ranking, accepted: &Accepted, title: &
     ));
 }
 
-fn is_within(accepted: &Accepted, quantity: ComparedQuantity, contrast: f64) -> bool {
-    quantity.reported(contrast).abs() <= accepted.of(quantity)
-}
-
 /// How many models are within what is accepted, the cheapest of them, and the nearest of all.
 fn statement(ranking: &Ranking, accepted: &Accepted, against: Against, quantity: ComparedQuantity) -> String {
-    let about = format!("**{} from {}**", capitalised(name(quantity)), against.label());
-    let found: Vec<(&Ranked, f64)> =
-        ranking.models.iter().filter_map(|ranked| Some((ranked, against.of(ranked, quantity)?.0))).collect();
-    let size = |contrast: f64| quantity.reported(contrast).abs();
-    let shown = |(ranked, contrast): &(&Ranked, f64)| {
-        format!("{} ({})", escape(&ranked.model.name()), signed(quantity, *contrast))
+    let about = format!("**{} from {}**", capitalised(name(quantity)), label(against));
+    let standing = ranking.standing(against, quantity, accepted);
+    let shown = |(ranked, contrast): (&Ranked, f64)| {
+        format!("{} ({})", escape(&ranked.model.name()), signed(quantity, contrast))
     };
-    let Some(nearest) = found.iter().min_by(|a, b| size(a.1).total_cmp(&size(b.1))) else {
+    let Some(nearest) = standing.nearest() else {
         return format!("{about}: no model is compared.");
     };
-    let within = || found.iter().filter(|(_, contrast)| is_within(accepted, quantity, *contrast));
-    let cheapest = within().min_by(|a, b| a.0.evaluations.total_cmp(&b.0.evaluations));
     let limit = match quantity {
         ComparedQuantity::Separation => format!("{} σ", number(accepted.of(quantity))),
         ComparedQuantity::Area | ComparedQuantity::Stiffness => percent(accepted.of(quantity)),
@@ -114,12 +89,12 @@ fn statement(ranking: &Ranking, accepted: &Accepted, against: Against, quantity:
     let sum = ranking.sum_from_reference[quantity as usize].filter(|_| against == Against::Reference);
     let sum =
         sum.map_or_else(String::new, |(contrast, _)| format!("; the sum has {}", signed(quantity, contrast)));
-    match cheapest {
+    match standing.cheapest() {
         Some(cheapest) => format!(
             "{about}: {} of {} statistical models {} within ±{limit}; the cheapest {}{sum}.",
-            within().count(),
-            found.len(),
-            if within().count() == 1 { "stays" } else { "stay" },
+            standing.within.len(),
+            standing.compared.len(),
+            if standing.within.len() == 1 { "stays" } else { "stay" },
             if cheapest.0.model == nearest.0.model {
                 format!("and nearest is {}", shown(nearest))
             } else {
@@ -128,7 +103,7 @@ fn statement(ranking: &Ranking, accepted: &Accepted, against: Against, quantity:
         ),
         None => format!(
             "{about}: none of {} statistical models stays within ±{limit}; the nearest is {}{sum}.",
-            found.len(),
+            standing.compared.len(),
             shown(nearest)
         ),
     }

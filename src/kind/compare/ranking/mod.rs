@@ -1,8 +1,9 @@
 //! How far each statistical model of a surface is from the sum and from the reference, and what it costs.
 
+pub mod summary;
 pub(super) mod tables;
 
-use asperity::compare::{ComparedQuantity, Kind, Pair, Pairing, ReferenceCurve, of_each_decade};
+use asperity::compare::{Accepted, ComparedQuantity, Kind, Pair, Pairing, ReferenceCurve, of_each_decade};
 use asperity::distribution::HeightsError;
 use asperity::work::{CountedContact, Counter};
 use asperity::{Response, reached_at};
@@ -16,6 +17,15 @@ use crate::surface::Surface;
 
 /// Loads per decade at which models are compared.
 const PER_DECADE: f64 = 3.0;
+
+/// What a model is compared with.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Against {
+    /// The sum over the asperities.
+    Sum,
+    /// The boundary element reference.
+    Reference,
+}
 
 /// The largest contrast of a model, with its load, Pa.
 pub type Largest = Option<(f64, f64)>;
@@ -44,6 +54,71 @@ pub struct Ranking {
     pub sum_from_reference: [Largest; 3],
     /// The loads at which the models were compared, Pa.
     pub loads: Vec<f64>,
+}
+
+/// How the models stand in one quantity.
+#[derive(Debug)]
+pub struct Standing<'a> {
+    quantity: ComparedQuantity,
+    /// The models that are compared, with their largest contrasts.
+    pub compared: Vec<(&'a Ranked, f64)>,
+    /// Those within what is accepted.
+    pub within: Vec<(&'a Ranked, f64)>,
+}
+
+impl Standing<'_> {
+    /// The cheapest model within what is accepted.
+    pub fn cheapest(&self) -> Option<(&Ranked, f64)> {
+        self.within.iter().copied().min_by(|a, b| a.0.evaluations.total_cmp(&b.0.evaluations))
+    }
+
+    /// The model with the smallest difference.
+    pub fn nearest(&self) -> Option<(&Ranked, f64)> {
+        let size = |contrast: f64| self.quantity.reported(contrast).abs();
+        self.compared.iter().copied().min_by(|a, b| size(a.1).total_cmp(&size(b.1)))
+    }
+}
+
+impl Ranked {
+    /// The largest difference in a quantity.
+    pub fn largest(&self, against: Against, quantity: ComparedQuantity) -> Largest {
+        match against {
+            Against::Sum => self.from_sum[quantity as usize],
+            Against::Reference => self.from_reference[quantity as usize],
+        }
+    }
+}
+
+impl Ranking {
+    /// What the models are compared with: the sum, and the reference where one was run.
+    pub fn against(&self) -> &'static [Against] {
+        if self.sum_from_reference.iter().any(Option::is_some) {
+            &[Against::Sum, Against::Reference]
+        } else {
+            &[Against::Sum]
+        }
+    }
+
+    /// How the models stand in one quantity.
+    pub fn standing(
+        &self,
+        against: Against,
+        quantity: ComparedQuantity,
+        accepted: &Accepted,
+    ) -> Standing<'_> {
+        let compared: Vec<(&Ranked, f64)> = self
+            .models
+            .iter()
+            .filter_map(|ranked| Some((ranked, ranked.largest(against, quantity)?.0)))
+            .collect();
+        let is_within = |(_, contrast): &&(&Ranked, f64)| is_within(accepted, quantity, *contrast);
+        Standing { quantity, within: compared.iter().filter(is_within).copied().collect(), compared }
+    }
+}
+
+/// Whether a difference is within what is accepted.
+pub fn is_within(accepted: &Accepted, quantity: ComparedQuantity, contrast: f64) -> bool {
+    quantity.reported(contrast).abs() <= accepted.of(quantity)
 }
 
 /// The ranking of each case of a surface; nothing where only one model was run, or no ranking is asked for.

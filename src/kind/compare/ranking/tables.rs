@@ -53,7 +53,7 @@ impl Row for RankingRow<'_> {
             from_reference["1"] = row.reported(row.from_reference()), "The same from the reference; empty where none was run.";
             from_reference_at_pa["Pa"] = RankingRow::load(row.from_reference()), "The nominal pressure of that difference.";
             accepted["1"] = row.accepted, "The largest difference that is accepted.";
-            contacts_per_load["count"] = row.ranked.evaluations, "Contacts evaluated per load, the search for the separation included: what the model costs.";
+            contacts_per_load["1"] = row.ranked.evaluations, "Contacts evaluated per load, the search for the separation included: what the model costs.";
         }
     }
 }

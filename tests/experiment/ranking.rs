@@ -1,0 +1,138 @@
+//! Which statistical model is enough: for each kind of statement a case in which it holds and one in which it does not.
+
+use std::collections::BTreeMap;
+
+use asperity_experiment::Experiment;
+use asperity_framework::Outcome;
+use asperity_framework::progress::Silent;
+
+/// A finely sampled surface of these heights.
+fn map(heights: &str) -> String {
+    format!(
+        "[surface.s.generate]\npoints = 400\npixel = \"1 um\"\nsigma = \"100 nm\"\n\
+         spectrum.gaussian.correlation-length = \"8 um\"\n{heights}\n"
+    )
+}
+
+fn run(compare: &str, surface: &str) -> Result<Box<dyn Outcome>, String> {
+    let spec = format!(
+        "title = \"t\"\nseed = 3\n{}[compare]\nrough = \"steel\"\nflat = \"steel\"\nlaw = \"zmc\"\n\
+         pressure = {{ from = \"1 MPa\", to = \"60 MPa\", points = 7 }}\nrobustness = false\n{compare}\n{surface}",
+        steel!(),
+    );
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("ranking.toml");
+    std::fs::write(&path, spec).unwrap();
+    let experiment = Experiment::read(&path).map_err(|error| error.to_string())?;
+    experiment.run(&Silent).map_err(|error| error.to_string())
+}
+
+type Rows = Vec<BTreeMap<String, String>>;
+
+fn table(outcome: &dyn Outcome, file: &str) -> Option<Rows> {
+    let tables = outcome.tables().unwrap();
+    let (_, bytes) = tables.into_iter().find(|(name, _)| *name == file)?;
+    Some(csv::Reader::from_reader(&bytes[..]).deserialize().collect::<Result<_, _>>().unwrap())
+}
+
+fn number(row: &BTreeMap<String, String>, column: &str) -> f64 {
+    row[column].parse().unwrap_or_else(|_| panic!("{column}: {:?}", row[column]))
+}
+
+/// The largest difference of a model from the sum.
+fn difference(rows: &Rows, model: &str, quantity: &str) -> f64 {
+    let is_it = |row: &&BTreeMap<String, String>| row["model"] == model && row["quantity"] == quantity;
+    number(rows.iter().find(is_it).unwrap_or_else(|| panic!("{model}")), "from_deterministic")
+}
+
+#[test]
+fn the_joint_density_is_enough_on_a_gaussian_surface_and_not_on_a_skewed_one() {
+    let gaussian = run("", &map("")).unwrap();
+    let rows = table(&*gaussian, "ranking.csv").unwrap();
+    assert_eq!(rows.len(), 17 * 3);
+    assert!(difference(&rows, "five-point", "area").abs() < 0.1);
+    assert!(difference(&rows, "nayak-greenwood", "area").abs() < 0.1);
+    assert!(difference(&rows, "gaussian, arithmetic", "area") > 0.2);
+    let skewed = run("", &map("heights.johnson = { skewness = -1, kurtosis = 4.5 }")).unwrap();
+    let rows = table(&*skewed, "ranking.csv").unwrap();
+    assert!(difference(&rows, "five-point", "separation").abs() > 0.3);
+    assert!(difference(&rows, "own, in-contact", "separation").abs() < 0.1);
+    let statement = |outcome: &dyn Outcome, what: &str| {
+        let page = outcome.page().markdown();
+        let line = page.lines().find(|line| line.starts_with(&format!("- **{what} from the sum**")));
+        line.unwrap_or_else(|| panic!("{page}")).to_owned()
+    };
+    let line = statement(&*gaussian, "Real contact area");
+    assert!(line.contains("stay within ±10 %; the cheapest is "), "{line}");
+    let line = statement(&*skewed, "Separation");
+    assert!(!line.contains("nayak-greenwood") && !line.contains("five-point"), "{line}");
+    let strict = run("accept = { area = 1e-9, separation = 1e-9 }", &map("")).unwrap();
+    let line = statement(&*strict, "Real contact area");
+    assert!(line.contains("none of 17 statistical models stays within"), "{line}");
+}
+
+/// The row of the selected model is the comparison itself, at the loads of the ranking.
+#[test]
+fn the_selected_model_has_the_differences_of_the_comparison() {
+    for (selected, name) in [
+        ("", "gaussian, arithmetic"),
+        ("statistical = { heights = \"own\", mean-radius = \"in-contact\" }", "own, in-contact"),
+        ("statistical = { model = \"five-point\" }", "five-point"),
+        ("statistical = { heights.weibull = { shape = 3 } }", "weibull, arithmetic"),
+    ] {
+        let outcome = run(selected, &map("")).unwrap();
+        let pairs = table(&*outcome, "comparison.csv").unwrap();
+        let rows = table(&*outcome, "ranking.csv").unwrap();
+        let row = rows.iter().find(|row| row["model"] == name && row["quantity"] == "separation").unwrap();
+        let at = number(row, "from_deterministic_at_pa");
+        let pair = pairs.iter().find(|pair| number(pair, "target") == at).unwrap();
+        let expected = number(pair, "difference_separation_over_sigma");
+        assert!((number(row, "from_deterministic") - expected).abs() < 1e-9, "{name}");
+    }
+}
+
+#[test]
+fn a_joint_density_runs_with_intervals_and_without_causes() {
+    let outcome = run("statistical = { model = \"nayak-greenwood\" }", &map("")).unwrap();
+    let page = outcome.page().markdown();
+    assert!(
+        page.contains("has the joint density of height and curvature of summits of a continuous"),
+        "{page}"
+    );
+    assert!(
+        page.contains("not divided among their causes: the statistical model has a joint density"),
+        "{page}"
+    );
+    assert!(table(&*outcome, "attribution.csv").is_none());
+    let rows = table(&*outcome, "differences.csv").unwrap();
+    assert!(rows.iter().any(|row| !row["low"].is_empty()), "{rows:?}");
+}
+
+#[test]
+fn a_joint_density_needs_a_map_and_nothing_else() {
+    let population = format!("[surface.p.population]\n{}count = 20000\n", case_1!());
+    let refused = |compare: &str, surface: &str| run(compare, surface).map(|_| ()).unwrap_err();
+    let error = refused("statistical = { model = \"five-point\" }", &population);
+    assert!(error.contains("does not apply to surface p: the joint density follows from a map"), "{error}");
+    assert!(error.contains("line 13"), "{error}");
+    let error = refused("statistical = { model = \"five-point\", mean-radius = \"in-contact\" }", &map(""));
+    assert!(error.contains("leave out `heights` and `mean-radius`, or `model`"), "{error}");
+    let error = refused("statistical = { model = \"nayak\" }", &map(""));
+    assert!(error.contains("nayak-greenwood"), "{error}");
+    // Without a map the others are still compared, and the report says why these are not.
+    let outcome = run("", &population).unwrap();
+    assert_eq!(table(&*outcome, "ranking.csv").unwrap().len(), 15 * 3);
+    let page = outcome.page().markdown();
+    assert!(page.contains("Not applicable: nayak-greenwood (the joint density follows from a map"), "{page}");
+}
+
+#[test]
+fn a_ranking_is_made_where_it_is_read() {
+    let thicknesses = "[material.lead]\nyoung = \"18 GPa\"\npoisson = 0.35\nhardness = \"0.17 GPa\"\n";
+    let layers = "layer = { material = \"lead\", thickness = [0, \"50 nm\"] }";
+    for compare in ["rank-models = false", "models = [\"deterministic\"]", layers] {
+        let outcome = run(compare, &format!("{}{thicknesses}", map(""))).unwrap();
+        assert!(table(&*outcome, "ranking.csv").is_none(), "{compare}");
+        assert!(!outcome.page().markdown().contains("which statistical model is enough"), "{compare}");
+    }
+}
