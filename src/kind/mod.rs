@@ -1,5 +1,6 @@
 //! The kinds of experiment. To add one: a folder here, or another crate, and a line in [`KINDS`].
 
+pub mod causes;
 pub mod compare;
 pub mod indentation;
 pub mod laws;
@@ -15,6 +16,7 @@ use asperity_validation::kind::{
 
 /// Every kind, in the order in which messages list them.
 pub const KINDS: &[&dyn Kind] = &[
+    &causes::Causes,
     &compare::Compare,
     &IntervalCoverage,
     &indentation::Indentation,

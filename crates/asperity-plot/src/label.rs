@@ -15,6 +15,10 @@ pub(super) fn draw_label(canvas: &mut Canvas, frame: &Frame, layer: &Layer, take
     if layer.label.is_empty() {
         return;
     }
+    if let Some(rect) = marks::tile(frame, layer) {
+        write_in(canvas, &rect, layer);
+        return;
+    }
     let length = match layer.shape {
         Shape::Level(Direction::X, _) => frame.rect.height(),
         Shape::Region(Direction::X, ..) => frame.rect.height().min(frame.rect.width()),
@@ -59,6 +63,17 @@ pub(super) fn draw_label(canvas: &mut Canvas, frame: &Frame, layer: &Layer, take
         Type { size: NOTE, colour: RGBColor(0x44, 0x44, 0x44), align: Align::Centre, bold: false, upright };
     canvas.texts([(label.as_str(), middle)], set);
     taken.text(rect);
+}
+
+/// Writes the label of a tile into its middle, dark or light as the tile is light or dark.
+fn write_in(canvas: &mut Canvas, tile: &Rect, layer: &Layer) {
+    let label = fit(&layer.label, NOTE, tile.width() - 4.0);
+    let RGBColor(red, green, blue) = layer.colour.rgb();
+    let luminance = 0.299 * f64::from(red) + 0.587 * f64::from(green) + 0.114 * f64::from(blue);
+    let colour = if luminance > 140.0 { RGBColor(0x22, 0x22, 0x22) } else { RGBColor(0xff, 0xff, 0xff) };
+    let middle = ((tile.left + tile.right) / 2.0, (tile.top + tile.bottom) / 2.0);
+    let set = Type { size: NOTE, colour, align: Align::Centre, bold: false, upright: false };
+    canvas.texts([(label.as_str(), middle)], set);
 }
 
 /// In the corners of a region; upright too where it is narrow.

@@ -68,6 +68,8 @@ pub(super) enum Shape {
         slope: f64,
     },
     Note((f64, f64)),
+    /// Two opposite corners.
+    Tile((f64, f64), (f64, f64)),
     Raster(Raster),
 }
 
@@ -158,6 +160,11 @@ impl Layer {
         Self::reference(Shape::Note(at), text)
     }
 
+    /// A filled rectangle between two opposite corners with a text in its middle.
+    pub fn tile(from: (f64, f64), to: (f64, f64), text: impl Into<String>) -> Self {
+        Self { label: text.into(), ..Self::new(Shape::Tile(from, to)) }
+    }
+
     /// A field of values as an image, with a colour bar beside the plot; of several, the first has the
     /// bar. Both axes must be linear, else it is not shown.
     pub fn raster(raster: Raster) -> Self {
@@ -211,6 +218,7 @@ impl Layer {
             Shape::Level(direction, at) => Shape::Level(direction.other(), at),
             Shape::Slope { through: (x, y), slope } => Shape::Slope { through: (y, x), slope: 1.0 / slope },
             Shape::Note((x, y)) => Shape::Note((y, x)),
+            Shape::Tile(from, to) => Shape::Tile((from.1, from.0), (to.1, to.0)),
             Shape::Raster(raster) => Shape::Raster(raster),
         };
         self
@@ -238,6 +246,7 @@ impl Layer {
                 let corners = bins.iter().flat_map(|b| [(b.0, 0.0), (b.0, b.2), (b.1, b.2)]);
                 corners.map(|p| along.turn(p)).collect()
             }
+            Shape::Tile(from, to) => vec![*from, *to],
             Shape::Raster(raster) if raster.scale().is_some() => {
                 vec![(raster.x.0, raster.y.0), (raster.x.1, raster.y.1)]
             }

@@ -48,6 +48,20 @@ pub(super) fn region(frame: &Frame, layer: &Layer) -> Option<Rect> {
     })
 }
 
+/// A tile on the page.
+pub(super) fn tile(frame: &Frame, layer: &Layer) -> Option<Rect> {
+    let Shape::Tile(from, to) = &layer.shape else {
+        return None;
+    };
+    let (from, to) = (frame.spot(*from)?, frame.spot(*to)?);
+    Some(Rect {
+        left: from.0.min(to.0),
+        right: from.0.max(to.0),
+        top: from.1.min(to.1),
+        bottom: from.1.max(to.1),
+    })
+}
+
 /// Draws a layer inside the clipped frame and notes what it covers.
 pub(super) fn draw(canvas: &mut Canvas, frame: &Frame, layer: &Layer, taken: &mut Taken) {
     let colour = layer.colour.rgb();
@@ -93,6 +107,11 @@ pub(super) fn draw(canvas: &mut Canvas, frame: &Frame, layer: &Layer, taken: &mu
             draw_raster(canvas, frame, raster, taken);
         }
         Shape::Raster(_) => {}
+        Shape::Tile(..) => {
+            if let Some(rect) = tile(frame, layer) {
+                canvas.rect(&rect, colour, layer.opacity);
+            }
+        }
         // Markers may stand on the frame and regions lie below: both are drawn outside the clip.
         Shape::Points(..) | Shape::Region(..) | Shape::Note(_) => {}
     }
@@ -122,7 +141,9 @@ pub(super) fn draw_key(canvas: &mut Canvas, layer: &Layer, key: &Rect) {
         }
         Shape::Points(_, marker) => markers(canvas, &[middle], *marker, layer),
         Shape::Raster(raster) => canvas.rect(key, raster.map.rgb(0.75), layer.opacity),
-        Shape::Band(..) | Shape::Bars(..) | Shape::Region(..) => canvas.rect(key, colour, layer.opacity),
+        Shape::Band(..) | Shape::Bars(..) | Shape::Region(..) | Shape::Tile(..) => {
+            canvas.rect(key, colour, layer.opacity);
+        }
         Shape::Note(_) => {}
     }
 }

@@ -387,3 +387,20 @@ fn a_joint_plot_without_data_says_so() {
     assert_sound(&svg);
     assert_eq!(count(&svg, "no data"), 3);
 }
+
+#[test]
+fn a_tile_is_filled_and_holds_its_text() {
+    let plot = Plot::new("", Axis::linear("").range(0.0, 2.0), Axis::log("").range(1.0, 100.0))
+        .with(Layer::tile((0.0, 1.0), (1.0, 10.0), "+0.3").coloured(Colour::Heights).named("heights"))
+        .with(Layer::tile((1.0, 10.0), (2.0, 100.0), "-0.1").coloured(Colour::Radii).named("radii"));
+    let reach: Vec<_> = plot.layers.iter().map(Layer::reach).collect();
+    assert_eq!(reach[1], [(1.0, 10.0), (2.0, 100.0)]);
+    let svg = plot.svg();
+    for text in ["+0.3", "-0.1", "heights", "#566FB8", "#C4DDF0"] {
+        assert!(svg.contains(text), "{text} is missing in {svg}");
+    }
+    // Light on the dark tile, dark on the light one.
+    let colour_of =
+        |text: &str| svg.split_once(text).unwrap().0.rsplit_once("fill=\"").unwrap().1[..7].to_owned();
+    assert_eq!([colour_of("+0.3"), colour_of("-0.1")], ["#FFFFFF", "#222222"], "{svg}");
+}

@@ -128,6 +128,23 @@ impl SpecFile {
         }
     }
 
+    /// A whole number from `least` to `most`.
+    ///
+    /// # Errors
+    /// One beyond them; `what` names the unit.
+    pub fn whole_within(
+        &self,
+        found: &Spanned<Whole>,
+        [least, most]: [u64; 2],
+        what: &str,
+    ) -> Result<u64, InputError> {
+        let Whole(count) = *found.get_ref();
+        if (least..=most).contains(&count) {
+            return Ok(count);
+        }
+        Err(self.source.error_at(found.span(), format!("found {count}; allowed: {least} to {most} {what}")))
+    }
+
     /// Sizes of sets.
     pub fn counts(&self, raw: &Spanned<LogSweep<Pure>>) -> Result<Vec<usize>, InputError> {
         /// Larger sets do not fit in memory.

@@ -12,7 +12,7 @@ use asperity::{Flat, Heights};
 use asperity_framework::contact::{Bodies, LawPlan};
 use asperity_framework::input::quantity::Pure;
 use asperity_framework::input::sweep::LogSweep;
-use asperity_framework::input::{InputError, SpecFile, Whole};
+use asperity_framework::input::{InputError, SpecFile};
 
 /// Points along a side: fewer hold no 16 blocks with summits, and of more the program examines every other one for the
 /// correlation length.
@@ -132,12 +132,12 @@ pub(super) fn plan(file: &SpecFile) -> Result<CoveragePlan, InputError> {
         return Err(file.source.error_at(raw.case.span(), message));
     }
     let windows = WindowPlan {
-        points: within(file, &raw.points, POINTS, "points")? as usize,
+        points: file.whole_within(&raw.points, POINTS, "points")? as usize,
         pixel: raw.pixel.value(),
         sigma: raw.sigma.value(),
         hurst: raw.hurst.get_ref().value(),
         cut_off: raw.cut_off.get_ref().value(),
-        maps: (within(file, &raw.windows, WINDOWS, "windows")? as usize).div_ceil(WINDOWS_PER_MAP),
+        maps: (file.whole_within(&raw.windows, WINDOWS, "windows")? as usize).div_ceil(WINDOWS_PER_MAP),
     };
     let cases = raw.case.get_ref().iter();
     let cases = cases.map(|(name, case)| of_case(file, raw, &windows, name.get_ref(), case));
@@ -193,17 +193,4 @@ fn contacts(file: &SpecFile, raw: &Spanned<LogSweep<Pure>>) -> Result<Vec<f64>, 
         }
         None => Ok(contacts.clone()),
     }
-}
-
-fn within(
-    file: &SpecFile,
-    found: &Spanned<Whole>,
-    [least, most]: [u64; 2],
-    what: &str,
-) -> Result<u64, InputError> {
-    let Whole(count) = *found.get_ref();
-    if (least..=most).contains(&count) {
-        return Ok(count);
-    }
-    Err(file.source.error_at(found.span(), format!("found {count}; allowed: {least} to {most} {what}")))
 }

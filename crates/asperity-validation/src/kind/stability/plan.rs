@@ -80,15 +80,10 @@ fn within(
     file: &SpecFile,
     found: Option<&Spanned<Whole>>,
     usual: u64,
-    [least, most]: [u64; 2],
+    range: [u64; 2],
     what: &str,
 ) -> Result<u64, InputError> {
-    let Some(found) = found else { return Ok(usual) };
-    let Whole(count) = *found.get_ref();
-    if (least..=most).contains(&count) {
-        return Ok(count);
-    }
-    Err(file.source.error_at(found.span(), format!("found {count}; allowed: {least} to {most} {what}")))
+    found.map_or(Ok(usual), |found| file.whole_within(found, range, what))
 }
 
 /// A part of what is checked at most.

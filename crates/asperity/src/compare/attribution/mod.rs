@@ -124,6 +124,12 @@ impl Contributions {
         [each.into_iter().fold(f64::INFINITY, f64::min), each.into_iter().fold(f64::NEG_INFINITY, f64::max)]
     }
 
+    /// The share of a cause in the contributions, taken by magnitude; 0 where all are zero.
+    pub fn share(&self, cause: Cause) -> f64 {
+        let all: f64 = Cause::ALL.into_iter().map(|cause| self.of(cause).abs()).sum();
+        if all > 0.0 { self.of(cause).abs() / all } else { 0.0 }
+    }
+
     /// The difference that the contributions add up to.
     pub fn gap(&self) -> f64 {
         self.estimates.iter().map(|estimate| estimate.contrast).sum()

@@ -60,7 +60,7 @@ impl<'a> Overview<'a> {
             format!("in {} {}", name(QUANTITIES[index]), clauses.join(", "))
         });
         let of_radii = [0, 1].map(|index| {
-            let shares = || self.rows.iter().map(|row| share_of_radii(row.parts[index]));
+            let shares = || self.rows.iter().map(|row| row.parts[index].share(Cause::Radii));
             let ends = [shares().fold(f64::INFINITY, f64::min), shares().fold(0.0, f64::max)];
             format!("{} to {} in {}", percent(ends[0]), percent(ends[1]), name(QUANTITIES[index]))
         });
@@ -139,10 +139,4 @@ fn missed(row: &Row, quantity: ComparedQuantity) -> String {
         Some(format!("{} at {}", signed(quantity, estimate.contrast), loads([at.load; 2])))
     });
     shown.unwrap_or_else(none)
-}
-
-/// The magnitude of the contribution of the spread of radii over the sum of all magnitudes.
-fn share_of_radii(parts: &Contributions) -> f64 {
-    let all: f64 = Cause::ALL.into_iter().map(|cause| parts.of(cause).abs()).sum();
-    if all > 0.0 { parts.of(Cause::Radii).abs() / all } else { 0.0 }
 }

@@ -1,0 +1,77 @@
+//! `[causes]`: why the models differ, over a grid of skewness and bandwidth of generated surfaces.
+
+mod findings;
+mod page;
+mod plan;
+mod results;
+mod run;
+mod spec;
+mod summary;
+mod tables;
+
+use asperity_framework::input::{InputError, SpecFile};
+use asperity_framework::metadata::Metadata;
+use asperity_framework::report::Page;
+use asperity_framework::report::table::{Schema, TableError};
+use asperity_framework::{Kind, Memory, Outcome, Plan, Reads, RunContext};
+use serde_json::{Map, Value};
+
+use plan::CausesPlan;
+use results::CausesResults;
+
+/// `[causes]`
+pub struct Causes;
+
+impl Kind for Causes {
+    fn name(&self) -> &'static str {
+        "causes"
+    }
+
+    fn reads(&self) -> Reads {
+        Reads { materials: true, surfaces: false }
+    }
+
+    fn plan(&self, spec: &SpecFile, _: bool) -> Result<Box<dyn Plan>, InputError> {
+        Ok(Box::new(plan::plan(spec)?))
+    }
+
+    fn tables(&self) -> Vec<Schema> {
+        tables::schemas()
+    }
+}
+
+impl Plan for CausesPlan {
+    fn memory(&self) -> Memory {
+        Memory { bytes: self.memory(), key: None }
+    }
+
+    fn work(&self) -> u128 {
+        self.work()
+    }
+
+    fn run(&self, context: &RunContext) -> Result<Box<dyn Outcome>, InputError> {
+        Ok(Box::new(run::run(context, self)?))
+    }
+}
+
+impl Outcome for CausesResults {
+    fn metadata(&self) -> &Metadata {
+        &self.metadata
+    }
+
+    fn warnings(&self) -> Vec<String> {
+        self.contact.caveats.clone()
+    }
+
+    fn page(&self) -> Page {
+        page::page(self)
+    }
+
+    fn tables(&self) -> Result<Vec<(&'static str, Vec<u8>)>, TableError> {
+        tables::tables(self)
+    }
+
+    fn summary(&self) -> serde_json::Result<Map<String, Value>> {
+        summary::summary(self)
+    }
+}
