@@ -1,15 +1,18 @@
 //! The page: which cause leads where, a map for each load, the contributions over the skewness, and all numbers.
 
+use asperity::Exceeded;
 use asperity::compare::{Cause, ComparedQuantity, Contributions};
-use asperity_framework::report::format::{capitalised, count, input_number, input_quantity, listed, number, percent};
+use asperity_framework::report::format::{
+    capitalised, count, input_number, input_quantity, listed, number, percent,
+};
 use asperity_framework::report::page::{Page, escape, escape_around_code};
 use asperity_framework::report::sections;
-use asperity_plot::{Axis, Colour, Figure, Layer, Marker, Plot};
+use asperity_plot::{Axis, Colour, Figure, Layer, Legend, Marker, Plot};
 
 use super::findings::{Findings, Lead};
 use super::results::{CausesResults, GridPoint, QUANTITIES};
 use crate::kind::compare::page::causes::colour;
-use crate::kind::compare::page::verdict::{loads, name, signed};
+use crate::kind::compare::page::verdict::{limit_words, loads, name, signed};
 
 pub fn page(results: &CausesResults) -> Page {
     let mut page = Page::new(&results.metadata.title);
@@ -48,14 +51,18 @@ pub fn page(results: &CausesResults) -> Page {
     ));
     page.heading(2, "Contributions over the skewness");
     for (load, pressure) in results.loads.iter().enumerate() {
-        page.figure(
-            &format!("contributions-{}.svg", load + 1),
-            contributions(results, load),
-            &format!(
-                "Contributions to the difference at {}, means over the surfaces with their 95 % intervals, over the skewness; one row for each bandwidth.",
-                loads([*pressure; 2])
-            ),
-        );
+        for quantity in QUANTITIES {
+            page.figure(
+                &format!("contributions-{}-{}.svg", load + 1, quantity.name()),
+                contributions(results, quantity, load),
+                &format!(
+                    "Contributions to the difference in {} at {}, means over the surfaces with their 95 % intervals, over the skewness; one panel \
+                     for each bandwidth.",
+                    name(quantity),
+                    loads([*pressure; 2])
+                ),
+            );
+        }
     }
     page.heading(2, "Surfaces");
     surfaces(&mut page, results);
@@ -74,29 +81,47 @@ fn sentence(results: &CausesResults, found: &Findings) -> String {
     if found.divided == 0 {
         return format!("{about}: at no point of the grid are all surfaces within the valid range.");
     }
+    let missing = results.points.len() - found.divided;
+    let valid = if missing == 0 { "" } else { " within the valid range" };
     let clause = |lead: &Lead| {
-        let cause = lead.cause.map_or_else(|| "no cause".to_owned(), |cause| format!("the {}", cause.label()));
-        let skewnesses: Vec<String> = lead.at_every_bandwidth.iter().map(|s| input_number(*s)).collect();
+        let cause =
+            lead.cause.map_or_else(|| "no cause".to_owned(), |cause| format!("the {}", cause.label()));
+        let skewnesses: Vec<String> = lead.at_every_bandwidth.iter().copied().map(plain).collect();
         let everywhere = if skewnesses.is_empty() {
             String::new()
         } else {
-            format!(" (at every bandwidth for a skewness of {})", listed(&skewnesses))
+            format!(" (at every bandwidth{valid} for a skewness of {})", listed(&skewnesses))
         };
         format!("{cause} leads at {}{everywhere}", lead.points)
     };
-    let missing = match results.points.len() - found.divided {
-        0 => String::new(),
-        missing => format!("; {missing} are beyond the valid range"),
+    let exceeded = results.points.iter().filter(|point| point.parts(found.load, found.quantity).is_none());
+    let exceeded = exceeded.fold(Exceeded::default(), |all, point| all.union(point.at[found.load].exceeded));
+    let beyond: Vec<String> = exceeded.limits().map(limit_words).collect();
+    let beyond = if missing == 0 {
+        String::new()
+    } else {
+        let others = if missing == 1 { "one".to_owned() } else { missing.to_string() };
+        format!("; at the other {others} some surfaces are beyond the valid range ({})", listed(&beyond))
     };
     let leads: Vec<String> = found.leads.iter().map(clause).collect();
-    format!("{about}: of {} points of the grid, {}{missing}.", found.divided, listed(&leads))
+    format!("{about}: of {} points of the grid, {}{beyond}.", found.divided, listed(&leads))
+}
+
+/// A number with a minus sign.
+fn plain(value: f64) -> String {
+    input_number(value).replace('-', "−")
 }
 
 /// What the cause that Pasaribu and Schipper give comes to; nothing where nothing is divided.
 fn of_radii(findings: &[Findings]) -> Option<String> {
     let divided: usize = findings.iter().map(|found| found.divided).sum();
     let of_radii = |found: &Findings| {
-        found.leads.iter().filter(|lead| lead.cause == Some(Cause::Radii)).map(|lead| lead.points).sum::<usize>()
+        found
+            .leads
+            .iter()
+            .filter(|lead| lead.cause == Some(Cause::Radii))
+            .map(|lead| lead.points)
+            .sum::<usize>()
     };
     let leads: usize = findings.iter().map(of_radii).sum();
     let shares = findings.iter().filter_map(|found| found.share_of_radii);
@@ -140,8 +165,9 @@ fn map_of(results: &CausesResults, quantity: ComparedQuantity, load: usize) -> P
     let y: Vec<f64> = y.into_iter().map(f64::exp).collect();
     let axes = (Axis::linear("skewness of the heights"), Axis::log("Nayak's α"));
     let range = |axis: Axis, edges: &[f64]| axis.range(edges[0], edges[edges.len() - 1]);
-    let mut plot =
-        Plot::new(capitalised(name(quantity)), range(axes.0, &x), range(axes.1, &y)).height(300.0);
+    let mut plot = Plot::new(capitalised(name(quantity)), range(axes.0, &x), range(axes.1, &y))
+        .height(300.0)
+        .legend(Legend::Below);
     for (row, points) in rows.iter().enumerate() {
         for (column, point) in points.iter().enumerate() {
             let Some(parts) = point.parts(load, quantity) else { continue };
@@ -150,16 +176,16 @@ fn map_of(results: &CausesResults, quantity: ComparedQuantity, load: usize) -> P
                 None => (Colour::Neutral, "none leads"),
             };
             let (from, to) = ((x[column], y[row]), (x[column + 1], y[row + 1]));
-            plot = plot.with(Layer::tile(from, to, signed(quantity, parts.gap())).coloured(colour).named(label));
+            plot =
+                plot.with(Layer::tile(from, to, signed(quantity, parts.gap())).coloured(colour).named(label));
         }
     }
     plot
 }
 
-fn contributions(results: &CausesResults, load: usize) -> String {
-    let panels = rows(results).into_iter().flat_map(|row| QUANTITIES.map(|quantity| lines(row, quantity, load)));
-    // The first panel has the legend of all.
-    Figure::grid("Contributions over the skewness", panels.collect(), QUANTITIES.len()).svg()
+fn contributions(results: &CausesResults, quantity: ComparedQuantity, load: usize) -> String {
+    let panels = rows(results).into_iter().map(|row| lines(row, quantity, load));
+    Figure::row("Contributions over the skewness", panels.collect()).svg()
 }
 
 fn lines(row: &[GridPoint], quantity: ComparedQuantity, load: usize) -> Plot {
@@ -168,8 +194,13 @@ fn lines(row: &[GridPoint], quantity: ComparedQuantity, load: usize) -> Plot {
         _ => "ln(area ratio)",
     };
     let title = format!("α = {}", number(alpha(row)));
-    let mut plot =
-        Plot::new(title, Axis::linear("skewness of the heights"), Axis::linear(label)).height(180.0);
+    let x = edges(&row.iter().map(|point| point.skewness).collect::<Vec<_>>());
+    let mut plot = Plot::new(
+        title,
+        Axis::linear("skewness of the heights").range(x[0], x[x.len() - 1]),
+        Axis::linear(label),
+    )
+    .height(240.0);
     plot = plot.with(Layer::at_y(0.0, ""));
     let divided = || row.iter().filter_map(|point| Some((point.skewness, point.parts(load, quantity)?)));
     let markers = [Marker::Circle, Marker::Square, Marker::Triangle];
@@ -205,7 +236,7 @@ fn surfaces(page: &mut Page, results: &CausesResults) {
     let row = |point: &GridPoint| {
         let reached = &point.reached;
         vec![
-            format!("{} ({})", input_number(point.skewness), number(reached.skewness)),
+            format!("{} ({})", plain(point.skewness), number(reached.skewness)),
             format!("{} ({})", number(point.kurtosis), number(reached.kurtosis)),
             input_number(point.wavelengths),
             number(reached.alpha),
@@ -242,7 +273,8 @@ fn table(page: &mut Page, results: &CausesResults, load: usize) {
                     format!("{} ± {}", signed(quantity, estimate.contrast), number(half_width))
                 }
                 _ => {
-                    let [low, high] = [-half_width, half_width].map(|side| signed(quantity, estimate.contrast + side));
+                    let [low, high] =
+                        [-half_width, half_width].map(|side| signed(quantity, estimate.contrast + side));
                     format!("{} ({low} to {high})", signed(quantity, estimate.contrast))
                 }
             }
@@ -251,10 +283,14 @@ fn table(page: &mut Page, results: &CausesResults, load: usize) {
         cells
     };
     let row = |point: &GridPoint| {
-        let mut cells = vec![input_number(point.skewness), number(point.reached.alpha)];
-        cells.extend(QUANTITIES.into_iter().flat_map(|quantity| of_quantity(quantity, point.parts(load, quantity))));
+        let mut cells = vec![plain(point.skewness), number(point.reached.alpha)];
+        cells.extend(
+            QUANTITIES.into_iter().flat_map(|quantity| of_quantity(quantity, point.parts(load, quantity))),
+        );
         cells
     };
     page.table(header, results.points.iter().map(row));
-    page.paragraph("With 95 % intervals of the means. Separations in σ of the asperities add up, areas multiply.");
+    page.paragraph(
+        "With 95 % intervals of the means. Separations in σ of the asperities add up, areas multiply.",
+    );
 }

@@ -218,8 +218,7 @@ mod tests {
             let spectrum = Spectrum::new(shape, Lay::default()).unwrap();
             let process =
                 Process { spectrum, of: SpectrumOf::Heights, sigma: 1e-7, heights: Heights::GAUSSIAN };
-            let generator =
-                SurfaceGenerator { points: [1024; 2], pixel: [1e-6; 2], process, plateau: None };
+            let generator = SurfaceGenerator { points: [1024; 2], pixel: [1e-6; 2], process, plateau: None };
             let map = generator.surface(Seeds { process: [7; 32], plateau: [0; 32] }).unwrap().0;
             let found = RoughnessParameters::of(&map);
             let expected = gradient(hurst, wavelengths, cut_off) * found.moments.sq;

@@ -1,5 +1,6 @@
 //! Why the models differ at every point of the grid: everything that the report contains.
 
+use asperity::Exceeded;
 use asperity::compare::{Attribution, ComparedQuantity, Contributions};
 use asperity_framework::contact::ContactMetadata;
 use asperity_framework::metadata::Metadata;
@@ -79,6 +80,8 @@ pub struct Reached {
 pub struct AtLoad {
     /// Nominal pressure, Pa.
     pub load: f64,
+    /// The limits of the valid range that are exceeded on some of the surfaces.
+    pub exceeded: Exceeded,
     /// The mean over the surfaces, with the interval of their scatter; `None` where the load is beyond the valid range of one.
     pub attribution: Option<Attribution>,
 }

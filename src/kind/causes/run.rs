@@ -7,8 +7,8 @@ use asperity::topography::generate::Seeds;
 use asperity::topography::summits::{Detail, Neighbours, find};
 use asperity::topography::{MapError, RoughnessParameters};
 use asperity::{
-    AsperitySet, Deterministic, Exceeded, Heights, MicroContact, Population, ReferencePlane, Shape, Statistical,
-    Statistics, literature, plasticity_index,
+    AsperitySet, Deterministic, Exceeded, Heights, MicroContact, Population, ReferencePlane, Shape,
+    Statistical, Statistics, literature, plasticity_index,
 };
 use asperity_framework::RunContext;
 use asperity_framework::contact::{contact_metadata, papers_of};
@@ -64,14 +64,16 @@ fn of_point(context: &RunContext, plan: &CausesPlan, point: &PointPlan) -> Resul
         found
     };
     let all = (1..=plan.realisations).map(one).collect::<Result<Vec<One>, _>>()?;
-    let mean = |of: fn(&Reached) -> f64| all.iter().map(|one| of(&one.reached)).sum::<f64>() / all.len() as f64;
+    let mean =
+        |of: fn(&Reached) -> f64| all.iter().map(|one| of(&one.reached)).sum::<f64>() / all.len() as f64;
     let at_load = |index: usize| {
-        let each: Option<Vec<&(Exceeded, Attribution)>> = all.iter().map(|one| one.at[index].as_ref()).collect();
+        let reached = || all.iter().filter_map(|one| one.at[index].as_ref());
+        let exceeded = reached().fold(Exceeded::default(), |union, (exceeded, _)| union.union(*exceeded));
         // Beyond the valid range of one, the point has none of the load.
-        let each = each.filter(|each| each.iter().all(|(exceeded, _)| exceeded.is_none()));
-        let each = each.map(|each| each.into_iter().map(|(_, found)| vec![found.clone()]).collect::<Vec<_>>());
-        let attribution = each.and_then(|each| Attribution::over(&each).into_iter().next());
-        AtLoad { load: plan.loads[index], attribution }
+        let is_valid = exceeded.is_none() && reached().count() == all.len();
+        let each: Vec<Vec<Attribution>> = reached().map(|(_, found)| vec![found.clone()]).collect();
+        let attribution = is_valid.then(|| Attribution::over(&each).into_iter().next()).flatten();
+        AtLoad { load: plan.loads[index], exceeded, attribution }
     };
     Ok(GridPoint {
         skewness: point.skewness,
@@ -131,14 +133,15 @@ fn of_surface(plan: &CausesPlan, point: &PointPlan, seed: [u8; 32]) -> Result<On
     Ok(One {
         reached: Reached {
             asperities: set.count() as f64,
-            skewness: moments.skewness.unwrap_or(0.0),
-            kurtosis: moments.kurtosis.unwrap_or(0.0),
+            skewness: moments.ssk.unwrap_or(0.0),
+            kurtosis: moments.sku.unwrap_or(0.0),
             alpha: roughness.alpha().unwrap_or(0.0),
             gradient: roughness.rms_slope(),
             asperity_skewness: statistics.skewness.unwrap_or(0.0),
             radius_cv: statistics.radius_cv,
             height_radius_correlation: statistics.height_radius_correlation.unwrap_or(0.0),
-            plasticity_index: plasticity_index(contact, statistics.sigma, statistics.mean_radius).unwrap_or(0.0),
+            plasticity_index: plasticity_index(contact, statistics.sigma, statistics.mean_radius)
+                .unwrap_or(0.0),
         },
         at: pairs.iter().map(at).collect(),
     })

@@ -5,6 +5,7 @@ use asperity_framework::columns;
 use asperity_framework::report::table::{Column, Row, Schema, TableError, csv_file};
 
 use super::results::{CausesResults, GridPoint, QUANTITIES};
+use crate::kind::compare::tables::limits;
 
 /// One point of the grid, load and quantity.
 struct CauseRow<'a> {
@@ -57,6 +58,7 @@ impl Row for CauseRow<'_> {
             from_heights_half_width["1"] = row.half_width(Cause::Heights), "Half-width of the 95 % interval of the mean part from the height distribution, from the scatter of the surfaces.";
             from_radii_half_width["1"] = row.half_width(Cause::Radii), "The same of the spread of radii.";
             from_correlation_half_width["1"] = row.half_width(Cause::Correlation), "The same of the correlation.";
+            limits["text"] = limits(row.point.at[row.load].exceeded), "Limits of the valid range that are exceeded on some of the surfaces, as in `curves.csv`.";
             leading_cause["text"] = row.parts().map(|parts| parts.leading().map_or("none", Cause::name)), "The leading cause: `heights`, `radii`, `correlation`, or `none`.";
         }
     }
