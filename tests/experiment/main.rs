@@ -19,6 +19,7 @@ macro_rules! case_1 {
 }
 
 mod attribution;
+mod causes;
 mod caveats;
 mod cli;
 mod columns;
