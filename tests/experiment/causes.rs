@@ -72,8 +72,16 @@ fn a_grid_that_cannot_be_made_is_refused() {
     for (key, found, message) in [
         ("skewness = [-1, 0]", "skewness = [0]", "found [0.0]; allowed: 2 to 32 ascending values"),
         ("skewness = [-1, 0]", "skewness = [0, -1]", "allowed: 2 to 32 ascending values"),
-        ("wavelengths = [2, 4]", "wavelengths = [2, 100]", "allowed: at most the side of a surface, 512 pixels"),
-        ("wavelengths = [2, 4]", "wavelengths = [0.5, 4]", "a roll-off wavelength that is at least the cut-off's"),
+        (
+            "wavelengths = [2, 4]",
+            "wavelengths = [2, 100]",
+            "allowed: at most the side of a surface, 512 pixels",
+        ),
+        (
+            "wavelengths = [2, 4]",
+            "wavelengths = [0.5, 4]",
+            "a roll-off wavelength that is at least the cut-off's",
+        ),
         ("realisations = 3", "realisations = 1", "found 1; allowed: 2 to 1000 realisations"),
         ("cut-off-pixels = 8", "cut-off-pixels = 1", "pixel"),
         ("hurst = 0.8", "hurst = 1.5", "found a Hurst exponent of 1.5; allowed: 0 to 1"),

@@ -180,6 +180,9 @@ tolerance = { values = [1e-2] }
 [precision.list]
 count = { values = [1e3] }
 separations = 2
+[precision.attribution]
+count = { values = [2e3] }
+loads = 2
 [precision.sampling]
 separation = { values = [0] }
 count = { values = [100, 1e3] }
@@ -267,7 +270,9 @@ fn every_kind_writes_the_tables_that_it_declares() {
             // Reference and causes are in `comparison.csv` only where they were asked for.
             let is_there = |heading: &&Heading| {
                 let name_of = &heading.name;
-                file != "comparison.csv" || name == "compare" || !(name_of.starts_with("reference_") || name_of.contains("_from_"))
+                file != "comparison.csv"
+                    || name == "compare"
+                    || !(name_of.starts_with("reference_") || name_of.contains("_from_"))
             };
             let columns: Vec<&Heading> = schema.columns.iter().filter(is_there).collect();
             assert_eq!(

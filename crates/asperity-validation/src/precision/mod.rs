@@ -10,9 +10,11 @@
 //! | [`sum`] | summation methods, by number of asperities, that of the separations, and threads |
 //! | [`curve`] | curves of many separations, by their tolerance |
 //! | [`list`] | lists of asperities read from a file, by their length |
+//! | [`attribution`] | the difference between the models divided among its causes, by number of asperities and law |
 //! | [`sampling`] | how far a random set is from its population, by the number of asperities |
 //! | [`grid`] | error of the summits of a random map relative to an infinite one on a fine grid |
 
+pub mod attribution;
 pub mod curve;
 pub mod grid;
 pub mod integral;

@@ -5,6 +5,7 @@ use std::fmt;
 use toml::Spanned;
 
 use super::spec::{self, PrecisionSpec};
+use crate::precision::attribution::{AttributionTask, MULTIPLIED};
 use crate::precision::curve::CurveTask;
 use crate::precision::grid::{GridTask, side};
 use crate::precision::list::ListTask;
@@ -44,6 +45,8 @@ pub struct PrecisionPlan {
     pub curve: Option<CurveTask>,
     /// Lists in files.
     pub list: Option<ListTask>,
+    /// Differences divided among their causes.
+    pub attribution: Option<AttributionTask>,
     pub sampling: Option<SamplingTask>,
     pub grid: Option<GridTask>,
     /// Whether the largest sizes are included (`--full`).
@@ -58,6 +61,7 @@ impl PrecisionPlan {
         let sets = [
             self.sum.as_ref().map(|task| &task.counts),
             self.list.as_ref().map(|task| &task.counts),
+            self.attribution.as_ref().map(|task| &task.counts),
             self.sampling.as_ref().map(|task| &task.counts),
         ];
         let asperities = sets.into_iter().flatten().flatten();
@@ -77,8 +81,13 @@ impl PrecisionPlan {
         let lists = self.list.iter().map(|task| task.counts.iter().sum::<usize>() * task.separations);
         let curves =
             self.curve.iter().map(|task| task.asperities * task.separations * (1 + task.tolerances.len()));
+        let attributions = self
+            .attribution
+            .iter()
+            .map(|task| task.counts.iter().sum::<usize>() * task.loads + MULTIPLIED * MULTIPLIED);
         sums.chain(curves)
             .chain(lists)
+            .chain(attributions)
             .chain(sets)
             .map(|contacts| (contacts * self.cases.len()) as u128)
             .sum()
@@ -90,6 +99,7 @@ impl PrecisionPlan {
             + self.sum.as_ref().map_or(0, |task| task.counts.len() as u64)
             + u64::from(self.curve.is_some())
             + self.list.as_ref().map_or(0, |task| task.counts.len() as u64)
+            + self.attribution.as_ref().map_or(0, |task| task.counts.len() as u64)
             + self.sampling.as_ref().map_or(0, |task| (task.counts.len() * (task.draws + 1)) as u64);
         let maps = self.grid.as_ref().map_or(0, |task| maps(task).count() * task.realisations);
         of_case * self.cases.len() as u64 + maps as u64
@@ -141,6 +151,13 @@ impl fmt::Display for PrecisionPlan {
                 task.separations
             )?;
         }
+        if let Some(task) = &self.attribution {
+            writeln!(
+                f,
+                "  causes of the difference of {:?} asperities at {} loads",
+                task.counts, task.loads
+            )?;
+        }
         if let Some(task) = &self.sampling {
             writeln!(f, "  {} random sets for each size, {:?} asperities", task.draws, task.counts)?;
         }
@@ -189,13 +206,15 @@ pub(super) fn plan(file: &SpecFile, full: bool) -> Result<PrecisionPlan, InputEr
         sum: raw.sum.as_ref().map(|raw| sum(file, raw, full)).transpose()?,
         curve: raw.curve.as_ref().map(|raw| curve(file, raw)).transpose()?,
         list: raw.list.as_ref().map(|raw| lists(file, raw, full)).transpose()?,
+        attribution: raw.attribution.as_ref().map(|raw| attribution(file, raw)).transpose()?,
         sampling: raw.sampling.as_ref().map(|raw| sampling(file, raw)).transpose()?,
         grid: raw.grid.as_ref().map(|raw| grid(file, raw)).transpose()?,
         full,
     };
     if plan.steps() == 0 {
         let message = "found nothing to measure; allowed: at least one of [precision.integral], [precision.sum], \
-                       [precision.curve], [precision.list], [precision.sampling], [precision.grid]";
+                       [precision.curve], [precision.list], [precision.attribution], [precision.sampling], \
+                       [precision.grid]";
         return Err(file.source.error_at(span, message));
     }
     Ok(plan)
@@ -288,6 +307,20 @@ fn lists(file: &SpecFile, raw: &spec::ListsSpec, full: bool) -> Result<ListTask,
         counts: sizes(file, &raw.count, raw.full_count.as_ref(), full)?,
         separations: one_of(file, &raw.separations, "separations", [1, MOST_SEPARATIONS])?,
     })
+}
+
+fn attribution(file: &SpecFile, raw: &spec::AttributionSpec) -> Result<AttributionTask, InputError> {
+    /// Fewer do not hold 30 contacts at all loads.
+    const FEWEST: usize = 2000;
+    const MOST_LOADS: u64 = 1000;
+    let counts = sizes(file, &raw.count, None, false)?;
+    if let Some(count) = counts.iter().find(|&&count| count < FEWEST) {
+        let message = format!(
+            "found {count}; allowed: at least {FEWEST} asperities, whose contacts can be divided at every load"
+        );
+        return Err(file.source.error_at(raw.count.span(), message));
+    }
+    Ok(AttributionTask { counts, loads: one_of(file, &raw.loads, "loads", [2, MOST_LOADS])? })
 }
 
 fn sum(file: &SpecFile, raw: &spec::SumSpec, full: bool) -> Result<SumTask, InputError> {

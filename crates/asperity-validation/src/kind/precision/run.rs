@@ -4,6 +4,7 @@ use std::time::Instant;
 
 use super::findings::CaseFindings;
 use super::plan::PrecisionPlan;
+use crate::precision::attribution::{AttributionFindings, attributions_on};
 use crate::precision::curve::{CurveFindings, curves_of};
 use crate::precision::grid::{GridFindings, maps_of};
 use crate::precision::integral::{IntegralFindings, rules_on};
@@ -58,6 +59,8 @@ pub struct CasePrecision {
     pub curve: Option<CurveFindings>,
     /// Lists in files, shortest first; empty unless the spec requests them.
     pub lists: Vec<ListPoint>,
+    /// The difference divided among its causes, if the spec requests it.
+    pub attribution: Option<AttributionFindings>,
     /// Random sets, if the spec requests them.
     pub sampling: Option<SamplingFindings>,
     /// Findings over rules and sums.
@@ -139,6 +142,12 @@ fn case(
         .as_ref()
         .map(|task| lists_of(contact, population, task, seed, |_| context.progress.advance(1.0)));
     let lists = lists.transpose().map_err(|error| refuse(&error))?.unwrap_or_default();
+    let seed = |what: &str| context.stream_seed(&format!("attribution {name} {what}"));
+    let bodies = (&all.exact.rough, &all.exact.flat);
+    let done = || context.progress.advance(1.0);
+    let attribution =
+        all.attribution.as_ref().map(|task| attributions_on(contact, bodies, population, task, seed, done));
+    let attribution = attribution.transpose().map_err(|error| refuse(&error))?;
     let seed = |count, draw| context.stream_seed(&format!("sampling {name} {count} {draw}"));
     let sets = all
         .sampling
@@ -155,6 +164,7 @@ fn case(
         sums,
         curve,
         lists,
+        attribution,
         sampling,
     })
 }

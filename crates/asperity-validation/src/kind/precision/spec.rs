@@ -29,6 +29,8 @@ pub struct PrecisionSpec {
     pub curve: Option<CurveSpec>,
     /// Lists of asperities in files.
     pub list: Option<ListsSpec>,
+    /// The difference between the models divided among its causes.
+    pub attribution: Option<AttributionSpec>,
     /// Random sets of growing size.
     pub sampling: Option<SamplingSpec>,
     /// Random maps of growing size and fineness.
@@ -93,6 +95,15 @@ pub struct ListsSpec {
     pub full_count: Option<Spanned<LogSweep<Pure>>>,
     /// Separations at which each is summed.
     pub separations: Spanned<Whole>,
+}
+
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields, expecting = "a table { count, loads }")]
+pub struct AttributionSpec {
+    /// Sizes of the sets.
+    pub count: Spanned<LogSweep<Pure>>,
+    /// Loads at which each difference is divided.
+    pub loads: Spanned<Whole>,
 }
 
 #[derive(Debug, Deserialize)]

@@ -1,5 +1,7 @@
 //! Summary of run times and errors.
 
+use std::collections::BTreeMap;
+
 use serde::Serialize;
 
 use super::findings::Winner;
@@ -20,6 +22,8 @@ struct PrecisionSummary<'a> {
     curves: Vec<CurveSummary<'a>>,
     #[serde(skip_serializing_if = "Vec::is_empty")]
     lists: Vec<ListSummary<'a>>,
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    attributions: Vec<AttributionSummary<'a>>,
     #[serde(skip_serializing_if = "Vec::is_empty")]
     tenfold_asperities: Vec<TenfoldSummary<'a>>,
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -47,6 +51,18 @@ struct CurveSummary<'a> {
     asked: usize,
     error: f64,
     time_over_exact: f64,
+}
+
+/// The difference of the largest set divided among its causes.
+#[derive(Serialize)]
+struct AttributionSummary<'a> {
+    case: &'a str,
+    asperities: usize,
+    loads: usize,
+    attribution_s: f64,
+    time_over_both_models: f64,
+    /// Law by law.
+    relative_errors: BTreeMap<&'a str, f64>,
 }
 
 /// The longest list from a file.
@@ -99,6 +115,7 @@ pub(super) fn summary(results: &PrecisionResults) -> serde_json::Result<Map<Stri
         winners: results.cases.iter().flat_map(winners).collect(),
         curves: results.cases.iter().flat_map(curves).collect(),
         lists: results.cases.iter().filter_map(longest_list).collect(),
+        attributions: results.cases.iter().filter_map(largest_attribution).collect(),
         tenfold_asperities: tenfold.collect(),
         surface: results.grid.as_ref().map(surface),
     };
@@ -144,6 +161,19 @@ fn longest_list(case: &CasePrecision) -> Option<ListSummary<'_>> {
         read_s: longest.read_seconds,
         sum_s: longest.sum_seconds,
         peak_bytes: longest.peak_bytes,
+    })
+}
+
+fn largest_attribution(case: &CasePrecision) -> Option<AttributionSummary<'_>> {
+    let found = case.attribution.as_ref()?;
+    let largest = found.points.last()?;
+    Some(AttributionSummary {
+        case: &case.name,
+        asperities: largest.asperities,
+        loads: largest.loads,
+        attribution_s: largest.attribution_seconds,
+        time_over_both_models: largest.time_ratio(),
+        relative_errors: found.products.iter().map(|product| (&*product.law, product.error)).collect(),
     })
 }
 

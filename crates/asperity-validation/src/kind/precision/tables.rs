@@ -3,6 +3,7 @@
 use super::findings::Winner;
 use super::names::candidate_name;
 use crate::kind::precision::run::{CasePrecision, PrecisionResults};
+use crate::precision::attribution::{AttributionPoint, ProductPoint};
 use crate::precision::curve::CurvePoint;
 use crate::precision::grid::GridPoint;
 use crate::precision::integral::{Effort, IntegralPoint};
@@ -130,6 +131,45 @@ impl Row for ListRow<'_> {
     }
 }
 
+/// The difference of a set of one size divided among its causes.
+type AttributionRow<'a> = OfCase<'a, &'a AttributionPoint>;
+
+impl Row for AttributionRow<'_> {
+    const FILE: &'static str = "attribution_times.csv";
+    const ROWS: &'static str = "One row for each case and size of a set whose difference is divided among its causes; written where `attribution` is given.";
+
+    fn columns() -> Vec<Column<Self>> {
+        let mut columns = case_column();
+        columns.extend(columns! { row: Self =>
+            asperities["count"] = row.point.asperities, "Asperities in the set.";
+            loads["count"] = row.point.loads, "Loads at which the difference is divided.";
+            loads_divided["count"] = row.point.divided, "Loads of them that enough contacts carry.";
+            seconds_of_both_models["s"] = row.point.model_seconds, "Time of both models at these loads.";
+            seconds_of_attribution["s"] = row.point.attribution_seconds, "Time to rearrange the asperities, and of the states between the models at these loads.";
+        });
+        columns
+    }
+}
+
+/// Own heights with own radii under one law.
+type ProductRow<'a> = OfCase<'a, &'a ProductPoint>;
+
+impl Row for ProductRow<'_> {
+    const FILE: &'static str = "attribution_errors.csv";
+    const ROWS: &'static str = "One row for each case and law for spheres that the materials allow: the error of the pressure of own heights and own radii, independent of each other; written where `attribution` is given.";
+
+    fn columns() -> Vec<Column<Self>> {
+        let mut columns = case_column();
+        columns.extend(columns! { row: Self =>
+            law["text"] = row.point.law.as_str(), "Contact law of an asperity.";
+            asperities["count"] = row.point.asperities, "Asperities in the set.";
+            relative_error["1"] = row.point.error, "Largest relative error at two separations (0.5 and 2 sigma) against the sum over every height with every radius.";
+            times_as_fast["1"] = row.point.speedup, "Time of that sum over the time of the condensed one.";
+        });
+        columns
+    }
+}
+
 /// Random sets of one size at one separation, and the time per set.
 type SetRow<'a> = OfCase<'a, (&'a LimitPoint, f64)>;
 
@@ -205,6 +245,8 @@ pub(super) fn schemas() -> Vec<Schema> {
         Schema::of::<WinnerRow>(),
         Schema::of::<CurveRow>(),
         Schema::of::<ListRow>(),
+        Schema::of::<AttributionRow>(),
+        Schema::of::<ProductRow>(),
         Schema::of::<SetRow>(),
         Schema::of::<&GridPoint>(),
     ]
@@ -232,6 +274,10 @@ pub(super) fn tables(results: &PrecisionResults) -> Result<Vec<(&'static str, Ve
     if cases.iter().any(|case| !case.lists.is_empty()) {
         all.push(csv_file(cases.iter().flat_map(lists))?);
     }
+    if cases.iter().any(|case| case.attribution.is_some()) {
+        all.push(csv_file(cases.iter().flat_map(attributions))?);
+        all.push(csv_file(cases.iter().flat_map(products))?);
+    }
     if cases.iter().any(|case| case.sampling.is_some()) {
         all.push(csv_file(cases.iter().flat_map(sets))?);
     }
@@ -258,6 +304,16 @@ fn curves(case: &CasePrecision) -> impl Iterator<Item = CurveRow<'_>> {
     case.curve.iter().flat_map(|found| {
         found.points.iter().map(|point| OfCase { case: &case.name, point: (found.asperities, point) })
     })
+}
+
+fn attributions(case: &CasePrecision) -> impl Iterator<Item = AttributionRow<'_>> {
+    let points = case.attribution.iter().flat_map(|found| &found.points);
+    points.map(|point| OfCase { case: &case.name, point })
+}
+
+fn products(case: &CasePrecision) -> impl Iterator<Item = ProductRow<'_>> {
+    let products = case.attribution.iter().flat_map(|found| &found.products);
+    products.map(|point| OfCase { case: &case.name, point })
 }
 
 fn lists(case: &CasePrecision) -> impl Iterator<Item = ListRow<'_>> {

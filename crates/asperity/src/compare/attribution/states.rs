@@ -171,7 +171,7 @@ impl<'a> Rearranged<'a> {
 
     /// The mean contact pressure (Pa) of the own heights with the own radii, independent of each other, at a separation
     /// d/sigma from the plane of the sum. More than 256 asperities are condensed: the relative error against the sum over
-    /// every height with every radius is below 1e-7 (1e-6 where the load of the law jumps, 1e-4 under a layer).
+    /// every height with every radius is below 2e-7 (1e-6 for `ceb`, whose load jumps by a half; 1e-4 under a layer where the load jumps).
     pub fn independent_pressure(&self, contact: &dyn MicroContact, separation_over_sigma: f64) -> f64 {
         self.with_models(contact, |models| {
             models[Arrangement::Independent as usize].respond(separation_over_sigma).pressure.total()

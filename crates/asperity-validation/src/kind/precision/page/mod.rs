@@ -3,9 +3,11 @@
 //! | module | contents |
 //! |---|---|
 //! | `figures` | time against error |
+//! | `attribution` | the difference between the models divided among its causes |
 //! | `scale` | curves of many separations, lists of many asperities |
 //! | `physics` | effect of more asperities, points, surface |
 
+mod attribution;
 mod figures;
 mod physics;
 mod scale;
@@ -24,6 +26,7 @@ pub fn page(results: &PrecisionResults) -> Page {
     sections::notes(&mut page, &results.metadata);
     page.heading(2, "Summary");
     let mut short: Vec<String> = results.cases.iter().flat_map(summary_lines).collect();
+    short.extend(results.cases.iter().filter_map(|case| attribution::summary_line(case, &results.law)));
     short.extend(physics::summary_lines(results));
     page.bullets(short);
     page.paragraph(
@@ -41,6 +44,7 @@ pub fn page(results: &PrecisionResults) -> Page {
     }
     scale::curves(&mut page, results);
     scale::lists(&mut page, results);
+    attribution::section(&mut page, results);
     physics::sections(&mut page, results);
     sections::sources(&mut page, &results.metadata);
     page
