@@ -70,7 +70,7 @@ impl CausesPlan {
         /// The map, its transform, and the asperities in several orders.
         const BYTES_PER_POINT: u128 = 64;
         let points = self.points.first().map_or(0, |point| point.generator.points[0]) as u128;
-        points * points * BYTES_PER_POINT * rayon::current_num_threads() as u128
+        points * points * BYTES_PER_POINT
     }
 
     /// Micro-contacts evaluated, estimated.

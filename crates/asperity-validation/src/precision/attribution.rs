@@ -142,7 +142,7 @@ fn inputs(set: &AsperitySet) -> Inputs<'_> {
 
 fn point(contact: &dyn MicroContact, set: &AsperitySet, loads: usize) -> AttributionPoint {
     /// d/sigma of the lightest and of the heaviest load.
-    const ENDS: [f64; 2] = [2.0, 0.0];
+    const ENDS: [f64; 2] = [1.5, 0.0];
     let Inputs { plane, population, .. } = inputs(set);
     let statistical = Statistical::new(contact, population);
     let deterministic = Deterministic::new(contact, set.spheres(), plane);

@@ -76,6 +76,11 @@ pub fn page(results: &CompareResults) -> Page {
     page.bullets(causes.iter().map(|causes| {
         format!("**Why the models differ**: {}", escape_around_code(&causes.sentence(is_of_paper)))
     }));
+    page.bullets(
+        ranking::over_all(results).iter().map(|sentence| {
+            format!("**Which statistical model is enough**: {}", escape_around_code(sentence))
+        }),
+    );
     if in_full {
         page.bullets(results.surfaces.iter().flat_map(|found| headlines(results, found)));
     } else {

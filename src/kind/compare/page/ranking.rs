@@ -5,7 +5,9 @@ use asperity_framework::report::format::{capitalised, count, listed, number, per
 use asperity_framework::report::page::{Page, escape};
 
 use super::verdict::{loads, name, signed};
-use crate::kind::compare::ranking::{Against, Largest, Ranked, Ranking, is_within};
+use crate::kind::compare::ranking::{Against, Largest, Ranked, Ranking, Standing, is_within};
+use crate::kind::compare::results::CompareResults;
+use crate::kind::compare::statistical::StatisticalModel;
 
 /// The quantities that models are ranked in.
 const QUANTITIES: [ComparedQuantity; 2] = [ComparedQuantity::Area, ComparedQuantity::Separation];
@@ -14,6 +16,71 @@ fn label(against: Against) -> &'static str {
     match against {
         Against::Sum => "the sum",
         Against::Reference => "the reference",
+    }
+}
+
+/// Over several surfaces and laws: the models that are most often within what is accepted, and how often that of Zhao et al. is.
+/// `None` where there are not several on maps that are fit.
+pub fn over_all(results: &CompareResults) -> Option<String> {
+    let cases = results.surfaces.iter().flat_map(|found| found.findings.cases.iter().zip(&found.rankings));
+    let all: Vec<(Accepted, &Ranking)> = cases
+        .filter(|(findings, ranking)| !findings.verdicts.is_blocked && !ranking.loads.is_empty())
+        .map(|(findings, ranking)| (findings.verdicts.accepted, ranking))
+        .collect();
+    if all.len() < 2 {
+        return None;
+    }
+    let clause = |against: Against, quantity: ComparedQuantity| {
+        let compared: Vec<Standing> = all
+            .iter()
+            .map(|(accepted, ranking)| ranking.standing(against, quantity, accepted))
+            .filter(|standing| !standing.compared.is_empty())
+            .collect();
+        let models = StatisticalModel::all();
+        let within = |model: &StatisticalModel| {
+            let is_there =
+                |standing: &&Standing| standing.within.iter().any(|(ranked, _)| ranked.model == *model);
+            compared.iter().filter(is_there).count()
+        };
+        let most = models.iter().map(within).max().filter(|&most| most > 0)?;
+        let best: Vec<String> =
+            models.iter().filter(|model| within(model) == most).map(StatisticalModel::name).collect();
+        Some(format!(
+            "in {} most often {} ({most} of {} cases, the model of Zhao et al. in {})",
+            name(quantity),
+            named(&best),
+            compared.len(),
+            within(&models[0]),
+        ))
+    };
+    let sentence = |against: Against| {
+        let clauses: Vec<String> =
+            QUANTITIES.into_iter().filter_map(|quantity| clause(against, quantity)).collect();
+        (!clauses.is_empty()).then(|| {
+            format!(
+                "Within what is accepted of {} at all valid loads: {}.",
+                label(against),
+                clauses.join("; ")
+            )
+        })
+    };
+    let sentences: Vec<String> =
+        [Against::Sum, Against::Reference].into_iter().filter_map(sentence).collect();
+    (!sentences.is_empty()).then(|| {
+        format!(
+            "{} A model is named by its heights and its mean radius; that of Zhao et al. (2000) is `{}`.",
+            sentences.join(" "),
+            StatisticalModel::all()[0].name()
+        )
+    })
+}
+
+/// "`a` and `b`", or the first and how many others there are.
+fn named(models: &[String]) -> String {
+    const MOST: usize = 3;
+    match models {
+        [first, others @ ..] if models.len() > MOST => format!("`{first}` and {} others", others.len()),
+        _ => listed(&models.iter().map(|model| format!("`{model}`")).collect::<Vec<_>>()),
     }
 }
 

@@ -4,7 +4,7 @@ use asperity::compare::ComparedQuantity;
 use asperity_framework::columns;
 use asperity_framework::report::table::{Column, Row};
 
-use super::{Largest, Ranked};
+use super::{Against, Largest, Ranked};
 use crate::kind::compare::results::CompareResults;
 
 /// One model and one quantity.
@@ -27,12 +27,8 @@ impl RankingRow<'_> {
         largest.map(|(_, load)| load)
     }
 
-    fn from_sum(&self) -> Largest {
-        self.ranked.from_sum[self.quantity as usize]
-    }
-
-    fn from_reference(&self) -> Largest {
-        self.ranked.from_reference[self.quantity as usize]
+    fn largest(&self, against: Against) -> Largest {
+        self.ranked.largest(against, self.quantity)
     }
 }
 
@@ -48,10 +44,10 @@ impl Row for RankingRow<'_> {
             nayak_alpha["1"] = row.alpha, "Nayak's bandwidth parameter of the map; empty without a map.";
             model["text"] = row.ranked.model.name(), "The statistical model: its heights and its radius, or `nayak-greenwood` or `five-point`, joint densities of height and curvature.";
             quantity["text"] = row.quantity.name(), "What is compared: `separation`, `area` (real contact area) or `stiffness`.";
-            from_deterministic["1"] = row.reported(row.from_sum()), "The difference from the deterministic model that is largest in magnitude: of the separation in sigma, of area and stiffness relative to it; empty where the model does not reach a load.";
-            from_deterministic_at_pa["Pa"] = RankingRow::load(row.from_sum()), "The nominal pressure of that difference.";
-            from_reference["1"] = row.reported(row.from_reference()), "The same from the reference; empty where none was run.";
-            from_reference_at_pa["Pa"] = RankingRow::load(row.from_reference()), "The nominal pressure of that difference.";
+            from_deterministic["1"] = row.reported(row.largest(Against::Sum)), "The difference from the deterministic model that is largest in magnitude: of the separation in sigma, of area and stiffness relative to it; empty where the model does not reach a load.";
+            from_deterministic_at_pa["Pa"] = RankingRow::load(row.largest(Against::Sum)), "The nominal pressure of that difference.";
+            from_reference["1"] = row.reported(row.largest(Against::Reference)), "The same from the reference; empty where none was run.";
+            from_reference_at_pa["Pa"] = RankingRow::load(row.largest(Against::Reference)), "The nominal pressure of that difference.";
             accepted["1"] = row.accepted, "The largest difference that is accepted.";
             contacts_per_load["1"] = row.ranked.evaluations, "Contacts evaluated per load, the search for the separation included: what the model costs.";
         }
