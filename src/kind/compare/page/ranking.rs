@@ -120,7 +120,13 @@ pub fn section(page: &mut Page, ranking: &Ranking, accepted: &Accepted, title: &
         row.push("–".to_owned());
         row
     });
-    page.table(header, ranking.models.iter().map(row).chain(sum));
+    let size = |ranked: &Ranked| {
+        let largest = ranked.largest(Against::Sum, QUANTITIES[0]);
+        largest.map_or(f64::INFINITY, |(contrast, _)| QUANTITIES[0].reported(contrast).abs())
+    };
+    let mut models: Vec<&Ranked> = ranking.models.iter().collect();
+    models.sort_by(|a, b| size(a).total_cmp(&size(b)));
+    page.table(header, models.into_iter().map(row).chain(sum));
     let bandwidth =
         alpha.map_or_else(String::new, |alpha| format!("Nayak's α of the map is {}. ", number(alpha)));
     let missing: Vec<String> = ranking
@@ -131,7 +137,7 @@ pub fn section(page: &mut Page, ranking: &Ranking, accepted: &Accepted, title: &
     let missing =
         if missing.is_empty() { String::new() } else { format!(" Not applicable: {}.", listed(&missing)) };
     page.paragraph(&format!(
-        "{bandwidth}A model is named by its heights and its mean radius. Each difference is the largest in magnitude over {} valid loads \
+        "{bandwidth}A model is named by its heights and its mean radius; in the order of the difference in area from the sum. Each difference is the largest in magnitude over {} valid loads \
          from {}, on this very surface, without sampling error; ✓: within what is accepted. Contacts per load: micro-contacts \
          evaluated, the search for the separation included.{missing}",
         ranking.loads.len(),
