@@ -2,7 +2,7 @@
 
 use asperity::topography::fitness::{Check, Finding, Measure};
 use asperity_framework::report::format::{count, input_quantity, number, percent, quantity};
-use asperity_framework::report::page::{Cell, Page, escape};
+use asperity_framework::report::page::{Cell, Page};
 use serde::Serialize;
 
 use super::found::{MapFacts, Surface};
@@ -73,7 +73,7 @@ fn in_order(map: &MapFacts) -> Vec<&Finding> {
 /// The checks on a page; nothing where nothing was checked.
 pub fn section(page: &mut Page, surface: &Surface) {
     let Some(map) = surface.map.as_ref().filter(|map| !map.fitness.is_empty()) else { return };
-    page.heading(3, &format!("{}: fitness of the map", escape(&surface.name)));
+    page.heading(3, &format!("{}: fitness of the map", surface.name));
     page.paragraph(&conclusion(map));
     page.table(
         ["check", "measured", "value", "allowed", "result", "remedy"],

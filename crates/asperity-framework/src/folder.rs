@@ -23,10 +23,10 @@ pub enum ReportError {
 /// See [`ReportError`].
 pub fn folder(outcome: &dyn Outcome, key: &str) -> Result<Folder, ReportError> {
     let start = Instant::now();
-    let page = outcome.page();
+    let files = outcome.page().files(None);
     let mut folder = Folder::new(&outcome.metadata().stem, key);
-    folder.file("report.md", page.markdown()).file("report.html", page.html());
-    for (name, svg) in page.figures() {
+    folder.file("report.md", files.markdown).file("report.html", files.html);
+    for (name, svg) in files.figures {
         folder.file(name, svg);
     }
     for (name, table) in outcome.tables()? {

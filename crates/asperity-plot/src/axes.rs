@@ -4,15 +4,9 @@ use super::Axis;
 use super::canvas::{Align, Canvas, Rect, Spot, Stroke, Type};
 use super::layer::Direction;
 use super::scale::Scale;
+use super::style::{FINE_GRID, GRID, INK, LABEL, TICK};
 use super::text::{fit, width};
 use super::ticks::{Tick, ticks};
-use plotters::style::RGBColor;
-
-pub(super) const INK: RGBColor = RGBColor(0x22, 0x22, 0x22);
-pub(super) const LABEL: f64 = 14.0;
-pub(super) const TICK: f64 = 12.5;
-const GRID: RGBColor = RGBColor(0xe2, 0xe2, 0xe2);
-const FINE_GRID: RGBColor = RGBColor(0xf1, 0xf1, 0xf1);
 /// Length of a tick.
 const MARK: f64 = 5.0;
 /// Below the frame: ticks, their labels, the axis label.

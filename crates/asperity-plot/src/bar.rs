@@ -1,9 +1,10 @@
 //! The colour bar: what the colours of a field mean.
 
-use super::axes::{self, INK, LABEL, TICK};
+use super::axes;
 use super::canvas::{Align, Canvas, Rect, Spot, Stroke, Type};
 use super::png::encode;
 use super::raster::{Raster, palette};
+use super::style::{INK, LABEL, TICK};
 use super::text::{fit, width};
 use super::ticks::Tick;
 

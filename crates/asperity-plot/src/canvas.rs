@@ -4,7 +4,7 @@
 //! is written by a backend of its own; what the elements have in common is then said once, for the
 //! group, and so is what plotters has no word for: dashes, clipping, joints of lines.
 
-use super::{layer::Dash, text};
+use super::{layer::Dash, style::Size, text};
 use plotters::backend::{DrawingBackend, SVGBackend};
 use plotters::style::text_anchor::{HPos, Pos, VPos};
 use plotters::style::{Color, FontFamily, FontStyle, FontTransform, RGBColor, ShapeStyle, TextStyle};
@@ -191,16 +191,21 @@ impl Canvas {
             .color(&set.colour)
             .transform(if set.upright { FontTransform::Rotate270 } else { FontTransform::None });
         let size = format!(" font-size=\"{}\"", given / 1.24);
+        let subscript =
+            format!("<tspan dy=\"0.28em\" font-size=\"{}\">", (set.size * UNITS * text::SMALL).round());
+        let after = format!("<tspan dy=\"-{:.3}em\">", 0.28 * text::SMALL);
         let baseline = 0.36 * set.size;
         let elements = written(|svg| {
             for (text, (x, y)) in texts {
                 let spot = if set.upright { (x + baseline, y) } else { (x, y + baseline) };
-                svg.draw_text(&printable(text), &style, units(spot)).ok();
+                svg.draw_text(&marked(&printable(text)), &style, units(spot)).ok();
             }
         });
         // The line that the text stands on is placed above, for all fonts alike.
         let elements = elements.replace(" dy=\"0.76em\"", "").replace(" font-family=\"sans-serif\"", "");
         let elements = elements.replace(&size, "");
+        let elements =
+            elements.replace(SUBSCRIPT, &subscript).replace(AFTER, &after).replace(END, "</tspan>");
         let extra = format!("font-size=\"{}\"", (set.size * UNITS).round());
         self.group(&[("fill", hex(set.colour))], &extra, &elements);
     }
@@ -230,9 +235,23 @@ impl Canvas {
         self.body.push_str("</svg>\n");
     }
 
-    /// The whole picture on white, `width` by `height` CSS pixels unless its place says otherwise.
-    pub(super) fn finish(self, title: &str, width: f64, height: f64) -> String {
+    /// The whole picture on white, `width` by `height` CSS pixels, or `print` wide. With `rules` for a dark environment it is a
+    /// file; without, part of a page that has them.
+    pub(super) fn finish(
+        self,
+        title: &str,
+        (width, height): (f64, f64),
+        print: Option<Size>,
+        rules: Option<&str>,
+    ) -> String {
         let (right, bottom) = units((width, height));
+        let size = match print {
+            None => format!("width=\"{width:.0}\" height=\"{height:.0}\""),
+            Some(size) => {
+                format!("width=\"{}mm\" height=\"{:.2}mm\"", size.width(), size.width() * height / width)
+            }
+        };
+        let rules = rules.map_or_else(String::new, |rules| format!("<style>{rules}</style>\n"));
         let mut escaped = String::with_capacity(title.len());
         for c in printable(title).chars() {
             match c {
@@ -243,8 +262,8 @@ impl Canvas {
             }
         }
         format!(
-            "<svg xmlns=\"http://www.w3.org/2000/svg\" role=\"img\" width=\"{width:.0}\" height=\"{height:.0}\" \
-             viewBox=\"0 0 {right} {bottom}\" font-family=\"{}\">\n<title>{escaped}</title>\n\
+            "<svg xmlns=\"http://www.w3.org/2000/svg\" role=\"img\" {size} \
+             viewBox=\"0 0 {right} {bottom}\" font-family=\"{}\">\n<title>{escaped}</title>\n{rules}\
              <rect width=\"{right}\" height=\"{bottom}\" fill=\"#FFFFFF\"/>\n{}</svg>\n",
             text::FAMILY,
             self.body
@@ -295,9 +314,34 @@ fn hex(colour: RGBColor) -> String {
     format!("#{:02X}{:02X}{:02X}", colour.0, colour.1, colour.2)
 }
 
+/// Where a subscript begins, what follows it begins, and either ends, until they are elements: plotters escapes those.
+const SUBSCRIPT: char = '\u{e000}';
+const AFTER: char = '\u{e001}';
+const END: char = '\u{e002}';
+
+/// A text with its subscripts marked.
+fn marked(text: &str) -> String {
+    let mut marked = String::with_capacity(text.len());
+    let mut is_lowered = false;
+    for (part, is_subscript) in text::parts(text) {
+        let begin = if is_subscript { Some(SUBSCRIPT) } else { is_lowered.then_some(AFTER) };
+        marked.extend(begin);
+        marked.push_str(part);
+        marked.extend(begin.map(|_| END));
+        is_lowered = is_subscript;
+    }
+    marked
+}
+
 /// Characters that XML forbids become blanks.
 fn printable(text: &str) -> String {
     text.chars()
-        .map(|c| if c.is_control() || matches!(c, '\u{fffe}' | '\u{ffff}') { ' ' } else { c })
+        .map(|c| {
+            if c.is_control() || matches!(c, '\u{fffe}' | '\u{ffff}' | '\u{e000}'..='\u{e002}') {
+                ' '
+            } else {
+                c
+            }
+        })
         .collect()
 }

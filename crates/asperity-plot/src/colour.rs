@@ -26,6 +26,8 @@ pub enum Colour {
     Correlation,
     /// The sum of contributions: black.
     Sum,
+    /// Other realisations of the deterministic model: pale vermillion.
+    Others,
     /// References and notes: grey.
     Neutral,
     /// One of several series that have no order; repeats after eight.
@@ -71,10 +73,19 @@ impl Colour {
             Self::Radii => RGBColor(0xc4, 0xdd, 0xf0),
             Self::Correlation => ORANGE,
             Self::Sum => RGBColor(0x11, 0x11, 0x11),
+            Self::Others => RGBColor(0xe8, 0xb0, 0x88),
             Self::Neutral => RGBColor(0x66, 0x66, 0x66),
             Self::Series(index) => SERIES[index % SERIES.len()],
             Self::Ordered { index, of } => ordered(index, of),
         }
+    }
+}
+
+impl Colour {
+    /// As "#RRGGBB".
+    pub(super) fn hex(self) -> String {
+        let RGBColor(red, green, blue) = self.rgb();
+        format!("#{red:02X}{green:02X}{blue:02X}")
     }
 }
 

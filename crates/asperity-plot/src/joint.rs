@@ -1,10 +1,12 @@
 //! A plot with the distributions of its two quantities along its sides.
 
-use super::axes::{self, FOOT, Frame, LABEL, TICK};
+use super::axes::{self, FOOT, Frame};
 use super::bar::Bar;
 use super::canvas::{Canvas, Rect};
+use super::draw::scaled;
 use super::layer::Layer;
-use super::layout::{Layout, WIDTH};
+use super::layout::Layout;
+use super::style::{LABEL, TICK};
 use super::ticks::Tick;
 use super::{Plot, text};
 
@@ -15,20 +17,21 @@ const GAP: f64 = 10.0;
 const LABELS: usize = 4;
 
 /// Draws the main plot, one above that shares its x axis and one at its right that shares its y axis,
-/// lying on its side already; returns the y of the lower end.
-pub(super) fn draw(canvas: &mut Canvas, main: &Plot, top: &Plot, right: &Plot) -> f64 {
-    let main = Layout::new(main, WIDTH);
-    let (mut top, mut right) = (Layout::new(top, WIDTH), Layout::new(right, WIDTH));
+/// lying on its side already, on a page of some width; returns the y of the lower end.
+pub(super) fn draw(canvas: &mut Canvas, [main, top, right]: [&Plot; 3], page: f64) -> f64 {
+    let height = scaled(main.height, page);
+    let main = Layout::new(main, (page, height));
+    let (mut top, mut right) = (Layout::new(top, (page, MARGINAL)), Layout::new(right, (page, height)));
     (top.x, right.y) = (main.x, main.y);
     let top_ticks = axes::y_ticks_up_to(LABELS, &top.y, MARGINAL);
     let right_ticks = axes::x_ticks_up_to(LABELS, &right.x, MARGINAL);
 
     let left = main.margins.0.max(axes::left_margin(&top.plot.y, &top_ticks));
     let bar = |height: f64| main.raster.and_then(|raster| Bar::new(raster, height));
-    let bar_room = bar(main.plot.height).map_or(0.0, |bar| bar.room());
+    let bar_room = bar(height).map_or(0.0, |bar| bar.room());
     let end = axes::right_margin(&right_ticks).max(bar_room);
-    let room = WIDTH - left - GAP - MARGINAL - end;
-    let (width, height) = main.fitted(room, main.plot.height);
+    let room = page - left - GAP - MARGINAL - end;
+    let (width, height) = main.fitted(room, height);
     let start = (room - width) / 2.0;
     let upper = Rect::new(start + left, 12.0 + main.head(), width, MARGINAL);
     let rect = Rect::new(upper.left, upper.bottom + GAP, width, height);

@@ -5,10 +5,9 @@ use super::canvas::{Align, Canvas, Rect, Type};
 use super::layer::{Direction, Layer, Shape};
 use super::marks;
 use super::place::Taken;
+use super::style::{NOTE_INK, ON_DARK, ON_LIGHT, PAPER, TICK};
 use super::text::{fit, width};
 use plotters::style::RGBColor;
-
-const NOTE: f64 = 12.5;
 
 /// Writes the label of a region, reference or note where it covers least.
 pub(super) fn draw_label(canvas: &mut Canvas, frame: &Frame, layer: &Layer, taken: &mut Taken) {
@@ -24,8 +23,8 @@ pub(super) fn draw_label(canvas: &mut Canvas, frame: &Frame, layer: &Layer, take
         Shape::Region(Direction::X, ..) => frame.rect.height().min(frame.rect.width()),
         _ => frame.rect.width(),
     };
-    let label = fit(&layer.label, NOTE, length - 24.0);
-    let size = (width(&label, NOTE) + 4.0, NOTE + 4.0);
+    let label = fit(&layer.label, TICK, length - 24.0);
+    let size = (width(&label, TICK) + 4.0, TICK + 4.0);
     let candidates: Vec<(Rect, bool)> = match &layer.shape {
         Shape::Region(direction, ..) => match marks::region(frame, layer) {
             Some(area) => in_region(&area, *direction, size),
@@ -56,23 +55,34 @@ pub(super) fn draw_label(canvas: &mut Canvas, frame: &Frame, layer: &Layer, take
         return;
     };
     if taken.under(&rect) > 0 {
-        canvas.rect(&rect, RGBColor(255, 255, 255), 0.75);
+        canvas.rect(&rect, PAPER, 0.75);
     }
     let middle = ((rect.left + rect.right) / 2.0, (rect.top + rect.bottom) / 2.0);
-    let set =
-        Type { size: NOTE, colour: RGBColor(0x44, 0x44, 0x44), align: Align::Centre, bold: false, upright };
+    let set = Type { size: TICK, colour: NOTE_INK, align: Align::Centre, bold: false, upright };
     canvas.texts([(label.as_str(), middle)], set);
+    taken.text(rect);
+}
+
+/// Writes a note into the corner of a frame where it covers least.
+pub(super) fn draw_corner_note(canvas: &mut Canvas, frame: &Rect, text: &str, taken: &mut Taken) {
+    let size = (width(text, TICK) + 4.0, TICK + 4.0);
+    let corners = in_region(frame, Direction::Y, size);
+    let Some((rect, _)) = taken.clearest(corners) else { return };
+    canvas.rect(&rect, PAPER, 0.75);
+    let middle = ((rect.left + rect.right) / 2.0, (rect.top + rect.bottom) / 2.0);
+    let set = Type { size: TICK, colour: NOTE_INK, align: Align::Centre, bold: false, upright: false };
+    canvas.texts([(text, middle)], set);
     taken.text(rect);
 }
 
 /// Writes the label of a tile into its middle, dark or light as the tile is light or dark.
 fn write_in(canvas: &mut Canvas, tile: &Rect, layer: &Layer) {
-    let label = fit(&layer.label, NOTE, tile.width() - 4.0);
+    let label = fit(&layer.label, TICK, tile.width() - 4.0);
     let RGBColor(red, green, blue) = layer.colour.rgb();
     let luminance = 0.299 * f64::from(red) + 0.587 * f64::from(green) + 0.114 * f64::from(blue);
-    let colour = if luminance > 140.0 { RGBColor(0x22, 0x22, 0x22) } else { RGBColor(0xff, 0xff, 0xff) };
+    let colour = if luminance > 140.0 { ON_LIGHT } else { ON_DARK };
     let middle = ((tile.left + tile.right) / 2.0, (tile.top + tile.bottom) / 2.0);
-    let set = Type { size: NOTE, colour, align: Align::Centre, bold: false, upright: false };
+    let set = Type { size: TICK, colour, align: Align::Centre, bold: false, upright: false };
     canvas.texts([(label.as_str(), middle)], set);
 }
 

@@ -224,6 +224,11 @@ impl Layer {
         self
     }
 
+    /// A band around a line, as against a share of a whole.
+    pub(super) fn is_interval(&self) -> bool {
+        matches!(self.shape, Shape::Band(_, Direction::X)) && self.opacity < 1.0
+    }
+
     /// Turns the points of a band into gaps where `keep` says no.
     pub(super) fn keep_where(&mut self, keep: impl Fn(usize) -> bool) {
         if let Shape::Band(points, _) = &mut self.shape {

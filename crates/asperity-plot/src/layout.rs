@@ -1,21 +1,19 @@
 //! One plot: its scales and margins first, then its place and its marks.
 
-use super::axes::{self, FOOT, Frame, INK, LABEL};
+use super::axes::{self, FOOT, Frame};
 use super::bar::Bar;
 use super::canvas::{Align, Canvas, Rect, Type};
-use super::label::draw_label;
+use super::label::{draw_corner_note, draw_label};
 use super::layer::{Direction, Layer, Shape};
-use super::legend::{self, Entry, Legend};
+use super::legend::{self, Legend};
 use super::marks;
 use super::place::Taken;
 use super::scale::{Scale, measure};
+use super::style::{BAND_ROOM, INK, LABEL, TITLE};
 use super::text::{width, wrap};
 use super::ticks::Tick;
-use super::{Axis, Plot, Raster};
+use super::{Axis, Plot, Raster, Spread};
 
-/// Width of a figure, pixels.
-pub(super) const WIDTH: f64 = 720.0;
-const TITLE: f64 = 15.0;
 /// Bold letters of the widest font over its others.
 const BOLD: f64 = 1.14;
 /// No frame is narrower or lower.
@@ -33,19 +31,27 @@ pub(super) struct Layout<'a> {
     /// Left and right of the frame.
     pub(super) margins: (f64, f64),
     title: Vec<String>,
+    /// Height between the axes, unless the units of both axes are to be equally long.
+    height: f64,
     nothing: bool,
+    /// Whether a line or a band goes on beyond the range of its axis.
+    is_cut: bool,
 }
 
 impl<'a> Layout<'a> {
-    pub(super) fn new(plot: &'a Plot, width: f64) -> Self {
+    pub(super) fn new(plot: &'a Plot, (width, height): (f64, f64)) -> Self {
         // Only a point that both axes can show counts for either.
-        let shown: Vec<(f64, f64)> = plot
-            .layers
-            .iter()
-            .filter(|layer| plot.is_linear() || !matches!(layer.shape, Shape::Raster(_)))
-            .flat_map(Layer::reach)
-            .filter(|p| measure(plot.x.spread, p.0).is_some() && measure(plot.y.spread, p.1).is_some())
-            .collect();
+        let can_show =
+            |p: &(f64, f64)| measure(plot.x.spread, p.0).is_some() && measure(plot.y.spread, p.1).is_some();
+        let reach = |is_band: bool| -> Vec<(f64, f64)> {
+            let shown = plot.layers.iter().filter(|layer| {
+                layer.is_interval() == is_band
+                    && (plot.is_linear() || !matches!(layer.shape, Shape::Raster(_)))
+            });
+            shown.flat_map(Layer::reach).filter(can_show).collect()
+        };
+        let mut shown = reach(false);
+        shown.extend(within_reach(plot, &shown, reach(true)));
         let raster = plot.raster();
         // Bars stand on the axis along which they lie.
         let stand = |along: Direction| {
@@ -58,12 +64,23 @@ impl<'a> Layout<'a> {
         };
         let x = scale(&plot.x, &shown.iter().map(|p| p.0).collect::<Vec<_>>(), stand(Direction::Y));
         let y = scale(&plot.y, &shown.iter().map(|p| p.1).collect::<Vec<_>>(), stand(Direction::X));
-        let y_ticks = axes::y_ticks(&y, plot.height);
-        let bar = raster.and_then(|raster| Bar::new(raster, plot.height)).map_or(0.0, |bar| bar.room());
+        let y_ticks = axes::y_ticks(&y, height);
+        let bar = raster.and_then(|raster| Bar::new(raster, height)).map_or(0.0, |bar| bar.room());
         let right = axes::right_margin(&axes::x_ticks(&x, 0.8 * width));
         let margins = (axes::left_margin(&plot.y, &y_ticks), right.max(bar));
         let title = wrap(&plot.title, BOLD * TITLE, width - 30.0, 3);
-        Self { plot, width, x, y, y_ticks, raster, margins, title, nothing: shown.is_empty() }
+        let goes_on = |layer: &Layer| {
+            matches!(layer.shape, Shape::Line(_) | Shape::Band(..))
+                && layer.reach().iter().filter(|point| can_show(point)).any(|point| {
+                    let inside = -1e-6..=1.0 + 1e-6;
+                    let [across, up] = [x.place(point.0), y.place(point.1)];
+                    across.is_some_and(|at| inside.contains(&at))
+                        && up.is_some_and(|at| !inside.contains(&at))
+                })
+        };
+        let is_cut = plot.layers.iter().any(goes_on);
+        let nothing = shown.is_empty();
+        Self { plot, width, x, y, y_ticks, raster, margins, title, height, nothing, is_cut }
     }
 
     /// Height of the title.
@@ -90,16 +107,17 @@ impl<'a> Layout<'a> {
         corner: (f64, f64),
         margins: (f64, f64),
         head: f64,
+        has_legend: bool,
     ) -> f64 {
         let plot = self.plot;
         let room = (self.width - margins.0 - margins.1).max(LEAST);
-        let (frame_width, frame_height) = self.fitted(room, plot.height);
+        let (frame_width, frame_height) = self.fitted(room, self.height);
         let start = corner.0 + (room - frame_width) / 2.0;
         let rect = Rect::new(start + margins.0, corner.1 + 10.0 + head + 2.0, frame_width, frame_height);
         self.draw_title(canvas, corner.0, &rect);
         let frame = Frame { x: self.x, y: self.y, rect };
         let x_ticks = axes::x_ticks(&self.x, frame_width);
-        let lower = (frame_height != plot.height).then(|| axes::y_ticks(&self.y, frame_height));
+        let lower = (frame_height != self.height).then(|| axes::y_ticks(&self.y, frame_height));
         let y_ticks = lower.as_ref().unwrap_or(&self.y_ticks);
         let label_x = start + 6.0 + LABEL / 2.0;
         let taken = self.draw_panel(canvas, &frame, &x_ticks, y_ticks, |canvas| {
@@ -110,6 +128,9 @@ impl<'a> Layout<'a> {
             bar.draw(canvas, &rect);
         }
         let bottom = rect.bottom + if plot.x.label.is_empty() { FOOT - LABEL - 8.0 } else { FOOT };
+        if !has_legend {
+            return bottom + 6.0;
+        }
         self.draw_legend(canvas, &plot.layers, &rect, &taken, (corner.0, bottom))
     }
 
@@ -158,6 +179,9 @@ impl<'a> Layout<'a> {
         for layer in layers {
             draw_label(canvas, frame, layer, &mut taken);
         }
+        if self.is_cut {
+            draw_corner_note(canvas, rect, "cut at the frame", &mut taken);
+        }
         taken
     }
 
@@ -170,9 +194,12 @@ impl<'a> Layout<'a> {
         taken: &Taken,
         foot: (f64, f64),
     ) -> f64 {
-        let inside = legend::entries(layers.clone(), 0.7 * rect.width());
         let end = foot.1 + 6.0;
-        if inside.is_empty() || self.plot.legend == Legend::Hidden {
+        if self.plot.legend == Legend::Hidden {
+            return end;
+        }
+        let inside = legend::entries(layers.clone(), 0.7 * rect.width());
+        if inside.is_empty() {
             return end;
         }
         let (width, height) = legend::inside_size(&inside);
@@ -187,6 +214,7 @@ impl<'a> Layout<'a> {
         ]
         .map(|(name, left, top)| (Rect::new(left, top, width, height), name));
         let chosen = match self.plot.legend {
+            _ if legend::needs_scale(&inside) => None,
             Legend::Auto => taken.clearest(corners).filter(|(place, _)| {
                 taken.under(place) == 0 && rect.holds((place.left, place.top)) && bottom > rect.top
             }),
@@ -196,10 +224,25 @@ impl<'a> Layout<'a> {
             legend::draw_inside(canvas, &inside, &place);
             return end;
         }
-        let room = self.width - 32.0;
-        let entries: Vec<Entry<'_>> = legend::entries(layers, room);
-        let (places, height) = legend::rows_below(&entries, room);
-        legend::draw_below(canvas, &entries, &places, (foot.0 + 16.0, foot.1));
-        end + height
+        end + legend::draw_below(canvas, layers, (foot.0 + 16.0, foot.1), self.width - 32.0)
     }
+}
+
+/// The points of bands that count for the axes, given those of all else: a band may widen the axis by part of its range only,
+/// so that it does not flatten its lines.
+fn within_reach(plot: &Plot, others: &[(f64, f64)], bands: Vec<(f64, f64)>) -> Vec<(f64, f64)> {
+    let measured = others.iter().filter_map(|point| measure(plot.y.spread, point.1));
+    let (low, high) = measured
+        .fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), value| (low.min(value), high.max(value)));
+    if high <= low {
+        return bands;
+    }
+    let room = BAND_ROOM * (high - low);
+    let back = |value: f64| if plot.y.spread == Spread::Log { 10f64.powf(value) } else { value };
+    let limited = |(x, y): (f64, f64)| {
+        let value = measure(plot.y.spread, y)?;
+        let nearest = value.clamp(low - room, high + room);
+        Some((x, if nearest == value { y } else { back(nearest) }))
+    };
+    bands.into_iter().filter_map(limited).collect()
 }

@@ -9,6 +9,7 @@
 //! |---|---|
 //! | `layer` | what can be shown: lines, points, bands, bars, regions, references |
 //! | `colour` | the palette and its fixed roles |
+//! | `style` | the style guide: sizes, colours, limits |
 //! | `scale` | from a value to a place on the page |
 //! | `ticks` | positions and labels of ticks |
 //! | `raster` | fields of values and their images |
@@ -25,6 +26,7 @@
 //! | `label` | labels of reference lines, regions and points |
 //! | `layout` | one plot: its scales and margins, then its place and its marks |
 //! | `joint` | a plot with the distributions of its two quantities |
+//! | `data` | what is shown as numbers, for readers that draw it anew |
 //! | `draw` | puts a figure together |
 
 mod axes;
@@ -32,6 +34,7 @@ mod bar;
 mod canvas;
 mod clip;
 mod colour;
+mod data;
 mod draw;
 mod joint;
 mod label;
@@ -43,14 +46,17 @@ mod place;
 mod png;
 mod raster;
 mod scale;
+mod style;
 mod text;
 mod thin;
 mod ticks;
 
 pub use colour::{Colour, ColourMap};
+pub use data::FigureData;
 pub use layer::{Dash, Layer, Marker};
 pub use legend::Legend;
 pub use raster::Raster;
+pub use style::{DARK_COLOURS, Size, dark_rules};
 
 use layer::Shape;
 
@@ -69,17 +75,19 @@ pub struct Axis {
     label: String,
     spread: Spread,
     range: Option<(f64, f64)>,
+    /// Other units, each with its label and its number to one of the axis.
+    units: Vec<(String, f64)>,
 }
 
 impl Axis {
     /// A linear axis; the label names the quantity and its unit, e.g. "separation d (µm)".
     pub fn linear(label: impl Into<String>) -> Self {
-        Self { label: label.into(), spread: Spread::Linear, range: None }
+        Self { label: label.into(), spread: Spread::Linear, range: None, units: Vec::new() }
     }
 
     /// A logarithmic axis.
     pub fn log(label: impl Into<String>) -> Self {
-        Self { label: label.into(), spread: Spread::Log, range: None }
+        Self { label: label.into(), spread: Spread::Log, range: None, units: Vec::new() }
     }
 
     /// Shows exactly this range instead of the range of the data; the first value stands left (or
@@ -87,6 +95,13 @@ impl Axis {
     /// show is ignored.
     pub fn range(mut self, from: f64, to: f64) -> Self {
         self.range = Some((from, to));
+        self
+    }
+
+    /// Names another quantity in which a reader may want the axis, and its value where the axis is at 1. Drawings use the first
+    /// one; [`Figure::data`] has all.
+    pub fn or_in(mut self, label: impl Into<String>, factor: f64) -> Self {
+        self.units.push((label.into(), factor));
         self
     }
 
@@ -216,9 +231,9 @@ impl Plot {
         })
     }
 
-    /// Draws this plot alone, 720 CSS pixels wide.
-    pub fn svg(&self) -> String {
-        draw::figure(&self.title, &[self], Arrangement::Column)
+    /// As many names as layers: adds a key to the legend that shows a way to draw lines, such as dashes for a model.
+    pub fn with_key(self, name: &str, dash: Dash) -> Self {
+        self.with(Layer::line([]).coloured(Colour::Neutral).dashed(dash).named(name))
     }
 }
 
@@ -245,7 +260,8 @@ impl Figure {
         Self { title: title.into(), plots, arrangement: Arrangement::Column }
     }
 
-    /// Plots side by side, each narrower.
+    /// Plots side by side, each narrower; in several rows where they would be too narrow. Plots that name the same layers share
+    /// their legend.
     pub fn row(title: impl Into<String>, plots: Vec<Plot>) -> Self {
         Self { title: title.into(), plots, arrangement: Arrangement::Row }
     }
@@ -259,10 +275,36 @@ impl Figure {
         Self { title: title.into(), plots, arrangement: Arrangement::Joint }
     }
 
-    /// Draws the figure; 720 CSS pixels wide, 1080 for plots side by side.
-    pub fn svg(&self) -> String {
+    /// Draws the figure as the text of an SVG file, as wide as a page (720 CSS pixels) or sized for print. In a dark environment
+    /// a viewer that applies style sheets shows it light on dark.
+    pub fn file(&self, size: Option<Size>) -> String {
+        self.draw(size, true)
+    }
+
+    /// Draws the figure as part of a page that has the [`dark_rules`].
+    pub fn part_of_page(&self) -> String {
+        self.draw(None, false)
+    }
+
+    /// What the figure shows as numbers; `None` of a figure that is more than lines, points, bands and references.
+    pub fn data(&self) -> Option<FigureData> {
+        (self.arrangement != Arrangement::Joint).then(|| data::of(&self.plots)).flatten()
+    }
+
+    /// What it shows, for readers that cannot see it.
+    pub fn title(&self) -> &str {
+        &self.title
+    }
+
+    fn draw(&self, size: Option<Size>, file: bool) -> String {
         let plots: Vec<&Plot> = self.plots.iter().collect();
-        draw::figure(&self.title, &plots, self.arrangement)
+        draw::figure(&self.title, &plots, self.arrangement, size, file)
+    }
+}
+
+impl From<Plot> for Figure {
+    fn from(plot: Plot) -> Self {
+        Self { title: plot.title.clone(), plots: vec![plot], arrangement: Arrangement::Column }
     }
 }
 

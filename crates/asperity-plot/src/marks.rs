@@ -5,12 +5,11 @@ use super::canvas::{Canvas, Rect, Spot, Stroke};
 use super::clip::clip;
 use super::layer::{Dash, Direction, Layer, Marker, Shape};
 use super::place::{PITCH, Taken};
+use super::style::{LINE, REFERENCE};
 use super::thin::thin;
 use super::{Raster, Spread};
 use std::collections::HashSet;
 
-const LINE: f64 = 2.0;
-const REFERENCE: f64 = 1.2;
 /// Half the size of a marker.
 const RADIUS: f64 = 3.2;
 /// Radius of an open circle.

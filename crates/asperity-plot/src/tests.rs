@@ -7,6 +7,23 @@ fn wave(points: usize) -> Vec<(f64, f64)> {
         .collect()
 }
 
+/// A plot alone or a figure, as it stands in a page.
+trait Drawn {
+    fn svg(&self) -> String;
+}
+
+impl Drawn for Plot {
+    fn svg(&self) -> String {
+        Figure::from(self.clone()).part_of_page()
+    }
+}
+
+impl Drawn for Figure {
+    fn svg(&self) -> String {
+        self.part_of_page()
+    }
+}
+
 fn plot() -> Plot {
     Plot::new("title", Axis::log("x (m)"), Axis::linear("y"))
 }
@@ -402,5 +419,89 @@ fn a_tile_is_filled_and_holds_its_text() {
     // Light on the dark tile, dark on the light one.
     let colour_of =
         |text: &str| svg.split_once(text).unwrap().0.rsplit_once("fill=\"").unwrap().1[..7].to_owned();
-    assert_eq!([colour_of("+0.3"), colour_of("-0.1")], ["#FFFFFF", "#222222"], "{svg}");
+    assert_eq!([colour_of("+0.3"), colour_of("-0.1")], ["#FEFEFE", "#232323"], "{svg}");
+}
+
+#[test]
+fn symbols_have_subscripts() {
+    let plot = Plot::new("", Axis::linear("load ratio P/(A_nom E*)"), Axis::linear("β_avg of my_file"));
+    let svg = plot.with(Layer::line([(0.0, 1.0), (1.0, 2.0)])).svg();
+    assert_sound(&svg);
+    assert!(
+        svg.contains(
+            "P/(A<tspan dy=\"0.28em\" font-size=\"31\">nom</tspan><tspan dy=\"-0.207em\"> E*)</tspan>"
+        ),
+        "{svg}"
+    );
+    assert!(svg.contains(">avg</tspan><tspan dy=\"-0.207em\"> of my_file</tspan>"), "{svg}");
+}
+
+#[test]
+fn a_file_adapts_to_a_dark_environment_and_a_page_does_so_once() {
+    let figure = Figure::from(plot().with(Layer::line(wave(9))));
+    let file = figure.file(None);
+    assert!(file.contains(&format!("<style>{}</style>", dark_rules())));
+    assert!(
+        file.contains("fill=\"#FFFFFF\"") && dark_rules().contains("svg [fill=\"#FFFFFF\"]{fill:#15181C}")
+    );
+    assert!(!figure.part_of_page().contains("<style>"));
+}
+
+#[test]
+fn a_size_in_print_sets_width_and_text() {
+    let figure = Figure::from(plot().with(Layer::line(wave(9))));
+    let svg = figure.file(Some(Size::new(85.0, 8.0)));
+    assert_sound(&svg);
+    assert!(svg.contains("width=\"85mm\""), "{svg}");
+    // 85 mm hold 30 widths of 8 pt; the tick labels are 37 or 38 units high.
+    let width: f64 = svg.split_once("viewBox=\"0 0 ").unwrap().1.split_once(' ').unwrap().0.parse().unwrap();
+    assert!((width / (12.5 * 3.0) - 85.0 / 25.4 * 72.0 / 8.0).abs() < 0.1, "{width}");
+    assert_eq!(Size::new(1.0, 99.0), Size::new(40.0, 24.0));
+}
+
+#[test]
+fn plots_in_a_row_keep_the_size_of_text_and_share_their_legend() {
+    let named =
+        |names: &[&str]| names.iter().fold(plot(), |plot, name| plot.with(Layer::line(wave(9)).named(*name)));
+    let two = Figure::row("two", vec![named(&["a", "b"]), named(&["b", "a"])]).svg();
+    assert_sound(&two);
+    assert!(two.contains("width=\"720\""));
+    assert_eq!((count(&two, "\na\n"), count(&two, "\nb\n")), (1, 1), "{two}");
+    let four = Figure::row("four", vec![named(&["a"]), named(&["b"]), named(&["c"]), named(&["d"])]).svg();
+    let lefts: Vec<&str> =
+        four.split("<svg x=\"").skip(1).map(|rest| rest.split_once('"').unwrap().0).collect();
+    assert_eq!(lefts.len(), 4);
+    assert_eq!((lefts[0], lefts[1]), (lefts[2], lefts[3]));
+}
+
+#[test]
+fn many_ordered_curves_share_a_colour_scale() {
+    let figure = |of: usize| {
+        let line = |index: usize| {
+            Layer::line(wave(9)).coloured(Colour::Ordered { index, of }).named(format!("{} nm", index + 1))
+        };
+        (0..of).map(line).fold(plot(), Plot::with).with_key("statistical", Dash::Dashed).svg()
+    };
+    let (few, many) = (figure(8), figure(11));
+    assert_sound(&many);
+    assert!(many.contains("\n11 nm\n") && many.contains("\nstatistical\n"));
+    // Cells instead of samples of lines: of those only the key is left.
+    let cells = |svg: &str| count(svg, "height=\"33\"");
+    assert_eq!((cells(&few), cells(&many)), (0, 11));
+}
+
+#[test]
+fn a_wide_band_does_not_flatten_its_line_and_is_said_to_be_cut() {
+    let line = || Layer::line([(1.0, 1.0), (10.0, 2.0)]);
+    let linear = || Plot::new("", Axis::log("x"), Axis::linear("y")).with(line());
+    let wide = linear().with(Layer::band([(1.0, -90.0, 90.0), (10.0, 1.9, 2.1)]));
+    let layout = super::layout::Layout::new(&wide, (720.0, 380.0));
+    assert!(layout.y.from > 0.4 && layout.y.to < 2.6, "{:?}", layout.y);
+    assert!(wide.svg().contains("cut at the frame"));
+    let narrow = linear().with(Layer::band([(1.0, 0.9, 1.1), (10.0, 1.9, 2.1)])).svg();
+    assert!(!narrow.contains("cut at the frame"));
+    let log = Plot::new("", Axis::log("x"), Axis::log("y")).with(line());
+    let log = log.with(Layer::band([(1.0, 1e-9, 1e9), (10.0, 1.9, 2.1)]));
+    let layout = super::layout::Layout::new(&log, (720.0, 380.0));
+    assert!(layout.y.from > -0.2 && layout.y.to < 0.5, "{:?}", layout.y);
 }

@@ -73,7 +73,7 @@ fn decimal(lead: f64, exponent: i32, largest: f64) -> String {
     }
     if (1e-3..1e5).contains(&largest) {
         let digits = (-exponent).clamp(0, 12) as usize;
-        return minus(&format!("{:.digits$}", lead * 10f64.powi(exponent)));
+        return minus(&grouped(&format!("{:.digits$}", lead * 10f64.powi(exponent))));
     }
     // All labels of an axis carry the power of its largest value.
     let power = largest.log10().floor() as i32;
@@ -81,9 +81,24 @@ fn decimal(lead: f64, exponent: i32, largest: f64) -> String {
     format!("{}×{}", minus(&format!("{:.digits$}", lead * 10f64.powi(exponent - power))), power_of_ten(power))
 }
 
+/// Whole numbers of five digits and more in groups of three, as in the text of a report.
+fn grouped(number: &str) -> String {
+    let digits = number.trim_start_matches('-');
+    if number.contains('.') || digits.len() < 5 {
+        return number.to_owned();
+    }
+    let sign = &number[..number.len() - digits.len()];
+    let (first, rest) = digits.split_at((digits.len() - 1) % 3 + 1);
+    let groups = rest.as_bytes().chunks(3).map(|group| String::from_utf8_lossy(group));
+    groups.fold(format!("{sign}{first}"), |text, group| format!("{text},{group}"))
+}
+
 fn minus(number: &str) -> String {
     number.replace('-', "−")
 }
+
+/// Logarithmic axes up to this power of ten have plain numbers.
+const PLAIN: f64 = 5.301;
 
 /// Powers of ten, thinned to every 2nd, 3rd, 5th ... as needed; within few decades, parts of them.
 fn log(scale: &Scale, count: usize) -> Vec<Tick> {
@@ -97,9 +112,11 @@ fn log(scale: &Scale, count: usize) -> Vec<Tick> {
         .into_iter()
         .find(|step| decades / f64::from(*step) <= count as f64)
         .unwrap_or(1000);
-    let plain = low >= -3.001 && high <= 4.001;
+    let plain = low >= -3.001 && high <= PLAIN;
     let name = |lead: u8, power: i64| match (plain, lead) {
-        (true, _) => format!("{:.*}", (-power).max(0) as usize, f64::from(lead) * 10f64.powi(power as i32)),
+        (true, _) => {
+            grouped(&format!("{:.*}", (-power).max(0) as usize, f64::from(lead) * 10f64.powi(power as i32)))
+        }
         (false, 1) => power_of_ten(power as i32),
         (false, _) => format!("{lead}×{}", power_of_ten(power as i32)),
     };
@@ -114,7 +131,7 @@ fn log(scale: &Scale, count: usize) -> Vec<Tick> {
             }
             let labelled = match lead {
                 1 => power.rem_euclid(step.into()) == 0,
-                2 | 5 => decades * 3.0 <= count as f64 || whole < 2,
+                2 | 5 => (plain && decades * 3.0 <= count as f64) || whole < 2,
                 _ => false,
             };
             let label = labelled.then(|| name(lead, power));
@@ -194,6 +211,14 @@ mod tests {
             ["10⁻¹⁴", "10⁻¹²", "10⁻¹⁰", "10⁻⁸", "10⁻⁶", "10⁻⁴", "10⁻²", "10⁰"]
         );
         assert!(labels(Spread::Log, 1e-300, 1e300, 8).len() <= 8);
+    }
+
+    #[test]
+    fn thicknesses_have_plain_numbers() {
+        assert_eq!(labels(Spread::Log, 3.0, 300.0, 8), ["5", "10", "20", "50", "100", "200"]);
+        assert_eq!(labels(Spread::Log, 3.0, 20_000.0, 8), ["10", "100", "1000", "10,000"]);
+        assert_eq!(labels(Spread::Linear, 0.0, 40_000.0, 2), ["0", "20,000", "40,000"]);
+        assert_eq!(grouped("-1234567"), "-1,234,567");
     }
 
     #[test]

@@ -153,9 +153,9 @@ fn edges(values: &[f64]) -> Vec<f64> {
     std::iter::once(first - 0.5 * low).chain(inner).chain([last + 0.5 * high]).collect()
 }
 
-fn map(results: &CausesResults, load: usize) -> String {
+fn map(results: &CausesResults, load: usize) -> Figure {
     let panels = QUANTITIES.map(|quantity| map_of(results, quantity, load));
-    Figure::row("Leading causes over skewness and bandwidth", panels.into()).svg()
+    Figure::row("Leading causes over skewness and bandwidth", panels.into())
 }
 
 fn map_of(results: &CausesResults, quantity: ComparedQuantity, load: usize) -> Plot {
@@ -183,9 +183,9 @@ fn map_of(results: &CausesResults, quantity: ComparedQuantity, load: usize) -> P
     plot
 }
 
-fn contributions(results: &CausesResults, quantity: ComparedQuantity, load: usize) -> String {
+fn contributions(results: &CausesResults, quantity: ComparedQuantity, load: usize) -> Figure {
     let panels = rows(results).into_iter().map(|row| lines(row, quantity, load));
-    Figure::row("Contributions over the skewness", panels.collect()).svg()
+    Figure::row("Contributions over the skewness", panels.collect())
 }
 
 fn lines(row: &[GridPoint], quantity: ComparedQuantity, load: usize) -> Plot {

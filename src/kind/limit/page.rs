@@ -105,7 +105,7 @@ fn finding(found: &SlopeRange) -> String {
     )
 }
 
-fn figure(results: &LimitResults, law: &str, quantity: Quantity) -> String {
+fn figure(results: &LimitResults, law: &str, quantity: Quantity) -> Figure {
     let panel = |heights: Heights| {
         let (title, label) = match heights {
             Heights::Random => ("heights drawn at random", "slope −1/2"),
@@ -153,5 +153,4 @@ fn figure(results: &LimitResults, law: &str, quantity: Quantity) -> String {
         format!("Convergence of the {} under {law}", quantity.name()),
         Heights::ALL.map(panel).to_vec(),
     )
-    .svg()
 }

@@ -13,16 +13,17 @@ const RATIOS: (f64, f64) = (0.0, 5.0);
 
 /// Radius ratio against normalised height (Pasaribu and Schipper 2005, Fig. 3) with both distributions, and
 /// which part of the asperities lies outside. Where all radii are equal, the heights alone.
-pub fn asperities(surface: &Surface, assumed: Option<&Population>) -> (String, f64) {
-    let statistics = &surface.statistics;
+pub fn asperities(surface: &Surface, assumed: Option<&Population>) -> (Figure, f64) {
+    let (name, statistics) = (&surface.name, &surface.statistics);
     let standardised = surface.set.heights().iter().map(|z| (z - statistics.mean_height) / statistics.sigma);
     let points: Vec<(f64, f64)> =
         standardised.zip(surface.set.radii().iter().map(|b| b / statistics.mean_radius)).collect();
     let x = || Axis::linear("normalised height (z − mean)/σ").range(HEIGHTS.0, HEIGHTS.1);
     let heights: Vec<f64> = points.iter().map(|point| point.0).collect();
     let (edges, density) = histogram(&heights, HEIGHTS);
-    let mut top = Plot::new("Height distribution of the asperities", x(), Axis::linear("density"))
-        .with(Layer::bars(&edges, &density).coloured(Colour::Deterministic).named("asperities"));
+    let mut top =
+        Plot::new(format!("{name}: height distribution of the asperities"), x(), Axis::linear("density"))
+            .with(Layer::bars(&edges, &density).coloured(Colour::Deterministic).named("asperities"));
     if let Some(population) = assumed {
         let curve = (0..=200).map(|k| {
             let x = HEIGHTS.0 + 0.05 * f64::from(k);
@@ -39,17 +40,18 @@ pub fn asperities(surface: &Surface, assumed: Option<&Population>) -> (String, f
     };
     let outside = points.iter().filter(is_outside).count() as f64 / points.len() as f64;
     if statistics.radius_cv == 0.0 {
-        return (top.svg(), outside);
+        return (top.into(), outside);
     }
     let y = || Axis::linear("radius ratio β/β_avg").range(RATIOS.0, RATIOS.1);
     let ratios: Vec<f64> = points.iter().map(|point| point.1).collect();
     // Cells hold some points each where there are enough.
     let cells = ((points.len() as f64).sqrt() as usize).clamp(30, 120);
-    let mut main =
-        Plot::new("Radius ratio against normalised height", x(), y()).with(Layer::raster(Raster {
+    let mut main = Plot::new(format!("{name}: radius ratio against normalised height"), x(), y()).with(
+        Layer::raster(Raster {
             label: "asperities per cell".to_owned(),
             ..Raster::of_points(points, HEIGHTS, RATIOS, cells, cells)
-        }));
+        }),
+    );
     if let Some(population) = assumed {
         let ratio = population.radius / statistics.mean_radius;
         let line = Layer::line([(HEIGHTS.0, ratio), (HEIGHTS.1, ratio)]).coloured(Colour::Statistical);
@@ -58,7 +60,7 @@ pub fn asperities(surface: &Surface, assumed: Option<&Population>) -> (String, f
     let (edges, density) = histogram(&ratios, RATIOS);
     let right = Plot::new("", y(), Axis::linear("density"))
         .with(Layer::bars(&edges, &density).coloured(Colour::Deterministic).named("asperities"));
-    (Figure::joint("Radii against heights of the asperities", main, top, right).svg(), outside)
+    (Figure::joint(format!("{name}: radii against heights of the asperities"), main, top, right), outside)
 }
 
 /// Counts in equal bins as a probability density of all values; bins as wide as Scott (1979) has
@@ -90,7 +92,7 @@ fn colour_limit(map: &HeightMap) -> f64 {
 }
 
 /// The heights as an image, with a circle around each of the places `marked` (m).
-pub fn heights(map: &HeightMap, marked: &[[f64; 2]]) -> String {
+pub fn heights(name: &str, map: &HeightMap, marked: &[[f64; 2]]) -> Figure {
     let [nx, ny] = map.points();
     let size = [nx as f64 * map.pixel()[0], ny as f64 * map.pixel()[1]];
     let (length, length_name) = unit(size[0].max(size[1]));
@@ -99,9 +101,9 @@ pub fn heights(map: &HeightMap, marked: &[[f64; 2]]) -> String {
     // An image has x fastest, a map y.
     let values = (0..ny).flat_map(|iy| (0..nx).map(move |ix| map.heights()[ix * ny + iy] / height)).collect();
     let axis =
-        |name: &str, size: f64| Axis::linear(format!("{name} [{length_name}]")).range(0.0, size / length);
-    let plot = Plot::new("Heights", axis("x", size[0]), axis("y", size[1]))
-        .height(560.0)
+        |axis: &str, size: f64| Axis::linear(format!("{axis} ({length_name})")).range(0.0, size / length);
+    let plot = Plot::new(format!("{name}: heights"), axis("x", size[0]), axis("y", size[1]))
+        .height(420.0)
         .equal_aspect()
         .with(Layer::raster(Raster {
             x: (0.0, size[0] / length),
@@ -111,17 +113,17 @@ pub fn heights(map: &HeightMap, marked: &[[f64; 2]]) -> String {
             values,
             map: ColourMap::Diverging,
             limits: Some((-largest / height, largest / height)),
-            label: format!("height [{height_name}]"),
+            label: format!("height ({height_name})"),
         }));
     if marked.is_empty() {
-        return plot.svg();
+        return plot.into();
     }
     let places: Vec<(f64, f64)> = marked.iter().map(|[x, y]| (x / length, y / length)).collect();
-    plot.with(Layer::points(places, Marker::Ring).coloured(Colour::Neutral).named("spikes")).svg()
+    plot.with(Layer::points(places, Marker::Ring).coloured(Colour::Neutral).named("spikes")).into()
 }
 
 /// Heights of all points, by counts over 5 Sq on both sides of the mean.
-pub fn distribution(counts: &[usize]) -> String {
+pub fn distribution(name: &str, counts: &[usize]) -> Figure {
     let step = (HEIGHTS.1 - HEIGHTS.0) / counts.len() as f64;
     let edges: Vec<f64> = (0..=counts.len()).map(|k| HEIGHTS.0 + step * k as f64).collect();
     let total = counts.iter().sum::<usize>().max(1) as f64;
@@ -131,7 +133,7 @@ pub fn distribution(counts: &[usize]) -> String {
         (x, Heights::GAUSSIAN.density(x))
     });
     Plot::new(
-        "Height distribution of the points",
+        format!("{name}: height distribution of the points"),
         Axis::linear("height (z − mean)/Sq").range(HEIGHTS.0, HEIGHTS.1),
         Axis::linear("density"),
     )
@@ -143,11 +145,11 @@ pub fn distribution(counts: &[usize]) -> String {
             .dashed(Dash::Dashed)
             .named("Gaussian"),
     )
-    .svg()
+    .into()
 }
 
 /// The radial spectrum, obtained and target; `None` where it was not computed.
-pub fn spectrum(whole: &MapOverview) -> Option<String> {
+pub fn spectrum(name: &str, whole: &MapOverview) -> Option<Figure> {
     let found = whole.spectrum.as_ref()?;
     let line = |spectrum: &RadialSpectrum| {
         // Beyond a cut-off only rounding errors are left.
@@ -156,10 +158,13 @@ pub fn spectrum(whole: &MapOverview) -> Option<String> {
         rings.copied().collect::<Vec<_>>()
     };
     let points = Layer::points(line(found), Marker::Circle).coloured(Colour::Deterministic);
-    let mut plot =
-        Plot::new("Power spectral density", Axis::log("wave number q [rad/m]"), Axis::log("C(q) [m⁴]"))
-            .with(Layer::line(line(found)).coloured(Colour::Deterministic).named("obtained"))
-            .with(points);
+    let mut plot = Plot::new(
+        format!("{name}: power spectral density"),
+        Axis::log("wave number q (rad/m)"),
+        Axis::log("C(q) (m⁴)"),
+    )
+    .with(Layer::line(line(found)).coloured(Colour::Deterministic).named("obtained"))
+    .with(points);
     if let Some(target) = &whole.target {
         let line = Layer::line(line(target)).coloured(Colour::Statistical).dashed(Dash::Dashed);
         plot = plot.with(line.named(if whole.is_target_of_gaussian {
@@ -168,16 +173,19 @@ pub fn spectrum(whole: &MapOverview) -> Option<String> {
             "target"
         }));
     }
-    Some(plot.svg())
+    Some(plot.into())
 }
 
 /// The autocorrelation along both axes.
-pub fn autocorrelation(found: &Autocorrelation) -> String {
+pub fn autocorrelation(name: &str, found: &Autocorrelation) -> Figure {
     let longest = [&found.along_x, &found.along_y].map(|lags| lags.last().map_or(0.0, |lag| lag.0));
-    let (length, name) = unit(longest[0].max(longest[1]));
-    let mut plot =
-        Plot::new("Autocorrelation", Axis::linear(format!("lag [{name}]")), Axis::linear("autocorrelation"))
-            .with(Layer::at_y(0.2, ""));
+    let (length, unit) = unit(longest[0].max(longest[1]));
+    let mut plot = Plot::new(
+        format!("{name}: autocorrelation"),
+        Axis::linear(format!("lag ({unit})")),
+        Axis::linear("autocorrelation"),
+    )
+    .with(Layer::at_y(0.2, ""));
     for (series, (axis, lags)) in
         [("along x", &found.along_x), ("along y", &found.along_y)].into_iter().enumerate()
     {
@@ -187,7 +195,7 @@ pub fn autocorrelation(found: &Autocorrelation) -> String {
     if let Some(sal) = found.length {
         plot = plot.with(Layer::at_x(sal / length, "Sal"));
     }
-    plot.svg()
+    plot.into()
 }
 
 #[cfg(test)]
@@ -214,9 +222,9 @@ mod tests {
     #[test]
     fn spikes_are_circled_where_they_are() {
         let map = HeightMap::new([40, 30], [1e-6; 2], (0..1200).map(f64::from).collect(), 0.0).unwrap();
-        assert!(!super::heights(&map, &[]).contains("<circle"));
+        assert!(!super::heights("m", &map, &[]).part_of_page().contains("<circle"));
         let rings = |places: &[[f64; 2]]| {
-            let svg = super::heights(&map, places);
+            let svg = super::heights("m", &map, places).part_of_page();
             let number = |element: &str, key: &str| {
                 let (_, rest) = element.split_once(&format!(" {key}=\"")).unwrap();
                 rest.split_once('"').unwrap().0.parse::<f64>().unwrap()
@@ -238,7 +246,8 @@ mod tests {
         use base64::Engine;
         // The highest point has the largest x and the smallest y.
         let heights = (0..12).map(|k| if k == 9 { 1e-6 } else { -1e-6 }).collect();
-        let svg = super::heights(&HeightMap::new([4, 3], [1e-6; 2], heights, 0.0).unwrap(), &[]);
+        let map = HeightMap::new([4, 3], [1e-6; 2], heights, 0.0).unwrap();
+        let svg = super::heights("m", &map, &[]).part_of_page();
         let file = svg.split_once("base64,").unwrap().1.split_once('"').unwrap().0;
         let file = base64::engine::general_purpose::STANDARD.decode(file).unwrap();
         let mut decoder = png::Decoder::new(std::io::Cursor::new(file));

@@ -12,84 +12,93 @@ use asperity_framework::report::page::Page;
 pub use figures::unit as length_unit;
 use properties::{columns, properties, table};
 
-/// Adds tables and figures of a surface to a page.
+/// Adds tables and figures of a surface to a page, those that most readers want first.
 pub fn section(page: &mut Page, surface: &Surface, assumed: Option<&asperity::Population>) {
-    page.table(["property", "value"], properties(surface).into_iter().map(Vec::from));
-    fitness::section(page, surface);
+    let name = &surface.name;
     if let Some(map) = &surface.map {
-        if let Some(made) = &map.generation {
-            generation::section(page, surface, map, made);
-        }
-        theory(page, surface, map);
-        if let Some(picture) = &map.whole.picture {
-            let missing = if map.roughness.missing > 0 { " Missing points are white." } else { "" };
-            let marked = map.spike_places();
-            let spikes = match map.spikes.as_ref().map_or(0, |spikes| spikes.left.count()) {
-                0 => String::new(),
-                1 => "One spike is circled. ".to_owned(),
-                found => format!("{} spikes are circled. ", count(found)),
-            };
-            let caption = format!(
-                "{spikes}Height map of {}; the colour scale covers 99.5 % of the points.{missing}",
-                surface.name
-            );
-            let svg = figures::heights(picture, &marked);
-            page.figure(&format!("{}-heights.svg", surface.name), svg, &caption);
-        }
-        if let Some(counts) = &map.whole.distribution {
-            let caption = format!(
-                "Height distribution of the points of {}, with a Gaussian of equal Sq.",
-                surface.name
-            );
-            let svg = figures::distribution(counts);
-            page.figure(&format!("{}-height-distribution.svg", surface.name), svg, &caption);
-        }
-        if let Some(svg) = figures::spectrum(&map.whole) {
-            let window = if map.generation.is_some() {
-                ""
-            } else {
-                " A Hann window suppresses edge effects; missing points are set to the mean."
-            };
-            page.figure(
-                &format!("{}-spectrum.svg", surface.name),
-                svg,
-                &format!(
-                    "Power spectral density of {}, averaged over rings of wave number q; its integral over the plane of \
-                     wave vectors is Sq².{window}",
-                    surface.name
-                ),
-            );
-        }
-        if let Some(correlation) = &map.whole.autocorrelation {
-            page.figure(
-                &format!("{}-autocorrelation.svg", surface.name),
-                figures::autocorrelation(correlation),
-                &format!(
-                    "Autocorrelation of {} along both axes; Sal is the shortest lag at which it decreases to 0.2.",
-                    surface.name
-                ),
-            );
-        }
+        height_map(page, surface, map);
     }
-    let (svg, beyond) = figures::asperities(surface, assumed);
+    fitness::section(page, surface);
+    asperities(page, surface, assumed);
+    page.details(3, &format!("{name}: properties"), |page| {
+        page.table(["property", "value"], properties(surface).into_iter().map(Vec::from));
+        if let Some(map) = &surface.map {
+            if let Some(made) = &map.generation {
+                generation::section(page, surface, map, made);
+            }
+            theory(page, surface, map);
+        }
+    });
+    if let Some(map) = &surface.map {
+        page.details(3, &format!("{name}: heights and spectrum"), |page| spectra(page, name, map));
+    }
+}
+
+fn height_map(page: &mut Page, surface: &Surface, map: &MapFacts) {
+    let Some(picture) = &map.whole.picture else { return };
+    let missing = if map.roughness.missing > 0 { " Missing points are white." } else { "" };
+    let marked = map.spike_places();
+    let spikes = match map.spikes.as_ref().map_or(0, |spikes| spikes.left.count()) {
+        0 => String::new(),
+        1 => "One spike is circled. ".to_owned(),
+        found => format!("{} spikes are circled. ", count(found)),
+    };
+    let name = &surface.name;
+    let caption =
+        format!("{spikes}Height map of {name}; the colour scale covers 99.5 % of the points.{missing}");
+    page.figure(&format!("{name}-heights.svg"), figures::heights(name, picture, &marked), &caption);
+}
+
+/// Distribution of heights, spectrum and autocorrelation of a map.
+fn spectra(page: &mut Page, name: &str, map: &MapFacts) {
+    if let Some(counts) = &map.whole.distribution {
+        page.figure(
+            &format!("{name}-height-distribution.svg"),
+            figures::distribution(name, counts),
+            &format!("Height distribution of the points of {name}, with a Gaussian of equal Sq."),
+        );
+    }
+    if let Some(figure) = figures::spectrum(name, &map.whole) {
+        let window = if map.generation.is_some() {
+            ""
+        } else {
+            " A Hann window suppresses edge effects; missing points are set to the mean."
+        };
+        page.figure(
+            &format!("{name}-spectrum.svg"),
+            figure,
+            &format!(
+                "Power spectral density of {name}, averaged over rings of wave number q; its integral over the plane of wave \
+                 vectors is Sq².{window}"
+            ),
+        );
+    }
+    if let Some(correlation) = &map.whole.autocorrelation {
+        page.figure(
+            &format!("{name}-autocorrelation.svg"),
+            figures::autocorrelation(name, correlation),
+            &format!("Autocorrelation of {name} along both axes; Sal is the shortest lag at which it decreases to 0.2."),
+        );
+    }
+}
+
+/// Heights and radii of the asperities.
+fn asperities(page: &mut Page, surface: &Surface, assumed: Option<&asperity::Population>) {
+    let (figure, beyond) = figures::asperities(surface, assumed);
     let beyond = if beyond > 0.0 {
         format!(" Outside the axes: {} of the asperities.", percent(beyond))
     } else {
         String::new()
     };
+    let name = &surface.name;
     let caption = if surface.statistics.radius_cv == 0.0 {
-        format!(
-            "Height distribution of the asperities of {}; all have the same radius.{beyond}",
-            surface.name
-        )
+        format!("Height distribution of the asperities of {name}; all have the same radius.{beyond}")
     } else {
         format!(
-            "Asperities of {}: number per cell of normalised radius and normalised height, with both \
-             distributions.{beyond}",
-            surface.name
+            "Asperities of {name}: number per cell of normalised radius and normalised height, with both distributions.{beyond}"
         )
     };
-    page.figure(&format!("{}-asperities.svg", surface.name), svg, &caption);
+    page.figure(&format!("{name}-asperities.svg"), figure, &caption);
 }
 
 /// Summits found and expected for a Gaussian surface: header and rows. `None` where there is no theory.

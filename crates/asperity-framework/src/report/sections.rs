@@ -15,6 +15,38 @@ pub fn notes(page: &mut Page, metadata: &Metadata) {
     }
 }
 
+/// Warnings, folded where there are many.
+pub fn warnings(page: &mut Page, warnings: &[String]) {
+    /// So many are read by everybody.
+    const MOST_SHOWN: usize = 2;
+    let warnings: Vec<String> = warnings.iter().map(|warning| escape_around_code(warning)).collect();
+    if warnings.len() <= MOST_SHOWN {
+        warnings.iter().for_each(|warning| {
+            page.warning(warning);
+        });
+        return;
+    }
+    page.details(2, &format!("{} warnings", warnings.len()), |page| {
+        page.bullets(warnings);
+    });
+}
+
+/// The command that runs the experiment again, and `spec` where it has no file.
+pub fn run_again(page: &mut Page, metadata: &Metadata, spec: Option<&str>) {
+    page.heading(2, "How to run it again");
+    let stem = &metadata.stem;
+    if let Some(spec) = spec {
+        page.paragraph("This spec runs the same (`--save-spec FILE` writes it):");
+        page.code("toml", spec);
+        return;
+    }
+    page.code("sh", &format!("cargo run --release --bin experiment -- run experiments/{stem}.toml"));
+    page.paragraph(
+        "The same spec and the same version give the same numbers on any number of threads; `experiment verify` compares two folders of \
+         reports.",
+    );
+}
+
 /// The set-up: bodies and spec.
 pub fn what_was_run(page: &mut Page, metadata: &Metadata, contact: &ContactMetadata) {
     page.heading(2, "Set-up");

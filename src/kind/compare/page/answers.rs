@@ -6,17 +6,25 @@ use asperity_framework::report::format::{
 };
 use asperity_framework::report::page::Page;
 
-use super::figures::{self, at_equal_load};
+use super::axes::Units;
+use super::figures::{self, Setting, at_equal_load};
 use super::lines;
 use super::names::{stem, subject};
 use super::single_load::is_single;
+use super::verdict::headline;
 use crate::kind::compare::results::{CompareResults, SurfaceResults};
 
 /// Results of both models under one law.
 pub fn answers(page: &mut Page, results: &CompareResults, found: &SurfaceResults, index: usize) {
     let case = &found.first.cases[index];
+    page.details(2, &format!("{}: curves and tables", subject(results, found, &case.law)), |page| {
+        write(page, results, found, index);
+    });
+}
+
+fn write(page: &mut Page, results: &CompareResults, found: &SurfaceResults, index: usize) {
+    let case = &found.first.cases[index];
     let comparison = &case.comparison;
-    page.heading(2, &format!("{}: results", subject(results, found, &case.law)));
     if let Some(index) = case.plasticity_index {
         page.paragraph(&format!("Plasticity index ψ = (E*/H)(σ/R)^½ = {}.", number(index)));
     }
@@ -43,35 +51,49 @@ pub fn answers(page: &mut Page, results: &CompareResults, found: &SurfaceResults
 /// The figures of the curves over load.
 fn curves(page: &mut Page, results: &CompareResults, found: &SurfaceResults, index: usize) {
     let case = &found.first.cases[index];
-    let modulus = results.contact.reduced_modulus;
     let stem = stem(found, &case.law);
-    let mut figure = |name: &str, caption: &str, svg: String| {
-        page.figure(&format!("{stem}-{name}.svg"), svg, caption);
-    };
+    let name = subject(results, found, &case.law);
     let others: Vec<&Comparison> =
         found.others.iter().map(|answered| &answered.cases[index].comparison).collect();
-    let valid = &found.findings.cases[index].verdicts.valid;
+    let verdicts = &found.findings.cases[index].verdicts;
+    let finding = if verdicts.differences.is_empty() {
+        String::new()
+    } else {
+        headline(verdicts, found.surface.plane.sigma)
+    };
+    let units = Units::of(results, found);
+    let setting = Setting { name: &name, case, valid: &verdicts.valid, units, finding: &finding };
     let [beside_separation, beside_area] = lines::layers(results, found, case);
-    figure(
-        "separation",
+    let file = |figure: &str| format!("{stem}-{figure}.svg");
+    page.figure(
+        &file("separation"),
+        figures::separation(&setting, &others, beside_separation),
         "Separation against load. Bands: 95 % sampling uncertainty at fixed separation for independent asperities. Shaded: \
          beyond the valid range.",
-        figures::separation(case, &others, valid, modulus, found.surface.plane.sigma, beside_separation),
     );
-    figure(
-        "area",
+    page.figure(
+        &file("area"),
+        figures::area(&setting, beside_area),
         "Real contact area against load. Bands and shading as above.",
-        figures::area(case, valid, modulus, beside_area),
     );
     if case.comparison.curves.is_empty() {
         return;
     }
-    figure(
-        "regimes",
-        "Share of the load carried by elastic, elastic-plastic and plastic contacts, by model; vertical lines: ends of the \
-         valid range.",
-        figures::regimes(case, valid, modulus),
-    );
+    match figures::regimes(&setting) {
+        Some(figure) => {
+            page.figure(
+                &file("regimes"),
+                figure,
+                "Share of the load carried by elastic, elastic-plastic and plastic contacts, by model, at loads carried by at least 30 \
+                 effective contacts; vertical lines: ends of the valid range.",
+            );
+        }
+        None => {
+            page.paragraph(
+                "At all loads that at least 30 effective contacts carry, contacts of one regime carry more than 99.8 % of the load in both models.",
+            );
+        }
+    }
 }
 
 /// Scatter over several realisations, and the sampling error estimated from a single sum.

@@ -3,7 +3,7 @@
 use asperity::sphere::DecreasingQuantity;
 use asperity_framework::contact::LayerMetadata;
 use asperity_framework::report::format::{input_quantity, listed, percent, quantity, thickness};
-use asperity_framework::report::page::{Page, escape};
+use asperity_framework::report::page::escape;
 
 use super::names::{subject, under};
 use crate::kind::compare::answers::DecreaseResults;
@@ -11,18 +11,16 @@ use crate::kind::compare::findings::Decreasing;
 use crate::kind::compare::results::CompareResults;
 
 /// A line for the area and one for the load of each surface under each law, where they decrease.
-pub fn bullets(page: &mut Page, results: &CompareResults) {
+pub fn lines(results: &CompareResults) -> Vec<String> {
     let layer = results.contact.layer.as_ref();
+    let mut lines = Vec::new();
     for found in &results.surfaces {
         for law in &found.findings.laws {
             let subject = subject(results, found, &law.law);
-            let lines: Vec<String> =
-                law.decreasing.iter().map(|found| line(&subject, found, layer)).collect();
-            if !lines.is_empty() {
-                page.bullets(lines);
-            }
+            lines.extend(law.decreasing.iter().map(|found| line(&subject, found, layer)));
         }
     }
+    lines
 }
 
 fn line(subject: &str, found: &Decreasing, layer: Option<&LayerMetadata>) -> String {

@@ -2,23 +2,38 @@
 //! what is accepted.
 
 use asperity::compare::{AgainstReference, ComparedQuantity, Difference, Estimate, ValidRange};
+use asperity_framework::report::format::capitalised;
 use asperity_plot::{Axis, Colour, Dash, Figure, Layer, Marker, Plot};
 
+use super::axes::Units;
+use super::verdict::name;
 use crate::kind::compare::findings::Verdicts;
 
-/// The quantities in the order of their panels, with their axes and the factor from a share or sigma to its unit.
-const PANELS: [(ComparedQuantity, &str, f64); 3] = [
-    (ComparedQuantity::Area, "area (%)", 100.0),
-    (ComparedQuantity::Separation, "separation (σ)", 1.0),
-    (ComparedQuantity::Stiffness, "stiffness (%)", 100.0),
-];
+/// The quantities in the order of their panels.
+const PANELS: [ComparedQuantity; 3] =
+    [ComparedQuantity::Area, ComparedQuantity::Separation, ComparedQuantity::Stiffness];
+
+/// The factor from a share or sigma to the unit of the axis.
+fn unit(compared: ComparedQuantity) -> f64 {
+    if compared == ComparedQuantity::Separation { 1.0 } else { 100.0 }
+}
+
+fn axis(compared: ComparedQuantity, units: &Units) -> Axis {
+    match compared {
+        ComparedQuantity::Area => Axis::linear("area difference (%)"),
+        ComparedQuantity::Separation => units.separation_difference("separation difference"),
+        ComparedQuantity::Stiffness => Axis::linear("stiffness difference (%)"),
+    }
+}
 
 /// Differences over load, with how they are drawn.
 struct Curve<'a> {
-    name: &'static str,
+    name: String,
     colour: Colour,
     dash: Dash,
     differences: &'a [Difference],
+    /// Whether its intervals are shown.
+    has_intervals: bool,
 }
 
 impl Curve<'_> {
@@ -28,65 +43,120 @@ impl Curve<'_> {
     }
 }
 
-/// Differences of area, separation and stiffness between the models at equal load, one panel each.
-pub fn differences(verdicts: &Verdicts) -> String {
+/// Differences of area, separation and stiffness between the models at equal load, one panel each; `finding` is what the figure
+/// shows, in words.
+pub fn differences(verdicts: &Verdicts, units: &Units, finding: &str) -> Figure {
     let curve = Curve {
-        name: "statistical − deterministic",
+        name: "statistical − deterministic".to_owned(),
         colour: Colour::Statistical,
         dash: Dash::Solid,
         differences: &verdicts.differences,
+        has_intervals: true,
     };
-    figure("Statistical minus deterministic model at equal load", verdicts, &[curve])
+    figure(finding, verdicts, units, &[curve])
 }
 
 /// The same of both models and the reference.
-pub fn against_reference(verdicts: &Verdicts, against: &AgainstReference) -> String {
+pub fn against_reference(
+    verdicts: &Verdicts,
+    against: &AgainstReference,
+    units: &Units,
+    finding: &str,
+) -> Figure {
     let [statistical, sum] = &against.models;
     let curves = [
         Curve {
-            name: "statistical − reference",
+            name: "statistical − reference".to_owned(),
             colour: Colour::Statistical,
             dash: Dash::Dashed,
             differences: statistical,
+            has_intervals: true,
         },
         Curve {
-            name: "deterministic − reference",
+            name: "deterministic − reference".to_owned(),
             colour: Colour::Deterministic,
             dash: Dash::Solid,
             differences: sum,
+            has_intervals: true,
         },
     ];
-    figure("Both models minus the reference at equal load", verdicts, &curves)
+    figure(finding, verdicts, units, &curves)
 }
 
-fn figure(title: &str, verdicts: &Verdicts, curves: &[Curve]) -> String {
+/// The differences between the models on several surfaces, laws or thicknesses, at valid loads; `finding` is what the figure
+/// shows, in words. Nothing where there is none.
+pub fn of_cases(cases: &[(String, &Verdicts)], finding: &str) -> Option<Figure> {
+    let panels = PANELS.map(|compared| {
+        let axis = Axis::linear(match compared {
+            ComparedQuantity::Separation => "difference (σ)",
+            ComparedQuantity::Area | ComparedQuantity::Stiffness => "difference (%)",
+        });
+        let mut plot = Plot::new(capitalised(name(compared)), Axis::log("nominal pressure (MPa)"), axis)
+            .height(210.0)
+            .with(Layer::at_y(0.0, ""));
+        // Accepted separations differ between surfaces in nm, not in sigma; shares not at all.
+        let accepted: Vec<f64> =
+            cases.iter().map(|(_, verdicts)| unit(compared) * verdicts.accepted.of(compared)).collect();
+        if let [first, rest @ ..] = &accepted[..]
+            && rest.iter().all(|other| other == first)
+        {
+            plot = plot.with(Layer::region_y(-first, *first, "accepted").coloured(Colour::Series(2)));
+        }
+        for (index, (case, verdicts)) in cases.iter().enumerate() {
+            let valid = verdicts.differences.iter().filter(|at| at.exceeded().is_none());
+            let line: Vec<(f64, f64)> = valid
+                .filter_map(|at| {
+                    let contrast = at.estimates[compared as usize]?.contrast;
+                    Some((megapascals(at.load), unit(compared) * compared.reported(contrast)))
+                })
+                .collect();
+            let colour = if cases.len() > MOST_SERIES {
+                Colour::Ordered { index, of: cases.len() }
+            } else {
+                Colour::Series(index)
+            };
+            plot = plot.with(Layer::line(line).coloured(colour).named(case.as_str()));
+        }
+        plot
+    });
+    let has_valid = cases.iter().any(|(_, verdicts)| !verdicts.valid.stretches.is_empty());
+    has_valid.then(|| Figure::row(finding, panels.into()))
+}
+
+/// More cases are shown in the colours of an order.
+const MOST_SERIES: usize = 8;
+
+fn figure(title: &str, verdicts: &Verdicts, units: &Units, curves: &[Curve]) -> Figure {
     let is_compared =
-        |compared: ComparedQuantity| curves.iter().any(|curve| curve.of(compared).next().is_some());
-    let panels = PANELS.into_iter().filter(|(compared, ..)| is_compared(*compared));
-    let plots = panels.map(|(compared, label, unit)| panel(verdicts, curves, compared, label, unit));
-    Figure::column(title, plots.collect()).svg()
+        |compared: &ComparedQuantity| curves.iter().any(|curve| curve.of(*compared).next().is_some());
+    let panels = PANELS.into_iter().filter(is_compared);
+    Figure::row(title, panels.map(|compared| panel(verdicts, units, curves, compared)).collect())
 }
 
-fn panel(verdicts: &Verdicts, curves: &[Curve], compared: ComparedQuantity, label: &str, unit: f64) -> Plot {
-    let shown = |contrast: f64| unit * compared.reported(contrast);
-    let accepted = unit * verdicts.accepted.of(compared);
+fn panel(verdicts: &Verdicts, units: &Units, curves: &[Curve], compared: ComparedQuantity) -> Plot {
+    let shown = |contrast: f64| unit(compared) * compared.reported(contrast);
+    let accepted = unit(compared) * verdicts.accepted.of(compared);
     let loads = curves.iter().flat_map(|curve| curve.differences).map(|at| megapascals(at.load));
-    let axis = Axis::log("nominal pressure (MPa)")
-        .range(loads.clone().fold(f64::INFINITY, f64::min) / MARGIN, loads.fold(0.0, f64::max) * MARGIN);
+    let tested = [loads.clone().fold(f64::INFINITY, f64::min), loads.fold(0.0, f64::max)];
     let all = curves.iter().flat_map(|curve| curve.of(compared));
     let in_view = all.filter(|(at, _)| at.exceeded().is_none());
     let ends = in_view.flat_map(|(_, found)| found.interval().unwrap_or([found.contrast; 2])).map(shown);
     let [low, high] =
         ends.fold([-VIEW * accepted, VIEW * accepted], |[low, high], end| [low.min(end), high.max(end)]);
     let room = 0.05 * (high - low);
-    let mut plot = Plot::new("", axis, Axis::linear(label).range(low - room, high + room))
-        .height(210.0)
-        .with(Layer::region_y(-accepted, accepted, "accepted").coloured(Colour::Series(2)));
+    let [from, to] = shown_loads(&verdicts.valid, tested);
+    let mut plot = Plot::new(
+        capitalised(name(compared)),
+        units.pressure().range(from, to),
+        axis(compared, units).range(low - room, high + room),
+    )
+    .height(210.0)
+    .with(Layer::region_y(-accepted, accepted, "accepted").coloured(Colour::Series(2)));
     for region in invalid(&verdicts.valid, 1e-6) {
         plot = plot.with(region);
     }
     plot = plot.with(Layer::at_y(0.0, ""));
-    for curve in curves {
+    for curve in curves.iter().filter(|curve| curve.has_intervals) {
         let band = curve.of(compared).filter_map(|(at, found)| {
             let [low, high] = found.interval()?;
             Some((megapascals(at.load), shown(low), shown(high)))
@@ -108,7 +178,7 @@ fn panel(verdicts: &Verdicts, curves: &[Curve], compared: ComparedQuantity, labe
         } else {
             Layer::line(line).coloured(curve.colour).dashed(curve.dash)
         };
-        plot = plot.with(line.named(curve.name));
+        plot = plot.with(line.named(&curve.name));
     }
     plot
 }
@@ -121,6 +191,16 @@ pub const MARGIN: f64 = 1.3;
 
 /// How much of the axis is shown at least, in accepted differences.
 const VIEW: f64 = 1.5;
+
+/// Loads (MPa) that a figure shows of those tested: the valid ones, and some beyond them.
+fn shown_loads(valid: &ValidRange, tested: [f64; 2]) -> [f64; 2] {
+    /// So far beyond the valid loads, as a ratio.
+    const BEYOND: f64 = 4.0;
+    let all = [tested[0] / MARGIN, tested[1] * MARGIN];
+    let ends = valid.stretches.iter().flatten().map(|load| megapascals(*load));
+    let [low, high] = [ends.clone().fold(f64::INFINITY, f64::min), ends.fold(0.0, f64::max)];
+    if low > high { all } else { [all[0].max(low / BEYOND), all[1].min(high * BEYOND)] }
+}
 
 /// A pressure in Pa as one in MPa.
 pub fn megapascals(pressure: f64) -> f64 {

@@ -1,25 +1,27 @@
 //! The figures of a comparison.
 
+use super::axes::Units;
 use super::differences::invalid;
 use crate::kind::compare::answers::CaseResults;
 use asperity::compare::{Comparison, CurvePoint, Kind, Pair, Pairing, ReferencePoint, ValidRange};
-use asperity::{INTERACTION, Regime};
+use asperity::{INTERACTION, Limit, Regime};
+use asperity_framework::report::format::capitalised;
 use asperity_plot::{Axis, Colour, Dash, Figure, Layer, Marker, Plot};
 
 /// Half-width of a band in standard errors: 95 % of all samples lie within.
 const BAND: f64 = 1.96;
 
 /// The load axis shared by all figures of one comparison.
-fn load_axis(case: &CaseResults, modulus: f64) -> Axis {
+fn load_axis(case: &CaseResults, units: &Units) -> Axis {
     /// Margin at both ends, as a ratio.
     const ROOM: f64 = 1.3;
     let loads = || {
         let of_models = case.comparison.curves.iter().map(|point| point.response.pressure.total());
         let of_reference = case.reference.iter().flat_map(|curve| &curve.points).map(|point| point.pressure);
-        of_models.chain(of_reference).map(|load| load / modulus).filter(|&load| load > 0.0)
+        of_models.chain(of_reference).map(|load| load / units.modulus).filter(|&load| load > 0.0)
     };
     let (low, high) = (loads().fold(f64::INFINITY, f64::min), loads().fold(0.0, f64::max));
-    Axis::log("load ratio P/(A_nom E*)").range(low / ROOM, high * ROOM)
+    units.load_ratio().range(low / ROOM, high * ROOM)
 }
 
 fn colour(kind: Kind) -> Colour {
@@ -48,46 +50,97 @@ pub fn at_equal_load(comparison: &Comparison) -> Vec<&Pair> {
     pairs
 }
 
-/// d/sigma against load (Pasaribu and Schipper 2005, Fig. 4), with `lines` beside the models; the deterministic results of other
-/// realisations are dotted.
-pub fn separation(
-    case: &CaseResults,
-    others: &[&Comparison],
-    valid: &ValidRange,
-    modulus: f64,
-    sigma: f64,
-    lines: Vec<Layer>,
-) -> String {
-    const OTHERS: &str = "other realisations";
-    let comparison = &case.comparison;
-    let axis = load_axis(case, modulus);
-    let mut plot = Plot::new("Separation against load", axis, Axis::linear("separation d/σ"));
-    for region in invalid(valid, modulus.recip()) {
-        plot = plot.with(region);
+/// What figures of one law and thickness have in common.
+pub struct Setting<'a> {
+    /// The surface, and the law where there are several.
+    pub name: &'a str,
+    /// Both models and the reference.
+    pub case: &'a CaseResults,
+    /// The loads at which both models are valid.
+    pub valid: &'a ValidRange,
+    /// Of the axes.
+    pub units: Units,
+    /// What the figures show, in words.
+    pub finding: &'a str,
+}
+
+impl Setting<'_> {
+    fn plot(&self, what: &str, y: Axis) -> Plot {
+        let mut plot = Plot::new(format!("{}: {what}", self.name), load_axis(self.case, &self.units), y);
+        for region in invalid(self.valid, self.units.modulus.recip()) {
+            plot = plot.with(region);
+        }
+        plot
     }
+
+    fn figure(&self, what: &str, plot: Plot) -> Figure {
+        Figure::column(format!("{}: {what}. {}", self.name, self.finding), vec![plot])
+    }
+
+    fn load(&self, point: &CurvePoint) -> f64 {
+        point.response.pressure.total() / self.units.modulus
+    }
+
+    /// A quantity of one model over the load, with its band (half-width) where there is one; dotted where few contacts carry
+    /// the load.
+    fn with_model(
+        &self,
+        plot: Plot,
+        kind: Kind,
+        value: impl Fn(&CurvePoint) -> f64,
+        half: impl Fn(&CurvePoint) -> Option<f64>,
+    ) -> Plot {
+        let points = curve(&self.case.comparison, kind);
+        let band = points.iter().filter_map(|point| {
+            let half = half(point)?;
+            Some((self.load(point), value(point) - half, value(point) + half))
+        });
+        let plot = plot.with(Layer::band(band.collect::<Vec<_>>()).coloured(colour(kind)));
+        let few: Vec<bool> = points.iter().map(|point| has_few_contacts(point)).collect();
+        let line = |is_shown: &dyn Fn(usize) -> bool| {
+            let at = |(k, point): (usize, &&CurvePoint)| {
+                (self.load(point), if is_shown(k) { value(point) } else { f64::NAN })
+            };
+            Layer::line(points.iter().enumerate().map(at).collect::<Vec<_>>()).coloured(colour(kind))
+        };
+        let dash = if kind == Kind::Statistical { Dash::Dashed } else { Dash::Solid };
+        let plot = plot.with(line(&|k| !few[k]).dashed(dash).named(kind.name()));
+        if !few.contains(&true) {
+            return plot;
+        }
+        // The dotted line reaches the other one.
+        let is_dotted = |k: usize| few[k.saturating_sub(1)..(k + 2).min(few.len())].contains(&true);
+        plot.with(line(&is_dotted).dashed(Dash::Dotted).named(FEW))
+    }
+}
+
+/// Lines where a model has few contacts.
+const FEW: &str = "fewer than 30 effective contacts";
+
+fn has_few_contacts(point: &CurvePoint) -> bool {
+    point.response.exceeded().limits().any(|limit| limit == Limit::FewContacts)
+}
+
+/// d/sigma against load (Pasaribu and Schipper 2005, Fig. 4), with `lines` beside the models; the deterministic results of other
+/// realisations are thin.
+pub fn separation(setting: &Setting, others: &[&Comparison], lines: Vec<Layer>) -> Figure {
+    const OTHERS: &str = "deterministic, other realisations";
+    let what = "separation against load";
+    let mut plot = setting.plot(what, setting.units.separation());
     for other in others {
         let points = curve(other, Kind::Deterministic);
-        let line = points
-            .iter()
-            .map(|point| (point.response.pressure.total() / modulus, point.response.separation_over_sigma));
-        let line = Layer::line(line.collect::<Vec<_>>()).coloured(Colour::Deterministic).dashed(Dash::Dotted);
-        plot = plot.with(line.named(format!("deterministic, {OTHERS}")));
+        let line = points.iter().map(|point| (setting.load(point), point.response.separation_over_sigma));
+        let line = Layer::line(line.collect::<Vec<_>>()).coloured(Colour::Others).thin();
+        plot = plot.with(line.named(OTHERS));
     }
+    let sigma = setting.units.sigma;
     for kind in [Kind::Deterministic, Kind::Statistical] {
-        let points = curve(comparison, kind);
-        let load = |point: &CurvePoint| point.response.pressure.total() / modulus;
-        let band = points.iter().filter_map(|point| {
-            let response = &point.response;
-            let half = BAND * response.separation_error(sigma)?;
-            let d = response.separation_over_sigma;
-            Some((load(point), d - half, d + half))
-        });
-        plot = plot.with(Layer::band(band.collect::<Vec<_>>()).coloured(colour(kind)));
-        let line = points.iter().map(|point| (load(point), point.response.separation_over_sigma));
-        plot = plot.with(model_line(kind, line));
+        let half = |point: &CurvePoint| Some(BAND * point.response.separation_error(sigma)?);
+        plot = setting.with_model(plot, kind, |point| point.response.separation_over_sigma, half);
     }
     let plot = lines.into_iter().fold(plot, Plot::with);
-    with_reference(plot, case, modulus, |point| point.separation_over_sigma).svg()
+    let plot = with_reference(plot, setting.case, setting.units.modulus, |point| point.separation_over_sigma);
+    setting.figure(what, plot)
 }
 
 /// Adds the line of the reference, where it was run.
@@ -119,36 +172,19 @@ pub fn reference_line(
     line
 }
 
-fn model_line(kind: Kind, points: impl Iterator<Item = (f64, f64)>) -> Layer {
-    let dash = if kind == Kind::Statistical { Dash::Dashed } else { Dash::Solid };
-    Layer::line(points.collect::<Vec<_>>()).coloured(colour(kind)).dashed(dash).named(kind.name())
-}
-
 /// Real over nominal area against load, with `lines` beside the models.
-pub fn area(case: &CaseResults, valid: &ValidRange, modulus: f64, lines: Vec<Layer>) -> String {
-    let comparison = &case.comparison;
-    let mut plot = Plot::new(
-        "Real contact area against load",
-        load_axis(case, modulus),
-        Axis::log("area ratio A/A_nom"),
-    )
-    .with(Layer::at_y(INTERACTION, "asperities interact above"));
-    for region in invalid(valid, modulus.recip()) {
-        plot = plot.with(region);
-    }
+pub fn area(setting: &Setting, lines: Vec<Layer>) -> Figure {
+    let what = "real contact area against load";
+    let mut plot = setting
+        .plot(what, Axis::log("area ratio A/A_nom"))
+        .with(Layer::at_y(INTERACTION, "asperities interact above"));
     for kind in [Kind::Deterministic, Kind::Statistical] {
-        let points = curve(comparison, kind);
-        let load = |point: &CurvePoint| point.response.pressure.total() / modulus;
-        let band = points.iter().filter_map(|point| {
-            let half = BAND * point.response.sampling?.area_ratio;
-            let area = point.response.area_ratio.total();
-            Some((load(point), area - half, area + half))
-        });
-        plot = plot.with(Layer::band(band.collect::<Vec<_>>()).coloured(colour(kind)));
-        plot = plot.with(model_line(kind, points.iter().map(|p| (load(p), p.response.area_ratio.total()))));
+        let half = |point: &CurvePoint| Some(BAND * point.response.sampling?.area_ratio);
+        plot = setting.with_model(plot, kind, |point| point.response.area_ratio.total(), half);
     }
     let plot = lines.into_iter().fold(plot, Plot::with);
-    with_reference(plot, case, modulus, |point| Some(point.area_ratio)).svg()
+    let plot = with_reference(plot, setting.case, setting.units.modulus, |point| Some(point.area_ratio));
+    setting.figure(what, plot)
 }
 
 /// The colour of a regime.
@@ -171,21 +207,35 @@ pub fn shares_of_load(title: &str, x: Axis, shares: impl Iterator<Item = (f64, [
     )
 }
 
-/// Each regime's share of the load, one panel per model.
-pub fn regimes(case: &CaseResults, valid: &ValidRange, modulus: f64) -> String {
-    let comparison = &case.comparison;
-    let panel = |kind: Kind| {
-        let points = curve(comparison, kind);
-        let load: Vec<f64> = points.iter().map(|p| p.response.pressure.total() / modulus).collect();
-        let shares: Vec<[f64; 3]> =
-            points.iter().filter_map(|point| point.response.pressure.shares()).collect();
-        let axis = load_axis(case, modulus);
-        let plot = shares_of_load(kind.name(), axis, load.into_iter().zip(shares));
+/// Each regime's share of the load, one panel per model, where enough contacts carry it. Nothing where one regime carries all.
+pub fn regimes(setting: &Setting) -> Option<Figure> {
+    let shares = |kind: Kind| -> Vec<(f64, [f64; 3])> {
+        let points = curve(&setting.case.comparison, kind);
+        let enough = points.into_iter().filter(|point| !has_few_contacts(point));
+        enough.filter_map(|point| Some((setting.load(point), point.response.pressure.shares()?))).collect()
+    };
+    let present: Vec<(Kind, Vec<(f64, [f64; 3])>)> = [Kind::Statistical, Kind::Deterministic]
+        .into_iter()
+        .map(|kind| (kind, shares(kind)))
+        .filter(|(_, shares)| shares.len() > 1)
+        .collect();
+    /// A smaller share of the load is not seen.
+    const LEAST: f64 = 2e-3;
+    let all = || present.iter().flat_map(|(_, shares)| shares);
+    let seen =
+        Regime::ALL.into_iter().filter(|&regime| all().any(|(_, shares)| shares[regime as usize] > LEAST));
+    if seen.count() < 2 {
+        return None;
+    }
+    let ends = [all().map(|at| at.0).fold(f64::INFINITY, f64::min), all().map(|at| at.0).fold(0.0, f64::max)];
+    let panel = |(kind, shares): (Kind, Vec<(f64, [f64; 3])>)| {
+        let axis = setting.units.load_ratio().range(ends[0], ends[1]);
+        let plot = shares_of_load(&format!("{} model", capitalised(kind.name())), axis, shares.into_iter());
         // Regions lie below the shares: the edges of the valid range are lines.
-        let edges = valid.stretches.iter().flatten().map(|load| load / modulus);
+        let edges = setting.valid.stretches.iter().flatten().map(|load| load / setting.units.modulus);
+        let edges = edges.filter(|edge| (ends[0] * 1.01..ends[1] / 1.01).contains(edge));
         edges.fold(plot, |plot, edge| plot.with(Layer::at_x(edge, "")))
     };
-    let kinds = [Kind::Statistical, Kind::Deterministic];
-    let present = kinds.into_iter().filter(|&kind| !curve(comparison, kind).is_empty());
-    Figure::row("Share of the load by contact regime", present.map(panel).collect()).svg()
+    let title = format!("{}: share of the load by contact regime", setting.name);
+    Some(Figure::row(title, present.into_iter().map(panel).collect()))
 }

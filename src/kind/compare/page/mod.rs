@@ -2,6 +2,8 @@
 //!
 //! | module | what it writes |
 //! |---|---|
+//! | `head` | what a reader sees first |
+//! | `axes` | axes and their units |
 //! | `verdict` | the answer: headline, verdicts, valid range |
 //! | `differences` | the figure behind the verdicts |
 //! | `causes` | why the models differ |
@@ -20,10 +22,12 @@
 //! | `names` | surfaces, laws and thicknesses |
 
 mod answers;
+mod axes;
 pub mod causes;
 mod decreasing;
 mod differences;
 pub mod figures;
+mod head;
 mod layer;
 mod limits;
 mod lines;
@@ -48,76 +52,33 @@ use crate::surface::{fitness, section};
 use asperity_framework::report::format::listed;
 use asperity_framework::report::page::{Page, escape, escape_around_code};
 use asperity_framework::report::sections;
+use axes::Units;
 use names::{stem, subject};
 
-/// The page.
+/// The page: the verdict first, then why, how sure it is, the surfaces, and what the results rest on.
 pub fn page(results: &CompareResults) -> Page {
     let mut page = Page::new(&results.metadata.title);
-    for warning in results.warnings() {
-        page.warning(&escape_around_code(&warning));
-    }
     let layered = layer::all(results);
     // A single thickness is shown in as much detail as an uncoated flat.
     let in_full = layered.iter().all(|series| !series.has_several());
     let cases = cases(results);
+    head::head(&mut page, results, &cases, if in_full { &[] } else { &layered });
+    sections::warnings(&mut page, &results.warnings());
     let overview = verdict::Overview::of(&cases);
     let causes = causes::Overview::of(&cases);
-    let is_of_paper = results.surfaces.iter().all(|found| {
-        let RealisationResults { population, model, .. } = &found.first;
-        population.heights == Heights::GAUSSIAN
-            && model.mean_radius == MeanRadius::Arithmetic
-            && model.joint.is_none()
-    });
-    page.heading(2, "Summary");
-    let against = |overview: &verdict::Overview| {
-        format!("**Against the reference**: {}", escape_around_code(&overview.sentence()))
-    };
-    page.bullets(overview.iter().map(against));
-    page.bullets(causes.iter().map(|causes| {
-        format!("**Why the models differ**: {}", escape_around_code(&causes.sentence(is_of_paper)))
-    }));
-    page.bullets(
-        ranking::over_all(results).iter().map(|sentence| {
-            format!("**Which statistical model is enough**: {}", escape_around_code(sentence))
-        }),
-    );
-    if in_full {
-        page.bullets(results.surfaces.iter().flat_map(|found| headlines(results, found)));
-    } else {
-        page.bullets(layered.iter().filter_map(layer::Series::headline));
-        page.bullets(reference::alone(results));
-    }
-    decreasing::bullets(&mut page, results);
-    if let Some(found) = &results.readings {
-        page.bullets(readings::finding(found));
-    }
-    if results.surfaces.iter().any(|found| found.findings.laws.len() > 1) {
-        page.paragraph(
-            "An experiment of kind `[laws]` compares the effect of the contact law with that of the summation method.",
-        );
+    summary(&mut page, results, &layered, overview.as_ref(), causes.as_ref());
+    if let Some(causes) = &causes {
+        causes.section(&mut page);
     }
     if let Some(overview) = &overview {
         overview.section(&mut page);
     }
-    if let Some(causes) = &causes {
-        causes.section(&mut page);
-    }
+    single_load::answers(&mut page, results);
     if in_full {
-        results.surfaces.iter().for_each(|found| answer(&mut page, results, found));
+        let is_only = cases.len() == 1;
+        results.surfaces.iter().for_each(|found| answer(&mut page, results, found, is_only));
     } else {
         layered.iter().for_each(|series| series.answer(&mut page));
-    }
-    for series in &layered {
-        page.bullets(series.summary_lines());
-    }
-    single_load::answers(&mut page, results);
-    sections::notes(&mut page, &results.metadata);
-    sections::what_was_run(&mut page, &results.metadata, &results.contact);
-    if let Some(layer) = &results.contact.layer {
-        layer::rule_section(&mut page, layer);
-    }
-    if let Some(found) = &results.readings {
-        readings::section(&mut page, found);
     }
     for found in &results.surfaces {
         surface(&mut page, found);
@@ -129,14 +90,70 @@ pub fn page(results: &CompareResults) -> Page {
         }
         reference::section(&mut page, results, found);
     }
-    limits::limits(&mut page, results);
-    if let Some(described) = &results.described {
-        page.heading(2, "How to reproduce");
-        page.paragraph("This spec runs the same (`--save-spec FILE` writes it):");
-        page.code("toml", &described.spec);
+    sections::notes(&mut page, &results.metadata);
+    sections::what_was_run(&mut page, &results.metadata, &results.contact);
+    if let Some(layer) = &results.contact.layer {
+        layer::rule_section(&mut page, layer);
     }
+    if let Some(found) = &results.readings {
+        readings::section(&mut page, found);
+    }
+    limits::limits(&mut page, results);
+    sections::run_again(
+        &mut page,
+        &results.metadata,
+        results.described.as_ref().map(|described| described.spec.as_str()),
+    );
     sections::sources(&mut page, &results.metadata);
     page
+}
+
+/// What else was found, in sentences; nothing where the head of the page says all.
+fn summary(
+    page: &mut Page,
+    results: &CompareResults,
+    layered: &[layer::Series],
+    overview: Option<&verdict::Overview>,
+    causes: Option<&causes::Overview>,
+) {
+    let in_full = layered.iter().all(|series| !series.has_several());
+    let is_of_paper = results.surfaces.iter().all(|found| {
+        let RealisationResults { population, model, .. } = &found.first;
+        population.heights == Heights::GAUSSIAN
+            && model.mean_radius == MeanRadius::Arithmetic
+            && model.joint.is_none()
+    });
+    let mut lines: Vec<String> = Vec::new();
+    if in_full && cases(results).len() > 1 {
+        lines.extend(results.surfaces.iter().flat_map(|found| headlines(results, found)));
+    } else if !in_full {
+        lines.extend(layered.iter().filter_map(layer::Series::headline));
+        lines.extend(reference::alone(results));
+    }
+    lines.extend(
+        overview.map(|found| format!("**Against the reference**: {}", escape_around_code(&found.sentence()))),
+    );
+    lines.extend(causes.map(|causes| {
+        format!("**Why the models differ**: {}", escape_around_code(&causes.sentence(is_of_paper)))
+    }));
+    lines.extend(
+        ranking::over_all(results).map(|sentence| {
+            format!("**Which statistical model is enough**: {}", escape_around_code(&sentence))
+        }),
+    );
+    lines.extend(layered.iter().flat_map(layer::Series::summary_lines));
+    lines.extend(decreasing::lines(results));
+    lines.extend(results.readings.as_ref().and_then(readings::finding));
+    if results.surfaces.iter().any(|found| found.findings.laws.len() > 1) {
+        lines.push(
+            "An experiment of kind `[laws]` compares the effect of the contact law with that of the summation method."
+                .to_owned(),
+        );
+    }
+    if !lines.is_empty() {
+        page.heading(2, "Findings");
+        page.bullets(lines);
+    }
 }
 
 /// The verdicts on every surface under every law and thickness, with their names and Nayak's alpha.
@@ -212,17 +229,44 @@ fn sentences(results: &CompareResults, found: &SurfaceResults) -> Vec<(String, S
     found.first.cases.iter().zip(&found.findings.cases).enumerate().flat_map(line).collect()
 }
 
-/// The answer on one surface under every law: verdicts and the figure behind them.
-pub fn answer(page: &mut Page, results: &CompareResults, found: &SurfaceResults) {
+/// What the figure behind the verdicts on a case shows, in words.
+pub fn finding(found: &SurfaceResults, index: usize) -> String {
+    let sentence = verdict::headline(&found.findings.cases[index].verdicts, found.surface.plane.sigma);
+    if_fit(found, sentence)
+}
+
+/// The answer on one surface under every law: verdicts and the figure behind them, unless `is_only` one case is on the page, whose
+/// are at its head; then why, how sure, and which model is enough.
+fn answer(page: &mut Page, results: &CompareResults, found: &SurfaceResults, is_only: bool) {
     let sigma = found.surface.plane.sigma;
+    let units = Units::of(results, found);
     for (index, (case, findings)) in found.first.cases.iter().zip(&found.findings.cases).enumerate() {
         let verdicts = &findings.verdicts;
         if verdicts.differences.is_empty() {
             continue;
         }
         let name = subject(results, found, &case.law);
-        page.heading(2, &format!("{name}: verdicts"));
-        verdict::stretches(page, verdicts, sigma);
+        let stem = stem(found, &case.law);
+        let is_curve = !single_load::is_single(case);
+        let level = if is_only { 2 } else { 3 };
+        if !is_only {
+            page.heading(2, &format!("{name}: verdicts"));
+            verdict::stretches(page, verdicts, sigma);
+            if is_curve {
+                page.figure(
+                    &format!("{stem}-differences.svg"),
+                    differences::differences(verdicts, &units, &finding(found, index)),
+                    &head::differences_caption(&name),
+                );
+            }
+        }
+        if let Some(reason) = found.first.model.undivided() {
+            causes::undivided(page, level, &name, reason);
+        } else {
+            causes::section(page, level, verdicts, &name, &stem, &units);
+        }
+        against_reference(page, level, &units, found, index, &name);
+        page.heading(level, &format!("{name}: how sure are the verdicts?"));
         let mut lines = vec![
             verdict::range_line(verdicts),
             verdict::accepted_line(&verdicts.accepted, sigma),
@@ -230,38 +274,28 @@ pub fn answer(page: &mut Page, results: &CompareResults, found: &SurfaceResults)
         ];
         lines.extend(verdict::stiffness_line(verdicts).map(|line| format!("{}: {line}", escape(&case.law))));
         page.bullets(lines);
-        let is_curve = !single_load::is_single(case);
         if is_curve {
-            page.figure(
-                &format!("{}-differences.svg", stem(found, &case.law)),
-                differences::differences(verdicts),
-                &format!(
-                    "{name}: differences between the models at equal load, with their 95 % intervals. Green: accepted; grey: beyond \
-                     the valid range; curves are cut at the edge of the panel."
-                ),
-            );
+            robustness::section(page, found, index, &name, &stem);
         }
-        if let Some(reason) = found.first.model.undivided() {
-            causes::undivided(page, &name, reason);
-        } else {
-            causes::section(page, verdicts, &name, &stem(found, &case.law), sigma);
-        }
-        against_reference(page, found, index, &name);
         let alpha = found.surface.map.as_ref().and_then(|map| map.roughness.alpha());
         if let Some(ranked) = found.rankings.get(index) {
-            ranking::section(page, ranked, &verdicts.accepted, &name, alpha);
-        }
-        if is_curve {
-            robustness::section(page, found, index, &name, &stem(found, &case.law));
+            ranking::section(page, level, ranked, &verdicts.accepted, &name, alpha);
         }
     }
 }
 
 /// Both models against the reference; nothing where none was run.
-fn against_reference(page: &mut Page, found: &SurfaceResults, index: usize, name: &str) {
+fn against_reference(
+    page: &mut Page,
+    level: u8,
+    units: &Units,
+    found: &SurfaceResults,
+    index: usize,
+    name: &str,
+) {
     let verdicts = &found.findings.cases[index].verdicts;
     let Some(reference) = &verdicts.reference else { return };
-    page.heading(3, &format!("{name}: against the reference"));
+    page.heading(level, &format!("{name}: against the reference"));
     if reference.nearer.is_empty() {
         page.paragraph("At none of the loads of the reference are both models valid, so that they get no verdict against it.");
         return;
@@ -271,10 +305,15 @@ fn against_reference(page: &mut Page, found: &SurfaceResults, index: usize, name
     if !single_load::is_single(case) {
         page.figure(
             &format!("{}-against-reference.svg", stem(found, &case.law)),
-            differences::against_reference(verdicts, &reference.against),
+            differences::against_reference(
+                verdicts,
+                &reference.against,
+                units,
+                &format!("{name}: each model minus the reference"),
+            ),
             &format!(
                 "{name}: each model minus the reference at equal load, with 95 % intervals where they can be claimed. Green: accepted; \
-                 grey: beyond the valid range; curves are cut at the edge of the panel."
+                 grey: beyond the valid range; what leaves a panel is cut at its frame."
             ),
         );
     }

@@ -85,9 +85,16 @@ fn named(models: &[String]) -> String {
 }
 
 /// The ranking of one surface under one law, called `title`.
-pub fn section(page: &mut Page, ranking: &Ranking, accepted: &Accepted, title: &str, alpha: Option<f64>) {
+pub fn section(
+    page: &mut Page,
+    level: u8,
+    ranking: &Ranking,
+    accepted: &Accepted,
+    title: &str,
+    alpha: Option<f64>,
+) {
     let [Some(first), Some(last)] = [ranking.loads.first(), ranking.loads.last()] else { return };
-    page.heading(3, &format!("{title}: which statistical model is enough"));
+    page.heading(level, &format!("{title}: which statistical model is enough?"));
     let against = ranking.against();
     let statements = against.iter().flat_map(|&against| QUANTITIES.map(|quantity| (against, quantity)));
     page.bullets(statements.map(|(against, quantity)| statement(ranking, accepted, against, quantity)));
@@ -126,7 +133,6 @@ pub fn section(page: &mut Page, ranking: &Ranking, accepted: &Accepted, title: &
     };
     let mut models: Vec<&Ranked> = ranking.models.iter().collect();
     models.sort_by(|a, b| size(a).total_cmp(&size(b)));
-    page.table(header, models.into_iter().map(row).chain(sum));
     let bandwidth =
         alpha.map_or_else(String::new, |alpha| format!("Nayak's α of the map is {}. ", number(alpha)));
     let missing: Vec<String> = ranking
@@ -136,13 +142,16 @@ pub fn section(page: &mut Page, ranking: &Ranking, accepted: &Accepted, title: &
         .collect();
     let missing =
         if missing.is_empty() { String::new() } else { format!(" Not applicable: {}.", listed(&missing)) };
-    page.paragraph(&format!(
-        "{bandwidth}A model is named by its heights and its mean radius; in the order of the difference in area from the sum. Each difference is the largest in magnitude over {} valid loads \
-         from {}, on this very surface, without sampling error; ✓: within what is accepted. Contacts per load: micro-contacts \
-         evaluated, the search for the separation included.{missing}",
-        ranking.loads.len(),
-        loads([*first, *last]),
-    ));
+    page.details(level + 1, &format!("{title}: statistical models compared"), |page| {
+        page.table(header, models.into_iter().map(row).chain(sum));
+        page.paragraph(&format!(
+            "{bandwidth}A model is named by its heights and its mean radius; in the order of the difference in area from the sum. Each difference is the largest in magnitude over {} valid loads \
+             from {}, on this very surface, without sampling error; ✓: within what is accepted. Contacts per load: micro-contacts \
+             evaluated, the search for the separation included.{missing}",
+            ranking.loads.len(),
+            loads([*first, *last]),
+        ));
+    });
 }
 
 /// How many models are within what is accepted, the cheapest of them, and the nearest of all.

@@ -4,7 +4,7 @@ use asperity::bem::Boundary;
 use asperity::compare::{Kind, ReferenceCurve, ReferencePoint, ValidRange};
 use asperity_framework::report::format::{count, input_quantity, number, percent, quantity};
 use asperity_framework::report::page::{Page, escape};
-use asperity_plot::{Axis, Colour, ColourMap, Layer, Marker, Plot, Raster};
+use asperity_plot::{Axis, Colour, ColourMap, Figure, Layer, Marker, Plot, Raster};
 
 use super::names::under;
 use crate::kind::compare::answers::CaseResults;
@@ -17,7 +17,19 @@ pub fn section(page: &mut Page, results: &CompareResults, found: &SurfaceResults
     let Some(metadata) = &results.reference else { return };
     let cases = ReferenceCase::all(found);
     let Some(first) = cases.first().map(|on| on.curve) else { return };
-    page.heading(2, &format!("{}: the reference", found.surface.name));
+    page.details(2, &format!("{}: the reference", found.surface.name), |page| {
+        write(page, results, found, metadata, &cases, first);
+    });
+}
+
+fn write(
+    page: &mut Page,
+    results: &CompareResults,
+    found: &SurfaceResults,
+    metadata: &ReferenceMetadata,
+    cases: &[ReferenceCase],
+    first: &ReferenceCurve,
+) {
     page.paragraph(&method(metadata, found, first));
     let mut lines: Vec<String> =
         metadata.elastic.iter().map(|case| format!("{}.", escape(&case.to_string()))).collect();
@@ -26,7 +38,7 @@ pub fn section(page: &mut Page, results: &CompareResults, found: &SurfaceResults
     page.bullets(lines);
     let points = found.surface.map.as_ref().map_or([0; 2], |map| map.points);
     let all_points = points.iter().map(|&count| (count * metadata.refine) as f64).product();
-    table(page, results, &cases, all_points);
+    table(page, results, cases, all_points);
     /// More contacts, as of many thicknesses, are left to the tables.
     const MOST_VIEWS: usize = 4;
     for (index, view) in found.contacts.iter().take(MOST_VIEWS).enumerate() {
@@ -270,6 +282,7 @@ fn contact_figures(
         Some(cap) => format!("contact pressure at most {}", quantity(cap, "Pa")),
     };
     let at = format!("{} ({material}{layer})", input_quantity(view.load, "Pa"));
+    let title = format!("{}{layer}, {material}, {}", found.surface.name, input_quantity(view.load, "Pa"));
     let part = if view.part.is_whole {
         "The map."
     } else {
@@ -287,7 +300,7 @@ fn contact_figures(
     });
     page.figure(
         &format!("{}-reference-contact{name}.svg", found.surface.name),
-        contact(view),
+        contact(view, &title),
         &format!(
             "Contact pressure of the reference at {at}, where {} of the points are in contact; colours end at {HIGHEST} mean contact pressures or the largest \
              pressure. {part}{summits}",
@@ -296,7 +309,7 @@ fn contact_figures(
     );
     page.figure(
         &format!("{}-reference-pressures{name}.svg", found.surface.name),
-        pressures(view),
+        pressures(view, &title),
         &format!(
             "Distribution of the contact pressure at {at}, over its mean {}. An elastic pressure falls to zero at the edge of a contact; that \
              the density does not is due to the grid.",
@@ -306,16 +319,16 @@ fn contact_figures(
 }
 
 /// The pressures on a part of the map, and the asperities that the sum has in contact.
-fn contact(view: &ContactView) -> String {
+fn contact(view: &ContactView, title: &str) -> Figure {
     const GIGA: f64 = 1e9;
     let Part { corner, sides, points: [nx, ny], pressures, .. } = &view.part;
     let (length, unit) = length_unit(sides[0].max(sides[1]));
     // An image has x fastest, a map y.
     let values = (0..*ny).flat_map(|iy| (0..*nx).map(move |ix| pressures[ix * ny + iy] / GIGA)).collect();
     let ends = [0, 1].map(|axis| (corner[axis] / length, (corner[axis] + sides[axis]) / length));
-    let axis = |name: &str, (from, to): (f64, f64)| Axis::linear(format!("{name} [{unit}]")).range(from, to);
-    let mut plot = Plot::new("Contact pressure", axis("x", ends[0]), axis("y", ends[1]))
-        .height(560.0)
+    let axis = |name: &str, (from, to): (f64, f64)| Axis::linear(format!("{name} ({unit})")).range(from, to);
+    let mut plot = Plot::new(format!("Contact pressure: {title}"), axis("x", ends[0]), axis("y", ends[1]))
+        .height(480.0)
         .equal_aspect()
         .with(Layer::raster(Raster {
             x: ends[0],
@@ -325,9 +338,9 @@ fn contact(view: &ContactView) -> String {
             values,
             map: ColourMap::Sequential,
             limits: Some((0.0, view.cap.unwrap_or(f64::INFINITY).min(HIGHEST * view.mean_pressure) / GIGA)),
-            label: "contact pressure [GPa]".to_owned(),
+            label: "contact pressure (GPa)".to_owned(),
         }));
-    let Some(sum) = &view.sum else { return plot.svg() };
+    let Some(sum) = &view.sum else { return plot.into() };
     for (is_touched, marker, name) in [
         (true, Marker::Ring, "in contact in the sum and in the reference"),
         (false, Marker::Cross, "in contact in the sum only"),
@@ -338,16 +351,16 @@ fn contact(view: &ContactView) -> String {
             plot = plot.with(Layer::points(places, marker).coloured(Colour::Deterministic).named(name));
         }
     }
-    plot.svg()
+    plot.into()
 }
 
 /// Upper end of the colours in mean contact pressures, unless the largest pressure is below.
 const HIGHEST: f64 = 3.0;
 
-fn pressures(view: &ContactView) -> String {
+fn pressures(view: &ContactView, title: &str) -> Figure {
     let edges: Vec<f64> = (0..=view.density.len()).map(|k| k as f64 * view.bin).collect();
     let mut plot = Plot::new(
-        "Distribution of contact pressure",
+        format!("Distribution of contact pressure: {title}"),
         Axis::linear("contact pressure over its mean"),
         Axis::linear("density of points in contact"),
     )
@@ -355,5 +368,5 @@ fn pressures(view: &ContactView) -> String {
     if let Some(cap) = view.cap {
         plot = plot.with(Layer::at_x(cap / view.mean_pressure, "largest pressure"));
     }
-    plot.svg()
+    plot.into()
 }

@@ -122,7 +122,6 @@ pub fn section(page: &mut Page, found: &SurfaceResults, index: usize, title: &st
     let examined = robustness.loads(index);
     let Some(load) = shown_load(robustness, index) else { return };
     let verdicts = &found.findings.cases[index].verdicts;
-    page.heading(3, &format!("{title}: robustness"));
     let all = examined.len();
     let finding = if robustness.dependences[index].is_empty() {
         "No other treatment of the map changes the answer. "
@@ -192,7 +191,7 @@ fn against_filter(
     verdicts: &Verdicts,
     index: usize,
     found: &SurfaceResults,
-) -> Option<String> {
+) -> Option<Figure> {
     let map = found.surface.map.as_ref()?;
     let pixel = 1e6 * map.pixel[0].max(map.pixel[1]);
     let mut filtered: Vec<(f64, &[Difference])> = robustness
@@ -255,5 +254,5 @@ fn against_filter(
         }
         plot
     });
-    Some(Figure::column("Statistical minus deterministic model by S filter", plots.collect()).svg())
+    Some(Figure::column("Statistical minus deterministic model by S filter", plots.collect()))
 }

@@ -78,7 +78,7 @@ fn lines(
 }
 
 /// Load and indentation, on logarithmic axes and on linear ones.
-pub fn load(results: &IndentationResults, found: &LayerResults, law: &LawCurves) -> String {
+pub fn load(results: &IndentationResults, found: &LayerResults, law: &LawCurves) -> Figure {
     let turn = |w: f64, load: f64| match results.show {
         Show::Load => (w * MICRO, load),
         Show::Approach => (load, w * MICRO),
@@ -99,11 +99,11 @@ pub fn load(results: &IndentationResults, found: &LayerResults, law: &LawCurves)
         panel("logarithmic", |label| Axis::log(label)).legend(Legend::Below),
         panel("linear", |label| Axis::linear(label)).legend(Legend::Hidden),
     ];
-    Figure::row("Load and indentation", panels).svg()
+    Figure::row("Load and indentation", panels)
 }
 
 /// Load and area over those of Hertz without a layer, against indentation.
-pub fn ratios(results: &IndentationResults, found: &LayerResults, law: &LawCurves) -> String {
+pub fn ratios(results: &IndentationResults, found: &LayerResults, law: &LawCurves) -> Figure {
     let radius = results.radius;
     let hertz_load = |w: f64| 4.0 / 3.0 * results.reduced_modulus * radius.sqrt() * w.powf(1.5);
     let x = || Axis::log("indentation w (µm)");
@@ -115,7 +115,7 @@ pub fn ratios(results: &IndentationResults, found: &LayerResults, law: &LawCurve
         load = load.with(measured(points.iter().map(|&(w, load)| (w * MICRO, load / hertz_load(w)))));
     }
     let area = lines(area, found, law, |w, _, area| (w * MICRO, area / (PI * radius * w)));
-    Figure::row("Load and real contact area over those of Hertz without a layer", vec![load, area]).svg()
+    Figure::row("Load and real contact area over those of Hertz without a layer", vec![load, area])
 }
 
 fn measured(points: impl Iterator<Item = (f64, f64)>) -> Layer {
@@ -127,7 +127,7 @@ fn errors(errors: &[ModulusError]) -> Layer {
 }
 
 /// Load by each effective-modulus model over the exact one, for one layer.
-pub fn rule(found: &LayerResults) -> String {
+pub fn rule(found: &LayerResults) -> Figure {
     let colours = [Colour::Series(1), Colour::Series(0)];
     let mut plot = Plot::new(
         "Effective-modulus models: elastic load over the exact one at equal indentation",
@@ -142,7 +142,7 @@ pub fn rule(found: &LayerResults) -> String {
         plot =
             plot.with(errors(of).coloured(colour).dashed(dash(rule)).named(format!("model {}", rule.name())));
     }
-    plot.svg()
+    plot.into()
 }
 
 fn dash(rule: ModulusModel) -> Dash {
@@ -153,7 +153,7 @@ fn dash(rule: ModulusModel) -> Dash {
 }
 
 /// The same for all layers: one panel per effective-modulus model.
-pub fn rules(results: &IndentationResults) -> String {
+pub fn rules(results: &IndentationResults) -> Figure {
     let all = || results.layers.iter().flat_map(|found| found.errors.iter().flatten());
     let low = all().map(|error| error.ratio).fold(1.0, f64::min) / 1.1;
     let high = all().map(|error| error.ratio).fold(1.0, f64::max) * 1.1;
@@ -180,5 +180,4 @@ pub fn rules(results: &IndentationResults) -> String {
         ),
         panels,
     )
-    .svg()
 }

@@ -74,7 +74,7 @@ fn indentation_axis() -> Axis {
 }
 
 /// Load and area in their critical values over all decades.
-pub fn curves(results: &LawsResults) -> String {
+pub fn curves(results: &LawsResults) -> Figure {
     let (load, area) = (results.critical.load, results.critical.area);
     let plot =
         |title: &str, label: &str| Plot::new(title, indentation_axis(), Axis::log(label)).height(420.0);
@@ -84,11 +84,11 @@ pub fn curves(results: &LawsResults) -> String {
             contact.area / area
         }),
     ];
-    Figure::row("Load and area of a single asperity, all laws", panels).svg()
+    Figure::row("Load and area of a single asperity, all laws", panels)
 }
 
 /// Differences between the laws: mean pressure over hardness, area over the elastic area.
-pub fn differences(results: &LawsResults, hardness: f64) -> String {
+pub fn differences(results: &LawsResults, hardness: f64) -> Figure {
     /// Only a fit out of its range exceeds twice the elastic area, only Hertz the hardness.
     const HIGHEST: [f64; 2] = [1.3, 3.0];
     let radius = results.radius;
@@ -101,11 +101,11 @@ pub fn differences(results: &LawsResults, hardness: f64) -> String {
         panel(results, pressure, &|_, contact| contact.load / contact.area / hardness),
         panel(results, area, &|w, contact| contact.area / (PI * radius * w)),
     ];
-    Figure::row("Mean contact pressure and area of a single asperity, all laws", panels).svg()
+    Figure::row("Mean contact pressure and area of a single asperity, all laws", panels)
 }
 
 /// Load over that of Hertz and area over the elastic area where laws jump.
-pub fn jumps(results: &LawsResults) -> Option<String> {
+pub fn jumps(results: &LawsResults) -> Option<Figure> {
     /// Margin at both ends, as a ratio.
     const ROOM: f64 = 1.6;
     let unit = results.critical.indentation;
@@ -122,11 +122,11 @@ pub fn jumps(results: &LawsResults) -> Option<String> {
         panel(results, load.legend(Legend::Below), &|w, contact| contact.load / elastic(w)),
         panel(results, area.legend(Legend::Hidden), &|w, contact| contact.area / (PI * radius * w)),
     ];
-    Some(Figure::row("Jumps of the laws", panels).svg())
+    Some(Figure::row("Jumps of the laws", panels))
 }
 
 /// On one surface at equal load: each law's sum relative to that of the first law, and integral relative to sum under the first.
-pub fn law_or_model(results: &LawsResults, influence: &Influence) -> String {
+pub fn law_or_model(results: &LawsResults, influence: &Influence) -> Figure {
     let first = &influence.laws[0];
     let label = |measure| match measure {
         Measure::Separation => format!("d/σ − d/σ of the sum under {first}"),
@@ -145,7 +145,7 @@ pub fn law_or_model(results: &LawsResults, influence: &Influence) -> String {
         plot(Measure::Separation, "separation", Legend::Below),
         plot(Measure::Area, "real contact area", Legend::Hidden),
     ];
-    Figure::row("Contact law against summation method at equal load", panels).svg()
+    Figure::row("Contact law against summation method at equal load", panels)
 }
 
 /// How a difference is drawn.

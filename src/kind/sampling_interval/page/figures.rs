@@ -20,7 +20,7 @@ fn axis<'a>(all: impl Iterator<Item = &'a Series>, label: &str) -> Axis {
 }
 
 /// Density and radii on logarithmic axes.
-pub fn asperities(surface: &SurfaceResults) -> String {
+pub fn asperities(surface: &SurfaceResults) -> Figure {
     const LABEL: &str = "sampling interval or nesting index (µm)";
     let x = || axis(surface.series.iter(), LABEL);
     let plot = |title: &str, label: &str, legend| {
@@ -50,11 +50,11 @@ pub fn asperities(surface: &SurfaceResults) -> String {
     let radii = with(radii, Colour::Series(1), Marker::Square, "1/(mean curvature), ", &|found| {
         MICRO * found.statistics.radius_of_mean_curvature
     });
-    Figure::row("Asperities against the length that is varied", vec![density, radii]).svg()
+    Figure::row("Asperities against the length that is varied", vec![density, radii])
 }
 
 /// The gap in separation and area and its parts; `None` where fewer than two lengths are within the valid range.
-pub fn gap(series: &Series, load: usize) -> Option<String> {
+pub fn gap(series: &Series, load: usize) -> Option<Figure> {
     let label = match series.variation {
         Variation::Interval => "sampling interval (µm)",
         Variation::Filter => "S nesting index (µm)",
@@ -102,5 +102,5 @@ pub fn gap(series: &Series, load: usize) -> Option<String> {
         panel(ComparedQuantity::Area, "real contact area", "ln(area ratio of the models)"),
     ];
     let panels: Vec<Plot> = panels.into_iter().flatten().collect();
-    (!panels.is_empty()).then(|| Figure::row("Gap between the models and its parts", panels).svg())
+    (!panels.is_empty()).then(|| Figure::row("Gap between the models and its parts", panels))
 }

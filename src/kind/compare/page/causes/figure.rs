@@ -1,16 +1,19 @@
 //! Contributions to the difference between the models over the load.
 
 use asperity::compare::{Cause, ComparedQuantity, Contributions};
+use asperity_framework::report::format::capitalised;
 use asperity_plot::{Axis, Colour, Dash, Figure, Layer, Marker, Plot};
 
 use super::QUANTITIES;
 use crate::kind::compare::findings::Verdicts;
+use crate::kind::compare::page::axes::Units;
 use crate::kind::compare::page::differences::{MARGIN, invalid, megapascals};
+use crate::kind::compare::page::verdict::name;
 
-/// The contributions over the load, stacked, with the difference; one panel per quantity.
-pub fn figure(verdicts: &Verdicts) -> String {
-    let panels = QUANTITIES.into_iter().map(|quantity| panel(verdicts, quantity));
-    Figure::column("Contributions to the difference between the models", panels.collect()).svg()
+/// The contributions over the load, stacked, with the difference; one panel per quantity; `finding` is what it shows, in words.
+pub fn figure(verdicts: &Verdicts, units: &Units, finding: &str) -> Figure {
+    let panels = QUANTITIES.into_iter().map(|quantity| panel(verdicts, units, quantity));
+    Figure::row(finding, panels.collect())
 }
 
 /// The colour of a cause.
@@ -22,19 +25,19 @@ pub fn colour(cause: Cause) -> Colour {
     }
 }
 
-fn panel(verdicts: &Verdicts, quantity: ComparedQuantity) -> Plot {
+fn panel(verdicts: &Verdicts, units: &Units, quantity: ComparedQuantity) -> Plot {
     let divided = || verdicts.attribution.iter().map(|at| (megapascals(at.load), at.of(quantity)));
     let load: Vec<f64> = divided().map(|(load, _)| load).collect();
     let ends = [load.iter().copied().fold(f64::INFINITY, f64::min), load.iter().copied().fold(0.0, f64::max)];
-    let label = match quantity {
-        ComparedQuantity::Separation => "separation (σ)",
-        _ => "ln(area ratio of the models)",
+    let y = match quantity {
+        ComparedQuantity::Separation => units.separation_difference("contribution"),
+        _ => Axis::linear("ln(area ratio of the models)"),
     };
     let parts = Cause::ALL.map(|cause| {
         divided().map(|(_, parts)| parts.map_or(f64::NAN, |parts| parts.of(cause))).collect::<Vec<f64>>()
     });
-    let axis = Axis::log("nominal pressure (MPa)").range(ends[0] / MARGIN, ends[1] * MARGIN);
-    let mut plot = Plot::new("", axis, Axis::linear(label)).height(240.0);
+    let axis = units.pressure().range(ends[0] / MARGIN, ends[1] * MARGIN);
+    let mut plot = Plot::new(capitalised(name(quantity)), axis, y).height(240.0);
     for region in invalid(&verdicts.valid, 1e-6) {
         plot = plot.with(region);
     }

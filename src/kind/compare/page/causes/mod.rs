@@ -15,6 +15,7 @@ use asperity::compare::{Cause, ComparedQuantity, Contributions, of_each_decade};
 use asperity_framework::report::format::{listed, number, percent};
 use asperity_framework::report::page::{Page, escape_around_code};
 
+use super::axes::Units;
 use super::verdict::{distance, loads, name, over, signed};
 use crate::kind::compare::findings::Verdicts;
 
@@ -28,38 +29,40 @@ const PER_DECADE: f64 = 2.0;
 /// The quantities that are divided on the page.
 const QUANTITIES: [ComparedQuantity; 2] = [ComparedQuantity::Separation, ComparedQuantity::Area];
 
-/// Why the models differ on one surface under one law, called `name`, with separations in units of `sigma` (m). `stem` begins the
+/// Why the models differ on one surface under one law, called `name`, under a heading of `level`. `stem` begins the
 /// name of the figure's file.
-pub fn section(page: &mut Page, verdicts: &Verdicts, title: &str, stem: &str, sigma: f64) {
+pub fn section(page: &mut Page, level: u8, verdicts: &Verdicts, title: &str, stem: &str, units: &Units) {
     if verdicts.attribution.is_empty() {
         return;
     }
-    page.heading(3, &format!("{title}: why the models differ"));
-    let Some(sentence) = sentence(verdicts, sigma) else {
+    page.heading(level, &format!("{title}: why do the models differ?"));
+    let Some(sentence) = sentence(verdicts, units.sigma) else {
         page.paragraph(&format!("The differences are not divided among their causes: {FEW}."));
         return;
     };
     page.paragraph(&escape_around_code(&sentence));
     page.bullets(QUANTITIES.into_iter().filter_map(|quantity| over_loads(verdicts, quantity)));
-    for quantity in QUANTITIES {
-        table(page, verdicts, quantity);
-    }
-    page.paragraph(&notes(verdicts));
     if verdicts.attribution.len() > 1 {
         page.figure(
             &format!("{stem}-causes.svg"),
-            figure::figure(verdicts),
+            figure::figure(verdicts, units, &format!("{title}: {sentence}")),
             &format!(
                 "{title}: contributions to the difference of the statistical from the deterministic model at equal load, stacked from \
                  zero in both directions; the line is their sum, the difference. Grey: beyond the valid range."
             ),
         );
     }
+    page.details(level + 1, &format!("{title}: contributions load by load"), |page| {
+        for quantity in QUANTITIES {
+            table(page, verdicts, quantity);
+        }
+        page.paragraph(&notes(verdicts));
+    });
 }
 
 /// Why a difference has no parts.
-pub fn undivided(page: &mut Page, title: &str, reason: &str) {
-    page.heading(3, &format!("{title}: why the models differ"));
+pub fn undivided(page: &mut Page, level: u8, title: &str, reason: &str) {
+    page.heading(level, &format!("{title}: why do the models differ?"));
     page.paragraph(&format!("The differences are not divided among their causes: {reason}."));
 }
 

@@ -14,7 +14,12 @@ impl Series<'_> {
         if self.findings.models.is_empty() && is_single {
             return;
         }
-        page.heading(2, &format!("{}: results", self.subject));
+        page.details(2, &format!("{}: curves and tables by thickness", self.subject), |page| {
+            self.write(page, is_single)
+        });
+    }
+
+    fn write(&self, page: &mut Page, is_single: bool) {
         // A figure of one load shows less than the tables.
         if !is_single {
             page.figure(

@@ -9,11 +9,10 @@ use asperity_framework::report::format::{input_quantity, thickness};
 use asperity_plot::{Axis, Colour, Dash, Figure, Layer, Marker, Plot};
 
 /// Separation and real area against load, by thickness.
-pub fn by_load(series: &Series) -> String {
-    let modulus = series.modulus;
-    let axis = || Axis::log("load ratio P/(A_nom E*), E* uncoated");
-    let mut separation = Plot::new("Separation", axis(), Axis::linear("separation d/σ"));
-    let mut area = Plot::new("Real contact area", axis(), Axis::log("area ratio A/A_nom"))
+pub fn by_load(series: &Series) -> Figure {
+    let (modulus, units) = (series.modulus, series.units);
+    let mut separation = Plot::new("Separation", units.load_ratio(), units.separation());
+    let mut area = Plot::new("Real contact area", units.load_ratio(), Axis::log("area ratio A/A_nom"))
         .with(Layer::region_y(INTERACTION, f64::INFINITY, "asperities interact"));
     for (index, (case, valid)) in series.cases.iter().zip(series.valid()).enumerate() {
         let colour = Colour::Ordered { index, of: series.cases.len() };
@@ -55,14 +54,31 @@ pub fn by_load(series: &Series) -> String {
             area = area.with(reference(|point| Some(point.area_ratio)));
         }
     }
-    Figure::row("Separation and real contact area by layer thickness", vec![separation, area]).svg()
+    let panels = [separation, area].map(|plot| with_styles(plot, series)).to_vec();
+    Figure::row(format!("{}: separation and real contact area by layer thickness", series.subject), panels)
+}
+
+/// The line styles in the legend, where there is more than one.
+fn with_styles(plot: Plot, series: &Series) -> Plot {
+    let kinds = &series.findings.models;
+    let has_reference = series.cases.iter().any(|case| case.reference.is_some());
+    if kinds.len() + usize::from(has_reference) < 2 {
+        return plot;
+    }
+    let style = |kind: Kind| match kind {
+        Kind::Deterministic => Dash::Solid,
+        Kind::Statistical if kinds.len() > 1 => Dash::Dashed,
+        Kind::Statistical => Dash::Solid,
+    };
+    let plot = kinds.iter().rev().fold(plot, |plot, &kind| plot.with_key(kind.name(), style(kind)));
+    if has_reference { plot.with_key("reference", Dash::DashDot) } else { plot }
 }
 
 /// Both models minus the reference against load, by thickness, at valid loads: area and separation. Nothing where no load was
 /// compared.
-pub fn against_reference(series: &Series) -> Option<String> {
+pub fn against_reference(series: &Series) -> Option<Figure> {
     let panel = |quantity: ComparedQuantity, title: &str, label: &str, unit: f64| {
-        let axis = Axis::log("nominal pressure (MPa)");
+        let axis = series.units.pressure();
         let accepted = series.verdicts().next().map(|(_, verdicts)| unit * verdicts.accepted.of(quantity));
         let mut plot = Plot::new(title, axis, Axis::linear(label)).with(Layer::at_y(0.0, ""));
         plot = accepted.into_iter().fold(plot, |plot, accepted| {
@@ -82,7 +98,8 @@ pub fn against_reference(series: &Series) -> Option<String> {
             let [statistical, sum] = lines;
             plot = plot.with(statistical.dashed(Dash::Dashed)).with(sum.named(thickness(t)));
         }
-        plot
+        plot.with_key("deterministic − reference", Dash::Solid)
+            .with_key("statistical − reference", Dash::Dashed)
     };
     let has_reference = series.verdicts().any(|(_, verdicts)| verdicts.reference.is_some());
     has_reference.then(|| {
@@ -90,29 +107,38 @@ pub fn against_reference(series: &Series) -> Option<String> {
             panel(ComparedQuantity::Area, "Real contact area", "area minus reference (%)", 100.0),
             panel(ComparedQuantity::Separation, "Separation", "separation minus reference (σ)", 1.0),
         ];
-        Figure::row("Both models minus the reference, by layer thickness", panels).svg()
+        Figure::row(
+            format!("{}: both models minus the reference, by layer thickness", series.subject),
+            panels,
+        )
     })
 }
 
 /// Real contact area, mean contact pressure and plastic share against layer thickness, by load.
-pub fn by_thickness(series: &Series) -> String {
+pub fn by_thickness(series: &Series) -> Figure {
     type Value = fn(&Response) -> Option<f64>;
     let panels: [(&str, Axis, Value); 3] = [
-        ("Real contact area", Axis::log("area ratio A/A_nom"), |r| Some(r.area_ratio.total())),
-        ("Mean contact pressure", Axis::log("mean contact pressure (GPa)"), |r| {
+        ("real contact area", Axis::log("area ratio A/A_nom"), |r| Some(r.area_ratio.total())),
+        ("mean contact pressure", Axis::log("mean contact pressure (GPa)"), |r| {
             r.mean_real_pressure().map(|p| p * 1e-9)
         }),
-        ("Plastic share", Axis::linear("plastic share of the load").range(0.0, 1.0), |r| {
+        ("plastic share", Axis::linear("plastic share of the load").range(0.0, 1.0), |r| {
             r.pressure.shares().map(|shares| shares[Regime::Plastic as usize])
         }),
     ];
     let plots = panels.map(|(title, axis, value)| against_thickness(series, title, axis, value));
+    let title = "real contact area, mean contact pressure and plastic share against layer thickness";
     Figure::column(
-        "Real contact area, mean contact pressure and plastic share against layer thickness",
-        plots.to_vec(),
+        format!("{}: {title}", series.subject),
+        plots.map(|plot| with_styles(plot, series)).to_vec(),
     )
-    .svg()
 }
+
+/// Circles on the curves.
+const VALID: &str = "within the valid range";
+
+/// Markers at the ends of the thickness axis.
+const LIMITS: &str = "uncoated (left), bulk layer material (right)";
 
 fn against_thickness(series: &Series, title: &str, axis: Axis, value: fn(&Response) -> Option<f64>) -> Plot {
     /// Margin for the two limiting cases at the ends of the thickness axis, as a ratio.
@@ -121,7 +147,7 @@ fn against_thickness(series: &Series, title: &str, axis: Axis, value: fn(&Respon
     let (thin, thick) = (all[0], all[all.len() - 1]);
     let place = |t: f64| nanometres(t.clamp(thin / ROOM, thick * ROOM));
     let x = thickness_axis().range(nanometres(thin / ROOM / 1.1), nanometres(thick * ROOM * 1.1));
-    let mut plot = Plot::new(title, x, axis).height(230.0);
+    let mut plot = Plot::new(format!("{}: {title}", series.subject), x, axis).height(230.0);
     let loads = &series.findings.loads;
     for (index, &load) in loads.iter().enumerate() {
         let colour = Colour::Ordered { index, of: loads.len() };
@@ -134,13 +160,14 @@ fn against_thickness(series: &Series, title: &str, axis: Axis, value: fn(&Respon
             let line: Vec<(f64, f64)> = line.collect();
             let places = series.finite().filter(|(_, case)| is_valid_at(case, load));
             let places = places.filter_map(|(t, case)| Some((nanometres(t), found(case)?)));
-            let places = Layer::points(places.collect::<Vec<_>>(), Marker::Circle).coloured(colour);
+            let places =
+                Layer::points(places.collect::<Vec<_>>(), Marker::Circle).coloured(colour).named(VALID);
             let is_limit =
                 |case: &&&CaseResults| case.thickness.is_some_and(|t| t == 0.0 || t == f64::INFINITY);
             let limits = series.cases.iter().filter(is_limit);
             let limits = limits.filter_map(|case| Some((place(case.thickness?), found(case)?)));
             let marker = if is_foremost { Marker::Square } else { Marker::Triangle };
-            let limits = Layer::points(limits.collect::<Vec<_>>(), marker).coloured(colour);
+            let limits = Layer::points(limits.collect::<Vec<_>>(), marker).coloured(colour).named(LIMITS);
             let line = Layer::line(line).coloured(colour);
             plot = plot.with(limits).with(if is_foremost {
                 line.named(input_quantity(load, "Pa"))
@@ -156,7 +183,7 @@ fn against_thickness(series: &Series, title: &str, axis: Axis, value: fn(&Respon
 }
 
 /// Shares of the regimes against thickness, at the lowest, a middle and the highest load.
-pub fn regimes(series: &Series) -> String {
+pub fn regimes(series: &Series) -> Figure {
     const PANELS: usize = 3;
     let kind = series.findings.main_model();
     let loads = &series.findings.loads;
@@ -171,11 +198,8 @@ pub fn regimes(series: &Series) -> String {
         let mark = if series.cases.iter().all(|case| is_valid_at(case, load)) { "" } else { " *" };
         shares_of_load(&format!("{}{mark}", input_quantity(load, "Pa")), thickness_axis(), shares)
     };
-    Figure::row(
-        "Share of the load by contact regime, against layer thickness",
-        chosen.into_iter().map(panel).collect(),
-    )
-    .svg()
+    let title = format!("{}: share of the load by contact regime, against layer thickness", series.subject);
+    Figure::row(title, chosen.into_iter().map(panel).collect())
 }
 
 fn thickness_axis() -> Axis {

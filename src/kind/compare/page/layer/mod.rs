@@ -3,6 +3,7 @@
 mod answers;
 mod figures;
 
+use super::axes::Units;
 use super::names::{stem, subject, under};
 use super::{answer_over, headline_over};
 use crate::kind::compare::answers::{CaseResults, Threshold};
@@ -29,6 +30,7 @@ pub struct Series<'a> {
     cases: Vec<&'a CaseResults>,
     thresholds: Vec<&'a Threshold>,
     modulus: f64,
+    units: Units,
 }
 
 /// Accuracy of the effective-modulus models against the exact solution; nothing where no contact needs one.
@@ -81,11 +83,27 @@ impl<'a> Series<'a> {
             cases: found.first.cases.iter().filter(|case| case.law == law.law).collect(),
             thresholds: found.thresholds.iter().filter(|threshold| threshold.law == law.law).collect(),
             modulus: results.contact.reduced_modulus,
+            units: Units::of(results, found),
         })
     }
 
     pub fn found(&self) -> &'a SurfaceResults {
         self.found
+    }
+
+    /// The surface, and the law where there are several.
+    pub fn subject(&self) -> &str {
+        &self.subject
+    }
+
+    /// What the names of its files begin with.
+    pub fn stem(&self) -> &str {
+        &self.stem
+    }
+
+    /// The verdicts with the thickness of each.
+    pub fn named_verdicts(&self) -> Vec<(String, &'a Verdicts)> {
+        self.verdicts().map(|(t, verdicts)| (thickness(t), verdicts)).collect()
     }
 
     /// Whether there is more than one thickness to compare.
@@ -186,8 +204,7 @@ impl<'a> Series<'a> {
 
     /// The verdicts by thickness.
     pub fn answer(&self, page: &mut Page) {
-        let all: Vec<(String, &Verdicts)> =
-            self.verdicts().map(|(t, verdicts)| (thickness(t), verdicts)).collect();
+        let all = self.named_verdicts();
         answer_over(page, &self.subject, "thickness", &all, self.found);
         if let Some(figure) = figures::against_reference(self) {
             page.figure(
@@ -209,7 +226,8 @@ impl<'a> Series<'a> {
         each.filter(move |(case, _)| case.law == law).map(|(_, findings)| &findings.verdicts.valid)
     }
 
-    fn verdicts(&self) -> impl Iterator<Item = (f64, &'a Verdicts)> {
+    /// The verdicts by thickness (m).
+    pub fn verdicts(&self) -> impl Iterator<Item = (f64, &'a Verdicts)> {
         let each = self.found.first.cases.iter().zip(&self.found.findings.cases);
         let law = self.law;
         let own = each.filter(move |(case, _)| case.law == law);

@@ -12,7 +12,7 @@ pub const CAPTION: &str = "Intervals from blocks of a window (above) cover the t
 /// Coverage of a combination, of intervals of one kind.
 type Of = fn(&Coverage) -> Option<f64>;
 
-pub fn coverage(results: &CoverageResults) -> String {
+pub fn coverage(results: &CoverageResults) -> Figure {
     let in_nearly_all: Of =
         |coverage| coverage.claimed.coverage().filter(|_| coverage.claimed_share() >= NEARLY_ALL);
     let in_part: Of = |coverage| {
@@ -27,7 +27,7 @@ pub fn coverage(results: &CoverageResults) -> String {
         ),
         plot(results, "asperities taken as independent", &[(independent, Marker::Cross)]),
     ];
-    Figure::column("Coverage of 95 % intervals", plots).svg()
+    Figure::column("Coverage of 95 % intervals", plots)
 }
 
 fn plot(results: &CoverageResults, title: &str, kinds: &[(Of, Marker)]) -> Plot {

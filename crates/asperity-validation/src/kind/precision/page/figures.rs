@@ -63,7 +63,7 @@ fn rules_plot(title: &str, found: &IntegralFindings, uses: &[Use]) -> Plot {
 }
 
 /// Gauss-Legendre, with and without what makes its integrand smooth.
-pub fn legendre(found: &IntegralFindings) -> String {
+pub fn legendre(found: &IntegralFindings) -> Figure {
     let uses = [
         (Family::Legendre, false, false, "plain"),
         (Family::Legendre, false, true, "substituted"),
@@ -71,11 +71,11 @@ pub fn legendre(found: &IntegralFindings) -> String {
         (Family::Legendre, true, true, "split and substituted"),
         (Family::Panels, true, true, "split and substituted, in panels"),
     ];
-    rules_plot("Gauss-Legendre by order", found, &uses).svg()
+    rules_plot("Gauss-Legendre by order", found, &uses).into()
 }
 
 /// All other rules.
-pub fn rules(found: &IntegralFindings) -> String {
+pub fn rules(found: &IntegralFindings) -> Figure {
     let gauss = [
         (Family::Panels, true, true, "Legendre in panels"),
         (Family::Jacobi, true, false, "Jacobi"),
@@ -97,7 +97,7 @@ pub fn rules(found: &IntegralFindings) -> String {
         rules_plot("Gauss rules by order", found, &gauss),
         rules_plot("equal steps, and adaptive by tolerance", found, &others),
     ];
-    Figure::row("Other rules", plots).svg()
+    Figure::row("Other rules", plots)
 }
 
 /// Methods that visit every asperity are dashed.
@@ -128,7 +128,7 @@ fn per_asperity(point: &SumPoint) -> f64 {
 }
 
 /// Summation methods: time against error by the number of asperities, and time against their number.
-pub fn sums(case: &CasePrecision) -> String {
+pub fn sums(case: &CasePrecision) -> Figure {
     let points: Vec<&SumPoint> = case.sums.iter().filter(|p| p.sweep == Sweep::Asperities).collect();
     let axis = || Axis::log("time per asperity and separation (ns)");
     let error = Axis::log("relative error (the larger of area and load)");
@@ -136,22 +136,22 @@ pub fn sums(case: &CasePrecision) -> String {
     let right = Plot::new("time against size", Axis::log("number of asperities"), axis());
     let left = with_ways(left, &points, |p| (p.cost.error.max(FLOOR), per_asperity(p)));
     let right = with_ways(right, &points, |p| (p.asperities as f64, per_asperity(p)));
-    Figure::row("Summation methods", vec![left, right]).svg()
+    Figure::row("Summation methods", vec![left, right])
 }
 
 /// Time by the number of separations, with and without ordering.
-pub fn separations(case: &CasePrecision) -> String {
+pub fn separations(case: &CasePrecision) -> Figure {
     let points: Vec<&SumPoint> = case.sums.iter().filter(|p| p.sweep == Sweep::Separations).collect();
     let plot = Plot::new(
         "Time by the number of separations",
         Axis::log("number of separations"),
         Axis::log("time per separation (µs), ordering included"),
     );
-    with_ways(plot, &points, |p| (p.separations as f64, 1e6 * p.cost.seconds)).svg()
+    with_ways(plot, &points, |p| (p.separations as f64, 1e6 * p.cost.seconds)).into()
 }
 
 /// Curves within a tolerance: time by tolerance and by error.
-pub fn curves(found: &CurveFindings) -> String {
+pub fn curves(found: &CurveFindings) -> Figure {
     let plot = |kind: Kind, title: &str| {
         let milliseconds = |point: &CurvePoint| 1e3 * point.seconds;
         let of_kind = || found.points.iter().filter(move |point| point.kind == kind);
@@ -183,11 +183,11 @@ pub fn curves(found: &CurveFindings) -> String {
         plot
     };
     let plots = vec![plot(Kind::Statistical, "the integral"), plot(Kind::Deterministic, "the sum")];
-    Figure::row("Curves within a tolerance", plots).svg()
+    Figure::row("Curves within a tolerance", plots)
 }
 
 /// Time per asperity of a list, by the length of the list.
-pub fn lists(points: &[ListPoint]) -> String {
+pub fn lists(points: &[ListPoint]) -> Figure {
     let each = |seconds: fn(&ListPoint) -> f64| -> Vec<(f64, f64)> {
         let size = |point: &ListPoint| point.asperities as f64;
         points.iter().map(|point| (size(point), 1e9 * seconds(point) / size(point))).collect()
@@ -206,11 +206,11 @@ pub fn lists(points: &[ListPoint]) -> String {
             plot = plot.with(layer);
         }
     }
-    plot.svg()
+    plot.into()
 }
 
 /// Scatter of random sets, measured and estimated; then the time.
-pub fn sampling(found: &SamplingFindings) -> String {
+pub fn sampling(found: &SamplingFindings) -> Figure {
     let mut separations: Vec<f64> = found.points.iter().map(separation).collect();
     separations.sort_by(f64::total_cmp);
     separations.dedup();
@@ -250,7 +250,7 @@ pub fn sampling(found: &SamplingFindings) -> String {
     if let Some(point) = found.points.iter().find(|point| point.is_fitted()) {
         left = left.with(Layer::slope((point.count as f64, 0.3 * error(point)), -0.5, "slope −1/2"));
     }
-    Figure::row("Random sets of growing size", vec![left, right]).svg()
+    Figure::row("Random sets of growing size", vec![left, right])
 }
 
 fn statistic_name(statistic: Statistic) -> &'static str {
@@ -262,7 +262,7 @@ fn statistic_name(statistic: Statistic) -> &'static str {
 }
 
 /// Effect of a finer grid and a larger map on the statistics of summits.
-pub fn grid(found: &GridFindings) -> String {
+pub fn grid(found: &GridFindings) -> Figure {
     let largest = found.points.iter().map(|point| point.lengths).fold(0.0, f64::max);
     let of_largest: Vec<&GridPoint> = found.points.iter().filter(|point| point.lengths == largest).collect();
     let mut left = Plot::new(
@@ -295,11 +295,11 @@ pub fn grid(found: &GridFindings) -> String {
     if let Some(point) = scatter {
         right = right.with(Layer::slope((point.summits, 2.5 * point.scatter[1]), -0.5, "slope −1/2"));
     }
-    Figure::row("Summits of random maps", vec![left, right]).svg()
+    Figure::row("Summits of random maps", vec![left, right])
 }
 
 /// Both errors of the radius together against the time that a map takes.
-pub fn surface_work(found: &GridFindings) -> String {
+pub fn surface_work(found: &GridFindings) -> Figure {
     let mut grids: Vec<f64> = found.points.iter().map(|point| point.per_length).collect();
     grids.dedup();
     let mut plot = Plot::new(
@@ -317,5 +317,5 @@ pub fn surface_work(found: &GridFindings) -> String {
             plot = plot.with(layer);
         }
     }
-    plot.svg()
+    plot.into()
 }

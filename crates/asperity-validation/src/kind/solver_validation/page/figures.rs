@@ -78,7 +78,7 @@ fn profile_plot(title: &str, x: &str, y: &str, profiles: &[Profile]) -> Plot {
 }
 
 /// Hertz: pressures and convergence.
-pub fn hertz(measured: &[Measured], profile: &Profile) -> String {
+pub fn hertz(measured: &[Measured], profile: &Profile) -> Figure {
     let pressures = profile_plot(
         "pressures on the coarsest grid",
         "distance from the axis r/a",
@@ -93,11 +93,11 @@ pub fn hertz(measured: &[Measured], profile: &Profile) -> String {
         (Quantity::Pressures, Marker::Ring),
     ];
     let errors = convergence(measured, Problem::Hertz, "pixels per contact radius", &quantities);
-    Figure::row("Hertz", vec![pressures, errors]).svg()
+    Figure::row("Hertz", vec![pressures, errors])
 }
 
 /// A wave: pressures, width and convergence.
-pub fn sinusoid(measured: &[Measured], profiles: &[Profile]) -> String {
+pub fn sinusoid(measured: &[Measured], profiles: &[Profile]) -> Figure {
     let pressures = profile_plot("pressures", "place x/λ", "p/(2 p*)", profiles);
     let quantities = [
         (Quantity::MeanGap, Marker::Circle),
@@ -106,11 +106,11 @@ pub fn sinusoid(measured: &[Measured], profiles: &[Profile]) -> String {
         (Quantity::Pressures, Marker::Ring),
     ];
     let errors = convergence(measured, Problem::Sinusoid, "points per wavelength", &quantities);
-    Figure::row("Wave", vec![pressures, errors]).svg()
+    Figure::row("Wave", vec![pressures, errors])
 }
 
 /// Spheres on a layer: errors of the indentation, by body and contact radius.
-pub fn layered(measured: &[Measured]) -> String {
+pub fn layered(measured: &[Measured]) -> Figure {
     let all = || of_problem(measured, Problem::LayeredSphere, Quantity::Indentation);
     let shown = all().map(|one| one.error.abs()).chain(all().filter_map(|one| one.allowed));
     let [least, most] =
@@ -137,7 +137,7 @@ pub fn layered(measured: &[Measured]) -> String {
     if let Some(allowed) = all().find_map(|one| one.allowed) {
         plot = plot.with(Layer::at_y(allowed, "allowed"));
     }
-    plot.svg()
+    plot.into()
 }
 
 /// Place and band of values.
@@ -174,7 +174,7 @@ fn published_within(found: &EnsembleFindings) -> impl Iterator<Item = &'static P
 }
 
 /// Areas of the ensemble, and their differences from the published ones.
-pub fn ensemble(found: &EnsembleFindings) -> String {
+pub fn ensemble(found: &EnsembleFindings) -> Figure {
     let grids = grids(found);
     let mut areas = Plot::new("", Axis::log("pressure p/E*"), Axis::log("area ratio A/A₀"))
         .legend(Legend::Below)
@@ -220,11 +220,11 @@ pub fn ensemble(found: &EnsembleFindings) -> String {
     differences = differences.with(
         Layer::points(earlier, Marker::Cross).coloured(PUBLISHED_COLOUR).named("earlier published file"),
     );
-    Figure::column("Published ensemble", vec![areas, differences]).svg()
+    Figure::column("Published ensemble", vec![areas, differences])
 }
 
 /// kappa against load, with the theories.
-pub fn kappa(found: &EnsembleFindings, findings: &SolverFindings) -> String {
+pub fn kappa(found: &EnsembleFindings, findings: &SolverFindings) -> Figure {
     /// Points of Persson's curve.
     const DENSE: usize = 100;
     let reduced = |pressure: f64| pressure / found.gradient;
@@ -265,11 +265,11 @@ pub fn kappa(found: &EnsembleFindings, findings: &SolverFindings) -> String {
         .with(
             Layer::points(earlier, Marker::Cross).coloured(PUBLISHED_COLOUR).named("earlier published file"),
         )
-        .svg()
+        .into()
 }
 
 /// Convolutions against points.
-pub fn work(points: &[WorkPoint]) -> String {
+pub fn work(points: &[WorkPoint]) -> Figure {
     let mut plot =
         Plot::new("", Axis::log("points along a side"), Axis::log("convolutions on the finest grid"))
             .legend(Legend::Below)
@@ -283,5 +283,5 @@ pub fn work(points: &[WorkPoint]) -> String {
         let colour = Colour::Ordered { index: k, of: pressures.len() };
         plot = with_series(plot, line, colour, Marker::Circle, &format!("p/(E* g) = {pressure}"));
     }
-    plot.svg()
+    plot.into()
 }

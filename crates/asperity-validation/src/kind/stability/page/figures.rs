@@ -1,12 +1,12 @@
 //! Error maps.
 
 use crate::stability::Map;
-use asperity_plot::{Axis, Colour, ColourMap, Dash, Layer, Plot, Raster};
+use asperity_plot::{Axis, Colour, ColourMap, Dash, Figure, Layer, Plot, Raster};
 
 /// log10 of the errors at both ends of the colours: a tenth of a rounding, and a hundred roundings or the worst.
 const COLOURS: (f64, f64) = (-17.0, -14.0);
 
-pub fn map(map: &Map) -> String {
+pub fn map(map: &Map) -> Figure {
     let [columns, rows] = map.cells;
     // Outer edges of the outermost cells.
     let edges = |[from, to]: [f64; 2], cells: usize| {
@@ -37,7 +37,7 @@ pub fn map(map: &Map) -> String {
         };
         plot = plot.with(boundary(0.0, "w₁")).with(boundary(1.0, "w₂ = c w₁"));
     }
-    plot.svg()
+    plot.into()
 }
 
 /// Caption of a map.

@@ -1,0 +1,166 @@
+//! The page as one HTML file that fetches nothing.
+//!
+//! Figures are SVG in the page. Those whose content is lines, points and bands carry it as JSON too, of which `page.js` makes
+//! interactive charts by uPlot (MIT licence, `assets/uPlot-LICENSE`); without scripts, and in print, the SVG is shown.
+
+use pulldown_cmark::{CowStr, Event, Options, Parser, Tag, TagEnd};
+
+use super::{Block, Drawn};
+
+const STYLE: &str = include_str!("assets/page.css");
+const CHART_STYLE: &str = include_str!("assets/uPlot.min.css");
+const CHART_LICENCE: &str = include_str!("assets/uPlot-LICENSE");
+const CHARTS: &str = include_str!("assets/uPlot.iife.min.js");
+const SCRIPT: &str = include_str!("assets/page.js");
+
+/// Cells that begin with a verdict are coloured by it.
+const VERDICTS: [(&str, &str); 4] =
+    [("within", "within"), ("beyond", "beyond"), ("cannot tell", "open"), ("blocked", "open")];
+
+/// Pages with more sections than this list them.
+const MOST_UNLISTED: usize = 3;
+
+/// The whole page; `figures` are those of its blocks, in their order.
+pub(super) fn page(title: &str, blocks: &[Block], figures: &[Drawn]) -> String {
+    let mut writer = Writer { figures, body: String::new(), sections: Vec::new() };
+    writer.write(blocks);
+    let contents = contents(&writer.sections);
+    let mut body = writer.body.replacen(CONTENTS, &contents, 1);
+    // Wide tables scroll by themselves, by keyboard too, so that the page stays as wide as the screen.
+    body = body
+        .replace(
+            "<table>",
+            "<div class=\"table\" role=\"region\" aria-label=\"Table\" tabindex=\"0\"><table>",
+        )
+        .replace("</table>", "</table></div>");
+    for (verdict, class) in VERDICTS {
+        body = body.replace(&format!("<td>{verdict}"), &format!("<td class=\"{class}\">{verdict}"));
+    }
+    let dark = asperity_plot::dark_rules();
+    let (chart_style, script) = if figures.iter().any(|figure| figure.data.is_some()) {
+        (CHART_STYLE, charts())
+    } else {
+        ("", String::new())
+    };
+    format!(
+        "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n\
+         <meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n\
+         <meta name=\"color-scheme\" content=\"light dark\">\n<title>{}</title>\n\
+         <style>\n{chart_style}\n{STYLE}{dark}\n</style>\n</head>\n<body>\n<main>\n{body}</main>\n{script}</body>\n</html>\n",
+        escape(title)
+    )
+}
+
+/// The library for charts with its licence, and what makes charts of the figures.
+fn charts() -> String {
+    let pairs: Vec<String> =
+        asperity_plot::DARK_COLOURS.iter().map(|(light, dark)| format!("[\"{light}\",\"{dark}\"]")).collect();
+    format!(
+        "<script>\n/*\nuPlot\n{CHART_LICENCE}*/\n{CHARTS}\n</script>\n<script>\nconst DARK_COLOURS = new Map([{}]);\n{SCRIPT}</script>\n",
+        pairs.join(",")
+    )
+}
+
+/// Where the list of sections goes.
+const CONTENTS: &str = "<!-- contents -->\n";
+
+/// The sections with their ids.
+fn contents(sections: &[(String, String)]) -> String {
+    if sections.len() <= MOST_UNLISTED {
+        return String::new();
+    }
+    let item = |(id, text): &(String, String)| format!("<li><a href=\"#{id}\">{}</a></li>\n", escape(text));
+    let items: String = sections.iter().map(item).collect();
+    format!(
+        "<nav aria-label=\"Contents\">\n<details>\n<summary>Contents</summary>\n<ul>\n{items}</ul>\n</details>\n</nav>\n"
+    )
+}
+
+struct Writer<'a> {
+    figures: &'a [Drawn],
+    body: String,
+    /// Ids and names of the sections so far.
+    sections: Vec<(String, String)>,
+}
+
+impl Writer<'_> {
+    fn write(&mut self, blocks: &[Block]) {
+        for block in blocks {
+            match block {
+                Block::Title(text) => {
+                    self.body.push_str(&format!("<h1>{}</h1>\n", escape(text)));
+                }
+                Block::Heading { level: 2, text } => {
+                    if self.sections.is_empty() {
+                        self.body.push_str(CONTENTS);
+                    }
+                    let id = format!("section-{}", self.sections.len() + 1);
+                    self.body.push_str(&format!("<h2 id=\"{id}\">{}</h2>\n", escape(text)));
+                    self.sections.push((id, text.clone()));
+                }
+                Block::Heading { level, text } => {
+                    self.body.push_str(&format!("<h{level}>{}</h{level}>\n", escape(text)));
+                }
+                Block::Lead(markdown) => {
+                    self.body.push_str("<div class=\"lead\">\n");
+                    push_markdown(&mut self.body, markdown);
+                    self.body.push_str("</div>\n");
+                }
+                Block::Markdown(text) => push_markdown(&mut self.body, text),
+                Block::Figure { caption, .. } => self.figure(caption),
+                Block::Details { title, blocks, .. } => {
+                    self.body.push_str(&format!("<details>\n<summary>{}</summary>\n", escape(title)));
+                    self.write(blocks);
+                    self.body.push_str("</details>\n");
+                }
+            }
+        }
+    }
+
+    fn figure(&mut self, caption: &str) {
+        let Some((drawn, rest)) = self.figures.split_first() else { return };
+        self.figures = rest;
+        let data = drawn.data.as_ref().map_or_else(String::new, |data| {
+            // No text in it can end the element.
+            let data = data.replace('<', "\\u003c");
+            format!("<script type=\"application/json\">{data}</script>\n")
+        });
+        self.body.push_str(&format!(
+            "<figure id=\"{}\">\n<div class=\"picture\" role=\"region\" aria-label=\"Figure\" tabindex=\"0\">\n{}</div>\n{data}<figcaption>{}</figcaption>\n</figure>\n",
+            escape(drawn.file.trim_end_matches(".svg")),
+            drawn.part_of_page(),
+            escape(caption)
+        ));
+    }
+}
+
+fn push_markdown(body: &mut String, markdown: &str) {
+    let options = Options::ENABLE_TABLES | Options::ENABLE_GFM;
+    let mut hidden_links = Vec::new();
+    let events = Parser::new_ext(markdown, options).filter_map(|event| match event {
+        // Markup that a text brings along is shown, not obeyed.
+        Event::Html(text) | Event::InlineHtml(text) => Some(Event::Text(text)),
+        Event::Start(Tag::HtmlBlock) | Event::End(TagEnd::HtmlBlock) => None,
+        // A picture inside a text would be fetched from elsewhere; its description stays.
+        Event::Start(Tag::Image { .. }) | Event::End(TagEnd::Image) => None,
+        Event::Start(Tag::Link { ref dest_url, .. }) => {
+            let safe = is_safe(dest_url);
+            hidden_links.push(!safe);
+            safe.then_some(event)
+        }
+        Event::End(TagEnd::Link) => (!hidden_links.pop().unwrap_or(false)).then_some(event),
+        other => Some(other),
+    });
+    pulldown_cmark::html::push_html(body, events);
+}
+
+/// Web pages and addresses relative to this one; no other scheme, which could run a script.
+fn is_safe(to: &CowStr<'_>) -> bool {
+    let scheme = to.split(['/', '?', '#']).next().unwrap_or("");
+    !scheme.contains(':') || to.starts_with("https://") || to.starts_with("http://")
+}
+
+fn escape(text: &str) -> String {
+    let text = text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;");
+    text.replace('"', "&quot;").replace('\'', "&#39;")
+}
