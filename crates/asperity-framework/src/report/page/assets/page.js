@@ -70,6 +70,20 @@
     return [back(low - room), back(high + room)];
   };
 
+  // Ticks of a logarithmic axis: decades, or as much finer as gives three.
+  const logTicks = (plot, axis, low, high) => {
+    const up = (from, to) => Array.from({ length: to - from + 1 }, (_, k) => from + k);
+    let ticks = [low, high];
+    for (const digits of [[1], [1, 2, 5], up(1, 9), up(10, 99).map(digit => digit / 10)]) {
+      const decades = up(Math.floor(Math.log10(low)), Math.floor(Math.log10(high)));
+      const all = decades.flatMap(decade => digits.map(digit => Number(`${digit}e${decade}`)));
+      ticks = all.filter(tick => tick >= low && tick <= high);
+      if (ticks.length > 2) break;
+    }
+    const every = Math.ceil(ticks.length / 8);
+    return ticks.filter((_, k) => k % every === 0);
+  };
+
   class Chart {
     constructor(figure, data) {
       this.figure = figure;
@@ -82,7 +96,7 @@
       this.said = element("span", { className: "said" });
       this.said.setAttribute("role", "status");
       this.names = this.legend();
-      this.box = element("div", { className: "chart" }, this.tools(), this.panels, this.names);
+      this.box = element("div", { className: "chart" }, this.panels, this.names, this.tools());
       figure.querySelector(".picture").after(this.box);
       figure.classList.add("drawn");
       this.draw();
@@ -205,10 +219,16 @@
         grid: { stroke: () => ink("rule"), width: 1 },
         ticks: { stroke: () => ink("rule"), width: 1 },
         values: (plot, splits) => splits.map(value => (value === null ? "" : number(value).replace(/e(-?\d+)$/, "e$1"))),
-        ...(log ? {} : { space: 50 }),
+        ...(log ? { splits: logTicks, filter: (plot, ticks) => ticks } : { space: 50 }),
       });
       const values = element("div", { className: "values" });
-      const scale = (log, ends) => ({ time: false, distr: log ? 3 : 1, auto: false, range: (plot, low, high) => (low === null || low === undefined ? ends : [low, high]) });
+      // A range that an axis cannot show, such as one that is not yet known, is the whole one.
+      const scale = (log, ends) => ({
+        time: false,
+        distr: log ? 3 : 1,
+        auto: false,
+        range: (plot, low, high) => (Number.isFinite(low) && high > low && (!log || low > 0) ? [low, high] : ends),
+      });
       const options = {
         width: Math.max(240, holder.clientWidth),
         height: Math.round(Math.min(360, Math.max(230, panel.height))),
