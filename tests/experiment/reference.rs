@@ -267,7 +267,14 @@ fn a_refined_map_gives_nearly_the_same_on_twice_the_points() {
         let coarse = run(&spec, surface);
         let fine = run(&format!("{spec}reference = {{ refine = 2 }}"), surface);
         let [coarse, fine] = [&coarse, &fine].map(|outcome| {
-            assert!(outcome.page().figures().any(|(name, _)| name.ends_with("reference-contact.svg")));
+            assert!(
+                outcome
+                    .page()
+                    .files(None)
+                    .figures
+                    .into_iter()
+                    .any(|(name, _)| name.ends_with("reference-contact.svg"))
+            );
             let row = &table(&**outcome, "reference.csv").unwrap()[0];
             (
                 row["interpolated_points"].clone(),
@@ -345,7 +352,8 @@ fn results_are_the_same_on_any_number_of_threads() {
         let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
         pool.install(|| {
             let outcome = run(&spec, SMOOTH);
-            let figures: Vec<String> = outcome.page().figures().map(|(_, svg)| svg.to_owned()).collect();
+            let figures: Vec<String> =
+                outcome.page().files(None).figures.into_iter().map(|(_, svg)| svg).collect();
             (outcome.tables().unwrap(), figures)
         })
     };
@@ -356,7 +364,8 @@ fn results_are_the_same_on_any_number_of_threads() {
 fn the_contact_is_shown_with_the_asperities_of_the_sum() {
     let outcome = run(&format!("law = \"hertz\"\n{THREE}{SWEEP}"), SMOOTH);
     let page = outcome.page();
-    let figure = |name: &str| page.figures().find(|(file, _)| *file == name).map(|(_, svg)| svg.to_owned());
+    let figure =
+        |name: &str| page.files(None).figures.into_iter().find(|(file, _)| *file == name).map(|(_, svg)| svg);
     let contact = figure("a-reference-contact.svg").unwrap();
     assert!(contact.contains("in contact in the sum and in the reference"));
     assert!(figure("a-reference-pressures.svg").is_some());
@@ -481,7 +490,7 @@ fn verdicts_against_the_reference_are_those_of_the_tables() {
             && page.contains("What the sum misses (interaction and geometry;")
     );
     let figure = |outcome: &dyn Outcome, name: &str| {
-        outcome.page().figures().find(|(file, _)| *file == name).map(|(_, svg)| svg.to_owned())
+        outcome.page().files(None).figures.into_iter().find(|(file, _)| *file == name).map(|(_, svg)| svg)
     };
     assert!(figure(&*outcome, "a-against-reference.svg").unwrap().contains("deterministic − reference"));
     // A single case is no overview.
@@ -551,7 +560,7 @@ fn analytical_lines_are_those_of_the_gradient_in_figures_and_table() {
     let outcome = run(&spec("lines = [\"persson\", \"bush-gibson-thomas\"]\n"), SMOOTH);
     let page = outcome.page();
     let figure = |page: &asperity_framework::report::Page, name: &str| {
-        page.figures().find(|(file, _)| *file == name).map(|(_, svg)| svg.to_owned()).unwrap()
+        page.files(None).figures.into_iter().find(|(file, _)| *file == name).map(|(_, svg)| svg).unwrap()
     };
     for name in ["Persson", "Bush-Gibson-Thomas"] {
         assert!(figure(&page, "a-area.svg").contains(name) && !figure(&plain, "a-area.svg").contains(name));
@@ -592,7 +601,8 @@ fn interaction_gives_the_distance_of_the_flat_from_an_undeformed_patch() {
     );
     let outcome = run(&spec, PATCH);
     let page = outcome.page();
-    let (_, svg) = page.figures().find(|(name, _)| *name == "a-separation.svg").unwrap();
+    let (_, svg) =
+        page.files(None).figures.into_iter().find(|(name, _)| *name == "a-separation.svg").unwrap();
     for name in ["deterministic, with interaction", "statistical, with interaction", "undeformed mean plane"]
     {
         assert!(svg.contains(name), "{name}");

@@ -31,7 +31,7 @@ fn row(page: &str, name: &str) -> Vec<String> {
 #[test]
 fn one_load_is_answered_in_a_table_and_without_figures_of_a_point() {
     let page = run("force = { values = [\"0.5 N\"] }").0.page();
-    let names: Vec<&str> = page.figures().map(|(name, _)| name).collect();
+    let names: Vec<String> = page.files(None).figures.into_iter().map(|(name, _)| name).collect();
     assert_eq!(names, ["a-asperities.svg"]);
     let text = page.markdown();
     assert!(text.contains("## a: results at this load"));
@@ -64,7 +64,7 @@ fn one_separation_and_one_model_too_but_not_a_sweep() {
     assert_eq!(row(&text, "mean contact pressure")[1..], ["–", "–"]);
     let page = run("pressure = { values = [\"1 MPa\", \"2 MPa\"] }").0.page();
     assert!(!page.markdown().contains("results at this"));
-    assert!(page.figures().any(|(name, _)| name == "a-area.svg"));
+    assert!(page.files(None).figures.into_iter().any(|(name, _)| name == "a-area.svg"));
 }
 
 #[test]

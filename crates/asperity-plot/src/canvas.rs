@@ -124,7 +124,11 @@ impl Canvas {
             }
             Dash::Dotted => format!("stroke-dasharray=\"0 {}\" stroke-linecap=\"round\"", 2 * w),
         };
-        self.group(&common, &extra, &elements);
+        self.group_of(&common, &extra, &elements, |lines| {
+            // One path is shorter than an element for each line, of which grids and ticks have hundreds.
+            let data = lines.replace("<polyline points=\"", "M").replace("\"/>\n", "");
+            format!("<path d=\"{data}\"/>\n")
+        });
     }
 
     pub(super) fn polygons<'a>(
@@ -272,6 +276,17 @@ impl Canvas {
 
     /// Says once what all elements share.
     fn group(&mut self, common: &[(&str, String)], extra: &str, elements: &str) {
+        self.group_of(common, extra, elements, str::to_owned);
+    }
+
+    /// The same of elements that are `shortened` without what they share.
+    fn group_of(
+        &mut self,
+        common: &[(&str, String)],
+        extra: &str,
+        elements: &str,
+        shortened: impl FnOnce(&str) -> String,
+    ) {
         if elements.is_empty() {
             return;
         }
@@ -287,7 +302,7 @@ impl Canvas {
             self.body.push_str(extra);
         }
         self.body.push_str(">\n");
-        self.body.push_str(&elements);
+        self.body.push_str(&shortened(&elements));
         self.body.push_str("</g>\n");
     }
 }

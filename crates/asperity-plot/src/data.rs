@@ -6,7 +6,7 @@ use super::layer::{Dash, Direction, Layer, Marker, Shape};
 use super::{Axis, Plot, Spread};
 
 /// Numbers are rounded to so many significant digits.
-const DIGITS: i32 = 7;
+const DIGITS: i32 = 6;
 
 /// Lines, points, bands and references of each plot of a figure.
 #[derive(Clone, Debug, PartialEq, Serialize)]

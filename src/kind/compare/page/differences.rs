@@ -20,9 +20,8 @@ fn unit(compared: ComparedQuantity) -> f64 {
 
 fn axis(compared: ComparedQuantity, units: &Units) -> Axis {
     match compared {
-        ComparedQuantity::Area => Axis::linear("area difference (%)"),
-        ComparedQuantity::Separation => units.separation_difference("separation difference"),
-        ComparedQuantity::Stiffness => Axis::linear("stiffness difference (%)"),
+        ComparedQuantity::Separation => units.separation_difference("difference"),
+        ComparedQuantity::Area | ComparedQuantity::Stiffness => Axis::linear("difference (%)"),
     }
 }
 

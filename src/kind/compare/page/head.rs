@@ -1,7 +1,6 @@
 //! What a reader sees first: the verdict in a sentence, in a table and in a figure.
 
 use asperity::compare::{ComparedQuantity, Verdict};
-use asperity_framework::report::format::capitalised;
 use asperity_framework::report::page::{Page, escape_around_code};
 
 use super::axes::Units;
@@ -9,16 +8,23 @@ use super::differences;
 use super::layer::Series;
 use super::names::stem;
 use super::single_load::is_single;
-use super::verdict::{Case, loads, over_cases, signed, stretches};
-use super::{reference, sentences};
+use super::verdict::{Case, Overview, loads, name, over_all_cases, signed, stretches};
+use super::{reference, sentences, verdict_of};
 use crate::kind::compare::findings::Verdicts;
 use crate::kind::compare::results::CompareResults;
 
 const ORDER: [ComparedQuantity; 3] =
     [ComparedQuantity::Area, ComparedQuantity::Separation, ComparedQuantity::Stiffness];
 
-/// The head of the page. `series` are the surfaces and laws where several thicknesses are compared, else none.
-pub fn head(page: &mut Page, results: &CompareResults, cases: &[Case], series: &[Series]) {
+/// The head of the page. `series` are the surfaces and laws where several thicknesses are compared, else none; `overview` is that of
+/// several cases with a reference.
+pub fn head(
+    page: &mut Page,
+    results: &CompareResults,
+    cases: &[Case],
+    series: &[Series],
+    overview: Option<&Overview>,
+) {
     let compared: Vec<&Case> = cases.iter().filter(|case| !case.verdicts.differences.is_empty()).collect();
     match &compared[..] {
         [] => {
@@ -32,7 +38,7 @@ pub fn head(page: &mut Page, results: &CompareResults, cases: &[Case], series: &
             });
         }
         [_] if cases.len() == 1 => one(page, results),
-        several => many(page, results, several, series),
+        several => many(page, results, several, series, overview),
     }
 }
 
@@ -44,9 +50,8 @@ fn named((name, sentence): (String, String)) -> String {
 fn one(page: &mut Page, results: &CompareResults) {
     let found = &results.surfaces[0];
     let (case, verdicts) = (&found.first.cases[0], &found.findings.cases[0].verdicts);
-    for (index, (_, sentence)) in sentences(results, found).into_iter().enumerate() {
-        let against = if index == 0 { "" } else { "Against the reference: " };
-        page.lead(&escape_around_code(&format!("{against}{}", capitalised(&sentence))));
+    for sentence in verdict_of(found, 0) {
+        page.lead(&sentence);
     }
     stretches(page, verdicts, found.surface.plane.sigma);
     if !is_single(case) {
@@ -67,7 +72,13 @@ pub fn differences_caption(name: &str) -> String {
 }
 
 /// Several surfaces, laws or thicknesses.
-fn many(page: &mut Page, results: &CompareResults, cases: &[&Case], series: &[Series]) {
+fn many(
+    page: &mut Page,
+    results: &CompareResults,
+    cases: &[&Case],
+    series: &[Series],
+    overview: Option<&Overview>,
+) {
     let all: Vec<&Verdicts> = cases.iter().map(|case| case.verdicts).collect();
     let blocked = match all.iter().filter(|verdicts| verdicts.is_blocked).count() {
         0 => String::new(),
@@ -76,8 +87,11 @@ fn many(page: &mut Page, results: &CompareResults, cases: &[&Case], series: &[Se
             all.len()
         ),
     };
-    let sentence = over_cases("cases", &all);
-    page.lead(&escape_around_code(&format!("Where both models are valid, {sentence}{blocked}")));
+    let sentence = over_all_cases(&all);
+    page.lead(&escape_around_code(&format!("{sentence}{blocked}")));
+    if let Some(overview) = overview {
+        page.lead(&escape_around_code(&overview.nearer()));
+    }
     let header = ["case", "valid loads", "real contact area", "separation", "stiffness"];
     if series.is_empty() {
         page.table(
@@ -106,16 +120,23 @@ fn many(page: &mut Page, results: &CompareResults, cases: &[&Case], series: &[Se
     );
     for series in series {
         let cases: Vec<(String, &Verdicts)> = series.named_verdicts();
-        figure(page, &format!("{}-verdicts", series.stem()), &cases, series.subject());
+        let counts = of_each(&series.verdicts().map(|(_, verdicts)| verdicts).collect::<Vec<_>>());
+        figure(
+            page,
+            &format!("{}-verdicts", series.stem()),
+            &cases,
+            &format!("{}: {counts}", series.subject()),
+        );
     }
 }
 
 fn figure(page: &mut Page, file: &str, cases: &[(String, &Verdicts)], finding: &str) {
-    let Some(figure) = differences::of_cases(cases, &capitalised(finding)) else { return };
+    let Some(figure) = differences::of_cases(cases, finding) else { return };
     page.figure(
         &format!("{file}.svg"),
         figure,
-        "Statistical minus deterministic model at equal load, at valid loads. Green: accepted.",
+        "Statistical minus deterministic model at equal load, at valid loads. Green: accepted. In the table: the largest difference; in part: \
+         at other loads the verdict differs.",
     );
 }
 
@@ -149,8 +170,13 @@ fn of_one(verdicts: &Verdicts, quantity: ComparedQuantity) -> String {
         return "–".to_owned();
     };
     let is_mixed = stretches().any(|stretch| stretch.verdict != verdict);
-    let place = if is_mixed { " at some loads" } else { "" };
+    let place = if is_mixed { " in part" } else { "" };
     format!("{blocked}{word}{place}{}", largest(verdict))
+}
+
+/// The verdicts on each quantity in several cases.
+fn of_each(all: &[&Verdicts]) -> String {
+    ORDER.map(|quantity| format!("{} {}", name(quantity), of_several(all, quantity))).join("; ")
 }
 
 /// The verdicts on one quantity in several cases.
@@ -162,8 +188,11 @@ fn of_several(all: &[&Verdicts], quantity: ComparedQuantity) -> String {
     let beyond = count(&|verdicts| has(verdicts, Verdict::Beyond));
     let within = count(&|verdicts| has(verdicts, Verdict::Within) && !has(verdicts, Verdict::Beyond));
     let open = all.len() - beyond - within;
-    let parts = [(beyond, "beyond for"), (within, "within for"), (open, "cannot tell for")];
-    let parts: Vec<String> =
-        parts.iter().filter(|(count, _)| *count > 0).map(|(count, word)| format!("{word} {count}")).collect();
-    format!("{} of {}", parts.join(", "), all.len())
+    let parts = [(beyond, "beyond"), (within, "within"), (open, "cannot tell")];
+    let parts: Vec<String> = parts
+        .iter()
+        .filter(|(count, _)| *count > 0)
+        .map(|(count, word)| format!("{word}: {count}"))
+        .collect();
+    parts.join(", ")
 }

@@ -45,11 +45,11 @@ pub use surface::surface;
 
 use asperity::{Heights, MeanRadius};
 
-use crate::kind::compare::answers::{CaseResults, RealisationResults};
-use crate::kind::compare::findings::{CaseFindings, Verdicts};
+use crate::kind::compare::answers::RealisationResults;
+use crate::kind::compare::findings::Verdicts;
 use crate::kind::compare::results::{CompareResults, SurfaceResults};
 use crate::surface::{fitness, section};
-use asperity_framework::report::format::listed;
+use asperity_framework::report::format::{capitalised, listed};
 use asperity_framework::report::page::{Page, escape, escape_around_code};
 use asperity_framework::report::sections;
 use axes::Units;
@@ -62,9 +62,9 @@ pub fn page(results: &CompareResults) -> Page {
     // A single thickness is shown in as much detail as an uncoated flat.
     let in_full = layered.iter().all(|series| !series.has_several());
     let cases = cases(results);
-    head::head(&mut page, results, &cases, if in_full { &[] } else { &layered });
-    sections::warnings(&mut page, &results.warnings());
     let overview = verdict::Overview::of(&cases);
+    head::head(&mut page, results, &cases, if in_full { &[] } else { &layered }, overview.as_ref());
+    sections::warnings(&mut page, &results.warnings());
     let causes = causes::Overview::of(&cases);
     summary(&mut page, results, &layered, overview.as_ref(), causes.as_ref());
     if let Some(causes) = &causes {
@@ -75,8 +75,7 @@ pub fn page(results: &CompareResults) -> Page {
     }
     single_load::answers(&mut page, results);
     if in_full {
-        let is_only = cases.len() == 1;
-        results.surfaces.iter().for_each(|found| answer(&mut page, results, found, is_only));
+        results.surfaces.iter().for_each(|found| answer(&mut page, results, found, cases.len()));
     } else {
         layered.iter().for_each(|series| series.answer(&mut page));
     }
@@ -125,7 +124,7 @@ fn summary(
     });
     let mut lines: Vec<String> = Vec::new();
     if in_full && cases(results).len() > 1 {
-        lines.extend(results.surfaces.iter().flat_map(|found| headlines(results, found)));
+        lines.extend(results.surfaces.iter().flat_map(|found| uncompared(results, found)));
     } else if !in_full {
         lines.extend(layered.iter().filter_map(layer::Series::headline));
         lines.extend(reference::alone(results));
@@ -178,12 +177,14 @@ fn cases(results: &CompareResults) -> Vec<verdict::Case<'_>> {
     all
 }
 
-/// The answer on one surface, a sentence for each law.
-fn headlines(results: &CompareResults, found: &SurfaceResults) -> impl Iterator<Item = String> {
+/// What is said of one surface under laws for which no models are compared.
+fn uncompared(results: &CompareResults, found: &SurfaceResults) -> impl Iterator<Item = String> {
     let marked = |(name, sentence): (String, String)| {
         format!("**{}**: {}", escape(&name), escape_around_code(&sentence))
     };
-    sentences(results, found).into_iter().map(marked)
+    let is_uncompared = |index: &usize| found.findings.cases[*index].verdicts.differences.is_empty();
+    let indices = (0..found.first.cases.len()).filter(is_uncompared);
+    indices.flat_map(|index| sentences_of(results, found, index)).map(marked)
 }
 
 /// Descriptions and answers as text.
@@ -201,32 +202,49 @@ pub fn for_terminal(results: &CompareResults) -> String {
 
 /// The answer on one surface: for each law its subject and a sentence, and another against the reference.
 fn sentences(results: &CompareResults, found: &SurfaceResults) -> Vec<(String, String)> {
-    let line = |(index, (case, findings)): (usize, (&CaseResults, &CaseFindings))| {
-        let verdicts = &findings.verdicts;
-        let name = subject(results, found, &case.law);
-        let has_pairs = !case.comparison.pairs.is_empty();
-        let sentence = if verdicts.differences.is_empty() && has_pairs && found.others.is_empty() {
-            "both models are in contact at none of the separations, so that they are not compared at equal load.".to_owned()
-        } else if verdicts.differences.is_empty() && has_pairs {
-            "the realisations have no load in common, so that the models are not compared at equal load; add `pressure` or \
+    (0..found.first.cases.len()).flat_map(|index| sentences_of(results, found, index)).collect()
+}
+
+/// The same under one law.
+fn sentences_of(results: &CompareResults, found: &SurfaceResults, index: usize) -> Vec<(String, String)> {
+    let (case, verdicts) = (&found.first.cases[index], &found.findings.cases[index].verdicts);
+    let name = subject(results, found, &case.law);
+    let has_pairs = !case.comparison.pairs.is_empty();
+    let sentence = if verdicts.differences.is_empty() && has_pairs && found.others.is_empty() {
+        "both models are in contact at none of the separations, so that they are not compared at equal load."
+            .to_owned()
+    } else if verdicts.differences.is_empty() && has_pairs {
+        "the realisations have no load in common, so that the models are not compared at equal load; add `pressure` or \
              `force` to the spec."
                 .to_owned()
-        } else if case.comparison.curves.is_empty() {
-            reference::alone_sentence(case)
-        } else if verdicts.differences.is_empty() {
-            format!("one model was run, so that no models are compared. {}", verdict::range_line(verdicts))
-        } else {
-            let mut sentence = verdict::headline(verdicts, found.surface.plane.sigma);
-            sentence.extend(robustness::sentence(found, index).map(|depends| format!(" {depends}")));
-            if_fit(found, sentence)
-        };
-        let nearer = verdict::nearer_sentence(verdicts).map(|nearer| {
-            let blocked = if verdicts.is_blocked { "as the data stand, " } else { "" };
-            (format!("{name}, against the reference"), format!("{blocked}{nearer}"))
-        });
-        std::iter::once((name, sentence)).chain(nearer)
+    } else if case.comparison.curves.is_empty() {
+        reference::alone_sentence(case)
+    } else if verdicts.differences.is_empty() {
+        format!("one model was run, so that no models are compared. {}", verdict::range_line(verdicts))
+    } else {
+        let mut sentence = verdict::headline(verdicts, found.surface.plane.sigma);
+        sentence.extend(robustness::sentence(found, index).map(|depends| format!(" {depends}")));
+        if_fit(found, sentence)
     };
-    found.first.cases.iter().zip(&found.findings.cases).enumerate().flat_map(line).collect()
+    let nearer = nearer(verdicts).map(|nearer| (format!("{name}, against the reference"), nearer));
+    std::iter::once((name, sentence)).chain(nearer).collect()
+}
+
+/// Which model is nearer to the reference; nothing where none was run.
+fn nearer(verdicts: &Verdicts) -> Option<String> {
+    let sentence = verdict::nearer_sentence(verdicts)?;
+    Some(if verdicts.is_blocked { format!("as the data stand, {sentence}") } else { sentence })
+}
+
+/// The verdict on one compared case, and which model is nearer to the reference, as Markdown.
+fn verdict_of(found: &SurfaceResults, index: usize) -> Vec<String> {
+    let verdicts = &found.findings.cases[index].verdicts;
+    let answer = if_fit(found, verdict::verdict_alone(verdicts, found.surface.plane.sigma));
+    let mut all = vec![escape_around_code(&capitalised(&answer))];
+    all.extend(
+        nearer(verdicts).map(|nearer| format!("Against the reference: {}", escape_around_code(&nearer))),
+    );
+    all
 }
 
 /// What the figure behind the verdicts on a case shows, in words.
@@ -235,52 +253,79 @@ pub fn finding(found: &SurfaceResults, index: usize) -> String {
     if_fit(found, sentence)
 }
 
-/// The answer on one surface under every law: verdicts and the figure behind them, unless `is_only` one case is on the page, whose
-/// are at its head; then why, how sure, and which model is enough.
-fn answer(page: &mut Page, results: &CompareResults, found: &SurfaceResults, is_only: bool) {
-    let sigma = found.surface.plane.sigma;
-    let units = Units::of(results, found);
-    for (index, (case, findings)) in found.first.cases.iter().zip(&found.findings.cases).enumerate() {
-        let verdicts = &findings.verdicts;
+/// The answer on one surface under every law, the whole of a page on `all` cases.
+fn answer(page: &mut Page, results: &CompareResults, found: &SurfaceResults, all: usize) {
+    for index in 0..found.first.cases.len() {
+        let verdicts = &found.findings.cases[index].verdicts;
         if verdicts.differences.is_empty() {
             continue;
         }
-        let name = subject(results, found, &case.law);
-        let stem = stem(found, &case.law);
-        let is_curve = !single_load::is_single(case);
-        let level = if is_only { 2 } else { 3 };
-        if !is_only {
-            page.heading(2, &format!("{name}: verdicts"));
-            verdict::stretches(page, verdicts, sigma);
-            if is_curve {
-                page.figure(
-                    &format!("{stem}-differences.svg"),
-                    differences::differences(verdicts, &units, &finding(found, index)),
-                    &head::differences_caption(&name),
-                );
+        let name = subject(results, found, &found.first.cases[index].law);
+        let title = format!("{name}: verdicts");
+        match all {
+            // Its verdicts are at the head of the page.
+            1 => behind(page, 2, results, found, index),
+            2..=MOST_OPEN => {
+                page.heading(2, &title);
+                verdicts_of(page, results, found, index, &name);
+                behind(page, 3, results, found, index);
+            }
+            _ => {
+                page.details(2, &title, |page| {
+                    verdicts_of(page, results, found, index, &name);
+                    behind(page, 3, results, found, index);
+                });
             }
         }
-        if let Some(reason) = found.first.model.undivided() {
-            causes::undivided(page, level, &name, reason);
-        } else {
-            causes::section(page, level, verdicts, &name, &stem, &units);
-        }
-        against_reference(page, level, &units, found, index, &name);
-        page.heading(level, &format!("{name}: how sure are the verdicts?"));
-        let mut lines = vec![
-            verdict::range_line(verdicts),
-            verdict::accepted_line(&verdicts.accepted, sigma),
-            verdict::basis_line(verdicts),
-        ];
-        lines.extend(verdict::stiffness_line(verdicts).map(|line| format!("{}: {line}", escape(&case.law))));
-        page.bullets(lines);
-        if is_curve {
-            robustness::section(page, found, index, &name, &stem);
-        }
-        let alpha = found.surface.map.as_ref().and_then(|map| map.roughness.alpha());
-        if let Some(ranked) = found.rankings.get(index) {
-            ranking::section(page, level, ranked, &verdicts.accepted, &name, alpha);
-        }
+    }
+}
+
+/// More cases are folded, each by itself.
+const MOST_OPEN: usize = 2;
+
+/// The verdicts on one case: sentences, table and figure.
+fn verdicts_of(page: &mut Page, results: &CompareResults, found: &SurfaceResults, index: usize, name: &str) {
+    let verdicts = &found.findings.cases[index].verdicts;
+    let case = &found.first.cases[index];
+    for sentence in verdict_of(found, index) {
+        page.paragraph(&sentence);
+    }
+    verdict::stretches(page, verdicts, found.surface.plane.sigma);
+    if !single_load::is_single(case) {
+        page.figure(
+            &format!("{}-differences.svg", stem(found, &case.law)),
+            differences::differences(verdicts, &Units::of(results, found), &finding(found, index)),
+            &head::differences_caption(name),
+        );
+    }
+}
+
+/// What is behind the verdicts on one case: why, the reference, how sure, and which statistical model is enough.
+fn behind(page: &mut Page, level: u8, results: &CompareResults, found: &SurfaceResults, index: usize) {
+    let (case, verdicts) = (&found.first.cases[index], &found.findings.cases[index].verdicts);
+    let (name, stem) = (subject(results, found, &case.law), stem(found, &case.law));
+    let units = Units::of(results, found);
+    if let Some(reason) = found.first.model.undivided() {
+        causes::undivided(page, level, &name, reason);
+    } else {
+        causes::section(page, level, verdicts, &name, &stem, &units);
+    }
+    against_reference(page, level, &units, found, index, &name);
+    page.heading(level, &format!("{name}: how sure are the verdicts?"));
+    let mut lines = vec![
+        verdict::range_line(verdicts),
+        verdict::accepted_line(&verdicts.accepted, found.surface.plane.sigma),
+        verdict::basis_line(verdicts),
+    ];
+    lines.extend(verdict::would_tell(verdicts));
+    lines.extend(verdict::stiffness_line(verdicts).map(|line| format!("{}: {line}", escape(&case.law))));
+    page.bullets(lines);
+    if !single_load::is_single(case) {
+        robustness::section(page, found, index, &name, &stem);
+    }
+    let alpha = found.surface.map.as_ref().and_then(|map| map.roughness.alpha());
+    if let Some(ranked) = found.rankings.get(index) {
+        ranking::section(page, level, ranked, &verdicts.accepted, &name, alpha);
     }
 }
 

@@ -3,7 +3,7 @@
 use asperity::MeanRadius;
 use asperity::compare::{ComparedQuantity, Difference, Verdict};
 use asperity_framework::report::format::{listed, number, quantity};
-use asperity_framework::report::page::Page;
+use asperity_framework::report::page::{Page, escape_around_code};
 use asperity_plot::{Axis, Colour, Dash, Figure, Layer, Marker, Plot};
 
 use super::verdict::{loads, name, signed, verdict};
@@ -123,13 +123,12 @@ pub fn section(page: &mut Page, found: &SurfaceResults, index: usize, title: &st
     let Some(load) = shown_load(robustness, index) else { return };
     let verdicts = &found.findings.cases[index].verdicts;
     let all = examined.len();
-    let finding = if robustness.dependences[index].is_empty() {
-        "No other treatment of the map changes the answer. "
-    } else {
-        ""
-    };
+    let finding = sentence(found, index).map_or_else(
+        || "No other treatment of the map changes the answer.".to_owned(),
+        |found| escape_around_code(&found),
+    );
     page.paragraph(&format!(
-        "{finding}Both models were computed again under each treatment at {all} valid loads from {}; the table shows them at {}.",
+        "{finding} Both models were computed again under each treatment at {all} valid loads from {}; the table shows them at {}.",
         loads([examined[0], examined[all - 1]]),
         loads([load; 2])
     ));

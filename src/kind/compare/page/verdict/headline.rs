@@ -12,8 +12,17 @@ const ORDER: [ComparedQuantity; 3] =
     [ComparedQuantity::Area, ComparedQuantity::Separation, ComparedQuantity::Stiffness];
 
 /// The answer on one surface, with separations in units of `sigma` (m): of each quantity its widest stretch of load with a
-/// conclusion, or the widest where there is none.
+/// conclusion, or the widest where there is none; with the leading causes.
 pub fn headline(verdicts: &Verdicts, sigma: f64) -> String {
+    answer(verdicts, sigma, true)
+}
+
+/// The same without causes, for where they follow.
+pub fn verdict_alone(verdicts: &Verdicts, sigma: f64) -> String {
+    answer(verdicts, sigma, false)
+}
+
+fn answer(verdicts: &Verdicts, sigma: f64, with_causes: bool) -> String {
     if verdicts.differences.is_empty() {
         return "The models were not compared at equal load.".to_owned();
     }
@@ -73,7 +82,9 @@ pub fn headline(verdicts: &Verdicts, sigma: f64) -> String {
             );
         }
     }
-    sentence.extend(causes(&main, verdicts));
+    if with_causes {
+        sentence.extend(causes(&main, verdicts));
+    }
     if main.iter().any(|widest| of(widest.quantity).count() > 1) {
         sentence.push_str(" At other loads the verdict differs: see the table.");
     }
@@ -188,6 +199,35 @@ fn distances(near: f64, far: f64, sigma: f64) -> String {
         (Some((a, b)), Some((c, d))) => format!("{} ({})", span(&a, &c, " to "), span(&b, &d, " to ")),
         _ => most,
     }
+}
+
+/// The answer over several cases in a line or two: for how many the models differ by more than is accepted, and for how many they agree.
+pub fn over_all_cases(all: &[&Verdicts]) -> String {
+    let clause = |has: &dyn Fn(&Verdicts, ComparedQuantity) -> bool| {
+        let mut cases = " cases";
+        let part = |compared: ComparedQuantity| {
+            let count = all.iter().filter(|verdicts| has(verdicts, compared)).count();
+            let text = match count {
+                0 => format!("in {} for none", name(compared)),
+                count => format!("in {} for {count} of {}{cases}", name(compared), all.len()),
+            };
+            if count > 0 {
+                cases = "";
+            }
+            text
+        };
+        listed(&ORDER.map(part))
+    };
+    let has = |verdicts: &Verdicts, compared: ComparedQuantity, wanted: Verdict| {
+        verdicts.stretches.iter().any(|one| one.quantity == compared && one.verdict == wanted)
+    };
+    let beyond = clause(&|verdicts, compared| has(verdicts, compared, Verdict::Beyond));
+    let within = clause(&|verdicts, compared| {
+        has(verdicts, compared, Verdict::Within) && !has(verdicts, compared, Verdict::Beyond)
+    });
+    format!(
+        "At some valid load the models differ by more than is accepted {beyond}. They agree within it, wherever that can be told, {within}."
+    )
 }
 
 /// The answer over several cases (`what`: thicknesses, laws): for how many of them the models agree wherever that can be
@@ -316,6 +356,28 @@ mod tests {
             "{sentence}"
         );
         assert!(sentence.ends_with("see the table."), "{sentence}");
+    }
+
+    #[test]
+    fn cases_are_counted() {
+        let good = verdicts(vec![at(1e6, 100.0, [(0.01, Some(0.001)); 3])], BLOCKS);
+        let bad =
+            verdicts(vec![at(1e6, 100.0, [(0.5, Some(0.001)), (0.01, Some(0.001)), (0.01, None)])], BLOCKS);
+        assert_eq!(
+            over_all_cases(&[&good, &bad]),
+            "At some valid load the models differ by more than is accepted in real contact area for none, in separation for 1 of 2 cases \
+             and in stiffness for none. They agree within it, wherever that can be told, in real contact area for 2 of 2 cases, in \
+             separation for 1 of 2 and in stiffness for 1 of 2."
+        );
+    }
+
+    #[test]
+    fn the_verdict_alone_has_no_causes() {
+        let far = verdicts(vec![at(1e6, 100.0, [(0.5, Some(0.001)); 3])], BLOCKS);
+        assert!(
+            !verdict_alone(&far, 1e-7).contains("cause")
+                && headline(&far, 1e-7).starts_with(&verdict_alone(&far, 1e-7))
+        );
     }
 
     #[test]

@@ -16,11 +16,11 @@ mod range;
 mod table;
 mod words;
 
-pub use headline::{headline, over_cases};
+pub use headline::{headline, over_all_cases, over_cases, verdict_alone};
 pub use nearer::{misses, nearer, nearer_sentence};
 pub use overview::{Case, Overview};
 pub use range::{accepted_line, basis_line, limit_words, range_line, stiffness_line};
-pub use table::{by_case, stretches};
+pub use table::{by_case, stretches, would_tell};
 pub use words::{distance, loads, name, over, signed, verdict};
 
 #[cfg(test)]

@@ -76,6 +76,22 @@ impl Overview {
         (referred.len() > 1 && !rows.is_empty()).then_some(Self { rows, told, here })
     }
 
+    /// Which model is nearer how often.
+    pub fn nearer(&self) -> String {
+        let Self { rows, told, here } = self;
+        let on_maps = rows.iter().any(|row| row.has_one_surface);
+        let on_maps = on_maps
+            .then(|| format!(" On these maps alone they are {} and {}.", here.sum, here.statistical))
+            .unwrap_or_default();
+        format!(
+            "Of {} comparisons with the reference (case and quantity) the sum is nearer in {}, the statistical model in {}; the others \
+             cannot be told with the sampling error of such surfaces.{on_maps}",
+            rows.len(),
+            told.sum,
+            told.statistical,
+        )
+    }
+
     /// How far each model is from the reference at worst, and which is nearer how often.
     pub fn sentence(&self) -> String {
         let of_quantity = |quantity: ComparedQuantity| {

@@ -4,7 +4,7 @@ use asperity::compare::{ComparedQuantity, Stretch, Verdict};
 use asperity_framework::report::format::listed;
 use asperity_framework::report::page::Page;
 
-use super::words::{accepted, loads, name, need, signed, verdict};
+use super::words::{accepted, loads, name, need, over, signed, verdict};
 use crate::kind::compare::findings::{LeadingCause, Verdicts};
 
 /// One row per quantity and stretch of load; separations in units of `sigma` (m).
@@ -12,43 +12,46 @@ pub fn stretches(page: &mut Page, verdicts: &Verdicts, sigma: f64) {
     let row = |stretch: &Stretch| {
         vec![
             name(stretch.quantity).to_owned(),
-            loads(stretch.loads),
-            largest(stretch),
-            format!("±{}", accepted(stretch, sigma)),
             if verdicts.is_blocked {
                 format!("blocked ({})", verdict(stretch.verdict))
             } else {
                 verdict(stretch.verdict).to_owned()
             },
+            loads(stretch.loads),
+            largest(stretch),
+            format!("±{}", accepted(stretch, sigma)),
             verdicts.cause(stretch).map_or("–", LeadingCause::label).to_owned(),
-            // Where no load is valid, the need is that of one load, not of half of them.
-            stretch.largest.map(|_| would_tell(stretch, verdicts)).unwrap_or_default(),
         ]
     };
-    let header = [
-        "quantity",
-        "load",
-        "largest difference (95 % interval)",
-        "accepted",
-        "verdict",
-        "leading cause",
-        "would tell (at half of the loads)",
-    ];
+    let header =
+        ["quantity", "verdict", "load", "largest difference (95 % interval)", "accepted", "leading cause"];
     let order = [ComparedQuantity::Area, ComparedQuantity::Separation, ComparedQuantity::Stiffness];
     let of = |compared| verdicts.stretches.iter().filter(move |stretch| stretch.quantity == compared);
     page.table(header, order.into_iter().flat_map(of).map(row));
 }
 
-/// What would tell, of a stretch that cannot be told.
-fn would_tell(stretch: &Stretch, verdicts: &Verdicts) -> String {
-    if stretch.verdict != Verdict::CannotTell {
-        return String::new();
+/// What would tell of the stretches that cannot be told, a line for each need; nothing where there are none.
+pub fn would_tell(verdicts: &Verdicts) -> Vec<String> {
+    let mut needs: Vec<(String, Vec<String>)> = Vec::new();
+    let open = |stretch: &&Stretch| stretch.verdict == Verdict::CannotTell && stretch.largest.is_some();
+    for stretch in verdicts.stretches.iter().filter(open) {
+        let what = format!("{} {}", name(stretch.quantity), over(stretch.loads));
+        let need = need(stretch, verdicts);
+        let need = need.or_else(|| stretch.bounds.map(|_| TOO_CLOSE.to_owned()));
+        let Some(need) = need else { continue };
+        match needs.iter_mut().find(|(known, _)| *known == need) {
+            Some((_, all)) => all.push(what),
+            None => needs.push((need, vec![what])),
+        }
     }
-    need(stretch, verdicts).unwrap_or_else(|| match stretch.bounds {
-        Some(_) => "more than 100 times as much: the difference is about what is accepted".to_owned(),
-        None => "–".to_owned(),
-    })
+    let line = |(need, all): (String, Vec<String>)| {
+        format!("To tell at half of the loads, in {}: {need}.", listed(&all))
+    };
+    needs.into_iter().map(line).collect()
 }
+
+/// The need of a stretch whose difference is that which is accepted.
+const TOO_CLOSE: &str = "more than 100 times as much surface, since the difference is about what is accepted";
 
 /// "−7.9 % (−9.1 to −6.7 %) at 40 MPa".
 fn largest(stretch: &Stretch) -> String {

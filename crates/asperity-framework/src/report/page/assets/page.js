@@ -211,7 +211,7 @@
         }
         return { show, stroke: () => shade(key.colour), width: 2 * key.width, dash: DASHES[key.dash], points: { show: false } };
       });
-      const axis = (unit, log) => ({
+      const axis = (unit, log, across) => ({
         label: unit.label,
         stroke: () => ink("ink"),
         font: "12px system-ui, sans-serif",
@@ -219,7 +219,8 @@
         grid: { stroke: () => ink("rule"), width: 1 },
         ticks: { stroke: () => ink("rule"), width: 1 },
         values: (plot, splits) => splits.map(value => (value === null ? "" : number(value).replace(/e(-?\d+)$/, "e$1"))),
-        ...(log ? { splits: logTicks, filter: (plot, ticks) => ticks } : { space: 50 }),
+        ...(log ? { splits: logTicks, filter: (plot, ticks) => ticks } : { space: across ? 55 : 30 }),
+        ...(across ? { size: 26, labelSize: 22, labelGap: 0 } : { size: 56, labelSize: 22, labelGap: 2 }),
       });
       const values = element("div", { className: "values" });
       // A range that an axis cannot show, such as one that is not yet known, is the whole one.
@@ -231,11 +232,11 @@
       });
       const options = {
         width: Math.max(240, holder.clientWidth),
-        height: Math.round(Math.min(360, Math.max(230, panel.height))),
+        height: Math.round(Math.min(360, Math.max(215, panel.height))),
         scales: { x: { ...scale(logX, whole.x), min: whole.x[0], max: whole.x[1] }, y: { ...scale(logY, whole.y), min: whole.y[0], max: whole.y[1] } },
         series: [{}, ...series],
         bands,
-        axes: [axis(unitX, logX), { ...axis(unitY, logY), size: 62 }],
+        axes: [axis(unitX, logX, true), axis(unitY, logY, false)],
         legend: { show: false },
         cursor: {
           sync: { key: sync.key, setSeries: false },
@@ -288,7 +289,8 @@
         plot.ctx.fillStyle = faint(mark.colour, mark.opacity);
         if (mark.axis === "x") plot.ctx.fillRect(from, top, to - from, height);
         else plot.ctx.fillRect(left, from, width, to - from);
-        this.label(plot, mark.label, mark.axis === "x" ? from + 6 : left + 6, (mark.axis === "x" ? top : from) + 6);
+        const [across, down] = mark.axis === "x" ? [to - from, height] : [width, to - from];
+        this.label(plot, mark.label, (mark.axis === "x" ? from : left) + 6, (mark.axis === "x" ? top : from) + 4, across, down);
       }
     }
 
@@ -309,18 +311,19 @@
         else { ctx.moveTo(left, place); ctx.lineTo(left + width, place); }
         ctx.stroke();
         ctx.restore();
-        this.label(plot, mark.label, mark.axis === "x" ? place + 4 : left + 6, mark.axis === "x" ? top + 6 : place + 3);
+        this.label(plot, mark.label, mark.axis === "x" ? place + 4 : left + 6, mark.axis === "x" ? top + 6 : place + 3, width, height);
       }
     }
 
-    label({ ctx }, text, x, y) {
-      if (!text) return;
+    // A name where there is room for it, across and down.
+    label({ ctx }, text, x, y, across, down) {
+      const size = 11 * devicePixelRatio;
       ctx.save();
+      ctx.font = `${size}px system-ui, sans-serif`;
       ctx.fillStyle = ink("dim");
-      ctx.font = `${11 * devicePixelRatio}px system-ui, sans-serif`;
       ctx.textAlign = "left";
       ctx.textBaseline = "top";
-      ctx.fillText(text, x, y);
+      if (text && ctx.measureText(text).width + size < across && 1.5 * size < down) ctx.fillText(text, x, y);
       ctx.restore();
     }
 
