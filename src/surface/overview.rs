@@ -11,7 +11,8 @@ use asperity::{HeightMap, Heights};
 pub enum AnalysisDepth {
     /// Asperities only.
     Asperities,
-    /// What a comparison needs: blocks for the sampling error; of a random surface, the target and the obtained spectrum.
+    /// What a comparison needs: blocks for the sampling error and a small image; of a random surface, the target and the obtained
+    /// spectrum.
     Comparison,
     /// Spectrum, autocorrelation and an image.
     Everything,
@@ -45,8 +46,9 @@ impl MapOverview {
         generator: Option<&SurfaceGenerator>,
         depth: AnalysisDepth,
     ) -> Self {
-        /// Points of an image along an axis.
+        /// Points of an image along an axis, and of a small one.
         const PICTURE: usize = 512;
+        const SMALL_PICTURE: usize = 128;
         let [nx, ny] = map.points();
         let is_close = depth == AnalysisDepth::Everything;
         let progress = map.progress();
@@ -54,7 +56,14 @@ impl MapOverview {
             progress.stage("picture", 2.0);
         }
         let mut whole = Self {
-            picture: is_close.then(|| thumbnail(map, PICTURE)),
+            picture: match depth {
+                AnalysisDepth::Everything => Some(thumbnail(map, PICTURE)),
+                // A map that is not in memory is not read once more for it.
+                AnalysisDepth::Comparison if nx * ny <= MOST_ANALYSED_POINTS => {
+                    Some(thumbnail(map, SMALL_PICTURE))
+                }
+                _ => None,
+            },
             distribution: is_close.then(|| distribution(map, roughness)),
             ..Self::default()
         };

@@ -1,13 +1,17 @@
 //! The page of a description of surfaces.
 
 use super::results::SurfacesResults;
-use super::section::section;
+use super::section::{section, sentence};
 use asperity_framework::Outcome;
-use asperity_framework::report::page::Page;
+use asperity_framework::report::page::{Page, escape, escape_around_code};
 use asperity_framework::report::sections;
 
 pub fn page(results: &SurfacesResults) -> Page {
     let mut page = Page::new(&results.metadata.title);
+    for surface in &results.surfaces {
+        let sentence = escape_around_code(&sentence(surface));
+        page.lead(&format!("**{}**: {sentence}", escape(&surface.name)));
+    }
     sections::warnings(&mut page, &results.warnings());
     for surface in &results.surfaces {
         page.heading(2, &format!("Surface {}", surface.name));

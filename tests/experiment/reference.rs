@@ -486,7 +486,7 @@ fn verdicts_against_the_reference_are_those_of_the_tables() {
     assert!(of_area.iter().any(|one| one["nearer_on_this_map"] == "deterministic"), "{nearer:?}");
     let page = outcome.page().markdown();
     assert!(
-        page.contains("**a, against the reference**: ")
+        page.contains("\n\nAgainst the reference: ")
             && page.contains("What the sum misses (interaction and geometry;")
     );
     let figure = |outcome: &dyn Outcome, name: &str| {

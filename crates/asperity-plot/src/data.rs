@@ -90,6 +90,8 @@ fn panel(plot: &Plot) -> Option<Panel> {
     };
     for layer in &plot.layers {
         match &layer.shape {
+            // A chart reads its values along x: there is none of a line that turns back.
+            Shape::Line(points) if !is_monotone(points) => return None,
             Shape::Line(points) => {
                 let dash = match layer.dash {
                     Dash::Solid => "solid",
@@ -117,6 +119,12 @@ fn panel(plot: &Plot) -> Option<Panel> {
         }
     }
     Some(panel)
+}
+
+/// Whether the places of a line only grow or only fall.
+fn is_monotone(points: &[(f64, f64)]) -> bool {
+    let places: Vec<f64> = points.iter().map(|point| point.0).filter(|x| x.is_finite()).collect();
+    places.is_sorted() || places.is_sorted_by(|a, b| a >= b)
 }
 
 impl Panel {
@@ -219,5 +227,8 @@ mod tests {
         assert_eq!(Figure::joint("t", plot(), plot(), plot()).data(), None);
         assert_eq!(Figure::from(Plot::new("", Axis::linear(""), Axis::linear(""))).data(), None);
         assert!(Figure::row("t", vec![plot(), plot()]).data().is_some());
+        assert!(Figure::from(plot().with(Layer::line([(2.0, 1.0), (1.0, 2.0)]))).data().is_some());
+        let turning = Layer::line([(1.0, 1.0), (2.0, 2.0), (1.5, 3.0)]);
+        assert_eq!(Figure::from(plot().with(turning)).data(), None);
     }
 }

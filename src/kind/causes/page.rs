@@ -5,7 +5,7 @@ use asperity::compare::{Cause, ComparedQuantity, Contributions};
 use asperity_framework::report::format::{
     capitalised, count, input_number, input_quantity, listed, number, percent,
 };
-use asperity_framework::report::page::{Page, escape, escape_around_code};
+use asperity_framework::report::page::{Page, escape};
 use asperity_framework::report::sections;
 use asperity_plot::{Axis, Colour, Figure, Layer, Legend, Marker, Plot};
 
@@ -16,13 +16,12 @@ use crate::kind::compare::page::verdict::{limit_words, loads, name, signed};
 
 pub fn page(results: &CausesResults) -> Page {
     let mut page = Page::new(&results.metadata.title);
-    for warning in asperity_framework::Outcome::warnings(results) {
-        page.warning(&escape_around_code(&warning));
-    }
     let each = |load: usize| QUANTITIES.map(|quantity| Findings::of(results, quantity, load));
     let findings: Vec<Findings> = (0..results.loads.len()).flat_map(each).collect();
-    page.heading(2, "Summary");
-    page.bullets(findings.iter().map(|found| sentence(results, found)).chain(of_radii(&findings)));
+    sections::findings(
+        &mut page,
+        findings.iter().map(|found| sentence(results, found)).chain(of_radii(&findings)),
+    );
     for (load, pressure) in results.loads.iter().enumerate() {
         page.figure(
             &format!("causes-{}.svg", load + 1),
@@ -35,6 +34,8 @@ pub fn page(results: &CausesResults) -> Page {
             ),
         );
     }
+    sections::warnings(&mut page, &asperity_framework::Outcome::warnings(results));
+    over_skewness(&mut page, results);
     sections::notes(&mut page, &results.metadata);
     sections::what_was_run(&mut page, &results.metadata, &results.contact);
     page.paragraph(&format!(
@@ -49,6 +50,18 @@ pub fn page(results: &CausesResults) -> Page {
         number(results.gradient),
         number(results.hurst)
     ));
+    page.details(2, "Surfaces", |page| surfaces(page, results));
+    for load in 0..results.loads.len() {
+        let title = format!("Contributions at {}", loads([results.loads[load]; 2]));
+        page.details(2, &title, |page| table(page, results, load));
+    }
+    sections::run_again(&mut page, &results.metadata, None);
+    sections::sources(&mut page, &results.metadata);
+    page
+}
+
+/// The contributions at each load, over the skewness.
+fn over_skewness(page: &mut Page, results: &CausesResults) {
     page.heading(2, "Contributions over the skewness");
     for (load, pressure) in results.loads.iter().enumerate() {
         for quantity in QUANTITIES {
@@ -64,14 +77,6 @@ pub fn page(results: &CausesResults) -> Page {
             );
         }
     }
-    page.heading(2, "Surfaces");
-    surfaces(&mut page, results);
-    for load in 0..results.loads.len() {
-        page.heading(2, &format!("Contributions at {}", loads([results.loads[load]; 2])));
-        table(&mut page, results, load);
-    }
-    sections::sources(&mut page, &results.metadata);
-    page
 }
 
 /// Which cause leads at one load in one quantity.

@@ -11,9 +11,12 @@ use asperity_plot::{Axis, Colour, Dash, Figure, Layer, Marker, Plot};
 
 pub fn page(results: &LimitResults) -> Page {
     let mut page = Page::new(&results.metadata.title);
+    sections::findings(&mut page, results.slope_ranges.iter().map(finding));
+    for (law, reference) in &results.laws {
+        of_law(&mut page, results, law, reference);
+    }
     sections::notes(&mut page, &results.metadata);
-    page.heading(2, "Summary");
-    page.bullets(results.slope_ranges.iter().map(finding));
+    page.heading(2, "Method");
     page.paragraph(&format!(
         "Sets of asperities with equal radii and Gaussian heights are summed and compared with their limit: {}. The error \
          of a sum of n independent draws decreases as n^-½. Heights at the quantiles are a midpoint rule in probability; \
@@ -32,11 +35,17 @@ pub fn page(results: &LimitResults) -> Page {
         input_number(results.population.density),
         results.draws,
     ));
-    for (law, reference) in &results.laws {
-        page.heading(2, &format!("Law {law}"));
-        for wanted in Quantity::ALL {
-            let name = format!("{law}-{}.svg", wanted.name()).replace(['(', ')', ' ', '='], "-");
-            page.figure(
+    sections::run_again(&mut page, &results.metadata, None);
+    sections::sources(&mut page, &results.metadata);
+    page
+}
+
+/// Figures and tables under one law.
+fn of_law(page: &mut Page, results: &LimitResults, law: &str, reference: &str) {
+    page.heading(2, &format!("Law {law}"));
+    for wanted in Quantity::ALL {
+        let name = format!("{law}-{}.svg", wanted.name()).replace(['(', ')', ' ', '='], "-");
+        page.figure(
                 &name,
                 figure(results, law, wanted),
                 &format!(
@@ -46,48 +55,45 @@ pub fn page(results: &LimitResults) -> Page {
                     wanted.name()
                 ),
             );
-        }
-        page.table(
-            ["d/σ", "quantity", "heights", "slope", "± s.e.", "expected slope", "points"],
-            results.slopes.iter().filter(|slope| slope.law == *law).map(|slope| {
-                vec![
-                    input_number(slope.separation),
-                    slope.quantity.name().to_owned(),
-                    slope.heights.name().to_owned(),
-                    format!("{:.3}", slope.fit.slope),
-                    format!("{:.3}", slope.fit.standard_error),
-                    format!("{:.3}", slope.expected),
-                    slope.fit.points.to_string(),
-                ]
-            }),
-        );
-        page.paragraph("Errors of the load by number of asperities:");
-        page.table(
-            [
-                "n",
-                "d/σ",
-                "expected contacts",
-                "mean of random sets",
-                "r.m.s. of random sets",
-                "at the quantiles",
-                "expected at the quantiles",
-            ],
-            results.points.iter().filter(|point| &point.law == law).map(|point| {
-                let (mean, scatter) = point.scatter(Quantity::Load);
-                vec![
-                    point.count.to_string(),
-                    input_number(point.exact.statistical.separation_over_sigma),
-                    number(point.expected_contacts()),
-                    number(mean),
-                    number(scatter),
-                    number(point.quantile_error(Quantity::Load)),
-                    number(point.expected_quantile_error(Quantity::Load)),
-                ]
-            }),
-        );
     }
-    sections::sources(&mut page, &results.metadata);
-    page
+    page.table(
+        ["d/σ", "quantity", "heights", "slope", "± s.e.", "expected slope", "points"],
+        results.slopes.iter().filter(|slope| slope.law == *law).map(|slope| {
+            vec![
+                input_number(slope.separation),
+                slope.quantity.name().to_owned(),
+                slope.heights.name().to_owned(),
+                format!("{:.3}", slope.fit.slope),
+                format!("{:.3}", slope.fit.standard_error),
+                format!("{:.3}", slope.expected),
+                slope.fit.points.to_string(),
+            ]
+        }),
+    );
+    page.paragraph("Errors of the load by number of asperities:");
+    page.table(
+        [
+            "n",
+            "d/σ",
+            "expected contacts",
+            "mean of random sets",
+            "r.m.s. of random sets",
+            "at the quantiles",
+            "expected at the quantiles",
+        ],
+        results.points.iter().filter(|point| &point.law == law).map(|point| {
+            let (mean, scatter) = point.scatter(Quantity::Load);
+            vec![
+                point.count.to_string(),
+                input_number(point.exact.statistical.separation_over_sigma),
+                number(point.expected_contacts()),
+                number(mean),
+                number(scatter),
+                number(point.quantile_error(Quantity::Load)),
+                number(point.expected_quantile_error(Quantity::Load)),
+            ]
+        }),
+    );
 }
 
 /// The fitted slopes, in a sentence.
@@ -108,8 +114,8 @@ fn finding(found: &SlopeRange) -> String {
 fn figure(results: &LimitResults, law: &str, quantity: Quantity) -> Figure {
     let panel = |heights: Heights| {
         let (title, label) = match heights {
-            Heights::Random => ("heights drawn at random", "slope −1/2"),
-            Heights::Quantiles => ("heights at the quantiles", "slope −1"),
+            Heights::Random => ("Heights drawn at random", "slope −1/2"),
+            Heights::Quantiles => ("Heights at the quantiles", "slope −1"),
         };
         let axis = Axis::log(format!("relative error of the {}", quantity.name()));
         let mut plot = Plot::new(title, Axis::log("number of asperities n"), axis);

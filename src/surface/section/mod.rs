@@ -10,6 +10,7 @@ use asperity::topography::theory::Expected;
 use asperity_framework::report::format::{count, number, percent, ratio};
 use asperity_framework::report::page::Page;
 pub use figures::unit as length_unit;
+pub use properties::sentence;
 use properties::{columns, properties, table};
 
 /// Adds tables and figures of a surface to a page, those that most readers want first.

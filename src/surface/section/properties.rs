@@ -1,5 +1,6 @@
 //! Properties of a surface as a table of two columns.
 
+use crate::surface::fitness::blocked_by;
 use crate::surface::found::{MapFacts, Surface};
 use asperity::topography::Quantisation;
 use asperity_framework::report::format::{count, input_quantity, number, quantity};
@@ -10,6 +11,30 @@ pub type Row = [String; 2];
 /// A number, or a dash where there is none.
 pub fn or_dash(value: Option<f64>) -> String {
     value.map_or_else(|| "-".to_owned(), number)
+}
+
+/// A surface in a sentence: its roughness, its asperities, and whether its map may carry a verdict.
+pub fn sentence(surface: &Surface) -> String {
+    let statistics = &surface.reported_statistics();
+    let roughness = surface.map.as_ref().map_or_else(String::new, |map| {
+        let moments = &map.roughness.moments;
+        let shape = moments.ssk.zip(moments.sku).map_or_else(String::new, |(skewness, kurtosis)| {
+            format!(", skewness {}, kurtosis {}", number(skewness), number(kurtosis))
+        });
+        format!("Sq = {}{shape}; ", quantity(moments.sq, "m"))
+    });
+    let fitness = match (surface.map.is_some(), blocked_by(surface)) {
+        (false, _) => String::new(),
+        (true, None) => " No check of the map blocks a verdict.".to_owned(),
+        (true, Some(faults)) => format!(" The map carries no verdict until it is fit: {faults}."),
+    };
+    format!(
+        "{roughness}{} asperities ({} /m²) of mean radius {}, their heights with σ = {}.{fitness}",
+        count(surface.set.count()),
+        number(surface.set.density()),
+        quantity(statistics.mean_radius, "m"),
+        quantity(statistics.sigma, "m")
+    )
 }
 
 /// All numerical properties of a surface.

@@ -343,7 +343,7 @@ fn the_measured_surfaces_end_to_end() {
     // The instrument's step is said in the terminal, the summary and the report.
     assert!(text(&output.stderr).contains("height steps of 3.91 nm"), "{}", text(&output.stderr));
     let report = fs::read_to_string(out.join("quantised-ground/report.md")).unwrap();
-    assert!(report.contains("> [!WARNING]") && report.contains("height steps of 3.91 nm make the summits"));
+    assert!(report.contains("warnings\n\n- ") && report.contains("height steps of 3.91 nm make the summits"));
     let warnings = &summary(&out, "quantised-ground")["surfaces"]["ground"]["warnings"];
     assert!(
         warnings
@@ -445,7 +445,7 @@ realisations = 3
     );
     // Student's quantile with two degrees of freedom.
     assert!((number("high") - mean - 4.302_652_73 * error).abs() < 1e-6 * error);
-    let answers = report.split_once("random, law hertz: results").unwrap().1;
+    let answers = report.split_once("random, law hertz: curves and tables").unwrap().1;
     let cells = row(answers.split_once("estimated error").unwrap().1, "9 MPa \\*");
     assert_eq!(cells[4], format::mean_and_deviation(mean, deviation));
     assert_eq!(random["generation"]["process"]["skewness"], -1.0);

@@ -15,6 +15,15 @@ pub fn notes(page: &mut Page, metadata: &Metadata) {
     }
 }
 
+/// What a reader should know first: the first of the findings (inline Markdown) as the lead, the others as a list.
+pub fn findings<T: AsRef<str>>(page: &mut Page, findings: impl IntoIterator<Item = T>) {
+    let mut findings = findings.into_iter();
+    if let Some(first) = findings.next() {
+        page.lead(first.as_ref());
+    }
+    page.bullets(findings);
+}
+
 /// Warnings, folded where there are many.
 pub fn warnings(page: &mut Page, warnings: &[String]) {
     /// So many are read by everybody.

@@ -2,7 +2,7 @@
 
 use asperity::MeanRadius;
 use asperity::compare::{ComparedQuantity, Difference, Verdict};
-use asperity_framework::report::format::{listed, number, quantity};
+use asperity_framework::report::format::{capitalised, listed, number, quantity};
 use asperity_framework::report::page::{Page, escape_around_code};
 use asperity_plot::{Axis, Colour, Dash, Figure, Layer, Marker, Plot};
 
@@ -214,9 +214,9 @@ fn against_filter(
     shown.dedup();
     let ends = [filtered[0].0 / 1.2, filtered[filtered.len() - 1].0 * 1.2];
     let panels = [
-        (ComparedQuantity::Area, "contact area (%)", 100.0),
-        (ComparedQuantity::Separation, "separation (σ)", 1.0),
-        (ComparedQuantity::Stiffness, "stiffness (%)", 100.0),
+        (ComparedQuantity::Area, "difference (%)", 100.0),
+        (ComparedQuantity::Separation, "difference (σ)", 1.0),
+        (ComparedQuantity::Stiffness, "difference (%)", 100.0),
     ];
     let is_compared = |compared: ComparedQuantity| {
         verdicts.differences.iter().any(|at| at.estimates[compared as usize].is_some())
@@ -224,7 +224,7 @@ fn against_filter(
     let panels = panels.into_iter().filter(|(compared, ..)| is_compared(*compared));
     let plots = panels.map(|(compared, label, unit)| {
         let accepted = unit * verdicts.accepted.of(compared);
-        let axis = Axis::log("S nesting index (µm)").range(ends[0], ends[1]);
+        let axis = Axis::log("S filter (µm)").range(ends[0], ends[1]);
         let values = filtered.iter().flat_map(|(_, differences)| differences.iter());
         let values = values.filter(|at| shown.contains(&at.load));
         let values =
@@ -233,10 +233,11 @@ fn against_filter(
             [low.min(value), high.max(value)]
         });
         let room = 0.05 * (high - low);
-        let mut plot = Plot::new("", axis, Axis::linear(label).range(low - room, high + room))
-            .height(210.0)
-            .with(Layer::region_y(-accepted, accepted, "accepted").coloured(Colour::Series(2)))
-            .with(Layer::at_y(0.0, ""));
+        let mut plot =
+            Plot::new(capitalised(name(compared)), axis, Axis::linear(label).range(low - room, high + room))
+                .height(210.0)
+                .with(Layer::region_y(-accepted, accepted, "accepted").coloured(Colour::Series(2)))
+                .with(Layer::at_y(0.0, ""));
         if has_none {
             plot = plot.with(Layer::at_x(pixel, "no filter"));
         }
@@ -253,5 +254,8 @@ fn against_filter(
         }
         plot
     });
-    Some(Figure::column("Statistical minus deterministic model by S filter", plots.collect()))
+    Some(Figure::row(
+        format!("{}: statistical minus deterministic model by S filter", found.surface.name),
+        plots.collect(),
+    ))
 }

@@ -108,8 +108,8 @@ pub fn ratios(results: &IndentationResults, found: &LayerResults, law: &LawCurve
     let hertz_load = |w: f64| 4.0 / 3.0 * results.reduced_modulus * radius.sqrt() * w.powf(1.5);
     let x = || Axis::log("indentation w (µm)");
     let load =
-        Plot::new("load", x(), Axis::linear("load over the uncoated Hertz load")).legend(Legend::Below);
-    let area = Plot::new("real contact area", x(), Axis::linear("area A/(π R w)")).legend(Legend::Hidden);
+        Plot::new("Load", x(), Axis::linear("load over the uncoated Hertz load")).legend(Legend::Below);
+    let area = Plot::new("Real contact area", x(), Axis::linear("area A/(π R w)")).legend(Legend::Hidden);
     let mut load = lines(load, found, law, |w, load, _| (w * MICRO, load / hertz_load(w)));
     if let Some((_, points)) = &results.overlay {
         load = load.with(measured(points.iter().map(|&(w, load)| (w * MICRO, load / hertz_load(w)))));

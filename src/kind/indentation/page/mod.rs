@@ -27,16 +27,14 @@ fn subject(results: &IndentationResults, found: &LayerResults) -> String {
 
 pub fn page(results: &IndentationResults) -> Page {
     let mut page = Page::new(&results.metadata.title);
-    sections::notes(&mut page, &results.metadata);
-    for warning in results.warnings() {
-        page.warning(&escape(&warning));
-    }
-    page.heading(2, "Summary");
-    for found in &results.layers {
-        page.bullets(found.laws.iter().map(|law| summary_lines(results, found, law)));
-        page.bullets([format!("**{}**: {}", escape(&subject(results, found)), rule::sentence(found))]);
-    }
-    what_was_run(&mut page, results);
+    let of_layer = |found: &LayerResults| {
+        let mut lines: Vec<String> =
+            found.laws.iter().map(|law| summary_lines(results, found, law)).collect();
+        lines.push(format!("**{}**: {}", escape(&subject(results, found)), rule::sentence(found)));
+        lines
+    };
+    sections::findings(&mut page, results.layers.iter().flat_map(of_layer));
+    sections::warnings(&mut page, &results.warnings());
     if results.layers.len() > 1 {
         rule::all(&mut page, results);
     }
@@ -52,7 +50,10 @@ pub fn page(results: &IndentationResults) -> Page {
         }
         rule::section(&mut page, found, &name("", "rule"));
     }
+    sections::notes(&mut page, &results.metadata);
+    what_was_run(&mut page, results);
     limits(&mut page, results);
+    sections::run_again(&mut page, &results.metadata, None);
     sections::sources(&mut page, &results.metadata);
     page
 }

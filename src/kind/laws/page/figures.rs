@@ -79,8 +79,8 @@ pub fn curves(results: &LawsResults) -> Figure {
     let plot =
         |title: &str, label: &str| Plot::new(title, indentation_axis(), Axis::log(label)).height(420.0);
     let panels = vec![
-        panel(results, plot("load", "load P/Pc").legend(Legend::Below), &|_, contact| contact.load / load),
-        panel(results, plot("real contact area", "area A/Ac").legend(Legend::Hidden), &|_, contact| {
+        panel(results, plot("Load", "load P/Pc").legend(Legend::Below), &|_, contact| contact.load / load),
+        panel(results, plot("Real contact area", "area A/Ac").legend(Legend::Hidden), &|_, contact| {
             contact.area / area
         }),
     ];
@@ -95,8 +95,8 @@ pub fn differences(results: &LawsResults, hardness: f64) -> Figure {
     let plot = |title: &str, label: &str, highest: f64| {
         Plot::new(title, indentation_axis(), Axis::linear(label).range(0.0, highest)).height(420.0)
     };
-    let pressure = plot("mean pressure", "mean pressure P/(A H)", HIGHEST[0]).legend(Legend::Below);
-    let area = plot("area over elastic area", "area A/(π R w)", HIGHEST[1]).legend(Legend::Hidden);
+    let pressure = plot("Mean pressure", "mean pressure P/(A H)", HIGHEST[0]).legend(Legend::Below);
+    let area = plot("Area over elastic area", "area A/(π R w)", HIGHEST[1]).legend(Legend::Hidden);
     let panels = vec![
         panel(results, pressure, &|_, contact| contact.load / contact.area / hardness),
         panel(results, area, &|w, contact| contact.area / (PI * radius * w)),
@@ -116,8 +116,8 @@ pub fn jumps(results: &LawsResults) -> Option<Figure> {
     let (critical, radius) = (results.critical, results.radius);
     let elastic = move |w: f64| critical.load * (w / unit).powf(1.5);
     let plot = |title: &str, y: Axis| Plot::new(title, indentation_axis().range(from, to), y).height(420.0);
-    let load = plot("load over elastic load", Axis::linear("load over Hertz load").range(0.0, 1.7));
-    let area = plot("area over elastic area", Axis::linear("area A/(π R w)").range(0.8, 2.4));
+    let load = plot("Load over elastic load", Axis::linear("load over Hertz load").range(0.0, 1.7));
+    let area = plot("Area over elastic area", Axis::linear("area A/(π R w)").range(0.8, 2.4));
     let panels = vec![
         panel(results, load.legend(Legend::Below), &|w, contact| contact.load / elastic(w)),
         panel(results, area.legend(Legend::Hidden), &|w, contact| contact.area / (PI * radius * w)),
@@ -142,8 +142,8 @@ pub fn law_or_model(results: &LawsResults, influence: &Influence) -> Figure {
         beside(results, influence, measure, plot)
     };
     let panels = vec![
-        plot(Measure::Separation, "separation", Legend::Below),
-        plot(Measure::Area, "real contact area", Legend::Hidden),
+        plot(Measure::Separation, "Separation", Legend::Below),
+        plot(Measure::Area, "Real contact area", Legend::Hidden),
     ];
     Figure::row("Contact law against summation method at equal load", panels)
 }

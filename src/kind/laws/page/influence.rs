@@ -1,7 +1,7 @@
 //! Contact law and summation method on one surface: figure and tables.
 
-use super::figures;
 use super::measures::signed;
+use super::{figures, summary};
 use crate::kind::compare::results::SurfaceResults;
 use crate::kind::laws::results::{LawOnOne, LawsResults, SurfaceInfluence};
 use asperity::compare::{AtLoad, Effect, Group, Influence, Kind, Measure, of_each_decade};
@@ -12,7 +12,8 @@ use asperity_framework::report::page::{Page, escape};
 pub fn section(page: &mut Page, results: &LawsResults, found: &SurfaceResults) {
     let Some(SurfaceInfluence { influence, .. }) = results.of_first(&found.surface.name) else { return };
     let name = &found.surface.name;
-    page.heading(3, &format!("{name}. Contact law or summation method: which matters more?"));
+    page.heading(2, &format!("{name}: contact law or summation method?"));
+    page.bullets(summary::summary_lines(results, name));
     page.figure(
         &format!("{name}-law-or-model.svg"),
         figures::law_or_model(results, influence),
@@ -25,12 +26,14 @@ pub fn section(page: &mut Page, results: &LawsResults, found: &SurfaceResults) {
             outside(results, influence)
         ),
     );
-    for measure in Measure::ALL {
-        load_by_load(page, influence, measure);
-    }
-    for measure in Measure::ALL {
-        law_by_law(page, results, influence, measure);
-    }
+    page.details(3, &format!("{name}: contact law and summation method load by load"), |page| {
+        for measure in Measure::ALL {
+            load_by_load(page, influence, measure);
+        }
+        for measure in Measure::ALL {
+            law_by_law(page, results, influence, measure);
+        }
+    });
     if let Some(mean) = &found.surface.ellipticity {
         page.paragraph(&format!(
             "Under an elliptic law the statistical model uses the mean curvature (radius {}), under the others the radius \

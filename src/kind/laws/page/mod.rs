@@ -19,29 +19,24 @@ use asperity_framework::report::sections;
 pub fn page(results: &LawsResults) -> Page {
     let compared = &results.compare;
     let mut page = Page::new(&compared.metadata.title);
-    for warning in compared.warnings() {
-        page.warning(&escape(&warning));
-    }
-    page.heading(2, "Summary");
-    let verdict = summary::verdict(results);
-    if !verdict.is_empty() {
-        page.bullets(verdict);
-    }
+    summary::verdict(results).iter().for_each(|line| {
+        page.lead(line);
+    });
+    page.table(summary::HEADER, summary::rows(results));
+    sections::warnings(&mut page, &compared.warnings());
     for found in &compared.surfaces {
-        page.bullets(compare::headline_over_laws(found));
-        page.bullets(summary::summary_lines(results, &found.surface.name));
-    }
-    page.bullets(single_asperity_lines(results));
-    sections::notes(&mut page, &compared.metadata);
-    sections::what_was_run(&mut page, &compared.metadata, &compared.contact);
-    laws(&mut page, results);
-    one_asperity(&mut page, results);
-    for found in &compared.surfaces {
-        compare::surface(&mut page, found);
-        compare::answer_by_law(&mut page, found);
         influence::section(&mut page, results, found);
     }
+    one_asperity(&mut page, results);
+    laws(&mut page, results);
+    for found in &compared.surfaces {
+        compare::answer_by_law(&mut page, found);
+        compare::surface(&mut page, found);
+    }
+    sections::notes(&mut page, &compared.metadata);
+    sections::what_was_run(&mut page, &compared.metadata, &compared.contact);
     limits(&mut page, results);
+    sections::run_again(&mut page, &compared.metadata, None);
     sections::sources(&mut page, &compared.metadata);
     page
 }
@@ -115,6 +110,7 @@ fn one_asperity(page: &mut Page, results: &LawsResults) {
         quantity(critical.load, "N"),
         quantity(critical.area, "m²"),
     ));
+    page.bullets(single_asperity_lines(results));
     page.figure(
         "asperity-curves.svg",
         figures::curves(results),

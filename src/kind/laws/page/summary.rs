@@ -12,10 +12,7 @@ pub fn verdict(results: &LawsResults) -> Vec<String> {
 }
 
 fn verdict_by(results: &LawsResults, measure: Measure) -> Option<String> {
-    let what = match measure {
-        Measure::Separation => "d/σ",
-        Measure::Area => "real area",
-    };
+    let what = quantity(measure);
     let found = results.compare.surfaces.iter().filter_map(|found| {
         Some((escape(&found.surface.name), results.of_first(&found.surface.name)?.dominance(measure)?))
     });
@@ -45,6 +42,41 @@ fn verdict_by(results: &LawsResults, measure: Measure) -> Option<String> {
         rest = format!(" Without the most deviating law, the contact law matters more on {on}.");
     }
     (!parts.is_empty()).then(|| format!("**By {what}** {}.{rest}", parts.join(", ")))
+}
+
+/// The columns of [`rows`].
+pub const HEADER: [&str; 5] =
+    ["surface", "measured by", "matters more", "mean range over the laws", "mean difference of the models"];
+
+/// One row per surface and measure.
+pub fn rows(results: &LawsResults) -> Vec<Vec<String>> {
+    let of_surface = |found: &SurfaceInfluence| -> Vec<Vec<String>> {
+        let row = |dominance: &Dominance| {
+            let what = match dominance.dominant() {
+                Dominant::Law => "contact law",
+                Dominant::Summation => "summation method",
+                Dominant::Equal => "both equally",
+                Dominant::Undecided => "cannot tell",
+            };
+            vec![
+                found.surface.clone(),
+                quantity(dominance.measure).to_owned(),
+                what.to_owned(),
+                size(dominance.measure, dominance.law.mean),
+                size(dominance.measure, dominance.summation.mean),
+            ]
+        };
+        found.dominances.iter().map(row).collect()
+    };
+    let all = results.compare.surfaces.iter().filter_map(|found| results.of_first(&found.surface.name));
+    all.flat_map(of_surface).collect()
+}
+
+fn quantity(measure: Measure) -> &'static str {
+    match measure {
+        Measure::Separation => "d/σ",
+        Measure::Area => "real area",
+    }
 }
 
 /// Which matters more on one surface, by how much, and within which sampling uncertainty: one line per measure.

@@ -40,10 +40,10 @@ pub fn asperities(surface: &SurfaceResults) -> Figure {
                 .with(Layer::points(points, marker).coloured(colour).named(name))
         })
     };
-    let density = plot("asperity density", "density (1/µm²)", Legend::Below);
+    let density = plot("Asperity density", "density (1/µm²)", Legend::Below);
     let density =
         with(density, Colour::Series(0), Marker::Circle, "", &|found| found.density / (MICRO * MICRO));
-    let radii = plot("radii", "radius (µm)", Legend::Below);
+    let radii = plot("Radii", "radius (µm)", Legend::Below);
     let radii = with(radii, Colour::Series(0), Marker::Circle, "mean, ", &|found| {
         MICRO * found.statistics.mean_radius
     });
@@ -98,8 +98,8 @@ pub fn gap(series: &Series, load: usize) -> Option<Figure> {
         Some(plot)
     };
     let panels = [
-        panel(ComparedQuantity::Separation, "separation", "separation (σ)"),
-        panel(ComparedQuantity::Area, "real contact area", "ln(area ratio of the models)"),
+        panel(ComparedQuantity::Separation, "Separation", "separation (σ)"),
+        panel(ComparedQuantity::Area, "Real contact area", "ln(area ratio of the models)"),
     ];
     let panels: Vec<Plot> = panels.into_iter().flatten().collect();
     (!panels.is_empty()).then(|| Figure::row("Gap between the models and its parts", panels))

@@ -5,7 +5,7 @@ mod words;
 
 use asperity::compare::{Cause, ComparedQuantity};
 use asperity_framework::report::format::{input_quantity, listed, number, percent, quantity};
-use asperity_framework::report::page::{Page, escape, escape_around_code};
+use asperity_framework::report::page::{Page, escape};
 use asperity_framework::report::sections;
 
 use super::findings::{gap, main_load};
@@ -19,19 +19,18 @@ const NONE: &str = "–";
 
 pub fn page(results: &IntervalResults) -> Page {
     let mut page = Page::new(&results.metadata.title);
-    for warning in asperity_framework::Outcome::warnings(results) {
-        page.warning(&escape_around_code(&warning));
+    words::over_surfaces(results).iter().for_each(|sentence| {
+        page.lead(sentence);
+    });
+    sections::warnings(&mut page, &asperity_framework::Outcome::warnings(results));
+    for surface in &results.surfaces {
+        of_surface(&mut page, surface);
     }
-    page.heading(2, "Summary");
-    let of_surfaces = results.surfaces.iter().flat_map(words::summary);
-    page.bullets(words::over_surfaces(results).into_iter().chain(of_surfaces));
     criterion(&mut page);
     sections::notes(&mut page, &results.metadata);
     sections::what_was_run(&mut page, &results.metadata, &results.contact);
     page.paragraph(&format!("Law {}.", escape(&results.law)));
-    for surface in &results.surfaces {
-        of_surface(&mut page, surface);
-    }
+    sections::run_again(&mut page, &results.metadata, None);
     sections::sources(&mut page, &results.metadata);
     page
 }
@@ -72,9 +71,7 @@ fn criterion(page: &mut Page) {
 fn of_surface(page: &mut Page, surface: &SurfaceResults) {
     let name = &surface.surface.name;
     page.heading(2, &format!("Surface {name}"));
-    section::section(page, &surface.surface, None);
-    page.heading(3, "Asperities");
-    asperities(page, surface);
+    page.bullets(words::summary(surface));
     page.figure(
         &format!("{name}-over-length.svg"),
         figures::asperities(surface),
@@ -84,6 +81,7 @@ fn of_surface(page: &mut Page, surface: &SurfaceResults) {
     let Some(load) = main_load(surface) else {
         page.paragraph("At no load any variant is within the valid range: no gap is given.");
         trends(page, surface, 0);
+        tables(page, surface);
         return;
     };
     page.heading(3, &format!("Gap between the models at {}", input_quantity(surface.loads[load], "Pa")));
@@ -106,6 +104,14 @@ fn of_surface(page: &mut Page, surface: &SurfaceResults) {
         }
     }
     trends(page, surface, load);
+    tables(page, surface);
+}
+
+/// The surface, and its asperities at every length.
+fn tables(page: &mut Page, surface: &SurfaceResults) {
+    let name = &surface.surface.name;
+    page.details(3, &format!("{name}: asperities by length"), |page| asperities(page, surface));
+    page.details(3, &format!("{name}: the surface"), |page| section::section(page, &surface.surface, None));
 }
 
 /// Every variant of a surface with its length.

@@ -220,7 +220,7 @@
         ticks: { stroke: () => ink("rule"), width: 1 },
         values: (plot, splits) => splits.map(value => (value === null ? "" : number(value).replace(/e(-?\d+)$/, "e$1"))),
         ...(log ? { splits: logTicks, filter: (plot, ticks) => ticks } : { space: across ? 55 : 30 }),
-        ...(across ? { size: 26, labelSize: 22, labelGap: 0 } : { size: 56, labelSize: 22, labelGap: 2 }),
+        ...(across ? { size: 30, labelSize: 20, labelGap: 2 } : { size: 56, labelSize: 22, labelGap: 2 }),
       });
       const values = element("div", { className: "values" });
       // A range that an axis cannot show, such as one that is not yet known, is the whole one.

@@ -15,18 +15,16 @@ use asperity_framework::report::sections;
 
 pub fn page(results: &CoverageResults) -> Page {
     let mut page = Page::new(&results.metadata.title);
-    sections::notes(&mut page, &results.metadata);
-    for warning in results.warnings() {
-        page.warning(&escape(&warning));
-    }
-    page.heading(2, "Summary");
-    page.bullets(summary_lines(results));
+    sections::findings(&mut page, summary_lines(results));
     page.figure("coverage.svg", figures::coverage(results), figures::CAPTION);
+    sections::warnings(&mut page, &results.warnings());
+    sections::notes(&mut page, &results.metadata);
     coverages(&mut page, results);
     sections::what_was_run(&mut page, &results.metadata, &results.contact);
     processes(&mut page, results);
     page.heading(2, "Method");
     page.bullets(method(results));
+    sections::run_again(&mut page, &results.metadata, None);
     sections::sources(&mut page, &results.metadata);
     page
 }

@@ -95,7 +95,7 @@ pub fn rules(found: &IntegralFindings) -> Figure {
     ];
     let plots = vec![
         rules_plot("Gauss rules by order", found, &gauss),
-        rules_plot("equal steps, and adaptive by tolerance", found, &others),
+        rules_plot("Equal steps, and adaptive by tolerance", found, &others),
     ];
     Figure::row("Other rules", plots)
 }
@@ -132,18 +132,18 @@ pub fn sums(case: &CasePrecision) -> Figure {
     let points: Vec<&SumPoint> = case.sums.iter().filter(|p| p.sweep == Sweep::Asperities).collect();
     let axis = || Axis::log("time per asperity and separation (ns)");
     let error = Axis::log("relative error (the larger of area and load)");
-    let left = Plot::new("time against error", error, axis());
-    let right = Plot::new("time against size", Axis::log("number of asperities"), axis());
+    let left = Plot::new("Time against error", error, axis());
+    let right = Plot::new("Time against size", Axis::log("number of asperities"), axis());
     let left = with_ways(left, &points, |p| (p.cost.error.max(FLOOR), per_asperity(p)));
     let right = with_ways(right, &points, |p| (p.asperities as f64, per_asperity(p)));
-    Figure::row("Summation methods", vec![left, right])
+    Figure::row(format!("{}: summation methods", case.name), vec![left, right])
 }
 
 /// Time by the number of separations, with and without ordering.
 pub fn separations(case: &CasePrecision) -> Figure {
     let points: Vec<&SumPoint> = case.sums.iter().filter(|p| p.sweep == Sweep::Separations).collect();
     let plot = Plot::new(
-        "Time by the number of separations",
+        format!("{}: time by the number of separations", case.name),
         Axis::log("number of separations"),
         Axis::log("time per separation (µs), ordering included"),
     );
@@ -182,7 +182,7 @@ pub fn curves(found: &CurveFindings) -> Figure {
         }
         plot
     };
-    let plots = vec![plot(Kind::Statistical, "the integral"), plot(Kind::Deterministic, "the sum")];
+    let plots = vec![plot(Kind::Statistical, "The integral"), plot(Kind::Deterministic, "The sum")];
     Figure::row("Curves within a tolerance", plots)
 }
 
@@ -216,9 +216,9 @@ pub fn sampling(found: &SamplingFindings) -> Figure {
     separations.dedup();
     let of = separations.len();
     let size = Axis::log("number of asperities");
-    let mut left = Plot::new("error against size", size, Axis::log("relative error of the load"));
+    let mut left = Plot::new("Error against size", size, Axis::log("relative error of the load"));
     let mut right = Plot::new(
-        "time against error",
+        "Time against error",
         Axis::log("relative error of the load"),
         Axis::log("time to draw and sum a set (s)"),
     );
@@ -266,12 +266,12 @@ pub fn grid(found: &GridFindings) -> Figure {
     let largest = found.points.iter().map(|point| point.lengths).fold(0.0, f64::max);
     let of_largest: Vec<&GridPoint> = found.points.iter().filter(|point| point.lengths == largest).collect();
     let mut left = Plot::new(
-        "bias of the grid (theory)",
+        "Bias of the grid (theory)",
         Axis::log("points per correlation length"),
         Axis::log("absolute value of the relative error"),
     );
     let mut right = Plot::new(
-        "scatter of the maps (measured)",
+        "Scatter of the maps (measured)",
         Axis::log("number of summits"),
         Axis::log("relative error, r.m.s."),
     );

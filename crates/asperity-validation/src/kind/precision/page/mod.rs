@@ -23,19 +23,10 @@ use asperity_framework::report::sections;
 
 pub fn page(results: &PrecisionResults) -> Page {
     let mut page = Page::new(&results.metadata.title);
-    sections::notes(&mut page, &results.metadata);
-    page.heading(2, "Summary");
     let mut short: Vec<String> = results.cases.iter().flat_map(summary_lines).collect();
     short.extend(results.cases.iter().filter_map(|case| attribution::summary_line(case, &results.law)));
     short.extend(physics::summary_lines(results));
-    page.bullets(short);
-    page.paragraph(
-        "Times were measured on the machine that wrote this report: each is the median of interleaved runs of all \
-         candidates, with at least 1 ms per measurement. They vary between machines and between runs; ratios are \
-         significant beyond about 10 %.",
-    );
-    sections::what_was_run(&mut page, &results.metadata, &results.contact);
-    populations(&mut page, results);
+    sections::findings(&mut page, short);
     if results.cases.iter().any(|case| case.integral.is_some()) {
         integrals(&mut page, results);
     }
@@ -46,6 +37,15 @@ pub fn page(results: &PrecisionResults) -> Page {
     scale::lists(&mut page, results);
     attribution::section(&mut page, results);
     physics::sections(&mut page, results);
+    sections::notes(&mut page, &results.metadata);
+    sections::what_was_run(&mut page, &results.metadata, &results.contact);
+    populations(&mut page, results);
+    page.paragraph(
+        "Times were measured on the machine that wrote this report: each is the median of interleaved runs of all \
+         candidates, with at least 1 ms per measurement. They vary between machines and between runs; ratios are \
+         significant beyond about 10 %.",
+    );
+    sections::run_again(&mut page, &results.metadata, None);
     sections::sources(&mut page, &results.metadata);
     page
 }

@@ -46,7 +46,7 @@ fn convergence(
     axis: &str,
     quantities: &[(Quantity, Marker)],
 ) -> Plot {
-    let mut plot = Plot::new("largest errors", Axis::log(axis), Axis::log("error")).legend(Legend::Below);
+    let mut plot = Plot::new("Largest errors", Axis::log(axis), Axis::log("error")).legend(Legend::Below);
     for (k, (quantity, marker)) in quantities.iter().enumerate() {
         let points = largest(measured, problem, *quantity);
         let first = points.first().copied();
@@ -98,7 +98,7 @@ pub fn hertz(measured: &[Measured], profile: &Profile) -> Figure {
 
 /// A wave: pressures, width and convergence.
 pub fn sinusoid(measured: &[Measured], profiles: &[Profile]) -> Figure {
-    let pressures = profile_plot("pressures", "place x/λ", "p/(2 p*)", profiles);
+    let pressures = profile_plot("Pressures", "place x/λ", "p/(2 p*)", profiles);
     let quantities = [
         (Quantity::MeanGap, Marker::Circle),
         (Quantity::RawArea, Marker::Square),

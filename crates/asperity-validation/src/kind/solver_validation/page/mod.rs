@@ -12,18 +12,14 @@ use crate::solver::{DUAL_GAP, Measured, Problem, Quantity};
 use asperity_framework::report::format::{
     input_number, input_quantity, listed, mean_and_deviation, number, percent, quantity, ratio,
 };
-use asperity_framework::report::page::{Page, escape};
+use asperity_framework::report::page::Page;
 use asperity_framework::report::sections;
 use summary::{area_name, at_finest, pixels, rounding};
 
 pub fn page(results: &SolverResults) -> Page {
     let mut page = Page::new(&results.metadata.title);
-    sections::notes(&mut page, &results.metadata);
-    for warning in results.warnings() {
-        page.warning(&escape(&warning));
-    }
-    page.heading(2, "Summary");
-    page.bullets(summary::lines(results));
+    sections::findings(&mut page, summary::lines(results));
+    sections::warnings(&mut page, &results.warnings());
     hertz(&mut page, results);
     sinusoid(&mut page, results);
     layered(&mut page, results);
@@ -33,7 +29,9 @@ pub fn page(results: &SolverResults) -> Page {
     work(&mut page, results);
     page.heading(2, "Method");
     page.bullets(method(results));
+    sections::notes(&mut page, &results.metadata);
     page.paragraph(&sections::provenance(&results.metadata));
+    sections::run_again(&mut page, &results.metadata, None);
     sections::sources(&mut page, &results.metadata);
     page
 }

@@ -1,6 +1,7 @@
 //! Error maps.
 
 use crate::stability::Map;
+use asperity_framework::report::format::number;
 use asperity_plot::{Axis, Colour, ColourMap, Dash, Figure, Layer, Plot, Raster};
 
 /// log10 of the errors at both ends of the colours: a tenth of a rounding, and a hundred roundings or the worst.
@@ -26,7 +27,12 @@ pub fn map(map: &Map) -> Figure {
         limits: Some((COLOURS.0, worst.log10().ceil().max(COLOURS.1))),
         label: "log₁₀ of the relative error".into(),
     };
-    let title = format!("Error of the {}", map.of);
+    let title = format!(
+        "Error of the {}: at most {} ({} units of rounding)",
+        map.of,
+        number(worst),
+        number((worst / (0.5 * f64::EPSILON)).round())
+    );
     let mut plot = Plot::new(title, axis(map.axes[0], x), axis(map.axes[1], y)).with(Layer::raster(raster));
     if map.name == "transition" {
         let boundary = |place: f64, name: &str| {

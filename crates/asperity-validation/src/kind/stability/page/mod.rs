@@ -16,22 +16,16 @@ fn error(value: f64) -> String {
 
 pub fn page(results: &StabilityResults) -> Page {
     let mut page = Page::new(&results.metadata.title);
+    sections::findings(&mut page, summary_lines(results));
+    sections::warnings(&mut page, &results.warnings());
+    error_maps(&mut page, results);
     sections::notes(&mut page, &results.metadata);
-    for warning in results.warnings() {
-        page.warning(&escape(&warning));
-    }
-    page.heading(2, "Summary");
-    page.bullets(summary_lines(results));
     page.paragraph(
         "All results of the models are compared with values of about 32 digits from an independent evaluation of the \
          equations: other formulas, no tables, double-double arithmetic, the tanh-sinh rule for integrals, slopes by \
          differences. Half an ulp is at most 1.1e-16.",
     );
     groups(&mut page, results);
-    page.heading(2, "Error maps");
-    for map in &results.maps {
-        page.figure(&format!("{}-errors.svg", map.name), figures::map(map), figures::caption(map));
-    }
     page.heading(2, "Method");
     page.bullets(METHOD);
     let uncovered = uncovered_heights();
@@ -57,8 +51,16 @@ pub fn page(results: &StabilityResults) -> Page {
         page.code("", &worst.case.inputs());
     }
     page.paragraph(&sections::provenance(&results.metadata));
+    sections::run_again(&mut page, &results.metadata, None);
     sections::sources(&mut page, &results.metadata);
     page
+}
+
+fn error_maps(page: &mut Page, results: &StabilityResults) {
+    page.heading(2, "Error maps");
+    for map in &results.maps {
+        page.figure(&format!("{}-errors.svg", map.name), figures::map(map), figures::caption(map));
+    }
 }
 
 const METHOD: [&str; 6] = [
