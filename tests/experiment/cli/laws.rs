@@ -91,7 +91,7 @@ fn laws_have_their_tables_and_say_what_matters() {
         "By d/σ",
         "ceb +50 %",
         "cannot be distinguished within sampling uncertainty",
-        "Contact law or summation method: which matters more?",
+        "contact law or summation method?",
         "mean curvature 50000 /m",
     ] {
         assert!(page.contains(words), "{words}");
