@@ -28,6 +28,7 @@ pub struct Experiment {
     source: Source,
     stem: String,
     title: String,
+    kind: &'static str,
     notes: String,
     seed: u64,
     materials: IndexMap<String, Material>,
@@ -55,8 +56,9 @@ impl Experiment {
     fn read_spec(path: &Path, full: bool) -> Result<Self, InputError> {
         let spec = SpecFile::read(path, &tables())?;
         let stem = stem_of(path)?;
-        let plan = plan(&spec, full)?;
-        Self::new(spec, stem, plan)
+        let kind = kind(&spec)?;
+        let plan = kind.plan(&spec, full)?;
+        Self::new(spec, stem, kind.name(), plan)
     }
 
     /// Describes the surfaces of a spec; or that of a measured file with `options`, as in `[surface.NAME.file]`, and compares both
@@ -88,15 +90,20 @@ impl Experiment {
         };
         let plan: Box<dyn Plan> =
             if is_spec { Box::new(SurfacesPlan::new(&spec)?) } else { Box::new(described(&spec)?) };
-        Self::new(spec, stem, plan)
+        Self::new(spec, stem, SURFACES, plan)
     }
 
-    fn new(spec: SpecFile, stem: String, plan: Box<dyn Plan>) -> Result<Self, InputError> {
+    fn new(
+        spec: SpecFile,
+        stem: String,
+        kind: &'static str,
+        plan: Box<dyn Plan>,
+    ) -> Result<Self, InputError> {
         let materials = spec.materials().map(|(name, body)| (name.get_ref().clone(), *body)).collect();
         let origins = spec.origins();
         let SpecFile { source, title, notes, seed, .. } = spec;
         check_memory(&*plan, &source)?;
-        Ok(Self { source, stem, title, notes, seed, materials, origins, plan })
+        Ok(Self { source, stem, title, kind, notes, seed, materials, origins, plan })
     }
 
     /// The file whose surfaces it only describes; `None` of an experiment that does more.
@@ -150,8 +157,8 @@ impl Experiment {
     }
 
     fn context<'a>(&'a self, progress: &'a dyn Progress) -> RunContext<'a> {
-        let Self { source, stem, title, notes, seed, materials, origins, .. } = self;
-        RunContext { title, stem, notes, seed: *seed, materials, origins, source, progress }
+        let Self { source, stem, title, kind, notes, seed, materials, origins, .. } = self;
+        RunContext { title, stem, kind, notes, seed: *seed, materials, origins, source, progress }
     }
 }
 
@@ -166,8 +173,8 @@ fn bracketed(is_among: fn(&dyn Kind) -> bool) -> Vec<String> {
     kinds.map(|kind| format!("[{}]", kind.name())).collect()
 }
 
-/// Plans the one experiment that a spec holds.
-fn plan(spec: &SpecFile, full: bool) -> Result<Box<dyn Plan>, InputError> {
+/// The kind of the one experiment that a spec holds.
+fn kind(spec: &SpecFile) -> Result<&'static dyn Kind, InputError> {
     let allowed = format!("exactly one of {}", bracketed(|_| true).join(", "));
     let mut found = spec.tables().iter().filter(|(name, _)| name != SURFACES);
     let Some((name, _)) = found.next() else {
@@ -191,7 +198,7 @@ fn plan(spec: &SpecFile, full: bool) -> Result<Box<dyn Plan>, InputError> {
         );
         return Err(spec.source.error_at(name.span(), message));
     }
-    kind.plan(spec, full)
+    Ok(*kind)
 }
 
 /// Refuses what memory cannot hold, before anything is allocated.

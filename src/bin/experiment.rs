@@ -166,9 +166,6 @@ struct RunOptions {
     quiet: bool,
 }
 
-/// The index of all reports.
-const INDEX: [&str; 2] = ["README.md", "index.html"];
-
 /// Why a command failed.
 enum Failure {
     /// Invalid input: exit code 2.
@@ -312,7 +309,7 @@ fn set_threads(options: &RunOptions) -> Result<(), Failure> {
 fn open_store(options: &RunOptions) -> Result<Store, Failure> {
     let mut store = Store::new(&options.out);
     store.recover()?;
-    for page in INDEX {
+    for page in Index::FILES {
         store.check_page(page, MARK)?;
     }
     Ok(store)
@@ -392,7 +389,7 @@ fn write_index(store: &mut Store, out: &Path) -> Result<(), Failure> {
     if index.is_empty() {
         return Ok(());
     }
-    for (page, content) in INDEX.into_iter().zip([&index.markdown, &index.html]) {
+    for (page, content) in &index.pages {
         if std::fs::read(out.join(page)).ok().as_deref() != Some(content.as_bytes()) {
             store.write_page(page, content.as_bytes(), MARK)?;
         }

@@ -163,7 +163,10 @@ fn planted_faults_are_found_and_their_remedies_give_the_verdict_back() {
     assert!(blocked("spikes").iter().all(|is_blocked| *is_blocked) && !blocked("spikes").is_empty());
     assert!(blocked("good").iter().all(|is_blocked| !is_blocked));
     let page = Outcome::page(&results).markdown();
-    assert!(page.contains("## spikes: verdicts\n\nNo conclusion until the map is fit: 6 spikes of up to"), "{page}");
+    assert!(
+        page.contains("## spikes: verdicts\n\nNo conclusion until the map is fit: 6 spikes of up to"),
+        "{page}"
+    );
     assert!(page.contains("outliers = \"remove\""));
 }
 

@@ -23,7 +23,8 @@ pub enum ReportError {
 /// See [`ReportError`].
 pub fn folder(outcome: &dyn Outcome, key: &str) -> Result<Folder, ReportError> {
     let start = Instant::now();
-    let files = outcome.page().files(None);
+    let page = outcome.page();
+    let files = page.files(None);
     let mut folder = Folder::new(&outcome.metadata().stem, key);
     folder.file("report.md", files.markdown).file("report.html", files.html);
     for (name, svg) in files.figures {
@@ -35,7 +36,7 @@ pub fn folder(outcome: &dyn Outcome, key: &str) -> Result<Folder, ReportError> {
     let mut names: Vec<String> = folder.names().map(str::to_owned).collect();
     names.extend(["summary.json".to_owned(), "timing.json".to_owned()]);
     names.sort();
-    folder.file("summary.json", summary::summary(outcome, &names)?);
+    folder.file("summary.json", summary::summary(outcome, &page, &names)?);
     folder.file("timing.json", summary::timing(outcome.metadata(), start.elapsed())?);
     Ok(folder)
 }

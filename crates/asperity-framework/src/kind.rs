@@ -130,6 +130,8 @@ pub trait Outcome: Any + Sync {
 pub struct RunContext<'a> {
     /// Title of the report.
     pub title: &'a str,
+    /// Name of the spec's table of its kind.
+    pub kind: &'static str,
     /// Name of the report's folder.
     pub stem: &'a str,
     /// The author's notes.
@@ -154,6 +156,7 @@ impl RunContext<'_> {
         papers.dedup();
         Metadata {
             title: self.title.to_owned(),
+            kind: self.kind,
             stem: self.stem.to_owned(),
             notes: self.notes.to_owned(),
             spec_sha256: hexadecimal(&sha256(self.source.text.as_bytes())),

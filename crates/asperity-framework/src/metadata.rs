@@ -12,6 +12,8 @@ use indexmap::IndexMap;
 pub struct Metadata {
     /// What the report is called.
     pub title: String,
+    /// Name of the spec's table of its kind.
+    pub kind: &'static str,
     /// Name of the spec's file, without its ending.
     pub stem: String,
     /// Notes of the spec's author.

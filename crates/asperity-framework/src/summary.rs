@@ -8,7 +8,7 @@ use serde_json::{Map, Value};
 
 use crate::kind::Outcome;
 use crate::metadata::Metadata;
-use crate::report::PROGRAM;
+use crate::report::{PROGRAM, Page};
 use asperity::work::Work;
 
 #[derive(Serialize)]
@@ -16,6 +16,10 @@ struct Summary<'a> {
     program: &'static str,
     version: &'static str,
     title: &'a str,
+    kind: &'static str,
+    answer: String,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    figure: Option<&'a str>,
     spec_sha256: &'a str,
     seed: u64,
     #[serde(skip_serializing_if = "IndexMap::is_empty")]
@@ -36,16 +40,19 @@ struct MaterialSummary {
     sources: IndexMap<&'static str, String>,
 }
 
-/// `summary.json`; `files` are the names of all files of the report.
+/// `summary.json` of an outcome with its page; `files` are the names of all files of the report.
 ///
 /// # Errors
 /// None that a result can cause.
-pub(super) fn summary(outcome: &dyn Outcome, files: &[String]) -> serde_json::Result<Vec<u8>> {
+pub(super) fn summary(outcome: &dyn Outcome, page: &Page, files: &[String]) -> serde_json::Result<Vec<u8>> {
     let metadata = outcome.metadata();
     serde_json::to_vec_pretty(&Summary {
         program: PROGRAM,
         version: env!("CARGO_PKG_VERSION"),
         title: &metadata.title,
+        kind: metadata.kind,
+        answer: page.answer(),
+        figure: page.main_figure(),
         spec_sha256: &metadata.spec_sha256,
         seed: metadata.seed,
         materials_from_library: metadata

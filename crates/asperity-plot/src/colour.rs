@@ -81,6 +81,11 @@ impl Colour {
     }
 }
 
+/// The colours of the first curves of a figure as "#RRGGBB".
+pub fn series_colours() -> [String; 8] {
+    std::array::from_fn(|index| Colour::Series(index).hex())
+}
+
 impl Colour {
     /// As "#RRGGBB".
     pub(super) fn hex(self) -> String {

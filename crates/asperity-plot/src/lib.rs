@@ -51,7 +51,7 @@ mod text;
 mod thin;
 mod ticks;
 
-pub use colour::{Colour, ColourMap};
+pub use colour::{Colour, ColourMap, series_colours};
 pub use data::FigureData;
 pub use layer::{Dash, Layer, Marker};
 pub use legend::Legend;

@@ -8,7 +8,8 @@ use pulldown_cmark::{CowStr, Event, Options, Parser, Tag, TagEnd};
 use super::{Block, Drawn};
 
 const STYLE: &str = include_str!("assets/page.css");
-const CHART_STYLE: &str = include_str!("assets/uPlot.min.css");
+/// The style of charts.
+pub const CHART_STYLE: &str = include_str!("assets/uPlot.min.css");
 const CHART_LICENCE: &str = include_str!("assets/uPlot-LICENSE");
 const CHARTS: &str = include_str!("assets/uPlot.iife.min.js");
 const SCRIPT: &str = include_str!("assets/page.js");
@@ -36,23 +37,28 @@ pub(super) fn page(title: &str, blocks: &[Block], figures: &[Drawn]) -> String {
     for (verdict, class) in VERDICTS {
         body = body.replace(&format!("<td>{verdict}"), &format!("<td class=\"{class}\">{verdict}"));
     }
-    let dark = asperity_plot::dark_rules();
-    let (chart_style, script) = if figures.iter().any(|figure| figure.data.is_some()) {
+    let (style, script) = if figures.iter().any(|figure| figure.data.is_some()) {
         (CHART_STYLE, charts())
     } else {
         ("", String::new())
     };
+    document(title, &body, style, &script)
+}
+
+/// A document of its own with the style of all pages, and `style` and `script` (elements) besides.
+pub fn document(title: &str, body: &str, style: &str, script: &str) -> String {
+    let dark = asperity_plot::dark_rules();
     format!(
         "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n\
          <meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n\
          <meta name=\"color-scheme\" content=\"light dark\">\n<title>{}</title>\n\
-         <style>\n{chart_style}\n{STYLE}{dark}\n</style>\n</head>\n<body>\n<main>\n{body}</main>\n{script}</body>\n</html>\n",
+         <style>\n{style}\n{STYLE}{dark}\n</style>\n</head>\n<body>\n<main>\n{body}</main>\n{script}</body>\n</html>\n",
         escape(title)
     )
 }
 
-/// The library for charts with its licence, and what makes charts of the figures.
-fn charts() -> String {
+/// The library for charts with its licence, and what makes charts of the figures: two script elements.
+pub fn charts() -> String {
     let pairs: Vec<String> =
         asperity_plot::DARK_COLOURS.iter().map(|(light, dark)| format!("[\"{light}\",\"{dark}\"]")).collect();
     format!(
@@ -154,13 +160,24 @@ fn push_markdown(body: &mut String, markdown: &str) {
     pulldown_cmark::html::push_html(body, events);
 }
 
+/// Inline Markdown as plain text.
+pub(super) fn plain(markdown: &str) -> String {
+    let text = |event| match event {
+        Event::Text(text) | Event::Code(text) => Some(text.into_string()),
+        Event::SoftBreak | Event::HardBreak => Some(" ".to_owned()),
+        _ => None,
+    };
+    Parser::new(markdown).filter_map(text).collect()
+}
+
 /// Web pages and addresses relative to this one; no other scheme, which could run a script.
 fn is_safe(to: &CowStr<'_>) -> bool {
     let scheme = to.split(['/', '?', '#']).next().unwrap_or("");
     !scheme.contains(':') || to.starts_with("https://") || to.starts_with("http://")
 }
 
-fn escape(text: &str) -> String {
+/// Text as HTML.
+pub fn escape(text: &str) -> String {
     let text = text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;");
     text.replace('"', "&quot;").replace('\'', "&#39;")
 }

@@ -10,6 +10,7 @@ mod markdown;
 use asperity_plot::{Figure, Size};
 use rayon::prelude::*;
 
+pub use html::{CHART_STYLE, charts, document, escape as escape_html};
 use markdown::{address, cell_markdown, is_numeric, line_of, one_line};
 pub use markdown::{escape, escape_around_code};
 
@@ -216,6 +217,22 @@ impl Page {
             html,
             figures: drawn.into_iter().enumerate().map(in_print).collect(),
         }
+    }
+
+    /// What a reader should know first, as plain text.
+    pub fn answer(&self) -> String {
+        let lead = |block: &Block| match block {
+            Block::Lead(markdown) => Some(html::plain(markdown)),
+            _ => None,
+        };
+        self.blocks.iter().filter_map(lead).collect::<Vec<_>>().join(" ")
+    }
+
+    /// The file of the first figure.
+    pub fn main_figure(&self) -> Option<&str> {
+        let mut figures = Vec::new();
+        figures_of(&self.blocks, &mut figures);
+        figures.first().map(|(file, _)| *file)
     }
 
     /// The page as Markdown (GitHub's flavour).

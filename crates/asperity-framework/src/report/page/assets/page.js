@@ -1,6 +1,6 @@
 // Makes interactive charts of the figures that carry their data. Without it the page shows their pictures.
 "use strict";
-{
+const Chart = (() => {
   const DASHES = { solid: [], dashed: [9, 5], dotted: [1, 4], "dash-dot": [10, 4, 2, 4] };
   const dark = matchMedia("(prefers-color-scheme: dark)");
   const ink = name => getComputedStyle(document.documentElement).getPropertyValue(`--${name}`).trim();
@@ -97,7 +97,10 @@
       this.said.setAttribute("role", "status");
       this.names = this.legend();
       this.box = element("div", { className: "chart" }, this.panels, this.names, this.tools());
-      figure.querySelector(".picture").after(this.box);
+      // A figure without a picture has its chart above its caption.
+      const picture = figure.querySelector(".picture");
+      if (picture) picture.after(this.box);
+      else figure.prepend(this.box);
       figure.classList.add("drawn");
       this.draw();
       new ResizeObserver(() => this.resize()).observe(this.panels);
@@ -130,8 +133,10 @@
       };
       button("Whole range", () => this.draw());
       button("Copy CSV", () => this.copy());
-      button("Save SVG", () => this.save("svg"));
-      button("Save PNG", () => this.save("png"));
+      if (this.figure.querySelector(".picture")) {
+        button("Save SVG", () => this.save("svg"));
+        button("Save PNG", () => this.save("png"));
+      }
       tools.append(this.said);
       return tools;
     }
@@ -450,4 +455,5 @@
   };
   addEventListener("hashchange", open);
   open();
-}
+  return Chart;
+})();

@@ -1,0 +1,142 @@
+"""The charts of a comparison: values under the cursor, curves, units, axes, range, and what is saved."""
+
+import csv
+import io
+import json
+import re
+
+import pytest
+from conftest import REPORTS
+from PIL import Image
+
+REPORT = REPORTS / "measured-fine-finish" / "report.html"
+FIGURE = "#fine-finish-differences"
+CURVE = "statistical − deterministic"
+
+
+@pytest.fixture
+def page(open_page):
+    page = open_page(REPORT)
+    page.wait_for_selector(f"{FIGURE}.drawn canvas")
+    return page
+
+
+def hover(page, across, panel=0, figure=FIGURE):
+    """Text under the cursor at a share of the width of a panel."""
+    plot = page.locator(f"{figure} .u-over").nth(panel)
+    box = plot.bounding_box()
+    page.mouse.move(box["x"] + across * box["width"], box["y"] + 0.5 * box["height"])
+    page.wait_for_timeout(50)
+    return plot.locator(".values").inner_text()
+
+
+def value(text, name=CURVE):
+    return float(re.search(rf"{re.escape(name)}: (.*)", text)[1].replace("−", "-"))
+
+
+def place(text):
+    return float(re.match(r"at (.*)", text)[1].replace("−", "-"))
+
+
+def near(a, b):
+    """Whether four digits are the same."""
+    return abs(a - b) <= 6e-4 * abs(b)
+
+
+def separations():
+    """Loads (MPa) and differences (sigma) between the models in the table of the report."""
+    with open(REPORT.parent / "differences.csv", newline="", encoding="utf-8") as file:
+        rows = [row for row in csv.DictReader(file) if row["quantity"] == "separation"]
+    return [(1e-6 * float(row["pressure_pa"]), float(row["difference"])) for row in rows]
+
+
+def test_hover_shows_the_value_of_the_table(page):
+    table = separations()
+    for across in (0.2, 0.4, 0.6):
+        text = hover(page, across, panel=1)
+        load, difference = min(table, key=lambda row: abs(row[0] - place(text)))
+        assert near(place(text), load) and near(value(text), difference)
+
+
+def test_curves_switch_off_and_on(page):
+    button = page.locator(f"{FIGURE} .names button", has_text=CURVE)
+    assert CURVE in hover(page, 0.5)
+    button.click()
+    assert button.get_attribute("aria-pressed") == "false"
+    plot = page.locator(f"{FIGURE} .u-over").first
+    box = plot.bounding_box()
+    page.mouse.move(box["x"] + 0.4 * box["width"], box["y"] + 20)
+    assert not plot.locator(".values").is_visible()
+    button.press("Enter")
+    assert button.get_attribute("aria-pressed") == "true" and CURVE in hover(page, 0.5)
+
+
+def test_units(page):
+    before = hover(page, 0.5, panel=1)
+    selects = page.locator(f"{FIGURE} .tools select")
+    labels = selects.nth(0).locator("option").all_inner_texts()
+    assert any("MPa" in label for label in labels) and any("load ratio" in label for label in labels)
+    assert any("(N)" in label for label in labels)
+    selects.nth(0).select_option(label=next(label for label in labels if "(N)" in label))
+    selects.nth(1).select_option(label="difference (nm)")
+    after = hover(page, 0.5, panel=1)
+    surface = json.loads((REPORT.parent / "summary.json").read_text())["surfaces"]["fine-finish"]
+    assert near(place(after), place(before) * 1e6 * surface["nominal_area_m2"])
+    assert abs(value(after) / value(before) / (1e9 * surface["sigma_m"]) - 1) < 2e-3
+
+
+def test_axes_zoom_and_whole_range(page):
+    canvas = page.locator(f"{FIGURE} canvas").first
+    linear = canvas.screenshot()
+    at_middle = place(hover(page, 0.5))
+    page.locator(f"{FIGURE} .tools label", has_text="log x").locator("input").click()
+    assert place(hover(page, 0.5)) > 5 * at_middle
+    page.locator(f"{FIGURE} .tools label", has_text="log x").locator("input").click()
+    assert place(hover(page, 0.5)) == at_middle
+    box = page.locator(f"{FIGURE} .u-over").first.bounding_box()
+    middle = box["y"] + 0.5 * box["height"]
+    page.mouse.move(box["x"] + 0.6 * box["width"], middle)
+    page.mouse.down()
+    page.mouse.move(box["x"] + 0.8 * box["width"], middle, steps=5)
+    page.mouse.up()
+    assert place(hover(page, 0.5)) > 1.5 * at_middle
+    page.locator(f"{FIGURE} .tools button", has_text="Whole range").click()
+    assert place(hover(page, 0.5)) == at_middle
+    page.mouse.move(0, 0)
+    assert canvas.screenshot() == linear
+
+
+def test_data_are_copied(page):
+    page.locator(f"{FIGURE} .tools button", has_text="Copy CSV").click()
+    page.wait_for_function(f"document.querySelector('{FIGURE} .said').textContent === 'copied'")
+    copied = list(csv.DictReader(io.StringIO(page.evaluate("navigator.clipboard.readText()"))))
+    shown = [row for row in copied if row["panel"] == "Separation" and row["curve"] == CURVE]
+    table = separations()
+    assert len(shown) == len(table)
+    for row, (load, difference) in zip(shown, table):
+        assert abs(float(row["x"]) - load) <= 1e-5 * load
+        assert abs(float(row["y"]) - difference) <= 1e-5 * abs(difference)
+
+
+def test_figures_are_saved(page):
+    for kind in ("SVG", "PNG"):
+        with page.expect_download() as download:
+            page.locator(f"{FIGURE} .tools button", has_text=f"Save {kind}").click()
+        assert download.value.suggested_filename == f"fine-finish-differences.{kind.lower()}"
+        content = download.value.path().read_bytes()
+        if kind == "SVG":
+            assert content.startswith(b"<svg") and b"Separation" in content
+        else:
+            picture = Image.open(io.BytesIO(content)).convert("RGB")
+            assert picture.width > 1000 and len(picture.getcolors(1 << 24)) > 50
+
+
+def test_keyboard(page):
+    reached = []
+    for _ in range(12):
+        page.keyboard.press("Tab")
+        reached.append(page.evaluate("document.activeElement.tagName"))
+    assert {"BUTTON", "SELECT", "INPUT", "SUMMARY"} <= set(reached), reached
+    page.locator("summary").first.focus()
+    page.keyboard.press("Enter")
+    assert page.locator("details").first.get_attribute("open") is not None
