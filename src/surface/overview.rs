@@ -48,7 +48,7 @@ impl MapOverview {
     ) -> Self {
         /// Points of an image along an axis, and of a small one.
         const PICTURE: usize = 512;
-        const SMALL_PICTURE: usize = 128;
+        const SMALL_PICTURE: usize = 96;
         let [nx, ny] = map.points();
         let is_close = depth == AnalysisDepth::Everything;
         let progress = map.progress();

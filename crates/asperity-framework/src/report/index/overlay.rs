@@ -63,10 +63,10 @@ pub fn page(directory: &Path, entries: &[Entry]) -> String {
         "<h1>Compare curves of several reports</h1>\n\
          <p>Both models over load on the surfaces, laws and layers that you choose, at valid loads. <a href=\"index.html\">All reports</a>.</p>\n\
          <noscript><p>The curves are drawn by a script, which does not run here; each report shows its own.</p></noscript>\n\
-         <figure id=\"comparison\"><figcaption>Solid: deterministic model; dashed: statistical model. Valid loads only, first \
+         <figure id=\"comparison\"><figcaption>Solid: deterministic model and difference; dashed: statistical model. Valid loads only, first \
          realisation.</figcaption></figure>\n\
          <form class=\"filter\" hidden>\n<label>Along x <select id=\"along\"><option value=\"0\">nominal pressure (MPa)</option>\
-         <option value=\"1\">load ratio P/(A_nom E*)</option></select></label>\n\
+         <option value=\"1\">load ratio P/(Aₙₒₘ E*)</option></select></label>\n\
          <label>Words <input type=\"search\" id=\"words\"></label>\n<span role=\"status\" id=\"count\"></span>\n</form>\n\
          <div class=\"table cases\" role=\"region\" aria-label=\"Curves\" tabindex=\"0\"><table>\n<thead><tr><th>show</th><th>report</th>\
          <th>surface</th><th>law</th><th>layer</th><th>E*</th><th>hardness</th><th>skewness</th></tr></thead>\n<tbody>\n{rows}</tbody>\n</table></div>\n\

@@ -203,31 +203,46 @@ fn distances(near: f64, far: f64, sigma: f64) -> String {
 
 /// The answer over several cases in a line or two: for how many the models differ by more than is accepted, and for how many they agree.
 pub fn over_all_cases(all: &[&Verdicts]) -> String {
-    let clause = |has: &dyn Fn(&Verdicts, ComparedQuantity) -> bool| {
-        let mut cases = " cases";
-        let part = |compared: ComparedQuantity| {
-            let count = all.iter().filter(|verdicts| has(verdicts, compared)).count();
-            let text = match count {
-                0 => format!("in {} for none", name(compared)),
-                count => format!("in {} for {count} of {}{cases}", name(compared), all.len()),
-            };
-            if count > 0 {
-                cases = "";
-            }
-            text
-        };
-        listed(&ORDER.map(part))
-    };
     let has = |verdicts: &Verdicts, compared: ComparedQuantity, wanted: Verdict| {
         verdicts.stretches.iter().any(|one| one.quantity == compared && one.verdict == wanted)
     };
-    let beyond = clause(&|verdicts, compared| has(verdicts, compared, Verdict::Beyond));
-    let within = clause(&|verdicts, compared| {
-        has(verdicts, compared, Verdict::Within) && !has(verdicts, compared, Verdict::Beyond)
-    });
-    format!(
-        "At some valid load the models differ by more than is accepted {beyond}. They agree within it, wherever that can be told, {within}."
-    )
+    let is_beyond = |verdicts: &Verdicts, compared| has(verdicts, compared, Verdict::Beyond);
+    let is_within = |verdicts: &Verdicts, compared| {
+        has(verdicts, compared, Verdict::Within) && !is_beyond(verdicts, compared)
+    };
+    let beyond = of_cases(all, &is_beyond);
+    let within = of_cases(all, &is_within);
+    match (beyond, within) {
+        (None, None) => {
+            format!("Whether the models agree cannot be told for any of the {} cases.", all.len())
+        }
+        (Some(beyond), None) => {
+            format!("At some valid load the models differ by more than is accepted {beyond}.")
+        }
+        (None, Some(within)) => {
+            format!(
+                "The models agree within what is accepted, wherever that can be told, {within}; they differ by more in none."
+            )
+        }
+        (Some(beyond), Some(within)) => format!(
+            "At some valid load the models differ by more than is accepted {beyond}. They agree within it, wherever that can be told, {within}."
+        ),
+    }
+}
+
+/// "in real contact area for 2 of 7 cases, in separation for none": for how many cases something holds, by quantity; `None` where it
+/// holds for none at all.
+fn of_cases(all: &[&Verdicts], holds: &dyn Fn(&Verdicts, ComparedQuantity) -> bool) -> Option<String> {
+    let count = |compared: ComparedQuantity| all.iter().filter(|verdicts| holds(verdicts, compared)).count();
+    let counts = ORDER.map(|compared| (name(compared), count(compared)));
+    let first = counts.iter().position(|(_, count)| *count > 0)?;
+    let part = |(index, (name, count)): (usize, &(&str, usize))| match count {
+        0 => format!("in {name} for none"),
+        count => {
+            format!("in {name} for {count} of {}{}", all.len(), if index == first { " cases" } else { "" })
+        }
+    };
+    Some(listed(&counts.iter().enumerate().map(part).collect::<Vec<_>>()))
 }
 
 /// The answer over several cases (`what`: thicknesses, laws): for how many of them the models agree wherever that can be

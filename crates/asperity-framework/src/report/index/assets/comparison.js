@@ -30,23 +30,23 @@
     const panel = (title, y, curves) => {
       const made = { title, height: 300, x: axis(along.selectedOptions[0].textContent, true), y, places: [], series: [], marks: [] };
       chosen.forEach((one, k) => {
-        for (const [model, dash, places, values] of curves(one)) {
+        for (const [dash, places, values] of curves(one)) {
           made.places.push(places);
-          const name = `${one.report}: ${one.name}${model ? `, ${model}` : ""}`;
+          const name = `${one.report}: ${one.name}`;
           made.series.push({ name, kind: "line", colour: COLOURS[k], dash, width: 1, opacity: 1, x: made.places.length - 1, y: values });
         }
       });
       return made;
     };
     const both = column => ({ models: { deterministic, statistical } }) => [
-      ["deterministic", "solid", deterministic[x], deterministic[column]],
-      ["statistical", "dashed", statistical[x], statistical[column]],
+      ["solid", deterministic[x], deterministic[column]],
+      ["dashed", statistical[x], statistical[column]],
     ];
     const panels = [
       panel("Real contact area", axis("area ratio A/A_nom", true), both(2)),
       panel("Separation", axis("separation d/σ", false), both(3)),
       panel("Statistical minus deterministic", axis("difference of area (%)", false),
-        ({ models }) => [["difference", "dotted", models.deterministic[x], difference(models, x)]]),
+        ({ models }) => [["solid", models.deterministic[x], difference(models, x)]]),
     ];
     figure.querySelector(".chart")?.remove();
     if (chosen.length) new Chart(figure, { panels });

@@ -21,6 +21,15 @@ const Chart = (() => {
     return text.replace("-", "−").replace("e−", "e-").replace("e+", "e");
   };
 
+  // Of a tick: powers of ten where it is very small or large.
+  const tick = value => {
+    const text = number(value);
+    const [, factor, power] = /^(.*?)(?:\.0+)?e(-?\d+)$/.exec(text.replace(/(\.\d*?)0+e/, "$1e").replace(".e", "e")) || [];
+    if (power === undefined) return text;
+    const raised = [...power].map(digit => (digit === "-" ? "⁻" : "⁰¹²³⁴⁵⁶⁷⁸⁹"[digit])).join("");
+    return factor === "1" ? `10${raised}` : `${factor}·10${raised}`;
+  };
+
   // Symbols of one letter have subscripts: A_nom.
   const typeset = text => {
     const parts = text.split(/(?<=(?:^|[^\p{L}\p{N}])\p{L})_([\p{L}\p{N}]+)/u);
@@ -84,6 +93,9 @@ const Chart = (() => {
     return ticks.filter((_, k) => k % every === 0);
   };
 
+  // Width of a plot beside the label of its axis.
+  const room = holder => Math.max(220, holder.clientWidth - 22);
+
   class Chart {
     constructor(figure, data) {
       this.figure = figure;
@@ -111,7 +123,7 @@ const Chart = (() => {
       const tools = element("div", { className: "tools" });
       const choice = (label, units, choose) => {
         if (units.length < 2) return;
-        const select = element("select", {}, ...units.map((unit, k) => element("option", { value: k }, unit.label)));
+        const select = element("select", {}, ...units.map((unit, k) => element("option", { value: k }, unit.label.replace("_nom", "ₙₒₘ"))));
         select.addEventListener("change", () => { choose(Number(select.value)); this.draw(); });
         tools.append(element("label", {}, label, select));
       };
@@ -180,12 +192,14 @@ const Chart = (() => {
       this.plots.forEach(({ plot }) => plot.destroy());
       this.panels.replaceChildren();
       const sync = uPlot.sync(this.figure.id);
-      this.plots = this.data.panels.map((panel, k) => {
+      // All panels stand before the first is drawn, so that each has its width.
+      const holders = this.data.panels.map(panel => {
         const holder = element("div");
         if (panel.title) holder.append(element("h4", {}, ...typeset(panel.title)));
         this.panels.append(holder);
-        return this.panel(panel, k, holder, sync);
+        return holder;
       });
+      this.plots = this.data.panels.map((panel, k) => this.panel(panel, k, holders[k], sync));
     }
 
     panel(panel, k, holder, sync) {
@@ -216,16 +230,14 @@ const Chart = (() => {
         }
         return { show, stroke: () => shade(key.colour), width: 2 * key.width, dash: DASHES[key.dash], points: { show: false } };
       });
-      const axis = (unit, log, across) => ({
-        label: unit.label,
+      const axis = (log, across) => ({
         stroke: () => ink("ink"),
         font: "12px system-ui, sans-serif",
-        labelFont: "13px system-ui, sans-serif",
         grid: { stroke: () => ink("rule"), width: 1 },
         ticks: { stroke: () => ink("rule"), width: 1 },
-        values: (plot, splits) => splits.map(value => (value === null ? "" : number(value).replace(/e(-?\d+)$/, "e$1"))),
+        values: (plot, splits) => splits.map(value => (value === null ? "" : tick(value))),
         ...(log ? { splits: logTicks, filter: (plot, ticks) => ticks } : { space: across ? 55 : 30 }),
-        ...(across ? { size: 30, labelSize: 20, labelGap: 2 } : { size: 56, labelSize: 22, labelGap: 2 }),
+        size: across ? 30 : 56,
       });
       const values = element("div", { className: "values" });
       // A range that an axis cannot show, such as one that is not yet known, is the whole one.
@@ -236,12 +248,12 @@ const Chart = (() => {
         range: (plot, low, high) => (Number.isFinite(low) && high > low && (!log || low > 0) ? [low, high] : ends),
       });
       const options = {
-        width: Math.max(240, holder.clientWidth),
+        width: room(holder),
         height: Math.round(Math.min(360, Math.max(215, panel.height))),
         scales: { x: { ...scale(logX, whole.x), min: whole.x[0], max: whole.x[1] }, y: { ...scale(logY, whole.y), min: whole.y[0], max: whole.y[1] } },
         series: [{}, ...series],
         bands,
-        axes: [axis(unitX, logX, true), axis(unitY, logY, false)],
+        axes: [axis(logX, true), axis(logY, false)],
         legend: { show: false },
         cursor: {
           sync: { key: sync.key, setSeries: false },
@@ -265,7 +277,13 @@ const Chart = (() => {
           setCursor: [plot => this.read(plot, values, panel, keys, data)],
         },
       };
-      const plot = new uPlot(options, data, holder);
+      // Labels are text of the page, since a canvas knows no subscripts.
+      const place = element("div");
+      holder.append(
+        element("div", { className: "axes" }, element("div", { className: "along-y" }, ...typeset(unitY.label)), place),
+        element("div", { className: "along-x" }, ...typeset(unitX.label)),
+      );
+      const plot = new uPlot(options, data, place);
       plot.setScale("x", { min: whole.x[0], max: whole.x[1] });
       plot.setScale("y", { min: whole.y[0], max: whole.y[1] });
       plot.over.append(values);
@@ -367,7 +385,7 @@ const Chart = (() => {
 
     resize() {
       for (const { plot, holder } of this.plots) {
-        const width = Math.max(240, holder.clientWidth);
+        const width = room(holder);
         if (width !== plot.width) plot.setSize({ width, height: plot.height });
       }
     }
