@@ -11,8 +11,8 @@ REPORTS = pathlib.Path(os.environ.get("REPORTS", pathlib.Path(__file__).parents[
 
 
 def pages():
-    """All pages of the reports, and their index."""
-    return [REPORTS / "index.html", *sorted(REPORTS.glob("*/report.html"))]
+    """All pages of the reports, and those that lead to them."""
+    return [REPORTS / "index.html", REPORTS / "comparison.html", *sorted(REPORTS.glob("*/report.html"))]
 
 
 def pytest_generate_tests(metafunc):

@@ -221,7 +221,7 @@ impl Canvas {
             [rect.left, rect.top, rect.width(), rect.height()].map(|pixels| (pixels * UNITS).round());
         self.body.push_str(&format!(
             "<image x=\"{left}\" y=\"{top}\" width=\"{width}\" height=\"{height}\" \
-             preserveAspectRatio=\"none\" href=\"{uri}\"/>\n"
+             preserveAspectRatio=\"none\" style=\"image-rendering:pixelated\" href=\"{uri}\"/>\n"
         ));
     }
 

@@ -186,7 +186,15 @@ fn number(value: f64) -> Option<f64> {
     if value == 0.0 || !value.is_finite() {
         return value.is_finite().then_some(value);
     }
-    format!("{value:.0$e}", (DIGITS - 1) as usize).parse().ok()
+    /// Powers of ten up to this are exact, and so are the quotients and products with them after rounding.
+    const EXACT: i32 = 22;
+    let places = DIGITS - 1 - value.abs().log10().floor() as i32;
+    let power = 10f64.powi(places.abs());
+    match places {
+        0..=EXACT => Some((value * power).round() / power),
+        places if (-EXACT..0).contains(&places) => Some((value / power).round() * power),
+        _ => format!("{value:.0$e}", (DIGITS - 1) as usize).parse().ok(),
+    }
 }
 
 #[cfg(test)]
@@ -217,6 +225,19 @@ mod tests {
         );
         assert_eq!((panel.marks[1].axis, panel.marks[1].from, panel.marks[1].to), ("x", Some(3.0), None));
         assert_eq!(panel.x.units[1], Unit { label: "nominal pressure (MPa)".to_owned(), factor: 1.15e5 });
+    }
+
+    #[test]
+    fn numbers_are_rounded_as_their_decimals_are() {
+        let mut value = 1.234_567_89e-30_f64;
+        while value < 1e30 {
+            for number in [value, -value] {
+                let decimal: f64 = format!("{number:.5e}").parse().unwrap();
+                assert_eq!(super::number(number), Some(decimal), "{number:e}");
+            }
+            value *= 7.3;
+        }
+        assert_eq!((super::number(0.0), super::number(f64::NAN)), (Some(0.0), None));
     }
 
     #[test]

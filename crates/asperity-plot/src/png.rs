@@ -22,7 +22,7 @@ fn file(indices: &[u8], width: usize, height: usize, palette: &[[u8; 3]], filter
     encoder.set_depth(BitDepth::Eight);
     encoder.set_palette(palette.as_flattened());
     encoder.set_trns([0].as_slice());
-    encoder.set_compression(Compression::High);
+    encoder.set_compression(Compression::Balanced);
     encoder.set_filter(filter);
     let mut writer = encoder.write_header().ok()?;
     writer.write_image_data(indices).ok()?;

@@ -33,8 +33,8 @@ pub struct Raster {
 const MOST_BINS: usize = 2000;
 /// Smallest cell size in pixels of the page.
 const FINE: f64 = 2.0;
-/// No image is made wider or higher than this by giving a cell many pixels.
-const MOST_PIXELS: usize = 2000;
+/// Pixels of an image along a cell.
+const MOST_PER_CELL: usize = 3;
 /// Colours besides the transparent one: all that a byte can name.
 const COLOURS: u8 = 255;
 
@@ -136,10 +136,10 @@ impl Raster {
     /// The image as a PNG in a data URI, for a place of `size` pixels. `reversed` says which axis
     /// the field begins at the right, and at the top.
     pub(super) fn image(&self, scale: &Scale, reversed: (bool, bool), size: (f64, f64)) -> Option<String> {
-        // Viewers blend neighbouring pixels: large cells are made of many, to keep their edges.
+        // Viewers that blend neighbouring pixels keep the edges of cells that are made of several.
         let pixels = |length: f64, cells: usize| {
             let cell = length / cells as f64;
-            if cell < FINE { 1 } else { ((2.0 * cell).ceil() as usize).min(MOST_PIXELS / cells).max(1) }
+            if cell < FINE { 1 } else { (cell.ceil() as usize).min(MOST_PER_CELL) }
         };
         let (wide, high) = (pixels(size.0, self.columns), pixels(size.1, self.rows));
         let index = |column: usize, row: usize| {

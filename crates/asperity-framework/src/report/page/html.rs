@@ -33,7 +33,8 @@ pub(super) fn page(title: &str, blocks: &[Block], figures: &[Drawn]) -> String {
             "<table>",
             "<div class=\"table\" role=\"region\" aria-label=\"Table\" tabindex=\"0\"><table>",
         )
-        .replace("</table>", "</table></div>");
+        .replace("</table>", "</table></div>")
+        .replace("<pre>", "<pre tabindex=\"0\">");
     for (verdict, class) in VERDICTS {
         body = body.replace(&format!("<td>{verdict}"), &format!("<td class=\"{class}\">{verdict}"));
     }

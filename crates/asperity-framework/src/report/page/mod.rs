@@ -202,15 +202,18 @@ impl Page {
         figures_of(&self.blocks, &mut figures);
         let drawn: Vec<Drawn> = figures
             .par_iter()
-            .map(|(file, figure)| Drawn {
+            .map(|(file, figure, caption)| Drawn {
                 file: (*file).to_owned(),
-                svg: figure.file(None),
+                svg: with_title(figure.file(None), caption),
                 data: figure.data().and_then(|data| serde_json::to_string(&data).ok()),
             })
             .collect();
         let html = html::page(&self.title, &self.blocks, &drawn);
         let in_print = |(at, drawn): (usize, Drawn)| {
-            (drawn.file, if size.is_some() { figures[at].1.file(size) } else { drawn.svg })
+            (
+                drawn.file,
+                if size.is_some() { with_title(figures[at].1.file(size), figures[at].2) } else { drawn.svg },
+            )
         };
         Files {
             markdown: self.markdown(),
@@ -232,7 +235,7 @@ impl Page {
     pub fn main_figure(&self) -> Option<&str> {
         let mut figures = Vec::new();
         figures_of(&self.blocks, &mut figures);
-        figures.first().map(|(file, _)| *file)
+        figures.first().map(|(file, ..)| *file)
     }
 
     /// The page as Markdown (GitHub's flavour).
@@ -253,11 +256,20 @@ impl Page {
     }
 }
 
-/// Figures with the names of their files, in the order of the page.
-fn figures_of<'a>(blocks: &'a [Block], figures: &mut Vec<(&'a str, &'a Figure)>) {
+/// A picture without a title has its caption as one, for those who cannot see it.
+fn with_title(svg: String, caption: &str) -> String {
+    const NONE: &str = "<title></title>";
+    if !svg.contains(NONE) {
+        return svg;
+    }
+    svg.replacen(NONE, &format!("<title>{}</title>", html::escape(caption)), 1)
+}
+
+/// Figures with the names of their files and their captions, in the order of the page.
+fn figures_of<'a>(blocks: &'a [Block], figures: &mut Vec<(&'a str, &'a Figure, &'a str)>) {
     for block in blocks {
         match block {
-            Block::Figure { file, figure, .. } => figures.push((file, figure)),
+            Block::Figure { file, figure, caption } => figures.push((file, figure, caption)),
             Block::Details { blocks, .. } => figures_of(blocks, figures),
             _ => {}
         }
