@@ -103,7 +103,13 @@ fn panel(plot: &Plot) -> Option<Panel> {
                 panel.add(layer, "line", dash, points.iter().map(|point| point.0), y, None);
             }
             Shape::Points(points, marker) => {
-                let kind = if *marker == Marker::Ring { "ring" } else { "points" };
+                let kind = match marker {
+                    Marker::Circle => "circle",
+                    Marker::Square => "square",
+                    Marker::Triangle => "triangle",
+                    Marker::Cross => "cross",
+                    Marker::Ring => "ring",
+                };
                 let y = points.iter().map(|point| point.1);
                 panel.add(layer, kind, "solid", points.iter().map(|point| point.0), y, None);
             }

@@ -170,9 +170,9 @@ fn map_of(results: &CausesResults, quantity: ComparedQuantity, load: usize) -> P
     let y: Vec<f64> = y.into_iter().map(f64::exp).collect();
     let axes = (Axis::linear("skewness of the heights"), Axis::log("Nayak's α"));
     let range = |axis: Axis, edges: &[f64]| axis.range(edges[0], edges[edges.len() - 1]);
-    let mut plot = Plot::new(capitalised(name(quantity)), range(axes.0, &x), range(axes.1, &y))
-        .height(300.0)
-        .legend(Legend::Below);
+    let unit = if quantity == ComparedQuantity::Separation { "σ" } else { "%" };
+    let title = format!("{}, difference in {unit}", capitalised(name(quantity)));
+    let mut plot = Plot::new(title, range(axes.0, &x), range(axes.1, &y)).height(300.0).legend(Legend::Below);
     for (row, points) in rows.iter().enumerate() {
         for (column, point) in points.iter().enumerate() {
             let Some(parts) = point.parts(load, quantity) else { continue };
@@ -181,8 +181,10 @@ fn map_of(results: &CausesResults, quantity: ComparedQuantity, load: usize) -> P
                 None => (Colour::Neutral, "none leads"),
             };
             let (from, to) = ((x[column], y[row]), (x[column + 1], y[row + 1]));
-            plot =
-                plot.with(Layer::tile(from, to, signed(quantity, parts.gap())).coloured(colour).named(label));
+            // The unit is in the title.
+            let text = signed(quantity, parts.gap());
+            let text = text.trim_end_matches(unit).trim_end();
+            plot = plot.with(Layer::tile(from, to, text).coloured(colour).named(label));
         }
     }
     plot

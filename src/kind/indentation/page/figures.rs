@@ -96,8 +96,8 @@ pub fn load(results: &IndentationResults, found: &LayerResults, law: &LawCurves)
         plot
     };
     let panels = vec![
-        panel("logarithmic", |label| Axis::log(label)).legend(Legend::Below),
-        panel("linear", |label| Axis::linear(label)).legend(Legend::Hidden),
+        panel("Logarithmic", |label| Axis::log(label)).legend(Legend::Below),
+        panel("Linear", |label| Axis::linear(label)).legend(Legend::Hidden),
     ];
     Figure::row("Load and indentation", panels)
 }
@@ -159,7 +159,7 @@ pub fn rules(results: &IndentationResults) -> Figure {
     let high = all().map(|error| error.ratio).fold(1.0, f64::max) * 1.1;
     let panel = |(k, rule): (usize, ModulusModel)| {
         let axis = Axis::log("load by the model / exact elastic load").range(low, high);
-        let title = format!("model {}", rule.name());
+        let title = format!("Model {}", rule.name());
         let mut plot =
             Plot::new(title, Axis::log("a/t of the exact contact"), axis).with(Layer::at_y(1.0, ""));
         for (index, found) in results.layers.iter().enumerate() {

@@ -83,7 +83,7 @@ const Chart = (() => {
   const logTicks = (plot, axis, low, high) => {
     const up = (from, to) => Array.from({ length: to - from + 1 }, (_, k) => from + k);
     let ticks = [low, high];
-    for (const digits of [[1], [1, 2, 5], up(1, 9), up(10, 99).map(digit => digit / 10)]) {
+    for (const digits of [[1], [1, 2, 5], [1, 2, 3, 5, 7], up(1, 9), up(10, 99).map(digit => digit / 10)]) {
       const decades = up(Math.floor(Math.log10(low)), Math.floor(Math.log10(high)));
       const all = decades.flatMap(decade => digits.map(digit => Number(`${digit}e${decade}`)));
       ticks = all.filter(tick => tick >= low && tick <= high);
@@ -91,6 +91,33 @@ const Chart = (() => {
     }
     const every = Math.ceil(ticks.length / 8);
     return ticks.filter((_, k) => k % every === 0);
+  };
+
+  // The markers of a curve, of a size in CSS pixels; a cross and a ring are not filled.
+  const MARKERS = {
+    circle: (path, x, y, r) => { path.moveTo(x + r, y); path.arc(x, y, r, 0, 2 * Math.PI); },
+    ring: (path, x, y, r) => MARKERS.circle(path, x, y, 2 * r),
+    square: (path, x, y, r) => path.rect(x - r, y - r, 2 * r, 2 * r),
+    triangle: (path, x, y, r) => { path.moveTo(x, y - r); path.lineTo(x + r, y + r); path.lineTo(x - r, y + r); path.closePath(); },
+    cross: (path, x, y, r) => { path.moveTo(x - r, y - r); path.lineTo(x + r, y + r); path.moveTo(x - r, y + r); path.lineTo(x + r, y - r); },
+  };
+  const isFilled = kind => kind !== "ring" && kind !== "cross";
+  const markers = kind => (plot, series, from, to) => {
+    const path = new Path2D();
+    for (let at = from; at <= to; at++) {
+      const value = plot.data[series][at];
+      if (value === null || value === undefined) continue;
+      MARKERS[kind](path, plot.valToPos(plot.data[0][at], "x", true), plot.valToPos(value, "y", true), 3 * devicePixelRatio);
+    }
+    return { stroke: path, fill: isFilled(kind) ? path : null, flags: 3 };
+  };
+  // The same as an element of the legend.
+  const SAMPLES = {
+    circle: '<circle cx="15" cy="6" r="4"/>',
+    ring: '<circle cx="15" cy="6" r="5"/>',
+    square: '<rect x="11" y="2" width="8" height="8"/>',
+    triangle: '<path d="M15 1l5 10h-10z"/>',
+    cross: '<path d="M11 2l8 8m-8 0l8-8"/>',
   };
 
   // Width of a plot beside the label of its axis.
@@ -170,7 +197,7 @@ const Chart = (() => {
           ? `<rect width="30" height="12" fill="${series.colour}" opacity="${series.opacity}"/>`
           : series.kind === "line"
             ? `<path d="M0 6H30" stroke="${series.colour}" stroke-width="2.5" stroke-dasharray="${dash}"/>`
-            : `<circle cx="15" cy="6" r="4" fill="${series.colour}"/>`;
+            : `<g stroke="${series.colour}" stroke-width="1.5" fill="${isFilled(series.kind) ? series.colour : "none"}">${SAMPLES[series.kind]}</g>`;
         const button = element("button", { type: "button" });
         button.innerHTML = `<svg viewBox="0 0 30 12" aria-hidden="true">${sample}</svg>`;
         button.append(...typeset(name));
@@ -224,9 +251,8 @@ const Chart = (() => {
           return { show, stroke: "transparent", width: 0, points: { show: false } };
         }
         if (key.kind !== "line") {
-          const size = key.kind === "ring" ? 13 : 6;
-          const fill = () => (key.kind === "ring" ? "transparent" : shade(key.colour));
-          return { show, stroke: () => shade(key.colour), paths: () => null, points: { show: true, size, fill, stroke: () => shade(key.colour) } };
+          const colour = () => shade(key.colour);
+          return { show, stroke: colour, paths: () => null, points: { show: true, size: 6, width: 1.5, fill: colour, stroke: colour, paths: markers(key.kind) } };
         }
         return { show, stroke: () => shade(key.colour), width: 2 * key.width, dash: DASHES[key.dash], points: { show: false } };
       });

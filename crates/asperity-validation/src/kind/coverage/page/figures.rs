@@ -5,9 +5,9 @@ use crate::kind::coverage::findings::{BAND, LoadCoverage, NEARLY_ALL, RARELY};
 use crate::kind::coverage::run::CoverageResults;
 use asperity_plot::{Axis, Colour, Figure, Layer, Legend, Marker, Plot};
 
-pub const CAPTION: &str = "Intervals from blocks of a window (above) cover the truth about as often as stated, those that take \
-                           asperities as independent (below) less often. A point is a quantity at a load. Above: filled where \
-                           nearly all windows have an interval, else a cross. Band: 93 to 97 %.";
+pub const CAPTION: &str = "Intervals from blocks of a window cover the truth about as often as stated, those that take \
+                           asperities as independent less often. A point is a quantity at a load. Of intervals that are claimed: filled \
+                           where nearly all windows have an interval, else a cross. Band: 93 to 97 %.";
 
 /// Coverage of a combination, of intervals of one kind.
 type Of = fn(&Coverage) -> Option<f64>;
@@ -22,10 +22,10 @@ pub fn coverage(results: &CoverageResults) -> Figure {
     let plots = vec![
         plot(
             results,
-            "intervals that are claimed",
+            "Intervals that are claimed",
             &[(in_nearly_all, Marker::Circle), (in_part, Marker::Cross)],
         ),
-        plot(results, "asperities taken as independent", &[(independent, Marker::Cross)]),
+        plot(results, "Asperities taken as independent", &[(independent, Marker::Cross)]),
     ];
     Figure::column("Coverage of 95 % intervals", plots)
 }

@@ -80,7 +80,7 @@ fn profile_plot(title: &str, x: &str, y: &str, profiles: &[Profile]) -> Plot {
 /// Hertz: pressures and convergence.
 pub fn hertz(measured: &[Measured], profile: &Profile) -> Figure {
     let pressures = profile_plot(
-        "pressures on the coarsest grid",
+        "Pressures on the coarsest grid",
         "distance from the axis r/a",
         "p/p₀",
         std::slice::from_ref(profile),
