@@ -81,7 +81,7 @@ fn of_law(page: &mut Page, results: &LimitResults, law: &str, reference: &str) {
             "at the quantiles",
             "expected at the quantiles",
         ],
-        results.points.iter().filter(|point| &point.law == law).map(|point| {
+        results.points.iter().filter(|point| point.law == law).map(|point| {
             let (mean, scatter) = point.scatter(Quantity::Load);
             vec![
                 point.count.to_string(),

@@ -209,12 +209,14 @@ pub fn shares_of_load(title: &str, x: Axis, shares: impl Iterator<Item = (f64, [
 
 /// Each regime's share of the load, one panel per model, where enough contacts carry it. Nothing where one regime carries all.
 pub fn regimes(setting: &Setting) -> Option<Figure> {
-    let shares = |kind: Kind| -> Vec<(f64, [f64; 3])> {
+    /// Over load.
+    type Shares = Vec<(f64, [f64; 3])>;
+    let shares = |kind: Kind| -> Shares {
         let points = curve(&setting.case.comparison, kind);
         let enough = points.into_iter().filter(|point| !has_few_contacts(point));
         enough.filter_map(|point| Some((setting.load(point), point.response.pressure.shares()?))).collect()
     };
-    let present: Vec<(Kind, Vec<(f64, [f64; 3])>)> = [Kind::Statistical, Kind::Deterministic]
+    let present: Vec<(Kind, Shares)> = [Kind::Statistical, Kind::Deterministic]
         .into_iter()
         .map(|kind| (kind, shares(kind)))
         .filter(|(_, shares)| shares.len() > 1)
@@ -228,7 +230,7 @@ pub fn regimes(setting: &Setting) -> Option<Figure> {
         return None;
     }
     let ends = [all().map(|at| at.0).fold(f64::INFINITY, f64::min), all().map(|at| at.0).fold(0.0, f64::max)];
-    let panel = |(kind, shares): (Kind, Vec<(f64, [f64; 3])>)| {
+    let panel = |(kind, shares): (Kind, Shares)| {
         let axis = setting.units.load_ratio().range(ends[0], ends[1]);
         let plot = shares_of_load(&format!("{} model", capitalised(kind.name())), axis, shares.into_iter());
         // Regions lie below the shares: the edges of the valid range are lines.

@@ -79,10 +79,11 @@ impl Overview {
     /// Which model is nearer how often.
     pub fn nearer(&self) -> String {
         let Self { rows, told, here } = self;
-        let on_maps = rows.iter().any(|row| row.has_one_surface);
-        let on_maps = on_maps
-            .then(|| format!(" On these maps alone they are {} and {}.", here.sum, here.statistical))
-            .unwrap_or_default();
+        let on_maps = if rows.iter().any(|row| row.has_one_surface) {
+            format!(" On these maps alone they are {} and {}.", here.sum, here.statistical)
+        } else {
+            String::new()
+        };
         format!(
             "Of {} comparisons with the reference (case and quantity) the sum is nearer in {}, the statistical model in {}; the others \
              cannot be told with the sampling error of such surfaces.{on_maps}",
