@@ -459,7 +459,7 @@ mod tests {
         let html = page.html();
         assert!(
             html.contains(
-                "<pre><code class=\"language-toml\">a = 1\n```\n&lt;script&gt;\n````\n</code></pre>"
+                "<pre tabindex=\"0\"><code class=\"language-toml\">a = 1\n```\n&lt;script&gt;\n````\n</code></pre>"
             ),
             "{html}"
         );
