@@ -20,7 +20,7 @@ fn assert_named(files: &[&str], names: impl Iterator<Item = String> + Clone) {
 #[test]
 fn documents_name_every_law() {
     let names = registry().iter().map(ContactLaw::name);
-    assert_named(&["README.md", "docs/theory.md"], names.clone().map(|name| format!("`{name}`")));
+    assert_named(&["docs/specs.md", "docs/theory.md"], names.clone().map(|name| format!("`{name}`")));
     // The comment of the template that `experiment new` writes.
     assert_named(&["src/template.toml"], names.map(|name| format!("\"{name}\"")));
 }
@@ -28,13 +28,13 @@ fn documents_name_every_law() {
 #[test]
 fn documents_name_every_height_distribution() {
     let names = REGISTRY.iter().map(|entry| entry.name.to_owned());
-    assert_named(&["README.md", "docs/theory.md", "src/template.toml"], names);
+    assert_named(&["docs/specs.md", "docs/theory.md", "src/template.toml"], names);
 }
 
 #[test]
 fn documents_and_messages_name_every_kind() {
     let names = KINDS.iter().map(|kind| format!("[{}]", kind.name()));
-    assert_named(&["README.md"], names.clone());
+    assert_named(&["docs/specs.md"], names.clone());
     let folder = tempfile::tempdir().unwrap();
     let spec = folder.path().join("empty.toml");
     fs::write(&spec, "title = \"t\"\n").unwrap();
