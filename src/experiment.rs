@@ -130,6 +130,16 @@ impl Experiment {
         let mut hash = Sha256::new();
         hash.update(SOURCES);
         hash.update(sha256(self.stem.as_bytes()));
+        hash.update(self.input()?);
+        Ok(hexadecimal(&hash.finalize()))
+    }
+
+    /// The part of [`Self::key`] that is the same for every build of the program: the spec, how it is run, and its input files.
+    ///
+    /// # Errors
+    /// As [`Self::key`].
+    pub fn input(&self) -> Result<String, InputError> {
+        let mut hash = Sha256::new();
         hash.update(sha256(self.source.text.as_bytes()));
         hash.update(self.plan.variant());
         for path in self.plan.inputs() {
@@ -145,7 +155,7 @@ impl Experiment {
     /// # Errors
     /// What only a run can find: a map without a summit, a pressure that is not reached.
     pub fn run(&self, progress: &dyn Progress) -> Result<Box<dyn Outcome>, InputError> {
-        self.plan.run(&self.context(progress))
+        self.plan.run(&self.context(&self.input()?, progress))
     }
 
     /// Looks for what a run would refuse, such as a load that a population does not reach, without running it.
@@ -153,12 +163,24 @@ impl Experiment {
     /// # Errors
     /// What a run would refuse.
     pub fn check(&self) -> Result<(), InputError> {
-        self.plan.check(&self.context(&Silent))
+        // Nothing is written, so that its input needs no name.
+        self.plan.check(&self.context("", &Silent))
     }
 
-    fn context<'a>(&'a self, progress: &'a dyn Progress) -> RunContext<'a> {
+    fn context<'a>(&'a self, input_sha256: &'a str, progress: &'a dyn Progress) -> RunContext<'a> {
         let Self { source, stem, title, kind, notes, seed, materials, origins, .. } = self;
-        RunContext { title, stem, kind, notes, seed: *seed, materials, origins, source, progress }
+        RunContext {
+            title,
+            stem,
+            kind,
+            input_sha256,
+            notes,
+            seed: *seed,
+            materials,
+            origins,
+            source,
+            progress,
+        }
     }
 }
 

@@ -5,6 +5,7 @@ use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 use std::time::Instant;
 
+use asperity_experiment::keys::{all_keys, explain, spec_schema};
 use asperity_experiment::kind::{KINDS, columns};
 use asperity_experiment::materials::{all_materials, one_material};
 use asperity_experiment::surface::{FileOptions, described_file};
@@ -16,7 +17,7 @@ use asperity_framework::report::store::{Store, StoreError};
 use asperity_framework::report::{Index, MARK, verify};
 use asperity_framework::{Outcome, ReportError, folder as report_folder};
 use clap::builder::PossibleValuesParser;
-use clap::{Args, Parser, Subcommand};
+use clap::{Args, CommandFactory, Parser, Subcommand};
 
 /// Folder of the specs.
 const SPECS: &str = "experiments";
@@ -25,7 +26,7 @@ const SPECS: &str = "experiments";
 ///
 /// Without a command it runs every spec in experiments/ and writes reports/.
 #[derive(Parser)]
-#[command(version, args_conflicts_with_subcommands = true)]
+#[command(name = "experiment", version, args_conflicts_with_subcommands = true)]
 struct Cli {
     #[command(subcommand)]
     command: Option<Command>,
@@ -86,6 +87,26 @@ enum Command {
         /// Only tables of this kind of experiment
         #[arg(value_parser = PossibleValuesParser::new(KINDS.iter().map(|kind| kind.name())))]
         kind: Option<String>,
+    },
+    /// Explain a key of a spec: type, unit, range, default, example
+    Explain {
+        /// Its name, or its whole path: thickness, compare.layer.thickness
+        key: String,
+    },
+    /// Print a Markdown reference of all keys of a spec
+    Keys,
+    /// Print the JSON schema of a spec, with which editors complete and check keys
+    Schema,
+    /// Print a script that completes commands and options in a shell
+    Completions {
+        /// The shell
+        shell: clap_complete::Shell,
+    },
+    /// Print the manual page, or write those of all commands into a folder
+    Man {
+        /// Folder for the pages, such as ~/.local/share/man/man1
+        #[arg(long)]
+        out: Option<PathBuf>,
     },
     /// List the materials of the library, each value with its source (Markdown)
     Materials {
@@ -210,6 +231,22 @@ fn main() -> ExitCode {
             print(format_args!("{}", columns(kind.as_deref()).trim_end()));
             Ok(())
         }
+        Some(Command::Explain { key }) => {
+            explain(&key).map_err(Failure::Input).map(|text| print(format_args!("{}", text.trim_end())))
+        }
+        Some(Command::Keys) => {
+            print(format_args!("{}", all_keys().trim_end()));
+            Ok(())
+        }
+        Some(Command::Schema) => {
+            print(format_args!("{:#}", spec_schema()));
+            Ok(())
+        }
+        Some(Command::Completions { shell }) => {
+            clap_complete::generate(shell, &mut Cli::command(), "experiment", &mut std::io::stdout());
+            Ok(())
+        }
+        Some(Command::Man { out }) => manual(out.as_deref()),
         Some(Command::Materials { name }) => materials(name.as_deref()),
         Some(Command::Verify { fresh, out }) => verify(&fresh, &out),
     };
@@ -434,7 +471,13 @@ fn run_and_write(
         )));
     }
     let report = report_folder(&*results, key)?;
-    store.write(&report)?;
+    for kept in store.write(&report)? {
+        print_error(format_args!(
+            "warning: {}: a file of the last report was edited since it was written; it is kept as {}",
+            experiment.stem(),
+            folder.join(kept).display()
+        ));
+    }
     if !options.quiet {
         for warning in results.warnings() {
             print_error(format_args!("warning: {}: {warning}", experiment.stem()));
@@ -472,11 +515,10 @@ fn list(out: &Path) -> Result<(), Failure> {
     for file in specs_in(Path::new(SPECS))? {
         match Experiment::read(&file) {
             Ok(experiment) => {
-                let state = if store.is_current(experiment.stem(), &experiment.key()?) {
-                    "up to date"
-                } else {
-                    "to run"
-                };
+                let stem = experiment.stem();
+                let is_current = store.is_current(stem, &experiment.key()?)
+                    || store.is_committed(stem, &experiment.input()?);
+                let state = if is_current { "up to date" } else { "to run" };
                 print(format_args!("{:<28} {state:<11} {}", experiment.stem(), experiment.title()));
             }
             Err(error) => print(format_args!("{:<28} invalid     {error}", file.display())),
@@ -498,6 +540,24 @@ fn new(name: &Path) -> Result<(), Failure> {
     let path = name.with_extension("toml");
     write_new(&path, TEMPLATE)?;
     print(format_args!("{} written; run it with `experiment run {}`", path.display(), path.display()));
+    Ok(())
+}
+
+/// Prints the manual page, or writes one for each command.
+fn manual(folder: Option<&Path>) -> Result<(), Failure> {
+    let Some(folder) = folder else {
+        // A closed pipe, as after `head`, is ignored.
+        let _ = clap_mangen::Man::new(Cli::command()).render(&mut std::io::stdout());
+        return Ok(());
+    };
+    std::fs::create_dir_all(folder)
+        .and_then(|()| clap_mangen::generate_to(Cli::command(), folder))
+        .map_err(|error| Failure::Input(format!("--out {}: {error}", folder.display())))?;
+    print(format_args!(
+        "manual pages written to {}; read them with `man {}/experiment.1`",
+        folder.display(),
+        folder.display()
+    ));
     Ok(())
 }
 

@@ -2,27 +2,36 @@
 
 use std::fmt;
 
+use schemars::JsonSchema;
 use serde::Deserialize;
 use serde::de::value::{F64Deserializer, StrDeserializer};
 use serde::de::{Deserializer, Error, IntoDeserializer, Visitor};
-use toml::Spanned;
+use serde_json::json;
 
 use asperity::{ModulusModel, units};
 use asperity_framework::input::OneOrMany;
+use asperity_framework::input::Spanned;
 use asperity_framework::input::quantity::{Length, NotNegative, Quantity};
+use asperity_framework::input::schema;
+use asperity_framework::written_schema;
 
 /// A layer on the flat, of one thickness or several.
-#[derive(Debug, Deserialize)]
+#[derive(Debug, Deserialize, JsonSchema)]
 #[serde(
     deny_unknown_fields,
     rename_all = "kebab-case",
     expecting = "a layer such as { material = \"lead\", thickness = [0, \"50 nm\", \"inf\"] }"
 )]
 pub struct LayerSpec {
-    /// Name of its material.
+    /// The name of a `[material.NAME]` of this file.
+    #[schemars(extend("examples" = ["lead"]))]
     pub material: Spanned<String>,
+    /// One thickness, or several, ascending; 0 is the bare flat, `"inf"` the bulk of the layer.
+    #[schemars(extend("examples" = [[0, "50 nm", "inf"]]))]
     pub thickness: Thicknesses,
+    /// The effective-modulus model of layer and substrate.
     #[serde(default)]
+    #[schemars(extend("default" = "gao", "examples" = ["series"]))]
     pub rule: ModulusModel,
 }
 
@@ -83,6 +92,13 @@ pub struct Thicknesses {
     /// Whether it is a thickness that stands alone, not in a list.
     pub stands_alone: bool,
 }
+
+written_schema!(Thicknesses, |_| {
+    let mut one = schema::quantity::<Length, NotNegative>();
+    one[schema::RANGE] = json!("0, positive, or \"inf\"");
+    one["anyOf"][1]["pattern"] = json!(r"^\s*(inf|[-+]?[0-9.]+.*)\s*$");
+    schema::one_or_many(one, "length, or an ascending list")
+});
 
 impl<'de> Deserialize<'de> for Thicknesses {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {

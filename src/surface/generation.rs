@@ -3,8 +3,6 @@
 use std::f64::consts::TAU;
 use std::ops::Range;
 
-use toml::Spanned;
-
 use crate::surface::found::GenerationFacts;
 use crate::surface::generate_spec::{
     CorrelationSpec, GenerateSpec, PlateauSpec, SelfAffineSpec, SpectrumSpec,
@@ -17,6 +15,7 @@ use asperity::topography::spectrum::{Lay, Spectrum, SpectrumShape};
 use asperity::topography::summits::Neighbours;
 use asperity::{HeightMap, Heights};
 use asperity_framework::digest::stream_seed;
+use asperity_framework::input::Spanned;
 use asperity_framework::input::quantity::{Angle, Finite, Quantity};
 use asperity_framework::input::{InputError, Source};
 

@@ -29,6 +29,7 @@ pub use options::FileOptions;
 pub use overview::{AnalysisDepth, MapOverview};
 pub use plan::{SurfacePlan, beside, curvature_ratio, describe, inputs, memory, surfaces};
 pub use search::Preparation;
+pub use spec::SurfaceSpec;
 pub use summary::{PopulationSummary, RealisationSummary, SurfaceSummary, summary};
 
 use asperity::work::Counter;

@@ -1,12 +1,19 @@
 //! `pixel` and other lengths along x and y.
 
 use asperity_framework::input::OneOrMany;
-use asperity_framework::input::quantity::{Length, Quantity};
+use asperity_framework::input::quantity::{Length, Positive, Quantity};
+use asperity_framework::input::schema;
+use asperity_framework::written_schema;
 use serde::{Deserialize, Deserializer};
 
 /// One pixel size, or one along x and one along y.
 #[derive(Debug, Clone, Copy)]
 pub struct PixelSpec(pub [f64; 2]);
+
+written_schema!(PixelSpec, |_| schema::one_or_many(
+    schema::quantity::<Length, Positive>(),
+    "length, or a list of two: along x and along y"
+));
 
 impl<'de> Deserialize<'de> for PixelSpec {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {

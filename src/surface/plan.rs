@@ -4,7 +4,6 @@ use indexmap::IndexMap;
 use std::fmt;
 use std::ops::Range;
 use std::path::PathBuf;
-use toml::Spanned;
 
 use crate::plausibility;
 use crate::surface::files::Reading;
@@ -20,6 +19,7 @@ use asperity::topography::{Filter, read};
 use asperity::{
     AsperityList, Heights, ListError, ListOptions, MapError, Population, ReferencePlane, SurfaceHeights,
 };
+use asperity_framework::input::Spanned;
 use asperity_framework::input::quantity::{Length, Pure, Quantity};
 use asperity_framework::input::{InputError, Source, SpecFile, Whole};
 use asperity_framework::{Memory, set_memory};

@@ -3,10 +3,10 @@
 use std::fmt;
 use std::path::PathBuf;
 
+use schemars::JsonSchema;
 use serde::Deserialize;
 use serde::de::value::MapAccessDeserializer;
 use serde::de::{Deserializer, Error, MapAccess, Visitor};
-use toml::Spanned;
 
 use crate::surface::generate_spec::GenerateSpec;
 use crate::surface::pixel_spec::PixelSpec;
@@ -15,9 +15,12 @@ use asperity::topography::Level;
 use asperity::topography::fitness::Lines;
 use asperity::topography::summits::Neighbours;
 use asperity::units::Dimension;
+use asperity_framework::input::Spanned;
 use asperity_framework::input::Whole;
-use asperity_framework::input::heights::HeightsSpec;
+use asperity_framework::input::heights::{self, HeightsSpec};
 use asperity_framework::input::quantity::{Area, ArealNumberDensity, Length, Pure, Quantity};
+use asperity_framework::input::schema;
+use asperity_framework::written_schema;
 
 /// One surface: exactly one kind per name.
 #[derive(Debug, Deserialize)]
@@ -34,14 +37,20 @@ pub enum SurfaceSpec {
 }
 
 /// Raw input: a table for each kind, of which exactly one is allowed.
-#[derive(Deserialize)]
+#[derive(Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 struct Kinds {
+    /// Your own list of asperities.
     asperities: Option<ListSpec>,
+    /// Asperities drawn from a population of one radius.
     population: Option<PopulationSpec>,
+    /// A random rough surface, whose summits are the asperities.
     generate: Option<GenerateSpec>,
+    /// A measured height map, whose summits are the asperities.
     file: Option<FileSpec>,
 }
+
+written_schema!(SurfaceSpec, |generator| Kinds::json_schema(generator));
 
 impl TryFrom<Kinds> for SurfaceSpec {
     type Error = String;
@@ -66,19 +75,22 @@ impl TryFrom<Kinds> for SurfaceSpec {
 
 /// A list of asperities: a text with columns height and radius, or an n x 2 `.npy`; for elliptic laws with kx and
 /// ky too.
-#[derive(Debug, Deserialize)]
+#[derive(Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields, rename_all = "kebab-case", expecting = "a table { file, nominal-area, unit }")]
 pub struct ListSpec {
-    /// The file, relative to the spec.
+    /// Text with the columns height and radius (kx and ky for elliptic laws), or an n x 2 (n x 4) `.npy`; relative to the spec.
+    #[schemars(extend("examples" = ["asperities.csv"]))]
     pub file: Spanned<PathBuf>,
     /// Unit of heights and radii, reciprocal unit of curvatures; only where the file names none.
+    #[schemars(extend("default" = "m", "examples" = ["um"]))]
     pub unit: Option<Spanned<UnitSpec>>,
-    /// Nominal area of the asperities.
+    /// Nominal area that the asperities are from.
+    #[schemars(extend("examples" = ["1 mm^2"]))]
     pub nominal_area: Quantity<Area>,
 }
 
 /// Radius, deviation of heights, density, and how a set is drawn.
-#[derive(Debug, Deserialize)]
+#[derive(Debug, Deserialize, JsonSchema)]
 #[serde(
     deny_unknown_fields,
     rename_all = "kebab-case",
@@ -86,22 +98,30 @@ pub struct ListSpec {
 )]
 pub struct PopulationSpec {
     /// Radius of every asperity: 1/(mean curvature).
+    #[schemars(extend("examples" = ["20 um"]))]
     pub radius: Quantity<Length>,
-    /// The larger principal curvature of every asperity over the smaller one, for elliptic laws.
+    /// The larger principal curvature of every asperity over the smaller one; needed by elliptic laws.
+    #[schemars(extend("x-range" = "1 to 1e6", "examples" = [2]))]
     pub curvature_ratio: Option<Spanned<Quantity<Pure>>>,
-    /// Standard deviation of the heights.
+    /// Standard deviation of the asperity heights; of the surface heights with `heights = "surface"`.
+    #[schemars(extend("examples" = ["48 nm"]))]
     pub sigma: Quantity<Length>,
     /// Asperities per nominal area.
+    #[schemars(extend("examples" = ["6e10 /m^2"]))]
     pub density: Quantity<ArealNumberDensity>,
-    /// How many the deterministic model draws.
+    /// How many asperities the deterministic model draws.
+    #[schemars(extend("x-range" = "from 1", "examples" = [100000]))]
     pub count: Spanned<Whole>,
-    /// Whose deviation sigma is, and of what density.
+    /// Distribution of the asperity heights; `"surface"`: sigma and separations are those of the surface, converted by Nayak (1971).
     #[serde(default)]
+    #[schemars(extend("default" = "gaussian", "examples" = [{ "johnson": { "skewness": -1, "kurtosis": 4.5 } }]))]
     pub heights: PopulationHeights,
     /// How the heights of the set are taken.
     #[serde(default)]
+    #[schemars(extend("default" = "random", "examples" = ["quantiles"]))]
     pub draw: DrawSpec,
-    /// How many sets are drawn.
+    /// How many sets are drawn; their scatter gives the intervals.
+    #[schemars(extend("x-range" = "1 to 1000", "default" = 1, "examples" = [8]))]
     pub realisations: Option<Spanned<Whole>>,
 }
 
@@ -119,6 +139,8 @@ impl Default for PopulationHeights {
         Self::Asperities(Heights::GAUSSIAN)
     }
 }
+
+written_schema!(PopulationHeights, |_| heights::schema(&["surface"]));
 
 impl<'de> Deserialize<'de> for PopulationHeights {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
@@ -148,7 +170,7 @@ impl<'de> Deserialize<'de> for PopulationHeights {
 }
 
 /// `draw` of a population.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Deserialize, JsonSchema)]
 #[serde(rename_all = "kebab-case")]
 pub enum DrawSpec {
     /// Independent draws from the spec's seed.
@@ -158,32 +180,40 @@ pub enum DrawSpec {
     Quantiles,
 }
 
-#[derive(Debug, Deserialize)]
+#[derive(Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields, rename_all = "kebab-case", expecting = "a table { path }")]
 pub struct FileSpec {
-    /// The file, relative to the spec.
+    /// The height map: `.npy` (first index x), X3P, SDF, a text matrix or columns x y z; relative to the spec.
+    #[schemars(extend("examples" = ["map.npy"]))]
     pub path: Spanned<PathBuf>,
-    /// Pixel size along x and y; only where the format contains none.
+    /// Pixel size, or one along x and one along y; only where the file contains none.
+    #[schemars(extend("examples" = ["0.8 um"]))]
     pub pixel: Option<Spanned<PixelSpec>>,
-    /// Unit of the lengths in the file; only where the format contains none.
+    /// Unit of the lengths in the file; only where the file names none.
+    #[schemars(extend("default" = "m", "examples" = ["um"]))]
     pub unit: Option<Spanned<UnitSpec>>,
     /// What becomes of spikes.
     #[serde(default)]
+    #[schemars(extend("default" = "keep", "examples" = ["remove"]))]
     pub outliers: Outliers,
     /// The axis along which lines of the scan are set to the same mean height.
+    #[schemars(extend("default" = "none", "examples" = ["x"]))]
     pub align_lines: Option<Lines>,
     /// Form that is removed.
     #[serde(default)]
+    #[schemars(extend("default" = "plane", "examples" = ["quadratic"]))]
     pub level: Level,
-    /// S and L nesting indices.
+    /// Nesting indices of Gaussian S and L filters (ISO 16610-61), either or both.
+    #[schemars(extend("default" = "none", "examples" = [{ "s": "2.5 um", "l": "80 um" }]))]
     pub filter: Option<Spanned<FilterSpec>>,
     /// Which neighbours a summit is higher than.
     #[serde(default)]
+    #[schemars(extend("default" = "four", "examples" = ["eight"]))]
     pub neighbours: Neighbours,
 }
 
 /// `outliers` of a measured map.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Deserialize, JsonSchema)]
 #[serde(rename_all = "kebab-case")]
 pub enum Outliers {
     /// Spikes are heights like others.
@@ -198,6 +228,8 @@ pub enum Outliers {
 #[serde(try_from = "String")]
 pub struct UnitSpec(pub f64);
 
+written_schema!(UnitSpec, |_| schema::names(Dimension::Length.documented().iter().copied()));
+
 impl TryFrom<String> for UnitSpec {
     type Error = String;
 
@@ -210,11 +242,13 @@ impl TryFrom<String> for UnitSpec {
 }
 
 /// `filter = { s, l }`: nesting indices (ISO 16610-61), either or both.
-#[derive(Debug, Clone, Copy, Deserialize)]
+#[derive(Debug, Clone, Copy, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields, expecting = "a table { s, l }")]
 pub struct FilterSpec {
-    /// Wavelengths below it are taken out.
+    /// Nesting index of the S filter, which removes shorter wavelengths.
+    #[schemars(extend("examples" = ["2.5 um"]))]
     pub s: Option<Quantity<Length>>,
-    /// Wavelengths above it are taken out.
+    /// Nesting index of the L filter, which removes longer wavelengths.
+    #[schemars(extend("examples" = ["80 um"]))]
     pub l: Option<Quantity<Length>>,
 }

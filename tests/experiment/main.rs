@@ -27,6 +27,7 @@ mod columns;
 mod common;
 mod fitness;
 mod indentation;
+mod keys;
 mod layers;
 mod limit;
 mod materials;

@@ -6,6 +6,7 @@ use std::ops::Range;
 use std::path::PathBuf;
 
 use indexmap::IndexMap;
+use schemars::SchemaGenerator;
 use serde::Serialize;
 use serde_json::{Map, Value};
 
@@ -32,6 +33,9 @@ pub struct Reads {
 pub trait Kind: Sync {
     /// Name of its table.
     fn name(&self) -> &'static str;
+
+    /// The JSON schema of its table.
+    fn schema(&self, generator: &mut SchemaGenerator) -> schemars::Schema;
 
     /// What it reads besides its table.
     fn reads(&self) -> Reads;
@@ -134,6 +138,8 @@ pub struct RunContext<'a> {
     pub kind: &'static str,
     /// Name of the report's folder.
     pub stem: &'a str,
+    /// SHA-256 of the spec, of how it is run, and of its input files, hexadecimal.
+    pub input_sha256: &'a str,
     /// The author's notes.
     pub notes: &'a str,
     /// Every random number is drawn from it.
@@ -160,6 +166,7 @@ impl RunContext<'_> {
             stem: self.stem.to_owned(),
             notes: self.notes.to_owned(),
             spec_sha256: hexadecimal(&sha256(self.source.text.as_bytes())),
+            input_sha256: self.input_sha256.to_owned(),
             seed: self.seed,
             origins: self.origins.clone(),
             papers,

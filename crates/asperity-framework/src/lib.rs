@@ -9,6 +9,7 @@ pub mod contact;
 pub mod digest;
 mod folder;
 pub mod input;
+pub mod keys;
 mod kind;
 pub mod metadata;
 pub mod progress;

@@ -20,6 +20,8 @@ pub struct Metadata {
     pub notes: String,
     /// SHA-256 of the spec, hexadecimal.
     pub spec_sha256: String,
+    /// SHA-256 of the spec, of how it is run, and of its input files, hexadecimal.
+    pub input_sha256: String,
     /// Every random number came from it.
     pub seed: u64,
     /// The materials whose values are from the library.

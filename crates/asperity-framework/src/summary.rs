@@ -21,6 +21,7 @@ struct Summary<'a> {
     #[serde(skip_serializing_if = "Option::is_none")]
     figure: Option<&'a str>,
     spec_sha256: &'a str,
+    input_sha256: &'a str,
     seed: u64,
     #[serde(skip_serializing_if = "IndexMap::is_empty")]
     materials_from_library: IndexMap<&'a str, MaterialSummary>,
@@ -54,6 +55,7 @@ pub(super) fn summary(outcome: &dyn Outcome, page: &Page, files: &[String]) -> s
         answer: page.answer(),
         figure: page.main_figure(),
         spec_sha256: &metadata.spec_sha256,
+        input_sha256: &metadata.input_sha256,
         seed: metadata.seed,
         materials_from_library: metadata
             .origins

@@ -10,10 +10,11 @@ use crate::literature::{self, Paper};
 /// A closed result beside the models.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(rename_all = "kebab-case"))]
+#[cfg_attr(feature = "schemars", derive(schemars::JsonSchema))]
 pub enum AnalyticalLine {
-    /// [`persson`].
+    /// Area against load by Persson, see [`persson`].
     Persson,
-    /// [`bush_gibson_thomas`].
+    /// Area against load by Bush, Gibson and Thomas, see [`bush_gibson_thomas`].
     BushGibsonThomas,
     /// The models' separation less the deflection of a finite patch as a whole, [`mean_deflection`].
     GreenwoodWilliamsonInteracting,

@@ -7,9 +7,9 @@ use asperity::topography::generate::{Process, SpectrumOf, SurfaceGenerator};
 use asperity::topography::spectrum::{Lay, Spectrum, SpectrumError, SpectrumShape};
 use asperity::{Flat, Heights, reduced_modulus};
 use asperity_framework::contact::{Bodies, LawPlan};
+use asperity_framework::input::Spanned;
 use asperity_framework::input::quantity::Quantity;
 use asperity_framework::input::{InputError, SpecFile};
-use toml::Spanned;
 
 use super::spec::CausesSpec;
 

@@ -37,6 +37,7 @@ use asperity_framework::metadata::Metadata;
 use asperity_framework::report::Page;
 use asperity_framework::report::table::{Schema, TableError, csv_file};
 use asperity_framework::{Kind, Memory, Outcome, Plan, Reads, RunContext};
+use schemars::SchemaGenerator;
 use serde_json::{Map, Value};
 
 use plan::ComparePlan;
@@ -51,6 +52,10 @@ pub struct Compare;
 impl Kind for Compare {
     fn name(&self) -> &'static str {
         "compare"
+    }
+
+    fn schema(&self, generator: &mut SchemaGenerator) -> schemars::Schema {
+        generator.subschema_for::<spec::CompareSpec>()
     }
 
     fn reads(&self) -> Reads {

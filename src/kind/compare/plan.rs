@@ -9,10 +9,10 @@ use asperity::compare::{Controls, Kind};
 use asperity::{ContactLaw, Flat, Material};
 use asperity_framework::RunContext;
 use asperity_framework::contact::{Bodies, LawPlan};
+use asperity_framework::input::Spanned;
 use asperity_framework::input::accept::AcceptSpec;
 use asperity_framework::input::{InputError, SpecFile};
 use asperity_framework::progress::Progress;
-use toml::Spanned;
 
 use super::lines::lines;
 use super::reference::ReferencePlan;

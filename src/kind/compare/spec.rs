@@ -2,63 +2,82 @@
 
 use std::fmt;
 
+use schemars::JsonSchema;
 use serde::Deserialize;
 use serde::de::{Deserializer, Error, SeqAccess, Visitor};
-use toml::Spanned;
+use serde_json::json;
 
 use super::reference::ReferenceSpec;
 use super::statistical::StatisticalSpec;
 use crate::layer::LayerSpec;
 use asperity::analytical::AnalyticalLine;
 use asperity::compare::Kind;
+use asperity_framework::input::Spanned;
 use asperity_framework::input::accept::AcceptSpec;
 use asperity_framework::input::law::Laws;
 use asperity_framework::input::quantity::{Force, Pressure};
+use asperity_framework::input::schema::TYPE;
 use asperity_framework::input::sweep::{LinearSweep, LogSweep};
 use asperity_framework::input::tolerance::ToleranceSpec;
+use asperity_framework::written_schema;
 
-/// Two bodies, laws, models and controls.
-#[derive(Debug, Deserialize)]
+/// Both models on the same surfaces, and the reference beside them: may the integral replace the sum?
+#[derive(Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields, rename_all = "kebab-case")]
 pub struct CompareSpec {
-    /// Name of the rough body's material.
+    /// The rough body: the name of a `[material.NAME]` of this file.
+    #[schemars(extend("examples" = ["steel"]))]
     pub rough: Spanned<RoughBody>,
-    /// Name of the flat body's material.
+    /// The smooth flat: the name of a `[material.NAME]` of this file.
+    #[schemars(extend("examples" = ["steel"]))]
     pub flat: Spanned<String>,
-    /// The laws to run.
+    /// The micro-contact laws; all run on the same surfaces.
     pub law: Spanned<Laws>,
-    /// The layer on the flat.
+    /// A layer on the flat, of one thickness or several.
+    #[schemars(extend("default" = "none: the flat is bare", "examples" = [{ "material": "lead", "thickness": [0, "50 nm", "1 um", "inf"] }]))]
     pub layer: Option<LayerSpec>,
-    /// What to run; both models by default.
+    /// What runs: the integral, the sum, and the boundary elements of the reference.
+    #[schemars(extend("default" = ["statistical", "deterministic"], "examples" = [["statistical", "deterministic", "reference"]]))]
     pub models: Option<Spanned<Models>>,
-    /// How the reference is run.
+    /// How the boundary elements run; only with `"reference"` among the models.
+    #[schemars(extend("examples" = [{ "loads": 9, "error": 1e-6 }]))]
     pub reference: Option<Spanned<ReferenceSpec>>,
-    /// Closed results beside the models.
+    /// Analytical lines beside the models, on surfaces with a map.
+    #[schemars(extend("default" = "none", "examples" = [["persson", "bush-gibson-thomas"]]))]
     pub lines: Option<Spanned<Lines>>,
-    /// The statistical model.
+    /// Which statistical model runs.
+    #[schemars(extend("default" = "Gaussian heights, arithmetic mean radius", "examples" = [{ "heights": "own", "mean-radius": "in-contact" }]))]
     pub statistical: Option<Spanned<StatisticalSpec>>,
-    /// The largest differences between the models that are accepted.
+    /// The largest differences between the models that do not matter to you; verdicts refer to them.
     #[serde(default)]
+    #[schemars(extend("examples" = [{ "area": "10 %", "separation": 0.1, "stiffness": "20 %" }]))]
     pub accept: AcceptSpec,
-    /// Whether the verdicts on measured maps are computed again under other treatments of the map.
+    /// Whether verdicts on measured maps are computed again under other treatments of the map.
     #[serde(default = "yes")]
+    #[schemars(extend("examples" = [false]))]
     pub robustness: bool,
-    /// Whether the gap between the models is divided among its causes.
+    /// Whether the difference between the models is divided among its causes.
     #[serde(default = "yes")]
+    #[schemars(extend("examples" = [false]))]
     pub attribution: bool,
-    /// Whether all statistical models are compared with sum and reference.
+    /// Whether all statistical models are compared with the sum and the reference.
     #[serde(default = "yes")]
+    #[schemars(extend("examples" = [false]))]
     pub rank_models: bool,
-    /// The surfaces to run on; all of the file by default.
+    /// The surfaces to run on, by name.
+    #[schemars(extend("default" = "all of the file", "examples" = [["ground"]]))]
     pub surfaces: Option<Vec<Spanned<String>>>,
-    /// d/sigma.
+    /// Separations at which the models run, d/sigma from the mean asperity height. At least one of `separation`, `pressure` and `force` is needed.
     pub separation: Option<LinearSweep>,
-    /// Relative tolerance of load and area of the curves over d/sigma; exact by default.
+    /// Relative tolerance of load and area of curves over d/sigma; points between are interpolated.
     #[serde(default)]
+    #[schemars(extend("default" = "exact"))]
     pub tolerance: ToleranceSpec,
-    /// Nominal pressures.
+    /// Nominal pressures at which the models are compared.
+    #[schemars(extend("examples" = [{ "from": "0.1 MPa", "to": "100 MPa", "points": 31 }]))]
     pub pressure: Option<Spanned<LogSweep<Pressure>>>,
-    /// Forces on the nominal area.
+    /// Forces on the nominal area at which the models are compared.
+    #[schemars(extend("examples" = ["10 N"]))]
     pub force: Option<Spanned<LogSweep<Force>>>,
 }
 
@@ -69,6 +88,8 @@ fn yes() -> bool {
 /// The name of one material: a second rough body is not modelled.
 #[derive(Debug, Clone)]
 pub struct RoughBody(pub String);
+
+written_schema!(RoughBody, |_| json!({ "type": "string", TYPE: "name of a material" }));
 
 impl<'de> Deserialize<'de> for RoughBody {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
@@ -144,10 +165,21 @@ impl TryFrom<Vec<ModelName>> for Models {
     }
 }
 
+written_schema!(Models, |_| json!({
+    "type": "array",
+    "items": { "type": "string", "enum": ["statistical", "deterministic", "reference"] },
+    "minItems": 1,
+    "uniqueItems": true,
+}));
+
 /// A list of lines, none twice, at least one.
 #[derive(Debug, Clone, PartialEq, Deserialize)]
 #[serde(try_from = "Vec<AnalyticalLine>")]
 pub struct Lines(pub Vec<AnalyticalLine>);
+
+written_schema!(Lines, |generator| json!({
+    "type": "array", "items": generator.subschema_for::<AnalyticalLine>(), "minItems": 1, "uniqueItems": true,
+}));
 
 impl TryFrom<Vec<AnalyticalLine>> for Lines {
     type Error = String;

@@ -5,22 +5,26 @@ use std::fmt;
 use asperity::distribution::{HeightModel, HeightsError};
 use asperity::topography::joint::JointDensity;
 use asperity::{ContactLaw, Heights, MeanRadius, Paper, Population, SummitShape, literature};
+use schemars::JsonSchema;
 use serde::Deserialize;
 use serde::de::value::MapAccessDeserializer;
 use serde::de::{Deserializer, Error, MapAccess, Visitor};
 
 use crate::surface::Surface;
-use asperity_framework::input::heights::HeightsSpec;
+use asperity_framework::input::heights::{self, HeightsSpec};
 
 /// `statistical` as a spec writes it: a height density and one radius, independent of each other, or a joint density of both.
-#[derive(Debug, Clone, Default, Deserialize)]
+#[derive(Debug, Clone, Default, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields, rename_all = "kebab-case")]
 pub struct StatisticalSpec {
-    /// The height density; Gaussian, or a population's own, by default.
+    /// The height density.
+    #[schemars(extend("default" = "gaussian, or that of the population", "examples" = ["own"]))]
     heights: Option<HeightModelSpec>,
-    /// Which mean radius; the arithmetic mean by default.
+    /// Which mean radius all asperities have.
+    #[schemars(extend("default" = "arithmetic", "examples" = ["in-contact"]))]
     mean_radius: Option<MeanRadius>,
-    /// A joint density of height and curvature instead of those.
+    /// A joint density of height and curvature, on surfaces with a map; instead of `heights` and `mean-radius`.
+    #[schemars(extend("default" = "none", "examples" = ["nayak-greenwood"]))]
     model: Option<JointModel>,
 }
 
@@ -47,7 +51,7 @@ impl StatisticalSpec {
 }
 
 /// A joint density of height and curvature over the summits of a Gaussian surface.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize, JsonSchema)]
 #[serde(rename_all = "kebab-case")]
 pub enum JointModel {
     /// Summits of a continuous isotropic surface (Nayak 1971; Greenwood 2006).
@@ -172,6 +176,10 @@ impl StatisticalModel {
 /// `heights` of the statistical model: a distribution, or how it follows from the set.
 #[derive(Debug, Clone)]
 struct HeightModelSpec(HeightModel);
+
+asperity_framework::written_schema!(HeightModelSpec, |_| heights::schema(
+    &HeightModel::FITTED.map(|fitted| fitted.name())
+));
 
 impl<'de> Deserialize<'de> for HeightModelSpec {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {

@@ -17,6 +17,7 @@ use asperity_framework::metadata::Metadata;
 use asperity_framework::report::Page;
 use asperity_framework::report::table::{Schema, TableError};
 use asperity_framework::{Kind, Memory, Outcome, Plan, Reads, RunContext};
+use schemars::SchemaGenerator;
 use serde_json::{Map, Value};
 
 use plan::IndentationPlan;
@@ -27,6 +28,10 @@ pub struct Indentation;
 impl Kind for Indentation {
     fn name(&self) -> &'static str {
         "indentation"
+    }
+
+    fn schema(&self, generator: &mut SchemaGenerator) -> schemars::Schema {
+        generator.subschema_for::<spec::IndentationSpec>()
     }
 
     fn reads(&self) -> Reads {

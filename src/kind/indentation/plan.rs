@@ -3,13 +3,12 @@
 use std::fmt;
 use std::path::{Path, PathBuf};
 
-use toml::Spanned;
-
 use crate::kind::indentation::spec::{IndentationSpec, Show};
 use crate::layer::{LayerPlan, layer};
 use crate::surface::beside;
 use asperity::numeric::is_positive;
 use asperity::{ContactLaw, Inapplicable, Material};
+use asperity_framework::input::Spanned;
 use asperity_framework::input::SpecFile;
 use asperity_framework::input::{InputError, Source};
 

@@ -8,6 +8,7 @@ mod spec;
 mod summary;
 mod tables;
 
+use schemars::SchemaGenerator;
 use std::path::PathBuf;
 
 use asperity_framework::input::{InputError, SpecFile};
@@ -28,6 +29,10 @@ pub struct Laws;
 impl Kind for Laws {
     fn name(&self) -> &'static str {
         "laws"
+    }
+
+    fn schema(&self, generator: &mut SchemaGenerator) -> schemars::Schema {
+        generator.subschema_for::<spec::LawsSpec>()
     }
 
     fn reads(&self) -> Reads {

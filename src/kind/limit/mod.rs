@@ -13,6 +13,7 @@ use asperity_framework::metadata::Metadata;
 use asperity_framework::report::Page;
 use asperity_framework::report::table::{Schema, TableError};
 use asperity_framework::{Kind, Memory, Outcome, Plan, Reads, RunContext};
+use schemars::SchemaGenerator;
 use serde_json::{Map, Value};
 
 use plan::LimitPlan;
@@ -26,6 +27,10 @@ pub struct Limit;
 impl Kind for Limit {
     fn name(&self) -> &'static str {
         "limit"
+    }
+
+    fn schema(&self, generator: &mut SchemaGenerator) -> schemars::Schema {
+        generator.subschema_for::<spec::LimitSpec>()
     }
 
     fn reads(&self) -> Reads {

@@ -1,34 +1,43 @@
 //! `[limit]`: the deterministic model against the statistical one, to which it converges as the
 //! number of asperities grows.
 
+use schemars::JsonSchema;
 use serde::Deserialize;
-use toml::Spanned;
 
+use asperity_framework::input::Spanned;
 use asperity_framework::input::Whole;
 use asperity_framework::input::law::Laws;
 use asperity_framework::input::quantity::{ArealNumberDensity, Length, Pure, Quantity};
 use asperity_framework::input::sweep::{LinearSweep, LogSweep};
 
-/// A population of equal radii and Gaussian heights, in sets of growing size.
-#[derive(Debug, Deserialize)]
+/// Convergence of the sum to the integral: sets of equal radii and Gaussian heights, of growing size.
+#[derive(Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields, rename_all = "kebab-case")]
 pub struct LimitSpec {
-    /// Name of the rough body's material.
+    /// The rough body: the name of a `[material.NAME]` of this file.
+    #[schemars(extend("examples" = ["steel"]))]
     pub rough: Spanned<String>,
-    /// Name of the flat body's material.
+    /// The smooth flat: the name of a `[material.NAME]` of this file.
+    #[schemars(extend("examples" = ["steel"]))]
     pub flat: Spanned<String>,
-    /// The laws to run.
+    /// The micro-contact laws.
     pub law: Spanned<Laws>,
     /// Radius of every asperity.
+    #[schemars(extend("examples" = ["20 um"]))]
     pub radius: Quantity<Length>,
-    /// Standard deviation of the heights.
+    /// Standard deviation of the asperity heights.
+    #[schemars(extend("examples" = ["48 nm"]))]
     pub sigma: Quantity<Length>,
     /// Asperities per nominal area.
+    #[schemars(extend("examples" = ["6e10 /m^2"]))]
     pub density: Quantity<ArealNumberDensity>,
-    /// d/sigma.
+    /// Separations, d/sigma.
+    #[schemars(extend("examples" = [[0, 1, 2]]))]
     pub separation: LinearSweep,
-    /// Sizes of the sets.
+    /// Numbers of asperities of the sets.
+    #[schemars(extend("x-range" = "1 to 1e12", "examples" = [{ "from": 100, "to": 1e6, "points": 9 }]))]
     pub count: Spanned<LogSweep<Pure>>,
-    /// Sets drawn at random of each size.
+    /// Random sets of each size.
+    #[schemars(extend("x-range" = "2 to 1000", "examples" = [100]))]
     pub draws: Spanned<Whole>,
 }

@@ -11,6 +11,7 @@ mod summary;
 mod tables;
 mod trend;
 
+use schemars::SchemaGenerator;
 use std::path::PathBuf;
 
 use asperity_framework::input::{InputError, SpecFile};
@@ -31,6 +32,10 @@ pub struct SamplingInterval;
 impl Kind for SamplingInterval {
     fn name(&self) -> &'static str {
         "sampling-interval"
+    }
+
+    fn schema(&self, generator: &mut SchemaGenerator) -> schemars::Schema {
+        generator.subschema_for::<spec::SamplingIntervalSpec>()
     }
 
     fn reads(&self) -> Reads {

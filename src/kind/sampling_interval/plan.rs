@@ -3,9 +3,9 @@
 use std::fmt;
 use std::ops::Range;
 
+use asperity_framework::input::Spanned;
 use asperity_framework::input::quantity::{Pure, Quantity};
 use asperity_framework::input::{InputError, SpecFile, Whole};
-use toml::Spanned;
 
 use super::spec::SamplingIntervalSpec;
 use crate::kind::compare::plan::{ComparePlan, compared};

@@ -1,8 +1,9 @@
 //! `[sampling-interval]`: the same surfaces at growing sampling intervals and under growing S filters.
 
+use schemars::JsonSchema;
 use serde::Deserialize;
-use toml::Spanned;
 
+use asperity_framework::input::Spanned;
 use asperity_framework::input::Whole;
 use asperity_framework::input::accept::AcceptSpec;
 use asperity_framework::input::law::Laws;
@@ -13,30 +14,40 @@ use asperity_framework::input::tolerance::ToleranceSpec;
 use crate::kind::compare::spec::{CompareSpec, RoughBody};
 use crate::kind::compare::statistical::StatisticalSpec;
 
-/// Two bodies, a law, loads, sampling intervals and filters.
-#[derive(Debug, Deserialize)]
+/// The same surfaces at growing sampling intervals and under growing S filters: which results have a limit?
+#[derive(Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields, rename_all = "kebab-case")]
 pub struct SamplingIntervalSpec {
-    /// Name of the rough body's material.
+    /// The rough body: the name of a `[material.NAME]` of this file.
+    #[schemars(extend("examples" = ["steel"]))]
     pub rough: Spanned<RoughBody>,
-    /// Name of the flat body's material.
+    /// The smooth flat: the name of a `[material.NAME]` of this file.
+    #[schemars(extend("examples" = ["steel"]))]
     pub flat: Spanned<String>,
-    /// The one law.
+    /// The micro-contact law: one.
+    #[schemars(extend("examples" = ["zmc"]))]
     pub law: Spanned<Laws>,
-    /// Nominal pressures.
+    /// Nominal pressures at which both models run.
+    #[schemars(extend("examples" = [{ "from": "0.1 MPa", "to": "100 MPa", "points": 31 }]))]
     pub pressure: Spanned<LogSweep<Pressure>>,
-    /// Sampling intervals in pixels; 1, 2, 4 and 8 by default.
+    /// Sampling intervals in pixels, ascending.
+    #[schemars(extend("x-range" = "3 to 32 numbers, from 1", "default" = [1, 2, 4, 8], "examples" = [[1, 2, 3, 4]]))]
     pub intervals: Option<Spanned<Vec<Whole>>>,
-    /// Nesting indices of S filters, in multiples of `nesting-index`; 1, 2, 4 and 8 by default, none of an empty list.
+    /// Nesting indices of S filters in multiples of `nesting-index`, ascending; none of an empty list.
+    #[schemars(extend("x-range" = "3 to 32 numbers", "default" = [1, 2, 4, 8], "examples" = [[1, 1.5, 2]]))]
     pub s_filter: Option<Spanned<Vec<Quantity<Pure>>>>,
-    /// The nesting index that they are multiples of; five pixels by default.
+    /// The nesting index that `s-filter` multiplies.
+    #[schemars(extend("default" = "five pixels", "examples" = ["2.5 um"]))]
     pub nesting_index: Option<Spanned<Quantity<Length>>>,
-    /// The statistical model.
+    /// Which statistical model runs.
+    #[schemars(extend("default" = "Gaussian heights, arithmetic mean radius", "examples" = [{ "heights": "own" }]))]
     pub statistical: Option<Spanned<StatisticalSpec>>,
-    /// The largest changes of the gap between the models that are accepted.
+    /// The largest changes of the difference between the models that do not matter to you.
     #[serde(default)]
+    #[schemars(extend("examples" = [{ "area": "10 %", "separation": 0.1, "stiffness": "20 %" }]))]
     pub accept: AcceptSpec,
-    /// The surfaces to run on; all of the file by default.
+    /// The surfaces to run on, by name.
+    #[schemars(extend("default" = "all of the file", "examples" = [["ground"]]))]
     pub surfaces: Option<Vec<Spanned<String>>>,
 }
 

@@ -268,6 +268,48 @@ fn check_runs_nothing_and_list_says_what_is_up_to_date() {
     assert!(experiment(&[], folder.path()).status.success());
     assert!(out.join("small/report.md").is_file());
     assert!(listed().contains("up to date"));
+    // So is a report that came with a clone, until its spec or one of its files changes.
+    fs::remove_file(out.join("small/manifest.json")).unwrap();
+    assert!(listed().contains("up to date"));
+    let list = specs.join("list.csv");
+    fs::write(&list, fs::read_to_string(&list).unwrap() + "\n").unwrap();
+    assert!(listed().contains("to run"));
+}
+
+#[test]
+fn an_edited_report_is_kept_with_a_warning() {
+    let (_folder, spec, out) = small();
+    assert!(run(&spec, &out, &[]).status.success());
+    let report = out.join("small/report.md");
+    fs::write(&report, "my remarks").unwrap();
+    let output = run(&spec, &out, &["--quiet"]);
+    let message = text(&output.stderr);
+    assert!(message.contains("small/report.md.bak") && message.contains("edited"), "{message}");
+    assert_eq!(fs::read_to_string(out.join("small/report.md.bak")).unwrap(), "my remarks");
+    assert!(fs::read_to_string(&report).unwrap().len() > 100);
+    // The kept file is in the way of nothing, and of no further warning.
+    let again = run(&spec, &out, &["--force"]);
+    assert!(again.status.success() && !text(&again.stderr).contains("edited"), "{}", text(&again.stderr));
+    assert!(out.join("small/report.md.bak").is_file());
+}
+
+#[test]
+fn help_reaches_shells_and_manuals() {
+    let folder = tempfile::tempdir().unwrap();
+    for shell in ["bash", "zsh", "fish", "powershell", "elvish"] {
+        let script = text(&experiment(&["completions", shell], folder.path()).stdout);
+        assert!(script.contains("save-spec"), "{shell}: {script}");
+    }
+    let page = text(&experiment(&["man"], folder.path()).stdout);
+    assert!(page.contains(".TH experiment") && page.contains("explain"), "{page}");
+    assert!(experiment(&["man", "--out", "man1"], folder.path()).status.success());
+    let surface = fs::read_to_string(folder.path().join("man1/experiment-surface.1")).unwrap();
+    assert!(surface.contains("pixel"), "{surface}");
+    let refused = experiment(&["explain", "thicknes"], folder.path());
+    assert_eq!(refused.status.code(), Some(2));
+    assert!(text(&refused.stderr).contains("thickness"), "{}", text(&refused.stderr));
+    let schema = text(&experiment(&["schema"], folder.path()).stdout);
+    assert!(serde_json::from_str::<serde_json::Value>(&schema).is_ok());
 }
 
 #[test]

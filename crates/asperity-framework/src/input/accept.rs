@@ -2,29 +2,35 @@
 
 use std::fmt;
 
+use schemars::JsonSchema;
 use serde::Deserialize;
 use serde::de::{Deserializer, Error, Visitor};
+use serde_json::json;
 
 use asperity::compare::Accepted;
 
 use super::quantity::{Length, Quantity};
+use super::schema::{RANGE, TYPE, UNIT};
 
 /// `accept = { area = "10 %", separation = 0.1, stiffness = "20 %" }`; each key may be left out.
-#[derive(Debug, Clone, Copy, Default, Deserialize)]
+#[derive(Debug, Clone, Copy, Default, Deserialize, JsonSchema)]
 #[serde(
     deny_unknown_fields,
     rename_all = "kebab-case",
     expecting = "a table such as { area = \"10 %\", separation = 0.1, stiffness = \"20 %\" }"
 )]
 pub struct AcceptSpec {
-    /// Of the real area, relative.
+    /// Accepted difference of the real contact area, relative to the sum.
     #[serde(default)]
+    #[schemars(extend("default" = "10 %", "examples" = ["5 %"]))]
     area: Option<RelativeDifference>,
-    /// Of the separation.
+    /// Accepted difference of the separation: in sigma, or as a length.
     #[serde(default)]
+    #[schemars(extend("default" = 0.1, "examples" = ["20 nm"]))]
     separation: Option<AcceptedSeparation>,
-    /// Of the stiffness, relative.
+    /// Accepted difference of the stiffness, relative to the sum.
     #[serde(default)]
+    #[schemars(extend("default" = "20 %", "examples" = [0.1]))]
     stiffness: Option<RelativeDifference>,
 }
 
@@ -72,6 +78,16 @@ impl RelativeDifference {
         positive(share, found, Self::ALLOWED).map(Self)
     }
 }
+
+crate::written_schema!(RelativeDifference, |_| json!({
+    "anyOf": [{ "type": "number", "exclusiveMinimum": 0, "maximum": 1 }, { "type": "string", "pattern": "%" }],
+    TYPE: "share, as a number up to 1 or in percent", RANGE: "above 0",
+}));
+
+crate::written_schema!(AcceptedSeparation, |_| json!({
+    "anyOf": [{ "type": "number", "exclusiveMinimum": 0 }, { "type": "string" }],
+    TYPE: "number or length", UNIT: "m, mm, um, nm; a bare number is in sigma", RANGE: "above 0",
+}));
 
 fn positive<E: Error>(value: f64, found: &dyn fmt::Display, allowed: &str) -> Result<f64, E> {
     if value > 0.0 && value.is_finite() {

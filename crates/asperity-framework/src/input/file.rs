@@ -4,13 +4,16 @@ use std::ops::Range;
 use std::path::Path;
 
 use indexmap::IndexMap;
+use schemars::{JsonSchema, Schema, SchemaGenerator};
 use serde::Deserialize;
 use serde::de::DeserializeOwned;
-use toml::Spanned;
+use serde_json::{Value, json};
 use toml::de::{DeTable, DeValue, Deserializer, ValueDeserializer};
 
 use super::error::{InputError, Source};
 use super::material::{MaterialOrigin, MaterialSpec};
+use super::schema::without_null;
+use super::spanned::Spanned;
 use super::whole::Whole;
 use asperity::Material;
 
@@ -31,14 +34,21 @@ pub struct SpecFile {
 }
 
 /// The keys that every spec may hold.
-#[derive(Deserialize)]
+#[derive(Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields, rename_all = "kebab-case")]
 struct CommonKeys {
+    /// Title of the report.
+    #[schemars(extend("examples" = ["A ground shaft on a soft coating"]))]
     title: String,
+    /// Your notes, printed in the report as Markdown; a blank line separates paragraphs.
     #[serde(default)]
+    #[schemars(extend("examples" = ["Measured on 12 May, after running in."]))]
     notes: String,
+    /// Every random number is drawn from it: the same seed gives the same results.
     #[serde(default)]
+    #[schemars(extend("default" = 0, "examples" = [1]))]
     seed: Whole,
+    /// The bodies by name.
     #[serde(default)]
     material: IndexMap<Spanned<String>, MaterialSpec>,
 }
@@ -87,6 +97,22 @@ impl SpecFile {
         Ok(Self { source, title, notes, seed: seed.0, materials: material, tables: found })
     }
 
+    /// The JSON schema of a spec: the common keys, exactly one of the tables `kinds`, and `others`.
+    pub fn schema(
+        generator: SchemaGenerator,
+        kinds: Vec<(&str, Schema)>,
+        others: Vec<(&str, Schema)>,
+    ) -> Value {
+        let mut schema = generator.into_root_schema_for::<CommonKeys>().to_value();
+        schema["title"] = json!("Spec of asperity");
+        schema["oneOf"] = kinds.iter().map(|(name, _)| json!({ "required": [name] })).collect();
+        for (name, table) in others.into_iter().chain(kinds) {
+            schema["properties"][name] = table.to_value();
+        }
+        without_null(&mut schema);
+        schema
+    }
+
     /// Names and positions of the tables besides the common keys, in file order.
     pub fn tables(&self) -> &[(String, Range<usize>)] {
         &self.tables
@@ -99,7 +125,7 @@ impl SpecFile {
     pub fn table<T: DeserializeOwned>(&self, name: &str) -> Result<Option<Spanned<T>>, InputError> {
         let mut document =
             DeTable::parse(&self.source.text).map_err(|error| self.source.parse_error(&error))?;
-        let value: Option<Spanned<DeValue>> = document.get_mut().remove(name);
+        let value: Option<toml::Spanned<DeValue>> = document.get_mut().remove(name);
         let read = value.map(|value| Spanned::<T>::deserialize(ValueDeserializer::from(value))).transpose();
         read.map_err(|error| self.source.parse_error(&error))
     }

@@ -4,8 +4,10 @@ use std::fmt;
 
 use serde::Deserialize;
 use serde::de::{DeserializeSeed, Deserializer, Error, MapAccess, Visitor};
+use serde_json::{Map, Value, json};
 
 use super::quantity::{Finite, Pure, Quantity};
+use super::schema::{self, TYPE};
 use asperity::Heights;
 use asperity::distribution::{Entry, REGISTRY};
 
@@ -39,6 +41,32 @@ pub fn written(heights: &Heights) -> String {
     let parameters = heights.parameters();
     if parameters.is_empty() { heights.name().to_owned() } else { table(heights.name(), &parameters) }
 }
+
+/// The schema of a distribution, or one of the `also` names.
+pub fn schema(also: &[&str]) -> Value {
+    let names = REGISTRY.iter().filter(|entry| entry.parameters.is_empty()).map(|entry| entry.name);
+    let tables = REGISTRY.iter().map(|entry| {
+        let properties: Map<String, Value> = entry
+            .parameters
+            .iter()
+            .map(|(name, value)| {
+                ((*name).to_owned(), json!({ "type": "number", TYPE: "number", "examples": [value] }))
+            })
+            .collect();
+        let required: Vec<&String> = properties.keys().collect();
+        let parameters = json!({
+            "type": "object", "properties": properties, "required": required, "additionalProperties": false,
+        });
+        json!({
+            "type": "object", "properties": { entry.name: parameters }, "required": [entry.name], "additionalProperties": false,
+        })
+    });
+    let alternatives: Vec<Value> =
+        std::iter::once(schema::names(names.chain(also.iter().copied()))).chain(tables).collect();
+    json!({ "anyOf": alternatives, TYPE: HeightsSpec::allowed(also), "examples": ["gaussian"] })
+}
+
+crate::written_schema!(HeightsSpec, |_| schema(&[]));
 
 fn table(name: &str, parameters: &[(&str, f64)]) -> String {
     let values: Vec<String> = parameters.iter().map(|(name, value)| format!("{name} = {value}")).collect();

@@ -4,9 +4,11 @@ use std::fmt;
 
 use serde::Deserialize;
 use serde::de::{DeserializeSeed, Deserializer, Error, MapAccess, Visitor};
+use serde_json::{Map, Value, json};
 
 use crate::input::OneOrMany;
 use crate::input::quantity::{Finite, Pure, Quantity};
+use crate::input::schema::{self, RANGE, TYPE};
 use asperity::ContactLaw;
 use asperity::contact_law::{named, registry};
 use asperity::law::{LawOption, OptionError};
@@ -15,8 +17,9 @@ use asperity::law::{LawOption, OptionError};
 #[derive(Debug, Clone, PartialEq)]
 pub struct Laws(pub Vec<ContactLaw>);
 
-/// One law of them.
-struct OneLaw(ContactLaw);
+/// One law.
+#[derive(Debug, Clone, PartialEq)]
+pub struct OneLaw(pub ContactLaw);
 
 /// The names of all laws, for an error.
 fn allowed() -> String {
@@ -87,6 +90,42 @@ impl<'de> Visitor<'de> for Options {
         Ok(law)
     }
 }
+
+/// The schema of one law: its name, or a table with its name as the only key.
+fn one_law() -> Value {
+    let names: Vec<String> = registry().iter().map(ContactLaw::name).collect();
+    let tables = registry().iter().map(|law| {
+        let option = |option: &LawOption| {
+            let schema = json!({
+                "type": "number",
+                "description": format!("{}.", option.about),
+                TYPE: "number",
+                RANGE: option.allowed,
+                "default": option.default,
+                "examples": [option.example],
+            });
+            (option.name.to_owned(), schema)
+        };
+        let options: Map<String, Value> = law.law().options().iter().map(option).collect();
+        let table = json!({
+            "type": "object", "description": law.about(), "properties": options, "additionalProperties": false,
+        });
+        json!({
+            "type": "object", "properties": { law.name(): table }, "required": [law.name()], "additionalProperties": false,
+        })
+    });
+    let alternatives: Vec<Value> =
+        std::iter::once(schema::names(names.iter().map(String::as_str))).chain(tables).collect();
+    json!({ "anyOf": alternatives, TYPE: format!("{}, or a table of one law with its options", allowed()) })
+}
+
+crate::written_schema!(Laws, |_| {
+    let mut laws = schema::one_or_many(one_law(), "law, or a list of laws: a name, or a table with options");
+    laws["examples"] = json!(["zmc", ["hertz", { "zmc": { "transition-ratio": 110 } }]]);
+    laws
+});
+
+crate::written_schema!(OneLaw, |_| one_law());
 
 impl<'de> Deserialize<'de> for OneLaw {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {

@@ -2,6 +2,7 @@
 
 use asperity::Material;
 use asperity::material_library::{self, LibraryMaterial};
+use schemars::JsonSchema;
 use serde::Deserialize;
 
 use crate::input::quantity::{PoissonRange, Pressure, Pure, Quantity};
@@ -44,15 +45,27 @@ const POISSON: &str = "poisson";
 const HARDNESS: &str = "hardness";
 const YIELD_STRENGTH: &str = "yield-strength";
 
-#[derive(Deserialize)]
+/// One body: by its properties, or from the library.
+#[derive(Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields, rename_all = "kebab-case")]
 struct Keys {
+    /// Name of a material of the library, whose values the other keys replace; `experiment materials` lists them.
+    #[schemars(extend("examples" = ["steel-100Cr6"]))]
     from: Option<String>,
+    /// Young's modulus; needed without `from`.
     young: Option<Quantity<Pressure>>,
+    /// Poisson's ratio; needed without `from`.
+    #[schemars(extend("examples" = [0.3]))]
     poisson: Option<Quantity<Pure, PoissonRange>>,
+    /// Indentation hardness; left out for a body that never yields.
+    #[schemars(extend("examples" = ["775 HV"]))]
     hardness: Option<Quantity<Pressure>>,
+    /// Yield strength, for the law `jackson-green`.
+    #[schemars(extend("examples" = ["2.2 GPa"]))]
     yield_strength: Option<Quantity<Pressure>>,
 }
+
+crate::written_schema!(MaterialSpec, |generator| Keys::json_schema(generator));
 
 impl TryFrom<Keys> for MaterialSpec {
     type Error = String;

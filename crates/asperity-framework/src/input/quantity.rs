@@ -1,12 +1,16 @@
 //! Quantities with units at the file's edge; inside the program everything is SI in plain `f64`.
 
+use std::borrow::Cow;
 use std::fmt;
 use std::marker::PhantomData;
 
+use schemars::{JsonSchema, Schema, SchemaGenerator};
 use serde::de::{Deserialize, Deserializer, Error, Visitor};
 
 use asperity::numeric::{LARGEST, is_positive};
 use asperity::units;
+
+use super::schema;
 
 /// A kind of quantity that a spec may hold.
 pub trait Dimension {
@@ -67,6 +71,10 @@ pub trait Range {
     const WORDS: &'static str;
     /// The SI magnitudes that it ends at, where [`Self::WORDS`] do not say so.
     const MAGNITUDES: Option<&'static str> = None;
+    /// The range in a table.
+    const IN_SHORT: &'static str;
+    /// Keywords of a JSON schema with their values, SI.
+    const BOUNDS: &'static [(&'static str, f64)];
     /// Whether `value` lies in it.
     fn holds(value: f64) -> bool;
 }
@@ -78,6 +86,8 @@ pub enum Positive {}
 impl Range for Positive {
     const WORDS: &'static str = "a positive finite";
     const MAGNITUDES: Option<&'static str> = Some("1e-30 to 1e30");
+    const IN_SHORT: &'static str = "above 0";
+    const BOUNDS: &'static [(&'static str, f64)] = &[("exclusiveMinimum", 0.0), ("maximum", LARGEST)];
     fn holds(value: f64) -> bool {
         is_positive(value)
     }
@@ -90,6 +100,8 @@ pub enum Finite {}
 impl Range for Finite {
     const WORDS: &'static str = "a finite";
     const MAGNITUDES: Option<&'static str> = Some("at most 1e30");
+    const IN_SHORT: &'static str = "any finite value";
+    const BOUNDS: &'static [(&'static str, f64)] = &[("minimum", -LARGEST), ("maximum", LARGEST)];
     fn holds(value: f64) -> bool {
         value.abs() <= LARGEST
     }
@@ -102,6 +114,8 @@ pub enum NotNegative {}
 impl Range for NotNegative {
     const WORDS: &'static str = "zero or a positive finite";
     const MAGNITUDES: Option<&'static str> = Some("1e-30 to 1e30");
+    const IN_SHORT: &'static str = "0 or above";
+    const BOUNDS: &'static [(&'static str, f64)] = &[("minimum", 0.0), ("maximum", LARGEST)];
     fn holds(value: f64) -> bool {
         value == 0.0 || is_positive(value)
     }
@@ -113,6 +127,8 @@ pub enum SeparationRange {}
 
 impl Range for SeparationRange {
     const WORDS: &'static str = "from -1000 to 1000 sigma, a";
+    const IN_SHORT: &'static str = "-1000 to 1000";
+    const BOUNDS: &'static [(&'static str, f64)] = &[("minimum", -1000.0), ("maximum", 1000.0)];
     fn holds(value: f64) -> bool {
         value.abs() <= 1000.0
     }
@@ -124,6 +140,8 @@ pub enum PoissonRange {}
 
 impl Range for PoissonRange {
     const WORDS: &'static str = "at least 0 and below 0.5, a";
+    const IN_SHORT: &'static str = "at least 0 and below 0.5";
+    const BOUNDS: &'static [(&'static str, f64)] = &[("minimum", 0.0), ("exclusiveMaximum", 0.5)];
     fn holds(value: f64) -> bool {
         (0.0..0.5).contains(&value)
     }
@@ -172,6 +190,18 @@ impl<D: Dimension, R: Range> Quantity<D, R> {
             Some(_) => format!("{error}; the decimal separator is a point: \"{with_point}\""),
             None => error,
         })
+    }
+}
+
+impl<D: Dimension, R: Range> JsonSchema for Quantity<D, R> {
+    fn inline_schema() -> bool {
+        true
+    }
+    fn schema_name() -> Cow<'static, str> {
+        "quantity".into()
+    }
+    fn json_schema(_: &mut SchemaGenerator) -> Schema {
+        schema::of(schema::quantity::<D, R>())
     }
 }
 

@@ -2,12 +2,11 @@
 
 use std::ops::Range;
 
-use toml::Spanned;
-
 use super::error::InputError;
 use super::file::SpecFile;
 use super::law::Laws;
 use super::quantity::Pure;
+use super::spanned::Spanned;
 use super::sweep::LogSweep;
 use super::whole::Whole;
 use crate::contact::LawPlan;

@@ -1,13 +1,17 @@
 //! Sweeps: one value, a list of values, `{ from, to, points }` or `{ values = [...] }`.
 
+use std::borrow::Cow;
 use std::fmt;
 use std::marker::PhantomData;
 
+use schemars::{JsonSchema, Schema, SchemaGenerator};
 use serde::Deserialize;
 use serde::de::value::MapAccessDeserializer;
 use serde::de::{Deserializer, Error, IntoDeserializer, MapAccess, SeqAccess, Visitor};
+use serde_json::json;
 
 use crate::input::quantity::{Dimension, Positive, Pure, Quantity, Range, SeparationRange};
+use crate::input::schema::{self, RANGE, TYPE, UNIT};
 use crate::input::whole::Whole;
 
 /// The most points that one sweep may have.
@@ -68,6 +72,58 @@ impl<'de, D: Dimension, R: Range> Deserialize<'de> for Written<D, R> {
             }
         }
         deserializer.deserialize_any(Reader(PhantomData))
+    }
+}
+
+/// What a sweep may be; `spacing` says how the values of `{ from, to, points }` are spread.
+fn written_schema<D: Dimension, R: Range>(spacing: &str, example: serde_json::Value) -> Schema {
+    let one = schema::quantity::<D, R>();
+    let name = one[TYPE].as_str().unwrap_or_default();
+    let mut written = json!({
+        "anyOf": [
+            one,
+            { "type": "array", "items": one, "minItems": 1, "maxItems": MOST_POINTS },
+            {
+                "type": "object",
+                "properties": {
+                    "from": one, "to": one, "points": { "type": "integer", "minimum": 2, "maximum": MOST_POINTS },
+                },
+                "required": ["from", "to", "points"],
+                "additionalProperties": false,
+            },
+            {
+                "type": "object",
+                "properties": { "values": { "type": "array", "items": one, "minItems": 1, "maxItems": MOST_POINTS } },
+                "required": ["values"],
+                "additionalProperties": false,
+            },
+        ],
+        TYPE: format!("{name}, a list, {{ from, to, points }} {spacing}, or {{ values }}"),
+        "examples": [example],
+    });
+    for key in [UNIT, RANGE] {
+        if let Some(value) = one.get(key) {
+            written[key] = value.clone();
+        }
+    }
+    schema::of(written)
+}
+
+crate::written_schema!(LinearSweep, |_| written_schema::<Pure, SeparationRange>(
+    "evenly spaced",
+    json!({ "from": 4, "to": 0, "points": 81 })
+));
+
+impl<D: Dimension> JsonSchema for LogSweep<D> {
+    fn inline_schema() -> bool {
+        true
+    }
+    fn schema_name() -> Cow<'static, str> {
+        "sweep".into()
+    }
+    fn json_schema(_: &mut SchemaGenerator) -> Schema {
+        let one = D::UNITS.map_or(json!(10), |units| json!(units.example()));
+        written_schema::<D, Positive>("spaced by equal ratios", one)
     }
 }
 

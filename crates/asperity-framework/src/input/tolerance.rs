@@ -5,8 +5,11 @@ use std::fmt;
 use serde::Deserialize;
 use serde::de::value::MapAccessDeserializer;
 use serde::de::{Deserializer, Error, MapAccess, Visitor};
+use serde_json::json;
 
 use asperity::compare::Tolerances;
+
+use super::schema::{RANGE, TYPE};
 
 /// One number for both models, or one for each.
 #[derive(Debug, Clone, Copy, Default)]
@@ -23,6 +26,23 @@ fn check<E: Error>(tolerance: f64) -> Result<f64, E> {
         Err(E::custom(format!("found the tolerance {tolerance}; allowed: {least:e} to {most}")))
     }
 }
+
+crate::written_schema!(ToleranceSpec, |_| {
+    let one = json!({ "type": "number", "minimum": TOLERANCES[0], "maximum": TOLERANCES[1] });
+    json!({
+        "anyOf": [
+            one,
+            {
+                "type": "object",
+                "properties": { "statistical": one, "deterministic": one },
+                "additionalProperties": false,
+            },
+        ],
+        TYPE: "number, or { statistical, deterministic }",
+        RANGE: "1e-12 to 0.01",
+        "examples": [{ "deterministic": 0.01 }],
+    })
+});
 
 impl<'de> Deserialize<'de> for ToleranceSpec {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {

@@ -2,7 +2,9 @@
 
 use std::fmt;
 
+use super::schema::{RANGE, TYPE};
 use serde::de::{Deserialize, Deserializer, Error, Visitor};
+use serde_json::json;
 
 /// A whole number from zero on.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -13,6 +15,10 @@ const ALLOWED: &str = "a whole number such as 1000 or 1e3, without quotes, up to
 fn refused<E: Error>(found: impl fmt::Display) -> E {
     E::custom(format!("found {found}; allowed: {ALLOWED}"))
 }
+
+crate::written_schema!(Whole, |_| json!({
+    "type": "integer", "minimum": 0, TYPE: "whole number", RANGE: "0 to 18446744073709551615", "examples": [1000],
+}));
 
 impl<'de> Deserialize<'de> for Whole {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {

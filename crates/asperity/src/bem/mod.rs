@@ -46,12 +46,13 @@ pub use solver::{MOST_MISSING, Solver};
 /// What lies beyond the border of the map.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(rename_all = "kebab-case"))]
+#[cfg_attr(feature = "schemars", derive(schemars::JsonSchema))]
 pub enum Boundary {
     /// The map again: for maps that are periodic.
     Periodic,
     /// The map reflected at its border, half a pixel beyond the last point: for measured maps.
     Mirrored,
-    /// Nothing. The mean gap then includes the deflection of the whole patch, and the pressures rise towards the border as
+    /// Nothing: the map is alone. The mean gap then includes the deflection of the whole patch, and the pressures rise towards the border as
     /// under a rigid punch: neither separation nor stiffness compares with those of a surface without end.
     Finite,
 }

@@ -20,6 +20,7 @@ const RATIO_PER_PANEL: f64 = 56.0;
 /// The mean radius used by the statistical model.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
 #[cfg_attr(feature = "serde", derive(serde::Deserialize))]
+#[cfg_attr(feature = "schemars", derive(schemars::JsonSchema))]
 #[cfg_attr(feature = "serde", serde(rename_all = "kebab-case"))]
 pub enum MeanRadius {
     /// The arithmetic mean (Pasaribu and Schipper 2005, Table 1).
@@ -27,7 +28,7 @@ pub enum MeanRadius {
     Arithmetic,
     /// 1/(mean curvature).
     InverseMeanCurvature,
-    /// The arithmetic mean of the asperities that touch; see [`RadiusInContact`](super::RadiusInContact).
+    /// The arithmetic mean of the asperities in contact, at each separation.
     InContact,
 }
 

@@ -9,9 +9,10 @@ use crate::progress::Progress;
 /// The form to remove.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
 #[cfg_attr(feature = "serde", derive(serde::Deserialize))]
+#[cfg_attr(feature = "schemars", derive(schemars::JsonSchema))]
 #[cfg_attr(feature = "serde", serde(rename_all = "kebab-case"))]
 pub enum Level {
-    /// Nothing.
+    /// Nothing is removed.
     None,
     /// The mean.
     Mean,

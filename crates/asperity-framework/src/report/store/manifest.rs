@@ -47,12 +47,85 @@ impl Manifest {
     }
 }
 
+/// Files in a folder of a report that its user has made: each is kept under its name here when the report is replaced.
+#[derive(Debug, Default, PartialEq, Eq)]
+pub(super) struct Kept {
+    /// Files edited since they were written, by their new name.
+    pub(super) edited: Vec<(String, Vec<u8>)>,
+    /// Those that an earlier replacement kept.
+    pub(super) earlier: Vec<(String, Vec<u8>)>,
+}
+
+impl Kept {
+    /// Looks for them. Without a manifest nothing is known to be edited.
+    pub(super) fn of(folder: &Path) -> Result<Self, StoreError> {
+        let mut kept = Self::default();
+        if !folder.is_dir() {
+            return Ok(kept);
+        }
+        let mut taken = BTreeSet::new();
+        for entry in fs::read_dir(folder).or_else(|e| failed("list", folder, e))? {
+            let entry = entry.or_else(|e| failed("list", folder, e))?;
+            let Some(name) =
+                entry.file_name().to_str().filter(|name| unkept(name).is_some()).map(str::to_owned)
+            else {
+                continue;
+            };
+            let content = fs::read(entry.path()).or_else(|e| failed("read", &entry.path(), e))?;
+            taken.insert(name.clone());
+            kept.earlier.push((name, content));
+        }
+        let manifest = Manifest::read(folder);
+        for (name, written) in manifest.iter().flat_map(|manifest| &manifest.files) {
+            // A name that leads out of the folder was not written by a run; a file that is gone has nothing to keep.
+            let Some(content) =
+                Some(name).filter(|name| is_plain(name)).and_then(|name| fs::read(folder.join(name)).ok())
+            else {
+                continue;
+            };
+            if hash(&content) != *written {
+                let free = (1..)
+                    .map(|k| if k == 1 { format!("{name}{BACKUP}") } else { format!("{name}{BACKUP}{k}") });
+                let new = free.into_iter().find(|new| !taken.contains(new)).unwrap_or_default();
+                kept.edited.push((new, content));
+            }
+        }
+        Ok(kept)
+    }
+}
+
+/// Ending of a file that was edited by hand before its report was replaced; from the second on with a number.
+const BACKUP: &str = ".bak";
+
+/// The name that a kept file had; `None` of other files.
+fn unkept(name: &str) -> Option<&str> {
+    let (before, number) = name.rsplit_once(BACKUP)?;
+    (!before.is_empty() && number.chars().all(|digit| digit.is_ascii_digit())).then_some(before)
+}
+
 /// Fields of `summary.json` that identify it as written by a run; a fresh clone has no manifest.
 #[derive(Deserialize)]
 struct Summary {
     program: String,
     #[serde(default)]
     files: Vec<String>,
+    #[serde(default)]
+    input_sha256: String,
+}
+
+/// Whether a folder holds a report, complete but without manifest, on the input with this hash: one that came with a clone.
+pub(super) fn is_committed(folder: &Path, input_sha256: &str) -> bool {
+    !folder.join(MANIFEST).exists()
+        && summary(folder).is_some_and(|summary| {
+            summary.input_sha256 == input_sha256
+                && summary.files.iter().all(|name| is_plain(name) && folder.join(name).is_file())
+        })
+}
+
+/// The summary of a folder, if this program wrote one.
+fn summary(folder: &Path) -> Option<Summary> {
+    let summary: Summary = serde_json::from_slice(&fs::read(folder.join(SUMMARY)).ok()?).ok()?;
+    (summary.program == PROGRAM).then_some(summary)
 }
 
 /// Checks that `path` is free, or a folder with generated files only.
@@ -67,7 +140,9 @@ pub(super) fn check_generated(path: &Path) -> Result<(), StoreError> {
     for entry in fs::read_dir(path).or_else(|e| failed("list", path, e))? {
         let entry = entry.or_else(|e| failed("list", path, e))?;
         let is_file = entry.file_type().or_else(|e| failed("inspect", &entry.path(), e))?.is_file();
-        let known = entry.file_name().to_str().is_some_and(|name| generated.contains(name));
+        let known = entry.file_name().to_str().is_some_and(|name| {
+            generated.contains(name) || unkept(name).is_some_and(|name| generated.contains(name))
+        });
         if !is_file || !known {
             return Err(StoreError::NotGenerated(entry.path()));
         }
@@ -82,9 +157,7 @@ fn written(folder: &Path) -> BTreeSet<String> {
         names.extend(manifest.files.into_keys());
         names.insert(MANIFEST.to_owned());
     }
-    let summary =
-        fs::read(folder.join(SUMMARY)).ok().and_then(|text| serde_json::from_slice::<Summary>(&text).ok());
-    if let Some(summary) = summary.filter(|summary| summary.program == PROGRAM) {
+    if let Some(summary) = summary(folder) {
         names.extend(summary.files);
         names.extend([SUMMARY, MANIFEST].map(str::to_owned));
     }

@@ -5,6 +5,7 @@
 //! - A report is written next to its place and moved in, so that a reader, at any instant and
 //!   after any crash, finds the old report or the new one. [`Store::recover`] clears up after a run
 //!   that was killed; every first write does so too.
+//! - A file that was edited since it was written is kept beside its new version, as `report.md.bak`.
 //! - Nothing is destroyed that a run has not written: `manifest.json`, or the `files` of
 //!   `summary.json`, must name every file of a report that is to be replaced.
 //! - One run writes at a time: `DIR/.lock` is locked from the first write until the store is
@@ -15,7 +16,7 @@
 mod manifest;
 mod swap;
 
-use manifest::{MANIFEST, Manifest};
+use manifest::{Kept, MANIFEST, Manifest};
 use std::fs::{self, File, TryLockError};
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
@@ -99,6 +100,11 @@ impl Store {
                 .is_some_and(|manifest| manifest.key == key && manifest.matches(&self.directory.join(stem)))
     }
 
+    /// Whether a report without manifest is there, complete, on the input with this hash: one that came with a clone.
+    pub fn is_committed(&self, stem: &str, input_sha256: &str) -> bool {
+        is_plain(stem) && manifest::is_committed(&self.directory.join(stem), input_sha256)
+    }
+
     /// Whether a report of this name may be written: [`StoreError::NotGenerated`] if something is in the
     /// way, [`StoreError::BadName`], or [`StoreError::Io`] if that cannot be determined. Writes nothing.
     pub fn check(&self, stem: &str) -> Result<(), StoreError> {
@@ -108,10 +114,10 @@ impl Store {
         manifest::check_generated(&self.directory.join(stem))
     }
 
-    /// Replaces the report of the same name atomically, with its
-    /// `manifest.json`. Errors are those of [`Store::check`], [`StoreError::Busy`] and
+    /// Replaces the report of the same name atomically, with its `manifest.json`, and returns the names under which it kept
+    /// files that were edited since they were written. Errors are those of [`Store::check`], [`StoreError::Busy`] and
     /// [`StoreError::Io`].
-    pub fn write(&mut self, folder: &Folder) -> Result<(), StoreError> {
+    pub fn write(&mut self, folder: &Folder) -> Result<Vec<String>, StoreError> {
         self.check(&folder.stem)?;
         for (k, name) in folder.names().enumerate() {
             if !is_plain(name) || name == MANIFEST || folder.names().take(k).any(|other| other == name) {
@@ -122,12 +128,13 @@ impl Store {
         // Clearing up may have brought back what an interrupted run had moved aside.
         self.check(&folder.stem)?;
         let places = Places::new(&self.directory, &folder.stem);
-        let done = write_all(&places.new, folder).and_then(|()| swap::replace(&places));
+        let kept = Kept::of(&self.directory.join(&folder.stem))?;
+        let done = write_all(&places.new, folder, &kept).and_then(|()| swap::replace(&places));
         if done.is_err() {
             // The first error is more informative than one during cleanup.
             swap::recover_one(&places).ok();
         }
-        done
+        done.map(|()| kept.edited.into_iter().map(|(name, _)| name).collect())
     }
 
     /// Whether a page of this name may be written: [`StoreError::NotGenerated`] if a file is in the way that
@@ -197,9 +204,9 @@ impl Store {
 }
 
 /// Writes the files of a report and its manifest into a new folder, down to the disk.
-fn write_all(path: &Path, folder: &Folder) -> Result<(), StoreError> {
+fn write_all(path: &Path, folder: &Folder, kept: &Kept) -> Result<(), StoreError> {
     fs::create_dir(path).or_else(|e| failed("create folder", path, e))?;
-    for (name, content) in &folder.files {
+    for (name, content) in folder.files.iter().chain(&kept.earlier).chain(&kept.edited) {
         write_file(&path.join(name), content)?;
     }
     write_file(&path.join(MANIFEST), Manifest::of(&folder.key, &folder.files).text().as_bytes())?;

@@ -29,7 +29,7 @@ fn entries(store: &Store) -> Vec<String> {
     names
 }
 
-fn not_generated(result: Result<(), StoreError>) -> PathBuf {
+fn not_generated<T: std::fmt::Debug>(result: Result<T, StoreError>) -> PathBuf {
     match result {
         Err(StoreError::NotGenerated(path)) => path,
         other => panic!("{other:?}"),
@@ -85,6 +85,41 @@ fn a_fresh_clone_without_manifest_may_be_replaced() {
     assert!(!store.is_current("lead", "old"));
     store.write(&folder("new", "new")).unwrap();
     assert!(store.is_current("lead", "new"));
+}
+
+#[test]
+fn a_report_that_came_with_a_clone_is_recognised_by_its_input() {
+    let (_home, store) = stored();
+    let report = store.directory.join("lead");
+    let summary =
+        r#"{"program": "asperity", "input_sha256": "abc", "files": ["curves.csv", "summary.json"]}"#;
+    fs::write(report.join("summary.json"), summary).unwrap();
+    // With a manifest it was written here, and its key decides.
+    assert!(!store.is_committed("lead", "abc"));
+    fs::remove_file(report.join("manifest.json")).unwrap();
+    assert!(store.is_committed("lead", "abc") && !store.is_committed("lead", "abd"));
+    fs::remove_file(report.join("curves.csv")).unwrap();
+    assert!(!store.is_committed("lead", "abc"));
+}
+
+#[test]
+fn what_was_edited_is_kept_beside_the_new_version() {
+    let (_home, mut store) = stored();
+    let read =
+        |store: &Store, name: &str| fs::read_to_string(store.directory.join("lead").join(name)).unwrap();
+    assert!(store.write(&folder("same", "old")).unwrap().is_empty());
+    fs::write(store.directory.join("lead/report.md"), "my remarks").unwrap();
+    assert_eq!(store.write(&folder("new", "new")).unwrap(), ["report.md.bak"]);
+    assert_eq!((&*read(&store, "report.md"), &*read(&store, "report.md.bak")), ("new", "my remarks"));
+    assert!(store.is_current("lead", "new"));
+    // What was kept stays, also beside a second edit.
+    fs::write(store.directory.join("lead/report.md"), "more remarks").unwrap();
+    assert_eq!(store.write(&folder("newer", "newer")).unwrap(), ["report.md.bak2"]);
+    assert_eq!(read(&store, "report.md.bak"), "my remarks");
+    assert_eq!(read(&store, "report.md.bak2"), "more remarks");
+    // A foreign file is none of them.
+    fs::write(store.directory.join("lead/notes.bak"), "mine").unwrap();
+    not_generated(store.write(&folder("newest", "newest")));
 }
 
 #[test]
@@ -184,7 +219,7 @@ fn a_kill_at_any_step_leaves_one_report_whole() {
         for steps in 0..=plan.len() {
             let (_home, store) = stored();
             let places = Places::new(&store.directory, "lead");
-            write_all(&places.new, &folder("new", "new")).unwrap();
+            write_all(&places.new, &folder("new", "new"), &Kept::default()).unwrap();
             match take(&plan[..steps], &places) {
                 // A file system that cannot exchange takes the other plan.
                 Err(StoreError::Io { source, .. }) if source.kind() == io::ErrorKind::Unsupported => {
@@ -211,7 +246,7 @@ fn a_kill_before_the_first_report_is_there_leaves_none_or_all() {
         let home = tempfile::tempdir().unwrap();
         let mut store = Store::new(home.path());
         let places = Places::new(home.path(), "lead");
-        write_all(&places.new, &folder("new", "new")).unwrap();
+        write_all(&places.new, &folder("new", "new"), &Kept::default()).unwrap();
         take(&INTO_FREE_PLACE[..steps], &places).unwrap();
         store.recover().unwrap();
         assert_eq!(store.is_current("lead", "new"), steps == 1);

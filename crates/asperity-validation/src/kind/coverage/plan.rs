@@ -2,14 +2,13 @@
 
 use std::fmt;
 
-use toml::Spanned;
-
 use super::spec::{CaseSpec, CoverageSpec};
 use crate::coverage::{EndlessProcess, WINDOWS_PER_MAP};
 use asperity::topography::generate::{Process, SpectrumOf};
 use asperity::topography::spectrum::{Lay, Spectrum, SpectrumError, SpectrumShape};
 use asperity::{Flat, Heights};
 use asperity_framework::contact::{Bodies, LawPlan};
+use asperity_framework::input::Spanned;
 use asperity_framework::input::quantity::Pure;
 use asperity_framework::input::sweep::LogSweep;
 use asperity_framework::input::{InputError, SpecFile};

@@ -1,43 +1,53 @@
 //! `[coverage]`: how often 95 % intervals hold the mean over many windows of one endless surface.
 
 use indexmap::IndexMap;
+use schemars::JsonSchema;
 use serde::Deserialize;
-use toml::Spanned;
 
+use asperity_framework::input::Spanned;
 use asperity_framework::input::Whole;
 use asperity_framework::input::heights::HeightsSpec;
 use asperity_framework::input::law::Laws;
 use asperity_framework::input::quantity::{Finite, Length, Pure, Quantity};
 use asperity_framework::input::sweep::LogSweep;
 
-/// Two bodies, a law, windows, and the random processes that these are seen of.
-#[derive(Debug, Deserialize)]
+/// How often 95 % intervals cover the truth: windows of random processes, each taken as a measured map.
+#[derive(Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields, rename_all = "kebab-case")]
 pub struct CoverageSpec {
-    /// Name of the rough body's material.
+    /// The rough body: the name of a `[material.NAME]` of this file.
+    #[schemars(extend("examples" = ["steel"]))]
     pub rough: Spanned<String>,
-    /// Name of the flat body's material.
+    /// The smooth flat: the name of a `[material.NAME]` of this file.
+    #[schemars(extend("examples" = ["steel"]))]
     pub flat: Spanned<String>,
-    /// One law for spheres.
+    /// The micro-contact law: one, for spheres.
+    #[schemars(extend("examples" = ["zmc"]))]
     pub law: Spanned<Laws>,
     /// Points along each side of a window.
+    #[schemars(extend("x-range" = "64 to 1024", "examples" = [256]))]
     pub points: Spanned<Whole>,
-    /// Their distance.
+    /// Distance of the points.
+    #[schemars(extend("examples" = ["0.5 um"]))]
     pub pixel: Quantity<Length>,
     /// Standard deviation of the surface heights.
+    #[schemars(extend("examples" = ["0.25 um"]))]
     pub sigma: Quantity<Length>,
     /// Hurst exponent of all self-affine spectra.
+    #[schemars(extend("x-range" = "0 to 1", "examples" = [0.8]))]
     pub hurst: Spanned<Quantity<Pure, Finite>>,
-    /// Their shortest wavelength.
+    /// Shortest wavelength of all spectra.
+    #[schemars(extend("examples" = ["4 um"]))]
     pub cut_off: Spanned<Quantity<Length>>,
     /// Windows of each case.
+    #[schemars(extend("x-range" = "8 to 100000", "examples" = [1000]))]
     pub windows: Spanned<Whole>,
     /// Random processes by name.
     pub case: Spanned<IndexMap<Spanned<String>, CaseSpec>>,
 }
 
 /// A random process.
-#[derive(Debug, Deserialize)]
+#[derive(Debug, Deserialize, JsonSchema)]
 #[serde(
     deny_unknown_fields,
     rename_all = "kebab-case",
@@ -45,9 +55,12 @@ pub struct CoverageSpec {
 )]
 pub struct CaseSpec {
     /// Longest wavelength of the power law.
+    #[schemars(extend("examples" = ["40 um"], "x-range" = "up to the side of a window"))]
     pub roll_off: Spanned<Quantity<Length>>,
-    /// Distribution to which the heights of the Gaussian field with the spectrum are transformed.
+    /// Distribution to which the heights of the Gaussian field are transformed.
+    #[schemars(extend("default" = "gaussian"))]
     pub heights: Option<HeightsSpec>,
     /// Effective contacts of the sum in the mean of the windows of a pilot map: a load for each.
+    #[schemars(extend("x-range" = "1 to 1e6", "examples" = [[30, 100]]))]
     pub contacts: Spanned<LogSweep<Pure>>,
 }

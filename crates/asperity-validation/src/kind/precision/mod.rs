@@ -14,6 +14,7 @@ use asperity_framework::metadata::Metadata;
 use asperity_framework::report::Page;
 use asperity_framework::report::table::{Schema, TableError};
 use asperity_framework::{Kind, Memory, Outcome, Plan, Reads, RunContext};
+use schemars::SchemaGenerator;
 use serde_json::{Map, Value};
 
 use plan::PrecisionPlan;
@@ -25,6 +26,10 @@ pub struct Precision;
 impl Kind for Precision {
     fn name(&self) -> &'static str {
         "precision"
+    }
+
+    fn schema(&self, generator: &mut SchemaGenerator) -> schemars::Schema {
+        generator.subschema_for::<spec::PrecisionSpec>()
     }
 
     fn reads(&self) -> Reads {

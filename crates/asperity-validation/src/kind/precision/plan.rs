@@ -2,8 +2,6 @@
 
 use std::fmt;
 
-use toml::Spanned;
-
 use super::spec::{self, PrecisionSpec};
 use crate::precision::attribution::{AttributionTask, MULTIPLIED};
 use crate::precision::curve::CurveTask;
@@ -16,6 +14,7 @@ use asperity::{ContactLaw, Flat, Heights, Population};
 use asperity_framework::contact::Bodies;
 use asperity_framework::contact::LawPlan;
 use asperity_framework::input::InputError;
+use asperity_framework::input::Spanned;
 use asperity_framework::input::SpecFile;
 use asperity_framework::input::Whole;
 use asperity_framework::input::quantity::Pure;

@@ -13,6 +13,7 @@ use asperity_framework::metadata::Metadata;
 use asperity_framework::report::Page;
 use asperity_framework::report::table::{Schema, TableError};
 use asperity_framework::{Kind, Memory, Outcome, Plan, Reads, RunContext};
+use schemars::SchemaGenerator;
 use serde_json::{Map, Value};
 
 use plan::SolverPlan;
@@ -24,6 +25,10 @@ pub struct SolverValidation;
 impl Kind for SolverValidation {
     fn name(&self) -> &'static str {
         "solver-validation"
+    }
+
+    fn schema(&self, generator: &mut SchemaGenerator) -> schemars::Schema {
+        generator.subschema_for::<spec::SolverSpec>()
     }
 
     fn reads(&self) -> Reads {

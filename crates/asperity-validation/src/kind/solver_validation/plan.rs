@@ -3,14 +3,13 @@
 use std::fmt;
 use std::ops::RangeInclusive;
 
-use toml::Spanned;
-
 use super::spec::{EnsembleSpec, SinusoidSpec, SolverSpec, WorkSpec};
 use crate::solver::LAYERED_CASES;
 use crate::solver::ensemble::EnsembleTask;
 use crate::solver::published::ENSEMBLE;
 use crate::solver::work::WorkTask;
 use asperity::bem::{Boundary, Options, Solver};
+use asperity_framework::input::Spanned;
 use asperity_framework::input::quantity::{Pure, Quantity};
 use asperity_framework::input::sweep::LogSweep;
 use asperity_framework::input::{InputError, SpecFile};

@@ -2,12 +2,11 @@
 
 use std::fmt;
 
-use toml::Spanned;
-
 use crate::kind::stability::spec::{SpanSpec, StabilitySpec};
 use crate::stability::Group;
 use crate::stability::{Counts, Ranges};
 use asperity_framework::input::InputError;
+use asperity_framework::input::Spanned;
 use asperity_framework::input::SpecFile;
 use asperity_framework::input::Whole;
 use asperity_framework::input::quantity::{Dimension, Range};

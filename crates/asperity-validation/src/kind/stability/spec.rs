@@ -1,44 +1,58 @@
 //! `[stability]`: numerical error of `f64` over the whole representable range.
 
+use schemars::JsonSchema;
 use serde::Deserialize;
-use toml::Spanned;
 
+use asperity_framework::input::Spanned;
 use asperity_framework::input::Whole;
 use asperity_framework::input::quantity::{
     Dimension, Length, Positive, Pure, Quantity, Range, SeparationRange,
 };
 
-/// How many cases are checked, and what they are drawn from; everything has a default.
-#[derive(Debug, Deserialize)]
+/// Numerical error over the whole range of numbers, against 32 digits; every key has a default.
+#[derive(Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields, rename_all = "kebab-case")]
 pub struct StabilitySpec {
-    /// Scenes of each family of single contacts.
+    /// Cases of each family of single contacts.
+    #[schemars(extend("x-range" = "1 to 100000", "default" = 1000, "examples" = [100]))]
     pub contacts: Option<Spanned<Whole>>,
-    /// Of each family of sums.
+    /// Cases of each family of sums.
+    #[schemars(extend("x-range" = "1 to 100000", "default" = 200, "examples" = [100]))]
     pub sums: Option<Spanned<Whole>>,
-    /// Of each family of integrals.
+    /// Cases of each family of integrals.
+    #[schemars(extend("x-range" = "1 to 100000", "default" = 250, "examples" = [100]))]
     pub integrals: Option<Spanned<Whole>>,
-    /// Of each family of load control.
+    /// Cases of each family of load control.
+    #[schemars(extend("x-range" = "1 to 100000", "default" = 50, "examples" = [100]))]
     pub loads: Option<Spanned<Whole>>,
-    /// Of each family of a million asperities.
+    /// Cases of each family of a million asperities.
+    #[schemars(extend("x-range" = "1 to 1000", "default" = 3, "examples" = [100]))]
     pub millions: Option<Spanned<Whole>>,
     /// Cells along each side of an error map.
+    #[schemars(extend("x-range" = "8 to 400", "examples" = [48], "default" = 48))]
     pub cells: Option<Spanned<Whole>>,
-    /// d/sigma.
+    /// Separations that are drawn, d/sigma.
+    #[schemars(extend("examples" = [{ "from": -10, "to": 20 }]))]
     pub separation: Option<Spanned<SpanSpec<Pure, SeparationRange>>>,
-    /// Radius over sigma.
+    /// Radii that are drawn, over sigma.
+    #[schemars(extend("examples" = [{ "from": 1, "to": 1e6 }]))]
     pub radius_over_sigma: Option<Spanned<SpanSpec<Pure>>>,
-    /// H/E*.
+    /// Hardnesses that are drawn, over E*.
+    #[schemars(extend("examples" = [{ "from": 1e-4, "to": 1 }]))]
     pub hardness_over_modulus: Option<Spanned<SpanSpec<Pure>>>,
-    /// Of a layer.
+    /// Thicknesses of a layer that are drawn.
+    #[schemars(extend("examples" = [{ "from": "1 nm", "to": "1 mm" }]))]
     pub thickness: Option<Spanned<SpanSpec<Length>>>,
 }
 
 /// `{ from, to }`
-#[derive(Debug, Deserialize)]
+#[derive(Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields, bound(deserialize = "Quantity<D, R>: Deserialize<'de>"))]
+#[schemars(bound = "Quantity<D, R>: JsonSchema")]
 pub struct SpanSpec<D, R = Positive> {
+    /// Lower end.
     from: Quantity<D, R>,
+    /// Upper end.
     to: Quantity<D, R>,
 }
 

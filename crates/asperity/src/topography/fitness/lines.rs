@@ -163,6 +163,7 @@ fn has_single_offset(lines: &[Steps]) -> bool {
 /// The lines of a map along one axis.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Deserialize))]
+#[cfg_attr(feature = "schemars", derive(schemars::JsonSchema))]
 #[cfg_attr(feature = "serde", serde(rename_all = "kebab-case"))]
 pub enum Lines {
     /// Lines of constant y.

@@ -32,6 +32,7 @@ pub struct Process {
 /// The field that has the prescribed spectrum, which the transform of heights distorts.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 #[cfg_attr(feature = "serde", derive(serde::Deserialize))]
+#[cfg_attr(feature = "schemars", derive(schemars::JsonSchema))]
 #[cfg_attr(feature = "serde", serde(rename_all = "kebab-case"))]
 pub enum SpectrumOf {
     /// The surface: the spectrum of the Gaussian field is corrected for the transform, as far as possible.

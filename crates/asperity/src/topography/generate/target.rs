@@ -16,6 +16,7 @@ use crate::topography::{HeightMap, MapError, Watched};
 /// The heights that a prescribed standard deviation refers to.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 #[cfg_attr(feature = "serde", derive(serde::Deserialize))]
+#[cfg_attr(feature = "schemars", derive(schemars::JsonSchema))]
 #[cfg_attr(feature = "serde", serde(rename_all = "kebab-case"))]
 pub enum SigmaOf {
     /// Those of the summits.

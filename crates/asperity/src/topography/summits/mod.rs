@@ -14,6 +14,7 @@ use crate::memory::reserve;
 /// The neighbours that a summit must be higher than.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 #[cfg_attr(feature = "serde", derive(serde::Deserialize))]
+#[cfg_attr(feature = "schemars", derive(schemars::JsonSchema))]
 #[cfg_attr(feature = "serde", serde(rename_all = "kebab-case"))]
 pub enum Neighbours {
     /// The four nearest along x and y: five-point summits (Greenwood 1984).
