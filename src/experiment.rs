@@ -10,6 +10,7 @@ use asperity_framework::input::{InputError, Source, SpecFile};
 use asperity_framework::progress::{Progress, Silent};
 use asperity_framework::report::format::listed;
 use asperity_framework::{Kind, Outcome, Plan, RunContext};
+use asperity_plot::Size;
 use indexmap::IndexMap;
 use sha2::{Digest, Sha256};
 
@@ -30,6 +31,7 @@ pub struct Experiment {
     title: String,
     kind: &'static str,
     notes: String,
+    figure: Option<Size>,
     seed: u64,
     materials: IndexMap<String, Material>,
     origins: IndexMap<String, MaterialOrigin>,
@@ -101,9 +103,9 @@ impl Experiment {
     ) -> Result<Self, InputError> {
         let materials = spec.materials().map(|(name, body)| (name.get_ref().clone(), *body)).collect();
         let origins = spec.origins();
-        let SpecFile { source, title, notes, seed, .. } = spec;
+        let SpecFile { source, title, notes, figure, seed, .. } = spec;
         check_memory(&*plan, &source)?;
-        Ok(Self { source, stem, title, kind, notes, seed, materials, origins, plan })
+        Ok(Self { source, stem, title, kind, notes, figure, seed, materials, origins, plan })
     }
 
     /// The file whose surfaces it only describes; `None` of an experiment that does more.
@@ -168,13 +170,14 @@ impl Experiment {
     }
 
     fn context<'a>(&'a self, input_sha256: &'a str, progress: &'a dyn Progress) -> RunContext<'a> {
-        let Self { source, stem, title, kind, notes, seed, materials, origins, .. } = self;
+        let Self { source, stem, title, kind, notes, figure, seed, materials, origins, .. } = self;
         RunContext {
             title,
             stem,
             kind,
             input_sha256,
             notes,
+            figure: *figure,
             seed: *seed,
             materials,
             origins,

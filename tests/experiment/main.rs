@@ -25,6 +25,7 @@ mod cli;
 mod columns;
 #[path = "../../crates/asperity/tests/library/common.rs"]
 mod common;
+mod figures;
 mod fitness;
 mod indentation;
 mod keys;

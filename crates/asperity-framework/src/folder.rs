@@ -2,6 +2,9 @@
 
 use std::time::Instant;
 
+use asperity_print::PrintError;
+use rayon::prelude::*;
+
 use crate::kind::Outcome;
 use crate::report::store::Folder;
 use crate::summary;
@@ -12,9 +15,27 @@ pub enum ReportError {
     /// A table.
     #[error("a table cannot be written: {0}")]
     Table(#[from] csv::Error),
+    /// A figure in print.
+    #[error("a figure {0}")]
+    Print(#[from] PrintError),
     /// A summary.
     #[error("a summary cannot be written: {0}")]
     Summary(#[from] serde_json::Error),
+}
+
+/// Each figure as PDF and as PNG.
+fn printed(figures: &[(String, String)]) -> Result<Vec<(String, Vec<u8>)>, PrintError> {
+    /// Pixels per inch, as journals ask for.
+    const DPI: f32 = 300.0;
+    let both = |(name, svg): &(String, String)| {
+        let stem = name.strip_suffix(".svg").unwrap_or(name);
+        Ok([
+            (format!("{stem}.pdf"), asperity_print::pdf(svg)?),
+            (format!("{stem}.png"), asperity_print::png(svg, DPI)?),
+        ])
+    };
+    let files: Result<Vec<_>, PrintError> = figures.par_iter().map(both).collect();
+    Ok(files?.into_iter().flatten().collect())
 }
 
 /// The complete report on `outcome`; `key` identifies everything that it depends on.
@@ -24,9 +45,15 @@ pub enum ReportError {
 pub fn folder(outcome: &dyn Outcome, key: &str) -> Result<Folder, ReportError> {
     let start = Instant::now();
     let page = outcome.page();
-    let files = page.files(None);
+    let size = outcome.metadata().figure;
+    let files = page.files(size);
     let mut folder = Folder::new(&outcome.metadata().stem, key);
     folder.file("report.md", files.markdown).file("report.html", files.html);
+    if size.is_some() {
+        for (name, content) in printed(&files.figures)? {
+            folder.file(name, content);
+        }
+    }
     for (name, svg) in files.figures {
         folder.file(name, svg);
     }

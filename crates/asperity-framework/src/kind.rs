@@ -19,6 +19,7 @@ use crate::report::Page;
 use crate::report::table::{Schema, TableError};
 use asperity::work::Work;
 use asperity::{Material, Paper};
+use asperity_plot::Size;
 
 /// Tables of a spec that a kind reads besides its own.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -142,6 +143,8 @@ pub struct RunContext<'a> {
     pub input_sha256: &'a str,
     /// The author's notes.
     pub notes: &'a str,
+    /// The size of its figures in print; `None` of figures for the page only.
+    pub figure: Option<Size>,
     /// Every random number is drawn from it.
     pub seed: u64,
     /// The bodies of the spec, in file order.
@@ -168,6 +171,7 @@ impl RunContext<'_> {
             spec_sha256: hexadecimal(&sha256(self.source.text.as_bytes())),
             input_sha256: self.input_sha256.to_owned(),
             seed: self.seed,
+            figure: self.figure,
             origins: self.origins.clone(),
             papers,
             timing,

@@ -5,6 +5,7 @@ use std::time::Duration;
 use crate::input::material::MaterialOrigin;
 use asperity::Paper;
 use asperity::work::Work;
+use asperity_plot::Size;
 use indexmap::IndexMap;
 
 /// What every experiment has.
@@ -22,6 +23,8 @@ pub struct Metadata {
     pub spec_sha256: String,
     /// SHA-256 of the spec, of how it is run, and of its input files, hexadecimal.
     pub input_sha256: String,
+    /// The size of its figures in print; `None` of figures for the page only.
+    pub figure: Option<Size>,
     /// Every random number came from it.
     pub seed: u64,
     /// The materials whose values are from the library.

@@ -73,9 +73,15 @@ pub struct Size {
 }
 
 impl Size {
+    /// Least and largest width, mm.
+    pub const WIDTHS: [f64; 2] = [40.0, 500.0];
+    /// Smallest and largest font, pt.
+    pub const FONTS: [f64; 2] = [4.0, 24.0];
+
     /// A width in mm from 40 to 500 and a font size in pt from 4 to 24; others are moved to the nearest of these.
     pub fn new(width: f64, font: f64) -> Self {
-        Self { width: width.clamp(40.0, 500.0), font: font.clamp(4.0, 24.0) }
+        let within = |value: f64, [least, most]: [f64; 2]| value.clamp(least, most);
+        Self { width: within(width, Self::WIDTHS), font: within(font, Self::FONTS) }
     }
 
     /// Millimetres.

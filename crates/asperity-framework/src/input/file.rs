@@ -11,11 +11,13 @@ use serde_json::{Value, json};
 use toml::de::{DeTable, DeValue, Deserializer, ValueDeserializer};
 
 use super::error::{InputError, Source};
+use super::figure::FigureSpec;
 use super::material::{MaterialOrigin, MaterialSpec};
 use super::schema::without_null;
 use super::spanned::Spanned;
 use super::whole::Whole;
 use asperity::Material;
+use asperity_plot::Size;
 
 /// A spec file whose common keys are read; the table of its kind is read by [`SpecFile::table`].
 #[derive(Debug)]
@@ -28,6 +30,8 @@ pub struct SpecFile {
     pub notes: String,
     /// Every random number is drawn from it.
     pub seed: u64,
+    /// The size of its figures in print; `None` of figures for the page only.
+    pub figure: Option<Size>,
     materials: IndexMap<Spanned<String>, MaterialSpec>,
     /// Names and positions of the other tables, in file order.
     tables: Vec<(String, Range<usize>)>,
@@ -48,13 +52,16 @@ struct CommonKeys {
     #[serde(default)]
     #[schemars(extend("default" = 0, "examples" = [1]))]
     seed: Whole,
+    /// Figures in a size for print, each also as PNG and PDF.
+    #[schemars(extend("default" = "SVG as wide as the page", "examples" = [{ "width": "85 mm", "font": "8 pt" }]))]
+    figure: Option<FigureSpec>,
     /// The bodies by name.
     #[serde(default)]
     material: IndexMap<Spanned<String>, MaterialSpec>,
 }
 
 /// Names of the fields of [`CommonKeys`].
-const COMMON: [&str; 4] = ["title", "notes", "seed", "material"];
+const COMMON: [&str; 5] = ["title", "notes", "seed", "figure", "material"];
 
 impl SpecFile {
     /// Reads a spec that may hold, besides the common keys, the tables named in `tables`.
@@ -93,8 +100,17 @@ impl SpecFile {
             document.get_mut().remove(name.as_str());
         }
         let keys = CommonKeys::deserialize(Deserializer::from(document));
-        let CommonKeys { title, notes, seed, material } = keys.map_err(|error| source.parse_error(&error))?;
-        Ok(Self { source, title, notes, seed: seed.0, materials: material, tables: found })
+        let CommonKeys { title, notes, seed, figure, material } =
+            keys.map_err(|error| source.parse_error(&error))?;
+        Ok(Self {
+            source,
+            title,
+            notes,
+            seed: seed.0,
+            figure: figure.map(|figure| figure.size()),
+            materials: material,
+            tables: found,
+        })
     }
 
     /// The JSON schema of a spec: the common keys, exactly one of the tables `kinds`, and `others`.

@@ -2,6 +2,7 @@
 
 pub mod accept;
 mod error;
+pub mod figure;
 mod file;
 pub mod heights;
 pub mod law;
