@@ -5,7 +5,7 @@ use super::canvas::{Align, Canvas, Rect, Spot, Stroke, Type};
 use super::layer::Direction;
 use super::scale::Scale;
 use super::style::{FINE_GRID, GRID, INK, LABEL, TICK};
-use super::text::{fit, width};
+use super::text::{shrunk, width};
 use super::ticks::{Tick, ticks};
 /// Length of a tick.
 const MARK: f64 = 5.0;
@@ -160,12 +160,13 @@ pub(super) fn draw_axes(
     let set = Type { size: LABEL, ..set };
     // A label may be as long as the frame and what stands beside it.
     if let Some(x) = named.0 {
-        let label = fit(&x.label, LABEL, r.width() + 80.0);
-        canvas.texts([(label.as_str(), ((r.left + r.right) / 2.0, r.bottom + FOOT - 12.0))], set);
+        let (label, size) = shrunk(&x.label, LABEL, r.width() + 80.0);
+        let spot = ((r.left + r.right) / 2.0, r.bottom + FOOT - 12.0);
+        canvas.texts([(label.as_str(), spot)], Type { size, ..set });
     }
     if let Some(y) = named.1 {
-        let label = fit(&y.label, LABEL, r.height() + 30.0);
+        let (label, size) = shrunk(&y.label, LABEL, r.height() + 30.0);
         let spot = (label_x, (r.top + r.bottom) / 2.0);
-        canvas.texts([(label.as_str(), spot)], Type { upright: true, ..set });
+        canvas.texts([(label.as_str(), spot)], Type { upright: true, size, ..set });
     }
 }

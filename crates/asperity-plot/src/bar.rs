@@ -5,7 +5,7 @@ use super::canvas::{Align, Canvas, Rect, Spot, Stroke, Type};
 use super::png::encode;
 use super::raster::{Raster, palette};
 use super::style::{INK, LABEL, TICK};
-use super::text::{fit, width};
+use super::text::{shrunk, width};
 use super::ticks::Tick;
 
 /// From the frame to the bar.
@@ -58,9 +58,9 @@ impl<'a> Bar<'a> {
         if self.raster.label.is_empty() {
             return;
         }
-        let label = fit(&self.raster.label, LABEL, bar.height() + 30.0);
+        let (label, size) = shrunk(&self.raster.label, LABEL, bar.height() + 30.0);
         let spot = (bar.right + self.numbers() + 6.0 + LABEL / 2.0, (bar.top + bar.bottom) / 2.0);
-        let set = Type { size: LABEL, align: Align::Centre, upright: true, ..set };
+        let set = Type { size, align: Align::Centre, upright: true, ..set };
         canvas.texts([(label.as_str(), spot)], set);
     }
 }

@@ -1,16 +1,17 @@
 //! Puts a figure together.
 
-use super::canvas::Canvas;
+use super::canvas::{Align, Canvas, Type};
 use super::joint;
 use super::layer::Layer;
 use super::layout::Layout;
 use super::legend::{self, Legend};
-use super::style::{NARROWEST, STEEPEST, Size, WIDTH, dark_rules};
+use super::style::{LABEL, NARROWEST, NOTE_INK, STEEPEST, Size, WIDTH, dark_rules};
+use super::text::wrap;
 use super::{Arrangement, Plot};
 
 /// The SVG text of a figure, `print` wide or as wide as a page. A `file` has its own rules for a dark environment.
 pub(super) fn figure(
-    title: &str,
+    [title, heading]: [&str; 2],
     plots: &[&Plot],
     arrangement: Arrangement,
     print: Option<Size>,
@@ -18,27 +19,37 @@ pub(super) fn figure(
 ) -> String {
     let mut canvas = Canvas::default();
     let width = print.map_or(WIDTH, |size| size.layout_width());
+    let top = headed(&mut canvas, heading, width);
     let height = match (arrangement, plots) {
-        (Arrangement::Joint, [main, top, right]) => joint::draw(&mut canvas, [main, top, right], width),
-        (Arrangement::Row, _) => row(&mut canvas, plots, width),
-        _ => column(&mut canvas, plots, width),
+        (Arrangement::Joint, [main, above, right]) => joint::draw(&mut canvas, [main, above, right], width),
+        (Arrangement::Row, _) => row(&mut canvas, plots, width, top),
+        _ => column(&mut canvas, plots, width, top),
     };
     let rules = file.then(dark_rules);
     canvas.finish(title, (width, height.max(1.0)), print, rules.as_deref())
 }
 
-/// Height of a frame that would be `height` high in a figure of the usual width.
-pub(super) fn scaled(height: f64, width: f64) -> f64 {
-    height * (width / WIDTH).clamp(0.5, 1.25)
+/// Writes the heading of a figure and returns where its plots begin.
+fn headed(canvas: &mut Canvas, heading: &str, width: f64) -> f64 {
+    let lines = wrap(heading, LABEL, width - 32.0, 2);
+    let set = Type { size: LABEL, colour: NOTE_INK, align: Align::Left, bold: false, upright: false };
+    let spot = |k: usize| (16.0, 10.0 + LABEL / 2.0 + k as f64 * (LABEL + 5.0));
+    canvas.texts(lines.iter().enumerate().map(|(k, line)| (line.as_str(), spot(k))), set);
+    if lines.is_empty() { 0.0 } else { 8.0 + lines.len() as f64 * (LABEL + 5.0) }
 }
 
-fn column(canvas: &mut Canvas, plots: &[&Plot], width: f64) -> f64 {
+/// Height of a frame that would be `height` high in a figure of the usual width.
+pub(super) fn scaled(height: f64, width: f64) -> f64 {
+    height * (width / WIDTH).clamp(0.7, 1.25)
+}
+
+fn column(canvas: &mut Canvas, plots: &[&Plot], width: f64, top: f64) -> f64 {
     let sketches: Vec<Layout<'_>> =
         plots.iter().map(|plot| Layout::new(plot, (width, scaled(plot.height, width)))).collect();
     let left = sketches.iter().map(|layout| layout.margins.0).fold(0.0, f64::max);
     let right = sketches.iter().map(|layout| layout.margins.1).fold(0.0, f64::max);
     let is_shared = shares_names(plots);
-    let mut height = 0.0;
+    let mut height = top;
     for layout in &sketches {
         height = layout.draw(canvas, (0.0, height), (left, right), layout.head(), !is_shared);
     }
@@ -46,14 +57,14 @@ fn column(canvas: &mut Canvas, plots: &[&Plot], width: f64) -> f64 {
 }
 
 /// Plots side by side, in several rows where they would be too narrow.
-fn row(canvas: &mut Canvas, plots: &[&Plot], width: f64) -> f64 {
+fn row(canvas: &mut Canvas, plots: &[&Plot], width: f64, top: f64) -> f64 {
     let count = plots.len().max(1);
     let columns = ((width / NARROWEST) as usize).clamp(1, count);
     // As many in each row.
     let columns = count.div_ceil(count.div_ceil(columns));
     let each = width / columns as f64;
     let is_shared = shares_names(plots);
-    let mut height = 0.0;
+    let mut height = top;
     for plots in plots.chunks(columns) {
         let lower = |plot: &Plot| plot.height.min(STEEPEST * each);
         let sketches: Vec<Layout<'_>> =

@@ -6,7 +6,7 @@ use super::layer::{Direction, Layer, Shape};
 use super::marks;
 use super::place::Taken;
 use super::style::{NOTE_INK, ON_DARK, ON_LIGHT, PAPER, TICK};
-use super::text::{fit, width};
+use super::text::{fit, shrunk, width};
 use plotters::style::RGBColor;
 
 /// Writes the label of a region, reference or note where it covers least.
@@ -77,12 +77,12 @@ pub(super) fn draw_corner_note(canvas: &mut Canvas, frame: &Rect, text: &str, ta
 
 /// Writes the label of a tile into its middle, dark or light as the tile is light or dark.
 fn write_in(canvas: &mut Canvas, tile: &Rect, layer: &Layer) {
-    let label = fit(&layer.label, TICK, tile.width() - 4.0);
+    let (label, size) = shrunk(&layer.label, TICK, tile.width() - 4.0);
     let RGBColor(red, green, blue) = layer.colour.rgb();
     let luminance = 0.299 * f64::from(red) + 0.587 * f64::from(green) + 0.114 * f64::from(blue);
     let colour = if luminance > 140.0 { ON_LIGHT } else { ON_DARK };
     let middle = ((tile.left + tile.right) / 2.0, (tile.top + tile.bottom) / 2.0);
-    let set = Type { size: TICK, colour, align: Align::Centre, bold: false, upright: false };
+    let set = Type { size, colour, align: Align::Centre, bold: false, upright: false };
     canvas.texts([(label.as_str(), middle)], set);
 }
 

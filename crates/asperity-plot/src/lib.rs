@@ -249,21 +249,33 @@ enum Arrangement {
 #[derive(Clone, Debug)]
 pub struct Figure {
     title: String,
+    /// Above all plots; empty where these say all.
+    heading: String,
     plots: Vec<Plot>,
     arrangement: Arrangement,
 }
 
 impl Figure {
+    fn of(title: String, plots: Vec<Plot>, arrangement: Arrangement) -> Self {
+        Self { title, heading: String::new(), plots, arrangement }
+    }
+
+    /// Names the subject of all plots above them, for a picture that is seen without its page: the surface, the case.
+    pub fn headed(mut self, heading: impl Into<String>) -> Self {
+        self.heading = heading.into();
+        self
+    }
+
     /// Plots below each other with their left and right edges in line, e.g. a difference below its
     /// curves. The title is for readers that cannot see the picture; the plots show their own.
     pub fn column(title: impl Into<String>, plots: Vec<Plot>) -> Self {
-        Self { title: title.into(), plots, arrangement: Arrangement::Column }
+        Self::of(title.into(), plots, Arrangement::Column)
     }
 
     /// Plots side by side, each narrower; in several rows where they would be too narrow. Plots that name the same layers share
     /// their legend.
     pub fn row(title: impl Into<String>, plots: Vec<Plot>) -> Self {
-        Self { title: title.into(), plots, arrangement: Arrangement::Row }
+        Self::of(title.into(), plots, Arrangement::Row)
     }
 
     /// A main plot with a low one above it that shares its x axis exactly, and a narrow one at its right
@@ -272,7 +284,7 @@ impl Figure {
     /// They hold bars and lines, bands and references; fields belong in the main plot.
     pub fn joint(title: impl Into<String>, main: Plot, top: Plot, right: Plot) -> Self {
         let plots = vec![main, top.without_fields(), right.without_fields().sideways()];
-        Self { title: title.into(), plots, arrangement: Arrangement::Joint }
+        Self::of(title.into(), plots, Arrangement::Joint)
     }
 
     /// Draws the figure as the text of an SVG file, as wide as a page (720 CSS pixels) or sized for print. In a dark environment
@@ -298,13 +310,13 @@ impl Figure {
 
     fn draw(&self, size: Option<Size>, file: bool) -> String {
         let plots: Vec<&Plot> = self.plots.iter().collect();
-        draw::figure(&self.title, &plots, self.arrangement, size, file)
+        draw::figure([&self.title, &self.heading], &plots, self.arrangement, size, file)
     }
 }
 
 impl From<Plot> for Figure {
     fn from(plot: Plot) -> Self {
-        Self { title: plot.title.clone(), plots: vec![plot], arrangement: Arrangement::Column }
+        Self::of(plot.title.clone(), vec![plot], Arrangement::Column)
     }
 }
 

@@ -86,6 +86,16 @@ pub(super) fn fit(text: &str, size: f64, room: f64) -> String {
     short
 }
 
+/// The text and the size at which it takes no more than `room`: as small as the smallest of a figure, then cut.
+pub(super) fn shrunk(text: &str, size: f64, room: f64) -> (String, f64) {
+    /// Of the size that it would have.
+    const SMALLEST: f64 = 0.72;
+    // Without a room that is a number the text keeps its size.
+    let fitting = size * (room / width(text, size)).min(1.0).max(SMALLEST);
+    // A text that just fits is not cut for the rounding of its width.
+    (fit(text, fitting, room * (1.0 + 1e-9)), fitting)
+}
+
 /// Breaks a text between words into lines no wider than `room`, at most `most`; the last is cut.
 pub(super) fn wrap(text: &str, size: f64, room: f64, most: usize) -> Vec<String> {
     let mut lines: Vec<String> = Vec::new();
@@ -112,6 +122,19 @@ mod tests {
         let cut = fit(&"wide ".repeat(40), 12.0, 100.0);
         assert!(cut.ends_with('…') && width(&cut, 12.0) <= 100.0, "{cut}");
         assert_eq!(fit("wide", 12.0, 0.0), "…");
+    }
+
+    #[test]
+    fn a_text_is_set_smaller_before_it_is_cut() {
+        assert_eq!(shrunk("load", 12.0, 100.0), ("load".to_owned(), 12.0));
+        let room = 0.8 * width("mean contact pressure", 12.0);
+        let (text, size) = shrunk("mean contact pressure", 12.0, room);
+        assert!(text == "mean contact pressure" && (size - 9.6).abs() < 1e-9, "{text} {size}");
+        let (text, size) = shrunk("mean contact pressure", 12.0, 0.5 * room);
+        assert!(
+            text.ends_with('…') && (size - 8.64).abs() < 1e-9 && width(&text, size) <= 0.5 * room,
+            "{text} {size}"
+        );
     }
 
     #[test]

@@ -18,7 +18,7 @@ pub fn asperities(surface: &Surface, assumed: Option<&Population>) -> (Figure, f
     let standardised = surface.set.heights().iter().map(|z| (z - statistics.mean_height) / statistics.sigma);
     let points: Vec<(f64, f64)> =
         standardised.zip(surface.set.radii().iter().map(|b| b / statistics.mean_radius)).collect();
-    let x = || Axis::linear("normalised height (z − mean)/σ").range(HEIGHTS.0, HEIGHTS.1);
+    let x = || Axis::linear("height (z − mean)/σ").range(HEIGHTS.0, HEIGHTS.1);
     let heights: Vec<f64> = points.iter().map(|point| point.0).collect();
     let (edges, density) = histogram(&heights, HEIGHTS);
     let mut top =

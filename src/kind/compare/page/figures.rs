@@ -239,5 +239,5 @@ pub fn regimes(setting: &Setting) -> Option<Figure> {
         edges.fold(plot, |plot, edge| plot.with(Layer::at_x(edge, "")))
     };
     let title = format!("{}: share of the load by contact regime", setting.name);
-    Some(Figure::row(title, present.into_iter().map(panel).collect()))
+    Some(Figure::row(title.clone(), present.into_iter().map(panel).collect()).headed(title))
 }

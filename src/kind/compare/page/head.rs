@@ -105,7 +105,7 @@ fn many(
         let cases: Vec<(String, &Verdicts)> =
             cases.iter().map(|case| (case.name.clone(), case.verdicts)).collect();
         if !results.surfaces.iter().flat_map(|found| &found.first.cases).all(is_single) {
-            figure(page, "verdicts", &cases, &sentence);
+            figure(page, "verdicts", &cases, "", &sentence);
         }
         return;
     }
@@ -125,16 +125,17 @@ fn many(
             page,
             &format!("{}-verdicts", series.stem()),
             &cases,
+            &format!("{}: ", series.subject()),
             &format!("{}: {counts}", series.subject()),
         );
     }
 }
 
-fn figure(page: &mut Page, file: &str, cases: &[(String, &Verdicts)], finding: &str) {
+fn figure(page: &mut Page, file: &str, cases: &[(String, &Verdicts)], subject: &str, finding: &str) {
     let Some(figure) = differences::of_cases(cases, finding) else { return };
     page.figure(
         &format!("{file}.svg"),
-        figure,
+        figure.headed(format!("{subject}statistical − deterministic model at equal load, valid loads")),
         "Statistical minus deterministic model at equal load, at valid loads. Green: accepted. In the table: the largest difference; in part: \
          at other loads the verdict differs.",
     );

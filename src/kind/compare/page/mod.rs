@@ -294,7 +294,8 @@ fn verdicts_of(page: &mut Page, results: &CompareResults, found: &SurfaceResults
     if !single_load::is_single(case) {
         page.figure(
             &format!("{}-differences.svg", stem(found, &case.law)),
-            differences::differences(verdicts, &Units::of(results, found), &finding(found, index)),
+            differences::differences(verdicts, &Units::of(results, found), &finding(found, index))
+                .headed(format!("{name}: statistical − deterministic model at equal load")),
             &head::differences_caption(name),
         );
     }
@@ -355,7 +356,8 @@ fn against_reference(
                 &reference.against,
                 units,
                 &format!("{name}: each model minus the reference"),
-            ),
+            )
+            .headed(format!("{name}: each model minus the reference at equal load")),
             &format!(
                 "{name}: each model minus the reference at equal load, with 95 % intervals where they can be claimed. Green: accepted; \
                  grey: beyond the valid range; what leaves a panel is cut at its frame."

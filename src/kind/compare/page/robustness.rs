@@ -254,8 +254,7 @@ fn against_filter(
         }
         plot
     });
-    Some(Figure::row(
-        format!("{}: statistical minus deterministic model by S filter", found.surface.name),
-        plots.collect(),
-    ))
+    let title =
+        format!("{}: statistical − deterministic model at equal load, by S filter", found.surface.name);
+    Some(Figure::row(title.clone(), plots.collect()).headed(title))
 }

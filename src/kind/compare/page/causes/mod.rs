@@ -45,7 +45,8 @@ pub fn section(page: &mut Page, level: u8, verdicts: &Verdicts, title: &str, ste
     if verdicts.attribution.len() > 1 {
         page.figure(
             &format!("{stem}-causes.svg"),
-            figure::figure(verdicts, units, &format!("{title}: {sentence}")),
+            figure::figure(verdicts, units, &format!("{title}: {sentence}"))
+                .headed(format!("{title}: causes of the difference, statistical − deterministic model")),
             &format!(
                 "{title}: contributions to the difference of the statistical from the deterministic model at equal load, stacked from \
                  zero in both directions; the line is their sum, the difference. Grey: beyond the valid range."

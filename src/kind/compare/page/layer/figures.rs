@@ -55,7 +55,8 @@ pub fn by_load(series: &Series) -> Figure {
         }
     }
     let panels = [separation, area].map(|plot| with_styles(plot, series)).to_vec();
-    Figure::row(format!("{}: separation and real contact area by layer thickness", series.subject), panels)
+    let title = format!("{}: separation and real contact area by layer thickness", series.subject);
+    Figure::row(title.clone(), panels).headed(title)
 }
 
 /// The line styles in the legend, where there is more than one.
@@ -107,10 +108,9 @@ pub fn against_reference(series: &Series) -> Option<Figure> {
             panel(ComparedQuantity::Area, "Real contact area", "area minus reference (%)", 100.0),
             panel(ComparedQuantity::Separation, "Separation", "separation minus reference (σ)", 1.0),
         ];
-        Figure::row(
-            format!("{}: both models minus the reference, by layer thickness", series.subject),
-            panels,
-        )
+        let title =
+            format!("{}: both models minus the reference at equal load, by layer thickness", series.subject);
+        Figure::row(title.clone(), panels).headed(title)
     })
 }
 
@@ -199,7 +199,7 @@ pub fn regimes(series: &Series) -> Figure {
         shares_of_load(&format!("{}{mark}", input_quantity(load, "Pa")), thickness_axis(), shares)
     };
     let title = format!("{}: share of the load by contact regime, against layer thickness", series.subject);
-    Figure::row(title, chosen.into_iter().map(panel).collect())
+    Figure::row(title.clone(), chosen.into_iter().map(panel).collect()).headed(title)
 }
 
 fn thickness_axis() -> Axis {
