@@ -38,6 +38,7 @@ mod reference;
 mod registry;
 mod sampling_interval;
 mod single_load;
+mod tutorial;
 mod verdicts;
 mod work;
 

@@ -3,7 +3,7 @@
 use std::any::Any;
 use std::fmt;
 use std::ops::Range;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use indexmap::IndexMap;
 use schemars::SchemaGenerator;
@@ -167,6 +167,7 @@ impl RunContext<'_> {
             title: self.title.to_owned(),
             kind: self.kind,
             stem: self.stem.to_owned(),
+            command: self.command(),
             notes: self.notes.to_owned(),
             spec_sha256: hexadecimal(&sha256(self.source.text.as_bytes())),
             input_sha256: self.input_sha256.to_owned(),
@@ -176,6 +177,20 @@ impl RunContext<'_> {
             papers,
             timing,
             work,
+        }
+    }
+
+    /// The command that runs it: a spec of the repository in its folder, any other where it lies.
+    fn command(&self) -> String {
+        const SPECS: &str = "experiments";
+        let path = &self.source.path;
+        let file = path.file_name().unwrap_or_default().to_string_lossy();
+        let verb = if self.kind == "surface" { "surface" } else { "run" };
+        let is_of_repository = path.parent().and_then(Path::file_name).is_some_and(|folder| folder == SPECS);
+        if is_of_repository {
+            format!("cargo run --release --bin experiment -- {verb} {SPECS}/{file}")
+        } else {
+            format!("experiment {verb} {file}")
         }
     }
 

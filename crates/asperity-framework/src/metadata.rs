@@ -17,6 +17,8 @@ pub struct Metadata {
     pub kind: &'static str,
     /// Name of the spec's file, without its ending.
     pub stem: String,
+    /// The command that runs it.
+    pub command: String,
     /// Notes of the spec's author.
     pub notes: String,
     /// SHA-256 of the spec, hexadecimal.

@@ -43,13 +43,12 @@ pub fn warnings(page: &mut Page, warnings: &[String]) {
 /// The command that runs the experiment again, and `spec` where it has no file.
 pub fn run_again(page: &mut Page, metadata: &Metadata, spec: Option<&str>) {
     page.heading(2, "How to run it again");
-    let stem = &metadata.stem;
     if let Some(spec) = spec {
         page.paragraph("This spec runs the same (`--save-spec FILE` writes it):");
         page.code("toml", spec);
         return;
     }
-    page.code("sh", &format!("cargo run --release --bin experiment -- run experiments/{stem}.toml"));
+    page.code("sh", &metadata.command);
     page.paragraph(
         "The same spec and the same version give the same numbers on any number of threads; `experiment verify` compares two folders of \
          reports.",
