@@ -79,7 +79,7 @@ fn the_tutorial_holds_what_it_says() {
         ("deterministic", "0.0", "42 % of the load is carried by elastic contacts"),
         ("deterministic", "1e-8", "raise this to 73 %"),
         ("deterministic", "2e-6", "2 µm to 81 %"),
-        ("statistical", "0.0", "It has 89 % of the load elastic"),
+        ("statistical", "0.0", "it has 89 % of the load elastic"),
     ] {
         assert!(tutorial.contains(percent), "{percent}");
         let stated: f64 = percent.split(" %").next().unwrap().rsplit(' ').next().unwrap().parse().unwrap();

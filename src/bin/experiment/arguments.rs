@@ -1,0 +1,175 @@
+//! The command line as clap reads it.
+
+use std::path::PathBuf;
+
+use asperity_experiment::kind::KINDS;
+use asperity_experiment::surface::FileOptions;
+use clap::builder::PossibleValuesParser;
+use clap::{Args, Parser, Subcommand};
+
+/// Runs the statistical and the deterministic contact model on the same rough surface.
+///
+/// Without a command it runs every spec in experiments/ and writes reports/.
+#[derive(Parser)]
+#[command(name = "experiment", version, args_conflicts_with_subcommands = true)]
+pub struct Cli {
+    #[command(subcommand)]
+    pub command: Option<Command>,
+    #[command(flatten)]
+    pub extent: Extent,
+    #[command(flatten)]
+    pub options: RunOptions,
+}
+
+/// What to do.
+#[derive(Subcommand)]
+pub enum Command {
+    /// Run specs and write a report for each
+    Run {
+        /// Spec files
+        #[arg(required = true)]
+        files: Vec<PathBuf>,
+        #[command(flatten)]
+        extent: Extent,
+        #[command(flatten)]
+        options: RunOptions,
+    },
+    /// List the specs in experiments/ and whether their reports are up to date
+    List {
+        /// Folder that holds the reports
+        #[arg(long, default_value = "reports")]
+        out: PathBuf,
+    },
+    /// Check specs and print what they would run and need, without running them
+    Check {
+        /// Spec files
+        #[arg(required = true)]
+        files: Vec<PathBuf>,
+        #[command(flatten)]
+        extent: Extent,
+    },
+    /// Write a commented spec that is ready to run
+    New {
+        /// Name of the spec; NAME.toml is written
+        name: PathBuf,
+    },
+    /// Check a measured map, compare both models on it and analyse its surface; or analyse all surfaces of a spec
+    Surface {
+        /// A height map (.npy, text, XYZ, X3P, SDF), or a spec
+        file: PathBuf,
+        #[command(flatten)]
+        arguments: Box<FileArguments>,
+        /// Name of the report folder; default: from the name of the file
+        #[arg(long)]
+        name: Option<String>,
+        /// Write the spec that runs the same to this file
+        #[arg(long)]
+        save_spec: Option<PathBuf>,
+        #[command(flatten)]
+        options: RunOptions,
+    },
+    /// Print a Markdown reference of the report tables: every column with its unit and meaning
+    Columns {
+        /// Only tables of this kind of experiment
+        #[arg(value_parser = PossibleValuesParser::new(KINDS.iter().map(|kind| kind.name())))]
+        kind: Option<String>,
+    },
+    /// Explain a key of a spec: type, unit, range, default, example
+    Explain {
+        /// Its name, or its whole path: thickness, compare.layer.thickness
+        key: String,
+    },
+    /// Print a Markdown reference of all keys of a spec
+    Keys,
+    /// Print the JSON schema of a spec, with which editors complete and check keys
+    Schema,
+    /// Print a script that completes commands and options in a shell
+    Completions {
+        /// The shell
+        shell: clap_complete::Shell,
+    },
+    /// Print the manual page, or write those of all commands into a folder
+    Man {
+        /// Folder for the pages, such as ~/.local/share/man/man1
+        #[arg(long)]
+        out: Option<PathBuf>,
+    },
+    /// List the materials of the library, each value with its source (Markdown)
+    Materials {
+        /// Only this one
+        name: Option<String>,
+    },
+    /// Compare new reports with those in another folder, number by number
+    Verify {
+        /// Folder of new reports
+        fresh: PathBuf,
+        /// Folder to compare them with
+        #[arg(long, default_value = "reports")]
+        out: PathBuf,
+    },
+}
+
+/// Options of a measured file, as in a spec.
+#[derive(Args)]
+pub struct FileArguments {
+    /// Pixel size, if the file does not contain it: "0.8 um", or "0.8 um, 0.5 um" along x and y
+    #[arg(long, allow_hyphen_values = true)]
+    pixel: Option<String>,
+    /// Unit of the lengths in the file, if it does not contain it: um
+    #[arg(long, allow_hyphen_values = true)]
+    unit: Option<String>,
+    /// What becomes of spikes: keep, remove
+    #[arg(long, allow_hyphen_values = true)]
+    outliers: Option<String>,
+    /// Axis along which lines of the scan are set to the same mean height: x, y
+    #[arg(long, allow_hyphen_values = true)]
+    align_lines: Option<String>,
+    /// Form to remove: none, mean, plane, quadratic, cubic
+    #[arg(long, allow_hyphen_values = true)]
+    level: Option<String>,
+    /// S filter (ISO 16610-61), removes shorter wavelengths: "2.5 um"
+    #[arg(long, allow_hyphen_values = true)]
+    s: Option<String>,
+    /// L filter (ISO 16610-61), removes longer wavelengths: "80 um"
+    #[arg(long, allow_hyphen_values = true)]
+    l: Option<String>,
+    /// Number of neighbours that a summit must exceed: four, eight
+    #[arg(long, allow_hyphen_values = true)]
+    neighbours: Option<String>,
+    /// Material of both bodies, a name of the library (`experiment materials`); default: steel-100Cr6
+    #[arg(long)]
+    material: Option<String>,
+}
+
+impl From<FileArguments> for FileOptions {
+    fn from(arguments: FileArguments) -> Self {
+        let FileArguments { pixel, unit, outliers, align_lines, level, s, l, neighbours, material } =
+            arguments;
+        Self { pixel, unit, outliers, align_lines, level, s, l, neighbours, material }
+    }
+}
+
+/// Extent of a run.
+#[derive(Args)]
+pub struct Extent {
+    /// Include cases that take minutes and gigabytes: the largest sets of a precision experiment
+    #[arg(long)]
+    pub full: bool,
+}
+
+/// How to run it.
+#[derive(Args)]
+pub struct RunOptions {
+    /// Folder to write reports to
+    #[arg(long, default_value = "reports")]
+    pub out: PathBuf,
+    /// Run unchanged specs too
+    #[arg(long)]
+    pub force: bool,
+    /// Number of threads; default: all cores. Results do not depend on it
+    #[arg(long, value_parser = clap::value_parser!(u16).range(1..=1024))]
+    pub threads: Option<u16>,
+    /// Print errors only
+    #[arg(long)]
+    pub quiet: bool,
+}
