@@ -90,8 +90,9 @@ pub(super) fn fit(text: &str, size: f64, room: f64) -> String {
 pub(super) fn shrunk(text: &str, size: f64, room: f64) -> (String, f64) {
     /// Of the size that it would have.
     const SMALLEST: f64 = 0.72;
-    // Without a room that is a number the text keeps its size.
-    let fitting = size * (room / width(text, size)).min(1.0).max(SMALLEST);
+    // Where one of both is no number the text keeps its size.
+    let share = room / width(text, size);
+    let fitting = if share.is_nan() { size } else { size * share.clamp(SMALLEST, 1.0) };
     // A text that just fits is not cut for the rounding of its width.
     (fit(text, fitting, room * (1.0 + 1e-9)), fitting)
 }

@@ -42,9 +42,9 @@ impl Curve<'_> {
     }
 }
 
-/// Differences of area, separation and stiffness between the models at equal load, one panel each; `finding` is what the figure
-/// shows, in words.
-pub fn differences(verdicts: &Verdicts, units: &Units, finding: &str) -> Figure {
+/// Differences of area, separation and stiffness between the models at equal load on the case `name`, one panel each; `finding` is
+/// what the figure shows, in words.
+pub fn differences(name: &str, verdicts: &Verdicts, units: &Units, finding: &str) -> Figure {
     let curve = Curve {
         name: "statistical − deterministic".to_owned(),
         colour: Colour::Statistical,
@@ -53,6 +53,7 @@ pub fn differences(verdicts: &Verdicts, units: &Units, finding: &str) -> Figure 
         has_intervals: true,
     };
     figure(finding, verdicts, units, &[curve])
+        .headed(format!("{name}: statistical − deterministic model at equal load"))
 }
 
 /// The same of both models and the reference.

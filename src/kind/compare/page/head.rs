@@ -57,7 +57,12 @@ fn one(page: &mut Page, results: &CompareResults) {
     if !is_single(case) {
         page.figure(
             &format!("{}-differences.svg", stem(found, &case.law)),
-            differences::differences(verdicts, &Units::of(results, found), &super::finding(found, 0)),
+            differences::differences(
+                &found.surface.name,
+                verdicts,
+                &Units::of(results, found),
+                &super::finding(found, 0),
+            ),
             &differences_caption(&found.surface.name),
         );
     }
@@ -136,8 +141,11 @@ fn figure(page: &mut Page, file: &str, cases: &[(String, &Verdicts)], subject: &
     page.figure(
         &format!("{file}.svg"),
         figure.headed(format!("{subject}statistical − deterministic model at equal load, valid loads")),
-        "Statistical minus deterministic model at equal load, at valid loads. Green: accepted. In the table: the largest difference; in part: \
-         at other loads the verdict differs.",
+        &format!(
+            "{}minus deterministic model at equal load, at valid loads. Green: accepted. In the table: the largest \
+             difference; in part: at other loads the verdict differs.",
+            if subject.is_empty() { "Statistical ".to_owned() } else { format!("{subject}statistical ") }
+        ),
     );
 }
 

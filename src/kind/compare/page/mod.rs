@@ -294,8 +294,7 @@ fn verdicts_of(page: &mut Page, results: &CompareResults, found: &SurfaceResults
     if !single_load::is_single(case) {
         page.figure(
             &format!("{}-differences.svg", stem(found, &case.law)),
-            differences::differences(verdicts, &Units::of(results, found), &finding(found, index))
-                .headed(format!("{name}: statistical − deterministic model at equal load")),
+            differences::differences(name, verdicts, &Units::of(results, found), &finding(found, index)),
             &head::differences_caption(name),
         );
     }

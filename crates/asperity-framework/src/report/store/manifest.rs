@@ -38,6 +38,15 @@ impl Manifest {
         serde_json::to_string_pretty(self).unwrap_or_default() + "\n"
     }
 
+    /// Whether the report in a folder is still the one that was written, edited or not: its summary, which no one edits, is that
+    /// of another run where version control has replaced the files.
+    fn is_of(&self, folder: &Path) -> bool {
+        let written = self.files.get(SUMMARY);
+        written.is_some_and(|written| {
+            fs::read(folder.join(SUMMARY)).is_ok_and(|content| hash(&content) == *written)
+        })
+    }
+
     /// Whether every file exists with the content that was written.
     pub(super) fn matches(&self, folder: &Path) -> bool {
         self.files.iter().all(|(name, written)| {
@@ -57,7 +66,7 @@ pub(super) struct Kept {
 }
 
 impl Kept {
-    /// Looks for them. Without a manifest nothing is known to be edited.
+    /// Looks for them. Without a manifest of this report nothing is known to be edited.
     pub(super) fn of(folder: &Path) -> Result<Self, StoreError> {
         let mut kept = Self::default();
         if !folder.is_dir() {
@@ -75,7 +84,7 @@ impl Kept {
             taken.insert(name.clone());
             kept.earlier.push((name, content));
         }
-        let manifest = Manifest::read(folder);
+        let manifest = Manifest::read(folder).filter(|manifest| manifest.is_of(folder));
         for (name, written) in manifest.iter().flat_map(|manifest| &manifest.files) {
             // A name that leads out of the folder was not written by a run; a file that is gone has nothing to keep.
             let Some(content) =

@@ -117,6 +117,11 @@ fn what_was_edited_is_kept_beside_the_new_version() {
     assert_eq!(store.write(&folder("newer", "newer")).unwrap(), ["report.md.bak2"]);
     assert_eq!(read(&store, "report.md.bak"), "my remarks");
     assert_eq!(read(&store, "report.md.bak2"), "more remarks");
+    // Where version control has put another run in its place, nothing was edited.
+    fs::write(store.directory.join("lead/report.md"), "of another run").unwrap();
+    let summary = r#"{"program": "asperity", "files": ["curves.csv", "report.md"]}"#;
+    fs::write(store.directory.join("lead/summary.json"), summary).unwrap();
+    assert!(store.write(&folder("last", "last")).unwrap().is_empty());
     // A foreign file is none of them.
     fs::write(store.directory.join("lead/notes.bak"), "mine").unwrap();
     not_generated(store.write(&folder("newest", "newest")));

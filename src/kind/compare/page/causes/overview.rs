@@ -7,7 +7,7 @@ use asperity_framework::report::page::Page;
 use super::{QUANTITIES, middle};
 use crate::kind::compare::page::verdict::{Case, loads, name, signed};
 
-/// More cases are counted, not named.
+/// Of more cases those that a cause leads are counted, not named.
 const MOST_NAMES: usize = 6;
 
 /// The contributions to the difference in several cases, each at the middle of its valid loads.
@@ -51,8 +51,10 @@ impl<'a> Overview<'a> {
                 let cause = cause.map_or("no cause".to_owned(), |cause| format!("the {}", cause.label()));
                 match names.len() {
                     0 => None,
-                    1..=MOST_NAMES => Some(format!("{cause} leads on {}", listed(&names))),
-                    count => Some(format!("{cause} leads on {count} of them")),
+                    count if self.rows.len() > MOST_NAMES => {
+                        Some(format!("{cause} leads on {count} of them"))
+                    }
+                    _ => Some(format!("{cause} leads on {}", listed(&names))),
                 }
             };
             let clauses: Vec<String> =
