@@ -103,7 +103,8 @@ pub fn of_cases(cases: &[(String, &Verdicts)], finding: &str) -> Option<Figure> 
             plot = plot.with(Layer::region_y(-first, *first, "accepted").coloured(Colour::Series(2)));
         }
         // A case without valid loads has no line, and no name in the legend.
-        let shown = cases.iter().enumerate().filter(|(_, (_, verdicts))| !verdicts.valid.stretches.is_empty());
+        let shown =
+            cases.iter().enumerate().filter(|(_, (_, verdicts))| !verdicts.valid.stretches.is_empty());
         for (index, (case, verdicts)) in shown {
             let valid = verdicts.differences.iter().filter(|at| at.exceeded().is_none());
             let line: Vec<(f64, f64)> = valid
