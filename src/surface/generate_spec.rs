@@ -42,10 +42,10 @@ pub struct GenerateSpec {
     #[schemars(extend("default" = "heights", "examples" = ["gaussian"]))]
     pub spectrum_of: Option<Spanned<SpectrumOf>>,
     /// A finer process that cuts the summits off, as in plateau honing; not with `summits`.
-    #[schemars(extend("default" = "none", "examples" = [{ "sigma": "0.05 um", "height": "0.2 um", "spectrum": { "gaussian": { "correlation-length": "5 um" } } }]))]
+    #[schemars(extend("x-default" = "none", "examples" = [{ "sigma": "0.05 um", "height": "0.2 um", "spectrum": { "gaussian": { "correlation-length": "5 um" } } }]))]
     pub plateau: Option<Spanned<PlateauSpec>>,
     /// What the summits found on the surface shall have; pixel and wavelengths follow.
-    #[schemars(extend("default" = "none", "examples" = [{ "radius": "20 um", "sigma": "48 nm", "density": "6e10 /m^2" }]))]
+    #[schemars(extend("x-default" = "none", "examples" = [{ "radius": "20 um", "sigma": "48 nm", "density": "6e10 /m^2" }]))]
     pub summits: Option<Spanned<TargetSpec>>,
     /// Which neighbours a summit is higher than.
     #[serde(default)]

@@ -197,14 +197,14 @@ pub struct FileSpec {
     #[schemars(extend("default" = "keep", "examples" = ["remove"]))]
     pub outliers: Outliers,
     /// The axis along which lines of the scan are set to the same mean height.
-    #[schemars(extend("default" = "none", "examples" = ["x"]))]
+    #[schemars(extend("x-default" = "none", "examples" = ["x"]))]
     pub align_lines: Option<Lines>,
     /// Form that is removed.
     #[serde(default)]
     #[schemars(extend("default" = "plane", "examples" = ["quadratic"]))]
     pub level: Level,
     /// Nesting indices of Gaussian S and L filters (ISO 16610-61), either or both.
-    #[schemars(extend("default" = "none", "examples" = [{ "s": "2.5 um", "l": "80 um" }]))]
+    #[schemars(extend("x-default" = "none", "examples" = [{ "s": "2.5 um", "l": "80 um" }]))]
     pub filter: Option<Spanned<FilterSpec>>,
     /// Which neighbours a summit is higher than.
     #[serde(default)]

@@ -101,6 +101,10 @@ fn examples_are_allowed() {
             let value = &json(&format!("value = {example}"))["value"];
             assert!(validator.is_valid(value), "{}", key.line(example));
         }
+        // Editors insert defaults.
+        if let Some(default) = of_key.get("default") {
+            assert!(validator.is_valid(default), "{}", key.line(&default.to_string()));
+        }
     }
 }
 

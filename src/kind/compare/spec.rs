@@ -34,7 +34,7 @@ pub struct CompareSpec {
     /// The micro-contact laws; all run on the same surfaces.
     pub law: Spanned<Laws>,
     /// A layer on the flat, of one thickness or several.
-    #[schemars(extend("default" = "none: the flat is bare", "examples" = [{ "material": "lead", "thickness": [0, "50 nm", "1 um", "inf"] }]))]
+    #[schemars(extend("x-default" = "none: the flat is bare", "examples" = [{ "material": "lead", "thickness": [0, "50 nm", "1 um", "inf"] }]))]
     pub layer: Option<LayerSpec>,
     /// What runs: the integral, the sum, and the boundary elements of the reference.
     #[schemars(extend("default" = ["statistical", "deterministic"], "examples" = [["statistical", "deterministic", "reference"]]))]
@@ -43,10 +43,10 @@ pub struct CompareSpec {
     #[schemars(extend("examples" = [{ "loads": 9, "error": 1e-6 }]))]
     pub reference: Option<Spanned<ReferenceSpec>>,
     /// Analytical lines beside the models, on surfaces with a map.
-    #[schemars(extend("default" = "none", "examples" = [["persson", "bush-gibson-thomas"]]))]
+    #[schemars(extend("x-default" = "none", "examples" = [["persson", "bush-gibson-thomas"]]))]
     pub lines: Option<Spanned<Lines>>,
     /// Which statistical model runs.
-    #[schemars(extend("default" = "Gaussian heights, arithmetic mean radius", "examples" = [{ "heights": "own", "mean-radius": "in-contact" }]))]
+    #[schemars(extend("x-default" = "Gaussian heights, arithmetic mean radius", "examples" = [{ "heights": "own", "mean-radius": "in-contact" }]))]
     pub statistical: Option<Spanned<StatisticalSpec>>,
     /// The largest differences between the models that do not matter to you; verdicts refer to them.
     #[serde(default)]
@@ -65,13 +65,13 @@ pub struct CompareSpec {
     #[schemars(extend("examples" = [false]))]
     pub rank_models: bool,
     /// The surfaces to run on, by name.
-    #[schemars(extend("default" = "all of the file", "examples" = [["ground"]]))]
+    #[schemars(extend("x-default" = "all of the file", "examples" = [["ground"]]))]
     pub surfaces: Option<Vec<Spanned<String>>>,
     /// Separations at which the models run, d/sigma from the mean asperity height. At least one of `separation`, `pressure` and `force` is needed.
     pub separation: Option<LinearSweep>,
     /// Relative tolerance of load and area of curves over d/sigma; points between are interpolated.
     #[serde(default)]
-    #[schemars(extend("default" = "exact"))]
+    #[schemars(extend("x-default" = "exact"))]
     pub tolerance: ToleranceSpec,
     /// Nominal pressures at which the models are compared.
     #[schemars(extend("examples" = [{ "from": "0.1 MPa", "to": "100 MPa", "points": 31 }]))]

@@ -18,13 +18,13 @@ use asperity_framework::input::heights::{self, HeightsSpec};
 #[serde(deny_unknown_fields, rename_all = "kebab-case")]
 pub struct StatisticalSpec {
     /// The height density.
-    #[schemars(extend("default" = "gaussian, or that of the population", "examples" = ["own"]))]
+    #[schemars(extend("x-default" = "gaussian, or that of the population", "examples" = ["own"]))]
     heights: Option<HeightModelSpec>,
     /// Which mean radius all asperities have.
     #[schemars(extend("default" = "arithmetic", "examples" = ["in-contact"]))]
     mean_radius: Option<MeanRadius>,
     /// A joint density of height and curvature, on surfaces with a map; instead of `heights` and `mean-radius`.
-    #[schemars(extend("default" = "none", "examples" = ["nayak-greenwood"]))]
+    #[schemars(extend("x-default" = "none", "examples" = ["nayak-greenwood"]))]
     model: Option<JointModel>,
 }
 

@@ -36,7 +36,7 @@ pub struct IndentationSpec {
     #[schemars(extend("x-range" = "up to the radius", "examples" = [{ "from": "1 nm", "to": "1 um", "points": 100 }]))]
     pub indentation: Spanned<LogSweep<Length>>,
     /// A CSV of your measured points, laid over the curves: the columns indentation in m and load in N. Relative to the spec.
-    #[schemars(extend("default" = "none", "examples" = ["points.csv"]))]
+    #[schemars(extend("x-default" = "none", "examples" = ["points.csv"]))]
     pub overlay: Option<Spanned<PathBuf>>,
     /// Axes of the load figure.
     #[serde(default)]

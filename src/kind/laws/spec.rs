@@ -35,14 +35,14 @@ pub struct LawsSpec {
     #[schemars(extend("examples" = [{ "from": "0.1 MPa", "to": "100 MPa", "points": 31 }]))]
     pub pressure: Spanned<LogSweep<Pressure>>,
     /// Which statistical model runs.
-    #[schemars(extend("default" = "Gaussian heights, arithmetic mean radius", "examples" = [{ "heights": "own" }]))]
+    #[schemars(extend("x-default" = "Gaussian heights, arithmetic mean radius", "examples" = [{ "heights": "own" }]))]
     pub statistical: Option<Spanned<StatisticalSpec>>,
     /// The largest differences between the models that do not matter to you; verdicts refer to them.
     #[serde(default)]
     #[schemars(extend("examples" = [{ "area": "10 %", "separation": 0.1, "stiffness": "20 %" }]))]
     pub accept: AcceptSpec,
     /// The surfaces to run on, by name.
-    #[schemars(extend("default" = "all of the file", "examples" = [["ground"]]))]
+    #[schemars(extend("x-default" = "all of the file", "examples" = [["ground"]]))]
     pub surfaces: Option<Vec<Spanned<String>>>,
 }
 

@@ -37,17 +37,17 @@ pub struct SamplingIntervalSpec {
     #[schemars(extend("x-range" = "3 to 32 numbers", "default" = [1, 2, 4, 8], "examples" = [[1, 1.5, 2]]))]
     pub s_filter: Option<Spanned<Vec<Quantity<Pure>>>>,
     /// The nesting index that `s-filter` multiplies.
-    #[schemars(extend("default" = "five pixels", "examples" = ["2.5 um"]))]
+    #[schemars(extend("x-default" = "five pixels", "examples" = ["2.5 um"]))]
     pub nesting_index: Option<Spanned<Quantity<Length>>>,
     /// Which statistical model runs.
-    #[schemars(extend("default" = "Gaussian heights, arithmetic mean radius", "examples" = [{ "heights": "own" }]))]
+    #[schemars(extend("x-default" = "Gaussian heights, arithmetic mean radius", "examples" = [{ "heights": "own" }]))]
     pub statistical: Option<Spanned<StatisticalSpec>>,
     /// The largest changes of the difference between the models that do not matter to you.
     #[serde(default)]
     #[schemars(extend("examples" = [{ "area": "10 %", "separation": 0.1, "stiffness": "20 %" }]))]
     pub accept: AcceptSpec,
     /// The surfaces to run on, by name.
-    #[schemars(extend("default" = "all of the file", "examples" = [["ground"]]))]
+    #[schemars(extend("x-default" = "all of the file", "examples" = [["ground"]]))]
     pub surfaces: Option<Vec<Spanned<String>>>,
 }
 

@@ -53,7 +53,7 @@ struct CommonKeys {
     #[schemars(extend("default" = 0, "examples" = [1]))]
     seed: Whole,
     /// Figures in a size for print, each also as PNG and PDF.
-    #[schemars(extend("default" = "SVG as wide as the page", "examples" = [{ "width": "85 mm", "font": "8 pt" }]))]
+    #[schemars(extend("x-default" = "SVG as wide as the page", "examples" = [{ "width": "85 mm", "font": "8 pt" }]))]
     figure: Option<FigureSpec>,
     /// The bodies by name.
     #[serde(default)]

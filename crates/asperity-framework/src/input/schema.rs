@@ -13,6 +13,9 @@ pub const UNIT: &str = "x-unit";
 /// The values allowed, in words.
 pub const RANGE: &str = "x-range";
 
+/// What holds where it is left out, in words; a default that is a value is the `default` of the schema, which editors insert.
+pub const DEFAULT: &str = "x-default";
+
 /// A generator of schemas that editors understand (draft 7), each complete in itself.
 pub fn generator() -> SchemaGenerator {
     SchemaSettings::draft07().with(|settings| settings.inline_subschemas = true).into_generator()

@@ -4,7 +4,7 @@ mod text;
 
 use serde_json::{Map, Value};
 
-use crate::input::schema::{RANGE, TYPE, UNIT};
+use crate::input::schema::{DEFAULT, RANGE, TYPE, UNIT};
 
 pub use text::{explanation, markdown};
 
@@ -39,8 +39,10 @@ pub struct Key {
 pub enum Default {
     /// It may not be left out of its table.
     Needed,
-    /// This value, as TOML, or this in words.
+    /// This value, as TOML.
     Is(String),
+    /// This, in words.
+    Words(String),
     /// Nothing is to be said of it.
     Open,
 }
@@ -65,7 +67,7 @@ pub fn keys(schema: &Value) -> Vec<Key> {
     keys
 }
 
-/// The keys that `wanted` names: the whole path, its end, or a single word of it; those of the path above first.
+/// The keys that `wanted` names by the whole path, or, where there is none, by its end.
 pub fn find<'a>(keys: &'a [Key], wanted: &str) -> Vec<&'a Key> {
     let trimmed = wanted.trim_matches(['[', ']']);
     let words: Vec<&str> = trimmed.split('.').collect();
@@ -139,10 +141,10 @@ fn key(schema: &Value, path: &[String], is_needed: bool) -> Key {
     let text = |key: &str| schema.get(key).and_then(Value::as_str).map(str::to_owned);
     let default = match schema.get("default") {
         _ if is_needed => Default::Needed,
-        None => Default::Open,
+        None => text(DEFAULT).map_or(Default::Open, Default::Words),
         Some(Value::Object(fields)) if fields.is_empty() => Default::Open,
         Some(Value::String(text)) if text.is_empty() => Default::Open,
-        Some(default) => Default::Is(shown(schema, default)),
+        Some(default) => Default::Is(toml(default)),
     };
     Key {
         path: path.to_vec(),
@@ -157,20 +159,6 @@ fn key(schema: &Value, path: &[String], is_needed: bool) -> Key {
             .collect(),
         is_table: is_table(schema),
     }
-}
-
-/// A default as TOML where it is a value of the key; words where it is not.
-fn shown(schema: &Value, default: &Value) -> String {
-    let is_value = match default {
-        Value::String(text) => {
-            alternatives(schema).any(|one| {
-                one.get("const") == Some(default)
-                    || one["enum"].as_array().is_some_and(|names| names.contains(default))
-            }) || text.ends_with('%')
-        }
-        _ => true,
-    };
-    if is_value { toml(default) } else { default.as_str().unwrap_or_default().to_owned() }
 }
 
 /// The description in one line, without the links of source documentation.

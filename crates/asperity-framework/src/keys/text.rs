@@ -18,7 +18,7 @@ pub fn explanation(key: &Key, below: &[&Key]) -> String {
     }
     match &key.default {
         Default::Needed => row("default", "none; it is needed"),
-        Default::Is(default) => row("default", default),
+        Default::Is(default) | Default::Words(default) => row("default", default),
         Default::Open => {}
     }
     for example in &key.examples {
@@ -72,7 +72,7 @@ fn row(key: &Key) -> String {
     let code = |text: &str| format!("`{text}`");
     let default = match &key.default {
         Default::Needed => "needed".to_owned(),
-        Default::Is(default) if is_words(default) => default.clone(),
+        Default::Words(default) => default.clone(),
         Default::Is(default) => code(default),
         Default::Open => String::new(),
     };
@@ -92,9 +92,4 @@ fn row(key: &Key) -> String {
         key.examples.iter().map(|example| code(example)).collect::<Vec<_>>().join(", "),
     ];
     format!("| {} |\n", cells.map(|cell| cell.replace('|', "\\|")).join(" | "))
-}
-
-/// Whether a default is a sentence rather than a value.
-fn is_words(default: &str) -> bool {
-    default.starts_with(|first: char| first.is_alphabetic()) && !matches!(default, "true" | "false")
 }

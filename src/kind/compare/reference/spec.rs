@@ -22,10 +22,10 @@ pub struct ReferenceSpec {
     #[schemars(extend("x-range" = "1e-12 to 0.01", "default" = 1e-6, "examples" = [1e-4]))]
     pub error: Option<Spanned<Quantity<Pure>>>,
     /// The largest contact pressure.
-    #[schemars(extend("default" = "the hardness where the law yields and the flat is homogeneous, else none", "examples" = ["none"]))]
+    #[schemars(extend("x-default" = "the hardness where the law yields and the flat is homogeneous, else none", "examples" = ["none"]))]
     pub cap: Option<Spanned<CapSpec>>,
     /// What lies beyond the border of the map.
-    #[schemars(extend("default" = "periodic on generated maps, else mirrored", "examples" = ["mirrored"]))]
+    #[schemars(extend("x-default" = "periodic on generated maps, else mirrored", "examples" = ["mirrored"]))]
     pub boundary: Option<Boundary>,
     /// Points along an axis for each of the map; 2 gives an error bar.
     #[schemars(extend("x-range" = "1 to 2", "default" = 1, "examples" = [2]))]
