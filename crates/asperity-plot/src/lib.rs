@@ -207,6 +207,22 @@ impl Plot {
         self
     }
 
+    /// Marks zero along y, and shows it: the axis holds it beside all lines and points so far.
+    pub fn with_zero(mut self) -> Self {
+        const ROOM: f64 = 0.05;
+        let heights = self.layers.iter().flat_map(|layer| match &layer.shape {
+            Shape::Line(points) | Shape::Points(points, _) => &points[..],
+            _ => &[],
+        });
+        let finite = heights.map(|point| point.1).filter(|y| y.is_finite());
+        let (low, high) = finite.fold((0.0_f64, 0.0_f64), |(low, high), y| (low.min(y), high.max(y)));
+        if low < high {
+            let room = ROOM * (high - low);
+            self.y = self.y.range(low - room, high + room);
+        }
+        self.with(Layer::at_y(0.0, ""))
+    }
+
     /// The same with x and y exchanged.
     fn sideways(mut self) -> Self {
         std::mem::swap(&mut self.x, &mut self.y);

@@ -507,3 +507,15 @@ fn a_wide_band_does_not_flatten_its_line_and_is_said_to_be_cut() {
     let layout = super::layout::Layout::new(&log, (720.0, 380.0));
     assert!(layout.y.from > -0.2 && layout.y.to < 0.5, "{:?}", layout.y);
 }
+
+#[test]
+fn a_difference_is_shown_with_its_zero() {
+    let far = Layer::line([(1.0, -65.0), (2.0, -50.0)]);
+    let shown = |plot: Plot| Figure::from(plot).svg();
+    assert!(!shown(plot().with(far.clone())).contains("\n0\n"));
+    let with_zero = plot().with(far).with_zero();
+    assert_eq!(with_zero.y.range, Some((-68.25, 3.25)));
+    assert!(shown(with_zero).contains("\n0\n"));
+    // Nothing to show has no range.
+    assert_eq!(plot().with_zero().y.range, None);
+}

@@ -91,9 +91,8 @@ pub fn of_cases(cases: &[(String, &Verdicts)], finding: &str) -> Option<Figure> 
             ComparedQuantity::Separation => "difference (σ)",
             ComparedQuantity::Area | ComparedQuantity::Stiffness => "difference (%)",
         });
-        let mut plot = Plot::new(capitalised(name(compared)), Axis::log("nominal pressure (MPa)"), axis)
-            .height(210.0)
-            .with(Layer::at_y(0.0, ""));
+        let mut plot =
+            Plot::new(capitalised(name(compared)), Axis::log("nominal pressure (MPa)"), axis).height(210.0);
         // Accepted separations differ between surfaces in nm, not in sigma; shares not at all.
         let accepted: Vec<f64> =
             cases.iter().map(|(_, verdicts)| unit(compared) * verdicts.accepted.of(compared)).collect();
@@ -120,7 +119,7 @@ pub fn of_cases(cases: &[(String, &Verdicts)], finding: &str) -> Option<Figure> 
             };
             plot = plot.with(Layer::line(line).coloured(colour).named(case.as_str()));
         }
-        plot
+        plot.with_zero()
     });
     let has_valid = cases.iter().any(|(_, verdicts)| !verdicts.valid.stretches.is_empty());
     has_valid.then(|| Figure::row(finding, panels.into()))
