@@ -1,12 +1,13 @@
 //! Why the models differ: for each kind of statement a case in which it holds and one in which it does not.
 
-use std::collections::BTreeMap;
 use std::fmt::Write;
 use std::path::Path;
 
 use asperity_experiment::Experiment;
 use asperity_framework::Outcome;
 use asperity_framework::progress::Silent;
+
+use crate::results::{figure, number, table};
 
 /// A list of asperities with Gaussian heights. A sharper radius belongs to a higher one where they are `correlated`.
 fn list(folder: &Path, name: &str, count: usize, correlated: bool) {
@@ -37,18 +38,6 @@ fn run(folder: &Path, compare: &str, surfaces: &str) -> Box<dyn Outcome> {
 
 fn surface(name: &str, file: &str, count: usize) -> String {
     format!("[surface.{name}.asperities]\nfile = \"{file}\"\nnominal-area = {:e}\n", count as f64 / 6e10)
-}
-
-/// The rows of a table by column name.
-fn table(outcome: &dyn Outcome, file: &str) -> Option<Vec<BTreeMap<String, String>>> {
-    let tables = outcome.tables().unwrap();
-    let (_, bytes) = tables.into_iter().find(|(name, _)| *name == file)?;
-    let mut reader = csv::Reader::from_reader(&bytes[..]);
-    Some(reader.deserialize().collect::<Result<_, _>>().unwrap())
-}
-
-fn number(row: &BTreeMap<String, String>, column: &str) -> f64 {
-    row[column].parse().unwrap_or_else(|_| panic!("{column}: {:?}", row[column]))
 }
 
 #[test]
@@ -112,6 +101,30 @@ fn the_cause_that_leads_is_named() {
     let page = run(folder.path(), &text, &population).page().markdown();
     assert!(page.contains("In separation the height distribution leads from 1 to 60 MPa."), "{page}");
     assert!(page.contains(" 0 σ from the spread of radii"), "{page}");
+}
+
+/// Up to six cases are named, more are counted; a case without valid loads is none of them, and has no name in the legend.
+#[test]
+fn the_cases_that_a_cause_leads_are_named_or_counted() {
+    let folder = tempfile::tempdir().unwrap();
+    list(folder.path(), "correlated.csv", 20_000, true);
+    list(folder.path(), "few.csv", 100, true);
+    let of = |names: &[&str]| {
+        let several = names.iter().map(|name| surface(name, "correlated.csv", 20_000));
+        let surfaces: Vec<String> = several.chain([surface("few", "few.csv", 100)]).collect();
+        run(folder.path(), COMPARE, &surfaces.concat())
+    };
+    let six = of(&["a", "b", "c", "d", "e", "f"]);
+    let page = six.page().markdown();
+    assert!(page.contains("of 6 cases with valid loads"), "{page}");
+    let names = "the height-radius correlation leads on a, b, c, d, e and f";
+    assert!(page.contains(&format!("in separation {names}")), "{page}");
+    let page = of(&["a", "b", "c", "d", "e", "f", "g"]).page().markdown();
+    assert!(page.contains("in separation the height-radius correlation leads on 7 of them"), "{page}");
+    assert!(!page.contains("leads on a"), "{page}");
+    let legend = figure(&*six, "verdicts.svg").unwrap();
+    let has = |name: &str| legend.contains(&format!("\n{name}\n"));
+    assert!(has("a") && has("f") && !has("few"), "{legend}");
 }
 
 #[test]

@@ -1,10 +1,10 @@
 //! A map of causes: for each kind of statement a case in which it holds and one in which it does not.
 
-use std::collections::BTreeMap;
-
 use asperity_experiment::Experiment;
 use asperity_framework::Outcome;
 use asperity_framework::progress::Silent;
+
+use crate::results::{number, table};
 
 const CAUSES: &str = "skewness = [-1, 0]\nwavelengths = [2, 4]\nloads = [0.005]\nrealisations = 3\npoints = 512\n\
                       cut-off-pixels = 8\nhurst = 0.8\nsigma = \"100 nm\"\ngradient = 0.03\n";
@@ -21,21 +21,11 @@ fn run(causes: &str) -> Result<Box<dyn Outcome>, String> {
     experiment.run(&Silent).map_err(|error| error.to_string())
 }
 
-fn rows(outcome: &dyn Outcome) -> Vec<BTreeMap<String, String>> {
-    let tables = outcome.tables().unwrap();
-    let (_, bytes) = tables.into_iter().find(|(name, _)| *name == "causes.csv").unwrap();
-    csv::Reader::from_reader(&bytes[..]).deserialize().collect::<Result<_, _>>().unwrap()
-}
-
-fn number(row: &BTreeMap<String, String>, column: &str) -> f64 {
-    row[column].parse().unwrap_or_else(|_| panic!("{column}: {:?}", row[column]))
-}
-
 /// With heights of the density of the statistical model the height distribution does not lead, with skewed ones it does.
 #[test]
 fn the_height_distribution_leads_on_skewed_surfaces_only() {
     let outcome = run(CAUSES).unwrap();
-    let rows = rows(&*outcome);
+    let rows = table(&*outcome, "causes.csv").unwrap();
     assert_eq!(rows.len(), 2 * 2 * 2);
     for row in &rows {
         let parts = ["heights", "radii", "correlation"].map(|cause| number(row, &format!("from_{cause}")));
@@ -59,7 +49,7 @@ fn the_height_distribution_leads_on_skewed_surfaces_only() {
 #[test]
 fn points_beyond_the_valid_range_are_not_divided() {
     let outcome = run(&CAUSES.replace("loads = [0.005]", "loads = [1e-6]")).unwrap();
-    for row in rows(&*outcome) {
+    for row in table(&*outcome, "causes.csv").unwrap() {
         assert!(row["leading_cause"].is_empty() && row["difference"].is_empty(), "{row:?}");
         assert!(row["limits"].contains("few-contacts"), "{row:?}");
     }

@@ -36,6 +36,7 @@ mod ranking;
 mod readings;
 mod reference;
 mod registry;
+mod results;
 mod sampling_interval;
 mod single_load;
 mod tutorial;

@@ -1,10 +1,10 @@
 //! Which statistical model is enough: for each kind of statement a case in which it holds and one in which it does not.
 
-use std::collections::BTreeMap;
-
 use asperity_experiment::Experiment;
 use asperity_framework::Outcome;
 use asperity_framework::progress::Silent;
+
+use crate::results::{Row, number, table};
 
 /// A finely sampled surface of these heights.
 fn map(heights: &str) -> String {
@@ -27,21 +27,9 @@ fn run(compare: &str, surface: &str) -> Result<Box<dyn Outcome>, String> {
     experiment.run(&Silent).map_err(|error| error.to_string())
 }
 
-type Rows = Vec<BTreeMap<String, String>>;
-
-fn table(outcome: &dyn Outcome, file: &str) -> Option<Rows> {
-    let tables = outcome.tables().unwrap();
-    let (_, bytes) = tables.into_iter().find(|(name, _)| *name == file)?;
-    Some(csv::Reader::from_reader(&bytes[..]).deserialize().collect::<Result<_, _>>().unwrap())
-}
-
-fn number(row: &BTreeMap<String, String>, column: &str) -> f64 {
-    row[column].parse().unwrap_or_else(|_| panic!("{column}: {:?}", row[column]))
-}
-
 /// The largest difference of a model from the sum.
-fn difference(rows: &Rows, model: &str, quantity: &str) -> f64 {
-    let is_it = |row: &&BTreeMap<String, String>| row["model"] == model && row["quantity"] == quantity;
+fn difference(rows: &[Row], model: &str, quantity: &str) -> f64 {
+    let is_it = |row: &&Row| row["model"] == model && row["quantity"] == quantity;
     number(rows.iter().find(is_it).unwrap_or_else(|| panic!("{model}")), "from_deterministic")
 }
 

@@ -1,12 +1,16 @@
 //! The boundary element reference beside the models: where it runs, what it gives, and that nothing changes without it.
 
-use std::collections::BTreeMap;
 use std::path::Path;
 
 use asperity::HeightMap;
 use asperity_experiment::Experiment;
 use asperity_framework::Outcome;
 use asperity_framework::progress::Silent;
+
+use crate::results::{Row, column, figure, number, table};
+
+mod lines;
+mod verdicts;
 
 /// A smooth periodic surface of 128 x 128 points, 32 of them per shortest wave.
 const SMOOTH: &str = r#"
@@ -55,27 +59,9 @@ fn write_map(path: &Path) {
     HeightMap::new([60, 50], [1e-6; 2], heights, 0.0).unwrap().write_npy(path).unwrap();
 }
 
-type Rows = Vec<BTreeMap<String, String>>;
-
-/// The rows of a table, each by the names of its columns; `None` where the report has no such table.
-fn table(outcome: &dyn Outcome, file: &str) -> Option<Rows> {
-    let tables = outcome.tables().unwrap();
-    let (_, content) = tables.iter().find(|(name, _)| *name == file)?;
-    let mut reader = csv::Reader::from_reader(content.as_slice());
-    Some(reader.deserialize().map(Result::unwrap).collect())
-}
-
-fn of_model(outcome: &dyn Outcome, model: &str) -> Rows {
+fn of_model(outcome: &dyn Outcome, model: &str) -> Vec<Row> {
     let rows = table(outcome, "curves.csv").unwrap();
     rows.into_iter().filter(|row| row["model"] == model).collect()
-}
-
-fn number(row: &BTreeMap<String, String>, column: &str) -> f64 {
-    row[column].parse().unwrap_or_else(|_| panic!("{column}: {}", row[column]))
-}
-
-fn column(rows: &Rows, name: &str) -> Vec<f64> {
-    rows.iter().map(|row| number(row, name)).collect()
 }
 
 const SWEEP: &str = "pressure = { from = \"1 MPa\", to = \"100 MPa\", points = 21 }\n";
@@ -188,7 +174,7 @@ fn laws_that_yield_have_the_hardness_as_cap_and_laws_of_one_cap_share_a_solution
     let caps = |keys: &str| {
         let outcome = run(&format!("{spec}{keys}"), &ROUGH.replace("100 nm", "400 nm"));
         let rows = table(&*outcome, "reference.csv").unwrap();
-        let of = |law: &str| -> Rows {
+        let of = |law: &str| -> Vec<Row> {
             let own = rows.iter().filter(|row| row["law"] == law).cloned();
             own.map(|row| row.into_iter().filter(|(name, _)| name != "law").collect()).collect()
         };
@@ -263,18 +249,11 @@ fn a_measured_map_is_levelled_and_mirrored_and_a_finite_patch_has_no_separation(
 #[test]
 fn a_refined_map_gives_nearly_the_same_on_twice_the_points() {
     let spec = format!("law = \"hertz\"\n{THREE}pressure = [\"20 MPa\"]\nrobustness = false\n");
-    for surface in [SMOOTH, MEASURED] {
+    for (surface, name) in [(SMOOTH, "a"), (MEASURED, "m")] {
         let coarse = run(&spec, surface);
         let fine = run(&format!("{spec}reference = {{ refine = 2 }}"), surface);
         let [coarse, fine] = [&coarse, &fine].map(|outcome| {
-            assert!(
-                outcome
-                    .page()
-                    .files(None)
-                    .figures
-                    .into_iter()
-                    .any(|(name, _)| name.ends_with("reference-contact.svg"))
-            );
+            assert!(figure(&**outcome, &format!("{name}-reference-contact.svg")).is_some());
             let row = &table(&**outcome, "reference.csv").unwrap()[0];
             (
                 row["interpolated_points"].clone(),
@@ -363,14 +342,11 @@ fn results_are_the_same_on_any_number_of_threads() {
 #[test]
 fn the_contact_is_shown_with_the_asperities_of_the_sum() {
     let outcome = run(&format!("law = \"hertz\"\n{THREE}{SWEEP}"), SMOOTH);
-    let page = outcome.page();
-    let figure =
-        |name: &str| page.files(None).figures.into_iter().find(|(file, _)| *file == name).map(|(_, svg)| svg);
-    let contact = figure("a-reference-contact.svg").unwrap();
+    let contact = figure(&*outcome, "a-reference-contact.svg").unwrap();
     assert!(contact.contains("in contact in the sum and in the reference"));
-    assert!(figure("a-reference-pressures.svg").is_some());
-    assert!(figure("a-area.svg").unwrap().contains("reference"));
-    assert!(page.markdown().contains("touch in the reference too"));
+    assert!(figure(&*outcome, "a-reference-pressures.svg").is_some());
+    assert!(figure(&*outcome, "a-area.svg").unwrap().contains("reference"));
+    assert!(outcome.page().markdown().contains("touch in the reference too"));
     let (_folder, experiment) = read(&format!("law = \"hertz\"\nmodels = [\"reference\"]\n{SWEEP}"), SMOOTH);
     assert!(!experiment.run(&Silent).unwrap().page().markdown().contains("touch in the reference too"));
 }
@@ -438,191 +414,4 @@ fn a_map_too_coarse_for_its_shortest_wave_is_warned_of() {
             "{warning}"
         );
     }
-}
-
-/// Rough, with a short correlation length: it holds blocks.
-const BLOCKS: &str = r#"
-[surface.a.generate]
-points = 384
-pixel = "0.5 um"
-sigma = "50 nm"
-spectrum.self-affine = { hurst = 0.8, roll-off = "8 um", cut-off = "4 um" }
-"#;
-
-#[test]
-fn verdicts_against_the_reference_are_those_of_the_tables() {
-    let loads = "pressure = { from = \"10 MPa\", to = \"200 MPa\", points = 9 }\n";
-    let outcome = run(&format!("law = \"hertz\"\n{THREE}{loads}"), BLOCKS);
-    let pairs = table(&*outcome, "comparison.csv").unwrap();
-    let differences = table(&*outcome, "differences.csv").unwrap();
-    let mut compared = 0;
-    for row in differences.iter().filter(|row| row["against"] == "reference" && row["quantity"] == "area") {
-        let pair = pairs.iter().find(|pair| pair["target"] == row["pressure_pa"]).unwrap();
-        let reference = number(pair, "reference_area_ratio");
-        let relative = number(pair, &format!("{}_area_ratio", row["model"])) / reference - 1.0;
-        assert!((number(row, "difference") - relative).abs() < 1e-12, "{row:?}");
-        if row["model"] == "deterministic" {
-            assert!((number(pair, "log_area_from_interaction") - relative.ln_1p()).abs() < 1e-12);
-        }
-        // The error of the grid is in the interval.
-        assert!(number(row, "bound") > 0.01);
-        if let Ok(high) = row["high"].parse::<f64>() {
-            let half = number(row, "bound") + 1.0 * number(row, "standard_error");
-            assert!(high.ln_1p() >= relative.ln_1p() + half);
-        }
-        compared += 1;
-    }
-    assert_eq!(compared, 2 * 9);
-    let summary = outcome.summary().unwrap();
-    let verdicts = summary["verdicts"].as_array().unwrap();
-    for model in ["statistical", "deterministic"] {
-        let of: Vec<_> =
-            verdicts.iter().filter(|one| one["against"] == "reference" && one["model"] == model).collect();
-        assert!(of.iter().any(|one| one["quantity"] == "area"), "{model}");
-        assert!(of.iter().any(|one| one["verdict"] != "cannot-tell"), "{model}: {of:?}");
-    }
-    let nearer = summary["nearer_to_reference"].as_array().unwrap();
-    let of_area: Vec<_> = nearer.iter().filter(|one| one["quantity"] == "area").collect();
-    assert!(of_area.iter().any(|one| one["nearer_on_this_map"] == "deterministic"), "{nearer:?}");
-    let page = outcome.page().markdown();
-    assert!(
-        page.contains("\n\nAgainst the reference: ")
-            && page.contains("What the sum misses (interaction and geometry;")
-    );
-    let figure = |outcome: &dyn Outcome, name: &str| {
-        outcome.page().files(None).figures.into_iter().find(|(file, _)| *file == name).map(|(_, svg)| svg)
-    };
-    assert!(figure(&*outcome, "a-against-reference.svg").unwrap().contains("deterministic − reference"));
-    // A single case is no overview.
-    assert!(!page.contains("**Against the reference**"));
-    let capped = run(&format!("law = \"zmc\"\n{THREE}{loads}"), BLOCKS).page().markdown();
-    assert!(capped.contains("(interaction, geometry and plasticity;"));
-    let ellipses = run(&format!("law = \"elliptic-hertz\"\n{THREE}{loads}"), BLOCKS).page().markdown();
-    assert!(ellipses.contains("(interaction and geometry;"), "nothing yields on ellipses either");
-    let layer = "layer = { material = \"lead\", thickness = [\"200 nm\"] }\n";
-    let layered = run(&format!("law = \"hertz\"\n{THREE}{layer}{loads}"), BLOCKS).page().markdown();
-    assert!(
-        layered.contains("(interaction, geometry and the effective modulus of the layer;"),
-        "nothing yields"
-    );
-    let layers = "layer = { material = \"lead\", thickness = [0, \"200 nm\"] }\n";
-    let layered = run(&format!("law = \"hertz\"\n{THREE}{layers}{loads}"), BLOCKS);
-    assert!(figure(&*layered, "a-against-reference.svg").unwrap().contains("200 nm"));
-    let overview = layered.page().markdown();
-    assert!(overview.contains("**Against the reference**: at valid loads, in real contact area"));
-    assert!(
-        overview.contains("of the 6 rows of the next table")
-            && overview.contains("judged on these maps alone")
-    );
-    let thinnest = overview.split("In the reference 200 nm of lead change it by up to +").nth(1).unwrap();
-    assert!(thinnest.split_once(" %").unwrap().0.parse::<f64>().unwrap() > 20.0);
-}
-
-#[test]
-fn a_second_resolution_bounds_the_error_of_separations_too() {
-    let loads = "pressure = { values = [\"20 MPa\", \"40 MPa\", \"80 MPa\"] }\n";
-    let bounds = |refine: &str| -> Vec<f64> {
-        let outcome = run(&format!("law = \"hertz\"\n{THREE}{refine}{loads}"), BLOCKS);
-        let rows = table(&*outcome, "differences.csv").unwrap();
-        let of = |row: &&BTreeMap<String, String>| {
-            row["against"] == "reference" && row["quantity"] == "separation" && row["model"] == "statistical"
-        };
-        rows.iter().filter(of).map(|row| number(row, "bound")).collect()
-    };
-    let [one, two] = ["", "reference = { refine = 2 }\n"].map(bounds);
-    assert!(one.len() == 3 && one.iter().all(|bound| *bound < 1e-5), "{one:?}");
-    assert!(two.len() == 3 && two.iter().all(|bound| (1e-5..0.05).contains(bound)), "{two:?}");
-}
-
-/// A patch of few, smooth waves: contacts are resolved and the patch is many of them wide.
-const PATCH: &str = r#"
-[surface.a.generate]
-points = 256
-pixel = "0.25 um"
-sigma = "20 nm"
-spectrum.self-affine = { hurst = 0.8, roll-off = "8 um", cut-off = "4 um" }
-"#;
-
-/// The rows of the last table of a page whose header begins with `| p |` and holds `name`.
-fn page_table(page: &str, name: &str) -> Vec<Vec<String>> {
-    let lines: Vec<&str> = page.lines().collect();
-    let head = lines.iter().rposition(|line| line.starts_with("| p |") && line.contains(name)).unwrap();
-    let cells =
-        |line: &&str| line.trim_matches('|').split('|').map(|cell| cell.trim().replace("\\_", "_")).collect();
-    let rows = lines[head..].iter().take_while(|line| line.starts_with('|'));
-    rows.enumerate().filter(|(k, _)| *k != 1).map(|(_, line)| cells(line)).collect()
-}
-
-#[test]
-fn analytical_lines_are_those_of_the_gradient_in_figures_and_table() {
-    let spec = |lines: &str| format!("law = \"hertz\"\n{THREE}{lines}{SWEEP}reference = {{ loads = 3 }}\n");
-    let plain = run(&spec(""), SMOOTH).page();
-    let outcome = run(&spec("lines = [\"persson\", \"bush-gibson-thomas\"]\n"), SMOOTH);
-    let page = outcome.page();
-    let figure = |page: &asperity_framework::report::Page, name: &str| {
-        page.files(None).figures.into_iter().find(|(file, _)| *file == name).map(|(_, svg)| svg).unwrap()
-    };
-    for name in ["Persson", "Bush-Gibson-Thomas"] {
-        assert!(figure(&page, "a-area.svg").contains(name) && !figure(&plain, "a-area.svg").contains(name));
-    }
-    assert_eq!(figure(&page, "a-separation.svg"), figure(&plain, "a-separation.svg"));
-    let text = page.markdown();
-    assert!(text.contains("Persson, B. N. J. (2001)") && text.contains("Bush, A. W."), "{text}");
-    assert!(!plain.markdown().contains("Persson"));
-    let summary = outcome.summary().unwrap();
-    let slope = summary["surfaces"]["a"]["height_map"]["rms_slope"].as_f64().unwrap();
-    let modulus = summary["reduced_modulus_pa"].as_f64().unwrap();
-    let rows = page_table(&text, "Persson");
-    assert_eq!(rows[0], ["p", "A/A_nom Persson", "A/A_nom Bush-Gibson-Thomas", "A/A_nom ref."]);
-    assert_eq!(rows.len(), 4);
-    for (row, load) in rows[1..].iter().zip([1e6, 1e7, 1e8]) {
-        let ratio = load / (modulus * slope);
-        for (cell, area) in
-            [(&row[1], (8.0 / std::f64::consts::PI).sqrt() * ratio), (&row[2], 2.5066 * ratio)]
-        {
-            // Light loads, three digits.
-            let found: f64 = cell.parse().unwrap();
-            assert!((found / area - 1.0).abs() < 0.012, "{row:?}: {area}");
-        }
-    }
-    // Without a reference at loads of each decade.
-    let alone = run(&format!("law = \"hertz\"\nlines = [\"persson\"]\n{SWEEP}"), SMOOTH).page().markdown();
-    assert_eq!(page_table(&alone, "Persson")[0], ["p", "A/A_nom Persson"]);
-    assert_eq!(page_table(&alone, "Persson").len(), 6);
-}
-
-/// The separation of the models from the flat, less the deflection of the patch, is near that of the reference on a finite
-/// patch; without it, it is off by half a sigma to a whole one.
-#[test]
-fn interaction_gives_the_distance_of_the_flat_from_an_undeformed_patch() {
-    let spec = format!(
-        "law = \"hertz\"\n{THREE}pressure = [\"20 MPa\", \"40 MPa\"]\nreference = {{ boundary = \"finite\" }}\n\
-         lines = [\"greenwood-williamson-interacting\"]\n"
-    );
-    let outcome = run(&spec, PATCH);
-    let page = outcome.page();
-    let (_, svg) =
-        page.files(None).figures.into_iter().find(|(name, _)| *name == "a-separation.svg").unwrap();
-    for name in ["deterministic, with interaction", "statistical, with interaction", "undeformed mean plane"]
-    {
-        assert!(svg.contains(name), "{name}");
-    }
-    let rows = page_table(&page.markdown(), "with interaction");
-    assert_eq!(
-        rows[0][1..],
-        ["d/σ statistical with interaction", "d/σ deterministic with interaction", "d/σ ref., undeformed"]
-    );
-    let sum = column(&of_model(&*outcome, "deterministic"), "separation_over_sigma");
-    for (row, plain) in rows[1..].iter().zip(sum) {
-        let [found, reference] =
-            [&row[2], &row[3]].map(|cell| cell.replace('−', "-").parse::<f64>().unwrap());
-        assert!(plain - reference > 0.4, "{row:?} {plain}");
-        assert!((found - reference).abs() < 0.4 * (plain - reference).abs(), "{row:?} {plain}");
-    }
-    // The distance from the deformed surface is greater by the mean deflection; a surface without end has none.
-    let solved = table(&*outcome, "reference.csv").unwrap();
-    assert!(solved.iter().all(|row| number(row, "mean_gap_m") > number(row, "undeformed_gap_m")));
-    let periodic = run(&format!("law = \"hertz\"\n{THREE}pressure = \"10 MPa\"\n"), PATCH);
-    let row = &table(&*periodic, "reference.csv").unwrap()[0];
-    assert!((number(row, "mean_gap_m") / number(row, "undeformed_gap_m") - 1.0).abs() < 1e-4);
 }

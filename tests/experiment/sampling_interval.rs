@@ -5,6 +5,8 @@ use asperity_framework::Outcome;
 use asperity_framework::progress::Silent;
 use serde_json::Value;
 
+use crate::results::{Row, table};
+
 /// A surface of waves down to `cut_off` pixels, on a grid of `points`.
 fn run(points: usize, cut_off: f64, keys: &str) -> Box<dyn Outcome> {
     let spec = format!(
@@ -18,13 +20,6 @@ fn run(points: usize, cut_off: f64, keys: &str) -> Box<dyn Outcome> {
     let path = folder.path().join("interval.toml");
     std::fs::write(&path, spec).unwrap();
     Experiment::read(&path).unwrap().run(&Silent).unwrap()
-}
-
-/// The rows of a table, each cell by its column.
-fn rows(outcome: &dyn Outcome, file: &str) -> Vec<std::collections::HashMap<String, String>> {
-    let tables = outcome.tables().unwrap();
-    let (_, content) = tables.iter().find(|(name, _)| *name == file).unwrap();
-    csv::Reader::from_reader(content.as_slice()).deserialize().map(Result::unwrap).collect()
 }
 
 fn series(summary: &serde_json::Map<String, Value>, variation: &str) -> Value {
@@ -66,7 +61,7 @@ fn a_surface_that_is_rough_down_to_the_pixel_has_none() {
     let statement = page.lines().find(|line| line.contains("**As the sampling interval shrinks**")).unwrap();
     let words = "the asperity density has no limit down to the finest interval on random; the mean radius has no limit";
     assert!(statement.contains(words), "{statement}");
-    let density = rows(&*outcome, "sampling_interval_limits.csv");
+    let density = table(&*outcome, "sampling_interval_limits.csv").unwrap();
     let density = density.iter().find(|row| row["quantity"] == "density").unwrap();
     let exponent: f64 = density["exponent"].parse().unwrap();
     assert!((-2.0..-1.2).contains(&exponent), "{exponent}");
@@ -78,7 +73,7 @@ fn tables_hold_every_scale_and_parts_that_add_up() {
     let keys = "pressure = [\"1 MPa\", \"30 MPa\"]\nintervals = [1, 2, 4, 32]\ns-filter = [1, 2, 4]\nnesting-index = \"1 um\"";
     let outcome = run(512, 8.0, keys);
     let number = |text: &String| text.parse::<f64>().unwrap();
-    let scales = rows(&*outcome, "sampling_interval.csv");
+    let scales = table(&*outcome, "sampling_interval.csv").unwrap();
     let lengths: Vec<f64> = scales.iter().map(|row| number(&row["length_m"])).collect();
     let expected = [1e-7, 2e-7, 4e-7, 3.2e-6, 1e-6, 2e-6, 4e-6];
     assert!(lengths.iter().zip(expected).all(|(found, expected)| (found / expected - 1.0).abs() < 1e-12));
@@ -89,7 +84,7 @@ fn tables_hold_every_scale_and_parts_that_add_up() {
         // A periodic surface: all its points are tested at each interval.
         assert!((density(index) * 51.2e-6f64.powi(2) / count(index) - 1.0).abs() < 1e-9);
     }
-    let gaps = rows(&*outcome, "sampling_interval_gaps.csv");
+    let gaps = table(&*outcome, "sampling_interval_gaps.csv").unwrap();
     assert_eq!(gaps.len(), 7 * 2 * 2);
     let mut divided = 0;
     for row in &gaps {
@@ -102,9 +97,7 @@ fn tables_hold_every_scale_and_parts_that_add_up() {
         }
     }
     assert!(divided > 3, "{divided}");
-    let few = |row: &&std::collections::HashMap<String, String>| {
-        row["length_m"].starts_with("3.2") && !row["limits"].is_empty()
-    };
+    let few = |row: &&Row| row["length_m"].starts_with("3.2") && !row["limits"].is_empty();
     assert!(gaps.iter().filter(few).count() > 0, "16 points per axis carry no load by 30 contacts");
     assert!(outcome.page().markdown().contains("not valid: fewer than 30 effective contacts"));
 }

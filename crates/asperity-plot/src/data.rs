@@ -32,6 +32,9 @@ struct AxisData {
     log: bool,
     #[serde(skip_serializing_if = "Option::is_none")]
     range: Option<(f64, f64)>,
+    /// Whether the range of the data is widened to hold zero.
+    #[serde(skip_serializing_if = "std::ops::Not::not")]
+    zero: bool,
     /// The quantities in which it can be read; the first is that of the data.
     units: Vec<Unit>,
 }
@@ -183,6 +186,7 @@ fn axis(axis: &Axis) -> AxisData {
     AxisData {
         log: axis.spread == Spread::Log,
         range: axis.range.filter(|(from, to)| from.is_finite() && to.is_finite()),
+        zero: axis.zero,
         units: std::iter::once(own).chain(others).collect(),
     }
 }

@@ -75,6 +75,8 @@ pub struct Axis {
     label: String,
     spread: Spread,
     range: Option<(f64, f64)>,
+    /// Whether the range of the data is widened to hold zero.
+    zero: bool,
     /// Other units, each with its label and its number to one of the axis.
     units: Vec<(String, f64)>,
 }
@@ -82,12 +84,12 @@ pub struct Axis {
 impl Axis {
     /// A linear axis; the label names the quantity and its unit, e.g. "separation d (µm)".
     pub fn linear(label: impl Into<String>) -> Self {
-        Self { label: label.into(), spread: Spread::Linear, range: None, units: Vec::new() }
+        Self { label: label.into(), spread: Spread::Linear, range: None, zero: false, units: Vec::new() }
     }
 
     /// A logarithmic axis.
     pub fn log(label: impl Into<String>) -> Self {
-        Self { label: label.into(), spread: Spread::Log, range: None, units: Vec::new() }
+        Self { label: label.into(), spread: Spread::Log, range: None, zero: false, units: Vec::new() }
     }
 
     /// Shows exactly this range instead of the range of the data; the first value stands left (or
@@ -207,19 +209,9 @@ impl Plot {
         self
     }
 
-    /// Marks zero along y, and shows it: the axis holds it beside all lines and points so far.
+    /// Marks zero along y, which a linear axis without a range of its own then holds: for differences.
     pub fn with_zero(mut self) -> Self {
-        const ROOM: f64 = 0.05;
-        let heights = self.layers.iter().flat_map(|layer| match &layer.shape {
-            Shape::Line(points) | Shape::Points(points, _) => &points[..],
-            _ => &[],
-        });
-        let finite = heights.map(|point| point.1).filter(|y| y.is_finite());
-        let (low, high) = finite.fold((0.0_f64, 0.0_f64), |(low, high), y| (low.min(y), high.max(y)));
-        if low < high {
-            let room = ROOM * (high - low);
-            self.y = self.y.range(low - room, high + room);
-        }
+        self.y.zero = true;
         self.with(Layer::at_y(0.0, ""))
     }
 

@@ -124,12 +124,7 @@ impl Raster {
         // Limits that cannot be used give way to the values.
         let usable = |ends: &(f64, f64)| [ends.0, ends.1].iter().all(|end| measure(spread, *end).is_some());
         let (from, to) = self.limits.filter(usable).unwrap_or(own);
-        let axis = Axis {
-            label: String::new(),
-            spread,
-            range: Some((from.min(to), from.max(to))),
-            units: Vec::new(),
-        };
+        let axis = Axis { spread, ..Axis::linear("").range(from.min(to), from.max(to)) };
         Some(Scale::new(&axis, [own.0, own.1].into_iter(), false))
     }
 

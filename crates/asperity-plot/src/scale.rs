@@ -26,7 +26,8 @@ impl Scale {
             return Self { spread, from, to };
         }
         let (mut low, mut high) = (f64::INFINITY, f64::NEG_INFINITY);
-        for value in values.filter_map(|value| measure(spread, value)) {
+        let zero = axis.zero.then_some(0.0);
+        for value in values.chain(zero).filter_map(|value| measure(spread, value)) {
             low = low.min(value);
             high = high.max(value);
         }

@@ -207,8 +207,8 @@ fn lines(row: &[GridPoint], quantity: ComparedQuantity, load: usize) -> Plot {
         Axis::linear("skewness of the heights").range(x[0], x[x.len() - 1]),
         Axis::linear(label),
     )
-    .height(240.0);
-    plot = plot.with(Layer::at_y(0.0, ""));
+    .height(240.0)
+    .with_zero();
     let divided = || row.iter().filter_map(|point| Some((point.skewness, point.parts(load, quantity)?)));
     let markers = [Marker::Circle, Marker::Square, Marker::Triangle];
     for (cause, marker) in Cause::ALL.into_iter().zip(markers) {

@@ -1,10 +1,10 @@
 //! Run time against error, as a user meets it.
 
-use std::collections::HashMap;
 use std::fs;
 use std::path::Path;
 
 use super::{experiment, run, summary, text};
+use crate::results::{Row, number, rows};
 
 const SMALL: &str = concat!(
     r#"
@@ -44,14 +44,8 @@ realisations = 2
 "#
 );
 
-type Row = HashMap<String, String>;
-
 fn table(folder: &Path, name: &str) -> Vec<Row> {
-    csv::Reader::from_path(folder.join(name)).unwrap().deserialize().map(Result::unwrap).collect()
-}
-
-fn number(row: &Row, column: &str) -> f64 {
-    row[column].parse().unwrap_or_else(|_| panic!("{column} of {row:?}"))
+    rows(&fs::read(folder.join(name)).unwrap())
 }
 
 fn written(more: &[&str]) -> (tempfile::TempDir, std::path::PathBuf) {

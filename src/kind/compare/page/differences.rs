@@ -91,8 +91,9 @@ pub fn of_cases(cases: &[(String, &Verdicts)], finding: &str) -> Option<Figure> 
             ComparedQuantity::Separation => "difference (σ)",
             ComparedQuantity::Area | ComparedQuantity::Stiffness => "difference (%)",
         });
-        let mut plot =
-            Plot::new(capitalised(name(compared)), Axis::log("nominal pressure (MPa)"), axis).height(210.0);
+        let mut plot = Plot::new(capitalised(name(compared)), Axis::log("nominal pressure (MPa)"), axis)
+            .height(210.0)
+            .with_zero();
         // Accepted separations differ between surfaces in nm, not in sigma; shares not at all.
         let accepted: Vec<f64> =
             cases.iter().map(|(_, verdicts)| unit(compared) * verdicts.accepted.of(compared)).collect();
@@ -119,7 +120,7 @@ pub fn of_cases(cases: &[(String, &Verdicts)], finding: &str) -> Option<Figure> 
             };
             plot = plot.with(Layer::line(line).coloured(colour).named(case.as_str()));
         }
-        plot.with_zero()
+        plot
     });
     let has_valid = cases.iter().any(|(_, verdicts)| !verdicts.valid.stretches.is_empty());
     has_valid.then(|| Figure::row(finding, panels.into()))
@@ -157,7 +158,7 @@ fn panel(verdicts: &Verdicts, units: &Units, curves: &[Curve], compared: Compare
     for region in invalid(&verdicts.valid, 1e-6) {
         plot = plot.with(region);
     }
-    plot = plot.with(Layer::at_y(0.0, ""));
+    plot = plot.with_zero();
     for curve in curves.iter().filter(|curve| curve.has_intervals) {
         let band = curve.of(compared).filter_map(|(at, found)| {
             let [low, high] = found.interval()?;

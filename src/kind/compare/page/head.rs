@@ -138,13 +138,13 @@ fn many(
 
 fn figure(page: &mut Page, file: &str, cases: &[(String, &Verdicts)], subject: &str, finding: &str) {
     let Some(figure) = differences::of_cases(cases, finding) else { return };
+    let first = if subject.is_empty() { "Statistical".to_owned() } else { format!("{subject}statistical") };
     page.figure(
         &format!("{file}.svg"),
         figure.headed(format!("{subject}statistical − deterministic model at equal load, valid loads")),
         &format!(
-            "{}minus deterministic model at equal load, at valid loads. Green: accepted. In the table: the largest \
-             difference; in part: at other loads the verdict differs.",
-            if subject.is_empty() { "Statistical ".to_owned() } else { format!("{subject}statistical ") }
+            "{first} minus deterministic model at equal load, at valid loads. Green: accepted. In the table: the largest \
+             difference; in part: at other loads the verdict differs."
         ),
     );
 }

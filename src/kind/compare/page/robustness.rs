@@ -237,7 +237,7 @@ fn against_filter(
             Plot::new(capitalised(name(compared)), axis, Axis::linear(label).range(low - room, high + room))
                 .height(210.0)
                 .with(Layer::region_y(-accepted, accepted, "accepted").coloured(Colour::Series(2)))
-                .with(Layer::at_y(0.0, ""));
+                .with_zero();
         if has_none {
             plot = plot.with(Layer::at_x(pixel, "no filter"));
         }

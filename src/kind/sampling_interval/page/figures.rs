@@ -82,7 +82,7 @@ pub fn gap(series: &Series, load: usize) -> Option<Figure> {
                 &lengths,
                 stacked.map(|(cause, part)| (cause.label(), colour(cause), &part[..])),
             )
-            .with(Layer::at_y(0.0, ""));
+            .with_zero();
         for end in [0, 1] {
             let ends = gaps.iter().filter_map(|(length, gap, _)| Some((*length, gap.interval()?[end])));
             let ends: Vec<(f64, f64)> = ends.collect();

@@ -46,7 +46,7 @@ fn panel(verdicts: &Verdicts, units: &Units, quantity: ComparedQuantity) -> Plot
         .with_contributions(&load, stacked.map(|(cause, part)| (cause.label(), colour(cause), &part[..])));
     let gap = divided().map(|(load, parts)| (load, parts.map_or(f64::NAN, Contributions::gap)));
     plot = plot
-        .with(Layer::at_y(0.0, ""))
+        .with_zero()
         .with(Layer::line(gap).coloured(Colour::Sum).thick().named("statistical − deterministic"));
     let missed: Vec<(f64, f64)> = verdicts
         .attribution

@@ -7,7 +7,7 @@ use asperity_framework::report::page::Page;
 use super::{QUANTITIES, middle};
 use crate::kind::compare::page::verdict::{Case, loads, name, signed};
 
-/// Of more cases those that a cause leads are counted, not named.
+/// Up to so many cases the names are given of those that a cause leads on; of more, how many they are.
 const MOST_NAMES: usize = 6;
 
 /// The contributions to the difference in several cases, each at the middle of its valid loads.

@@ -81,7 +81,7 @@ pub fn against_reference(series: &Series) -> Option<Figure> {
     let panel = |quantity: ComparedQuantity, title: &str, label: &str, unit: f64| {
         let axis = series.units.pressure();
         let accepted = series.verdicts().next().map(|(_, verdicts)| unit * verdicts.accepted.of(quantity));
-        let mut plot = Plot::new(title, axis, Axis::linear(label));
+        let mut plot = Plot::new(title, axis, Axis::linear(label)).with_zero();
         plot = accepted.into_iter().fold(plot, |plot, accepted| {
             plot.with(Layer::region_y(-accepted, accepted, "accepted").coloured(Colour::Series(2)))
         });
@@ -99,8 +99,7 @@ pub fn against_reference(series: &Series) -> Option<Figure> {
             let [statistical, sum] = lines;
             plot = plot.with(statistical.dashed(Dash::Dashed)).with(sum.named(thickness(t)));
         }
-        plot.with_zero()
-            .with_key("deterministic − reference", Dash::Solid)
+        plot.with_key("deterministic − reference", Dash::Solid)
             .with_key("statistical − reference", Dash::Dashed)
     };
     let has_reference = series.verdicts().any(|(_, verdicts)| verdicts.reference.is_some());

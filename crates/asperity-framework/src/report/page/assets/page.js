@@ -55,7 +55,7 @@ const Chart = (() => {
     return [all, ...columns];
   };
 
-  // The range of an axis: its own, or that of its values; a band may widen it by half as much.
+  // The range of an axis: its own, or that of its values, with zero where it is marked; a band may widen it by half as much.
   const range = (axis, unit, log, columns, bands) => {
     const fits = value => Number.isFinite(value) && (!log || value > 0);
     if (axis.range) {
@@ -68,8 +68,8 @@ const Chart = (() => {
       const values = lists.flat().filter(fits).map(measure);
       return values.length ? [values.reduce((a, b) => Math.min(a, b)), values.reduce((a, b) => Math.max(a, b))] : null;
     };
-    const own = of(columns) || of(bands) || [0, 1];
-    let [low, high] = own;
+    let [low, high] = of(columns) || of(bands) || [0, 1];
+    if (axis.zero && !log) [low, high] = [Math.min(low, 0), Math.max(high, 0)];
     const wide = of(bands);
     if (wide && high > low) {
       const room = 0.5 * (high - low);

@@ -190,7 +190,7 @@ pub fn ensemble(found: &EnsembleFindings) -> Figure {
     let mut differences =
         Plot::new("", Axis::log("pressure p/E*"), Axis::linear("difference from published area (%)"))
             .legend(Legend::Below)
-            .with(Layer::at_y(0.0, ""));
+            .with_zero();
     for (k, &grid) in grids.iter().enumerate() {
         let colour = Colour::Ordered { index: grids.len() - 1 - k, of: grids.len() + 1 };
         let (raw, _) = percent_of(on_grid(found, grid).map(|point| (point.pressure, point.raw_area)));

@@ -1,0 +1,95 @@
+//! Verdicts against the reference, and the bound of its grid.
+
+use super::{THREE, run};
+use crate::results::{Row, figure, number, table};
+
+/// Rough, with a short correlation length: it holds blocks.
+const BLOCKS: &str = r#"
+[surface.a.generate]
+points = 384
+pixel = "0.5 um"
+sigma = "50 nm"
+spectrum.self-affine = { hurst = 0.8, roll-off = "8 um", cut-off = "4 um" }
+"#;
+
+#[test]
+fn verdicts_against_the_reference_are_those_of_the_tables() {
+    let loads = "pressure = { from = \"10 MPa\", to = \"200 MPa\", points = 9 }\n";
+    let outcome = run(&format!("law = \"hertz\"\n{THREE}{loads}"), BLOCKS);
+    let pairs = table(&*outcome, "comparison.csv").unwrap();
+    let differences = table(&*outcome, "differences.csv").unwrap();
+    let mut compared = 0;
+    for row in differences.iter().filter(|row| row["against"] == "reference" && row["quantity"] == "area") {
+        let pair = pairs.iter().find(|pair| pair["target"] == row["pressure_pa"]).unwrap();
+        let reference = number(pair, "reference_area_ratio");
+        let relative = number(pair, &format!("{}_area_ratio", row["model"])) / reference - 1.0;
+        assert!((number(row, "difference") - relative).abs() < 1e-12, "{row:?}");
+        if row["model"] == "deterministic" {
+            assert!((number(pair, "log_area_from_interaction") - relative.ln_1p()).abs() < 1e-12);
+        }
+        // The error of the grid is in the interval.
+        assert!(number(row, "bound") > 0.01);
+        if let Ok(high) = row["high"].parse::<f64>() {
+            let half = number(row, "bound") + 1.0 * number(row, "standard_error");
+            assert!(high.ln_1p() >= relative.ln_1p() + half);
+        }
+        compared += 1;
+    }
+    assert_eq!(compared, 2 * 9);
+    let summary = outcome.summary().unwrap();
+    let verdicts = summary["verdicts"].as_array().unwrap();
+    for model in ["statistical", "deterministic"] {
+        let of: Vec<_> =
+            verdicts.iter().filter(|one| one["against"] == "reference" && one["model"] == model).collect();
+        assert!(of.iter().any(|one| one["quantity"] == "area"), "{model}");
+        assert!(of.iter().any(|one| one["verdict"] != "cannot-tell"), "{model}: {of:?}");
+    }
+    let nearer = summary["nearer_to_reference"].as_array().unwrap();
+    let of_area: Vec<_> = nearer.iter().filter(|one| one["quantity"] == "area").collect();
+    assert!(of_area.iter().any(|one| one["nearer_on_this_map"] == "deterministic"), "{nearer:?}");
+    let page = outcome.page().markdown();
+    assert!(
+        page.contains("\n\nAgainst the reference: ")
+            && page.contains("What the sum misses (interaction and geometry;")
+    );
+    assert!(figure(&*outcome, "a-against-reference.svg").unwrap().contains("deterministic − reference"));
+    // A single case is no overview.
+    assert!(!page.contains("**Against the reference**"));
+    let capped = run(&format!("law = \"zmc\"\n{THREE}{loads}"), BLOCKS).page().markdown();
+    assert!(capped.contains("(interaction, geometry and plasticity;"));
+    let ellipses = run(&format!("law = \"elliptic-hertz\"\n{THREE}{loads}"), BLOCKS).page().markdown();
+    assert!(ellipses.contains("(interaction and geometry;"), "nothing yields on ellipses either");
+    let layer = "layer = { material = \"lead\", thickness = [\"200 nm\"] }\n";
+    let layered = run(&format!("law = \"hertz\"\n{THREE}{layer}{loads}"), BLOCKS).page().markdown();
+    assert!(
+        layered.contains("(interaction, geometry and the effective modulus of the layer;"),
+        "nothing yields"
+    );
+    let layers = "layer = { material = \"lead\", thickness = [0, \"200 nm\"] }\n";
+    let layered = run(&format!("law = \"hertz\"\n{THREE}{layers}{loads}"), BLOCKS);
+    assert!(figure(&*layered, "a-against-reference.svg").unwrap().contains("200 nm"));
+    let overview = layered.page().markdown();
+    assert!(overview.contains("**Against the reference**: at valid loads, in real contact area"));
+    assert!(
+        overview.contains("of the 6 rows of the next table")
+            && overview.contains("judged on these maps alone")
+    );
+    let thinnest = overview.split("In the reference 200 nm of lead change it by up to +").nth(1).unwrap();
+    assert!(thinnest.split_once(" %").unwrap().0.parse::<f64>().unwrap() > 20.0);
+}
+
+#[test]
+fn a_second_resolution_bounds_the_error_of_separations_too() {
+    let loads = "pressure = { values = [\"20 MPa\", \"40 MPa\", \"80 MPa\"] }\n";
+    let bounds = |refine: &str| -> Vec<f64> {
+        let outcome = run(&format!("law = \"hertz\"\n{THREE}{refine}{loads}"), BLOCKS);
+        let rows = table(&*outcome, "differences.csv").unwrap();
+        let of = |row: &&Row| {
+            row["against"] == "reference" && row["quantity"] == "separation" && row["model"] == "statistical"
+        };
+        rows.iter().filter(of).map(|row| number(row, "bound")).collect()
+    };
+    let [one, two] = ["", "reference = { refine = 2 }\n"].map(bounds);
+    assert!(one.len() == 3 && one.iter().all(|bound| *bound < 1e-5), "{one:?}");
+    assert!(two.len() == 3 && two.iter().all(|bound| (1e-5..0.05).contains(bound)), "{two:?}");
+}

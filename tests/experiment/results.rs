@@ -1,0 +1,32 @@
+//! What tests read of a run: the rows of its tables and the figures of its page.
+
+use std::collections::BTreeMap;
+
+use asperity_framework::Outcome;
+
+/// A row of a table by the names of its columns.
+pub type Row = BTreeMap<String, String>;
+
+/// The rows of a table.
+pub fn rows(csv: &[u8]) -> Vec<Row> {
+    csv::Reader::from_reader(csv).deserialize().map(Result::unwrap).collect()
+}
+
+/// The rows of a table; `None` where the report has no such table.
+pub fn table(outcome: &dyn Outcome, file: &str) -> Option<Vec<Row>> {
+    let tables = outcome.tables().unwrap();
+    tables.iter().find(|(name, _)| *name == file).map(|(_, content)| rows(content))
+}
+
+pub fn number(row: &Row, column: &str) -> f64 {
+    row[column].parse().unwrap_or_else(|_| panic!("{column} of {row:?}"))
+}
+
+pub fn column(rows: &[Row], name: &str) -> Vec<f64> {
+    rows.iter().map(|row| number(row, name)).collect()
+}
+
+/// A figure of the page, as SVG.
+pub fn figure(outcome: &dyn Outcome, file: &str) -> Option<String> {
+    outcome.page().files(None).figures.into_iter().find(|(name, _)| *name == file).map(|(_, svg)| svg)
+}
