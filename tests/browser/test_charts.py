@@ -145,3 +145,21 @@ def test_keyboard(page):
     page.locator("summary").first.focus()
     page.keyboard.press("Enter")
     assert page.locator("details").first.get_attribute("open") is not None
+
+
+def test_differences_are_shown_with_their_zero(open_page):
+    """The stiffness of case 2 differs by 50 % and more at all loads."""
+    page = open_page(REPORTS / "lead-on-steel" / "report.html")
+    page.add_init_script(
+        """const write = CanvasRenderingContext2D.prototype.fillText;
+        CanvasRenderingContext2D.prototype.fillText = function (text, ...rest) {
+            this.canvas.written = [...(this.canvas.written || []), text];
+            write.call(this, text, ...rest);
+        };"""
+    )
+    page.reload()
+    figure = page.locator("#case-2-verdicts")
+    figure.scroll_into_view_if_needed()
+    page.wait_for_selector("#case-2-verdicts.drawn canvas")
+    ticks = figure.locator("canvas").evaluate_all("all => all.map(canvas => canvas.written)")
+    assert len(ticks) == 3 and all("0" in written for written in ticks), ticks
