@@ -4,9 +4,11 @@ use std::fmt;
 use std::path::{Path, PathBuf};
 
 use asperity::Material;
+use asperity::work::Counter;
 use asperity_framework::digest::{hexadecimal, sha256, sha256_of_file};
 use asperity_framework::input::material::MaterialOrigin;
 use asperity_framework::input::{InputError, Source, SpecFile};
+use asperity_framework::metadata::Timing;
 use asperity_framework::progress::{Progress, Silent};
 use asperity_framework::report::format::listed;
 use asperity_framework::{Kind, Outcome, Plan, RunContext};
@@ -16,7 +18,7 @@ use sha2::{Digest, Sha256};
 
 use crate::kind::compare::plan::described;
 use crate::kind::{KINDS, SURFACES};
-use crate::surface::{FileOptions, SurfacesPlan};
+use crate::surface::{AnalysisDepth, FileOptions, Surface, SurfaceFactory, SurfacesPlan, files_of, surfaces};
 
 /// SHA-256 of the sources that this program was built from.
 const SOURCES: &str = env!("ASPERITY_SOURCES");
@@ -56,8 +58,18 @@ impl Experiment {
     }
 
     fn read_spec(path: &Path, full: bool) -> Result<Self, InputError> {
-        let spec = SpecFile::read(path, &tables())?;
-        let stem = stem_of(path)?;
+        Self::of_spec(SpecFile::read(path, &tables())?, stem_of(path)?, full)
+    }
+
+    /// An experiment from a text, whose report is called `stem`.
+    ///
+    /// # Errors
+    /// As [`Self::read`].
+    pub fn parse(source: Source, stem: &str) -> Result<Self, InputError> {
+        Self::of_spec(SpecFile::parse(source, &tables())?, stem.to_owned(), false)
+    }
+
+    fn of_spec(spec: SpecFile, stem: String, full: bool) -> Result<Self, InputError> {
         let kind = kind(&spec)?;
         let plan = kind.plan(&spec, full)?;
         Self::new(spec, stem, kind.name(), plan)
@@ -145,8 +157,11 @@ impl Experiment {
         hash.update(sha256(self.source.text.as_bytes()));
         hash.update(self.plan.variant());
         for path in self.plan.inputs() {
-            let content = sha256_of_file(&path)
-                .map_err(|error| InputError::file(&path, format!("cannot be read: {error}")))?;
+            let content = match self.source.held(&path) {
+                Some(held) => held.sha256(),
+                None => sha256_of_file(&path)
+                    .map_err(|error| InputError::file(&path, format!("cannot be read: {error}")))?,
+            };
             hash.update(content);
         }
         Ok(hexadecimal(&hash.finalize()))
@@ -185,6 +200,29 @@ impl Experiment {
             progress,
         }
     }
+}
+
+/// Makes or reads realisation `realisation` (from 1) of the one surface of a spec without an experiment, with its prepared map
+/// where it has one.
+///
+/// # Errors
+/// What keeps it from being made.
+pub fn make_surface(
+    source: Source,
+    realisation: usize,
+    as_ellipses: bool,
+    progress: &dyn Progress,
+) -> Result<Surface, InputError> {
+    let spec = SpecFile::parse(source, &[SURFACES])?;
+    let plans = surfaces(&spec, None, 0..0, as_ellipses)?;
+    let [plan] = &plans[..] else {
+        return Err(InputError::file(&spec.source.path, "found several surfaces; allowed: one"));
+    };
+    let counter = Counter::default();
+    let mut factory =
+        SurfaceFactory::from_seed(plan, &spec.source, spec.seed, &counter, progress).keeping_map(true);
+    let (mut files, mut timing) = (files_of(&plans, &counter), Timing::default());
+    factory.make(realisation, AnalysisDepth::Comparison, &mut files, &mut timing)
 }
 
 /// Names of the tables that a spec may contain besides the common keys.

@@ -13,6 +13,7 @@ mod layer;
 pub mod materials;
 mod plausibility;
 pub mod surface;
+#[cfg(feature = "cli")]
 pub mod terminal;
 
-pub use experiment::{Experiment, TEMPLATE};
+pub use experiment::{Experiment, TEMPLATE, make_surface};

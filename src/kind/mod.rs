@@ -9,22 +9,28 @@ pub mod sampling_interval;
 
 use asperity_framework::Kind;
 use asperity_framework::report::table_docs;
+#[cfg(feature = "validation")]
 use asperity_validation::kind::{
     coverage::IntervalCoverage, precision::Precision, solver_validation::SolverValidation,
     stability::Stability,
 };
 
-/// Every kind, in the order in which messages list them.
+/// Every kind, in the order in which messages list them; those that measure the program itself only with the feature
+/// `validation`.
 pub const KINDS: &[&dyn Kind] = &[
     &causes::Causes,
     &compare::Compare,
+    #[cfg(feature = "validation")]
     &IntervalCoverage,
     &indentation::Indentation,
     &laws::Laws,
     &limit::Limit,
+    #[cfg(feature = "validation")]
     &Precision,
     &sampling_interval::SamplingInterval,
+    #[cfg(feature = "validation")]
     &SolverValidation,
+    #[cfg(feature = "validation")]
     &Stability,
 ];
 

@@ -1,15 +1,15 @@
 //! Making and reading the realisations of a surface.
 
-use std::rc::Rc;
+use std::sync::Arc;
 use std::time::Instant;
 
 use asperity::topography::generate::SigmaOf;
-use asperity::topography::{CorrelationLengths, Rows};
+use asperity::topography::{Continued, CorrelationLengths, Rows};
 use asperity::work::{Counter, Item};
-use asperity::{Draw, Ellipse, Ellipticity, ReferencePlane, Statistics};
+use asperity::{AsperityList, Draw, Ellipse, Ellipticity, ReferencePlane, Statistics};
 use asperity_framework::RunContext;
 use asperity_framework::digest::stream_seed;
-use asperity_framework::input::{InputError, Source};
+use asperity_framework::input::{Held, InputError, Source};
 use asperity_framework::metadata::Timing;
 use asperity_framework::progress::{Progress, Silent};
 
@@ -34,13 +34,24 @@ pub struct SurfaceFactory<'a> {
     /// Whether a surface keeps its prepared map.
     keeps_map: bool,
     /// The measured map that was made last, as read.
-    raw: Option<Rc<dyn Rows>>,
+    raw: Option<Arc<dyn Rows>>,
 }
 
 impl<'a> SurfaceFactory<'a> {
     /// A factory of the realisations of `plan`, made one after the other.
     pub fn new(plan: &'a SurfacePlan, context: &RunContext<'a>, counter: &'a Counter) -> Self {
         let &RunContext { source, seed, progress, .. } = context;
+        Self::from_seed(plan, source, seed, counter, progress)
+    }
+
+    /// The same with what it takes from the context.
+    pub fn from_seed(
+        plan: &'a SurfacePlan,
+        source: &'a Source,
+        seed: u64,
+        counter: &'a Counter,
+        progress: &'a dyn Progress,
+    ) -> Self {
         Self { plan, source, seed, progress, counter, bandwidth: None, keeps_map: false, raw: None }
     }
 
@@ -131,7 +142,10 @@ impl<'a> SurfaceFactory<'a> {
         match &self.plan.origin {
             Origin::List { path, given, nominal_area, .. } => {
                 self.progress.stage("reading", 1.0);
-                let list = files.list(path, *given).map_err(|error| refuse(&list_message(path, &error)))?;
+                let list = match source.held(path) {
+                    Some(Held::List(list)) => AsperityList::clone(list),
+                    _ => files.list(path, *given).map_err(|error| refuse(&list_message(path, &error)))?,
+                };
                 timing.read += start.elapsed();
                 let (contradictions, count) = (list.contradictions(), list.count());
                 let (set, origin) = list.set(*nominal_area).map_err(|error| refuse(&error))?.near_zero();
@@ -200,9 +214,15 @@ impl<'a> SurfaceFactory<'a> {
                 let refuse =
                     |error: &dyn std::fmt::Display| refuse(&format!("{} {error}", map.path.display()));
                 self.progress.stage("reading", 1.0);
-                let rows = files
-                    .map(&map.path, map.given, self.progress)
-                    .map_err(|error| refuse(&spec_message(&error)))?;
+                let mut rows = match source.held(&map.path) {
+                    Some(Held::Map(rows)) => Arc::clone(rows),
+                    _ => files
+                        .map(&map.path, map.given, self.progress)
+                        .map_err(|error| refuse(&spec_message(&error)))?,
+                };
+                if map.is_periodic {
+                    rows = Arc::new(Continued(rows));
+                }
                 timing.read += start.elapsed();
                 let search = SummitSearch {
                     preparation: map.preparation,

@@ -1,7 +1,7 @@
 //! The measured files of a run: each is read once, however many surfaces are found in it.
 
 use std::path::{Path, PathBuf};
-use std::rc::Rc;
+use std::sync::Arc;
 
 use asperity::progress::Progress;
 use asperity::topography::read::{ReadError, ReadOptions};
@@ -35,8 +35,8 @@ fn whole(path: &Path) -> PathBuf {
 /// What was read, as long as a surface that is yet to be made needs it again.
 pub struct Files<'a> {
     awaited: Vec<Reading>,
-    lists: Vec<(Reading, Rc<AsperityList>)>,
-    maps: Vec<(Reading, Rc<dyn Rows>)>,
+    lists: Vec<(Reading, Arc<AsperityList>)>,
+    maps: Vec<(Reading, Arc<dyn Rows>)>,
     counter: &'a Counter,
 }
 
@@ -52,10 +52,10 @@ impl<'a> Files<'a> {
         let is_needed_again = self.take(&reading);
         let read = || {
             self.counter.add(Item::Files, 1);
-            AsperityList::read(path, given).map(Rc::new)
+            AsperityList::read(path, given).map(Arc::new)
         };
         let found = once(&mut self.lists, reading, is_needed_again, read)?;
-        Ok(Rc::unwrap_or_clone(found))
+        Ok(Arc::unwrap_or_clone(found))
     }
 
     /// The map at `path`.
@@ -64,12 +64,12 @@ impl<'a> Files<'a> {
         path: &Path,
         given: ReadOptions,
         progress: &dyn Progress,
-    ) -> Result<Rc<dyn Rows>, ReadError> {
+    ) -> Result<Arc<dyn Rows>, ReadError> {
         let reading = Reading::map(path, given);
         let is_needed_again = self.take(&reading);
         let read = || {
             self.counter.add(Item::Files, 1);
-            read::rows(path, given, progress).map(Rc::from)
+            read::rows(path, given, progress).map(Arc::from)
         };
         once(&mut self.maps, reading, is_needed_again, read)
     }
@@ -85,17 +85,17 @@ impl<'a> Files<'a> {
 
 /// What `kept` holds of a reading, else what `read` finds; it is kept where it `is_needed_again`.
 fn once<T: ?Sized, E>(
-    kept: &mut Vec<(Reading, Rc<T>)>,
+    kept: &mut Vec<(Reading, Arc<T>)>,
     reading: Reading,
     is_needed_again: bool,
-    read: impl FnOnce() -> Result<Rc<T>, E>,
-) -> Result<Rc<T>, E> {
+    read: impl FnOnce() -> Result<Arc<T>, E>,
+) -> Result<Arc<T>, E> {
     let content = match kept.iter().position(|(known, _)| *known == reading) {
         Some(place) => kept.swap_remove(place).1,
         None => read()?,
     };
     if is_needed_again {
-        kept.push((reading, Rc::clone(&content)));
+        kept.push((reading, Arc::clone(&content)));
     }
     Ok(content)
 }

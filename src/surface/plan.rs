@@ -14,14 +14,14 @@ use crate::surface::search::Preparation;
 use crate::surface::spec::{
     DrawSpec, FileSpec, ListSpec, Outliers, PopulationHeights, PopulationSpec, SurfaceSpec,
 };
-use asperity::topography::read::{ReadOptions, ReadOptionsError};
-use asperity::topography::{Filter, read};
+use asperity::topography::read::{Metadata, ReadOptions, ReadOptionsError};
+use asperity::topography::{Boundary, Filter, Level, read};
 use asperity::{
     AsperityList, Heights, ListError, ListOptions, MapError, Population, ReferencePlane, SurfaceHeights,
 };
 use asperity_framework::input::Spanned;
 use asperity_framework::input::quantity::{Length, Pure, Quantity};
-use asperity_framework::input::{InputError, Source, SpecFile, Whole};
+use asperity_framework::input::{Held, InputError, Source, SpecFile, Whole};
 use asperity_framework::{Memory, set_memory};
 
 /// A surface that can be made.
@@ -66,6 +66,8 @@ pub(super) struct MapPlan {
     /// Whether its heights stay on disk.
     pub(super) is_on_disk: bool,
     pub(super) given: ReadOptions,
+    /// Whether it continues periodically.
+    pub(super) is_periodic: bool,
     pub(super) preparation: Preparation,
 }
 
@@ -122,11 +124,22 @@ impl SurfacePlan {
         let path = beside(source, &raw.file)?;
         let unit = raw.unit.as_ref().map(|unit| unit.get_ref().0);
         let given = ListOptions { as_ellipses, unit };
-        let rows = AsperityList::check(&path, given).map_err(|error| {
-            let key = raw.unit.as_ref().filter(|_| matches!(error, ListError::UnitHeld { .. }));
-            let key = key.map_or_else(|| raw.file.span(), Spanned::span);
-            source.error_at(key, list_message(&path, &error))
-        })?;
+        let refuse =
+            |message: &str| source.error_at(raw.file.span(), format!("{} {message}", path.display()));
+        let rows = match source.held(&path) {
+            Some(Held::Map(_)) => return Err(refuse("is a height map; allowed: a list of asperities")),
+            Some(Held::List(list)) if as_ellipses && !list.has_curvatures() => {
+                return Err(refuse(
+                    "has no principal curvatures, which a law for ellipses needs; allowed: kx and ky beside the radii",
+                ));
+            }
+            Some(Held::List(list)) => list.count(),
+            None => AsperityList::check(&path, given).map_err(|error| {
+                let key = raw.unit.as_ref().filter(|_| matches!(error, ListError::UnitHeld { .. }));
+                let key = key.map_or_else(|| raw.file.span(), Spanned::span);
+                source.error_at(key, list_message(&path, &error))
+            })?,
+        };
         Ok(Origin::List { path, given, rows, nominal_area: raw.nominal_area.value() })
     }
 
@@ -160,7 +173,15 @@ impl SurfacePlan {
         let refuse = |error: &dyn std::fmt::Display| {
             source.error_at(raw.path.span(), format!("{} {error}", path.display()))
         };
-        let metadata = read::metadata(&path).map_err(|error| refuse(&spec_message(&error)))?;
+        let held = match source.held(&path) {
+            Some(Held::Map(map)) => Some(map),
+            Some(Held::List(_)) => return Err(refuse(&"is a list of asperities; allowed: a height map")),
+            None => None,
+        };
+        let metadata = match held {
+            Some(map) => Metadata::in_memory(&**map),
+            None => read::metadata(&path).map_err(|error| refuse(&spec_message(&error)))?,
+        };
         let points = metadata.points;
         if points.iter().any(|&count| count < 3) {
             return Err(refuse(&MapError::TooSmall(points)));
@@ -190,16 +211,21 @@ impl SurfacePlan {
                 Some(made.map_err(|error| source.error_at(filter.span(), error))?)
             }
         };
+        let is_periodic = raw.periodic || held.is_some_and(|map| map.boundary() == Boundary::Periodic);
         let preparation = Preparation {
             removes_spikes: raw.outliers == Outliers::Remove,
             aligned: raw.align_lines,
-            level: raw.level,
+            level: raw.level.unwrap_or(if is_periodic { Level::None } else { Level::default() }),
             filter,
             neighbours: raw.neighbours,
             half: None,
         };
-        let is_on_disk = read::stays_on_disk(&path).map_err(|error| refuse(&spec_message(&error)))?;
-        Ok(Origin::Map(MapPlan { path, points, pixel, is_on_disk, given, preparation }))
+        // What is in memory takes no more of it.
+        let is_on_disk = match held {
+            Some(_) => true,
+            None => read::stays_on_disk(&path).map_err(|error| refuse(&spec_message(&error)))?,
+        };
+        Ok(Origin::Map(MapPlan { path, points, pixel, is_on_disk, given, is_periodic, preparation }))
     }
 
     /// The file that it is read from.
@@ -236,6 +262,15 @@ impl SurfacePlan {
                 Some(shortest.map_or(FEWEST, |s| (s / pixel[0].max(pixel[1])).max(FEWEST)))
             }
             Origin::List { .. } | Origin::Population { .. } => None,
+        }
+    }
+
+    /// Whether it has a height map that continues periodically.
+    pub fn is_periodic(&self) -> bool {
+        match &self.origin {
+            Origin::Generated(_) => true,
+            Origin::Map(map) => map.is_periodic,
+            Origin::List { .. } | Origin::Population { .. } => false,
         }
     }
 
@@ -471,8 +506,11 @@ fn area([nx, ny]: [usize; 2]) -> u128 {
     nx as u128 * ny as u128
 }
 
-/// A file named relative to the spec, there and not empty.
+/// A file named relative to the spec, there and not empty; or the name of what is in memory.
 pub fn beside(source: &Source, raw: &Spanned<PathBuf>) -> Result<PathBuf, InputError> {
+    if source.held(raw.get_ref()).is_some() {
+        return Ok(raw.get_ref().clone());
+    }
     let folder = source.path.parent().unwrap_or_else(|| std::path::Path::new(""));
     let path = folder.join(raw.get_ref());
     read::existing(&path)

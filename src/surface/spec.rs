@@ -192,6 +192,10 @@ pub struct FileSpec {
     /// Unit of the lengths in the file; only where the file names none.
     #[schemars(extend("default" = "m", "examples" = ["um"]))]
     pub unit: Option<Spanned<UnitSpec>>,
+    /// Whether the map continues periodically beyond its border, as simulated surfaces do.
+    #[serde(default)]
+    #[schemars(extend("default" = false, "examples" = [true]))]
+    pub periodic: bool,
     /// What becomes of spikes.
     #[serde(default)]
     #[schemars(extend("default" = "keep", "examples" = ["remove"]))]
@@ -200,9 +204,8 @@ pub struct FileSpec {
     #[schemars(extend("x-default" = "none", "examples" = ["x"]))]
     pub align_lines: Option<Lines>,
     /// Form that is removed.
-    #[serde(default)]
-    #[schemars(extend("default" = "plane", "examples" = ["quadratic"]))]
-    pub level: Level,
+    #[schemars(extend("x-default" = "plane; none of a periodic map", "examples" = ["quadratic"]))]
+    pub level: Option<Level>,
     /// Nesting indices of Gaussian S and L filters (ISO 16610-61), either or both.
     #[schemars(extend("x-default" = "none", "examples" = [{ "s": "2.5 um", "l": "80 um" }]))]
     pub filter: Option<Spanned<FilterSpec>>,

@@ -2,10 +2,8 @@
 
 use std::time::Instant;
 
-use asperity_print::PrintError;
-use rayon::prelude::*;
-
 use crate::kind::Outcome;
+use crate::print::{PrintError, printed};
 use crate::report::store::Folder;
 use crate::summary;
 
@@ -21,21 +19,6 @@ pub enum ReportError {
     /// A summary.
     #[error("a summary cannot be written: {0}")]
     Summary(#[from] serde_json::Error),
-}
-
-/// Each figure as PDF and as PNG.
-fn printed(figures: &[(String, String)]) -> Result<Vec<(String, Vec<u8>)>, PrintError> {
-    /// Pixels per inch, as journals ask for.
-    const DPI: f32 = 300.0;
-    let both = |(name, svg): &(String, String)| {
-        let stem = name.strip_suffix(".svg").unwrap_or(name);
-        Ok([
-            (format!("{stem}.pdf"), asperity_print::pdf(svg)?),
-            (format!("{stem}.png"), asperity_print::png(svg, DPI)?),
-        ])
-    };
-    let files: Result<Vec<_>, PrintError> = figures.par_iter().map(both).collect();
-    Ok(files?.into_iter().flatten().collect())
 }
 
 /// The complete report on `outcome`; `key` identifies everything that it depends on.

@@ -12,9 +12,11 @@ pub mod input;
 pub mod keys;
 mod kind;
 pub mod metadata;
+mod print;
 pub mod progress;
 pub mod report;
 mod summary;
 
 pub use folder::{ReportError, folder};
 pub use kind::{Kind, Memory, Outcome, Plan, Reads, RunContext, fields, set_memory};
+pub use summary::summary_json;

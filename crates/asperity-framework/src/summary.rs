@@ -41,6 +41,14 @@ struct MaterialSummary {
     sources: IndexMap<&'static str, String>,
 }
 
+/// `summary.json` of an outcome whose report is not written, without names of files.
+///
+/// # Errors
+/// None that a result can cause.
+pub fn summary_json(outcome: &dyn Outcome) -> serde_json::Result<Vec<u8>> {
+    summary(outcome, &outcome.page(), &[])
+}
+
 /// `summary.json` of an outcome with its page; `files` are the names of all files of the report.
 ///
 /// # Errors

@@ -29,6 +29,7 @@ pub use run::run as run_compare;
 pub(crate) use run::{differ, models_of, run_surface};
 pub(crate) use sampling::sampling;
 pub use summary::summary;
+pub use tables::CurveRow;
 
 use std::path::PathBuf;
 

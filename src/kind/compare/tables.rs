@@ -6,7 +6,9 @@ use asperity_framework::report::table::{Column, Heading, Row, TableError, Value,
 use crate::kind::compare::answers::{CaseResults, RealisationResults};
 use crate::kind::compare::results::CompareResults;
 
-use asperity::compare::{Attribution, Cause, ComparedQuantity, CurvePoint, Kind, Pair, ReferencePoint};
+use asperity::compare::{
+    Attribution, Cause, ComparedQuantity, Comparison, CurvePoint, Kind, Pair, ReferencePoint,
+};
 use asperity::{ByRegime, Exceeded, Limit, Response};
 
 /// What a row belongs to.
@@ -39,7 +41,7 @@ impl Case {
 }
 
 /// A point of the curve of a model or of the reference.
-pub(crate) struct CurveRow {
+pub struct CurveRow {
     pub(crate) case: Case,
     pub(crate) point: AnyPoint,
     /// E* of the pair without a layer, Pa.
@@ -96,6 +98,13 @@ impl Row for CurveRow {
 pub(crate) const REFERENCE: &str = "reference";
 
 impl CurveRow {
+    /// The points of both models' curves in a comparison under a law, with E* of the pair without a layer (Pa).
+    pub fn of(law: &str, comparison: &Comparison, reduced_modulus: f64) -> Vec<Self> {
+        let case = Case::bare("", 1, law);
+        let row = |point| Self { case: case.clone(), point, reduced_modulus };
+        of_models(comparison).map(row).collect()
+    }
+
     fn either<T>(&self, of_model: fn(&CurvePoint) -> T, of_reference: fn(&ReferencePoint) -> T) -> T {
         match &self.point {
             AnyPoint::Model(point, _) => of_model(point),
@@ -293,12 +302,16 @@ impl Extras {
 pub fn curves(results: &CompareResults) -> impl Iterator<Item = CurveRow> {
     let reduced_modulus = results.contact.reduced_modulus;
     cases(results).flat_map(move |(case, _, found)| {
-        let points = found.comparison.curves.iter().copied().zip(found.comparison.exceeded());
-        let points = points.map(|(point, exceeded)| AnyPoint::Model(point, exceeded));
         let reference = found.reference.iter().flat_map(|curve| curve.points.iter().copied());
-        let all = points.chain(reference.map(AnyPoint::Reference));
+        let all = of_models(&found.comparison).chain(reference.map(AnyPoint::Reference));
         all.map(move |point| CurveRow { case: case.clone(), point, reduced_modulus })
     })
+}
+
+/// The points of both models' curves.
+fn of_models(comparison: &Comparison) -> impl Iterator<Item = AnyPoint> {
+    let points = comparison.curves.iter().copied().zip(comparison.exceeded());
+    points.map(|(point, exceeded)| AnyPoint::Model(point, exceeded))
 }
 
 /// The rows of `comparison.csv`.

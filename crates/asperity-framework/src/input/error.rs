@@ -4,7 +4,10 @@ use std::fmt;
 use std::ops::Range;
 use std::path::{Path, PathBuf};
 
+use indexmap::IndexMap;
 use toml::de::{DeTable, DeValue};
+
+use super::held::Held;
 
 /// Input that the program does not run on, and why.
 #[derive(Debug, Clone, PartialEq)]
@@ -62,19 +65,37 @@ pub struct Source {
     pub text: String,
     /// For a spec made from the command line, the argument that each line stands for.
     arguments: Vec<String>,
+    /// What is in memory, by the path that the spec has for it.
+    held: IndexMap<PathBuf, Held>,
 }
 
 impl Source {
     /// A spec that was read from a file.
     pub fn file(path: &Path, text: String) -> Self {
-        Self { path: path.to_owned(), text, arguments: Vec::new() }
+        Self { path: path.to_owned(), text, arguments: Vec::new(), held: IndexMap::new() }
     }
 
     /// A spec made from the command line, whose paths are relative to the working directory. Each line comes with the
     /// argument it stands for, which an error cites as it was typed.
     pub fn command_line(lines: Vec<(String, String)>) -> Self {
         let (lines, arguments): (Vec<_>, Vec<_>) = lines.into_iter().unzip();
-        Self { path: "(command line)".into(), text: lines.join("\n") + "\n", arguments }
+        Self {
+            path: "(command line)".into(),
+            text: lines.join("\n") + "\n",
+            arguments,
+            held: IndexMap::new(),
+        }
+    }
+
+    /// The same spec with surfaces in memory, each by the path that the spec has for it.
+    #[must_use]
+    pub fn with_held(self, held: IndexMap<PathBuf, Held>) -> Self {
+        Self { held, ..self }
+    }
+
+    /// What is in memory by this path; `None` of a file.
+    pub fn held(&self, path: &Path) -> Option<&Held> {
+        self.held.get(path)
     }
 
     /// Whether the command line made it.

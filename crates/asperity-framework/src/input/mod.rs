@@ -5,6 +5,7 @@ mod error;
 pub mod figure;
 mod file;
 pub mod heights;
+mod held;
 pub mod law;
 pub mod material;
 mod one_or_many;
@@ -18,6 +19,7 @@ mod whole;
 
 pub use error::{InputError, Source};
 pub use file::SpecFile;
+pub use held::Held;
 pub use one_or_many::OneOrMany;
 pub use resolver::materials;
 pub use spanned::Spanned;

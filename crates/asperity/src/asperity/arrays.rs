@@ -2,6 +2,8 @@
 
 use std::ops::Range;
 
+use super::SetError;
+use super::set::far_origin;
 use crate::memory::prefetch;
 use crate::numeric::interval::Interval;
 use crate::shape::Shape;
@@ -25,6 +27,21 @@ impl<'a> Asperities<'a> {
     ) -> Self {
         debug_assert!(heights.len() == radii.len() && spheres.is_none_or(|all| all.len() == radii.len()));
         Self { heights, radii, spheres, nominal_area }
+    }
+
+    /// Spheres of the given heights and radii (m) on a nominal area (m^2), where they lie: nothing is copied.
+    ///
+    /// # Errors
+    /// As [`AsperitySet::new`](super::AsperitySet::new).
+    pub fn of_spheres(heights: &'a [f64], radii: &'a [f64], nominal_area: f64) -> Result<Self, SetError> {
+        SetError::check(heights, radii, nominal_area)?;
+        Ok(Self::new(heights, radii, None, nominal_area))
+    }
+
+    /// Whether all heights are so far from zero that their differences are better stored: see
+    /// [`AsperitySet::near_zero`](super::AsperitySet::near_zero).
+    pub fn is_far_from_zero(&self) -> bool {
+        far_origin(self.heights).is_some()
     }
 
     /// Number of asperities.

@@ -30,6 +30,12 @@ impl Ellipse {
         Self { mean_curvature, curvature_ratio: if is_ellipse { ratio.max(1.0) } else { 1.0 } }
     }
 
+    /// The principal curvatures (1/m), the larger first.
+    pub fn principal(&self) -> [f64; 2] {
+        let smaller = 2.0 * self.mean_curvature / (1.0 + self.curvature_ratio);
+        [2.0 * self.mean_curvature - smaller, smaller]
+    }
+
     /// The equivalent spheres of the paraboloid.
     pub fn shape(&self) -> Shape {
         Shape::ellipse(self.mean_curvature, self.curvature_ratio)
@@ -39,6 +45,17 @@ impl Ellipse {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn principal_curvatures_are_those_given() {
+        for [larger, smaller] in [[3.0, 1.0], [2e4, 2e4], [1e5, 1.0]] {
+            let [found, other] = Ellipse::new(smaller, larger).principal();
+            assert!(
+                (found / larger - 1.0).abs() < 1e-15 && (other / smaller - 1.0).abs() < 1e-10,
+                "{found} {other}"
+            );
+        }
+    }
 
     #[test]
     fn a_summit_that_is_no_ellipse_is_the_sphere_of_its_mean_curvature() {

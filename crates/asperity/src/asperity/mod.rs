@@ -19,3 +19,4 @@ pub use ordered::Ordered;
 pub use population::{Draw, Population};
 pub use set::{AsperitySet, SetError};
 pub use statistics::Statistics;
+pub(crate) use statistics::mean_and_sigma;

@@ -1,5 +1,7 @@
 //! The asperities of a rough surface.
 
+use rayon::prelude::*;
+
 use super::{Asperities, Ellipse};
 use crate::numeric::{LARGEST, is_positive};
 
@@ -55,27 +57,59 @@ pub enum SetError {
     NominalArea(f64),
 }
 
+impl SetError {
+    /// Checks heights, radii and area as [`AsperitySet::new`] does.
+    pub(crate) fn check(heights: &[f64], radii: &[f64], nominal_area: f64) -> Result<(), Self> {
+        if heights.len() != radii.len() {
+            return Err(Self::Lengths { heights: heights.len(), radii: radii.len() });
+        }
+        if heights.is_empty() {
+            return Err(Self::Empty);
+        }
+        let is_height = |z: f64| z.abs() <= LARGEST;
+        if let Some(index) = first_without(heights, is_height) {
+            return Err(Self::Height { index, height: heights[index] });
+        }
+        if let Some(index) = first_without(radii, is_positive) {
+            return Err(Self::Radius { index, radius: radii[index] });
+        }
+        if !is_positive(nominal_area) {
+            return Err(Self::NominalArea(nominal_area));
+        }
+        Ok(())
+    }
+}
+
+/// Values checked at a time.
+const BLOCK: usize = 4096;
+
+/// The index of the first value that is not valid; whole blocks are checked without a branch per value.
+fn first_without(values: &[f64], is_valid: impl Fn(f64) -> bool + Sync) -> Option<usize> {
+    let is_whole = |block: &[f64]| block.iter().fold(true, |all, &value| all & is_valid(value));
+    let bad = values.par_chunks(BLOCK).position_first(|block| !is_whole(block))?;
+    let first = values[bad * BLOCK..].iter().position(|&value| !is_valid(value))?;
+    Some(bad * BLOCK + first)
+}
+
+/// The height that is far from zero for all of `heights` to be stored relative to it; `None` where zero serves.
+pub(super) fn far_origin(heights: &[f64]) -> Option<f64> {
+    /// Four bits lost: what is nearer keeps its frame.
+    const FAR: f64 = 16.0;
+    let none = || (f64::INFINITY, f64::NEG_INFINITY);
+    let of_block = |block: &[f64]| block.iter().fold(none(), |(low, high), &z| (low.min(z), high.max(z)));
+    let (low, high) =
+        heights.par_chunks(BLOCK).map(of_block).reduce(none, |a, b| (a.0.min(b.0), a.1.max(b.1)));
+    let is_near = low * high <= 0.0 || low.abs().min(high.abs()) <= FAR * (high - low);
+    (!is_near).then_some(low)
+}
+
 impl AsperitySet {
     /// Asperities of the given heights and radii (m) on a nominal area (m^2).
     ///
     /// # Errors
     /// The first invalid value; see [`SetError`].
     pub fn new(heights: Vec<f64>, radii: Vec<f64>, nominal_area: f64) -> Result<Self, SetError> {
-        if heights.len() != radii.len() {
-            return Err(SetError::Lengths { heights: heights.len(), radii: radii.len() });
-        }
-        if heights.is_empty() {
-            return Err(SetError::Empty);
-        }
-        if let Some(index) = heights.iter().position(|z| z.is_nan() || z.abs() > LARGEST) {
-            return Err(SetError::Height { index, height: heights[index] });
-        }
-        if let Some(index) = radii.iter().position(|&b| !is_positive(b)) {
-            return Err(SetError::Radius { index, radius: radii[index] });
-        }
-        if !is_positive(nominal_area) {
-            return Err(SetError::NominalArea(nominal_area));
-        }
+        SetError::check(&heights, &radii, nominal_area)?;
         Ok(Self { heights, radii, ellipses: None, nominal_area })
     }
 
@@ -83,15 +117,9 @@ impl AsperitySet {
     /// one of the heights if all are further from zero than 16 times their range, else zero. The differences are exact.
     #[must_use]
     pub fn near_zero(self) -> (Self, f64) {
-        /// Four bits lost: what is nearer keeps its frame.
-        const FAR: f64 = 16.0;
-        let ends = (f64::INFINITY, f64::NEG_INFINITY);
-        let (low, high) = self.heights.iter().fold(ends, |(low, high), &z| (low.min(z), high.max(z)));
-        if low * high <= 0.0 || low.abs().min(high.abs()) <= FAR * (high - low) {
-            return (self, 0.0);
-        }
-        let heights = self.heights.iter().map(|z| z - low).collect();
-        (Self { heights, ..self }, low)
+        let Some(origin) = far_origin(&self.heights) else { return (self, 0.0) };
+        let heights = self.heights.iter().map(|z| z - origin).collect();
+        (Self { heights, ..self }, origin)
     }
 
     /// Heights, m.

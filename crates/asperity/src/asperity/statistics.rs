@@ -1,7 +1,7 @@
 //! Statistics of a set of asperities.
 
 use super::AsperitySet;
-use crate::numeric::sum::sum_of;
+use crate::numeric::sum::{sum_of, sum_over};
 
 /// Mean values and central moments of a set, with divisor n.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -33,7 +33,7 @@ impl Statistics {
 
         let (height, radius) = (Mean::of(heights), Mean::of(radii));
         let mean_radius = radius.value();
-        let sigma = mean_of(&|i| height.deviation(heights[i]).powi(2)).sqrt();
+        let sigma = height.sigma(heights);
         let standardised = |power: i32| {
             (sigma > 0.0).then(|| mean_of(&|i| (height.deviation(heights[i]) / sigma).powi(power)))
         };
@@ -53,6 +53,12 @@ impl Statistics {
     }
 }
 
+/// Mean height and standard deviation of the heights (m), as in [`Statistics`], of at least one height.
+pub(crate) fn mean_and_sigma(heights: &[f64]) -> (f64, f64) {
+    let mean = Mean::of(heights);
+    (mean.value(), mean.sigma(heights))
+}
+
 /// A mean in two parts, so that deviations from it keep their digits under a large offset: the first value, and the mean
 /// relative to it.
 struct Mean {
@@ -64,12 +70,17 @@ impl Mean {
     /// Exact for equal values.
     fn of(values: &[f64]) -> Self {
         let origin = values[0];
-        let relative = sum_of(values.len(), |i| values[i] - origin) / values.len() as f64;
+        let relative = sum_over(values, |value| value - origin) / values.len() as f64;
         Self { origin, relative }
     }
 
     fn value(&self) -> f64 {
         self.origin + self.relative
+    }
+
+    /// The standard deviation of the values whose mean this is.
+    fn sigma(&self, values: &[f64]) -> f64 {
+        (sum_over(values, |value| self.deviation(value).powi(2)) / values.len() as f64).sqrt()
     }
 
     fn deviation(&self, value: f64) -> f64 {

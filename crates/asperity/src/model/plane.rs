@@ -1,6 +1,6 @@
 //! The reference plane of separations.
 
-use crate::asperity::{Population, Statistics};
+use crate::asperity::{Asperities, Population, Statistics, mean_and_sigma};
 
 /// The plane from which separations are measured, and the unit in which they are reported.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -14,6 +14,14 @@ pub struct ReferencePlane {
 impl From<&Statistics> for ReferencePlane {
     fn from(statistics: &Statistics) -> Self {
         Self { mean: statistics.mean_height, sigma: statistics.sigma }
+    }
+}
+
+/// The same as of the [`Statistics`] of the asperities, without the rest of these.
+impl From<Asperities<'_>> for ReferencePlane {
+    fn from(asperities: Asperities<'_>) -> Self {
+        let (mean, sigma) = mean_and_sigma(asperities.heights());
+        Self { mean, sigma }
     }
 }
 

@@ -128,6 +128,23 @@ pub fn sum_of(count: usize, term: impl Fn(usize) -> f64 + Sync) -> f64 {
     in_chunks(count, |range| range.map(&term).collect::<Sum>(), |total, part| *total += *part).value()
 }
 
+/// Parallel compensated sum of `term` over `values`, in parts whose additions do not wait for each other: several times as
+/// fast as [`sum_of`].
+pub fn sum_over(values: &[f64], term: impl Fn(f64) -> f64 + Sync) -> f64 {
+    const PARTS: usize = 8;
+    let of_chunk = |range: std::ops::Range<usize>| {
+        let mut parts = [Sum::default(); PARTS];
+        for some in values[range].chunks(PARTS) {
+            parts.iter_mut().zip(some).for_each(|(part, &value)| *part += term(value));
+        }
+        parts.into_iter().fold(Sum::default(), |mut total, part| {
+            total += part;
+            total
+        })
+    };
+    in_chunks(values.len(), of_chunk, |total, part| *total += *part).value()
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -143,6 +160,16 @@ mod tests {
     fn a_million_equal_terms_are_exact() {
         let total = sum_of(1_000_000, |_| 0.1);
         assert_eq!(total, 0.1 * 1e6);
+    }
+
+    #[test]
+    fn parts_give_the_sum() {
+        for count in [0, 1, 7, 8, 9, 4096, 4097, 100_003] {
+            let values: Vec<f64> = (0..count).map(|i| f64::from(i).sin() * 10f64.powi(i % 17)).collect();
+            let plain = sum_of(values.len(), |i| values[i] * values[i]);
+            let found = sum_over(&values, |value| value * value);
+            assert!((found - plain).abs() <= f64::EPSILON * plain, "{count}: {found} {plain}");
+        }
     }
 
     #[test]

@@ -2,7 +2,7 @@
 //!
 //! | item | content |
 //! |---|---|
-//! | [`HeightMap`], [`Rows`], [`Watched`] | heights in memory; heights row by row, for maps larger than memory; with progress |
+//! | [`HeightMap`], [`Rows`], [`Watched`], [`Continued`] | heights in memory; heights row by row, for maps larger than memory; with progress; continued periodically |
 //! | [`read`] | measured maps, one file per format |
 //! | [`thumbnail`], [`Sampled`], [`Window`] | a coarse map of a map; every so many points of it; a part of it |
 //! | [`Level`], [`Filter`] | removing the form; Gaussian S and L filters |
@@ -49,7 +49,7 @@ pub use level::{Form, Level, Levelled, Undetermined};
 pub use part::{Sampled, Window, thumbnail};
 pub use quantisation::Quantisation;
 pub use roughness::{Drops, Moments, RoughnessParameters};
-pub use rows::{Boundary, Rows, Strip, Watched, strips};
+pub use rows::{Boundary, Continued, Rows, Strip, Watched, strips};
 
 /// Heights on a rectangular grid. A missing point is NaN.
 #[derive(Debug, Clone, PartialEq)]

@@ -1,7 +1,7 @@
 //! Heights row by row, for maps larger than memory.
 
 use std::ops::Range;
-use std::sync::{Mutex, PoisonError};
+use std::sync::{Arc, Mutex, PoisonError};
 
 use pulp::{Simd, WithSimd};
 use rayon::prelude::*;
@@ -20,7 +20,7 @@ pub enum Boundary {
 }
 
 /// A source of heights on a rectangular grid, read by rows of constant x. A missing point is NaN.
-pub trait Rows: Sync {
+pub trait Rows: Send + Sync {
     /// Points along x and y.
     fn points(&self) -> [usize; 2];
 
@@ -49,6 +49,39 @@ pub trait Rows: Sync {
     /// The heights of contiguous rows, if they are in memory.
     fn block(&self, _rows: Range<usize>) -> Option<&[f64]> {
         None
+    }
+}
+
+/// A map that continues periodically beyond its border, as simulated surfaces do.
+pub struct Continued(pub Arc<dyn Rows>);
+
+impl Rows for Continued {
+    fn points(&self) -> [usize; 2] {
+        self.0.points()
+    }
+
+    fn pixel(&self) -> [f64; 2] {
+        self.0.pixel()
+    }
+
+    fn precision(&self) -> f64 {
+        self.0.precision()
+    }
+
+    fn boundary(&self) -> Boundary {
+        Boundary::Periodic
+    }
+
+    fn offset(&self) -> f64 {
+        self.0.offset()
+    }
+
+    fn read(&self, ix: usize, row: &mut [f64]) {
+        self.0.read(ix, row);
+    }
+
+    fn block(&self, rows: Range<usize>) -> Option<&[f64]> {
+        self.0.block(rows)
     }
 }
 

@@ -101,10 +101,10 @@ const fn seconds_per_point(boundary: Boundary) -> f64 {
 }
 
 impl ReferencePlan {
-    /// What lies beyond the edge of the map of a surface: a generated map is periodic, a measured one is mirrored unless the
+    /// What lies beyond the edge of the map of a surface: that of a map that continues periodically, else mirrored, unless the
     /// spec says otherwise.
     pub fn boundary(&self, surface: &SurfacePlan) -> Boundary {
-        let own = if surface.is_measured() { Boundary::Mirrored } else { Boundary::Periodic };
+        let own = if surface.is_periodic() { Boundary::Periodic } else { Boundary::Mirrored };
         self.boundary.unwrap_or(own)
     }
 

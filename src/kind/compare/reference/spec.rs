@@ -25,7 +25,7 @@ pub struct ReferenceSpec {
     #[schemars(extend("x-default" = "the hardness where the law yields and the flat is homogeneous, else none", "examples" = ["none"]))]
     pub cap: Option<Spanned<CapSpec>>,
     /// What lies beyond the border of the map.
-    #[schemars(extend("x-default" = "periodic on generated maps, else mirrored", "examples" = ["mirrored"]))]
+    #[schemars(extend("x-default" = "periodic on generated and periodic maps, else mirrored", "examples" = ["mirrored"]))]
     pub boundary: Option<Boundary>,
     /// Points along an axis for each of the map; 2 gives an error bar.
     #[schemars(extend("x-range" = "1 to 2", "default" = 1, "examples" = [2]))]

@@ -208,6 +208,23 @@ impl AsperityList {
         }
     }
 
+    /// The list with these columns, in m and 1/m: heights, radii, and the principal curvatures kx and ky of ellipses.
+    /// [`Self::set`] checks them.
+    pub fn of(heights: Vec<f64>, radii: Vec<f64>, curvatures: Option<[Vec<f64>; 2]>) -> Self {
+        Self { heights, radii, curvatures }
+    }
+
+    /// Its columns: heights, radii, and kx and ky where it has them.
+    pub fn columns(&self) -> impl Iterator<Item = &[f64]> {
+        let curvatures = self.curvatures.iter().flatten().map(Vec::as_slice);
+        [self.heights.as_slice(), &self.radii].into_iter().chain(curvatures)
+    }
+
+    /// Whether it has principal curvatures.
+    pub fn has_curvatures(&self) -> bool {
+        self.curvatures.is_some()
+    }
+
     /// Number of rows whose radius does not lie between the principal radii of curvature 1/kx and 1/ky: their sphere
     /// and ellipse are different asperities.
     pub fn contradictions(&self) -> usize {

@@ -1,6 +1,7 @@
 //! Content of a map file.
 
 use super::error::ReadOptionsError;
+use crate::topography::Rows;
 
 /// Size, pixel and format of a map, from the header of its file.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -26,6 +27,11 @@ pub struct ReadOptions {
 }
 
 impl Metadata {
+    /// Of a map in memory.
+    pub fn in_memory(map: &dyn Rows) -> Self {
+        Self { points: map.points(), pixel: Some(map.pixel()), has_unit: true, format: "a map in memory" }
+    }
+
     /// The pixel along x and y, m.
     ///
     /// # Errors

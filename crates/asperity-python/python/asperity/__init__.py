@@ -1,0 +1,50 @@
+"""Contact of rough surfaces in two ways: the statistical integral and the sum over the real asperities.
+
+All quantities are in SI units: m, Pa, N, 1/m^2. Separations are d/sigma: the distance of the flat from the mean asperity
+height over the standard deviation of the asperity heights.
+
+>>> import asperity
+>>> steel = asperity.Material(210e9, 0.3, hardness=7.6e9)
+>>> contact = asperity.Interface(steel, steel, "zmc")
+>>> population = asperity.Population(radius=20e-6, sigma=48e-9, density=6e10)
+>>> curve = asperity.statistical(contact, population, separations=[2.0, 1.0])
+>>> curve["pressure_pa"].round(-4)
+array([ 2880000., 32700000.])
+"""
+
+from collections.abc import Mapping
+
+from ._asperity import (
+    Asperities,
+    Interface,
+    Law,
+    Material,
+    Population,
+    Table,
+    __version__,
+    deterministic,
+    statistical,
+)
+from .study import Results, compare, reference, run
+from .surfaces import Topography, draw, generate
+
+Mapping.register(Table)
+
+__all__ = [
+    "Asperities",
+    "Interface",
+    "Law",
+    "Material",
+    "Population",
+    "Results",
+    "Table",
+    "Topography",
+    "__version__",
+    "compare",
+    "deterministic",
+    "draw",
+    "generate",
+    "reference",
+    "run",
+    "statistical",
+]

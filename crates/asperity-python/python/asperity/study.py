@@ -1,0 +1,270 @@
+"""Specs from Python: comparisons, the boundary element reference, and any experiment of the program."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Mapping, Sequence
+from functools import cached_property
+from os import PathLike
+from typing import Any
+
+from . import _asperity
+from ._asperity import Asperities, Interface, Material, Table
+from .surfaces import Topography, keys
+
+Surface = Topography | Asperities | Mapping[str, Any]
+
+
+class Results:
+    """What an experiment gives.
+
+    Attributes
+    ----------
+    kind : str
+        The kind of the experiment, such as ``"compare"``.
+    tables : dict of str to Table
+        The tables of the report by name: ``tables["curves"]`` is ``curves.csv``.
+    summary : dict
+        The content of ``summary.json``.
+    warnings : list of str
+        Caveats.
+    report : Path or None
+        The folder of the report, where one was written.
+    """
+
+    def __init__(self, run: _asperity.Run) -> None:
+        self._run = run
+        self.kind = run.kind
+        self.warnings = run.warnings
+        self.report = run.report
+
+    @cached_property
+    def tables(self) -> dict[str, Table]:
+        return self._run.tables()
+
+    @cached_property
+    def summary(self) -> dict[str, Any]:
+        return json.loads(self._run.summary)
+
+    @property
+    def csv(self) -> dict[str, bytes]:
+        """The files of the tables, as the program writes them."""
+        return self._run.csv()
+
+    @property
+    def curves(self) -> Table:
+        """The curves of all models: ``curves.csv``."""
+        return self.tables["curves"]
+
+    @property
+    def answer(self) -> str | None:
+        """The verdict in one sentence, where the experiment has one."""
+        return self.summary.get("answer")
+
+    @property
+    def verdicts(self) -> list[dict[str, Any]]:
+        """One entry for each quantity and range of loads with one verdict."""
+        return self.summary.get("verdicts", [])
+
+    @property
+    def attribution(self) -> Table | None:
+        """The difference between the models divided among its causes: ``attribution.csv``."""
+        return self.tables.get("attribution")
+
+    def __repr__(self) -> str:
+        return f"<Results of {self.kind}: {', '.join(self.tables)}>"
+
+
+def run(
+    spec: str | PathLike[str] | Mapping[str, Any],
+    *,
+    surfaces: Mapping[str, Topography | Asperities] | None = None,
+    name: str = "asperity",
+    report: str | PathLike[str] | None = None,
+) -> Results:
+    """Run a spec: a file, or a dictionary with the same keys.
+
+    Numbers are in SI units, texts such as ``"48 nm"`` have their own. All kinds run except those that measure the program
+    itself (precision, stability, interval-coverage, solver-validation), which the program ``experiment`` runs.
+
+    Parameters
+    ----------
+    spec : path_like or mapping
+        The spec. Paths in a dictionary are relative to the working directory.
+    surfaces : mapping, optional
+        Surfaces in memory that are added to a dictionary as ``[surface.NAME]``.
+    name : str
+        Name of the report of a dictionary; that of a file is called after the file.
+    report : path_like, optional
+        A folder in which the report (page, figures, tables) is written, in a folder of its own.
+
+    Raises
+    ------
+    ValueError
+        A spec that cannot run, with line and key.
+    OSError
+        A report that cannot be written.
+    """
+    held: dict[str, Any] = {}
+    if isinstance(spec, Mapping):
+        spec = {**spec}
+        if surfaces:
+            tables = dict(spec.get("surface", {}))
+            for key, surface in surfaces.items():
+                tables[key], own = _table(key, surface)
+                held.update(own)
+            spec["surface"] = tables
+    elif surfaces:
+        raise ValueError("surfaces: allowed only with a spec that is a dictionary")
+    return Results(_asperity.run(spec, held, name=name, report=report))
+
+
+def _table(name: str, surface: Surface) -> tuple[dict[str, Any], dict[str, Any]]:
+    """A surface as ``[surface.NAME]``, and what it names in memory."""
+    if isinstance(surface, Topography):
+        table, held = surface._spec()
+        (raw,) = held.values()
+        path = f"map {name}"
+        return {"file": {**table["file"], "path": path}}, {path: raw}
+    if isinstance(surface, Asperities):
+        path = f"list {name}"
+        return {"asperities": {"file": path, "nominal-area": surface.nominal_area}}, {path: surface}
+    if isinstance(surface, Mapping):
+        return {_hyphens(key): value for key, value in surface.items()}, {}
+    raise ValueError(
+        f"surface {name}: found a {type(surface).__name__}; allowed: a Topography, Asperities, or a dictionary such as "
+        "{'population': {...}}"
+    )
+
+
+def _hyphens(name: str) -> str:
+    return name.replace("_", "-")
+
+
+def _material(material: Material) -> dict[str, float]:
+    return keys(
+        {
+            "young": material.young,
+            "poisson": material.poisson,
+            "hardness": material.hardness,
+            "yield_strength": material.yield_strength,
+        }
+    )
+
+
+def _spec(interface: Interface, surface: Surface | Mapping[str, Surface]) -> tuple[dict, dict]:
+    law = {_hyphens(name): value for name, value in interface.law.given.items()}
+    compare: dict[str, Any] = {
+        "rough": "rough",
+        "flat": "flat",
+        "law": {interface.law.name: law} if law else interface.law.name,
+    }
+    materials = {"rough": _material(interface.rough), "flat": _material(interface.flat)}
+    if interface.layer is not None:
+        thickness = interface.thickness
+        thickness = "inf" if thickness == float("inf") else thickness
+        # A list of one: no curve without the layer beside it.
+        compare["layer"] = {"material": "layer", "thickness": [thickness], "rule": interface.rule}
+        materials["layer"] = _material(interface.layer)
+    kinds = {"generate", "population", "file", "asperities"}
+    single = not isinstance(surface, Mapping) or set(surface) & kinds
+    surfaces = {"surface": surface} if single else dict(surface)
+    return {"title": "Comparison", "material": materials, "compare": compare}, surfaces
+
+
+def compare(
+    surface: Surface | Mapping[str, Surface],
+    interface: Interface,
+    *,
+    separations: Sequence[float] | Mapping[str, Any] | None = None,
+    pressures: Sequence[float] | Mapping[str, Any] | None = None,
+    forces: Sequence[float] | Mapping[str, Any] | None = None,
+    seed: int = 0,
+    title: str = "Comparison",
+    name: str = "asperity",
+    report: str | PathLike[str] | None = None,
+    **options: Any,
+) -> Results:
+    """Compare both models on the same surface, with verdicts and the causes of their difference.
+
+    Parameters
+    ----------
+    surface : Topography, Asperities, dict, or mapping of names to these
+        What is pressed against the flat; a dictionary is ``[surface.NAME]`` of a spec, such as ``{"population": {...}}``.
+    interface : Interface
+        Bodies, law and layer.
+    separations : sequence or dict, optional
+        d/sigma, or ``{"from": 4, "to": 0, "points": 41}``. At least one of separations, pressures and forces is needed.
+    pressures, forces : sequence or dict, optional
+        Nominal pressures in Pa; forces on the nominal area in N.
+    seed : int
+        Every random number is drawn from it.
+    title, name, report
+        Title of the report, name of its folder, and the folder in which it is written, if any.
+    **options
+        Further keys of ``[compare]``, with ``_`` for ``-``: ``models``, ``reference``, ``statistical``, ``accept``,
+        ``robustness``, ``attribution``, ``rank_models``, ``tolerance``, ``lines``.
+
+    Returns
+    -------
+    Results
+        With ``answer``, ``verdicts``, ``attribution`` and ``curves``.
+
+    Raises
+    ------
+    ValueError
+        Values that cannot run, or a load that a model does not reach.
+
+    Examples
+    --------
+    >>> import asperity
+    >>> steel = asperity.Material(210e9, 0.3, hardness=7.6e9)
+    >>> asperities = asperity.draw(20_000, radius=20e-6, sigma=48e-9, density=6e10, seed=1)
+    >>> results = asperity.compare(asperities, asperity.Interface(steel, steel), pressures=[1e6, 1e7])
+    >>> results.curves["model"].tolist()
+    ['statistical', 'statistical', 'deterministic', 'deterministic']
+    """
+    spec, surfaces = _spec(interface, surface)
+    sweeps = {"separation": separations, "pressure": pressures, "force": forces}
+    spec["compare"].update(keys(sweeps))
+    spec["compare"].update(keys(options))
+    spec.update(seed=seed, title=title)
+    return run(spec, surfaces=surfaces, name=name, report=report)
+
+
+def reference(
+    surface: Topography | Mapping[str, Any],
+    interface: Interface,
+    *,
+    pressures: Sequence[float] | Mapping[str, Any],
+    seed: int = 0,
+    **options: Any,
+) -> Table:
+    """The boundary element reference on the height map itself, without asperities.
+
+    Parameters
+    ----------
+    surface : Topography or dict
+        A surface with a height map.
+    interface : Interface
+        Bodies, law and layer; where the law yields, the pressure is limited by the hardness.
+    pressures : sequence or dict
+        Nominal pressures in Pa.
+    seed : int
+        Every random number is drawn from it.
+    **options
+        Keys of ``reference`` in a spec: ``error``, ``cap``, ``boundary``, ``refine``, ``loads``.
+
+    Returns
+    -------
+    Table
+        The columns of ``curves.csv``; those about asperities are NaN.
+
+    Raises
+    ------
+    ValueError
+        A surface without a map, or values that cannot run.
+    """
+    chosen = {"reference": keys(options)} if options else {}
+    results = compare(surface, interface, pressures=pressures, seed=seed, models=["reference"], **chosen)
+    return results.curves

@@ -1,0 +1,296 @@
+"""Surfaces: height maps with their preparation, random surfaces, and asperities drawn from a population."""
+
+from __future__ import annotations
+
+import json
+from functools import cached_property
+from os import PathLike
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from . import _asperity
+from ._asperity import Asperities
+
+# The name of a map in memory, which the spec has instead of a path.
+_HELD_MAP = "map in memory"
+
+# Names of units in SurfaceTopography that the program spells in another way.
+_UNITS = {"A": 1e-10, "Å": 1e-10, "µm": 1e-6, "μm": 1e-6}
+
+
+def _key(name: str) -> str:
+    return name.replace("_", "-")
+
+
+def keys(given: dict[str, Any]) -> dict[str, Any]:
+    """Keys of a spec from Python names, without those that are None."""
+    return {_key(name): value for name, value in given.items() if value is not None}
+
+
+class Topography:
+    """A height map and how it is prepared before its summits are searched.
+
+    The keywords are the keys of ``[surface.NAME.file]`` in a spec, with the same defaults. A contiguous float64 array is
+    not copied, and must not be changed as long as the topography is used.
+
+    Parameters
+    ----------
+    heights : array_like, shape (nx, ny)
+        Heights in m, the first index along x. NaN, infinite and masked points are missing.
+    pixel : float or (float, float)
+        Distance of neighbouring points along x and y in m.
+    periodic : bool
+        Whether the map continues periodically beyond its border, as simulated surfaces do.
+    outliers : {"keep", "remove"}
+        Whether spikes become missing points.
+    align_lines : {"x", "y"}, optional
+        The axis along which lines of the scan are set to the same mean height.
+    level : {"none", "plane", "quadratic", "cubic"}, optional
+        Form that is removed; by default a plane, and nothing of a periodic map.
+    s, l : float, optional
+        Nesting indices of Gaussian S and L filters (ISO 16610-61) in m.
+    neighbours : {"four", "eight"}
+        Which neighbours a summit is higher than.
+
+    Raises
+    ------
+    ValueError
+        A map of fewer than 3 x 3 points or without a height, or a pixel that is not positive.
+
+    Examples
+    --------
+    >>> import numpy as np, asperity
+    >>> x = np.arange(64) * 1e-6
+    >>> heights = 1e-7 * np.sin(6e5 * x)[:, None] * np.cos(7e5 * x) * (1 + 1e4 * x[:, None])
+    >>> topography = asperity.Topography(heights, 1e-6)
+    >>> len(topography.find_summits())
+    78
+    """
+
+    def __init__(
+        self,
+        heights: ArrayLike,
+        pixel: float | tuple[float, float],
+        *,
+        periodic: bool = False,
+        **preparation: Any,
+    ) -> None:
+        if isinstance(heights, np.ma.MaskedArray):
+            heights = heights.astype(np.float64).filled(np.nan)
+        pixel = tuple(np.broadcast_to(np.asarray(pixel, dtype=np.float64), 2).tolist())
+        self._begin(_asperity.Map(heights, pixel), periodic, preparation)
+
+    def _begin(self, raw: _asperity.Map, periodic: bool, preparation: dict[str, Any]) -> None:
+        allowed = {"outliers", "align_lines", "level", "s", "l", "neighbours"}
+        if unknown := set(preparation) - allowed:
+            raise ValueError(f"found {', '.join(sorted(unknown))}; allowed: {', '.join(sorted(allowed))}")
+        self._raw = raw
+        self.periodic = bool(periodic)
+        self._preparation = {name: value for name, value in preparation.items() if value is not None}
+
+    @classmethod
+    def read(
+        cls,
+        path: str | PathLike[str],
+        *,
+        pixel: float | tuple[float, float] | None = None,
+        unit: str | None = None,
+        periodic: bool = False,
+        **preparation: Any,
+    ) -> Topography:
+        """Read a measured map: ``.npy``, X3P, SDF, a text matrix or columns x y z.
+
+        Parameters
+        ----------
+        path : path_like
+            The file.
+        pixel : float or (float, float), optional
+            Distance of neighbouring points in m, only where the file holds none.
+        unit : str, optional
+            Unit of the lengths in the file such as ``"um"``, only where the file names none.
+        periodic, **preparation
+            As of :class:`Topography`.
+        """
+        if pixel is not None:
+            pixel = tuple(np.broadcast_to(np.asarray(pixel, dtype=np.float64), 2).tolist())
+        made = cls.__new__(cls)
+        made._begin(_asperity.Map.read(path, pixel=pixel, unit=unit), periodic, preparation)
+        return made
+
+    @classmethod
+    def from_surface_topography(cls, topography: Any, **preparation: Any) -> Topography:
+        """Take over a uniform two-dimensional map of SurfaceTopography, or of anything with the same attributes.
+
+        Parameters
+        ----------
+        topography : object
+            With ``heights()``, ``physical_sizes``, ``unit`` (None: m) and ``is_periodic``.
+        **preparation
+            As of :class:`Topography`.
+        """
+        unit = getattr(topography, "unit", None) or "m"
+        factor = _UNITS[unit] if unit in _UNITS else _asperity.length_unit(unit)
+        heights = topography.heights()
+        if np.ndim(heights) != 2:
+            raise ValueError(f"found {np.ndim(heights)} dimensions; allowed: a uniform two-dimensional map")
+        sizes = np.asarray(topography.physical_sizes, dtype=np.float64)
+        pixel = tuple((sizes / np.shape(heights) * factor).tolist())
+        heights = heights if factor == 1 else heights * factor
+        return cls(heights, pixel, periodic=bool(getattr(topography, "is_periodic", False)), **preparation)
+
+    def prepared_with(self, **preparation: Any) -> Topography:
+        """The same map with other keywords of the preparation; those not named stay."""
+        made = Topography.__new__(Topography)
+        made._begin(self._raw, self.periodic, {**self._preparation, **preparation})
+        return made
+
+    def _spec(self) -> tuple[dict[str, Any], dict[str, Any]]:
+        """``[surface.NAME]`` and what it names in memory."""
+        given = dict(self._preparation)
+        indices = {name: given.pop(name) for name in ("s", "l") if name in given}
+        table = keys({"path": _HELD_MAP, "periodic": self.periodic, **given})
+        if indices:
+            table["filter"] = indices
+        return {"file": table}, {_HELD_MAP: self._raw}
+
+    @cached_property
+    def _surface(self) -> _asperity.Surface:
+        table, held = self._spec()
+        return _make(table, held)
+
+    @property
+    def points(self) -> tuple[int, int]:
+        """Points along x and y."""
+        return tuple(self._raw.points)
+
+    @property
+    def pixel(self) -> tuple[float, float]:
+        """Distance of neighbouring points along x and y in m."""
+        return tuple(self._raw.pixel)
+
+    @property
+    def raw_heights(self) -> NDArray[np.float64]:
+        """A copy of the heights as read in m, shape (nx, ny); NaN where they are missing."""
+        return self._raw.heights()
+
+    @cached_property
+    def heights(self) -> NDArray[np.float64]:
+        """The prepared heights in m, shape (nx, ny): aligned, levelled and filtered, NaN where they are missing."""
+        return self._surface.map.heights()
+
+    def find_summits(self) -> Asperities:
+        """The summits of the prepared map: heights and radii in m, with their principal curvatures in 1/m."""
+        return self._surface.asperities
+
+    @property
+    def summit_positions(self) -> NDArray[np.int64]:
+        """Index pairs (ix, iy) of the summits, shape (n, 2), in the order of :meth:`find_summits`."""
+        return np.stack(np.unravel_index(self._surface.positions, self.points), axis=-1)
+
+    @cached_property
+    def roughness(self) -> dict[str, Any]:
+        """Parameters of the prepared map, with the names and units of ``height_map`` in ``summary.json``."""
+        return json.loads(self._surface.summary)["height_map"]
+
+    @cached_property
+    def fitness(self) -> list[dict[str, Any]]:
+        """The checks whether the map may carry a verdict: spikes, form, lines, steps, resolution."""
+        return json.loads(self._surface.fitness)
+
+    @property
+    def warnings(self) -> list[str]:
+        """Caveats of the preparation and the search."""
+        return self._surface.warnings
+
+    def __repr__(self) -> str:
+        nx, ny = self.points
+        dx, dy = self.pixel
+        periodic = ", periodic" if self.periodic else ""
+        return f"<Topography: {nx} x {ny} points of {dx:.3g} x {dy:.3g} m{periodic}>"
+
+
+def _make(table: dict[str, Any], held: dict[str, Any], seed: int = 0, realisation: int = 1) -> _asperity.Surface:
+    spec = {"title": "surface", "seed": seed, "surface": {"surface": table}}
+    return _asperity.make_surface(spec, held, realisation=realisation)
+
+
+def generate(
+    points: int | tuple[int, int],
+    *,
+    seed: int = 0,
+    realisation: int = 1,
+    **generation: Any,
+) -> Topography:
+    """Generate a periodic random rough surface.
+
+    The keywords are the keys of ``[surface.NAME.generate]`` in a spec, with ``_`` for ``-``; a number is in SI units, a
+    text such as ``"48 nm"`` has its own. Realisation k of a seed is that of a spec whose surface is called ``surface``.
+
+    Parameters
+    ----------
+    points : int or (int, int)
+        Points along x and y.
+    seed : int
+        Every random number is drawn from it.
+    realisation : int
+        Number of the realisation, from 1.
+    **generation
+        ``pixel`` (m), ``sigma`` (m), ``spectrum``, ``heights``, ``spectrum_of``, ``plateau``, ``summits``,
+        ``neighbours``.
+
+    Raises
+    ------
+    ValueError
+        Keys or values that make no surface, or a target that is not reached.
+
+    Examples
+    --------
+    >>> import asperity
+    >>> spectrum = {"self-affine": {"hurst": 0.8, "roll-off": 16e-6, "cut-off": 4e-6}}
+    >>> surface = asperity.generate(128, pixel=1e-6, sigma=50e-9, spectrum=spectrum, seed=1)
+    >>> surface
+    <Topography: 128 x 128 points of 1e-06 x 1e-06 m, periodic>
+    """
+    points = [points, points] if np.ndim(points) == 0 else list(points)
+    made = _make({"generate": keys({"points": points, **generation})}, {}, seed, realisation)
+    topography = Topography.__new__(Topography)
+    neighbours = generation.get("neighbours", "four")
+    topography._begin(made.map, True, {"level": "none", "neighbours": neighbours})
+    return topography
+
+
+def draw(
+    count: int,
+    *,
+    radius: float | str,
+    sigma: float | str,
+    density: float | str,
+    seed: int = 0,
+    realisation: int = 1,
+    **population: Any,
+) -> Asperities:
+    """Draw asperities of one radius from a population.
+
+    The keywords are the keys of ``[surface.NAME.population]`` in a spec, with ``_`` for ``-``.
+
+    Parameters
+    ----------
+    count : int
+        How many asperities are drawn.
+    radius, sigma, density : float
+        Radius and standard deviation of the heights in m, asperities per nominal area in 1/m^2.
+    seed, realisation : int
+        Every random number is drawn from them.
+    **population
+        ``heights``: a distribution, by default ``"gaussian"``; ``draw``: ``"random"`` or ``"quantiles"``.
+
+    Examples
+    --------
+    >>> import asperity
+    >>> asperity.draw(1000, radius=20e-6, sigma=48e-9, density=6e10)
+    <Asperities: 1000 on 1.6666666666666667e-8 m^2>
+    """
+    table = {"radius": radius, "sigma": sigma, "density": density, "count": count, **population}
+    return _make({"population": keys(table)}, {}, seed, realisation).asperities

@@ -1,0 +1,262 @@
+//! Asperities as arrays, and the population of the integral.
+
+use std::sync::Arc;
+
+use asperity::{AsperityList, AsperitySet, MeanRadius, SetError, Statistics};
+use asperity_framework::input::Held;
+use asperity_framework::input::heights::HeightsSpec;
+use numpy::PyArrayDyn;
+use pyo3::prelude::*;
+use pyo3::types::PyDict;
+
+use crate::array::Array;
+use crate::refuse;
+use crate::spec::toml_of;
+
+/// Asperities on a nominal area: what the sum runs over.
+///
+/// Contiguous float64 arrays are not copied; they are checked again whenever they are used.
+///
+/// Parameters
+/// ----------
+/// heights : array_like, shape (n,)
+///     Heights in m.
+/// radii : array_like, shape (n,)
+///     1/(mean curvature) in m.
+/// nominal_area : float
+///     The area that they are from in m^2.
+/// curvatures : array_like, shape (2, n), optional
+///     Principal curvatures kx and ky in 1/m, for laws for ellipses.
+///
+/// Raises
+/// ------
+/// ValueError
+///     The first invalid value.
+///
+/// Examples
+/// --------
+/// >>> import asperity
+/// >>> asperity.Asperities([0.0, 5e-8], [2e-5, 1e-5], nominal_area=1e-9)
+/// <Asperities: 2 on 1e-9 m^2>
+#[pyclass(module = "asperity", frozen)]
+pub struct Asperities {
+    pub heights: Array,
+    pub radii: Array,
+    pub curvatures: Option<Array>,
+    /// The area that they are from in m^2.
+    #[pyo3(get)]
+    pub nominal_area: f64,
+}
+
+impl Asperities {
+    /// The asperities where they lie.
+    pub fn spheres(&self) -> Result<asperity::Asperities<'_>, SetError> {
+        asperity::Asperities::of_spheres(self.heights.values(), self.radii.values(), self.nominal_area)
+    }
+
+    fn list(&self) -> AsperityList {
+        let curvatures = self.curvatures.as_ref().map(|both| {
+            let (kx, ky) = both.values().split_at(self.heights.values().len());
+            [kx.to_vec(), ky.to_vec()]
+        });
+        AsperityList::of(self.heights.values().to_vec(), self.radii.values().to_vec(), curvatures)
+    }
+
+    /// A copy in the frame of its lowest height where all are far from zero; with ellipses where they are known.
+    pub fn set(&self) -> Result<AsperitySet, SetError> {
+        Ok(self.list().set(self.nominal_area)?.near_zero().0)
+    }
+
+    /// As a surface of a spec.
+    pub fn held(&self) -> Held {
+        Held::List(Arc::new(self.list()))
+    }
+}
+
+#[pymethods]
+impl Asperities {
+    #[new]
+    #[pyo3(signature = (heights, radii, nominal_area, *, curvatures=None))]
+    fn new(
+        heights: &Bound<PyAny>,
+        radii: &Bound<PyAny>,
+        nominal_area: f64,
+        curvatures: Option<&Bound<PyAny>>,
+    ) -> PyResult<Self> {
+        let (heights, radii) = (Array::new(heights, 1, "heights")?, Array::new(radii, 1, "radii")?);
+        let curvatures = curvatures.map(|both| Array::new(both, 2, "curvatures")).transpose()?;
+        if let Some(found) = curvatures.as_ref().map(Array::shape)
+            && found != [2, heights.values().len()]
+        {
+            let allowed = heights.values().len();
+            return Err(refuse(format!(
+                "curvatures: found the shape {found:?}; allowed: [2, {allowed}], kx and ky"
+            )));
+        }
+        let made = Self { heights, radii, curvatures, nominal_area };
+        made.spheres().map_err(refuse)?;
+        if made.curvatures.is_some() {
+            made.set().map_err(refuse)?;
+        }
+        Ok(made)
+    }
+
+    /// Heights in m, shape (n,).
+    #[getter]
+    fn heights(&self, py: Python) -> Py<PyArrayDyn<f64>> {
+        self.heights.object(py)
+    }
+
+    /// 1/(mean curvature) in m, shape (n,).
+    #[getter]
+    fn radii(&self, py: Python) -> Py<PyArrayDyn<f64>> {
+        self.radii.object(py)
+    }
+
+    /// Principal curvatures in 1/m, shape (2, n), or None.
+    #[getter]
+    fn curvatures(&self, py: Python) -> Option<Py<PyArrayDyn<f64>>> {
+        self.curvatures.as_ref().map(|both| both.object(py))
+    }
+
+    /// Asperities per nominal area in 1/m^2.
+    #[getter]
+    fn density(&self) -> f64 {
+        self.heights.values().len() as f64 / self.nominal_area
+    }
+
+    fn __len__(&self) -> usize {
+        self.heights.values().len()
+    }
+
+    /// Mean values and moments, with divisor n and the names of ``summary.json``.
+    ///
+    /// Returns
+    /// -------
+    /// dict of str to float or None
+    ///     ``mean_height_m``, ``sigma_m``, ``skewness``, ``kurtosis`` (3 if Gaussian), ``mean_radius_m``,
+    ///     ``radius_of_mean_curvature_m``, ``radius_cv`` and ``height_radius_correlation``; None where it is undefined.
+    fn statistics<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
+        let found = py.detach(|| self.set().map(|set| Statistics::of(&set))).map_err(refuse)?;
+        let dict = PyDict::new(py);
+        dict.set_item("mean_height_m", asperity::ReferencePlane::from(self.spheres().map_err(refuse)?).mean)?;
+        dict.set_item("sigma_m", found.sigma)?;
+        dict.set_item("skewness", found.skewness)?;
+        dict.set_item("kurtosis", found.kurtosis)?;
+        dict.set_item("mean_radius_m", found.mean_radius)?;
+        dict.set_item("radius_of_mean_curvature_m", found.radius_of_mean_curvature)?;
+        dict.set_item("radius_cv", found.radius_cv)?;
+        dict.set_item("height_radius_correlation", found.height_radius_correlation)?;
+        Ok(dict)
+    }
+
+    /// The Gaussian population of the same sigma and density, and of the mean radius: what the integral takes for them.
+    ///
+    /// Parameters
+    /// ----------
+    /// mean_radius : {"arithmetic", "inverse-mean-curvature"}
+    ///     The mean of the radii, or 1/(mean curvature).
+    #[pyo3(signature = (*, mean_radius="arithmetic"))]
+    fn population(&self, py: Python, mean_radius: &str) -> PyResult<Population> {
+        let named = [
+            ("arithmetic", MeanRadius::Arithmetic),
+            ("inverse-mean-curvature", MeanRadius::InverseMeanCurvature),
+        ];
+        let Some((_, mean)) = named.into_iter().find(|(name, _)| *name == mean_radius) else {
+            let names = named.map(|(name, _)| format!("\"{name}\"")).join(", ");
+            return Err(refuse(format!("mean_radius: found \"{mean_radius}\"; allowed: {names}")));
+        };
+        let found = py.detach(|| self.set().map(|set| Statistics::of(&set))).map_err(refuse)?;
+        let radius = match mean {
+            MeanRadius::InverseMeanCurvature => found.radius_of_mean_curvature,
+            MeanRadius::Arithmetic | MeanRadius::InContact => found.mean_radius,
+        };
+        Population::checked(radius, found.sigma, self.density(), asperity::Heights::GAUSSIAN)
+    }
+
+    fn __repr__(&self) -> String {
+        format!("<Asperities: {} on {:e} m^2>", self.__len__(), self.nominal_area)
+    }
+}
+
+/// Asperities of one radius whose heights follow a distribution: what the integral runs over.
+///
+/// Parameters
+/// ----------
+/// radius : float
+///     1/(mean curvature) of every asperity in m.
+/// sigma : float
+///     Standard deviation of the asperity heights in m.
+/// density : float
+///     Asperities per nominal area in 1/m^2.
+/// heights : str or dict, optional
+///     Their distribution, as in a spec: ``"gaussian"``, ``{"weibull": {"shape": 2}}``,
+///     ``{"johnson": {"skewness": -1, "kurtosis": 4.5}}``.
+///
+/// Raises
+/// ------
+/// ValueError
+///     A value that is not positive, or an unknown distribution.
+///
+/// Examples
+/// --------
+/// >>> import asperity
+/// >>> asperity.Population(20e-6, 48e-9, 6e10)
+/// Population(radius=2e-5, sigma=4.8e-8, density=6e10, heights="gaussian")
+#[pyclass(module = "asperity", frozen)]
+pub struct Population(pub asperity::Population);
+
+impl Population {
+    fn checked(radius: f64, sigma: f64, density: f64, heights: asperity::Heights) -> PyResult<Self> {
+        for (name, unit, value) in
+            [("radius", "m", radius), ("sigma", "m", sigma), ("density", "1/m^2", density)]
+        {
+            if !(value > 0.0 && value.is_finite()) {
+                return Err(refuse(format!("{name}: found {value}; allowed: positive and finite, {unit}")));
+            }
+        }
+        Ok(Self(asperity::Population { radius, sigma, density, heights }))
+    }
+}
+
+#[pymethods]
+impl Population {
+    #[new]
+    #[pyo3(signature = (radius, sigma, density, heights=None))]
+    fn new(radius: f64, sigma: f64, density: f64, heights: Option<&Bound<PyAny>>) -> PyResult<Self> {
+        let heights = match heights {
+            None => asperity::Heights::GAUSSIAN,
+            Some(given) => {
+                let read: Result<HeightsSpec, _> = toml_of(given, "heights")?.try_into();
+                read.map_err(|error| refuse(format!("heights: {}", error.message())))?.0
+            }
+        };
+        Self::checked(radius, sigma, density, heights)
+    }
+
+    /// Radius in m.
+    #[getter]
+    fn radius(&self) -> f64 {
+        self.0.radius
+    }
+
+    /// Standard deviation of the heights in m.
+    #[getter]
+    fn sigma(&self) -> f64 {
+        self.0.sigma
+    }
+
+    /// Asperities per nominal area in 1/m^2.
+    #[getter]
+    fn density(&self) -> f64 {
+        self.0.density
+    }
+
+    fn __repr__(&self) -> String {
+        let asperity::Population { radius, sigma, density, heights } = &self.0;
+        format!(
+            "Population(radius={radius:e}, sigma={sigma:e}, density={density:e}, heights=\"{}\")",
+            heights.name()
+        )
+    }
+}

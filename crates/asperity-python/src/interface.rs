@@ -1,0 +1,356 @@
+//! Bodies and laws.
+
+use std::collections::BTreeMap;
+use std::sync::Arc;
+
+use asperity::contact_law::{self, ContactLaw};
+use asperity::{Flat, MicroContact, ModulusModel, Shape, material_library};
+use numpy::PyArray1;
+use pyo3::prelude::*;
+use pyo3::types::PyDict;
+
+use crate::array::Array;
+use crate::refuse;
+
+/// An elastic body, which may yield.
+///
+/// Parameters
+/// ----------
+/// young : float
+///     Young's modulus in Pa.
+/// poisson : float
+///     Poisson's ratio.
+/// hardness : float, optional
+///     Indentation hardness in Pa; without it the body never yields.
+/// yield_strength : float, optional
+///     Yield strength in Pa, for the law ``jackson-green``.
+///
+/// Raises
+/// ------
+/// ValueError
+///     A value that no body has.
+///
+/// Examples
+/// --------
+/// >>> import asperity
+/// >>> asperity.Material(210e9, 0.3, hardness=7.6e9)
+/// Material(young=2.1e11, poisson=0.3, hardness=7.6e9)
+#[pyclass(module = "asperity", frozen, eq, from_py_object)]
+#[derive(Clone, PartialEq)]
+pub struct Material(pub asperity::Material);
+
+#[pymethods]
+impl Material {
+    #[new]
+    #[pyo3(signature = (young, poisson, *, hardness=None, yield_strength=None))]
+    fn new(young: f64, poisson: f64, hardness: Option<f64>, yield_strength: Option<f64>) -> PyResult<Self> {
+        asperity::Material::new(young, poisson, hardness, yield_strength).map(Self).map_err(refuse)
+    }
+
+    /// A material of the library, such as ``"steel-100Cr6"``; ``experiment materials`` lists them with their sources.
+    ///
+    /// Raises
+    /// ------
+    /// ValueError
+    ///     A name that the library does not have, with similar ones.
+    #[staticmethod]
+    fn named(name: &str) -> PyResult<Self> {
+        let found = material_library::find(name).ok_or_else(|| {
+            let similar = material_library::similar(name).join(", ");
+            refuse(format!(
+                "found \"{name}\"; allowed: a material of the library{}",
+                if similar.is_empty() { String::new() } else { format!(" (similar names: {similar})") }
+            ))
+        })?;
+        found.material().map(Self).map_err(refuse)
+    }
+
+    /// Young's modulus in Pa.
+    #[getter]
+    fn young(&self) -> f64 {
+        self.0.young()
+    }
+
+    /// Poisson's ratio.
+    #[getter]
+    fn poisson(&self) -> f64 {
+        self.0.poisson()
+    }
+
+    /// Indentation hardness in Pa, or None.
+    #[getter]
+    fn hardness(&self) -> Option<f64> {
+        self.0.hardness()
+    }
+
+    /// Yield strength in Pa, or None.
+    #[getter]
+    fn yield_strength(&self) -> Option<f64> {
+        self.0.yield_strength()
+    }
+
+    fn __repr__(&self) -> String {
+        let mut text = format!("Material(young={:e}, poisson={}", self.0.young(), self.0.poisson());
+        for (name, value) in [("hardness", self.hardness()), ("yield_strength", self.yield_strength())] {
+            if let Some(value) = value {
+                text += &format!(", {name}={value:e}");
+            }
+        }
+        text + ")"
+    }
+}
+
+/// A contact law of one asperity, with its options.
+///
+/// Parameters
+/// ----------
+/// name : str
+///     One of ``Law.names()``.
+/// **options : float
+///     Options of the law, with ``_`` for ``-``; ``options`` lists them.
+///
+/// Raises
+/// ------
+/// ValueError
+///     An unknown law or option, or a value out of range.
+///
+/// Examples
+/// --------
+/// >>> import asperity
+/// >>> asperity.Law("zmc", transition_ratio=110)
+/// Law("zmc", transition_ratio=110)
+/// >>> asperity.Law.names()[:2]
+/// ['hertz', 'zmc']
+#[pyclass(module = "asperity", frozen, eq, from_py_object)]
+#[derive(Clone, PartialEq)]
+pub struct Law(pub ContactLaw);
+
+#[pymethods]
+impl Law {
+    #[new]
+    #[pyo3(signature = (name, **options))]
+    fn new(name: &str, options: Option<BTreeMap<String, f64>>) -> PyResult<Self> {
+        let law = contact_law::named(name).ok_or_else(|| {
+            refuse(format!("found the law \"{name}\"; allowed: {}", Self::names().join(", ")))
+        })?;
+        let options: Vec<(String, f64)> = options
+            .unwrap_or_default()
+            .into_iter()
+            .map(|(name, value)| (name.replace('_', "-"), value))
+            .collect();
+        let options: Vec<(&str, f64)> = options.iter().map(|(name, value)| (name.as_str(), *value)).collect();
+        law.with_options(&options).map(Self).map_err(|error| refuse(format!("law {name}: {error}")))
+    }
+
+    /// The names of all laws.
+    #[staticmethod]
+    fn names() -> Vec<String> {
+        contact_law::registry().iter().map(ContactLaw::name).collect()
+    }
+
+    /// The name of the law.
+    #[getter]
+    fn name(&self) -> String {
+        self.0.name()
+    }
+
+    /// Description and range of validity.
+    #[getter]
+    fn about(&self) -> &'static str {
+        self.0.about()
+    }
+
+    /// All options and their values.
+    #[getter]
+    fn options<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
+        let options = PyDict::new(py);
+        for (option, value) in self.0.law().options().iter().zip(self.0.law().option_values()) {
+            options.set_item(option.name.replace('-', "_"), value)?;
+        }
+        Ok(options)
+    }
+
+    /// The options that were given or differ from their defaults.
+    #[getter]
+    fn given(&self) -> BTreeMap<String, f64> {
+        self.0.options_given().map(|(name, value)| (name.replace('-', "_"), value)).collect()
+    }
+
+    /// The sources of the law.
+    #[getter]
+    fn papers(&self) -> Vec<String> {
+        self.0.papers().iter().map(|paper| paper.full.to_owned()).collect()
+    }
+
+    fn __repr__(&self) -> String {
+        let options: String = self
+            .0
+            .options_given()
+            .map(|(name, value)| format!(", {}={value}", name.replace('-', "_")))
+            .collect();
+        format!("Law(\"{}\"{options})", self.0.name())
+    }
+}
+
+/// A law by its name or as an object.
+#[derive(FromPyObject)]
+enum LawOrName {
+    Law(Law),
+    Name(String),
+}
+
+/// Two bodies under a law: a rough one and a flat, which may have a layer.
+///
+/// Parameters
+/// ----------
+/// rough, flat : Material
+///     The bodies; under a layer, the flat is its substrate.
+/// law : str or Law
+///     The contact law.
+/// layer : Material, optional
+///     The material of the layer.
+/// thickness : float, optional
+///     Its thickness in m: 0 for the bare flat, ``math.inf`` for the bulk of the layer.
+/// rule : {"gao", "series"}
+///     How the moduli of layer and substrate combine (Gao, Chiu and Lee 1992; Song and Pharr 1999).
+///
+/// Raises
+/// ------
+/// ValueError
+///     Bodies that the law or the layer does not apply to.
+///
+/// Examples
+/// --------
+/// >>> import asperity
+/// >>> steel = asperity.Material(210e9, 0.3, hardness=7.6e9)
+/// >>> f"{asperity.Interface(steel, steel).reduced_modulus:.4g}"
+/// '1.154e+11'
+#[pyclass(module = "asperity", frozen)]
+pub struct Interface {
+    pub contact: Arc<dyn MicroContact>,
+    /// The rough body.
+    #[pyo3(get)]
+    rough: Material,
+    /// The flat; under a layer, the substrate.
+    #[pyo3(get)]
+    flat: Material,
+    /// The contact law.
+    #[pyo3(get)]
+    pub law: Law,
+    /// The material of the layer, or None.
+    #[pyo3(get)]
+    layer: Option<Material>,
+    /// The thickness of the layer in m, or None.
+    #[pyo3(get)]
+    thickness: Option<f64>,
+    /// How the moduli of layer and substrate combine.
+    #[pyo3(get)]
+    rule: &'static str,
+}
+
+#[pymethods]
+impl Interface {
+    #[new]
+    #[pyo3(signature = (rough, flat, law=LawOrName::Name("zmc".to_owned()), *, layer=None, thickness=None, rule="gao"))]
+    fn new(
+        rough: Material,
+        flat: Material,
+        law: LawOrName,
+        layer: Option<Material>,
+        thickness: Option<f64>,
+        rule: &str,
+    ) -> PyResult<Self> {
+        let law = match law {
+            LawOrName::Law(law) => law,
+            LawOrName::Name(name) => Law::new(&name, None)?,
+        };
+        let model = ModulusModel::ALL.into_iter().find(|model| model.name() == rule).ok_or_else(|| {
+            let allowed: Vec<&str> = ModulusModel::ALL.iter().map(|model| model.name()).collect();
+            refuse(format!("rule: found \"{rule}\"; allowed: {}", allowed.join(", ")))
+        })?;
+        let on = match (&layer, thickness) {
+            (Some(layer), Some(thickness)) => {
+                Flat::with_layer(&layer.0, &flat.0, thickness, model).map_err(refuse)?
+            }
+            (None, None) => Flat::Bare(flat.0),
+            _ => return Err(refuse("found only one of layer and thickness; allowed: both or none")),
+        };
+        let contact = law.0.interface(&rough.0, &on).map_err(refuse)?;
+        Ok(Self { contact: Arc::from(contact), rough, flat, law, layer, thickness, rule: model.name() })
+    }
+
+    /// Reduced modulus E* of the pair without a layer in Pa.
+    #[getter]
+    fn reduced_modulus(&self) -> f64 {
+        self.contact.reference_modulus()
+    }
+
+    /// The contact of one asperity.
+    ///
+    /// Parameters
+    /// ----------
+    /// indentation : float or array_like
+    ///     Indentations in m; there is no contact at 0 and below.
+    /// radius : float
+    ///     1/(mean curvature) of the asperity in m.
+    /// curvature_ratio : float
+    ///     The larger principal curvature over the smaller one, for laws for ellipses.
+    ///
+    /// Returns
+    /// -------
+    /// dict of str to ndarray
+    ///     ``area_m2``, ``load_n``, ``stiffness_n_per_m`` and ``regime``.
+    ///
+    /// Examples
+    /// --------
+    /// >>> import asperity
+    /// >>> steel = asperity.Material(210e9, 0.3)
+    /// >>> contact = asperity.Interface(steel, steel, "hertz")
+    /// >>> contact.contact(1e-9, 20e-6)["load_n"].round(8)
+    /// array([2.176e-05])
+    #[pyo3(signature = (indentation, radius, *, curvature_ratio=1.0))]
+    fn contact<'py>(
+        &self,
+        indentation: &Bound<'py, PyAny>,
+        radius: f64,
+        curvature_ratio: f64,
+    ) -> PyResult<Bound<'py, PyDict>> {
+        let py = indentation.py();
+        let indentation = Array::list(indentation, "indentation")?;
+        let is_valid = |value: f64| value > 0.0 && value.is_finite();
+        if !is_valid(radius) {
+            return Err(refuse(format!("radius: found {radius}; allowed: positive and finite, m")));
+        }
+        if !(1.0..=1e6).contains(&curvature_ratio) {
+            return Err(refuse(format!("curvature_ratio: found {curvature_ratio}; allowed: 1 to 1e6")));
+        }
+        if let Some(w) = indentation.iter().find(|w| !w.is_finite()) {
+            return Err(refuse(format!("indentation: found {w}; allowed: finite numbers, m")));
+        }
+        let shape: Shape = self.law.0.shape(radius, curvature_ratio);
+        let contacts: Vec<_> =
+            indentation.iter().map(|&w| (w > 0.0).then(|| self.contact.contact(w, shape))).collect();
+        let dict = PyDict::new(py);
+        let column = |of: fn(&asperity::Contact) -> f64| {
+            let values = contacts.iter().map(|contact| contact.as_ref().map_or(0.0, of)).collect();
+            PyArray1::from_vec(py, values)
+        };
+        dict.set_item("area_m2", column(|contact| contact.area))?;
+        dict.set_item("load_n", column(|contact| contact.load))?;
+        dict.set_item("stiffness_n_per_m", column(|contact| contact.stiffness))?;
+        let regimes: Vec<&str> = contacts
+            .iter()
+            .map(|contact| contact.as_ref().map_or("none", |contact| contact.regime.name()))
+            .collect();
+        dict.set_item("regime", py.import("numpy")?.call_method1("array", (regimes,))?)?;
+        Ok(dict)
+    }
+
+    fn __repr__(&self) -> String {
+        let law = self.law.__repr__();
+        match self.thickness {
+            Some(thickness) => format!("Interface(law={law}, thickness={thickness:e})"),
+            None => format!("Interface(law={law})"),
+        }
+    }
+}

@@ -1,0 +1,205 @@
+//! Specs from Python: paths, or dictionaries with surfaces in memory.
+
+use std::path::{Path, PathBuf};
+
+use asperity_experiment::Experiment;
+use asperity_experiment::kind::KINDS;
+use asperity_framework::input::{Held, Source};
+use asperity_framework::report::store::Store;
+use asperity_framework::{Outcome, folder, summary_json};
+use indexmap::IndexMap;
+use pyo3::exceptions::{PyOSError, PyValueError};
+use pyo3::prelude::*;
+use pyo3::types::{PyBool, PyBytes, PyDict, PyFloat, PyInt, PyList, PyString, PyTuple};
+
+use crate::asperities::Asperities;
+use crate::refuse;
+use crate::surface::Map;
+use crate::table::Table;
+use crate::watch::{Watch, interruptible};
+
+/// What errors call a spec that is a dictionary.
+const DICTIONARY: &str = "dictionary";
+
+/// A value of a spec; `key` is for messages.
+pub fn toml_of(value: &Bound<PyAny>, key: &str) -> PyResult<toml::Value> {
+    if let Ok(flag) = value.cast::<PyBool>() {
+        return Ok(toml::Value::Boolean(flag.is_true()));
+    }
+    if value.cast::<PyInt>().is_ok() {
+        let number: Result<i64, _> = value.extract();
+        return number
+            .map(toml::Value::Integer)
+            .map_err(|_| refuse(format!("{key}: found {value}; allowed: 64 bits")));
+    }
+    if value.cast::<PyFloat>().is_ok() {
+        return Ok(toml::Value::Float(value.extract()?));
+    }
+    if let Ok(text) = value.cast::<PyString>() {
+        return Ok(toml::Value::String(text.to_str()?.to_owned()));
+    }
+    if let Ok(table) = value.cast::<PyDict>() {
+        let mut made = toml::Table::new();
+        for (name, value) in table {
+            let name: String =
+                name.extract().map_err(|_| refuse(format!("{key}: found the key {name}; allowed: texts")))?;
+            let value = toml_of(
+                &value,
+                if key.is_empty() { name.clone() } else { format!("{key}.{name}") }.as_str(),
+            )?;
+            made.insert(name, value);
+        }
+        return Ok(toml::Value::Table(made));
+    }
+    if value.cast::<PyList>().is_ok() || value.cast::<PyTuple>().is_ok() {
+        let items: PyResult<Vec<_>> = value.try_iter()?.map(|item| toml_of(&item?, key)).collect();
+        return items.map(toml::Value::Array);
+    }
+    // Arrays and scalars of NumPy, then paths.
+    if value.hasattr("tolist")? {
+        return toml_of(&value.call_method0("tolist")?, key);
+    }
+    if let Ok(path) = value.extract::<PathBuf>() {
+        return Ok(toml::Value::String(path.to_string_lossy().into_owned()));
+    }
+    let kind = value.get_type().name()?;
+    Err(refuse(format!(
+        "{key}: found a {kind}; allowed: texts, numbers, flags, lists, arrays, dictionaries and paths"
+    )))
+}
+
+/// The text of a spec that is a dictionary.
+pub fn source_of(spec: &Bound<PyDict>) -> PyResult<Source> {
+    let text = toml::to_string(&toml_of(spec.as_any(), "")?).map_err(refuse)?;
+    Ok(Source::file(Path::new(DICTIONARY), text))
+}
+
+/// Surfaces in memory by the path that the spec has for them.
+pub fn held_of(held: &Bound<PyDict>) -> PyResult<IndexMap<PathBuf, Held>> {
+    let one = |(name, value): (Bound<PyAny>, Bound<PyAny>)| {
+        let name: PathBuf = name.extract()?;
+        let found = match (value.cast::<Map>(), value.cast::<Asperities>()) {
+            (Ok(map), _) => map.get().held(),
+            (_, Ok(list)) => list.get().held(),
+            _ => return Err(refuse(format!("{}: allowed: a Map or Asperities", name.display()))),
+        };
+        Ok((name, found))
+    };
+    held.iter().map(one).collect()
+}
+
+/// What an experiment gives.
+#[pyclass(module = "asperity", frozen)]
+pub struct Run {
+    #[pyo3(get)]
+    kind: &'static str,
+    /// By file name.
+    files: Vec<(&'static str, Vec<u8>)>,
+    #[pyo3(get)]
+    summary: String,
+    #[pyo3(get)]
+    warnings: Vec<String>,
+    #[pyo3(get)]
+    report: Option<PathBuf>,
+}
+
+#[pymethods]
+impl Run {
+    /// The files of the tables by name.
+    fn csv<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
+        let dict = PyDict::new(py);
+        self.files.iter().try_for_each(|(name, content)| dict.set_item(name, PyBytes::new(py, content)))?;
+        Ok(dict)
+    }
+
+    /// The tables by name.
+    fn tables<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
+        let dict = PyDict::new(py);
+        let schemas =
+            KINDS.iter().find(|kind| kind.name() == self.kind).map(|kind| kind.tables()).unwrap_or_default();
+        for (name, content) in &self.files {
+            let schema = schemas.iter().find(|schema| schema.file == *name);
+            let schema = schema.ok_or_else(|| refuse(format!("the table {name} is not described")))?;
+            let name = name.strip_suffix(".csv").unwrap_or(name);
+            dict.set_item(name, Table::of_csv(py, content, schema)?)?;
+        }
+        Ok(dict)
+    }
+}
+
+/// What a run gives, or an error: of the input, or of a file.
+enum Failed {
+    Input(String),
+    File(String),
+}
+
+impl From<Failed> for PyErr {
+    fn from(failed: Failed) -> Self {
+        match failed {
+            Failed::Input(message) => PyValueError::new_err(message),
+            Failed::File(message) => PyOSError::new_err(message),
+        }
+    }
+}
+
+/// Runs a spec; ``held`` are maps and asperities in memory by path.
+#[pyfunction]
+#[pyo3(signature = (spec, held, *, name="asperity", report=None))]
+pub fn run(
+    py: Python,
+    spec: &Bound<PyAny>,
+    held: &Bound<PyDict>,
+    name: &str,
+    report: Option<PathBuf>,
+) -> PyResult<Run> {
+    if name.is_empty() || Path::new(name).file_name() != Some(name.as_ref()) {
+        return Err(refuse(format!("name: found \"{name}\"; allowed: a name such as my-surface")));
+    }
+    let name = name.to_owned();
+    let work: Box<dyn FnOnce(&Watch) -> Result<Run, Failed> + Send> = match spec.cast::<PyDict>() {
+        Ok(table) => {
+            let source = source_of(table)?.with_held(held_of(held)?);
+            Box::new(move |watch| finish(Experiment::parse(source, &name), report, watch))
+        }
+        Err(_) => {
+            let path: PathBuf = spec
+                .extract()
+                .map_err(|_| refuse("spec: allowed: the path of a spec file, or a dictionary"))?;
+            Box::new(move |watch| finish(Experiment::read(&path), report, watch))
+        }
+    };
+    Ok(interruptible(py, work)??)
+}
+
+fn finish(
+    experiment: Result<Experiment, asperity_framework::input::InputError>,
+    report: Option<PathBuf>,
+    watch: &Watch,
+) -> Result<Run, Failed> {
+    let input = |error: &dyn std::fmt::Display| Failed::Input(error.to_string());
+    let file = |error: &dyn std::fmt::Display| Failed::File(error.to_string());
+    let experiment = experiment.map_err(|error| input(&error))?;
+    if let Some(directory) = &report {
+        Store::new(directory).check(experiment.stem()).map_err(|error| file(&error))?;
+    }
+    let outcome: Box<dyn Outcome> = experiment.run(watch).map_err(|error| input(&error))?;
+    let report = match report {
+        None => None,
+        Some(directory) => {
+            let key = experiment.key().map_err(|error| input(&error))?;
+            let made = folder(&*outcome, &key).map_err(|error| input(&error))?;
+            let mut store = Store::new(&directory);
+            store.recover().map_err(|error| file(&error))?;
+            store.write(&made).map_err(|error| file(&error))?;
+            Some(directory.join(experiment.stem()))
+        }
+    };
+    Ok(Run {
+        kind: outcome.metadata().kind,
+        files: outcome.tables().map_err(|error| input(&error))?,
+        summary: String::from_utf8(summary_json(&*outcome).map_err(|error| input(&error))?)
+            .map_err(|error| input(&error))?,
+        warnings: outcome.warnings(),
+        report,
+    })
+}

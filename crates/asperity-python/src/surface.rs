@@ -1,0 +1,225 @@
+//! Height maps, and surfaces made by the program's own preparation and search.
+
+use std::ops::Range;
+use std::sync::Arc;
+
+use asperity::HeightMap;
+use asperity::topography::{Boundary, Rows, read};
+use asperity::units::Dimension;
+use asperity_experiment::surface::{fitness::fitness_summary, summary};
+use asperity_framework::input::Held;
+use numpy::{IntoPyArray, PyArray1, PyArray2, PyArrayMethods};
+use pyo3::prelude::*;
+use pyo3::types::PyDict;
+
+use crate::array::Array;
+use crate::asperities::Asperities;
+use crate::refuse;
+use crate::spec::{held_of, source_of};
+use crate::watch::interruptible;
+
+/// The heights of an array where they lie.
+struct Lent {
+    heights: Array,
+    pixel: [f64; 2],
+}
+
+impl Rows for Lent {
+    fn points(&self) -> [usize; 2] {
+        [self.heights.shape()[0], self.heights.shape()[1]]
+    }
+
+    fn pixel(&self) -> [f64; 2] {
+        self.pixel
+    }
+
+    fn precision(&self) -> f64 {
+        f64::EPSILON
+    }
+
+    fn boundary(&self) -> Boundary {
+        Boundary::Open
+    }
+
+    fn read(&self, ix: usize, row: &mut [f64]) {
+        row.copy_from_slice(&self.heights.values()[ix * row.len()..][..row.len()]);
+    }
+
+    fn block(&self, rows: Range<usize>) -> Option<&[f64]> {
+        let columns = self.heights.shape()[1];
+        Some(&self.heights.values()[rows.start * columns..rows.end * columns])
+    }
+}
+
+/// A height map in memory or on disk: what a :class:`Topography` prepares.
+#[pyclass(module = "asperity", frozen)]
+pub struct Map(pub Arc<dyn Rows>);
+
+impl Map {
+    /// As a surface of a spec.
+    pub fn held(&self) -> Held {
+        Held::Map(Arc::clone(&self.0))
+    }
+}
+
+#[pymethods]
+impl Map {
+    #[new]
+    fn new(heights: &Bound<PyAny>, pixel: [f64; 2]) -> PyResult<Self> {
+        /// Heights beyond this, infinite ones and NaN mark missing points, of which only NaN is kept as such.
+        const LARGEST: f64 = 1e30;
+        let heights = Array::new(heights, 2, "heights")?;
+        let points = [heights.shape()[0], heights.shape()[1]];
+        HeightMap::check_grid(points, pixel).map_err(refuse)?;
+        let (is_lent, is_empty) = heights.values().iter().fold((true, true), |(is_lent, is_empty), z| {
+            (is_lent & !(z.abs() > LARGEST), is_empty & !(z.abs() <= LARGEST))
+        });
+        if is_empty || !is_lent {
+            let map =
+                HeightMap::new(points, pixel, heights.values().to_vec(), f64::EPSILON).map_err(refuse)?;
+            return Ok(Self(Arc::new(map)));
+        }
+        Ok(Self(Arc::new(Lent { heights, pixel })))
+    }
+
+    /// Reads a measured map.
+    #[staticmethod]
+    #[pyo3(signature = (path, *, pixel=None, unit=None))]
+    fn read(
+        py: Python,
+        path: std::path::PathBuf,
+        pixel: Option<[f64; 2]>,
+        unit: Option<&str>,
+    ) -> PyResult<Self> {
+        let unit = unit.map(length_unit).transpose()?;
+        let options = read::ReadOptions { pixel, unit };
+        let shown = path.display().to_string();
+        let found = interruptible(py, move |watch| read::rows(&path, options, watch))?;
+        found.map(|rows| Self(Arc::from(rows))).map_err(|error| refuse(format!("{shown} {error}")))
+    }
+
+    /// Points along x and y.
+    #[getter]
+    fn points(&self) -> [usize; 2] {
+        self.0.points()
+    }
+
+    /// Distance of neighbouring points in m.
+    #[getter]
+    fn pixel(&self) -> [f64; 2] {
+        self.0.pixel()
+    }
+
+    /// A copy of the heights in m.
+    fn heights<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray2<f64>>> {
+        let [nx, ny] = self.0.points();
+        let mut heights = vec![0.0; nx * ny];
+        heights.chunks_mut(ny).enumerate().for_each(|(ix, row)| self.0.read(ix, row));
+        heights.into_pyarray(py).reshape([nx, ny])
+    }
+}
+
+/// A unit of length in m.
+#[pyfunction]
+pub fn length_unit(name: &str) -> PyResult<f64> {
+    Dimension::Length.documented_factor(name).ok_or_else(|| {
+        refuse(format!("unit: found \"{name}\"; allowed: {}", Dimension::Length.documented().join(", ")))
+    })
+}
+
+/// A prepared surface: its asperities, map and facts.
+#[pyclass(module = "asperity", frozen)]
+pub struct Surface {
+    #[pyo3(get)]
+    asperities: Py<Asperities>,
+    #[pyo3(get)]
+    positions: Py<PyAny>,
+    #[pyo3(get)]
+    map: Option<Py<Map>>,
+    #[pyo3(get)]
+    summary: String,
+    #[pyo3(get)]
+    fitness: String,
+    #[pyo3(get)]
+    warnings: Vec<String>,
+}
+
+/// Makes or reads the one surface of a spec without an experiment; ``held`` are maps and asperities in memory by path.
+#[pyfunction]
+#[pyo3(signature = (spec, held, *, realisation=1))]
+pub fn make_surface(
+    py: Python,
+    spec: &Bound<PyDict>,
+    held: &Bound<PyDict>,
+    realisation: usize,
+) -> PyResult<Surface> {
+    if realisation == 0 {
+        return Err(refuse("realisation: found 0; allowed: from 1"));
+    }
+    let source = source_of(spec)?.with_held(held_of(held)?);
+    // Ellipses are known on maps without further input.
+    let as_ellipses = held.is_empty() && spec_has_map(spec)? || holds_map(held)?;
+    type Made = Result<(asperity_experiment::surface::Surface, String, String), String>;
+    let made: Made = interruptible(py, move |watch| {
+        let surface = asperity_experiment::make_surface(source, realisation, as_ellipses, watch)
+            .map_err(|error| error.to_string())?;
+        let text = serde_json::to_string(&summary(&surface)).map_err(|error| error.to_string())?;
+        let fitness =
+            serde_json::to_string(&fitness_summary([&surface])).map_err(|error| error.to_string())?;
+        Ok((surface, text, fitness))
+    })?;
+    let (surface, summary, fitness) = made.map_err(refuse)?;
+    let origin = surface.origin;
+    let set = surface.set;
+    // In the frame of the map: zero where that is the frame of the set already.
+    let heights: Vec<f64> = set.heights().iter().map(|z| z + origin).collect();
+    let curvatures = set.ellipses().map(|ellipses| {
+        let both = ellipses.iter().map(|ellipse| ellipse.principal()[0]);
+        let both = both.chain(ellipses.iter().map(|ellipse| ellipse.principal()[1]));
+        both.collect::<Vec<f64>>()
+    });
+    let count = set.count();
+    let array = |values: Vec<f64>, name: &str| Array::new(PyArray1::from_vec(py, values).as_any(), 1, name);
+    let curvatures = match curvatures {
+        Some(both) => {
+            let both = both.into_pyarray(py).reshape([2, count])?;
+            Some(Array::new(both.as_any(), 2, "curvatures")?)
+        }
+        None => None,
+    };
+    let asperities = Asperities {
+        heights: array(heights, "heights")?,
+        radii: array(set.radii().to_vec(), "radii")?,
+        curvatures,
+        nominal_area: set.nominal_area(),
+    };
+    let (map, positions) = match surface.prepared {
+        Some(prepared) => {
+            let positions = prepared.positions.iter().map(|&place| place as i64).collect();
+            let positions = PyArray1::<i64>::from_vec(py, positions).into_any().unbind();
+            (Some(Py::new(py, Map(Arc::new(prepared.map)))?), positions)
+        }
+        None => (None, py.None()),
+    };
+    Ok(Surface {
+        asperities: Py::new(py, asperities)?,
+        positions,
+        map,
+        summary,
+        fitness,
+        warnings: surface.warnings,
+    })
+}
+
+fn holds_map(held: &Bound<PyDict>) -> PyResult<bool> {
+    Ok(held.iter().any(|(_, value)| value.cast::<Map>().is_ok()))
+}
+
+fn spec_has_map(spec: &Bound<PyDict>) -> PyResult<bool> {
+    let Some(surfaces) = spec.get_item("surface")? else { return Ok(false) };
+    let surfaces = surfaces.cast_into::<PyDict>().map_err(|error| refuse(error.to_string()))?;
+    let is_map = |kind: &Bound<PyAny>| {
+        kind.contains("generate").unwrap_or(false) || kind.contains("file").unwrap_or(false)
+    };
+    Ok(surfaces.iter().all(|(_, kind)| is_map(&kind)))
+}

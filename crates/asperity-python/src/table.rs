@@ -1,0 +1,264 @@
+//! Tables as mappings of column names to NumPy arrays, which are made when they are asked for.
+
+use asperity_experiment::kind::compare::CurveRow;
+use asperity_framework::report::table::{Column, Heading, Row, Schema, Value};
+use numpy::PyArray1;
+use pyo3::exceptions::PyKeyError;
+use pyo3::prelude::*;
+use pyo3::types::{PyDict, PyList};
+
+use crate::refuse;
+
+thread_local! {
+    /// The columns of `curves.csv` from the model on: those before are of a spec with several surfaces.
+    static CURVES: Vec<Column<CurveRow>> = {
+        let columns = CurveRow::columns().into_iter();
+        columns.skip_while(|column| column.heading.name != "model").collect()
+    };
+}
+
+enum Content {
+    Curves(Vec<CurveRow>),
+    Cells { headings: Vec<Heading>, columns: Vec<Vec<Value>> },
+}
+
+impl Content {
+    fn headings(&self) -> Vec<Heading> {
+        match self {
+            Self::Curves(_) => CURVES.with(|all| all.iter().map(|column| column.heading.clone()).collect()),
+            Self::Cells { headings, .. } => headings.clone(),
+        }
+    }
+
+    fn rows(&self) -> usize {
+        match self {
+            Self::Curves(rows) => rows.len(),
+            Self::Cells { columns, .. } => columns.first().map_or(0, Vec::len),
+        }
+    }
+
+    /// Unit and values of a column.
+    fn column(&self, name: &str) -> Option<(&'static str, Vec<Value>)> {
+        match self {
+            Self::Curves(rows) => CURVES.with(|all| {
+                let column = all.iter().find(|column| column.heading.name == name)?;
+                Some((column.heading.unit, rows.iter().map(|row| column.value(row)).collect()))
+            }),
+            Self::Cells { headings, columns } => {
+                let place = headings.iter().position(|heading| heading.name == name)?;
+                Some((headings[place].unit, columns[place].clone()))
+            }
+        }
+    }
+}
+
+/// A table: a mapping of column names to arrays, with the names, units and order of the program's CSV files.
+///
+/// Numbers are float64 with NaN for empty cells, counts int64, flags bool, names texts. The result of a model has the columns of
+/// ``curves.csv`` from ``model`` on.
+///
+/// Examples
+/// --------
+/// >>> import asperity
+/// >>> steel = asperity.Material(210e9, 0.3, hardness=7.6e9)
+/// >>> population = asperity.Population(20e-6, 48e-9, 6e10)
+/// >>> curve = asperity.statistical(asperity.Interface(steel, steel), population, separations=[1.0])
+/// >>> curve["area_ratio"].shape, curve.units["area_ratio"]
+/// ((1,), '1')
+#[pyclass(module = "asperity", frozen, mapping)]
+pub struct Table {
+    content: Content,
+    /// Those that were asked for.
+    arrays: Py<PyDict>,
+}
+
+impl Table {
+    /// The points of curves.
+    pub fn of_curves(py: Python, rows: Vec<CurveRow>) -> Self {
+        Self { content: Content::Curves(rows), arrays: PyDict::new(py).unbind() }
+    }
+
+    /// A file that one of `schemas` describes.
+    pub fn of_csv(py: Python, bytes: &[u8], schema: &Schema) -> PyResult<Self> {
+        let mut reader = csv::Reader::from_reader(bytes);
+        let names = reader.headers().map_err(refuse)?.clone();
+        let heading = |name: &str| {
+            let found = schema.columns.iter().find(|heading| heading.name == name);
+            found
+                .cloned()
+                .ok_or_else(|| refuse(format!("{}: the column {name} is not described", schema.file)))
+        };
+        let headings = names.iter().map(heading).collect::<PyResult<Vec<_>>>()?;
+        let mut columns: Vec<Vec<Value>> = vec![Vec::new(); headings.len()];
+        for record in reader.records() {
+            let record = record.map_err(refuse)?;
+            for ((column, heading), cell) in columns.iter_mut().zip(&headings).zip(record.iter()) {
+                column.push(value(cell, heading.unit));
+            }
+        }
+        Ok(Self { content: Content::Cells { headings, columns }, arrays: PyDict::new(py).unbind() })
+    }
+
+    fn names(&self) -> Vec<String> {
+        self.content.headings().into_iter().map(|heading| heading.name).collect()
+    }
+
+    fn dict_of<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
+        let dict = PyDict::new(py);
+        for name in self.names() {
+            dict.set_item(&name, self.__getitem__(py, &name)?)?;
+        }
+        Ok(dict)
+    }
+}
+
+/// A cell of a file.
+fn value(cell: &str, unit: &str) -> Value {
+    match unit {
+        _ if cell.is_empty() && unit != "text" => Value::Empty,
+        "text" => Value::Text(cell.to_owned()),
+        "true/false" => Value::Flag(cell == "true"),
+        "count" => cell.parse().map_or(Value::Empty, Value::Count),
+        _ => cell.parse().map_or(Value::Empty, Value::Number),
+    }
+}
+
+/// Counts as integers and flags as bool where there is no empty cell; numbers with NaN for empty cells; texts.
+fn array<'py>(py: Python<'py>, unit: &str, values: &[Value]) -> PyResult<Bound<'py, PyAny>> {
+    if unit == "text" {
+        let text = |value: &Value| match value {
+            Value::Text(text) => text.clone(),
+            _ => String::new(),
+        };
+        let texts = PyList::new(py, values.iter().map(text))?;
+        let dtype = if values.is_empty() { "str" } else { "U" };
+        return py.import("numpy")?.call_method1("array", (texts, dtype));
+    }
+    let whole: Option<Vec<i64>> = values
+        .iter()
+        .map(|value| match value {
+            Value::Count(count) => i64::try_from(*count).ok(),
+            _ => None,
+        })
+        .collect();
+    if let Some(whole) = whole.filter(|_| unit == "count") {
+        return Ok(PyArray1::from_vec(py, whole).into_any());
+    }
+    let flags: Option<Vec<bool>> = values
+        .iter()
+        .map(|value| match value {
+            Value::Flag(flag) => Some(*flag),
+            _ => None,
+        })
+        .collect();
+    if let Some(flags) = flags.filter(|_| unit == "true/false") {
+        return Ok(PyArray1::from_vec(py, flags).into_any());
+    }
+    let number = |value: &Value| match value {
+        Value::Number(number) => *number,
+        Value::Count(count) => *count as f64,
+        Value::Flag(flag) => f64::from(u8::from(*flag)),
+        Value::Text(_) | Value::Empty => f64::NAN,
+    };
+    Ok(PyArray1::from_vec(py, values.iter().map(number).collect()).into_any())
+}
+
+#[pymethods]
+impl Table {
+    fn __len__(&self) -> usize {
+        self.content.headings().len()
+    }
+
+    fn __contains__(&self, name: &str) -> bool {
+        self.content.headings().iter().any(|heading| heading.name == name)
+    }
+
+    fn __iter__<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
+        PyList::new(py, self.names())?.call_method0("__iter__")
+    }
+
+    fn __getitem__<'py>(&self, py: Python<'py>, name: &str) -> PyResult<Bound<'py, PyAny>> {
+        let arrays = self.arrays.bind(py);
+        if let Some(made) = arrays.get_item(name)? {
+            return Ok(made);
+        }
+        let Some((unit, values)) = self.content.column(name) else {
+            return Err(PyKeyError::new_err(format!("{name}; the columns are {}", self.names().join(", "))));
+        };
+        let made = array(py, unit, &values)?;
+        arrays.set_item(name, &made)?;
+        Ok(made)
+    }
+
+    /// A column, or a default where there is none.
+    #[pyo3(signature = (name, default=None))]
+    fn get<'py>(
+        &self,
+        py: Python<'py>,
+        name: &str,
+        default: Option<Bound<'py, PyAny>>,
+    ) -> PyResult<Option<Bound<'py, PyAny>>> {
+        if self.__contains__(name) { self.__getitem__(py, name).map(Some) } else { Ok(default) }
+    }
+
+    /// Names of the columns.
+    fn keys(&self) -> Vec<String> {
+        self.names()
+    }
+
+    /// The columns.
+    fn values<'py>(&self, py: Python<'py>) -> PyResult<Vec<Bound<'py, PyAny>>> {
+        self.names().iter().map(|name| self.__getitem__(py, name)).collect()
+    }
+
+    /// Names and columns.
+    fn items<'py>(&self, py: Python<'py>) -> PyResult<Vec<(String, Bound<'py, PyAny>)>> {
+        self.names().into_iter().map(|name| Ok((name.clone(), self.__getitem__(py, &name)?))).collect()
+    }
+
+    /// Number of rows.
+    #[getter]
+    fn rows(&self) -> usize {
+        self.content.rows()
+    }
+
+    /// SI unit of each column; ``1`` of a ratio.
+    #[getter]
+    fn units<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
+        let dict = PyDict::new(py);
+        self.content.headings().iter().try_for_each(|heading| dict.set_item(&heading.name, heading.unit))?;
+        Ok(dict)
+    }
+
+    /// Meaning of each column, in one sentence.
+    #[getter]
+    fn meanings<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
+        let dict = PyDict::new(py);
+        self.content
+            .headings()
+            .iter()
+            .try_for_each(|heading| dict.set_item(&heading.name, &heading.meaning))?;
+        Ok(dict)
+    }
+
+    /// A pandas DataFrame.
+    fn to_pandas<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
+        py.import("pandas")?.call_method1("DataFrame", (self.dict_of(py)?,))
+    }
+
+    /// An xarray Dataset over the rows, with units and meanings as attributes.
+    fn to_xarray<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
+        let variables = PyDict::new(py);
+        for heading in self.content.headings() {
+            let attributes = PyDict::new(py);
+            attributes.set_item("units", heading.unit)?;
+            attributes.set_item("long_name", &heading.meaning)?;
+            variables.set_item(&heading.name, ("row", self.__getitem__(py, &heading.name)?, attributes))?;
+        }
+        py.import("xarray")?.call_method1("Dataset", (variables,))
+    }
+
+    fn __repr__(&self) -> String {
+        format!("<Table: {} rows; {}>", self.rows(), self.names().join(", "))
+    }
+}
