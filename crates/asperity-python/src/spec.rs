@@ -156,7 +156,7 @@ pub fn run(
         return Err(refuse(format!("name: found \"{name}\"; allowed: a name such as my-surface")));
     }
     let name = name.to_owned();
-    let work: Box<dyn FnOnce(&Watch) -> Result<Run, Failed> + Send> = match spec.cast::<PyDict>() {
+    let work: Work = match spec.cast::<PyDict>() {
         Ok(table) => {
             let source = source_of(table)?.with_held(held_of(held)?);
             Box::new(move |watch| finish(Experiment::parse(source, &name), report, watch))
@@ -170,6 +170,9 @@ pub fn run(
     };
     Ok(interruptible(py, work)??)
 }
+
+/// A run, yet to be done.
+type Work = Box<dyn FnOnce(&Watch) -> Result<Run, Failed> + Send>;
 
 fn finish(
     experiment: Result<Experiment, asperity_framework::input::InputError>,

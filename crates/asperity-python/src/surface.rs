@@ -72,7 +72,8 @@ impl Map {
         let points = [heights.shape()[0], heights.shape()[1]];
         HeightMap::check_grid(points, pixel).map_err(refuse)?;
         let (is_lent, is_empty) = heights.values().iter().fold((true, true), |(is_lent, is_empty), z| {
-            (is_lent & !(z.abs() > LARGEST), is_empty & !(z.abs() <= LARGEST))
+            let is_present = z.abs() <= LARGEST;
+            (is_lent & (is_present | z.is_nan()), is_empty & !is_present)
         });
         if is_empty || !is_lent {
             let map =
