@@ -11,6 +11,7 @@ use serde::Serialize;
 use serde_json::{Map, Value};
 
 use crate::digest::{hexadecimal, sha256, stream_seed};
+use crate::divided::Divided;
 use crate::input::material::MaterialOrigin;
 use crate::input::{InputError, Source, SpecFile};
 use crate::metadata::{Metadata, Timing};
@@ -90,6 +91,11 @@ pub trait Plan: fmt::Display {
     /// What a run would refuse.
     fn check(&self, _: &RunContext) -> Result<(), InputError> {
         Ok(())
+    }
+
+    /// Its division into tiles, where it can be run in parts.
+    fn divided(&self) -> Option<&dyn Divided> {
+        None
     }
 
     /// Runs it.

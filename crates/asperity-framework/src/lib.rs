@@ -1,17 +1,20 @@
 //! The frame that an experiment kind runs in: it reads spec files with units and errors that name file, line and key,
 //! and writes pages, tables and summaries into folders that are replaced atomically.
 //!
-//! A kind implements [`Kind`], [`Plan`] and [`Outcome`]; it then has `check`, `run`, reports and `verify` without more.
+//! A kind implements [`Kind`], [`Plan`] and [`Outcome`]; it then has `check`, `run`, reports and `verify` without more. A plan that is [`Divided`](divided::Divided) can
+//! be run in parts on many machines.
 #![deny(unsafe_code)]
 #![warn(missing_docs)]
 
 pub mod contact;
 pub mod digest;
+pub mod divided;
 mod folder;
 pub mod input;
 pub mod keys;
 mod kind;
 pub mod metadata;
+pub mod parts;
 mod print;
 pub mod progress;
 pub mod report;

@@ -10,7 +10,8 @@ use crate::shape::Shape;
 
 /// The sums over contacts, area and load by regime. `S` is the type of each sum: see [`Total`] and [`Accumulator`];
 /// within a vector register, plain numbers for up to 16 contacts and compensated sums for more.
-#[derive(Debug, Clone, Copy, Default)]
+#[derive(Debug, Clone, Copy, Default, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct ContactSums<S> {
     contacts: S,
     /// Whether there was a contact of each regime; where there was none, its sums are zero.
@@ -34,7 +35,7 @@ pub(crate) fn small_strain_area<N: Real>(radius: N, spheres: N) -> N {
 }
 
 /// The sums over a part of the contacts. Parts are added with [`ContactSums::merge`], in an order that the caller
-/// fixes.
+/// fixes; with the feature `serde` they pass between machines, so that a sum can be divided among many.
 pub type Total = ContactSums<Sum>;
 
 /// Running sums, to which contacts are added one by one or a register at a time.

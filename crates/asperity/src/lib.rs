@@ -70,7 +70,8 @@
 //!
 //! # Features
 //!
-//! `serde` (off by default): deserialisation of options and serialisation of work counts.
+//! `serde` (off by default): deserialisation of options, serialisation of work counts, and both of sums over a part of
+//! the asperities ([`Total`], [`AsperitySums`]).
 #![deny(unsafe_code)]
 #![warn(missing_docs)]
 
@@ -101,8 +102,9 @@ pub mod work;
 
 pub use accumulator::{Accumulator, ContactSums, Total};
 pub use asperity::{
-    Asperities, AsperityList, AsperitySet, Draw, Ellipse, Ellipses, Ellipticity, ListColumn, ListError,
-    ListOptions, Ordered, Population, SetError, Statistics, SurfaceHeights, SurfaceHeightsError,
+    Asperities, AsperityList, AsperitySet, AsperitySums, Draw, Ellipse, Ellipses, Ellipticity, ListColumn,
+    ListError, ListOptions, Ordered, Population, STREAM, SetError, Statistics, SurfaceHeights,
+    SurfaceHeightsError,
 };
 pub use contact::{ByRegime, Contact, Contacts, Regime};
 pub use contact_law::ContactLaw;

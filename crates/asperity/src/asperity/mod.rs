@@ -9,6 +9,7 @@ mod ordered;
 mod population;
 mod set;
 mod statistics;
+mod sums;
 
 pub use arrays::Asperities;
 pub use ellipse::Ellipse;
@@ -16,7 +17,8 @@ pub use ellipses::{Ellipses, Ellipticity};
 pub use list::{AsperityList, ListColumn, ListError, ListOptions};
 pub use nayak::{SurfaceHeights, SurfaceHeightsError};
 pub use ordered::Ordered;
-pub use population::{Draw, Population};
+pub use population::{Draw, Population, STREAM};
 pub use set::{AsperitySet, SetError};
 pub use statistics::Statistics;
 pub(crate) use statistics::mean_and_sigma;
+pub use sums::AsperitySums;

@@ -1,5 +1,7 @@
 //! A population of asperities, and sets drawn from it.
 
+use std::ops::Range;
+
 use rand::SeedableRng;
 use rand_chacha::ChaCha8Rng;
 
@@ -7,8 +9,8 @@ use super::{AsperitySet, SetError};
 use crate::distribution::Heights;
 use crate::numeric::parallel::for_each_row;
 
-/// Heights per ChaCha stream. All published random results depend on it.
-const STREAM: usize = 4096;
+/// Heights per ChaCha stream, the smallest part of a set. All published random results depend on it.
+pub const STREAM: usize = 4096;
 
 /// Asperities of one radius whose heights follow a distribution (Greenwood and Williamson 1966).
 #[derive(Debug, Clone, PartialEq)]
@@ -43,14 +45,31 @@ impl Population {
         AsperitySet::new(heights, vec![self.radius; count], count as f64 / self.density)
     }
 
+    /// The asperities `streams` * [`STREAM`] of [`Self::set`], on their share of its nominal area: any part of a set that
+    /// is larger than memory.
+    ///
+    /// # Errors
+    /// As [`Self::set`]; a part without asperities.
+    pub fn part(&self, streams: Range<usize>, count: usize, draw: Draw) -> Result<AsperitySet, SetError> {
+        let end = count.min(streams.end.saturating_mul(STREAM));
+        let length = end.saturating_sub(streams.start.saturating_mul(STREAM));
+        let heights = self.heights_from(streams.start, length, count, draw);
+        AsperitySet::new(heights, vec![self.radius; length], length as f64 / self.density)
+    }
+
     /// The heights of [`Self::set`], m.
     pub(crate) fn heights_of(&self, count: usize, draw: Draw) -> Vec<f64> {
-        let mut heights = vec![0.0; count];
+        self.heights_from(0, count, count, draw)
+    }
+
+    /// `length` of the `count` heights, from a stream on.
+    fn heights_from(&self, stream: usize, length: usize, count: usize, draw: Draw) -> Vec<f64> {
+        let mut heights = vec![0.0; length];
         for_each_row(&mut heights, STREAM, &|k, chunk| match draw {
-            Draw::Random(seed) => self.draw(seed, k, chunk),
+            Draw::Random(seed) => self.draw(seed, stream + k, chunk),
             Draw::Quantiles => {
                 for (i, z) in chunk.iter_mut().enumerate() {
-                    let p = ((k * STREAM + i) as f64 + 0.5) / count as f64;
+                    let p = (((stream + k) * STREAM + i) as f64 + 0.5) / count as f64;
                     *z = self.sigma * self.heights.quantile(p);
                 }
             }
@@ -95,6 +114,19 @@ mod tests {
             assert!(found.mean_height.abs() < 0.02, "{heights:?}: {}", found.mean_height);
             assert!((found.sigma - 2.0).abs() < 0.03, "{heights:?}: {}", found.sigma);
             assert!((found.skewness.unwrap() - heights.skewness()).abs() < 0.1, "{heights:?}");
+        }
+    }
+
+    #[test]
+    fn parts_make_up_the_set() {
+        let count = 3 * STREAM + 100;
+        for draw in [Draw::Random([7; 32]), Draw::Quantiles] {
+            let whole = UNIT.set(count, draw).unwrap();
+            let parts = [0..1, 1..3, 3..9].map(|streams| UNIT.part(streams, count, draw).unwrap());
+            let heights: Vec<f64> = parts.iter().flat_map(|part| part.heights().to_vec()).collect();
+            assert_eq!(heights, whole.heights());
+            assert_eq!(parts.map(|part| part.nominal_area()), [1024.0, 2048.0, 25.0]);
+            assert_eq!(UNIT.part(4..5, count, draw), Err(SetError::Empty));
         }
     }
 

@@ -6,8 +6,7 @@ use std::sync::OnceLock;
 use super::block::{Block, Levels};
 use super::load_control::{LOWEST_SEPARATION, search_missing};
 use super::sparse::SparseSubset;
-use super::validity::LoadSharing;
-use super::{Model, ReferencePlane, Response, SamplingError};
+use super::{Model, ReferencePlane, Response};
 use crate::accumulator::{Accumulator, Total};
 use crate::asperity::{Asperities, Ordered};
 use crate::interface::{LoadBounds, MicroContact, Shapes};
@@ -187,13 +186,7 @@ impl<'a> Deterministic<'a> {
     }
 
     fn response(&self, h: f64, total: &Total) -> Response {
-        let (count, per_area) = (self.asperities.count(), self.asperities.nominal_area().recip());
-        let sampling = SamplingError {
-            pressure: total.load_error(count) * per_area,
-            area_ratio: total.area_error(count) * per_area,
-        };
-        let sharing = LoadSharing::of(total);
-        Response { sampling: Some(sampling), sharing, ..Response::new(h, self.plane, total, per_area) }
+        Response::of_sum(h, self.plane, total, self.asperities.count(), self.asperities.nominal_area())
     }
 
     /// An upper bound of the pressure (Pa) at separations from `low` to `high`, from the highest load of each asperity,

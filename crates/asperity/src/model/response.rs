@@ -55,6 +55,17 @@ impl Response {
         }
     }
 
+    /// The response at separation `h` = d/sigma of the sum `total` over `count` asperities on a `nominal_area` (m^2).
+    pub fn of_sum(h: f64, plane: ReferencePlane, total: &Total, count: usize, nominal_area: f64) -> Self {
+        let per_area = nominal_area.recip();
+        let sampling = SamplingError {
+            pressure: total.load_error(count) * per_area,
+            area_ratio: total.area_error(count) * per_area,
+        };
+        let sharing = LoadSharing::of(total);
+        Self { sampling: Some(sampling), sharing, ..Self::new(h, plane, total, per_area) }
+    }
+
     /// Mean pressure on the real contact area, Pa; `None` without contact.
     pub fn mean_real_pressure(&self) -> Option<f64> {
         let area = self.area_ratio.total();

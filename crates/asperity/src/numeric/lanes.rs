@@ -480,6 +480,20 @@ static REGISTERS: LazyLock<Arch> = LazyLock::new(|| match std::env::var(NARROWER
     _ => Arch::new(),
 });
 
+/// Bits of the vector registers that sums run in: the last digits of results depend on it.
+pub fn register_bits() -> usize {
+    struct Lanes;
+    impl WithSimd for Lanes {
+        type Output = usize;
+
+        #[inline(always)]
+        fn with_simd<S: Simd>(self, _: S) -> usize {
+            S::F64_LANES
+        }
+    }
+    8 * size_of::<f64>() * REGISTERS.dispatch(Lanes)
+}
+
 /// Environment variable that limits the number of lanes to 1 or 4, to measure their benefit or to reproduce the last
 /// digits of another machine.
 const NARROWER: &str = "ASPERITY_LANES";

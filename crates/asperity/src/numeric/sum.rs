@@ -12,6 +12,7 @@ pub const CHUNK: usize = 4096;
 /// Programming 2, section 4.2.2, theorem B), so that the result is within a few ulp of the exact sum for any number of
 /// terms.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Sum<N = f64> {
     high: N,
     low: N,

@@ -5,6 +5,7 @@ mod column;
 mod header;
 mod text;
 
+use std::ops::Range;
 use std::path::Path;
 
 use rayon::prelude::*;
@@ -208,6 +209,22 @@ impl AsperityList {
         }
     }
 
+    /// The rows of an index range of an `.npy` file, as [`AsperityList::read`] reads all: memory is used only for these.
+    ///
+    /// # Errors
+    /// Those of [`AsperityList::read`]; [`ListError::Empty`] of a range without rows.
+    pub fn read_rows(path: &Path, rows: Range<usize>, options: ListOptions) -> Result<Self, ListError> {
+        let array = npy::Mapped::in_either_order(path)?;
+        let needed = options.needed();
+        check_shape(array.points()[0], array.points()[1], needed)?;
+        let rows = rows.start..rows.end.min(array.points()[0]);
+        if rows.is_empty() {
+            return Err(ListError::Empty);
+        }
+        let [heights, radii, kx, ky] = rows_of(&array, rows, needed, options)?;
+        Ok(Self { heights, radii, curvatures: options.as_ellipses.then_some([kx, ky]) })
+    }
+
     /// The list with these columns, in m and 1/m: heights, radii, and the principal curvatures kx and ky of ellipses.
     /// [`Self::set`] checks them.
     pub fn of(heights: Vec<f64>, radii: Vec<f64>, curvatures: Option<[Vec<f64>; 2]>) -> Self {
@@ -260,14 +277,24 @@ fn read_npy(path: &Path, needed: &'static [ListColumn], options: ListOptions) ->
     let array = npy::Mapped::in_either_order(path)?;
     let [rows, columns] = array.points();
     check_shape(rows, columns, needed)?;
+    rows_of(&array, 0..rows, needed, options)
+}
+
+/// The columns of an index range of rows.
+fn rows_of(
+    array: &npy::Mapped,
+    rows: Range<usize>,
+    needed: &'static [ListColumn],
+    options: ListOptions,
+) -> Result<Columns, ListError> {
     let mut found = Columns::default();
-    let mut pieces: Vec<Vec<&mut [f64]>> = (0..rows.div_ceil(ROWS)).map(|_| Vec::new()).collect();
+    let mut pieces: Vec<Vec<&mut [f64]>> = (0..rows.len().div_ceil(ROWS)).map(|_| Vec::new()).collect();
     for (column, _) in found.iter_mut().zip(needed) {
-        *column = zeros(rows);
+        *column = zeros(rows.len());
         pieces.iter_mut().zip(column.chunks_mut(ROWS)).for_each(|(pieces, piece)| pieces.push(piece));
     }
     let bad = pieces.par_iter_mut().enumerate();
-    let bad = bad.find_map_first(|(k, pieces)| piece(&array, k * ROWS, needed, options, pieces));
+    let bad = bad.find_map_first(|(k, pieces)| piece(array, rows.start + k * ROWS, needed, options, pieces));
     bad.map_or(Ok(found), Err)
 }
 

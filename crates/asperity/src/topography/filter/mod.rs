@@ -77,6 +77,12 @@ impl Filter {
         }
     }
 
+    /// Number of points along x on either side that a filtered height depends on, at a distance of `pixel` (m).
+    pub fn halo(&self, pixel: [f64; 2]) -> usize {
+        let reach = |index: f64| weights_of(index, pixel)[0].len() - 1;
+        [self.s, self.l].into_iter().flatten().map(reach).sum()
+    }
+
     /// Units of work of [`Self::apply`] on a map of pixels of `pixel` (m), for its progress.
     pub fn work(&self, pixel: [f64; 2]) -> f64 {
         /// Two transforms; a map with missing points takes four.
