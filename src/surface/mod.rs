@@ -19,6 +19,7 @@ mod search;
 pub mod section;
 mod spec;
 mod summary;
+mod tiles;
 
 pub use description::{SurfacesPlan, described_file};
 pub use factory::SurfaceFactory;
@@ -31,6 +32,7 @@ pub use plan::{SurfacePlan, beside, curvature_ratio, describe, inputs, memory, s
 pub use search::Preparation;
 pub use spec::SurfaceSpec;
 pub use summary::{PopulationSummary, RealisationSummary, SurfaceSummary, summary};
+pub use tiles::{OpenTiles, SurfaceTiles};
 
 use asperity::work::Counter;
 

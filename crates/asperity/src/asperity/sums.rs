@@ -28,10 +28,15 @@ impl AsperitySums {
         Self { origin: [height, radius], count: 0, nominal_area: none, terms: [none; TERMS] }
     }
 
+    /// Adds a nominal area (m^2) without asperities.
+    pub fn add_area(&mut self, nominal_area: f64) {
+        self.nominal_area += nominal_area;
+    }
+
     /// Adds the asperities of `set` and their nominal area.
     pub fn add(&mut self, set: &AsperitySet) {
+        self.add_area(set.nominal_area());
         self.count += set.count();
-        self.nominal_area += set.nominal_area();
         for (heights, radii) in set.heights().chunks(PLAIN).zip(set.radii().chunks(PLAIN)) {
             let mut terms = [0.0; TERMS];
             for (height, &radius) in heights.iter().zip(radii) {

@@ -130,18 +130,32 @@ pub fn stays_on_disk(path: &Path) -> Result<bool, ReadError> {
 /// # Errors
 /// As [`height_map`].
 pub fn rows(path: &Path, options: ReadOptions, progress: &dyn Progress) -> Result<Box<dyn Rows>, ReadError> {
+    let map = unchecked_rows(path, options)?;
+    if stays_on_disk(path)? {
+        check_rows(&Watched { map: &*map, progress })?;
+    }
+    Ok(map)
+}
+
+/// The same without reading the heights of a map that stays on disk: of one that is read in parts, which are checked with
+/// [`check_rows`] each.
+///
+/// # Errors
+/// As [`height_map`].
+pub fn unchecked_rows(path: &Path, options: ReadOptions) -> Result<Box<dyn Rows>, ReadError> {
     if !stays_on_disk(path)? {
         return Ok(Box::new(height_map(path, options)?));
     }
     let metadata = npy::metadata(path)?;
     let array = Mapped::open(path)?;
-    let map = MappedMap { array, pixel: metadata.pixel(&options)?, unit: metadata.unit(&options) };
-    check_rows(&Watched { map: &map, progress })?;
-    Ok(Box::new(map))
+    Ok(Box::new(MappedMap { array, pixel: metadata.pixel(&options)?, unit: metadata.unit(&options) }))
 }
 
-/// The checks of [`check_heights`] and [`HeightMap::new`], row by row.
-fn check_rows(map: &dyn Rows) -> Result<(), ReadError> {
+/// Checks size, units and heights of a map, or of a part of one, that was read row by row.
+///
+/// # Errors
+/// As [`height_map`]; [`MapError::AllMissing`] without a single height.
+pub fn check_rows(map: &dyn Rows) -> Result<(), ReadError> {
     HeightMap::check_grid(map.points(), map.pixel())?;
     let tallest = |strip: rows::Strip| {
         let heights = (0..strip.count as isize).filter_map(|k| strip.row(k)).flatten();

@@ -1,5 +1,7 @@
 //! Summits of a map: five-point (Greenwood 1984), or higher than all eight neighbours.
 
+use std::ops::Range;
+
 use pulp::{Arch, Simd, WithSimd};
 
 mod plateau;
@@ -149,7 +151,15 @@ pub fn five_point(map: &dyn Rows) -> Summits {
 ///
 /// Rows are read once, strip by strip. The result does not depend on the number of threads.
 pub fn find(map: &dyn Rows, neighbours: Neighbours, detail: Detail) -> Summits {
+    find_in_rows(map, 0..map.points()[0], neighbours, detail)
+}
+
+/// The same, of the summits and tested points in some `rows` of the map alone: parts of a map, each with a halo of rows on
+/// either side, have the summits of the whole. A plateau belongs to the row of its first point; one that is longer than the
+/// halo is not found.
+pub fn find_in_rows(map: &dyn Rows, rows: Range<usize>, neighbours: Neighbours, detail: Detail) -> Summits {
     let finder = Finder {
+        rows,
         points: map.points(),
         pixel: map.pixel(),
         is_periodic: map.boundary() == Boundary::Periodic,
@@ -172,6 +182,8 @@ pub fn find(map: &dyn Rows, neighbours: Neighbours, detail: Detail) -> Summits {
 }
 
 struct Finder {
+    /// Whose summits are kept.
+    rows: Range<usize>,
     points: [usize; 2],
     pixel: [f64; 2],
     is_periodic: bool,
@@ -211,9 +223,12 @@ impl Finder {
             if let (Some(before), Some(row), Some(after)) = (strip.row(k - 1), strip.row(k), strip.row(k + 1))
             {
                 let window = Window([before, row, after]);
-                part.summits.tested += self.tested(window, whole == [true; 3]);
+                let is_own = self.rows.contains(&(strip.first + k as usize));
+                if is_own {
+                    part.summits.tested += self.tested(window, whole == [true; 3]);
+                }
                 arch.dispatch(Mark { window, neighbours: self.neighbours, flags: &mut flags });
-                self.row(window, (strip.first + k as usize) * self.points[1], &mut flags, part);
+                self.row(window, (strip.first + k as usize) * self.points[1], is_own, &mut flags, part);
             }
             whole.rotate_left(1);
         }
@@ -234,7 +249,7 @@ impl Finder {
 
     /// Keeps the flagged points of one row and, on a periodic map, its first and last point if they qualify. The row's
     /// first point has the position `start`.
-    fn row(&self, window: Window, start: usize, flags: &mut [bool], part: &mut Part) {
+    fn row(&self, window: Window, start: usize, is_own: bool, flags: &mut [bool], part: &mut Part) {
         let count = self.points[1];
         let steps = self.neighbours.steps();
         if self.is_periodic {
@@ -245,15 +260,17 @@ impl Finder {
         for (block, some) in flags.chunks(u64::BITS as usize).enumerate() {
             let mut marked = bits(some);
             while marked != 0 {
-                self.keep(window, start, block * u64::BITS as usize + marked.trailing_zeros() as usize, part);
+                let iy = block * u64::BITS as usize + marked.trailing_zeros() as usize;
+                self.keep(window, start, iy, is_own, part);
                 marked &= marked - 1;
             }
         }
     }
 
-    /// Keeps a point that is not lower than any of its neighbours.
+    /// Keeps a point that is not lower than any of its neighbours: of a row that is not the finder's own, only to complete
+    /// plateaus.
     #[inline]
-    fn keep(&self, window: Window, start: usize, iy: usize, part: &mut Part) {
+    fn keep(&self, window: Window, start: usize, iy: usize, is_own: bool, part: &mut Part) {
         let steps = self.neighbours.steps();
         let z = window.0[1][iy];
         let nearest = [0, 1, 2, 3].map(|k| window.at(iy, STEPS[k]));
@@ -270,6 +287,9 @@ impl Finder {
                 .fold(0, |equal, (bit, &step)| equal | u8::from(window.at(iy, step) == z) << bit);
             let rank = part.summits.heights.len();
             part.level.push(LevelPoint { position, rank, height: z, curvature_tensor, equal, drops });
+            return;
+        }
+        if !is_own {
             return;
         }
         let summits = &mut part.summits;

@@ -84,7 +84,8 @@ impl Finder {
                     }
                 }
             }
-            if is_summit {
+            // The traversal began at its first point in file order.
+            if is_summit && self.rows.contains(&(level[start].position / columns)) {
                 summits.push(plateau);
             }
         }
@@ -105,7 +106,6 @@ impl Finder {
                 let drops = plateau.iter().flat_map(|&member| level[member].drops);
                 found.drops.extend(drops.filter(|&drop| drop > 0.0));
             }
-            // The traversal began at its first point in file order.
             kept.push((&level[plateau[0]], mean));
         }
         self.merge(found, &kept);

@@ -133,6 +133,36 @@ fn a_tall_map_and_less_detail() {
 
 /// On a paraboloid with any axes the nine points give both curvatures exactly, also where corners are missing.
 #[test]
+fn parts_of_a_map_with_halos_have_the_summits_of_the_whole() {
+    let mut rng = rand_chacha::ChaCha8Rng::seed_from_u64(7);
+    let [nx, ny] = [60, 17];
+    let height = |_| if rng.random_bool(0.02) { f64::NAN } else { f64::from(rng.random_range(0..5)) };
+    let map = map([nx, ny], (0..nx * ny).map(height).collect());
+    for neighbours in [Neighbours::Four, Neighbours::Eight] {
+        let whole = find(&map, neighbours, Detail::ALL);
+        assert!(whole.plateaus > 10);
+        let mut parts = Summits::default();
+        for rows in [0..1, 1..20, 20..41, 41..60] {
+            const HALO: usize = 12;
+            let first = usize::saturating_sub(rows.start, HALO);
+            let points = [nx.min(rows.end + HALO) - first, ny];
+            let window = crate::topography::Window { map: &map, first: [first, 0], points };
+            let mut found =
+                find_in_rows(&window, rows.start - first..rows.end - first, neighbours, Detail::ALL);
+            parts.positions.extend(found.positions.iter().map(|position| position + first * ny));
+            parts.heights.append(&mut found.heights);
+            parts.curvatures.append(&mut found.curvatures);
+            parts.principal.append(&mut found.principal);
+            parts.tested += found.tested;
+            parts.plateaus += found.plateaus;
+            parts.dropped += found.dropped;
+        }
+        let whole = Summits { drops: Vec::new(), ..whole };
+        assert_eq!(parts, whole);
+    }
+}
+
+#[test]
 fn principal_curvatures_of_a_paraboloid() {
     for (large, small, angle) in [(3.0, 1.0, 0.0), (3.0, 1.0, 0.4), (2.0, 2.0, 1.0), (5.0, -0.2, 0.3)] {
         let (sin, cos) = f64::sin_cos(angle);
