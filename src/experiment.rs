@@ -2,10 +2,12 @@
 
 use std::fmt;
 use std::path::{Path, PathBuf};
+use std::time::SystemTime;
 
 use asperity::Material;
 use asperity::work::Counter;
 use asperity_framework::digest::{hexadecimal, sha256, sha256_of_file};
+use asperity_framework::divided::Divided;
 use asperity_framework::input::material::MaterialOrigin;
 use asperity_framework::input::{InputError, Source, SpecFile};
 use asperity_framework::metadata::Timing;
@@ -125,6 +127,20 @@ impl Experiment {
         self.plan.described_file()
     }
 
+    /// Its spec.
+    pub(crate) fn path(&self) -> &Path {
+        &self.source.path
+    }
+
+    /// When its input files were last written, and their sizes.
+    pub(crate) fn modified(&self) -> Vec<Option<(SystemTime, u64)>> {
+        let of = |path: &PathBuf| {
+            let metadata = std::fs::metadata(path).ok()?;
+            Some((metadata.modified().ok()?, metadata.len()))
+        };
+        self.plan.inputs().iter().map(of).collect()
+    }
+
     /// Name of its report's folder.
     pub fn stem(&self) -> &str {
         &self.stem
@@ -141,11 +157,16 @@ impl Experiment {
     /// # Errors
     /// An input file that cannot be read.
     pub fn key(&self) -> Result<String, InputError> {
+        Ok(self.key_of(&self.input()?))
+    }
+
+    /// The same on an [`Self::input`] that was hashed before.
+    pub(crate) fn key_of(&self, input: &str) -> String {
         let mut hash = Sha256::new();
         hash.update(SOURCES);
         hash.update(sha256(self.stem.as_bytes()));
-        hash.update(self.input()?);
-        Ok(hexadecimal(&hash.finalize()))
+        hash.update(input);
+        hexadecimal(&hash.finalize())
     }
 
     /// The part of [`Self::key`] that is the same for every build of the program: the spec, how it is run, and its input files.
@@ -184,7 +205,21 @@ impl Experiment {
         self.plan.check(&self.context("", &Silent))
     }
 
-    fn context<'a>(&'a self, input_sha256: &'a str, progress: &'a dyn Progress) -> RunContext<'a> {
+    /// Its division into tiles.
+    ///
+    /// # Errors
+    /// An experiment that needs its whole input at once.
+    pub(crate) fn divided(&self) -> Result<&dyn Divided, InputError> {
+        self.plan.divided().ok_or_else(|| {
+            let message = format!(
+                "found [{}], which needs its whole input at once and has no parts; allowed: [tiled], which sums a surface tile by tile",
+                self.kind
+            );
+            InputError::file(&self.source.path, message)
+        })
+    }
+
+    pub(crate) fn context<'a>(&'a self, input_sha256: &'a str, progress: &'a dyn Progress) -> RunContext<'a> {
         let Self { source, stem, title, kind, notes, figure, seed, materials, origins, .. } = self;
         RunContext {
             title,

@@ -11,9 +11,11 @@ pub mod keys;
 pub mod kind;
 mod layer;
 pub mod materials;
+mod parts;
 mod plausibility;
 pub mod surface;
 #[cfg(feature = "cli")]
 pub mod terminal;
 
 pub use experiment::{Experiment, TEMPLATE, make_surface};
+pub use parts::{PartError, PartRun};

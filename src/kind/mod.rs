@@ -6,6 +6,7 @@ pub mod indentation;
 pub mod laws;
 pub mod limit;
 pub mod sampling_interval;
+pub mod tiled;
 
 use asperity_framework::Kind;
 use asperity_framework::report::table_docs;
@@ -32,6 +33,7 @@ pub const KINDS: &[&dyn Kind] = &[
     &SolverValidation,
     #[cfg(feature = "validation")]
     &Stability,
+    &tiled::Tiled,
 ];
 
 /// The table of surfaces, which some kinds read.

@@ -16,7 +16,7 @@ use asperity_framework::input::schema;
 use asperity_framework::written_schema;
 
 /// A layer on the flat, of one thickness or several.
-#[derive(Debug, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, Deserialize, JsonSchema)]
 #[serde(
     deny_unknown_fields,
     rename_all = "kebab-case",

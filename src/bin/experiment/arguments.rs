@@ -4,6 +4,7 @@ use std::path::PathBuf;
 
 use asperity_experiment::kind::KINDS;
 use asperity_experiment::surface::FileOptions;
+use asperity_framework::divided::Part;
 use clap::builder::PossibleValuesParser;
 use clap::{Args, Parser, Subcommand};
 
@@ -31,6 +32,23 @@ pub enum Command {
         files: Vec<PathBuf>,
         #[command(flatten)]
         extent: Extent,
+        #[command(flatten)]
+        options: RunOptions,
+        /// Run one part of [tiled] specs, such as 3/16, and write it to --parts instead of a report
+        #[arg(long)]
+        part: Option<Part>,
+        /// Folder of parts
+        #[arg(long, default_value = "parts", requires = "part")]
+        parts: PathBuf,
+    },
+    /// Merge the parts of [tiled] specs and write a report for each
+    Merge {
+        /// Spec files
+        #[arg(required = true)]
+        files: Vec<PathBuf>,
+        /// Folder of parts
+        #[arg(long, default_value = "parts")]
+        parts: PathBuf,
         #[command(flatten)]
         options: RunOptions,
     },

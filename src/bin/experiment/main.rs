@@ -12,9 +12,10 @@ use asperity_experiment::kind::columns;
 use asperity_experiment::materials::{all_materials, one_material};
 use asperity_experiment::surface::{FileOptions, described_file};
 use asperity_experiment::terminal::Monitor;
-use asperity_experiment::{Experiment, TEMPLATE};
+use asperity_experiment::{Experiment, PartError, TEMPLATE};
+use asperity_framework::divided::Part;
 use asperity_framework::input::InputError;
-use asperity_framework::progress::Silent;
+use asperity_framework::progress::{Progress, Silent};
 use asperity_framework::report::store::{Store, StoreError};
 use asperity_framework::report::{Index, MARK, verify};
 use asperity_framework::{Outcome, ReportError, folder as report_folder};
@@ -48,6 +49,15 @@ impl From<StoreError> for Failure {
     }
 }
 
+impl From<PartError> for Failure {
+    fn from(error: PartError) -> Self {
+        match error {
+            PartError::Input(error) => error.into(),
+            PartError::Parts(error) => Self::Run(error.to_string()),
+        }
+    }
+}
+
 impl From<ReportError> for Failure {
     fn from(error: ReportError) -> Self {
         Self::Run(error.to_string())
@@ -58,7 +68,11 @@ fn main() -> ExitCode {
     let cli = Cli::parse();
     let outcome = match cli.command {
         None => specs_in(Path::new(SPECS)).and_then(|files| run(&files, &cli.extent, &cli.options)),
-        Some(Command::Run { files, extent, options }) => run(&files, &extent, &options),
+        Some(Command::Run { files, extent, options, part: Some(part), parts }) => {
+            run_parts(&files, &extent, &options, part, &parts)
+        }
+        Some(Command::Run { files, extent, options, .. }) => run(&files, &extent, &options),
+        Some(Command::Merge { files, parts, options }) => merge(&files, &parts, &options),
         Some(Command::List { out }) => list(&out),
         Some(Command::Check { files, extent }) => check(&files, &extent),
         Some(Command::New { name }) => new(&name),
@@ -172,6 +186,69 @@ fn run(files: &[PathBuf], extent: &Extent, options: &RunOptions) -> Result<(), F
     Err(last)
 }
 
+/// Runs one part of each spec.
+fn run_parts(
+    files: &[PathBuf],
+    extent: &Extent,
+    options: &RunOptions,
+    part: Part,
+    folder: &Path,
+) -> Result<(), Failure> {
+    set_threads(options)?;
+    for experiment in read_all(files, extent)? {
+        let start = Instant::now();
+        let run = watched(&experiment, options, |progress| experiment.run_part(part, folder, progress))?;
+        let name = format!("{} part {part}", experiment.stem());
+        for path in &run.written {
+            say(options, &format!("{name}: {} written in {} s", path.display(), seconds(start)));
+        }
+        match &run.waits_for {
+            None if run.written.is_empty() => {
+                say(options, &format!("{name} is complete in {}", folder.display()));
+            }
+            None => {}
+            // The others may write theirs at this moment.
+            Some(missing) if run.written.is_empty() => {
+                return Err(Failure::Run(format!(
+                    "{name}: nothing to do yet: {missing}; run this part again once they are there"
+                )));
+            }
+            Some(_) => say(
+                options,
+                &format!("{name}: run it again once pass {} of all parts is there", run.written.len()),
+            ),
+        }
+    }
+    Ok(())
+}
+
+/// Merges the parts of each spec and writes its report.
+fn merge(files: &[PathBuf], folder: &Path, options: &RunOptions) -> Result<(), Failure> {
+    set_threads(options)?;
+    let mut store = open_store(options)?;
+    for experiment in read_all(files, &Extent { full: false })? {
+        let key = experiment.key()?;
+        store.check(experiment.stem())?;
+        run_and_write(&experiment, &key, &mut store, options, |progress| experiment.merge(folder, progress))?;
+    }
+    write_index(&mut store, &options.out)
+}
+
+/// Runs with a display of progress, unless that is not wanted.
+fn watched<T, E>(
+    experiment: &Experiment,
+    options: &RunOptions,
+    run: impl FnOnce(&dyn Progress) -> Result<T, E>,
+) -> Result<T, E> {
+    if options.quiet {
+        return run(&Silent);
+    }
+    let monitor = Monitor::new(experiment.stem());
+    let done = run(&monitor);
+    monitor.finish();
+    done
+}
+
 fn set_threads(options: &RunOptions) -> Result<(), Failure> {
     let Some(threads) = options.threads else { return Ok(()) };
     rayon::ThreadPoolBuilder::new()
@@ -206,7 +283,9 @@ fn surface(
     let mut store = open_store(options)?;
     store.check(experiment.stem())?;
     check_same_file(&experiment, &options.out.join(experiment.stem()))?;
-    let results = run_and_write(&experiment, &experiment.key()?, &mut store, options)?;
+    let results = run_and_write(&experiment, &experiment.key()?, &mut store, options, |progress| {
+        experiment.run(progress)
+    })?;
     if let Some(text) = results.terminal() {
         say(options, &text);
     }
@@ -282,26 +361,20 @@ fn run_one(experiment: &Experiment, store: &mut Store, options: &RunOptions) -> 
         return Ok(());
     }
     store.check(experiment.stem())?;
-    run_and_write(experiment, &key, store, options).map(|_| ())
+    run_and_write(experiment, &key, store, options, |progress| experiment.run(progress)).map(|_| ())
 }
 
 /// Runs an experiment, which had `key` before, and writes its report.
-fn run_and_write(
+fn run_and_write<E: Into<Failure>>(
     experiment: &Experiment,
     key: &str,
     store: &mut Store,
     options: &RunOptions,
+    run: impl FnOnce(&dyn Progress) -> Result<Box<dyn Outcome>, E>,
 ) -> Result<Box<dyn Outcome>, Failure> {
     let start = Instant::now();
     let folder = options.out.join(experiment.stem());
-    let results = if options.quiet {
-        experiment.run(&Silent)?
-    } else {
-        let monitor = Monitor::new(experiment.stem());
-        let results = experiment.run(&monitor);
-        monitor.finish();
-        results?
-    };
+    let results = watched(experiment, options, run).map_err(Into::into)?;
     if experiment.key()? != key {
         return Err(Failure::Run(format!(
             "{}: an input file changed while it was read; run again",

@@ -26,7 +26,7 @@ mod threshold;
 
 pub(crate) use attribution::attribute;
 pub use run::run as run_compare;
-pub(crate) use run::{differ, models_of, run_surface};
+pub(crate) use run::{differ, layer_metadata, models_of, run_surface};
 pub(crate) use sampling::sampling;
 pub use summary::summary;
 pub use tables::CurveRow;

@@ -129,22 +129,7 @@ pub fn run(
     }
     papers.extend(compare.lines.iter().map(|line| line.paper()));
     timing.total = start.elapsed();
-    let mut layer_metadata = None;
-    if let Some(layer) = &compare.layer {
-        let mut check = None;
-        if compare.uses_rule(layer) {
-            let (findings, rules) =
-                rule_check(compare, layer).map_err(|error| InputError::file(&context.source.path, error))?;
-            papers.extend(rules);
-            check = Some(findings);
-        }
-        layer_metadata = Some(LayerMetadata {
-            name: layer.name.clone(),
-            rule: layer.rule,
-            thicknesses: layer.thicknesses.clone(),
-            check,
-        });
-    }
+    let layer_metadata = layer_metadata(context, compare, &mut papers)?;
     let contact = contact_metadata(context.materials, &compare.laws, &compare.bodies, layer_metadata);
     let tolerances = compare.controls.tolerances;
     let metadata = context.metadata(papers, timing, Some(counter.work()));
@@ -174,6 +159,27 @@ pub fn run(
         reference,
         described,
     })
+}
+
+/// The layer, and the check of its rule where some contact is under it, whose sources are added to `papers`.
+///
+/// # Errors
+/// A layer that the exact solution does not apply to.
+pub(crate) fn layer_metadata(
+    context: &RunContext,
+    compare: &ComparePlan,
+    papers: &mut Vec<Paper>,
+) -> Result<Option<LayerMetadata>, InputError> {
+    let Some(layer) = &compare.layer else { return Ok(None) };
+    let mut check = None;
+    if compare.uses_rule(layer) {
+        let (findings, rules) =
+            rule_check(compare, layer).map_err(|error| InputError::file(&context.source.path, error))?;
+        papers.extend(rules);
+        check = Some(findings);
+    }
+    let thicknesses = layer.thicknesses.clone();
+    Ok(Some(LayerMetadata { name: layer.name.clone(), rule: layer.rule, thicknesses, check }))
 }
 
 /// Both models on a surface, its asperities as the laws see them.

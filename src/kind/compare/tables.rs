@@ -25,6 +25,11 @@ impl Case {
         Self { surface: surface.to_owned(), realisation, law: law.to_owned(), thickness: None }
     }
 
+    /// Of a law under a layer of a thickness (m), if there is one.
+    pub(crate) fn layered(surface: &str, law: &str, thickness: Option<f64>) -> Self {
+        Self { thickness, ..Self::bare(surface, 1, law) }
+    }
+
     fn of(surface: &str, realisation: usize, case: &CaseResults) -> Self {
         Self { thickness: case.thickness, ..Self::bare(surface, realisation, &case.law) }
     }
@@ -100,7 +105,11 @@ pub(crate) const REFERENCE: &str = "reference";
 impl CurveRow {
     /// The points of both models' curves in a comparison under a law, with E* of the pair without a layer (Pa).
     pub fn of(law: &str, comparison: &Comparison, reduced_modulus: f64) -> Vec<Self> {
-        let case = Case::bare("", 1, law);
+        Self::of_case(&Case::bare("", 1, law), comparison, reduced_modulus)
+    }
+
+    /// The same of a case.
+    pub(crate) fn of_case(case: &Case, comparison: &Comparison, reduced_modulus: f64) -> Vec<Self> {
         let row = |point| Self { case: case.clone(), point, reduced_modulus };
         of_models(comparison).map(row).collect()
     }

@@ -1,0 +1,66 @@
+//! `[tiled]` resolved: laws, separations, one surface and its tiles.
+
+use std::fmt;
+
+use asperity_framework::input::{InputError, SpecFile};
+
+use super::spec::TiledSpec;
+use crate::kind::compare::plan::{ComparePlan, compared};
+use crate::surface::{SurfacePlan, SurfaceTiles};
+
+/// Both models on a surface in tiles.
+pub struct TiledPlan {
+    /// Bodies, laws and separations.
+    pub compare: ComparePlan,
+    /// The tiles of its one surface.
+    pub tiles: SurfaceTiles,
+}
+
+impl TiledPlan {
+    /// The surface.
+    pub fn surface(&self) -> &SurfacePlan {
+        &self.compare.surfaces[0]
+    }
+
+    /// d/sigma.
+    pub fn separations(&self) -> &[f64] {
+        &self.compare.controls.separations
+    }
+}
+
+impl fmt::Display for TiledPlan {
+    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        write!(f, "{}", self.compare)?;
+        let count = self.tiles.count;
+        let passes = if self.surface().nominal().is_some() { "one pass" } else { "two passes" };
+        writeln!(
+            f,
+            "  {count} tiles, {passes}; on many machines: `experiment run --part 1/{} SPEC`",
+            count.min(16)
+        )
+    }
+}
+
+/// Reads `[tiled]`.
+pub(super) fn plan(file: &SpecFile) -> Result<TiledPlan, InputError> {
+    let table = file.required_table::<TiledSpec>("tiled")?;
+    let (raw, span) = (table.get_ref(), table.span());
+    let elliptic = raw.law.get_ref().0.iter().find(|law| law.is_elliptic());
+    if let Some(law) = elliptic {
+        let message =
+            format!("found {}, a law of ellipses; allowed in [tiled]: laws of spheres", law.label());
+        return Err(file.source.error_at(raw.law.span(), message));
+    }
+    let compare = compared(file, &raw.compared(), span.clone())?;
+    let [surface] = &compare.surfaces[..] else {
+        let names: Vec<&str> = compare.surfaces.iter().map(|surface| surface.name.as_str()).collect();
+        let message = format!(
+            "found {} surfaces ({}); allowed: surface = \"NAME\" of one of them",
+            names.len(),
+            names.join(", ")
+        );
+        return Err(file.source.error_at(span, message));
+    };
+    let tiles = SurfaceTiles::new(surface, &file.source)?;
+    Ok(TiledPlan { compare, tiles })
+}

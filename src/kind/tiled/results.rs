@@ -1,0 +1,156 @@
+//! Results of both models on a surface in tiles.
+
+use asperity::compare::{Comparison, Control, CurvePoint, Kind, Pair, Pairing};
+use asperity::{Model, Population, ReferencePlane, Response, Shape, Statistical, Statistics, Total};
+use asperity_framework::contact::{ContactMetadata, LawPlan};
+use asperity_framework::metadata::Metadata;
+
+/// Both models on a surface in tiles.
+#[derive(Debug)]
+pub struct TiledResults {
+    /// What every experiment has.
+    pub metadata: Metadata,
+    /// The bodies.
+    pub contact: ContactMetadata,
+    /// The surface.
+    pub surface: TiledSurface,
+    /// Law by law, thickness by thickness.
+    pub laws: Vec<LawResults>,
+    /// Warnings about materials and separations that are hardly meant.
+    pub implausible: Vec<String>,
+}
+
+/// A surface, from the sums over its tiles.
+#[derive(Debug)]
+pub struct TiledSurface {
+    /// Its name in the spec.
+    pub name: String,
+    /// Number of tiles.
+    pub tiles: usize,
+    /// Number of asperities.
+    pub count: usize,
+    /// Nominal area, m^2.
+    pub nominal_area: f64,
+    /// Height in the file that heights are relative to, m.
+    pub origin: f64,
+    /// Statistics of all asperities, heights relative to `origin`.
+    pub statistics: Statistics,
+    /// Whether it is drawn from a population, which then is the input of the statistical model.
+    pub is_nominal: bool,
+    /// Input of the statistical model.
+    pub population: Population,
+    /// Where separations are measured from, heights relative to `origin`.
+    pub plane: ReferencePlane,
+    /// The same relative to the mean height of `population`.
+    pub reporting_plane: ReferencePlane,
+}
+
+/// Both models under a law.
+#[derive(Debug)]
+pub struct LawResults {
+    /// Name of the law.
+    pub law: String,
+    /// Thickness of the layer, m; `None` without a layer in the spec.
+    pub thickness: Option<f64>,
+    /// Curves at the separations; pairs there and at the pressures of the sum.
+    pub comparison: Comparison,
+    /// Standard error of the nominal pressure of the sum at each separation, Pa, from the scatter of the tiles; `None` where too
+    /// few tiles are in contact.
+    pub errors: Vec<Option<f64>>,
+}
+
+impl LawResults {
+    /// The statistical model beside the sums `totals` at separations d/sigma.
+    pub(super) fn new(
+        law: &LawPlan,
+        separations: &[f64],
+        surface: &TiledSurface,
+        totals: &[Total],
+        errors: Vec<Option<f64>>,
+    ) -> Self {
+        let shape = Shape::sphere(surface.population.radius);
+        let integral = Statistical::of_shape(&*law.contact, surface.population.clone(), shape)
+            .reported_from(surface.reporting_plane);
+        let of_sum = |(&h, total): (&f64, &Total)| {
+            Response::of_sum(h, surface.plane, total, surface.count, surface.nominal_area)
+        };
+        let sums: Vec<Response> = separations.iter().zip(totals).map(of_sum).collect();
+        let integrals = integral.respond_all(separations);
+        let mut comparison = Comparison::default();
+        let point = |kind| {
+            move |response: &Response| CurvePoint {
+                kind,
+                control: Control::Separation,
+                target: response.separation_over_sigma,
+                prescribed_pressure: None,
+                response: *response,
+                in_jump: false,
+            }
+        };
+        comparison.curves.extend(integrals.iter().map(point(Kind::Statistical)));
+        comparison.curves.extend(sums.iter().map(point(Kind::Deterministic)));
+        let pair = |pairing, target| {
+            move |(statistical, deterministic): (&Response, &Response)| Pair {
+                pairing,
+                target,
+                statistical: *statistical,
+                deterministic: *deterministic,
+            }
+        };
+        for both in integrals.iter().zip(&sums) {
+            comparison.pairs.push(pair(Pairing::Separation, both.1.separation_over_sigma)(both));
+        }
+        let loaded: Vec<&Response> = sums.iter().filter(|sum| sum.pressure.total() > 0.0).collect();
+        let pressures: Vec<f64> = loaded.iter().map(|sum| sum.pressure.total()).collect();
+        for ((sum, &pressure), found) in
+            loaded.iter().zip(&pressures).zip(integral.separations_at(&pressures))
+        {
+            match found {
+                Some(h) => comparison.pairs.push(pair(Pairing::Load, pressure)((&integral.respond(h), sum))),
+                None => comparison.unpaired.push(pressure),
+            }
+        }
+        Self { law: law.label.clone(), thickness: law.thickness, comparison, errors }
+    }
+
+    /// Pairs at equal separation, each with the standard error of the sum's pressure (Pa).
+    pub fn at_separations(&self) -> impl Iterator<Item = (&Pair, Option<f64>)> {
+        let pairs = self.comparison.pairs.iter().filter(|pair| pair.pairing == Pairing::Separation);
+        pairs.zip(self.errors.iter().copied())
+    }
+
+    /// Pairs at equal load within the valid range of both models.
+    pub fn valid_loads(&self) -> impl Iterator<Item = &Pair> {
+        self.comparison.pairs.iter().filter(|pair| pair.pairing == Pairing::Load && pair.is_valid())
+    }
+}
+
+/// Standard error of the ratio of the sums of `loads` and `areas` over independent tiles (Cochran 1977, Eq. 6.13); `None` where
+/// fewer than eight tiles carry load.
+pub(super) fn error_of_ratio(loads: &[f64], areas: &[f64]) -> Option<f64> {
+    /// Fewer say little of a scatter.
+    const FEWEST: usize = 8;
+    if loads.iter().filter(|&&load| load > 0.0).count() < FEWEST {
+        return None;
+    }
+    let (area, tiles) = (areas.iter().sum::<f64>(), loads.len() as f64);
+    let ratio = loads.iter().sum::<f64>() / area;
+    let squares: f64 = loads.iter().zip(areas).map(|(load, area)| (load - ratio * area).powi(2)).sum();
+    Some((squares * tiles / (tiles - 1.0)).sqrt() / area)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_error_of_a_ratio_is_that_of_a_mean_for_equal_areas() {
+        let loads: Vec<f64> = (1..=9).map(f64::from).collect();
+        // The standard deviation of 1 to 9 is sqrt(7.5).
+        let found = error_of_ratio(&loads, &[2.0; 9]).unwrap();
+        assert!((found - (7.5f64 / 9.0).sqrt() / 2.0).abs() < 1e-15);
+        // Loads in proportion to areas have none; seven tiles say too little.
+        assert_eq!(error_of_ratio(&loads, &loads), Some(0.0));
+        assert_eq!(error_of_ratio(&[1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 0.0], &[1.0; 8]), None);
+    }
+}

@@ -1,0 +1,211 @@
+//! Running `[tiled]`: sums over tiles, then the statistical model of the whole.
+
+use std::ops::Range;
+
+use asperity::{AsperitySums, Deterministic, MeanRadius, Population, ReferencePlane, Total};
+use asperity_framework::RunContext;
+use asperity_framework::divided::{Divided, TileResult};
+use asperity_framework::input::InputError;
+use asperity_framework::{Outcome, contact};
+use rayon::prelude::*;
+use serde::{Deserialize, Serialize};
+
+use super::plan::TiledPlan;
+use super::results::{LawResults, TiledResults, TiledSurface, error_of_ratio};
+use crate::kind::compare::layer_metadata;
+use crate::surface::{OpenTiles, SurfacePlan};
+
+/// What is found in a tile.
+#[derive(Serialize, Deserialize)]
+struct TileSums {
+    /// In the first pass.
+    asperities: Option<AsperitySums>,
+    /// Law by law, separation by separation, once the plane that separations are measured from is known.
+    totals: Vec<Vec<Total>>,
+}
+
+impl TileSums {
+    fn merge(&mut self, part: &Self) {
+        if let (Some(sums), Some(part)) = (&mut self.asperities, &part.asperities) {
+            sums.merge(part);
+        }
+        for (totals, part) in self.totals.iter_mut().zip(&part.totals) {
+            totals.iter_mut().zip(part).for_each(|(total, part)| total.merge(part));
+        }
+    }
+}
+
+impl Divided for TiledPlan {
+    fn tiles(&self) -> usize {
+        self.tiles.count
+    }
+
+    /// Mean and sigma of a population are known; those of any other set take a pass of their own.
+    fn passes(&self) -> usize {
+        if self.surface().nominal().is_some() { 1 } else { 2 }
+    }
+
+    fn pass(
+        &self,
+        context: &RunContext,
+        tiles: Range<usize>,
+        earlier: &[Vec<TileResult>],
+    ) -> Result<Vec<TileResult>, InputError> {
+        let open = self.tiles.open(self.surface(), context.source, context.seed)?;
+        let plane = match (self.surface().nominal(), earlier.first()) {
+            (Some((_, plane)), _) => Some(plane),
+            (None, Some(first)) => Some(self.whole(context, first)?.plane),
+            (None, None) => None,
+        };
+        let name = format!("pass {} of {}", earlier.len() + 1, self.passes());
+        context.progress.stage(&name, tiles.len() as f64);
+        let mut results = Vec::new();
+        for tile in tiles {
+            let found = self.tile(&open, tile, earlier.is_empty(), plane)?;
+            results.push(TileResult::of(&found).map_err(|error| unreadable(context, error))?);
+            context.progress.advance(1.0);
+        }
+        Ok(results)
+    }
+
+    fn merge(
+        &self,
+        context: &RunContext,
+        passes: &[Vec<TileResult>],
+    ) -> Result<Box<dyn Outcome>, InputError> {
+        let surface = self.whole(context, &passes[0])?;
+        let last = &passes[passes.len() - 1];
+        let points = self.separations().len();
+        let totals = vec![vec![Total::default(); points]; self.compare.laws.len()];
+        let mut all = TileSums { asperities: None, totals };
+        let mut loads = vec![Vec::new(); points * self.compare.laws.len()];
+        let mut areas = Vec::new();
+        // The first pass has the areas of the tiles.
+        for (tile, first) in last.iter().zip(&passes[0]) {
+            let read = |error| unreadable(context, error);
+            let sums: TileSums = tile.value().map_err(read)?;
+            let area =
+                first.value::<TileSums>().map_err(read)?.asperities.map_or(0.0, |sums| sums.nominal_area());
+            areas.push(area);
+            let totals = sums.totals.iter().flatten();
+            loads.iter_mut().zip(totals).for_each(|(loads, total)| loads.push(total.load().total()));
+            all.merge(&sums);
+        }
+        let errors: Vec<Option<f64>> = loads.iter().map(|loads| error_of_ratio(loads, &areas)).collect();
+        let laws = self.compare.laws.iter().zip(all.totals.iter().zip(errors.chunks(points)));
+        let laws = laws.map(|(law, (totals, errors))| {
+            LawResults::new(law, self.separations(), &surface, totals, errors.to_vec())
+        });
+        let mut papers = contact::papers_of(&self.compare.laws);
+        papers
+            .extend(self.surface().nominal().iter().flat_map(|(population, _)| population.heights.papers()));
+        let layer = layer_metadata(context, &self.compare, &mut papers)?;
+        Ok(Box::new(TiledResults {
+            laws: laws.collect(),
+            implausible: self.compare.implausible.clone(),
+            contact: contact::contact_metadata(
+                context.materials,
+                &self.compare.laws,
+                &self.compare.bodies,
+                layer,
+            ),
+            metadata: context.metadata(papers, Default::default(), None),
+            surface,
+        }))
+    }
+}
+
+impl TiledPlan {
+    /// The sums over one tile; block by block in their order, so that no bit depends on the threads.
+    fn tile(
+        &self,
+        open: &OpenTiles,
+        tile: usize,
+        is_first: bool,
+        plane: Option<ReferencePlane>,
+    ) -> Result<TileSums, InputError> {
+        let blocks: Vec<Result<TileSums, InputError>> = open
+            .blocks(tile)
+            .into_par_iter()
+            .map(|block| self.block(open, tile, block, is_first, plane))
+            .collect();
+        let mut blocks = blocks.into_iter();
+        let mut sums = blocks.next().unwrap_or_else(|| self.block(open, tile, 0, is_first, plane))?;
+        for block in blocks {
+            sums.merge(&block?);
+        }
+        Ok(sums)
+    }
+
+    fn block(
+        &self,
+        open: &OpenTiles,
+        tile: usize,
+        block: usize,
+        is_first: bool,
+        plane: Option<ReferencePlane>,
+    ) -> Result<TileSums, InputError> {
+        let found = open.block(tile, block)?;
+        let mut asperities = is_first.then(|| open.sums());
+        if let Some(sums) = &mut asperities {
+            match &found.set {
+                Some(set) => sums.add(set),
+                None => sums.add_area(found.nominal_area),
+            }
+        }
+        let Some(plane) = plane else { return Ok(TileSums { asperities, totals: Vec::new() }) };
+        let separations: Vec<f64> = self.separations().iter().map(|h| plane.mean + h * plane.sigma).collect();
+        let of_law = |law: &contact::LawPlan| match &found.set {
+            Some(set) => Deterministic::new(&*law.contact, set.spheres(), plane).totals(&separations),
+            None => vec![Total::default(); separations.len()],
+        };
+        Ok(TileSums { asperities, totals: self.compare.laws.iter().map(of_law).collect() })
+    }
+
+    /// The whole surface, from the first pass.
+    fn whole(&self, context: &RunContext, first: &[TileResult]) -> Result<TiledSurface, InputError> {
+        let open = self.tiles.open(self.surface(), context.source, context.seed)?;
+        let mut sums = open.sums();
+        for tile in first {
+            let tile: TileSums = tile.value().map_err(|error| unreadable(context, error))?;
+            tile.asperities.iter().for_each(|tile| sums.merge(tile));
+        }
+        let refuse = |message: &str| {
+            let plan: &SurfacePlan = self.surface();
+            context.source.error_at(plan.size_key.clone(), message)
+        };
+        let statistics = sums.statistics().ok_or_else(|| refuse("has no summit in any of its tiles"))?;
+        if statistics.sigma == 0.0 {
+            return Err(refuse(
+                "has asperities of equal height: separations are measured in their standard deviation; allowed: asperities of different \
+                 heights",
+            ));
+        }
+        let own = Population {
+            radius: MeanRadius::Arithmetic.of(&statistics),
+            sigma: statistics.sigma,
+            density: sums.count() as f64 / sums.nominal_area(),
+            heights: asperity::Heights::GAUSSIAN,
+        };
+        let (population, plane, population_mean) = match self.surface().nominal() {
+            Some((population, plane)) => (population.clone(), plane, 0.0),
+            None => (own, ReferencePlane::from(&statistics), statistics.mean_height),
+        };
+        Ok(TiledSurface {
+            name: self.surface().name.clone(),
+            tiles: self.tiles.count,
+            count: sums.count(),
+            nominal_area: sums.nominal_area(),
+            origin: open.origin(),
+            statistics,
+            is_nominal: self.surface().nominal().is_some(),
+            reporting_plane: ReferencePlane { mean: plane.mean - population_mean, sigma: plane.sigma },
+            population,
+            plane,
+        })
+    }
+}
+
+fn unreadable(context: &RunContext, error: serde_json::Error) -> InputError {
+    InputError::file(&context.source.path, format!("the sums over a tile cannot be read: {error}"))
+}

@@ -1,0 +1,89 @@
+//! Parts of an experiment: run one at a time, in any order and on any machine, then merged.
+
+use std::path::{Path, PathBuf};
+
+use asperity_framework::Outcome;
+use asperity_framework::divided::{Part, TileResult};
+use asperity_framework::input::InputError;
+use asperity_framework::parts::{Parts, PartsError};
+use asperity_framework::progress::Progress;
+
+use crate::experiment::Experiment;
+
+/// What was done of a part.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct PartRun {
+    /// Files written, pass by pass; none where all were there.
+    pub written: Vec<PathBuf>,
+    /// Number of passes of the experiment.
+    pub passes: usize,
+    /// What the next pass still needs from other parts; `None` where this part is complete.
+    pub waits_for: Option<String>,
+}
+
+/// Why a part was not run, or parts were not merged.
+#[derive(Debug, thiserror::Error)]
+pub enum PartError {
+    /// A spec or an input file.
+    #[error(transparent)]
+    Input(#[from] InputError),
+    /// The files of the parts.
+    #[error(transparent)]
+    Parts(#[from] PartsError),
+}
+
+impl Experiment {
+    /// Runs as many passes of a part as the files in `folder` allow, and writes what it finds there. A pass needs the earlier passes
+    /// of all parts.
+    ///
+    /// # Errors
+    /// An experiment without parts, more parts than tiles, a part that does not belong to this input and program, and what a
+    /// run would refuse.
+    pub fn run_part(&self, part: Part, folder: &Path, progress: &dyn Progress) -> Result<PartRun, PartError> {
+        let divided = self.divided()?;
+        let tiles = divided.tiles();
+        if part.of > tiles {
+            let message =
+                format!("found --part {part} of a run of {tiles} tiles; allowed: at most {tiles} parts");
+            return Err(InputError::file(self.path(), message).into());
+        }
+        let input = self.input()?;
+        let parts = Parts::new(folder, self.stem(), &self.key_of(&input), tiles);
+        let mut done = PartRun { written: Vec::new(), passes: divided.passes(), waits_for: None };
+        let mut earlier: Vec<Vec<TileResult>> = Vec::new();
+        for pass in 0..divided.passes() {
+            if !parts.is_written(part, pass)? {
+                let before = self.modified();
+                let results = divided.pass(&self.context(&input, progress), part.tiles(tiles), &earlier)?;
+                if self.modified() != before {
+                    let message = "its input changed while it was read; run the part again";
+                    return Err(InputError::file(self.path(), message).into());
+                }
+                done.written.push(parts.write(part, pass, results)?);
+            }
+            if pass + 1 < divided.passes() {
+                match parts.read(pass) {
+                    Ok(results) => earlier.push(results),
+                    Err(missing @ PartsError::Missing { .. }) => {
+                        done.waits_for = Some(missing.to_string());
+                        break;
+                    }
+                    Err(error) => return Err(error.into()),
+                }
+            }
+        }
+        Ok(done)
+    }
+
+    /// The results of a run, from the parts in `folder`: the same to the bit as those of [`Self::run`].
+    ///
+    /// # Errors
+    /// Parts that are missing or do not belong to this input and program.
+    pub fn merge(&self, folder: &Path, progress: &dyn Progress) -> Result<Box<dyn Outcome>, PartError> {
+        let divided = self.divided()?;
+        let input = self.input()?;
+        let parts = Parts::new(folder, self.stem(), &self.key_of(&input), divided.tiles());
+        let passes: Result<Vec<_>, _> = (0..divided.passes()).map(|pass| parts.read(pass)).collect();
+        Ok(divided.merge(&self.context(&input, progress), &passes?)?)
+    }
+}
