@@ -212,6 +212,13 @@ sigma = "100 nm"
 spectrum.self-affine = { hurst = 0.8, roll-off = "10 um", cut-off = "2 um" }
 "#;
 
+const TILED: &str = concat!(
+    "[tiled]\nrough = \"steel\"\nflat = \"lead\"\nlaw = \"zmc\"\nseparation = { from = 3, to = 0, points = 4 }\n",
+    "[surface.a.population]\n",
+    case_1!(),
+    "count = 1000\n"
+);
+
 const STABILITY: &str =
     "[stability]\ncontacts = 4\nsums = 2\nintegrals = 2\nloads = 1\nmillions = 1\ncells = 8\n";
 
@@ -258,6 +265,7 @@ fn every_kind_writes_the_tables_that_it_declares() {
         ("sampling-interval", [bodies, SAMPLING_INTERVAL].concat()),
         ("solver-validation", SOLVER_VALIDATION.to_owned()),
         ("stability", STABILITY.to_owned()),
+        ("tiled", [bodies, TILED].concat()),
     ];
     assert!(KINDS.iter().map(|kind| kind.name()).eq(specs.iter().map(|(kind, _)| *kind)));
     for (kind, (name, spec)) in KINDS.iter().zip(specs) {

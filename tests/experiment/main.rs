@@ -39,6 +39,7 @@ mod registry;
 mod results;
 mod sampling_interval;
 mod single_load;
+mod tiled;
 mod tutorial;
 mod verdicts;
 mod work;

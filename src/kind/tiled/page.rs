@@ -21,8 +21,8 @@ pub(super) fn page(results: &TiledResults) -> Page {
     for law in &results.laws {
         of_law(&mut page, law);
     }
-    surface(&mut page, &results.surface);
     sections::notes(&mut page, &results.metadata);
+    surface(&mut page, &results.surface);
     page.heading(2, "Method");
     page.paragraph(
         "The sum runs over every asperity, tile by tile; the tiles are fixed by the input, so that the result is the same to the bit in one \
@@ -50,56 +50,80 @@ fn excess(pair: &Pair) -> Option<f64> {
     (sum > 0.0).then(|| pair.statistical.pressure.total() / sum - 1.0)
 }
 
-/// How far the models are apart, in two sentences.
+/// How far the models are apart: at equal separation, as far as the sampling error lets that be known, then at equal load.
 fn finding(law: &LawResults) -> String {
     let name = name(law);
-    let valid: Vec<_> = law.at_separations().filter(|(pair, _)| pair.is_valid()).collect();
-    let excesses = valid.iter().filter_map(|(pair, error)| Some((pair, excess(pair)?, *error)));
-    let Some((largest, of_largest, error)) = excesses.clone().max_by(|a, b| a.1.abs().total_cmp(&b.1.abs()))
-    else {
+    let valid: Vec<AtSeparation> = law.at_separations().filter_map(AtSeparation::of).collect();
+    let Some(first) = valid.first() else {
         return format!(
-            "**{name}**: no separation is within the valid range of both models; the table names the limits."
+            "**{name}**: no separation is within the valid range of both models and has eight tiles in contact; the table names the limits."
         );
     };
-    let among = excesses.clone().filter(|(_, _, error)| error.is_some()).count();
-    let significant = |(pair, excess, error): &(&&Pair, f64, Option<f64>)| {
-        error.is_some_and(|error| excess.abs() * pair.deterministic.pressure.total() > INTERVAL * error)
-    };
-    let beyond = excesses.clone().filter(significant).count();
-    let error = error.map_or_else(String::new, |error| {
-        format!(" (standard error of the sum {})", percent(error / largest.deterministic.pressure.total()))
-    });
-    let mut words = format!(
-        "**{name}**: at equal separation the pressure of the integral differs from that of the sum by at most {}, at d/σ = {}{error}",
-        signed(of_largest),
-        input_number(largest.target),
+    let tightest = valid.iter().fold(first, |a, b| if b.error < a.error { b } else { a });
+    let beyond: Vec<&AtSeparation> = valid.iter().filter(|at| at.is_beyond()).collect();
+    let largest = beyond.iter().max_by(|a, b| a.excess.abs().total_cmp(&b.excess.abs()));
+    let interval = format!(
+        "narrowest at d/σ = {}, ±{}",
+        input_number(tightest.separation),
+        percent(INTERVAL * tightest.error)
     );
-    if among > 0 {
-        words += &format!(
-            "; the difference is outside the 95 % interval of the sum at {beyond} of {among} separations within the valid range of both models"
-        );
-    }
-    words += ".";
-    let area =
-        |pair: &&Pair| pair.statistical.area_ratio.total() / pair.deterministic.area_ratio.total() - 1.0;
-    let apart = |pair: &&Pair| {
-        (pair.statistical.separation_over_sigma - pair.deterministic.separation_over_sigma).abs()
+    let mut words = match largest {
+        None => format!(
+            "**{name}**: at equal separation the pressure of the integral is within the 95 % interval of the sum at all {} separations \
+             within the valid range of both models ({interval}).",
+            valid.len()
+        ),
+        Some(at) => format!(
+            "**{name}**: at equal separation the pressure of the integral is outside the 95 % interval of the sum at {} of {} separations \
+             within the valid range of both models (one in twenty would be by chance); of these it differs most at d/σ = {}, by {} \
+             (interval ±{}; {interval}).",
+            beyond.len(),
+            valid.len(),
+            input_number(at.separation),
+            signed(at.excess),
+            percent(INTERVAL * at.error)
+        ),
     };
-    let areas = law.valid_loads().map(|pair| area(&pair)).max_by(|a, b| a.abs().total_cmp(&b.abs()));
-    if let Some(area) = areas {
-        let separation = law.valid_loads().map(|pair| apart(&pair)).fold(0.0, f64::max);
+    let heaviest = law.valid_loads().max_by(|a, b| a.target.total_cmp(&b.target));
+    if let Some(Pair { target, statistical, deterministic, .. }) = heaviest {
+        let area = statistical.area_ratio.total() / deterministic.area_ratio.total() - 1.0;
+        let apart = statistical.separation_over_sigma - deterministic.separation_over_sigma;
         words += &format!(
-            " At equal load its contact area differs by at most {} and its separation by at most {} σ.",
+            " At equal load, at {} as the highest in the valid range, its contact area differs by {} and its separation by {} σ.",
+            quantity(*target, "Pa"),
             signed(area),
-            number(separation)
+            with_sign(apart, number(apart.abs()))
         );
     }
     words
 }
 
+/// Both models at equal separation within the valid range of both, relative to the sum.
+struct AtSeparation {
+    separation: f64,
+    excess: f64,
+    /// Standard error of the sum.
+    error: f64,
+}
+
+impl AtSeparation {
+    fn of((pair, error): (&Pair, Option<f64>)) -> Option<Self> {
+        let error = error.filter(|_| pair.is_valid())? / pair.deterministic.pressure.total();
+        Some(Self { separation: pair.target, excess: excess(pair)?, error })
+    }
+
+    fn is_beyond(&self) -> bool {
+        self.excess.abs() > INTERVAL * self.error
+    }
+}
+
 fn signed(share: f64) -> String {
-    let sign = if share < 0.0 { "−" } else { "+" };
-    format!("{sign}{}", percent(share.abs()))
+    with_sign(share, percent(share.abs()))
+}
+
+fn with_sign(value: f64, size: String) -> String {
+    let sign = if value < 0.0 { "−" } else { "+" };
+    format!("{sign}{size}")
 }
 
 /// Figures and table under one law.

@@ -1,0 +1,282 @@
+//! Surfaces in tiles: as one run, in parts, and beside `[compare]` on the same surface.
+
+use std::fs;
+use std::path::Path;
+use std::process::{Command, Output, Stdio};
+use std::time::{Duration, Instant};
+
+use crate::results::{Row, column, number, rows};
+
+const CONTACT: &str = concat!(
+    "rough = \"steel\"\nflat = \"steel\"\nlaw = [\"zmc\", \"hertz\"]\nseparation = { from = 3, to = -1, points = 9 }\n\n",
+    steel!()
+);
+
+/// A population of another distribution, in two realisations.
+const POPULATION: &str = concat!(
+    "[surface.a.population]\n",
+    case_1!(),
+    "count = 300_000\nrealisations = 2\nheights.johnson = { skewness = -1, kurtosis = 4.5 }\n"
+);
+const LIST: &str = "[surface.a.asperities]\nfile = \"list.npy\"\nnominal-area = \"1 mm^2\"\n";
+const MAP: &str =
+    "[surface.a.file]\npath = \"map.npy\"\npixel = \"1 um\"\nlevel = \"none\"\nfilter.s = \"3 um\"\n";
+const GENERATED: &str = "[surface.a.generate]\npoints = 64\npixel = \"1 um\"\nsigma = \"0.1 um\"\nrealisations = 9\n\
+                         spectrum.self-affine = { hurst = 0.8, roll-off = \"20 um\", cut-off = \"4 um\" }\n";
+
+fn spec(kind: &str, surface: &str) -> String {
+    format!("title = \"tiles\"\nseed = 3\n\n[{kind}]\n{CONTACT}\n{surface}")
+}
+
+/// Numbers from 0 to 1 that look random.
+fn noise(count: usize) -> impl Iterator<Item = f64> {
+    let mut state = 1u64;
+    (0..count).map(move |_| {
+        state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        (state >> 11) as f64 / (1u64 << 53) as f64
+    })
+}
+
+/// Rows of the list.
+const ROWS: usize = 600_000;
+
+/// A folder with a spec, a list of [`ROWS`] asperities at a height of 1 m, and a map of 1500 x 300 points in steps of 10 nm with
+/// missing points.
+fn folder(spec: &str) -> tempfile::TempDir {
+    let folder = tempfile::tempdir().unwrap();
+    fs::write(folder.path().join("a.toml"), spec).unwrap();
+    let file = |name: &str| fs::File::create(folder.path().join(name)).unwrap();
+    if spec.contains("list.npy") {
+        let mut random = noise(2 * ROWS);
+        let list = (0..2 * ROWS).map(|k| {
+            let value = random.next().unwrap();
+            if k % 2 == 0 { 1.0 + 1e-7 * value * value } else { 1e-5 * (1.0 + value) }
+        });
+        asperity::npy::write(file("list.npy"), [ROWS, 2], list).unwrap();
+    }
+    let map =
+        noise(450_000).map(|value| if value < 0.001 { f64::NAN } else { 1e-8 * (40.0 * value).round() });
+    asperity::npy::write(file("map.npy"), [1500, 300], map).unwrap();
+    folder
+}
+
+fn command(folder: &Path, arguments: &[&str]) -> Command {
+    let mut command = Command::new(env!("CARGO_BIN_EXE_experiment"));
+    command.args(arguments).current_dir(folder);
+    command
+}
+
+fn experiment(folder: &Path, arguments: &[&str]) -> Output {
+    command(folder, arguments).output().unwrap()
+}
+
+fn succeeds(folder: &Path, arguments: &[&str]) {
+    let output = experiment(folder, arguments);
+    assert!(output.status.success(), "{arguments:?}: {}", String::from_utf8_lossy(&output.stderr));
+}
+
+fn fails(folder: &Path, arguments: &[&str], words: &[&str]) {
+    let output = experiment(folder, arguments);
+    let message = String::from_utf8_lossy(&output.stderr);
+    assert!(!output.status.success() && !message.contains("panicked"), "{arguments:?}: {message}");
+    for words in words {
+        assert!(message.contains(words), "{arguments:?}, without \"{words}\": {message}");
+    }
+}
+
+/// The files of a report, except for what depends on the clock.
+fn report(folder: &Path, out: &str) -> Vec<(String, Vec<u8>)> {
+    let files = fs::read_dir(folder.join(out).join("a")).unwrap();
+    let mut files: Vec<_> = files
+        .map(|entry| entry.unwrap())
+        .map(|entry| (entry.file_name().into_string().unwrap(), fs::read(entry.path()).unwrap()))
+        .filter(|(name, _)| name != "timing.json" && name != "manifest.json")
+        .collect();
+    files.sort();
+    files
+}
+
+#[test]
+fn parts_on_any_number_of_threads_have_the_bytes_of_one_run() {
+    for surface in [POPULATION, LIST, MAP, GENERATED] {
+        let folder = folder(&spec("tiled", surface));
+        let folder = folder.path();
+        succeeds(folder, &["run", "a.toml", "--out", "whole", "--quiet"]);
+        let is_nominal = surface == POPULATION;
+        // In the order 3, 1, 2; the second round does what had to wait.
+        for (part, threads) in [("3/3", "1"), ("1/3", "2"), ("2/3", "3")] {
+            let output = experiment(folder, &["run", "a.toml", "--part", part, "--threads", threads]);
+            let words = String::from_utf8_lossy(&output.stdout);
+            assert!(output.status.success() && words.contains("pass-1-part"));
+            assert_eq!(words.contains("run it again"), !is_nominal && part != "2/3", "{words}");
+        }
+        if !is_nominal {
+            fails(
+                folder,
+                &["merge", "a.toml", "--out", "merged"],
+                &["pass 2 is missing part 1/3", "part 3/3"],
+            );
+            assert!(!folder.join("merged").exists());
+        }
+        for part in ["1/3", "2/3", "3/3"] {
+            succeeds(folder, &["run", "a.toml", "--part", part, "--quiet"]);
+        }
+        succeeds(folder, &["merge", "a.toml", "--out", "merged", "--quiet"]);
+        let (whole, merged) = (report(folder, "whole"), report(folder, "merged"));
+        assert!(whole.len() > 5 && whole == merged, "{surface}");
+    }
+}
+
+/// A process that is killed leaves no part, and its part can be run again.
+#[test]
+#[cfg(unix)]
+fn a_killed_part_is_run_again() {
+    let folder = folder(&spec("tiled", &POPULATION.replace("300_000", "3_000_000")));
+    let folder = folder.path();
+    succeeds(folder, &["run", "a.toml", "--out", "whole", "--quiet"]);
+    succeeds(folder, &["run", "a.toml", "--part", "1/3", "--quiet"]);
+    succeeds(folder, &["run", "a.toml", "--part", "3/3", "--quiet"]);
+    let start = Instant::now();
+    let mut child = command(folder, &["run", "a.toml", "--part", "2/3"])
+        .stdout(Stdio::null())
+        .stderr(Stdio::null())
+        .spawn()
+        .unwrap();
+    std::thread::sleep(Duration::from_millis(5));
+    child.kill().unwrap();
+    assert!(!child.wait().unwrap().success(), "it ended by itself within {:?}", start.elapsed());
+    assert_eq!(
+        fs::read_dir(folder.join("parts"))
+            .unwrap()
+            .filter(|entry| { !entry.as_ref().unwrap().file_name().to_string_lossy().starts_with('.') })
+            .count(),
+        2
+    );
+    fails(folder, &["merge", "a.toml", "--out", "merged"], &["pass 1 is missing part 2/3"]);
+    succeeds(folder, &["run", "a.toml", "--part", "2/3", "--quiet"]);
+    succeeds(folder, &["merge", "a.toml", "--out", "merged", "--quiet"]);
+    assert!(report(folder, "whole") == report(folder, "merged"));
+}
+
+#[test]
+fn what_does_not_belong_is_refused() {
+    let folder = folder(&spec("tiled", POPULATION));
+    let folder = folder.path();
+    for part in ["1/2", "2/2"] {
+        succeeds(folder, &["run", "a.toml", "--part", part, "--quiet"]);
+    }
+    // Another number of lanes.
+    let narrow = |arguments: &[&str]| command(folder, arguments).env("ASPERITY_LANES", "1").output().unwrap();
+    let output = narrow(&["merge", "a.toml", "--out", "merged"]);
+    let message = String::from_utf8_lossy(&output.stderr);
+    assert!(!output.status.success() && message.contains("vector registers"), "{message}");
+    // Another spec.
+    fs::write(folder.join("a.toml"), spec("tiled", &POPULATION.replace("300_000", "300_001"))).unwrap();
+    fails(
+        folder,
+        &["merge", "a.toml", "--out", "merged"],
+        &["pass 1 is missing tiles 1 to 10", "2 files of the same spec", "another version of the spec"],
+    );
+    fails(folder, &["run", "a.toml", "--part", "1/11"], &["--part 1/11", "allowed: at most 10 parts"]);
+    fails(folder, &["run", "a.toml", "--part", "3/2"], &["such as 3/16"]);
+    fs::write(folder.join("a.toml"), spec("compare", POPULATION)).unwrap();
+    fails(folder, &["run", "a.toml", "--part", "1/2"], &["[compare]", "allowed: [tiled]"]);
+    fails(folder, &["merge", "a.toml"], &["[compare]", "allowed: [tiled]"]);
+}
+
+/// A changed input file is another input.
+#[test]
+fn parts_of_another_list_are_not_merged() {
+    let folder = folder(&spec("tiled", LIST));
+    let folder = folder.path();
+    for part in ["1/2", "2/2", "1/2"] {
+        succeeds(folder, &["run", "a.toml", "--part", part, "--quiet"]);
+    }
+    let mut list = fs::read(folder.join("list.npy")).unwrap();
+    let last = list.len() - 1;
+    list[last - 2] ^= 1;
+    fs::write(folder.join("list.npy"), list).unwrap();
+    fails(folder, &["merge", "a.toml"], &["pass 1 is missing", "2 files of the same spec"]);
+}
+
+fn curves(folder: &Path, out: &str) -> Vec<Row> {
+    rows(&fs::read(folder.join(out).join("a/curves.csv")).unwrap())
+}
+
+/// The same asperities, statistics and sums, to rounding.
+#[test]
+fn tiles_of_a_list_a_map_and_a_population_sum_to_the_whole() {
+    for surface in [LIST, MAP, &POPULATION.replace("realisations = 2\n", "")] {
+        let folder = folder(&spec("tiled", surface));
+        let folder = folder.path();
+        succeeds(folder, &["run", "a.toml", "--out", "tiled", "--quiet"]);
+        let whole = spec("compare", surface)
+            .replace("[compare]", "[compare]\nrobustness = false\nattribution = false");
+        fs::write(folder.join("a.toml"), whole).unwrap();
+        succeeds(folder, &["run", "a.toml", "--out", "whole", "--quiet"]);
+        let [tiled, whole] = ["tiled", "whole"].map(|out| curves(folder, out));
+        assert_eq!(tiled.len(), 2 * 2 * 9);
+        for (tiled, whole) in tiled.iter().zip(&whole) {
+            for name in ["model", "law", "target", "separation_over_sigma", "limits"] {
+                assert_eq!(tiled[name], whole[name], "{name}");
+            }
+            for name in
+                ["pressure_pa", "area_ratio", "contact_density_per_m2", "stiffness_pa_per_m", "separation_m"]
+            {
+                let (found, wanted) = (number(tiled, name), number(whole, name));
+                assert!(
+                    (found - wanted).abs() <= 1e-12 * wanted.abs(),
+                    "{name}: {found} for {wanted} on {surface}"
+                );
+            }
+        }
+    }
+}
+
+/// The sum of a Gaussian population is within its interval of the integral, that of a skew list is not.
+#[test]
+fn the_finding_holds_where_the_heights_are_gaussian_and_not_where_they_are_skew() {
+    let gaussian = POPULATION.lines().filter(|line| !line.contains("johnson")).collect::<Vec<_>>().join("\n");
+    let lead = |surface: &str| {
+        let folder = folder(&spec("tiled", surface));
+        succeeds(folder.path(), &["run", "a.toml", "--out", "out", "--quiet"]);
+        let summary = fs::read(folder.path().join("out/a/summary.json")).unwrap();
+        let summary: serde_json::Value = serde_json::from_slice(&summary).unwrap();
+        let points = summary["laws"][0]["at_separations"].as_array().unwrap().clone();
+        let page = fs::read_to_string(folder.path().join("out/a/report.md")).unwrap();
+        let at_zero = points.iter().find(|point| point["separation_over_sigma"] == 1.0).unwrap().clone();
+        let value = |name: &str| at_zero[name].as_f64().unwrap();
+        let ratio = value("statistical_over_deterministic_pressure");
+        ((ratio - 1.0).abs() / value("relative_standard_error_from_tiles"), page)
+    };
+    let (in_errors, page) = lead(&gaussian);
+    assert!(
+        in_errors < 3.0 && page.contains("is within the 95 % interval of the sum at all"),
+        "{in_errors}: {page}"
+    );
+    let (in_errors, page) = lead(LIST);
+    assert!(in_errors > 10.0 && page.contains("is outside the 95 % interval of the sum at"), "{in_errors}");
+}
+
+/// The scatter of the tiles is that of independent asperities where they are independent.
+#[test]
+fn standard_errors_from_tiles_agree_with_those_of_independent_asperities() {
+    let folder = folder(&spec("tiled", &POPULATION.replace("300_000", "4_000_000")));
+    succeeds(folder.path(), &["run", "a.toml", "--out", "out", "--quiet"]);
+    let summary = fs::read(folder.path().join("out/a/summary.json")).unwrap();
+    let summary: serde_json::Value = serde_json::from_slice(&summary).unwrap();
+    let errors = summary["laws"][0]["at_separations"].as_array().unwrap().iter();
+    // None where fewer than eight tiles are in contact.
+    let errors = errors.map(|point| point["relative_standard_error_from_tiles"].as_f64());
+    let sums: Vec<Row> = curves(folder.path(), "out")
+        .into_iter()
+        .filter(|row| row["model"] == "deterministic" && row["law"] == "zmc")
+        .collect();
+    let relative = column(&sums, "pressure_standard_error_pa").into_iter().zip(column(&sums, "pressure_pa"));
+    let both: Vec<_> = errors.zip(relative).filter_map(|(from_tiles, by)| Some((from_tiles?, by))).collect();
+    assert!(both.len() >= 7);
+    for (from_tiles, (error, pressure)) in both {
+        // 124 tiles give a standard error to 6 %.
+        assert!((from_tiles * pressure / error - 1.0).abs() < 0.3, "{from_tiles} for {}", error / pressure);
+    }
+}
