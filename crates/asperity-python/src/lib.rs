@@ -28,7 +28,7 @@ mod _asperity {
     #[pymodule_export]
     use crate::models::{deterministic, statistical};
     #[pymodule_export]
-    use crate::spec::{Run, run};
+    use crate::spec::{Run, key, read_spec, register_bits, run};
     #[pymodule_export]
     use crate::surface::{Map, Surface, length_unit, make_surface};
     #[pymodule_export]

@@ -8,6 +8,7 @@ use asperity_framework::input::{Held, Source};
 use asperity_framework::report::store::Store;
 use asperity_framework::{Outcome, folder, summary_json};
 use indexmap::IndexMap;
+use pyo3::IntoPyObjectExt;
 use pyo3::exceptions::{PyOSError, PyValueError};
 use pyo3::prelude::*;
 use pyo3::types::{PyBool, PyBytes, PyDict, PyFloat, PyInt, PyList, PyString, PyTuple};
@@ -68,10 +69,56 @@ pub fn toml_of(value: &Bound<PyAny>, key: &str) -> PyResult<toml::Value> {
     )))
 }
 
-/// The text of a spec that is a dictionary.
-pub fn source_of(spec: &Bound<PyDict>) -> PyResult<Source> {
+/// The text of a spec that is a dictionary, whose paths are relative to `folder`.
+pub fn source_of(spec: &Bound<PyDict>, folder: &Path) -> PyResult<Source> {
     let text = toml::to_string(&toml_of(spec.as_any(), "")?).map_err(refuse)?;
-    Ok(Source::file(Path::new(DICTIONARY), text))
+    Ok(Source::file(&folder.join(DICTIONARY), text))
+}
+
+/// A spec file as a dictionary, keys and values as they stand.
+#[pyfunction]
+pub fn read_spec<'py>(py: Python<'py>, path: PathBuf) -> PyResult<Bound<'py, PyAny>> {
+    let refuse = |error: &dyn std::fmt::Display| refuse(format!("{}: {error}", path.display()));
+    let text = std::fs::read_to_string(&path).map_err(|error| refuse(&error))?;
+    let table: toml::Table = text.parse().map_err(|error: toml::de::Error| refuse(&error))?;
+    python_of(py, toml::Value::Table(table))
+}
+
+fn python_of(py: Python<'_>, value: toml::Value) -> PyResult<Bound<'_, PyAny>> {
+    match value {
+        toml::Value::String(text) => text.into_bound_py_any(py),
+        toml::Value::Integer(number) => number.into_bound_py_any(py),
+        toml::Value::Float(number) => number.into_bound_py_any(py),
+        toml::Value::Boolean(flag) => flag.into_bound_py_any(py),
+        // A spec has none; its reader says so.
+        toml::Value::Datetime(time) => time.to_string().into_bound_py_any(py),
+        toml::Value::Array(items) => {
+            let list = PyList::empty(py);
+            items.into_iter().try_for_each(|item| list.append(python_of(py, item)?))?;
+            Ok(list.into_any())
+        }
+        toml::Value::Table(table) => {
+            let dict = PyDict::new(py);
+            table.into_iter().try_for_each(|(key, item)| dict.set_item(key, python_of(py, item)?))?;
+            Ok(dict.into_any())
+        }
+    }
+}
+
+/// Checks a dictionary as [`run`] does, without running it, and returns what its results depend on, as a hexadecimal SHA-256:
+/// the spec, its input files, the program and its name.
+#[pyfunction]
+#[pyo3(signature = (spec, *, name="asperity", folder=PathBuf::new()))]
+pub fn key(py: Python, spec: &Bound<PyDict>, name: &str, folder: PathBuf) -> PyResult<String> {
+    let (source, name) = (source_of(spec, &folder)?, name.to_owned());
+    let found = py.detach(|| Experiment::parse(source, &name)?.key());
+    found.map_err(|error| refuse(error.to_string()))
+}
+
+/// Bits of the vector registers that sums run in.
+#[pyfunction]
+pub fn register_bits() -> usize {
+    asperity::numeric::lanes::register_bits()
 }
 
 /// Surfaces in memory by the path that the spec has for them.
@@ -89,7 +136,7 @@ pub fn held_of(held: &Bound<PyDict>) -> PyResult<IndexMap<PathBuf, Held>> {
 }
 
 /// What an experiment gives.
-#[pyclass(module = "asperity", frozen)]
+#[pyclass(module = "asperity._asperity", frozen)]
 pub struct Run {
     #[pyo3(get)]
     kind: &'static str,
@@ -103,8 +150,40 @@ pub struct Run {
     report: Option<PathBuf>,
 }
 
+/// What [`Run`] is made of: kind, files by name, summary, warnings, report.
+type Parts<'py> = (String, Bound<'py, PyDict>, String, Vec<String>, Option<PathBuf>);
+
 #[pymethods]
 impl Run {
+    /// A run from its parts, as [`Self::__reduce__`] gives them: from another process or a file.
+    #[staticmethod]
+    fn of(
+        kind: &str,
+        csv: &Bound<PyDict>,
+        summary: String,
+        warnings: Vec<String>,
+        report: Option<PathBuf>,
+    ) -> PyResult<Self> {
+        let found = KINDS.iter().find(|known| known.name() == kind);
+        let found =
+            found.ok_or_else(|| refuse(format!("found results of {kind}, which this version has not")))?;
+        let schemas = found.tables();
+        let file = |(name, content): (Bound<PyAny>, Bound<PyAny>)| {
+            let name: String = name.extract()?;
+            let schema = schemas.iter().find(|schema| schema.file == name);
+            let schema = schema.ok_or_else(|| refuse(format!("the table {name} is not described")))?;
+            Ok((schema.file, content.extract::<Vec<u8>>()?))
+        };
+        let files: PyResult<Vec<_>> = csv.iter().map(file).collect();
+        Ok(Self { kind: found.name(), files: files?, summary, warnings, report })
+    }
+
+    fn __reduce__<'py>(&self, py: Python<'py>) -> PyResult<(Bound<'py, PyAny>, Parts<'py>)> {
+        let of = py.get_type::<Self>().getattr("of")?;
+        let Self { kind, summary, warnings, report, .. } = self;
+        Ok((of, ((*kind).to_owned(), self.csv(py)?, summary.clone(), warnings.clone(), report.clone())))
+    }
+
     /// The files of the tables by name.
     fn csv<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
         let dict = PyDict::new(py);
@@ -142,15 +221,16 @@ impl From<Failed> for PyErr {
     }
 }
 
-/// Runs a spec; ``held`` are maps and asperities in memory by path.
+/// Runs a spec; ``held`` are maps and asperities in memory by path; paths in a dictionary are relative to ``folder``.
 #[pyfunction]
-#[pyo3(signature = (spec, held, *, name="asperity", report=None))]
+#[pyo3(signature = (spec, held, *, name="asperity", report=None, folder=PathBuf::new()))]
 pub fn run(
     py: Python,
     spec: &Bound<PyAny>,
     held: &Bound<PyDict>,
     name: &str,
     report: Option<PathBuf>,
+    folder: PathBuf,
 ) -> PyResult<Run> {
     if name.is_empty() || Path::new(name).file_name() != Some(name.as_ref()) {
         return Err(refuse(format!("name: found \"{name}\"; allowed: a name such as my-surface")));
@@ -158,7 +238,7 @@ pub fn run(
     let name = name.to_owned();
     let work: Work = match spec.cast::<PyDict>() {
         Ok(table) => {
-            let source = source_of(table)?.with_held(held_of(held)?);
+            let source = source_of(table, &folder)?.with_held(held_of(held)?);
             Box::new(move |watch| finish(Experiment::parse(source, &name), report, watch))
         }
         Err(_) => {

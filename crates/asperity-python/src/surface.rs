@@ -157,7 +157,7 @@ pub fn make_surface(
     if realisation == 0 {
         return Err(refuse("realisation: found 0; allowed: from 1"));
     }
-    let source = source_of(spec)?.with_held(held_of(held)?);
+    let source = source_of(spec, std::path::Path::new(""))?.with_held(held_of(held)?);
     // Ellipses are known on maps without further input.
     let as_ellipses = held.is_empty() && spec_has_map(spec)? || holds_map(held)?;
     type Made = Result<(asperity_experiment::surface::Surface, String, String), String>;

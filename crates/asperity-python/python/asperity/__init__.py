@@ -25,6 +25,7 @@ from ._asperity import (
     deterministic,
     statistical,
 )
+from . import distributed
 from .study import Results, compare, reference, run
 from .surfaces import Topography, draw, generate
 
@@ -42,6 +43,7 @@ __all__ = [
     "__version__",
     "compare",
     "deterministic",
+    "distributed",
     "draw",
     "generate",
     "reference",

@@ -38,6 +38,9 @@ class Results:
         self.warnings = run.warnings
         self.report = run.report
 
+    def __reduce__(self) -> tuple:
+        return Results, (self._run,)
+
     @cached_property
     def tables(self) -> dict[str, Table]:
         return self._run.tables()
