@@ -1,5 +1,6 @@
 //! The asperities of a rough surface.
 
+use pulp::Arch;
 use rayon::prelude::*;
 
 use super::{Asperities, Ellipse};
@@ -85,7 +86,9 @@ const BLOCK: usize = 4096;
 
 /// The index of the first value that is not valid; whole blocks are checked without a branch per value.
 fn first_without(values: &[f64], is_valid: impl Fn(f64) -> bool + Sync) -> Option<usize> {
-    let is_whole = |block: &[f64]| block.iter().fold(true, |all, &value| all & is_valid(value));
+    let arch = Arch::new();
+    let is_whole =
+        |block: &[f64]| arch.dispatch(|| block.iter().fold(true, |all, &value| all & is_valid(value)));
     let bad = values.par_chunks(BLOCK).position_first(|block| !is_whole(block))?;
     let first = values[bad * BLOCK..].iter().position(|&value| !is_valid(value))?;
     Some(bad * BLOCK + first)
@@ -95,10 +98,29 @@ fn first_without(values: &[f64], is_valid: impl Fn(f64) -> bool + Sync) -> Optio
 pub(super) fn far_origin(heights: &[f64]) -> Option<f64> {
     /// Four bits lost: what is nearer keeps its frame.
     const FAR: f64 = 16.0;
+    /// Written to be vectorised by the compiler, which it does for comparisons, not for `f64::min`.
+    const LANES: usize = 16;
+    let join =
+        |a: (f64, f64), b: (f64, f64)| (if b.0 < a.0 { b.0 } else { a.0 }, if b.1 > a.1 { b.1 } else { a.1 });
     let none = || (f64::INFINITY, f64::NEG_INFINITY);
-    let of_block = |block: &[f64]| block.iter().fold(none(), |(low, high), &z| (low.min(z), high.max(z)));
-    let (low, high) =
-        heights.par_chunks(BLOCK).map(of_block).reduce(none, |a, b| (a.0.min(b.0), a.1.max(b.1)));
+    let arch = Arch::new();
+    let of_block = |block: &[f64]| {
+        let (whole, rest) = block.as_chunks::<LANES>();
+        let mut lanes = [none(); LANES];
+        arch.dispatch(|| {
+            let (mut low, mut high) = ([f64::INFINITY; LANES], [f64::NEG_INFINITY; LANES]);
+            for some in whole {
+                for k in 0..LANES {
+                    (low[k], high[k]) = join((low[k], high[k]), (some[k], some[k]));
+                }
+            }
+            for k in 0..LANES {
+                lanes[k] = (low[k], high[k]);
+            }
+        });
+        rest.iter().map(|&z| (z, z)).chain(lanes).fold(none(), join)
+    };
+    let (low, high) = heights.par_chunks(BLOCK).map(of_block).reduce(none, join);
     let is_near = low * high <= 0.0 || low.abs().min(high.abs()) <= FAR * (high - low);
     (!is_near).then_some(low)
 }

@@ -1,7 +1,8 @@
 //! Statistics of a set of asperities.
 
 use super::AsperitySet;
-use crate::numeric::sum::{sum_of, sum_over};
+use crate::numeric::lanes::Real;
+use crate::numeric::sum::{Term, sum_of, sum_over};
 
 /// Mean values and central moments of a set, with divisor n.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -70,7 +71,7 @@ impl Mean {
     /// Exact for equal values.
     fn of(values: &[f64]) -> Self {
         let origin = values[0];
-        let relative = sum_over(values, |value| value - origin) / values.len() as f64;
+        let relative = sum_over(values, Relative(origin)) / values.len() as f64;
         Self { origin, relative }
     }
 
@@ -80,11 +81,34 @@ impl Mean {
 
     /// The standard deviation of the values whose mean this is.
     fn sigma(&self, values: &[f64]) -> f64 {
-        (sum_over(values, |value| self.deviation(value).powi(2)) / values.len() as f64).sqrt()
+        (sum_over(values, SquaredDeviation(self)) / values.len() as f64).sqrt()
     }
 
     fn deviation(&self, value: f64) -> f64 {
         (value - self.origin) - self.relative
+    }
+}
+
+/// A value relative to another.
+#[derive(Clone, Copy)]
+struct Relative(f64);
+
+impl Term for Relative {
+    #[inline(always)]
+    fn of<N: Real>(self, values: N) -> N {
+        values - self.0
+    }
+}
+
+/// The square of [`Mean::deviation`].
+#[derive(Clone, Copy)]
+struct SquaredDeviation<'a>(&'a Mean);
+
+impl Term for SquaredDeviation<'_> {
+    #[inline(always)]
+    fn of<N: Real>(self, values: N) -> N {
+        let deviation = (values - self.0.origin) - self.0.relative;
+        deviation * deviation
     }
 }
 

@@ -23,6 +23,7 @@ pub const LARGEST: f64 = 1e30;
 pub(crate) const INTEGER_BIAS: f64 = 4_503_599_627_370_496.0;
 
 /// Whether `value` is positive and within a range in which no product overflows or underflows.
+#[inline]
 pub fn is_positive(value: f64) -> bool {
     (1.0 / LARGEST..=LARGEST).contains(&value)
 }
