@@ -310,8 +310,8 @@ fn check_memory(plan: &dyn Plan, source: &Source) -> Result<(), InputError> {
         return Ok(());
     }
     let message = format!(
-        "this needs about {:.1} GB of memory; available: {:.1} GB. Allowed: fewer asperities, a smaller map, or, where it compares models \
-         on a measured map, robustness = false",
+        "this needs about {:.1} GB of memory; available: {:.1} GB. Allowed: fewer asperities, a smaller map, where it compares models \
+         on a measured map, robustness = false, or [tiled], which sums a surface of any size at given separations",
         needed.bytes as f64 / 1e9,
         available as f64 / 1e9
     );

@@ -35,7 +35,7 @@ impl fmt::Display for TiledPlan {
         let passes = if self.surface().nominal().is_some() { "one pass" } else { "two passes" };
         writeln!(
             f,
-            "  {count} tiles, {passes}; on many machines: `experiment run --part 1/{} SPEC`",
+            "  {count} tiles, {passes}; a part of them (`experiment run --part 1/{}`) needs the same memory",
             count.min(16)
         )
     }
