@@ -47,13 +47,13 @@ impl Experiment {
                 format!("found --part {part} of a run of {tiles} tiles; allowed: at most {tiles} parts");
             return Err(InputError::file(self.path(), message).into());
         }
+        let before = self.modified();
         let input = self.input()?;
         let parts = Parts::new(folder, self.stem(), &self.key_of(&input), tiles);
         let mut done = PartRun { written: Vec::new(), passes: divided.passes(), waits_for: None };
         let mut earlier: Vec<Vec<TileResult>> = Vec::new();
         for pass in 0..divided.passes() {
             if !parts.is_written(part, pass)? {
-                let before = self.modified();
                 let results = divided.pass(&self.context(&input, progress), part.tiles(tiles), &earlier)?;
                 if self.modified() != before {
                     let message = "its input changed while it was read; run the part again";

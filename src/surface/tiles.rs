@@ -108,6 +108,14 @@ impl SurfaceTiles {
         }
     }
 
+    /// The most blocks that a tile has, whose sums are kept until they are added.
+    pub fn most_blocks(&self) -> usize {
+        match self.division {
+            Division::Population { blocks, .. } | Division::List { blocks } => blocks,
+            Division::Map { .. } | Division::Realisations => 1,
+        }
+    }
+
     /// An estimate of the memory that one tile needs on the threads of this process, bytes.
     pub fn memory(&self, plan: &SurfacePlan) -> u128 {
         /// Heights and radii, drawn and sorted.
@@ -180,7 +188,7 @@ fn check_local(map: &MapPlan) -> Result<(), String> {
         // Separations are measured from the mean asperity height: the mean of the map changes nothing.
         Level::None | Level::Mean => Ok(()),
         _ => Err(format!(
-            "found level = \"{}\", which needs the whole map; allowed in [tiled]: level = \"none\" or \"mean\", for a map that was levelled \
+            "is levelled by a {}, which needs the whole map; allowed in [tiled]: level = \"none\" or \"mean\", for a map that was levelled \
              before",
             level.name()
         )),

@@ -27,6 +27,7 @@ mod columns;
 mod common;
 mod figures;
 mod fitness;
+mod in_memory;
 mod indentation;
 mod keys;
 mod layers;

@@ -14,7 +14,7 @@ use crate::digest::{hexadecimal, sha256, stream_seed};
 use crate::divided::Divided;
 use crate::input::material::MaterialOrigin;
 use crate::input::{InputError, Source, SpecFile};
-use crate::metadata::{Metadata, Timing};
+use crate::metadata::{Again, Metadata, Timing};
 use crate::progress::Progress;
 use crate::report::Page;
 use crate::report::table::{Schema, TableError};
@@ -173,7 +173,7 @@ impl RunContext<'_> {
             title: self.title.to_owned(),
             kind: self.kind,
             stem: self.stem.to_owned(),
-            command: self.command(),
+            again: self.again(),
             notes: self.notes.to_owned(),
             spec_sha256: hexadecimal(&sha256(self.source.text.as_bytes())),
             input_sha256: self.input_sha256.to_owned(),
@@ -186,18 +186,21 @@ impl RunContext<'_> {
         }
     }
 
-    /// The command that runs it: a spec of the repository in its folder, any other where it lies.
-    fn command(&self) -> String {
+    /// The command that runs it: a spec of the repository in its folder, any other where it lies; or the spec.
+    fn again(&self) -> Again {
+        if self.source.is_in_memory() {
+            return Again::Spec(self.source.text.clone());
+        }
         const SPECS: &str = "experiments";
         let path = &self.source.path;
         let file = path.file_name().unwrap_or_default().to_string_lossy();
         let verb = if self.kind == "surface" { "surface" } else { "run" };
         let is_of_repository = path.parent().and_then(Path::file_name).is_some_and(|folder| folder == SPECS);
-        if is_of_repository {
+        Again::Command(if is_of_repository {
             format!("cargo run --release --bin experiment -- {verb} {SPECS}/{file}")
         } else {
             format!("experiment {verb} {file}")
-        }
+        })
     }
 
     /// The seed of one stream of random numbers: it depends on the spec's seed and on what is drawn, not on the rest of the

@@ -17,8 +17,8 @@ pub struct Metadata {
     pub kind: &'static str,
     /// Name of the spec's file, without its ending.
     pub stem: String,
-    /// The command that runs it.
-    pub command: String,
+    /// What runs it again.
+    pub again: Again,
     /// Notes of the spec's author.
     pub notes: String,
     /// SHA-256 of the spec, hexadecimal.
@@ -37,6 +37,15 @@ pub struct Metadata {
     pub timing: Timing,
     /// What was done; `None` where that depends on the clock, or is the experiment itself.
     pub work: Option<Work>,
+}
+
+/// What runs an experiment again.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum Again {
+    /// A command.
+    Command(String),
+    /// The spec itself, which has no file.
+    Spec(String),
 }
 
 /// Where the time went.

@@ -19,9 +19,6 @@ use crate::surface::Map;
 use crate::table::Table;
 use crate::watch::{Watch, interruptible};
 
-/// What errors call a spec that is a dictionary.
-const DICTIONARY: &str = "dictionary";
-
 /// A value of a spec; `key` is for messages.
 pub fn toml_of(value: &Bound<PyAny>, key: &str) -> PyResult<toml::Value> {
     if let Ok(flag) = value.cast::<PyBool>() {
@@ -72,7 +69,7 @@ pub fn toml_of(value: &Bound<PyAny>, key: &str) -> PyResult<toml::Value> {
 /// The text of a spec that is a dictionary, whose paths are relative to `folder`.
 pub fn source_of(spec: &Bound<PyDict>, folder: &Path) -> PyResult<Source> {
     let text = toml::to_string(&toml_of(spec.as_any(), "")?).map_err(refuse)?;
-    Ok(Source::file(&folder.join(DICTIONARY), text))
+    Ok(Source::in_memory(folder, text))
 }
 
 /// A spec file as a dictionary, keys and values as they stand.

@@ -9,6 +9,7 @@ mod summary;
 
 use std::path::PathBuf;
 
+use asperity::Total;
 use asperity_framework::divided::{Divided, run_undivided};
 use asperity_framework::input::{InputError, SpecFile};
 use asperity_framework::metadata::Metadata;
@@ -57,8 +58,10 @@ impl Plan for TiledPlan {
     fn memory(&self) -> Memory {
         /// The sums over a tile at a separation, as a file holds them and as read.
         const BYTES_PER_TOTAL: u128 = 1000;
-        let totals = self.tiles.count * self.separations().len() * self.compare.laws.len();
-        let bytes = self.tiles.memory(self.surface()) + totals as u128 * BYTES_PER_TOTAL;
+        let totals = self.separations().len() * self.compare.laws.len();
+        let of_blocks = self.tiles.most_blocks() * totals * size_of::<Total>();
+        let of_tiles = (self.tiles.count * totals) as u128 * BYTES_PER_TOTAL;
+        let bytes = self.tiles.memory(self.surface()) + of_blocks as u128 + of_tiles;
         Memory { bytes, key: Some(self.surface().size_key.clone()) }
     }
 

@@ -63,6 +63,7 @@ pub struct Source {
     pub path: PathBuf,
     /// Its content.
     pub text: String,
+    is_in_memory: bool,
     /// For a spec made from the command line, the argument that each line stands for.
     arguments: Vec<String>,
     /// What is in memory, by the path that the spec has for it.
@@ -72,7 +73,13 @@ pub struct Source {
 impl Source {
     /// A spec that was read from a file.
     pub fn file(path: &Path, text: String) -> Self {
-        Self { path: path.to_owned(), text, arguments: Vec::new(), held: IndexMap::new() }
+        Self {
+            path: path.to_owned(),
+            text,
+            is_in_memory: false,
+            arguments: Vec::new(),
+            held: IndexMap::new(),
+        }
     }
 
     /// A spec made from the command line, whose paths are relative to the working directory. Each line comes with the
@@ -82,9 +89,22 @@ impl Source {
         Self {
             path: "(command line)".into(),
             text: lines.join("\n") + "\n",
+            is_in_memory: false,
             arguments,
             held: IndexMap::new(),
         }
+    }
+
+    /// A spec that a program holds, without a file; its paths are relative to `folder`.
+    pub fn in_memory(folder: &Path, text: String) -> Self {
+        /// What errors call it.
+        const NAME: &str = "dictionary";
+        Self { is_in_memory: true, ..Self::file(&folder.join(NAME), text) }
+    }
+
+    /// Whether it has no file of its own.
+    pub fn is_in_memory(&self) -> bool {
+        self.is_in_memory
     }
 
     /// The same spec with surfaces in memory, each by the path that the spec has for it.

@@ -5,7 +5,7 @@ use indexmap::IndexMap;
 use super::format::{input_number, input_quantity, quantity, thickness};
 use super::page::{Page, escape, escape_around_code};
 use crate::contact::ContactMetadata;
-use crate::metadata::Metadata;
+use crate::metadata::{Again, Metadata};
 use asperity::Material;
 
 /// Notes of the author of the spec.
@@ -48,7 +48,18 @@ pub fn run_again(page: &mut Page, metadata: &Metadata, spec: Option<&str>) {
         page.code("toml", spec);
         return;
     }
-    page.code("sh", &metadata.command);
+    match &metadata.again {
+        Again::Command(command) => {
+            page.code("sh", command);
+        }
+        Again::Spec(spec) => {
+            page.paragraph(
+                "The spec, for `asperity.run` of the Python package as a dictionary, or for `experiment run` in a file. Surfaces that it names \
+                 `map NAME` or `list NAME` were in memory.",
+            );
+            page.code("toml", spec);
+        }
+    }
     page.paragraph(
         "The same spec and the same version give the same numbers on any number of threads; `experiment verify` compares two folders of \
          reports.",
