@@ -174,13 +174,21 @@ impl Experiment {
     /// # Errors
     /// As [`Self::key`].
     pub fn input(&self) -> Result<String, InputError> {
+        self.input_by(sha256_of_file)
+    }
+
+    /// The same with the SHA-256 of each file from `of_file`.
+    pub(crate) fn input_by(
+        &self,
+        of_file: impl Fn(&Path) -> std::io::Result<[u8; 32]>,
+    ) -> Result<String, InputError> {
         let mut hash = Sha256::new();
         hash.update(sha256(self.source.text.as_bytes()));
         hash.update(self.plan.variant());
         for path in self.plan.inputs() {
             let content = match self.source.held(&path) {
                 Some(held) => held.sha256(),
-                None => sha256_of_file(&path)
+                None => of_file(&path)
                     .map_err(|error| InputError::file(&path, format!("cannot be read: {error}")))?,
             };
             hash.update(content);

@@ -18,4 +18,4 @@ pub mod surface;
 pub mod terminal;
 
 pub use experiment::{Experiment, TEMPLATE, make_surface};
-pub use parts::{PartError, PartRun};
+pub use parts::{Merged, PartError, PartRun};

@@ -3,6 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use asperity_framework::Outcome;
+use asperity_framework::digest::KnownFiles;
 use asperity_framework::divided::{Part, TileResult};
 use asperity_framework::input::InputError;
 use asperity_framework::parts::{Parts, PartsError};
@@ -19,6 +20,14 @@ pub struct PartRun {
     pub passes: usize,
     /// What the next pass still needs from other parts; `None` where this part is complete.
     pub waits_for: Option<String>,
+}
+
+/// What parts merge to.
+pub struct Merged {
+    /// The results.
+    pub outcome: Box<dyn Outcome>,
+    /// What they depend on: [`Experiment::key`].
+    pub key: String,
 }
 
 /// Why a part was not run, or parts were not merged.
@@ -48,7 +57,7 @@ impl Experiment {
             return Err(InputError::file(self.path(), message).into());
         }
         let before = self.modified();
-        let input = self.input()?;
+        let input = self.input_by(|path| KnownFiles { folder }.sha256(path))?;
         let parts = Parts::new(folder, self.stem(), &self.key_of(&input), tiles);
         let mut done = PartRun { written: Vec::new(), passes: divided.passes(), waits_for: None };
         let mut earlier: Vec<Vec<TileResult>> = Vec::new();
@@ -79,11 +88,12 @@ impl Experiment {
     ///
     /// # Errors
     /// Parts that are missing or do not belong to this input and program.
-    pub fn merge(&self, folder: &Path, progress: &dyn Progress) -> Result<Box<dyn Outcome>, PartError> {
+    pub fn merge(&self, folder: &Path, progress: &dyn Progress) -> Result<Merged, PartError> {
         let divided = self.divided()?;
-        let input = self.input()?;
-        let parts = Parts::new(folder, self.stem(), &self.key_of(&input), divided.tiles());
+        let input = self.input_by(|path| KnownFiles { folder }.sha256(path))?;
+        let key = self.key_of(&input);
+        let parts = Parts::new(folder, self.stem(), &key, divided.tiles());
         let passes: Result<Vec<_>, _> = (0..divided.passes()).map(|pass| parts.read(pass)).collect();
-        Ok(divided.merge(&self.context(&input, progress), &passes?)?)
+        Ok(Merged { outcome: divided.merge(&self.context(&input, progress), &passes?)?, key })
     }
 }

@@ -227,9 +227,10 @@ fn merge(files: &[PathBuf], folder: &Path, options: &RunOptions) -> Result<(), F
     set_threads(options)?;
     let mut store = open_store(options)?;
     for experiment in read_all(files, &Extent { full: false })? {
-        let key = experiment.key()?;
+        let start = Instant::now();
         store.check(experiment.stem())?;
-        run_and_write(&experiment, &key, &mut store, options, |progress| experiment.merge(folder, progress))?;
+        let merged = watched(&experiment, options, |progress| experiment.merge(folder, progress))?;
+        write_report(&experiment, &*merged.outcome, &merged.key, &mut store, options, start)?;
     }
     write_index(&mut store, &options.out)
 }
@@ -283,9 +284,7 @@ fn surface(
     let mut store = open_store(options)?;
     store.check(experiment.stem())?;
     check_same_file(&experiment, &options.out.join(experiment.stem()))?;
-    let results = run_and_write(&experiment, &experiment.key()?, &mut store, options, |progress| {
-        experiment.run(progress)
-    })?;
+    let results = run_and_write(&experiment, &experiment.key()?, &mut store, options)?;
     if let Some(text) = results.terminal() {
         say(options, &text);
     }
@@ -361,27 +360,39 @@ fn run_one(experiment: &Experiment, store: &mut Store, options: &RunOptions) -> 
         return Ok(());
     }
     store.check(experiment.stem())?;
-    run_and_write(experiment, &key, store, options, |progress| experiment.run(progress)).map(|_| ())
+    run_and_write(experiment, &key, store, options).map(|_| ())
 }
 
 /// Runs an experiment, which had `key` before, and writes its report.
-fn run_and_write<E: Into<Failure>>(
+fn run_and_write(
     experiment: &Experiment,
     key: &str,
     store: &mut Store,
     options: &RunOptions,
-    run: impl FnOnce(&dyn Progress) -> Result<Box<dyn Outcome>, E>,
 ) -> Result<Box<dyn Outcome>, Failure> {
     let start = Instant::now();
-    let folder = options.out.join(experiment.stem());
-    let results = watched(experiment, options, run).map_err(Into::into)?;
+    let results = watched(experiment, options, |progress| experiment.run(progress))?;
     if experiment.key()? != key {
         return Err(Failure::Run(format!(
             "{}: an input file changed while it was read; run again",
             experiment.stem()
         )));
     }
-    let report = report_folder(&*results, key)?;
+    write_report(experiment, &*results, key, store, options, start)?;
+    Ok(results)
+}
+
+/// Writes the report on results that `key` identifies.
+fn write_report(
+    experiment: &Experiment,
+    results: &dyn Outcome,
+    key: &str,
+    store: &mut Store,
+    options: &RunOptions,
+    start: Instant,
+) -> Result<(), Failure> {
+    let folder = options.out.join(experiment.stem());
+    let report = report_folder(results, key)?;
     for kept in store.write(&report)? {
         print_error(format_args!(
             "warning: {}: a file of the last report was edited since it was written; it is kept as {}",
@@ -398,7 +409,7 @@ fn run_and_write<E: Into<Failure>>(
         options,
         &format!("{} written: {} files in {} s", folder.display(), report.names().count(), seconds(start)),
     );
-    Ok(results)
+    Ok(())
 }
 
 /// Prints a line; a closed pipe, as after `head`, is ignored.

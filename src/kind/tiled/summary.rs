@@ -2,6 +2,7 @@
 
 use asperity_framework::contact::ContactSummary;
 use asperity_framework::fields;
+use indexmap::IndexMap;
 use serde::Serialize;
 use serde_json::{Map, Value};
 
@@ -11,13 +12,12 @@ use super::results::{LawResults, TiledResults, TiledSurface};
 struct TiledSummary<'a> {
     #[serde(flatten)]
     contact: ContactSummary,
-    surface: SurfaceSummary<'a>,
+    surfaces: IndexMap<&'a str, SurfaceSummary>,
     laws: Vec<LawSummary<'a>>,
 }
 
 #[derive(Serialize)]
-struct SurfaceSummary<'a> {
-    name: &'a str,
+struct SurfaceSummary {
     tiles: usize,
     asperities: usize,
     nominal_area_m2: f64,
@@ -51,20 +51,22 @@ pub(super) fn summary(results: &TiledResults) -> serde_json::Result<Map<String, 
     let TiledSurface { name, tiles, count, nominal_area, origin, statistics, .. } = &results.surface;
     fields(&TiledSummary {
         contact: ContactSummary::of(&results.contact),
-        surface: SurfaceSummary {
-            name,
-            tiles: *tiles,
-            asperities: *count,
-            nominal_area_m2: *nominal_area,
-            mean_height_m: origin + statistics.mean_height,
-            sigma_m: statistics.sigma,
-            skewness: statistics.skewness,
-            kurtosis: statistics.kurtosis,
-            mean_radius_m: statistics.mean_radius,
-            radius_of_mean_curvature_m: statistics.radius_of_mean_curvature,
-            radius_cv: statistics.radius_cv,
-            height_radius_correlation: statistics.height_radius_correlation,
-        },
+        surfaces: IndexMap::from([(
+            name.as_str(),
+            SurfaceSummary {
+                tiles: *tiles,
+                asperities: *count,
+                nominal_area_m2: *nominal_area,
+                mean_height_m: origin + statistics.mean_height,
+                sigma_m: statistics.sigma,
+                skewness: statistics.skewness,
+                kurtosis: statistics.kurtosis,
+                mean_radius_m: statistics.mean_radius,
+                radius_of_mean_curvature_m: statistics.radius_of_mean_curvature,
+                radius_cv: statistics.radius_cv,
+                height_radius_correlation: statistics.height_radius_correlation,
+            },
+        )]),
         laws: results.laws.iter().map(of_law).collect(),
     })
 }
