@@ -147,7 +147,7 @@ def overheads(program):
 
 def model(cost, start, merge):
     """Time of 1e11 asperities on 100 nodes of 32 cores; the text of docs/clusters.md states the assumptions."""
-    asperities, nodes, cores, tiles = 1e11, 100, 32, 4096
+    asperities, nodes, cores, tiles = 1e11, 100, 32, 4091
     latency, bandwidth, scatter = 0.05, 100e6, 0.05
     per_merge, size = merge
     most_tiles = -(-tiles // nodes)

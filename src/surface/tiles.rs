@@ -108,10 +108,23 @@ impl SurfaceTiles {
         }
     }
 
-    /// The most blocks that a tile has, whose sums are kept until they are added.
+    /// The number of tiles that are worth doing at a time, so that threads seldom wait for each other: tiles of one block are
+    /// parallel within, and large.
+    pub fn at_once(&self) -> usize {
+        /// Per thread: the last one to end keeps the others waiting for a small share of the time.
+        const BLOCKS_PER_THREAD: usize = 16;
+        match self.division {
+            Division::Population { blocks, .. } | Division::List { blocks } => {
+                (BLOCKS_PER_THREAD * rayon::current_num_threads()).div_ceil(blocks)
+            }
+            Division::Map { .. } | Division::Realisations => 1,
+        }
+    }
+
+    /// The most blocks that are done at a time, whose sums are kept until they are added.
     pub fn most_blocks(&self) -> usize {
         match self.division {
-            Division::Population { blocks, .. } | Division::List { blocks } => blocks,
+            Division::Population { blocks, .. } | Division::List { blocks } => self.at_once() * blocks,
             Division::Map { .. } | Division::Realisations => 1,
         }
     }

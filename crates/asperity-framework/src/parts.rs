@@ -87,7 +87,14 @@ fn missing_words(pass: usize, missing: &[Missing], others: usize, folder: &Path)
         missing.part.map_or_else(|| tiles.clone(), |part| format!("part {part} ({tiles})"))
     };
     let list: Vec<String> = missing.iter().map(one).collect();
-    let mut words = format!("{}: pass {} is missing {}", folder.display(), pass + 1, list.join(", "));
+    let next = missing.iter().find_map(|missing| missing.part);
+    let next = next.map_or_else(|| "1/N to N/N, for any N".to_owned(), |part| part.to_string());
+    let mut words = format!(
+        "{}: pass {} is missing {}; to run it: `experiment run --part {next}`",
+        folder.display(),
+        pass + 1,
+        list.join(", ")
+    );
     if others > 0 {
         words += &format!(
             "; {others} files of the same spec are there that belong to another version of the spec, its input files or the program"

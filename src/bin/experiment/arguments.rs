@@ -34,14 +34,14 @@ pub enum Command {
         extent: Extent,
         #[command(flatten)]
         options: RunOptions,
-        /// Run one part of [tiled] specs, such as 3/16, and write it to --parts instead of a report
+        /// Run one part of `[tiled]` specs, such as 3/16, and write it to --parts instead of a report
         #[arg(long)]
         part: Option<Part>,
         /// Folder of parts
         #[arg(long, default_value = "parts", requires = "part")]
         parts: PathBuf,
     },
-    /// Merge the parts of [tiled] specs and write a report for each
+    /// Merge the parts of `[tiled]` specs and write a report for each
     Merge {
         /// Spec files
         #[arg(required = true)]

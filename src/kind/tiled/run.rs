@@ -60,10 +60,13 @@ impl Divided for TiledPlan {
         let name = format!("pass {} of {}", earlier.len() + 1, self.passes());
         context.progress.stage(&name, tiles.len() as f64);
         let mut results = Vec::new();
-        for tile in tiles {
-            let found = self.tile(&open, tile, earlier.is_empty(), plane)?;
-            results.push(TileResult::of(&found).map_err(|error| unreadable(context, error))?);
-            context.progress.advance(1.0);
+        for first in tiles.clone().step_by(self.tiles.at_once()) {
+            let some = first..tiles.end.min(first + self.tiles.at_once());
+            let progress = some.len() as f64;
+            for found in self.some_tiles(&open, some, earlier.is_empty(), plane)? {
+                results.push(TileResult::of(&found).map_err(|error| unreadable(context, error))?);
+            }
+            context.progress.advance(progress);
         }
         Ok(results)
     }
@@ -116,23 +119,26 @@ impl Divided for TiledPlan {
 }
 
 impl TiledPlan {
-    /// The sums over one tile; block by block in their order, so that no bit depends on the threads.
-    fn tile(
+    /// The sums over each of some tiles: their blocks side by side, added in their order, so that no bit depends on the threads.
+    fn some_tiles(
         &self,
         open: &OpenTiles,
-        tile: usize,
+        tiles: Range<usize>,
         is_first: bool,
         plane: Option<ReferencePlane>,
-    ) -> Result<TileSums, InputError> {
-        let blocks: Vec<Result<TileSums, InputError>> = open
-            .blocks(tile)
-            .into_par_iter()
-            .map(|block| self.block(open, tile, block, is_first, plane))
-            .collect();
-        let mut blocks = blocks.into_iter();
-        let mut sums = blocks.next().unwrap_or_else(|| self.block(open, tile, 0, is_first, plane))?;
-        for block in blocks {
-            sums.merge(&block?);
+    ) -> Result<Vec<TileSums>, InputError> {
+        let blocks: Vec<(usize, usize)> =
+            tiles.flat_map(|tile| open.blocks(tile).map(move |block| (tile, block))).collect();
+        let found: Vec<Result<TileSums, InputError>> =
+            blocks.par_iter().map(|&(tile, block)| self.block(open, tile, block, is_first, plane)).collect();
+        let mut sums: Vec<TileSums> = Vec::new();
+        let mut last = None;
+        for (&(tile, _), found) in blocks.iter().zip(found) {
+            match sums.last_mut().filter(|_| last == Some(tile)) {
+                Some(sum) => sum.merge(&found?),
+                None => sums.push(found?),
+            }
+            last = Some(tile);
         }
         Ok(sums)
     }
