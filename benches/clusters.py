@@ -104,7 +104,7 @@ def costs(program):
         rows.append([f"1e{exponent}", tiles, f"{seconds:.3g}", f"{1e9 * cost:.2f}"])
         print("  ".join(rows[-1]), flush=True)
     lines = table(["asperities", "tiles", "time [s]", "core time per asperity [ns]"], rows)
-    return cost, lines + ["", f"A process took at most {program.memory / 1e6:.0f} MB of memory, at any size. About 30 ms are the integral, the page and its figures."]
+    return cost, lines + ["", f"A process took at most {program.memory / 1e6:.0f} MB of memory, at any size. About 20 ms are the integral, the page and its figures."]
 
 
 def scaling(program):
