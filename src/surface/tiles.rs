@@ -271,39 +271,22 @@ impl OpenTiles<'_> {
     /// # Errors
     /// A row that is no asperity, heights in a wrong unit, a target that no random surface reaches.
     pub fn block(&self, tile: usize, block: usize) -> Result<TileBlock, InputError> {
-        match (&self.tiles.division, &self.plan.origin) {
-            (Division::Population { tiles, .. }, Origin::Population { population, count, draw, .. }) => {
+        match (&self.tiles.division, &self.plan.origin, &self.map) {
+            (Division::Population { tiles, .. }, Origin::Population { population, count, draw, .. }, _) => {
                 self.drawn(population, *count, *draw, tile / tiles + 1, block)
             }
-            (_, Origin::List { path, given, rows, nominal_area }) => {
+            (_, Origin::List { path, given, rows, nominal_area }, _) => {
                 let stretch = block * BLOCK..((block + 1) * BLOCK).min(*rows);
                 let share = nominal_area * stretch.len() as f64 / *rows as f64;
                 let list = self.rows(path, stretch, *given)?;
-                let mut columns = list.columns().map(<[f64]>::to_vec);
-                let mut next = || columns.next().unwrap_or_default();
-                let (mut heights, radii) = (next(), next());
-                heights.iter_mut().for_each(|z| *z -= self.origin);
-                self.block_of(heights, radii, share)
+                let set = list.set(share).map_err(|error| self.refuse(error))?;
+                Ok(set.relative_to(self.origin).into())
             }
-            (&Division::Map { rows, halo }, Origin::Map(plan)) => match &self.map {
-                Some(map) => {
-                    self.found(&**map, plan, tile * rows..((tile + 1) * rows).min(plan.points[0]), halo)
-                }
-                None => unreachable!("a map is opened with its tiles"),
-            },
+            (&Division::Map { rows, halo }, Origin::Map(plan), Some(map)) => {
+                self.found(&**map, plan, tile * rows..((tile + 1) * rows).min(plan.points[0]), halo)
+            }
             _ => self.realisation(tile + 1),
         }
-    }
-
-    fn block_of(
-        &self,
-        heights: Vec<f64>,
-        radii: Vec<f64>,
-        nominal_area: f64,
-    ) -> Result<TileBlock, InputError> {
-        AsperitySet::new(heights, radii, nominal_area)
-            .map(TileBlock::from)
-            .map_err(|error| self.refuse(error))
     }
 
     fn refuse(&self, error: impl std::fmt::Display) -> InputError {
@@ -375,7 +358,8 @@ impl OpenTiles<'_> {
             return Ok(TileBlock { set: None, nominal_area });
         }
         let radii = summits.curvatures.iter().map(|curvature| curvature.recip()).collect();
-        self.block_of(summits.heights, radii, nominal_area)
+        let set = AsperitySet::new(summits.heights, radii, nominal_area);
+        set.map(TileBlock::from).map_err(|error| self.refuse(error))
     }
 
     fn realisation(&self, number: usize) -> Result<TileBlock, InputError> {
@@ -384,12 +368,17 @@ impl OpenTiles<'_> {
         let mut factory = SurfaceFactory::from_seed(self.plan, self.source, self.seed, &counter, &Silent);
         let mut files = Files::new(Vec::new(), &counter);
         let made = factory.make(number, AnalysisDepth::Asperities, &mut files, &mut Timing::default())?;
-        let heights = made.set.heights().iter().map(|z| made.origin + z).collect();
-        self.block_of(heights, made.set.radii().to_vec(), made.set.nominal_area())
+        // All in the same frame.
+        Ok(made.set.relative_to(-made.origin).into())
     }
 }
 
 impl SurfacePlan {
+    /// Whether its asperities are at the quantiles of a population, in their order.
+    pub fn is_at_quantiles(&self) -> bool {
+        matches!(self.origin, Origin::Population { draw: DrawSpec::Quantiles, .. })
+    }
+
     /// The population that it is drawn from, and where separations are measured from then; `None` of other surfaces.
     pub fn nominal(&self) -> Option<(&Population, ReferencePlane)> {
         match &self.origin {

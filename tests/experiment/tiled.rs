@@ -206,7 +206,9 @@ fn curves(folder: &Path, out: &str) -> Vec<Row> {
 /// The same asperities, statistics and sums, to rounding.
 #[test]
 fn tiles_of_a_list_a_map_and_a_population_sum_to_the_whole() {
-    for surface in [LIST, MAP, &POPULATION.replace("realisations = 2\n", "")] {
+    // Without the filter the map is full of plateaus.
+    let unfiltered = MAP.replace("filter.s = \"3 um\"\n", "");
+    for surface in [LIST, MAP, &unfiltered, &POPULATION.replace("realisations = 2\n", "")] {
         let folder = folder(&spec("tiled", surface));
         let folder = folder.path();
         succeeds(folder, &["run", "a.toml", "--out", "tiled", "--quiet"]);
@@ -256,6 +258,24 @@ fn the_finding_holds_where_the_heights_are_gaussian_and_not_where_they_are_skew(
     );
     let (in_errors, page) = lead(LIST);
     assert!(in_errors > 10.0 && page.contains("is outside the 95 % interval of the sum at"), "{in_errors}");
+}
+
+/// Tiles of quantiles are sorted heights: no sample, and no interval.
+#[test]
+fn heights_at_the_quantiles_have_no_interval() {
+    let folder = folder(&spec(
+        "tiled",
+        &format!("{}draw = \"quantiles\"\n", POPULATION.replace("realisations = 2\n", "")),
+    ));
+    succeeds(folder.path(), &["run", "a.toml", "--out", "out", "--quiet"]);
+    let page = fs::read_to_string(folder.path().join("out/a/report.md")).unwrap();
+    assert!(
+        page.contains("differs from that of the sum by at most") && page.contains("has no interval"),
+        "{page}"
+    );
+    let summary = fs::read_to_string(folder.path().join("out/a/summary.json")).unwrap();
+    assert!(summary.contains("\"relative_standard_error_from_tiles\": null"));
+    assert!(!summary.contains("\"relative_standard_error_from_tiles\": 0"));
 }
 
 /// The scatter of the tiles is that of independent asperities where they are independent.

@@ -1,6 +1,7 @@
 //! The page of a surface in tiles: how far is the integral from the sum over all of it?
 
 use asperity::compare::{Kind, Pair};
+use asperity_framework::Outcome;
 use asperity_framework::report::format::{count, input_number, number, percent, quantity, thickness};
 use asperity_framework::report::page::Page;
 use asperity_framework::report::sections;
@@ -15,21 +16,25 @@ const INTERVAL: f64 = 1.96;
 pub(super) fn page(results: &TiledResults) -> Page {
     let mut page = Page::new(&results.metadata.title);
     sections::findings(&mut page, results.laws.iter().map(finding));
-    let mut warnings = results.implausible.clone();
-    warnings.extend(results.contact.caveats.iter().cloned());
-    sections::warnings(&mut page, &warnings);
+    sections::warnings(&mut page, &results.warnings());
     for law in &results.laws {
         of_law(&mut page, law);
     }
     sections::notes(&mut page, &results.metadata);
     surface(&mut page, &results.surface);
     page.heading(2, "Method");
+    let own = "Where separations are measured in the σ of these asperities, which is the integral's too, part of this scatter is common to both \
+               models: for Gaussian heights and one radius the intervals are then wider than those of the difference, so that the integral may \
+               be within them and differ all the same.";
     page.paragraph(
         "The sum runs over every asperity, tile by tile; the tiles are fixed by the input, so that the result is the same to the bit in one \
          process and in parts on many machines (docs/clusters.md). The integral runs at the same separations, and at the pressures of the \
          sum. Standard errors follow from the scatter of the tiles, taken as independent: a ratio estimate of load over area. They are \
          errors of the sum as an estimate for a larger surface of the same kind; the sum over this surface has none.",
     );
+    if !results.surface.is_nominal {
+        page.paragraph(own);
+    }
     sections::what_was_run(&mut page, &results.metadata, &results.contact);
     sections::run_again(&mut page, &results.metadata, None);
     sections::sources(&mut page, &results.metadata);
@@ -54,11 +59,7 @@ fn excess(pair: &Pair) -> Option<f64> {
 fn finding(law: &LawResults) -> String {
     let name = name(law);
     let valid: Vec<AtSeparation> = law.at_separations().filter_map(AtSeparation::of).collect();
-    let Some(first) = valid.first() else {
-        return format!(
-            "**{name}**: no separation is within the valid range of both models and has eight tiles in contact; the table names the limits."
-        );
-    };
+    let Some(first) = valid.first() else { return without_errors(law, &name) };
     let tightest = valid.iter().fold(first, |a, b| if b.error < a.error { b } else { a });
     let beyond: Vec<&AtSeparation> = valid.iter().filter(|at| at.is_beyond()).collect();
     let largest = beyond.iter().max_by(|a, b| a.excess.abs().total_cmp(&b.excess.abs()));
@@ -98,6 +99,27 @@ fn finding(law: &LawResults) -> String {
     words
 }
 
+/// The finding where the sum has no standard error.
+fn without_errors(law: &LawResults, name: &str) -> String {
+    let valid = law.at_separations().filter(|(pair, _)| pair.is_valid());
+    let largest = valid
+        .filter_map(|(pair, _)| Some((pair.target, excess(pair)?)))
+        .max_by(|a, b| a.1.abs().total_cmp(&b.1.abs()));
+    match largest {
+        None => {
+            format!(
+                "**{name}**: no separation is within the valid range of both models; the table names the limits."
+            )
+        }
+        Some((separation, excess)) => format!(
+            "**{name}**: at equal separation the pressure of the integral differs from that of the sum by at most {}, at d/σ = {}, within \
+             the valid range of both models. The sum has no interval: its heights are at the quantiles, or fewer than eight tiles carry load.",
+            signed(excess),
+            input_number(separation)
+        ),
+    }
+}
+
 /// Both models at equal separation within the valid range of both, relative to the sum.
 struct AtSeparation {
     separation: f64,
@@ -130,7 +152,8 @@ fn with_sign(value: f64, size: String) -> String {
 fn of_law(page: &mut Page, law: &LawResults) {
     let name = name(law);
     page.heading(2, &format!("Law {name}"));
-    let file = format!("{name}-pressure.svg").replace(['(', ')', ' ', '=', ','], "-");
+    let layer = law.thickness.map_or_else(String::new, |at| format!("-layer-{at:e}"));
+    let file = format!("{}{layer}-pressure.svg", law.law).replace(['(', ')', ' ', '=', ','], "-");
     page.figure(
         &file,
         figure(&name, law),
@@ -205,7 +228,7 @@ fn figure(name: &str, law: &LawResults) -> Figure {
         Axis::linear("integral over sum, less one"),
     )
     .with(Layer::band(band).coloured(Colour::Statistical))
-    .with(Layer::line(differences).coloured(Colour::Statistical).named("statistical − deterministic"))
+    .with(Layer::line(differences).coloured(Colour::Statistical).named("difference"))
     .with_zero();
     Figure::row(format!("Both models under {name}"), vec![curves, difference])
 }

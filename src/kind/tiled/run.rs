@@ -13,6 +13,7 @@ use serde::{Deserialize, Serialize};
 use super::plan::TiledPlan;
 use super::results::{LawResults, TiledResults, TiledSurface, error_of_ratio};
 use crate::kind::compare::layer_metadata;
+use crate::plausibility;
 use crate::surface::{OpenTiles, SurfacePlan};
 
 /// What is found in a tile.
@@ -54,7 +55,7 @@ impl Divided for TiledPlan {
         let open = self.tiles.open(self.surface(), context.source, context.seed)?;
         let plane = match (self.surface().nominal(), earlier.first()) {
             (Some((_, plane)), _) => Some(plane),
-            (None, Some(first)) => Some(self.whole(context, first)?.plane),
+            (None, Some(first)) => Some(self.whole(context, &read(context, first)?)?.plane),
             (None, None) => None,
         };
         let name = format!("pass {} of {}", earlier.len() + 1, self.passes());
@@ -76,25 +77,25 @@ impl Divided for TiledPlan {
         context: &RunContext,
         passes: &[Vec<TileResult>],
     ) -> Result<Box<dyn Outcome>, InputError> {
-        let surface = self.whole(context, &passes[0])?;
-        let last = &passes[passes.len() - 1];
+        let mut passes = passes.iter().map(|pass| read(context, pass));
+        let first = passes.next().transpose()?.unwrap_or_default();
+        let last = passes.next().transpose()?;
+        let surface = self.whole(context, &first)?;
         let points = self.separations().len();
         let totals = vec![vec![Total::default(); points]; self.compare.laws.len()];
         let mut all = TileSums { asperities: None, totals };
         let mut loads = vec![Vec::new(); points * self.compare.laws.len()];
-        let mut areas = Vec::new();
-        // The first pass has the areas of the tiles.
-        for (tile, first) in last.iter().zip(&passes[0]) {
-            let read = |error| unreadable(context, error);
-            let sums: TileSums = tile.value().map_err(read)?;
-            let area =
-                first.value::<TileSums>().map_err(read)?.asperities.map_or(0.0, |sums| sums.nominal_area());
-            areas.push(area);
-            let totals = sums.totals.iter().flatten();
+        for tile in last.as_ref().unwrap_or(&first) {
+            let totals = tile.totals.iter().flatten();
             loads.iter_mut().zip(totals).for_each(|(loads, total)| loads.push(total.load().total()));
-            all.merge(&sums);
+            all.merge(tile);
         }
-        let errors: Vec<Option<f64>> = loads.iter().map(|loads| error_of_ratio(loads, &areas)).collect();
+        let area = |tile: &TileSums| tile.asperities.map_or(0.0, |sums| sums.nominal_area());
+        let areas: Vec<f64> = first.iter().map(area).collect();
+        // Quantiles are in the order of their heights: their tiles are no sample.
+        let is_sample = !self.surface().is_at_quantiles();
+        let error = |loads: &Vec<f64>| error_of_ratio(loads, &areas).filter(|_| is_sample);
+        let errors: Vec<Option<f64>> = loads.iter().map(error).collect();
         let laws = self.compare.laws.iter().zip(all.totals.iter().zip(errors.chunks(points)));
         let laws = laws.map(|(law, (totals, errors))| {
             LawResults::new(law, self.separations(), &surface, totals, errors.to_vec())
@@ -103,9 +104,17 @@ impl Divided for TiledPlan {
         papers
             .extend(self.surface().nominal().iter().flat_map(|(population, _)| population.heights.papers()));
         let layer = layer_metadata(context, &self.compare, &mut papers)?;
+        let mut implausible = self.compare.implausible.clone();
+        let TiledSurface { name, statistics, nominal_area, .. } = &surface;
+        implausible.extend(plausibility::of_surface(
+            name,
+            statistics.mean_radius,
+            statistics.sigma,
+            *nominal_area,
+        ));
         Ok(Box::new(TiledResults {
             laws: laws.collect(),
-            implausible: self.compare.implausible.clone(),
+            implausible,
             contact: contact::contact_metadata(
                 context.materials,
                 &self.compare.laws,
@@ -169,13 +178,10 @@ impl TiledPlan {
     }
 
     /// The whole surface, from the first pass.
-    fn whole(&self, context: &RunContext, first: &[TileResult]) -> Result<TiledSurface, InputError> {
+    fn whole(&self, context: &RunContext, first: &[TileSums]) -> Result<TiledSurface, InputError> {
         let open = self.tiles.open(self.surface(), context.source, context.seed)?;
         let mut sums = open.sums();
-        for tile in first {
-            let tile: TileSums = tile.value().map_err(|error| unreadable(context, error))?;
-            tile.asperities.iter().for_each(|tile| sums.merge(tile));
-        }
+        first.iter().filter_map(|tile| tile.asperities.as_ref()).for_each(|tile| sums.merge(tile));
         let refuse = |message: &str| {
             let plan: &SurfacePlan = self.surface();
             context.source.error_at(plan.size_key.clone(), message)
@@ -210,6 +216,10 @@ impl TiledPlan {
             plane,
         })
     }
+}
+
+fn read(context: &RunContext, tiles: &[TileResult]) -> Result<Vec<TileSums>, InputError> {
+    tiles.iter().map(|tile| tile.value().map_err(|error| unreadable(context, error))).collect()
 }
 
 fn unreadable(context: &RunContext, error: serde_json::Error) -> InputError {

@@ -140,8 +140,14 @@ impl AsperitySet {
     #[must_use]
     pub fn near_zero(self) -> (Self, f64) {
         let Some(origin) = far_origin(&self.heights) else { return (self, 0.0) };
-        let heights = self.heights.iter().map(|z| z - origin).collect();
-        (Self { heights, ..self }, origin)
+        (self.relative_to(origin), origin)
+    }
+
+    /// The same asperities with heights relative to a height, m.
+    #[must_use]
+    pub fn relative_to(mut self, height: f64) -> Self {
+        self.heights.iter_mut().for_each(|z| *z -= height);
+        self
     }
 
     /// Heights, m.
